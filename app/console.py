@@ -140,8 +140,8 @@ def print_table(title: str, columns: Sequence[Text], rows: Sequence[Sequence[Tex
 def _print(title: str, content: object) -> None:
     from rich.console import Console
 
-    console = Console(highlight=False, markup=False)
+    console = Console(emoji=False, highlight=False, markup=False)
     if not console.is_terminal:  # a file or a pipe has no width to fold at
-        console = Console(highlight=False, markup=False, width=200)
+        console = Console(emoji=False, highlight=False, markup=False, width=200)
     console.print(title, style="bold")
     console.print(content)

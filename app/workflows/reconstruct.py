@@ -34,6 +34,9 @@ from app.workflows.reconstruct_messages import (
 
 PointConsumer = Callable[[Points, int], None]
 """Called with new points, and the time stamp of their last frame."""
+PoseConsumer = Callable[[int, Floats], None]
+"""Called with the number of a block's first frame, and ``T_arm_sensor`` (F, 4, 4) of its frames,
+NaN where unknown."""
 RECENT_FRAMES = 4096
 """The picture of a frame is at most this many frames away from its stripe."""
 
@@ -88,6 +91,9 @@ class _BlockPoints:
     dark: int
     unplaced_ns: list[int]
     last_ns: int
+    first_number: int
+    poses: Floats
+    """(F, 4, 4)"""
 
 
 def reconstruct_cloud(
@@ -146,11 +152,12 @@ def reconstruct_into(
     take: PointConsumer,
     progress: Progress = no_progress,
     delay_ns: int | None = None,
+    take_poses: PoseConsumer = lambda first, poses: None,
 ) -> Reconstruction:
-    """Like ``reconstruct_cloud``; passes the points to ``take`` in order, in the caller's
-    thread."""
+    """Like ``reconstruct_cloud``; passes the points to ``take``, and the poses of their frames to
+    ``take_poses``, in order, in the caller's thread."""
     check_serials(calibration, arm)
-    job = _Job(open_recording(recording_path), calibration, arm, take, delay_ns)
+    job = _Job(open_recording(recording_path), calibration, arm, (take, take_poses), delay_ns)
     workers = os.cpu_count() or 1
     with ThreadPoolExecutor(workers, "rebuild") as pool:
         try:
@@ -169,13 +176,13 @@ class _Job:
         recording: Recording,
         calibration: Calibration,
         arm: AnyArm,
-        take: PointConsumer,
+        take: tuple[PointConsumer, PoseConsumer],
         delay_ns: int | None,
     ) -> None:
         self._recording = recording
         self._calibration = calibration
         self._arm = arm
-        self._take_points = take
+        self._take_points, self._take_poses = take
         self._given_delay_ns = delay_ns
         self._points = 0
         self._readings = reading_reader(recording.path, arm)
@@ -286,13 +293,20 @@ class _Job:
         ]
         dark = int((counts == 0).sum())
         return _BlockPoints(
-            points, len(counts) - dark - len(unplaced), dark, unplaced, waiting.last_ns
+            points,
+            len(counts) - dark - len(unplaced),
+            dark,
+            unplaced,
+            waiting.last_ns,
+            waiting.first_number,
+            poses,
         )
 
     def _write(self) -> None:
         made = self._making.popleft().result()
         self._points += len(made.points)
         self._take_points(made.points, made.last_ns)
+        self._take_poses(made.first_number, made.poses)
         self._frames += made.frames
         self._dark += made.dark
         self._unplaced_ns += made.unplaced_ns

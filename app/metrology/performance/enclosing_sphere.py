@@ -9,6 +9,7 @@ from app.metrology.transforms import Floats
 
 MOST = 12
 TOLERANCE = 1e-9
+"""In mm: points closer together are one."""
 
 
 @dataclass(frozen=True)
@@ -37,7 +38,7 @@ def smallest_enclosing_sphere(points_mm: Floats) -> EnclosingSphere:
     points = np.asarray(points_mm, dtype=np.float64)
     assert 1 <= len(points) <= MOST, len(points)
     best: EnclosingSphere | None = None
-    scale = max(float(np.ptp(points, axis=0).max()), 1.0)
+    points = _distinct(points)
     if len(points) == 1:
         return EnclosingSphere(points[0], 0.0)
     for size in (2, 3, 4):
@@ -48,10 +49,19 @@ def smallest_enclosing_sphere(points_mm: Floats) -> EnclosingSphere:
             radius = float(np.linalg.norm(chosen[0] - centre))
             if best is not None and 2 * radius >= best.diameter_mm:
                 continue
-            if (np.linalg.norm(points - centre, axis=1) <= radius + TOLERANCE * scale).all():
+            if (np.linalg.norm(points - centre, axis=1) <= radius + TOLERANCE).all():
                 best = EnclosingSphere(centre, 2 * radius)
     assert best is not None, "a sphere through two, three or four points holds all"
     return best
+
+
+def _distinct(points: Floats) -> Floats:
+    """The points (K, 3) without those that coincide with an earlier one."""
+    kept: list[Floats] = []
+    for point in points:
+        if all(np.linalg.norm(point - other) > TOLERANCE for other in kept):
+            kept.append(point)
+    return np.array(kept)
 
 
 def _circumcentre(points: Floats) -> Floats | None:

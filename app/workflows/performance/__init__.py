@@ -1,0 +1,1 @@
+"""Performance tests: from the folder of a test to its figures."""

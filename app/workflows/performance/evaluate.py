@@ -1,0 +1,265 @@
+"""Evaluates the folder of a performance test and writes ``performance.json``."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from datetime import UTC, datetime
+from pathlib import Path
+
+import numpy as np
+
+from app.errors import OperationError
+from app.formats.json_document import SOFTWARE
+from app.formats.performance.plan import (
+    RESULT,
+    PerformancePlan,
+    SpherePart,
+    read_plan,
+    sphere_features,
+)
+from app.formats.performance.results import (
+    ImpliedOffsetPart,
+    LengthPoint,
+    PerformanceFigure,
+    PerformanceFile,
+    SphereMeasurement,
+)
+from app.formats.performance.symbols import Quantity, editions
+from app.formats.results.calibration import SerialNumbers
+from app.messages.message import Text, message, quantity
+from app.metrology.performance.location import estimate_offset
+from app.metrology.performance.sphere import least_squares_sphere
+from app.metrology.performance.value_uncertainty import (
+    SphereCertificate,
+    form_uncertainty_um,
+    location_uncertainty_um,
+    size_uncertainty_um,
+)
+from app.workflows.performance.artefact_checks import artefact_problems
+from app.workflows.performance.contact_test import contact_features, measure_contact_test
+from app.workflows.performance.judge import K, Measured, judge_all, judge_figure
+from app.workflows.performance.length_test import length_features, measure_lengths
+from app.workflows.performance.measured_data import MeasuredData, read_measured_data
+from app.workflows.performance.plane_test import measure_plane
+from app.workflows.performance.sphere_test import (
+    PositionResult,
+    measure_position,
+    problems_of,
+    worst,
+)
+
+SPHERE_QUANTITIES: tuple[Quantity, ...] = (
+    "size-touch",
+    "form-touch",
+    "location-touch",
+    "size-scan",
+    "size-all-scan",
+    "form-scan",
+    "dispersion-scan",
+    "location-scan",
+    "size-both",
+    "form-both",
+    "location-both",
+)
+
+
+@dataclass(frozen=True)
+class _Parts:
+    """What only some kinds of test have."""
+
+    spheres: tuple[SphereMeasurement, ...] = ()
+    offset: ImpliedOffsetPart | None = None
+    lengths: tuple[LengthPoint, ...] = ()
+
+
+def evaluate_performance(folder: Path, ended_at: str = "") -> PerformanceFile:
+    """Computes every figure of a test from its touches and recordings.
+
+    Args:
+        ended_at: ISO 8601; empty: now.
+
+    Raises:
+        OperationError: the plan, the arm or the calibration cannot be read, or a recording is
+            damaged. What keeps single figures from being stated is in the result.
+    """
+    plan = read_plan(folder)
+    data = read_measured_data(folder, _features(plan))
+    problems = artefact_problems(plan, data.calibration)
+    figures, parts = _measure(data, problems)
+    serials = SerialNumbers() if data.calibration is None else data.calibration.serial_numbers
+    status = "" if plan.standards_at_hand else message("performance-status")
+    return PerformanceFile(
+        id=plan.id,
+        kind=plan.kind,
+        station=plan.station,
+        operator=plan.operator,
+        simulated=plan.simulated,
+        started_at=plan.started_at,
+        ended_at=ended_at or datetime.now(UTC).isoformat(timespec="seconds"),
+        edition=plan.edition,
+        standards=editions()[plan.edition].standards,
+        status=status,
+        sphere=plan.sphere,
+        length=plan.length,
+        plate=plan.plate,
+        serial_numbers=serials,
+        gate=plan.gate,
+        rule=plan.rule,
+        figures=figures,
+        verdict=judge_all(figures),
+        problems=tuple(problems),
+        notes=_notes(plan),
+        inputs=data.inputs,
+        software=SOFTWARE,
+        spheres=parts.spheres,
+        offset=parts.offset,
+        lengths=parts.lengths,
+    )
+
+
+def write_performance(folder: Path) -> PerformanceFile:
+    """Evaluates and writes the result; raises ``OperationError``."""
+    result = evaluate_performance(folder)
+    result.write(folder / RESULT)
+    return result
+
+
+def _features(plan: PerformancePlan) -> list[str]:
+    if plan.kind == "sphere":
+        return sphere_features(plan.positions)
+    if plan.kind == "lengths":
+        return length_features(plan)
+    return contact_features() if plan.kind == "contact" else []
+
+
+def _measure(
+    data: MeasuredData, problems: list[Text]
+) -> tuple[tuple[PerformanceFigure, ...], _Parts]:
+    """The figures, and further fields of the result. ``problems`` may grow."""
+    plan, parts = data.plan, _Parts()
+    if plan.kind == "sphere":
+        measured, parts = _measure_sphere(data, problems)
+    elif plan.kind == "lengths":
+        measured, lengths = measure_lengths(data)
+        parts = _Parts(lengths=tuple(LengthPoint.model_validate(one) for one in lengths))
+    elif plan.kind == "plane":
+        measured = measure_plane(data)
+    else:
+        measured = measure_contact_test(data)
+    if problems:
+        refused = problems[0]
+        measured = [
+            Measured(one.quantity, None, problem=one.problem or refused, data=one.data)
+            for one in measured
+        ]
+    return tuple(judge_figure(plan, one) for one in measured), parts
+
+
+def _measure_sphere(data: MeasuredData, problems: list[Text]) -> tuple[list[Measured], _Parts]:
+    plan = data.plan
+    assert plan.sphere is not None, "a plan of this kind has a sphere"
+    certificate = _certificate(plan.sphere)
+    results = [measure_position(data, plan.sphere, i + 1) for i in range(plan.positions)]
+    moved_um = max(result.moved_um for result in results)
+    still_um = K * max(form_uncertainty_um(certificate), size_uncertainty_um(certificate)) / 2
+    limit_um = max(still_um, _least_drift_um(data))
+    if moved_um > limit_um:
+        problems.append(
+            message(
+                "sphere-or-arm-moved",
+                moved=quantity(moved_um, "µm"),
+                limit=quantity(limit_um, "µm"),
+            )
+        )
+    measured = [
+        Measured(
+            of,
+            worst(results, of),
+            tuple(None if of not in one.values_mm else 1e3 * one.values_mm[of] for one in results),
+            _test_sd_um(of, certificate, plan.temperature_sd_c, moved_um),
+            problems_of(results, of),
+            tuple(name for one in results for name in one.data.get(of, ())),
+        )
+        for of in SPHERE_QUANTITIES
+    ]
+    spheres = tuple(result.measurement() for result in results)
+    return measured, _Parts(spheres, _offset(results))
+
+
+def _least_drift_um(data: MeasuredData) -> float:
+    """What the arm's own scatter makes of two centres, at twice its standard uncertainty."""
+    tips = data.tips_mm.get("p1-pattern")
+    if tips is None or len(tips) < 5:
+        return 0.0
+    found = least_squares_sphere(tips)
+    off = np.linalg.norm(tips - found.centre_mm, axis=1) - found.diameter_mm / 2
+    scatter_um = 1e3 * float(np.sqrt(np.sum(off**2) / (len(tips) - 4)))
+    # of a centre by five touches, in the worst direction, against one by 25
+    return 2 * 1.25 * scatter_um
+
+
+def _certificate(sphere: SpherePart) -> SphereCertificate:
+    return SphereCertificate(
+        sphere.diameter_mm,
+        sphere.diameter_sd_um,
+        sphere.form_um,
+        sphere.form_sd_um,
+        sphere.expansion_per_c,
+    )
+
+
+def _test_sd_um(
+    of: Quantity, sphere: SphereCertificate, temperature_sd_c: float, moved_um: float
+) -> float:
+    if of.startswith("size"):
+        return size_uncertainty_um(sphere, temperature_sd_c)
+    if of.startswith("location"):
+        return location_uncertainty_um(sphere, moved_um)
+    return form_uncertainty_um(sphere)
+
+
+def _offset(results: Sequence[PositionResult]) -> ImpliedOffsetPart | None:
+    """The probe matrix's error that the first position's location error implies."""
+    first = results[0]
+    if first.centres_mm is None or first.R_arm_sensor is None:
+        return None
+    try:
+        found = estimate_offset(first.centres_mm, first.R_arm_sensor)
+    except OperationError:
+        return None
+    x, y, z = (float(value) for value in found.offset_mm)
+    sx, sy, sz = (float(value) for value in np.sqrt(np.diag(found.covariance)))
+    known = {
+        "size": quantity(1e3 * found.size_mm, "µm"),
+        "left": quantity(1e3 * found.left_mm, "µm"),
+    }
+    return ImpliedOffsetPart(
+        offset_mm=(x, y, z),
+        standard_uncertainty_mm=(sx, sy, sz),
+        significant=found.is_significant,
+        left_um=1e3 * found.left_mm,
+        text=message("offset-worth-calibrating", **known)
+        if found.is_significant
+        else message("offset-not-significant", **known),
+    )
+
+
+def _notes(plan: PerformancePlan) -> tuple[Text, ...]:
+    """The filters, and what else should be known."""
+    notes: list[Text] = []
+    if plan.kind in ("sphere", "plane"):
+        notes.append(message("performance-no-filter"))
+    if plan.kind == "sphere":
+        gate = plan.gate
+        notes.append(
+            message(
+                "performance-gate",
+                shell=quantity(gate.shell_mm, "mm", 1),
+                incidence=quantity(gate.incidence_deg, "°"),
+                cone=quantity(gate.cone_deg, "°"),
+            )
+        )
+        if plan.positions == 1:
+            notes.append(message("performance-one-position"))
+    if plan.kind == "plane":
+        notes.append(message("performance-plane-is-addition"))
+    return tuple(notes)

@@ -1,0 +1,119 @@
+"""Errors of length by touch or scan: ball bars and step gauges in seven places."""
+
+import numpy as np
+
+from app.errors import OperationError
+from app.formats.performance.plan import PerformancePlan, length_feature
+from app.formats.performance.symbols import Quantity
+from app.messages.message import message
+from app.metrology.arm.kinematics import tip_of
+from app.metrology.performance.lengths import (
+    PLACES,
+    REPEATS,
+    CalibratedLength,
+    MeasuredLength,
+    length_of_bar_mm,
+    summarise_lengths,
+)
+from app.metrology.performance.sphere import sphere_centre
+from app.metrology.transforms import Floats
+from app.workflows.performance.judge import K, Measured
+from app.workflows.performance.measured_data import MeasuredData
+
+LEAST_TOUCHES = 4
+"""On a sphere of a bar."""
+
+
+def length_features(plan: PerformancePlan) -> list[str]:
+    """All groups of touches of a length test."""
+    lengths = 0 if plan.length is None else len(plan.length.lengths)
+    return [
+        length_feature(place, repeat, length, end)
+        for place in range(1, PLACES + 1)
+        for repeat in range(1, REPEATS + 1)
+        for length in range(1, lengths + 1)
+        for end in (0, 1)
+    ]
+
+
+def measure_lengths(data: MeasuredData) -> tuple[list[Measured], list[dict[str, object]]]:
+    """The worst error of length by touch, and every single one."""
+    values, names = _lengths_by_touch(data)
+    quantity: Quantity = "length-touch"
+    if not values:
+        return [Measured(quantity, None, problem=message("no-lengths-measured"))], []
+    permissible = data.plan.limit(quantity)
+    limits = [
+        np.inf if permissible is None else permissible.at(one.nominal.length_mm) for one in values
+    ]
+    summary = summarise_lengths(values, limits)
+    measured = Measured(
+        quantity,
+        summary.worst.error_um,
+        tuple(one.error_um for one in values),
+        summary.worst.test_uncertainty_um,
+        data=tuple(names),
+        length_mm=summary.worst.nominal.length_mm,
+    )
+    points: list[dict[str, object]] = [
+        {
+            "place": one.place,
+            "repeat": one.repeat,
+            "length_mm": one.nominal.length_mm,
+            "measured_mm": one.measured_mm,
+            "error_um": one.error_um,
+            "test_uncertainty_um": K * one.test_uncertainty_um,
+            "limit_um": None if not np.isfinite(limit) else limit,
+        }
+        for one, limit in zip(values, limits, strict=True)
+    ]
+    return [measured], points
+
+
+def _lengths_by_touch(data: MeasuredData) -> tuple[list[MeasuredLength], list[str]]:
+    standard = data.plan.length
+    assert standard is not None, "a plan of this kind has lengths"
+    values: list[MeasuredLength] = []
+    names: list[str] = []
+    for place in range(1, PLACES + 1):
+        for repeat in range(1, REPEATS + 1):
+            for number, part in enumerate(standard.lengths, 1):
+                ends = [length_feature(place, repeat, number, end) for end in (0, 1)]
+                if not all(name in data.tips_mm for name in ends):
+                    continue
+                a, b = (_end_mm(data, data.tips_mm[name]) for name in ends)
+                nominal = CalibratedLength(
+                    part.length_mm,
+                    part.standard_uncertainty_um,
+                    standard.expansion_per_c,
+                    standard.expansion_sd_per_c,
+                )
+                length_mm = length_of_bar_mm(a, b)
+                values.append(
+                    MeasuredLength(
+                        place,
+                        repeat,
+                        nominal,
+                        length_mm,
+                        temperature_sd_c=data.plan.temperature_sd_c,
+                    )
+                )
+                names += ends
+    return values, names
+
+
+def _end_mm(data: MeasuredData, tips_mm: Floats) -> Floats:
+    """One end (3,): a sphere's centre, or the mean of touches on a face in the same direction."""
+    standard = data.plan.length
+    assert standard is not None
+    diameter = standard.sphere_diameter_mm
+    if diameter is None or len(tips_mm) == 1:
+        return np.asarray(tips_mm.mean(axis=0))
+    if len(tips_mm) < LEAST_TOUCHES:
+        raise OperationError(
+            "too-few-touches",
+            message("has-touches", shape="sphere", count=len(tips_mm)),
+            message("least-needed", least=LEAST_TOUCHES),
+            message("touch-more-places"),
+        )
+    return sphere_centre(tips_mm, diameter + tip_of(data.arm).diameter_mm)

@@ -1,0 +1,116 @@
+"""The touches and scans in the folder of a performance test."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from app.errors import OperationError
+from app.formats.clouds.points import Points
+from app.formats.datasheets.arm import read_any_arm
+from app.formats.json_document import file_sha256
+from app.formats.performance.plan import PLAN, TOUCHES, PerformancePlan, read_plan
+from app.formats.results.calibration import Calibration, Input, read_calibration
+from app.formats.session.calibration_session import ARM, read_contacts
+from app.messages.message import message
+from app.metrology.arm.kinematics import AnyArm, tip_centres
+from app.metrology.transforms import Floats
+from app.workflows.reconstruct import reconstruct_into
+
+CALIBRATION, RECORDING = "calibration.json", "scan.mcap"
+
+
+@dataclass(frozen=True)
+class ScanCloud:
+    """One scan, rebuilt with the calibration."""
+
+    points_mm: Floats  # (N, 3), arm frame
+    frame: NDArray[np.int64]  # (N,)
+    views: Floats  # (N, 3) unit directions from the points to the camera
+    R_arm_sensor: Floats  # (3, 3) mean orientation of the sensor over the points
+
+
+@dataclass(frozen=True)
+class MeasuredData:
+    """What was measured, by the names of its groups."""
+
+    folder: Path
+    plan: PerformancePlan
+    arm: AnyArm
+    calibration: Calibration | None
+    tips_mm: Mapping[str, Floats]
+    """Tip centres (N, 3) by the feature of the touches."""
+    inputs: tuple[Input, ...]
+
+    def has_scan(self, name: str) -> bool:
+        """Whether a scan of this name was recorded."""
+        return (self.folder / name / RECORDING).is_file()
+
+    def scan(self, name: str) -> ScanCloud:
+        """One scan, by the name of its folder.
+
+        Raises:
+            OperationError: it cannot be rebuilt, or the folder has no calibration.
+        """
+        if self.calibration is None:
+            raise OperationError("file-missing", message("scans-need-a-calibration"))
+        return read_scan(self.folder / name / RECORDING, self.calibration, self.arm)
+
+
+def read_measured_data(folder: Path, features: Sequence[str]) -> MeasuredData:
+    """Reads a folder.
+
+    Args:
+        features: the groups of touches that the test knows.
+
+    Raises:
+        OperationError: plan or arm is missing or damaged, or touches of unknown groups.
+    """
+    plan, arm = read_plan(folder), read_any_arm(folder / ARM)
+    calibration_path = folder / CALIBRATION
+    calibration = read_calibration(calibration_path) if calibration_path.is_file() else None
+    tips: dict[str, Floats] = {}
+    if (folder / TOUCHES).is_file():
+        contacts = read_contacts(folder / TOUCHES, arm, features)
+        centres = tip_centres(arm, contacts.arm_readings)
+        names = np.array(contacts.features)
+        tips = {name: centres[names == name] for name in dict.fromkeys(contacts.features)}
+    return MeasuredData(folder, plan, arm, calibration, tips, _inputs(folder))
+
+
+def read_scan(recording: Path, calibration: Calibration, arm: AnyArm) -> ScanCloud:
+    """A scan with the direction to the camera of each point; raises ``OperationError``."""
+    kept: list[Points] = []
+    poses: list[Floats] = []
+    reconstruct_into(
+        recording,
+        calibration,
+        arm,
+        lambda points, _: kept.append(points),
+        take_poses=lambda first, block: poses.append(block),
+    )
+    points = np.concatenate(kept)
+    T_arm_sensor = np.concatenate(poses)
+    frame = points["frame"].astype(np.int64)
+    xyz = np.column_stack([points[axis] for axis in "xyz"])
+    finite = np.isfinite(xyz).all(axis=1)
+    xyz, frame = xyz[finite], frame[finite]
+    cameras = T_arm_sensor[:, :3, :3] @ calibration.camera.centre_mm + T_arm_sensor[:, :3, 3]
+    views = cameras[frame] - xyz
+    views /= np.linalg.norm(views, axis=1)[:, None]
+    mean = T_arm_sensor[frame, :3, :3].mean(axis=0)
+    left, _, right = np.linalg.svd(mean)
+    return ScanCloud(xyz, frame, views, np.asarray(left @ right))
+
+
+def _inputs(folder: Path) -> tuple[Input, ...]:
+    """Every file that figures follow from, by its hash."""
+    names = [PLAN, ARM, CALIBRATION, TOUCHES]
+    names += sorted(path.relative_to(folder).as_posix() for path in folder.glob(f"*/{RECORDING}"))
+    return tuple(
+        Input(file=name, sha256=file_sha256(folder / name))
+        for name in names
+        if (folder / name).is_file()
+    )

@@ -1,0 +1,229 @@
+"""A measured sphere, with touches and scans as an arm that reports poses would record them.
+
+Everything is exact but for the noise and the faults that a test plants.
+"""
+
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+
+import numpy as np
+from scipy.spatial.transform import Rotation
+
+from app.formats.datasheets.arm import ArmFile, TipPart
+from app.formats.performance.plan import (
+    PLAN,
+    TOUCHES,
+    GatePart,
+    LimitPart,
+    PerformancePlan,
+    SpherePart,
+    sphere_feature,
+    sphere_scan,
+)
+from app.formats.recording.writer import RecordingWriter
+from app.formats.results.calibration import CalibrationFile
+from app.formats.session.calibration_session import ContactReadings, write_contacts
+from app.metrology.arm.reported_poses import pose_from_transform
+from app.metrology.performance.pattern import RIM_DEG, pattern_directions
+from app.metrology.sensor.camera import Camera, project
+from app.metrology.stripe import Stripe
+from app.metrology.transforms import Floats, inverse, rigid
+
+CENTRE = np.array([650.0, 120.0, 210.0])
+TIP = TipPart(x_mm=2.0, y_mm=-12.0, z_mm=165.0, diameter_mm=6.0)
+SPHERE = SpherePart(
+    name="Ceramic sphere",
+    serial_number="K-17",
+    certificate="DKD 4711",
+    valid_until="2030-01-31",
+    diameter_mm=25.0,
+    diameter_sd_um=0.2,
+    form_um=0.4,
+)
+WIDTH, HEIGHT = 1280, 1024
+DISTANCE_MM = 140.0
+FIVE = [0, 17, 19, 21, 23]
+"""Of the pattern: the pole, and four around the rim."""
+FRAME_NS = 20_000_000
+STEP_MM = 0.25
+T_FLANGE_SENSOR = rigid(
+    Rotation.from_euler("xyz", [4, -3, 8], degrees=True).as_matrix(), np.array([30.0, -12.0, 60.0])
+)
+
+
+def true_camera() -> Camera:
+    """Looks at the laser plane z = 0 of the sensor frame from 140 mm, inclined by 30°."""
+    tilt = np.deg2rad(30)
+    rotation = np.array(
+        [[1, 0, 0], [0, np.cos(tilt), -np.sin(tilt)], [0, np.sin(tilt), np.cos(tilt)]]
+    )
+    matrix = np.array([[2600.0, 0, WIDTH / 2], [0, 2600.0, HEIGHT / 2], [0, 0, 1]])
+    return Camera(matrix, rotation, np.array([0.0, 0.0, DISTANCE_MM]), WIDTH, HEIGHT)
+
+
+@dataclass(frozen=True)
+class Faults:
+    """What is wrong, and how noisy it is."""
+
+    touch_sd_mm: float = 0.0
+    point_sd_mm: float = 0.0
+    """Of scanned points along the surface's normal."""
+    matrix_offset_mm: tuple[float, float, float] = (0.0, 0.0, 0.0)
+    """The sensor is really this far from where the calibration has it, in its own frame."""
+    scale: float = 1.0
+    """Lengths that the sensor measures, about the middle of its range."""
+    tip_excess_mm: float = 0.0
+    """The tip is really this much larger."""
+    moved_mm: tuple[float, float, float] = (0.0, 0.0, 0.0)
+    """Of the sphere, before the touches at the end."""
+    outliers: float = 0.0
+    """Share of scanned points that lie up to 0.5 mm off."""
+    articulations: int = 5
+    seed: int = 1
+
+
+@dataclass
+class SphereSession:
+    """Writes the folder of a one-sphere test."""
+
+    folder: Path
+    faults: Faults = field(default_factory=Faults)
+    sphere: SpherePart = SPHERE
+    limits: tuple[LimitPart, ...] = ()
+
+    def write(self) -> Path:
+        self.folder.mkdir(parents=True, exist_ok=True)
+        self._random = np.random.default_rng(self.faults.seed)
+        plan = PerformancePlan(
+            id="test",
+            kind="sphere",
+            started_at="2026-11-26T10:00:00+00:00",
+            sphere=self.sphere,
+            gate=GatePart(),
+            limits=self.limits,
+        )
+        plan.write(self.folder / PLAN)
+        ArmFile(name="Arm", serial_number="A-1", convention="pose", tip=TIP).write(
+            self.folder / "arm.json"
+        )
+        write_calibration(self.folder / "calibration.json")
+        self._write_touches()
+        for number in range(1, self.faults.articulations + 1):
+            self._write_scan(number)
+        return self.folder
+
+    def _write_touches(self) -> None:
+        groups: list[tuple[str, Floats, Floats]] = []
+        end = CENTRE + np.array(self.faults.moved_mm)
+        pattern = pattern_directions(np.array([0.0, 0.0, 1.0]), RIM_DEG)
+        groups.append((sphere_feature(1, "pattern"), CENTRE, pattern))
+        for number in range(1, 6):
+            groups.append((sphere_feature(1, "location", number), CENTRE, pattern[FIVE]))
+        groups.append((sphere_feature(1, "end"), end, pattern[FIVE]))
+        features, poses = [], []
+        for name, centre, directions in groups:
+            features += [name] * len(directions)
+            poses += [self._touch(centre, one) for one in directions]
+        readings = ContactReadings(tuple(features), np.zeros((len(poses), 0)), np.array(poses))
+        write_contacts(self.folder / TOUCHES, readings)
+
+    def _touch(self, centre: Floats, outward: Floats) -> Floats:
+        """``T_arm_flange`` with the true tip in contact, whatever the wrist."""
+        reach = self.sphere.diameter_mm / 2 + (TIP.diameter_mm + self.faults.tip_excess_mm) / 2
+        at = centre + outward * (reach + self.faults.touch_sd_mm * self._random.normal())
+        R = Rotation.random(random_state=self._random.integers(1 << 31)).as_matrix()
+        return rigid(R, at - R @ np.array([TIP.x_mm, TIP.y_mm, TIP.z_mm]))
+
+    def _write_scan(self, number: int) -> None:
+        """The sensor passes over the sphere, tilted as the articulation says."""
+        faults = self.faults
+        R_arm_sensor = _orientation(number)
+        camera = true_camera()
+        offset = np.array(faults.matrix_offset_mm)
+        folder = self.folder / sphere_scan(1, number)
+        folder.mkdir(exist_ok=True)
+        radius = self.sphere.diameter_mm / 2
+        way = np.arange(-radius, radius, STEP_MM)
+        with RecordingWriter(folder / "scan.mcap", None) as writer:
+            for i, step in enumerate(way):
+                stamp_ns = 10**9 + i * FRAME_NS
+                # the laser plane is z = 0 of the sensor; it passes along its normal
+                at = CENTRE + R_arm_sensor @ np.array([0.0, 0.0, step])
+                T_true = rigid(R_arm_sensor, at)
+                # the calibration has the sensor elsewhere: the flange follows the true one
+                T_flange_true = T_FLANGE_SENSOR @ rigid(np.eye(3), offset)
+                T_arm_flange = T_true @ inverse(T_flange_true)
+                for ms in (-4, 4):
+                    writer.reading(stamp_ns + ms * 10**6, pose_from_transform(T_arm_flange))
+                stripe = self._stripe(camera, T_true, radius)
+                if stripe is not None:
+                    writer.stripe(stamp_ns, stripe, WIDTH, HEIGHT)
+
+    def _stripe(self, camera: Camera, T_arm_sensor: Floats, radius: float) -> Stripe | None:
+        """The lit points of the sphere that the camera sees, as pixels."""
+        centre = (inverse(T_arm_sensor) @ np.append(CENTRE, 1.0))[:3]
+        circle = np.sqrt(max(radius**2 - centre[2] ** 2, 0.0))
+        if circle < 0.5:
+            return None
+        turn = np.linspace(0, 2 * np.pi, max(int(2 * np.pi * circle / 0.06), 8), endpoint=False)
+        outward = np.column_stack(
+            [circle * np.cos(turn), circle * np.sin(turn), np.full(len(turn), -centre[2])]
+        )
+        outward /= radius
+        points = centre + radius * outward
+        views = camera.centre_mm - points
+        views /= np.linalg.norm(views, axis=1)[:, None]
+        lit = np.einsum("ij,ij->i", outward, views) > np.cos(np.radians(70))
+        points, outward = points[lit], outward[lit]
+        if len(points) < 3:
+            return None
+        # within the laser plane, so that triangulation gives these very points
+        sideways = outward.copy()
+        sideways[:, 2] = 0.0
+        sideways /= np.linalg.norm(sideways, axis=1)[:, None]
+        off = self.faults.point_sd_mm * self._random.normal(size=len(points))
+        wrong = self._random.random(len(points)) < self.faults.outliers
+        off[wrong] += self._random.uniform(-0.5, 0.5, int(wrong.sum()))
+        points = points + off[:, None] * sideways
+        points = points * np.array([self.faults.scale, self.faults.scale, 1.0])
+        uv = project(camera, points)
+        count = len(uv)
+        return Stripe(uv[:, 0], uv[:, 1], np.full(count, 120.0), np.full(count, 0.05))
+
+
+def _orientation(number: int) -> Floats:
+    """(3, 3) of the sensor: its camera above the sphere, and tilted by 40° to four sides."""
+    away = true_camera().centre_mm
+    up = Rotation.align_vectors([[0, 0, 1.0]], [away / np.linalg.norm(away)])[0]
+    tilts = {1: ("x", 0), 2: ("x", 40), 3: ("x", -40), 4: ("y", 40), 5: ("y", -40)}
+    axis, angle = tilts[number]
+    turn = Rotation.from_euler("z", 30.0 * number, degrees=True)
+    return np.asarray((Rotation.from_euler(axis, angle, degrees=True) * turn * up).as_matrix())
+
+
+def write_calibration(path: Path) -> None:
+    camera = true_camera()
+    T = rigid(camera.rotation, camera.translation_mm)
+    document = {
+        "format": "crenel/calibration",
+        "version": 1,
+        "camera": {
+            "projection_matrix": (camera.matrix @ T[:3]).tolist(),
+            "matrix": camera.matrix.tolist(),
+            "rotation": camera.rotation.tolist(),
+            "translation_mm": camera.translation_mm.tolist(),
+            "distortion": [0.0, 0.0, 0.0, 0.0, 0.0],
+            "width_px": WIDTH,
+            "height_px": HEIGHT,
+        },
+        "laser_plane": {"normal": [0.0, 0.0, 1.0], "offset_mm": 0.0},
+        "probe_matrix": T_FLANGE_SENSOR.tolist(),
+        "stripe_axis": "u",
+        "serial_numbers": {"arm": "A-1", "object": "B-1", "sensor": "S-1"},
+    }
+    CalibrationFile.model_validate(document).write(path)
+
+
+def with_faults(folder: Path, **faults: object) -> Path:
+    """A written folder with these faults."""
+    return SphereSession(folder, replace(Faults(), **faults)).write()  # type: ignore[arg-type]

@@ -1,0 +1,150 @@
+"""Lengths, the contact tests of B89.4.22, and the plane, on touches with planted faults."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+from scipy.spatial.transform import Rotation
+
+from app.formats.datasheets.arm import ArmFile
+from app.formats.datasheets.length_standard import LengthPart, LengthStandardFile
+from app.formats.performance.plan import (
+    PLAN,
+    TOUCHES,
+    Kind,
+    LimitPart,
+    PerformancePlan,
+    length_feature,
+)
+from app.formats.session.calibration_session import ContactReadings, write_contacts
+from app.metrology.performance.pattern import RIM_DEG, pattern_directions
+from app.metrology.transforms import rigid
+from app.workflows.performance.contact_test import bar_feature, diameter_feature, seat_feature
+from app.workflows.performance.evaluate import evaluate_performance
+from tests.cli.test_cli import crenel
+from tests.workflows.performance.builders import FIVE, SPHERE, TIP
+
+BAR = LengthStandardFile(
+    name="Ball bar",
+    serial_number="BB-1",
+    sphere_diameter_mm=20.0,
+    lengths=tuple(
+        LengthPart(length_mm=length, standard_uncertainty_um=0.5)
+        for length in (100.0, 200.0, 400.0, 600.0, 800.0)
+    ),
+)
+PATTERN = pattern_directions(np.array([0.0, 0.0, 1.0]), RIM_DEG)
+Groups = list[tuple[str, np.ndarray]]
+
+
+def write_test(folder: Path, kind: Kind, groups: Groups, limits: tuple[LimitPart, ...]) -> Path:
+    """Touches whose tip centres are those of the groups, whatever the wrist."""
+    folder.mkdir()
+    PerformancePlan(
+        id="t",
+        kind=kind,
+        started_at="2026-11-26T10:00:00+00:00",
+        edition="2016" if kind == "lengths" else "B89.4.22",
+        sphere=None if kind == "lengths" else SPHERE,
+        length=BAR,
+        limits=limits,
+    ).write(folder / PLAN)
+    ArmFile(name="Arm", serial_number="A-1", convention="pose", tip=TIP).write(folder / "arm.json")
+    features, poses = [], []
+    turns = iter(Rotation.random(sum(len(tips) for _, tips in groups), random_state=4).as_matrix())
+    for name, tips in groups:
+        for tip in tips:
+            R = next(turns)
+            features.append(name)
+            poses.append(rigid(R, tip - R @ np.array([TIP.x_mm, TIP.y_mm, TIP.z_mm])))
+    readings = ContactReadings(tuple(features), np.zeros((len(poses), 0)), np.array(poses))
+    write_contacts(folder / TOUCHES, readings)
+    return folder
+
+
+def on_sphere(centre: np.ndarray, diameter: float, which: list[int] | slice) -> np.ndarray:
+    return np.asarray(centre + PATTERN[which] * (diameter + TIP.diameter_mm) / 2)
+
+
+def length_groups(scale: float, places: range = range(1, 8)) -> Groups:
+    groups: Groups = []
+    random = np.random.default_rng(2)
+    for place in places:
+        middle, direction = np.array([500.0, 0, 300]), Rotation.random(random_state=place)
+        along = direction.as_matrix()[:, 0]
+        for repeat in range(1, 4):
+            for number, part in enumerate(BAR.lengths, 1):
+                half = 0.5 * (scale * part.length_mm + 0.002 * random.normal()) * along
+                for end, centre in ((0, middle - half), (1, middle + half)):
+                    name = length_feature(place, repeat, number, end)
+                    groups.append((name, on_sphere(centre, 20.0, FIVE)))
+    return groups
+
+
+def test_a_scale_error_shows_in_the_lengths(tmp_path: Path) -> None:
+    limits = (LimitPart(quantity="length-touch", a_um=20.0, k=20.0, b_um=100.0),)
+    folder = write_test(tmp_path / "t", "lengths", length_groups(1.0001), limits)
+    result = evaluate_performance(folder)
+    assert len(result.lengths) == 105
+    (figure,) = result.figures
+    assert figure.value == pytest.approx(80, abs=10)
+    assert figure.limit == pytest.approx(60)
+    assert figure.decision == "fail"
+    for one in result.lengths:
+        assert one.error_um == pytest.approx(0.1 * one.length_mm, abs=10)
+    good = write_test(tmp_path / "g", "lengths", length_groups(1.0), limits)
+    assert evaluate_performance(good).figures[0].decision == "pass"
+
+
+def test_lengths_in_some_places_are_what_there_is(tmp_path: Path) -> None:
+    folder = write_test(tmp_path / "t", "lengths", length_groups(1.0, range(1, 3)), ())
+    assert len(evaluate_performance(folder).lengths) == 30
+    (folder / TOUCHES).unlink()
+    assert evaluate_performance(folder).figures[0].value is None
+
+
+def contact_groups(wobble_mm: float) -> Groups:
+    random = np.random.default_rng(3)
+    centre = np.array([600.0, 50.0, 200.0])
+    groups: Groups = [
+        (diameter_feature(i + 1), on_sphere(centre, 25.01, slice(0, 25, 2))) for i in range(3)
+    ]
+    for seat in range(1, 4):
+        tips = np.array([200.0 * seat, 0, 100]) + wobble_mm * random.normal(size=(12, 3))
+        groups.append((seat_feature(seat), tips))
+    for placement in range(1, 21):
+        along = Rotation.random(random_state=placement).as_matrix()[:, 0]
+        for end, sign in ((0, -0.5), (1, 0.5)):
+            at = centre + sign * (400.0 + 0.03) * along
+            groups.append((bar_feature(placement, end), on_sphere(at, 20.0, FIVE)))
+    return groups
+
+
+def test_the_contact_tests_state_their_figures(tmp_path: Path) -> None:
+    folder = write_test(tmp_path / "t", "contact", contact_groups(0.02), ())
+    found = {one.quantity: one for one in evaluate_performance(folder).figures}
+    assert found["effective-diameter"].value == pytest.approx(10, abs=0.1)
+    largest, two_s = found["articulation-largest"], found["articulation-two-s"]
+    assert len(largest.values) == 3
+    assert two_s.value == pytest.approx(2 * np.sqrt(3) * 20, rel=0.35)
+    assert found["volumetric-largest"].value == pytest.approx(30, abs=0.2)
+    assert found["volumetric-two-rms"].value == pytest.approx(60, abs=0.4)
+    assert found["volumetric-two-rms"].symbol == "Volumetric, 2 RMS"
+
+
+def test_missing_seats_and_placements_are_named(tmp_path: Path) -> None:
+    groups = [group for group in contact_groups(0.02) if group[0] not in ("s3", "b20-1")]
+    folder = write_test(tmp_path / "t", "contact", groups, ())
+    found = {one.quantity: one for one in evaluate_performance(folder).figures}
+    assert "3 seats" in str(found["articulation-largest"].problem)
+    assert "19 of 20" in str(found["volumetric-largest"].problem)
+    assert found["effective-diameter"].value is not None
+
+
+def test_the_command_prints_every_symbol(tmp_path: Path) -> None:
+    folder = write_test(tmp_path / "t", "lengths", length_groups(1.0), ())
+    shown = crenel("performance", "evaluate", folder)
+    assert shown.exit_code == 0, shown.output
+    assert "E_Uni:Tact.AArm" in shown.stdout
+    assert "no conformity" in shown.stdout
+    assert (folder / "performance.json").is_file()

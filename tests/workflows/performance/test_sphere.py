@@ -1,0 +1,169 @@
+"""The one-sphere test on touches and recordings with planted faults."""
+
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from app.errors import OperationError
+from app.formats.performance.plan import PLAN, TOUCHES, LimitPart, read_plan, sphere_scan
+from app.formats.performance.results import PerformanceFile, read_performance
+from app.messages.message import Text
+from app.workflows.performance.evaluate import evaluate_performance, write_performance
+from tests.workflows.performance.builders import SPHERE, Faults, SphereSession, with_faults
+
+QUIET = {"touch_sd_mm": 0.003, "point_sd_mm": 0.008}
+
+
+def values(result: PerformanceFile) -> dict[str, float | None]:
+    return {figure.quantity: figure.value for figure in result.figures}
+
+
+def problem(result: PerformanceFile, quantity: str) -> Text:
+    return next(one.problem for one in result.figures if one.quantity == quantity)
+
+
+def test_a_perfect_station_has_no_errors(tmp_path: Path) -> None:
+    result = evaluate_performance(with_faults(tmp_path / "t"))
+    found = values(result)
+    assert len(found) == 11
+    assert all(value is not None and abs(value) < 1e-3 for value in found.values()), found
+    assert result.spheres[0].moved_um == pytest.approx(0, abs=1e-6)
+    for deviations in (
+        result.spheres[0].touch_deviations_um,
+        [patch.deviation_um for patch in result.spheres[0].patches],
+    ):
+        assert len(deviations) == 25
+        assert all(off is not None and abs(off) < 0.01 for off in deviations)
+    assert result.offset is not None
+    assert not result.offset.significant
+    assert "no conformity" in str(result.status)
+    assert {one.file for one in result.inputs} >= {PLAN, TOUCHES, f"{sphere_scan(1, 5)}/scan.mcap"}
+
+
+def test_noise_shows_as_the_standards_let_expect(tmp_path: Path) -> None:
+    found = values(evaluate_performance(with_faults(tmp_path / "t", **QUIET)))
+    dispersion, form_touch = found["dispersion-scan"], found["form-touch"]
+    assert dispersion is not None
+    # noise lies in the plane of the light, and counts along the sphere's normal
+    assert 0.7 < dispersion / (3.92 * 8) < 1
+    assert form_touch == pytest.approx(3.66 * 3, rel=0.5)
+    form_scan, location = found["form-scan"], found["location-scan"]
+    assert form_scan is not None
+    assert location is not None
+    assert form_scan < 4  # hundreds of points a patch
+    assert location < 8
+
+
+@pytest.mark.parametrize("axis", [0, 1, 2])
+def test_a_wrong_probe_matrix_is_named_with_its_direction(tmp_path: Path, axis: int) -> None:
+    offset = tuple(0.05 * np.eye(3)[axis])
+    result = evaluate_performance(with_faults(tmp_path / "t", matrix_offset_mm=offset, **QUIET))
+    location = values(result)["location-scan"]
+    assert location is not None
+    # 1.5 to 1.7 times the offset for articulations tilted by 40°
+    assert 70 < location < 90
+    assert result.offset is not None
+    np.testing.assert_allclose(result.offset.offset_mm, offset, atol=0.004)
+    assert result.offset.significant
+    assert result.offset.left_um < 8
+    assert "Calibrating again would help" in str(result.offset.text)
+    size = values(result)["size-touch"]
+    assert size is not None
+    assert abs(size) < 8
+
+
+def test_a_wrong_scale_shows_in_the_size(tmp_path: Path) -> None:
+    """In the plane of the light, not along the arm's motion: half of 25 µm."""
+    found = values(evaluate_performance(with_faults(tmp_path / "t", scale=1.001)))
+    assert found["size-all-scan"] == pytest.approx(13, abs=3)
+    assert found["size-touch"] == pytest.approx(0, abs=0.01)
+
+
+def test_a_worn_tip_shows_in_the_touched_size_alone(tmp_path: Path) -> None:
+    result = evaluate_performance(with_faults(tmp_path / "t", tip_excess_mm=-0.02))
+    found = values(result)
+    assert found["size-touch"] == pytest.approx(-20, abs=0.01)
+    for quantity in ("form-touch", "location-touch", "size-scan", "location-scan"):
+        assert found[quantity] == pytest.approx(0, abs=0.01), quantity
+    assert not result.problems
+
+
+def test_outliers_show_in_form_and_dispersion(tmp_path: Path) -> None:
+    clean = values(evaluate_performance(with_faults(tmp_path / "a", **QUIET)))
+    spoilt = values(evaluate_performance(with_faults(tmp_path / "b", outliers=0.04, **QUIET)))
+    for quantity in ("form-scan", "dispersion-scan"):
+        a, b = clean[quantity], spoilt[quantity]
+        assert a is not None
+        assert b is not None
+        assert b > a + 1, quantity
+
+
+def test_a_sphere_that_moved_has_no_symbols(tmp_path: Path) -> None:
+    result = evaluate_performance(with_faults(tmp_path / "t", moved_mm=(0.1, 0.0, 0.0), **QUIET))
+    assert result.spheres[0].moved_um == pytest.approx(100, abs=10)
+    assert set(values(result).values()) == {None}
+    assert "moved by" in str(result.problems[0])
+    assert result.verdict.result == "uncertain"
+
+
+@pytest.mark.parametrize(
+    ("changes", "words"),
+    [
+        ({"serial_number": "B-1"}, "the object that the sensor was calibrated with"),
+        ({"diameter_mm": 8.0}, "10 mm or more"),
+        ({"valid_until": "2025-12-31"}, "valid until 2025-12-31"),
+        ({"valid_until": "soon"}, "is no date"),
+        ({"diameter_sd_um": 0.0}, "no uncertainty"),
+    ],
+)
+def test_an_artefact_that_cannot_serve_is_named(
+    tmp_path: Path, changes: dict[str, object], words: str
+) -> None:
+    sphere = SPHERE.model_copy(update=changes)
+    folder = SphereSession(tmp_path / "t", Faults(articulations=1), sphere).write()
+    result = evaluate_performance(folder)
+    assert words in str(result.problems[0])
+    assert set(values(result).values()) == {None}
+
+
+def test_a_run_that_was_stopped_says_what_is_missing(tmp_path: Path) -> None:
+    result = evaluate_performance(with_faults(tmp_path / "t", articulations=3))
+    found = values(result)
+    assert found["size-touch"] == pytest.approx(0, abs=0.01)
+    assert found["location-scan"] is None
+    assert "only 3 of the 5 articulations" in str(problem(result, "location-scan"))
+
+
+def test_uncovered_patches_are_named(tmp_path: Path) -> None:
+    result = evaluate_performance(with_faults(tmp_path / "t", articulations=1))
+    assert values(result)["form-scan"] is None
+    assert "do not cover the patches" in str(problem(result, "form-scan"))
+
+
+def test_limits_decide_by_the_rule_of_the_plan(tmp_path: Path) -> None:
+    limits = (
+        LimitPart(quantity="form-touch", a_um=30.0),
+        LimitPart(quantity="size-touch", a_um=1.0),
+        LimitPart(quantity="dispersion-scan", a_um=60.0),
+    )
+    session = SphereSession(tmp_path / "t", replace(Faults(), **QUIET, tip_excess_mm=0.01))  # type: ignore[arg-type]
+    session.limits = limits
+    result = write_performance(session.write())
+    decisions = {one.quantity: one.decision for one in result.figures if one.limit is not None}
+    assert decisions == {"form-touch": "pass", "size-touch": "fail", "dispersion-scan": "pass"}
+    assert result.verdict.result == "fail"
+    assert read_performance(tmp_path / "t") == result
+
+
+def test_the_same_folder_gives_the_same_figures(tmp_path: Path) -> None:
+    folder = with_faults(tmp_path / "t", **QUIET)
+    assert evaluate_performance(folder, "2026-11-26T11:00:00+00:00") == evaluate_performance(
+        folder, "2026-11-26T11:00:00+00:00"
+    )
+
+
+def test_a_folder_without_a_plan_is_refused(tmp_path: Path) -> None:
+    with pytest.raises(OperationError):
+        read_plan(tmp_path)
