@@ -10,7 +10,8 @@ import numpy as np
 
 from app.formats.recording.writer import RecordingWriter
 from app.formats.results.calibration import Calibration, SerialNumbers
-from app.metrology.arm.kinematics import Arm, Joint, LinkError, Tip
+from app.metrology.arm.kinematics import Arm, Joint, Tip
+from app.metrology.arm.link_error import LinkError
 from app.metrology.sensor.camera import Camera, project
 from app.metrology.sensor.laser_plane import LaserPlane
 from app.metrology.targets.crenellated_block import Crenellated

@@ -26,7 +26,8 @@ from app.formats.results.calibration import (
 )
 from app.formats.results.verification import VerificationVerdict
 from app.messages.message import message, quantity
-from app.metrology.arm.kinematics import Arm, Joint, LinkError, Tip
+from app.metrology.arm.kinematics import Arm, Joint, Tip
+from app.metrology.arm.link_error import LinkError
 from app.metrology.gauges.errors import NominalPlane, NominalSphere
 from app.metrology.targets.crenellated_block import Crenellated
 from app.metrology.transforms import rigid, rotation_from_vector

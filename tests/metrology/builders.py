@@ -2,7 +2,8 @@
 
 import numpy as np
 
-from app.metrology.arm.kinematics import Arm, Joint, LinkError, Tip
+from app.metrology.arm.kinematics import Arm, Joint, Tip
+from app.metrology.arm.link_error import LinkError
 from app.metrology.targets.crenellated_block import Crenellated, probing_face
 from app.metrology.transforms import Floats, apply, rigid, rotation_from_vector
 

@@ -7,13 +7,13 @@ import pytest
 
 from app.metrology.arm.kinematics import (
     Arm,
-    error_transform,
     flange_pose,
     flange_poses,
     geometric_jacobian,
     tip_centres,
     tip_covariances,
 )
+from app.metrology.arm.link_error import LinkError, error_transform
 from app.metrology.transforms import Floats, vector_from_rotation
 from tests.metrology.builders import random_arm
 
@@ -85,8 +85,6 @@ def test_the_tip_scatters_as_its_covariance_says() -> None:
 
 def test_the_error_transform_follows_its_definition() -> None:
     from scipy.spatial.transform import Rotation
-
-    from app.metrology.arm.kinematics import LinkError
 
     error = LinkError(0.1, -0.2, 0.3, 0.01, -0.02, 0.03)
     T = error_transform(error)

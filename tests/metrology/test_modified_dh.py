@@ -16,15 +16,13 @@ from app.metrology.arm.identification.observations import ArmObservations
 from app.metrology.arm.identification.parameters import pose_jacobian
 from app.metrology.arm.kinematics import (
     Arm,
-    LinkError,
-    error_from_transform,
-    error_transform,
     flange_pose,
     flange_poses,
     geometric_jacobian,
     link_transforms,
     tip_centres,
 )
+from app.metrology.arm.link_error import LinkError, error_from_transform, error_transform
 from app.metrology.arm.modified_dh import standard_from_modified
 from app.metrology.transforms import Floats, apply, rigid, rigid_fit, vector_from_rotation
 from tests.metrology.builders import random_arm

@@ -10,7 +10,8 @@ import numpy as np
 import pytest
 
 from app.errors import OperationError
-from app.metrology.arm.kinematics import Arm, Joint, LinkError, Tip, flange_pose
+from app.metrology.arm.kinematics import Arm, Joint, Tip, flange_pose
+from app.metrology.arm.link_error import LinkError
 from app.metrology.calibration.one_pose import (
     OnePoseCalibration,
     OnePoseInputs,

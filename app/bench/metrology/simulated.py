@@ -22,14 +22,8 @@ from app.metrology.adjustment.core.arm_errors import arm_motion
 from app.metrology.adjustment.core.observations import AdjustmentProblem
 from app.metrology.adjustment.core.parameters import AdjustmentState
 from app.metrology.adjustment.core.variance_components import Scales
-from app.metrology.arm.kinematics import (
-    Arm,
-    Joint,
-    LinkError,
-    flange_poses,
-    geometric_jacobian,
-    tip_centres,
-)
+from app.metrology.arm.kinematics import Arm, Joint, flange_poses, geometric_jacobian, tip_centres
+from app.metrology.arm.link_error import LinkError
 from app.metrology.calibration.observation_model import SHARED_EDGE_PX, with_coordinates
 from app.metrology.sensor.camera import Camera
 from app.metrology.sensor.laser_plane import LaserPlane

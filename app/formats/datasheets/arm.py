@@ -11,15 +11,8 @@ from app.formats.datasheets.arm_identification import IdentificationPart
 from app.formats.file_names import display_path
 from app.formats.json_document import Document, DocumentPart, NotNegative, Number, Positive
 from app.messages.message import message
-from app.metrology.arm.kinematics import (
-    Arm,
-    Joint,
-    LinkError,
-    RobotArm,
-    Tip,
-    error_from_transform,
-    error_transform,
-)
+from app.metrology.arm.kinematics import Arm, Joint, RobotArm, Tip
+from app.metrology.arm.link_error import LinkError, error_from_transform, error_transform
 from app.metrology.arm.modified_dh import standard_from_modified
 
 JOINT_COUNTS = (5, 6, 7)

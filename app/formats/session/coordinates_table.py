@@ -18,7 +18,8 @@ from app.formats.file_names import display_path
 from app.formats.session.pose_columns import JointAngles, unit_quaternion
 from app.messages.message import Text, message
 from app.metrology.arm.identification.observations import TIP, Coordinates
-from app.metrology.arm.kinematics import Arm, LinkError, error_transform
+from app.metrology.arm.kinematics import Arm
+from app.metrology.arm.link_error import LinkError, error_transform
 from app.metrology.transforms import Floats
 
 COORDINATES = "coordinates.csv"

@@ -15,7 +15,8 @@ from dataclasses import replace
 
 import numpy as np
 
-from app.metrology.arm.kinematics import Joint, LinkError, error_from_transform, error_transform
+from app.metrology.arm.kinematics import Joint
+from app.metrology.arm.link_error import LinkError, error_from_transform, error_transform
 from app.metrology.transforms import Floats, inverse
 
 

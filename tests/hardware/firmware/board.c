@@ -6,9 +6,9 @@
      angle JOINT VALUE    error JOINT    noise JOINT (wrong parity, once)
      button BIT DOWN      reset          hang (no timer interrupt any more)
      drop COUNT (samples that the line swallows)
-   On standard output, a line "host" stands for bytes that arrived from the host, and each trigger
-   pulse is a line "pulse" with the clock cycles at which the trigger rose, at which the encoders
-   were last latched then, and at which the trigger fell. */
+   On standard output, a line "running" says that the arm sends, "host" that bytes arrived from the
+   host, and "pulse" with three numbers the clock cycles of a trigger pulse: when it rose, when the
+   encoders were last latched before it fell, and when it fell. */
 #include <fcntl.h>
 #include <pty.h>
 #include <simavr/avr_ioport.h>
@@ -106,7 +106,7 @@ static void on_trigger(avr_irq_t *irq, uint32_t value, void *param) {
 /* ---- serial line ---- */
 
 static unsigned char to_host[65536], to_arm[4096], packet[264];
-static int to_host_count, to_arm_count, packet_count, drop, may_receive = 1;
+static int to_host_count, to_arm_count, packet_count, drop, running, may_receive = 1;
 static avr_irq_t *receiver;
 
 /* Whole packets, so that the line can swallow one. */
@@ -156,6 +156,11 @@ static void exchange_with_host(void) {
         fflush(stdout);
     }
     if (to_host_count) {
+        if (!running) { /* before, it would not hear a request */
+            running = 1;
+            printf("running\n");
+            fflush(stdout);
+        }
         /* a host that does not read loses bytes, as on a line without flow control */
         (void)!write(terminal, to_host, to_host_count);
         to_host_count = 0;
@@ -261,8 +266,6 @@ int main(int argc, char **argv) {
     LISTEN(AVR_IOCTL_IOPORT_GETIRQ('B'), IOPORT_IRQ_PIN2, on_select);
     for (int bit = 0; bit < 3; bit++)
         press(bit, 0);
-    printf("running\n");
-    fflush(stdout);
     for (;;) {
         int state = avr_run(avr);
         if (state == cpu_Done || state == cpu_Crashed)
@@ -273,12 +276,13 @@ int main(int argc, char **argv) {
         due = avr->cycle + SLICE;
         obey_input();
         exchange_with_host();
-        /* the arm's clock keeps step with the host's, unless this machine is too slow */
+        /* the arm's clock keeps step with the host's, or is slower if this machine is too slow; it
+           never makes up for that, since a real one does not run fast */
         arm_s += (double)SLICE / CLOCK_HZ;
         last_s = seconds() - host_s;
         if (arm_s > last_s + 0.001)
             usleep(1e6 * (arm_s - last_s));
-        else if (arm_s < last_s - 0.02)
+        else if (arm_s < last_s)
             arm_s = last_s;
     }
 }

@@ -9,7 +9,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from app.metrology.arm.kinematics import Arm, error_transform, link_transforms
+from app.metrology.arm.kinematics import Arm, link_transforms
+from app.metrology.arm.link_error import error_transform
 from app.metrology.transforms import Floats, adjoint
 
 # Lever that converts errors in rotation, of a robot or a link, into errors in position.

@@ -5,7 +5,8 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from app.metrology.arm.kinematics import Arm, Joint, LinkError, Tip, error_transform
+from app.metrology.arm.kinematics import Arm, Joint, Tip
+from app.metrology.arm.link_error import LinkError, error_transform
 from app.metrology.transforms import Floats
 
 LINK_TERMS = ("a_mm", "alpha_rad", "d_mm", "theta_rad")
