@@ -37,6 +37,7 @@ BUILT_IN = {
         "opencv": "hardware.sensor.opencv_camera:from_options",
         "folder": "hardware.sensor.folder:from_options",
         "genicam": "hardware.sensor.genicam.driver:from_options",
+        "gentl": "hardware.sensor.gentl_camera:from_options",
         "pylon": "hardware.sensor.pylon_camera:from_options",
     },
     FINDERS: {

@@ -55,7 +55,7 @@ def test_an_unknown_name_lists_what_there_is() -> None:
         registry.arm_driver("serial-encodr", {})
     assert "[arm]: there is no driver 'serial-encodr'" in str(caught.value.what)
     assert "Did you mean serial-encoder?" in str(caught.value.remedy)
-    with pytest.raises(DeviceError, match="Available drivers: folder, genicam, opencv"):
+    with pytest.raises(DeviceError, match="Available drivers: folder, genicam, gentl, opencv"):
         registry.sensor_driver("zzz", {})
 
 

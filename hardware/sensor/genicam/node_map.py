@@ -45,13 +45,15 @@ class NodeMapCamera(ABC):
         return str(self.value(feature))
 
     def choose(self, feature: str, value: str) -> None:
-        self.set_value(feature, value)
+        if self.value(feature) != value:  # what is fixed cannot be set to what it is
+            self.set_value(feature, value)
 
     def choices(self, feature: str) -> list[str]:
         return list(self.entries(feature)) if self.has(feature) else []
 
     def switch(self, feature: str, on: bool) -> None:
-        self.set_value(feature, on)
+        if self.value(feature) != on:
+            self.set_value(feature, on)
 
     def offers(self, quantity: Quantity) -> bool:
         return any(self.has(name) for name in _NAMES[quantity])

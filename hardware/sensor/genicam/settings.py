@@ -5,7 +5,7 @@ replaced by another one.
 """
 
 from collections.abc import Iterator, Sequence
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass
 from typing import Annotated, Literal
 
@@ -22,6 +22,7 @@ from hardware.sensor.image_source import StampAt
 LONGEST_EXPOSURE_US = 500_000.0
 """Longer exposures are not offered: they would look like a lost camera."""
 _TOLERANCE = 0.02
+_INTENSITY = "Intensity"
 _TRIGGERS = ("FrameStart", "ExposureStart", "AcquisitionStart")
 """What an edge may start, as the cameras name it; the first one that the camera has is used."""
 
@@ -77,6 +78,7 @@ def apply_options(title: Text, camera: FeatureCamera, options: CameraOptions) ->
         if "Continuous" in camera.choices("AcquisitionMode"):
             camera.choose("AcquisitionMode", "Continuous")
         camera.clear_triggers()
+        _select_intensity(camera)
         pixel_format = _set_pixel_format(title, camera, options)
         _set_region(title, camera, options.region)
         if isinstance(options, GenicamOptions) and options.packet_size is not None:
@@ -126,6 +128,17 @@ def _not_offered(title: Text, key: str, value: str, given: str) -> DeviceError:
         message("camera-cannot-do", title=title, key=key, value=value, given=given),
         message("correct-sensor-take-out", key=key),
     )
+
+
+def _select_intensity(camera: FeatureCamera) -> None:
+    """Of the components of a 3D camera, lets the grey picture alone be sent."""
+    components = camera.choices("ComponentSelector")
+    if _INTENSITY not in components:
+        return
+    for component in sorted(components, key=lambda name: name == _INTENSITY):
+        camera.choose("ComponentSelector", component)
+        with suppress(FeatureError):  # what cannot be switched stays as it is
+            camera.switch("ComponentEnable", component == _INTENSITY)
 
 
 def _set_pixel_format(title: Text, camera: FeatureCamera, options: CameraOptions) -> PixelFormat:

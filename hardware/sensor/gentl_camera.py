@@ -1,0 +1,283 @@
+"""The ``gentl`` driver: a camera through its vendor's GenTL producer, with the package Harvesters.
+
+For cameras that the driver ``genicam`` does not reach, such as those on CoaXPress or Camera Link
+HS: their vendors deliver a library with the ending ``.cti``, a GenTL producer. Harvesters is
+installed with ``pip install "crenel[gentl]"``. In station.toml::
+
+    [sensor]
+    driver = "gentl"
+    producer = "/opt/vendor/lib/producer.cti"  # optional; else all in GENICAM_GENTL64_PATH
+    serial_number = "22812345"   # optional; else the first camera found
+
+The other options are those of ``genicam`` (``hardware/sensor/genicam/driver.py``) without
+``address``, ``packet_size`` and ``chunks``. Of a camera that sends several components, the
+intensity is taken; depth and profiles (Scan3D) are not read.
+
+Source:
+    EMVA, GenTL 1.6; the documentation of Harvesters 1.4.
+"""
+
+import os
+import threading
+import time
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager, suppress
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from pydantic import Field
+
+from app.messages.message import Text, message
+from hardware.clock import now_ns
+from hardware.errors import DeviceError
+from hardware.options import read_options
+from hardware.sensor.genicam.camera import in_use_error
+from hardware.sensor.genicam.camera_source import ArrivedPicture, CameraSource
+from hardware.sensor.genicam.features import FeatureError
+from hardware.sensor.genicam.node_map import NodeMapCamera
+from hardware.sensor.genicam.pixel_formats import FORMATS
+from hardware.sensor.genicam.settings import (
+    CameraOptions,
+    settings_refusal_error,
+    switch_laser,
+    unknown_format_error,
+)
+from hardware.sensor.grabbing import GrabbingSensor
+from hardware.sensor.grey import require_colour
+from hardware.sensor.image_source import EndOfRecordingError, GrabbedImage, NoImage
+
+PRODUCER_PATH = "GENICAM_GENTL64_PATH"
+"""Folders with producers, as GenTL 1.6, section 4.2 defines it."""
+_WAIT_S = 0.1
+_SILENT_S = 0.3
+_BUFFERS = 32
+_FIRST_WITHIN_S = 5.0
+_READABLE = (3, 4)
+"""RO and RW of the access modes of GenApi."""
+
+
+class GentlOptions(CameraOptions):
+    """Options of the driver in station.toml."""
+
+    producer: str | None = Field(default=None, min_length=1)
+
+
+def from_options(options: Mapping[str, object]) -> GrabbingSensor:
+    """The driver for one ``[sensor]`` table of station.toml; raises ``DeviceError``."""
+    read = read_options(GentlOptions, options, "sensor")
+    require_colour(read.bayer, read.laser_colour)
+    named = read.serial_number
+    title = message("first-gentl-camera") if named is None else message("camera", source=named)
+
+    def connect(stop: threading.Event) -> GentlSource:
+        return GentlSource(title, read, stop)
+
+    return GrabbingSensor(title, connect, _FIRST_WITHIN_S)
+
+
+class GentlFeatures(NodeMapCamera):
+    """The features of an open camera."""
+
+    def __init__(self, node_map: Any) -> None:
+        self._nodes = node_map
+
+    def has(self, feature: str) -> bool:
+        with _refusals():
+            found = self._nodes.has_node(feature)
+            return found and self._nodes.get_node(feature).get_access_mode() in _READABLE
+
+    def value(self, feature: str) -> str | float | bool:
+        with _refusals():
+            value: str | float | bool = self._nodes.get_node(feature).value
+            return value
+
+    def set_value(self, feature: str, value: str | float | bool) -> None:
+        with _refusals():
+            self._nodes.get_node(feature).value = value
+
+    def limits(self, feature: str) -> tuple[float, float]:
+        with _refusals():
+            node = self._nodes.get_node(feature)
+            return node.min, node.max
+
+    def entries(self, feature: str) -> Sequence[str]:
+        with _refusals():
+            entries: Sequence[str] = self._nodes.get_node(feature).symbolics
+            return entries
+
+
+class GentlSource(CameraSource):
+    """An open camera. Raises ``DeviceError``.
+
+    Args:
+        title: the camera in words, for errors.
+        stop: an event that is set when ``grab`` must end.
+    """
+
+    def __init__(self, title: Text, options: GentlOptions, stop: threading.Event) -> None:
+        super().__init__(title, options)
+        self._stop = stop
+        self._harvester = _load_harvester()
+        self._camera: Any = None
+        self._lost = False
+        try:
+            with _refusals():
+                self._open(options)
+                self._start()
+        except FeatureError as error:
+            self.release()
+            raise settings_refusal_error(title, error) from error
+        except BaseException:
+            self.release()
+            raise
+
+    def _open(self, options: GentlOptions) -> None:
+        from genicam import gentl
+
+        for producer in find_producers(options.producer):
+            self._harvester.add_file(str(producer))
+        self._harvester.update()
+        found = [
+            each
+            for each in self._harvester.device_info_list
+            if options.serial_number in (None, each.serial_number)
+        ]
+        if not found:
+            raise DeviceError(
+                message("no-camera-found", title=self._title),
+                message("check-camera-power-cable-network"),
+            )
+        about = found[0].property_dict
+        self.name = f"{about['vendor']} {about['model']}"
+        self.serial_number = about["serial_number"]
+        try:
+            self._camera = self._harvester.create({"id_": about["id_"]})
+        except (gentl.ResourceInUseException, gentl.AccessDeniedException) as error:
+            raise in_use_error(self._title) from error
+
+    def _start(self) -> None:
+        features = GentlFeatures(self._camera.remote_device.node_map)
+        self.set_up(features)
+        self._camera.num_buffers = _BUFFERS
+        self._camera.start()
+        self._heard_s = time.monotonic()
+
+    def grab(self) -> GrabbedImage | NoImage:
+        if self._stop.is_set():
+            raise EndOfRecordingError
+        try:
+            with _refusals():
+                buffer = self._camera.try_fetch(timeout=_WAIT_S)
+                if buffer is not None:
+                    arrival_ns, self._heard_s = now_ns(), time.monotonic()
+                    try:
+                        return self.show(self._complete(buffer, arrival_ns))
+                    finally:
+                        buffer.queue()
+        except FeatureError as error:
+            self.require_answer()
+            raise settings_refusal_error(self._title, error) from error
+        if time.monotonic() - self._heard_s > _SILENT_S:
+            self.require_answer()
+        return NoImage.SILENCE
+
+    def is_alive(self) -> bool:
+        try:
+            with _refusals():
+                self._camera.remote_device.port.read(0, 4)
+        except FeatureError:
+            return False
+        return True
+
+    def require_answer(self) -> None:
+        """Reads a register; raises ``DeviceError`` if the camera does not answer."""
+        if not self.is_alive():
+            self._lost = True
+            raise DeviceError(
+                message("device-lost", title=self._title), message("check-cable-power")
+            )
+        self._heard_s = time.monotonic()
+
+    def release(self) -> None:
+        """Switches the laser off, stops the camera and closes it."""
+        camera, self._camera = self._camera, None
+        with suppress(FeatureError), _refusals():
+            if camera is not None:
+                if self.has_laser_switch and not self._lost:
+                    switch_laser(GentlFeatures(camera.remote_device.node_map), False)
+                camera.stop()
+                camera.destroy()
+        with suppress(FeatureError), _refusals():
+            self._harvester.reset()
+
+    def _complete(self, buffer: Any, arrival_ns: int) -> ArrivedPicture:
+        """The first component that is an image; incomplete buffers do not come here."""
+        component = buffer.payload.components[0]
+        pixel_format = FORMATS.get(component.data_format)
+        if pixel_format is None:
+            raise unknown_format_error(self._title, component.data_format)
+        return ArrivedPicture(
+            block_id=int(buffer.module.frame_id),
+            whole=True,
+            arrival_ns=arrival_ns,
+            device_ns=_stamp_ns(buffer.module),
+            exposure_us=None,
+            data=np.frombuffer(buffer.module.raw_buffer, np.uint8, offset=component.data_offset),
+            code=pixel_format.code,
+            width_px=int(component.width),
+            height_px=int(component.height),
+            padding=int(component.x_padding),
+        )
+
+
+def find_producers(producer: str | None) -> list[Path]:
+    """The producer of the options, else those in the folders of the environment.
+
+    Raises:
+        DeviceError: there is none.
+    """
+    if producer is not None:
+        found = [Path(producer)]
+    else:
+        folders = [
+            Path(each) for each in os.environ.get(PRODUCER_PATH, "").split(os.pathsep) if each
+        ]
+        found = sorted(path for folder in folders for path in folder.glob("*.cti"))
+    missing = [path for path in found if not path.is_file()]
+    if missing or not found:
+        raise DeviceError(
+            message("gentl-producer-missing", producer=producer or PRODUCER_PATH),
+            message("install-gentl-producer"),
+        )
+    return found
+
+
+def _stamp_ns(module: Any) -> int | None:
+    """The camera's stamp of a buffer; None if it has none."""
+    with suppress(FeatureError), _refusals():
+        return int(module.timestamp_ns) or None
+    return None
+
+
+@contextmanager
+def _refusals() -> Iterator[None]:
+    """Raises ``FeatureError`` in place of the libraries' exceptions."""
+    from genicam import genapi, gentl
+
+    try:
+        yield
+    except (genapi.GenericException, gentl.GenericException) as error:
+        raise FeatureError(str(error).strip()) from error
+
+
+def _load_harvester() -> Any:
+    """A harvester without producers; raises ``DeviceError`` if the package is not installed."""
+    try:
+        from harvesters.core import Harvester
+    except ImportError as error:
+        raise DeviceError(
+            message("python-package-missing", package="harvesters"),
+            message("install-extra", extra="gentl"),
+        ) from error
+    return Harvester()

@@ -1,0 +1,119 @@
+"""The gentl driver on Viky, the simulated camera in EMVA's own package."""
+
+import builtins
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from hardware.errors import DeviceError
+from hardware.interfaces import SensorDriver
+from hardware.sensor.gentl_camera import PRODUCER_PATH, find_producers, from_options
+from tests.hardware.conformance import (
+    SensorBench,
+    SensorConformance,
+    next_frame,
+    open_in_time,
+)
+
+
+@pytest.fixture
+def producer() -> Path:
+    pytest.importorskip("harvesters.core")
+    genicam = pytest.importorskip("genicam")
+    return Path(genicam.__file__).parent / "viky.cti"
+
+
+class VikyBench(SensorBench):
+    """Taking the producer away unplugs the camera, as long as it is not open."""
+
+    def __init__(self, producer: Path, folder: Path) -> None:
+        self._producer = producer
+        self._link = folder / "camera.cti"
+        self.plug_in()
+        self._driver = from_options({"producer": str(self._link), "rate_hz": 50.0})
+
+    def driver(self) -> SensorDriver:
+        return self._driver
+
+    def unplug(self) -> None:
+        self._link.unlink()
+
+    def plug_in(self) -> None:
+        self._link.symlink_to(self._producer)
+
+    def end(self) -> None:
+        self._driver.close()
+
+
+class TestViky(SensorConformance):
+    @pytest.fixture
+    def bench(self, producer: Path, tmp_path: Path) -> Iterator[SensorBench]:
+        bench = VikyBench(producer, tmp_path)
+        yield bench
+        bench.end()
+
+    def test_loss_is_an_error_and_open_works_again(self, bench: SensorBench) -> None:
+        pytest.skip("this simulated camera cannot be unplugged while it is open")
+
+
+def test_a_camera_is_chosen_by_its_serial_number(producer: Path) -> None:
+    driver = from_options({"producer": str(producer), "serial_number": "2"})
+    assert open_in_time(driver).serial_number == "2"
+    frame = next_frame(driver)
+    assert frame.image.dtype == np.uint8
+    assert frame.full_scale == 255
+    driver.close()
+    with pytest.raises(DeviceError, match="The camera 4711 was not found"):
+        from_options({"producer": str(producer), "serial_number": "4711"}).open()
+
+
+def test_a_region_is_a_part_of_the_sensor(producer: Path) -> None:
+    driver = from_options({"producer": str(producer), "region": [0, 0, 300, 200]})
+    info = driver.open()
+    assert next_frame(driver).image.shape == (info.height_px, info.width_px) == (200, 300)
+    driver.close()
+
+
+def test_what_the_camera_cannot_do_is_said(producer: Path) -> None:
+    for more, words in (
+        ({"pixel_format": "Mono12"}, "pixel_format = Mono12; it offers RGBa8, Mono8"),
+        ({"pixel_format": "RGBa8"}, "pixel format RGBa8, which is not supported"),
+        ({"exposure_us": 100.0}, "exposure_us = 100; it offers –"),
+        ({"rate_hz": 5000.0}, "rate_hz = 5000"),
+        ({"trigger": "Line1"}, "trigger = Line1; it offers –"),
+    ):
+        with pytest.raises(DeviceError, match=words) as caught:
+            from_options({"producer": str(producer), **more}).open()
+        assert caught.value.remedy
+
+
+def test_producers_are_found_in_the_folders_of_the_environment(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.delenv(PRODUCER_PATH, raising=False)
+    with pytest.raises(DeviceError, match=PRODUCER_PATH):
+        find_producers(None)
+    with pytest.raises(DeviceError, match=r"nowhere\.cti"):
+        find_producers(str(tmp_path / "nowhere.cti"))
+    (tmp_path / "one.cti").touch()
+    (tmp_path / "readme.txt").touch()
+    monkeypatch.setenv(PRODUCER_PATH, f"/nowhere:{tmp_path}")
+    assert find_producers(None) == [tmp_path / "one.cti"]
+
+
+def test_a_missing_library_is_named_with_its_extra(monkeypatch: pytest.MonkeyPatch) -> None:
+    load = builtins.__import__
+
+    def without_harvesters(name: str, *arguments: Any, **more: Any) -> Any:
+        if name.startswith("harvesters"):
+            raise ImportError(name)
+        return load(name, *arguments, **more)
+
+    monkeypatch.setattr(builtins, "__import__", without_harvesters)
+    with pytest.raises(DeviceError) as caught:
+        from_options({}).open()
+    assert "harvesters" in str(caught.value.what)
+    assert 'pip install "crenel[gentl]"' in str(caught.value.remedy)
