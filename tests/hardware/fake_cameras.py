@@ -69,10 +69,13 @@ class ControlClient:
         self._request += 1
         head = struct.pack(">BBHHH", 0x42, 0x01, command, len(payload), self._request)
         self._socket.send(head + payload)
-        answer = self._socket.recv(256)
-        status, _, _, request = struct.unpack_from(">HHHH", answer)
-        assert (status, request) == (0, self._request)
-        return answer[8:]
+        while True:
+            answer = self._socket.recv(256)
+            status, _, _, request = struct.unpack_from(">HHHH", answer)
+            if request == self._request:
+                if status:
+                    raise OSError(f"the camera refuses with status {status:#06x}")
+                return answer[8:]
 
 
 class AravisFake:
@@ -90,17 +93,25 @@ class AravisFake:
         self._process = subprocess.Popen(
             self._command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL
         )
+        try:
+            self._wait_until_ready(self._process)
+        except BaseException:
+            self.stop()
+            raise
+
+    def _wait_until_ready(self, process: subprocess.Popen[bytes]) -> None:
         deadline = time.monotonic() + READY_S
-        while True:
+        while time.monotonic() < deadline:
             client = ControlClient()
             try:
                 client.read(CONTROL_REGISTER)
+                assert process.poll() is None, "another camera has the port"
                 return
             except OSError:
-                assert time.monotonic() < deadline, "the fake camera does not answer"
                 time.sleep(0.05)
             finally:
                 client.close()
+        raise AssertionError("the fake camera does not answer")
 
     def stop(self) -> None:
         process, self._process = self._process, None

@@ -109,8 +109,10 @@ def laser_camera(tmp_path_factory: pytest.TempPathFactory) -> Path:
     path = tmp_path_factory.mktemp("camera") / "laser.xml"
     with port_for_this_test():
         fake = AravisFake()
-        write_laser_camera(genicam_xml(), path)
-        fake.stop()
+        try:
+            write_laser_camera(genicam_xml(), path)
+        finally:
+            fake.stop()
     return path
 
 
