@@ -40,6 +40,11 @@ class ChosenDevice(ChosenDriver):
     label: Annotated[str, Field(max_length=60)] = ""
 
 
+class StripeDirection(RequestBody):
+    stripe_axis: Literal["u", "v"]
+    """"u" if the laser line runs across the picture, "v" if it runs down."""
+
+
 class DeviceRemoval(RequestBody):
     kind: Literal["arm", "sensor"]
 
@@ -71,6 +76,13 @@ def remove(asked: DeviceRemoval, context: TheContext, person: ThePerson) -> Devi
     """Takes a device out of station.toml; a demonstration uses its simulated device again."""
     context.lease.act(person)
     context.device_setup.remove(asked.kind)
+    return context.device_setup.view()
+
+
+@router.post("/datasheet")
+def describe(asked: StripeDirection, context: TheContext) -> DevicesView:
+    """Writes the datasheet of the chosen camera into the data folder."""
+    context.device_setup.describe(asked.stripe_axis)
     return context.device_setup.view()
 
 

@@ -5,10 +5,13 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
+from typing import Literal
 
 from app.errors import OperationError
 from app.formats.file_names import display_path
+from app.guide.common.datasheet_library import DatasheetLibrary
 from app.messages.message import Text, message, word
+from app.operations.new_datasheet import UndescribedSensor, find_undescribed, write_datasheet
 from app.settings.device_tables import write_device
 from app.settings.settings import DeviceKind, DeviceTable
 from app.station.bus import Bus
@@ -81,6 +84,8 @@ class DevicesView:
     found: tuple[FoundView, ...]
     problems: tuple[SearchProblem, ...]
     drivers: tuple[DriverForm, ...]
+    undescribed: UndescribedSensor | None
+    """The chosen camera, if the data folder has no datasheet of it yet."""
 
 
 def choice_of(table: DeviceTable | None) -> DeviceChoice | None:
@@ -94,6 +99,8 @@ class DeviceSetup:
     Args:
         busy: why devices cannot be changed now; None if they can.
         note: called with the tables after each change.
+        library: the datasheets in the data folder.
+        data: the data folder.
     """
 
     def __init__(
@@ -103,7 +110,10 @@ class DeviceSetup:
         devices: StationDevices,
         busy: Callable[[], OperationError | None],
         note: Callable[[Mapping[DeviceKind, DeviceTable]], None],
+        library: Callable[[], DatasheetLibrary],
+        data: Path,
     ) -> None:
+        self._library, self._data = library, data
         self._bus, self._rig, self._busy, self._note = bus, rig, busy, note
         self._file, self._simulation = devices.file, devices.simulation
         self._tables = dict(devices.tables)
@@ -138,6 +148,7 @@ class DeviceSetup:
             ),
             problems=result.problems,
             drivers=self._forms,
+            undescribed=self._find_undescribed(),
         )
 
     def try_device(self, kind: DeviceKind, driver: str, entered: Mapping[str, object]) -> TrialView:
@@ -171,6 +182,15 @@ class DeviceSetup:
         if kind in self._tables:
             self._change(kind, None)
 
+    def describe(self, stripe_axis: Literal["u", "v"]) -> None:
+        """Writes the datasheet of the chosen camera, which a calibration needs.
+
+        Raises:
+            OperationError: it has one, none is connected, or the disk refuses the file.
+        """
+        with self._changing:
+            write_datasheet(self._find_undescribed(), stripe_axis, self._data)
+
     def close(self) -> None:
         """Ends a trial."""
         self.trials.close()
@@ -191,6 +211,11 @@ class DeviceSetup:
             use_choice(self._rig, kind, choice_of(table), self._simulation)
             self._note(self._tables)
         self._bus.event("device-chosen", message("device-was-chosen", title=word(kind)), "good")
+
+    def _find_undescribed(self) -> UndescribedSensor | None:
+        if "sensor" not in self._tables:
+            return None
+        return find_undescribed(self._rig.sensor, self._library())
 
     def _is_in_use(self, kind: DeviceKind, driver: str, options: Mapping[str, object]) -> bool:
         table = self._tables.get(kind)

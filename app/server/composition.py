@@ -14,6 +14,7 @@ from app.guide.arm.guide import ArmGuide
 from app.guide.calibration.commands import COMMANDS as CALIBRATION_COMMANDS
 from app.guide.calibration.guide import CalibrationGuide, CalibrationServices
 from app.guide.common.buttons import Buttons, Press
+from app.guide.common.datasheet_library import read_library
 from app.guide.common.guided_session import GuidedSession, Provenance, StationServices
 from app.guide.common.simulated_operator import SimulatedOperator
 from app.guide.common.simulated_scan import SimulatedScan
@@ -184,6 +185,8 @@ def _build_context(parts: StationParts, store: Store) -> Context:
         parts.devices,
         lambda: _work_error(scanner, jobs, (guide, arm_guide, verify_guide)),
         watch.note_devices,
+        lambda: read_library(store.folder),
+        store.folder,
     )
     station = StationInfo(
         parts.name, SOFTWARE.version, has_simulation=simulated, simulated=simulated

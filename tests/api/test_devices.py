@@ -9,6 +9,7 @@ import cv2
 import numpy as np
 import pytest
 
+from app.formats.datasheets.sensor import read_sensor
 from app.settings.station_toml import read_settings
 from app.station.setup.trials import DeviceTrials
 from tests.api.conftest import Server, running_server
@@ -148,6 +149,24 @@ def test_a_chosen_camera_is_used_at_once_and_after_a_restart(
         )
         assert back["simulated"]
         assert again.context.station.has_simulation
+
+
+def test_a_chosen_camera_gets_its_datasheet_from_one_answer(
+    station: Server, pictures: Path
+) -> None:
+    assert view(station)["undescribed"] is None, "the simulated camera has its datasheet"
+    refused = station.http.post("/api/devices/datasheet", json={"stripe_axis": "u"})
+    assert refused.json()["code"] == "no-sensor"
+    station.http.post("/api/devices", json=asked(pictures)).raise_for_status()
+    wanted = wait_for(lambda: view(station)["undescribed"], lambda one: one is not None)
+    assert (wanted["width_px"], wanted["height_px"]) == (WIDTH, HEIGHT)
+    answer = station.http.post("/api/devices/datasheet", json={"stripe_axis": "v"})
+    assert answer.raise_for_status().json()["undescribed"] is None
+    (written,) = (station.data / "sensors").glob("pictures*.json")
+    datasheet = read_sensor(written)
+    assert (datasheet.name, datasheet.stripe_axis) == ("pictures", "v")
+    assert (datasheet.width_px, datasheet.height_px) == (WIDTH, HEIGHT)
+    written.unlink()
 
 
 def test_the_stations_own_device_is_shown_and_not_opened_again(

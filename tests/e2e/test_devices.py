@@ -11,6 +11,7 @@ import numpy as np
 import pytest
 from playwright.sync_api import Browser, Page, expect
 
+from app.formats.datasheets.sensor import read_sensor
 from app.settings.station_toml import read_settings
 from tests.e2e.conftest import Demo
 from tests.e2e.test_access_for_all import in_both_themes
@@ -136,6 +137,10 @@ def test_a_camera_is_connected_in_a_few_clicks(
 
     page.get_by_role("button", name="Use this camera").click()
     expect(page.get_by_role("heading", name="The camera is chosen")).to_be_visible(timeout=WAIT_MS)
+    page.get_by_role("button", name="Left to right").click()
+    expect(page.get_by_role("button", name="Left to right")).to_be_hidden(timeout=WAIT_MS)
+    (datasheet,) = (station.data / "sensors").glob("*800x600.json")
+    assert read_sensor(datasheet).stripe_axis == "u"
     assert clicks(page) <= MOST_CLICKS
     print(f"connected in {clicks(page)} clicks")
 

@@ -7,6 +7,7 @@ from fluent.syntax import FluentParser
 from fluent.syntax.ast import Comment, Junk, Message, ResourceComment
 
 from app.messages.language_file import languages
+from hardware.registry import BUILT_IN, FINDERS
 from tests.frontend.node import FRONTEND
 from tests.frontend.test_client_checks import places_by_id
 
@@ -38,6 +39,13 @@ def test_the_ids_are_those_that_are_used() -> None:
     assert sorted(used_ids() - ids) == []
     assert sorted(ids - used_ids()) == []
     assert len(ids) > 500
+
+
+def test_every_built_in_driver_has_a_name_for_people() -> None:
+    names = (SOURCES / "devices/names.ts").read_text(encoding="utf-8")
+    titled = set(re.findall(r'^  "?([a-z0-9-]+)"?: "ui-driver-', names, re.MULTILINE))
+    drivers = {name for group, table in BUILT_IN.items() if group != FINDERS for name in table}
+    assert titled == drivers
 
 
 @pytest.mark.parametrize("language", languages())

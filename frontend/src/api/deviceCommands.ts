@@ -42,6 +42,9 @@ export const chooseDevice = (choice: Choice, label: string) =>
 export const removeDevice = (kind: DeviceKind) =>
   done(() => post<DevicesView>(`${PATH}/remove`, { kind }), t("ui-the-device-was-not-changed"));
 
+export const describeCamera = (stripe_axis: "u" | "v") =>
+  done(() => post<DevicesView>(`${PATH}/datasheet`, { stripe_axis }), t("ui-the-datasheet-was-not-written"));
+
 /** The station closes it by itself if this does not arrive. */
 export async function endTrial(): Promise<void> {
   try {

@@ -1,4 +1,4 @@
-import { type DeviceKind, removeDevice } from "../api/deviceCommands";
+import { type DeviceKind, describeCamera, removeDevice } from "../api/deviceCommands";
 import type { DevicesView, StationDevice } from "../api/wire";
 import { MainAct } from "../parts/Actions";
 import { CardHead } from "../parts/CardHead";
@@ -36,6 +36,7 @@ export function DevicesCard({ view, saved, onSearch, onView }: DevicesCardProps)
           </PressButton>
         </MainAct>
       )}
+      {view.undescribed && <LineQuestion onView={onView} />}
       <section className={styles.section} aria-labelledby="used">
         <h2 id="used" className={styles.heading}>
           {t("ui-this-station-uses")}
@@ -67,6 +68,38 @@ export function DevicesCard({ view, saved, onSearch, onView }: DevicesCardProps)
         </ul>
       )}
     </>
+  );
+}
+
+/** All that the datasheet of a new camera needs from a person. */
+function LineQuestion({ onView }: { onView: DevicesCardProps["onView"] }) {
+  const answer = (axis: "u" | "v") => async () => onView(await describeCamera(axis));
+  return (
+    <section className={styles.section} aria-labelledby="line">
+      <h2 id="line" className={styles.heading}>
+        {t("ui-how-does-the-laser-line-run")}
+      </h2>
+      <div className={styles.answers}>
+        <PressButton free onPress={answer("u")}>
+          <LineDrawing path="M4 20 44 12" />
+          {t("ui-from-left-to-right")}
+        </PressButton>
+        <PressButton free onPress={answer("v")}>
+          <LineDrawing path="M20 2 28 30" />
+          {t("ui-from-top-to-bottom")}
+        </PressButton>
+      </div>
+      <p className={styles.note}>{t("ui-new-camera-gets-its-datasheet")}</p>
+    </section>
+  );
+}
+
+function LineDrawing({ path }: { path: string }) {
+  return (
+    <svg viewBox="0 0 48 32" className={styles.drawing} aria-hidden="true">
+      <rect x="1" y="1" width="46" height="30" rx="3" />
+      <path d={path} />
+    </svg>
   );
 }
 

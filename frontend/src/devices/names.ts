@@ -15,6 +15,7 @@ const DRIVERS: Record<string, PlainId> = {
   ros2: "ui-driver-ros2",
   opencv: "ui-driver-opencv",
   genicam: "ui-driver-genicam",
+  pylon: "ui-driver-pylon",
   folder: "ui-driver-folder",
 };
 

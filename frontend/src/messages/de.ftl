@@ -259,6 +259,7 @@ ui-driver-genicam = Industriekamera (GigE Vision, USB3 Vision)
 ui-driver-kuka-rsi = Roboter von KUKA (RSI)
 ui-driver-microscribe = MicroScribe-Messarm
 ui-driver-opencv = USB-Kamera, Netzwerkstrom oder Video
+ui-driver-pylon = Basler-Kamera (pylon)
 ui-driver-ros2 = ROS-2-Topic
 ui-driver-ur-rtde = Roboter von Universal Robots (RTDE)
 ui-due = fällig
@@ -314,7 +315,9 @@ ui-frames-lost = { $n ->
     }
 ui-free = frei
 ui-from = Von
+ui-from-left-to-right = Von links nach rechts
 ui-from-to = { $from } bis { $to }
+ui-from-top-to-bottom = Von oben nach unten
 ui-furthest = fern: { $value }
 ui-gauge = Prüfnormal
 ui-give-control = Abgeben
@@ -338,6 +341,7 @@ ui-hours-ago = { $n ->
         [one] vor { $n } Stunde
        *[other] vor { $n } Stunden
     }
+ui-how-does-the-laser-line-run = Wie verläuft die Laserlinie im Bild?
 ui-http-interface = HTTP-Schnittstelle
 ui-http-interface-explained = Programme lesen und bedienen diese Station über HTTP, mit den Rechten der Person oder des Tokens, mit denen sie sich anmelden.
 ui-http-interface-version = HTTP-Schnittstelle, Version { $version }
@@ -484,6 +488,7 @@ ui-narrower-lines-glints-automatic-about-half = Schmalere Linien gelten als Glan
 ui-nearest = nah: { $value }
 ui-new-account = Neues Konto
 ui-new-address-requires-secret-again = Für eine neue Adresse muss das Geheimnis erneut eingegeben werden.
+ui-new-camera-gets-its-datasheet = Eine Kalibrierung muss das wissen. Aus der Antwort entsteht das Datenblatt der Kamera.
 ui-new-link = Neuer Link
 ui-new-name-of = Neuer Name von { $name }
 ui-new-password = Neues Passwort
@@ -830,6 +835,7 @@ ui-the-cloud-so-far-stays-here = Die bisherige Punktwolke bleibt hier stehen.
 ui-the-clouds-were-not-rebuilt = die Punktwolken wurden nicht neu berechnet
 ui-the-colours-were-not-changed = die Farben wurden nicht geändert
 ui-the-current-scan-is-always-displayed = Der laufende Scan wird immer angezeigt.
+ui-the-datasheet-was-not-written = das Datenblatt wurde nicht geschrieben
 ui-the-delay-was-not-changed = der Zeitversatz wurde nicht geändert
 ui-the-delay-was-not-determined = der Zeitversatz wurde nicht bestimmt
 ui-the-device-could-not-be-opened = Es ließ sich nicht öffnen. Die Station versucht es weiter.

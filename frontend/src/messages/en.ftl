@@ -259,6 +259,7 @@ ui-driver-genicam = Industrial camera (GigE Vision, USB3 Vision)
 ui-driver-kuka-rsi = Robot of KUKA (RSI)
 ui-driver-microscribe = MicroScribe arm
 ui-driver-opencv = USB camera, network stream or video
+ui-driver-pylon = Basler camera (pylon)
 ui-driver-ros2 = ROS 2 topic
 ui-driver-ur-rtde = Robot of Universal Robots (RTDE)
 ui-due = due
@@ -314,7 +315,9 @@ ui-frames-lost = { $n ->
     }
 ui-free = free
 ui-from = From
+ui-from-left-to-right = Left to right
 ui-from-to = { $from } to { $to }
+ui-from-top-to-bottom = Top to bottom
 ui-furthest = furthest { $value }
 ui-gauge = Gauge
 ui-give-control = Give control
@@ -338,6 +341,7 @@ ui-hours-ago = { $n ->
         [one] { $n } hour ago
        *[other] { $n } hours ago
     }
+ui-how-does-the-laser-line-run = How does the laser line run in the picture?
 ui-http-interface = HTTP interface
 ui-http-interface-explained = Programs read and operate this station over HTTP, with the rights of the person or token that they sign in with.
 ui-http-interface-version = HTTP interface, version { $version }
@@ -484,6 +488,7 @@ ui-narrower-lines-glints-automatic-about-half = Narrower lines are treated as gl
 ui-nearest = nearest { $value }
 ui-new-account = New account
 ui-new-address-requires-secret-again = If you change the address, enter the secret again.
+ui-new-camera-gets-its-datasheet = A calibration needs to know. The camera gets its datasheet from the answer.
 ui-new-link = New link
 ui-new-name-of = New name of { $name }
 ui-new-password = New password
@@ -830,6 +835,7 @@ ui-the-cloud-so-far-stays-here = The cloud so far stays here.
 ui-the-clouds-were-not-rebuilt = the clouds were not rebuilt
 ui-the-colours-were-not-changed = the colours were not changed
 ui-the-current-scan-is-always-displayed = The current scan is always shown.
+ui-the-datasheet-was-not-written = the datasheet was not written
 ui-the-delay-was-not-changed = the delay was not changed
 ui-the-delay-was-not-determined = the delay was not determined
 ui-the-device-could-not-be-opened = It could not be opened. The station tries again.
