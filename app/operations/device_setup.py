@@ -99,6 +99,7 @@ class DeviceSetup:
     Args:
         busy: why devices cannot be changed now; None if they can.
         note: called with the tables after each change.
+        note_options: called with the options of a device before it is opened.
         library: the datasheets in the data folder.
         data: the data folder.
     """
@@ -110,10 +111,14 @@ class DeviceSetup:
         devices: StationDevices,
         busy: Callable[[], OperationError | None],
         note: Callable[[Mapping[DeviceKind, DeviceTable]], None],
+        note_options: Callable[[Mapping[str, object]], None],
         library: Callable[[], DatasheetLibrary],
         data: Path,
     ) -> None:
         self._library, self._data = library, data
+        self._note_options = note_options
+        for table in devices.tables.values():
+            note_options(table.options)
         self._bus, self._rig, self._busy, self._note = bus, rig, busy, note
         self._file, self._simulation = devices.file, devices.simulation
         self._tables = dict(devices.tables)
@@ -158,6 +163,7 @@ class DeviceSetup:
             OperationError: there is no such driver, or it refuses an option.
         """
         options = check_options(kind, driver, entered)
+        self._note_options(options)
         in_use = self._is_in_use(kind, driver, device_address(kind, driver, options))
         return self.trials.start(TrialSubject(kind, driver, options, in_use))
 
@@ -171,6 +177,7 @@ class DeviceSetup:
                 cannot be changed; everything is then as before.
         """
         options = check_options(kind, driver, entered)
+        self._note_options(options)
         self._change(kind, DeviceTable(driver=driver, label=label.strip(), **options))
 
     def remove(self, kind: DeviceKind) -> None:

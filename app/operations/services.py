@@ -2,7 +2,7 @@
 
 import threading
 import time
-from collections import defaultdict
+from collections import defaultdict, deque
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -34,6 +34,7 @@ from app.timestamps import utc_now
 if TYPE_CHECKING:
     from app.supervision.broker import Broker
 
+OPTIONS_KEPT = 200
 BUCKETS_S = (0.5, 1.0, 2.0, 5.0, 10.0, 30.0, 60.0, 120.0, 300.0)
 
 
@@ -124,8 +125,8 @@ class MonitoringServices:
         self, settings: MonitoringSettings, name: str, bus: Bus, store: Store, jobs: Jobs
     ) -> None:
         self.settings = settings
-        self.effective_settings = dict(settings.effective_settings)
-        """As in ``settings``, with the devices that were chosen since."""
+        self._chosen: dict[str, object] = {}
+        self._options: deque[Mapping[str, object]] = deque(maxlen=OPTIONS_KEPT)
         self.instance = new_instance()
         mqtt = settings.mqtt
         self.station = (mqtt.station if mqtt else None) or station_id(name)
@@ -164,15 +165,27 @@ class MonitoringServices:
 
         return Broker(settings, self.station, self.name, self.instance, self.fleet)
 
+    @property
+    def effective_settings(self) -> Mapping[str, object]:
+        """The settings in use, with the devices that were chosen since the start."""
+        return {**self.settings.effective_settings, **self._chosen}
+
+    @property
+    def settings_with_secrets(self) -> Mapping[str, object]:
+        """Those, and every option of a device that was tried or used: the log may quote them."""
+        return {**self.effective_settings, "options": [dict(one) for one in self._options]}
+
+    def note_options(self, options: Mapping[str, object]) -> None:
+        """Called with the options of a device before it is opened."""
+        self._options.append(options)
+
     def note_devices(self, tables: Mapping[DeviceKind, DeviceTable]) -> None:
         """Called when another device was chosen."""
         for kind, table in tables.items():
-            self.effective_settings[kind] = dict(table.options)
+            self._chosen[kind] = dict(table.options)
         drivers = {kind: table.driver for kind, table in tables.items()}
         before = self.settings.effective_settings.get("drivers")
-        self.effective_settings["drivers"] = (
-            before | drivers if isinstance(before, dict) else drivers
-        )
+        self._chosen["drivers"] = before | drivers if isinstance(before, dict) else drivers
 
     def note_scan(self, result: ScanResult) -> None:
         """Called at the end of a scan."""

@@ -185,6 +185,7 @@ def _build_context(parts: StationParts, store: Store) -> Context:
         parts.devices,
         lambda: _work_error(scanner, jobs, (guide, arm_guide, verify_guide)),
         watch.note_devices,
+        watch.note_options,
         lambda: read_library(store.folder),
         store.folder,
     )

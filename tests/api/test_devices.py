@@ -9,6 +9,7 @@ import cv2
 import numpy as np
 import pytest
 
+from app.api.monitoring.support import context_redactor
 from app.formats.datasheets.sensor import read_sensor
 from app.settings.station_toml import read_settings
 from app.station.setup.trials import DeviceTrials
@@ -181,6 +182,15 @@ def test_the_stations_own_device_is_shown_and_not_opened_again(
     assert trial(station)["in_use"], "another rate is the same camera"
     station.http.delete("/api/devices/trial").raise_for_status()
     assert station.context.rig.sensor.fresh
+
+
+def test_secrets_of_a_tried_device_do_not_leave_the_station(station: Server) -> None:
+    address = "rtsp://admin:nobody-knows-it@127.0.0.1:9/stream"
+    body = {"kind": "sensor", "driver": "opencv", "options": {"source": address}}
+    station.http.post("/api/devices/trial", json=body).raise_for_status()
+    station.http.delete("/api/devices/trial").raise_for_status()
+    redactor = context_redactor(station.context)
+    assert "nobody-knows-it" not in redactor.text("the password nobody-knows-it is wrong")
 
 
 def test_devices_do_not_change_during_a_session(at_setup: Server, pictures: Path) -> None:

@@ -117,7 +117,7 @@ def context_redactor(context: Context) -> Redactor:
     watch, store = context.monitoring, context.store
     webhook = watch.webhook.settings
     secrets = [webhook.secret, *address_secrets(webhook.url), context.authenticator.code or ""]
-    secrets += secrets_in(dict(watch.effective_settings))
+    secrets += secrets_in(dict(watch.settings_with_secrets))
     if watch.settings.mqtt is not None:
         with suppress(OperationError):  # what cannot be read cannot leak
             secrets.append(watch.settings.mqtt.password() or "")
