@@ -2901,7 +2901,7 @@ ur-refuses-protocol = Der Roboter unter { $address } spricht Version 2 von RTDE 
 ur-refuses-start = Der Roboter unter { $address } weigert sich, Daten zu senden
 ur-switch-on = Den Roboterarm am Handbediengerät einschalten.
 ur-tool-changed = Das aktive Werkzeug (TCP) des Roboters unter { $address } wurde gewechselt
-ur-update-polyscope = PolyScope, die Software des Roboters, aktualisieren; genügen Gelenkwinkel, hilft auch report = "joints".
+ur-update-polyscope = PolyScope, die Software des Roboters, mindestens auf 3.12 (CB3) oder 5.5.1 (e-Series) aktualisieren; mit älterer Software report = "joints" verwenden.
 usable = Nicht brauchbar: { $fault }
 usable-2 = Nicht brauchbar
 usable-attention = Brauchbar, mit Vorbehalt

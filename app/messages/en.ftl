@@ -2879,7 +2879,7 @@ ur-refuses-protocol = The robot at { $address } does not speak version 2 of RTDE
 ur-refuses-start = The robot at { $address } refuses to send data
 ur-switch-on = Switch the robot arm on at its teach pendant.
 ur-tool-changed = The active tool (TCP) of the robot at { $address } was changed
-ur-update-polyscope = Update PolyScope, the robot's software; for joints alone, report = "joints" also helps.
+ur-update-polyscope = Update PolyScope, the robot's software, to 3.12 (CB3) or 5.5.1 (e-Series) or later; on older software, use report = "joints".
 usable = Not usable: { $fault }
 usable-2 = Not usable
 usable-attention = Usable, with attention
