@@ -1,5 +1,7 @@
 """Which pose of a chessboard to take next, on an arm with joints."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
@@ -10,6 +12,7 @@ from app.metrology.adjustment.core.parameters import SENSOR
 from app.metrology.adjustment.core.uncertainty import measuring_volume, sensor_jacobian
 from app.metrology.adjustment.planning.inverse_kinematics import (
     REACHED_MM,
+    nearest_joints,
     solve_inverse_kinematics,
 )
 from app.metrology.adjustment.planning.next_pose import PoseAdvice, next_poses, pose_delta
@@ -85,6 +88,29 @@ def test_the_advised_pose_brings_what_was_foretold(
         after[one.total_um] = rms_um(more, uv)
     assert after[best.total_um] < after[worst.total_um]
     assert after[best.total_um] == pytest.approx(best.total_um, rel=0.2)
+
+
+def test_an_arm_of_five_joints_is_advised_what_it_can_reach(arm: Arm) -> None:
+    short = replace(arm, joints=arm.joints[:5])
+    rest = REST_RAD[:5]
+    T_arm_obj = flange_pose(short, rest) @ T_FLANGE_CAM @ POSES[0]
+    rng = np.random.default_rng(2)
+    seen, angles = [], []
+    for k, T_cam_obj in enumerate(POSES[:6]):
+        wished = T_arm_obj @ inverse(T_cam_obj) @ inverse(T_FLANGE_CAM)
+        q = nearest_joints(short, wished, rest)
+        held = inverse(flange_pose(short, q) @ T_FLANGE_CAM) @ T_arm_obj
+        seen.append(simulate_detection(rng, k + 1, PAPER_BOARD, held, PLANE, BoardErrors()))
+        angles.append(q + rng.normal(0, ENCODER_SD_RAD, 5))
+    inputs = BoardInputs(short, PAPER_BOARD, tuple(seen), np.array(angles), SIZE)
+    found = calibrate_board(inputs)
+    state = found.adjustment.state
+    advice = next_poses(found.adjustment, short, PAPER_BOARD, inputs.readings)
+    assert len(advice) >= 5
+    assert advice[0].total_um < found.uncertainty.total_um
+    for one in advice:
+        reached = state.T_arm_obj @ one.T_obj_cam @ inverse(state.T_flange_cam)
+        np.testing.assert_allclose(flange_pose(short, one.reading), reached, atol=REACHED_MM)
 
 
 def rms_um(found: BoardCalibration, uv_px: Floats) -> float:

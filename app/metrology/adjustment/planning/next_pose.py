@@ -23,8 +23,11 @@ from app.metrology.adjustment.core.parameters import SENSOR, pose_scene
 from app.metrology.adjustment.core.robot_noise import robot_motion_at
 from app.metrology.adjustment.core.robust_weights import RobustWeights, normal_equations
 from app.metrology.adjustment.core.uncertainty import measuring_volume, sensor_jacobian
-from app.metrology.adjustment.planning.inverse_kinematics import solve_inverse_kinematics
-from app.metrology.arm.kinematics import AnyArm, Arm, RobotArm
+from app.metrology.adjustment.planning.inverse_kinematics import (
+    nearest_joints,
+    solve_inverse_kinematics,
+)
+from app.metrology.arm.kinematics import AnyArm, Arm, RobotArm, flange_pose
 from app.metrology.arm.reported_poses import pose_from_transform
 from app.metrology.calibration.observation_model import Rows
 from app.metrology.sensor.camera import Camera
@@ -47,6 +50,8 @@ HEIGHTS_MM = (-8.0, 0.0, 8.0)
 FRAMED, STRIPE_POINTS = 0.85, 40
 # Number of points merged into one when a picture is predicted.
 BIN_SIZE = 4
+# Number of joints with which an arm can hold the sensor at any pose.
+FREEDOMS = 6
 # Smaller changes are not mentioned.
 WORD_DEG, WORD_MM = 4.0, 3.0
 
@@ -151,7 +156,8 @@ def next_poses(
     volume = sensor_jacobian(found.state, measuring_volume(found).uv_px)
     by_sizes = found.link_size_covariance[SENSOR, SENSOR]
     advice = []
-    for T_obj_cam in _candidates(inverse(T_cam_obj), item):
+    for hold in _candidates(inverse(T_cam_obj), item):
+        T_obj_cam = _nearest_hold(found, arm, hold, readings)
         rows_of = _predict_rows(found, item, T_obj_cam, seeing)
         reached = _reach(found, arm, T_obj_cam, readings) if rows_of is not None else None
         if rows_of is None or reached is None:
@@ -248,12 +254,29 @@ def _reach(
     return None if q_rad is None else (q_rad, arm_motion(arm, q_rad[None]))
 
 
+def _nearest_hold(
+    found: AdjustmentResult, arm: AnyArm, T_obj_cam: Floats, readings: Floats
+) -> Floats:
+    """The hold itself; of an arm with fewer than six joints, the nearest one that it can take."""
+    if isinstance(arm, RobotArm) or arm.joint_count >= FREEDOMS:
+        return T_obj_cam
+    T_obj_flange = T_obj_cam @ inverse(found.state.T_flange_cam)
+    T_arm_flange = found.state.T_arm_obj @ T_obj_flange
+    q = nearest_joints(arm, T_arm_flange, readings[_nearest_pose(found, T_arm_flange)])
+    return inverse(found.state.T_arm_obj) @ flange_pose(arm, q) @ found.state.T_flange_cam
+
+
+def _nearest_pose(found: AdjustmentResult, T_arm_flange: Floats) -> int:
+    """Which of the poses so far has its flange nearest to another."""
+    apart = found.problem.motion.T_arm_flange[:, :3, 3] - T_arm_flange[:3, 3]
+    return int(np.argmin(np.linalg.norm(apart, axis=1)))
+
+
 def _joints(
     found: AdjustmentResult, arm: Arm, T_arm_flange: Floats, q_rad: Floats
 ) -> Floats | None:
     """Joint angles for a pose of the flange, starting from the pose with the nearest flange."""
-    near = np.linalg.norm(found.problem.motion.T_arm_flange[:, :3, 3] - T_arm_flange[:3, 3], axis=1)
-    return solve_inverse_kinematics(arm, T_arm_flange, q_rad[int(np.argmin(near))])
+    return solve_inverse_kinematics(arm, T_arm_flange, q_rad[_nearest_pose(found, T_arm_flange)])
 
 
 def _covariance_after(found: AdjustmentResult, moves: FlangeMotion, rows_of: RowsOf) -> Floats:
