@@ -196,6 +196,7 @@ bar-named = Kugelstab { $name }
 bar-not-placed = der Kugelstab wurde in { $count } von { $needed } Lagen gemessen
 bar-position-arm-json-ends-lie = Kugelstab { $name }, Lage { $position }: Nach arm.json liegen seine Enden { $measured } auseinander, angegeben sind { $length }
 bar-position-has-ends = { $path }: Kugelstab { $bar }, Lage { $position } hat die Enden { $ends }
+bars-by-number = { $title }, nach Nummer. Gestrichelt: die größte zulässige Abweichung.
 bars-end = Stabende { $value }
 bars-lengths-points-scatter-without-them = mit den Längen der Kugelstäbe streuen die Punkte um { $scatter }, ohne sie um { $without }
 bayer-needs-wavelength = bayer braucht laser_wavelength_nm: gemessen werden die Pixel dieser Farbe
@@ -354,13 +355,23 @@ capture = Aufnehmen
 centre = Mittelpunkt { $axis }
 centre-m = Mittelpunkt, µm
 centre-radius-cannot-be-separated = Mittelpunkt und Radius lassen sich nicht trennen
+centres-of-articulations =
+    { $title }: { $count ->
+        [one] der Mittelpunkt von { $count } Stellung
+       *[other] die Mittelpunkte von { $count } Stellungen
+    } von oben (x, y) und von der Seite (x, z), { $factor }-fach vergrößert. Der Kreis ist die kleinste Kugel um sie mit dem Durchmesser { $diameter }: die Lageabweichung. { $others ->
+        [yes] Offene Punkte: Mittelpunkte mit dem kalibrierten Durchmesser.
+       *[no] { "" }
+    }
 certificate = Kalibrierschein
 certificate-2 = Kalibrierschein { $certificate }
 certificate-date-unreadable = { $until } ist kein Datum; die Gültigkeit des Kalibrierscheins wird als 2027-03-31 angegeben
 certificate-out-of-date = der Kalibrierschein des Prüfkörpers galt bis { $until }
 certificate-says = laut Kalibrierschein { $square }
 certificate-trusted-here = dem Zertifikat des Empfängers wird hier nicht vertraut
+certificate-valid-until = { $name }, gültig bis { $date }
 certificate-without-uncertainty = der Kalibrierschein des Prüfkörpers nennt keine Unsicherheit
+certified-values = Laut Kalibrierschein
 change = Änderung
 change-one-them = eine von beiden ändern
 change-permissions-place = Zugriffsrechte oder Speicherort ändern
@@ -594,6 +605,7 @@ compare-blocks-depth-heights-certificate = Tiefe und Höhen des Zinnenkörpers m
 complete-delete-row = Zeile ergänzen oder löschen
 complete-or-delete-rows-of-position = Zeilen dieser Lage ergänzen oder löschen
 compute-calibration-take-another-pose = { $taken } Kalibrierung berechnen oder eine weitere Pose aufnehmen.
+computed-from = Berechnet aus den Antastungen und Scans
 computer-behind-queue-full = Der Rechner kommt nicht nach: Seine Warteschlange ist zu { $share } voll
 confirmed-devices = Geräte bestätigt
 confirmed-gauge = Prüfnormal bestätigt
@@ -754,6 +766,7 @@ denavit-hartenberg-parameters-do-same = die Denavit-Hartenberg-Parameter haben d
 depth-mm = Tiefe, mm
 described-a-camera = beschrieb eine Kamera
 deviations-distances-one = Abweichungen sind Abstände von einer Form
+deviations-of-places = Abweichungen der 25 Stellen
 device-cannot-be-opened = { $title } lässt sich nicht öffnen
 device-cannot-be-played = { $title } lässt sich nicht wiedergeben
 device-closed = { $title } ist geschlossen
@@ -783,6 +796,7 @@ disk-of-folder-full = Der Datenträger von { $folder } ist voll
 disk-quota-used-up = das Speicherkontingent ist aufgebraucht
 disk-read-only = der Datenträger ist schreibgeschützt
 disks-largest-file-size-reached = die maximale Dateigröße des Datenträgers ist erreicht
+dispersion-free-centre = 95 %, freier Mittelpunkt
 distance = Abstand
 distance-between-clouds = Abstand zwischen den Punktwolken
 distance-between-clouds-centres = Abstand der Mittelpunkte der Punktwolken
@@ -889,12 +903,23 @@ entered-consoles-code = mit dem Code der Konsole angemeldet
 entered-the-temperature = Temperatur eingegeben
 entry-point-must-name-function-takes = Sein Einstiegspunkt muss eine Funktion sein, die die Optionen entgegennimmt.
 error = Durchmesserabweichung
+error-arm-joints = Spiel und Geber der Gelenke
+error-arm-links = Längen und Winkel der Glieder des Arms
 error-budget = Unsicherheitsbudget
 error-budget-with-limits = Beiträge zur Standardunsicherheit (k = 1) eines gescannten Punkts. Grenzwerte: gut bis { $good }, brauchbar bis { $usable }.
+error-clock = Verzögerung zwischen Arm und Sensor
+error-hides-in = Zeigt sich kaum in
 error-in-column = Spalte { $place }
 error-in-row = Zeile { $place }
+error-laser-plane = Laserebene, gebogen oder gekippt
+error-of = Fehler
+error-probe-matrix = Messkopfmatrix, Verschiebung um d falsch
 error-radius = Radiusabweichung
+error-sensor-scale = Maßstab des Sensors
+error-shows-in = Zeigt sich in
+error-stripe-noise = Rauschen des Streifens
 error-there-something-program-did-foresee = Ein Fehler im Protokoll ist ein nicht vorhergesehener Fall.
+error-tip-diameter = Durchmesser der Tastkugel
 error-what = { CLAUSE($what) }.
 error-what-and-why = { CLAUSE($what) }: { CLAUSE($why) }.
 errors-arms-own-model-joint-angles = Fehler des Armmodells selbst, nicht zum Bild gehörende Gelenkwinkel und ein nach dem Antasten bewegtes Objekt lassen sich aus einem Bild in einer Pose nicht erkennen und sind in diesem Wert nicht enthalten.
@@ -904,6 +929,12 @@ errors-last-hour =
         [one] Ein Fehler in der letzten Stunde.
        *[other] { $count } Fehler in der letzten Stunde.
     }
+errors-of-lengths = Längenabweichungen
+errors-of-lengths-caption =
+    { $count ->
+        [one] { $count } Längenabweichung
+       *[other] { $count } Längenabweichungen
+    } über der Länge; die Aufstellungen nebeneinander. Gestrichelt: die größte zulässige Abweichung. Rot: darüber, mit der Nummer der Aufstellung.
 even-best-arm-points-still-scatter = selbst mit dem besten Armmodell streuen die Punkte noch um { $scatter }
 every-figure-keeps-limit = Alle Kenngrößen halten ihren Grenzwert ein.
 every-figure-keeps-limit-2 = Nicht alle Kenngrößen halten ihren Grenzwert ein.
@@ -940,6 +971,7 @@ far-out = weit außen
 fault = Ursache: { CAPITAL($fault) }. { $text }
 feature-given-single-scanned-point-iso = Für ein Merkmal, das durch einen einzelnen gescannten Punkt gegeben ist, weist ISO 14253-1 mit den voreingestellten 95 % die Konformität nach, wenn der Punkt um { $guard } ({ $guard_mm }, { $factor } Standardunsicherheiten) innerhalb der Toleranz liegt; die Nichtkonformität, wenn er ebenso weit außerhalb liegt.
 few-poses = { $poses } Posen ergeben { $figures } Werte für { $unknown } Unbekannte und prüfen sie kaum: { $wanted } Posen messen, über die ganze Reichweite verteilt
+fewest-in-patch = Wenigste je Stelle
 field-is = { $path }: { $place } ist { $value }
 field-missing =
     { $more ->
@@ -1057,6 +1089,7 @@ further-cloud-aside-one-other-s =
         [one] { $aside } weitere Punktwolke wurde ausgeschlossen.
        *[other] { $aside } weitere Punktwolken wurden ausgeschlossen.
     }
+gate-and-filters = Welche Punkte zählen
 gauge = Prüfnormal
 gauge-clamped = Dieses Prüfnormal ist aufgespannt
 gauge-shape = { $path }: shape ist { $shape }
@@ -1139,7 +1172,21 @@ guided-steps = Geführte Schritte
 had-calculated = Berechnung gestartet
 had-simulation-pass-over-plate = simulierte Überfahrt über die Platte gestartet
 half-them-more-contradicting-others-none = widerspricht mindestens die Hälfte den übrigen, ist keiner zu trauen
+hides-arm-joints = Längenabweichungen zwischen Kugeln, die über viele Antastungen mitteln
+hides-arm-links = Größe und Form einer kleinen Kugel
+hides-clock = alle Werte durch Antasten, und langsame Scans
+hides-laser-plane = alle Werte durch Antasten
+hides-probe-matrix = Größe, Form und Streuung einer Kugel, die in einer Orientierung gescannt wurde
+hides-sensor-scale = Lage der gescannten Kugel
+hides-stripe-noise = Lage und Größe: Sie mitteln über viele Punkte
+hides-tip-diameter = Lage, und Längen von Mittelpunkt zu Mittelpunkt
 image-is-grey = { $name } ist ein Graubild
+implied-offset = Fehler der Messkopfmatrix, auf den die Mittelpunkte schließen lassen
+implied-offset-caption =
+    Im Koordinatensystem des Sensors liegt der Sensor in Wirklichkeit { $size } neben der Stelle, an der die Messkopfmatrix ihn hat; dünne Balken sind die zweifache Standardunsicherheit. { $significant ->
+        [yes] Das ist mehr als Zufall: Den Sensor erneut kalibrieren.
+       *[no] Das ist nicht mehr als Zufall.
+    } Ohne diesen Fehler bliebe eine Lageabweichung von { $left }.
 join-group-of-device = Führen Sie „{ $command }“ aus, melden Sie sich dann neu am System an und starten Sie Crenel neu.
 kuka-add-element = In der Ethernet-Konfiguration der Steuerung unter SEND ein Element mit TAG="DEF_{ $name }" ergänzen.
 kuka-lacks-element = Die Pakete des Roboters unter { $address } enthalten kein { $name }
@@ -1149,6 +1196,9 @@ laser-off-or-covered = der Laser ist aus, verdeckt oder zu schwach
 laser-on-not-brighter = das Bild mit Laser ist nicht heller als das ohne Laser
 laser-on-off-differ = die Bilder mit und ohne Laser sind verschieden: { $on } und { $off } Pixel
 leave-out-laser-off = --laser-off weglassen: Graubilder werden gemessen, wie sie sind
+length-standard = Längennormal
+location-fixed-diameter = Lage, fester Durchmesser
+location-over-articulations = Lage über die Stellungen
 measured-channel = gemessen: { $channel }
 microscribe-needs-five-joints = Dieser Treiber ist nur für MicroScribe mit fünf Gelenken.
 microscribe-no-answer = Unter { $url } antwortet kein MicroScribe
@@ -1159,6 +1209,41 @@ no-camera-without-datasheet = Es ist keine Kamera ohne Datenblatt angeschlossen
 no-device-chosen = Nicht gewählt: { $title }
 one-pose-takes-no-raw = eine einzelne Pose lässt sich nicht aus Bayer-Rohbildern kalibrieren
 opens-again = Die Verbindung öffnet sich von selbst wieder; danach den letzten Schritt wiederholen.
+origin-of-figures = Herkunft der Werte
+performance-editions = Normen
+performance-ended = Beendet
+performance-patches =
+    { $count ->
+        [one] { $count } Stelle eines Scans ist der mittlere Abstand
+       *[other] { $count } Stellen eines Scans sind die mittleren Abstände
+    } aller Punkte innerhalb von { $half } um die Richtungen des Musters.
+performance-rule =
+    Entscheidungsregel, { $standard }:{ $edition }: { $guard ->
+        [yes] Ein Wert ist konform, wenn er um mehr als das { $factor }-Fache seiner Standard-Prüfwertunsicherheit innerhalb seiner größten zulässigen Abweichung (MPE) liegt, und nicht konform, wenn er um mehr als das darüber liegt. Dazwischen { $bearer ->
+            [supplier] muss der Lieferant die Konformität nachweisen: Der Wert ist nicht konform
+            [user] muss der Anwender das Gegenteil nachweisen: Der Wert ist konform
+           *[prover] ist er unentschieden
+        }.
+       *[no] Ein Wert ist konform, wenn er seine größte zulässige Abweichung (MPE) nicht überschreitet; die Prüfwertunsicherheit wird angegeben und nicht angewandt.
+    } U ist die Unsicherheit von Normal und Aufbau, nicht die Streuung von Arm und Sensor: Diese misst die Prüfung.
+performance-symbol = Symbol
+performance-test =
+    { $kind ->
+        [lengths] Leistungsprüfung: Längen
+        [plane] Leistungsprüfung: Ebene
+        [contact] Leistungsprüfung: taktiles Antasten
+       *[sphere] Leistungsprüfung: eine Kugel
+    }
+performance-values-against-limits = Werte als Anteile ihrer größten zulässigen Abweichungen, mit der Prüfwertunsicherheit (k = 2) als Balken. Der gefüllte Punkt ist der schlechtere Wert, der zählt; offene Punkte sind die Werte jeder Position.
+places-of-hemisphere =
+    { $title }, vom Pol gesehen: { $count ->
+        [one] { $count } Stelle
+       *[other] { $count } Stellen
+    } mit dem Abstand von der Ausgleichskugel in µm, blau außen, orange innen, höchstens { $largest }. Die Kreise liegen 22,5°, 45°, 67,5° und 90° vom Pol.
+plate = Ebenes Normal
+plate-by-certificate = eben auf { $flatness }
+points-in-gate = Punkte
+points-outside-gate = Punkte außerhalb
 quaternion-must-be-unit = die letzten vier Zahlen müssen ein Einheitsquaternion sein, w zuerst
 raw-bayer-has-one-channel = ein Bayer-Rohbild (bayer) hat nur einen Kanal
 restart-robot-controller = Die Steuerung des Arms neu starten.
@@ -1189,7 +1274,18 @@ ros2-source-setup = In der Shell, die das Programm startet, die Setup-Datei von 
 ros2-topics-are = topic berichtigen; Topics dieser Art sind { $names }.
 ros2-use-arrival = Der Absender muss header.stamp setzen; sonst stamps = "arrival" ergänzen, was in Bewegung ungenauer ist.
 same-camera-both = beide kommen von einer Kamera in einer Betriebsart
+scanned-centres-of-position = Durch Scannen, Position { $position }
+scanned-places-of-position = Gescannte Kugel, Position { $position }
 search-again-for-devices = Suchen Sie noch einmal; wenn das nicht hilft, prüfen Sie Netzwerk und Kabel.
+seats-and-placements = Aufnahmen und Aufstellungen
+shows-arm-joints = Form der angetasteten Kugel; Einzelpunkt-Schwenkprüfung
+shows-arm-links = Längenabweichungen; Lage über die Stellungen, durch Antasten wie durch Scannen
+shows-clock = Form und Streuung der gescannten Kugel; sie wachsen mit der Scangeschwindigkeit
+shows-laser-plane = Form der gescannten Kugel und Ebene; Größe der gescannten Kugel
+shows-probe-matrix = Lage der gescannten Kugel: 2 d längs der Blickrichtung und längs des Streifens, 1,4 d quer zum Streifen; Abstand der gescannten von der angetasteten Kugel
+shows-sensor-scale = Größe der gescannten Kugel, alle Punkte und 25 Stellen
+shows-stripe-noise = Streuung von 95 % aller Punkte
+shows-tip-diameter = Größe der angetasteten Kugel; wirksamer Durchmesser
 silent-but-there = { $title }: verbunden, wartet auf einen Trigger oder eine Änderung
 simulation-goes = Der simulierte Bediener führt den Messarm zu: { $name }
 simulation-goes-next-pose = Der simulierte Bediener führt den Sensor zur nächsten Pose: { $words }
@@ -1429,6 +1525,14 @@ let-line-cross-board-in-more-pictures =
         [one] ein weiteres Bild aufnehmen, in dem die Linie über die Tafel verläuft
        *[other] { $more } weitere Bilder aufnehmen, in denen die Linie über die Tafel verläuft
     }
+so-many-values =
+    { $count ->
+        [one] { $count } Wert
+       *[other] { $count } Werte
+    }
+sphere-by-certificate = Durchmesser { $diameter }, bekannt auf { $known } (k = 1), Form { $form }
+sphere-moved = Bewegt um
+sphere-position = Position
 started-simulation = simulierten Bediener gestartet
 lies-face = er liegt { $where }
 lies-no-face-all = er liegt auf keiner Fläche
@@ -1873,7 +1977,7 @@ performance-effective-diameter = wirksamer Durchmesser der Prüfkugel
 performance-form-both = Form, angetastet und gescannt zusammen
 performance-form-scan = Form der gescannten Kugel, 25 Stellen
 performance-form-touch = Form der angetasteten Kugel
-performance-gate = Auswahlbereich: { $shell } um die kalibrierte Kugel, Einfallswinkel bis { $incidence }, bis { $cone } vom Pol; vor der Prüfung festgelegt.
+performance-gate = Punkte eines Scans nehmen teil, wenn sie höchstens { $shell } von der Oberfläche der kalibrierten Kugel und höchstens { $cone } von ihrem Pol ({ $pole }) entfernt liegen und der Sensor diese Oberfläche unter höchstens { $incidence } zu ihrer Normalen sieht. Alle diese Punkte zählen; keiner wird wegen seines Residuums entfernt.
 performance-length-scan = Längenabweichung durch Scannen
 performance-length-touch = Längenabweichung durch Antasten
 performance-limits-broken = Ein Wert hält seine Grenze nicht ein.
@@ -2817,6 +2921,8 @@ touch-sphere = Kugel antasten
 touch-sphere-more-spread-over-all = Kugel weiter antasten, über die ganze obere Hälfte verteilt.
 touch-top-all-around-side = Oben und ringsum an der Seite antasten
 touch-tops-merlons = Zinnen oben antasten.
+touched-centres-of-position = Durch Antasten, Position { $position }
+touched-places-of-position = Angetastete Kugel, Position { $position }
 touched-sphere-seems-to-have-diameter = Die angetastete Kugel hat anscheinend einen Durchmesser von { $radius }, laut Kalibrierschein { $radius2 }.
 touches = { $done } von { $of } Antastpunkten
 touches-2 = Antastpunkte
@@ -2956,6 +3062,8 @@ value-too-short-list =
        *[other] die Liste muss mindestens { $count } Einträge haben
     }
 value-too-short-text = der Text muss mindestens { $count } Zeichen haben
+value-with-spread = { $value } { $spread }
+values-in-micrometres = Werte, µm
 values-shares-their-limits-bar-expanded = Werte im Verhältnis zu ihren Grenzwerten: Der Balken ist die erweiterte Unsicherheit (k = 2), die Kreise sind die einzelnen Punktwolken.
 verification = Verifizierung
 verification-cannot-read = Die Verifizierung { $one } ist nicht lesbar.
@@ -3007,6 +3115,8 @@ what-calibrated = Gegenstand der Kalibrierung
 what-cannot-read-set-aside-everything = Nicht Lesbares wird unverändert beiseitegelegt; alles andere steht zur Verfügung.
 what-checked = Gegenstand der Prüfung
 what-clouds-show-against-certificate = Vergleich der Punktwolken mit dem Kalibrierschein des Prüfnormals und mit dem Taster.
+what-figures-mean = Was die Werte bedeuten
+what-figures-mean-text = Jeder Fehler von Arm und Sensor zeigt sich in manchen Werten und bleibt in anderen verborgen. Überschreiten mehrere Werte ihre Grenzen, sagt diese Tabelle, wo zuerst zu suchen ist.
 what-identified = Gegenstand der Identifikation
 what-looks-may-good-bad = Der Zustand dessen, was sie prüft, ist damit unbekannt.
 what-passed-over-plane = die überfahrene Fläche ist keine Ebene
@@ -3017,6 +3127,7 @@ what-shows-could-more-than-one = das Sichtbare könnte zu mehr als einem Teil de
 what-shows-reads-rather-like-objects = das Sichtbare entspricht eher dem Spiegelbild des Objekts
 what-standard-uncertainty-k-1-scanned = Beiträge zur Standardunsicherheit (k = 1) eines gescannten Punkts.
 what-taken-kept-folder = Alles Aufgenommene bleibt im Ordner der Sitzung.
+what-tested = Was geprüft wurde
 what-tip-moved-while-held-one = Scheinbare Bewegung der Tastkugel, während sie an einer Position gehalten wurde.
 what-verified = Gegenstand der Verifizierung
 where-sensor-sits-along-axis-cannot = die Lage des Sensors entlang dieser Achse lässt sich nicht bestimmen

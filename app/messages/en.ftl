@@ -196,6 +196,7 @@ bar-named = bar { $name }
 bar-not-placed = the bar was measured in { $count } of { $needed } placements
 bar-position-arm-json-ends-lie = bar { $name }, position { $position }: according to arm.json its ends are { $measured } apart, but its stated length is { $length }
 bar-position-has-ends = { $path }: bar { $bar }, position { $position } has the ends { $ends }
+bars-by-number = { $title }, by number. Dashed: the maximum permissible error.
 bars-end = end { $value } of the bar
 bars-lengths-points-scatter-without-them = with the bars' lengths the points scatter by { $scatter }, without them by { $without }
 bayer-needs-wavelength = bayer requires laser_wavelength_nm, whose colour's pixels are measured
@@ -354,13 +355,23 @@ capture = Capture
 centre = Centre { $axis }
 centre-m = Centre, µm
 centre-radius-cannot-be-separated = centre and radius cannot be separated
+centres-of-articulations =
+    { $title }: { $count ->
+        [one] the centre of { $count } articulation
+       *[other] the centres of { $count } articulations
+    } from above (x, y) and from the side (x, z), { $factor } times larger. The circle is the smallest sphere about them, { $diameter } in diameter: the location error. { $others ->
+        [yes] Open dots: centres with the calibrated diameter.
+       *[no] { "" }
+    }
 certificate = Certificate
 certificate-2 = certificate { $certificate }
 certificate-date-unreadable = { $until } is no date; the certificate’s validity is stated as 2027-03-31
 certificate-out-of-date = the certificate of the artefact was valid until { $until }
 certificate-says = its certificate states { $square }
 certificate-trusted-here = its certificate is not trusted
+certificate-valid-until = { $name }, valid until { $date }
 certificate-without-uncertainty = the certificate of the artefact states no uncertainty
+certified-values = By certificate
 change = Change
 change-one-them = change one of the limits
 change-permissions-place = Change its permissions, or choose another location
@@ -594,6 +605,7 @@ compare-blocks-depth-heights-certificate = Compare the block's depth and heights
 complete-delete-row = Complete or delete the row
 complete-or-delete-rows-of-position = Complete or delete the rows of this position
 compute-calibration-take-another-pose = { $taken } Compute the calibration, or capture another pose.
+computed-from = Computed from the touches and scans
 computer-behind-queue-full = The computer cannot keep up: its queue is { $share } full
 confirmed-devices = confirmed the devices
 confirmed-gauge = confirmed the gauge
@@ -750,6 +762,7 @@ denavit-hartenberg-parameters-do-same = the Denavit-Hartenberg parameters have t
 depth-mm = depth, mm
 described-a-camera = described a camera
 deviations-distances-one = deviations are distances from a shape
+deviations-of-places = Deviations of the 25 places
 device-cannot-be-opened = { $title } cannot be opened
 device-cannot-be-played = { $title } cannot be played
 device-closed = { $title } is closed
@@ -779,6 +792,7 @@ disk-of-folder-full = The disk of { $folder } is full
 disk-quota-used-up = the disk quota is used up
 disk-read-only = the disk is read-only
 disks-largest-file-size-reached = the largest file size of the disk is reached
+dispersion-free-centre = 95 %, free centre
 distance = Distance
 distance-between-clouds = Distance between clouds
 distance-between-clouds-centres = Distance between the centres of the clouds
@@ -885,12 +899,23 @@ entered-consoles-code = signed in with the console's code
 entered-the-temperature = entered the temperature
 entry-point-must-name-function-takes = Its entry point must name a function that accepts the options.
 error = Diameter error
+error-arm-joints = play and encoders of the joints
+error-arm-links = lengths and angles of the arm's links
 error-budget = Error budget
 error-budget-with-limits = Sources of the standard uncertainty (k = 1) of a scanned point. Limits: good up to { $good }, usable up to { $usable }.
+error-clock = delay between arm and sensor
+error-hides-in = Hardly shows in
 error-in-column = column { $place }
 error-in-row = row { $place }
+error-laser-plane = laser plane, bent or tilted
+error-of = Error
+error-probe-matrix = probe matrix, translation off by d
 error-radius = Radius error
+error-sensor-scale = scale of the sensor
+error-shows-in = Shows in
+error-stripe-noise = noise of the stripe
 error-there-something-program-did-foresee = An error here is a case that the program did not foresee.
+error-tip-diameter = diameter of the tip
 error-what = { CLAUSE($what) }.
 error-what-and-why = { CLAUSE($what) }: { CLAUSE($why) }.
 errors-arms-own-model-joint-angles = One picture in one pose does not reveal errors of the arm's own model, joint angles that do not belong to the picture, or an object that moved after it was touched. This figure does not include them.
@@ -900,6 +925,12 @@ errors-last-hour =
         [one] One error in the last hour.
        *[other] { $count } errors in the last hour.
     }
+errors-of-lengths = Errors of length
+errors-of-lengths-caption =
+    { $count ->
+        [one] { $count } error of length
+       *[other] { $count } errors of length
+    } over the length; places side by side. Dashed: the maximum permissible error. Red: beyond it, with the number of the place.
 even-best-arm-points-still-scatter = even with the best-fitting arm the points scatter by { $scatter }
 every-figure-keeps-limit = Every figure is within its limit.
 every-figure-keeps-limit-2 = Not every figure is within its limit.
@@ -936,6 +967,7 @@ far-out = far out
 fault = { CAPITAL($fault) } is at fault. { $text }
 feature-given-single-scanned-point-iso = For a feature given by a single scanned point, ISO 14253-1 with its default of 95 % proves conformance if the point lies at least { $guard } ({ $guard_mm }, { $factor } standard uncertainties) inside its tolerance, and nonconformance if it lies as far outside.
 few-poses = { $poses } poses give { $figures } values for { $unknown } unknowns and hardly check them: measure { $wanted } poses, all over the reach
+fewest-in-patch = Fewest at a place
 field-is = { $path }: { $place } is { $value }
 field-missing =
     { $more ->
@@ -1053,6 +1085,7 @@ further-cloud-aside-one-other-s =
         [one] { $aside } further cloud was excluded.
        *[other] { $aside } further clouds were excluded.
     }
+gate-and-filters = Points that take part
 gauge = Gauge
 gauge-clamped = This gauge is clamped
 gauge-shape = { $path }: shape is { $shape }
@@ -1135,7 +1168,21 @@ guided-steps = Guided steps
 had-calculated = started the computation
 had-simulation-pass-over-plate = started the simulated pass over the plate
 half-them-more-contradicting-others-none = half of them or more contradict the others, so none can be trusted
+hides-arm-joints = errors of length between spheres, which average over many touches
+hides-arm-links = size and form of a small sphere
+hides-clock = all figures by touch, and slow scans
+hides-laser-plane = all figures by touch
+hides-probe-matrix = size, form and dispersion of a sphere scanned with one orientation
+hides-sensor-scale = location of the scanned sphere
+hides-stripe-noise = location and size: they average over many points
+hides-tip-diameter = location, and lengths from centre to centre
 image-is-grey = { $name } is grey
+implied-offset = Error of the probe matrix that the centres imply
+implied-offset-caption =
+    In the sensor's frame, the sensor is really { $size } from where the probe matrix has it; thin bars are twice the standard uncertainty. { $significant ->
+        [yes] This is more than chance: calibrate the sensor again.
+       *[no] This is no more than chance.
+    } Without it, a location error of { $left } would remain.
 join-group-of-device = Run "{ $command }", then sign in to the system again and restart Crenel.
 kuka-add-element = Add an element with TAG="DEF_{ $name }" to SEND in the controller's Ethernet configuration.
 kuka-lacks-element = The packets of the robot at { $address } have no { $name }
@@ -1145,6 +1192,9 @@ laser-off-or-covered = the laser is off, covered or too weak
 laser-on-not-brighter = the picture with the laser on is not brighter than the one with it off
 laser-on-off-differ = the pictures with the laser on and off differ: { $on } and { $off } pixels
 leave-out-laser-off = Leave out --laser-off: grey pictures are measured as they are
+length-standard = Length standard
+location-fixed-diameter = Location, fixed diameter
+location-over-articulations = Location over the articulations
 measured-channel = measured: { $channel }
 microscribe-needs-five-joints = This driver serves MicroScribe arms with five joints only.
 microscribe-no-answer = No MicroScribe answers at { $url }
@@ -1155,6 +1205,41 @@ no-camera-without-datasheet = No camera without a datasheet is connected
 no-device-chosen = No { $title } is chosen
 one-pose-takes-no-raw = one pose cannot be calibrated from raw Bayer pictures
 opens-again = The connection opens again by itself; then repeat the last action.
+origin-of-figures = Origin of the figures
+performance-editions = Standards
+performance-ended = Ended
+performance-patches =
+    { $count ->
+        [one] { $count } place of a scan is
+       *[other] { $count } places of a scan are
+    } the mean distances of all points within { $half } of the directions of the pattern.
+performance-rule =
+    Decision rule, { $standard }:{ $edition }: { $guard ->
+        [yes] a value conforms if it is within its maximum permissible error (MPE) by more than { $factor } times its standard test uncertainty, and does not if it is beyond by more than that. In between, { $bearer ->
+            [supplier] the supplier has to prove conformity, and it does not conform
+            [user] the user has to prove the opposite, and it conforms
+           *[prover] it is undecided
+        }.
+       *[no] a value conforms if it does not exceed its maximum permissible error (MPE); the test uncertainty is stated and not applied.
+    } U is the uncertainty of artefact and set-up, not the scatter of arm and sensor, which is what the test measures.
+performance-symbol = Symbol
+performance-test =
+    { $kind ->
+        [lengths] Performance test: lengths
+        [plane] Performance test: plane
+        [contact] Performance test: contact probing
+       *[sphere] Performance test: one sphere
+    }
+performance-values-against-limits = Values as shares of their maximum permissible errors, with the test uncertainty (k = 2) as a bar. The filled dot is the worse value, which counts; open dots are the values of each position.
+places-of-hemisphere =
+    { $title }, seen from the pole: { $count ->
+        [one] { $count } place
+       *[other] { $count } places
+    } with the distance from the least-squares sphere in µm, blue outward, orange inward, at most { $largest }. The circles lie at 22.5°, 45°, 67.5° and 90° from the pole.
+plate = Flat artefact
+plate-by-certificate = flat to { $flatness }
+points-in-gate = Points
+points-outside-gate = Points outside
 quaternion-must-be-unit = its last four numbers must be a unit quaternion, w first
 raw-bayer-has-one-channel = a raw Bayer picture (bayer) has one channel
 restart-robot-controller = Restart the controller of the arm.
@@ -1185,7 +1270,18 @@ ros2-source-setup = Source the setup file of ROS 2 (source /opt/ros/…/setup.ba
 ros2-topics-are = Correct topic; topics of this kind are { $names }.
 ros2-use-arrival = Let the publisher set header.stamp, or add stamps = "arrival", which is less accurate in motion.
 same-camera-both = both come from one camera, in one mode
+scanned-centres-of-position = By scan, position { $position }
+scanned-places-of-position = Scanned sphere, position { $position }
 search-again-for-devices = Search again; if that does not help, check network and cables.
+seats-and-placements = Seats and placements
+shows-arm-joints = form of the touched sphere; single-point articulation
+shows-arm-links = errors of length; location over articulations, by touch as well as by scan
+shows-clock = form and dispersion of the scanned sphere; they grow with the speed of scanning
+shows-laser-plane = form of the scanned sphere and plane; size of the scanned sphere
+shows-probe-matrix = location of the scanned sphere: 2 d along the line of sight and along the stripe, 1.4 d across the stripe; distance of the scanned from the touched sphere
+shows-sensor-scale = size of the scanned sphere, all points and 25 places
+shows-stripe-noise = dispersion of 95 % of all points
+shows-tip-diameter = size of the touched sphere; effective diameter
 silent-but-there = The { $title } is connected and waits for a trigger or a change
 simulation-goes = The simulated operator moves to { $name }
 simulation-goes-next-pose = The simulated operator moves to the next pose: { $words }
@@ -1425,6 +1521,14 @@ let-line-cross-board-in-more-pictures =
         [one] take one more picture in which the line crosses the board
        *[other] take { $more } more pictures in which the line crosses the board
     }
+so-many-values =
+    { $count ->
+        [one] { $count } value
+       *[other] { $count } values
+    }
+sphere-by-certificate = { $diameter } in diameter, known to { $known } (k = 1), form { $form }
+sphere-moved = Moved by
+sphere-position = Position
 started-simulation = started the simulated operator
 lies-face = it lies { $where }
 lies-no-face-all = it lies on no face
@@ -1864,7 +1968,7 @@ performance-effective-diameter = effective diameter of the master sphere
 performance-form-both = form, touched and scanned together
 performance-form-scan = form of the scanned sphere, 25 places
 performance-form-touch = form of the touched sphere
-performance-gate = Gate: { $shell } about the calibrated sphere, incidence up to { $incidence }, up to { $cone } from the pole; fixed before the test.
+performance-gate = Points of a scan take part if they lie within { $shell } of the surface of the calibrated sphere and within { $cone } of its pole ({ $pole }), and if the sensor sees that surface at no more than { $incidence } from its normal. All these points count; none is removed by its residual.
 performance-length-scan = error of length by scan
 performance-length-touch = error of length by touch
 performance-limits-broken = A figure breaks its limit.
@@ -2795,6 +2899,8 @@ touch-sphere = Touch the sphere
 touch-sphere-more-spread-over-all = Touch more points on the sphere, spread over its whole upper half.
 touch-top-all-around-side = Touch its top and all around its side
 touch-tops-merlons = Touch the tops of the merlons.
+touched-centres-of-position = By touch, position { $position }
+touched-places-of-position = Touched sphere, position { $position }
 touched-sphere-seems-to-have-diameter = The touched sphere measures { $radius } in diameter, but its certificate states { $radius2 }.
 touches = { $done } of { $of } contact points
 touches-2 = Contact points
@@ -2942,6 +3048,8 @@ value-too-short-text =
         [one] it must have at least { $count } character
        *[other] it must have at least { $count } characters
     }
+value-with-spread = { $value } { $spread }
+values-in-micrometres = Values, µm
 values-shares-their-limits-bar-expanded = Values relative to their limits: the bar is the expanded uncertainty (k = 2), circles are the single clouds.
 verification = Verification
 verification-cannot-read = The verification { $one } is unreadable.
@@ -2993,6 +3101,8 @@ what-calibrated = What was calibrated
 what-cannot-read-set-aside-everything = Unreadable records are set aside unchanged; everything else is available.
 what-checked = What was checked
 what-clouds-show-against-certificate = The clouds compared with the gauge's certificate and with the probe.
+what-figures-mean = What the figures mean
+what-figures-mean-text = Each error of arm and sensor shows in some figures and hides in others. If figures exceed their limits together, this table tells where to look first.
 what-identified = What was identified
 what-looks-may-good-bad = The state of what it checks is unknown.
 what-passed-over-plane = the scanned surface is not a plane
@@ -3003,6 +3113,7 @@ what-shows-could-more-than-one = the visible part could be more than one part of
 what-shows-reads-rather-like-objects = the visible part looks more like the object's mirror image
 what-standard-uncertainty-k-1-scanned = Sources of the standard uncertainty (k = 1) of a scanned point.
 what-taken-kept-folder = All recorded data is kept in its folder.
+what-tested = What was tested
 what-tip-moved-while-held-one = How far the tip moved while it was held in one place.
 what-verified = What was verified
 where-sensor-sits-along-axis-cannot = the sensor's position along that axis cannot be determined

@@ -94,3 +94,12 @@ def symbol_of(edition: str, quantity: Quantity) -> Symbol:
             message("editions-are", names=", ".join(editions())),
         )
     return known.symbols[quantity]
+
+
+def is_signed(quantity: Quantity) -> bool:
+    """Whether values of the quantity have a sign, and so limits on both sides of zero."""
+    return any(
+        edition.symbols[quantity].signed
+        for edition in editions().values()
+        if quantity in edition.symbols
+    )

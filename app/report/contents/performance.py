@@ -1,0 +1,118 @@
+"""The report of a performance test, from its folder alone."""
+
+from pathlib import Path
+
+from app.formats.performance.plan import RESULT
+from app.formats.performance.results import PerformanceFigure, PerformanceFile, read_performance
+from app.messages.message import Text, message
+from app.report.content import (
+    Block,
+    Facts,
+    Findings,
+    Pictures,
+    Report,
+    ReportFinding,
+    Section,
+    TextBlock,
+    Verdict,
+    signatures,
+)
+from app.report.contents.performance_figures import bar_pictures, lengths_figure, limits_figure
+from app.report.contents.performance_tables import (
+    figures_table,
+    gate_texts,
+    positions_table,
+    rule_text,
+    sensitivity_table,
+    test_facts,
+    values_table,
+)
+from app.report.contents.sphere_figures import centre_pictures, offset_figure, sphere_pictures
+from app.report.contents.verification import QUALITIES, WORDS
+from app.report.formatting import format_moment, simulation_notes
+from app.report.provenance import inputs_section
+
+
+def performance_report(folder: Path) -> Report[Text]:
+    """The report of the ``performance.json`` in the folder of a performance test.
+
+    Raises:
+        OperationError: there is none, or it is damaged.
+    """
+    document = read_performance(folder)
+    result = document.verdict.result
+    sections: list[Section[Text]] = [
+        Section(message("what-tested"), [Facts(test_facts(document))]),
+        Section(message("results"), [figures_table(document), TextBlock(rule_text(document.rule))]),
+        signatures(document.operator),
+        Section(message("reasons"), [Findings(_findings(document))], together=False),
+        *_conditions(document),
+        *_pictures(document),
+        Section(
+            message("what-figures-mean"),
+            [TextBlock(message("what-figures-mean-text")), sensitivity_table()],
+            together=False,
+        ),
+        Section(message("origin-of-figures"), [values_table(document)], together=False),
+        inputs_section(folder, document.inputs, RESULT),
+    ]
+    status = [document.status] if document.status else []
+    return Report(
+        title=message("performance-test", kind=document.kind),
+        number=document.id,
+        station=document.station,
+        date=format_moment(document.ended_at),
+        verdict=Verdict(QUALITIES[result], WORDS[result], document.verdict.text),
+        notes=[*status, *simulation_notes(document.simulated)],
+        sections=sections,
+    )
+
+
+def _findings(document: PerformanceFile) -> list[ReportFinding[Text]]:
+    """Each figure's decision in a sentence, what is missing, and what else should be known."""
+    figures = [ReportFinding(QUALITIES[one.decision], _reason(one), "") for one in document.figures]
+    problems = [ReportFinding[Text]("attention", text, "") for text in document.problems]
+    notes = [ReportFinding[Text]("neutral", text, "") for text in document.notes]
+    return [*figures, *problems, *notes]
+
+
+def _reason(one: PerformanceFigure) -> Text:
+    return message("titled-text", title=one.symbol, text=one.problem or one.reason)
+
+
+def _conditions(document: PerformanceFile) -> list[Section[Text]]:
+    """The gate and the filters of a test with scans, and what each position had."""
+    blocks: list[Block[Text]] = []
+    if any(one.quantity.endswith(("-scan", "-both")) for one in document.figures):
+        blocks += [TextBlock(text) for text in gate_texts(document.gate)]
+    if document.spheres:
+        blocks.append(positions_table(document))
+    return [Section(message("gate-and-filters"), blocks)] if blocks else []
+
+
+def _pictures(document: PerformanceFile) -> list[Section[Text]]:
+    """The figures, each kind in a section of its own."""
+    limits = limits_figure(document.figures)
+    places = [picture for one in document.spheres for picture in sphere_pictures(one)]
+    centres = [picture for one in document.spheres for picture in centre_pictures(one)]
+    found = [
+        (message("against-limits"), [limits] if limits else [], 1),
+        (message("deviations-of-places"), places, 2),
+        (message("location-over-articulations"), centres, 1),
+        (
+            message("implied-offset"),
+            [offset_figure(document.offset)] if document.offset else [],
+            1,
+        ),
+        (
+            message("errors-of-lengths"),
+            [lengths_figure(document.lengths)] if document.lengths else [],
+            1,
+        ),
+        (message("seats-and-placements"), bar_pictures(document), 2),
+    ]
+    return [
+        Section[Text](title, [Pictures(pictures, across)], together=False)
+        for title, pictures, across in found
+        if pictures
+    ]
