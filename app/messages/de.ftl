@@ -1027,6 +1027,11 @@ first-line-names-column-count =
         [one] { $count } Spalte
        *[other] { $count } Spalten
     }
+first-to-last-group =
+    { $first } bis { $last }: { $count ->
+        [one] { $count } Gruppe
+       *[other] { $count } Gruppen
+    }
 fit-does-settle = die Ausgleichung konvergiert nicht
 fit-follows-these-points-arm = die Ausgleichung folgt diesen Punkten und nicht dem Messarm
 fit-plane-sphere-cylinder-first = zuerst eine Ebene, eine Kugel oder einen Zylinder einpassen
@@ -1212,6 +1217,7 @@ opens-again = Die Verbindung öffnet sich von selbst wieder; danach den letzten 
 origin-of-figures = Herkunft der Werte
 performance-editions = Normen
 performance-ended = Beendet
+performance-gate-points = Punkte eines Scans nehmen teil, wenn sie höchstens { $shell } von der Oberfläche der kalibrierten Kugel und höchstens { $cone } von ihrem Pol ({ $pole }) entfernt liegen und der Sensor diese Oberfläche unter höchstens { $incidence } zu ihrer Normalen sieht. Alle diese Punkte zählen; keiner wird wegen seines Residuums entfernt.
 performance-patches =
     { $count ->
         [one] { $count } Stelle eines Scans ist der mittlere Abstand
@@ -1977,7 +1983,7 @@ performance-effective-diameter = wirksamer Durchmesser der Prüfkugel
 performance-form-both = Form, angetastet und gescannt zusammen
 performance-form-scan = Form der gescannten Kugel, 25 Stellen
 performance-form-touch = Form der angetasteten Kugel
-performance-gate = Punkte eines Scans nehmen teil, wenn sie höchstens { $shell } von der Oberfläche der kalibrierten Kugel und höchstens { $cone } von ihrem Pol ({ $pole }) entfernt liegen und der Sensor diese Oberfläche unter höchstens { $incidence } zu ihrer Normalen sieht. Alle diese Punkte zählen; keiner wird wegen seines Residuums entfernt.
+performance-gate = Auswahlbereich: { $shell } um die kalibrierte Kugel, Einfallswinkel bis { $incidence }, bis { $cone } vom Pol; vor der Prüfung festgelegt.
 performance-length-scan = Längenabweichung durch Scannen
 performance-length-touch = Längenabweichung durch Antasten
 performance-limits-broken = Ein Wert hält seine Grenze nicht ein.

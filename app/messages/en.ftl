@@ -1023,6 +1023,11 @@ first-line-names-column-count =
         [one] { $count } column
        *[other] { $count } columns
     }
+first-to-last-group =
+    { $first } to { $last }: { $count ->
+        [one] { $count } group
+       *[other] { $count } groups
+    }
 fit-does-settle = the fit does not converge
 fit-follows-these-points-arm = the fit follows these points instead of the arm
 fit-plane-sphere-cylinder-first = fit a plane, a sphere or a cylinder first
@@ -1208,6 +1213,7 @@ opens-again = The connection opens again by itself; then repeat the last action.
 origin-of-figures = Origin of the figures
 performance-editions = Standards
 performance-ended = Ended
+performance-gate-points = Points of a scan take part if they lie within { $shell } of the surface of the calibrated sphere and within { $cone } of its pole ({ $pole }), and if the sensor sees that surface at no more than { $incidence } from its normal. All these points count; none is removed by its residual.
 performance-patches =
     { $count ->
         [one] { $count } place of a scan is
@@ -1968,7 +1974,7 @@ performance-effective-diameter = effective diameter of the master sphere
 performance-form-both = form, touched and scanned together
 performance-form-scan = form of the scanned sphere, 25 places
 performance-form-touch = form of the touched sphere
-performance-gate = Points of a scan take part if they lie within { $shell } of the surface of the calibrated sphere and within { $cone } of its pole ({ $pole }), and if the sensor sees that surface at no more than { $incidence } from its normal. All these points count; none is removed by its residual.
+performance-gate = Gate: { $shell } about the calibrated sphere, incidence up to { $incidence }, up to { $cone } from the pole; fixed before the test.
 performance-length-scan = error of length by scan
 performance-length-touch = error of length by touch
 performance-limits-broken = A figure breaks its limit.

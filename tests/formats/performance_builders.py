@@ -15,6 +15,7 @@ from app.formats.performance.plan import (
     PlatePart,
     RulePart,
     SpherePart,
+    length_feature,
     sphere_feature,
     sphere_features,
     sphere_scan,
@@ -30,6 +31,7 @@ from app.formats.performance.results import (
 )
 from app.formats.performance.symbols import TITLES, Quantity, editions, symbol_of
 from app.formats.results.calibration import Input, SerialNumbers
+from app.messages.message import message, rounded
 from app.metrology.decision import decide
 from app.metrology.performance.contact_tests import seat_articulation, volumetric_length
 from app.metrology.performance.lengths import CalibratedLength, MeasuredLength
@@ -85,7 +87,7 @@ def figure(
         test_uncertainty=uncertainty_um,
         limit=limit_um,
         decision=found,
-        reason=f"{value:.1f}",
+        reason=message("titled-text", title=TITLES[quantity], text=rounded(value, "µm", 3)),
         data=data,
     )
 
@@ -243,7 +245,13 @@ def lengths_result(folder: Path, seed: int = 5) -> PerformanceFile:
                         limit_um=limit.error.at(part.length_mm),
                     )
                 )
-    data = tuple(f"l{place}" for place in range(1, 8))
+    data = tuple(
+        length_feature(place, repeat, length, end)
+        for place in range(1, 8)
+        for repeat in range(1, 4)
+        for length in range(1, 6)
+        for end in (0, 1)
+    )
     errors = [point.error_um for point in points]
     found = figure("length-touch", errors, 2.3, 45.0, data)
     return written(

@@ -3,7 +3,7 @@
 from pathlib import Path
 
 from app.formats.performance.plan import RESULT
-from app.formats.performance.results import PerformanceFigure, PerformanceFile, read_performance
+from app.formats.performance.results import PerformanceFile, read_performance
 from app.messages.message import Text, message
 from app.report.content import (
     Block,
@@ -70,14 +70,10 @@ def performance_report(folder: Path) -> Report[Text]:
 
 def _findings(document: PerformanceFile) -> list[ReportFinding[Text]]:
     """Each figure's decision in a sentence, what is missing, and what else should be known."""
-    figures = [ReportFinding(QUALITIES[one.decision], _reason(one), "") for one in document.figures]
+    figures = [ReportFinding(QUALITIES[one.decision], one.reason, "") for one in document.figures]
     problems = [ReportFinding[Text]("attention", text, "") for text in document.problems]
     notes = [ReportFinding[Text]("neutral", text, "") for text in document.notes]
     return [*figures, *problems, *notes]
-
-
-def _reason(one: PerformanceFigure) -> Text:
-    return message("titled-text", title=one.symbol, text=one.problem or one.reason)
 
 
 def _conditions(document: PerformanceFile) -> list[Section[Text]]:

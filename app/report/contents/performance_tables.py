@@ -29,8 +29,8 @@ ERRORS: tuple[tuple[Text, Text, Text], ...] = (
     (message("error-clock"), message("shows-clock"), message("hides-clock")),
 )
 """Kinds of error: where each shows, and where it does not."""
-MOST_VALUES = 20
-"""So many values of a figure are listed; more are in the exported tables."""
+MOST_VALUES, MOST_GROUPS = 20, 40
+"""So many of a figure are listed; all are in the exported tables."""
 
 
 def test_facts(document: PerformanceFile) -> list[tuple[Text, Text]]:
@@ -144,7 +144,7 @@ def gate_texts(gate: GatePart) -> list[Text]:
     """Which points of a scan take part, and how they become 25."""
     return [
         message(
-            "performance-gate",
+            "performance-gate-points",
             shell=rounded(gate.shell_mm, "mm"),
             incidence=rounded(gate.incidence_deg, "°"),
             cone=rounded(gate.cone_deg, "°"),
@@ -190,7 +190,7 @@ def values_table(document: PerformanceFile) -> ReportTable[Text]:
         (
             one.symbol,
             _values(one),
-            join([*one.data]) or NONE,
+            _origin(one.data),
         )
         for one in document.figures
     ]
@@ -200,6 +200,13 @@ def values_table(document: PerformanceFile) -> ReportTable[Text]:
         message("computed-from"),
     )
     return ReportTable[Text](columns, rows, (28, 32, 60), numbers=3, small=True)
+
+
+def _origin(groups: tuple[str, ...]) -> Text:
+    """The groups of touches and the scans; of many, which are numbered, the first and the last."""
+    if len(groups) <= MOST_GROUPS:
+        return join([*groups]) if groups else "–"
+    return message("first-to-last-group", first=groups[0], last=groups[-1], count=len(groups))
 
 
 def _values(one: PerformanceFigure) -> Text:
