@@ -274,8 +274,8 @@ def test_a_region_is_a_part_of_the_sensor(fake: AravisFake) -> None:
     info = driver.open()
     assert (info.width_px, info.height_px) == (640, 100)
     driver.close()
-    driver = from_options({"address": ADDRESS, "rate_hz": 10.0})
-    info = driver.open()
+    driver = from_options({"address": ADDRESS, "rate_hz": 5.0})
+    info = open_in_time(driver)  # on a busy machine, none of these large pictures may arrive whole
     assert (info.width_px, info.height_px) == (2048, 2048)
     driver.close()
 

@@ -15,7 +15,7 @@ from hardware.sensor.genicam.settings import (
     settings_refusal_error,
     switch_laser,
 )
-from hardware.sensor.genicam.stream import CameraStream, StreamBlock
+from hardware.sensor.genicam.stream import NO_IMAGE, CameraStream, StreamBlock
 from hardware.sensor.image_source import EndOfRecordingError, GrabbedImage, NoImage
 
 _WAIT_S = 0.1
@@ -117,7 +117,9 @@ class GenicamSource(CameraSource):
         self.camera.close()
 
     def _complete(self, stream: CameraStream, block: StreamBlock) -> ArrivedPicture:
-        data, code, width_px, height_px, padding = stream.image(block)
+        # of an incomplete block, not even the format may be known
+        image = stream.image(block) if block.whole else NO_IMAGE
+        data, code, width_px, height_px, padding = image
         return ArrivedPicture(
             block_id=block.block_id,
             whole=block.whole,

@@ -18,6 +18,8 @@ _SUCCESS = 0
 _FEWEST_BUFFERS, _MOST_BUFFERS = 8, 64
 _BUFFER_BYTES = 256_000_000
 _OLDEST_ARRIVAL_NS = 2_000_000_000
+NO_IMAGE: tuple[Bytes, int, int, int, int] = (np.empty(0, np.uint8), 0, 0, 0, 0)
+"""In place of the image of an incomplete block."""
 
 
 @dataclass(frozen=True, slots=True)
