@@ -16,6 +16,7 @@ const DRIVERS: Record<string, PlainId> = {
   opencv: "ui-driver-opencv",
   genicam: "ui-driver-genicam",
   pylon: "ui-driver-pylon",
+  gentl: "ui-driver-gentl",
   folder: "ui-driver-folder",
 };
 
@@ -41,6 +42,7 @@ const OPTIONS: Record<string, PlainId> = {
   loop: "ui-option-loop",
   packet_size: "ui-option-packet-size",
   path: "ui-option-path",
+  producer: "ui-option-producer",
   pixel_format: "ui-option-pixel-format",
   port: "ui-option-port",
   rate_hz: "ui-rate",
