@@ -19,10 +19,12 @@ from app.formats.csv_table import read_table
 from app.formats.datasheets.arm import read_any_arm, read_arm
 from app.formats.datasheets.gauge import read_gauge
 from app.formats.datasheets.gauge_nominal import read_nominal
+from app.formats.datasheets.length_standard import read_length_standard
 from app.formats.datasheets.sensor import read_sensor
 from app.formats.datasheets.target import read_certificate, read_object
 from app.formats.images import write_png
 from app.formats.json_document import Document
+from app.formats.performance.plan import read_plan
 from app.formats.recording.decoders import SCHEMAS
 from app.formats.recording.reader import STATION_METADATA
 from app.formats.recording.stripe_message import STRIPE_SCHEMA, stripe_descriptors
@@ -216,3 +218,14 @@ def test_every_document_of_the_package_is_named() -> None:
     assert "crenel/tip-check" in formats()
     missing = {name for name in formats() if f"`{name}`" not in PAGE and f'"{name}"' not in PAGE}
     assert not missing
+
+
+def test_a_length_standard_and_a_plan_of_a_performance_test_are_read(examples: Path) -> None:
+    bar = read_length_standard(examples / "lengths/bar.json")
+    assert bar.lengths[0].length_mm == 400.0123
+    plan = read_plan(examples / "performance")
+    assert plan.sphere is not None
+    assert plan.sphere.diameter_mm == 24.9987
+    limit = plan.limit("length-touch")
+    assert limit is not None
+    assert limit.at(1000.0) == 60.0
