@@ -87,6 +87,19 @@ def paper(
 
 @bench.command()
 @report_errors
+def performance(
+    draws: Annotated[int, typer.Option(min=100, help="Draws of white noise.")] = 10_000,
+    as_json: AsJson = False,
+) -> None:
+    """Check the figures of performance tests against expectations and planted faults."""
+    from app.bench.metrology.performance import COLUMNS, run, table
+
+    shown = Shown("Drawing", "Figures of performance tests, µm", "figures")
+    _measure(shown, as_json, partial(run, draws), COLUMNS, table)
+
+
+@bench.command()
+@report_errors
 def detection(
     images: Annotated[int, typer.Option(min=1, help="Pictures to render and search.")] = 300,
     seed: Annotated[int, typer.Option(help="Seed of the first picture.")] = 0,

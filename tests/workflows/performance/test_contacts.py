@@ -6,6 +6,8 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
+from app.bench.metrology.synthetic_arm import TIP
+from app.bench.metrology.synthetic_sphere import FIVE, SPHERE
 from app.formats.datasheets.arm import ArmFile
 from app.formats.datasheets.length_standard import LengthPart, LengthStandardFile
 from app.formats.performance.plan import (
@@ -22,7 +24,6 @@ from app.metrology.transforms import rigid
 from app.workflows.performance.contact_test import bar_feature, diameter_feature, seat_feature
 from app.workflows.performance.evaluate import evaluate_performance
 from tests.cli.test_cli import crenel
-from tests.workflows.performance.builders import FIVE, SPHERE, TIP
 
 BAR = LengthStandardFile(
     name="Ball bar",

@@ -1,19 +1,24 @@
 """The one-sphere test on touches and recordings with planted faults."""
 
-from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
 
+from app.bench.metrology.synthetic_sphere import SPHERE, Faults, SphereSession
 from app.errors import OperationError
 from app.formats.performance.plan import PLAN, TOUCHES, LimitPart, read_plan, sphere_scan
 from app.formats.performance.results import PerformanceFile, read_performance
 from app.messages.message import Text
 from app.workflows.performance.evaluate import evaluate_performance, write_performance
-from tests.workflows.performance.builders import SPHERE, Faults, SphereSession, with_faults
 
 QUIET = {"touch_sd_mm": 0.003, "point_sd_mm": 0.008}
+
+
+def with_faults(folder: Path, **faults: Any) -> Path:
+    """The folder of a test with these faults."""
+    return SphereSession(folder, Faults(**faults)).write()
 
 
 def values(result: PerformanceFile) -> dict[str, float | None]:
@@ -148,7 +153,8 @@ def test_limits_decide_by_the_rule_of_the_plan(tmp_path: Path) -> None:
         LimitPart(quantity="size-touch", a_um=1.0),
         LimitPart(quantity="dispersion-scan", a_um=60.0),
     )
-    session = SphereSession(tmp_path / "t", replace(Faults(), **QUIET, tip_excess_mm=0.01))  # type: ignore[arg-type]
+    faults = Faults(touch_sd_mm=0.003, point_sd_mm=0.008, tip_excess_mm=0.01)
+    session = SphereSession(tmp_path / "t", faults)
     session.limits = limits
     result = write_performance(session.write())
     decisions = {one.quantity: one.decision for one in result.figures if one.limit is not None}
@@ -167,3 +173,17 @@ def test_the_same_folder_gives_the_same_figures(tmp_path: Path) -> None:
 def test_a_folder_without_a_plan_is_refused(tmp_path: Path) -> None:
     with pytest.raises(OperationError):
         read_plan(tmp_path)
+
+
+def test_a_wrong_link_shows_in_the_location(tmp_path: Path) -> None:
+    """It moves the sphere from articulation to articulation, and hardly changes its size."""
+    clean = SphereSession(tmp_path / "c", Faults(), joints=True).write()
+    found = values(evaluate_performance(clean))
+    assert all(value is not None and abs(value) < 0.01 for value in found.values()), found
+    wrong = SphereSession(tmp_path / "w", Faults(link_mm=0.1), joints=True).write()
+    found = values(evaluate_performance(wrong))
+    location, size = found["location-touch"], found["size-touch"]
+    assert location is not None
+    assert size is not None
+    assert location > 10
+    assert abs(size) < location

@@ -1,15 +1,16 @@
-"""A measured sphere, with touches and scans as an arm that reports poses would record them.
+"""A measured sphere: touches and scans of a one-sphere test, as an arm would record them.
 
-Everything is exact but for the noise and the faults that a test plants.
+Everything is exact but for the noise and the faults that are planted.
 """
 
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from pathlib import Path
 
 import numpy as np
 from scipy.spatial.transform import Rotation
 
-from app.formats.datasheets.arm import ArmFile, TipPart
+from app.bench.metrology.synthetic_arm import TIP, JointArm, PoseArm
+from app.formats.datasheets.arm import read_any_arm
 from app.formats.performance.plan import (
     PLAN,
     TOUCHES,
@@ -22,15 +23,13 @@ from app.formats.performance.plan import (
 )
 from app.formats.recording.writer import RecordingWriter
 from app.formats.results.calibration import CalibrationFile
-from app.formats.session.calibration_session import ContactReadings, write_contacts
-from app.metrology.arm.reported_poses import pose_from_transform
+from app.formats.session.calibration_session import contact_readings, write_contacts
 from app.metrology.performance.pattern import RIM_DEG, pattern_directions
 from app.metrology.sensor.camera import Camera, project
 from app.metrology.stripe import Stripe
 from app.metrology.transforms import Floats, inverse, rigid
 
 CENTRE = np.array([650.0, 120.0, 210.0])
-TIP = TipPart(x_mm=2.0, y_mm=-12.0, z_mm=165.0, diameter_mm=6.0)
 SPHERE = SpherePart(
     name="Ceramic sphere",
     serial_number="K-17",
@@ -46,6 +45,7 @@ FIVE = [0, 17, 19, 21, 23]
 """Of the pattern: the pole, and four around the rim."""
 FRAME_NS = 20_000_000
 STEP_MM = 0.25
+TRIES = 50
 T_FLANGE_SENSOR = rigid(
     Rotation.from_euler("xyz", [4, -3, 8], degrees=True).as_matrix(), np.array([30.0, -12.0, 60.0])
 )
@@ -78,20 +78,25 @@ class Faults:
     """Of the sphere, before the touches at the end."""
     outliers: float = 0.0
     """Share of scanned points that lie up to 0.5 mm off."""
+    link_mm: float = 0.0
+    """Error of the second link of a jointed arm."""
     articulations: int = 5
     seed: int = 1
 
 
 @dataclass
 class SphereSession:
-    """Writes the folder of a one-sphere test."""
+    """Writes the folder of a one-sphere test; ``joints``: by an arm with joints."""
 
     folder: Path
     faults: Faults = field(default_factory=Faults)
     sphere: SpherePart = SPHERE
     limits: tuple[LimitPart, ...] = ()
+    joints: bool = False
 
     def write(self) -> Path:
+        """The folder, written."""
+        self._arm = JointArm(self.faults.link_mm) if self.joints else PoseArm()
         self.folder.mkdir(parents=True, exist_ok=True)
         self._random = np.random.default_rng(self.faults.seed)
         plan = PerformancePlan(
@@ -103,9 +108,7 @@ class SphereSession:
             limits=self.limits,
         )
         plan.write(self.folder / PLAN)
-        ArmFile(name="Arm", serial_number="A-1", convention="pose", tip=TIP).write(
-            self.folder / "arm.json"
-        )
+        self._arm.write(self.folder / "arm.json")
         write_calibration(self.folder / "calibration.json")
         self._write_touches()
         for number in range(1, self.faults.articulations + 1):
@@ -120,19 +123,33 @@ class SphereSession:
         for number in range(1, 6):
             groups.append((sphere_feature(1, "location", number), CENTRE, pattern[FIVE]))
         groups.append((sphere_feature(1, "end"), end, pattern[FIVE]))
-        features, poses = [], []
+        features: list[str] = []
+        readings: list[Floats] = []
         for name, centre, directions in groups:
             features += [name] * len(directions)
-            poses += [self._touch(centre, one) for one in directions]
-        readings = ContactReadings(tuple(features), np.zeros((len(poses), 0)), np.array(poses))
-        write_contacts(self.folder / TOUCHES, readings)
+            readings += [self._touch(centre, one) for one in directions]
+        arm = read_any_arm(self.folder / "arm.json")
+        contacts = contact_readings(features, arm, np.array(readings))
+        write_contacts(self.folder / TOUCHES, contacts)
 
     def _touch(self, centre: Floats, outward: Floats) -> Floats:
-        """``T_arm_flange`` with the true tip in contact, whatever the wrist."""
+        """The arm's reading with the true tip in contact, its wrist turned at random."""
         reach = self.sphere.diameter_mm / 2 + (TIP.diameter_mm + self.faults.tip_excess_mm) / 2
         at = centre + outward * (reach + self.faults.touch_sd_mm * self._random.normal())
-        R = Rotation.random(random_state=self._random.integers(1 << 31)).as_matrix()
-        return rigid(R, at - R @ np.array([TIP.x_mm, TIP.y_mm, TIP.z_mm]))
+        for _ in range(TRIES):
+            R = self._stylus_orientation()
+            reading = self._arm.reading(rigid(R, at - R @ np.array([TIP.x_mm, TIP.y_mm, TIP.z_mm])))
+            if reading is not None:
+                return reading
+        raise RuntimeError("the arm does not reach the sphere")
+
+    def _stylus_orientation(self) -> Floats:
+        """(3, 3) of the flange, the stylus downward within 40°."""
+        turn, tilt, side = self._random.uniform([-0.6, 0.0, 0.0], [0.6, 0.7, 2 * np.pi])
+        axis = tilt * np.array([np.cos(side), np.sin(side), 0.0])
+        down = Rotation.from_euler("x", 180, degrees=True)
+        spin = Rotation.from_euler("z", turn)
+        return np.asarray((Rotation.from_rotvec(axis) * down * spin).as_matrix())
 
     def _write_scan(self, number: int) -> None:
         """The sensor passes over the sphere, tilted as the articulation says."""
@@ -144,7 +161,7 @@ class SphereSession:
         folder.mkdir(exist_ok=True)
         radius = self.sphere.diameter_mm / 2
         way = np.arange(-radius, radius, STEP_MM)
-        with RecordingWriter(folder / "scan.mcap", None) as writer:
+        with RecordingWriter(folder / "scan.mcap", self._arm.joint_names) as writer:
             for i, step in enumerate(way):
                 stamp_ns = 10**9 + i * FRAME_NS
                 # the laser plane is z = 0 of the sensor; it passes along its normal
@@ -153,8 +170,11 @@ class SphereSession:
                 # the calibration has the sensor elsewhere: the flange follows the true one
                 T_flange_true = T_FLANGE_SENSOR @ rigid(np.eye(3), offset)
                 T_arm_flange = T_true @ inverse(T_flange_true)
+                reading = self._arm.reading(T_arm_flange)
+                if reading is None:
+                    continue
                 for ms in (-4, 4):
-                    writer.reading(stamp_ns + ms * 10**6, pose_from_transform(T_arm_flange))
+                    writer.reading(stamp_ns + ms * 10**6, reading)
                 stripe = self._stripe(camera, T_true, radius)
                 if stripe is not None:
                     writer.stripe(stamp_ns, stripe, WIDTH, HEIGHT)
@@ -202,6 +222,7 @@ def _orientation(number: int) -> Floats:
 
 
 def write_calibration(path: Path) -> None:
+    """The calibration that the sensor has, if the matrix is not wrong."""
     camera = true_camera()
     T = rigid(camera.rotation, camera.translation_mm)
     document = {
@@ -222,8 +243,3 @@ def write_calibration(path: Path) -> None:
         "serial_numbers": {"arm": "A-1", "object": "B-1", "sensor": "S-1"},
     }
     CalibrationFile.model_validate(document).write(path)
-
-
-def with_faults(folder: Path, **faults: object) -> Path:
-    """A written folder with these faults."""
-    return SphereSession(folder, replace(Faults(), **faults)).write()  # type: ignore[arg-type]
