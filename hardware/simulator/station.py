@@ -10,8 +10,11 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from hardware.interfaces import Button, SensorInfo
+from hardware.interfaces import Button, SensorDriver, SensorInfo
+from hardware.registry import sensor_driver
 from hardware.simulator.devices.arm_device import ArmDevice, ArmFaults, Encoders
+from hardware.simulator.devices.gige_camera.camera import DELAY_MS, LASER_LINE, GigeCamera
+from hardware.simulator.devices.gige_camera.registers import CameraIdentity
 from hardware.simulator.devices.kinematics import (
     ArmModel,
     Floats,
@@ -29,7 +32,7 @@ from hardware.simulator.devices.ports import DevicePort, PtyPort, TcpPort
 from hardware.simulator.devices.rtde_server import RobotState, RtdeServer
 from hardware.simulator.operator.holding import SensorMount
 from hardware.simulator.operator.operator import ScriptedOperator
-from hardware.simulator.rendering.noise import Detector
+from hardware.simulator.rendering.noise import Detector, RawImage
 from hardware.simulator.rendering.render import Renderer
 from hardware.simulator.rendering.sensor import (
     EXPOSURE_RANGE_US,
@@ -60,6 +63,9 @@ from hardware.simulator.scene.random_scenes import (
 from hardware.simulator.scene.tabletop import build_table_scene, part_pose
 from hardware.simulator.scene.world import Board, CrenellatedBlock, GaugeSphere, Light
 from hardware.simulator.session import SimulatedRig, ground_truth
+
+SENSOR_SERIAL_NUMBER = "TWIN-S1"
+JUMBO_BYTES = 8192
 
 
 @dataclass(frozen=True)
@@ -109,6 +115,11 @@ class SimulationConfig:
     """By how much the frames of a triggered camera arrive earlier or later than usual."""
     laser_switch: bool = True
     """Whether the station can switch the laser, or only a person at the sensor."""
+    camera: Literal["built-in", "gige"] = "built-in"
+    """The driver of the simulated sensor; or the driver ``genicam``, with a camera that sends the
+    pictures over GigE Vision, and switches the laser."""
+    camera_address: str = "127.0.0.1"
+    """Of the GigE camera; the port is always the same, so one address serves one camera."""
 
 
 class SimulatedStation:
@@ -139,6 +150,7 @@ class SimulatedStation:
         self._device: ArmDevice | None = None
         self._robot: RtdeServer | None = None
         self._triggered: TriggeredSensor | None = None
+        self._gige: GigeCamera | None = None
         self.operator = ScriptedOperator(
             self._rig.arm,
             self._motion,
@@ -171,12 +183,23 @@ class SimulatedStation:
             raise RuntimeError("the simulation is not started")
         return self._device
 
+    @property
+    def gige_camera(self) -> GigeCamera:
+        """The GigE camera; there once started, if the sensor is one."""
+        if self._gige is None:
+            raise RuntimeError("the simulated camera is not started")
+        return self._gige
+
     def start(self) -> "SimulatedStation":
         """Makes ready for pictures, and serves the arm's bytes.
 
         Raises ``OSError`` when the port is taken.
         """
         self.shared_renderer.prepare()
+        if self.config.camera == "gige" and self._gige is None:
+            gige = self._make_gige()
+            gige.start()
+            self._gige = gige
         if self.config.robot:
             self._start_robot()
         elif self._device is None:
@@ -201,6 +224,8 @@ class SimulatedStation:
         """Everything works again."""
         self.arm_faults.clear()
         self.camera_faults.lost, self.camera_faults.drop_rate = False, 0.0
+        if self._gige is not None:
+            self._gige.faults.clear()
 
     def stop(self) -> None:
         """Ends the arm and the simulated operator's move."""
@@ -211,6 +236,9 @@ class SimulatedStation:
         if self._device is not None:
             self._device.stop()
             self._device = None
+        if self._gige is not None:
+            self._gige.stop()
+            self._gige = None
 
     def __enter__(self) -> "SimulatedStation":
         return self.start()
@@ -218,12 +246,25 @@ class SimulatedStation:
     def __exit__(self, *_: object) -> None:
         self.stop()
 
-    def sensor(self) -> SimulatedSensor | TriggeredSensor:
+    def sensor_options(self) -> dict[str, object]:
+        """Options of the driver ``genicam`` for the GigE camera."""
+        options: dict[str, object] = {
+            "address": self.config.camera_address,
+            "packet_size": JUMBO_BYTES,
+            "latency_us": 1000 * DELAY_MS,
+        }
+        if self.config.laser_switch:
+            options["laser_line"] = LASER_LINE
+        return options
+
+    def sensor(self) -> SensorDriver:
         """A new driver of the station's one sensor, unopened."""
+        if self.config.camera == "gige":
+            return sensor_driver("genicam", self.sensor_options())
         optics = self._rig.optics
         info = SensorInfo(
             name="Simulated stripe sensor",
-            serial_number="TWIN-S1",
+            serial_number=SENSOR_SERIAL_NUMBER,
             width_px=optics.width_px,
             height_px=optics.height_px,
             exposure_range_us=EXPOSURE_RANGE_US,
@@ -292,6 +333,26 @@ class SimulatedStation:
 
         self._robot = RtdeServer(state_at, self.config.host, self.config.port)
         self._robot.start()
+
+    def _make_gige(self) -> GigeCamera:
+        config, optics = self.config, self._rig.optics
+        return GigeCamera(
+            CameraIdentity(
+                config.camera_address,
+                SENSOR_SERIAL_NUMBER,
+                optics.width_px,
+                optics.height_px,
+                config.frames_hz,
+            ),
+            self.shared_renderer.expose if config.laser_switch else self._expose_with_laser,
+            config.detector.bits,
+            seed=config.seed,
+            has_power=lambda: not self.camera_faults.lost,
+        )
+
+    def _expose_with_laser(self, mid_ns: int, exposure_us: float, _: float) -> RawImage:
+        """A picture of a sensor whose laser is wired on."""
+        return self.shared_renderer.expose(mid_ns, exposure_us, 1.0)
 
     def _trigger(self, stamp_ns: int) -> None:
         if self._triggered is not None:

@@ -8,6 +8,7 @@ from typing import Any
 from app.messages.message import Text, message
 from hardware.errors import DeviceError
 from hardware.sensor.genicam.aravis import Aravis, AravisError, load_aravis
+from hardware.sensor.genicam.control_register import is_controlled
 from hardware.sensor.genicam.features import Quantity
 
 GIGE_VISION, USB3_VISION = "GigEVision", "USB3Vision"
@@ -184,6 +185,9 @@ def open_camera(title: Text, address: str | None, serial_number: str | None) -> 
         with _LISTING:
             handle = aravis.call("arv_camera_new", device_id.encode())
     except AravisError as error:
+        # a program may let no other read the camera's registers, which Aravis needs
+        if address and is_controlled(address):
+            raise in_use_error(title) from error
         raise DeviceError(
             message("no-camera-answers", title=title, reason=error),
             message("check-camera-power-cable-network"),

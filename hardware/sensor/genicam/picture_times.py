@@ -80,11 +80,12 @@ class PictureTimes:
             after_event_us = (0.5 + _TO_MIDDLE[self.stamp_at]) * (exposure_us or shortest_us)
             self._clock.observe(device_ns, arrival_ns - round(after_event_us * 1000))
             event_ns = self._clock.stamp(device_ns)
+        event_ns -= round(self._latency_us * 1000)
         to_middle = _TO_MIDDLE[self.stamp_at]
         if exposure_us is None:
             before_event_us = (0.5 - to_middle) * self._exposures.latest
             exposure_us = self._exposures.value_at(event_ns - round(before_event_us * 1000))
-        middle_ns = event_ns + round((to_middle * exposure_us - self._latency_us) * 1000)
+        middle_ns = event_ns + round(to_middle * exposure_us * 1000)
         if self._last_ns is not None:
             middle_ns = max(middle_ns, self._last_ns + 1)
         self._last_ns = middle_ns

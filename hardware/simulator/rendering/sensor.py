@@ -82,17 +82,19 @@ class SharedRenderer:
             if self._renderer is None:
                 self._renderer = self._make()
 
-    def expose(self, mid_ns: int, exposure_us: float, laser_on: bool) -> RawImage:
-        """What the camera sees; ``mid_ns`` is the middle of the exposure."""
+    def expose(self, mid_ns: int, exposure_us: float, laser_share: float) -> RawImage:
+        """What the camera sees; ``mid_ns`` is the middle of the exposure, ``laser_share`` the part
+        of it during which the laser is on, 0 to 1."""
         with self._lock:
             renderer = self._renderer
             assert renderer is not None, "prepare comes first"
             share = exposure_us / renderer.detector.nominal_exposure_us
-            lit = self.lighting.room if self.lighting.room_with_laser or not laser_on else 0.0
+            shut = 0.0 if self.lighting.room_with_laser else laser_share
+            lit = self.lighting.room * (1 - shut)
             T = self._sensor_pose(mid_ns)
             rays = self._rays(T, mid_ns, exposure_us)
             self._last = T
-            return renderer.render(T, lit * share, share if laser_on else 0.0, rays)
+            return renderer.render(T, lit * share, share * laser_share, rays)
 
     def _rays(self, T: Floats, mid_ns: int, exposure_us: float) -> int:
         """How finely it is worth to render a picture taken at a pose."""

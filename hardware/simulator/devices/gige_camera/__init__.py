@@ -1,0 +1,1 @@
+"""A simulated GigE Vision camera: control, stream and description, on real sockets."""

@@ -1,0 +1,151 @@
+"""A sensor whose camera speaks GigE Vision: calibrated and scanned through its real stream.
+
+One of a hundred packets is lost on the line. The simulated camera is ours; the driver reads it
+through Aravis, which is not.
+"""
+
+import time
+from collections.abc import Iterator
+from contextlib import contextmanager
+from typing import Any
+
+import numpy as np
+import pytest
+
+from app.formats.clouds.files import read_cloud
+from app.formats.datasheets.arm import read_any_arm
+from app.formats.results.calibration import read_calibration
+from app.workflows.reconstruct import reconstruct_points
+from hardware.simulator.devices.gige_camera.faults import GigeFaults
+from hardware.simulator.station import SimulationConfig
+from tests.api.conftest import Server, running_server
+from tests.api.test_robot_flow import distances_from_plate_um, stated_um
+from tests.api.test_watch import topics, until
+from tests.hardware.fake_cameras import port_for_this_test
+from tests.hardware.test_genicam import require_aravis
+from tests.sent_texts import english
+
+pytestmark = pytest.mark.slow
+
+PATIENCE_S = 240.0
+CONFIG = SimulationConfig(camera="gige", width_px=640, height_px=512, pace=3.0)
+LOST_PACKETS = 0.01
+SLOW_BYTES_PER_S = 2e6
+"""A quarter of what the pictures need."""
+
+
+@pytest.fixture(scope="module")
+def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Server]:
+    require_aravis()
+    with (
+        port_for_this_test(),
+        running_server(tmp_path_factory.mktemp("gige"), CONFIG) as server,
+    ):
+        server.simulation.gige_camera.faults.packet_drop_rate = LOST_PACKETS
+        yield server
+    assert not server.sent.untranslated()
+
+
+@pytest.fixture(scope="module")
+def calibrated(server: Server) -> Server:
+    """On the block, by the simulated operator, from the first step to the accepted calibration."""
+    server.http.post("/api/flow/start").raise_for_status()
+    server.do("confirm_devices")
+    server.do("choose", field="object", id="simulated")
+    server.do("confirm_setup")
+    server.do("run_simulation", all=True)
+    server.wait(lambda view: view["busy"] is None and view["step"] == "review", PATIENCE_S)
+    view = server.flow()
+    result = view["picture"]["result"]
+    # at half the size, block edges look soft: attention is called to that
+    assert result["verdict"] in ("good", "attention"), view["findings"]
+    assert 0 < result["total_um"] < 20
+    server.do("accept")
+    return server
+
+
+def test_every_picture_arrives_or_counts_as_lost(calibrated: Server) -> None:
+    camera, reader = calibrated.simulation.gige_camera, calibrated.context.rig.sensor.reader
+    link, sent = reader.link(), camera.blocks
+    assert link.state == "connected"
+    assert link.corrupt == 0
+    assert sent > 100
+    # a few are on their way
+    assert abs(link.received + link.lost - sent) < 12
+    assert camera.packets_lost > 10
+
+
+def test_a_scan_in_motion_lies_on_the_plate(calibrated: Server) -> None:
+    http = calibrated.http
+    assert http.post("/api/scan/start", json={"name": "Plate"}).json()["state"] == "running"
+    assert calibrated.simulation.operator.scan_part("plate")
+    http.post("/api/stop")
+    deadline = time.monotonic() + 20
+    while not (scans := http.get("/api/scans").json()):
+        assert time.monotonic() < deadline
+        time.sleep(0.1)
+    folder = calibrated.data / "scans" / scans[0]["id"]
+    live = read_cloud(folder / "cloud.ply")
+    session = next((calibrated.data / "sessions").glob("*/calibration.json")).parent
+    again, _ = reconstruct_points(
+        folder / "scan.mcap",
+        read_calibration(session / "calibration.json"),
+        read_any_arm(session / "arm.json"),
+    )
+    np.testing.assert_allclose(again, live.points_mm, atol=1e-4)
+    off_um = distances_from_plate_um(calibrated, live.points_mm)
+    on_plate_um = off_um[np.abs(off_um) < 200]
+    expanded_um = 2 * stated_um(session)
+    assert len(on_plate_um) > 1000
+    assert abs(np.median(on_plate_um)) < expanded_um
+    # single points also have the speckle of the laser in them
+    assert np.median(np.abs(on_plate_um)) < expanded_um
+
+
+def sensor_state(server: Server) -> tuple[str, str]:
+    """The state of the sensor and its text, as sent to browsers."""
+    sensor = topics(server, {"devices"})["devices"]["sensor"]
+    return sensor["state"], english(sensor["text"])
+
+
+@contextmanager
+def camera_faults(server: Server) -> Iterator[GigeFaults]:
+    """Faults for a camera that is connected; without them it is connected again by itself."""
+    until(lambda: sensor_state(server)[0] == "connected")
+    faults = server.simulation.gige_camera.faults
+    try:
+        yield faults
+    finally:
+        faults.clear()
+    until(lambda: sensor_state(server)[0] == "connected")
+
+
+def test_an_unplugged_camera_is_lost_and_comes_back(server: Server) -> None:
+    with camera_faults(server) as faults:
+        faults.unplugged = True
+        until(lambda: sensor_state(server)[0] == "lost")
+        until(lambda: "does not answer" in sensor_state(server)[1])
+
+
+def test_a_camera_taken_by_another_program_is_in_use(server: Server) -> None:
+    with camera_faults(server) as faults:
+        faults.taken = True
+        until(lambda: sensor_state(server)[0] == "lost")
+        until(lambda: "in use by another program" in sensor_state(server)[1])
+
+
+def losses(server: Server) -> dict[str, Any]:
+    """What Health says of pictures lost on the way."""
+    items = server.http.get("/api/health").json()["health"]["items"]
+    return dict(next(item for item in items if item["id"] == "losses-sensor"))
+
+
+def test_a_slow_line_shows_by_the_pictures_it_loses(server: Server) -> None:
+    with camera_faults(server) as faults:
+        before = server.context.rig.sensor.link().lost
+        faults.line_bytes_per_s = SLOW_BYTES_PER_S
+        until(lambda: server.context.rig.sensor.link().lost > before + 30)
+        until(lambda: losses(server)["quality"] != "good")
+        said = losses(server)
+        assert "lost" in english(said["what"])
+        assert "cable" in english(said["remedy"])

@@ -1,0 +1,296 @@
+"""The simulated GigE camera, judged by clients of others: Aravis, and that of viva-genicam."""
+
+import re
+import shutil
+import signal
+import socket
+import subprocess
+import time
+from collections.abc import Iterator
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from hardware.clock import now_ns
+from hardware.errors import DeviceError
+from hardware.interfaces import SensorDriver
+from hardware.sensor.genicam.driver import from_options
+from hardware.simulator.devices.gige_camera.camera import GigeCamera
+from hardware.simulator.devices.gige_camera.gvcp import PORT
+from hardware.simulator.devices.gige_camera.pixels import RawImage
+from hardware.simulator.devices.gige_camera.registers import CameraIdentity
+from hardware.simulator.station import SimulatedStation
+from tests.hardware.conformance import (
+    LONG_S,
+    SensorBench,
+    SensorConformance,
+    next_frame,
+    open_in_time,
+    read_until_lost,
+)
+from tests.hardware.fake_cameras import ADDRESS, CONTROL_REGISTER, ControlClient, port_for_this_test
+from tests.hardware.test_genicam import require_aravis
+from tests.hardware.test_simulated_station import SMALL, stripe_in_arm_frame
+
+WIDTH, HEIGHT = 320, 240
+LIT = 200
+DELAY_MS = 5.0
+LOST_BLOCKS = (3, 4, 7)
+"""Block ids, which count from 1: one less is the sequence number."""
+NEAR_THE_LAST = 65_500
+GIGE = replace(SMALL, camera="gige")
+
+
+@pytest.fixture(autouse=True)
+def port() -> Iterator[None]:
+    require_aravis()
+    with port_for_this_test():
+        yield
+
+
+def picture(mid_ns: int, exposure_us: float, laser_share: float) -> RawImage:
+    """A ramp from left to right in the first line; the rest shows the laser's share."""
+    image = np.full((HEIGHT, WIDTH), round(LIT * laser_share), np.uint8)
+    image[0] = np.arange(WIDTH) % 256
+    return image
+
+
+def make_camera(first_block_id: int = 1) -> GigeCamera:
+    identity = CameraIdentity(ADDRESS, "SIM-1", WIDTH, HEIGHT, 50.0)
+    return GigeCamera(identity, picture, delay_ms=DELAY_MS, first_block_id=first_block_id)
+
+
+@pytest.fixture
+def camera() -> Iterator[GigeCamera]:
+    made = make_camera()
+    made.start()
+    yield made
+    made.stop()
+
+
+def make_driver(**more: object) -> SensorDriver:
+    options = {"address": ADDRESS, "laser_line": "Line2", "latency_us": 1000 * DELAY_MS}
+    return from_options(options | more)
+
+
+class GigeBench(SensorBench):
+    def __init__(self) -> None:
+        self.camera = make_camera(NEAR_THE_LAST)
+        self.camera.start()
+        self._driver = make_driver()
+
+    def driver(self) -> SensorDriver:
+        return self._driver
+
+    def unplug(self) -> None:
+        self.camera.faults.unplugged = True
+
+    def plug_in(self) -> None:
+        self.camera.faults.unplugged = False
+
+    def lossy_driver(self, resent: bool) -> tuple[SensorDriver, set[int]]:
+        self.camera.stop()
+        self.camera = make_camera()
+        self.camera.faults.resends = resent
+        self.camera.faults.lost_packets = frozenset((block, 2) for block in LOST_BLOCKS)
+        self.camera.start()
+        return self._driver, {block - 1 for block in LOST_BLOCKS}
+
+    def pictures_until_wrap(self) -> int:
+        return 65_535 - NEAR_THE_LAST
+
+    def triggered_driver(self) -> SensorDriver:
+        self._driver = make_driver(trigger="Line1")
+        return self._driver
+
+    def trigger(self) -> None:
+        self.camera.trigger(now_ns())
+
+    def take_control(self) -> None:
+        self.camera.faults.taken = True
+        self._wait_until_used(True)
+
+    def leave_control(self) -> None:
+        self.camera.faults.taken = False
+        self._wait_until_used(False)
+
+    def revoke_control(self) -> None:
+        self.camera.revoke_control()
+
+    def end(self) -> None:
+        self._driver.close()
+        self.camera.stop()
+
+    def _wait_until_used(self, used: bool) -> None:
+        deadline = time.monotonic() + LONG_S
+        while is_used() != used:
+            assert time.monotonic() < deadline
+            time.sleep(0.02)
+
+
+def is_used() -> bool:
+    """Whether a program has the camera to itself."""
+    client = ControlClient()
+    try:
+        return client.read(CONTROL_REGISTER) != 0
+    except OSError:  # the camera refuses to answer
+        return True
+    finally:
+        client.close()
+
+
+class TestSimulatedGigeCamera(SensorConformance):
+    @pytest.fixture
+    def bench(self, port: None) -> Iterator[SensorBench]:
+        bench = GigeBench()
+        yield bench
+        bench.end()
+
+
+def test_aravis_own_program_receives_its_pictures(camera: GigeCamera) -> None:
+    program = shutil.which("arv-camera-test-0.8")
+    if program is None:
+        pytest.skip("aravis-tools is not installed")
+    command = [program, "-n", ADDRESS]
+    with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as running:
+        try:
+            deadline = time.monotonic() + LONG_S
+            while camera.blocks < 60:
+                assert time.monotonic() < deadline, "no pictures are taken"
+                time.sleep(0.05)
+            running.send_signal(signal.SIGINT)
+            output, _ = running.communicate(timeout=LONG_S)
+        finally:
+            running.kill()
+    figures = dict(re.findall(r"^(.+?) *= (.+)$", output, re.MULTILINE))
+    assert figures["model name"] == "Simulated GigE camera"
+    assert figures["device serial number"] == "SIM-1"
+    assert figures["payload"] == f"{WIDTH * HEIGHT} bytes"
+    assert int(figures["n_completed_buffers"]) > 30
+
+
+def test_another_client_finds_it_and_reads_features_and_pictures(camera: GigeCamera) -> None:
+    viva = pytest.importorskip("viva_genicam")
+    (found,) = [one for one in viva.discover(iface="lo") if one.ip == ADDRESS]
+    client = viva.connect_gige(found, iface=ADDRESS)
+    assert client.get("DeviceSerialNumber") == "SIM-1"
+    client.set("ExposureTime", "8000")
+    assert float(client.get("ExposureTime")) == 8000
+    client.set("LineSelector", "Line2")
+    client.set("LineSource", "UserOutput2")
+    client.set("UserOutputSelector", "UserOutput2")
+    client.set("UserOutputValue", "true")
+    camera.faults.packet_drop_rate = 0.02
+    taken = []
+    with client.stream() as frames:
+        for frame in frames:
+            taken.append(frame.to_numpy())
+            if len(taken) == 20:
+                break
+    client.close()
+    assert camera.packets_lost > 0
+    for image in taken:
+        np.testing.assert_array_equal(image, picture(0, 8000.0, 1.0))
+
+
+@pytest.mark.parametrize("name", ["Mono8", "Mono10", "Mono12", "Mono16"])
+def test_every_pixel_format_shows_the_same_picture(camera: GigeCamera, name: str) -> None:
+    driver = make_driver(pixel_format=name, region=[16, 0, 160, 100])
+    driver.open()
+    frame = next_frame(driver)
+    driver.close()
+    assert frame.full_scale is not None
+    scale = (frame.full_scale + 1) // 256
+    np.testing.assert_array_equal(frame.image, scale * picture(0, 0, 0)[:100, 16:176].astype(int))
+
+
+def test_a_hundredth_of_all_packets_lost_costs_no_picture_unseen(camera: GigeCamera) -> None:
+    """Each picture arrives whole, packets sent again, or counts as lost."""
+    camera.faults.packet_drop_rate = 0.01
+    driver = make_driver()
+    driver.open()
+    frames = [next_frame(driver) for _ in range(150)]
+    driver.close()
+    lost = frames[-1].sequence + 1 - len(frames)
+    assert lost <= driver.health.lost < 30
+    assert camera.packets_lost > 20
+    for frame in frames:
+        np.testing.assert_array_equal(frame.image[0], picture(0, 0, 0)[0])
+
+
+def test_datagrams_that_are_no_requests_are_ignored(camera: GigeCamera) -> None:
+    rng = np.random.default_rng(5)
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as sender:
+        sender.connect((ADDRESS, PORT))
+        for size in (0, 1, 7, 8, 9, 20, 540, 1400):
+            sender.send(rng.bytes(size))
+            sender.send(b"\x42\x01" + rng.bytes(size))
+            for command in (0x02, 0x40, 0x80, 0x82, 0x84, 0x86, 0x1234):
+                head = bytes([0x42, 1, 0, command & 0xFF]) + size.to_bytes(2, "big") + b"\0\1"
+                sender.send(head + rng.bytes(size))
+    driver = make_driver()
+    open_in_time(driver)
+    next_frame(driver)
+    driver.close()
+
+
+def test_only_the_program_in_control_may_write(camera: GigeCamera) -> None:
+    first, second = ControlClient(), ControlClient()
+    with pytest.raises(OSError, match="refuses"):
+        first.write(0x0938, 1000)
+    first.take_control()
+    first.write(0x0938, 1000)
+    with pytest.raises(OSError, match="refuses"):
+        second.write(0x0938, 2000)
+    assert second.read(0x0938) == 1000
+    deadline = time.monotonic() + LONG_S
+    while second.read(CONTROL_REGISTER):  # the first one has fallen silent
+        assert time.monotonic() < deadline
+        time.sleep(0.05)
+    second.take_control()
+    first.close()
+    second.close()
+
+
+def test_a_camera_of_a_program_that_lets_no_other_read_is_in_use(camera: GigeCamera) -> None:
+    driver = make_driver()
+    driver.open()
+    next_frame(driver)
+    camera.faults.taken = True
+    error = read_until_lost(lambda: driver.read(0.1))
+    assert "in use by another program" in str(error)
+    with pytest.raises(DeviceError, match="in use by another program"):
+        driver.open()
+    camera.faults.taken = False
+    open_in_time(driver)
+    next_frame(driver)
+    driver.close()
+
+
+@pytest.mark.slow
+def test_a_frame_shows_the_arm_as_it_was_at_its_stamp() -> None:
+    """The laser's line on the plate, from frame and true pose, lies in the plate's plane.
+
+    The sensor is tilted and passes to and fro: a millisecond would be 0.03 mm. The camera's clock
+    is fast and has another zero, and pictures arrive late.
+    """
+    with SimulatedStation(GIGE) as simulation:
+        driver = simulation.sensor()
+        driver.open()
+        driver.set_laser(True)
+        plate = simulation._scene.find_object("plate").T_arm_obj
+        off_mm: list[float] = []
+        deadline = time.monotonic() + 6 * LONG_S
+        while len(off_mm) < 15:
+            assert time.monotonic() < deadline, f"{len(off_mm)} frames of the plate"
+            with ThreadPoolExecutor() as pool:
+                sweep = pool.submit(simulation.operator.pass_over_plate)
+                while not sweep.done():
+                    points = stripe_in_arm_frame(simulation, next_frame(driver))
+                    points = (points - plate[:3, 3]) @ plate[:3, :3]
+                    if len(points) and np.all(np.abs(points[:, :2]) < [29.0, 19.0]):
+                        off_mm.append(float(np.median(points[:, 2])))
+        driver.close()
+    assert np.median(np.abs(off_mm)) < 0.1
