@@ -10,6 +10,7 @@ import typer
 
 from app.cli.arm import articulation, identify
 from app.cli.bench import bench
+from app.cli.certificate import certificate
 from app.cli.performance import performance
 from app.cli.pictures import detect, extract
 from app.cli.scan import reconstruct, replay, study, sync
@@ -179,3 +180,4 @@ cli.command()(password)
 cli.command()(mqtt_schema)
 cli.add_typer(bench, name="bench")
 cli.add_typer(performance, name="performance")
+cli.add_typer(certificate, name="certificate")

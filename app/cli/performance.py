@@ -1,11 +1,17 @@
 """``crenel performance``: performance tests of an arm and its scanner."""
 
+from enum import StrEnum
 from pathlib import Path
 from typing import Annotated
 
 import typer
 
 from app.console import AsJson, FullHelpGroup, print_figures, print_json, report_errors, warn
+
+Laboratory = Annotated[
+    str, typer.Option(help="Of a certificate: who issues it; by default, the station.")
+]
+Country = Annotated[str, typer.Option(help="Of a certificate: two capital letters, such as DE.")]
 
 performance = typer.Typer(
     cls=FullHelpGroup,
@@ -44,3 +50,38 @@ def evaluate(
     for text in (result.status, result.offset.text if result.offset else "", result.verdict.text):
         if text:
             print(text)
+
+
+class ExportFormat(StrEnum):
+    """A format for other programs."""
+
+    CSV = "csv"
+    XLSX = "xlsx"
+    QIF = "qif"
+    DCC = "dcc"
+
+
+@performance.command()
+@report_errors
+def export(
+    folder: Annotated[Path, typer.Argument(metavar="TEST", help="The folder of a test.")],
+    form: Annotated[ExportFormat, typer.Option("--format", help="Of the result.")],
+    output: Annotated[
+        Path | None,
+        typer.Option("-o", "--output", help="Where to write it; of CSV, a folder."),
+    ] = None,
+    laboratory: Laboratory = "",
+    country: Country = "",
+) -> None:
+    """Write the result of a test for other programs: its figures, lengths, centres and places."""
+    from app.formats.exchange.export import export_result
+    from app.formats.exchange.write_certificate import Issuer
+    from app.formats.performance.results import read_performance
+
+    document = read_performance(folder)
+    issuer = Issuer(laboratory or document.station, country)
+    written, warnings = export_result(document, form.value, output, issuer)
+    for text in warnings:
+        warn(text)
+    for path in written:
+        print(f"{path} written")

@@ -16,6 +16,8 @@ about-missing-places-longest-start =
     }
 accept-calibration = Diese Kalibrierung annehmen
 accept-verification = Diese Verifizierung annehmen
+acceptance-limit-lower = Untere Annahmegrenze
+acceptance-limit-upper = Obere Annahmegrenze
 accepted = Angenommen
 accepted-result = Ergebnis angenommen
 account-has-no-name = Das Konto hat keinen Namen
@@ -168,6 +170,8 @@ ask-somebody-with-role =
     }
 asked-control = Bedienung angefragt
 asks-control = { $name } bittet { $holder } um die Bedienung.
+at-beginning = Am Anfang
+at-end = Am Ende
 at-least-limit = ≥ { $limit }
 at-most-limit = ≤ { $limit }
 at-position = Position { $position }: { $text }
@@ -366,11 +370,34 @@ centres-of-articulations =
 certificate = Kalibrierschein
 certificate-2 = Kalibrierschein { $certificate }
 certificate-date-unreadable = { $until } ist kein Datum; die Gültigkeit des Kalibrierscheins wird als 2027-03-31 angegeben
+certificate-has-lengths = der Kalibrierschein nennt: { $names }
+certificate-has-no-length = der Kalibrierschein nennt keine Länge
+certificate-needs-country = der Kalibrierschein braucht das Land des Laboratoriums als zwei Großbuchstaben, nicht { $country }: --country DE angeben
+certificate-needs-date = der Kalibrierschein braucht den Tag der Prüfung, und { $text } ist keiner
+certificate-needs-laboratory = der Kalibrierschein braucht den Namen des Laboratoriums: --laboratory NAME angeben
+certificate-needs-one =
+    { $path }: { $what ->
+        [form] eine Form
+       *[diameter] ein Durchmesser
+    } wird gebraucht, { $count ->
+        [0] keiner wurde gefunden
+       *[other] { $count } wurden gefunden
+    }
+certificate-not-validated = dieser Kalibrierschein ist nicht signiert und nicht gegen das Schema des DCC geprüft: vor der Ausgabe prüfen
 certificate-out-of-date = der Kalibrierschein des Prüfkörpers galt bis { $until }
+certificate-rule =
+    Ein Wert ist konform, wenn er um mindestens das { $factor }-Fache seiner Standard-Prüfwertunsicherheit innerhalb seiner größten zulässigen Abweichung liegt. Dazwischen { $bearer ->
+        [supplier] ist er nicht konform
+        [user] ist er konform
+       *[prover] wird keine Konformität ausgesagt
+    }.
 certificate-says = laut Kalibrierschein { $square }
 certificate-trusted-here = dem Zertifikat des Empfängers wird hier nicht vertraut
 certificate-valid-until = { $name }, gültig bis { $date }
 certificate-without-uncertainty = der Kalibrierschein des Prüfkörpers nennt keine Unsicherheit
+certificate-without-values = Kein Wert konnte angegeben werden.
+certified-diameter-not-positive = { $name } ist nicht positiv
+certified-diameter-without-uncertainty = { $name } hat keine Unsicherheit mit Erweiterungsfaktor
 certified-values = Laut Kalibrierschein
 change = Änderung
 change-one-them = eine von beiden ändern
@@ -749,6 +776,8 @@ database-of-later-version = { $path } wurde von einer neueren Version von Crenel
 datasheet-lets-turn = laut Datenblatt dreht es von { $low } bis { $high }
 datasheet-says-raw = laut { $path } liefert der Sensor Rohbilder (bayer)
 date = Datum
+dcc-version-needed = Gelesen werden Kalibrierscheine der Version 3
+dcc-version-unknown = der Kalibrierschein hat die Version { $version }
 decision = Entscheidung
 decision-rule-iso-14253-1-error = Entscheidungsregel nach ISO 14253-1: Die Durchmesserabweichung gilt als bestanden, wenn sie um mehr als ihre erweiterte Unsicherheit (k = 2) innerhalb des Grenzwerts liegt, und als nicht bestanden, wenn sie ihn um mehr als diese überschreitet. Die Streuung wird unmittelbar mit ihrem Grenzwert verglichen.
 decision-rule-iso-14253-1-pass = Entscheidungsregel nach ISO 14253-1: bestanden, wenn der Wert um mehr als seine erweiterte Unsicherheit (k = 2) innerhalb des Grenzwerts liegt; nicht bestanden, wenn er ihn um mehr als diese überschreitet; sonst nicht entschieden.
@@ -899,6 +928,7 @@ end-name = Der Name muss auf .html oder .pdf enden
 ended = Sitzung beendet
 ended-token-metrics = Token für Metriken widerrufen
 enough-places = Genügend Positionen
+enter-artefact-by-hand = Das Normal von Hand eingeben, mit den Angaben seines Kalibrierscheins
 entered-consoles-code = mit dem Code der Konsole angemeldet
 entered-the-temperature = Temperatur eingegeben
 entry-point-must-name-function-takes = Sein Einstiegspunkt muss eine Funktion sein, die die Optionen entgegennimmt.
@@ -1192,6 +1222,7 @@ implied-offset-caption =
         [yes] Das ist mehr als Zufall: Den Sensor erneut kalibrieren.
        *[no] Das ist nicht mehr als Zufall.
     } Ohne diesen Fehler bliebe eine Lageabweichung von { $left }.
+install-extra-xlsx = Mit pip install 'crenel[xlsx]' installieren oder CSV verwenden
 join-group-of-device = Führen Sie „{ $command }“ aus, melden Sie sich dann neu am System an und starten Sie Crenel neu.
 kuka-add-element = In der Ethernet-Konfiguration der Steuerung unter SEND ein Element mit TAG="DEF_{ $name }" ergänzen.
 kuka-lacks-element = Die Pakete des Roboters unter { $address } enthalten kein { $name }
@@ -1204,13 +1235,16 @@ leave-out-laser-off = --laser-off weglassen: Graubilder werden gemessen, wie sie
 length-standard = Längennormal
 location-fixed-diameter = Lage, fester Durchmesser
 location-over-articulations = Lage über die Stellungen
+maximum-permissible-error = Größte zulässige Abweichung
 measured-channel = gemessen: { $channel }
 microscribe-needs-five-joints = Dieser Treiber ist nur für MicroScribe mit fünf Gelenken.
 microscribe-no-answer = Unter { $url } antwortet kein MicroScribe
 microscribe-other-device = Das Gerät unter { $url } antwortet nicht wie ein MicroScribe
 microscribe-stopped-answering = Der MicroScribe unter { $url } antwortet nicht mehr
 move-bayer-to-station-toml = bayer und laser_colour in [sensor] von station.toml setzen; bayer aus dem Datenblatt entfernen und width_px und height_px halbieren
+name-quantity = Die Größe mit { $option } benennen
 no-camera-without-datasheet = Es ist keine Kamera ohne Datenblatt angeschlossen
+no-dcc = die Datei ist kein digitaler Kalibrierschein (DCC)
 no-device-chosen = Nicht gewählt: { $title }
 one-pose-takes-no-raw = eine einzelne Pose lässt sich nicht aus Bayer-Rohbildern kalibrieren
 opens-again = Die Verbindung öffnet sich von selbst wieder; danach den letzten Schritt wiederholen.
@@ -1250,6 +1284,7 @@ plate = Ebenes Normal
 plate-by-certificate = eben auf { $flatness }
 points-in-gate = Punkte
 points-outside-gate = Punkte außerhalb
+qif-not-validated = diese Datei ist nach QIF 3.0 geschrieben, aber nicht gegen dessen Schema geprüft; ein Leseprogramm kann sie ablehnen
 quaternion-must-be-unit = die letzten vier Zahlen müssen ein Einheitsquaternion sein, w zuerst
 raw-bayer-has-one-channel = ein Bayer-Rohbild (bayer) hat nur einen Kanal
 restart-robot-controller = Die Steuerung des Arms neu starten.
@@ -2727,6 +2762,8 @@ takes-notifications = { $host } nimmt Benachrichtigungen an.
 taking-picture = Bild wird aufgenommen
 tells-whoever-away-what-done-fault = Der Webhook benachrichtigt Abwesende über Fertiges, Störungen und Fälliges.
 temperature = Temperatur
+test-value-uncertainty = Prüfwertunsicherheit
+test-value-uncertainty-text = Erweiterte Unsicherheit von Normal und Aufbau, k = 2. Die Streuung von Arm und Sensor gehört nicht dazu: Die Prüfung misst sie.
 text-has-half-character = einer ihrer Texte enthält ein unvollständiges Zeichen
 than-when-made-beyond-c-due =
     { $how ->
@@ -3160,6 +3197,9 @@ without-marker-coordinates-are-tips = ohne die Spalte marker gelten Koordinaten 
 without-nothing-measured-what-taken-kept = Ohne dieses Gerät wird nicht gemessen; alles Aufgenommene bleibt erhalten.
 without-one-pixels-cannot-become-points = ohne Kalibrierung lassen sich aus Pixeln keine Punkte berechnen
 without-schema = ohne Schema
+xlsx-requires-package = XLSX-Dateien benötigen das Paket XlsxWriter, das nicht installiert ist
+xml-document-type-refused = die Datei hat einen Dokumenttyp (DOCTYPE oder ENTITY), den kein Kalibrierschein braucht; sie wird nicht gelesen
+xml-not-well-formed = die Datei ist kein wohlgeformtes XML: { $error }
 word-above = oben
 word-ambient = Umgebungslicht
 word-arm = Messarm

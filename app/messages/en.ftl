@@ -16,6 +16,8 @@ about-missing-places-longest-start =
     }
 accept-calibration = Accept this calibration
 accept-verification = Accept this verification
+acceptance-limit-lower = Lower acceptance limit
+acceptance-limit-upper = Upper acceptance limit
 accepted = Accepted
 accepted-result = accepted the result
 account-has-no-name = The account has no name
@@ -168,6 +170,8 @@ ask-somebody-with-role =
     }
 asked-control = requested control
 asks-control = { $name } requests control from { $holder }.
+at-beginning = At the beginning
+at-end = At the end
 at-least-limit = ≥ { $limit }
 at-most-limit = ≤ { $limit }
 at-position = position { $position }: { $text }
@@ -366,11 +370,34 @@ centres-of-articulations =
 certificate = Certificate
 certificate-2 = certificate { $certificate }
 certificate-date-unreadable = { $until } is no date; the certificate’s validity is stated as 2027-03-31
+certificate-has-lengths = the certificate states: { $names }
+certificate-has-no-length = the certificate states no length
+certificate-needs-country = the certificate needs the laboratory's country as two capital letters, not { $country }: add --country DE
+certificate-needs-date = the certificate needs the day of the test, and { $text } is none
+certificate-needs-laboratory = the certificate needs the name of the laboratory: add --laboratory NAME
+certificate-needs-one =
+    { $path }: { $what ->
+        [form] one form
+       *[diameter] one diameter
+    } is needed, { $count ->
+        [0] none was found
+       *[other] { $count } were found
+    }
+certificate-not-validated = this certificate is not signed, and was not validated against the schema of the DCC: check it before you issue it
 certificate-out-of-date = the certificate of the artefact was valid until { $until }
+certificate-rule =
+    A value conforms if it is within its maximum permissible error by at least { $factor } times its standard test value uncertainty. In between, { $bearer ->
+        [supplier] it does not conform
+        [user] it conforms
+       *[prover] no conformity is stated
+    }.
 certificate-says = its certificate states { $square }
 certificate-trusted-here = its certificate is not trusted
 certificate-valid-until = { $name }, valid until { $date }
 certificate-without-uncertainty = the certificate of the artefact states no uncertainty
+certificate-without-values = No figure could be stated.
+certified-diameter-not-positive = { $name } is not positive
+certified-diameter-without-uncertainty = { $name } has no uncertainty with its coverage factor
 certified-values = By certificate
 change = Change
 change-one-them = change one of the limits
@@ -745,6 +772,8 @@ database-of-later-version = { $path } was written by a later version of Crenel (
 datasheet-lets-turn = its datasheet allows { $low } to { $high }
 datasheet-says-raw = { $path } says that the sensor's pictures are raw (bayer)
 date = Date
+dcc-version-needed = Certificates of version 3 are read
+dcc-version-unknown = the certificate has version { $version }
 decision = Decision
 decision-rule-iso-14253-1-error = Decision rule according to ISO 14253-1: the diameter error passes if it is proven to be within its limit by more than its expanded uncertainty (k = 2), and fails if it is proven to be beyond. The scatter is compared directly with its limit.
 decision-rule-iso-14253-1-pass = Decision rule according to ISO 14253-1: pass if the value is proven to be within its limit by more than its expanded uncertainty (k = 2); fail if it is proven to be beyond; otherwise undecided.
@@ -895,6 +924,7 @@ end-name = End the name with .html or .pdf
 ended = ended the session
 ended-token-metrics = revoked a metrics token
 enough-places = Sufficient places
+enter-artefact-by-hand = Enter the artefact by hand, with what its certificate states
 entered-consoles-code = signed in with the console's code
 entered-the-temperature = entered the temperature
 entry-point-must-name-function-takes = Its entry point must name a function that accepts the options.
@@ -1188,6 +1218,7 @@ implied-offset-caption =
         [yes] This is more than chance: calibrate the sensor again.
        *[no] This is no more than chance.
     } Without it, a location error of { $left } would remain.
+install-extra-xlsx = Install it with: pip install 'crenel[xlsx]'; or use CSV
 join-group-of-device = Run "{ $command }", then sign in to the system again and restart Crenel.
 kuka-add-element = Add an element with TAG="DEF_{ $name }" to SEND in the controller's Ethernet configuration.
 kuka-lacks-element = The packets of the robot at { $address } have no { $name }
@@ -1200,13 +1231,16 @@ leave-out-laser-off = Leave out --laser-off: grey pictures are measured as they 
 length-standard = Length standard
 location-fixed-diameter = Location, fixed diameter
 location-over-articulations = Location over the articulations
+maximum-permissible-error = Maximum permissible error
 measured-channel = measured: { $channel }
 microscribe-needs-five-joints = This driver serves MicroScribe arms with five joints only.
 microscribe-no-answer = No MicroScribe answers at { $url }
 microscribe-other-device = The device at { $url } does not answer as a MicroScribe does
 microscribe-stopped-answering = The MicroScribe at { $url } has stopped answering
 move-bayer-to-station-toml = Set bayer and laser_colour in [sensor] of station.toml; take bayer out of the datasheet, and halve its width_px and height_px
+name-quantity = Name the quantity with { $option }
 no-camera-without-datasheet = No camera without a datasheet is connected
+no-dcc = the file is no Digital Calibration Certificate (DCC)
 no-device-chosen = No { $title } is chosen
 one-pose-takes-no-raw = one pose cannot be calibrated from raw Bayer pictures
 opens-again = The connection opens again by itself; then repeat the last action.
@@ -1246,6 +1280,7 @@ plate = Flat artefact
 plate-by-certificate = flat to { $flatness }
 points-in-gate = Points
 points-outside-gate = Points outside
+qif-not-validated = this file was written after QIF 3.0 but not validated against its schema; a reader may refuse it
 quaternion-must-be-unit = its last four numbers must be a unit quaternion, w first
 raw-bayer-has-one-channel = a raw Bayer picture (bayer) has one channel
 restart-robot-controller = Restart the controller of the arm.
@@ -2714,6 +2749,8 @@ takes-notifications = { $host } accepts notifications.
 taking-picture = Taking the picture
 tells-whoever-away-what-done-fault = It informs people who are away about completed jobs, faults and due checks.
 temperature = Temperature
+test-value-uncertainty = Test value uncertainty
+test-value-uncertainty-text = Expanded uncertainty of artefact and set-up, k = 2. The scatter of arm and sensor is no part of it: the test measures it.
 text-has-half-character = one of its texts contains an incomplete character
 than-when-made-beyond-c-due =
     { $how ->
@@ -3146,6 +3183,9 @@ without-marker-coordinates-are-tips = without the column marker, coordinates are
 without-nothing-measured-what-taken-kept = Nothing is measured without it; all recorded data is kept.
 without-one-pixels-cannot-become-points = without one, pixels cannot be converted to points
 without-schema = without a schema
+xlsx-requires-package = XLSX files require the package XlsxWriter, which is not installed
+xml-document-type-refused = the file has a document type (DOCTYPE or ENTITY), which no certificate needs; it is not read
+xml-not-well-formed = the file is not well-formed XML: { $error }
 word-above = above
 word-ambient = ambient
 word-arm = arm

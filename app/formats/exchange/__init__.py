@@ -1,0 +1,1 @@
+"""Results of performance tests for other programs: CSV, XLSX, QIF, calibration certificates."""

@@ -1,0 +1,65 @@
+"""``crenel performance export`` and ``crenel certificate``."""
+
+import json
+from pathlib import Path
+
+import pytest
+from typer.testing import CliRunner
+
+from app.cli.main import cli
+from app.formats.datasheets.gauge import read_gauge
+from tests.formats.certificates import DIAMETER, FORM, certificate
+from tests.formats.performance_builders import sphere_result
+
+
+def run(*arguments: str) -> tuple[int, str]:
+    result = CliRunner().invoke(cli, list(arguments))
+    return result.exit_code, result.output
+
+
+@pytest.mark.parametrize("form", ["csv", "xlsx", "qif", "dcc"])
+def test_a_test_is_exported(tmp_path: Path, form: str) -> None:
+    sphere_result(tmp_path / "test")
+    output = tmp_path / "result"
+    arguments = ["performance", "export", str(tmp_path / "test"), "--format", form]
+    code, said = run(*arguments, "-o", str(output), "--country", "DE")
+    assert code == 0, said
+    assert output.is_dir() == (form == "csv")
+    assert f"{output}" in said
+    assert ("not validated" in said) == (form in ("qif", "dcc"))
+
+
+def test_a_certificate_without_a_country_is_refused(tmp_path: Path) -> None:
+    sphere_result(tmp_path / "test")
+    code, said = run("certificate", "write", str(tmp_path / "test"), "-o", str(tmp_path / "c.xml"))
+    assert code == 1
+    assert "--country" in said
+    assert not (tmp_path / "c.xml").exists()
+
+
+def test_a_certificate_is_written_for_a_customer(tmp_path: Path) -> None:
+    sphere_result(tmp_path / "test")
+    arguments = ["--laboratory", "Lab", "--country", "CH", "--customer", "Someone"]
+    output = tmp_path / "c.xml"
+    code, said = run("certificate", "write", str(tmp_path / "test"), "-o", str(output), *arguments)
+    assert code == 0, said
+    assert "Someone" in output.read_text("utf-8")
+
+
+def test_a_certificate_is_read(tmp_path: Path) -> None:
+    path, gauge = tmp_path / "sphere.xml", tmp_path / "sphere.nominal.json"
+    path.write_text(certificate(DIAMETER, FORM), encoding="utf-8")
+    code, said = run("certificate", "read", str(path), "-o", str(gauge))
+    assert code == 0, said
+    assert "25.00120 mm ± 0.60 µm" in said
+    assert read_gauge(gauge).certificate == "4711-2026"
+    code, said = run("certificate", "read", str(path), "--json")
+    assert json.loads(said)["sphere"]["diameter_mm"] == 25.0012
+
+
+def test_the_certificate_read_is_not_replaced(tmp_path: Path) -> None:
+    path = tmp_path / "sphere.xml"
+    path.write_text(certificate(DIAMETER, FORM), encoding="utf-8")
+    code, said = run("certificate", "read", str(path), "-o", str(path))
+    assert code == 1, said
+    assert path.read_text("utf-8").startswith("<?xml")

@@ -1,0 +1,85 @@
+"""Digital Calibration Certificates of a sphere, composed for tests."""
+
+HEAD = """<?xml version="1.0" encoding="UTF-8"?>
+<dcc:digitalCalibrationCertificate xmlns:dcc="https://ptb.de/dcc" xmlns:si="https://ptb.de/si"
+  schemaVersion="{version}">
+ <dcc:administrativeData>
+  <dcc:coreData>
+   <dcc:uniqueIdentifier>4711-2026</dcc:uniqueIdentifier>
+   <dcc:endPerformanceDate>2026-03-12</dcc:endPerformanceDate>
+  </dcc:coreData>
+  <dcc:items><dcc:item>
+   <dcc:name><dcc:content lang="de">Keramikkugel</dcc:content>
+    <dcc:content lang="en">Ceramic sphere</dcc:content></dcc:name>
+   <dcc:identifications>
+    <dcc:identification><dcc:issuer>customer</dcc:issuer><dcc:value>PM-3</dcc:value>
+    </dcc:identification>
+    <dcc:identification><dcc:issuer>manufacturer</dcc:issuer><dcc:value>K-17</dcc:value>
+    </dcc:identification>
+   </dcc:identifications>
+  </dcc:item></dcc:items>
+  <dcc:calibrationLaboratory><dcc:contact><dcc:name><dcc:content>Lab A</dcc:content></dcc:name>
+  </dcc:contact></dcc:calibrationLaboratory>
+  <dcc:statements><dcc:statement refType="basic_recalibration">
+   <dcc:date>2028-03-12</dcc:date></dcc:statement></dcc:statements>
+ </dcc:administrativeData>
+ <dcc:measurementResults><dcc:measurementResult>
+  <dcc:influenceConditions><dcc:influenceCondition><dcc:data>
+   <dcc:quantity><dcc:name><dcc:content>Diameter of the stylus</dcc:content></dcc:name>
+    <si:real><si:value>3</si:value><si:unit>\\milli\\metre</si:unit></si:real></dcc:quantity>
+  </dcc:data></dcc:influenceCondition></dcc:influenceConditions>
+  <dcc:results><dcc:result><dcc:data>
+"""
+TAIL = """
+  </dcc:data></dcc:result></dcc:results>
+ </dcc:measurementResult></dcc:measurementResults>
+</dcc:digitalCalibrationCertificate>
+"""
+
+
+def quantity(name: str, inner: str, kind: str = "") -> str:
+    """One ``dcc:quantity`` with a name and a value."""
+    reference = f' refType="{kind}"' if kind else ""
+    return (
+        f"<dcc:quantity{reference}><dcc:name><dcc:content>{name}</dcc:content></dcc:name>"
+        f"{inner}</dcc:quantity>"
+    )
+
+
+def real(value: str, unit: str, uncertainty: str = "") -> str:
+    return f"<si:real><si:value>{value}</si:value><si:unit>{unit}</si:unit>{uncertainty}</si:real>"
+
+
+def expanded(value: str, factor: str = "2") -> str:
+    """As D-SI 1 has it."""
+    return (
+        f"<si:expandedUnc><si:uncertainty>{value}</si:uncertainty>"
+        f"<si:coverageFactor>{factor}</si:coverageFactor></si:expandedUnc>"
+    )
+
+
+def expanded_mu(value: str, factor: str = "2") -> str:
+    """As D-SI 2 has it."""
+    return (
+        "<si:measurementUncertaintyUnivariate><si:expandedMU>"
+        f"<si:valueExpandedMU>{value}</si:valueExpandedMU>"
+        f"<si:coverageFactor>{factor}</si:coverageFactor>"
+        "</si:expandedMU></si:measurementUncertaintyUnivariate>"
+    )
+
+
+def standard_mu(value: str) -> str:
+    """As D-SI 2 has it."""
+    return (
+        "<si:measurementUncertaintyUnivariate><si:standardMU>"
+        f"<si:valueStandardMU>{value}</si:valueStandardMU>"
+        "</si:standardMU></si:measurementUncertaintyUnivariate>"
+    )
+
+
+def certificate(*quantities: str, version: str = "3.3.0") -> str:
+    return HEAD.format(version=version) + "\n".join(quantities) + TAIL
+
+
+DIAMETER = quantity("Diameter", real("25.0012", "\\milli\\metre", expanded("0.0006")))
+FORM = quantity("Roundness", real("0.08", "\\micro\\metre", expanded("0.05")))

@@ -1,0 +1,247 @@
+"""Digital Calibration Certificates: of a sphere read, of a performance test written."""
+
+from pathlib import Path
+from xml.etree import ElementTree as ET
+
+import pytest
+
+from app.errors import OperationError
+from app.formats.datasheets.gauge import read_gauge
+from app.formats.exchange.certificate_values import DCC, SI, result_lengths
+from app.formats.exchange.read_certificate import CertifiedSphere, read_sphere_certificate
+from app.formats.exchange.write_certificate import Issuer, certificate_bytes
+from app.formats.exchange.xml_text import local_name
+from app.formats.performance.results import PerformanceFile
+from app.formats.performance.symbols import is_signed
+from tests.formats.certificates import (
+    DIAMETER,
+    FORM,
+    certificate,
+    expanded,
+    expanded_mu,
+    quantity,
+    real,
+    standard_mu,
+)
+from tests.formats.performance_builders import contact_result, lengths_result, sphere_result
+
+ISSUER = Issuer("Lab <A> & B", "DE", "Customer")
+NAMES = {"dcc": DCC, "si": SI}
+ORDER = {
+    "digitalCalibrationCertificate": "administrativeData measurementResults",
+    "administrativeData": (
+        "dccSoftware coreData items calibrationLaboratory respPersons customer statements"
+    ),
+    "coreData": (
+        "countryCodeISO3166_1 usedLangCodeISO639_1 usedLangCodeISO639_1 mandatoryLangCodeISO639_1 "
+        "uniqueIdentifier beginPerformanceDate endPerformanceDate performanceLocation"
+    ),
+    "measurementResult": (
+        "name usedMethods usedSoftware measuringEquipments influenceConditions results"
+    ),
+    "expandedUnc": "uncertainty coverageFactor coverageProbability distribution",
+    "item": "name identifications",
+    "respPerson": "person mainSigner",
+}
+"""The children of elements, in the order of certificates that the PTB's own tools accept."""
+
+
+def read(tmp_path: Path, text: str, **names: str) -> CertifiedSphere:
+    path = tmp_path / "certificate.xml"
+    path.write_text(text, encoding="utf-8")
+    return read_sphere_certificate(path, **names)
+
+
+def test_a_sphere_is_read_with_everything_that_its_certificate_states(tmp_path: Path) -> None:
+    found = read(tmp_path, certificate(DIAMETER, FORM))
+    sphere = found.sphere
+    assert sphere.diameter_mm == pytest.approx(25.0012)
+    assert sphere.diameter_sd_um == pytest.approx(0.3)
+    assert sphere.form_um == pytest.approx(0.08)
+    assert sphere.form_sd_um == pytest.approx(0.025)
+    assert (sphere.name, sphere.serial_number) == ("Ceramic sphere", "K-17")
+    assert (sphere.certificate, sphere.valid_until) == ("4711-2026", "2028-03-12")
+    assert (found.laboratory, found.calibrated_on) == ("Lab A", "2026-03-12")
+
+
+@pytest.mark.parametrize(
+    ("inner", "diameter_mm", "sd_um"),
+    [
+        (real("0.025", "\\metre", expanded("6e-7")), 25.0, 0.3),
+        (real("25000", "\\micro\\metre", expanded_mu("0.9", "3")), 25.0, 0.3),
+        (real("25", "\\milli\\metre", standard_mu("0.0003")), 25.0, 0.3),
+        (
+            "<si:hybrid>"
+            + real("298.15", "\\kelvin")
+            + real("25", "\\milli\\metre", expanded("0.0006"))
+            + "</si:hybrid>",
+            25.0,
+            0.3,
+        ),
+        (
+            "<si:realListXMLList><si:valueXMLList>25</si:valueXMLList>"
+            "<si:unitXMLList>\\milli\\metre</si:unitXMLList><si:expandedUncXMLList>"
+            "<si:uncertaintyXMLList>0.0006</si:uncertaintyXMLList>"
+            "<si:coverageFactorXMLList>2</si:coverageFactorXMLList>"
+            "</si:expandedUncXMLList></si:realListXMLList>",
+            25.0,
+            0.3,
+        ),
+    ],
+)
+def test_units_and_uncertainties_of_every_edition(
+    tmp_path: Path, inner: str, diameter_mm: float, sd_um: float
+) -> None:
+    sphere = read(tmp_path, certificate(quantity("Kugeldurchmesser", inner))).sphere
+    assert sphere.diameter_mm == pytest.approx(diameter_mm)
+    assert sphere.diameter_sd_um == pytest.approx(sd_um)
+    assert sphere.form_um == 0.0
+
+
+def test_a_radius_is_doubled_with_its_uncertainty(tmp_path: Path) -> None:
+    inner = real("12.5", "\\milli\\metre", expanded("0.0006"))
+    sphere = read(tmp_path, certificate(quantity("Radius", inner))).sphere
+    assert sphere.diameter_mm == pytest.approx(25.0)
+    assert sphere.diameter_sd_um == pytest.approx(0.6)
+
+
+def test_the_measured_diameter_precedes_the_nominal_one(tmp_path: Path) -> None:
+    measured = quantity(
+        "Diameter", real("25.0012", "\\milli\\metre", expanded("0.0006")), "basic_measuredValue"
+    )
+    nominal = quantity("Nominal diameter", real("25", "\\milli\\metre"), "basic_nominalValue")
+    sphere = read(tmp_path, certificate(nominal, measured)).sphere
+    assert sphere.diameter_mm == pytest.approx(25.0012)
+
+
+def test_one_of_several_diameters_is_named(tmp_path: Path) -> None:
+    other = quantity("Diameter at 25 °C", real("25.002", "\\milli\\metre", expanded("0.001")))
+    text = certificate(DIAMETER, other)
+    with pytest.raises(OperationError, match="Diameter at 25 °C") as raised:
+        read(tmp_path, text)
+    assert raised.value.code == "certificate-ambiguous"
+    assert "--diameter" in raised.value.line
+    found = read(tmp_path, text, diameter_name="at 25")
+    assert found.sphere.diameter_mm == pytest.approx(25.002)
+
+
+@pytest.mark.parametrize(
+    ("text", "code"),
+    [
+        ("<a/>", "no-certificate"),
+        ("<a>", "xml-malformed"),
+        ("<!DOCTYPE a [<!ENTITY b 'c'>]><a>&b;</a>", "xml-with-document-type"),
+        (certificate(DIAMETER, version="2.4.0"), "certificate-version"),
+        (certificate(FORM), "certificate-incomplete"),
+        (certificate(), "certificate-incomplete"),
+        (
+            certificate(quantity("Diameter", real("25", "\\milli\\metre"))),
+            "certificate-without-uncertainty",
+        ),
+        (
+            certificate(quantity("Diameter", real("-25", "\\milli\\metre", expanded("1")))),
+            "certificate-incomplete",
+        ),
+        (
+            certificate(quantity("Diameter", real("nan", "\\milli\\metre", expanded("1")))),
+            "certificate-incomplete",
+        ),
+        (
+            certificate(quantity("Diameter", real("25", "\\kilogram", expanded("1")))),
+            "certificate-incomplete",
+        ),
+    ],
+)
+def test_what_cannot_be_used_is_refused(tmp_path: Path, text: str, code: str) -> None:
+    with pytest.raises(OperationError) as raised:
+        read(tmp_path, text)
+    assert raised.value.code == code
+    assert "certificate.xml" in raised.value.line
+
+
+def test_quantities_of_conditions_are_no_results(tmp_path: Path) -> None:
+    names = [one.label for one in result_lengths(ET.fromstring(certificate(DIAMETER, FORM)))]
+    assert names == ["Diameter", "Roundness"]
+
+
+def test_a_certificate_becomes_a_gauge(tmp_path: Path) -> None:
+    read(tmp_path, certificate(DIAMETER, FORM)).gauge.write(tmp_path / "gauge.nominal.json")
+    gauge = read_gauge(tmp_path / "gauge.nominal.json")
+    assert gauge.radius_mm == pytest.approx(12.5006)
+    assert gauge.standard_uncertainty_um == pytest.approx(0.15)
+    assert gauge.serial_number == "K-17"
+
+
+def written(document: PerformanceFile, issuer: Issuer = ISSUER) -> ET.Element:
+    return ET.fromstring(certificate_bytes(document, issuer))
+
+
+def values(quantity: ET.Element) -> tuple[float, float]:
+    value = quantity.findtext("si:real/si:value", "", NAMES)
+    uncertainty = quantity.findtext("si:real/si:expandedUnc/si:uncertainty", "nan", NAMES)
+    return float(value), float(uncertainty)
+
+
+@pytest.mark.parametrize("build", [sphere_result, lengths_result, contact_result])
+def test_a_written_certificate_has_its_elements_in_order(tmp_path: Path, build: object) -> None:
+    assert callable(build)
+    root = written(build(tmp_path))
+    for element in root.iter():
+        name = local_name(element)
+        if name in ORDER:
+            assert [local_name(child) for child in element] == ORDER[name].split()
+    languages = [one.text for one in root.iter(f"{{{DCC}}}usedLangCodeISO639_1")]
+    for element in root.iter():
+        spoken = [one.get("lang") for one in element.findall("dcc:content", NAMES)]
+        assert spoken in ([], [None], languages)
+
+
+def test_every_value_is_written_with_uncertainty_limits_and_conformity(tmp_path: Path) -> None:
+    document = sphere_result(tmp_path)
+    quantities = written(document).findall(".//dcc:result/dcc:data/dcc:quantity", NAMES)
+    figures = [one for one in document.figures if one.value is not None]
+    assert len(quantities) == len(figures) == 9
+    for found, figure in zip(quantities, figures, strict=True):
+        value, uncertainty = values(found)
+        assert figure.value == pytest.approx(value, abs=6e-4)
+        assert figure.test_uncertainty == pytest.approx(uncertainty, abs=6e-4)
+        assert figure.symbol in found.findtext("dcc:name/dcc:content", "", NAMES)
+        said = found.findtext(".//dcc:conformityXMLList", None, NAMES)
+        assert said == (figure.decision if figure.decision in ("pass", "fail") else None)
+        limits = found.findall(".//dcc:metaData/dcc:data/dcc:quantity", NAMES)
+        assert len(limits) == (0 if figure.limit is None else 2 + is_signed(figure.quantity))
+    # of the dispersion, 1.65 times half the expanded uncertainty within the limit of 32 µm
+    limits = quantities[5].findall(".//dcc:metaData/dcc:data/dcc:quantity", NAMES)
+    assert [values(one)[0] for one in limits] == pytest.approx([32.0, 32.0 - 1.65 * 0.4])
+
+
+def test_a_written_certificate_is_the_same_again_and_safe(tmp_path: Path) -> None:
+    document = sphere_result(tmp_path)
+    odd = document.model_copy(update={"operator": "A\x00<b>&"})
+    assert certificate_bytes(odd, ISSUER) == certificate_bytes(odd, ISSUER)
+    root = written(odd)
+    assert root.findtext(".//dcc:respPerson/dcc:person/dcc:name/dcc:content", "", NAMES) == (
+        "A\ufffd<b>&"
+    )
+    laboratory = ".//dcc:calibrationLaboratory/dcc:contact/dcc:name/dcc:content"
+    assert root.findtext(laboratory, "", NAMES) == "Lab <A> & B"
+
+
+def test_a_test_without_temperatures_says_so(tmp_path: Path) -> None:
+    document = sphere_result(tmp_path).model_copy(update={"temperature_c": (None, None)})
+    data = written(document).find(".//dcc:influenceCondition/dcc:data", NAMES)
+    assert data is not None
+    assert data.findtext("dcc:text/dcc:content", "", NAMES) == "not measured"
+
+
+@pytest.mark.parametrize("issuer", [Issuer("", "DE"), Issuer("Lab", ""), Issuer("Lab", "Germany")])
+def test_an_issuer_without_name_or_country_is_refused(tmp_path: Path, issuer: Issuer) -> None:
+    with pytest.raises(OperationError) as raised:
+        written(sphere_result(tmp_path), issuer)
+    assert raised.value.code == "issuer-unknown"
+
+
+def test_a_written_certificate_is_no_sphere(tmp_path: Path) -> None:
+    content = certificate_bytes(contact_result(tmp_path / "test"), ISSUER)
+    with pytest.raises(OperationError, match="diameter"):
+        read(tmp_path, content.decode(), diameter_name="of a sphere")

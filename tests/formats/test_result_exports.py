@@ -1,0 +1,155 @@
+"""Results of performance tests as CSV, XLSX and QIF."""
+
+import csv
+import io
+import sys
+from collections.abc import Callable
+from pathlib import Path
+from xml.etree import ElementTree as ET
+
+import openpyxl
+import pytest
+
+from app.errors import OperationError
+from app.formats.exchange.result_tables import result_tables
+from app.formats.exchange.write_qif import QIF, qif_bytes
+from app.formats.exchange.write_tables import write_csv_tables, write_workbook
+from app.formats.exchange.xml_text import local_name
+from app.formats.performance.results import PerformanceFile
+from tests.formats.performance_builders import (
+    contact_result,
+    lengths_result,
+    plane_result,
+    sphere_result,
+)
+
+BUILDERS = (sphere_result, lengths_result, contact_result, plane_result)
+Build = Callable[[Path], PerformanceFile]
+NAMES = {"q": QIF}
+
+
+def rows_of(path: Path) -> list[dict[str, str]]:
+    return list(csv.DictReader(io.StringIO(path.read_text("utf-8"))))
+
+
+@pytest.mark.parametrize("build", BUILDERS)
+def test_csv_has_every_figure_to_the_last_digit(tmp_path: Path, build: Build) -> None:
+    document = build(tmp_path / "test")
+    write_csv_tables(document, tmp_path / "csv")
+    rows = rows_of(tmp_path / "csv" / "figures.csv")
+    assert [row["symbol"] for row in rows] == [one.symbol for one in document.figures]
+    for row, figure in zip(rows, document.figures, strict=True):
+        assert (float(row["value_um"]) if row["value_um"] else None) == figure.value
+        assert row["data"].split() == list(figure.data)
+        assert row["decision"] == figure.decision
+    values = rows_of(tmp_path / "csv" / "values.csv")
+    assert [float(row["value_um"]) for row in values] == [
+        value for one in document.figures for value in one.values
+    ]
+
+
+def test_csv_has_places_centres_and_offset(tmp_path: Path) -> None:
+    document = sphere_result(tmp_path / "test")
+    write_csv_tables(document, tmp_path / "csv")
+    places = rows_of(tmp_path / "csv" / "places.csv")
+    assert len(places) == 50
+    second = document.spheres[1]
+    assert float(places[30]["touched_um"]) == second.touch_deviations_um[5]
+    assert float(places[30]["scanned_um"]) == second.patches[5].deviation_um
+    centres = rows_of(tmp_path / "csv" / "centres.csv")
+    assert len(centres) == 30
+    scanned = [row for row in centres if row["by"] == "scan" and row["position"] == "1"]
+    assert float(scanned[4]["z_mm"]) == document.spheres[0].scan_centres_mm[4][2]
+    assert document.offset is not None
+    offset = rows_of(tmp_path / "csv" / "offset.csv")
+    assert float(offset[0]["offset_mm"]) == document.offset.offset_mm[0]
+    assert len(rows_of(tmp_path / "csv" / "inputs.csv")) == 11
+
+
+def test_csv_has_the_105_lengths(tmp_path: Path) -> None:
+    document = lengths_result(tmp_path / "test")
+    write_csv_tables(document, tmp_path / "csv")
+    rows = rows_of(tmp_path / "csv" / "lengths.csv")
+    assert [float(row["error_um"]) for row in rows] == [one.error_um for one in document.lengths]
+    assert len(rows) == 105
+
+
+@pytest.mark.parametrize("build", BUILDERS)
+def test_another_program_reads_the_same_from_a_workbook(tmp_path: Path, build: Build) -> None:
+    document = build(tmp_path / "test")
+    write_workbook(document, tmp_path / "result.xlsx")
+    book = openpyxl.load_workbook(tmp_path / "result.xlsx")
+    tables = result_tables(document)
+    assert book.sheetnames == [table.name for table in tables]
+    for table in tables:
+        rows = list(book[table.name].iter_rows(values_only=True))
+        assert rows[0] == table.columns
+        for found, row in zip(rows[1:], table.rows, strict=True):
+            for cell, value in zip(found, row, strict=True):
+                # XLSX has 16 digits, and an empty text is an empty cell
+                exact = isinstance(value, str) or value is None
+                assert cell == ((value or None) if exact else pytest.approx(value, rel=1e-14))
+
+
+def test_a_workbook_is_the_same_again_and_has_no_formulas(tmp_path: Path) -> None:
+    document = sphere_result(tmp_path / "test").model_copy(
+        update={"operator": "=1+1", "station": "https://example.com"}
+    )
+    for name in ("a.xlsx", "b.xlsx"):
+        write_workbook(document, tmp_path / name)
+    assert (tmp_path / "a.xlsx").read_bytes() == (tmp_path / "b.xlsx").read_bytes()
+    cells = [cell for row in openpyxl.load_workbook(tmp_path / "a.xlsx")["test"] for cell in row]
+    assert [cell.data_type for cell in cells if cell.value == "=1+1"] == ["s"]
+    assert not [cell for cell in cells if cell.hyperlink]
+
+
+def test_without_the_extra_the_error_names_it(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setitem(sys.modules, "xlsxwriter", None)
+    with pytest.raises(OperationError, match=r"crenel\[xlsx\]") as raised:
+        write_workbook(sphere_result(tmp_path / "test"), tmp_path / "result.xlsx")
+    assert raised.value.code == "extra-missing"
+    assert not (tmp_path / "result.xlsx").exists()
+
+
+@pytest.mark.parametrize("build", BUILDERS)
+def test_qif_links_every_measurement_to_its_definition(tmp_path: Path, build: Build) -> None:
+    document = build(tmp_path)
+    root = ET.fromstring(qif_bytes(document))
+    ids = [int(one.get("id", "0")) for one in root.iter() if one.get("id")]
+    assert sorted(ids) == list(range(1, int(root.get("idMax", "0")) + 1))
+    by_id = {one.get("id"): one for one in root.iter() if one.get("id")}
+    measurements = root.findall(".//q:CharacteristicMeasurements/*", NAMES)
+    assert len(measurements) == len(document.figures)
+    for one, figure in zip(measurements, document.figures, strict=True):
+        item = by_id[one.findtext("q:CharacteristicItemId", "", NAMES)]
+        nominal = by_id[item.findtext("q:CharacteristicNominalId", "", NAMES)]
+        definition = by_id[nominal.findtext("q:CharacteristicDefinitionId", "", NAMES)]
+        assert definition.findtext("q:Name", "", NAMES) == figure.symbol
+        value = one.find("q:Value", NAMES)
+        status = one.findtext("q:Status/q:CharacteristicStatusEnum", "", NAMES)
+        if figure.value is None:
+            assert (value, status) == (None, "NOT_MEASURED")
+            continue
+        assert value is not None
+        assert float(value.text or "") == pytest.approx(figure.value / 1e3, abs=6e-7)
+        assert (status == "PASS") == (figure.decision == "pass")
+        largest = definition.findtext("q:Tolerance/q:MaxValue", None, NAMES)
+        assert (None if largest is None else 1e3 * float(largest)) == figure.limit
+
+
+def test_qif_counts_what_its_lists_hold(tmp_path: Path) -> None:
+    content = qif_bytes(sphere_result(tmp_path))
+    assert content == qif_bytes(sphere_result(tmp_path))
+    root = ET.fromstring(content)
+    counted = [one for one in root.iter() if one.get("n")]
+    assert len(counted) == 5
+    assert all(int(one.get("n", "")) == len(one) for one in counted)
+    assert [local_name(one) for one in root] == [
+        "QPId",
+        "Header",
+        "FileUnits",
+        "Characteristics",
+        "Results",
+    ]
