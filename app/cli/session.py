@@ -61,7 +61,10 @@ def calibrate(
 @report_errors
 def report(
     folder: Annotated[
-        Path, typer.Argument(help="Folder of a calibration, a check, a verification or a performance test.")
+        Path,
+        typer.Argument(
+            help="Folder of a calibration, a check, a verification or a performance test."
+        ),
     ],
     output: Annotated[
         Path, typer.Option("-o", "--output", help="Where to write it: .pdf or .html.")
