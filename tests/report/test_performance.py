@@ -7,7 +7,10 @@ import numpy as np
 import pytest
 from reportlab.pdfbase.pdfmetrics import stringWidth
 
-from app.formats.performance.plan import RESULT
+from app.bench.metrology.synthetic_sphere import Faults, SphereSession
+from app.formats.exchange.export import NAMES, export_result
+from app.formats.exchange.write_certificate import Issuer
+from app.formats.performance.plan import RESULT, LimitPart
 from app.formats.performance.results import PerformanceFile
 from app.formats.performance.symbols import TITLES
 from app.messages.catalogue import renderer
@@ -24,6 +27,7 @@ from app.report.contents.sphere_figures import (
 from app.report.figure import Dot, Label
 from app.report.pdf_figure import PLAIN
 from app.report.reports import render_report
+from app.workflows.performance.evaluate import write_performance
 from tests.formats.performance_builders import (
     STATUS,
     contact_result,
@@ -159,3 +163,21 @@ def test_the_titles_have_room_beside_the_limits(tmp_path: Path, language: str) -
     render = renderer(language)
     for title in TITLES.values():
         assert stringWidth(render(title), PLAIN, 7.5) < LABELS - 8, render(title)
+
+
+def test_a_test_from_touches_and_recordings_is_reported_and_exported(tmp_path: Path) -> None:
+    """Every number from the files of a test, with a probe matrix that is 50 µm off."""
+    faults = Faults(touch_sd_mm=0.003, point_sd_mm=0.008, matrix_offset_mm=(0.05, 0.0, 0.0))
+    limits = (LimitPart(quantity="location-scan", a_um=60.0),)
+    folder = SphereSession(tmp_path / "test", faults, limits=limits).write()
+    document = write_performance(folder)
+    text = text_of(render_report(folder, ".pdf"))
+    location = next(one for one in document.figures if one.quantity == "location-scan")
+    assert f"{location.value:.1f} µm ≤ 60 µm" in text
+    assert "calibrate the sensor again" in text
+    assert "+50." in text
+    assert "unchanged" in text
+    assert "cannot be traced" not in text
+    for form in NAMES:
+        written, _ = export_result(document, form, tmp_path / form, Issuer("Lab", "DE"))
+        assert all(path.stat().st_size for path in written)

@@ -10,6 +10,7 @@ from app.report.content import (
     Facts,
     Findings,
     Pictures,
+    Quality,
     Report,
     ReportFinding,
     Section,
@@ -71,6 +72,10 @@ def performance_report(folder: Path) -> Report[Text]:
 def _findings(document: PerformanceFile) -> list[ReportFinding[Text]]:
     """Each figure's decision in a sentence, what is missing, and what else should be known."""
     figures = [ReportFinding(QUALITIES[one.decision], one.reason, "") for one in document.figures]
+    offset = document.offset
+    if offset is not None and offset.text:
+        quality: Quality = "attention" if offset.significant else "neutral"
+        figures.append(ReportFinding(quality, offset.text, ""))
     problems = [ReportFinding[Text]("attention", text, "") for text in document.problems]
     notes = [ReportFinding[Text]("neutral", text, "") for text in document.notes]
     return [*figures, *problems, *notes]
