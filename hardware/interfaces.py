@@ -5,8 +5,8 @@ device before ``open``; ``close`` may be called at any time, from any thread, an
 device is lost, ``read`` raises ``DeviceError``; the thread then closes it and opens it again, with
 growing pauses.
 
-What only some devices can do is in protocols of its own: ``AnswersWhileSilent`` and
-``PulseSource``. A driver offers them by having their methods.
+What only some devices can do is in protocols of its own: ``AnswersWhileSilent``, ``DeliversLines``
+and ``PulseSource``. A driver offers them by having their methods.
 """
 
 from collections.abc import Sequence
@@ -108,6 +108,41 @@ class Frame:
 
 
 @dataclass(frozen=True, slots=True)
+class Line:
+    """The laser line of one exposure, as a camera with a line finder of its own delivers it.
+
+    At most one point per column of the picture, or per row, in the order of the columns or rows;
+    none if no line was found.
+    """
+
+    sequence: int
+    """As of ``Frame``; one count for frames and lines."""
+    mid_exposure_ns: int
+    """As of ``Frame``."""
+    u: NDArray[np.float64]
+    """(N,) columns in pixels of the whole picture, distorted as the lens does it; the centre of
+    the top left pixel is 0."""
+    v: NDArray[np.float64]
+    """(N,) rows."""
+    intensity: NDArray[np.float64]
+    """(N,) height of the line above its background, in grey levels."""
+    sigma_px: NDArray[np.float64]
+    """(N,) standard deviation of the measured coordinate, above 0."""
+    width_px: int
+    """Of the whole picture that u and v refer to."""
+    height_px: int
+    exposure_us: float
+    laser_on: bool
+    pulse: int | None = None
+    """As of ``Frame``."""
+
+
+SensorReading = Frame | Line
+Delivery = Literal["picture", "line"]
+"""What a sensor sends of an exposure."""
+
+
+@dataclass(frozen=True, slots=True)
 class ArmInfo:
     """Properties of an arm, known after ``open``."""
 
@@ -146,6 +181,8 @@ class SensorInfo:
     """The event that the device stamps; ``mid_exposure_ns`` has been computed from it."""
     free_running: bool = True
     """False of a camera that waits for a trigger: its silence is no loss."""
+    delivers: frozenset[Delivery] = frozenset({"picture"})
+    """What it can send. After ``open``, it sends pictures if it can."""
 
 
 @dataclass(slots=True)
@@ -185,9 +222,9 @@ class SensorDriver(Protocol):
     def open(self) -> SensorInfo:
         """Connects; raises ``DeviceError`` if the camera is missing."""
 
-    def read(self, timeout_s: float) -> Frame | None:
-        """The next frame, or None after ``timeout_s``; raises ``DeviceError`` if the camera was
-        lost."""
+    def read(self, timeout_s: float) -> Frame | Line | None:
+        """The next frame or line, or None after ``timeout_s``; raises ``DeviceError`` if the
+        camera was lost."""
 
     def set_exposure_us(self, exposure_us: float) -> None:
         """Sets the exposure from one of the next frames on; clipped to the range of the sensor."""
@@ -205,6 +242,17 @@ class AnswersWhileSilent(Protocol):
 
     def is_alive(self) -> bool:
         """Whether the device answers; called by the reading thread after a silence."""
+
+
+@runtime_checkable
+class DeliversLines(Protocol):
+    """A camera that sends pictures or lines, as it is told."""
+
+    def set_delivery(self, delivery: Delivery) -> None:
+        """Sends this from one of the next exposures on; idempotent, from any thread.
+
+        Raises ``DeviceError`` if the camera was lost or cannot deliver it.
+        """
 
 
 @runtime_checkable

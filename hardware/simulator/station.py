@@ -10,7 +10,7 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from hardware.interfaces import Button, SensorDriver, SensorInfo
+from hardware.interfaces import Button, Delivery, SensorDriver, SensorInfo
 from hardware.registry import sensor_driver
 from hardware.simulator.devices.arm_device import ArmDevice, ArmFaults, Encoders
 from hardware.simulator.devices.gige_camera.camera import DELAY_MS, LASER_LINE, GigeCamera
@@ -32,6 +32,7 @@ from hardware.simulator.devices.ports import DevicePort, PtyPort, TcpPort
 from hardware.simulator.devices.rtde_server import RobotState, RtdeServer
 from hardware.simulator.operator.holding import SensorMount
 from hardware.simulator.operator.operator import ScriptedOperator
+from hardware.simulator.rendering.line_sensor import LineSensor
 from hardware.simulator.rendering.noise import Detector, RawImage
 from hardware.simulator.rendering.render import Renderer
 from hardware.simulator.rendering.sensor import (
@@ -109,6 +110,8 @@ class SimulationConfig:
     """By how much the arm's stamps are later than the camera's."""
     detector: Detector = field(default_factory=Detector)
     light: Light = field(default_factory=Light)
+    delivers: frozenset[Delivery] = frozenset({"picture"})
+    """Pictures, lines that the camera finds itself, or both; a triggered camera: pictures."""
     triggered: bool = False
     """The arm's pulses trigger the camera."""
     jitter_ms: float = 0.0
@@ -271,6 +274,7 @@ class SimulatedStation:
             has_laser_switch=self.config.laser_switch,
             longest_gap_s=LONGEST_GAP_S,
             free_running=not self.config.triggered,
+            delivers=frozenset({"picture"}) if self.config.triggered else self.config.delivers,
         )
         if self.config.triggered:
             self._triggered = TriggeredSensor(
@@ -278,9 +282,8 @@ class SimulatedStation:
             )
             return self._triggered
         early_ns = round(1e6 * self.config.arm_delay_ms)
-        return SimulatedSensor(
-            self.shared_renderer, info, self.config.frames_hz, self.config.seed, early_ns
-        )
+        make = LineSensor if "line" in info.delivers else SimulatedSensor
+        return make(self.shared_renderer, info, self.config.frames_hz, self.config.seed, early_ns)
 
     def sensor_pose(self, stamp_ns: int) -> Floats:
         """``T_arm_sensor`` (4, 4) as it truly is at a moment."""

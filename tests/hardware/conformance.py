@@ -25,11 +25,15 @@ from hardware.interfaces import (
     ArmRecord,
     Button,
     ButtonEvent,
+    DeliversLines,
+    Delivery,
     Frame,
     JointSample,
+    Line,
     PoseSample,
     SensorDriver,
     SensorInfo,
+    SensorReading,
 )
 
 LONG_S = 10.0
@@ -370,14 +374,50 @@ def read_until_quiet(driver: ArmDriver) -> None:
         assert time.monotonic() < deadline, "the device never falls silent"
 
 
-def next_frame(driver: SensorDriver, within_s: float = LONG_S) -> Frame:
-    """The next frame, waited for."""
+def next_reading(driver: SensorDriver, within_s: float = LONG_S) -> SensorReading:
+    """The next frame or line, waited for."""
     deadline = time.monotonic() + within_s
     while time.monotonic() < deadline:
-        frame = driver.read(0.2)
-        if frame is not None:
-            return frame
+        reading = driver.read(0.2)
+        if reading is not None:
+            return reading
     raise AssertionError(f"no frame within {within_s} s")
+
+
+def next_frame(driver: SensorDriver, within_s: float = LONG_S) -> Frame:
+    """The next picture, waited for."""
+    frame = next_reading(driver, within_s)
+    assert isinstance(frame, Frame), "the sensor sends lines"
+    return frame
+
+
+def read_until_delivery(driver: SensorDriver, delivery: Delivery) -> SensorReading:
+    """Reads until the first frame or line."""
+    wanted = Frame if delivery == "picture" else Line
+    deadline = time.monotonic() + LONG_S
+    while not isinstance(reading := next_reading(driver), wanted):
+        assert time.monotonic() < deadline, f"no {delivery} comes"
+    return reading
+
+
+def assert_is_picture_or_line(reading: SensorReading, info: SensorInfo) -> None:
+    """It is of the size that the sensor says, and a line has points one after the other."""
+    if isinstance(reading, Frame):
+        assert "picture" in info.delivers
+        assert reading.image.shape == (info.height_px, info.width_px)
+        assert reading.image.dtype in (np.uint8, np.uint16)
+        return
+    assert "line" in info.delivers
+    assert (reading.width_px, reading.height_px) == (info.width_px, info.height_px)
+    lists = (reading.u, reading.v, reading.intensity, reading.sigma_px)
+    for numbers in lists:
+        assert numbers.shape == (len(reading.u),)
+        assert np.isfinite(numbers).all()
+    assert np.all(reading.sigma_px > 0)
+    for place, size in ((reading.u, info.width_px), (reading.v, info.height_px)):
+        assert np.all((place >= -0.5) & (place <= size - 0.5))
+    columns, rows = (np.diff(np.floor(place + 0.5)) for place in (reading.u, reading.v))
+    assert np.all(columns > 0) or np.all(rows > 0)
 
 
 class SensorConformance:
@@ -401,17 +441,37 @@ class SensorConformance:
         shortest, longest = info.exposure_range_us
         assert 0 <= shortest <= longest
         for _ in range(3):
-            frame = next_frame(driver)
-            assert frame.image.shape == (info.height_px, info.width_px)
-            assert frame.image.dtype in (np.uint8, np.uint16)
+            assert_is_picture_or_line(next_reading(driver), info)
+        driver.close()
+
+    def test_pictures_or_lines_come_as_told(self, bench: SensorBench) -> None:
+        driver = bench.driver()
+        info = driver.open()
+        first: Delivery = "picture" if "picture" in info.delivers else "line"
+        assert isinstance(next_reading(driver), Frame if first == "picture" else Line)
+        if len(info.delivers) == 1:
+            driver.close()
+            pytest.skip("the sensor sends one of them alone")
+        assert isinstance(driver, DeliversLines)
+        driver.set_laser(True)
+        for delivery in ("line", "line", "picture", "line"):
+            driver.set_delivery(delivery)
+            reading = read_until_delivery(driver, delivery)
+            assert_is_picture_or_line(reading, info)
+            later = next_reading(driver)
+            assert isinstance(later, type(reading))
+            assert later.sequence > reading.sequence
+        driver.close()
+        driver.open()
+        assert isinstance(next_reading(driver), Frame)
         driver.close()
 
     def test_open_twice_is_open_once(self, bench: SensorBench) -> None:
         driver = bench.driver()
         info = driver.open()
-        first = next_frame(driver)
+        first = next_reading(driver)
         assert driver.open() == info
-        assert next_frame(driver).sequence > first.sequence
+        assert next_reading(driver).sequence > first.sequence
         driver.close()
 
     def test_close_twice_then_open_again(self, bench: SensorBench) -> None:
@@ -423,7 +483,7 @@ class SensorConformance:
         with pytest.raises(DeviceError):
             driver.read(0.0)
         driver.open()
-        next_frame(driver)
+        next_reading(driver)
         driver.close()
 
     def test_close_from_another_thread_ends_reading(self, bench: SensorBench) -> None:
@@ -443,7 +503,7 @@ class SensorConformance:
         driver = bench.driver()
         driver.open()
         before = now_ns()
-        frames = [next_frame(driver) for _ in range(12)]
+        frames = [next_reading(driver) for _ in range(12)]
         assert np.all(np.diff([f.mid_exposure_ns for f in frames]) > 0)
         sequence = np.array([f.sequence for f in frames])
         assert np.all(np.diff(sequence) > 0)
@@ -455,11 +515,12 @@ class SensorConformance:
     def test_a_frame_is_not_overwritten_later(self, bench: SensorBench) -> None:
         driver = bench.driver()
         driver.open()
-        first = next_frame(driver)
-        copy = first.image.copy()
+        first = next_reading(driver)
+        numbers = first.image if isinstance(first, Frame) else first.v
+        copy = numbers.copy()
         for _ in range(10):
-            next_frame(driver)
-        np.testing.assert_array_equal(first.image, copy)
+            next_reading(driver)
+        np.testing.assert_array_equal(numbers, copy)
         driver.close()
 
     def test_exposure_stays_within_its_range(self, bench: SensorBench) -> None:
@@ -468,7 +529,7 @@ class SensorConformance:
         for wanted in (shortest, shortest, 2 * longest + 1.0, 0.0):
             driver.set_exposure_us(wanted)
             for _ in range(8):
-                frame = next_frame(driver)
+                frame = next_reading(driver)
             assert shortest <= frame.exposure_us <= longest
         driver.close()
 
@@ -479,7 +540,7 @@ class SensorConformance:
         for on in (True, True, False, False, True):
             driver.set_laser(on)
             for _ in range(8):
-                frame = next_frame(driver)
+                frame = next_reading(driver)
             assert not has_switch or frame.laser_on == on
         driver.close()
         driver.set_laser(False)
@@ -487,7 +548,7 @@ class SensorConformance:
     def test_loss_is_an_error_and_open_works_again(self, bench: SensorBench) -> None:
         driver = bench.driver()
         driver.open()
-        next_frame(driver)
+        next_reading(driver)
         bench.unplug()
         error = read_until_lost(lambda: driver.read(0.1))
         assert error.what
@@ -496,7 +557,7 @@ class SensorConformance:
             driver.open()
         bench.plug_in()
         driver.open()
-        next_frame(driver)
+        next_reading(driver)
         assert driver.health.received > 0
         driver.close()
 
@@ -563,7 +624,7 @@ class SensorConformance:
     def test_a_device_that_no_longer_obeys_is_lost(self, bench: SensorBench) -> None:
         driver = bench.driver()
         driver.open()
-        next_frame(driver)
+        next_reading(driver)
         bench.revoke_control()
         error = read_until_lost(lambda: driver.read(0.1))
         assert error.remedy

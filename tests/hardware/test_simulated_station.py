@@ -13,8 +13,9 @@ import pytest
 
 from hardware.arm.serial_encoder import from_options
 from hardware.clock import now_ns
-from hardware.interfaces import Button, Frame, SensorDriver
+from hardware.interfaces import Button, Delivery, Frame, SensorDriver
 from hardware.simulator.devices.kinematics import ArmLink, ArmModel, Floats, flange_pose
+from hardware.simulator.rendering.line_sensor import find_line
 from hardware.simulator.rendering.noise import Detector
 from hardware.simulator.station import SimulatedStation, SimulationConfig
 from tests.hardware.conformance import (
@@ -66,6 +67,40 @@ def bench(simulation: SimulatedStation) -> SimulatedSensorBench:
 
 class TestSimulatedSensor(SensorConformance):
     """The simulated sensor is a sensor."""
+
+
+@pytest.mark.parametrize("delivers", [{"line"}, {"picture", "line"}], ids=["lines", "both"])
+class TestSimulatedLineSensor(SensorConformance):
+    """So it is when its camera finds the line."""
+
+    @pytest.fixture
+    def bench(self, delivers: set[Delivery]) -> Iterator[SimulatedSensorBench]:
+        with SimulatedStation(replace(SMALL, delivers=frozenset(delivers))) as simulation:
+            yield SimulatedSensorBench(simulation)
+
+
+def test_the_line_that_the_camera_finds_is_where_the_light_is() -> None:
+    """Against a line of light without noise, the scatter is as stated, and the mean is right."""
+    sharp = Detector(read_dn=0.0, shot_dn=0.0, speckle_contrast=0.0)
+    rows = 100.3 + 0.05 * np.arange(300)
+    errors: list[Floats] = []
+    sigmas: list[Floats] = []
+    profile = np.exp(-(((np.arange(256)[:, None] - rows) / 1.8) ** 2) / 2)
+    noisy = Detector()
+    random = np.random.default_rng(6)
+    for detector in (sharp, noisy):
+        light = detector.dark_dn + detector.stripe_dn * profile
+        errors.clear()
+        for _ in range(20):
+            sd = np.sqrt(detector.read_dn**2 + detector.shot_dn * detector.stripe_dn * profile)
+            image = np.clip(np.round(light + sd * random.normal(size=light.shape)), 0, 255)
+            frame = Frame(1, 2, image.astype(np.uint8), 3.0, True)
+            line = find_line(frame, replace(detector, speckle_contrast=0.0))
+            np.testing.assert_array_equal(line.u, np.arange(300))
+            errors.append(line.v - rows)
+            sigmas.append(line.sigma_px)
+        assert abs(np.mean(errors)) < 0.005
+    assert np.std(errors) == pytest.approx(np.mean(sigmas[-20:]), rel=0.3)
 
 
 def model_of(datasheet: object) -> ArmModel:

@@ -50,7 +50,7 @@ def collect(rig: Rig, count: int) -> list[Frame]:
     deadline = time.monotonic() + 60
     while len(frames) < count:
         assert time.monotonic() < deadline, f"only {len(frames)} frames"
-        frames += tap.get(count, 0.2)
+        frames += [one for one in tap.get(count, 0.2) if isinstance(one, Frame)]
     rig.sensor.frames.untap(tap)
     return frames
 

@@ -9,7 +9,7 @@ from app.messages.message import message, quantity
 from app.station.devices.frame_hub import FrameHub
 from app.station.devices.reading_buffer import ReadingMean
 from hardware.clock import now_ns
-from hardware.interfaces import Frame
+from hardware.interfaces import Frame, Line, SensorReading
 
 FRAME_TIMEOUT_S = 3.0
 # The joints are averaged over at least this long, whatever the exposure.
@@ -67,6 +67,16 @@ def capture(
     return Capture(ambient, laser, "ambient" if laser is None else "pair", joints)
 
 
+def no_pictures_error() -> OperationError:
+    """Of a sensor that sends lines where a picture is needed."""
+    return OperationError(
+        "no-pictures",
+        message("sensor-sends-lines-no-pictures"),
+        message("this-needs-pictures"),
+        message("set-sensor-send-pictures"),
+    )
+
+
 def _take_lit(hub: FrameHub, set_laser: SwitchLaser, needed: bool) -> Frame | None:
     """A picture with the laser on; None if it does not switch on, and is not needed."""
     try:
@@ -78,7 +88,7 @@ def _take_lit(hub: FrameHub, set_laser: SwitchLaser, needed: bool) -> Frame | No
         return None
 
 
-def _exposure_start_ns(frame: Frame) -> int:
+def _exposure_start_ns(frame: SensorReading) -> int:
     return frame.mid_exposure_ns - int(500 * frame.exposure_us)
 
 
@@ -106,6 +116,9 @@ def _wait_for_frame(hub: FrameHub, switched_ns: int, laser_on: bool | None) -> F
             message("sensor-reports-laser-other-state"),
             message("check-lasers-interlock-key-switch-capture"),
         )
+    newest = hub.newest
+    if isinstance(newest, Line) and _exposure_start_ns(newest) >= switched_ns:
+        raise no_pictures_error()
     raise OperationError(
         "sensor-lost",
         message("no-picture-came-within", limit=quantity(FRAME_TIMEOUT_S, "s")),

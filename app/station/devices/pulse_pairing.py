@@ -15,10 +15,13 @@ from collections import deque
 from dataclasses import replace
 from itertools import pairwise
 from statistics import median
+from typing import TypeVar
 
 import numpy as np
 
-from hardware.interfaces import Frame
+from hardware.interfaces import SensorReading
+
+Reading = TypeVar("Reading", bound=SensorReading)
 
 STORED_PULSES = 512
 STORED_FRAMES = 64
@@ -77,8 +80,8 @@ class PulsePairing:
             self._pulses.append((pulse, stamp_ns))
             self._changed.notify_all()
 
-    def pair(self, frame: Frame) -> Frame | None:
-        """The frame with the middle of its exposure by the arm's clock; None while unknown.
+    def pair(self, frame: Reading) -> Reading | None:
+        """The frame or line with the middle of its exposure by the arm's clock; None while unknown.
 
         Waits a little for the sample of its pulse. A frame without a count stays as it is.
         """

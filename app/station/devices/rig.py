@@ -124,20 +124,22 @@ class Rig:
 
         Raises:
             OperationError: ``arm-moving`` before, ``arm-moved`` during the capture,
-                ``arm-lost``, ``no-arm-model``, ``sensor-lost``, ``laser-stuck``, ``busy``.
+                ``arm-lost``, ``no-arm-model``, ``sensor-lost``, ``laser-stuck``, ``no-pictures``,
+                ``busy``.
         """
         _, info = self.sensor.open_driver()
         if not self._capturing.acquire(blocking=False):
             raise OperationError("busy", message("picture-being-taken-already"))
         try:
             self.arm.average()
-            return capture(
-                self.sensor.frames,
-                self.sensor.set_laser if info.has_laser_switch else None,
-                self.sensor.laser_on,
-                lambda first_ns, last_ns: self.arm.mean_over(first_ns, last_ns, "arm-moved"),
-                needs_laser,
-            )
+            with self.sensor.pictures():
+                return capture(
+                    self.sensor.frames,
+                    self.sensor.set_laser if info.has_laser_switch else None,
+                    self.sensor.laser_on,
+                    lambda first_ns, last_ns: self.arm.mean_over(first_ns, last_ns, "arm-moved"),
+                    needs_laser,
+                )
         finally:
             self._capturing.release()
 

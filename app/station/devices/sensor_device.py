@@ -1,19 +1,22 @@
 """The sensor of the rig: its frames, its laser, its exposure."""
 
+import threading
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager, suppress
 
 from app.errors import OperationError
 from app.messages.message import message
 from app.station.bus import Bus
 from app.station.devices.auto_exposure import MOST_STEPS, better_exposure_us
+from app.station.devices.capture import no_pictures_error
 from app.station.devices.device_thread import READ_TIMEOUT_S, DeviceReader
 from app.station.devices.frame_hub import FrameHub
 from app.station.devices.link_state import DeviceState, device_state
 from app.station.devices.pulse_pairing import PulsePairing
 from hardware.clock import now_ns
 from hardware.errors import DeviceError
-from hardware.interfaces import Frame, SensorDriver, SensorInfo
+from hardware.interfaces import DeliversLines, Delivery, Frame, Line, SensorDriver, SensorInfo
 
 Better = Callable[[Frame, tuple[float, float]], float | None]
 
@@ -37,6 +40,9 @@ class StationSensor:
         self.frames = FrameHub()
         self._exposure_wanted_us: float | None = None
         self._laser_wanted = False
+        self._delivering = threading.RLock()
+        self._lines_wanted = False
+        self._picture_users = 0
         self._last_frame_s = 0.0
         self.reader: DeviceReader[SensorDriver, SensorInfo] = DeviceReader(
             "sensor",
@@ -52,6 +58,7 @@ class StationSensor:
         """Switches the laser off and changes to another sensor, with an exposure of its own."""
         self.laser_off()
         self._exposure_wanted_us = None
+        self._lines_wanted = False
         self.reader.replace(make)
         self.frames.clear()
 
@@ -81,7 +88,7 @@ class StationSensor:
     @property
     def laser_on(self) -> bool:
         """As last switched; if the laser has no switch, as stated by the frames."""
-        info, latest = self.info, self.frames.latest
+        info, latest = self.info, self.frames.newest
         if info is None:
             return False
         if info.has_laser_switch:
@@ -90,8 +97,8 @@ class StationSensor:
 
     @property
     def exposure_us(self) -> float | None:
-        """The exposure of the latest frame; None without a sensor."""
-        latest = self.frames.latest
+        """The exposure of the latest frame or line; None without a sensor."""
+        latest = self.frames.newest
         return latest.exposure_us if latest is not None and self.info else None
 
     def set_laser(self, on: bool) -> None:
@@ -139,14 +146,65 @@ class StationSensor:
         Blocks for about a second; outside the range, the exposure stays at the limit.
         """
         _, info = self.open_driver()
-        frame = self._next_frame(now_ns(), None)
-        for _ in range(MOST_STEPS):
-            wanted = better(frame, info.exposure_range_us)
-            if wanted is None:
-                break
-            self.set_exposure_us(wanted)
-            frame = self._next_frame(now_ns(), wanted)
-        return frame.exposure_us
+        with self.pictures():
+            frame = self._next_frame(now_ns(), None)
+            for _ in range(MOST_STEPS):
+                wanted = better(frame, info.exposure_range_us)
+                if wanted is None:
+                    break
+                self.set_exposure_us(wanted)
+                frame = self._next_frame(now_ns(), wanted)
+            return frame.exposure_us
+
+    def want_lines(self, on: bool) -> None:
+        """Has the sensor deliver lines from now on if it can, or pictures again.
+
+        Kept over a reconnection. Without a sensor, it takes effect when it is back.
+
+        Raises:
+            OperationError: the sensor refuses.
+        """
+        with self._delivering:
+            self._lines_wanted = on
+            self._set_delivery()
+
+    @contextmanager
+    def pictures(self) -> Iterator[None]:
+        """The sensor delivers pictures while such a block is open.
+
+        Raises:
+            OperationError: ``no-pictures`` of a sensor that delivers lines alone, ``sensor-lost``.
+        """
+        _, info = self.open_driver()
+        if "picture" not in info.delivers:
+            raise no_pictures_error()
+        with self._delivering:
+            self._picture_users += 1
+            try:
+                self._set_delivery()
+            except OperationError:
+                self._picture_users -= 1
+                raise
+        try:
+            yield
+        finally:
+            with self._delivering:
+                self._picture_users -= 1
+                with suppress(OperationError):  # a lost sensor is told when it is back
+                    self._set_delivery()
+
+    def _set_delivery(self) -> None:
+        driver, info = self.reader.driver, self.info
+        if driver is None or info is None:
+            return
+        try:
+            _deliver(driver, info, self._delivery)
+        except DeviceError as error:
+            raise OperationError("sensor-lost", error.what, remedy=error.remedy) from error
+
+    @property
+    def _delivery(self) -> Delivery:
+        return "line" if self._lines_wanted and not self._picture_users else "picture"
 
     def open_driver(self) -> tuple[SensorDriver, SensorInfo]:
         """The open driver; raises ``OperationError`` if there is none."""
@@ -173,6 +231,9 @@ class StationSensor:
 
         frame = self.frames.wait(as_wanted, 1.0) or self.frames.wait(later, FRAME_TIMEOUT_S)
         if frame is None:
+            newest = self.frames.newest
+            if isinstance(newest, Line) and newest.mid_exposure_ns > after_ns:
+                raise no_pictures_error()
             raise OperationError(
                 "sensor-lost", message("no-picture-came-sensor"), remedy=message("wait-until-back")
             )
@@ -182,6 +243,8 @@ class StationSensor:
         """Restores the state of a sensor that is back."""
         if self._exposure_wanted_us is not None:
             driver.set_exposure_us(self._exposure_wanted_us)
+        with self._delivering:
+            _deliver(driver, info, self._delivery)
         if info.has_laser_switch:
             away_s = time.monotonic() - self._last_frame_s
             self._laser_wanted = self._laser_wanted and away_s <= LASER_RESTORE_S
@@ -200,3 +263,9 @@ class StationSensor:
             frame = paired
         self.frames.put(frame)
         return 1
+
+
+def _deliver(driver: SensorDriver, info: SensorInfo, delivery: Delivery) -> None:
+    """Tells a sensor that has the choice; raises ``DeviceError``."""
+    if len(info.delivers) > 1 and isinstance(driver, DeliversLines):
+        driver.set_delivery(delivery)

@@ -33,12 +33,13 @@ from app.station.preview.capture_aids import (
     line_aid,
 )
 from app.station.preview.image_quality import Box, measure_image, saturation, stillness_findings
+from app.station.preview.line_picture import draw_line
 from app.station.preview.target_overlay import DetectedCorner, Segment
 from app.station.preview.target_watch import NO_DETECTION, TargetDetection, TargetWatch
 from app.station.scan.extraction import Extraction, extraction_by
 from app.station.working_distance import Band, WorkingRange
 from hardware.clock import now_ns
-from hardware.interfaces import Frame
+from hardware.interfaces import Frame, Line, SensorReading
 
 log = logging.getLogger(__name__)
 
@@ -185,13 +186,17 @@ class Preview:
                 if self._stopping:
                     return
             started_s = time.monotonic()
-            frame = self._sensor.frames.wait(_other_than(last_sequence), 0.2)
+            frame = self._sensor.frames.wait_newest(_other_than(last_sequence), 0.2)
             if frame is None:
                 continue
             last_sequence = frame.sequence
             sequence += 1
             try:
-                self._latest = self._picture(frame, sequence)
+                self._latest = (
+                    self._picture(frame, sequence)
+                    if isinstance(frame, Frame)
+                    else self._line_picture(frame, sequence)
+                )
             except Exception:  # one odd picture must not end the preview
                 log.exception("a preview could not be created")
                 continue
@@ -209,9 +214,7 @@ class Preview:
             findings.append(seen.finding)
         height, width = frame.image.shape
         percent, boxes = saturation(frame.image)
-        distances = self._distances
-        if distances is not None and not distances.fits(width, height):
-            distances = None
+        distances = self._distances_of(width, height)
         header = PreviewHeader(
             seq=sequence,
             width_px=width,
@@ -229,6 +232,43 @@ class Preview:
             aids=tuple(self._aids(frame, stripe, seen, measures, distances)),
         )
         return PreviewImage(header, jpeg(frame.image))
+
+    def _line_picture(self, line: Line, sequence: int) -> PreviewImage:
+        """The line on a dark ground: of pictures that the sensor keeps to itself, nothing is
+        known."""
+        stripe = self._line_stripe(line)
+        stillness = self._arm.stillness()
+        distances = self._distances_of(line.width_px, line.height_px)
+        away = distances.stripe_distance(stripe) if distances is not None and stripe else None
+        header = PreviewHeader(
+            seq=sequence,
+            width_px=line.width_px,
+            height_px=line.height_px,
+            age_s=(now_ns() - line.mid_exposure_ns) / 1e9,
+            stripe=decimate(stripe),
+            corners=(),
+            outline=(),
+            saturated_percent=0.0,
+            laser_on=line.laser_on,
+            arm_still=stillness.still,
+            findings=tuple(stillness_findings(stillness)),
+            band=distances.band if distances is not None else None,
+            aids=() if away is None else (distance_aid(away),),
+        )
+        return PreviewImage(header, jpeg(draw_line(line)))
+
+    def _line_stripe(self, line: Line) -> Stripe | None:
+        if not line.laser_on:
+            return None
+        try:
+            return self._extraction.line_stripe(line)
+        except OperationError:
+            return None
+
+    def _distances_of(self, width_px: int, height_px: int) -> WorkingRange | None:
+        """In pictures of this size; None if the calibration is of another."""
+        distances = self._distances
+        return distances if distances is not None and distances.fits(width_px, height_px) else None
 
     def _aids(
         self,
@@ -309,5 +349,5 @@ def decimate(stripe: Stripe | None) -> tuple[tuple[float, float], ...]:
     return tuple(zip(u.tolist(), v.tolist(), strict=True))
 
 
-def _other_than(sequence: int) -> Callable[[Frame], bool]:
+def _other_than(sequence: int) -> Callable[[SensorReading], bool]:
     return lambda frame: frame.sequence != sequence

@@ -6,9 +6,13 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
+from app.errors import OperationError
 from app.formats.settings.scan_settings import ScanSettings
+from app.messages.message import message
 from app.metrology.image import Image
 from app.metrology.stripe import AUTOMATIC, Stripe, StripeSettings, StripeTracker, extract_stripe
+from app.metrology.transforms import Floats
+from hardware.interfaces import Line
 
 
 @dataclass(frozen=True)
@@ -28,6 +32,38 @@ class Extraction:
     def band(self, image: Image) -> StripeTracker:
         """For frames of this size that follow one another."""
         return StripeTracker(self.axis, self._where(image), self.settings)
+
+    def line_stripe(self, line: Line) -> Stripe:
+        """The stripe that the sensor found itself, without its points in the zones.
+
+        Points that are not numbers, or lie outside the picture, are left out.
+
+        Raises:
+            OperationError: the lists are not of one length.
+        """
+        lists = [
+            np.asarray(numbers, dtype=np.float64)
+            for numbers in (line.u, line.v, line.intensity, line.sigma_px)
+        ]
+        if {numbers.shape for numbers in lists} != {(len(lists[0]),)}:
+            raise OperationError(
+                "odd-line", message("sensors-line-lists-differ"), remedy=message("start-again-2")
+            )
+        u, v, intensity, sigma_px = (numbers[self._is_usable(line, *lists)] for numbers in lists)
+        return Stripe(u, v, intensity, sigma_px, self.axis)
+
+    def _is_usable(
+        self, line: Line, u: Floats, v: Floats, intensity: Floats, sigma_px: Floats
+    ) -> NDArray[np.bool_]:
+        """(N,) which points of a line have a place in the picture, outside the zones."""
+        with np.errstate(invalid="ignore"):
+            column, row = np.floor(u + 0.5), np.floor(v + 0.5)
+            usable = (column >= 0) & (column < line.width_px) & (row >= 0) & (row < line.height_px)
+            usable &= np.isfinite(intensity) & np.isfinite(sigma_px) & (sigma_px > 0)
+        if self.where is not None and self.where.shape == (line.height_px, line.width_px):
+            rows, columns = row[usable].astype(int), column[usable].astype(int)
+            usable[usable] = self.where[rows, columns]
+        return usable
 
     def _where(self, image: Image) -> NDArray[np.bool_] | None:
         return self.where if self.where is not None and self.where.shape == image.shape else None

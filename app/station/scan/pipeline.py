@@ -1,4 +1,4 @@
-"""A running scan: frames to stripes, stripes to the recording, to points, to the display."""
+"""A running scan: frames or lines to stripes, to the recording, to points, to the display."""
 
 import logging
 import os
@@ -26,7 +26,7 @@ from app.station.scan.points import PointMaker, ScanCalibration, Show
 from app.station.scan.recorder import Recorder, StripeFrame
 from app.station.scan.scan_speed import ScanSpeed
 from app.station.scan.storage import CLOUD, RECORDING
-from hardware.interfaces import Frame
+from hardware.interfaces import Frame, SensorReading
 
 log = logging.getLogger(__name__)
 
@@ -165,34 +165,37 @@ class ScanPipeline:
                 frames = [frame for frame in taken if frame.laser_on]
                 if self._settings.record_pictures:
                     for frame in frames:
-                        self._recorder.offer_picture(frame)
+                        if isinstance(frame, Frame):
+                            self._recorder.offer_picture(frame)
                 if frames:
                     self._extracting.put(pool.submit(self._extract, frames))
         self._extracting.put(None)
 
-    def _extract(self, frames: Sequence[Frame]) -> list[StripeFrame]:
-        """On a worker's thread: the frames' stripes.
+    def _extract(self, frames: Sequence[SensorReading]) -> list[StripeFrame]:
+        """On a worker's thread: the stripes of frames, and those that the sensor found itself.
 
         Where frames wait for it, the stripe is followed from the first one on.
         """
         extraction = self._extraction
         for frame in frames:
             self._check_size(frame)
-        band = extraction.band(frames[0].image) if len(frames) == BATCH_FRAMES else None
-        return [
-            StripeFrame(
-                frame.mid_exposure_ns,
-                band.extract(frame.image) if band else extraction.stripe(frame.image),
-                frame.image.shape[1],
-                frame.image.shape[0],
-                frame.exposure_us,
+        pictures = [frame for frame in frames if isinstance(frame, Frame)]
+        band = extraction.band(pictures[0].image) if len(pictures) == BATCH_FRAMES else None
+        found = []
+        for frame in frames:
+            if not isinstance(frame, Frame):
+                stripe = extraction.line_stripe(frame)
+            else:
+                stripe = band.extract(frame.image) if band else extraction.stripe(frame.image)
+            height, width = _shape(frame)
+            found.append(
+                StripeFrame(frame.mid_exposure_ns, stripe, width, height, frame.exposure_us)
             )
-            for frame in frames
-        ]
+        return found
 
-    def _check_size(self, frame: Frame) -> None:
+    def _check_size(self, frame: SensorReading) -> None:
         """Pixels of another picture would become points in wrong places."""
-        camera, shape = self._calibration.camera, frame.image.shape
+        camera, shape = self._calibration.camera, _shape(frame)
         if shape != (camera.height_px, camera.width_px):
             raise OperationError(
                 "image-size",
@@ -271,6 +274,13 @@ class ScanPipeline:
         before, at = self._calibration.sensor_poses(np.stack([before_reading, readings]))
         stripe_mm, spread = self._calibration.points([frame.stripe], np.eye(4)[None])
         self.speed.judge(stripe_mm, spread, (before, at), stamp_ns, frame.exposure_us, frames)
+
+
+def _shape(frame: SensorReading) -> tuple[int, ...]:
+    """Height and width of the picture; more numbers if it is not grey."""
+    if isinstance(frame, Frame):
+        return frame.image.shape
+    return frame.height_px, frame.width_px
 
 
 def _failure_error(error: Exception) -> OperationError:

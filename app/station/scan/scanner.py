@@ -3,6 +3,7 @@
 import threading
 import time
 from collections.abc import Callable
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from datetime import UTC, datetime
 from pathlib import Path
@@ -127,6 +128,8 @@ class Scanner:
             self._settings = settings
             if self._scan is not None and self._scan.ended_s is None:
                 self._scan.pipeline.apply(settings)
+                with suppress(OperationError):  # a lost sensor is told when it is back
+                    self._choose_delivery(settings)
 
     def load(self) -> ScanLoad | None:
         """What the running scan asks of the machine; None while none runs."""
@@ -180,6 +183,7 @@ class Scanner:
             try:
                 if self._settings.exposure_us is not None:
                     self._rig.sensor.set_exposure_us(self._settings.exposure_us)
+                self._choose_delivery(self._settings)
                 pipeline = ScanPipeline(
                     self._rig.arm,
                     self._rig.sensor,
@@ -190,7 +194,7 @@ class Scanner:
                     {SCAN_NAME: str(name), SCAN_STARTED: started_at},
                 )
             except OperationError:
-                self._rig.sensor.laser_off()
+                self._end_delivery()
                 raise
             self._scan = _Running(
                 scan_id,
@@ -212,7 +216,7 @@ class Scanner:
                 return None
             scan.stopping = True
             scan.ended_s = time.monotonic()
-        self._rig.sensor.laser_off()
+        self._end_delivery()
         self._publish()
         try:
             scan.pipeline.stop()
@@ -272,6 +276,16 @@ class Scanner:
             pictures=scan.pipeline.pictures[0],
             findings=scan_findings(scan.pipeline, self._rig, running),
         )
+
+    def _choose_delivery(self, settings: ScanSettings) -> None:
+        """A sensor that can deliver lines does, unless its pictures are to be recorded."""
+        self._rig.sensor.want_lines(not settings.record_pictures)
+
+    def _end_delivery(self) -> None:
+        """Laser off, and pictures again."""
+        self._rig.sensor.laser_off()
+        with suppress(OperationError):  # a lost sensor begins with pictures when it is back
+            self._rig.sensor.want_lines(False)
 
     def _is_running(self) -> bool:
         scan = self._scan

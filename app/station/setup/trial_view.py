@@ -96,7 +96,7 @@ def view_sensor(
     number: int, subject: TrialSubject, sensor: StationSensor, ended: Text = ""
 ) -> TrialView:
     """The view of a sensor; as ``view_arm``."""
-    info, link, latest = sensor.info, sensor.reader.link(), sensor.frames.latest
+    info, link, latest = sensor.info, sensor.reader.link(), sensor.frames.newest
     shortest, longest = info.exposure_range_us if info else (0.0, 0.0)
     return TrialView(
         number=number,

@@ -10,6 +10,7 @@ from app.station.bus import Bus
 from app.station.devices.arm_device import StationArm
 from app.station.devices.rig import Rig
 from app.station.devices.sensor_device import StationSensor
+from app.station.preview.line_picture import picture_of
 from app.station.preview.preview import jpeg
 from app.station.setup.drivers import arm_factory, sensor_factory
 from app.station.setup.trial_view import TrialSubject, TrialView, view_arm, view_sensor
@@ -92,16 +93,16 @@ class DeviceTrials:
         return trial.view()
 
     def picture(self) -> bytes:
-        """The newest picture as JPEG, its longer side at most 800 px.
+        """The newest picture, or the newest line drawn, as JPEG, its longer side at most 800 px.
 
         Raises:
             OperationError: no camera is tried, or it has sent no picture yet.
         """
         trial = self._trial
-        latest = trial.sensor.frames.latest if trial is not None and trial.sensor else None
+        latest = trial.sensor.frames.newest if trial is not None and trial.sensor else None
         if latest is None:
             raise OperationError("no-picture", message("no-picture-came-sensor"))
-        return jpeg(latest.image)
+        return jpeg(picture_of(latest))
 
     def stop(self) -> None:
         """Ends the trial and forgets it; idempotent."""

@@ -16,9 +16,9 @@ import numpy as np
 from app.messages.message import message
 from hardware.clock import now_ns
 from hardware.errors import DeviceError
-from hardware.interfaces import Frame, LinkHealth, SensorInfo
+from hardware.interfaces import Frame, LinkHealth, SensorInfo, SensorReading
 from hardware.simulator.devices.kinematics import Floats
-from hardware.simulator.rendering.noise import RawImage
+from hardware.simulator.rendering.noise import Detector, RawImage
 from hardware.simulator.rendering.render import QUICK, SMEARED, Renderer
 
 EXPOSURE_RANGE_US = (50.0, 20_000.0)
@@ -81,6 +81,13 @@ class SharedRenderer:
         with self._lock:
             if self._renderer is None:
                 self._renderer = self._make()
+
+    @property
+    def detector(self) -> Detector:
+        """Of the camera; there once prepared."""
+        renderer = self._renderer
+        assert renderer is not None, "prepare comes first"
+        return renderer.detector
 
     def expose(self, mid_ns: int, exposure_us: float, laser_share: float) -> RawImage:
         """What the camera sees; ``mid_ns`` is the middle of the exposure, ``laser_share`` the part
@@ -151,7 +158,7 @@ class SimulatedSensor:
                 self._due_ns = float(now_ns())
             return self._info
 
-    def read(self, timeout_s: float) -> Frame | None:
+    def read(self, timeout_s: float) -> SensorReading | None:
         deadline_ns = now_ns() + round(timeout_s * 1e9)
         while True:
             with self._state:
@@ -172,7 +179,12 @@ class SimulatedSensor:
                     self._health.lost += 1
                     continue
                 self._health.received += 1
-            return Frame(sequence, mid_ns - self._early_ns, image, exposure_us, laser_on)
+            stamp_ns = mid_ns - self._early_ns
+            return self._deliver(Frame(sequence, stamp_ns, image, exposure_us, laser_on))
+
+    def _deliver(self, frame: Frame) -> SensorReading:
+        """What is sent of a frame."""
+        return frame
 
     def _wait_for_readout(self, deadline_ns: int) -> bool:
         """Until the frame that is due has been exposed and read out; False at the deadline."""
