@@ -246,7 +246,7 @@ class AnswersWhileSilent(Protocol):
 
 @runtime_checkable
 class DeliversLines(Protocol):
-    """A camera that sends pictures or lines, as it is told."""
+    """A camera that can be switched between pictures and lines."""
 
     def set_delivery(self, delivery: Delivery) -> None:
         """Sends this from one of the next exposures on; idempotent, from any thread.

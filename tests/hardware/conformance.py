@@ -444,7 +444,7 @@ class SensorConformance:
             assert_is_picture_or_line(next_reading(driver), info)
         driver.close()
 
-    def test_pictures_or_lines_come_as_told(self, bench: SensorBench) -> None:
+    def test_pictures_or_lines_come_as_switched(self, bench: SensorBench) -> None:
         driver = bench.driver()
         info = driver.open()
         first: Delivery = "picture" if "picture" in info.delivers else "line"

@@ -190,7 +190,7 @@ class StationSensor:
         finally:
             with self._delivering:
                 self._picture_users -= 1
-                with suppress(OperationError):  # a lost sensor is told when it is back
+                with suppress(OperationError):  # a lost sensor follows when it is back
                     self._set_delivery()
 
     def _set_delivery(self) -> None:

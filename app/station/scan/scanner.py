@@ -128,7 +128,7 @@ class Scanner:
             self._settings = settings
             if self._scan is not None and self._scan.ended_s is None:
                 self._scan.pipeline.apply(settings)
-                with suppress(OperationError):  # a lost sensor is told when it is back
+                with suppress(OperationError):  # a lost sensor follows when it is back
                     self._choose_delivery(settings)
 
     def load(self) -> ScanLoad | None:
