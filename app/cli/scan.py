@@ -1,6 +1,7 @@
 """The command line's part for scans: rebuilt, compared, and shown again."""
 
 import time
+from collections.abc import Sequence
 from dataclasses import asdict
 from pathlib import Path
 from typing import Annotated
@@ -17,11 +18,42 @@ from app.console import (
     warn,
 )
 
+EachCalibration = Annotated[
+    list[str],
+    typer.Option(
+        metavar="[NAME=]CALIBRATION",
+        help="The sensor's calibration.json; of several sensors, one for each, as in "
+        "left=calibration.json.",
+    ),
+]
+
+
+def paths_by_sensor(given: Sequence[str]) -> dict[str, Path]:
+    """Files by the name of their sensor, as given; an empty name without one.
+
+    Raises:
+        typer.BadParameter: two files for one sensor, or some without a name.
+    """
+    from app.formats.recording.topics import SENSOR_NAME
+
+    found: dict[str, Path] = {}
+    for text in given:
+        name, equals, path = text.partition("=")
+        if not (equals and SENSOR_NAME.fullmatch(name)) or Path(text).exists():
+            name, path = "", text
+        if name in found or (found and ("" in found or not name)):
+            raise typer.BadParameter(
+                "of several sensors, give each its own, as in left=calibration.json",
+                param_hint="'--calibration'",
+            )
+        found[name] = Path(path)
+    return found
+
 
 @report_errors
 def reconstruct(
     recording: Annotated[Path, typer.Argument(metavar="SCAN.mcap", help="A scan recording.")],
-    calibration: Annotated[Path, typer.Option(help="The sensor's calibration.json.")],
+    calibration: EachCalibration,
     arm: Annotated[Path, typer.Option(help="The arm's arm.json.")],
     output: Annotated[
         Path,
@@ -58,14 +90,20 @@ def reconstruct(
     from app.workflows.estimate_delay import read_sync
     from app.workflows.reconstruct import reconstruct_cloud
 
+    files = paths_by_sensor(calibration)
+    if sync is not None and len(files) > 1:
+        raise typer.BadParameter(
+            "is of one sensor; the recording states the delay of each", param_hint="'--sync'"
+        )
     began = time.perf_counter()
-    check_output_path(output, [recording, calibration, arm, *([sync] if sync else [])])
-    sensor, arm_model = read_calibration(calibration), read_any_arm(arm)
+    check_output_path(output, [recording, *files.values(), arm, *([sync] if sync else [])])
+    sensors = {name: read_calibration(path) for name, path in files.items()}
+    arm_model = read_any_arm(arm)
     delay_ns = None if delay_ms is None else round(1e6 * delay_ms)
     if sync is not None:
-        delay_ns = read_sync(sync, sensor, arm_model).delay_ns
+        delay_ns = read_sync(sync, next(iter(sensors.values())), arm_model).delay_ns
     with progress_bar("Reconstructing", not as_json) as progress:
-        rebuilt = reconstruct_cloud(recording, sensor, arm_model, output, progress, delay_ns)
+        rebuilt = reconstruct_cloud(recording, sensors, arm_model, output, progress, delay_ns)
     seconds = time.perf_counter() - began
     for text in rebuilt.warnings:
         warn(text)
@@ -96,7 +134,13 @@ def sync(
             help="A pass over a plane, moving nearer and away again several times.",
         ),
     ],
-    calibration: Annotated[Path, typer.Option(help="The sensor's calibration.json.")],
+    calibration: Annotated[
+        str,
+        typer.Option(
+            metavar="[NAME=]CALIBRATION",
+            help="The sensor's calibration.json; of several sensors, the one with this name.",
+        ),
+    ],
     arm: Annotated[Path, typer.Option(help="The arm's arm.json.")],
     output: Annotated[Path, typer.Option("-o", "--output", help="Output file.")] = Path(
         "sync.json"
@@ -112,10 +156,11 @@ def sync(
     from app.formats.results.calibration import read_calibration
     from app.workflows.estimate_delay import estimate_recording_delay as run
 
-    check_output_path(output, (recording, calibration, arm))
-    sensor, arm_model = read_calibration(calibration), read_any_arm(arm)
+    ((name, file),) = paths_by_sensor([calibration]).items()
+    check_output_path(output, (recording, file, arm))
+    sensor, arm_model = read_calibration(file), read_any_arm(arm)
     with progress_bar("Determining the delay", not as_json) as progress:
-        document = run(recording, sensor, arm_model, progress)
+        document = run(recording, sensor, arm_model, progress, sensor=name)
         document.write(output)
     if as_json:
         print_json({**document.fields(), "file": str(output)})
@@ -215,8 +260,12 @@ def study(
 def replay(
     recording: Annotated[Path, typer.Argument(metavar="SCAN.mcap", help="A scan recording.")],
     calibration: Annotated[
-        Path | None,
-        typer.Option(help="The sensor's calibration.json; default: beside the recording."),
+        list[str] | None,
+        typer.Option(
+            metavar="[NAME=]CALIBRATION",
+            help="The sensor's calibration.json, or one for each of several sensors; default: "
+            "beside the recording.",
+        ),
     ] = None,
     arm: Annotated[
         Path | None, typer.Option(help="The arm's arm.json; default: beside the recording.")
@@ -236,7 +285,8 @@ def replay(
     from app.server.live_replay import Replay
     from app.server.startup import replay as run_replay
 
-    sensor = read_calibration(calibration or recording.with_name("calibration.json"))
+    files = paths_by_sensor(calibration or [str(recording.with_name("calibration.json"))])
+    sensors = {name: read_calibration(path) for name, path in files.items()}
     arm_model = read_any_arm(arm or recording.with_name("arm.json"))
-    show = Replay(recording, sensor, arm_model, speed)
+    show = Replay(recording, sensors, arm_model, speed)
     run_replay(show, f"Replay of {recording.name}", host, port, open_browser)

@@ -1,3 +1,4 @@
+a-calibration-belongs-to-one-sensor = eine Kalibrierung gehört zu einem von ihnen
 abandon = Abbrechen
 abandon-calibration-calibration-use-stays = Diese Kalibrierung abbrechen? Die verwendete Kalibrierung bleibt unverändert.
 abandoned = Sitzung abgebrochen
@@ -1133,10 +1134,12 @@ gauge-touched-shape-size-only = das Prüfnormal wurde nicht angetastet: nur Form
 gauges-are-plane-or-sphere = Prüfnormale sind eine Ebene oder eine Kugel
 gave-no-picture-within = { $title } hat innerhalb von { $time } kein Bild geliefert
 gentl-producer-missing = Es gibt keinen GenTL-Producer ({ $producer })
+give-a-calibration-for-each-sensor = die Kalibrierung jedes Sensors mit seinem Namen angeben, z. B. { $name }=calibration.json
 give-arm-json-arm-took = arm.json des Messarms angeben, mit dem aufgenommen wurde
 give-arm-json-arm-took-recording = arm.json des Messarms angeben, mit dem diese Aufzeichnung entstand
 give-arms-own-model-columns = Modell dieses Messarms oder die Spalten { $names } angeben
 give-calibration-sensor-took-recording = Kalibrierung des Sensors angeben, mit dem diese Aufzeichnung entstand
+give-calibration-without-name = seine Kalibrierung ohne Namen angeben
 give-cameras-own-picture = Unverändertes Bild der Kamera angeben
 give-certificate-board-picture = den Kalibrierschein der Tafel im Bild angeben
 give-certificate-crenellated-object-calibrate-command = Kalibrierschein eines Zinnenkörpers angeben oder auf der Kommandozeile kalibrieren
@@ -1223,6 +1226,8 @@ implied-offset-caption =
        *[no] Das ist nicht mehr als Zufall.
     } Ohne diesen Fehler bliebe eine Lageabweichung von { $left }.
 install-extra-xlsx = Mit pip install 'crenel[xlsx]' installieren oder CSV verwenden
+its-sensor-has-no-name = ihr Sensor hat keinen Namen
+its-sensors-are = ihre Sensoren sind { $names }
 join-group-of-device = Führen Sie „{ $command }“ aus, melden Sie sich dann neu am System an und starten Sie Crenel neu.
 kuka-add-element = In der Ethernet-Konfiguration der Steuerung unter SEND ein Element mit TAG="DEF_{ $name }" ergänzen.
 kuka-lacks-element = Die Pakete des Roboters unter { $address } enthalten kein { $name }
@@ -1287,6 +1292,9 @@ points-outside-gate = Punkte außerhalb
 qif-not-validated = diese Datei ist nach QIF 3.0 geschrieben, aber nicht gegen dessen Schema geprüft; ein Leseprogramm kann sie ablehnen
 quaternion-must-be-unit = die letzten vier Zahlen müssen ein Einheitsquaternion sein, w zuerst
 raw-bayer-has-one-channel = ein Bayer-Rohbild (bayer) hat nur einen Kanal
+recording-has-no-sensor-named = { $path } enthält keinen Sensor namens { $name }
+recording-has-one-sensor = { $path } ist eine Aufzeichnung eines einzigen Sensors
+recording-has-sensors = { $path } ist eine Aufzeichnung mehrerer Sensoren ({ $names })
 restart-robot-controller = Die Steuerung des Arms neu starten.
 restore-tool-and-coordinate-system = Wählen Sie am Messarm wieder das frühere Werkzeug und Koordinatensystem, oder kalibrieren Sie mit den neuen.
 robot-cannot-be-reached = Der Roboter unter { $where } ist nicht erreichbar: { $reason }
@@ -1319,6 +1327,11 @@ scanned-centres-of-position = Durch Scannen, Position { $position }
 scanned-places-of-position = Gescannte Kugel, Position { $position }
 search-again-for-devices = Suchen Sie noch einmal; wenn das nicht hilft, prüfen Sie Netzwerk und Kabel.
 seats-and-placements = Aufnahmen und Aufstellungen
+sensor-left-out =
+    { $count ->
+        [one] ein Bild
+       *[other] { $count } Bilder
+    } des Sensors { $name } ausgelassen: für ihn wurde keine Kalibrierung angegeben
 sensor-sends-lines-no-pictures = der Sensor sendet Laserlinien und keine Bilder
 sensors-line-lists-differ = die Punkte der Linie des Sensors sind unvollständig
 set-sensor-send-pictures = den Sensor auf Bilder umstellen oder einen anderen Sensor verwenden

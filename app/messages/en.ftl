@@ -1,3 +1,4 @@
+a-calibration-belongs-to-one-sensor = a calibration belongs to one of them
 abandon = Abandon
 abandon-calibration-calibration-use-stays = Abandon this calibration? The calibration in use stays as it is.
 abandoned = abandoned the session
@@ -1129,10 +1130,12 @@ gauge-touched-shape-size-only = the gauge was not touched: shape and size only
 gauges-are-plane-or-sphere = a gauge is a plane or a sphere
 gave-no-picture-within = { $title } sent no picture within { $time }
 gentl-producer-missing = There is no GenTL producer ({ $producer })
+give-a-calibration-for-each-sensor = give the calibration of each sensor with its name, as in { $name }=calibration.json
 give-arm-json-arm-took = Give the arm.json of the arm that recorded this
 give-arm-json-arm-took-recording = Give the arm.json of the arm that made this recording
 give-arms-own-model-columns = Give the arm's own model, or columns { $names }
 give-calibration-sensor-took-recording = Give the calibration of the sensor that made this recording
+give-calibration-without-name = give its calibration without a name
 give-cameras-own-picture = Give the original picture of the camera
 give-certificate-board-picture = give the certificate of the board in the picture
 give-certificate-crenellated-object-calibrate-command = Give the certificate of a crenellated object, or calibrate on the command line
@@ -1219,6 +1222,8 @@ implied-offset-caption =
        *[no] This is no more than chance.
     } Without it, a location error of { $left } would remain.
 install-extra-xlsx = Install it with: pip install 'crenel[xlsx]'; or use CSV
+its-sensor-has-no-name = its sensor has no name
+its-sensors-are = its sensors are { $names }
 join-group-of-device = Run "{ $command }", then sign in to the system again and restart Crenel.
 kuka-add-element = Add an element with TAG="DEF_{ $name }" to SEND in the controller's Ethernet configuration.
 kuka-lacks-element = The packets of the robot at { $address } have no { $name }
@@ -1283,6 +1288,9 @@ points-outside-gate = Points outside
 qif-not-validated = this file was written after QIF 3.0 but not validated against its schema; a reader may refuse it
 quaternion-must-be-unit = its last four numbers must be a unit quaternion, w first
 raw-bayer-has-one-channel = a raw Bayer picture (bayer) has one channel
+recording-has-no-sensor-named = { $path } has no sensor named { $name }
+recording-has-one-sensor = { $path } is a recording of one sensor
+recording-has-sensors = { $path } is a recording of several sensors ({ $names })
 restart-robot-controller = Restart the controller of the arm.
 restore-tool-and-coordinate-system = Select the former tool and coordinate system at the arm, or calibrate with the new ones.
 robot-cannot-be-reached = The robot at { $where } cannot be reached: { $reason }
@@ -1315,6 +1323,11 @@ scanned-centres-of-position = By scan, position { $position }
 scanned-places-of-position = Scanned sphere, position { $position }
 search-again-for-devices = Search again; if that does not help, check network and cables.
 seats-and-placements = Seats and placements
+sensor-left-out =
+    { $count ->
+        [one] one frame
+       *[other] { $count } frames
+    } of the sensor { $name } left out: no calibration was given for it
 sensor-sends-lines-no-pictures = the sensor sends laser lines and no pictures
 sensors-line-lists-differ = the points of the sensor's line are incomplete
 set-sensor-send-pictures = set the sensor to send pictures, or use another sensor

@@ -25,6 +25,7 @@ from app.station.bus import Bus
 from app.station.view3d.scene import Scene
 from app.wire.schema import ReplayPhase, ReplayState
 from app.workflows.reconstruct import reconstruct_into
+from app.workflows.sensor_calibrations import SensorCalibrations, calibrations_by_sensor
 from hardware.clock import now_ns
 from hardware.interfaces import ArmInfo, SensorInfo
 from hardware.replay import Readings, RecordedImages, ReplayArm, ReplayClock, ReplaySensor
@@ -42,10 +43,14 @@ PUBLISH_PERIOD_S = 0.2
 class Replay:
     """Plays one recording: its arm moves, its pictures and points appear."""
 
-    def __init__(self, path: Path, calibration: Calibration, arm: AnyArm, speed: float) -> None:
+    def __init__(
+        self, path: Path, calibration: SensorCalibrations, arm: AnyArm, speed: float
+    ) -> None:
         """Reads the beginning of the recording; raises ``OperationError`` if it cannot be
         replayed."""
-        self._path, self._calibration, self._arm = path, calibration, arm
+        self._path, self._calibrations, self._arm = path, calibration, arm
+        # of several sensors, the first one is drawn
+        self._shown, self._calibration = next(iter(calibrations_by_sensor(calibration).items()))
         self._rate_hz, first_ns = self._inspect()
         self._clock = ReplayClock(first_ns, speed)
         self._last_ns = last_stamp_ns(path)
@@ -117,7 +122,7 @@ class Replay:
         with ThreadPoolExecutor(1, "replay-pictures") as pool:
             for block in read_blocks(open_recording(self._path), pool, 1):
                 for frame in block.frames:
-                    if isinstance(frame.source, ImageRecord):
+                    if frame.sensor == self._shown and isinstance(frame.source, ImageRecord):
                         yield frame.stamp_ns, frame.source.picture()
 
     def _show(self, scene: Scene, bus: Bus) -> None:
@@ -133,7 +138,7 @@ class Replay:
 
         self._publish_state(scene, bus, last_ns)
         try:
-            rebuilt = reconstruct_into(self._path, self._calibration, self._arm, take)
+            rebuilt = reconstruct_into(self._path, self._calibrations, self._arm, take)
         except _ReplayEndedError:
             return
         except OperationError as error:

@@ -2,8 +2,14 @@
 
 from app.errors import OperationError
 from app.formats.file_names import display_path
-from app.formats.recording.decoders import IMAGE_TOPIC, JOINTS_TOPIC, POSE_TOPIC, STRIPE_TOPIC
 from app.formats.recording.reader import Recording
+from app.formats.recording.topics import (
+    IMAGE_TOPIC,
+    JOINTS_TOPIC,
+    POSE_TOPIC,
+    STRIPE_TOPIC,
+    split_topic,
+)
 from app.formats.results.calibration import Calibration
 from app.messages.message import Text, message, word
 from app.metrology.arm.kinematics import AnyArm
@@ -12,7 +18,8 @@ from app.metrology.arm.kinematics import AnyArm
 def check_content(recording: Recording, frames: int, joint_samples: int) -> Text:
     """The name of a recording in messages; refuses one that contains no scan."""
     topics = recording.topics
-    if not recording.cut and not {JOINTS_TOPIC, POSE_TOPIC, IMAGE_TOPIC, STRIPE_TOPIC} & topics:
+    known = {split_topic(topic)[0] for topic in topics}
+    if not recording.cut and not {JOINTS_TOPIC, POSE_TOPIC, IMAGE_TOPIC, STRIPE_TOPIC} & known:
         raise OperationError(
             "recording-foreign",
             message(
@@ -35,11 +42,16 @@ def check_content(recording: Recording, frames: int, joint_samples: int) -> Text
     return named
 
 
-def check_station(recording: Recording, calibration: Calibration, arm: AnyArm) -> None:
-    """Refuses a recording of another sensor than the calibration's, or of another arm."""
+def check_station(
+    recording: Recording, calibration: Calibration, arm: AnyArm, sensor: str = ""
+) -> None:
+    """Refuses a recording of another sensor than the calibration's, or of another arm.
+
+    ``sensor``: its name in the recording.
+    """
     serials = calibration.serial_numbers
     for device, recorded, known in (
-        ("sensor", recording.station.get("sensor_serial", ""), serials.sensor),
+        ("sensor", recording.serial_of(sensor), serials.sensor),
         ("arm", recording.station.get("arm_serial", ""), arm.serial_number),
     ):
         if recorded and known and recorded != known:

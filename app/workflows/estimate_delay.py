@@ -27,6 +27,7 @@ from app.metrology.transforms import Floats
 from app.progress import Progress, no_progress
 from app.workflows.compatibility import check_content, check_serials, check_station
 from app.workflows.reconstruct_frames import FrameReconstruction, reconstruct_frames
+from app.workflows.sensor_calibrations import RecordedSensors
 
 MOST_POINTS = 150
 """Of a frame that are used: the arm's noise, which all share, is the larger part."""
@@ -40,10 +41,12 @@ def estimate_recording_delay(
     arm: AnyArm,
     progress: Progress = no_progress,
     named: str = "",
+    sensor: str = "",
 ) -> Sync:
     """Estimates the delay from a recorded back-and-forth pass over a plane.
 
-    ``named`` is the recording's name for the user, where that is not its path.
+    ``named`` is the recording's name for the user, where that is not its path, ``sensor`` that of
+    the sensor in a recording of several.
     The stamps are taken as they were recorded: a delay that the station applied when the
     pass was taken has no part in it.
 
@@ -52,7 +55,7 @@ def estimate_recording_delay(
             not determine the delay (``estimate_delay``).
     """
     check_serials(calibration, arm)
-    passed, recording = read_plane_pass(recording_path, calibration, arm, progress)
+    passed, recording = read_plane_pass(recording_path, calibration, arm, progress, sensor)
     named = named or str(recording_path)
     with prefix_errors(named):
         found = estimate_delay(passed)
@@ -60,7 +63,7 @@ def estimate_recording_delay(
     return delay_document(
         found,
         arm.serial_number or recording.station.get("arm_serial", ""),
-        calibration.serial_numbers.sensor or recording.station.get("sensor_serial", ""),
+        calibration.serial_numbers.sensor or recording.serial_of(sensor),
         named,
     )
 
@@ -100,7 +103,11 @@ def delay_document(found: ClockDelay, arm_serial: str, sensor_serial: str, recor
 
 
 def read_plane_pass(
-    recording_path: Path, calibration: Calibration, arm: AnyArm, progress: Progress = no_progress
+    recording_path: Path,
+    calibration: Calibration,
+    arm: AnyArm,
+    progress: Progress = no_progress,
+    sensor: str = "",
 ) -> tuple[PlanePass, Recording]:
     """What a recording holds of its pass, in the sensor frame.
 
@@ -108,7 +115,7 @@ def read_plane_pass(
         OperationError: it holds no frames or no joints, too many frames, or frames of another size.
     """
     recording = open_recording(recording_path)
-    reading = _PassReader(recording, calibration, arm)
+    reading = _PassReader(recording, calibration, arm, sensor)
     with ThreadPoolExecutor(os.cpu_count() or 1, "sync") as pool:
         for block in read_blocks(recording, pool, 2):
             reading.take(block)
@@ -119,7 +126,11 @@ def read_plane_pass(
 class _PassReader:
     """One pass through a recording."""
 
-    def __init__(self, recording: Recording, calibration: Calibration, arm: AnyArm) -> None:
+    def __init__(
+        self, recording: Recording, calibration: Calibration, arm: AnyArm, sensor: str
+    ) -> None:
+        self._sensor = sensor
+        self._sensors = RecordedSensors(recording, {sensor: calibration})
         self._recording, self._calibration, self._arm = recording, calibration, arm
         self._readings = reading_reader(recording.path, arm)
         self._track = ReadingTrack(arm.reading_kind, arm.reading_size)
@@ -132,11 +143,15 @@ class _PassReader:
         for samples in block.readings:
             self._track.extend(*self._readings.readings(samples))
         known = set(self._stamps_ns[-1000:])
-        frames = [frame for frame in block.frames if frame.stamp_ns not in known]
+        frames = [
+            frame
+            for frame in block.frames
+            if self._sensors.calibration_of(frame.sensor) and frame.stamp_ns not in known
+        ]
         if not frames:
             return
         if not self._stamps_ns:
-            check_station(self._recording, self._calibration, self._arm)
+            check_station(self._recording, self._calibration, self._arm, self._sensor)
         if len(self._stamps_ns) + len(frames) > MOST_FRAMES:
             raise OperationError(
                 "recording-too-long",
@@ -157,6 +172,7 @@ class _PassReader:
         self._stamps_ns += [frame.stamp_ns for frame in frames]
 
     def plane_pass(self) -> PlanePass:
+        self._sensors.refuse_unknown()
         check_content(self._recording, len(self._stamps_ns), len(self._track))
         points, stamps_ns = np.concatenate(self._points), np.array(self._stamps_ns)
         order = np.argsort(stamps_ns, kind="stable")

@@ -2,9 +2,10 @@
 
 import os
 from collections import deque
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from concurrent.futures import Future, ThreadPoolExecutor
 from dataclasses import dataclass
+from itertools import groupby
 from pathlib import Path
 
 import numpy as np
@@ -17,7 +18,6 @@ from app.formats.recording.pose_samples import reading_reader
 from app.formats.recording.reader import Recording, open_recording
 from app.formats.recording.reading_track import ReadingTrack
 from app.formats.recording.stream import Block, RecordedFrame, read_blocks
-from app.formats.results.calibration import Calibration
 from app.messages.message import Text, message
 from app.metrology.arm.kinematics import AnyArm, flange_poses
 from app.metrology.transforms import Floats
@@ -30,6 +30,11 @@ from app.workflows.reconstruct_messages import (
     missing_joints_warning,
     no_joints_error,
     smoothing_warning,
+)
+from app.workflows.sensor_calibrations import (
+    RecordedSensors,
+    SensorCalibrations,
+    calibrations_by_sensor,
 )
 
 PointConsumer = Callable[[Points, int], None]
@@ -74,12 +79,14 @@ class Reconstruction:
 
 @dataclass(frozen=True)
 class _PendingFrames:
-    """Frames of one block that wait for the joints around them."""
+    """Frames of one sensor in a block that wait for the joints around them."""
 
     block: Block
     frames: list[RecordedFrame]
+    placing: FrameReconstruction
     first_number: int
     last_ns: int
+    delay_ns: int
 
 
 @dataclass(frozen=True)
@@ -91,6 +98,7 @@ class _BlockPoints:
     dark: int
     unplaced_ns: list[int]
     last_ns: int
+    delay_ns: int
     first_number: int
     poses: Floats
     """(F, 4, 4)"""
@@ -98,7 +106,7 @@ class _BlockPoints:
 
 def reconstruct_cloud(
     recording_path: Path,
-    calibration: Calibration,
+    calibration: SensorCalibrations,
     arm: AnyArm,
     cloud_path: Path,
     progress: Progress = no_progress,
@@ -111,6 +119,8 @@ def reconstruct_cloud(
     are in memory at a time.
 
     Args:
+        calibration: of the only sensor, or one for each sensor by its name; frames of a named
+            sensor without one are left out.
         delay_ns: delay of the arm's time stamps relative to the camera's; None: as applied by the
             station, if the recording states it.
 
@@ -131,7 +141,10 @@ def reconstruct_cloud(
 
 
 def reconstruct_points(
-    recording_path: Path, calibration: Calibration, arm: AnyArm, delay_ns: int | None = None
+    recording_path: Path,
+    calibration: SensorCalibrations,
+    arm: AnyArm,
+    delay_ns: int | None = None,
 ) -> tuple[Floats, Reconstruction]:
     """Like ``reconstruct_cloud``, with the points (N, 3) in memory."""
     kept: list[Floats] = []
@@ -147,7 +160,7 @@ def reconstruct_points(
 
 def reconstruct_into(
     recording_path: Path,
-    calibration: Calibration,
+    calibration: SensorCalibrations,
     arm: AnyArm,
     take: PointConsumer,
     progress: Progress = no_progress,
@@ -156,7 +169,8 @@ def reconstruct_into(
 ) -> Reconstruction:
     """Like ``reconstruct_cloud``; passes the points to ``take``, and the poses of their frames to
     ``take_poses``, in order, in the caller's thread."""
-    check_serials(calibration, arm)
+    for one in calibrations_by_sensor(calibration).values():
+        check_serials(one, arm)
     job = _Job(open_recording(recording_path), calibration, arm, (take, take_poses), delay_ns)
     workers = os.cpu_count() or 1
     with ThreadPoolExecutor(workers, "rebuild") as pool:
@@ -174,27 +188,31 @@ class _Job:
     def __init__(
         self,
         recording: Recording,
-        calibration: Calibration,
+        calibration: SensorCalibrations,
         arm: AnyArm,
         take: tuple[PointConsumer, PoseConsumer],
         delay_ns: int | None,
     ) -> None:
         self._recording = recording
-        self._calibration = calibration
+        self._sensors = RecordedSensors(recording, calibration)
+        self._checked: set[str] = set()
         self._arm = arm
         self._take_points, self._take_poses = take
         self._given_delay_ns = delay_ns
         self._points = 0
         self._readings = reading_reader(recording.path, arm)
         self._track = ReadingTrack(arm.reading_kind, arm.reading_size)
-        self._recent: deque[int] = deque(maxlen=RECENT_FRAMES)
-        self._known: set[int] = set()
+        self._recent: deque[tuple[str, int]] = deque(maxlen=RECENT_FRAMES)
+        self._known: set[tuple[str, int]] = set()
         self._numbered = 0
         self._waiting: deque[_PendingFrames] = deque()
         self._making: deque[Future[_BlockPoints]] = deque()
         self._frames = self._dark = 0
         self._unplaced_ns: list[int] = []
-        self._arm_clock, self._frame_clock = ClockWatch(), ClockWatch()
+        self._unplaced_at_ns: list[int] = []
+        """The same by the arm's clock."""
+        self._arm_clock = ClockWatch()
+        self._frame_clocks: dict[str, ClockWatch] = {}
 
     def run(self, pool: ThreadPoolExecutor, window: int, progress: Progress) -> None:
         for block in read_blocks(self._recording, pool, window):
@@ -215,7 +233,8 @@ class _Job:
         """The counts; raises ``OperationError`` if there are no points."""
         self._check_result()
         unplaced, start_ns = self._unplaced_ns, self._recording.first_ns or 0
-        joints, frames = self._arm_clock.report(), self._frame_clock.report()
+        joints = self._arm_clock.report()
+        frames = [clock.report() for clock in self._frame_clocks.values()]
         return Reconstruction(
             points=self._points,
             frames=self._frames,
@@ -224,53 +243,65 @@ class _Job:
             first_without_joints_s=(unplaced[0] - start_ns) / 1e9 if unplaced else None,
             joint_samples=len(self._track),
             joint_samples_unusable=self._readings.unusable,
-            frame_holes=frames.holes,
+            frame_holes=sum(one.holes for one in frames),
             joint_holes=joints.holes,
-            clock_jumps=frames.jumps + joints.jumps,
+            clock_jumps=joints.jumps + sum(one.jumps for one in frames),
             seconds=((self._recording.last_ns or start_ns) - start_ns) / 1e9,
             cut=self._recording.cut,
             warnings=tuple(self._warnings(joints, frames)),
         )
 
-    @property
-    def _delay_ns(self) -> int:
+    def _delay_ns(self, sensor: str) -> int:
         given = self._given_delay_ns
-        return self._recording.delay_ns if given is None else given
+        return self._recording.delay_of_ns(sensor) if given is None else given
 
     def _take_block(self, block: Block) -> None:
         """Adds the joints of a block to the track, and its frames to those that wait."""
         for samples in block.readings:
             self._arm_clock.add(samples.stamps_ns, samples.log_ns)
             self._track.extend(*self._readings.readings(samples))
-        frames = [frame for frame in block.frames if self._is_new(frame.stamp_ns)]
-        if not frames:
+        frames = [frame for frame in block.frames if self._is_new(frame)]
+        for sensor, run in groupby(frames, key=lambda frame: frame.sensor):
+            self._take_frames(block, sensor, list(run))
+
+    def _take_frames(self, block: Block, sensor: str, frames: list[RecordedFrame]) -> None:
+        """Adds consecutive frames of one sensor to those that wait."""
+        calibration = self._sensors.calibration_of(sensor)
+        if calibration is None:
+            self._sensors.leave_out(sensor, len(frames))
             return
-        if not self._numbered:
-            check_station(self._recording, self._calibration, self._arm)
+        if sensor not in self._checked:
+            check_station(self._recording, calibration, self._arm, sensor)
+            self._checked.add(sensor)
         stamps_ns = np.array([frame.stamp_ns for frame in frames])
-        self._frame_clock.add(stamps_ns, np.array([frame.log_ns for frame in frames]))
-        self._waiting.append(_PendingFrames(block, frames, self._numbered, int(stamps_ns.max())))
+        clock = self._frame_clocks.setdefault(sensor, ClockWatch())
+        clock.add(stamps_ns, np.array([frame.log_ns for frame in frames]))
+        placing = FrameReconstruction(self._recording.path, calibration)
+        last_ns, delay_ns = int(stamps_ns.max()), self._delay_ns(sensor)
+        self._waiting.append(
+            _PendingFrames(block, frames, placing, self._numbered, last_ns, delay_ns)
+        )
         self._numbered += len(frames)
 
-    def _is_new(self, stamp_ns: int) -> bool:
+    def _is_new(self, frame: RecordedFrame) -> bool:
         """False if the stripe of a frame was recorded next to its picture."""
-        if stamp_ns in self._known:
+        one = (frame.sensor, frame.stamp_ns)
+        if one in self._known:
             return False
         if len(self._recent) == RECENT_FRAMES:
             self._known.discard(self._recent[0])
-        self._recent.append(stamp_ns)
-        self._known.add(stamp_ns)
+        self._recent.append(one)
+        self._known.add(one)
         return True
 
     def _submit_ready(self, pool: ThreadPoolExecutor, up_to_ns: int | None) -> None:
         """Starts computing the points of frames with later joints; None: no more will follow."""
-        delay_ns = self._delay_ns
         while self._waiting and (
-            up_to_ns is None or self._waiting[0].last_ns + delay_ns <= up_to_ns
+            up_to_ns is None or self._waiting[0].last_ns + self._waiting[0].delay_ns <= up_to_ns
         ):
             waiting = self._waiting.popleft()
             stamps_ns = np.array([frame.stamp_ns for frame in waiting.frames])
-            readings = self._track.at_all(stamps_ns + delay_ns)
+            readings = self._track.at_all(stamps_ns + waiting.delay_ns)
             self._making.append(pool.submit(self._make_points, waiting, readings))
             if up_to_ns is None and len(self._making) > 2 * (os.cpu_count() or 1):
                 self._write()
@@ -281,10 +312,9 @@ class _Job:
         poses = np.full((len(known), 4, 4), np.nan)
         if known.any():
             T_arm_flange = flange_poses(self._arm, readings[known])
-            poses[known] = T_arm_flange @ self._calibration.T_flange_sensor
-        placing = FrameReconstruction(self._recording.path, self._calibration)
+            poses[known] = T_arm_flange @ waiting.placing.calibration.T_flange_sensor
         points, counts = reconstruct_frames(
-            placing, waiting.block, waiting.frames, poses, waiting.first_number
+            waiting.placing, waiting.block, waiting.frames, poses, waiting.first_number
         )
         unplaced = [
             frame.stamp_ns
@@ -298,6 +328,7 @@ class _Job:
             dark,
             unplaced,
             waiting.last_ns,
+            waiting.delay_ns,
             waiting.first_number,
             poses,
         )
@@ -310,16 +341,18 @@ class _Job:
         self._frames += made.frames
         self._dark += made.dark
         self._unplaced_ns += made.unplaced_ns
+        self._unplaced_at_ns += [stamp_ns + made.delay_ns for stamp_ns in made.unplaced_ns]
 
-    def _warnings(self, joints: ClockReport, frames: ClockReport) -> list[Text]:
+    def _warnings(self, joints: ClockReport, frames: Sequence[ClockReport]) -> list[Text]:
         warnings = [self._recording.cut] if self._recording.cut else []
+        warnings += self._sensors.warnings()
         if self._recording.smoothing_px:
             warnings.append(smoothing_warning(self._recording.smoothing_px))
         start_ns, unplaced = self._recording.first_ns or 0, self._unplaced_ns
         if unplaced:
             warnings.append(
                 missing_joints_warning(
-                    unplaced, self._numbered, self._track, self._delay_ns, start_ns
+                    unplaced, self._unplaced_at_ns, self._numbered, self._track, start_ns
                 )
             )
         if self._readings.unusable:
@@ -330,10 +363,12 @@ class _Job:
         if first is not None:
             warnings.append(implausible_joints_warning(self._readings.implausible, first, start_ns))
         warnings += clock_warnings("joints", joints, start_ns)
-        warnings += clock_warnings("frames", frames, start_ns)
+        for report in frames:
+            warnings += clock_warnings("frames", report, start_ns)
         return warnings
 
     def _check_result(self) -> None:
+        self._sensors.refuse_unknown()
         if self._points:
             return
         named = check_content(self._recording, self._numbered, len(self._track))

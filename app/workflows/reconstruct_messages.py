@@ -14,11 +14,17 @@ Stream = Literal["joints", "frames"]
 
 
 def missing_joints_warning(
-    unplaced_ns: Sequence[int], frames: int, track: ReadingTrack, delay_ns: int, start_ns: int
+    unplaced_ns: Sequence[int],
+    at_ns: Sequence[int],
+    frames: int,
+    track: ReadingTrack,
+    start_ns: int,
 ) -> Text:
-    """Frames without joints around their time stamps, among a number of frames."""
+    """Frames without joints around their time stamps, among a number of frames.
+
+    ``at_ns``: the stamps by the arm's clock.
+    """
     first_ns, last_ns = track.first_ns or 0, track.last_ns or 0
-    at_ns = [stamp_ns + delay_ns for stamp_ns in unplaced_ns]
     beyond = sum(not first_ns <= one <= last_ns for one in at_ns)
     return message(
         "frames-left-out-no-joints-around",

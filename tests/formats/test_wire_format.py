@@ -18,13 +18,12 @@ from app.errors import OperationError
 from app.formats.recording import wire_format as wire
 from app.formats.recording.blocks import ChunkRecords, read_profiles
 from app.formats.recording.decoders import (
-    JOINTS_TOPIC,
-    STRIPE_TOPIC,
     Decoders,
     JointRecord,
     StripeRecord,
 )
 from app.formats.recording.stripe_message import STRIPE_SCHEMA, encode_stripe, stripe_descriptors
+from app.formats.recording.topics import JOINTS_TOPIC, STRIPE_TOPIC
 from app.metrology.stripe import Stripe
 
 pytestmark = pytest.mark.usefixtures("variant")

@@ -18,12 +18,17 @@ from app.formats.file_names import display_path
 from app.formats.images import GreyImage, decode_grey
 from app.formats.recording.blocks import MOST_DESCRIBED
 from app.formats.recording.stripe_message import STRIPE_SCHEMA, Stamp, StripeMessage, decode_stripe
+from app.formats.recording.topics import (
+    IMAGE_TOPIC,
+    JOINTS_TOPIC,
+    POSE_TOPIC,
+    STRIPE_TOPIC,
+    split_topic,
+)
 from app.messages.message import Text, message
 from app.messages.validation import exception_text
 from app.metrology.stripe import Stripe
 
-JOINTS_TOPIC, POSE_TOPIC = "/arm/joints", "/arm/pose"
-IMAGE_TOPIC, STRIPE_TOPIC = "/sensor/image", "/sensor/stripe"
 SCHEMAS = {
     JOINTS_TOPIC: ("foxglove.JointStates",),
     POSE_TOPIC: ("foxglove.PoseInFrame",),
@@ -61,6 +66,8 @@ class ImageRecord:
     stamp_ns: int
     picture: Callable[[], GreyImage]
     """Raises ``OperationError`` if the picture cannot be read."""
+    sensor: str = ""
+    """Its name; empty if the station has one sensor."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -71,6 +78,8 @@ class StripeRecord:
     width_px: int
     height_px: int
     stripe: Stripe
+    sensor: str = ""
+    """As of ``ImageRecord``."""
 
 
 Record = JointRecord | PoseRecord | ImageRecord | StripeRecord
@@ -152,7 +161,7 @@ class Decoders:
     def decode(self, logged: LoggedMessage) -> Record | None:
         """None for unknown topics."""
         channel = self.channels.get(logged.channel_id)
-        if channel is None or channel.topic not in SCHEMAS:
+        if channel is None or split_topic(channel.topic)[0] not in SCHEMAS:
             return None
         decoder = self._by_channel.get(channel.id)
         if decoder is None:
@@ -164,7 +173,7 @@ class Decoders:
             stamp_ns=logged.log_time,
         )
         size = len(logged.data)
-        if size > LARGEST_MESSAGE.get(channel.topic, size):
+        if size > LARGEST_MESSAGE.get(split_topic(channel.topic)[0], size):
             raise OperationError(
                 "recording-message-malformed", named, message("message-too-large", size=size)
             )
@@ -177,8 +186,9 @@ class Decoders:
 
     def _decoder(self, channel: Channel) -> Callable[[bytes], object]:
         schema = self.schemas.get(channel.schema_id)
+        expected = SCHEMAS[split_topic(channel.topic)[0]]
         decoder = None
-        if schema is not None and schema.name in SCHEMAS[channel.topic]:
+        if schema is not None and schema.name in expected:
             with suppress(McapError, DecodeError, TypeError):  # a schema that describes nothing
                 decoder = self._factory.decoder_for(channel.message_encoding, schema)
         if decoder is None:
@@ -191,32 +201,33 @@ class Decoders:
                     schema=schema.name if schema else message("without-schema"),
                     encoding=channel.message_encoding,
                 ),
-                message("protobuf-expected", schemas=", ".join(SCHEMAS[channel.topic])),
+                message("protobuf-expected", schemas=", ".join(expected)),
                 message("give-recording-as-documented"),
             )
         return decoder
 
     def _record(self, channel: Channel, decoded: object, log_ns: int, named: Text) -> Record:
         stamp_ns = _stamp_ns(cast(_StampedMessage, decoded), log_ns)
-        if channel.topic == JOINTS_TOPIC:
+        topic, sensor = split_topic(channel.topic)
+        if topic == JOINTS_TOPIC:
             joints = cast(_JointStates, decoded).joints
             return JointRecord(
                 stamp_ns,
                 tuple(joint.name for joint in joints),
                 tuple(joint.position for joint in joints),
             )
-        if channel.topic == POSE_TOPIC:
+        if topic == POSE_TOPIC:
             return PoseRecord(stamp_ns, _pose_mm(cast(_PoseInFrame, decoded)))
-        if channel.topic == STRIPE_TOPIC:
+        if topic == STRIPE_TOPIC:
             profile = cast(StripeMessage, decoded)
             return StripeRecord(
-                stamp_ns, profile.width_px, profile.height_px, decode_stripe(profile)
+                stamp_ns, profile.width_px, profile.height_px, decode_stripe(profile), sensor
             )
         if self.schemas[channel.schema_id].name == "foxglove.CompressedImage":
             packed = cast(_CompressedImage, decoded)
-            return ImageRecord(stamp_ns, lambda: decode_grey(packed.data, named))
+            return ImageRecord(stamp_ns, lambda: decode_grey(packed.data, named), sensor)
         raw = cast(_RawImage, decoded)
-        return ImageRecord(stamp_ns, lambda: _raw_picture(raw, named))
+        return ImageRecord(stamp_ns, lambda: _raw_picture(raw, named), sensor)
 
 
 def _pose_mm(decoded: _PoseInFrame) -> tuple[float, ...]:

@@ -19,10 +19,11 @@ from app.formats.open_file import open_file
 from app.formats.recording.blocks import open_chunk
 from app.formats.recording.decoders import Decoders, Record
 from app.formats.recording.raw import DAMAGE, MAGIC, raw_records, summary_statistics
+from app.formats.recording.topics import IMAGE_TOPIC, STRIPE_TOPIC, sensor_key, split_topic
 from app.messages.message import Text, message, quantity
 
 STATION_METADATA = "crenel/station"
-ARM_DELAY = "arm_delay_ns"
+ARM_DELAY, SENSOR_SERIAL = "arm_delay_ns", "sensor_serial"
 EXTRACTION = "extraction"
 """Settings of stripe extraction, as JSON; empty if all were automatic."""
 SMOOTHING = "smoothing_px"
@@ -51,9 +52,24 @@ class Recording:
     @property
     def delay_ns(self) -> int:
         """The delay of the arm's time stamps relative to the camera's that was applied."""
+        return self.delay_of_ns("")
+
+    def delay_of_ns(self, sensor: str) -> int:
+        """The same of a named sensor."""
         with suppress(ValueError):
-            return int(self.station.get(ARM_DELAY, "0"))
+            return int(self.station.get(sensor_key(ARM_DELAY, sensor), "0"))
         return 0
+
+    def serial_of(self, sensor: str) -> str:
+        """The serial number of a sensor; empty if it is unknown."""
+        return self.station.get(sensor_key(SENSOR_SERIAL, sensor), "")
+
+    @property
+    def sensors(self) -> tuple[str, ...]:
+        """Names of the sensors whose topics were found so far, sorted; empty of the only one."""
+        found = [split_topic(topic) for topic in self.topics]
+        names = {name for topic, name in found if topic in (IMAGE_TOPIC, STRIPE_TOPIC)}
+        return tuple(sorted(names))
 
     @property
     def smoothing_px(self) -> float:

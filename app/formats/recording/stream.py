@@ -20,10 +20,7 @@ from app.formats.recording.blocks import (
     read_profiles,
 )
 from app.formats.recording.decoders import (
-    JOINTS_TOPIC,
-    POSE_TOPIC,
     SCHEMAS,
-    STRIPE_TOPIC,
     Decoders,
     ImageRecord,
     JointRecord,
@@ -32,6 +29,7 @@ from app.formats.recording.decoders import (
 )
 from app.formats.recording.raw import DAMAGE, LARGEST_CHUNK, raw_records
 from app.formats.recording.reader import STATION_METADATA, Recording, check_magic
+from app.formats.recording.topics import JOINTS_TOPIC, POSE_TOPIC, STRIPE_TOPIC, split_topic
 from app.metrology.arm.reported_poses import ReadingKind
 from app.metrology.transforms import Floats
 
@@ -61,6 +59,8 @@ class RecordedFrame:
     stamp_ns: int
     log_ns: int
     source: int | ImageRecord | StripeRecord
+    sensor: str = ""
+    """Its name; empty if the station has one sensor."""
 
 
 @dataclass(frozen=True)
@@ -189,17 +189,18 @@ class _Reader:
         for channel_id in dict.fromkeys(messages[:, 1].tolist()):
             channel = self._decoders.channels.get(channel_id)
             at = np.flatnonzero(messages[:, 1] == channel_id)
-            if channel is None or channel.topic not in SCHEMAS:
+            topic, sensor = split_topic("" if channel is None else channel.topic)
+            if topic not in SCHEMAS:
                 continue
-            if channel.topic == JOINTS_TOPIC:
+            if topic == JOINTS_TOPIC:
                 readings += self._joints(opened, messages[at])
-            elif channel.topic == POSE_TOPIC:
+            elif topic == POSE_TOPIC:
                 readings += self._poses(opened, messages[at])
-            elif channel.topic == STRIPE_TOPIC:
+            elif topic == STRIPE_TOPIC:
                 first = sum(len(table) for table in stripes)
                 rows = self._stripe_rows(opened, messages[at])
                 stripes.append(rows)
-                frames += self._stripes(opened, messages, at, rows, first)
+                frames += self._stripes(opened, messages, at, rows, first, sensor)
             else:
                 frames += [(i, self._frame(opened, messages[i])) for i in at.tolist()]
         frames.sort(key=lambda found: found[0])
@@ -232,13 +233,15 @@ class _Reader:
         at: wire.Table,
         rows: wire.Table,
         first: int,
+        sensor: str,
     ) -> list[tuple[int, RecordedFrame]]:
         found = []
         for k, (i, row) in enumerate(zip(at.tolist(), rows.tolist(), strict=True)):
             if row[wire.POINTS] < 0:
                 found.append((i, self._frame(opened, messages[i])))
             else:
-                found.append((i, RecordedFrame(row[wire.STAMP], int(messages[i, 2]), first + k)))
+                log_ns = int(messages[i, 2])
+                found.append((i, RecordedFrame(row[wire.STAMP], log_ns, first + k, sensor)))
         return found
 
     def _joints(self, opened: ChunkRecords, messages: wire.Table) -> list[ReadingSamples]:
@@ -273,7 +276,7 @@ class _Reader:
     def _frame(self, opened: ChunkRecords, row: wire.Table) -> RecordedFrame:
         record = self._decode(opened, row)
         assert isinstance(record, ImageRecord | StripeRecord)
-        return RecordedFrame(record.stamp_ns, int(row[2]), record)
+        return RecordedFrame(record.stamp_ns, int(row[2]), record, record.sensor)
 
     def _decode(self, opened: ChunkRecords, row: wire.Table) -> object:
         _, channel, log_ns, first, length = row.tolist()

@@ -23,15 +23,16 @@ from app.errors import OperationError
 from app.formats.atomic_write import sync_folder
 from app.formats.images import GreyImage
 from app.formats.io_errors import convert_io_errors, error_from_os
-from app.formats.recording.decoders import (
-    IMAGE_TOPIC,
-    JOINTS_TOPIC,
-    MM_PER_M,
-    POSE_TOPIC,
-    STRIPE_TOPIC,
-)
+from app.formats.recording.decoders import MM_PER_M
 from app.formats.recording.reader import STATION_METADATA
 from app.formats.recording.stripe_message import STRIPE_SCHEMA, encode_stripe, stripe_descriptors
+from app.formats.recording.topics import (
+    IMAGE_TOPIC,
+    JOINTS_TOPIC,
+    POSE_TOPIC,
+    STRIPE_TOPIC,
+    sensor_topic,
+)
 from app.metrology.stripe import Stripe
 from app.metrology.transforms import Floats
 
@@ -51,6 +52,7 @@ class RecordingWriter:
         path: Path,
         joint_names: Sequence[str] | None,
         station: Mapping[str, str] | None = None,
+        sensors: Sequence[str] = ("",),
     ) -> None:
         """Creates the file, which must not exist.
 
@@ -58,6 +60,7 @@ class RecordingWriter:
             joint_names: of the arm's joints; None of an arm that reports poses.
             station: properties of the devices and settings: ``arm_serial``, ``sensor_serial``,
                 ``arm_delay_ns``, ``extraction``.
+            sensors: names of several sensors; the name of the only one is empty.
 
         Raises:
             OperationError: the file exists or cannot be created.
@@ -80,13 +83,16 @@ class RecordingWriter:
             if self._names is None
             else self._channel(JOINTS_TOPIC, register_schema(self._writer, JointStates))
         )
-        self._images = self._channel(IMAGE_TOPIC, register_schema(self._writer, RawImage))
-        self._stripes = self._channel(
-            STRIPE_TOPIC,
-            self._writer.register_schema(
-                STRIPE_SCHEMA, SchemaEncoding.Protobuf, stripe_descriptors()
-            ),
+        images = register_schema(self._writer, RawImage)
+        self._images = {
+            name: self._channel(sensor_topic(IMAGE_TOPIC, name), images) for name in sensors
+        }
+        stripes = self._writer.register_schema(
+            STRIPE_SCHEMA, SchemaEncoding.Protobuf, stripe_descriptors()
         )
+        self._stripes = {
+            name: self._channel(sensor_topic(STRIPE_TOPIC, name), stripes) for name in sensors
+        }
         self._open = True
 
     def __enter__(self) -> Self:
@@ -129,11 +135,14 @@ class RecordingWriter:
         message = JointStates(timestamp=_timestamp(stamp_ns), joints=states)
         self._add(self._readings, stamp_ns, message.SerializeToString())
 
-    def stripe(self, stamp_ns: int, stripe: Stripe, width_px: int, height_px: int) -> None:
-        """The stripe of a frame, with the time stamp of its mid-exposure."""
-        self._add(self._stripes, stamp_ns, encode_stripe(stripe, stamp_ns, width_px, height_px))
+    def stripe(
+        self, stamp_ns: int, stripe: Stripe, width_px: int, height_px: int, sensor: str = ""
+    ) -> None:
+        """The stripe of a sensor's frame, with the time stamp of its mid-exposure."""
+        data = encode_stripe(stripe, stamp_ns, width_px, height_px)
+        self._add(self._stripes[sensor], stamp_ns, data)
 
-    def image(self, stamp_ns: int, image: GreyImage) -> None:
+    def image(self, stamp_ns: int, image: GreyImage, sensor: str = "") -> None:
         """The picture (height, width) of a frame, with the time stamp of its mid-exposure."""
         height, width = image.shape
         message = RawImage(
@@ -145,7 +154,7 @@ class RecordingWriter:
             step=width * image.itemsize,
             data=image.astype(image.dtype.newbyteorder("<"), copy=False).tobytes(),
         )
-        self._add(self._images, stamp_ns, message.SerializeToString())
+        self._add(self._images[sensor], stamp_ns, message.SerializeToString())
 
     def flush(self) -> None:
         """Passes everything so far to the operating system: a killed process does not lose it."""
