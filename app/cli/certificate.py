@@ -1,12 +1,19 @@
 """``crenel certificate``: Digital Calibration Certificates, read and written."""
 
+from enum import StrEnum
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from app.cli.performance import Country, Laboratory
 from app.console import AsJson, FullHelpGroup, print_figures, print_json, report_errors, warn
+from app.messages.message import Text, message
+
+if TYPE_CHECKING:
+    from app.formats.datasheets.gauge import GaugeFile
+    from app.formats.datasheets.length_standard import LengthStandardFile
+    from app.formats.performance.plan import SpherePart
 
 certificate = typer.Typer(
     cls=FullHelpGroup,
@@ -15,50 +22,87 @@ certificate = typer.Typer(
 )
 
 
+class ArtefactKind(StrEnum):
+    """What was calibrated."""
+
+    SPHERE = "sphere"
+    BALL_BAR = "ball-bar"
+    STEP_GAUGE = "step-gauge"
+
+
 @certificate.command()
 @report_errors
 def read(
-    file: Annotated[Path, typer.Argument(help="The certificate of a sphere, an XML file.")],
+    file: Annotated[Path, typer.Argument(help="The certificate, an XML file.")],
+    kind: Annotated[ArtefactKind, typer.Option(help="What was calibrated.")] = ArtefactKind.SPHERE,
     output: Annotated[
-        Path | None, typer.Option("-o", "--output", help="Write the sphere as a gauge's nominal.")
+        Path | None,
+        typer.Option("-o", "--output", help="A sphere's gauge file, or a length standard's file."),
     ] = None,
     diameter: Annotated[
         str, typer.Option(help="Part of the diameter's name, if there are several.")
     ] = "",
     form: Annotated[str, typer.Option(help="Part of the form's name, if there are several.")] = "",
+    length: Annotated[str, typer.Option(help="Part of the name of the lengths.")] = "",
     as_json: AsJson = False,
 ) -> None:
-    """Read diameter, form, uncertainty and validity of a sphere; -o writes gauge.nominal.json.
+    """Read size, uncertainty and validity of a sphere or a length standard.
 
     A signature of the certificate is not checked.
     """
     from app.formats.atomic_write import check_output_path
-    from app.formats.exchange.read_certificate import read_sphere_certificate
+    from app.formats.exchange.read_certificate import (
+        read_length_certificate,
+        read_sphere_certificate,
+    )
 
-    found = read_sphere_certificate(file, diameter, form)
-    sphere = found.sphere
-    if output is not None:
-        found.gauge.write(check_output_path(output, [file]))
-    if as_json:
-        print_json({"sphere": sphere.model_dump(), "laboratory": found.laboratory})
+    document: GaugeFile | LengthStandardFile
+    if kind is ArtefactKind.SPHERE:
+        found = read_sphere_certificate(file, diameter, form)
+        part: SpherePart | LengthStandardFile = found.sphere
+        document, rows = found.gauge, _sphere_rows(found.sphere)
     else:
-        known = f"± {2 * sphere.diameter_sd_um:.2f} µm, k = 2"
-        rows = [
-            ("Name", sphere.name),
-            ("Serial number", sphere.serial_number or "–"),
-            ("Certificate", sphere.certificate or "–"),
-            ("Laboratory", found.laboratory or "–"),
-            ("Calibrated on", found.calibrated_on or "–"),
-            ("Valid until", sphere.valid_until or "–"),
-            (
-                "Diameter",
-                f"{sphere.diameter_mm:.5f} mm {known}",
-            ),
-            ("Form", f"{sphere.form_um:.2f} µm ± {2 * sphere.form_sd_um:.2f} µm, k = 2"),
-        ]
-        print_figures(f"Certificate {file}", rows)
-    if output is not None and not as_json:
+        bar = kind is ArtefactKind.BALL_BAR
+        standard = read_length_certificate(file, "ball-bar" if bar else "step-gauge", length)
+        part = document = standard
+        rows = _length_rows(standard)
+        if not as_json:
+            warn(message("expansion-not-read"))
+    if output is not None:
+        document.write(check_output_path(output, [file]))
+    if as_json:
+        print_json(part.model_dump(mode="json"))
+        return
+    print_figures(f"Certificate {file}", [*_artefact_rows(part), *rows])
+    if output is not None:
         print(f"{output} written")
+
+
+def _artefact_rows(part: "SpherePart | LengthStandardFile") -> list[tuple[Text, Text]]:
+    return [
+        ("Name", part.name),
+        ("Serial number", part.serial_number or "–"),
+        ("Certificate", part.certificate or "–"),
+        ("Valid until", part.valid_until or "–"),
+    ]
+
+
+def _sphere_rows(sphere: "SpherePart") -> list[tuple[Text, Text]]:
+    known = f"± {2 * sphere.diameter_sd_um:.2f} µm, k = 2"
+    return [
+        ("Diameter", f"{sphere.diameter_mm:.5f} mm {known}"),
+        ("Form", f"{sphere.form_um:.2f} µm ± {2 * sphere.form_sd_um:.2f} µm, k = 2"),
+    ]
+
+
+def _length_rows(standard: "LengthStandardFile") -> list[tuple[Text, Text]]:
+    return [
+        (
+            f"Length {number}",
+            f"{one.length_mm:.5f} mm ± {2 * one.standard_uncertainty_um:.2f} µm, k = 2",
+        )
+        for number, one in enumerate(standard.lengths, 1)
+    ]
 
 
 @certificate.command()

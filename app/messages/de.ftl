@@ -378,11 +378,12 @@ certificate-needs-date = der Kalibrierschein braucht den Tag der Prüfung, und {
 certificate-needs-laboratory = der Kalibrierschein braucht den Namen des Laboratoriums: --laboratory NAME angeben
 certificate-needs-one =
     { $path }: { $what ->
-        [form] eine Form
-       *[diameter] ein Durchmesser
-    } wird gebraucht, { $count ->
-        [0] keiner wurde gefunden
-       *[other] { $count } wurden gefunden
+        [form] Eine Form
+        [length] Eine Länge
+       *[diameter] Ein Durchmesser
+    } wird gebraucht, gefunden: { $count ->
+        [0] nichts
+       *[other] { $count }
     }
 certificate-not-validated = dieser Kalibrierschein ist nicht signiert und nicht gegen das Schema des DCC geprüft: vor der Ausgabe prüfen
 certificate-out-of-date = der Kalibrierschein des Prüfkörpers galt bis { $until }
@@ -397,8 +398,8 @@ certificate-trusted-here = dem Zertifikat des Empfängers wird hier nicht vertra
 certificate-valid-until = { $name }, gültig bis { $date }
 certificate-without-uncertainty = der Kalibrierschein des Prüfkörpers nennt keine Unsicherheit
 certificate-without-values = Kein Wert konnte angegeben werden.
-certified-diameter-not-positive = { $name } ist nicht positiv
-certified-diameter-without-uncertainty = { $name } hat keine Unsicherheit mit Erweiterungsfaktor
+certified-size-not-positive = { $name } ist nicht positiv
+certified-size-without-uncertainty = { $name } hat keine Unsicherheit mit Erweiterungsfaktor
 certified-values = Laut Kalibrierschein
 change = Änderung
 change-one-them = eine von beiden ändern
@@ -976,6 +977,7 @@ every-stripe-pictures-wait-them = Alle Laserlinien sind aufgezeichnet; sie haben
 everything-grows-metre-aluminium = Mit der Temperatur dehnt sich alles aus, ein Meter Aluminium um { $growth } je Grad.
 exceed-limit-m = { $half_range } überschreiten den Grenzwert von { $limit }.
 expanded-uncertainty-note = U = { $expanded_uncertainty }, k = 2
+expansion-not-read = der Ausdehnungskoeffizient des Kalibrierscheins wird nicht gelesen: expansion_per_c in der Datei eintragen
 expected = erwartet wird { $wanted }
 expected-by-datasheet-and-expanded-uncertainty = laut Datenblatt { $expected }; U = { $expanded_uncertainty }, k = 2
 exposure-set-lasers-line = Die Belichtung lässt sich nicht an die Laserlinie anpassen

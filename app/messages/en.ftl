@@ -379,6 +379,7 @@ certificate-needs-laboratory = the certificate needs the name of the laboratory:
 certificate-needs-one =
     { $path }: { $what ->
         [form] one form
+        [length] a length
        *[diameter] one diameter
     } is needed, { $count ->
         [0] none was found
@@ -397,8 +398,8 @@ certificate-trusted-here = its certificate is not trusted
 certificate-valid-until = { $name }, valid until { $date }
 certificate-without-uncertainty = the certificate of the artefact states no uncertainty
 certificate-without-values = No figure could be stated.
-certified-diameter-not-positive = { $name } is not positive
-certified-diameter-without-uncertainty = { $name } has no uncertainty with its coverage factor
+certified-size-not-positive = { $name } is not positive
+certified-size-without-uncertainty = { $name } has no uncertainty with its coverage factor
 certified-values = By certificate
 change = Change
 change-one-them = change one of the limits
@@ -972,6 +973,7 @@ every-stripe-pictures-wait-them = All stripes are recorded; they take precedence
 everything-grows-metre-aluminium = Everything expands with it: one metre of aluminium by { $growth } per degree.
 exceed-limit-m = { $half_range } exceeds the limit of { $limit }.
 expanded-uncertainty-note = U = { $expanded_uncertainty }, k = 2
+expansion-not-read = the certificate's coefficient of expansion is not read: enter expansion_per_c in the file
 expected = { $wanted } is expected
 expected-by-datasheet-and-expanded-uncertainty = datasheet: { $expected }; U = { $expanded_uncertainty }, k = 2
 exposure-set-lasers-line = The exposure cannot be adjusted to the laser line

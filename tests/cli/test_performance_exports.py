@@ -8,7 +8,8 @@ from typer.testing import CliRunner
 
 from app.cli.main import cli
 from app.formats.datasheets.gauge import read_gauge
-from tests.formats.certificates import DIAMETER, FORM, certificate
+from app.formats.datasheets.length_standard import read_length_standard
+from tests.formats.certificates import DIAMETER, FORM, certificate, expanded, quantity, real
 from tests.formats.performance_builders import sphere_result
 
 
@@ -54,7 +55,7 @@ def test_a_certificate_is_read(tmp_path: Path) -> None:
     assert "25.00120 mm ± 0.60 µm" in said
     assert read_gauge(gauge).certificate == "4711-2026"
     code, said = run("certificate", "read", str(path), "--json")
-    assert json.loads(said)["sphere"]["diameter_mm"] == 25.0012
+    assert json.loads(said)["diameter_mm"] == 25.0012
 
 
 def test_the_certificate_read_is_not_replaced(tmp_path: Path) -> None:
@@ -63,3 +64,14 @@ def test_the_certificate_read_is_not_replaced(tmp_path: Path) -> None:
     code, said = run("certificate", "read", str(path), "-o", str(path))
     assert code == 1, said
     assert path.read_text("utf-8").startswith("<?xml")
+
+
+def test_the_certificate_of_a_ball_bar_is_read(tmp_path: Path) -> None:
+    path, bar = tmp_path / "bar.xml", tmp_path / "bar.json"
+    inner = real("600.018", "\\milli\\metre", expanded("0.0012"))
+    path.write_text(certificate(quantity("Length", inner)), encoding="utf-8")
+    code, said = run("certificate", "read", str(path), "--kind", "ball-bar", "-o", str(bar))
+    assert code == 0, said
+    assert "600.01800 mm ± 1.20 µm" in said
+    assert "expansion_per_c" in said
+    assert read_length_standard(bar).lengths[0].standard_uncertainty_um == pytest.approx(0.6)

@@ -8,7 +8,11 @@ import pytest
 from app.errors import OperationError
 from app.formats.datasheets.gauge import read_gauge
 from app.formats.exchange.certificate_values import DCC, SI, result_lengths
-from app.formats.exchange.read_certificate import CertifiedSphere, read_sphere_certificate
+from app.formats.exchange.read_certificate import (
+    CertifiedSphere,
+    read_length_certificate,
+    read_sphere_certificate,
+)
 from app.formats.exchange.write_certificate import Issuer, certificate_bytes
 from app.formats.exchange.xml_text import local_name
 from app.formats.performance.results import PerformanceFile
@@ -61,7 +65,7 @@ def test_a_sphere_is_read_with_everything_that_its_certificate_states(tmp_path: 
     assert sphere.form_sd_um == pytest.approx(0.025)
     assert (sphere.name, sphere.serial_number) == ("Ceramic sphere", "K-17")
     assert (sphere.certificate, sphere.valid_until) == ("4711-2026", "2028-03-12")
-    assert (found.laboratory, found.calibrated_on) == ("Lab A", "2026-03-12")
+    assert (found.head.laboratory, found.head.calibrated_on) == ("Lab A", "2026-03-12")
 
 
 @pytest.mark.parametrize(
@@ -157,6 +161,57 @@ def test_what_cannot_be_used_is_refused(tmp_path: Path, text: str, code: str) ->
         read(tmp_path, text)
     assert raised.value.code == code
     assert "certificate.xml" in raised.value.line
+
+
+def test_a_deviation_from_the_nominal_is_no_diameter(tmp_path: Path) -> None:
+    nominal = quantity("Nominal diameter", real("25", "\\milli\\metre"))
+    off = quantity("Deviation of the diameter", real("1.2", "\\micro\\metre", expanded("0.6")))
+    with pytest.raises(OperationError) as raised:
+        read(tmp_path, certificate(nominal, off))
+    assert raised.value.code == "certificate-without-uncertainty"
+
+
+def lengths(values: str, uncertainties: str, units: str = "\\milli\\metre") -> str:
+    return quantity(
+        "Centre distance",
+        f"<si:realListXMLList><si:valueXMLList>{values}</si:valueXMLList>"
+        f"<si:unitXMLList>{units}</si:unitXMLList><si:expandedUncXMLList>"
+        f"<si:uncertaintyXMLList>{uncertainties}</si:uncertaintyXMLList>"
+        "<si:coverageFactorXMLList>2</si:coverageFactorXMLList>"
+        "</si:expandedUncXMLList></si:realListXMLList>",
+    )
+
+
+def test_a_ball_bar_is_read_with_every_length(tmp_path: Path) -> None:
+    path = tmp_path / "bar.xml"
+    text = certificate(lengths("600.018 300.012", "0.0012 0.0010"), DIAMETER)
+    path.write_text(text, encoding="utf-8")
+    found = read_length_certificate(path, "ball-bar")
+    assert [one.length_mm for one in found.lengths] == pytest.approx([300.012, 600.018])
+    assert [one.standard_uncertainty_um for one in found.lengths] == pytest.approx([0.5, 0.6])
+    assert found.sphere_diameter_mm == pytest.approx(25.0012)
+    assert (found.serial_number, found.valid_until) == ("K-17", "2028-03-12")
+
+
+@pytest.mark.parametrize(
+    ("text", "code"),
+    [
+        (certificate(DIAMETER), "certificate-incomplete"),
+        (certificate(lengths("300 600 900", "0.001 0.002")), "certificate-without-uncertainty"),
+        (
+            certificate(lengths("300 600 900", "0.001", "\\metre \\milli\\metre")),
+            "certificate-incomplete",
+        ),
+    ],
+)
+def test_lengths_that_do_not_fit_their_lists_are_refused(
+    tmp_path: Path, text: str, code: str
+) -> None:
+    path = tmp_path / "bar.xml"
+    path.write_text(text, encoding="utf-8")
+    with pytest.raises(OperationError) as raised:
+        read_length_certificate(path, "step-gauge")
+    assert raised.value.code == code
 
 
 def test_quantities_of_conditions_are_no_results(tmp_path: Path) -> None:

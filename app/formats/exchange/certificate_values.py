@@ -78,7 +78,7 @@ def _real_lengths(real: ET.Element) -> list[tuple[float, float | None]]:
     units = _texts(real, "unit", "unitXMLList")
     values = _numbers(_texts(real, "value", "valueXMLList"))
     scales = [scale for unit in units if (scale := _in_mm(unit)) is not None]
-    if not values or not scales or len(scales) < len(units):
+    if not values or not scales or len(scales) < len(units) or len(scales) not in (1, len(values)):
         return []
     spread = _standard_uncertainties(real, len(values))
     each = zip(values, _repeat(scales, len(values)), spread, strict=True)
@@ -92,11 +92,13 @@ def _standard_uncertainties(real: ET.Element, count: int) -> list[float | None]:
     }
     expanded = _numbers(parts.get("valueExpandedMU") or parts.get("uncertainty") or [])
     factors = _numbers(parts.get("coverageFactor") or [])
-    if expanded and factors and all(factor > 0 for factor in factors):
+    if len(expanded) in (1, count) and len(factors) in (1, count) and min(factors) > 0:
         pairs = zip(_repeat(expanded, count), _repeat(factors, count), strict=True)
         return [abs(value) / factor for value, factor in pairs]
     standard = _numbers(parts.get("valueStandardMU") or [])
-    return [abs(one) for one in _repeat(standard, count)] if standard else [None] * count
+    if len(standard) in (1, count):
+        return [abs(one) for one in _repeat(standard, count)]
+    return [None] * count
 
 
 def _repeat(values: list[float], count: int) -> list[float]:

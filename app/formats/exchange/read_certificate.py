@@ -1,15 +1,20 @@
-"""The Digital Calibration Certificate of a sphere, read as an artefact of a performance test."""
+"""The Digital Calibration Certificate of an artefact: of a sphere, or of a length standard."""
 
 import re
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from xml.etree import ElementTree as ET
+from typing import Literal
 
 from app.errors import OperationError
 from app.formats.datasheets.gauge import GaugeFile
-from app.formats.exchange.certificate_values import DCC, CertifiedLength, result_lengths
-from app.formats.exchange.xml_text import local_name, read_xml
+from app.formats.datasheets.length_standard import LengthPart, LengthStandardFile
+from app.formats.exchange.certificate_head import (
+    CertificateHead,
+    certificate_head,
+    open_certificate,
+)
+from app.formats.exchange.certificate_values import CertifiedLength, result_lengths
 from app.formats.file_names import display_path
 from app.formats.performance.plan import SpherePart
 from app.messages.message import join, message
@@ -18,8 +23,10 @@ DIAMETER = re.compile("diameter|durchmesser")
 RADIUS = re.compile("radius")
 SIZE = re.compile(f"{DIAMETER.pattern}|{RADIUS.pattern}")
 FORM = re.compile("(?<![a-z])form|kugelform|roundness|sphericity|rundheit")
+LENGTH = re.compile("length|länge|distance|abstand|spacing")
+DEVIATION = re.compile("deviation|abweichung|error|difference")
+"""Such a quantity is the difference from a nominal size, not the size."""
 OF_RESULT = "basic_measuredvalue"
-LARGEST_NAME, LARGEST_SERIAL, LARGEST_CERTIFICATE = 120, 80, 200
 
 
 @dataclass(frozen=True)
@@ -27,10 +34,7 @@ class CertifiedSphere:
     """What a certificate says of a sphere."""
 
     sphere: SpherePart
-    laboratory: str
-    calibrated_on: str
-    """ISO 8601 date; empty: not stated."""
-    schema_version: str
+    head: CertificateHead
 
     @property
     def gauge(self) -> GaugeFile:
@@ -63,50 +67,78 @@ def read_sphere_certificate(
     Source:
         PTB, Digital Calibration Certificate, version 3.
     """
-    root = read_xml(path)
-    if local_name(root) != "digitalCalibrationCertificate" or not str(root.tag).startswith(
-        f"{{{DCC}}}"
-    ):
-        raise OperationError("no-certificate", display_path(path), message("no-dcc"))
-    version = root.get("schemaVersion", "")
-    if version.split(".")[0] != "3":
-        raise OperationError(
-            "certificate-version",
-            display_path(path),
-            message("dcc-version-unknown", version=version or "–"),
-            message("dcc-version-needed"),
-        )
+    root = open_certificate(path)
     lengths = result_lengths(root)
     diameter = _choose(path, lengths, SIZE, diameter_name, "diameter")
     form = _choose(path, lengths, FORM, form_name, "form", diameter)
     assert diameter is not None
-    if diameter.value_mm <= 0:
-        raise OperationError(
-            "certificate-incomplete",
-            display_path(path),
-            message("certified-diameter-not-positive", name=diameter.label),
-            message("enter-artefact-by-hand"),
-        )
-    if diameter.standard_uncertainty_mm is None:
-        raise OperationError(
-            "certificate-without-uncertainty",
-            display_path(path),
-            message("certified-diameter-without-uncertainty", name=diameter.label),
-            message("enter-artefact-by-hand"),
-        )
+    sd_mm = _uncertainty_mm(path, diameter)
     twice = 2.0 if _is_named(diameter, RADIUS) and not _is_named(diameter, DIAMETER) else 1.0
     form_sd_mm = None if form is None else form.standard_uncertainty_mm
+    head = certificate_head(root)
     sphere = SpherePart(
-        name=_item_name(root)[:LARGEST_NAME],
-        serial_number=_serial_number(root)[:LARGEST_SERIAL],
-        certificate=_text(root, "uniqueIdentifier")[:LARGEST_CERTIFICATE],
-        valid_until=_recalibration_date(root),
+        name=head.name,
+        serial_number=head.serial_number,
+        certificate=head.certificate,
+        valid_until=head.valid_until,
         diameter_mm=twice * diameter.value_mm,
-        diameter_sd_um=1e3 * twice * diameter.standard_uncertainty_mm,
+        diameter_sd_um=1e3 * twice * sd_mm,
         form_um=0.0 if form is None else 1e3 * abs(form.value_mm),
         form_sd_um=1e3 * (form_sd_mm or 0.0),
     )
-    return CertifiedSphere(sphere, _laboratory(root), _text(root, "endPerformanceDate"), version)
+    return CertifiedSphere(sphere, head)
+
+
+def read_length_certificate(
+    path: Path, kind: Literal["ball-bar", "step-gauge"], length_name: str = ""
+) -> LengthStandardFile:
+    """Reads a DCC 3.x of a ball bar or step gauge; its expansion is not read.
+
+    Args:
+        length_name: part of the name or ``refType`` of the lengths, if others have such names too.
+
+    Raises:
+        OperationError: as ``read_sphere_certificate``; no length, or one without an uncertainty.
+    """
+    root = open_certificate(path)
+    found = result_lengths(root)
+    wanted = re.compile(re.escape(length_name.lower())) if length_name else LENGTH
+    known = [one for one in found if _is_named(one, wanted)]
+    if not length_name:
+        known = [one for one in known if not _is_named(one, DEVIATION)]
+        known = [one for one in known if OF_RESULT in map(str.lower, one.kinds)] or known
+    if not known:
+        raise _selection_error(path, "length", known, found)
+    head = certificate_head(root)
+    spheres = {one.value_mm for one in found if _is_named(one, DIAMETER) and one not in known}
+    return LengthStandardFile(
+        name=head.name,
+        serial_number=head.serial_number,
+        certificate=head.certificate,
+        valid_until=head.valid_until,
+        kind=kind,
+        sphere_diameter_mm=spheres.pop() if kind == "ball-bar" and len(spheres) == 1 else None,
+        lengths=tuple(
+            LengthPart(
+                length_mm=one.value_mm,
+                standard_uncertainty_um=1e3 * _uncertainty_mm(path, one),
+            )
+            for one in sorted(known, key=lambda one: one.value_mm)
+        ),
+    )
+
+
+def _uncertainty_mm(path: Path, one: CertifiedLength) -> float:
+    """In mm, k = 1; raises ``OperationError`` where the certificate states no positive size or no
+    uncertainty."""
+    there, advice = display_path(path), message("enter-artefact-by-hand")
+    if one.value_mm <= 0:
+        why = message("certified-size-not-positive", name=one.label)
+        raise OperationError("certificate-incomplete", there, why, advice)
+    if one.standard_uncertainty_mm is None:
+        why = message("certified-size-without-uncertainty", name=one.label)
+        raise OperationError("certificate-without-uncertainty", there, why, advice)
+    return one.standard_uncertainty_mm
 
 
 def _choose(
@@ -114,7 +146,7 @@ def _choose(
     lengths: Sequence[CertifiedLength],
     kind: re.Pattern[str],
     name: str,
-    what: str,
+    what: Literal["diameter", "form"],
     other: CertifiedLength | None = None,
 ) -> CertifiedLength | None:
     """The one quantity of a kind; a form may be missing."""
@@ -123,14 +155,25 @@ def _choose(
         known = [one for one in known if _is_named(one, re.compile(re.escape(name.lower())))]
     else:
         known = [one for one in known if _is_named(one, kind)]
+        if what == "diameter":
+            known = [one for one in known if not _is_named(one, DEVIATION)]
         measured = [one for one in known if OF_RESULT in map(str.lower, one.kinds)]
         known = measured or known
     if len(known) == 1:
         return known[0]
     if not known and not name and what == "form":
         return None
+    raise _selection_error(path, what, known, lengths)
+
+
+def _selection_error(
+    path: Path,
+    what: Literal["diameter", "form", "length"],
+    known: Sequence[CertifiedLength],
+    lengths: Sequence[CertifiedLength],
+) -> OperationError:
     there = message("certificate-has-lengths", names=join([one.label for one in known or lengths]))
-    raise OperationError(
+    return OperationError(
         "certificate-ambiguous" if known else "certificate-incomplete",
         message("certificate-needs-one", path=display_path(path), what=what, count=len(known)),
         there if known or lengths else message("certificate-has-no-length"),
@@ -140,57 +183,3 @@ def _choose(
 
 def _is_named(one: CertifiedLength, kind: re.Pattern[str]) -> bool:
     return any(kind.search(text.lower()) for text in (*one.names, *one.kinds))
-
-
-def _text(root: ET.Element, name: str) -> str:
-    found = root.find(f"{{{DCC}}}administrativeData/{{{DCC}}}coreData/{{{DCC}}}{name}")
-    return "" if found is None else (found.text or "").strip()
-
-
-def _content(element: ET.Element | None) -> str:
-    """The text of a name, in English if it has that language."""
-    if element is None:
-        return ""
-    contents = element.findall(f"{{{DCC}}}content")
-    english = [one for one in contents if one.get("lang") == "en"]
-    chosen = next(iter([*english, *contents]), None)
-    return "" if chosen is None else (chosen.text or "").strip()
-
-
-def _item(root: ET.Element) -> ET.Element | None:
-    return root.find(f".//{{{DCC}}}items/{{{DCC}}}item")
-
-
-def _item_name(root: ET.Element) -> str:
-    item = _item(root)
-    return _content(None if item is None else item.find(f"{{{DCC}}}name")) or "sphere"
-
-
-def _serial_number(root: ET.Element) -> str:
-    """The manufacturer's number of the first item; without one, any number of it."""
-    item = _item(root)
-    if item is None:
-        return ""
-    numbers = {
-        (one.findtext(f"{{{DCC}}}issuer") or "").strip(): (
-            one.findtext(f"{{{DCC}}}value") or ""
-        ).strip()
-        for one in item.findall(f"{{{DCC}}}identifications/{{{DCC}}}identification")
-    }
-    return numbers.get("manufacturer") or next(iter(numbers.values()), "")
-
-
-def _recalibration_date(root: ET.Element) -> str:
-    """Until when the certificate is valid, if a statement says so."""
-    for statement in root.iter(f"{{{DCC}}}statement"):
-        if "recalibration" in statement.get("refType", "").lower():
-            return (statement.findtext(f"{{{DCC}}}date") or "").strip()
-    return ""
-
-
-def _laboratory(root: ET.Element) -> str:
-    return _content(
-        root.find(
-            f"{{{DCC}}}administrativeData/{{{DCC}}}calibrationLaboratory/{{{DCC}}}contact/{{{DCC}}}name"
-        )
-    )
