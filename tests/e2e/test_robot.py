@@ -9,7 +9,7 @@ import pytest
 from playwright.sync_api import Browser, expect
 
 from tests.e2e.conftest import Demo
-from tests.e2e.test_demo import Visit, is_at, is_verifying, scan, take_poses
+from tests.e2e.test_demo import Visit, is_at, is_verifying, take_poses
 
 pytestmark = pytest.mark.slow
 
@@ -25,7 +25,7 @@ def robot(tmp_path: Path) -> Iterator[Demo]:
 
 @pytest.mark.timeout(900)
 def test_a_robot_station_from_the_first_page_to_a_verification(
-    robot: Demo, browser: Browser, pictures: Path, tmp_path: Path
+    robot: Demo, browser: Browser, pictures: Path
 ) -> None:
     page = browser.new_page(viewport={"width": 1440, "height": 900})
     visit = Visit(page, pictures)
@@ -61,7 +61,15 @@ def test_a_robot_station_from_the_first_page_to_a_verification(
     assert visit.ask("/api/verify")["picture"]["verdict"]["result"] != "fail"
     page.get_by_role("button", name="Accept this verification").click()
     expect(page.get_by_role("button", name="Scan the part")).to_be_visible(timeout=10_000)
-    scan(visit, tmp_path)
+    page.get_by_role("button", name="Scan the part").click()
+    start = page.get_by_role("button", name="Start scan")
+    expect(start).to_be_enabled(timeout=20_000)
+    start.click()
+    page.get_by_role("button", name="Let the simulated operator do it").click()
+    visit.wait_until("scanning", "/api/scan", lambda scan: scan["points"] > 10_000)
+    visit.look("scanning")
+    page.get_by_role("button", name="Stop the scan").click()
+    visit.wait_until("stopping", "/api/scan", lambda scan: scan["state"] == "idle")
     page.close()
     assert not visit.faults, "\n".join(visit.faults)
     assert robot.end() in (0, 130)

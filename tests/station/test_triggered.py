@@ -85,7 +85,7 @@ def test_a_camera_that_comes_back_is_paired_again(simulation: SimulatedStation, 
     simulation.camera_faults.lost = False
     until(lambda: rig.sensor.reader.link().state.value == "connected", 30)
     until(lambda: rig.sensor.is_paired, 60)
-    assert len(collect(rig, 5)) == 5
+    assert len(collect(rig, 5)) >= 5
 
 
 def test_a_camera_without_pulses_is_there_though_silent(tmp_path: Path) -> None:

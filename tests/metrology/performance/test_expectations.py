@@ -7,7 +7,8 @@ from app.metrology.performance.enclosing_sphere import smallest_enclosing_sphere
 from app.metrology.performance.pattern import pattern_directions
 from app.metrology.performance.sphere import dispersion_mm, least_squares_sphere
 
-DRAWS = 10_000
+DRAWS = 3_000
+"""``crenel bench performance`` draws 10 000."""
 POLE = np.array([0.0, 0.0, 1.0])
 
 
@@ -30,20 +31,20 @@ def test_the_form_of_25_points(noisy: tuple[np.ndarray, np.ndarray, np.ndarray])
     four of the 25 degrees of freedom."""
     random = np.random.default_rng(2)
     about_known = np.ptp(random.normal(size=(DRAWS, 25)), axis=1).mean()
-    assert about_known == pytest.approx(3.931, rel=0.01)
+    assert about_known == pytest.approx(3.931, rel=0.02)
     directions = pattern_directions(POLE)
     J = np.column_stack([directions, np.ones(25)])
     hat = J @ np.linalg.inv(J.T @ J) @ J.T
     fitted = np.ptp(random.normal(size=(DRAWS, 25)) @ (np.eye(25) - hat), axis=1).mean()
-    assert noisy[0].mean() == pytest.approx(fitted, rel=0.01)
-    assert noisy[0].mean() == pytest.approx(3.66, rel=0.01)
+    assert noisy[0].mean() == pytest.approx(fitted, rel=0.02)
+    assert noisy[0].mean() == pytest.approx(3.66, rel=0.02)
 
 
 def test_the_centre_and_radius_of_25_points(
     noisy: tuple[np.ndarray, np.ndarray, np.ndarray],
 ) -> None:
-    np.testing.assert_allclose(noisy[1].std(axis=0), [0.354, 0.354, 0.546], rtol=0.02)
-    assert noisy[2].std() == pytest.approx(0.328, rel=0.02)
+    np.testing.assert_allclose(noisy[1].std(axis=0), [0.354, 0.354, 0.546], rtol=0.04)
+    assert noisy[2].std() == pytest.approx(0.328, rel=0.04)
 
 
 def test_dispersion_of_many_points() -> None:
@@ -58,8 +59,8 @@ def test_the_sphere_about_five_centres() -> None:
     found = [
         smallest_enclosing_sphere(random.normal(size=(5, 3))).diameter_mm for _ in range(DRAWS)
     ]
-    assert np.mean(found) == pytest.approx(3.65, rel=0.01)
-    assert np.quantile(found, 0.95) == pytest.approx(5.05, rel=0.02)
+    assert np.mean(found) == pytest.approx(3.65, rel=0.02)
+    assert np.quantile(found, 0.95) == pytest.approx(5.05, rel=0.04)
 
 
 @pytest.mark.parametrize("count", range(1, 8))

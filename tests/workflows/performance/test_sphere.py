@@ -177,10 +177,13 @@ def test_a_folder_without_a_plan_is_refused(tmp_path: Path) -> None:
 
 def test_a_wrong_link_shows_in_the_location(tmp_path: Path) -> None:
     """It moves the sphere from articulation to articulation, and hardly changes its size."""
-    clean = SphereSession(tmp_path / "c", Faults(), joints=True).write()
+    clean = SphereSession(tmp_path / "c", Faults(articulations=0), joints=True).write()
     found = values(evaluate_performance(clean))
-    assert all(value is not None and abs(value) < 0.01 for value in found.values()), found
-    wrong = SphereSession(tmp_path / "w", Faults(link_mm=0.1), joints=True).write()
+    for quantity in ("size-touch", "form-touch", "location-touch"):
+        assert found[quantity] == pytest.approx(0, abs=0.01)
+    assert found["size-scan"] is None
+    faults = Faults(link_mm=0.1, articulations=0)
+    wrong = SphereSession(tmp_path / "w", faults, joints=True).write()
     found = values(evaluate_performance(wrong))
     location, size = found["location-touch"], found["size-touch"]
     assert location is not None
