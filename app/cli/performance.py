@@ -20,11 +20,6 @@ performance = typer.Typer(
 )
 
 
-@performance.callback()
-def group() -> None:
-    """Keeps ``evaluate`` a command of its own while it is the only one."""
-
-
 @performance.command()
 @report_errors
 def evaluate(

@@ -398,7 +398,7 @@ certificate-trusted-here = dem Zertifikat des Empfängers wird hier nicht vertra
 certificate-valid-until = { $name }, gültig bis { $date }
 certificate-without-uncertainty = der Kalibrierschein des Prüfkörpers nennt keine Unsicherheit
 certificate-without-values = Kein Wert konnte angegeben werden.
-certified-size-not-positive = { $name } ist nicht positiv
+certified-size-impossible = { $name } ist { $size }, bekannt auf { $known } (k = 1): Das ist kein Maß eines Normals
 certified-size-without-uncertainty = { $name } hat keine Unsicherheit mit Erweiterungsfaktor
 certified-values = Laut Kalibrierschein
 change = Änderung

@@ -398,7 +398,7 @@ certificate-trusted-here = its certificate is not trusted
 certificate-valid-until = { $name }, valid until { $date }
 certificate-without-uncertainty = the certificate of the artefact states no uncertainty
 certificate-without-values = No figure could be stated.
-certified-size-not-positive = { $name } is not positive
+certified-size-impossible = { $name } is { $size }, known to { $known } (k = 1): this is no size of an artefact
 certified-size-without-uncertainty = { $name } has no uncertainty with its coverage factor
 certified-values = By certificate
 change = Change

@@ -1,9 +1,12 @@
 """Digital Calibration Certificates: of a sphere read, of a performance test written."""
 
+from contextlib import suppress
 from pathlib import Path
 from xml.etree import ElementTree as ET
 
 import pytest
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
 
 from app.errors import OperationError
 from app.formats.datasheets.gauge import read_gauge
@@ -144,7 +147,19 @@ def test_one_of_several_diameters_is_named(tmp_path: Path) -> None:
         ),
         (
             certificate(quantity("Diameter", real("-25", "\\milli\\metre", expanded("1")))),
-            "certificate-incomplete",
+            "certificate-implausible",
+        ),
+        (
+            certificate(quantity("Diameter", real("25", "\\kilo\\metre", expanded("1")))),
+            "certificate-implausible",
+        ),
+        (
+            certificate(quantity("Diameter", real("25", "\\milli\\metre", expanded("60")))),
+            "certificate-implausible",
+        ),
+        (
+            certificate(DIAMETER, quantity("Form", real("1", "\\metre", expanded("1e30")))),
+            "certificate-implausible",
         ),
         (
             certificate(quantity("Diameter", real("nan", "\\milli\\metre", expanded("1")))),
@@ -300,3 +315,34 @@ def test_a_written_certificate_is_no_sphere(tmp_path: Path) -> None:
     content = certificate_bytes(contact_result(tmp_path / "test"), ISSUER)
     with pytest.raises(OperationError, match="diameter"):
         read(tmp_path, content.decode(), diameter_name="of a sphere")
+
+
+PIECES = st.sampled_from(
+    [
+        "<dcc:data>",
+        "</dcc:data>",
+        "<si:hybrid/>",
+        "<si:real/>",
+        DIAMETER,
+        FORM,
+        quantity("Diameter", real("1e300", "\\kilo\\metre", expanded("1e300", "1e-300"))),
+        quantity("Diameter", real("25", "\\metre \\metre", expanded("1 2", "0"))),
+        quantity("", real("1 2 3", "\\milli\\metre", standard_mu("-1"))),
+        quantity("Length", real("1 2", "\\milli\\metre", expanded_mu("inf"))),
+        "&#0;",
+        "\u202e",
+    ]
+)
+
+
+@given(pieces=st.lists(PIECES | st.text(max_size=20), max_size=6), cut=st.integers(0, 3000))
+@settings(max_examples=200, suppress_health_check=[HealthCheck.function_scoped_fixture])
+def test_any_file_is_read_or_refused(tmp_path: Path, pieces: list[str], cut: int) -> None:
+    path = tmp_path / "any.xml"
+    text = certificate(*pieces)
+    for written in (text, text[: len(text) - cut]):
+        path.write_text(written, "utf-8", "replace")
+        with suppress(OperationError):
+            assert read_sphere_certificate(path).gauge.radius_mm
+        with suppress(OperationError):
+            assert read_length_certificate(path, "ball-bar").lengths

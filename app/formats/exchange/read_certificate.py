@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import Literal
 
 from app.errors import OperationError
-from app.formats.datasheets.gauge import GaugeFile
+from app.formats.datasheets.gauge import LARGEST_RADIUS_MM, GaugeFile
 from app.formats.datasheets.length_standard import LengthPart, LengthStandardFile
 from app.formats.exchange.certificate_head import (
     CertificateHead,
@@ -17,7 +17,7 @@ from app.formats.exchange.certificate_head import (
 from app.formats.exchange.certificate_values import CertifiedLength, result_lengths
 from app.formats.file_names import display_path
 from app.formats.performance.plan import SpherePart
-from app.messages.message import join, message
+from app.messages.message import join, message, rounded
 
 DIAMETER = re.compile("diameter|durchmesser")
 RADIUS = re.compile("radius")
@@ -27,6 +27,7 @@ LENGTH = re.compile("length|länge|distance|abstand|spacing")
 DEVIATION = re.compile("deviation|abweichung|error|difference")
 """Such a quantity is the difference from a nominal size, not the size."""
 OF_RESULT = "basic_measuredvalue"
+LONGEST_MM = 1e5
 
 
 @dataclass(frozen=True)
@@ -72,9 +73,12 @@ def read_sphere_certificate(
     diameter = _choose(path, lengths, SIZE, diameter_name, "diameter")
     form = _choose(path, lengths, FORM, form_name, "form", diameter)
     assert diameter is not None
-    sd_mm = _uncertainty_mm(path, diameter)
+    sd_mm = _uncertainty_mm(path, diameter, 2 * LARGEST_RADIUS_MM)
     twice = 2.0 if _is_named(diameter, RADIUS) and not _is_named(diameter, DIAMETER) else 1.0
-    form_sd_mm = None if form is None else form.standard_uncertainty_mm
+    form_mm = 0.0 if form is None else abs(form.value_mm)
+    form_sd_mm = (0.0 if form is None else form.standard_uncertainty_mm) or 0.0
+    if form is not None and max(form_mm, form_sd_mm) >= diameter.value_mm:
+        raise _impossible_error(path, form)
     head = certificate_head(root)
     sphere = SpherePart(
         name=head.name,
@@ -83,8 +87,8 @@ def read_sphere_certificate(
         valid_until=head.valid_until,
         diameter_mm=twice * diameter.value_mm,
         diameter_sd_um=1e3 * twice * sd_mm,
-        form_um=0.0 if form is None else 1e3 * abs(form.value_mm),
-        form_sd_um=1e3 * (form_sd_mm or 0.0),
+        form_um=1e3 * form_mm,
+        form_sd_um=1e3 * form_sd_mm,
     )
     return CertifiedSphere(sphere, head)
 
@@ -121,24 +125,37 @@ def read_length_certificate(
         lengths=tuple(
             LengthPart(
                 length_mm=one.value_mm,
-                standard_uncertainty_um=1e3 * _uncertainty_mm(path, one),
+                standard_uncertainty_um=1e3 * _uncertainty_mm(path, one, LONGEST_MM),
             )
             for one in sorted(known, key=lambda one: one.value_mm)
         ),
     )
 
 
-def _uncertainty_mm(path: Path, one: CertifiedLength) -> float:
-    """In mm, k = 1; raises ``OperationError`` where the certificate states no positive size or no
-    uncertainty."""
-    there, advice = display_path(path), message("enter-artefact-by-hand")
-    if one.value_mm <= 0:
-        why = message("certified-size-not-positive", name=one.label)
-        raise OperationError("certificate-incomplete", there, why, advice)
-    if one.standard_uncertainty_mm is None:
+def _uncertainty_mm(path: Path, one: CertifiedLength, largest_mm: float) -> float:
+    """In mm, k = 1.
+
+    Raises:
+        OperationError: no artefact has such a size, or the certificate states no uncertainty.
+    """
+    if one.standard_uncertainty_mm is None and 0 < one.value_mm <= largest_mm:
         why = message("certified-size-without-uncertainty", name=one.label)
-        raise OperationError("certificate-without-uncertainty", there, why, advice)
-    return one.standard_uncertainty_mm
+        advice = message("enter-artefact-by-hand")
+        raise OperationError("certificate-without-uncertainty", display_path(path), why, advice)
+    sd_mm = one.standard_uncertainty_mm or 0.0
+    if not sd_mm < one.value_mm <= largest_mm:
+        raise _impossible_error(path, one)
+    return sd_mm
+
+
+def _impossible_error(path: Path, one: CertifiedLength) -> OperationError:
+    size, known = rounded(one.value_mm, "mm"), rounded(one.standard_uncertainty_mm or 0.0, "mm")
+    return OperationError(
+        "certificate-implausible",
+        display_path(path),
+        message("certified-size-impossible", name=one.label, size=size, known=known),
+        message("enter-artefact-by-hand"),
+    )
 
 
 def _choose(
@@ -177,7 +194,9 @@ def _selection_error(
         "certificate-ambiguous" if known else "certificate-incomplete",
         message("certificate-needs-one", path=display_path(path), what=what, count=len(known)),
         there if known or lengths else message("certificate-has-no-length"),
-        message("name-quantity", option=f"--{what}"),
+        message("name-quantity", option=f"--{what}")
+        if known or lengths
+        else message("enter-artefact-by-hand"),
     )
 
 
