@@ -80,7 +80,10 @@ def articulation(
     ] = None,
     as_json: AsJson = False,
 ) -> None:
-    """Check an arm by single-point articulation: (max − min)/2 and 2σ of each axis, in µm.
+    """Check an arm by single-point articulation, in µm.
+
+    Prints (max − min)/2 and 2σ of each axis, and in space the figures of ASME B89.4.22: the
+    largest distance from the mean, and 2s of the distances.
 
     Exits with status 1 if a limit is exceeded.
     """
@@ -97,7 +100,7 @@ def articulation(
         print_json(report_fields(reports))
     else:
         columns = ["set", "points", "½range x", "y", "z", "2σ x", "y", "z"]
-        columns += ["2σ encoders", "swing °", "verdict"]
+        columns += ["largest", "2s", "2σ encoders", "swing °", "verdict"]
         print_table(f"Articulation of {place}, µm", columns, report_rows(reports))
     if worst_verdict(reports) == "fail":
         worst = max(reports, key=lambda report: float(report.check.half_range_um.max()))

@@ -82,6 +82,7 @@ arm-by-its-datasheet = der Messarm entspricht seinem Datenblatt
 arm-check = Armprüfung
 arm-check-2 = Armprüfung
 arm-check-no-limit = { $half_range }, kein Grenzwert festgelegt.
+arm-check-uncertainty-is-zero = Angewendet auf (max − min)/2 jeder Achse mit der Unsicherheit null, da der Beitrag der Form von Pfanne und Tastkugel nicht angegeben ist: Der Wert wird unmittelbar mit dem Grenzwert verglichen. Die räumlichen Kennwerte stehen ohne Grenzwert.
 arm-check-with-limit = { $half_range }, Grenzwert { $limit }.
 arm-checked = Der Messarm ist geprüft: { $worst }.
 arm-chosen-cannot-read-any-more = Die Datei des gewählten Messarms ist nicht mehr lesbar
@@ -781,10 +782,21 @@ date = Datum
 dcc-version-needed = Gelesen werden Kalibrierscheine der Version 3
 dcc-version-unknown = der Kalibrierschein hat die Version { $version }
 decision = Entscheidung
-decision-rule-iso-14253-1-error = Entscheidungsregel nach ISO 14253-1: Die Durchmesserabweichung gilt als bestanden, wenn sie um mehr als ihre erweiterte Unsicherheit (k = 2) innerhalb des Grenzwerts liegt, und als nicht bestanden, wenn sie ihn um mehr als diese überschreitet. Die Streuung wird unmittelbar mit ihrem Grenzwert verglichen.
-decision-rule-iso-14253-1-pass = Entscheidungsregel nach ISO 14253-1: bestanden, wenn der Wert um mehr als seine erweiterte Unsicherheit (k = 2) innerhalb des Grenzwerts liegt; nicht bestanden, wenn er ihn um mehr als diese überschreitet; sonst nicht entschieden.
+decision-rule-guard =
+    Schutzabstand: das { $factor }-Fache der Standardunsicherheit. { $bearer ->
+        [supplier] Der Lieferant trägt die Unsicherheit: Ein Wert, der näher am Grenzwert liegt als der Schutzabstand, ist nicht bestanden.
+        [user] Der Anwender trägt die Unsicherheit: Ein Wert, der näher am Grenzwert liegt als der Schutzabstand, ist bestanden.
+       *[prover] Wer etwas nachweisen muss, trägt die Unsicherheit: Ein Wert, der näher am Grenzwert liegt als der Schutzabstand, ist nicht entschieden.
+    }
 decision-rule-limits-set-standard-uncertainty = Entscheidungsregel: Die Grenzwerte gelten für die Standardunsicherheit selbst und werden unmittelbar mit ihr verglichen, ohne Schutzabstand.
-decision-rule-max-min-2-each = Entscheidungsregel: (max − min)/2 jeder Achse wird unmittelbar mit dem Grenzwert verglichen, ohne Schutzabstand: Der Beitrag der Form von Pfanne und Tastkugel ist nicht angegeben.
+decision-rule-named =
+    Entscheidungsregel: { $name ->
+        [guarded-95] Annahme mit Schutzabstand für 95 %
+        [expanded-k2] Annahme mit der erweiterten Unsicherheit (k = 2) als Schutzabstand
+        [simple] einfache Annahme
+       *[other] { $name }
+    }, { $standard }:{ $edition }.
+decision-rule-without-guard = Es gibt keinen Schutzabstand: Die Werte werden unmittelbar mit ihren Grenzwerten verglichen, die Unsicherheit wird nur angegeben, und beide Seiten tragen ihr Risiko.
 delay-would-known-all = der Zeitversatz wäre nicht bestimmbar
 delay-would-known-k-1 = die Standardunsicherheit des Zeitversatzes betrüge { $u } (k = 1)
 delete-columns-of-one = Die Spalten einer der beiden löschen
@@ -1002,7 +1014,6 @@ fanuc-sends-no-status = Der Roboter unter { $address } antwortet, sendet aber ke
 fanuc-update = Die Software der Steuerung aktualisieren.
 far-out = weit außen
 fault = Ursache: { CAPITAL($fault) }. { $text }
-feature-given-single-scanned-point-iso = Für ein Merkmal, das durch einen einzelnen gescannten Punkt gegeben ist, weist ISO 14253-1 mit den voreingestellten 95 % die Konformität nach, wenn der Punkt um { $guard } ({ $guard_mm }, { $factor } Standardunsicherheiten) innerhalb der Toleranz liegt; die Nichtkonformität, wenn er ebenso weit außerhalb liegt.
 few-poses = { $poses } Posen ergeben { $figures } Werte für { $unknown } Unbekannte und prüfen sie kaum: { $wanted } Posen messen, über die ganze Reichweite verteilt
 fewest-in-patch = Wenigste je Stelle
 field-is = { $path }: { $place } ist { $value }
@@ -1013,9 +1024,28 @@ field-missing =
     }
 field-must-be-less-than-half-square = { $field } muss kleiner als ein halbes Feld sein; ist der Wert in Mikrometern angegeben?
 figure = Kenngröße
+figure-between-close-limits =
+    { $title }: { $value }; die Grenzwerte von ±{ $limit } liegen im Vergleich zum Schutzabstand von { $guard } nahe beieinander: { $decision ->
+        [pass] nach der Regel bestanden.
+        [fail] nach der Regel nicht bestanden.
+       *[uncertain] nicht entschieden.
+    }
+figure-beyond-guard = { $title }: { $value }, über dem Grenzwert von { $limit }, um mehr als den Schutzabstand von { $guard }.
 figure-beyond-limit = { $title }: { $value }, über dem Grenzwert von { $limit }, um mehr als die Unsicherheit von { $uncertainty } (k = 2).
+figure-near-guard =
+    { $title }: { $value }, näher am Grenzwert von { $limit } als der Schutzabstand von { $guard }: { $decision ->
+        [pass] bestanden, da der Anwender die Unsicherheit trägt.
+        [fail] nicht bestanden, da der Lieferant die Unsicherheit trägt.
+       *[uncertain] nicht entschieden.
+    }
 figure-near-limit = { $title }: { $value }, näher am Grenzwert von { $limit } als die Unsicherheit von { $uncertainty } (k = 2), daher nicht entschieden.
+figure-within-guard = { $title }: { $value }, innerhalb des Grenzwerts von { $limit }, um mehr als den Schutzabstand von { $guard }.
 figure-within-limit = { $title }: { $value }, innerhalb des Grenzwerts von { $limit }, um mehr als die Unsicherheit von { $uncertainty } (k = 2).
+figure-without-guard =
+    { $title }: { $value }, { $how ->
+        [beyond] über dem Grenzwert
+       *[within] innerhalb des Grenzwerts
+    } von { $limit }.
 figures-against-their-limits = Kenngrößen und ihre Grenzwerte
 figures-before = { $text }: Die Werte sind nicht mehr aktuell.
 figures-break-limits-not-compared = Nicht alle Kenngrößen halten ihren Grenzwert ein; Scan und Taster wurden nicht verglichen.
@@ -1034,6 +1064,7 @@ file-larger-than-any-read = so große Dateien werden hier nicht gelesen
 file-name-is-not-utf-8 = Der Name von { $name } ist kein gültiger UTF-8-Text
 files-data-folder-any-more = ihre Dateien sind nicht mehr im Datenordner
 files-searched = Gesucht wird nach { $suffixes }.
+filters-of-figures = Filter: Punkte, die weiter als { $sigmas } Standardabweichungen vom Ausgleich entfernt sind, und Bilder innerhalb von { $place } eines früheren werden nicht verwendet. Für die Form über alle Punkte werden sie verwendet.
 finder-failed = Die Suche { $name } von { $package } ist fehlgeschlagen: { $kind }: { $error }
 finder-takes-too-long = Die Suche { $name } wurde nicht rechtzeitig fertig
 finding-objects-edges = Kanten des Objekts werden gesucht
@@ -1097,8 +1128,10 @@ folder-named = Der Ordner { $folder }
 folder-their-own = aus einem eigenen Ordner
 folder-there-already = { $folder } existiert bereits
 folders-next-to-it-not-empty = daneben liegen bereits Daten, in { $folders }
-form-95-m = Form 95 %, µm
-form-cloud-95-points = Form der Punktwolke (95 % der Punkte)
+form-95-m = Form 95 %, gefiltert, µm
+form-all-m = Form 95 % aller, µm
+form-all-points-in-gate = Form aller Punkte (95 %)
+form-cloud-95-points = Form, gefiltert (95 % der Punkte)
 form-max-min-m = Form (max − min), µm
 format-expected = erwartet wird hier { $format }
 frame-has-pixels = { $path }: Bild { $number } hat { $width_px } × { $height_px } Pixel
@@ -1128,6 +1161,8 @@ further-cloud-aside-one-other-s =
        *[other] { $aside } weitere Punktwolken wurden ausgeschlossen.
     }
 gate-and-filters = Welche Punkte zählen
+gate-of-plane = Auswahl aller Punkte: die gescannte Fläche, bis { $gate } von der Ebene.
+gate-of-sphere = Auswahl aller Punkte: bis { $gate } von der kalibrierten Kugel und bis { $angle } von der Mitte des Scans.
 gauge = Prüfnormal
 gauge-clamped = Dieses Prüfnormal ist aufgespannt
 gauge-shape = { $path }: shape ist { $shape }
@@ -1227,6 +1262,7 @@ implied-offset-caption =
         [yes] Das ist mehr als Zufall: Den Sensor erneut kalibrieren.
        *[no] Das ist nicht mehr als Zufall.
     } Ohne diesen Fehler bliebe eine Lageabweichung von { $left }.
+in-space-largest-and-two-s = Räumlich: größter Abstand vom Mittelwert { $largest }, 2 s { $two_s } (Kennwerte nach ASME B89.4.22, hier für eine Pfanne).
 install-extra-xlsx = Mit pip install 'crenel[xlsx]' installieren oder CSV verwenden
 its-sensor-has-no-name = ihr Sensor hat keinen Namen
 its-sensors-are = ihre Sensoren sind { $names }
@@ -1235,15 +1271,18 @@ kuka-add-element = In der Ethernet-Konfiguration der Steuerung unter SEND ein El
 kuka-lacks-element = Die Pakete des Roboters unter { $address } enthalten kein { $name }
 kuka-no-rsi = Was der Roboter unter { $address } sendet, ist kein RSI
 kuka-start-rsi = RSI an der Steuerung starten (RSI_ON). In ihrer Ethernet-Konfiguration muss ONLYSEND auf TRUE stehen, mit Adresse und Port dieses Rechners.
+largest-distance-from-mean = Größter Abstand vom Mittelwert, räumlich
 laser-off-or-covered = der Laser ist aus, verdeckt oder zu schwach
 laser-on-not-brighter = das Bild mit Laser ist nicht heller als das ohne Laser
 laser-on-off-differ = die Bilder mit und ohne Laser sind verschieden: { $on } und { $off } Pixel
 leave-out-laser-off = --laser-off weglassen: Graubilder werden gemessen, wie sie sind
 length-standard = Längennormal
+limits-judged-by-marked-uncertainty = U: Messunsicherheit des Werts aus Normal, Taster und Ausgleich. U der Prüfung: Prüfwertunsicherheit allein aus dem Normal und seinem Aufbau (ISO 14253-5). Jeder Grenzwert wird nach der mit{ $mark } gekennzeichneten beurteilt.
 location-fixed-diameter = Lage, fester Durchmesser
 location-over-articulations = Lage über die Stellungen
 maximum-permissible-error = Größte zulässige Abweichung
 measured-channel = gemessen: { $channel }
+measurement-u = U, k = 2
 microscribe-needs-five-joints = Dieser Treiber ist nur für MicroScribe mit fünf Gelenken.
 microscribe-no-answer = Unter { $url } antwortet kein MicroScribe
 microscribe-other-device = Das Gerät unter { $url } antwortet nicht wie ein MicroScribe
@@ -1289,10 +1328,19 @@ places-of-hemisphere =
     } mit dem Abstand von der Ausgleichskugel in µm, blau außen, orange innen, höchstens { $largest }. Die Kreise liegen 22,5°, 45°, 67,5° und 90° vom Pol.
 plate = Ebenes Normal
 plate-by-certificate = eben auf { $flatness }
+point-judged-with-guard =
+    Für ein Merkmal, das durch einen einzelnen gescannten Punkt gegeben ist, beträgt der Schutzabstand { $guard } ({ $guard_mm }): { $bearer ->
+        [supplier] Es ist nur konform, wenn der Punkt um mehr als diesen innerhalb der Toleranz liegt.
+        [user] Es ist nur nicht konform, wenn der Punkt um mehr als diesen außerhalb der Toleranz liegt.
+       *[prover] Die Konformität ist nachgewiesen, wenn der Punkt um mehr als diesen innerhalb der Toleranz liegt, die Nichtkonformität, wenn er um mehr außerhalb liegt.
+    }
+point-judged-without-guard = Ein Merkmal, das durch einen einzelnen gescannten Punkt gegeben ist, ist konform, wenn der Punkt innerhalb der Toleranz liegt.
 points-in-gate = Punkte
 points-outside-gate = Punkte außerhalb
 qif-not-validated = diese Datei ist nach QIF 3.0 geschrieben, aber nicht gegen dessen Schema geprüft; ein Leseprogramm kann sie ablehnen
 quaternion-must-be-unit = die letzten vier Zahlen müssen ein Einheitsquaternion sein, w zuerst
+range-all-m = Spannweite aller, µm
+range-all-points-in-gate = Spannweite aller Punkte
 raw-bayer-has-one-channel = ein Bayer-Rohbild (bayer) hat nur einen Kanal
 recording-has-no-sensor-named = { $path } enthält keinen Sensor namens { $name }
 recording-has-one-sensor = { $path } ist eine Aufzeichnung eines einzigen Sensors
@@ -2781,6 +2829,7 @@ takes-notifications = { $host } nimmt Benachrichtigungen an.
 taking-picture = Bild wird aufgenommen
 tells-whoever-away-what-done-fault = Der Webhook benachrichtigt Abwesende über Fertiges, Störungen und Fälliges.
 temperature = Temperatur
+test-u = U der Prüfung, k = 2
 test-value-uncertainty = Prüfwertunsicherheit
 test-value-uncertainty-text = Erweiterte Unsicherheit von Normal und Aufbau, k = 2. Die Streuung von Arm und Sensor gehört nicht dazu: Die Prüfung misst sie.
 text-has-half-character = einer ihrer Texte enthält ein unvollständiges Zeichen
@@ -2896,6 +2945,7 @@ tip-off-place-arm = Abweichung der Tastkugel von ihrer Lage am Messarm
 tip-over-whole-reach = Tastkugel über die ganze Reichweite
 tip-rather-has = der Durchmesser der Tastkugel beträgt eher { $diameter }, oder die angegebenen Durchmesser gehören nicht zu diesen Kugeln
 tip-rather-has-or-bar-wrong = der Durchmesser der Tastkugel beträgt eher { $diameter }, oder die angegebenen Durchmesser gehören nicht zu diesen Kugeln, oder die Länge eines Kugelstabs ist falsch
+tip-rule-applies-to-error-alone = Die Regel gilt für die Durchmesserabweichung. Die Streuung wird unmittelbar mit ihrem Grenzwert verglichen.
 tip-seat = Die Tastkugel sitzt in der Pfanne
 tip-seat-no-points-taken-there = Die Tastkugel ist { $left } von der Pfanne entfernt; dort werden keine Punkte aufgenommen.
 tip-seated-seat-loose-points-another = die Tastkugel saß nicht, die Pfanne war locker, oder Punkte einer anderen Position sind darunter
@@ -2910,7 +2960,7 @@ tip-uncertainty-before =
 tips-coordinates-moved-instead = stattdessen werden die Koordinaten der Tastkugel geändert
 tips-diameter = Tastkugeldurchmesser
 tips-diameter-how-well-touches-agree = Durchmesser der Tastkugel und Übereinstimmung ihrer Antastpunkte.
-tips-diameter-off-known-only-k = Der Durchmesser der Tastkugel weicht um { $off } ab; für eine Entscheidung ist die erweiterte Unsicherheit von { $known } (k = 2) zu groß.
+tips-diameter-off-known-only-k = Der Durchmesser der Tastkugel weicht um { $off } ab; die erweiterte Unsicherheit von { $known } (k = 2) ist zu groß, um die Einhaltung des Grenzwerts nachzuweisen.
 tips-places = Positionen der Tastkugel
 tips-places-about-their-middle = Positionen der Tastkugel relativ zu ihrer Mitte
 titled-text = { $title }: { $text }
@@ -3029,6 +3079,7 @@ turn-sensor-so-laser-falls-onto = Sensor so drehen, dass der Laser von oben auf 
 turn-up-light-exposure = mehr beleuchten oder länger belichten
 turn-up-light-exposure-look-object = mehr beleuchten oder länger belichten und den Sensor auf das Objekt richten
 two-pictures-named = zwei Bilder heißen { $name } und wären eine Datei in { $folder }
+two-s-of-distances = 2 s dieser Abstände
 two-seats-or-seat-carried = sie gehören zu zwei Pfannen, oder die Pfanne wurde zwischendurch versetzt
 two-seats-or-seat-carried-or-arm = sie gehören zu zwei Pfannen, oder die Pfanne wurde zwischendurch versetzt, oder arm.json gehört nicht zu diesem Messarm: Auch in anderen Pfannen wandert die Tastkugel { $far }
 u-v = es ist „u“ oder „v“
@@ -3127,7 +3178,7 @@ value-too-short-list =
 value-too-short-text = der Text muss mindestens { $count } Zeichen haben
 value-with-spread = { $value } { $spread }
 values-in-micrometres = Werte, µm
-values-shares-their-limits-bar-expanded = Werte im Verhältnis zu ihren Grenzwerten: Der Balken ist die erweiterte Unsicherheit (k = 2), die Kreise sind die einzelnen Punktwolken.
+values-shares-their-limits-bar-expanded = Werte im Verhältnis zu ihren Grenzwerten: Der Balken ist die erweiterte Unsicherheit (k = 2), nach der der Grenzwert beurteilt wird, die Kreise sind die einzelnen Punktwolken.
 verification = Verifizierung
 verification-cannot-read = Die Verifizierung { $one } ist nicht lesbar.
 verification-closed-start-new-one = Diese Verifizierung ist abgeschlossen. Eine neue starten.

@@ -82,6 +82,7 @@ arm-by-its-datasheet = the arm is that of its datasheet
 arm-check = Arm check
 arm-check-2 = arm check
 arm-check-no-limit = { $half_range }, no limit is set.
+arm-check-uncertainty-is-zero = Applied to (max − min)/2 of each axis with an uncertainty of zero, as the contribution of the form of seat and tip is not stated: the value is compared directly with its limit. The figures in space are stated without a limit.
 arm-check-with-limit = { $half_range }, limit { $limit }.
 arm-checked = Arm checked: { $worst }.
 arm-chosen-cannot-read-any-more = The selected arm can no longer be read
@@ -777,10 +778,21 @@ date = Date
 dcc-version-needed = Certificates of version 3 are read
 dcc-version-unknown = the certificate has version { $version }
 decision = Decision
-decision-rule-iso-14253-1-error = Decision rule according to ISO 14253-1: the diameter error passes if it is proven to be within its limit by more than its expanded uncertainty (k = 2), and fails if it is proven to be beyond. The scatter is compared directly with its limit.
-decision-rule-iso-14253-1-pass = Decision rule according to ISO 14253-1: pass if the value is proven to be within its limit by more than its expanded uncertainty (k = 2); fail if it is proven to be beyond; otherwise undecided.
+decision-rule-guard =
+    Guard band: { $factor } times the standard uncertainty. { $bearer ->
+        [supplier] The supplier bears the uncertainty: a value closer to its limit than the guard band fails.
+        [user] The user bears the uncertainty: a value closer to its limit than the guard band passes.
+       *[prover] Whoever has to prove something bears the uncertainty: a value closer to its limit than the guard band is undecided.
+    }
 decision-rule-limits-set-standard-uncertainty = Decision rule: the limits apply to the standard uncertainty itself, which is compared with them directly, without a guard band.
-decision-rule-max-min-2-each = Decision rule: (max − min)/2 of each axis is compared directly with its limit. There is no guard band: the contribution of the form of seat and tip is not stated.
+decision-rule-named =
+    Decision rule: { $name ->
+        [guarded-95] acceptance with a guard band for 95 %
+        [expanded-k2] acceptance with the expanded uncertainty (k = 2) as guard band
+        [simple] simple acceptance
+       *[other] { $name }
+    }, { $standard }:{ $edition }.
+decision-rule-without-guard = There is no guard band: values are compared directly with their limits, the uncertainty is stated only, and both parties bear its risk.
 delay-would-known-all = the delay would not be determined at all
 delay-would-known-k-1 = the standard uncertainty of the delay would be { $u } (k = 1)
 delete-columns-of-one = Delete the columns of one of them
@@ -998,7 +1010,6 @@ fanuc-sends-no-status = The robot at { $address } answers but sends no status
 fanuc-update = Update the controller's software.
 far-out = far out
 fault = { CAPITAL($fault) } is at fault. { $text }
-feature-given-single-scanned-point-iso = For a feature given by a single scanned point, ISO 14253-1 with its default of 95 % proves conformance if the point lies at least { $guard } ({ $guard_mm }, { $factor } standard uncertainties) inside its tolerance, and nonconformance if it lies as far outside.
 few-poses = { $poses } poses give { $figures } values for { $unknown } unknowns and hardly check them: measure { $wanted } poses, all over the reach
 fewest-in-patch = Fewest at a place
 field-is = { $path }: { $place } is { $value }
@@ -1009,9 +1020,28 @@ field-missing =
     }
 field-must-be-less-than-half-square = { $field } must be less than half a square; is it in micrometres?
 figure = Figure
+figure-between-close-limits =
+    { $title }: { $value }; the limits of ±{ $limit } lie close together compared with the guard band of { $guard }: { $decision ->
+        [pass] passes by the rule.
+        [fail] fails by the rule.
+       *[uncertain] undecided.
+    }
+figure-beyond-guard = { $title }: { $value }, beyond the limit of { $limit } by more than the guard band of { $guard }.
 figure-beyond-limit = { $title }: { $value }, beyond the limit of { $limit } by more than its uncertainty of { $uncertainty } (k = 2).
+figure-near-guard =
+    { $title }: { $value }, closer to the limit of { $limit } than the guard band of { $guard }: { $decision ->
+        [pass] passes, as the user bears the uncertainty.
+        [fail] fails, as the supplier bears the uncertainty.
+       *[uncertain] undecided.
+    }
 figure-near-limit = { $title }: { $value }, closer to the limit of { $limit } than its uncertainty of { $uncertainty } (k = 2): undecided.
+figure-within-guard = { $title }: { $value }, within the limit of { $limit } by more than the guard band of { $guard }.
 figure-within-limit = { $title }: { $value }, within the limit of { $limit } by more than its uncertainty of { $uncertainty } (k = 2).
+figure-without-guard =
+    { $title }: { $value }, { $how ->
+        [beyond] beyond
+       *[within] within
+    } the limit of { $limit }.
 figures-against-their-limits = Figures and their limits
 figures-before = { $text }: the figures are out of date.
 figures-break-limits-not-compared = Not every figure is within its limit; scan and probe were not compared.
@@ -1030,6 +1060,7 @@ file-larger-than-any-read = the file is too large to be read
 file-name-is-not-utf-8 = The name of { $name } is not UTF-8 text
 files-data-folder-any-more = its files are no longer in the data folder
 files-searched = Supported file types: { $suffixes }.
+filters-of-figures = Filters: points further than { $sigmas } standard deviations from the fit, and frames within { $place } of an earlier one, are not used. For the form over all points they are.
 finder-failed = The search { $name } of { $package } failed: { $kind }: { $error }
 finder-takes-too-long = The search { $name } did not end in time
 finding-objects-edges = Finding the object's edges
@@ -1093,8 +1124,10 @@ folder-named = The folder { $folder }
 folder-their-own = from a folder of their own
 folder-there-already = { $folder } already exists
 folders-next-to-it-not-empty = there is data beside it, in { $folders }
-form-95-m = Form 95 %, µm
-form-cloud-95-points = Form of the cloud (95 % of the points)
+form-95-m = Form 95 %, filtered, µm
+form-all-m = Form 95 % of all, µm
+form-all-points-in-gate = Form of all points (95 %)
+form-cloud-95-points = Form, filtered (95 % of the points)
 form-max-min-m = Form (max − min), µm
 format-expected = { $format } is expected here
 frame-has-pixels = { $path }: frame { $number } has { $width_px } × { $height_px } pixels
@@ -1124,6 +1157,8 @@ further-cloud-aside-one-other-s =
        *[other] { $aside } further clouds were excluded.
     }
 gate-and-filters = Points that take part
+gate-of-plane = Gate of all points: the scanned area, within { $gate } of the plane.
+gate-of-sphere = Gate of all points: within { $gate } of the calibrated sphere, and { $angle } from the middle of the scan.
 gauge = Gauge
 gauge-clamped = This gauge is clamped
 gauge-shape = { $path }: shape is { $shape }
@@ -1223,6 +1258,7 @@ implied-offset-caption =
         [yes] This is more than chance: calibrate the sensor again.
        *[no] This is no more than chance.
     } Without it, a location error of { $left } would remain.
+in-space-largest-and-two-s = In space: largest distance from the mean { $largest }, 2 s { $two_s } (figures of ASME B89.4.22, here for one seat).
 install-extra-xlsx = Install it with: pip install 'crenel[xlsx]'; or use CSV
 its-sensor-has-no-name = its sensor has no name
 its-sensors-are = its sensors are { $names }
@@ -1231,15 +1267,18 @@ kuka-add-element = Add an element with TAG="DEF_{ $name }" to SEND in the contro
 kuka-lacks-element = The packets of the robot at { $address } have no { $name }
 kuka-no-rsi = What the robot at { $address } sends is no RSI
 kuka-start-rsi = Start RSI on the controller (RSI_ON). Its Ethernet configuration must have ONLYSEND set to TRUE, and the address and port of this computer.
+largest-distance-from-mean = Largest distance from the mean, in space
 laser-off-or-covered = the laser is off, covered or too weak
 laser-on-not-brighter = the picture with the laser on is not brighter than the one with it off
 laser-on-off-differ = the pictures with the laser on and off differ: { $on } and { $off } pixels
 leave-out-laser-off = Leave out --laser-off: grey pictures are measured as they are
 length-standard = Length standard
+limits-judged-by-marked-uncertainty = U: measurement uncertainty of the value by gauge, probe and fit. U of test: test value uncertainty by the gauge and its set-up alone (ISO 14253-5). Each limit is judged by the one marked with{ $mark }.
 location-fixed-diameter = Location, fixed diameter
 location-over-articulations = Location over the articulations
 maximum-permissible-error = Maximum permissible error
 measured-channel = measured: { $channel }
+measurement-u = U, k = 2
 microscribe-needs-five-joints = This driver serves MicroScribe arms with five joints only.
 microscribe-no-answer = No MicroScribe answers at { $url }
 microscribe-other-device = The device at { $url } does not answer as a MicroScribe does
@@ -1285,10 +1324,19 @@ places-of-hemisphere =
     } with the distance from the least-squares sphere in µm, blue outward, orange inward, at most { $largest }. The circles lie at 22.5°, 45°, 67.5° and 90° from the pole.
 plate = Flat artefact
 plate-by-certificate = flat to { $flatness }
+point-judged-with-guard =
+    For a feature given by a single scanned point, the guard band is { $guard } ({ $guard_mm }): { $bearer ->
+        [supplier] the feature conforms only if the point lies inside its tolerance by more.
+        [user] the feature fails only if the point lies outside its tolerance by more.
+       *[prover] conformance is proven if the point lies inside its tolerance by more, nonconformance if it lies outside by more.
+    }
+point-judged-without-guard = A feature given by a single scanned point conforms if the point lies inside its tolerance.
 points-in-gate = Points
 points-outside-gate = Points outside
 qif-not-validated = this file was written after QIF 3.0 but not validated against its schema; a reader may refuse it
 quaternion-must-be-unit = its last four numbers must be a unit quaternion, w first
+range-all-m = Range of all, µm
+range-all-points-in-gate = Range of all points
 raw-bayer-has-one-channel = a raw Bayer picture (bayer) has one channel
 recording-has-no-sensor-named = { $path } has no sensor named { $name }
 recording-has-one-sensor = { $path } is a recording of one sensor
@@ -2768,6 +2816,7 @@ takes-notifications = { $host } accepts notifications.
 taking-picture = Taking the picture
 tells-whoever-away-what-done-fault = It informs people who are away about completed jobs, faults and due checks.
 temperature = Temperature
+test-u = U of test, k = 2
 test-value-uncertainty = Test value uncertainty
 test-value-uncertainty-text = Expanded uncertainty of artefact and set-up, k = 2. The scatter of arm and sensor is no part of it: the test measures it.
 text-has-half-character = one of its texts contains an incomplete character
@@ -2883,6 +2932,7 @@ tip-off-place-arm = Tip offset from its position on the arm
 tip-over-whole-reach = Tip over the whole reach
 tip-rather-has = the tip's diameter is probably { $diameter }, or the stated diameters of the spheres are wrong
 tip-rather-has-or-bar-wrong = the tip's diameter is probably { $diameter }, or the stated diameters of the spheres are wrong, or the length of a bar is wrong
+tip-rule-applies-to-error-alone = The rule applies to the diameter error. The scatter is compared directly with its limit.
 tip-seat = The tip is in the seat
 tip-seat-no-points-taken-there = The tip is { $left } away from the seat; no points are taken there.
 tip-seated-seat-loose-points-another = the tip was not seated, the seat was loose, or points of another place are among them
@@ -2897,7 +2947,7 @@ tip-uncertainty-before =
 tips-coordinates-moved-instead = the tip's coordinates are changed instead
 tips-diameter = The tip's diameter
 tips-diameter-how-well-touches-agree = The tip's diameter, and the agreement of its contact points.
-tips-diameter-off-known-only-k = The tip's diameter deviates by { $off }; its expanded uncertainty of { $known } (k = 2) is too large for a decision.
+tips-diameter-off-known-only-k = The tip's diameter deviates by { $off }; its expanded uncertainty of { $known } (k = 2) is too large to prove that the limit is kept.
 tips-places = Tip positions
 tips-places-about-their-middle = Tip positions relative to their mean
 titled-text = { $title }: { $text }
@@ -3007,6 +3057,7 @@ turn-sensor-so-laser-falls-onto = turn the sensor so that the laser falls onto t
 turn-up-light-exposure = increase the light or the exposure
 turn-up-light-exposure-look-object = increase the light or the exposure, and check the object
 two-pictures-named = two pictures are named { $name }, and would be one file in { $folder }
+two-s-of-distances = 2 s of these distances
 two-seats-or-seat-carried = they belong to two seats, or the seat was moved in between
 two-seats-or-seat-carried-or-arm = they belong to two seats, or the seat was moved in between, or arm.json belongs to another arm (in other seats, too, its tip moves by { $far })
 u-v = it is "u" or "v"
@@ -3113,7 +3164,7 @@ value-too-short-text =
     }
 value-with-spread = { $value } { $spread }
 values-in-micrometres = Values, µm
-values-shares-their-limits-bar-expanded = Values relative to their limits: the bar is the expanded uncertainty (k = 2), circles are the single clouds.
+values-shares-their-limits-bar-expanded = Values relative to their limits: the bar is the expanded uncertainty (k = 2) that the limit is judged by, circles are the single clouds.
 verification = Verification
 verification-cannot-read = The verification { $one } is unreadable.
 verification-closed-start-new-one = This verification is closed. Start a new one.

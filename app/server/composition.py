@@ -22,6 +22,7 @@ from app.guide.common.validity import DUE, DueLimits
 from app.guide.verify.commands import COMMANDS as VERIFICATION_COMMANDS
 from app.guide.verify.guide import VerificationServices, VerifyGuide
 from app.messages.message import Text, message
+from app.metrology.decision import GUARDED_95, DecisionRule
 from app.metrology.limits import LIMITS, Limits
 from app.operations.calibration_in_use import (
     calibration_error,
@@ -73,6 +74,8 @@ class StationParts:
     """Limits for the verdict on a calibration."""
     verification: VerificationLimits = DEFAULT_LIMITS
     """Limits for a verification if its gauge has none."""
+    rule: DecisionRule = GUARDED_95
+    """By which everything is judged."""
     due: DueLimits = DUE
     """When checks are due again."""
     guest: str | None = None
@@ -153,6 +156,7 @@ def _build_context(parts: StationParts, store: Store) -> Context:
         use_active,
         parts.limits,
         signing,
+        parts.rule,
     )
     recovery = Recovery(store, scanner, jobs, bus, viewing.note_records)
     recovery.list_unlisted()
@@ -164,7 +168,7 @@ def _build_context(parts: StationParts, store: Store) -> Context:
     )
     scanner.on_finished = lambda result: _record_scan(result, store, watch)
     arm_station = StationServices(bus, rig, jobs, parts.simulated_operator)
-    arm_guide = ArmGuide(arm_station, store.journal, store.folder, signing)
+    arm_guide = ArmGuide(arm_station, store.journal, store.folder, signing, parts.rule)
     guide.tip = lambda: last_tip_finding(arm_guide, parts.due)
     verify_guide = VerifyGuide(
         VerificationServices(bus, rig, jobs, parts.simulated_operator, scanner, scene),
@@ -174,6 +178,7 @@ def _build_context(parts: StationParts, store: Store) -> Context:
         store.folder,
         parts.verification,
         signing,
+        parts.rule,
     )
     rig.arm.on_button = Buttons(
         _button_handler(guide, arm_guide, verify_guide),

@@ -7,6 +7,7 @@ import ipaddress
 import os
 import ssl
 from collections.abc import Mapping
+from dataclasses import replace
 from pathlib import Path
 from typing import Annotated, Literal, Self, TypeAlias
 
@@ -24,6 +25,7 @@ from app.formats.datasheets.gauge import DEFAULT_LIMITS, VerificationLimits
 from app.formats.open_file import check_ordinary
 from app.formats.settings.toml_table import Limit, NonEmpty, SettingsPath, TomlTable
 from app.guide.common.validity import DUE, DueLimits
+from app.metrology.decision import GUARDED_95, RULES, Bearer, DecisionRule
 from app.metrology.limits import LIMITS
 from app.supervision.broker_settings import BrokerSettings
 
@@ -142,6 +144,17 @@ class VerificationTable(VerificationLimits):
         return DEFAULT_LIMITS.model_dump() | given if isinstance(given, dict) else given
 
 
+class DecisionTable(TomlTable):
+    """How values, their uncertainties and their limits become decisions."""
+
+    rule: Literal["guarded-95", "expanded-k2", "simple"] = "guarded-95"
+    bearer: Bearer = GUARDED_95.bearer
+
+    @property
+    def decision_rule(self) -> DecisionRule:
+        return replace(RULES[self.rule], bearer=self.bearer)
+
+
 class TemperatureTable(TomlTable):
     """The room's thermometer."""
 
@@ -164,6 +177,7 @@ class Settings(TomlTable):
     sensor: DeviceTable | None = None
     limits: LimitsTable = LimitsTable()
     verification: VerificationTable = VerificationTable()
+    decision: DecisionTable = DecisionTable()
     due: DueLimits = DUE
     mqtt: BrokerSettings | None = None
     temperature: TemperatureTable | None = None

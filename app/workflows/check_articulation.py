@@ -58,8 +58,8 @@ def worst_verdict(reports: tuple[SeatReport, ...]) -> ArticulationVerdict:
 
 
 def report_rows(reports: tuple[SeatReport, ...]) -> list[list[str]]:
-    """One row per seat: (max - min)/2 and 2 sigma by axis in µm, the encoders' part, the range of
-    motion."""
+    """One row per seat: (max - min)/2 and 2 sigma by axis in µm, largest distance and 2 s in space,
+    the encoders' part, the range of motion."""
     rows: list[list[str]] = []
     for report in reports:
         check = report.check
@@ -69,6 +69,8 @@ def report_rows(reports: tuple[SeatReport, ...]) -> list[list[str]]:
                 str(check.points),
                 *(f"{value:.1f}" for value in check.half_range_um),
                 *(f"{value:.1f}" for value in check.two_sigma_um),
+                f"{check.largest_um:.1f}",
+                f"{check.two_s_um:.1f}",
                 f"{float(np.max(check.encoders_two_sigma_um)):.1f}",
                 f"{float(np.rad2deg(np.max(check.swing_rad))):.0f}",
                 {"pass": "pass", "fail": "FAIL", "none": ""}[check.verdict],
@@ -88,6 +90,8 @@ def report_fields(reports: tuple[SeatReport, ...]) -> dict[str, object]:
                 "centre_mm": report.check.centre_mm.tolist(),
                 "half_range_um": report.check.half_range_um.tolist(),
                 "two_sigma_um": report.check.two_sigma_um.tolist(),
+                "largest_um": report.check.largest_um,
+                "two_s_um": report.check.two_s_um,
                 "encoders_two_sigma_um": report.check.encoders_two_sigma_um.tolist(),
                 "swing_deg": np.rad2deg(report.check.swing_rad).tolist(),
                 "verdict": report.check.verdict,

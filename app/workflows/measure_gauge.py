@@ -8,14 +8,21 @@ import numpy as np
 from pydantic import Field
 
 from app.formats.clouds.points import Points
-from app.formats.datasheets.gauge import GaugeFile
+from app.formats.datasheets.gauge import GaugeFile, Shape
 from app.formats.json_document import Document, DocumentPart, NotNegative, Number, Positive, Vector3
 from app.formats.results.calibration import Calibration
+from app.formats.results.verification import FiltersPart
 from app.messages.message import Text
 from app.metrology.arm.kinematics import AnyArm
 from app.metrology.fitting.deviation_map import deviation_map
-from app.metrology.fitting.plane_sphere import PlaneFit, SphereFit
-from app.metrology.gauges.scanned_gauge import GaugeCloud, fit_gauge_plane, fit_gauge_sphere
+from app.metrology.fitting.plane_sphere import FILTER_SIGMAS, PlaneFit, SphereFit
+from app.metrology.gauges.gauge_gate import CONE_DEG, GATE_MM
+from app.metrology.gauges.scanned_gauge import (
+    SAME_PLACE_MM,
+    GaugeCloud,
+    fit_gauge_plane,
+    fit_gauge_sphere,
+)
 from app.metrology.transforms import Floats
 from app.workflows.reconstruct import Reconstruction, reconstruct_into
 
@@ -30,6 +37,12 @@ class GaugeFit(DocumentPart):
     frames: int
     rms_um: NotNegative
     form_um: NotNegative
+    in_gate: int | None = None
+    """Points within the geometric gate; None, like the following, in older journals."""
+    form_all_um: NotNegative | None = None
+    range_all_um: NotNegative | None = None
+    width_mm: NotNegative | None = None
+    """Of a plane's cloud in its narrower direction."""
     centre_mm: Vector3
     normal: Vector3 | None = None
     offset_mm: Number | None = None
@@ -81,6 +94,16 @@ class GaugeMeasurement:
     map: MapFile
 
 
+def filters_of(shape: Shape) -> FiltersPart:
+    """What chooses the points of a gauge's figures."""
+    return FiltersPart(
+        sigmas=FILTER_SIGMAS,
+        same_place_mm=SAME_PLACE_MM,
+        gate_mm=GATE_MM,
+        gate_deg=CONE_DEG if shape == "sphere" else None,
+    )
+
+
 def measure_recording(
     recording: Path, calibration: Calibration, arm: AnyArm, gauge: GaugeFile
 ) -> GaugeMeasurement:
@@ -111,6 +134,10 @@ def _fit_record(found: GaugeCloud, rebuilt: Reconstruction) -> GaugeFit:
         "frames": rebuilt.frames,
         "rms_um": fit.rms_mm * 1e3,
         "form_um": found.form_mm * 1e3,
+        "in_gate": found.unfiltered.points,
+        "form_all_um": found.unfiltered.dispersion_mm * 1e3,
+        "range_all_um": found.unfiltered.range_mm * 1e3,
+        "width_mm": found.width_mm,
         "covariance": () if covariance is None else covariance.tolist(),
         "warnings": rebuilt.warnings,
     }

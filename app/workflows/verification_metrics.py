@@ -1,6 +1,6 @@
 """A gauge's clouds against its nominal, the probe and the limits: figures and verdict."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import combinations
 from typing import Literal
@@ -9,15 +9,18 @@ import numpy as np
 
 from app.formats.datasheets.gauge import GaugeFile, VerificationLimits
 from app.formats.results.verification import (
-    Decision,
     FigureName,
     FigurePart,
+    JudgedBy,
     Result,
     VerificationVerdict,
 )
-from app.messages.message import Text, message, quantity
-from app.metrology.gauges.errors import ARCSEC_PER_RAD, angle_between_rad, compare_plane, decide
+from app.messages.message import Text, message
+from app.metrology.decision import GUARDED_95, DecisionRule, decide
+from app.metrology.gauges.errors import ARCSEC_PER_RAD, angle_between_rad, compare_plane
 from app.metrology.gauges.probed_gauge import ProbedPlane, ProbedSphere
+from app.workflows.judgement.reasons import Judgement, describe_judgement
+from app.workflows.judgement.value_uncertainty import gauge_test_uncertainty
 from app.workflows.measure_gauge import GaugeFit
 
 ProbedGauge = ProbedPlane | ProbedSphere
@@ -26,6 +29,8 @@ UNIFORM = float(np.sqrt(12.0))
 TITLES: dict[FigureName, Text] = {
     "rms": message("scatter-points-rms"),
     "form": message("form-cloud-95-points"),
+    "form_all": message("form-all-points-in-gate"),
+    "range_all": message("range-all-points-in-gate"),
     "angle": message("angle-touched-plane"),
     "offset": message("distance-touched-plane"),
     "z_error": message("height-above-touched-plane-along-z"),
@@ -36,6 +41,9 @@ TITLES: dict[FigureName, Text] = {
     "centre_range": message("distance-between-clouds-centres"),
 }
 ANGLES: tuple[FigureName, ...] = ("angle", "angle_range")
+PLACES: tuple[FigureName, ...] = ("angle", "offset", "z_error", "centre_error")
+"""Figures of where the gauge was found; they are judged by their measurement uncertainty."""
+SIGNED: tuple[FigureName, ...] = ("offset", "z_error", "radius_error")
 ORDER = ("fail", "uncertain", "pass", "none")
 
 
@@ -72,20 +80,31 @@ def gauge_figures(
     gauge: GaugeFile,
     touched: ProbedGauge | None,
     limits: VerificationLimits,
+    rule: DecisionRule = GUARDED_95,
 ) -> tuple[FigurePart, ...]:
-    """Every figure that these clouds allow, each with its uncertainty and its limit."""
+    """Every figure that these clouds allow, each with its uncertainties and its limit.
+
+    Figures of the instrument's performance (form, rms, radius, ranges) are judged by the test
+    value uncertainty, those of where the gauge was found by the measurement uncertainty.
+
+    Source:
+        ISO 14253-5 for the difference of the two.
+    """
     if not fits:
         return ()
     errors = [cloud_errors(fit, gauge, touched) for fit in fits]
+    test = gauge_test_uncertainty(gauge, fits)
     nominal_sd_um = float(np.hypot(gauge.standard_uncertainty_um, gauge.form_um / UNIFORM))
     found: list[FigurePart] = []
 
-    def add(name: FigureName, values: Sequence[float | None], standard: float) -> None:
+    def add(name: FigureName, values: Sequence[float | None], measured: float) -> None:
         known = [value for value in values if value is not None]
         if len(known) == len(fits):
-            found.append(_figure(name, known, K * standard, getattr(limits, name, None)))
+            found.append(_figure(name, known, measured, test, limits, rule))
 
     add("form", [fit.form_um for fit in fits], nominal_sd_um)
+    add("form_all", [fit.form_all_um for fit in fits], nominal_sd_um)
+    add("range_all", [fit.range_all_um for fit in fits], nominal_sd_um)
     add("rms", [fit.rms_um for fit in fits], nominal_sd_um)
     if gauge.shape == "plane":
         _add_plane(add, fits, errors, touched, nominal_sd_um)
@@ -99,7 +118,11 @@ def gauge_figures(
         of_fit = max(fit.sd(slice(0, 3)) for fit in fits) * 1e3
         of_touch = touched.centre_sd_mm * 1e3 if isinstance(touched, ProbedSphere) else 0.0
         add("centre_error", [e.centre_error_um for e in errors], float(np.hypot(of_fit, of_touch)))
-    return (*found, *_ranges(fits, gauge, limits))
+    ranges = [
+        _judge(name, value, measured, test, limits, rule)
+        for name, value, measured in _ranges(fits, gauge)
+    ]
+    return (*found, *ranges)
 
 
 def _add_plane(
@@ -133,10 +156,8 @@ def _tilt_sd(fit: GaugeFit) -> float:
     return fit.rms_um / 1e3 / 10.0
 
 
-def _ranges(
-    fits: Sequence[GaugeFit], gauge: GaugeFile, limits: VerificationLimits
-) -> list[FigurePart]:
-    """How far the clouds lie apart: of any two the largest."""
+def _ranges(fits: Sequence[GaugeFit], gauge: GaugeFile) -> list[tuple[FigureName, float, float]]:
+    """How far the clouds lie apart, of any two the largest, with its measurement uncertainty."""
     if len(fits) < 2:
         return []
     two = float(np.sqrt(2.0))
@@ -144,7 +165,7 @@ def _ranges(
         centres = [np.array(fit.centre_mm) for fit in fits]
         apart = max(float(np.linalg.norm(a - b)) for a, b in combinations(centres, 2)) * 1e3
         sd = two * max(fit.sd(slice(0, 3)) for fit in fits) * 1e3
-        return [_range("centre_range", apart, K * sd, limits.centre_range)]
+        return [("centre_range", apart, sd)]
     planes = [fit.plane for fit in fits]
     turned = max(angle_between_rad(a.normal, b.normal) for a, b in combinations(planes, 2))
     first = planes[0]
@@ -156,16 +177,20 @@ def _ranges(
     tilt = two * max(_tilt_sd(fit) for fit in fits) * ARCSEC_PER_RAD
     shift = two * max(fit.sd(slice(0, 1)) for fit in fits) * 1e3
     return [
-        _range("angle_range", turned * ARCSEC_PER_RAD, K * tilt, limits.angle_range),
-        _range("offset_range", float(np.ptp(heights)) * 1e3, K * shift, limits.offset_range),
+        ("angle_range", turned * ARCSEC_PER_RAD, tilt),
+        ("offset_range", float(np.ptp(heights)) * 1e3, shift),
     ]
 
 
 def _figure(
-    name: FigureName, values: Sequence[float], expanded: float, limit: float | None
+    name: FigureName,
+    values: Sequence[float],
+    measured: float,
+    test: Mapping[FigureName, float],
+    limits: VerificationLimits,
+    rule: DecisionRule,
 ) -> FigurePart:
-    worst = max(values, key=abs)
-    figure = _range(name, worst, expanded, limit)
+    figure = _judge(name, max(values, key=abs), measured, test, limits, rule)
     several = len(values) > 1
     return figure.model_copy(
         update={
@@ -176,43 +201,32 @@ def _figure(
     )
 
 
-def _range(name: FigureName, value: float, expanded: float, limit: float | None) -> FigurePart:
+def _judge(
+    name: FigureName,
+    value: float,
+    measured: float,
+    test: Mapping[FigureName, float],
+    limits: VerificationLimits,
+    rule: DecisionRule,
+) -> FigurePart:
+    """One figure against its limit; the uncertainties ``measured`` and ``test``: k = 1."""
     unit: Literal["µm", "″"] = "″" if name in ANGLES else "µm"
-    decision = decide(value, limit, expanded)
+    by: JudgedBy = "measurement" if name in PLACES else "test"
+    standard = measured if by == "measurement" else test[name]
+    limit: float | None = getattr(limits, name, None)
+    decision = decide(value, limit, standard, rule, signed=name in SIGNED)
+    words = Judgement(TITLES[name], value, limit, standard, unit, decision, name in SIGNED)
     return FigurePart(
         name=name,
         title=TITLES[name],
         unit=unit,
         value=value,
-        expanded_uncertainty=expanded,
+        expanded_uncertainty=K * measured,
+        test_uncertainty=test[name],
+        judged_by=by,
         limit=limit,
         decision=decision,
-        reason=_reason(TITLES[name], value, expanded, limit, decision, unit),
-    )
-
-
-def _reason(
-    title: Text,
-    value: float,
-    expanded: float,
-    limit: float | None,
-    decision: Decision,
-    unit: Literal["µm", "″"],
-) -> Text:
-    size, uncertainty = quantity(abs(value), unit), quantity(expanded, unit)
-    if limit is None:
-        return message("there-no-limit", title=title, value=size)
-    most = quantity(limit, unit)
-    if decision == "pass":
-        return message(
-            "figure-within-limit", title=title, value=size, limit=most, uncertainty=uncertainty
-        )
-    if decision == "fail":
-        return message(
-            "figure-beyond-limit", title=title, value=size, limit=most, uncertainty=uncertainty
-        )
-    return message(
-        "figure-near-limit", title=title, value=size, limit=most, uncertainty=uncertainty
+        reason=describe_judgement(words, rule),
     )
 
 
@@ -230,7 +244,7 @@ WORDS_UNTOUCHED: dict[Result, Text] = {
 
 
 def verification_verdict(figures: Sequence[FigurePart], touched: bool) -> VerificationVerdict:
-    """As bad as the worst of the figures (ISO 14253-1)."""
+    """As bad as the worst of the figures."""
     decisions = [figure.decision for figure in figures]
     result: Result = "pass"
     if "fail" in decisions:

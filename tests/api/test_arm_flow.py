@@ -90,6 +90,8 @@ def test_a_check_by_the_simulated_operator_is_judged_and_recorded(
     assert newest["verdict"] == "good"
     assert newest["points"] >= 30
     assert newest["half_range_um"] == pytest.approx(view["picture"]["half_range_um"])
+    for name in ("largest_um", "two_s_um"):
+        assert newest[name] == pytest.approx(view["picture"][name])
     # the record can be judged again without us
     folder = server.data / "sessions" / view["session_id"]
     (seat,) = check_table(folder, None, ArticulationLimits(half_range_um=2000))

@@ -1,5 +1,6 @@
 """station.toml: read with its defaults, refused with the key's name."""
 
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -7,6 +8,7 @@ import pytest
 from app.errors import OperationError
 from app.formats.datasheets.gauge import DEFAULT_LIMITS
 from app.guide.common.validity import DUE
+from app.metrology.decision import EXPANDED_K2, GUARDED_95
 from app.metrology.limits import LIMITS
 from app.settings.settings import LimitsTable
 from app.settings.station_toml import read_settings
@@ -80,7 +82,14 @@ def test_only_the_devices_are_needed(tmp_path: Path, monkeypatch: pytest.MonkeyP
     assert settings.station.data == tmp_path / "share/crenel/station"
     assert settings.limits == LimitsTable(good_um=LIMITS.good_um, usable_um=LIMITS.usable_um)
     assert settings.verification.model_dump() == DEFAULT_LIMITS.model_dump()
+    assert settings.decision.decision_rule == GUARDED_95
     assert settings.due == DUE
+
+
+def test_the_decision_rule_and_who_bears_the_uncertainty(tmp_path: Path) -> None:
+    chosen = '[decision]\nrule = "expanded-k2"\nbearer = "supplier"\n[arm]'
+    settings = read_settings(write(tmp_path, GOOD.replace("[arm]", chosen)))
+    assert settings.decision.decision_rule == replace(EXPANDED_K2, bearer="supplier")
 
 
 @pytest.mark.parametrize(
@@ -105,6 +114,8 @@ def test_only_the_devices_are_needed(tmp_path: Path, monkeypatch: pytest.MonkeyP
         (('name = "Room 2"', 'tls_key = "station.toml"'), "tls_key is given without the other"),
         (('data = "records"', "data = 5"), "data = 5: it must be text in quotes"),
         (('data = "records"', 'data = ""'), "it is empty"),
+        (("[arm]", '[decision]\nrule = "hopeful"\n[arm]'), "rule = 'hopeful'"),
+        (("[arm]", '[decision]\nbearer = "nobody"\n[arm]'), "bearer = 'nobody'"),
         (("[arm]", '[mqtt]\nhost = "h"\nstation = "Room 2"\n[arm]'), "lower-case letters"),
         (("[arm]", '[mqtt]\nhost = "h"\nca_file = "station.toml"\n[arm]'), "no certificates"),
         (("[arm]", '[mqtt]\nhost = "h"\nca_file = "gone"\n[arm]'), "there is no such file"),

@@ -18,12 +18,14 @@ import pytest
 from app.formats.results.verification import read_verification
 from app.guide.verify.commands import measure_waiting
 from app.guide.verify.guide import VerificationServices, VerifyGuide
+from app.metrology.decision import GUARDED_95
 from app.station.bus import Bus
 from app.station.devices.rig import Rig
 from app.station.jobs import Jobs
 from app.station.scan.scanner import Scanner
 from app.station.view3d.scene import Scene
 from app.store.store import Store
+from app.workflows.measure_gauge import filters_of
 from hardware.clock import now_ns
 from hardware.interfaces import Button
 from tests.api.calibrated import use_truth
@@ -121,8 +123,10 @@ def test_a_plate_is_verified_by_the_simulated_operator_and_kept(
     assert "fail" not in decisions, [figure["reason"] for figure in view["picture"]["figures"]]
     assert result == ("uncertain" if "uncertain" in decisions else "pass")
     assert {figure["name"] for figure in view["picture"]["figures"]} == {
-        "form", "rms", "angle", "offset", "z_error", "angle_range", "offset_range",
+        "form", "form_all", "range_all", "rms", "angle", "offset", "z_error", "angle_range",
+        "offset_range",
     }  # fmt: skip
+    assert view["picture"]["rule"]["name"] == "guarded-95"
     deviations = server.http.get(view["picture"]["clouds"][0]["map_url"]).json()
     assert len(deviations["x_mm"]) == len(deviations["deviation_um"]) > 300
     assert not desk.do("accept")["running"]
@@ -135,6 +139,11 @@ def test_a_plate_is_verified_by_the_simulated_operator_and_kept(
     assert record.calibration.id == calibration
     assert record.simulated
     assert record.gauge.serial_number == "TWIN-P1"
+    assert record.rule.rule == GUARDED_95
+    assert record.filters == filters_of("plane")
+    for cloud in record.clouds:
+        assert (cloud.in_gate or 0) >= cloud.used
+        assert (cloud.range_all_um or 0.0) >= (cloud.form_all_um or 0.0) >= cloud.form_um > 0
     assert record.temperature.end_c == 20.5
     assert len(record.clouds) == 3
     assert record.placing is not None

@@ -49,7 +49,9 @@ from app.settings.station_toml import read_settings
 
 PAGE = (Path(__file__).parents[2] / "docs/formats.md").read_text(encoding="utf-8")
 EXAMPLE = re.compile(r"^```(?:json|csv|toml|xyz) (\S+)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
-DEFAULTS_SHOWN = ("limits", "verification", "due")
+DEFAULTS_SHOWN = ("limits", "verification", "decision", "due")
+WITHOUT_DEFAULT = {"form_all", "range_all"}
+"""Limits that are stated beside the tables of defaults."""
 
 
 def block(kind: str) -> str:
@@ -206,7 +208,9 @@ def test_station_toml_has_every_key_and_the_defaults(examples: Path) -> None:
     trustme.CA().cert_pem.write_to_path(str(examples / "ca.pem"))
     settings, written = read_settings(file), tomllib.loads(file.read_text(encoding="utf-8"))
     for name in Settings.model_fields:
-        assert set(written[name]) >= set(type(getattr(settings, name)).model_fields), name
+        keys = set(type(getattr(settings, name)).model_fields) - WITHOUT_DEFAULT
+        assert set(written[name]) >= keys, name
+    assert all(f"`{key}`" in PAGE for key in WITHOUT_DEFAULT)
     for name in DEFAULTS_SHOWN:
         table = getattr(settings, name)
         assert table == type(table)(), name

@@ -13,7 +13,6 @@ from app.formats.performance.plan import (
     Kind,
     LimitPart,
     PlatePart,
-    RulePart,
     SpherePart,
     length_feature,
     sphere_feature,
@@ -31,6 +30,7 @@ from app.formats.performance.results import (
 )
 from app.formats.performance.symbols import TITLES, Quantity, editions, symbol_of
 from app.formats.results.calibration import Input, SerialNumbers
+from app.formats.results.decision_rule import RulePart
 from app.messages.message import message, rounded
 from app.metrology.decision import decide
 from app.metrology.performance.contact_tests import seat_articulation, volumetric_length

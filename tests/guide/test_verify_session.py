@@ -16,6 +16,7 @@ from app.guide.verify.flow import build_view
 from app.guide.verify.live import CloudResults, VerifyLive
 from app.guide.verify.rules import RULES
 from app.guide.verify.state import VerifyState, apply_row
+from app.metrology.decision import EXPANDED_K2, GUARDED_95, SIMPLE, DecisionRule
 from app.metrology.gauges.errors import NominalPlane, NominalSphere
 from app.metrology.gauges.probed_gauge import ProbedPlane, ProbedSphere
 from app.workflows.measure_gauge import GaugeFit
@@ -76,6 +77,7 @@ def live_of(**changes: Any) -> VerifyLive:
         arm=None,
         touched=None,
         judged=CloudResults({}, {}, (), None),
+        rule=GUARDED_95,
         arm_link=CONNECTED,
         sensor_link=replace(CONNECTED, title="Sensor"),
         still=True,
@@ -206,6 +208,50 @@ def test_a_sphere_is_judged_by_its_nominal_and_its_touched_centre() -> None:
     errors = cloud_errors(one, SPHERE, touched)
     assert errors.centre_error_um == pytest.approx(50.0)
     assert errors.angle_arcsec is None
+
+
+def test_performance_is_judged_by_the_test_uncertainty_and_places_by_the_measurement() -> None:
+    gauge = SPHERE.model_copy(update={"form_um": 2.0})
+    covariance = np.diag([1e-4, 1e-4, 1e-4, 1e-4]).tolist()
+    values = fit(radius_mm=9.98, centre_mm=[0.03, 0.0, 0.04], covariance=covariance)
+    values |= {"form_all_um": 90.0, "range_all_um": 200.0, "normal": None, "offset_mm": None}
+    one = GaugeFit.model_validate(values)
+    touched = ProbedSphere(NominalSphere(np.zeros(3), 10.0), np.zeros(7), 9e-6 * np.eye(3), 10, 0.1)
+    limits = DEFAULT_LIMITS.model_copy(update={"radius_error": 25.0, "centre_error": 60.0})
+    found = {f.name: f for f in gauge_figures([one], gauge, touched, limits)}
+    by = {name: figure.judged_by for name, figure in found.items()}
+    assert [name for name, which in by.items() if which == "measurement"] == ["centre_error"]
+    assert found["form"].test_uncertainty == pytest.approx(1.0)  # half the sphere's own form
+    radius = found["radius_error"]
+    assert radius.test_uncertainty == pytest.approx(np.hypot(1.0, 0.1))
+    assert radius.expanded_uncertainty > 20.0  # by the scan, which is what is tested
+    assert radius.value == pytest.approx(20.0)
+    assert radius.decision == "pass"
+    assert found["centre_error"].decision == "uncertain"
+    # all points are stated, without a limit unless one is given
+    assert (found["form_all"].value, found["form_all"].decision) == (90.0, "none")
+    given = limits.model_copy(update={"form_all": 80.0})
+    judged = {f.name: f for f in gauge_figures([one], gauge, touched, given)}
+    assert (judged["form_all"].decision, judged["form"].decision) == ("fail", "pass")
+
+
+def test_the_sentence_of_a_figure_is_that_of_its_rule() -> None:
+    limits = DEFAULT_LIMITS.model_copy(update={"offset": 24.0})
+    near = [GaugeFit.model_validate(fit())]  # 20 µm, known to 2.2 µm, k = 1
+
+    def offset(rule: DecisionRule) -> tuple[str, str]:
+        figures = {f.name: f for f in gauge_figures(near, PLANE, touched_plane(), limits, rule)}
+        return figures["offset"].decision, str(figures["offset"].reason)
+
+    decision, words = offset(GUARDED_95)
+    assert (decision, "guard band of 3.7 µm" in words, "k = 2" in words) == ("pass", True, False)
+    decision, words = offset(EXPANDED_K2)
+    assert (decision, "uncertainty of 4.5 µm (k = 2)" in words) == ("uncertain", True)
+    supplier = replace(EXPANDED_K2, bearer="supplier")
+    assert offset(supplier) == ("fail", offset(supplier)[1])
+    assert "the supplier bears the uncertainty" in offset(supplier)[1]
+    decision, words = offset(SIMPLE)
+    assert (decision, words.endswith("within the limit of 24 µm.")) == ("pass", True)
 
 
 @pytest.mark.parametrize(

@@ -1,4 +1,4 @@
-"""The daily check: (max - min)/2 and 2 sigma per axis, the verdict, and what is refused."""
+"""The daily check: figures along the axes and in space, the verdict, and what is refused."""
 
 from dataclasses import replace
 
@@ -35,7 +35,20 @@ def test_a_perfect_arm_shows_its_encoders_noise_alone(session: SimulatedArmSessi
         assert found.verdict == "none"
 
 
-def test_the_figures_are_those_of_the_standard() -> None:
+def test_the_figures_in_space_are_those_of_the_standard(session: SimulatedArmSession) -> None:
+    arm = nominal_arm(session.nominal_arm)
+    seat = collect_observations(session).seats[0]
+    found = check_articulation(arm, seat.q_rad)
+    tips = tip_centres(arm, seat.q_rad)
+    away = 1e3 * np.linalg.norm(tips - tips.mean(axis=0), axis=1)
+    assert found.largest_um == pytest.approx(away.max())
+    assert found.two_s_um == pytest.approx(2 * np.sqrt(np.sum(away**2) / (len(away) - 1)))
+    # 2 s over all axes together is the root sum of squares of those along the axes
+    assert found.two_s_um == pytest.approx(np.linalg.norm(found.two_sigma_um))
+    assert found.largest_um > found.half_range_um.max()
+
+
+def test_the_figures_along_the_axes_are_half_range_and_two_sigma() -> None:
     tips = np.array([[0.0, 0.0, 1.0], [0.03, 0.0, 1.0], [0.01, -0.02, 1.0]])
     half_range, two_sigma = tip_spread_um(tips)
     np.testing.assert_allclose(half_range, [15.0, 10.0, 0.0])

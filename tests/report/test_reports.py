@@ -5,7 +5,7 @@ import json
 import re
 import shutil
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import fields, is_dataclass
+from dataclasses import fields, is_dataclass, replace
 from pathlib import Path
 
 import numpy as np
@@ -20,12 +20,14 @@ from app.formats.json_document import SOFTWARE, file_sha256
 from app.formats.results.acceptance import ACCEPTANCE, Acceptance, ComparisonPart
 from app.formats.results.arm_checks import ARM_CHECK, TIP_CHECK, ArmCheckFile, TipCheckFile
 from app.formats.results.calibration import CalibrationFile, Input
+from app.formats.results.decision_rule import RulePart
 from app.formats.results.verification import VerificationFile, write_verification
 from app.formats.session.arm_session import write_observations
 from app.messages.catalogue import renderer
 from app.messages.language_file import languages
 from app.messages.message import Message, Text, message, quantity
 from app.metrology.arm.identification.observations import ArmObservations, Seat, Sphere
+from app.metrology.decision import EXPANDED_K2, GUARDED_95, SIMPLE
 from app.report.content import Pictures, Report, ReportTable, Section, TextBlock, Verdict
 from app.report.contents.calibration import calibration_report
 from app.report.contents.identification import BARS
@@ -38,7 +40,8 @@ from app.report.reports import folder_report, render_report
 from app.report.translation import translate_report
 from app.workflows.calibrate import calibrate_session
 from app.workflows.identify_arm import IdentificationProvenance, identify_folder
-from app.workflows.measure_gauge import MAP, MapFile
+from app.workflows.measure_gauge import MAP, MapFile, filters_of
+from app.workflows.verification_metrics import TITLES
 from hardware.simulator.session import SessionPlan, render_session
 from tests.datasheets import write_arm
 from tests.formats.builders import ARM
@@ -63,6 +66,7 @@ def accept(folder: Path, operator: str) -> None:
         calibration_sha256=file_sha256(folder / "calibration.json"),
         good_um=50,
         usable_um=150,
+        rule=RulePart.of(EXPANDED_K2),
         temperature_c=20.4,
         compared=ComparisonPart(name="Calibration 0", rms_um=4.2, max_um=9.1),
     ).write(folder / ACCEPTANCE)
@@ -156,7 +160,9 @@ def test_a_calibrations_report_says_what_a_certificate_does(folder: Path) -> Non
             f"{total_um / 1e3:.4f} mm",
             f"{2 * total_um:.1f} µm",
             "good ≤ 50 µm",
-            "ISO 14253-1",
+            "ISO 14253-1:1998",
+            f"the guard band is {2 * total_um:.1f} µm",
+            "Whoever has to prove something bears the uncertainty",
             "Calibration 0",
             "4.2 µm",
             "Operator: Anna",
@@ -253,6 +259,8 @@ def test_an_arm_checks_report(tmp_path: Path) -> None:
             "half_range_um": (20.0, 71.0, 30.0),
             "two_sigma_um": (15.0, 40.0, 20.0),
             "encoders_two_sigma_um": (10.0, 10.0, 10.0),
+            "largest_um": 83.4,
+            "two_s_um": 55.1,
             "limit_um": 60.0,
             "verdict": "bad",
             "inputs": [
@@ -267,6 +275,9 @@ def test_an_arm_checks_report(tmp_path: Path) -> None:
         "Beyond the limit",
         "71.0 µm",
         "0.0710 mm",
+        "83.4 µm",
+        "55.1 µm",
+        "ILAC-G8",
         "≤ 60 µm",
         "Ben",
         "Not according to a standard",
@@ -294,6 +305,7 @@ def test_a_tip_checks_report(tmp_path: Path) -> None:
             "expanded_uncertainty_um": 20.0,
             "scatter_um": 12.0,
             "limit_um": 60.0,
+            "rule": RulePart.of(replace(GUARDED_95, bearer="user")),
             "decision": "fail",
             "words": "The tip is worn.",
             "inputs": [Input(file="arm.json", sha256=file_sha256(tmp_path / "arm.json"))],
@@ -308,6 +320,7 @@ def test_a_tip_checks_report(tmp_path: Path) -> None:
         "± 20.0 µm",
         "5.9000 mm",
         "not stated",
+        "The user bears the uncertainty",
     ):
         assert reported in printed, reported
     assert_german(tmp_path, ARM.name, "The tip is worn.")
@@ -367,6 +380,37 @@ def test_a_verifications_report(tmp_path: Path) -> None:
     assert "Verification on a gauge sphere" in shown
     assert "cloud by cloud" in shown
     assert "Residuals of Cloud 1 on the gauge" in shown
+    # a record that does not state its rule is of before it did
+    assert "acceptance with the expanded uncertainty (k = 2) as guard band" in printed
+    assert_german(tmp_path, *plain_texts(RECORD))
+
+
+def test_a_verifications_report_states_rule_uncertainties_and_filters(tmp_path: Path) -> None:
+    cloud = {**RECORD["clouds"][0], "form_all_um": 130.5, "range_all_um": 410.5, "in_gate": 3990}
+    figure = {**RECORD["figures"][0], "test_uncertainty": 0.4, "judged_by": "test"}
+    rule = RulePart.of(replace(GUARDED_95, bearer="supplier"))
+    values = {"clouds": [cloud], "figures": [figure], "filters": filters_of("sphere"), "rule": rule}
+    document = VerificationFile.model_validate({**RECORD, **values})
+    write_verification(tmp_path, document)
+    printed = text_of(render_report(tmp_path, ".pdf"))
+    for reported in (
+        "ISO 14253-1:2017",
+        "1.65 times the standard uncertainty",
+        "The supplier bears the uncertainty",
+        "± 6.0 µm",
+        "± 0.8 µm *",
+        "3 standard deviations",
+        "within 0.05 mm of an earlier one",
+        "within 3 mm of the calibrated sphere",
+        "130.5",
+        "410.5",
+    ):
+        assert reported in printed, reported
+    assert "as guard band" not in printed
+    simple = document.model_copy(update={"rule": RulePart.of(SIMPLE)})
+    write_verification(tmp_path, simple)
+    printed = text_of(render_report(tmp_path, ".pdf"))
+    assert "ILAC-G8:09/2019. There is no guard band" in printed
     assert_german(tmp_path, *plain_texts(RECORD))
 
 
@@ -410,8 +454,9 @@ FACE_FACTOR = 1.08
 
 @pytest.mark.parametrize("language", languages())
 def test_the_longest_title_of_a_figure_fits_in_every_language(language: str) -> None:
-    longest = renderer(language)(message("distance-between-clouds-centres"))
-    assert FACE_FACTOR * stringWidth(longest, "Helvetica", 7.5) < LABELS - 8
+    render = renderer(language)
+    widest = max(stringWidth(render(title), "Helvetica", 7.5) for title in TITLES.values())
+    assert FACE_FACTOR * widest < LABELS - 8
 
 
 @pytest.mark.parametrize("language", languages())

@@ -9,6 +9,7 @@ import pytest
 from app.errors import OperationError
 from app.formats.datasheets.gauge import DEFAULT_LIMITS, VerificationLimits, read_gauge
 from app.formats.results.verification import VerificationFile, read_verification, write_verification
+from app.metrology.decision import EXPANDED_K2
 
 RECORD: dict[str, Any] = {
     "id": "20261121-101500-aa11",
@@ -68,6 +69,14 @@ def test_a_record_reads_back_as_it_was_written(tmp_path: Path) -> None:
     assert read_verification(tmp_path) == document
     fields = json.loads((tmp_path / "verification.json").read_text())
     assert (fields["format"], fields["k"]) == ("crenel/verification", 2)
+
+
+def test_an_older_record_was_judged_by_its_expanded_uncertainty() -> None:
+    document = VerificationFile.model_validate(RECORD)
+    assert document.rule.rule == EXPANDED_K2
+    (figure,) = document.figures
+    assert (figure.test_uncertainty, figure.judged_by) == (None, "measurement")
+    assert (document.filters, document.clouds[0].form_all_um) == (None, None)
 
 
 def test_a_record_without_clouds_is_none(tmp_path: Path) -> None:

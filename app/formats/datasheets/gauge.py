@@ -27,6 +27,8 @@ class VerificationLimits(DocumentPart):
 
     rms: Positive | None = None
     form: Positive | None = None
+    form_all: Positive | None = None
+    range_all: Positive | None = None
     angle: Positive | None = None
     offset: Positive | None = None
     radius_error: Positive | None = None

@@ -12,9 +12,9 @@ from xml.etree import ElementTree as ET
 from app.errors import OperationError
 from app.formats.exchange.certificate_values import DCC, SI
 from app.formats.exchange.xml_text import add, xml_bytes
-from app.formats.performance.plan import RulePart
 from app.formats.performance.results import PerformanceFigure, PerformanceFile
 from app.formats.performance.symbols import is_signed
+from app.formats.results.decision_rule import RulePart
 from app.messages.catalogue import renderer
 from app.messages.message import Text, message, rounded
 from app.timestamps import parse_moment

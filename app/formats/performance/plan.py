@@ -13,7 +13,7 @@ from pydantic import Field
 from app.formats.datasheets.length_standard import LengthStandardFile
 from app.formats.json_document import Document, DocumentPart, NotNegative, Positive, Vector3
 from app.formats.performance.symbols import DEFAULT_EDITION, Quantity
-from app.metrology.decision import GUARDED_95, RULES, Bearer, DecisionRule
+from app.formats.results.decision_rule import RulePart
 from app.metrology.performance.gate import CONE_DEG, INCIDENCE_DEG, SHELL_MM, SphereGate
 from app.metrology.performance.permissible_error import PermissibleError
 
@@ -33,32 +33,6 @@ class LimitPart(DocumentPart):
     @property
     def error(self) -> PermissibleError:
         return PermissibleError(self.a_um, self.k, self.b_um)
-
-
-class RulePart(DocumentPart):
-    """The decision rule."""
-
-    name: str = GUARDED_95.name
-    standard: str = GUARDED_95.standard
-    edition: str = GUARDED_95.edition
-    guard_factor: NotNegative = GUARDED_95.guard_factor
-    bearer: Bearer = "prover"
-
-    @property
-    def rule(self) -> DecisionRule:
-        return DecisionRule(self.name, self.standard, self.edition, self.guard_factor, self.bearer)
-
-    @staticmethod
-    def of(name: str, bearer: Bearer = "prover") -> "RulePart":
-        """A rule that the program knows; raises ``KeyError``."""
-        rule = RULES[name]
-        return RulePart(
-            name=rule.name,
-            standard=rule.standard,
-            edition=rule.edition,
-            guard_factor=rule.guard_factor,
-            bearer=bearer,
-        )
 
 
 class GatePart(DocumentPart):

@@ -20,11 +20,11 @@ from app.formats.performance.plan import (
     GatePart,
     Kind,
     PlatePart,
-    RulePart,
     SpherePart,
 )
 from app.formats.performance.symbols import Quantity
 from app.formats.results.calibration import Input, SerialNumbers
+from app.formats.results.decision_rule import RulePart
 from app.messages.message import Text
 from app.metrology.decision import Decision
 

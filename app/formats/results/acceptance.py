@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import ClassVar
 
 from app.formats.json_document import Document, DocumentPart, NotNegative, Number
+from app.formats.results.decision_rule import FORMER_POINT_RULE, RulePart
 
 ACCEPTANCE = "acceptance.json"
 
@@ -33,6 +34,8 @@ class Acceptance(Document):
     good_um: NotNegative | None = None
     usable_um: NotNegative | None = None
     """What the verdict went by: the standard uncertainty of a point, k = 1."""
+    rule: RulePart = FORMER_POINT_RULE
+    """For features that are given by scanned points."""
     temperature_c: Number | None = None
     compared: ComparisonPart | None = None
 

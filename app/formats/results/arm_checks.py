@@ -4,13 +4,15 @@ from typing import ClassVar, Literal
 
 from app.formats.json_document import Document, NotNegative, Number, Positive, Software, Vector3
 from app.formats.results.calibration import Input
+from app.formats.results.decision_rule import FORMER_ARM_RULE, FORMER_CHECK_RULE, RulePart
 from app.messages.message import Text
+from app.metrology.decision import Decision
 
 ARM_CHECK = "arm-check.json"
 
 
 class ArmCheckFile(Document):
-    """Of the tip's centre in one seat, along x, y and z of the arm's frame."""
+    """Of the tip's centre in one seat, along x, y and z of the arm's frame, and in space."""
 
     FORMAT: ClassVar[str] = "crenel/arm-check"
 
@@ -26,8 +28,14 @@ class ArmCheckFile(Document):
     two_sigma_um: Vector3
     encoders_two_sigma_um: Vector3
     """What the encoders' noise alone would give."""
+    largest_um: NotNegative | None = None
+    """Largest distance of a point from the mean of all; None, like the next, in older files."""
+    two_s_um: NotNegative | None = None
+    """Twice the standard deviation of these distances."""
     limit_um: NotNegative | None = None
     """Of (max - min)/2 along any axis."""
+    rule: RulePart = FORMER_ARM_RULE
+    """The uncertainty it is applied to is zero: that of seat and tip is not stated."""
     verdict: Literal["good", "attention", "bad", "neutral"]
     temperature_c: Number | None = None
     inputs: tuple[Input, ...] = ()
@@ -59,7 +67,9 @@ class TipCheckFile(Document):
     scatter_um: NotNegative
     bend_um: NotNegative | None = None
     limit_um: NotNegative | None = None
-    decision: Literal["pass", "fail", "uncertain", "none"]
+    rule: RulePart = FORMER_CHECK_RULE
+    """For the error; the scatter is compared with the limit directly."""
+    decision: Decision
     words: Text
     """What was found, in a sentence."""
     temperature_c: Number | None = None

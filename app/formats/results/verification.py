@@ -21,14 +21,19 @@ from app.formats.json_document import (
     Vector3,
 )
 from app.formats.results.calibration import Input, SerialNumbers
+from app.formats.results.decision_rule import FORMER_CHECK_RULE, RulePart
 from app.messages.message import Text
 
 Decision = Literal["pass", "fail", "uncertain", "none"]
-"""By ISO 14253-1 with an expanded uncertainty (k = 2); ``none`` where there is no limit."""
+"""By the record's ``rule``; ``none`` where there is no limit."""
+JudgedBy = Literal["test", "measurement"]
+"""Which uncertainty a figure's limit is judged by."""
 Result = Literal["pass", "fail", "uncertain"]
 FigureName = Literal[
     "rms",
     "form",
+    "form_all",
+    "range_all",
     "angle",
     "offset",
     "z_error",
@@ -103,6 +108,12 @@ class CloudPart(DocumentPart):
     rms_um: NotNegative
     form_um: NotNegative
     """Width of the zone about the shape that holds 95 % of the points used."""
+    in_gate: int | None = None
+    """Points within the geometric gate, whatever their residual; None in older files."""
+    form_all_um: NotNegative | None = None
+    """Width of the zone that holds 95 % of these points."""
+    range_all_um: NotNegative | None = None
+    """Their largest minus smallest distance."""
     centre_mm: Vector3
     """Of the points used of a plane; of the sphere."""
     normal: Vector3 | None = None
@@ -129,7 +140,10 @@ class FigurePart(DocumentPart):
     value: Number
     """The worst of the clouds, with its sign; of ``…_range`` between the clouds."""
     expanded_uncertainty: NotNegative
-    """Of the value by gauge, probe and fit, k = 2."""
+    """Measurement uncertainty of the value by gauge, probe and fit, k = 2."""
+    test_uncertainty: NotNegative | None = None
+    """Test value uncertainty by gauge and set-up, k = 1 (ISO 14253-5); None in older files."""
+    judged_by: JudgedBy = "measurement"
     limit: Positive | None = None
     """Of the absolute value."""
     decision: Decision
@@ -140,6 +154,20 @@ class FigurePart(DocumentPart):
     mean: Number | None = None
     standard_deviation: NotNegative | None = None
     """Over two or more clouds, n - 1."""
+
+
+class FiltersPart(DocumentPart):
+    """What chose the points of the figures."""
+
+    sigmas: Positive
+    """Points that are further off the fit, in standard deviations, are not used."""
+    same_place_mm: Positive
+    """Of frames nearer together than this, only the first are used."""
+    gate_mm: Positive
+    """The gate of all points: distance from the calibrated sphere, or from the plane over the
+    scanned area."""
+    gate_deg: Positive | None = None
+    """Of a sphere, from the direction that the scan faces."""
 
 
 class VerificationVerdict(DocumentPart):
@@ -182,6 +210,9 @@ class VerificationFile(Document):
     clouds: Annotated[tuple[CloudPart, ...], Field(min_length=1)]
     k: Literal[2] = 2
     """The coverage factor of every ``expanded_uncertainty``."""
+    rule: RulePart = FORMER_CHECK_RULE
+    filters: FiltersPart | None = None
+    """None in older files."""
     figures: tuple[FigurePart, ...]
     verdict: VerificationVerdict
     notes: tuple[Text, ...] = ()

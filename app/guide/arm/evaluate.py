@@ -9,6 +9,7 @@ from app.errors import OperationError
 from app.formats.json_document import SOFTWARE, file_sha256
 from app.formats.results.arm_checks import ARM_CHECK, TIP_CHECK, ArmCheckFile, TipCheckFile
 from app.formats.results.calibration import Input
+from app.formats.results.decision_rule import RulePart
 from app.formats.session.arm_session import ARM, ARTICULATION, SPHERES
 from app.guide.arm.flow import limit_quality
 from app.guide.arm.guide import ArmGuide
@@ -40,10 +41,13 @@ def check_the_arm(guide: ArmGuide) -> None:
         "half_range_um": found.half_range_um.tolist(),
         "two_sigma_um": found.two_sigma_um.tolist(),
         "encoders_two_sigma_um": found.encoders_two_sigma_um.tolist(),
+        "largest_um": found.largest_um,
+        "two_s_um": found.two_s_um,
         "limit_um": guide.state.limit_um,
         "verdict": limit_quality(found.half_range_um, guide.state.limit_um),
     }
-    document = {**_provenance(guide, ARTICULATION), **result}
+    rule = RulePart.of(guide.rule)
+    document = {**_provenance(guide, ARTICULATION), **result, "rule": rule}
     ArmCheckFile.model_validate(document).write(guide.folder / ARM_CHECK)
     guide.append(CHECKED, {**result, "centre_mm": found.centre_mm.tolist()})
     worst = quantity(float(found.half_range_um.max()), "µm")
@@ -63,6 +67,7 @@ def check_the_tip(guide: ArmGuide) -> None:
             sphere.size_mm,
             sphere.standard_uncertainty_mm,
             limit_um,
+            guide.rule,
         )
     except OperationError as error:
         guide.append("seat_dropped", {"name": seat.name})
@@ -77,6 +82,7 @@ def check_the_tip(guide: ArmGuide) -> None:
     document = {
         **_provenance(guide, SPHERES),
         **result,
+        "rule": RulePart.of(guide.rule),
         "words": finding.text,
         "sphere_mm": sphere.size_mm,
         "sphere_standard_uncertainty_mm": sphere.standard_uncertainty_mm,

@@ -199,6 +199,13 @@ def _check_findings(state: ArmState, picture: ArmPicture) -> list[Finding]:
         encoders=quantity(max(encoders), "µm"),
     )
     findings = [Finding("neutral", text)]
+    if picture.largest_um is not None and picture.two_s_um is not None:
+        in_space = message(
+            "in-space-largest-and-two-s",
+            largest=quantity(picture.largest_um, "µm"),
+            two_s=quantity(picture.two_s_um, "µm"),
+        )
+        findings.append(Finding("neutral", in_space))
     if state.limit_um is None:
         text = message("no-limit-set-so-check-neither")
         findings.insert(

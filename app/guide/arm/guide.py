@@ -33,6 +33,7 @@ from app.guide.common.guided_session import (
 )
 from app.messages.message import message
 from app.metrology.arm.kinematics import Arm
+from app.metrology.decision import GUARDED_95, DecisionRule
 
 FLOW = Flow(KIND, "arm", ArmState(), apply_row, build_view, RULES, (POINTS,))
 
@@ -46,8 +47,10 @@ class ArmGuide(GuidedSession[ArmState, ArmLive, ArmView]):
         journal: ArmJournal,
         data_folder: Path,
         signing: Provenance = NO_PROVENANCE,
+        rule: DecisionRule = GUARDED_95,
     ) -> None:
         super().__init__(station, journal, FLOW, data_folder, signing)
+        self.rule = rule
         self.history = ArmHistory(journal)
         self._left_mm: float | None = None
         self._sampled_ns = 0

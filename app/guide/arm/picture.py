@@ -21,6 +21,7 @@ from app.metrology.arm.identification.articulation import tip_spread_um
 from app.metrology.arm.identification.parameters import encoder_covariances, tip_jacobian
 from app.metrology.arm.kinematics import Arm, tip_centres
 from app.metrology.fitting.deviation_map import flat_places
+from app.metrology.performance.contact_tests import seat_articulation
 from app.metrology.transforms import Floats
 
 DRAWN_POINTS = 240
@@ -45,6 +46,7 @@ def build_picture(state: ArmState, live: ArmLive, seat: SeatSamples | None) -> A
     tips, J = tip_jacobian(arm, np.array(shown.q_rad))
     off_mm = _off_mm(arm, shown, tips)
     half_range, two_sigma = tip_spread_um(off_mm)
+    in_space = None if shown.artefact.kind == "sphere" else seat_articulation(tips)
     encoders = np.mean(np.diagonal(encoder_covariances(arm, J), axis1=1, axis2=2), axis=0)
     return ArmPicture(
         [_vec(np.round(off, 2)) for off in off_mm[-DRAWN_POINTS:] * 1e3],
@@ -55,6 +57,8 @@ def build_picture(state: ArmState, live: ArmLive, seat: SeatSamples | None) -> A
         joints,
         seats,
         result,
+        largest_um=None if in_space is None else in_space.largest_um,
+        two_s_um=None if in_space is None else in_space.two_s_um,
     )
 
 

@@ -28,6 +28,7 @@ def to_payload(found: TipCheck, expected_mm: float, limit_um: float | None) -> d
         "scatter_um": found.scatter_um,
         "bend_um": found.bend_um,
         "limit_um": limit_um,
+        "error_decision": found.error_decision,
         "decision": found.decision,
         "cause": found.cause,
     }

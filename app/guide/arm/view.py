@@ -1,7 +1,7 @@
 """What the browser is shown of an arm session."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from app.findings import Quality
 from app.formats.results.verification import Decision
@@ -99,6 +99,8 @@ class TipResult:
     bend_um: float | None
     limit_um: float | None
     decision: Decision
+    error_decision: Decision | None = field(default=None, kw_only=True)
+    """Of the diameter's error alone; None of older checks."""
 
 
 @dataclass(frozen=True)
@@ -118,6 +120,9 @@ class ArmPicture:
     sphere_mm: float | None = None
     """Its radius."""
     tip: TipResult | None = None
+    largest_um: float | None = None
+    """Largest distance of a point from the mean of all, in space; of a seat alone."""
+    two_s_um: float | None = None
 
 
 @dataclass(frozen=True)
@@ -153,6 +158,9 @@ class ArmCheckSummary(ArmRecord):
     two_sigma_um: Vec3
     limit_um: float | None
     verdict: Quality
+    largest_um: float | None = None
+    """In space; None of older checks."""
+    two_s_um: float | None = None
 
 
 @dataclass(frozen=True)

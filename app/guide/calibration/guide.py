@@ -34,6 +34,7 @@ from app.guide.common.view import FlowView
 from app.messages.message import message
 from app.metrology.adjustment.planning.next_pose import PoseDelta
 from app.metrology.arm.kinematics import flange_pose
+from app.metrology.decision import GUARDED_95, DecisionRule
 from app.metrology.limits import LIMITS, Limits
 from app.metrology.transforms import Floats
 from app.station.preview.preview import Preview
@@ -70,8 +71,10 @@ class CalibrationGuide(GuidedSession[CalibrationState, CalibrationLive, FlowView
         on_closed: Callable[[], None],
         limits: Limits = LIMITS,
         signing: Provenance = NO_PROVENANCE,
+        rule: DecisionRule = GUARDED_95,
     ) -> None:
         super().__init__(station, journal, FLOW, data_folder, signing)
+        self.rule = rule
         self.limits = limits
         """What a calibration's verdict goes by."""
         self.detections = DetectionCache()
@@ -233,7 +236,7 @@ class CalibrationGuide(GuidedSession[CalibrationState, CalibrationLive, FlowView
             }
             name = str(message("calibration-utc", now=f"{datetime.now(UTC):%Y-%m-%d %H:%M}"))
             file = self.folder.calibration
-            self.folder.keep_acceptance(name, result, self.provenance)
+            self.folder.keep_acceptance(name, result, self.provenance, self.rule)
             session_id = self.state.session_id
             self.keep(
                 lambda check: self.calibrations.accept(session_id, name, file, figures, key, check)

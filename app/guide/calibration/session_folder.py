@@ -16,6 +16,7 @@ from app.formats.io_errors import convert_io_errors
 from app.formats.json_document import file_sha256
 from app.formats.open_file import read_bounded
 from app.formats.results.acceptance import ACCEPTANCE, Acceptance, ComparisonPart
+from app.formats.results.decision_rule import RulePart
 from app.formats.session.calibration_session import (
     ARM,
     IMAGES,
@@ -33,6 +34,7 @@ from app.guide.calibration.state import PoseCapture as Captured
 from app.guide.common.datasheet_library import DatasheetLibrary
 from app.guide.common.guided_session import Provenance
 from app.guide.common.result_view import CalibrationResult
+from app.metrology.decision import DecisionRule
 from app.station.devices.capture import Capture
 
 CALIBRATION = "calibration.json"
@@ -109,8 +111,10 @@ class SessionFolder:
             ]
         write_images(path, rows)
 
-    def keep_acceptance(self, name: str, result: CalibrationResult, signing: Provenance) -> None:
-        """Writes who puts the session's calibration to use, and by which limits."""
+    def keep_acceptance(
+        self, name: str, result: CalibrationResult, signing: Provenance, rule: DecisionRule
+    ) -> None:
+        """Writes who puts the session's calibration to use, and by which limits and rule."""
         moved = result.comparison
         compared = (
             ComparisonPart(name=moved.with_name, rms_um=moved.rms_um, max_um=moved.max_um)
@@ -126,6 +130,7 @@ class SessionFolder:
             calibration_sha256=file_sha256(self.calibration),
             good_um=result.good_um,
             usable_um=result.usable_um,
+            rule=RulePart.of(rule),
             temperature_c=signing.temperature_c(),
             compared=compared,
         ).write(self.path / ACCEPTANCE)

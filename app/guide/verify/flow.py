@@ -109,7 +109,9 @@ def _number(state: VerifyState, live: VerifyLive) -> LiveNumber | None:
         for name in ("centre_error", "offset", "radius_error", "form")
         if name in figures
     )
-    expanded = quantity(main.expanded_uncertainty, "µm")
+    by_test = main.judged_by == "test" and main.test_uncertainty is not None
+    known = 2 * (main.test_uncertainty or 0.0) if by_test else main.expanded_uncertainty
+    expanded = quantity(known, "µm", 1 if known < 10 else 0)
     note = message("expanded-uncertainty-note", expanded_uncertainty=expanded)
     if main.limit is not None:
         limit = rounded(main.limit, "µm")

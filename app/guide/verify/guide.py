@@ -34,6 +34,7 @@ from app.guide.verify.state import VerificationCloud, VerifyState, apply_row
 from app.guide.verify.view import VerifyView
 from app.messages.message import message, quantity
 from app.metrology.arm.kinematics import AnyArm, tip_centres
+from app.metrology.decision import GUARDED_95, DecisionRule
 from app.metrology.gauges.probed_gauge import fit_probed_plane, fit_probed_sphere
 from app.station.scan.scanner import Scanner
 from app.station.view3d.scene import Scene
@@ -86,8 +87,10 @@ class VerifyGuide(GuidedSession[VerifyState, VerifyLive, VerifyView]):
         data_folder: Path,
         limits: VerificationLimits = DEFAULT_LIMITS,
         signing: Provenance = NO_PROVENANCE,
+        rule: DecisionRule = GUARDED_95,
     ) -> None:
         super().__init__(station, journal, FLOW, data_folder, signing)
+        self.rule = rule
         self.calibrations, self.verifications = calibrations, verifications
         self._limits = limits
         self._gauges = FolderContent(read_gauges, data_folder)
@@ -124,6 +127,7 @@ class VerifyGuide(GuidedSession[VerifyState, VerifyLive, VerifyView]):
             arm=arm,
             touched=touched,
             judged=judged,
+            rule=self.rule,
             arm_link=side.link(),
             sensor_link=station.rig.sensor.link(),
             still=side.stillness().still,
@@ -195,7 +199,7 @@ class VerifyGuide(GuidedSession[VerifyState, VerifyLive, VerifyView]):
         fits = {c.number: GaugeFit.model_validate(c.fit) for c in state.listed if c.fit is not None}
         errors = {number: cloud_errors(fit, gauge, probe) for number, fit in fits.items()}
         good = [fits[cloud.number] for cloud in state.good]
-        figures = gauge_figures(good, gauge, probe, self.limits(gauge))
+        figures = gauge_figures(good, gauge, probe, self.limits(gauge), self.rule)
         verdict = verification_verdict(figures, probe is not None) if figures else None
         return CloudResults(fits, errors, figures, verdict)
 

@@ -10,6 +10,7 @@ from app.guide.common.datasheet_library import Gauges
 from app.guide.common.rules import SessionLive
 from app.messages.message import Text
 from app.metrology.arm.kinematics import AnyArm
+from app.metrology.decision import DecisionRule
 from app.station.devices.link_state import DeviceState
 from app.workflows.measure_gauge import GaugeFit
 from app.workflows.verification_metrics import CloudErrors, ProbedGauge
@@ -41,6 +42,7 @@ class VerifyLive(SessionLive):
     touched: ProbedGauge | OperationError | None
     """The gauge by the touches, or why they do not fix it; None without touches."""
     judged: CloudResults
+    rule: DecisionRule
     arm_link: DeviceState
     sensor_link: DeviceState
     still: bool

@@ -5,6 +5,7 @@ from dataclasses import asdict
 import numpy as np
 
 from app.errors import OperationError, sentence
+from app.formats.results.decision_rule import RulePart
 from app.guide.common.journal import error_from_payload
 from app.guide.verify.live import VerifyLive
 from app.guide.verify.state import VerificationCloud, VerifyState
@@ -21,6 +22,7 @@ from app.metrology.arm.kinematics import tip_centres
 from app.metrology.fitting.deviation_map import flat_places
 from app.metrology.gauges.probed_gauge import ProbedPlane, ProbedSphere
 from app.metrology.transforms import Floats
+from app.workflows.measure_gauge import filters_of
 
 
 def build_picture(state: VerifyState, live: VerifyLive) -> VerifyPicture:
@@ -40,6 +42,8 @@ def build_picture(state: VerifyState, live: VerifyLive) -> VerifyPicture:
                 figure.unit,
                 figure.value,
                 figure.expanded_uncertainty,
+                figure.test_uncertainty,
+                figure.judged_by,
                 figure.limit,
                 figure.decision,
                 figure.reason,
@@ -48,6 +52,8 @@ def build_picture(state: VerifyState, live: VerifyLive) -> VerifyPicture:
             for figure in live.judged.figures
         ],
         verdict=VerdictLine(verdict.result, verdict.text) if verdict else None,
+        rule=RulePart.of(live.rule),
+        filters=filters_of(live.gauge.shape) if live.gauge else None,
     )
 
 
@@ -102,6 +108,9 @@ def _cloud(state: VerifyState, live: VerifyLive, cloud: VerificationCloud) -> Cl
         fit.used,
         fit.rms_um,
         fit.form_um,
+        in_gate=fit.in_gate,
+        form_all_um=fit.form_all_um,
+        range_all_um=fit.range_all_um,
         **asdict(live.judged.errors[cloud.number]),
         map_url=f"/api/verifications/{state.session_id}/cloud/{cloud.number}/map",
     )

@@ -10,6 +10,7 @@ from app.formats.atomic_write import sync_file, sync_folder
 from app.formats.io_errors import convert_io_errors
 from app.formats.json_document import SOFTWARE, file_sha256
 from app.formats.results.calibration import CalibrationFile, Input
+from app.formats.results.decision_rule import RulePart
 from app.formats.results.verification import (
     CONTACTS,
     GAUGE,
@@ -32,7 +33,7 @@ from app.messages.message import Text, message, quantity
 from app.metrology.gauges.errors import ARCSEC_PER_RAD
 from app.metrology.gauges.probed_gauge import ProbedPlane, ProbedSphere
 from app.station.jobs import Progress
-from app.workflows.measure_gauge import MAP, GaugeFit, measure_recording
+from app.workflows.measure_gauge import MAP, GaugeFit, filters_of, measure_recording
 from app.workflows.verification_metrics import CloudErrors
 
 RECORDING = "scan.mcap"
@@ -178,6 +179,8 @@ def build_record(guide: VerifyGuide, live: VerifyLive) -> VerificationFile:
             cloud_part(cloud, live.judged.fits[cloud.number], live.judged.errors[cloud.number])
             for cloud in state.good
         ),
+        rule=RulePart.of(guide.rule),
+        filters=filters_of(gauge.shape),
         figures=live.judged.figures,
         verdict=verdict,
         notes=_notes(state),
@@ -227,6 +230,9 @@ def cloud_part(cloud: VerificationCloud, fit: GaugeFit, errors: CloudErrors) -> 
         used=fit.used,
         rms_um=fit.rms_um,
         form_um=fit.form_um,
+        in_gate=fit.in_gate,
+        form_all_um=fit.form_all_um,
+        range_all_um=fit.range_all_um,
         centre_mm=fit.centre_mm,
         normal=fit.normal,
         offset_mm=fit.offset_mm,

@@ -5,7 +5,8 @@ from dataclasses import dataclass
 from typing import Literal
 
 from app.formats.datasheets.gauge import Shape
-from app.formats.results.verification import Decision, Result
+from app.formats.results.decision_rule import RulePart
+from app.formats.results.verification import Decision, FiltersPart, JudgedBy, Result
 from app.guide.common.view import SessionView
 from app.messages.message import Text
 
@@ -46,6 +47,10 @@ class CloudLine:
     used: int
     rms_um: float | None = None
     form_um: float | None = None
+    in_gate: int | None = None
+    """Points within the geometric gate; None, like the next two, of older clouds."""
+    form_all_um: float | None = None
+    range_all_um: float | None = None
     angle_arcsec: float | None = None
     z_error_um: float | None = None
     offset_error_um: float | None = None
@@ -63,6 +68,10 @@ class FigureLine:
     unit: str
     value: float
     expanded_uncertainty: float
+    """Measurement uncertainty, k = 2."""
+    test_uncertainty: float | None
+    """Test value uncertainty, k = 1; None of older records."""
+    judged_by: JudgedBy
     limit: float | None
     decision: Decision
     reason: Text
@@ -88,6 +97,8 @@ class VerifyPicture:
     clouds: Sequence[CloudLine]
     figures: Sequence[FigureLine]
     verdict: VerdictLine | None
+    rule: RulePart
+    filters: FiltersPart | None
 
 
 @dataclass(frozen=True)

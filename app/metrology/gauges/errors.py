@@ -1,10 +1,6 @@
-"""How well clouds of gauges agree with their nominals, and whether an error keeps its limit.
-
-The figures are the article's (Eq. 10-12), the decision rule is that of ISO 14253-1.
-"""
+"""How well clouds of gauges agree with their nominals: the article's figures (Eq. 10-12)."""
 
 from dataclasses import dataclass
-from typing import Literal
 
 import numpy as np
 
@@ -14,8 +10,6 @@ from app.metrology.fitting.plane_sphere import PlaneFit, SphereFit, fit_plane, f
 from app.metrology.transforms import Floats
 
 ARCSEC_PER_RAD = 180 / np.pi * 3600
-
-Decision = Literal["pass", "fail", "uncertain", "none"]
 
 
 @dataclass(frozen=True)
@@ -224,29 +218,3 @@ def offset_ranges_um(offsets_mm: Floats) -> Floats:
         (K,) µm.
     """
     return np.asarray(1e3 * np.ptp(offsets_mm, axis=0))
-
-
-def decide(value: float, limit: float | None, expanded_uncertainty: float) -> Decision:
-    """Whether a value keeps its limit, with its expanded uncertainty taken into account.
-
-    Args:
-        value: the measured error; its sign does not matter.
-        limit: the largest permissible absolute value, in the same unit; None: no limit.
-        expanded_uncertainty: k = 2, in the same unit.
-
-    Returns:
-        ``pass`` or ``fail`` where that holds in spite of the uncertainty, else ``uncertain``;
-        ``none`` without a limit.
-
-    Source:
-        The decision rules of ISO 14253-1 for proving conformity and nonconformity.
-
-    Example:
-        >>> decide(-8.0, 10.0, 1.5), decide(9.0, 10.0, 1.5), decide(12.0, 10.0, 1.5)
-        ('pass', 'uncertain', 'fail')
-    """
-    if limit is None:
-        return "none"
-    if abs(value) + expanded_uncertainty <= limit:
-        return "pass"
-    return "fail" if abs(value) - expanded_uncertainty > limit else "uncertain"

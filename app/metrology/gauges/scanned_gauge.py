@@ -10,6 +10,7 @@ from app.errors import OperationError
 from app.messages.message import message, quantity, rounded
 from app.metrology.fitting.plane_sphere import PlaneFit, SphereFit, draw_samples, finite_points
 from app.metrology.fitting.shape import MeasuredShape, measure_shape
+from app.metrology.gauges.gauge_gate import UnfilteredForm, plane_form, sphere_form
 from app.metrology.transforms import Floats
 
 LEAST_POINTS = 500
@@ -36,8 +37,12 @@ class GaugeCloud:
     used: int
     form_mm: float
     """Width of the narrowest zone about the shape that holds 95 % of the points used."""
+    unfiltered: UnfilteredForm
+    """Of all points of the geometric gate."""
     points_mm: Floats
     """(N, 3) points of the fit, arm frame."""
+    width_mm: float | None = None
+    """Of a plane's cloud in its narrower direction."""
 
 
 def fit_gauge_plane(points_mm: Floats, frame: NDArray[np.int64]) -> GaugeCloud:
@@ -52,7 +57,7 @@ def fit_gauge_plane(points_mm: Floats, frame: NDArray[np.int64]) -> GaugeCloud:
 
     Returns:
         The fitted plane with its covariance (k = 1), and the width of the zone that contains
-        95 % of the points used.
+        95 % of the points used, and of all points in the gate.
 
     Raises:
         OperationError: ``too-few-points``, ``points-on-a-line``; ``cloud-too-small``, also for a
@@ -72,7 +77,9 @@ def fit_gauge_plane(points_mm: Floats, frame: NDArray[np.int64]) -> GaugeCloud:
             message("plane-needs-both-directions", width=rounded(LEAST_WIDTH_MM, "mm")),
             message("pass-over-more-gauge"),
         )
-    return _assemble_cloud(found, points, len(points_mm))
+    all_points, _ = finite_points(points_mm, 4, "gauge")
+    unfiltered = plane_form(all_points, found.fit, inside)
+    return _assemble_cloud(found, points, len(points_mm), unfiltered, width)
 
 
 def fit_gauge_sphere(points_mm: Floats, frame: NDArray[np.int64], radius_mm: float) -> GaugeCloud:
@@ -88,7 +95,7 @@ def fit_gauge_sphere(points_mm: Floats, frame: NDArray[np.int64], radius_mm: flo
 
     Returns:
         The fitted sphere with its covariance (k = 1), and the width of the zone that contains
-        95 % of the points used.
+        95 % of the points used, and of all points in the gate.
 
     Raises:
         OperationError: ``too-few-points``; ``cloud-too-small``, also for a cap that is too small;
@@ -126,12 +133,20 @@ def fit_gauge_sphere(points_mm: Floats, frame: NDArray[np.int64], radius_mm: flo
             message("pass-over-several-sides"),
         )
     _refuse_rough(fit.rms_mm, "sphere")
-    return _assemble_cloud(found, points, len(points_mm))
+    all_points, _ = finite_points(points_mm, 4, "gauge")
+    unfiltered = sphere_form(all_points, fit, radius_mm)
+    return _assemble_cloud(found, points, len(points_mm), unfiltered)
 
 
-def _assemble_cloud(found: MeasuredShape, points: Floats, of: int) -> GaugeCloud:
+def _assemble_cloud(
+    found: MeasuredShape,
+    points: Floats,
+    of: int,
+    unfiltered: UnfilteredForm,
+    width_mm: float | None = None,
+) -> GaugeCloud:
     off = found.distances(points[found.fit.used])
-    return GaugeCloud(found, of, len(off), zone_mm(off), points)
+    return GaugeCloud(found, of, len(off), zone_mm(off), unfiltered, points, width_mm)
 
 
 def zone_mm(off_mm: Floats) -> float:

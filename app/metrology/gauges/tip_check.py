@@ -10,7 +10,7 @@ from typing import Literal
 import numpy as np
 
 from app.metrology.arm.kinematics import Arm, flange_poses, tip_centres
-from app.metrology.gauges.errors import Decision, decide
+from app.metrology.decision import GUARDED_95, Decision, DecisionRule, decide
 from app.metrology.gauges.probed_gauge import fit_probed_sphere, sphere_through
 from app.metrology.transforms import Floats
 
@@ -41,7 +41,10 @@ class TipCheck:
     bend_um: float | None
     """Distance of the tip centre from its position in the datasheet; None if the wrist was not
     turned enough."""
+    error_decision: Decision
+    """Of the diameter's error alone."""
     decision: Decision
+    """``fail`` too if the scatter is beyond the limit."""
     cause: Cause
 
 
@@ -51,6 +54,7 @@ def check_tip(
     sphere_diameter_mm: float,
     sphere_sd_mm: float = 0.0,
     limit_um: float | None = None,
+    rule: DecisionRule = GUARDED_95,
 ) -> TipCheck:
     """Judges the tip by contact points on a calibrated sphere.
 
@@ -62,9 +66,10 @@ def check_tip(
         q_rad: (N, n) encoder angles at the contact points.
         sphere_diameter_mm, sphere_sd_mm: from the certificate, with its standard uncertainty.
         limit_um: for the error of the diameter and for the scatter; None: no decision.
+        rule: by which the error of the diameter is judged.
 
     Returns:
-        Errors in µm, the expanded uncertainty (k = 2), the decision by ISO 14253-1 and the cause.
+        Errors in µm, the expanded uncertainty (k = 2), the decision by the rule and the cause.
 
     Raises:
         OperationError: as ``fit_probed_sphere``.
@@ -78,7 +83,9 @@ def check_tip(
     scatter_um = 1e3 * float(np.max(np.abs(np.linalg.norm(tips - centre, axis=1) - free_mm)))
     bend = _bend_mm(arm, q_rad, tips, centre)
     error_um, expanded_um = 1e3 * error_mm, 1e3 * K * sd_mm
-    decision = decide(error_um, limit_um, expanded_um)
+    both_limits = bool(np.isfinite(sd_mm))  # an unknown size has no probability between them
+    of_error = decide(error_um, limit_um, 1e3 * sd_mm, rule, signed=both_limits)
+    decision = of_error
     if limit_um is not None and scatter_um > limit_um:
         decision = "fail"
     return TipCheck(
@@ -88,6 +95,7 @@ def check_tip(
         expanded_uncertainty_um=expanded_um,
         scatter_um=scatter_um,
         bend_um=None if bend is None else 1e3 * bend[0],
+        error_decision=of_error,
         decision=decision,
         cause=_cause(error_um, scatter_um, expanded_um, bend, decision, limit_um),
     )
@@ -103,9 +111,10 @@ def _cause(
 ) -> Cause:
     if decision in ("pass", "none"):
         return "sound"
-    if decision == "uncertain":
-        return "unsure"
     limit = limit_um or 0.0
+    unproven = abs(error_um) <= limit and scatter_um <= limit
+    if decision == "uncertain" or unproven:
+        return "unsure"
     if scatter_um > limit:
         bent = bend is not None and bend[0] > BEND_SDS * bend[1] and 1e3 * bend[0] > limit
         return "bent" if bent else "scatter"

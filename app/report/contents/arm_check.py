@@ -6,6 +6,7 @@ import numpy as np
 
 from app.formats.datasheets.arm import read_arm
 from app.formats.results.arm_checks import ARM_CHECK, ArmCheckFile
+from app.formats.results.decision_rule import describe_rule
 from app.formats.session.arm_session import ARM, ARTICULATION, read_seats
 from app.messages.message import Message, Text, message, quantity, rounded, signed
 from app.metrology.arm.kinematics import Arm, tip_centres
@@ -51,7 +52,7 @@ def arm_check_report(folder: Path) -> Report[Text]:
     seat = read_seats(folder / ARTICULATION, arm)[-1]
     sections: list[Section[Text]] = [
         Section(message("what-checked"), [_facts(check, arm)]),
-        Section(message("results"), [_table(check), *_rule()]),
+        Section(message("results"), [_table(check), *_rule(check)]),
         signatures(check.operator),
         Section(message("tips-places"), [Pictures([_places(arm, seat.q_rad, check.limit_um)])]),
         Section(message("how-arm-swung"), [_swing(arm, seat.q_rad)]),
@@ -82,6 +83,9 @@ def _facts(check: ArmCheckFile, arm: Arm) -> Facts[Text]:
 def _table(check: ArmCheckFile) -> ReportTable[Text]:
     limit = at_most(check.limit_um)
     rows: list[tuple[Text, ...]] = []
+    if check.largest_um is not None and check.two_s_um is not None:
+        rows.append((message("largest-distance-from-mean"), *in_both_units(check.largest_um), ""))
+        rows.append((message("two-s-of-distances"), *in_both_units(check.two_s_um), ""))
     for axis, value in zip(AXES, check.half_range_um, strict=True):
         rows.append((message("max-min-2-along", axis=axis), *in_both_units(value), limit))
     for axis, value in zip(AXES, check.two_sigma_um, strict=True):
@@ -95,9 +99,10 @@ def _table(check: ArmCheckFile) -> ReportTable[Text]:
     )
 
 
-def _rule() -> list[TextBlock[Text]]:
+def _rule(check: ArmCheckFile) -> list[TextBlock[Text]]:
     return [
-        TextBlock(message("decision-rule-max-min-2-each")),
+        TextBlock(describe_rule(check.rule)),
+        TextBlock(message("arm-check-uncertainty-is-zero")),
         TextBlock(message("standard-one-seat-continuous-swing-positions")),
     ]
 

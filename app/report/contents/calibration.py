@@ -9,6 +9,7 @@ from app.formats.datasheets.sensor import SensorDatasheet
 from app.formats.datasheets.target import read_certificate
 from app.formats.results.acceptance import Acceptance, read_acceptance
 from app.formats.results.calibration import CalibrationFile, PosePart
+from app.formats.results.decision_rule import FORMER_POINT_RULE, RulePart, describe_rule
 from app.formats.session.calibration_session import (
     OBJECT,
     BlockSession,
@@ -64,8 +65,6 @@ METHODS: dict[str, Message] = {
     "joint": message("joint-adjustment-all-poses"),
     "one-pose": message("one-pose-faugeras-contact-alignment"),
 }
-GUARD = 1.65
-"""One-sided, 95 %: the guard band of ISO 14253-1 by default, in standard uncertainties."""
 
 
 def calibration_report(folder: Path) -> Report[Text]:
@@ -233,15 +232,8 @@ def _limits(accepted: Acceptance | None) -> Text:
 def _rule(document: CalibrationFile, accepted: Acceptance | None) -> list[TextBlock[Text]]:
     texts: list[Text] = [message("decision-rule-limits-set-standard-uncertainty")]
     if document.uncertainty is not None:
-        guard = GUARD * document.uncertainty.total_um
-        texts.append(
-            message(
-                "feature-given-single-scanned-point-iso",
-                guard=micrometres(guard),
-                guard_mm=millimetres(guard),
-                factor=quantity(GUARD, "", 2),
-            )
-        )
+        rule = FORMER_POINT_RULE if accepted is None else accepted.rule
+        texts.append(_point_rule(rule, document.uncertainty.total_um))
     texts.append(message("calibration-acceptance-test-no-characteristic-iso"))
     if accepted is not None and accepted.compared is not None:
         moved = accepted.compared
@@ -256,6 +248,21 @@ def _rule(document: CalibrationFile, accepted: Acceptance | None) -> list[TextBl
             )
         )
     return [TextBlock(text) for text in texts]
+
+
+def _point_rule(rule: RulePart, point_um: float) -> Text:
+    """What the rule means for a feature that is given by one scanned point."""
+    guard_um = rule.guard_factor * point_um
+    if guard_um == 0:
+        meant = message("point-judged-without-guard")
+    else:
+        meant = message(
+            "point-judged-with-guard",
+            guard=micrometres(guard_um),
+            guard_mm=millimetres(guard_um),
+            bearer=rule.bearer,
+        )
+    return join([describe_rule(rule), meant], " ")
 
 
 def _findings(document: CalibrationFile) -> Section[Text]:

@@ -1,8 +1,9 @@
 """The facts and tables of a performance test's report."""
 
-from app.formats.performance.plan import GatePart, RulePart
+from app.formats.performance.plan import GatePart
 from app.formats.performance.results import PerformanceFigure, PerformanceFile
 from app.formats.performance.symbols import is_signed
+from app.formats.results.decision_rule import RulePart
 from app.messages.message import Message, Text, join, message, quantity, rounded, signed
 from app.metrology.performance.pattern import COUNT, PATCH_DEG
 from app.report.content import ReportTable

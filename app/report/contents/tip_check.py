@@ -6,6 +6,7 @@ import numpy as np
 
 from app.formats.datasheets.arm import read_arm
 from app.formats.results.arm_checks import TIP_CHECK, TipCheckFile
+from app.formats.results.decision_rule import describe_rule
 from app.formats.session.arm_session import ARM, SPHERES, read_spheres
 from app.messages.message import Text, message, quantity, rounded, signed
 from app.metrology.arm.kinematics import tip_centres
@@ -46,7 +47,7 @@ def tip_check_report(folder: Path) -> Report[Text]:
     verdict = Verdict(QUALITIES[check.decision], WORDS[check.decision], check.words)
     sections: list[Section[Text]] = [
         Section(message("what-checked"), [_facts(check)]),
-        Section(message("results"), [_table(check), *_rule()]),
+        Section(message("results"), [_table(check), *_rule(check)]),
         signatures(check.operator),
         Section(message("touches-3"), [Pictures([_contact_figure(tips, check.limit_um)])]),
         inputs_section(folder, check.inputs, TIP_CHECK),
@@ -89,9 +90,10 @@ def _table(check: TipCheckFile) -> ReportTable[Text]:
     )
 
 
-def _rule() -> list[TextBlock[Text]]:
+def _rule(check: TipCheckFile) -> list[TextBlock[Text]]:
     return [
-        TextBlock(message("decision-rule-iso-14253-1-error")),
+        TextBlock(describe_rule(check.rule)),
+        TextBlock(message("tip-rule-applies-to-error-alone")),
         TextBlock(message("standard-touches-those-sphere-tests-iso")),
     ]
 

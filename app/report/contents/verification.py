@@ -2,11 +2,13 @@
 
 from pathlib import Path
 
+from app.formats.results.decision_rule import describe_rule
 from app.formats.results.verification import (
     VERIFICATION,
     CloudPart,
     Decision,
     FigurePart,
+    FiltersPart,
     PlacingPart,
     VerificationFile,
     read_verification,
@@ -54,6 +56,7 @@ QUALITIES: dict[Decision, Quality] = {
     "uncertain": "attention",
     "none": "neutral",
 }
+MARK = " *"
 DECISIONS: dict[Decision, Message] = {
     "pass": word("pass"),
     "fail": word("fail"),
@@ -77,7 +80,7 @@ def verification_report(folder: Path) -> Report[Text]:
     notes = [ReportFinding[Text]("neutral", note, "") for note in document.notes]
     sections: list[Section[Text]] = [
         Section(message("what-verified"), [Facts(_facts(document))]),
-        Section(message("results"), [_results(document), *_rule()]),
+        Section(message("results"), [_results(document), *_rule(document)]),
         signatures(document.operator),
         Section(message("reasons"), [Findings([*reasons, *notes])], together=False),
         Section(message("against-limits"), [Pictures([limit_figure(document)])]),
@@ -166,7 +169,7 @@ def _results(document: VerificationFile) -> ReportTable[Text]:
             figure.title,
             error_value(figure.value, figure.unit),
             millimetres(figure.value) if figure.unit == "µm" else "",
-            plus_minus(error_value(figure.expanded_uncertainty, figure.unit)),
+            *_uncertainties(figure),
             NONE if figure.limit is None else error_value(figure.limit, figure.unit),
             DECISIONS[figure.decision],
         )
@@ -176,20 +179,58 @@ def _results(document: VerificationFile) -> ReportTable[Text]:
         message("figure"),
         message("value"),
         message("mm"),
-        "U, k = 2",
+        message("measurement-u"),
+        message("test-u"),
         message("limit-3"),
         message("decision"),
     )
-    return ReportTable(columns, rows, (31, 13, 14, 13, 12, 18))
+    return ReportTable(columns, rows, (28, 12, 13, 13, 13, 11, 14))
 
 
-def _rule() -> list[TextBlock[Text]]:
-    return [
-        TextBlock(message("decision-rule-iso-14253-1-pass")),
-        TextBlock(message("standard-positions-articulations-counts-iso-10360")),
-    ]
+def _uncertainties(figure: FigurePart) -> tuple[Text, Text]:
+    """Measurement and test value uncertainty, k = 2; the one that the limit is judged by is
+    marked."""
+    by_test = figure.judged_by == "test"
+    measured = plus_minus(error_value(figure.expanded_uncertainty, figure.unit))
+    if figure.test_uncertainty is None:
+        return measured, NONE
+    test = plus_minus(error_value(2 * figure.test_uncertainty, figure.unit))
+    return (measured, join([test, MARK], "")) if by_test else (join([measured, MARK], ""), test)
 
 
+def _rule(document: VerificationFile) -> list[TextBlock[Text]]:
+    texts: list[Text] = [describe_rule(document.rule)]
+    if any(figure.test_uncertainty is not None for figure in document.figures):
+        texts.append(message("limits-judged-by-marked-uncertainty", mark=MARK))
+    if document.filters is not None:
+        texts.append(_filters(document.filters))
+    texts.append(message("standard-positions-articulations-counts-iso-10360"))
+    return [TextBlock(text) for text in texts]
+
+
+def _filters(filters: FiltersPart) -> Text:
+    """Every filter, with its parameters."""
+    gate = rounded(filters.gate_mm, "mm")
+    return join(
+        [
+            message(
+                "filters-of-figures",
+                sigmas=rounded(filters.sigmas),
+                place=rounded(filters.same_place_mm, "mm"),
+            ),
+            message("gate-of-plane", gate=gate)
+            if filters.gate_deg is None
+            else message("gate-of-sphere", gate=gate, angle=rounded(filters.gate_deg, "°")),
+        ],
+        " ",
+    )
+
+
+FORM_FIGURES: tuple[tuple[str, Text, int], ...] = (
+    ("form_all_um", message("form-all-m"), 1),
+    ("range_all_um", message("range-all-m"), 1),
+)
+"""Of all points in the gate; older clouds have none."""
 CLOUD_FIGURES: tuple[tuple[str, Text, int], ...] = (
     ("angle_arcsec", message("angle"), 0),
     ("z_error_um", "Z, µm", 1),
@@ -206,13 +247,18 @@ def _clouds(document: VerificationFile) -> list[Section[Text]]:
         for name, title, decimals in CLOUD_FIGURES
         if any(getattr(cloud, name) is not None for cloud in document.clouds)
     ]
+    forms = [
+        (name, title, decimals)
+        for name, title, decimals in FORM_FIGURES
+        if any(getattr(cloud, name) is not None for cloud in document.clouds)
+    ]
     rows: list[tuple[Text, ...]] = [
         (
             cloud.name,
             str(cloud.used),
             quantity(cloud.rms_um, decimals=1),
             quantity(cloud.form_um, decimals=1),
-            *(_cell(cloud, name, decimals) for name, _, decimals in known),
+            *(_cell(cloud, name, decimals) for name, _, decimals in (*forms, *known)),
         )
         for cloud in document.clouds
     ]
@@ -221,9 +267,10 @@ def _clouds(document: VerificationFile) -> list[Section[Text]]:
         message("points-used"),
         "rms, µm",
         message("form-95-m"),
-        *(title for _, title, _ in known),
+        *(title for _, title, _ in (*forms, *known)),
     )
-    table = ReportTable[Text](columns, rows, (22, 14, 11, 15, *[12] * len(known)))
+    widths = (18, 12, 10, 13, *[12] * (len(forms) + len(known)))
+    table = ReportTable[Text](columns, rows, widths)
     sections = [Section[Text](message("clouds-2"), [table], together=False)]
     if len(document.clouds) > 1 and known:
         plots = [cloud_plot(document, name, title) for name, title, _ in known]

@@ -46,7 +46,7 @@ def limit_figure(document: VerificationFile) -> tuple[Figure[Text], Text]:
         assert one.limit is not None
         y = 24.0 * row + 14
         figure.box((left, y - 7), width, 14, GROUND)
-        u = one.expanded_uncertainty / one.limit * scale
+        u = _uncertainty_of_decision(one) / one.limit * scale
         at = zero + one.value / one.limit * scale
         colour = {"pass": BLUE, "fail": RED}.get(one.decision, ORANGE)
         for value in one.clouds:
@@ -66,7 +66,14 @@ def limit_figure(document: VerificationFile) -> tuple[Figure[Text], Text]:
 
 def _limit_share(one: FigurePart) -> float:
     assert one.limit is not None
-    return (abs(one.value) + one.expanded_uncertainty) / one.limit
+    return (abs(one.value) + _uncertainty_of_decision(one)) / one.limit
+
+
+def _uncertainty_of_decision(one: FigurePart) -> float:
+    """The expanded uncertainty (k = 2) that the limit is judged by."""
+    if one.judged_by == "test" and one.test_uncertainty is not None:
+        return 2 * one.test_uncertainty
+    return one.expanded_uncertainty
 
 
 def cloud_plot(document: VerificationFile, name: str, title: Text) -> tuple[Figure[Text], Text]:

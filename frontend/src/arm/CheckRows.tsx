@@ -26,6 +26,14 @@ export function ArmRow({ check }: { check: ArmCheckSummary }) {
       <div className={styles.figures}>
         <Axes label="(max − min)/2" values={check.half_range_um} />
         <Axes label="2σ" values={check.two_sigma_um} />
+        {typeof check.largest_um === "number" && typeof check.two_s_um === "number" && (
+          <dl className={styles.axes}>
+            <dt>{t("ui-in-space-largest-2s")}</dt>
+            <dd>
+              {[check.largest_um, check.two_s_um].map((value) => lengthFigures(value, "µm")).join(" · ")} {unitOf("µm")}
+            </dd>
+          </dl>
+        )}
       </div>
       <Reports of={`/api/arm/checks/${check.id}`} />
     </li>

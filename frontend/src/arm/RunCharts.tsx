@@ -11,13 +11,20 @@ const LEAST_UM = 10;
 
 /** The position of the tip along each axis of the arm, point by point, with the limits. */
 export function RunCharts({ picture, touching = false }: { picture: ArmPicture; touching?: boolean }) {
-  const { tips_um, half_range_um, two_sigma_um, limit_um } = picture;
+  const { tips_um, half_range_um, two_sigma_um, limit_um, largest_um, two_s_um } = picture;
   const largest = Math.max(LEAST_UM, ...(half_range_um ?? []));
   /* A far limit does not flatten the points: it is then in the text alone. */
   const limit = limit_um !== null && limit_um < 4 * largest ? limit_um : null;
   const reach = 1.15 * Math.max(largest, limit ?? 0);
   return (
     <div className={styles.charts}>
+      {typeof largest_um === "number" && (
+        <p className={styles.caption}>
+          <span className={styles.axis}>{t("ui-in-space")}</span>
+          <Value label={t("ui-largest-distance-from-mean")} value={largest_um} />
+          <Value label="2s" value={two_s_um ?? undefined} />
+        </p>
+      )}
       {AXES.map((axis, k) => (
         <figure key={axis} className={styles.chart}>
           <figcaption className={styles.caption}>

@@ -22,16 +22,14 @@ export function TipPicture({ picture }: { picture: ArmPicture }) {
 function figuresOf(tip: NonNullable<ArmPicture["tip"]>): FigureLine[] {
   const { limit_um: limit } = tip;
   const within = limit === null ? "none" : tip.scatter_um > limit ? "fail" : "pass";
-  const sure = Math.abs(tip.error_um) - tip.expanded_uncertainty_um;
-  const size =
-    limit === null
-      ? "none"
-      : Math.abs(tip.error_um) + tip.expanded_uncertainty_um <= limit
-        ? "pass"
-        : sure > limit
-          ? "fail"
-          : "uncertain";
-  const line = { unit: "µm", limit, reason: "", clouds: [] };
+  const line = {
+    unit: "µm",
+    limit,
+    reason: "",
+    clouds: [],
+    test_uncertainty: null,
+    judged_by: "measurement" as const,
+  };
   return [
     {
       ...line,
@@ -39,7 +37,7 @@ function figuresOf(tip: NonNullable<ArmPicture["tip"]>): FigureLine[] {
       title: t("ui-diameter-error"),
       value: tip.error_um,
       expanded_uncertainty: tip.expanded_uncertainty_um,
-      decision: size,
+      decision: tip.error_decision ?? tip.decision,
     },
     {
       ...line,

@@ -296,6 +296,7 @@ ui-files = { $n ->
        *[other] { $n } Dateien
     }
 ui-fill-in-what-is-needed = Geben Sie zuerst die Adresse ein
+ui-filters-used = Filter: Punkte, die weiter als { $sigmas } Standardabweichungen vom Ausgleich entfernt sind, und Bilder innerhalb von { $place } eines früheren werden nicht verwendet; für die Form aller Punkte werden sie verwendet.
 ui-findings = Befunde
 ui-finished-scans-appear-press-start-scan = Hier erscheinen fertige Scans. Für den ersten „Scan starten“ drücken.
 ui-first-calibration-next-one-compared = Dies ist die erste Kalibrierung. Die nächste wird hier mit ihr verglichen.
@@ -307,7 +308,9 @@ ui-flat-chessboard-laser-line-crosses-also = Auch ein ebenes Schachbrett, über 
 ui-for = seit { $age }
 ui-for-information-without-a-limit = zur Information, ohne Grenzwert
 ui-form = Form
+ui-form-filtered = Form, gefiltert
 ui-form-highest-to-lowest = Form, höchster bis tiefster Punkt
+ui-form-of-all = Form aller
 ui-found = gefunden
 ui-fps = { $n } Bilder/s
 ui-frames-lost = { $n ->
@@ -320,6 +323,8 @@ ui-from-left-to-right = Von links nach rechts
 ui-from-to = { $from } bis { $to }
 ui-from-top-to-bottom = Von oben nach unten
 ui-furthest = fern: { $value }
+ui-gate-of-plane = Auswahl aller Punkte: die gescannte Fläche, bis { $gate } von der Ebene.
+ui-gate-of-sphere = Auswahl aller Punkte: bis { $gate } von der kalibrierten Kugel und bis { $angle } von der Mitte des Scans.
 ui-gauge = Prüfnormal
 ui-give-control = Abgeben
 ui-good-up-to-usable-up-to = Gut bis { $good }, brauchbar bis { $usable }.
@@ -351,7 +356,10 @@ ui-identification-appears-arms-deviation-datasheet-uncertainty = Hier erscheint 
 ui-identifications = Identifikationen
 ui-identify-the-arm = Messarm identifizieren
 ui-idle = Bereit
+ui-in-gate = Ausgewählt
 ui-in-range = Im Bereich
+ui-in-space = Räumlich
+ui-in-space-largest-2s = Räumlich: größter, 2s
 ui-in-this-browser = In diesem Browser
 ui-in-use = In Verwendung.
 ui-in-use-badge = In Verwendung
@@ -367,6 +375,7 @@ ui-items-need-attention = { $n ->
     }
 ui-job = Auftrag
 ui-joint-n = Gelenk { $n }
+ui-judged-by = Beurteilt nach
 ui-k-1-about-two-three-points = k = 1: Etwa zwei von drei Punkten liegen darin. k = 2: etwa neunzehn von zwanzig.
 ui-keep-control = Behalten
 ui-keep-stripe-gauge-move-slowly-points = Die Laserlinie auf dem Prüfnormal halten und langsam führen; die Punkte erscheinen beim Überfahren.
@@ -375,6 +384,7 @@ ui-kiosk-links = Kiosk-Links
 ui-language = Sprache
 ui-language-and-units = Sprache und Einheiten
 ui-largest-distance = Größter Abstand
+ui-largest-distance-from-mean = größter Abstand vom Mittelwert
 ui-largest-distance-of-a-contact-point = Größter Abstand eines Antastpunkts
 ui-largest-residuals = Größte Residuen
 ui-laser = Laser
@@ -407,6 +417,7 @@ ui-limit-diameter-error-scatter = Grenzwert für Durchmesserabweichung und Streu
 ui-limit-max-min-2-axis = Grenzwert für (max − min)/2 je Achse
 ui-limit-value = Grenzwert { $value }
 ui-limits = Grenzen
+ui-limits-judged-by-uncertainty-on-bar = Der Grenzwert wird nach der Unsicherheit beurteilt, die auf dem Balken gezeichnet und zuerst genannt ist. U der Prüfung: Prüfwertunsicherheit allein aus dem Normal und seinem Aufbau (ISO 14253-5), für die Leistung des Scanners. U der Messung: aus Normal, Taster und Ausgleich, für den Ort des Normals.
 ui-line = Linie
 ui-line-spacing = Linienabstand
 ui-lines-point-outward-or-inward = Striche zeigen nach außen oder innen
@@ -616,8 +627,8 @@ ui-parameter = Parameter
 ui-parameters = Parameter
 ui-pass = Bestanden
 ui-pass-becomes-map-clouds-deviations-gauge = Jede Überfahrt ergibt eine Karte der Abweichungen der Punktwolke vom Prüfnormal.
-ui-pass-error-uncertainty-k-2-within = Bestanden: Die Abweichung hält mit ihrer Unsicherheit (k = 2) den Grenzwert ein. Nicht bestanden: Sie überschreitet den Grenzwert um mehr als ihre Unsicherheit. Dazwischen gibt es keine Entscheidung (ISO 14253-1).
 ui-pass-over-place-again-fill-gaps = Lücken durch erneutes Überfahren füllen. Gescannte Daten werden sofort aufgezeichnet und gehen nicht verloren.
+ui-pass-value-within-by-guard-band = Bestanden: Der Wert liegt um mehr als den Schutzabstand innerhalb des Grenzwerts. Nicht bestanden: Er überschreitet ihn um mehr als den Schutzabstand. Dazwischen gilt, was die Entscheidungsregel unter den Kennwerten sagt.
 ui-passed = Bestanden
 ui-passed-lowercase = bestanden
 ui-password = Passwort
@@ -663,6 +674,7 @@ ui-put-datasheet-plate-sphere-into-folder = Das Datenblatt einer Platte oder Kug
 ui-radius-error = Radiusabweichung
 ui-radius-error-lowercase = Radiusabweichung
 ui-range = { $low } bis { $high }
+ui-range-of-all = Spannweite aller
 ui-range-over-the-calibrations = { $figure }: Spannweite über die Kalibrierungen
 ui-range-over-the-clouds = { $figure }: Spannweite über die Punktwolken
 ui-rate = Rate
@@ -702,6 +714,20 @@ ui-role-of-the-new-account = Rolle des neuen Kontos
 ui-rotation-of-the-laser-plane = Verdrehung der Laserebene
 ui-rotation-of-the-measuring-volume = Verdrehung des Messvolumens
 ui-row = Zeile
+ui-rule-guard =
+    Schutzabstand: das { $factor }-Fache der Standardunsicherheit; { $bearer ->
+        [supplier] der Lieferant trägt die Unsicherheit, daher ist ein Wert, der näher am Grenzwert liegt, nicht bestanden.
+        [user] der Anwender trägt die Unsicherheit, daher ist ein Wert, der näher am Grenzwert liegt, bestanden.
+       *[prover] wer etwas nachweisen muss, trägt die Unsicherheit, daher ist ein Wert, der näher am Grenzwert liegt, nicht entschieden.
+    }
+ui-rule-named =
+    Entscheidungsregel: { $name ->
+        [guarded-95] Annahme mit Schutzabstand für 95 %
+        [expanded-k2] Annahme mit der erweiterten Unsicherheit (k = 2) als Schutzabstand
+        [simple] einfache Annahme
+       *[other] { $name }
+    }, { $standard }:{ $edition }.
+ui-rule-without-guard = Kein Schutzabstand: Die Werte werden unmittelbar mit ihren Grenzwerten verglichen, die Unsicherheit wird nur angegeben, und beide Seiten tragen ihr Risiko.
 ui-running-jobs-continue-whoever-has-control = Laufende Aufträge werden fortgesetzt, gleich wer die Bedienung hat.
 ui-safety = Sicherheit
 ui-save = Speichern
@@ -918,6 +944,15 @@ ui-turn-off-notifications-here = Benachrichtigungen hier ausschalten
 ui-turn-on-notifications-here = Benachrichtigungen hier einschalten
 ui-type = Typ
 ui-u-k-2 = U (k = 2)
+ui-u-measurement = U
+ui-u-test = U der Prüfung
+ui-u-test-k-2 = U der Prüfung (k = 2)
+ui-u-value =
+    U{ $by ->
+        [test] { " " }der Prüfung
+        [measurement] { " " }der Messung
+       *[other] { "" }
+    } = { $value }, k = 2
 ui-uncertain = Nicht entschieden
 ui-uncertain-lowercase = nicht entschieden
 ui-uncertainty = Unsicherheit

@@ -296,6 +296,7 @@ ui-files = { $n ->
        *[other] { $n } files
     }
 ui-fill-in-what-is-needed = Fill in the address first
+ui-filters-used = Filters: points further than { $sigmas } standard deviations from the fit, and frames within { $place } of an earlier one, are not used; for the form of all points they are.
 ui-findings = Findings
 ui-finished-scans-appear-press-start-scan = Finished scans appear here. Press Start scan to make the first one.
 ui-first-calibration-next-one-compared = This is the first calibration. The next one is compared with it here.
@@ -307,7 +308,9 @@ ui-flat-chessboard-laser-line-crosses-also = You can also use a flat chessboard 
 ui-for = for { $age }
 ui-for-information-without-a-limit = for information, without a limit
 ui-form = Form
+ui-form-filtered = Form, filtered
 ui-form-highest-to-lowest = Form, peak to valley
+ui-form-of-all = Form of all
 ui-found = found
 ui-fps = { $n } fps
 ui-frames-lost = { $n ->
@@ -320,6 +323,8 @@ ui-from-left-to-right = Left to right
 ui-from-to = { $from } to { $to }
 ui-from-top-to-bottom = Top to bottom
 ui-furthest = furthest { $value }
+ui-gate-of-plane = Gate of all points: the scanned area, within { $gate } of the plane.
+ui-gate-of-sphere = Gate of all points: within { $gate } of the calibrated sphere, and { $angle } from the middle of the scan.
 ui-gauge = Gauge
 ui-give-control = Give control
 ui-good-up-to-usable-up-to = Good up to { $good }, usable up to { $usable }.
@@ -351,7 +356,10 @@ ui-identification-appears-arms-deviation-datasheet-uncertainty = Each identifica
 ui-identifications = Identifications
 ui-identify-the-arm = Identify the arm
 ui-idle = Idle
+ui-in-gate = In the gate
 ui-in-range = In range
+ui-in-space = In space
+ui-in-space-largest-2s = In space: largest, 2s
 ui-in-this-browser = In this browser
 ui-in-use = In use.
 ui-in-use-badge = In use
@@ -367,6 +375,7 @@ ui-items-need-attention = { $n ->
     }
 ui-job = Job
 ui-joint-n = Joint { $n }
+ui-judged-by = Judged by
 ui-k-1-about-two-three-points = k = 1: about two of three points lie within this uncertainty. k = 2: about nineteen of twenty.
 ui-keep-control = Keep control
 ui-keep-stripe-gauge-move-slowly-points = Keep the stripe on the gauge and move slowly. Points appear as you pass.
@@ -375,6 +384,7 @@ ui-kiosk-links = Kiosk links
 ui-language = Language
 ui-language-and-units = Language and units
 ui-largest-distance = Largest distance
+ui-largest-distance-from-mean = largest distance from the mean
 ui-largest-distance-of-a-contact-point = Largest distance of a contact point
 ui-largest-residuals = Largest residuals
 ui-laser = Laser
@@ -407,6 +417,7 @@ ui-limit-diameter-error-scatter = Limit for the diameter error and the scatter
 ui-limit-max-min-2-axis = Limit for (max − min)/2 on each axis
 ui-limit-value = limit { $value }
 ui-limits = Limits
+ui-limits-judged-by-uncertainty-on-bar = The uncertainty drawn on a bar, and named first, is the one that the limit is judged by. U of test: test value uncertainty by the gauge and its set-up alone (ISO 14253-5), for the performance of the scanner. U of measurement: by gauge, probe and fit, for where the gauge was found.
 ui-line = Line
 ui-line-spacing = Line spacing
 ui-lines-point-outward-or-inward = lines point outward or inward
@@ -616,8 +627,8 @@ ui-parameter = Parameter
 ui-parameters = Parameters
 ui-pass = Pass
 ui-pass-becomes-map-clouds-deviations-gauge = Each pass becomes a map of the cloud's deviations from the gauge.
-ui-pass-error-uncertainty-k-2-within = Pass: the error with its uncertainty (k = 2) is within the limit. Fail: the error exceeds the limit by more than its uncertainty. Otherwise the result is undecided (ISO 14253-1).
 ui-pass-over-place-again-fill-gaps = Pass over a place again to fill gaps. Scanned data is recorded at once and is never lost.
+ui-pass-value-within-by-guard-band = Pass: the value is within its limit by more than the guard band. Fail: the value exceeds the limit by more than the guard band. In between, the decision rule below the figures says what holds.
 ui-passed = Passed
 ui-passed-lowercase = passed
 ui-password = Password
@@ -663,6 +674,7 @@ ui-put-datasheet-plate-sphere-into-folder = Put the file of a plate or sphere in
 ui-radius-error = Radius error
 ui-radius-error-lowercase = radius error
 ui-range = { $low } to { $high }
+ui-range-of-all = Range of all
 ui-range-over-the-calibrations = { $figure }: range over the calibrations
 ui-range-over-the-clouds = { $figure }: range over the clouds
 ui-rate = Rate
@@ -702,6 +714,20 @@ ui-role-of-the-new-account = Role of the new account
 ui-rotation-of-the-laser-plane = Rotation of the laser plane
 ui-rotation-of-the-measuring-volume = Rotation of the measuring volume
 ui-row = Row
+ui-rule-guard =
+    Guard band: { $factor } times the standard uncertainty; { $bearer ->
+        [supplier] the supplier bears the uncertainty, so that a value closer to its limit fails.
+        [user] the user bears the uncertainty, so that a value closer to its limit passes.
+       *[prover] whoever has to prove something bears the uncertainty, so that a value closer to its limit is undecided.
+    }
+ui-rule-named =
+    Decision rule: { $name ->
+        [guarded-95] acceptance with a guard band for 95 %
+        [expanded-k2] acceptance with the expanded uncertainty (k = 2) as guard band
+        [simple] simple acceptance
+       *[other] { $name }
+    }, { $standard }:{ $edition }.
+ui-rule-without-guard = No guard band: values are compared directly with their limits, the uncertainty is stated only, and both parties bear its risk.
 ui-running-jobs-continue-whoever-has-control = Running jobs continue when control changes.
 ui-safety = Safety
 ui-save = Save
@@ -918,6 +944,15 @@ ui-turn-off-notifications-here = Turn off notifications here
 ui-turn-on-notifications-here = Turn on notifications here
 ui-type = Type
 ui-u-k-2 = U (k = 2)
+ui-u-measurement = U
+ui-u-test = U of test
+ui-u-test-k-2 = U of test (k = 2)
+ui-u-value =
+    U{ $by ->
+        [test] { " " }of test
+        [measurement] { " " }of measurement
+       *[other] { "" }
+    } = { $value }, k = 2
 ui-uncertain = Uncertain
 ui-uncertain-lowercase = uncertain
 ui-uncertainty = Uncertainty

@@ -20,7 +20,7 @@ export const HELP: Readonly<Record<string, readonly PlainId[]>> = {
   "verify/gauge": ["ui-use-gauge-certificate-size-form-uncertainty", "ui-clamp-must-not-move-between-first"],
   "verify/touch": ["ui-arms-main-button-takes-contact-point", "ui-without-contact-points-only-form-size"],
   "verify/scan": ["ui-arms-main-button-starts-ends-cloud", "ui-move-slowly-evenly-green-range-distance"],
-  "verify/review": ["ui-pass-error-uncertainty-k-2-within"],
+  "verify/review": ["ui-pass-value-within-by-guard-band"],
   "arm/seat": ["ui-seat-cone-three-balls-which-tip", "ui-the-arms-main-button-begins"],
   "arm/swing": ["ui-leave-tip-seat-turn-every-joint", "ui-the-arms-main-button-ends-it"],
   "arm/touch": ["ui-hold-still-place-arms-main-button"],

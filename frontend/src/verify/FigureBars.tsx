@@ -1,6 +1,5 @@
 import type { FigureLine } from "../api/wire";
 import { quantity } from "../messages/text";
-import { measured } from "../parts/lengths";
 import { QualityMark } from "../parts/QualityMark";
 import { t } from "../state/language";
 import styles from "./FigureBars.module.css";
@@ -17,8 +16,29 @@ export function FigureBars({ found }: { found: FigureLine[] }) {
   );
 }
 
+/** An uncertainty, k = 2; `by` is empty of records that do not tell the two apart. */
+interface Uncertainty {
+  by: "test" | "measurement" | "";
+  value: number;
+}
+
+/** The one that the limit is judged by, and the other. */
+function uncertainties(figure: FigureLine): [Uncertainty, Uncertainty | null] {
+  const { expanded_uncertainty, test_uncertainty } = figure;
+  if (test_uncertainty === null) return [{ by: "", value: expanded_uncertainty }, null];
+  const measurement: Uncertainty = { by: "measurement", value: expanded_uncertainty };
+  const test: Uncertainty = { by: "test", value: 2 * test_uncertainty };
+  return figure.judged_by === "test" ? [test, measurement] : [measurement, test];
+}
+
+function stated({ by, value }: Uncertainty, unit: FigureLine["unit"]): string {
+  return t("ui-u-value", { by, value: quantity(value, unit, value < 10 ? 1 : 0) });
+}
+
 function Bar({ figure }: { figure: FigureLine }) {
-  const { limit, expanded_uncertainty: U, unit } = figure;
+  const { limit, unit } = figure;
+  const [judging, other] = uncertainties(figure);
+  const U = judging.value;
   const size = Math.abs(figure.value);
   const end = 1.08 * Math.max(limit ?? 0, size + U, 1e-6);
   const at = (value: number) => `${(100 * Math.min(Math.max(value, 0), end)) / end}%`;
@@ -48,7 +68,8 @@ function Bar({ figure }: { figure: FigureLine }) {
             <span>{t("ui-limit-value", { value: quantity(limit, unit) })}</span>
           </>
         )}
-        {U > 0 && <span>U = {measured(U, unit, U < 10 ? 1 : 0)}, k = 2</span>}
+        {U > 0 && <span>{stated(judging, unit)}</span>}
+        {other && <span>{stated(other, unit)}</span>}
       </p>
     </li>
   );

@@ -5,6 +5,7 @@ import { DataTable } from "../parts/DataTable";
 import { Segments } from "../parts/Segments";
 import frame from "../result/ResultPicture.module.css";
 import { t } from "../state/language";
+import { Declared } from "./Declared";
 import { DeviationMap } from "./DeviationMap";
 import { FigureBars } from "./FigureBars";
 import { OverClouds } from "./OverClouds";
@@ -35,7 +36,12 @@ export function ResultTabs({ displayed, sent, id }: ResultTabsProps) {
         <Segments value={tab} onChange={setTab} options={tabs} label={t("ui-view")} />
       </div>
       <div className={frame.content} tabIndex={0}>
-        {tab === "figures" && <FigureBars found={displayed.figures} />}
+        {tab === "figures" && (
+          <div className={styles.figures}>
+            <FigureBars found={displayed.figures} />
+            <Declared rule={displayed.rule} filters={null} both={statesBoth(displayed)} />
+          </div>
+        )}
         {tab === "map" && <DeviationMap clouds={displayed.clouds} shape={displayed.shape} />}
         {tab === "clouds" && <OverClouds verification={displayed} />}
         {tab === "study" && id && <StudyView id={id} />}
@@ -43,6 +49,10 @@ export function ResultTabs({ displayed, sent, id }: ResultTabsProps) {
       </div>
     </div>
   );
+}
+
+function statesBoth({ figures }: DisplayedVerification): boolean {
+  return figures.some((figure) => figure.test_uncertainty !== null);
 }
 
 function Tables({ displayed, sent }: Omit<ResultTabsProps, "id">) {
@@ -57,6 +67,7 @@ function Tables({ displayed, sent }: Omit<ResultTabsProps, "id">) {
           <DataTable table={table} />
         </div>
       ))}
+      <Declared rule={displayed.rule} filters={displayed.filters} both={statesBoth(displayed)} />
       {displayed.notes.map((note) => (
         <p key={note} className={styles.note}>
           {note}

@@ -1,5 +1,13 @@
 import type { Quality } from "../api/types";
-import type { CloudLine, FigureLine, VerdictLine, VerificationFile, VerifyPicture } from "../api/wire";
+import type {
+  CloudLine,
+  FigureLine,
+  FiltersPart,
+  RulePart,
+  VerdictLine,
+  VerificationFile,
+  VerifyPicture,
+} from "../api/wire";
 import { message, type PlainId, quantity, type Text } from "../messages/text";
 import { measured, signedLength } from "../parts/lengths";
 import type { TableData } from "../parts/table";
@@ -11,6 +19,8 @@ export interface DisplayedVerification {
   figures: FigureLine[];
   verdict: VerdictLine | null;
   notes: string[];
+  rule: RulePart | null;
+  filters: FiltersPart | null;
 }
 
 export const QUALITY: Record<FigureLine["decision"], Quality> = {
@@ -34,6 +44,9 @@ const NOTHING: Omit<CloudLine, "number"> = {
   used: 0,
   rms_um: null,
   form_um: null,
+  in_gate: null,
+  form_all_um: null,
+  range_all_um: null,
   angle_arcsec: null,
   z_error_um: null,
   offset_error_um: null,
@@ -43,13 +56,15 @@ const NOTHING: Omit<CloudLine, "number"> = {
 };
 
 export function displayedOf(picture: VerifyPicture): DisplayedVerification {
-  const { clouds, figures: found, verdict } = picture;
+  const { clouds, figures: found, verdict, rule, filters } = picture;
   return {
     shape: picture.shape ?? "plane",
     clouds: clouds.filter(({ state }) => state === "good"),
     figures: found,
     verdict,
     notes: [],
+    rule,
+    filters,
   };
 }
 
@@ -61,9 +76,19 @@ export function displayedRecord(record: VerificationFile): DisplayedVerification
   const found = record.figures.map((figure) => ({
     ...figure,
     limit: figure.limit ?? null,
+    test_uncertainty: figure.test_uncertainty ?? null,
+    judged_by: figure.judged_by ?? "measurement",
     clouds: figure.clouds ?? [],
   }));
-  return { shape: record.gauge.shape, clouds, figures: found, verdict: record.verdict, notes: record.notes };
+  return {
+    shape: record.gauge.shape,
+    clouds,
+    figures: found,
+    verdict: record.verdict,
+    notes: record.notes,
+    rule: record.rule ?? null,
+    filters: record.filters ?? null,
+  };
 }
 
 /** A figure with its unit; with a sign only if both signs are possible. */
@@ -76,7 +101,10 @@ const COLUMNS: { name: keyof CloudLine; title: PlainId; unit: string }[] = [
   { name: "points", title: "ui-points", unit: "" },
   { name: "used", title: "ui-used", unit: "" },
   { name: "rms_um", title: "ui-rms", unit: "µm" },
-  { name: "form_um", title: "ui-form", unit: "µm" },
+  { name: "form_um", title: "ui-form-filtered", unit: "µm" },
+  { name: "in_gate", title: "ui-in-gate", unit: "" },
+  { name: "form_all_um", title: "ui-form-of-all", unit: "µm" },
+  { name: "range_all_um", title: "ui-range-of-all", unit: "µm" },
   { name: "angle_arcsec", title: "ui-angle", unit: "″" },
   { name: "z_error_um", title: "ui-z-error", unit: "µm" },
   { name: "offset_error_um", title: "ui-distance", unit: "µm" },
@@ -92,11 +120,22 @@ export function tablesOf({ clouds, figures: found }: DisplayedVerification): Tab
   return [
     {
       title: "ui-figures",
-      head: ["ui-figure", "ui-value", "ui-u-k-2", "ui-limit", "ui-unit", "ui-decision"],
+      head: [
+        "ui-figure",
+        "ui-value",
+        "ui-u-k-2",
+        "ui-u-test-k-2",
+        "ui-judged-by",
+        "ui-limit",
+        "ui-unit",
+        "ui-decision",
+      ],
       rows: found.map((f) => [
         f.title,
         quantity(f.value, f.unit, 1),
         quantity(f.expanded_uncertainty, f.unit, 1),
+        f.test_uncertainty === null ? "–" : quantity(2 * f.test_uncertainty, f.unit, 1),
+        message(f.judged_by === "test" ? "ui-u-test" : "ui-u-measurement"),
         f.limit === null ? "–" : quantity(f.limit, f.unit),
         { unit: f.unit },
         message(DECISIONS[f.decision]),

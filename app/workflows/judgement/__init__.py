@@ -1,0 +1,1 @@
+"""What a verification's figures are judged by, and the sentence for each decision."""
