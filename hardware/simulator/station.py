@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from hardware.interfaces import Button, Delivery, SensorDriver, SensorInfo
 from hardware.registry import sensor_driver
 from hardware.simulator.devices.arm_device import ArmDevice, ArmFaults, Encoders
-from hardware.simulator.devices.gige_camera.camera import DELAY_MS, LASER_LINE, GigeCamera
+from hardware.simulator.devices.gige_camera.camera import LASER_LINE, GigeCamera
 from hardware.simulator.devices.gige_camera.registers import CameraIdentity
 from hardware.simulator.devices.kinematics import (
     ArmModel,
@@ -254,7 +254,6 @@ class SimulatedStation:
         options: dict[str, object] = {
             "address": self.config.camera_address,
             "packet_size": JUMBO_BYTES,
-            "latency_us": 1000 * DELAY_MS,
         }
         if self.config.laser_switch:
             options["laser_line"] = LASER_LINE

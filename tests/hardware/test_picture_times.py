@@ -110,3 +110,24 @@ def test_middles_increase_whatever_arrives() -> None:
     arrivals = [10**12, 10**12, 10**12 - 5_000_000, 10**12 + 1]
     middles = [times.middle(None, arrival, None)[0] for arrival in arrivals]
     assert np.all(np.diff(middles) > 0)
+
+
+def test_once_the_clocks_are_compared_arrivals_do_not_matter() -> None:
+    times = PictureTimes(SettingHistory(2000.0), "exposure-start", 0.0)
+    for number in range(100):
+        begun_ns = number * PERIOD_NS
+        times.compare(begun_ns - 500_000_000_000, begun_ns)
+        late_ns = begun_ns + 70_000_000 + 1_000_000 * (number % 7)
+        middle_ns, _ = times.middle(begun_ns - 500_000_000_000, late_ns, None)
+        assert abs(middle_ns - begun_ns - 1_000_000) < 1000
+
+
+@pytest.mark.parametrize("off_ns", [-10_000_000_000, 1_000_000_000])
+def test_a_clock_that_the_pictures_contradict_is_not_used(off_ns: int) -> None:
+    """The arrivals count, as without it."""
+    times = PictureTimes(SettingHistory(2000.0), "exposure-start", 0.0)
+    for number in range(100):
+        begun_ns = number * PERIOD_NS
+        times.compare(begun_ns, begun_ns + off_ns)
+        middle_ns, _ = times.middle(begun_ns, begun_ns + 2_000_000 + DELAY_NS, None)
+        assert abs(middle_ns - begun_ns - DELAY_NS - 1_000_000) < 1000

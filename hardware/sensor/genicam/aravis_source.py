@@ -9,6 +9,7 @@ from hardware.errors import DeviceError
 from hardware.sensor.genicam.aravis import AravisError
 from hardware.sensor.genicam.camera import open_camera
 from hardware.sensor.genicam.camera_source import ArrivedPicture, CameraSource
+from hardware.sensor.genicam.gige_vision.camera_clock import CameraClock
 from hardware.sensor.genicam.link import CameraLink, control_lost_error
 from hardware.sensor.genicam.settings import (
     GenicamOptions,
@@ -61,6 +62,7 @@ class GenicamSource(CameraSource):
             if camera.has("GevTimestampTickFrequency"):
                 self._ticks_hz = camera.integer("GevTimestampTickFrequency") or self._ticks_hz
             self._parser = camera.call("create_chunk_parser")
+        self._clock = CameraClock(camera)
         self._stream = CameraStream(camera)
         camera.call("start_acquisition")
         self._heard_s = time.monotonic()
@@ -75,10 +77,20 @@ class GenicamSource(CameraSource):
         with self._stream.take(_WAIT_S) as block:
             if block is not None:
                 self._heard_s = time.monotonic()
+                self._compare_clocks()
                 return self.show(self._complete(self._stream, block))
         if time.monotonic() - self._heard_s > _SILENT_S:
             self.require_answer()
         return NoImage.SILENCE
+
+    def _compare_clocks(self) -> None:
+        """Right after a picture, when the camera is there: a lost one is noticed elsewhere."""
+        try:
+            compared = self._clock.read()
+        except AravisError:
+            return
+        if compared is not None:
+            self.times.compare(*compared)
 
     def is_alive(self) -> bool:
         return self._link is not None and self._link.is_alive()

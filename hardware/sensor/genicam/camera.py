@@ -8,8 +8,8 @@ from typing import Any
 from app.messages.message import Text, message
 from hardware.errors import DeviceError
 from hardware.sensor.genicam.aravis import Aravis, AravisError, load_aravis
-from hardware.sensor.genicam.control_register import is_controlled
 from hardware.sensor.genicam.features import Quantity
+from hardware.sensor.genicam.gige_vision.control_register import is_controlled
 
 GIGE_VISION, USB3_VISION = "GigEVision", "USB3Vision"
 _NEVER_ADJUST = 0
@@ -148,9 +148,17 @@ class AravisCamera:
         return value.value
 
     def write_heartbeat_timeout(self, timeout_ms: int) -> None:
-        self._call_open(
-            "arv_device_write_register", self.device, HEARTBEAT_TIMEOUT_REGISTER, timeout_ms
-        )
+        self.write_register(HEARTBEAT_TIMEOUT_REGISTER, timeout_ms)
+
+    def write_register(self, address: int, value: int) -> None:
+        """A register of 32 bits of a GigE Vision camera."""
+        self._call_open("arv_device_write_register", self.device, address, value)
+
+    def read_wide_register(self, address: int) -> int:
+        """A number of 64 bits in two registers of a GigE Vision camera."""
+        value = (c_char * 8)()
+        self._call_open("arv_device_read_memory", self.device, address, 8, value)
+        return int.from_bytes(value.raw, "big")
 
     def read_first_bytes(self) -> None:
         """Reads the version at the beginning of the register map, which every camera has."""

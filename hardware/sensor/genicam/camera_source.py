@@ -86,7 +86,7 @@ class CameraSource(ImageSource):
         self._exposures = SettingHistory(settings.exposure_us)
         self._laser = SettingHistory(not self.has_laser_switch)
         self._blocks = BlockCounter()
-        self._times = PictureTimes(self._exposures, options.stamp_at, options.latency_us)
+        self.times = PictureTimes(self._exposures, options.stamp_at, options.latency_us)
         self._whole_s = time.monotonic()
         self._incomplete = 0
         self._format: PixelFormat | None = None
@@ -131,10 +131,10 @@ class CameraSource(ImageSource):
         image = self._decode(picture)
         if image is None:
             return NoImage.DAMAGED
-        mid_ns, exposure_us = self._times.middle(
+        mid_ns, exposure_us = self.times.middle(
             picture.device_ns, picture.arrival_ns, picture.exposure_us
         )
-        self.stamps, self.stamp_at = self._times.stamps, self._times.stamp_at
+        self.stamps, self.stamp_at = self.times.stamps, self.times.stamp_at
         half_ns = round(exposure_us * 500)
         lit = self._laser.values_between(mid_ns - half_ns, mid_ns + half_ns)
         return GrabbedImage(

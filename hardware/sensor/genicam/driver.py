@@ -30,9 +30,11 @@ Losses: the camera numbers its pictures, so those that the network loses are cou
 which a packet is missing, after it was requested again, counts as lost.
 
 Stamps: the camera's own time, converted to the host's. The manual of the camera says what it
-stamps: ``"exposure-start"``, ``"mid-exposure"``, ``"exposure-end"`` or ``"frame-end"``. The minimum
-delay from there to the first packet cannot be seen from here, as with all devices; set it as
-``latency_us``. A camera that does not stamp its pictures gets the times of their arrival.
+stamps: ``"exposure-start"``, ``"mid-exposure"``, ``"exposure-end"`` or ``"frame-end"``. The clock
+of a GigE Vision camera is read five times a second if it can be latched, so that it does not
+matter how late pictures arrive. Else the arrivals relate the clocks, and the minimum delay from
+the stamped event to the first packet cannot be seen from here; set it as ``latency_us``. A camera
+that does not stamp its pictures gets the times of their arrival.
 
 Trigger: the camera is silent by right, and is asked whether it is there. ``Frame.pulse`` counts its
 exposures from 1.

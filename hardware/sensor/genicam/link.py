@@ -6,7 +6,7 @@ from app.messages.message import Text, message
 from hardware.errors import DeviceError
 from hardware.sensor.genicam.aravis import AravisError
 from hardware.sensor.genicam.camera import AravisCamera, in_use_error
-from hardware.sensor.genicam.control_register import ControlRegister
+from hardware.sensor.genicam.gige_vision.control_register import ControlRegister
 
 
 class CameraLink:

@@ -8,6 +8,8 @@ from hardware.sensor.image_source import StampAt
 
 _KEPT = 16
 _RECENT_NS = 1_000_000_000
+_EARLY_NS, _LONGEST_WAY_NS = 20_000_000, 3_000_000_000
+"""How much earlier than possible a picture may seem to arrive, and how late it may be."""
 _TO_MIDDLE: dict[StampAt, float] = {
     "exposure-start": 0.5,
     "mid-exposure": 0.0,
@@ -60,7 +62,21 @@ class PictureTimes:
         self._exposures = exposures
         self._latency_us = latency_us
         self._clock = DeviceClock()
+        self._is_compared = self._is_doubtful = False
         self._last_ns: int | None = None
+
+    def compare(self, device_ns: int, host_ns: int) -> None:
+        """Notes that a time of the camera's clock is a time of the host's.
+
+        From then on, the arrival of pictures does not matter; unless they seem to arrive before
+        their exposure, or long after it: then these are times of different clocks.
+        """
+        if self._is_doubtful:
+            return
+        if not self._is_compared:
+            self._clock = DeviceClock()
+            self._is_compared = True
+        self._clock.observe(device_ns, host_ns)
 
     def middle(
         self, device_ns: int | None, arrival_ns: int, exposure_us: float | None
@@ -78,8 +94,7 @@ class PictureTimes:
         else:
             shortest_us = min(self._exposures.values_between(arrival_ns - _RECENT_NS, arrival_ns))
             after_event_us = (0.5 + _TO_MIDDLE[self.stamp_at]) * (exposure_us or shortest_us)
-            self._clock.observe(device_ns, arrival_ns - round(after_event_us * 1000))
-            event_ns = self._clock.stamp(device_ns)
+            event_ns = self._event_ns(device_ns, arrival_ns - round(after_event_us * 1000))
         event_ns -= round(self._latency_us * 1000)
         to_middle = _TO_MIDDLE[self.stamp_at]
         if exposure_us is None:
@@ -90,3 +105,14 @@ class PictureTimes:
             middle_ns = max(middle_ns, self._last_ns + 1)
         self._last_ns = middle_ns
         return middle_ns, exposure_us
+
+    def _event_ns(self, device_ns: int, latest_ns: int) -> int:
+        """Host time of a stamp, which was no later than ``latest_ns``."""
+        if self._is_compared:
+            event_ns = self._clock.stamp(device_ns)
+            if -_EARLY_NS < latest_ns - event_ns < _LONGEST_WAY_NS:
+                return event_ns
+            self._is_compared, self._is_doubtful = False, True
+            self._clock = DeviceClock()
+        self._clock.observe(device_ns, latest_ns)
+        return self._clock.stamp(device_ns)

@@ -1,0 +1,1 @@
+"""Registers that the standard GigE Vision gives every camera."""
