@@ -7,12 +7,14 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from app.guide.calibration.flow import build_view
 from app.guide.calibration.state import CalibrationState
 from app.guide.calibration.touch.block import WANTED, points_wanted, suggest_places
 from app.guide.calibration.touch.report import face_progress, next_face, same_place, touch_report
 from app.metrology.arm.kinematics import Arm
+from app.metrology.arm.strained_pose import Strain
 from app.metrology.targets.crenellated_block import FACES, Crenellated, probing_face
-from tests.guide.builders import contact_joints, point_row, start_row, state_after
+from tests.guide.builders import contact_joints, make_live, point_row, start_row, state_after
 
 widths = st.floats(1.5, 12.0)
 
@@ -155,3 +157,17 @@ def test_a_complete_face_gives_way_to_the_next(arm: Arm, block: Crenellated) -> 
     assert next_face(face_progress(report, "crest", block), "crest") == "front"
     report = touch_report(session(arm, block, ("crest",), 8).counted, arm, block, 15.0)
     assert next_face(face_progress(report, "crest", block), "crest") == "crest"
+
+
+@pytest.mark.parametrize(
+    ("strain", "words"),
+    [("stop", "at its stop"), ("straight", "stretched out"), ("base", "close to its base")],
+)
+def test_a_pose_that_strains_the_arm_is_named(
+    arm: Arm, block: Crenellated, strain: Strain, words: str
+) -> None:
+    state = session(arm, block, ("crest",), 1)
+    live = make_live(state, arm, block)
+    assert not any(words in str(one.text) for one in build_view(state, live).findings)
+    live = replace(live, stillness=replace(live.stillness, strain=strain))
+    assert any(words in str(one.text) for one in build_view(state, live).findings)

@@ -81,6 +81,7 @@ def live_of(**changes: Any) -> VerifyLive:
         arm_link=CONNECTED,
         sensor_link=replace(CONNECTED, title="Sensor"),
         still=True,
+        strain=None,
         scan_why_not="",
         scan_points=0,
         has_simulation=False,

@@ -47,7 +47,7 @@ def run(draws: int, progress: Progress = no_progress) -> list[PerformanceRow]:
     with tempfile.TemporaryDirectory() as folder:
         rows += fault_rows(Path(folder))
     progress(0.9, "stated against true")
-    return [*rows, *stated_rows(min(draws, 1000))]
+    return [*rows, *uncertainty_rows(min(draws, 1000))]
 
 
 def table(rows: Sequence[PerformanceRow]) -> list[tuple[str, str, str, str]]:
@@ -127,7 +127,7 @@ def _of(result: PerformanceFile, quantity: Quantity) -> float:
     return value
 
 
-def stated_rows(draws: int) -> list[PerformanceRow]:
+def uncertainty_rows(draws: int) -> list[PerformanceRow]:
     """Stated standard uncertainties over the scatter that is observed: 1 is right."""
     random = np.random.default_rng(2)
     R = _articulations()

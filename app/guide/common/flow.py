@@ -9,6 +9,7 @@ from app.guide.common.journal import JournalEntry
 from app.guide.common.rules import CommandRules, Live, State
 from app.guide.common.view import Step, StepState
 from app.messages.message import Text, join, message
+from app.metrology.arm.strained_pose import Strain
 from app.station.devices.link_state import DeviceState
 
 View = TypeVar("View")
@@ -54,6 +55,18 @@ def list_steps(
         return "current" if place == here else "stale" if place <= furthest else "todo"
 
     return [Step(name, titles[name], state_of(place)) for place, name in enumerate(names)]
+
+
+def strain_findings(strain: Strain | None) -> list[Finding]:
+    """That the arm is in a pose in which it bends; empty in any other."""
+    if strain is None:
+        return []
+    texts: dict[Strain, Text] = {
+        "stop": message("arm-at-stop"),
+        "straight": message("arm-stretched-out"),
+        "base": message("arm-near-base"),
+    }
+    return [Finding("attention", texts[strain], message("touch-in-another-posture"))]
 
 
 def device_findings(*links: DeviceState) -> list[Finding]:

@@ -7,7 +7,7 @@ import numpy as np
 from app.errors import OperationError, sentence
 from app.findings import Finding
 from app.formats.datasheets.gauge import GaugeFile
-from app.guide.common.flow import DECISION_QUALITY, device_findings, list_steps
+from app.guide.common.flow import DECISION_QUALITY, device_findings, list_steps, strain_findings
 from app.guide.common.journal import error_from_payload
 from app.guide.common.view import Action, LiveNumber, StepProgress
 from app.guide.verify.live import VerifyLive
@@ -154,6 +154,8 @@ def _findings(state: VerifyState, live: VerifyLive) -> list[Finding]:
     if reason := change_reason(state, live):
         findings.append(Finding("bad", reason, message("what-taken-kept-folder")))
     findings += device_findings(live.arm_link, live.sensor_link)
+    if state.step == "touch":
+        findings += strain_findings(live.strain)
     if state.step == "gauge":
         findings += live.gauges.findings
         if not live.gauges.known:

@@ -118,6 +118,7 @@ class VerifyGuide(GuidedSession[VerifyState, VerifyLive, VerifyView]):
         gauges, (gauge, arm) = self.gauges(), self.datasheets()
         touched, judged = self._results(gauge, arm)
         blocked = station.scanner.why_not() if state.step == "scan" else None
+        stillness = side.stillness()
         return VerifyLive(
             active_id=active.id if active else "",
             active_name=active.name if active else "",
@@ -130,7 +131,8 @@ class VerifyGuide(GuidedSession[VerifyState, VerifyLive, VerifyView]):
             rule=self.rule,
             arm_link=side.link(),
             sensor_link=station.rig.sensor.link(),
-            still=side.stillness().still,
+            still=stillness.still,
+            strain=stillness.strain,
             scan_why_not=blocked.text if blocked else "",
             scan_points=station.scanner.state().points if state.open_cloud else 0,
             has_simulation=station.simulated_operator is not None,

@@ -10,6 +10,7 @@ from app.guide.common.datasheet_library import Gauges
 from app.guide.common.rules import SessionLive
 from app.messages.message import Text
 from app.metrology.arm.kinematics import AnyArm
+from app.metrology.arm.strained_pose import Strain
 from app.metrology.decision import DecisionRule
 from app.station.devices.link_state import DeviceState
 from app.workflows.measure_gauge import GaugeFit
@@ -46,5 +47,7 @@ class VerifyLive(SessionLive):
     arm_link: DeviceState
     sensor_link: DeviceState
     still: bool
+    strain: Strain | None
+    """Why the pose strains the arm."""
     scan_why_not: Text
     scan_points: int

@@ -14,6 +14,7 @@ from app.metrology.arm.kinematics import (
     geometric_jacobian,
 )
 from app.metrology.arm.reading_interpolation import mean_reading
+from app.metrology.arm.strained_pose import Strain, strain_of
 from app.metrology.transforms import Floats
 from app.station.devices.reading_buffer import ReadingWindow
 
@@ -38,6 +39,8 @@ class Stillness:
     moved_um: float
     turned_arcsec: float
     text: Text
+    strain: Strain | None = None
+    """Why the pose strains the arm."""
 
 
 UNKNOWN = Stillness(False, float("nan"), float("nan"), message("too-little-arm-data-yet"))
@@ -62,7 +65,9 @@ def stillness(arm: AnyArm, window: ReadingWindow) -> Stillness:
     still = moved_um <= TIP_LIMIT_UM + noise_um and turned_arcsec <= (
         TURN_LIMIT_ARCSEC + noise_arcsec
     )
-    return Stillness(still, moved_um, turned_arcsec, _words(still, moved_um, turned_arcsec, window))
+    strain = strain_of(arm, window.readings[-1]) if isinstance(arm, Arm) else None
+    text = _words(still, moved_um, turned_arcsec, window)
+    return Stillness(still, moved_um, turned_arcsec, text, strain)
 
 
 def _reference_points(arm: AnyArm, poses: Floats) -> Floats:

@@ -7,7 +7,7 @@ from app.guide.calibration.state import CalibrationState
 from app.guide.calibration.steps.body import StepView, geometry
 from app.guide.calibration.touch.block import TITLES
 from app.guide.calibration.touch.report import face_in_use, face_progress, next_face
-from app.guide.common.flow import device_findings
+from app.guide.common.flow import device_findings, strain_findings
 from app.guide.common.view import Action, DevicesPicture, FaceProgress, LiveNumber, ObjectPicture
 from app.guide.common.view import StepProgress as Progress
 from app.messages.message import Text, Value, message, quantity
@@ -40,6 +40,7 @@ def touch_step(state: CalibrationState, live: CalibrationLive) -> StepView:
         progress=Progress(done, wanted, message("points-of", taken=done, wanted=wanted)),
         findings=[
             *device_findings(*live.links)[:1],
+            *strain_findings(live.stillness.strain),
             *touch.findings,
             *_advice(touch),
         ],
@@ -69,7 +70,11 @@ def _on_board(
         instruction=instruction,
         picture=ObjectPicture(geometry(board), [face], touch.points),
         progress=Progress(done, wanted, message("points-of", taken=done, wanted=wanted)),
-        findings=[*device_findings(*live.links)[:1], *touch.findings],
+        findings=[
+            *device_findings(*live.links)[:1],
+            *strain_findings(live.stillness.strain),
+            *touch.findings,
+        ],
         actions=_actions(state, live, touch, done == 0 or left <= 0),
     )
 
