@@ -12,6 +12,7 @@ from app.formats.datasheets.gauge_nominal import read_nominal
 from app.formats.io_errors import prefix_errors
 from app.formats.results.gauge_report import CloudReport, GaugeReport, SpreadReport
 from app.messages.message import Text, message, quantity
+from app.metrology.fitting.plane_sphere import finite_points
 from app.metrology.gauges.errors import (
     NominalPlane,
     NominalSphere,
@@ -19,6 +20,7 @@ from app.metrology.gauges.errors import (
     check_sphere,
     compute_repeatability,
 )
+from app.metrology.gauges.gauge_gate import GATE_MM, plane_form, sphere_form
 from app.metrology.transforms import Floats
 from app.progress import Progress, no_progress
 
@@ -39,6 +41,7 @@ FIGURES = {
     "centre_error_um": ("centre error µm", 1),
     "rms_um": ("rms µm", 1),
     "form_um": ("form µm", 1),
+    "range_all_um": ("range of all µm", 1),
 }
 """Their headings and decimals."""
 
@@ -122,6 +125,8 @@ def _check_cloud(
 def _plane_report(path: Path, points_mm: Floats, nominal: NominalPlane | None) -> CloudReport:
     check = check_plane(points_mm, nominal)
     fit = check.fit
+    finite, _ = finite_points(points_mm, 3, "plane")
+    unfiltered = plane_form(finite, fit, points_mm[fit.used])
     nx, ny, nz = fit.normal.tolist()
     x, y, z = fit.centre_mm.tolist()
     return CloudReport(
@@ -130,6 +135,8 @@ def _plane_report(path: Path, points_mm: Floats, nominal: NominalPlane | None) -
         used=int(np.sum(fit.used)),
         rms_um=fit.rms_mm * 1e3,
         form_um=fit.form_mm * 1e3,
+        in_gate=unfiltered.points,
+        range_all_um=unfiltered.range_mm * 1e3,
         normal=(nx, ny, nz),
         offset_mm=fit.offset_mm,
         centre_mm=(x, y, z),
@@ -142,6 +149,10 @@ def _plane_report(path: Path, points_mm: Floats, nominal: NominalPlane | None) -
 def _sphere_report(path: Path, points_mm: Floats, nominal: NominalSphere | None) -> CloudReport:
     check = check_sphere(points_mm, nominal)
     fit = check.fit
+    finite, _ = finite_points(points_mm, 4, "sphere")
+    known = nominal is not None and abs(nominal.radius_mm - fit.radius_mm) < GATE_MM / 2
+    radius_mm = nominal.radius_mm if nominal is not None and known else fit.radius_mm
+    unfiltered = sphere_form(finite, fit, radius_mm)
     x, y, z = fit.centre_mm.tolist()
     return CloudReport(
         file=str(path),
@@ -149,6 +160,8 @@ def _sphere_report(path: Path, points_mm: Floats, nominal: NominalSphere | None)
         used=int(np.sum(fit.used)),
         rms_um=fit.rms_mm * 1e3,
         form_um=fit.form_mm * 1e3,
+        in_gate=unfiltered.points,
+        range_all_um=unfiltered.range_mm * 1e3,
         centre_mm=(x, y, z),
         radius_mm=fit.radius_mm,
         radius_error_um=check.radius_error_um,

@@ -226,6 +226,8 @@ def test_verify_a_plane(tmp_path: Path) -> None:
     assert found["z_error_um"] == pytest.approx(-50, abs=3)
     assert found["offset_error_um"] == pytest.approx(50, abs=3)
     assert found["angle_arcsec"] < 60
+    assert found["in_gate"] >= found["used"]
+    assert found["range_all_um"] >= 0.99 * found["form_um"] > 0
 
 
 def test_verify_several_clouds_gives_their_spread(tmp_path: Path) -> None:

@@ -16,6 +16,11 @@ class CloudReport(DocumentPart):
     """After the filter on the standard deviation of distances."""
     rms_um: NotNegative
     form_um: NotNegative
+    """Largest minus smallest distance of the points used."""
+    in_gate: int | None = None
+    """Points within the geometric gate, whatever their distance; None in older files."""
+    range_all_um: NotNegative | None = None
+    """The same as ``form_um`` of these points."""
     normal: Vector3 | None = None
     offset_mm: Number | None = None
     centre_mm: Vector3

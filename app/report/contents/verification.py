@@ -80,7 +80,7 @@ def verification_report(folder: Path) -> Report[Text]:
     notes = [ReportFinding[Text]("neutral", note, "") for note in document.notes]
     sections: list[Section[Text]] = [
         Section(message("what-verified"), [Facts(_facts(document))]),
-        Section(message("results"), [_results(document), *_rule(document)]),
+        Section(message("results"), [_results(document), *_rule(document)], together=False),
         signatures(document.operator),
         Section(message("reasons"), [Findings([*reasons, *notes])], together=False),
         Section(message("against-limits"), [Pictures([limit_figure(document)])]),
