@@ -31,8 +31,8 @@ which a packet is missing, after it was requested again, counts as lost.
 
 Stamps: the camera's own time, converted to the host's. The manual of the camera says what it
 stamps: ``"exposure-start"``, ``"mid-exposure"``, ``"exposure-end"`` or ``"frame-end"``. The clock
-of a GigE Vision camera is read five times a second if it can be latched, so that it does not
-matter how late pictures arrive. Else the arrivals relate the clocks, and the minimum delay from
+of a GigE Vision camera is read every second if it can be latched, so that it does not matter how
+late pictures arrive. Else the arrivals relate the clocks, and the minimum delay from
 the stamped event to the first packet cannot be seen from here; set it as ``latency_us``. A camera
 that does not stamp its pictures gets the times of their arrival.
 

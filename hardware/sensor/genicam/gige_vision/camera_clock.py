@@ -18,7 +18,8 @@ from hardware.sensor.genicam.camera import AravisCamera
 TICK_FREQUENCY_REGISTER = 0x093C
 LATCH_REGISTER, TIMESTAMP_REGISTER = 0x0944, 0x0948
 _LATCH = 0b10
-_PERIOD_NS = 200_000_000
+_PERIOD_NS, _FIRST_PERIOD_NS, _FIRST_READINGS = 1_000_000_000, 200_000_000, 25
+"""At first, the clock is read more often."""
 _TRIAL_S = 0.02
 _MOST_DIFFERENCE_NS = 5_000_000
 """By how much the clocks may differ over the trial."""
@@ -33,7 +34,7 @@ class CameraClock:
 
     def __init__(self, camera: AravisCamera) -> None:
         self._camera = camera
-        self._read_ns = 0
+        self._read_ns = self._readings = 0
         self._shortest_ns: int | None = None
         self._ticks_hz = 0
         self.works = camera.is_gige and self._is_running()
@@ -44,8 +45,10 @@ class CameraClock:
         Raises:
             AravisError: the camera did not answer.
         """
-        if not self.works or now_ns() - self._read_ns < _PERIOD_NS:
+        period_ns = _FIRST_PERIOD_NS if self._readings < _FIRST_READINGS else _PERIOD_NS
+        if not self.works or now_ns() - self._read_ns < period_ns:
             return None
+        self._readings += 1
         return self._compare()
 
     def _is_running(self) -> bool:

@@ -132,6 +132,6 @@ class StreamSender:
 
     def _send(self, packet: bytes) -> None:
         receiver = self._receiver
-        if receiver is not None:
+        if receiver is not None and not self._faults.unplugged:
             with contextlib.suppress(OSError):
                 self._socket.sendto(packet, receiver)
