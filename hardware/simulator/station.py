@@ -356,6 +356,10 @@ class SimulatedStation:
         """A picture of a sensor whose laser is wired on."""
         return self.shared_renderer.expose(mid_ns, exposure_us, 1.0)
 
+    def trigger_camera(self, stamp_ns: int) -> None:
+        """A pulse on the camera's input, of another arm than the simulated one."""
+        self._trigger(stamp_ns)
+
     def _trigger(self, stamp_ns: int) -> None:
         if self._triggered is not None:
             self._triggered.trigger(stamp_ns)

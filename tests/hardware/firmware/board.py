@@ -6,6 +6,7 @@ import signal
 import subprocess
 import threading
 import time
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
@@ -51,6 +52,8 @@ class Board:
         self.joints = joints
         self.contacts = 0
         self.pulses: list[tuple[int, int, int]] = []
+        self.on_pulse: Callable[[int], None] = lambda number: None
+        """Called with the number of each trigger, counted from power on."""
         self._command = [str(program), str(firmware), str(joints), str(link)]
         self._process: subprocess.Popen[str] | None = None
         self.power_on()
@@ -114,4 +117,5 @@ class Board:
             elif word == "pulse":
                 rose, latched, fell = map(int, numbers)
                 self.pulses.append((rose, latched, fell))
+                self.on_pulse(len(self.pulses))
         process.stdout.close()

@@ -1,0 +1,144 @@
+"""The station on the arm's firmware, run by simavr: touches, and a camera that it triggers."""
+
+import time
+from collections.abc import Iterator
+from contextlib import ExitStack
+from functools import partial
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from app.guide.calibration.touch.block import suggest_places
+from app.metrology.arm.kinematics import tip_centres
+from app.metrology.arm.reading_interpolation import shortest_turn
+from app.metrology.probing.alignment import align
+from app.metrology.targets.crenellated_block import Crenellated
+from app.station.bus import Bus
+from app.station.devices.pulse_trigger import TriggerSettings
+from app.station.devices.rig import Rig
+from hardware.clock import now_ns
+from hardware.interfaces import Frame
+from hardware.registry import arm_driver
+from hardware.simulator.station import SimulatedStation, SimulationConfig
+from tests.guide.builders import contact_joints
+from tests.hardware.firmware.board import Board, build_board, build_firmware, missing_tool
+from tests.station.conftest import six_axis_arm, until
+
+pytestmark = [
+    pytest.mark.slow,
+    pytest.mark.skipif(missing_tool() is not None, reason=f"{missing_tool()} is not installed"),
+]
+
+PER_TURN = 1 << 14
+FACES = ("crest", "front", "left")
+RATE_HZ = 12.0
+STEPS, STEP_S = 60, 0.005
+BLOCK = Crenellated(
+    "block",
+    "B-1",
+    (-22.0, -14.0, -7.0, -2.0, 5.0, 10.0, 17.0, 22.0),
+    -12.0,
+    12.0,
+    15.0,
+    0.0,
+    -12.0,
+    0.002,
+)
+
+
+@pytest.fixture
+def board(tmp_path: Path) -> Iterator[Board]:
+    firmware = build_firmware(tmp_path, NAME="Built arm", SERIAL_NUMBER="A-1")
+    made = Board(build_board(tmp_path), firmware, tmp_path / "ttyARM")
+    yield made
+    made.power_off()
+
+
+def options(board: Board) -> dict[str, object]:
+    return {"url": board.url, "baudrate": 500_000, "timeout_s": 20.0}
+
+
+def test_a_calibrations_touches_are_taken_through_it(board: Board, tmp_path: Path) -> None:
+    """Nine on each of three faces; each is read to the step of the encoders."""
+    arm = six_axis_arm()
+    config = SimulationConfig(width_px=320, height_px=256)
+    with SimulatedStation(config) as simulation, ExitStack() as running:
+        rig = Rig(Bus(), lambda: arm_driver("bridge", options(board)), simulation.sensor, tmp_path)
+        rig.arm.set_model(arm)
+        running.callback(rig.stop)
+        rig.start()
+        until(lambda: rig.arm.fresh, 60)
+        readings, faces, last = [], [], np.zeros(6, dtype=int)
+        for face in FACES:
+            for place in suggest_places(BLOCK, face):
+                q = contact_joints(arm, BLOCK, face, place)
+                counts = np.rint(q * PER_TURN / (2 * np.pi)).astype(int)
+                swing(board, last, counts)
+                last = counts
+                expected = counts * 2 * np.pi / PER_TURN
+                until(partial(is_at, rig, expected), 60)
+                mean = rig.arm.average()
+                assert np.abs(shortest_turn(mean.reading - expected)).max() < 1e-9
+                readings.append(mean.reading)
+                faces.append(face)
+    tips = tip_centres(arm, np.array(readings))
+    found = align(faces, tips, arm.tip.radius_mm, BLOCK)
+    # 14 bits are 0.38 mrad: a tenth of a millimetre at half a metre
+    assert np.sqrt(np.mean(found.residuals_mm**2)) < 0.25
+
+
+def swing(board: Board, start: np.ndarray, end: np.ndarray) -> None:
+    """Turns the encoders as a hand does: a jump would be an encoder's fault to the station."""
+    for step in range(1, STEPS + 1):
+        board.turn(np.rint(start + (end - start) * step / STEPS).astype(int).tolist())
+        time.sleep(STEP_S)
+
+
+def is_at(rig: Rig, expected: np.ndarray) -> bool:
+    """Whether the arm is there, and still."""
+    newest = rig.arm.latest()
+    if newest is None or not rig.arm.stillness().still:
+        return False
+    return bool(np.abs(shortest_turn(np.array(newest.reading) - expected)).max() < 1e-9)
+
+
+def test_its_pulses_pair_arm_and_camera(board: Board, tmp_path: Path) -> None:
+    """The first encoder turns on after each pulse, so that its angle numbers the pulses; frames
+    arrive with ± 20 ms of jitter, and 1 % of them are lost."""
+    config = SimulationConfig(triggered=True, jitter_ms=20.0, width_px=320, height_px=256)
+    with SimulatedStation(config) as simulation, ExitStack() as running:
+        simulation.camera_faults.drop_rate = 0.01
+        sensor = simulation.sensor()
+        rig = Rig(
+            Bus(),
+            lambda: arm_driver("bridge", options(board)),
+            lambda: sensor,
+            tmp_path,
+            TriggerSettings(RATE_HZ),
+        )
+
+        def fire(number: int) -> None:
+            simulation.trigger_camera(now_ns())
+            board.tell("angle", 0, 20 * number % PER_TURN)
+
+        board.on_pulse = fire
+        running.callback(rig.stop)
+        rig.start()
+        until(lambda: rig.sensor.is_paired, 60)
+        tap = rig.sensor.frames.tap(64)
+        frames: list[Frame] = []
+
+        def collect() -> bool:
+            frames.extend(one for one in tap.get(64, 0.1) if isinstance(one, Frame))
+            return len(frames) >= 40
+
+        until(collect, 60)
+    numbers = []
+    for frame in frames:
+        at = rig.arm.at(frame.mid_exposure_ns - round(500 * frame.exposure_us), 0.0)
+        assert at is not None
+        numbers.append(round(at[0] * PER_TURN / (2 * np.pi) / 20))
+    # the camera's own count and the angle at the pulse go together, without one exception
+    offsets = {frame.sequence - number for frame, number in zip(frames, numbers, strict=True)}
+    assert len(offsets) == 1
