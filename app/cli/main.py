@@ -101,11 +101,14 @@ def demo(
     robot: Annotated[
         bool, typer.Option("--robot", help="A robot carries the sensor, read by RTDE.")
     ] = False,
+    gige: Annotated[
+        bool, typer.Option("--gige", help="The camera sends its pictures over GigE Vision.")
+    ] = False,
 ) -> None:
     """Run the whole station on simulated hardware, in the browser."""
     from app.server.startup import demo as run_demo
 
-    run_demo(data, host, port, open_browser, robot)
+    run_demo(data, host, port, open_browser, robot, gige)
 
 
 @cli.command()

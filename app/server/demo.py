@@ -3,6 +3,7 @@
 import json
 from collections.abc import Iterator
 from contextlib import contextmanager
+from dataclasses import replace
 from pathlib import Path
 
 from app.errors import OperationError
@@ -34,16 +35,19 @@ ROBOT_HZ = 250.0
 
 
 @contextmanager
-def open_simulation(data: Path, robot: bool = False) -> Iterator[StationParts]:
+def open_simulation(data: Path, robot: bool = False, gige: bool = False) -> Iterator[StationParts]:
     """A running simulation, with a sensor that is ready, as the parts of a station.
 
     Args:
         robot: a robot carries the sensor, instead of an arm that an operator guides.
+        gige: the sensor's camera sends its pictures over GigE Vision.
 
     Raises:
         OperationError: the data folder cannot be written.
+        DeviceError: the port of GigE Vision is taken.
     """
-    with SimulatedStation(ROBOT if robot else None) as simulation:
+    config = ROBOT if robot else SimulationConfig()
+    with SimulatedStation(replace(config, camera="gige") if gige else config) as simulation:
         yield station_parts(simulation, data)
 
 
@@ -69,7 +73,7 @@ def station_parts(simulation: SimulatedStation, data: Path) -> StationParts:
         monitoring=MonitoringSettings(
             thermometer=RoomThermometer(),
             effective_settings={
-                "drivers": {"arm": driver, "sensor": "simulated"}
+                "drivers": {"arm": driver, "sensor": _sensor_driver_name(simulation)}
                 | {kind: table.driver for kind, table in chosen.items()}
             },
         ),
@@ -83,6 +87,10 @@ def _arm_options(simulation: SimulatedStation) -> tuple[str, dict[str, object]]:
         options = {"address": simulation.config.host, "port": robot.port, "rate_hz": ROBOT_HZ}
         return "ur-rtde", options
     return "serial-encoder", {"url": simulation.arm_url}
+
+
+def _sensor_driver_name(simulation: SimulatedStation) -> str:
+    return "genicam" if simulation.config.camera == "gige" else "simulated"
 
 
 def _is_identified(path: Path) -> bool:

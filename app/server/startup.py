@@ -179,11 +179,19 @@ def _monitoring_settings(settings: Settings) -> "MonitoringSettings":
     )
 
 
-def demo(data: Path | None, host: str, port: int, open_browser: bool, robot: bool = False) -> None:
+def demo(
+    data: Path | None,
+    host: str,
+    port: int,
+    open_browser: bool,
+    robot: bool = False,
+    gige: bool = False,
+) -> None:
     """Runs the complete station with simulated devices; if the port is taken, on the next free one.
 
     Args:
         robot: a robot carries the sensor, instead of an arm that an operator guides.
+        gige: the sensor's camera sends its pictures over GigE Vision.
 
     Raises:
         OperationError: the data folder is unusable, or no port is free.
@@ -195,7 +203,7 @@ def demo(data: Path | None, host: str, port: int, open_browser: bool, robot: boo
         def parts() -> "StationParts":
             from app.server.demo import open_simulation
 
-            return devices.enter_context(open_simulation(folder, robot))
+            return devices.enter_context(open_simulation(folder, robot, gige))
 
         print("Starting the simulated station.", flush=True)
         run(Plan("Demonstration", parts, host, by_link=True), listening, open_browser)

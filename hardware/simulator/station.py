@@ -196,7 +196,7 @@ class SimulatedStation:
     def start(self) -> "SimulatedStation":
         """Makes ready for pictures, and serves the arm's bytes.
 
-        Raises ``OSError`` when the port is taken.
+        Raises ``OSError`` when the port is taken, ``DeviceError`` when that of the GigE camera is.
         """
         self.shared_renderer.prepare()
         if self.config.camera == "gige" and self._gige is None:

@@ -198,6 +198,20 @@ def test_another_client_finds_it_and_reads_features_and_pictures(camera: GigeCam
         np.testing.assert_array_equal(image, picture(0, 8000.0, 1.0))
 
 
+def test_a_second_camera_needs_an_address_of_its_own(camera: GigeCamera) -> None:
+    with pytest.raises(DeviceError, match="3956"):
+        make_camera().start()
+    other = GigeCamera(CameraIdentity("127.0.0.2", "SIM-2", WIDTH, HEIGHT, 50.0), picture)
+    other.start()
+    drivers = [make_driver(), make_driver(address="127.0.0.2")]
+    infos = [driver.open() for driver in drivers]
+    for driver in drivers:
+        next_frame(driver)
+        driver.close()
+    other.stop()
+    assert [info.serial_number for info in infos] == ["SIM-1", "SIM-2"]
+
+
 @pytest.mark.parametrize("name", ["Mono8", "Mono10", "Mono12", "Mono16"])
 def test_every_pixel_format_shows_the_same_picture(camera: GigeCamera, name: str) -> None:
     driver = make_driver(pixel_format=name, region=[16, 0, 160, 100])

@@ -8,10 +8,13 @@ made, but never earlier than a constant delay after the end of the exposure.
 import socket
 from collections.abc import Callable
 
+from app.messages.message import message
 from hardware.clock import now_ns
+from hardware.errors import DeviceError
 from hardware.simulator.devices.gige_camera.control import ControlServer
 from hardware.simulator.devices.gige_camera.exposing import ExposureLoop, LaserLine, TakenExposure
 from hardware.simulator.devices.gige_camera.faults import GigeFaults
+from hardware.simulator.devices.gige_camera.gvcp import PORT
 from hardware.simulator.devices.gige_camera.gvsp import LAST_BLOCK_ID, OVERHEAD, PictureBlock
 from hardware.simulator.devices.gige_camera.pixels import RawImage, bytes_per_px, encode
 from hardware.simulator.devices.gige_camera.registers import (
@@ -82,7 +85,7 @@ class GigeCamera:
         self._exposures: ExposureLoop | None = None
 
     def start(self) -> None:
-        """Listens at the camera's address; raises ``OSError`` if its port is taken there."""
+        """Listens at the camera's address; raises ``DeviceError`` if its port is taken there."""
         if self._control is not None:
             return
         address = self.identity.address
@@ -90,10 +93,12 @@ class GigeCamera:
         self._exposures = ExposureLoop(self._registers, self.laser, self._take, self._stop_pictures)
         try:
             self._control = ControlServer(self, self._registers, address, self.faults)
-        except OSError:
+        except OSError as error:
             sender.start()
             sender.stop()
-            raise
+            raise DeviceError(
+                message("udp-port-in-use", port=str(PORT)), message("close-program-with-port")
+            ) from error
         self._connect_registers()
         self.power_on()
         sender.start()
