@@ -6,6 +6,8 @@ from fastapi import APIRouter
 from starlette.responses import Response
 
 from app.api.lookups import find_calibration, find_scan, send_file
+from app.api.problems import NotFoundError
+from app.archive.records import is_in_archive_only
 from app.messages.message import message
 from app.operations.context import TheContext
 from app.operations.home import build_home, calibration_summary
@@ -55,6 +57,8 @@ def scans(context: TheContext) -> list[ScanSummary]:
 def cloud(scan_id: str, context: TheContext) -> Response:
     """The points of a scan in the arm frame."""
     scan = find_scan(context, scan_id)
+    if is_in_archive_only(context.store.folder, "scans", scan.folder.name):
+        raise NotFoundError(message("archive-fetch-record", kind="scans", id=scan.folder.name))
     return _download(scan.folder / "cloud.ply", "application/octet-stream", f"{scan.id}.ply")
 
 

@@ -8,6 +8,7 @@ from typing import Annotated, NoReturn
 
 import typer
 
+from app.cli.archive import archive
 from app.cli.arm import articulation, identify
 from app.cli.bench import bench
 from app.cli.certificate import certificate
@@ -181,6 +182,7 @@ cli.command()(report)
 cli.command()(backup)
 cli.command()(password)
 cli.command()(mqtt_schema)
+cli.add_typer(archive, name="archive")
 cli.add_typer(bench, name="bench")
 cli.add_typer(performance, name="performance")
 cli.add_typer(certificate, name="certificate")

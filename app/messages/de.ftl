@@ -71,6 +71,53 @@ answers-browsers = Antworten an Browser
 applied-dropped-arms-delay = Zeitversatz des Messarms übernommen oder verworfen
 approved = Freigegeben
 aravis-missing = Die Bibliothek Aravis fehlt, über die Industriekameras gelesen werden
+archive = Archiv
+archive-away = Das Archiv { $place } ist nicht erreichbar
+archive-check-disk = Prüfen Sie den Datenträger des Archivs; die Aufnahme wird erneut kopiert
+archive-check-id = crenel archive status zeigt, was im Archiv ist
+archive-check-keys = Prüfen Sie access_key, secret_file und die Rechte des Archivs; die Station versucht es von selbst wieder
+archive-check-network = Prüfen Sie das Netz, den endpoint und ob der Server des Archivs läuft; die Station versucht es von selbst wieder
+archive-check-url = Hängen Sie den Datenträger ein, legen Sie den Ordner oder Bucket an, oder berichtigen Sie url in [archive] der station.toml
+archive-complete = Alles Abgeschlossene ist in { $place }, dort gelesen und verglichen.
+archive-copy-differs = { $name } weicht im Archiv von dem ab, was geschrieben wurde
+archive-copying =
+    { $waiting ->
+        [one] { $waiting } Datensatz ({ $size }) wird nach { $place } kopiert.
+       *[other] { $waiting } Datensätze ({ $size }) werden nach { $place } kopiert.
+    }
+archive-fetch-record = Nur im Archiv. Zurückholen mit: crenel archive fetch { $kind } { $id }
+archive-forbidden = Das Archiv { $place } verweigert den Zugriff
+archive-full = Das Archiv { $place } ist voll
+archive-give-both-keys = Geben Sie access_key und secret_file an, oder keines von beiden
+archive-goes-on-later = Die Kopie ins Archiv geht nach dem nächsten Start weiter
+archive-has-no-record = Das Archiv { $place } hat keinen vollständigen Datensatz { $id }
+archive-install-library = Installieren Sie sie, zum Beispiel mit: pip install '{ $library }'
+archive-is-here = { $id } ist bereits auf diesem Datenträger
+archive-key-alone = { $file }, [archive]: access_key oder secret_file steht ohne das andere
+archive-keys-belong-together = ein Schlüssel und sein Geheimnis gehören zusammen
+archive-library-missing = Die Bibliothek für das Archiv { $place } fehlt
+archive-look-at-log = Sehen Sie im Protokoll unten nach, oder senden Sie ein Supportpaket.
+archive-loses-data = das Archiv hält nicht, was geschrieben wird
+archive-make-room = Schaffen Sie dort Platz, oder nennen Sie ein anderes Archiv; die Station versucht es von selbst wieder
+archive-manifest-damaged = { $name } im Archiv ist beschädigt
+archive-missing = Das Archiv { $place } ist nicht da
+archive-name-secret-file = Nennen Sie eine Datei, die nur den geheimen Schlüssel enthält
+archive-needs-space = Der Datensatz braucht { $size }
+archive-no-marker = dort fehlt crenel-archive.txt, die diese Station dort geschrieben hat
+archive-not-set = station.toml nennt kein Archiv
+archive-path-leads-out = { $path } führt aus dem Ordner des Datensatzes hinaus
+archive-record-changes = { $path } ändert sich beim Kopieren
+archive-tried-again = Der Datensatz wird kopiert, wenn er sich nicht mehr ändert
+archive-trouble =
+    { $waiting ->
+        [0] { $trouble } Nichts wartet; der nächste Versuch ist in { $minutes }.
+        [one] { $trouble } { $waiting } Datensatz wartet; der nächste Versuch ist in { $minutes }.
+       *[other] { $trouble } { $waiting } Datensätze warten; der nächste Versuch ist in { $minutes }.
+    }
+archive-used-by-another = Ein anderer Prozess benutzt das Archiv
+archive-wait-for-other = Warten Sie, bis er fertig ist; eine laufende Station kopiert von selbst
+archive-why = Was nicht im Archiv ist, gibt es nur auf dem Datenträger dieser Station.
+archive-write-table = Ergänzen Sie [archive] in station.toml, wie docs/formats.md zeigt
 arm-2 = Der Messarm: { $text }
 arm-3 = Der Messarm ist unverändert.
 arm-4 = Messarm

@@ -71,6 +71,53 @@ answers-browsers = Response to browsers
 applied-dropped-arms-delay = applied or removed the arm's delay
 approved = Approved
 aravis-missing = The library Aravis is missing, through which industrial cameras are read
+archive = Archive
+archive-away = The archive { $place } cannot be reached
+archive-check-disk = Check the disk of the archive; the record is copied again
+archive-check-id = See the records in the archive with crenel archive status
+archive-check-keys = Check access_key, secret_file and the permissions of the archive; the station tries again by itself
+archive-check-network = Check the network, the endpoint and whether the archive's server runs; the station tries again by itself
+archive-check-url = Mount its disk, create the folder or the bucket, or correct url in [archive] of station.toml
+archive-complete = Everything that is finished is in { $place }, read there and compared.
+archive-copy-differs = { $name } differs in the archive from what was written to it
+archive-copying =
+    { $waiting ->
+        [one] { $waiting } record ({ $size }) is being copied to { $place }.
+       *[other] { $waiting } records ({ $size }) are being copied to { $place }.
+    }
+archive-fetch-record = In the archive only. Bring it back with: crenel archive fetch { $kind } { $id }
+archive-forbidden = The archive { $place } refuses access
+archive-full = The archive { $place } is full
+archive-give-both-keys = Give both access_key and secret_file, or neither
+archive-goes-on-later = The copy to the archive continues after the next start
+archive-has-no-record = The archive { $place } has no whole record { $id }
+archive-install-library = Install it, for example with: pip install '{ $library }'
+archive-is-here = { $id } is on this disk already
+archive-key-alone = { $file }, [archive]: access_key or secret_file is given without the other
+archive-keys-belong-together = a key and its secret belong together
+archive-library-missing = The library for the archive { $place } is missing
+archive-look-at-log = Look at the log below, or send a support bundle.
+archive-loses-data = the archive does not hold what is written to it
+archive-make-room = Make room there, or name another archive; the station tries again by itself
+archive-manifest-damaged = { $name } in the archive is damaged
+archive-missing = The archive { $place } is not there
+archive-name-secret-file = Name a file that contains only the secret key
+archive-needs-space = The record needs { $size }
+archive-no-marker = it lacks crenel-archive.txt, which this station wrote there
+archive-not-set = station.toml names no archive
+archive-path-leads-out = { $path } leads out of the record's folder
+archive-record-changes = { $path } changes while it is copied
+archive-tried-again = It is copied when it no longer changes
+archive-trouble =
+    { $waiting ->
+        [0] { $trouble } Nothing is waiting; the next attempt is in { $minutes }.
+        [one] { $trouble } { $waiting } record is waiting; the next attempt is in { $minutes }.
+       *[other] { $trouble } { $waiting } records are waiting; the next attempt is in { $minutes }.
+    }
+archive-used-by-another = Another process is using the archive
+archive-wait-for-other = Wait until it is done; a running station copies by itself
+archive-why = What is not in the archive exists on this station's disk only.
+archive-write-table = Add [archive] to station.toml as docs/formats.md shows
 arm-2 = The arm: { $text }
 arm-3 = The arm is unchanged.
 arm-4 = Arm

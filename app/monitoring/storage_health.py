@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 
+from app.errors import OperationError, sentence
 from app.findings import Quality
 from app.messages.message import Text, join, message, quantity
 from app.monitoring.health import HealthItem
@@ -109,3 +110,24 @@ def backup(days: float | None, place: str, same_disk: bool, trouble: Text) -> He
         remedy = message("name-folder-another-disk-backups-station")
         return HealthItem("backup", message("backup"), "attention", what, why, remedy)
     return HealthItem("backup", message("backup"), "good", what, why, "")
+
+
+def archive(
+    place: str, waiting: int, waiting_gb: float, trouble: OperationError | None, retry_s: float
+) -> HealthItem:
+    """Whether finished records arrive in the archive; ``retry_s``: until the next attempt."""
+    title, why = message("archive"), message("archive-why")
+    if trouble is not None:
+        what = message(
+            "archive-trouble",
+            trouble=trouble.reason,
+            waiting=waiting,
+            minutes=quantity(retry_s / 60, "min", 0),
+        )
+        remedy = sentence(trouble.remedy) if trouble.remedy else message("archive-look-at-log")
+        return HealthItem("archive", title, "attention", what, why, remedy)
+    if waiting:
+        size = quantity(waiting_gb, "GB", 2)
+        what = message("archive-copying", place=place, waiting=waiting, size=size)
+        return HealthItem("archive", title, "good", what, why, "")
+    return HealthItem("archive", title, "good", message("archive-complete", place=place), why, "")

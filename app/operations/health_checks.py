@@ -66,6 +66,7 @@ class HealthChecker:
             "records": self._records,
             "recordings": self._recordings,
             "backup": self._backup,
+            "archive": self._archive,
             "clock": self._clock,
             "loop": self._loop,
             "memory": lambda: [health.memory_use(memory())],
@@ -133,6 +134,15 @@ class HealthChecker:
         days = None if last is None else age_days(last.at, datetime.now(UTC))
         place = "" if last is None else display_backup(last.folder)
         return [storage_health.backup(days, place, backups.same_disk, backups.trouble)]
+
+    def _archive(self) -> list[HealthItem]:
+        worker = self._context.monitoring.archive
+        if worker is None:
+            return []
+        state = self._every(RECORDS_EVERY_S, "archive", worker.state)
+        trouble, retry_s = worker.trouble, worker.retry_in_s
+        waiting_gb = state.waiting_bytes / 1e9
+        return [storage_health.archive(worker.place, state.waiting, waiting_gb, trouble, retry_s)]
 
     def _clock(self) -> list[HealthItem]:
         clock = self._context.monitoring.clock

@@ -10,6 +10,7 @@ from collections.abc import Callable, Iterator
 from datetime import UTC, datetime
 from pathlib import Path
 
+from app.archive.records import is_in_archive_only
 from app.errors import OperationError, sentence
 from app.formats.atomic_write import sync_file, sync_folder
 from app.formats.datasheets.arm import read_any_arm
@@ -148,7 +149,8 @@ class Recovery:
 
     def _without_cloud(self) -> Iterator[ScanRecord]:
         for scan in self._store.scans.list_interrupted():
-            if scan.id not in self._errors and not (scan.folder / CLOUD).exists():
+            missing = not (scan.folder / CLOUD).exists() and not self._is_away(scan.folder)
+            if scan.id not in self._errors and missing:
                 yield scan
 
     def _make_cloud(self, scan: ScanRecord) -> None:
@@ -193,6 +195,8 @@ class Recovery:
 
     def scan_note(self, scan: ScanRecord) -> Text:
         """Problems of a scan's recording, or why it ended early; usually empty."""
+        if self._is_away(scan.folder):
+            return message("archive-fetch-record", kind="scans", id=scan.folder.name)
         damage = find_damage(scan.folder / RECORDING, scan.recording_bytes)
         if damage:
             return sentence(damage)
@@ -210,6 +214,8 @@ class Recovery:
         """The recordings of scans and verifications that have changed."""
         damaged: list[Text] = []
         for scan in self._store.scans.all():
+            if self._is_away(scan.folder):
+                continue
             if damage := find_damage(scan.folder / RECORDING, scan.recording_bytes):
                 damaged.append(join([scan.name, damage], ": "))
         for verification in self._store.verifications.all():
@@ -218,6 +224,10 @@ class Recovery:
                 if (damage := find_damage(path)) and not self._matches_hash(path, sha256):
                     damaged.append(join([f"{verification.id}, {name}", damage], ": "))
         return damaged
+
+    def _is_away(self, folder: Path) -> bool:
+        """Whether the archive has a scan that is no longer on this disk."""
+        return is_in_archive_only(self._store.folder, "scans", folder.name)
 
     def _matches_hash(self, path: Path, sha256: str) -> bool:
         """Whether an incomplete recording was accepted as such, for example after a killed

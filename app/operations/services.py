@@ -3,11 +3,16 @@
 import threading
 import time
 from collections import defaultdict, deque
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from app.archive.archive import Archive
+from app.archive.archive_settings import ArchiveSettings
+from app.archive.pace import Pace
+from app.archive.records import RecordLists
+from app.archive.worker import ArchiveWorker
 from app.errors import OperationError
 from app.formats.file_names import register_data_folder, unregister_data_folder
 from app.messages.message import Text, message
@@ -46,6 +51,7 @@ class MonitoringSettings:
     """Address of the station's pages, for links from other stations."""
     backups: Path | None = None
     mqtt: BrokerSettings | None = None
+    archive: ArchiveSettings | None = None
     thermometer: Thermometer | None = None
     network: Network = "here"
     effective_settings: Mapping[str, object] = field(default_factory=dict)
@@ -144,6 +150,8 @@ class MonitoringServices:
         self.webhooks = WebhookStore(store.folder)
         self.webhook = Webhook(self.webhooks.read())
         self.backups = Backups(bus, store.folder, settings.backups)
+        self.archive: ArchiveWorker | None = None
+        """Set by ``open_archive``, if the station has an archive."""
         self.health: Health | None = None
         self.job_times: dict[str, JobTimes] = defaultdict(JobTimes)
         jobs.on_ended = lambda title, seconds: self.job_times[title].add(seconds)
@@ -158,6 +166,19 @@ class MonitoringServices:
         self.warned = NoticeDeduplicator()
         """Events that are logged as warnings: those that may repeat, like Stop, are only
         reported."""
+
+    def open_archive(self, store: Store, is_scanning: Callable[[], bool]) -> None:
+        """Starts to copy finished records, if the settings name an archive."""
+        settings = self.settings.archive
+        if settings is None:
+            return
+        lists = RecordLists(store.journal, store.scans, store.calibrations, store.verifications)
+        pace = Pace(settings.scan_rate_mb_s * 1e6, is_scanning)
+        self.archive = ArchiveWorker(
+            Archive(settings, store.folder, lists, pace),
+            lambda text: self._bus.event("archive", text, "attention"),
+        )
+        self.archive.start()
 
     def _make_broker(self, settings: BrokerSettings) -> "Broker":
         # most stations have no broker, and need not import the protocol

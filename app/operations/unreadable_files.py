@@ -3,6 +3,7 @@
 from collections.abc import Callable
 from pathlib import Path
 
+from app.archive.records import is_in_archive_only
 from app.errors import OperationError
 from app.formats.datasheets.arm import read_any_arm
 from app.formats.results.calibration import CalibrationFile
@@ -30,6 +31,8 @@ def list_unreadable(context: Context) -> list[Text]:
         reasons += _reading_error(record.file, CalibrationFile.read)
         reasons += _reading_error(record.file.parent / ARM, read_any_arm)
     for verification in store.verifications.all():
+        if is_in_archive_only(store.folder, "verifications", verification.folder.name):
+            continue
         reasons += _reading_error(verification.folder / VERIFICATION, VerificationFile.read)
     return reasons
 

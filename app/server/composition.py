@@ -158,6 +158,7 @@ def _build_context(parts: StationParts, store: Store) -> Context:
         signing,
         parts.rule,
     )
+    watch.open_archive(store, lambda: scanner.recording() is not None)
     recovery = Recovery(store, scanner, jobs, bus, viewing.note_records)
     recovery.list_unlisted()
     simulated_scan = SimulatedScan(
@@ -227,6 +228,8 @@ def close_context(context: Context) -> None:
     """Switches the laser off, stops motion and scan, saves the scan and closes devices. The store
     stays open."""
     stop_everything(context)
+    if context.monitoring.archive is not None:
+        context.monitoring.archive.close()
     context.device_setup.close()
     context.jobs.wait(JOB_END_S)
     context.recovery.close()

@@ -168,12 +168,14 @@ def _monitoring_settings(settings: Settings) -> "MonitoringSettings":
         "tls": station.tls_certificate is not None,
         **{kind: dict(table.options) for kind, table in settings.devices.items()},
         "mqtt": None if mqtt is None else {k: str(v) for k, v in mqtt},
+        "archive": None if settings.archive is None else settings.archive.place,
         "temperature": None if file is None else str(file),
     }
     return MonitoringSettings(
         address=station.address,
         backups=station.backups,
         mqtt=mqtt,
+        archive=settings.archive,
         thermometer=None if file is None else FileThermometer(file),
         effective_settings=effective_settings,
     )

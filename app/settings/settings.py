@@ -20,6 +20,7 @@ from pydantic import (
     model_validator,
 )
 
+from app.archive.archive_settings import ArchiveSettings
 from app.errors import OperationError
 from app.formats.datasheets.gauge import DEFAULT_LIMITS, VerificationLimits
 from app.formats.open_file import check_ordinary
@@ -180,6 +181,7 @@ class Settings(TomlTable):
     decision: DecisionTable = DecisionTable()
     due: DueLimits = DUE
     mqtt: BrokerSettings | None = None
+    archive: ArchiveSettings | None = None
     temperature: TemperatureTable | None = None
     trigger: TriggerTable | None = None
 

@@ -75,6 +75,13 @@ class JournalStore:
         )
         return SessionRecord(*rows[0]) if rows else None
 
+    def sessions(self) -> list[SessionRecord]:
+        """All sessions, oldest first."""
+        rows = self._database.read(
+            "SELECT id, kind, started_at, ended_at FROM session ORDER BY rowid"
+        )
+        return [SessionRecord(*row) for row in rows]
+
     def append(
         self,
         session_id: str,

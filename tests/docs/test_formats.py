@@ -14,6 +14,7 @@ from google.protobuf.descriptor_pb2 import FieldDescriptorProto as Field
 from google.protobuf.descriptor_pb2 import FileDescriptorSet
 
 import app.formats
+from app.archive.manifest import Manifest
 from app.formats.clouds.files import cloud_writer, read_cloud
 from app.formats.csv_table import read_table
 from app.formats.datasheets.arm import read_any_arm, read_arm
@@ -203,7 +204,7 @@ def test_the_recordings_topics_and_message_are_as_described() -> None:
 
 def test_station_toml_has_every_key_and_the_defaults(examples: Path) -> None:
     file = examples / "station.toml"
-    for name in ("cert.pem", "key.pem", "mqtt-password"):
+    for name in ("cert.pem", "key.pem", "mqtt-password", "archive-secret"):
         (examples / name).touch()
     trustme.CA().cert_pem.write_to_path(str(examples / "ca.pem"))
     settings, written = read_settings(file), tomllib.loads(file.read_text(encoding="utf-8"))
@@ -233,3 +234,9 @@ def test_a_length_standard_and_a_plan_of_a_performance_test_are_read(examples: P
     limit = plan.limit("length-touch")
     assert limit is not None
     assert limit.at(1000.0) == 60.0
+
+
+def test_a_manifest_of_the_archive_is_read(examples: Path) -> None:
+    file = examples / "archived/manifest.json"
+    manifest = Manifest.parse(file.read_bytes(), file.name)
+    assert manifest.folder == f"scans/20260504-101500/{manifest.content}"

@@ -21,13 +21,20 @@ LAYERS: dict[str, set[str]] = {
     "app.formats": {"app.metrology", "app.native"},
     "app.workflows": {"app.formats", "app.metrology"},
     "app.store": {"app.formats"},
+    "app.archive": {"app.store", "app.formats"},
     "app.security": {"app.store"},
     "app.station": {"app.workflows", "app.formats", "app.metrology", "app.native", "hardware"},
     "app.guide": {"app.station", "app.workflows", "app.formats", "app.metrology"},
     "app.monitoring": {"app.station", "app.formats"},
     "app.supervision": {"app.station", "app.formats"},
     "app.report": {"app.workflows", "app.formats", "app.metrology"},
-    "app.settings": {"app.guide", "app.supervision", "app.formats", "app.metrology"},
+    "app.settings": {
+        "app.archive",
+        "app.guide",
+        "app.supervision",
+        "app.formats",
+        "app.metrology",
+    },
     "app.wire": {
         "app.guide",
         "app.supervision",
@@ -39,6 +46,7 @@ LAYERS: dict[str, set[str]] = {
     "app.operations": {
         "app.wire",
         "app.settings",
+        "app.archive",
         "app.security",
         "app.supervision",
         "app.monitoring",
@@ -49,6 +57,7 @@ LAYERS: dict[str, set[str]] = {
         "app.formats",
     },
     "app.api": {
+        "app.archive",
         "app.operations",
         "app.wire",
         "app.report",

@@ -1,0 +1,184 @@
+"""The places that an archive can be: a folder or a mount, or anything that fsspec opens."""
+
+import errno
+import os
+from collections.abc import Iterable, Iterator
+from contextlib import closing, suppress
+from pathlib import Path
+from typing import Any, Protocol
+
+from app.archive.archive_settings import ArchiveSettings
+from app.archive.store_errors import convert_store_errors
+from app.errors import OperationError
+from app.formats.atomic_write import atomic_file, ensure_folder
+from app.formats.open_file import open_file
+from app.messages.message import message
+
+PIECE_BYTES = 1 << 18
+PART_BYTES = 5 << 20
+"""Of a large object: the least that S3 takes; bursts stay small."""
+CONNECT_S, READ_S = 10, 60
+OBJECT_STORES = ("s3://", "s3a://", "gs://", "gcs://")
+"""They have no folders, and their libraries would create a missing bucket instead."""
+
+
+class RemoteStore(Protocol):
+    """Files by name, with ``/`` between folders. All methods raise ``OperationError`` that says
+    what is wrong with the store."""
+
+    def write(self, name: str, pieces: Iterable[bytes], size: int) -> None:
+        """Writes a file of ``size`` bytes. If this is interrupted, an earlier file of the name, or
+        none, is there."""
+
+    def read(self, name: str) -> Iterator[bytes]:
+        """The content of a file in pieces."""
+
+    def size(self, name: str) -> int | None:
+        """Bytes of a file; None if there is none."""
+
+    def names(self, folder: str) -> list[str]:
+        """The names in a folder, sorted; empty if there is none."""
+
+
+class FolderStore:
+    """A folder that exists: of another disk, or the mount of a network drive."""
+
+    def __init__(self, root: Path) -> None:
+        self._root, self._place = root, str(root)
+
+    def write(self, name: str, pieces: Iterable[bytes], size: int) -> None:
+        path = self._root / name
+        with convert_store_errors(self._place):
+            if not self._root.is_dir():
+                raise FileNotFoundError(errno.ENOENT, os.strerror(errno.ENOENT), self._place)
+            ensure_folder(path.parent)
+            # an OperationError of the disk says "full" or "forbidden" for this file: it is the
+            # archive's, as the pieces raise their own
+            with atomic_file(path) as file:
+                for piece in pieces:
+                    file.write(piece)
+
+    def read(self, name: str) -> Iterator[bytes]:
+        with convert_store_errors(self._place), open_file(self._root / name) as file:
+            with suppress(AttributeError):  # so that the disk is read, not the cache
+                os.posix_fadvise(file.fileno(), 0, 0, os.POSIX_FADV_DONTNEED)
+            while piece := file.read(PIECE_BYTES):
+                yield piece
+
+    def size(self, name: str) -> int | None:
+        with convert_store_errors(self._place):
+            if not self._root.is_dir():
+                raise FileNotFoundError(errno.ENOENT, os.strerror(errno.ENOENT), self._place)
+            with suppress(FileNotFoundError, NotADirectoryError):
+                return (self._root / name).stat().st_size
+        return None
+
+    def names(self, folder: str) -> list[str]:
+        with convert_store_errors(self._place), suppress(FileNotFoundError):
+            return sorted(path.name for path in (self._root / folder).iterdir())
+        return []
+
+
+class FsspecStore:
+    """A store of another machine, by a library of the fsspec family.
+
+    Source: the interface of ``fsspec.AbstractFileSystem``. A file opened with ``autocommit=False``
+    gets its name only by ``commit``; on S3, this completes the multipart upload.
+    """
+
+    def __init__(self, settings: ArchiveSettings) -> None:
+        self._settings, self._place = settings, settings.place
+        self._opened: tuple[Any, str] | None = None
+
+    def _at(self, name: str) -> tuple[Any, str]:
+        """The library's file system, which connects on its first use, and a path in it."""
+        if self._opened is None:
+            self._opened = _open_filesystem(self._settings)
+        files, root = self._opened
+        return files, f"{root.rstrip('/')}/{name}"
+
+    def write(self, name: str, pieces: Iterable[bytes], size: int) -> None:
+        with convert_store_errors(self._place):
+            files, path = self._at(name)
+            if not self._settings.url.startswith(OBJECT_STORES):
+                files.makedirs(path.rpartition("/")[0], exist_ok=True)
+            if size <= PART_BYTES:
+                files.pipe_file(path, b"".join(pieces))
+                return
+            file = files.open(path, "wb", block_size=PART_BYTES, autocommit=False)
+            try:
+                for piece in pieces:
+                    file.write(piece)
+                file.close()
+                file.commit()
+            except BaseException:
+                with suppress(Exception):  # the first error counts
+                    file.closed = True
+                    file.discard()
+                raise
+
+    def read(self, name: str) -> Iterator[bytes]:
+        with convert_store_errors(self._place):
+            files, path = self._at(name)
+            with closing(files.open(path, "rb", block_size=PART_BYTES)) as file:
+                while piece := file.read(PIECE_BYTES):
+                    yield piece
+
+    def size(self, name: str) -> int | None:
+        with convert_store_errors(self._place):
+            files, path = self._at(name)
+            try:
+                return int(files.info(path)["size"])
+            except FileNotFoundError:
+                return None
+
+    def names(self, folder: str) -> list[str]:
+        with convert_store_errors(self._place):
+            files, path = self._at(folder)
+            try:
+                found = files.ls(path, detail=False, refresh=True)
+            except FileNotFoundError:
+                return []
+            return sorted({str(path).rstrip("/").rpartition("/")[2] for path in found} - {""})
+
+
+def open_store(settings: ArchiveSettings) -> RemoteStore:
+    """The store of the settings; it is not reached yet."""
+    return FolderStore(Path(settings.url)) if settings.is_folder else FsspecStore(settings)
+
+
+def _open_filesystem(settings: ArchiveSettings) -> tuple[Any, str]:
+    """The file system of an address, and the path of the archive in it.
+
+    Raises:
+        OperationError: the library for the address is missing, or the secret cannot be read.
+    """
+    protocol = settings.url.split("://", 1)[0]
+    options: dict[str, Any] = {"skip_instance_cache": True, "use_listings_cache": False}
+    if protocol == "s3":
+        options |= {
+            "key": settings.access_key,
+            "secret": settings.secret(),
+            "endpoint_url": settings.endpoint,
+            "config_kwargs": {
+                "connect_timeout": CONNECT_S,
+                "read_timeout": READ_S,
+                "retries": {"max_attempts": 1},  # s3fs tries again, and so does the station
+                # many compatible stores do not know the newer checksums; the content is read back
+                "request_checksum_calculation": "when_required",
+                "response_checksum_validation": "when_required",
+            },
+        }
+    try:
+        from fsspec.core import url_to_fs
+
+        files, root = url_to_fs(settings.url, **options)
+    except (ImportError, ValueError) as error:
+        extra = "crenel[s3]" if protocol == "s3" else f"fsspec, {protocol}"
+        raise OperationError(
+            "archive-library",
+            message("archive-library-missing", place=settings.place),
+            str(error),
+            message("archive-install-library", library=extra),
+        ) from error
+    return files, str(root)

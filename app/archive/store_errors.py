@@ -1,0 +1,74 @@
+"""What is wrong with an archive, in words that say what to do."""
+
+import errno
+from collections.abc import Iterator
+from contextlib import contextmanager
+
+from app.errors import OperationError
+from app.messages.message import message
+
+FULL = (errno.ENOSPC, errno.EDQUOT)
+FULL_WORDS = ("quota", "storagefull", "insufficientstorage", "insufficient storage", "507")
+"""In what S3-compatible stores answer when a bucket is full; S3 itself has no such error."""
+FORBIDDEN_NAMES = {"NoCredentialsError", "PartialCredentialsError", "CredentialRetrievalError"}
+"""Errors of the S3 library that are no ``PermissionError``."""
+OF_FILES = {
+    "disk-full": "archive-full",
+    "file-forbidden": "archive-forbidden",
+    "folder-forbidden": "archive-forbidden",
+    "folder-read-only": "archive-forbidden",
+    "folder-missing": "archive-missing",
+    "file-missing": "archive-missing",
+}
+LONGEST_REASON = 300
+
+
+class StoreError(OperationError):
+    """The archive cannot do what it was asked for; the station tries again later."""
+
+
+@contextmanager
+def convert_store_errors(place: str) -> Iterator[None]:
+    """Turns whatever a store's library raises into a ``StoreError``; refusals of the station's own
+    files and a store's own refusals pass."""
+    try:
+        yield
+    except OperationError as error:
+        if error.code in OF_FILES and not isinstance(error, SourceError):
+            raise store_error(OF_FILES[error.code], place, str(error.why)) from error
+        raise
+    except Exception as error:  # the libraries have errors of many families
+        reason = getattr(error, "strerror", None) or str(error) or type(error).__name__
+        raise store_error(_code_of(error), place, str(reason)) from error
+
+
+class SourceError(OperationError):
+    """A file of the station cannot be read or has changed: no fault of the archive."""
+
+
+def store_error(code: str, place: str, reason: str) -> StoreError:
+    """The error for one of the four ways in which a store fails."""
+    what, remedy = {
+        "archive-full": (message("archive-full", place=place), message("archive-make-room")),
+        "archive-forbidden": (
+            message("archive-forbidden", place=place),
+            message("archive-check-keys"),
+        ),
+        "archive-missing": (message("archive-missing", place=place), message("archive-check-url")),
+        "archive-away": (message("archive-away", place=place), message("archive-check-network")),
+    }[code]
+    return StoreError(code, what, " ".join(reason.split())[:LONGEST_REASON], remedy)
+
+
+def _code_of(error: Exception) -> str:
+    number = error.errno if isinstance(error, OSError) else None
+    text = f"{error} {error.__cause__ or ''}".lower()
+    if number in FULL or any(word in text for word in FULL_WORDS):
+        return "archive-full"
+    if isinstance(error, PermissionError) or type(error).__name__ in FORBIDDEN_NAMES:
+        return "archive-forbidden"
+    if number == errno.EROFS:
+        return "archive-forbidden"
+    if isinstance(error, FileNotFoundError):
+        return "archive-missing"
+    return "archive-away"

@@ -1,0 +1,103 @@
+"""The thread that keeps the archive up to date while the station runs."""
+
+import logging
+import os
+import threading
+import time
+from collections.abc import Callable
+
+from app.archive.archive import Archive, ArchiveState
+from app.archive.pace import ArchiveEndedError
+from app.errors import OperationError
+from app.messages.message import Text, message
+
+log = logging.getLogger(__name__)
+LOOK_S = 30.0
+"""Between two looks for finished records."""
+FIRST_PAUSE_S, LONGEST_PAUSE_S = 30.0, 3600.0
+NICENESS = 10
+"""Of the thread: it computes hashes only when nothing else needs the processor."""
+END_S = 5.0
+
+
+class ArchiveWorker:
+    """Copies finished records one after the other, and retries with growing pauses.
+
+    Args:
+        on_trouble: called with the text of an error that was not there before.
+        look_s: between two looks.
+        first_pause_s: after the first failure; each further one doubles it.
+    """
+
+    def __init__(
+        self,
+        archive: Archive,
+        on_trouble: Callable[[Text], object],
+        look_s: float = LOOK_S,
+        first_pause_s: float = FIRST_PAUSE_S,
+    ) -> None:
+        self._archive, self._on_trouble = archive, on_trouble
+        self._look_s, self._first_pause_s = look_s, first_pause_s
+        self.place = archive.settings.place
+        self.trouble: OperationError | None = None
+        """Why the last attempt failed; None if it did not."""
+        self.failures = 0
+        """Attempts that failed since the last one that did not."""
+        self._next_s = 0.0
+        self._thread: threading.Thread | None = None
+
+    @property
+    def retry_in_s(self) -> float:
+        """Until the next attempt."""
+        return max(self._next_s - time.monotonic(), 0.0)
+
+    def state(self) -> ArchiveState:
+        """What is where; it looks at every record on the disk."""
+        return self._archive.state()
+
+    def start(self) -> None:
+        """Starts the thread."""
+        self._thread = threading.Thread(target=self._run, name="archive", daemon=True)
+        self._thread.start()
+
+    def close(self) -> None:
+        """Ends the copy in progress; the next start continues it. Idempotent."""
+        self._archive.pace.ending.set()
+        if self._thread is not None:
+            self._thread.join(END_S)
+
+    def _run(self) -> None:
+        # of this thread only
+        os.setpriority(os.PRIO_PROCESS, threading.get_native_id(), NICENESS)
+        ending = self._archive.pace.ending
+        while not ending.is_set():
+            pause_s = self._step()
+            self._next_s = time.monotonic() + pause_s
+            ending.wait(pause_s)
+
+    def _step(self) -> float:
+        """One attempt; returns the pause after it."""
+        try:
+            self._archive.run()
+        except ArchiveEndedError:
+            return 0.0
+        except OperationError as error:
+            return self._note_failure(error)
+        except Exception as error:  # the station continues
+            log.exception("the archive failed")
+            return self._note_failure(
+                OperationError("failed", message("program-failed"), type(error).__name__)
+            )
+        if self.failures:
+            log.info("the archive works again")
+        self.trouble, self.failures = None, 0
+        return self._look_s
+
+    def _note_failure(self, error: OperationError) -> float:
+        known = self.trouble
+        self.trouble = error
+        self.failures += 1
+        if known is None or known.code != error.code:
+            self._on_trouble(error.text)
+        # 2 ** 20 pauses are longer than the longest in any case
+        return min(self._first_pause_s * 2.0 ** min(self.failures - 1, 20), LONGEST_PAUSE_S)

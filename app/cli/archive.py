@@ -1,0 +1,150 @@
+"""``crenel archive``: what is in the archive of a station, and how it comes back."""
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from app.console import (
+    AsJson,
+    FullHelpGroup,
+    fail,
+    print_figures,
+    print_json,
+    progress_bar,
+    report_errors,
+)
+
+if TYPE_CHECKING:
+    from app.archive.archive import Archive
+    from app.archive.manifest import Kind
+
+archive = typer.Typer(
+    cls=FullHelpGroup,
+    help="The archive of a station: finished records, copied to another place and verified.",
+    no_args_is_help=True,
+)
+
+Config = Annotated[
+    Path | None, typer.Option("--config", help="station.toml with the table [archive].")
+]
+DataFolder = Annotated[
+    Path | None, typer.Option("--data", help="Data folder of the station; it may be running.")
+]
+
+
+@archive.command()
+@report_errors
+def status(config: Config = None, data: DataFolder = None, as_json: AsJson = False) -> None:
+    """Count what is archived and what is waiting, and list what is in the archive only."""
+    from dataclasses import asdict
+
+    from app.archive.records import list_away
+
+    with _open_archive(config, data) as opened:
+        state, away = opened.state(), list_away(opened.data)
+    if as_json:
+        listed = [{"kind": note.kind, "id": note.id, "bytes": note.size_bytes} for note in away]
+        print_json({"place": opened.settings.place, **asdict(state), "in_archive_only": listed})
+        return
+    rows = [
+        ("waiting", f"{state.waiting}, {state.waiting_bytes / 1e6:.1f} MB"),
+        ("archived and here", f"{state.archived}"),
+        ("in the archive only", f"{state.away}"),
+    ]
+    print_figures(opened.settings.place, rows)
+    for note in away:
+        print(f"{note.kind} {note.id}, {note.size_bytes / 1e6:.1f} MB")
+
+
+@archive.command()
+@report_errors
+def run(config: Config = None, data: DataFolder = None) -> None:
+    """Copy everything that is finished, then remove what the rules of retention let go."""
+    with _open_archive(config, data) as opened, progress_bar("Archiving", True) as progress:
+        copied = opened.run(progress)
+    print(f"{copied} records copied to {opened.settings.place} and verified.")
+
+
+@archive.command()
+@report_errors
+def verify(config: Config = None, data: DataFolder = None) -> None:
+    """Read everything that the archive has of this station, and compare it by its hashes."""
+    with _open_archive(config, data) as opened, progress_bar("Verifying", True) as progress:
+        damaged = opened.verify(progress)
+    if damaged:
+        fail(f"missing or damaged in {opened.settings.place}: {', '.join(damaged)}")
+    print(f"Everything in {opened.settings.place} is whole.")
+
+
+@archive.command()
+@report_errors
+def fetch(
+    kind: Annotated[
+        str, typer.Argument(help="scans, verifications, performance or sessions.", metavar="KIND")
+    ],
+    record_id: Annotated[str, typer.Argument(help="Name of its folder.", metavar="ID")],
+    config: Config = None,
+    data: DataFolder = None,
+) -> None:
+    """Bring a record back to the station's disk, compared by its hashes."""
+    with _open_archive(config, data) as opened:
+        made = opened.fetch(_kind(kind), _id(record_id))
+    print(f"{kind}/{record_id}: {len(made.files)} files, {made.size_bytes / 1e6:.1f} MB")
+
+
+def _kind(text: str) -> "Kind":
+    from app.archive.records import KINDS
+
+    for kind in KINDS:
+        if kind == text:
+            return kind
+    raise typer.BadParameter(f"{text}: choose {', '.join(KINDS)}")
+
+
+def _id(text: str) -> str:
+    if Path(text).name != text or text.startswith("."):
+        raise typer.BadParameter(f"{text}: give the name of a folder, without its path")
+    return text
+
+
+@contextmanager
+def _open_archive(config: Path | None, data: Path | None) -> "Iterator[Archive]":
+    """The archive of ``station.toml``.
+
+    Raises:
+        OperationError: there is no such file, it names no archive, or there is no data folder.
+    """
+    from app.archive.archive import Archive
+    from app.archive.pace import full_speed
+    from app.archive.records import RecordLists
+    from app.errors import OperationError
+    from app.messages.message import message
+    from app.settings.station_toml import read_settings
+    from app.store.backup import DATABASE, check_data_folder
+    from app.store.calibrations import CalibrationStore
+    from app.store.database import Database
+    from app.store.journal import JournalStore
+    from app.store.scans import ScanStore
+    from app.store.verifications import VerificationStore
+
+    settings = read_settings(config)
+    if settings.archive is None:
+        raise OperationError(
+            "no-archive", message("archive-not-set"), remedy=message("archive-write-table")
+        )
+    folder = (data or settings.station.data).absolute()
+    check_data_folder(folder)
+    database = Database(folder / DATABASE)
+    try:
+        lists = RecordLists(
+            JournalStore(database),
+            ScanStore(database, folder),
+            CalibrationStore(database, folder),
+            VerificationStore(database, folder),
+        )
+        yield Archive(settings.archive, folder, lists, full_speed())
+    finally:
+        database.close()

@@ -1,0 +1,310 @@
+"""An archive in a folder: what is copied, what comes back, and what may leave the disk."""
+
+import errno
+import os
+from collections.abc import Iterable
+from datetime import timedelta
+from pathlib import Path
+
+import pytest
+
+from app.archive.archive import MARKER, Archive
+from app.archive.notes import archive_lock, note_path
+from app.archive.planning import plan_copies
+from app.archive.records import list_away, list_records
+from app.archive.remote_store import FolderStore
+from app.errors import OperationError
+from app.store.store import Store
+from tests.archive.filled import (
+    LATER,
+    add_scan,
+    add_session,
+    archive_of,
+    check_whole,
+    content_of,
+    lists_of,
+)
+
+
+def away_of(store: Store) -> list[str]:
+    return [note.id for note in list_away(store.folder)]
+
+
+def test_everything_finished_is_copied_once_and_what_is_open_stays(
+    store: Store, place: Path
+) -> None:
+    add_scan(store, "one", 700_000)
+    add_session(store, "calibration", "c1")
+    add_session(store, "verification", "v1")
+    add_session(store, "performance", "p1")
+    add_session(store, "arm", "a1", ended=False)  # another one began after it
+    add_session(store, "arm", "a2", ended=False)
+    (store.folder / "scans/running").mkdir()
+    (store.folder / "scans/running/scan.mcap").write_bytes(b"not finished")
+    archive = archive_of(store, str(place))
+    assert archive.state().waiting == 5
+    assert archive.run() == 5
+    manifests = check_whole(content_of(place))
+    assert {one.id for one in manifests} == {"one", "c1", "v1", "p1", "a1"}
+    (scan,) = (one for one in manifests if one.id == "one")
+    folder = store.folder / "scans/one"
+    assert content_of(folder) == {
+        file.path: (place / scan.folder / file.path).read_bytes() for file in scan.files
+    }
+    state = archive.state()
+    assert (state.waiting, state.archived, state.away) == (0, 5, 0)
+    assert archive.run() == 0
+
+
+def test_a_record_that_changed_is_copied_again_and_the_earlier_content_stays(
+    store: Store, place: Path
+) -> None:
+    folder = add_scan(store, "one", 1000)
+    archive_of(store, str(place)).run()
+    (folder / "cloud.ply").write_bytes(b"computed again")
+    assert archive_of(store, str(place)).run() == 1
+    assert len(check_whole(content_of(place))) == 2
+
+
+def test_an_interrupted_scan_waits_for_its_cloud(store: Store, place: Path) -> None:
+    from dataclasses import replace
+
+    folder = add_scan(store, "cut", 1000)
+    (folder / "cloud.ply").unlink()
+    scan = store.scans.get("cut")
+    assert scan is not None
+    store.scans.delete("cut")
+    store.scans.add(replace(scan, interrupted="the power failed"))
+    assert archive_of(store, str(place)).run() == 0
+    assert archive_of(store, str(place), later=timedelta(days=2)).run() == 1
+
+
+def test_an_old_record_leaves_the_disk_and_comes_back_as_it_was(store: Store, place: Path) -> None:
+    folder = add_scan(store, "one", 600_000)
+    before = content_of(folder)
+    calibration = add_session(store, "calibration", "c1")
+    archive_of(store, str(place), rules={"keep_days": 90}).run()
+    assert folder.exists()
+    later = archive_of(store, str(place), later=LATER, rules={"keep_days": 90})
+    later.run()
+    assert not folder.exists()
+    assert calibration.exists()
+    assert store.scans.get("one") is not None
+    assert away_of(store) == ["one"]
+    later.fetch("scans", "one")
+    assert content_of(folder) == before
+    assert away_of(store) == []
+    # it is on the disk again, and archived already
+    near = archive_of(store, str(place), later=timedelta(days=50), rules={"keep_days": 90})
+    assert near.run() == 0
+    assert folder.exists()
+    with pytest.raises(OperationError) as refused:
+        near.fetch("scans", "one")
+    assert refused.value.code == "archive-here"
+
+
+def test_the_oldest_leave_a_full_disk_first_but_none_on_its_first_day(
+    store: Store, place: Path
+) -> None:
+    for name, days in (("old", 9), ("newer", 5)):
+        for path in add_scan(store, name, 1000).iterdir():
+            seconds = path.stat().st_mtime - days * 86_400
+            os.utime(path, (seconds, seconds))
+    add_scan(store, "today", 1000)
+    archive_of(store, str(place)).run()
+    archive_of(store, str(place), rules={"free_gb": 1e-6}).run()
+    assert away_of(store) == []
+    archive_of(store, str(place), rules={"free_gb": 900_000}).run()
+    assert sorted(away_of(store)) == ["newer", "old"]
+    assert (store.folder / "scans/today").exists()
+
+
+def test_without_a_rule_nothing_leaves_the_disk(store: Store, place: Path) -> None:
+    add_scan(store, "one", 1000)
+    archive_of(store, str(place)).run()
+    archive_of(store, str(place), later=10 * LATER).run()
+    assert away_of(store) == []
+
+
+def test_verifications_of_the_calibration_in_use_and_the_last_one_stay(
+    store: Store, place: Path
+) -> None:
+    add_session(store, "calibration", "c1", ended=False)
+    figures = {
+        "total_um": 20.0,
+        "verdict": "good",
+        "arm_serial": "A",
+        "object_serial": "B",
+        "sensor_serial": "S",
+    }
+    file = store.folder / "sessions/c1/calibration.json"
+    file.write_text("{}")
+    store.calibrations.accept("c1", "name", file, figures, None)
+    (calibration,) = store.calibrations.all()
+    for name, of in (("used", calibration.id), ("other", "none"), ("last", "none")):
+        folder = add_session(store, "verification", name, ended=of == "none")
+        if of != "none":
+            verdict = {
+                "result": "pass",
+                "text": "",
+                "shape": "plane",
+                "gauge": "G",
+                "clouds": 1,
+                "touched": False,
+                "operator": "",
+            }
+            store.verifications.accept(name, of, folder, verdict, None)
+    archive_of(store, str(place)).run()
+    archive_of(store, str(place), later=LATER, rules={"keep_days": 90}).run()
+    assert away_of(store) == ["other"]
+
+
+def test_what_is_damaged_in_the_archive_stays_on_the_disk_and_is_copied_again(
+    store: Store, place: Path
+) -> None:
+    folder = add_scan(store, "one", 1000)
+    archive_of(store, str(place)).run()
+    (copy,) = place.glob("scans/one/*/scan.mcap")
+    copy.write_bytes(bytes(1000))
+    archive_of(store, str(place), later=LATER, rules={"keep_days": 90}).run()
+    assert folder.exists()
+    assert archive_of(store, str(place)).run() == 1
+    check_whole(content_of(place))
+
+
+def test_verify_names_what_is_damaged(store: Store, place: Path) -> None:
+    add_scan(store, "one", 1000)
+    add_scan(store, "two", 1000)
+    archive = archive_of(store, str(place))
+    archive.run()
+    assert archive.verify() == []
+    (copy,) = place.glob("scans/two/*/cloud.ply")
+    copy.unlink()
+    assert archive.verify() == [copy.relative_to(place).as_posix()]
+    assert archive.run() == 1
+    assert archive.verify() == []
+
+
+def test_a_note_that_is_lost_is_written_again_without_a_copy(store: Store, place: Path) -> None:
+    add_scan(store, "one", 1000)
+    archive_of(store, str(place)).run()
+    (copy,) = place.glob("scans/one/*/scan.mcap")
+    written = copy.stat().st_mtime_ns
+    note_path(store.folder, "scans", "one").unlink()
+    assert archive_of(store, str(place)).run() == 1
+    assert copy.stat().st_mtime_ns == written
+
+
+def test_an_archive_whose_disk_is_not_mounted_gets_nothing(store: Store, place: Path) -> None:
+    add_scan(store, "one", 1000)
+    archive_of(store, str(place)).run()
+    place.rename(place.with_name("elsewhere"))
+    add_scan(store, "two", 1000)
+    for there in (False, True):  # no mount point, then an empty one
+        if there:
+            place.mkdir()
+        with pytest.raises(OperationError) as refused:
+            archive_of(store, str(place)).run()
+        assert refused.value.code == "archive-missing"
+        assert refused.value.remedy
+    assert list(place.iterdir()) == []
+
+
+class FullStore(FolderStore):
+    """A folder whose disk is full after so many bytes. A real small disk needs an administrator."""
+
+    def __init__(self, root: Path, room: int) -> None:
+        super().__init__(root)
+        self.room = room
+
+    def write(self, name: str, pieces: Iterable[bytes], size: int) -> None:
+        super().write(name, self._limited(pieces), size)
+
+    def _limited(self, pieces: Iterable[bytes]) -> Iterable[bytes]:
+        for piece in pieces:
+            self.room -= len(piece)
+            if self.room < 0:
+                raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
+            yield piece
+
+
+def test_a_full_archive_keeps_what_is_whole_and_goes_on_with_more_room(
+    store: Store, place: Path
+) -> None:
+    add_scan(store, "one", 300_000)
+    add_scan(store, "two", 300_000)
+    full = FullStore(place, 600_000)
+    archive = archive_of(store, str(place), full)
+    with pytest.raises(OperationError) as refused:
+        archive.run()
+    assert refused.value.code == "archive-full"
+    assert [one.id for one in check_whole(content_of(place))] == ["one"]
+    assert not [name for name in content_of(place) if name.endswith(".part")]
+    full.room = 10_000_000
+    assert archive.run() == 1
+    assert len(check_whole(content_of(place))) == 2
+
+
+def test_one_record_that_cannot_be_read_keeps_no_other_from_the_archive(
+    store: Store, place: Path
+) -> None:
+    folder = add_scan(store, "one", 1000)
+    add_scan(store, "two", 1000)
+    growing = archive_of(store, str(place))
+    records = list_records(store.folder, lists_of(store), growing._now())
+    assert [one.id for one in plan_copies(records)] == ["one", "two"]
+
+    class Growing(FolderStore):
+        def size(self, name: str) -> int | None:
+            if "scans/one" in name:
+                with open(folder / "scan.mcap", "ab") as file:
+                    file.write(b"more")
+            return super().size(name)
+
+    with pytest.raises(OperationError) as refused:
+        archive_of(store, str(place), Growing(place)).run()
+    assert refused.value.code == "archive-changed"
+    assert [one.id for one in check_whole(content_of(place))] == ["two"]
+
+
+def test_a_link_in_a_record_keeps_it_on_the_disk(store: Store, place: Path) -> None:
+    folder = add_scan(store, "one", 1000)
+    (folder / "other").symlink_to("/etc/hostname")
+    archive_of(store, str(place), later=LATER, rules={"keep_days": 1}).run()
+    assert folder.exists()
+    assert check_whole(content_of(place)) == []
+
+
+def test_two_processes_do_not_copy_at_once(store: Store, place: Path) -> None:
+    archive: Archive = archive_of(store, str(place))
+    with archive_lock(store.folder), pytest.raises(OperationError) as refused:
+        archive.run()
+    assert refused.value.code == "archive-busy"
+    assert not (place / MARKER).exists()
+
+
+def test_a_record_is_fetched_by_its_manifest_where_the_note_is_lost(
+    store: Store, place: Path
+) -> None:
+    import shutil
+
+    folder = add_scan(store, "one", 1000)
+    before = content_of(folder)
+    archive = archive_of(store, str(place))
+    archive.run()
+    shutil.rmtree(folder)
+    note_path(store.folder, "scans", "one").unlink()
+    add_scan(store, "two", 10)
+    archive.run()
+    archive.fetch("scans", "one")
+    assert content_of(folder) == before
+    (copy,) = place.glob("scans/one/*/scan.mcap")
+    copy.write_bytes(bytes(1000))
+    shutil.rmtree(folder)
+    with pytest.raises(OperationError) as refused:
+        archive.fetch("scans", "one")
+    assert refused.value.code == "archive-differs"
+    assert not folder.exists()
+    with pytest.raises(OperationError) as refused:
+        archive.fetch("scans", "none")
+    assert refused.value.code == "archive-unknown"

@@ -1,0 +1,128 @@
+"""Whenever the archive is interrupted, nothing whole is missing and nothing partial has a
+manifest."""
+
+import shutil
+import subprocess
+import sys
+from contextlib import suppress
+from pathlib import Path
+from tempfile import TemporaryDirectory
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from app.archive.pace import Pace
+from app.errors import OperationError
+from app.store.store import Store
+from tests.archive.filled import LATER, add_scan, archive_of, check_whole, content_of
+
+ROOT = Path(__file__).resolve().parents[2]
+SCANS = ("one", "two")
+pytestmark = pytest.mark.slow
+
+
+def test_a_process_that_is_killed_anywhere_loses_nothing(tmp_path: Path) -> None:
+    store = Store(tmp_path / "data")
+    for scan_id in SCANS:
+        add_scan(store, scan_id, 300_000)
+    store.close()
+    ran = subprocess.run(
+        [sys.executable, "-m", "tests.archive.killed", tmp_path],
+        cwd=ROOT,
+        capture_output=True,
+        text=True,
+        timeout=120,
+        check=False,
+    )
+    assert ran.returncode == 0, ran.stderr
+    assert int(ran.stdout) >= 20
+
+
+class _InterruptedError(BaseException):
+    """As a signal would end the process."""
+
+
+class InterruptedPace(Pace):
+    """Interrupts when so many pieces were moved."""
+
+    def __init__(self, pieces: int) -> None:
+        super().__init__(1.0, lambda: False)
+        self._left = pieces
+
+    def take(self, count: int) -> None:
+        self._left -= 1
+        if self._left < 0:
+            raise _InterruptedError
+
+
+def damage(place: Path, scan_id: str, how: str) -> None:
+    """Changes the copies of a scan behind the station's back."""
+    for folder in (place / "scans" / scan_id).glob("*"):
+        copy = folder / ("manifest.json" if how == "manifest" else "scan.mcap")
+        if how == "flip" and copy.exists():
+            content = bytearray(copy.read_bytes())
+            content[len(content) // 2] ^= 1
+            copy.write_bytes(content)
+        elif how == "shorten" and copy.exists():
+            copy.write_bytes(copy.read_bytes()[:-1])
+        else:
+            copy.unlink(missing_ok=True)
+
+
+STEPS = st.one_of(
+    st.tuples(st.just("run"), st.integers(0, 40)),
+    st.tuples(st.just("retain"), st.integers(0, 60)),
+    st.tuples(
+        st.sampled_from(("flip", "shorten", "missing", "manifest")),
+        st.sampled_from((0, 1)),
+    ),
+)
+
+
+@given(st.lists(STEPS, min_size=1, max_size=8))
+@settings(max_examples=25, deadline=None, database=None)
+def test_only_what_is_whole_in_the_archive_leaves_the_disk(steps: list[tuple[str, int]]) -> None:
+    with TemporaryDirectory() as top:
+        place = Path(top) / "archive"
+        place.mkdir()
+        store = Store(Path(top) / "data")
+        try:
+            _follow(steps, store, place)
+        finally:
+            store.close()
+
+
+def _follow(steps: list[tuple[str, int]], store: Store, place: Path) -> None:
+    scans = {name: add_scan(store, name, 300_000) for name in SCANS}
+    before = {name: content_of(folder) for name, folder in scans.items()}
+    for what, number in steps:
+        if what in ("run", "retain"):
+            later, rules = (LATER, {"keep_days": 90.0}) if what == "retain" else (LATER * 0, {})
+            here = {name for name, folder in scans.items() if folder.exists()}
+            archive = archive_of(
+                store, str(place), pace=InterruptedPace(number), later=later, rules=rules
+            )
+            with suppress(_InterruptedError, OperationError):
+                archive.run()
+            archived = content_of(place)
+            for name in here:
+                if not scans[name].exists():  # this step removed it
+                    assert any(
+                        all(
+                            archived.get(f"scans/{name}/{version.name}/{path}") == content
+                            for path, content in before[name].items()
+                        )
+                        for version in (place / "scans" / name).iterdir()
+                    )
+        else:
+            name = SCANS[number]
+            if scans[name].exists():  # otherwise the archive loses what only it has
+                damage(place, name, what)
+    for name, folder in scans.items():
+        if folder.exists():
+            assert content_of(folder) == before[name]
+    archive_of(store, str(place)).verify()  # finds the damage
+    archive_of(store, str(place)).run()
+    assert {one.id for one in check_whole(content_of(place))} == set(scans)
+    shutil.rmtree(place)

@@ -1,0 +1,152 @@
+"""An archive in an S3-compatible store that fails in every way."""
+
+from collections.abc import Iterator
+from contextlib import suppress
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+pytest.importorskip("moto")
+pytest.importorskip("s3fs")
+
+import fsspec
+from fsspec.implementations.memory import MemoryFileSystem
+
+from app.archive.archive import Archive
+from app.archive.archive_settings import ArchiveSettings
+from app.archive.pace import full_speed
+from app.archive.remote_store import open_store
+from app.archive.store_errors import StoreError
+from app.errors import OperationError
+from app.store.store import Store
+from tests.archive.filled import add_scan, archive_of, check_whole, content_of, lists_of
+from tests.archive.s3 import BUCKET, CuttingProxy, S3Server
+
+pytestmark = pytest.mark.slow
+LARGE = 11 << 20
+"""Sent in three parts."""
+
+
+@pytest.fixture(scope="module")
+def server() -> Iterator[S3Server]:
+    with S3Server() as running:
+        yield running
+
+
+def settings_of(tmp_path: Path, port: int, bucket: str = BUCKET) -> ArchiveSettings:
+    (tmp_path / "secret").write_text("secret\n")
+    given = {
+        "url": f"s3://{bucket}/{tmp_path.name}",
+        "endpoint": f"http://127.0.0.1:{port}",
+        "access_key": "key",
+        "secret_file": "secret",
+    }
+    return ArchiveSettings.model_validate(given, context=tmp_path / "station.toml")
+
+
+def open_archive(store: Store, tmp_path: Path, port: int, bucket: str = BUCKET) -> Archive:
+    settings = settings_of(tmp_path, port, bucket)
+    return Archive(settings, store.folder, lists_of(store), full_speed())
+
+
+def refusal(archive: Archive) -> OperationError:
+    with pytest.raises(OperationError) as refused:
+        archive.run()
+    assert refused.value.remedy
+    return refused.value
+
+
+def test_records_go_to_the_store_and_come_back(
+    store: Store, tmp_path: Path, server: S3Server
+) -> None:
+    import shutil
+
+    folder = add_scan(store, "a scan + one", LARGE)
+    (folder / "empty").touch()
+    before = content_of(folder)
+    archive = open_archive(store, tmp_path, server.port)
+    assert archive.run() == 1
+    (manifest,) = check_whole(server.content(f"{tmp_path.name}/"))
+    assert {file.path for file in manifest.files} == set(before)
+    assert archive.verify() == []
+    shutil.rmtree(folder)
+    archive.fetch("scans", "a scan + one")
+    assert content_of(folder) == before
+
+
+def test_uploads_that_are_cut_at_random_leave_nothing_partial_with_a_manifest(
+    store: Store, tmp_path: Path, server: S3Server
+) -> None:
+    for number in range(3):
+        add_scan(store, f"scan-{number}", LARGE if number == 1 else 400_000)
+    proxy = CuttingProxy(server.port, seed=7)
+    archive = open_archive(store, tmp_path, proxy.port)
+    complete = 0
+    try:
+        for most in (50_000, 3_000_000, 10_000_000, 40_000_000, float("inf")):
+            proxy.restore(most)
+            with suppress(StoreError):
+                archive.run()
+            whole = len(check_whole(server.content(f"{tmp_path.name}/")))
+            assert whole >= complete
+            complete = whole
+    finally:
+        proxy.close()
+    assert proxy.cuts >= 2
+    assert complete == 3
+
+
+def test_a_store_that_refuses_or_is_not_there_is_named_with_a_remedy(
+    store: Store, tmp_path: Path, server: S3Server
+) -> None:
+    add_scan(store, "one", 1000)
+    server.check_keys(True)
+    try:
+        assert refusal(open_archive(store, tmp_path, server.port)).code == "archive-forbidden"
+    finally:
+        server.check_keys(False)
+    other = open_archive(store, tmp_path, server.port, "no-such-bucket")
+    assert refusal(other).code == "archive-missing"
+    assert "no-such-bucket" not in [one["Name"] for one in server.client.list_buckets()["Buckets"]]
+    proxy = CuttingProxy(server.port, seed=1)
+    proxy.close()  # nobody listens
+    assert refusal(open_archive(store, tmp_path, proxy.port)).code == "archive-away"
+    assert open_archive(store, tmp_path, server.port).run() == 1
+
+
+class FullBucket(MemoryFileSystem):  # type: ignore[misc]
+    """A store without room; its answer is that of an S3-compatible server."""
+
+    protocol = "fullbucket"
+
+    def pipe_file(self, path: str, value: bytes, **options: Any) -> None:
+        raise OSError(5, "An error occurred (XMinioStorageFull) when calling PutObject")
+
+
+def test_a_full_bucket_is_named(store: Store) -> None:
+    fsspec.register_implementation("fullbucket", FullBucket, clobber=True)
+    add_scan(store, "one", 1000)
+    assert refusal(archive_of(store, "fullbucket://bucket/x")).code == "archive-full"
+
+
+def test_another_fsspec_store_works_as_well(store: Store) -> None:
+    add_scan(store, "one", LARGE)
+    archive = archive_of(store, "memory://archive-of-tests/room")
+    assert archive.run() == 1
+    assert archive.verify() == []
+
+
+def test_an_address_without_a_library_says_what_to_install(store: Store) -> None:
+    add_scan(store, "one", 1000)
+    error = refusal(archive_of(store, "nonsense://bucket/x"))
+    assert error.code == "archive-library"
+    assert "nonsense" in str(error.remedy)
+
+
+def test_a_password_in_an_address_is_not_shown() -> None:
+    settings = ArchiveSettings.model_validate(
+        {"url": "sftp://user:secret@host/folder"}, context=Path("station.toml")
+    )
+    assert settings.place == "sftp://host/folder"
+    open_store(settings)
