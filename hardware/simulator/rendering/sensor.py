@@ -121,28 +121,17 @@ def _rest_ns(cost_ns: float) -> float:
     return cost_ns * (1 / CORE_SHARE - 1)
 
 
-class SimulatedSensor:
-    """Meets ``SensorDriver``."""
+class RenderedSensor:
+    """What simulated cameras have in common: opening, settings, the laser, their faults."""
 
-    def __init__(
-        self,
-        studio: SharedRenderer,
-        info: SensorInfo,
-        rate_hz: float,
-        seed: int = 0,
-        early_ns: int = 0,
-    ) -> None:
-        """``early_ns``: by how much its stamps are before the middle of the exposure."""
-        self._early_ns = early_ns
-        self._shared_renderer, self._info, self._period_ns = studio, info, 1e9 / rate_hz
+    def __init__(self, shared_renderer: SharedRenderer, info: SensorInfo, seed: int) -> None:
+        self._shared_renderer, self._info = shared_renderer, info
         self._rng = np.random.default_rng(seed)
         self._health = LinkHealth()
         self._state = threading.Condition()
         self._open = False
         self._exposure_us = FIRST_EXPOSURE_US
         self._laser_on = False
-        self._sequence = 0
-        self._due_ns = 0.0
 
     @property
     def health(self) -> LinkHealth:
@@ -154,9 +143,66 @@ class SimulatedSensor:
             if not self._open:
                 self._open = True
                 self._health = LinkHealth()
-                self._sequence = 0
-                self._due_ns = float(now_ns())
+                self._begin()
             return self._info
+
+    def set_exposure_us(self, exposure_us: float) -> None:
+        low, high = EXPOSURE_RANGE_US
+        with self._state:
+            self._exposure_us = float(min(max(exposure_us, low), high))
+            self._restart_exposure()
+
+    def set_laser(self, on: bool) -> None:
+        with self._state:
+            if self._laser_on != on:
+                self._laser_on = on
+                self._restart_exposure()
+
+    def close(self) -> None:
+        with self._state:
+            self._open = False
+            self._laser_on = False
+            self._state.notify_all()
+
+    def _begin(self) -> None:
+        """The camera has been opened."""
+
+    def _restart_exposure(self) -> None:
+        """A setting changed."""
+
+    def _check_camera(self) -> None:
+        if self._shared_renderer.faults.lost:
+            self._open = False
+            raise DeviceError(
+                message("simulated-camera-is-lost"), message("turn-fault-switch-camera-lost-off")
+            )
+
+    def _check_open(self) -> None:
+        if not self._open:
+            raise DeviceError(message("simulated-sensor-is-not-open"))
+        self._check_camera()
+
+
+class SimulatedSensor(RenderedSensor):
+    """Meets ``SensorDriver``; free-running."""
+
+    def __init__(
+        self,
+        shared_renderer: SharedRenderer,
+        info: SensorInfo,
+        rate_hz: float,
+        seed: int = 0,
+        early_ns: int = 0,
+    ) -> None:
+        """``early_ns``: by how much its stamps are before the middle of the exposure."""
+        super().__init__(shared_renderer, info, seed)
+        self._early_ns, self._period_ns = early_ns, 1e9 / rate_hz
+        self._sequence = 0
+        self._due_ns = 0.0
+
+    def _begin(self) -> None:
+        self._sequence = 0
+        self._due_ns = float(now_ns())
 
     def read(self, timeout_s: float) -> SensorReading | None:
         deadline_ns = now_ns() + round(timeout_s * 1e9)
@@ -200,37 +246,7 @@ class SimulatedSensor:
                 return False
             self._state.wait(min((min(ready_ns, deadline_ns) - now) / 1e9, WAKE_S))
 
-    def set_exposure_us(self, exposure_us: float) -> None:
-        low, high = EXPOSURE_RANGE_US
-        with self._state:
-            self._exposure_us = float(min(max(exposure_us, low), high))
-            self._restart_exposure()
-
-    def set_laser(self, on: bool) -> None:
-        with self._state:
-            if self._laser_on != on:
-                self._laser_on = on
-                self._restart_exposure()
-
     def _restart_exposure(self) -> None:
         """The next frame's exposure lies wholly behind a change of its settings."""
         self._due_ns = max(self._due_ns, now_ns() + self._exposure_us * 500)
         self._state.notify_all()
-
-    def close(self) -> None:
-        with self._state:
-            self._open = False
-            self._laser_on = False
-            self._state.notify_all()
-
-    def _check_camera(self) -> None:
-        if self._shared_renderer.faults.lost:
-            self._open = False
-            raise DeviceError(
-                message("simulated-camera-is-lost"), message("turn-fault-switch-camera-lost-off")
-            )
-
-    def _check_open(self) -> None:
-        if not self._open:
-            raise DeviceError(message("simulated-sensor-is-not-open"))
-        self._check_camera()

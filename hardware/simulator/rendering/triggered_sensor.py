@@ -4,20 +4,11 @@ Frames are stamped when they arrive, late and unevenly, as over a busy network. 
 which triggers they belong to, and which frames were lost.
 """
 
-import threading
-from collections import deque
+from collections from collections import deque
 
-import numpy as np
-
-from app.messages.message import message
 from hardware.clock import now_ns
-from hardware.errors import DeviceError
-from hardware.interfaces import Frame, LinkHealth, SensorInfo
-from hardware.simulator.rendering.sensor import (
-    EXPOSURE_RANGE_US,
-    FIRST_EXPOSURE_US,
-    SharedRenderer,
-)
+from hardware.interfaces import Frame, SensorInfo
+from hardware.simulator.rendering.sensor import RenderedSensor, SharedRenderer
 
 STORED_TRIGGERS = 4
 """Exposures that wait for their picture; what comes beyond is lost, as in a full camera."""
@@ -25,7 +16,7 @@ TRANSPORT_NS = 30_000_000
 WAKE_S = 0.05
 
 
-class TriggeredSensor:
+class TriggeredSensor(RenderedSensor):
     """Meets ``SensorDriver`` and ``AnswersWhileSilent``.
 
     Args:
@@ -35,20 +26,14 @@ class TriggeredSensor:
     def __init__(
         self, shared_renderer: SharedRenderer, info: SensorInfo, jitter_ms: float, seed: int = 0
     ) -> None:
-        self._shared_renderer, self._info, self._jitter_ms = shared_renderer, info, jitter_ms
-        self._rng = np.random.default_rng(seed)
-        self._health = LinkHealth()
-        self._state = threading.Condition()
-        self._open = False
-        self._exposure_us = FIRST_EXPOSURE_US
-        self._laser_on = False
+        super().__init__(shared_renderer, info, seed)
+        self._jitter_ms = jitter_ms
         self._count = int(self._rng.integers(1, 5000))
         self._triggers: deque[tuple[int, int, float, bool]] = deque()
         self._last_arrival_ns = 0
 
-    @property
-    def health(self) -> LinkHealth:
-        return self._health
+    def _begin(self) -> None:
+        self._triggers.clear()
 
     def trigger(self, at_ns: int) -> None:
         """A pulse on the camera's input; called by the arm."""
@@ -61,15 +46,6 @@ class TriggeredSensor:
                 self._health.lost += 1
             self._triggers.append((self._count, at_ns, self._exposure_us, self._laser_on))
             self._state.notify_all()
-
-    def open(self) -> SensorInfo:
-        with self._state:
-            self._check_camera()
-            if not self._open:
-                self._open = True
-                self._health = LinkHealth()
-                self._triggers.clear()
-            return self._info
 
     def is_alive(self) -> bool:
         return not self._shared_renderer.faults.lost
@@ -99,30 +75,3 @@ class TriggeredSensor:
             while self._open and (left_ns := at_ns + late_ns - now_ns()) > 0:
                 self._state.wait(min(left_ns / 1e9, WAKE_S))
             self._check_open()
-
-    def set_exposure_us(self, exposure_us: float) -> None:
-        low, high = EXPOSURE_RANGE_US
-        with self._state:
-            self._exposure_us = float(min(max(exposure_us, low), high))
-
-    def set_laser(self, on: bool) -> None:
-        with self._state:
-            self._laser_on = on
-
-    def close(self) -> None:
-        with self._state:
-            self._open = False
-            self._laser_on = False
-            self._state.notify_all()
-
-    def _check_camera(self) -> None:
-        if self._shared_renderer.faults.lost:
-            self._open = False
-            raise DeviceError(
-                message("simulated-camera-is-lost"), message("turn-fault-switch-camera-lost-off")
-            )
-
-    def _check_open(self) -> None:
-        if not self._open:
-            raise DeviceError(message("simulated-sensor-is-not-open"))
-        self._check_camera()
