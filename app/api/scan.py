@@ -58,7 +58,7 @@ def laser_on(context: TheContext) -> Devices:
 @router.post("/laser/off")
 def laser_off(context: TheContext) -> Devices:
     """Switches the laser off; everyone may do this, whoever has control."""
-    context.rig.sensor.laser_off()
+    context.rig.lasers_off()
     return context.rig.devices()
 
 
@@ -78,9 +78,9 @@ def stop(context: TheContext) -> None:
 
 def stop_everything(context: Context) -> None:
     """In the order of danger; scanned data is saved."""
-    context.rig.sensor.laser_off()
+    context.rig.lasers_off()
     context.simulated_scan.stop()
     for guide in (context.guide, context.arm_guide, context.verify_guide):
         guide.stop_simulation()
     context.scanner.stop()
-    context.rig.sensor.laser_off()
+    context.rig.lasers_off()

@@ -1342,6 +1342,7 @@ name-quantity = Die Größe mit { $option } benennen
 no-camera-without-datasheet = Es ist keine Kamera ohne Datenblatt angeschlossen
 no-dcc = die Datei ist kein digitaler Kalibrierschein (DCC)
 no-device-chosen = Nicht gewählt: { $title }
+no-sensor-named = diese Station hat keinen Sensor namens { $name }
 one-pose-takes-no-raw = eine einzelne Pose lässt sich nicht aus Bayer-Rohbildern kalibrieren
 opens-again = Die Verbindung öffnet sich von selbst wieder; danach den letzten Schritt wiederholen.
 origin-of-figures = Herkunft der Werte

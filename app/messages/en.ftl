@@ -1338,6 +1338,7 @@ name-quantity = Name the quantity with { $option }
 no-camera-without-datasheet = No camera without a datasheet is connected
 no-dcc = the file is no Digital Calibration Certificate (DCC)
 no-device-chosen = No { $title } is chosen
+no-sensor-named = this station has no sensor named { $name }
 one-pose-takes-no-raw = one pose cannot be calibrated from raw Bayer pictures
 opens-again = The connection opens again by itself; then repeat the last action.
 origin-of-figures = Origin of the figures

@@ -69,6 +69,11 @@ SENSOR_SERIAL_NUMBER = "TWIN-S1"
 JUMBO_BYTES = 8192
 
 
+SECOND_SERIAL_NUMBER = "TWIN-S2"
+SECOND_MOUNTING = rotation_about("z", 0.6) @ rotation_about("x", 0.2)
+"""``T_sensor_second`` (4, 4): about the middle of the measuring range, so that both lines meet."""
+
+
 @dataclass(frozen=True)
 class SimulationConfig:
     """What station to simulate; the defaults are the demonstration."""
@@ -112,6 +117,8 @@ class SimulationConfig:
     light: Light = field(default_factory=Light)
     delivers: frozenset[Delivery] = frozenset({"picture"})
     """Pictures, lines that the camera finds itself, or both; a triggered camera: pictures."""
+    second_sensor: bool = False
+    """A second sensor of the same kind sits beside the first one, and measures the same place."""
     triggered: bool = False
     """The arm's pulses trigger the camera."""
     jitter_ms: float = 0.0
@@ -131,6 +138,7 @@ class SimulatedStation:
     def __init__(self, config: SimulationConfig | None = None) -> None:
         self.config = config or SimulationConfig()
         self.arm_faults, self.camera_faults = ArmFaults(), CameraFaults()
+        self.second_camera_faults = CameraFaults()
         self.lighting = Lighting()
         rng = np.random.default_rng(self.config.seed)
         self._rig, self._home = _build(self.config, rng)
@@ -149,6 +157,16 @@ class SimulatedStation:
             self.lighting,
             self.camera_faults,
         )
+        self._T_flange_second = rig.T_flange_sensor @ SECOND_MOUNTING
+        self._second_renderer: SharedRenderer | None = None
+        if self.config.second_sensor:
+            self._second_renderer = SharedRenderer(
+                self._renderer,
+                self._second_pose,
+                self._motion.is_resting,
+                self.lighting,
+                self.second_camera_faults,
+            )
         self._line: DevicePort | None = None
         self._device: ArmDevice | None = None
         self._robot: RtdeServer | None = None
@@ -199,6 +217,8 @@ class SimulatedStation:
         Raises ``OSError`` when the port is taken, ``DeviceError`` when that of the GigE camera is.
         """
         self.shared_renderer.prepare()
+        if self._second_renderer is not None:
+            self._second_renderer.prepare()
         if self.config.camera == "gige" and self._gige is None:
             gige = self._make_gige()
             gige.start()
@@ -226,7 +246,8 @@ class SimulatedStation:
     def clear_faults(self) -> None:
         """Everything works again."""
         self.arm_faults.clear()
-        self.camera_faults.lost, self.camera_faults.drop_rate = False, 0.0
+        for faults in (self.camera_faults, self.second_camera_faults):
+            faults.lost, faults.drop_rate = False, 0.0
         if self._gige is not None:
             self._gige.faults.clear()
 
@@ -284,6 +305,26 @@ class SimulatedStation:
         make = LineSensor if "line" in info.delivers else SimulatedSensor
         return make(self.shared_renderer, info, self.config.frames_hz, self.config.seed, early_ns)
 
+    def second_sensor(self) -> SensorDriver:
+        """A new driver of the second sensor, unopened."""
+        assert self._second_renderer is not None, "there is no second sensor"
+        optics = self._rig.optics
+        info = SensorInfo(
+            name="Simulated stripe sensor",
+            serial_number=SECOND_SERIAL_NUMBER,
+            width_px=optics.width_px,
+            height_px=optics.height_px,
+            exposure_range_us=EXPOSURE_RANGE_US,
+            has_laser_switch=self.config.laser_switch,
+            longest_gap_s=LONGEST_GAP_S,
+        )
+        config = self.config
+        return SimulatedSensor(self._second_renderer, info, config.frames_hz, config.seed + 1)
+
+    def _second_pose(self, stamp_ns: int) -> Floats:
+        T = flange_pose(self._rig.arm, self._motion.at(stamp_ns)) @ self._T_flange_second
+        return np.asarray(T)
+
     def sensor_pose(self, stamp_ns: int) -> Floats:
         """``T_arm_sensor`` (4, 4) as it truly is at a moment."""
         T = flange_pose(self._rig.arm, self._motion.at(stamp_ns)) @ self._rig.T_flange_sensor
@@ -321,7 +362,9 @@ class SimulatedStation:
         """What only nature knows; as ``truth.json`` of a rendered session, and the board."""
         board, at = self._board, self._scene.find_object("board").T_arm_obj
         squares = [board.square_x_mm, board.square_y_mm]
-        return {**ground_truth(self._rig), "squares_mm": squares, "T_arm_board": at.tolist()}
+        second = self._T_flange_second.tolist()
+        truth = {**ground_truth(self._rig), "T_flange_second_sensor": second}
+        return {**truth, "squares_mm": squares, "T_arm_board": at.tolist()}
 
     def _start_robot(self) -> None:
         if self._robot is not None:

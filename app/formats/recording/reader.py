@@ -23,7 +23,7 @@ from app.formats.recording.topics import IMAGE_TOPIC, STRIPE_TOPIC, sensor_key, 
 from app.messages.message import Text, message, quantity
 
 STATION_METADATA = "crenel/station"
-ARM_DELAY, SENSOR_SERIAL = "arm_delay_ns", "sensor_serial"
+ARM_DELAY, ARM_SERIAL, SENSOR_SERIAL = "arm_delay_ns", "arm_serial", "sensor_serial"
 EXTRACTION = "extraction"
 """Settings of stripe extraction, as JSON; empty if all were automatic."""
 SMOOTHING = "smoothing_px"

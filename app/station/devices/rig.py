@@ -1,15 +1,15 @@
-"""The station's devices: one arm, one sensor, read and reconnected permanently."""
+"""The station's devices: one arm, one sensor or several, read and reconnected permanently."""
 
 import shutil
 import threading
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Literal, TypeAlias
 
 from app.errors import OperationError
-from app.messages.message import message
+from app.messages.message import join, message
 from app.station.bus import Bus
 from app.station.devices.arm_device import StationArm
 from app.station.devices.capture import Capture, capture
@@ -43,7 +43,8 @@ class Rig:
     """Both devices, and operations that need both.
 
     Args:
-        arm, sensor: return a new, unopened driver at each call.
+        arm, sensor: return a new, unopened driver at each call; of several sensors, one for each
+            by its name.
         data_dir: the folder whose disk is watched.
         trigger: the arm triggers the camera in this way; None if it does not.
         real: of a demonstration, which devices are real ones instead of the simulation's.
@@ -53,7 +54,7 @@ class Rig:
         self,
         bus: Bus,
         arm: Callable[[], ArmDriver],
-        sensor: Callable[[], SensorDriver],
+        sensor: Callable[[], SensorDriver] | Mapping[str, Callable[[], SensorDriver]],
         data_dir: Path,
         trigger: TriggerSettings | None = None,
         real: frozenset[DeviceName] = frozenset(),
@@ -63,7 +64,14 @@ class Rig:
         self._data_dir = data_dir
         pairing = None if trigger is None else PulsePairing(trigger.delay_us)
         self.arm = StationArm(bus, arm, pairing)
-        self.sensor = StationSensor(bus, sensor, pairing)
+        makers = {"": sensor} if callable(sensor) else dict(sensor)
+        self.sensors: Mapping[str, StationSensor] = {
+            name: StationSensor(bus, make, pairing) for name, make in makers.items()
+        }
+        """By their names; the name of the only one is empty."""
+        for name, one in self.sensors.items():
+            one.label = name
+        self._selected = next(iter(self.sensors))
         self._trigger: PulseTrigger | None = None
         if trigger is not None and pairing is not None:
             self._trigger = PulseTrigger(trigger, pairing)
@@ -71,23 +79,59 @@ class Rig:
         self._stopping = threading.Event()
         self._publisher: threading.Thread | None = None
 
+    @property
+    def sensor(self) -> StationSensor:
+        """The only sensor; of several, the one that is selected."""
+        return self.sensors[self._selected]
+
+    @property
+    def selected(self) -> str:
+        """Name of the sensor that is seen, switched, exposed and calibrated; empty of the only
+        one."""
+        return self._selected
+
+    def select(self, name: str) -> None:
+        """Selects another sensor; the lasers of the others are switched off.
+
+        Raises:
+            OperationError: there is no such sensor, or a picture is being taken.
+        """
+        if name not in self.sensors:
+            raise OperationError("no-such-sensor", message("no-sensor-named", name=name))
+        if not self._capturing.acquire(blocking=False):
+            raise OperationError("busy", message("picture-being-taken-already"))
+        try:
+            self._selected = name
+        finally:
+            self._capturing.release()
+        for other, sensor in self.sensors.items():
+            if other != name:
+                sensor.laser_off()
+
+    def lasers_off(self) -> None:
+        """Switches the lasers of all sensors off; never raises."""
+        for sensor in self.sensors.values():
+            sensor.laser_off()
+
     def start(self) -> None:
         self._stopping.clear()
         self.arm.reader.start()
-        self.sensor.reader.start()
+        for sensor in self.sensors.values():
+            sensor.reader.start()
         if self._trigger is not None:
             self._trigger.start()
         self._publisher = threading.Thread(target=self._publish, name="rig-state", daemon=True)
         self._publisher.start()
 
     def stop(self) -> None:
-        """Switches the laser off, closes devices and ends threads."""
-        self.sensor.laser_off()
+        """Switches the lasers off, closes devices and ends threads."""
+        self.lasers_off()
         self._stopping.set()
         if self._trigger is not None:
             self._trigger.stop()
         self.arm.reader.stop()
-        self.sensor.reader.stop()
+        for sensor in self.sensors.values():
+            sensor.reader.stop()
         if self._publisher is not None:
             self._publisher.join(2.0)
             self._publisher = None
@@ -148,12 +192,11 @@ class Rig:
         published_s, doubted = 0.0, False
         while not self._stopping.wait(LOOK_S):
             before = dict(said)
-            for title, link in (
-                ("arm", self.arm.reader.link()),
-                ("sensor", self.sensor.reader.link()),
-            ):
-                self._report_link(title, said.get(title), link)
-                said[title] = link.state
+            links = [("arm", "", self.arm.reader.link())]
+            links += [("sensor", name, one.reader.link()) for name, one in self.sensors.items()]
+            for title, name, link in links:
+                self._report_link(title, said.get(f"{title} {name}"), link, name)
+                said[f"{title} {name}"] = link.state
             if self._trigger is not None:
                 self._trigger.use(self.arm.reader.driver, self.sensor.reader.driver)
             doubted = self._report_doubt(doubted)
@@ -169,11 +212,14 @@ class Rig:
             self._bus.event(doubt.code, doubt.text, "bad")
         return doubt is not None
 
-    def _report_link(self, title: str, before: LinkState | None, link: Link) -> None:
+    def _report_link(
+        self, title: str, before: LinkState | None, link: Link, name: str = ""
+    ) -> None:
         """Reports once that a device was lost, and once that it is back."""
         if before == link.state:
             return
+        text = join([name, link.text], ": ") if name else link.text
         if link.state is LinkState.LOST:
-            self._bus.event(f"{title}-lost", link.text, "bad")
+            self._bus.event(f"{title}-lost", text, "bad")
         elif link.state is LinkState.CONNECTED:
-            self._bus.event(f"{title}-connected", link.text, "good")
+            self._bus.event(f"{title}-connected", text, "good")

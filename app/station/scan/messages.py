@@ -1,24 +1,44 @@
 """Why a scan cannot start, and what the operator should know while it runs."""
 
+from collections.abc import Mapping
 from typing import Literal
 
 from app.errors import OperationError, sentence
-from app.findings import Finding
-from app.messages.message import Text, message, quantity
+from app.findings import Finding, Quality
+from app.messages.message import Text, join, message, quantity
 from app.metrology.arm.kinematics import Arm
 from app.station.devices.reading_buffer import reading_size
 from app.station.devices.rig import Rig
+from app.station.devices.sensor_device import StationSensor
 from app.station.scan.pipeline import ScanPipeline
 from app.station.scan.points import ScanCalibration
 
 # Below these shares there is no finding: a frame now and then does no harm.
 REPORT_SHARE = 0.01
+BAD: Quality = "bad"
+ATTENTION: Quality = "attention"
 BEHIND = 0.5
 SOME_FRAMES = 10
 
 
-def start_error(calibration: ScanCalibration | None, rig: Rig) -> OperationError | None:
-    """Why a scan with this calibration cannot start on these devices; None when it can."""
+def start_error(
+    calibrations: Mapping[str, ScanCalibration | None], rig: Rig
+) -> OperationError | None:
+    """Why a scan with these calibrations cannot start on these devices; None when it can.
+
+    ``calibrations``: of each sensor by its name.
+    """
+    for name, calibration in calibrations.items():
+        error = _start_error(calibration, rig, rig.sensors[name])
+        if error is not None:
+            what = join([name, error.what], ": ") if name else error.what
+            return OperationError(error.code, what, error.why, error.remedy)
+    return None
+
+
+def _start_error(
+    calibration: ScanCalibration | None, rig: Rig, sensor: StationSensor
+) -> OperationError | None:
     if calibration is None:
         return OperationError(
             "no-calibration",
@@ -26,7 +46,7 @@ def start_error(calibration: ScanCalibration | None, rig: Rig) -> OperationError
             message("without-one-pixels-cannot-become-points"),
             message("calibrate-first-2"),
         )
-    return _arm_error(calibration, rig) or _sensor_error(calibration, rig)
+    return _arm_error(calibration, rig) or _sensor_error(calibration, sensor)
 
 
 def end_reason(trouble: OperationError | None) -> Text:
@@ -59,10 +79,10 @@ def _arm_error(calibration: ScanCalibration, rig: Rig) -> OperationError | None:
     return _serial_error("arm", info.serial_number, calibration.arm_serial)
 
 
-def _sensor_error(calibration: ScanCalibration, rig: Rig) -> OperationError | None:
-    info = rig.sensor.info
-    if info is None or not rig.sensor.fresh:
-        return _device_lost_error("sensor", rig.sensor.link().text)
+def _sensor_error(calibration: ScanCalibration, sensor: StationSensor) -> OperationError | None:
+    info = sensor.info
+    if info is None or not sensor.fresh:
+        return _device_lost_error("sensor", sensor.link().text)
     size = (info.width_px, info.height_px)
     wanted = (calibration.camera.width_px, calibration.camera.height_px)
     if size != wanted:
@@ -116,11 +136,9 @@ def _live_findings(pipeline: ScanPipeline, rig: Rig) -> list[Finding]:
     elif (doubt := rig.arm.doubt()) is not None:
         text = message("pictures-left-out", what=doubt.what)
         found.append(Finding("bad", text, sentence(doubt.remedy)))
-    if not rig.sensor.fresh:
-        found.append(Finding("bad", rig.sensor.link().text, message("scan-goes-when-back")))
-    elif not rig.sensor.laser_on:
-        found.append(Finding("attention", message("laser-off-2"), message("switch-stop-scan")))
-    elif pipeline.points.distance_mm is None and pipeline.counts.frames > SOME_FRAMES:
+    sensors = _sensor_findings(rig)
+    found += sensors
+    if not sensors and pipeline.distance is None and pipeline.counts.frames > SOME_FRAMES:
         remedy = message("bring-part-into-sensors-range-if")
         found.append(Finding("neutral", message("no-line-seen-2"), remedy))
     found += _speed_findings(pipeline)
@@ -133,6 +151,20 @@ def _live_findings(pipeline: ScanPipeline, rig: Rig) -> list[Finding]:
                 message("frames-lost-when-full-scan-more"),
             )
         )
+    return found
+
+
+def _sensor_findings(rig: Rig) -> list[Finding]:
+    """Lost sensors, and lasers that are off."""
+    found = []
+    for name, sensor in rig.sensors.items():
+        if not sensor.fresh:
+            text, remedy, quality = sensor.link().text, message("scan-goes-when-back"), BAD
+        elif not sensor.laser_on:
+            text, remedy, quality = message("laser-off-2"), message("switch-stop-scan"), ATTENTION
+        else:
+            continue
+        found.append(Finding(quality, join([name, text], ": ") if name else text, remedy))
     return found
 
 

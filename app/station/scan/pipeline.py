@@ -15,28 +15,22 @@ import numpy as np
 from app.errors import OperationError
 from app.formats.clouds.files import CloudWriter, cloud_writer
 from app.formats.io_errors import error_from_os
-from app.formats.recording.reader import ARM_DELAY, EXTRACTION, SCAN_CALIBRATION
+from app.formats.recording.reader import ARM_SERIAL, EXTRACTION, SCAN_CALIBRATION
 from app.formats.settings.scan_settings import AUTOMATIC, ScanSettings
 from app.messages.message import message
-from app.metrology.transforms import Floats
 from app.station.devices.arm_device import LATE_S, StationArm
-from app.station.devices.sensor_device import StationSensor
-from app.station.scan.extraction import extraction_by
-from app.station.scan.points import PointMaker, ScanCalibration, Show
+from app.station.scan.points import Show
 from app.station.scan.recorder import Recorder, StripeFrame
 from app.station.scan.scan_speed import ScanSpeed
+from app.station.scan.sources import BATCH_FRAMES, ScanSensor, ScanSource
 from app.station.scan.storage import CLOUD, RECORDING
-from hardware.interfaces import Frame, SensorReading
+from app.station.working_distance import Distance, classify_distance
+from hardware.interfaces import Frame
 
 log = logging.getLogger(__name__)
 
 CORES = os.cpu_count() or 1
-# Frames are worked on so many at a time, where they come faster than the wait for more.
-BATCH_FRAMES = 16
 GATHER_S = 0.01
-# Frames wait to be worked on in so much memory, whatever else the machine is busy with.
-WAITING_BYTES = 1 << 28
-FEWEST_WAITING, MOST_WAITING = 32, 1024
 POINTS_QUEUE = 64
 POLL_S = 0.1
 
@@ -62,38 +56,40 @@ class ScanPipeline:
     def __init__(
         self,
         arm: StationArm,
-        sensor: StationSensor,
-        calibration: ScanCalibration,
+        sensors: Sequence[ScanSensor],
         folder: Path,
         show: Show,
         settings: ScanSettings = AUTOMATIC,
         about: Mapping[str, str] | None = None,
     ) -> None:
-        """``about``: what the recording says of the scan beside its devices and calibration."""
+        """``about``: what the recording says of the scan beside its devices and calibrations."""
         self._about = dict(about or {})
         self.counts = Counts()
-        self.speed = ScanSpeed(arm, settings.blur_limit_mm)
         self.failure: OperationError | None = None
         self._arm = arm
-        self._sensor = sensor
-        self._calibration = calibration
         self._cloud_path = folder / CLOUD
         self._extracting: queue.Queue[Future[list[StripeFrame]] | None] = queue.Queue(2 * CORES)
         self._stripes: queue.Queue[list[StripeFrame] | None] = queue.Queue(POINTS_QUEUE)
         self._ended = False
-        self._lost_before = sensor.reader.link().lost
         self._rejected_before = arm.rejected_count
         self._settings = settings
-        self._extraction = extraction_by(settings, calibration.stripe_axis)
-        self._delay_ns = 0
-        if not sensor.is_paired:  # pulses have no delay
-            self._delay_ns = settings.delay_ns(calibration.arm_serial, calibration.sensor_serial)
-        self.points = PointMaker(calibration, show)
-        names = calibration.joint_names
-        self._recorder = Recorder(folder / RECORDING, names, self._metadata(), arm)
-        self._tap = sensor.frames.tap(_queue_length(sensor))
+        self._sources = [ScanSource(arm, one, settings, show) for one in sensors]
+        self._by_name = {source.name: source for source in self._sources}
+        first = self._sources[0].calibration
+        self._arm_serial = first.arm_serial
+        self._recorder = Recorder(
+            folder / RECORDING,
+            first.joint_names,
+            self._metadata(),
+            arm,
+            tuple(self._by_name),
+            max(source.delay_ns for source in self._sources),
+        )
         self._threads = [
-            threading.Thread(target=self._take_all, name="scan-take", daemon=True),
+            threading.Thread(target=self._take_all, args=(source,), name="scan-take", daemon=True)
+            for source in self._sources
+        ]
+        self._threads += [
             threading.Thread(target=self._record_all, name="scan-record", daemon=True),
             threading.Thread(target=self._make_cloud, name="scan-points", daemon=True),
         ]
@@ -107,8 +103,30 @@ class ScanPipeline:
 
     @property
     def lost_frames(self) -> int:
-        """Frames that the sensor lost, and those that found the queue full here."""
-        return self._tap.dropped + self._sensor.reader.link().lost - self._lost_before
+        """Frames that the sensors lost, and those that found the queues full here."""
+        return sum(source.lost_frames for source in self._sources)
+
+    @property
+    def speed(self) -> ScanSpeed:
+        """Of the sensor whose speed is known now and was too high most often."""
+        return max(
+            (source.speed for source in self._sources),
+            key=lambda speed: (speed.now is not None, speed.frames_too_fast),
+        )
+
+    @property
+    def rate_points_s(self) -> float:
+        """Points of the last second, of all sensors."""
+        return sum(source.points.rate_per_s for source in self._sources)
+
+    @property
+    def distance(self) -> Distance | None:
+        """Of the newest stripe from its camera, against the calibrated range of that sensor; None
+        where none was seen just now."""
+        for source in self._sources:
+            if (found_mm := source.points.distance_mm) is not None:
+                return classify_distance(found_mm, source.calibration.depth_range_mm)
+        return None
 
     @property
     def implausible(self) -> tuple[int, OperationError | None]:
@@ -133,82 +151,52 @@ class ScanPipeline:
 
     def apply(self, settings: ScanSettings) -> None:
         """Goes on by other settings; the delay stays what the recording began with."""
-        self._extraction = extraction_by(settings, self._calibration.stripe_axis)
-        self.speed.limit_mm = settings.blur_limit_mm
+        for source in self._sources:
+            source.apply(settings)
         self._settings = settings
         self._recorder.add_metadata(self._metadata())
 
     def _metadata(self) -> dict[str, str]:
         """What the recording says of the station."""
-        return {
-            **self._about,
-            SCAN_CALIBRATION: self._calibration.id,
-            "arm_serial": self._calibration.arm_serial,
-            "sensor_serial": self._calibration.sensor_serial,
-            ARM_DELAY: str(self._delay_ns),
-            EXTRACTION: self._settings.extraction_text,
-        }
+        about = dict(self._about)
+        if "" not in self._by_name:  # a scan of several is listed with the first one's
+            about[SCAN_CALIBRATION] = self._sources[0].calibration.id
+        about[ARM_SERIAL] = self._arm_serial
+        for source in self._sources:
+            about |= source.metadata()
+        return {**about, EXTRACTION: self._settings.extraction_text}
 
     def stop(self) -> None:
         """Takes no more frames, finishes those taken, and completes both files."""
-        self._sensor.frames.untap(self._tap)
+        for source in self._sources:
+            source.end()
         for thread in self._threads:
             thread.join()
         self._recorder.close()
 
-    def _take_all(self) -> None:
+    def _take_all(self, source: ScanSource) -> None:
         """Sends frames to be extracted on all cores, some at a time; waits when they are behind."""
         with ThreadPoolExecutor(CORES, "scan-extract") as pool:
-            while not self._tap.finished:
+            while not source.tap.finished:
                 time.sleep(GATHER_S)
-                taken = self._tap.get(BATCH_FRAMES, POLL_S)
+                taken = source.tap.get(BATCH_FRAMES, POLL_S)
                 frames = [frame for frame in taken if frame.laser_on]
                 if self._settings.record_pictures:
                     for frame in frames:
                         if isinstance(frame, Frame):
-                            self._recorder.offer_picture(frame)
+                            self._recorder.offer_picture(frame, source.name)
                 if frames:
-                    self._extracting.put(pool.submit(self._extract, frames))
+                    self._extracting.put(pool.submit(source.extract, frames))
         self._extracting.put(None)
-
-    def _extract(self, frames: Sequence[SensorReading]) -> list[StripeFrame]:
-        """On a worker's thread: the stripes of frames, and those that the sensor found itself.
-
-        Where frames wait for it, the stripe is followed from the first one on.
-        """
-        extraction = self._extraction
-        for frame in frames:
-            self._check_size(frame)
-        pictures = [frame for frame in frames if isinstance(frame, Frame)]
-        band = extraction.band(pictures[0].image) if len(pictures) == BATCH_FRAMES else None
-        found = []
-        for frame in frames:
-            if not isinstance(frame, Frame):
-                stripe = extraction.line_stripe(frame)
-            else:
-                stripe = band.extract(frame.image) if band else extraction.stripe(frame.image)
-            height, width = _shape(frame)
-            found.append(
-                StripeFrame(frame.mid_exposure_ns, stripe, width, height, frame.exposure_us)
-            )
-        return found
-
-    def _check_size(self, frame: SensorReading) -> None:
-        """Pixels of another picture would become points in wrong places."""
-        camera, shape = self._calibration.camera, _shape(frame)
-        if shape != (camera.height_px, camera.width_px):
-            raise OperationError(
-                "image-size",
-                message("sensor-now-sends-pictures-pixels", size=" × ".join(map(str, shape[::-1]))),
-                message(
-                    "calibration-is-for-pixels", width=camera.width_px, height=camera.height_px
-                ),
-                message("set-sensor-back-scan-again"),
-            )
 
     def _record_all(self) -> None:
         """Passes stripes on in the order of their frames, to the recording first."""
-        while (work := self._extracting.get()) is not None:
+        taking = len(self._sources)
+        while taking:
+            work = self._extracting.get()
+            if work is None:
+                taking -= 1
+                continue
             try:
                 found = work.result()
             except OperationError as refusal:
@@ -243,8 +231,9 @@ class ScanPipeline:
     def _make_points(self, cloud: CloudWriter) -> None:
         number = 0
         while (frames := self._next_stripes()) is not None:
+            source = self._by_name[frames[0].sensor]
             stamps_ns = np.array([frame.stamp_ns for frame in frames])
-            stamps_ns += self._delay_ns
+            stamps_ns += source.delay_ns
             readings = self._arm.at_all(stamps_ns, LATE_S if self._arm.fresh else 0.0)
             known = (
                 np.isfinite(readings).all(axis=1) if readings is not None else np.zeros(len(frames))
@@ -253,9 +242,9 @@ class ScanPipeline:
             self.counts.frames_without_joints += len(frames) - len(placed)
             if readings is not None and placed:
                 stripes = [frames[i].stripe for i in placed]
-                self.points.add(cloud, stripes, readings[placed], number + np.array(placed))
+                source.points.add(cloud, stripes, readings[placed], number + np.array(placed))
                 self.counts.points = cloud.points
-                self._judge_speed(frames[placed[-1]], readings[placed[-1]], len(frames))
+                source.judge_speed(frames[placed[-1]], readings[placed[-1]], len(frames))
             number += len(frames)
 
     def _next_stripes(self) -> list[StripeFrame] | None:
@@ -265,32 +254,6 @@ class ScanPipeline:
         self._ended = True
         return None
 
-    def _judge_speed(self, frame: StripeFrame, readings: Floats, frames: int) -> None:
-        """Of the last of some frames: how fast the sensor went."""
-        stamp_ns = frame.stamp_ns + self._delay_ns
-        before_reading = self.speed.reading_before(stamp_ns)
-        if before_reading is None or not len(frame.stripe.u):
-            return
-        before, at = self._calibration.sensor_poses(np.stack([before_reading, readings]))
-        stripe_mm, spread = self._calibration.points([frame.stripe], np.eye(4)[None])
-        self.speed.judge(stripe_mm, spread, (before, at), stamp_ns, frame.exposure_us, frames)
-
-
-def _shape(frame: SensorReading) -> tuple[int, ...]:
-    """Height and width of the picture; more numbers if it is not grey."""
-    if isinstance(frame, Frame):
-        return frame.image.shape
-    return frame.height_px, frame.width_px
-
 
 def _failure_error(error: Exception) -> OperationError:
     return OperationError("failed", message("scan-stopped-2"), str(error), message("start-again-2"))
-
-
-def _queue_length(sensor: StationSensor) -> int:
-    """How many of its frames may wait, of up to 16 bits."""
-    info = sensor.info
-    if info is None:
-        return FEWEST_WAITING
-    frame_bytes = 2 * info.width_px * info.height_px
-    return min(max(WAITING_BYTES // frame_bytes, FEWEST_WAITING), MOST_WAITING)

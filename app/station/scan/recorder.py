@@ -10,7 +10,6 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from app.errors import OperationError
-from app.formats.recording.reader import ARM_DELAY
 from app.formats.recording.writer import RecordingWriter
 from app.messages.message import message
 from app.metrology.stripe import Stripe
@@ -40,6 +39,8 @@ class StripeFrame:
     width_px: int
     height_px: int
     exposure_us: float
+    sensor: str = ""
+    """Its name; empty of the only one."""
 
 
 class Recorder:
@@ -55,17 +56,20 @@ class Recorder:
         joint_names: tuple[str, ...] | None,
         station: Mapping[str, str],
         arm: StationArm,
+        sensors: tuple[str, ...],
+        delay_ns: int,
     ) -> None:
-        """``joint_names``, ``station``: as of ``RecordingWriter``."""
+        """``joint_names``, ``station``, ``sensors``: as of ``RecordingWriter``; ``delay_ns``: the
+        longest of the arm's time stamps."""
         self.failure: OperationError | None = None
         self.pictures = self.pictures_dropped = 0
-        self._delay_ns = int(station.get(ARM_DELAY, 0))
+        self._delay_ns = delay_ns
         self._arm = arm
         self._joints_after_ns = now_ns() - LEAD_NS
         self._frames: queue.Queue[list[StripeFrame] | None] = queue.Queue(QUEUE_BATCHES)
-        self._pictures: queue.Queue[Frame] = queue.Queue(QUEUE_PICTURES)
+        self._pictures: queue.Queue[tuple[Frame, str]] = queue.Queue(QUEUE_PICTURES)
         self._metadata: queue.Queue[Mapping[str, str]] = queue.Queue()
-        self._writer = RecordingWriter(path, joint_names, station)
+        self._writer = RecordingWriter(path, joint_names, station, sensors)
         self._thread = threading.Thread(target=self._run, name="scan-recorder", daemon=True)
         self._thread.start()
         # a disk that takes long over it holds up no frames
@@ -92,10 +96,10 @@ class Recorder:
                 continue
         return False
 
-    def offer_picture(self, frame: Frame) -> None:
-        """Has a picture recorded where there is time for it; else it is counted as dropped."""
+    def offer_picture(self, frame: Frame, sensor: str) -> None:
+        """Has a sensor's picture recorded where there is time for it; else it counts as dropped."""
         try:
-            self._pictures.put_nowait(frame)
+            self._pictures.put_nowait((frame, sensor))
         except queue.Full:
             self.pictures_dropped += 1
 
@@ -155,14 +159,16 @@ class Recorder:
                 return last_ns
             self._write_joints()
             for frame in frames:
-                last_ns = frame.stamp_ns
-                self._writer.stripe(last_ns, frame.stripe, frame.width_px, frame.height_px)
+                last_ns = max(last_ns, frame.stamp_ns)
+                self._writer.stripe(
+                    frame.stamp_ns, frame.stripe, frame.width_px, frame.height_px, frame.sensor
+                )
 
     def _write_picture(self) -> None:
         """One, when no stripe waits."""
         with suppress(queue.Empty):
-            frame = self._pictures.get_nowait()
-            self._writer.image(frame.mid_exposure_ns, frame.image)
+            frame, sensor = self._pictures.get_nowait()
+            self._writer.image(frame.mid_exposure_ns, frame.image, sensor)
             self.pictures += 1
 
     def _write_pictures_left(self) -> None:

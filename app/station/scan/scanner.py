@@ -17,14 +17,24 @@ from app.station.devices.rig import Rig
 from app.station.scan.messages import end_reason, scan_findings, start_error
 from app.station.scan.pipeline import ScanPipeline
 from app.station.scan.points import ScanCalibration
+from app.station.scan.sources import ScanSensor
 from app.station.scan.state import NO_SCAN, ScanLoad, ScanResult, ScanState, State
 from app.station.scan.storage import ScanFolders, make_scan_folder, recording_size
 from app.station.view3d.scene import Scene
-from app.station.working_distance import Distance, classify_distance
+from app.station.working_distance import Distance
 
 # The drawn arm moves ten times a second, the numbers change five times.
 WATCH_S = 0.1
 PUBLISH_TICKS = 2
+
+
+@dataclass(frozen=True)
+class _InUse:
+    """The calibration of one sensor, or why it cannot be read."""
+
+    calibration: ScanCalibration | None = None
+    trouble: OperationError | None = None
+    look: Callable[[], OperationError | None] = lambda: None
 
 
 @dataclass
@@ -36,7 +46,7 @@ class _Running:
     folder: Path
     started_at: str
     started_s: float
-    calibration: ScanCalibration
+    calibration_id: str
     pipeline: ScanPipeline
     stopping: bool = False
     ended_s: float | None = None
@@ -60,9 +70,7 @@ class Scanner:
         self._scene = scene
         self._folders = ScanFolders(scans_dir)
         self._lock = threading.RLock()
-        self._calibration: ScanCalibration | None = None
-        self._look: Callable[[], OperationError | None] = lambda: None
-        self._trouble: OperationError | None = None
+        self._calibrations: dict[str, _InUse] = {name: _InUse() for name in rig.sensors}
         self._settings = AUTOMATIC
         self._scan: _Running | None = None
         self._published: ScanState | None = None
@@ -81,15 +89,24 @@ class Scanner:
         calibration: ScanCalibration | None,
         trouble: OperationError | None = None,
         look: Callable[[], OperationError | None] = lambda: None,
+        sensor: str = "",
     ) -> None:
         """The calibration to scan with; a running scan keeps the one it started with.
 
         Args:
+            sensor: of several, the name of the one that it is of.
             trouble: why the one in use cannot be read, where there is one.
             look: gives why its files cannot be read any more; None while they can.
         """
         with self._lock:
-            self._calibration, self._trouble, self._look = calibration, trouble, look
+            self._calibrations[sensor] = _InUse(calibration, trouble, look)
+        self.show_sensor()
+        self._publish()
+
+    def show_sensor(self) -> None:
+        """Draws the selected sensor as its calibration has it."""
+        with self._lock:
+            calibration = self._calibrations[self._rig.selected].calibration
         if calibration is None:
             self._scene.clear_sensor()
         else:
@@ -100,14 +117,13 @@ class Scanner:
                 calibration.plane,
                 calibration.depth_range_mm,
             )
-        self._publish()
 
     @property
     def trouble(self) -> OperationError | None:
         """Why the calibration in use cannot be read, or not any more."""
         with self._lock:
-            trouble, look = self._trouble, self._look
-        return trouble or look()
+            used = tuple(self._calibrations.values())
+        return next((why for one in used if (why := one.trouble or one.look())), None)
 
     def distance(self) -> Distance | None:
         """Of the stripe from the camera, against the calibrated range; None without a scan."""
@@ -115,12 +131,7 @@ class Scanner:
             scan = self._scan
         if scan is None or scan.ended_s is not None:
             return None
-        found_mm = scan.pipeline.points.distance_mm
-        return (
-            None
-            if found_mm is None
-            else classify_distance(found_mm, scan.calibration.depth_range_mm)
-        )
+        return scan.pipeline.distance
 
     def set_settings(self, settings: ScanSettings) -> None:
         """What the operator has set; a running scan goes on by it, but for the delay."""
@@ -151,10 +162,11 @@ class Scanner:
                 return OperationError(
                     "busy", message("scan-running-already"), remedy=message("stop-before-next")
                 )
-            return self.trouble or start_error(self._calibration, self._rig)
+            found = {name: one.calibration for name, one in self._calibrations.items()}
+            return self.trouble or start_error(found, self._rig)
 
     def start(self, name: Text, into: Path | None = None) -> str:
-        """Starts a scan and switches the laser on; its id.
+        """Starts a scan with all sensors and switches their lasers on; its id.
 
         Args:
             into: a new folder of the caller's to record in, not among the scans.
@@ -167,8 +179,7 @@ class Scanner:
             refusal = self.why_not() or self._folders.start_space_error()
             if refusal is not None:
                 raise refusal
-            calibration = self._calibration
-            assert calibration is not None
+            sensors = self._scan_sensors()
             started = datetime.now(UTC)
             folder = self._folders.new(started) if into is None else make_scan_folder(into)
             scan_id = folder.name if into is None else f"{into.parent.name}-{into.name}"
@@ -177,17 +188,11 @@ class Scanner:
             name = name or message("scan-2", started=f"{started:%Y-%m-%d %H:%M}")
             started_at = started.isoformat(timespec="seconds")
             self._scene.begin(scan_id)
-            info = self._rig.sensor.info
-            if info is not None and info.has_laser_switch:
-                self._rig.sensor.set_laser(True)
             try:
-                if self._settings.exposure_us is not None:
-                    self._rig.sensor.set_exposure_us(self._settings.exposure_us)
-                self._choose_delivery(self._settings)
+                self._prepare_sensors()
                 pipeline = ScanPipeline(
                     self._rig.arm,
-                    self._rig.sensor,
-                    calibration,
+                    sensors,
                     folder,
                     self._scene.add_points,
                     self._settings,
@@ -202,7 +207,7 @@ class Scanner:
                 folder,
                 started_at,
                 time.monotonic(),
-                calibration,
+                sensors[0].calibration.id,
                 pipeline,
             )
         self._publish()
@@ -264,7 +269,7 @@ class Scanner:
             scan_id=scan.id,
             points=counts.points,
             points_shown=self._scene.points_shown,
-            rate_points_s=scan.pipeline.points.rate_per_s if running else 0.0,
+            rate_points_s=scan.pipeline.rate_points_s if running else 0.0,
             frames=counts.frames,
             lost_frames=scan.pipeline.lost_frames,
             frames_without_joints=counts.frames_without_joints,
@@ -279,13 +284,36 @@ class Scanner:
 
     def _choose_delivery(self, settings: ScanSettings) -> None:
         """A sensor that can deliver lines does, unless its pictures are to be recorded."""
-        self._rig.sensor.want_lines(not settings.record_pictures)
+        for sensor in self._rig.sensors.values():
+            sensor.want_lines(not settings.record_pictures)
+
+    def _prepare_sensors(self) -> None:
+        """Lasers on, exposure and delivery as set.
+
+        The exposure that the operator set is that of the only sensor; several keep their own.
+        """
+        for sensor in self._rig.sensors.values():
+            info = sensor.info
+            if info is not None and info.has_laser_switch:
+                sensor.set_laser(True)
+        if self._settings.exposure_us is not None and len(self._rig.sensors) == 1:
+            self._rig.sensor.set_exposure_us(self._settings.exposure_us)
+        self._choose_delivery(self._settings)
+
+    def _scan_sensors(self) -> list[ScanSensor]:
+        """The sensors with their calibrations; each has one when a scan can start."""
+        return [
+            ScanSensor(name, self._rig.sensors[name], one.calibration)
+            for name, one in self._calibrations.items()
+            if one.calibration is not None
+        ]
 
     def _end_delivery(self) -> None:
-        """Laser off, and pictures again."""
-        self._rig.sensor.laser_off()
-        with suppress(OperationError):  # a lost sensor begins with pictures when it is back
-            self._rig.sensor.want_lines(False)
+        """Lasers off, and pictures again."""
+        self._rig.lasers_off()
+        for sensor in self._rig.sensors.values():
+            with suppress(OperationError):  # a lost sensor begins with pictures when it is back
+                sensor.want_lines(False)
 
     def _is_running(self) -> bool:
         scan = self._scan
@@ -301,7 +329,7 @@ class Scanner:
             counts.points,
             counts.frames,
             scan.seconds,
-            scan.calibration.id,
+            scan.calibration_id,
             scan.pipeline.lost_frames,
             end_reason(scan.pipeline.trouble),
             recording_size(scan.folder),

@@ -1,0 +1,148 @@
+"""The sensors of a running scan: their frames to stripes, their stripes to points."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from app.errors import OperationError
+from app.formats.recording.reader import ARM_DELAY, SCAN_CALIBRATION, SENSOR_SERIAL
+from app.formats.recording.topics import sensor_key
+from app.formats.settings.scan_settings import ScanSettings
+from app.messages.message import message
+from app.metrology.transforms import Floats
+from app.station.devices.arm_device import StationArm
+from app.station.devices.sensor_device import StationSensor
+from app.station.scan.extraction import extraction_by
+from app.station.scan.points import PointMaker, ScanCalibration, Show
+from app.station.scan.recorder import StripeFrame
+from app.station.scan.scan_speed import ScanSpeed
+from hardware.interfaces import Frame, SensorReading
+
+# Frames are worked on so many at a time, where they come faster than the wait for more.
+BATCH_FRAMES = 16
+# Frames wait to be worked on in so much memory, whatever else the machine is busy with.
+WAITING_BYTES = 1 << 28
+FEWEST_WAITING, MOST_WAITING = 32, 1024
+
+
+@dataclass(frozen=True)
+class ScanSensor:
+    """A sensor to scan with."""
+
+    name: str
+    """Empty of the only one."""
+    device: StationSensor
+    calibration: ScanCalibration
+
+
+class ScanSource:
+    """One sensor of a running scan."""
+
+    def __init__(
+        self, arm: StationArm, used: ScanSensor, settings: ScanSettings, show: Show
+    ) -> None:
+        self.name, self.calibration = used.name, used.calibration
+        self.speed = ScanSpeed(arm, settings.blur_limit_mm)
+        self.points = PointMaker(used.calibration, show)
+        self.delay_ns = 0
+        """As the recording began with."""
+        device, calibration = used.device, used.calibration
+        if not device.is_paired:  # pulses have no delay
+            self.delay_ns = settings.delay_ns(calibration.arm_serial, calibration.sensor_serial)
+        self._device = device
+        self._lost_before = device.reader.link().lost
+        self._settings = self._own(settings)
+        self._extraction = extraction_by(self._settings, calibration.stripe_axis)
+        self.tap = device.frames.tap(_queue_length(device))
+
+    @property
+    def lost_frames(self) -> int:
+        """Frames that the sensor lost, and those that found the queue full here."""
+        return self.tap.dropped + self._device.reader.link().lost - self._lost_before
+
+    def apply(self, settings: ScanSettings) -> None:
+        """Goes on by other settings, but for the delay."""
+        self._settings = self._own(settings)
+        self._extraction = extraction_by(self._settings, self.calibration.stripe_axis)
+        self.speed.limit_mm = settings.blur_limit_mm
+
+    def metadata(self) -> dict[str, str]:
+        """What the recording says of the sensor."""
+        named = {
+            SCAN_CALIBRATION: self.calibration.id,
+            SENSOR_SERIAL: self.calibration.sensor_serial,
+            ARM_DELAY: str(self.delay_ns),
+        }
+        return {sensor_key(key, self.name): value for key, value in named.items()}
+
+    def extract(self, frames: Sequence[SensorReading]) -> list[StripeFrame]:
+        """On a worker's thread: the stripes of frames, and those that the sensor found itself.
+
+        Where frames wait for it, the stripe is followed from the first one on.
+        """
+        extraction = self._extraction
+        for frame in frames:
+            self._check_size(frame)
+        pictures = [frame for frame in frames if isinstance(frame, Frame)]
+        band = extraction.band(pictures[0].image) if len(pictures) == BATCH_FRAMES else None
+        found = []
+        for frame in frames:
+            if not isinstance(frame, Frame):
+                stripe = extraction.line_stripe(frame)
+            else:
+                stripe = band.extract(frame.image) if band else extraction.stripe(frame.image)
+            height, width = _shape(frame)
+            stamp_ns, exposure_us = frame.mid_exposure_ns, frame.exposure_us
+            found.append(StripeFrame(stamp_ns, stripe, width, height, exposure_us, self.name))
+        return found
+
+    def judge_speed(self, frame: StripeFrame, readings: Floats, frames: int) -> None:
+        """Of the last of some frames: how fast the sensor went."""
+        stamp_ns = frame.stamp_ns + self.delay_ns
+        before_reading = self.speed.reading_before(stamp_ns)
+        if before_reading is None or not len(frame.stripe.u):
+            return
+        before, at = self.calibration.sensor_poses(np.stack([before_reading, readings]))
+        stripe_mm, spread = self.calibration.points([frame.stripe], np.eye(4)[None])
+        self.speed.judge(stripe_mm, spread, (before, at), stamp_ns, frame.exposure_us, frames)
+
+    def end(self) -> None:
+        """Takes no more frames."""
+        self._device.frames.untap(self.tap)
+
+    def _own(self, settings: ScanSettings) -> ScanSettings:
+        """Of several sensors, the zones belong to the one in whose picture they were drawn."""
+        mask = settings.mask
+        if not self.name or mask is None or mask.sensor_serial == self.calibration.sensor_serial:
+            return settings
+        return settings.model_copy(update={"mask": None})
+
+    def _check_size(self, frame: SensorReading) -> None:
+        """Pixels of another picture would become points in wrong places."""
+        camera, shape = self.calibration.camera, _shape(frame)
+        if shape != (camera.height_px, camera.width_px):
+            raise OperationError(
+                "image-size",
+                message("sensor-now-sends-pictures-pixels", size=" × ".join(map(str, shape[::-1]))),
+                message(
+                    "calibration-is-for-pixels", width=camera.width_px, height=camera.height_px
+                ),
+                message("set-sensor-back-scan-again"),
+            )
+
+
+def _shape(frame: SensorReading) -> tuple[int, ...]:
+    """Height and width of the picture; more numbers if it is not grey."""
+    if isinstance(frame, Frame):
+        return frame.image.shape
+    return frame.height_px, frame.width_px
+
+
+def _queue_length(sensor: StationSensor) -> int:
+    """How many of its frames may wait, of up to 16 bits."""
+    info = sensor.info
+    if info is None:
+        return FEWEST_WAITING
+    frame_bytes = 2 * info.width_px * info.height_px
+    return min(max(WAITING_BYTES // frame_bytes, FEWEST_WAITING), MOST_WAITING)
