@@ -6,8 +6,8 @@ from starlette.status import HTTP_204_NO_CONTENT
 from app.errors import OperationError
 from app.messages.message import message
 from app.operations.context import Context, TheContext
-from app.station.devices.rig import Devices
-from app.wire.schema import Exposure, OnOff, ScanStart, ScanStatus
+from app.station.devices.rig import Devices, SensorChoice
+from app.wire.schema import Exposure, OnOff, ScanStart, ScanStatus, SensorName
 
 router = APIRouter(prefix="/api")
 
@@ -67,6 +67,14 @@ def exposure(asked: Exposure, context: TheContext) -> Devices:
     """Sets the exposure, clipped to the sensor's range."""
     context.rig.sensor.set_exposure_us(asked.exposure_us)
     return context.rig.devices()
+
+
+@router.post("/sensor")
+def select_sensor(asked: SensorName, context: TheContext) -> SensorChoice:
+    """Selects the sensor that is seen, switched, exposed and calibrated, of several."""
+    choice = context.sensor_selection.select(asked.name)
+    context.bus.publish("sensors", choice)
+    return choice
 
 
 @router.post("/stop", status_code=HTTP_204_NO_CONTENT)

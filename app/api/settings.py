@@ -5,6 +5,8 @@ from pathlib import Path
 from fastapi import APIRouter
 
 from app.errors import OperationError
+from app.formats.recording.reader import SCAN_CALIBRATION, open_recording
+from app.formats.recording.topics import sensor_values
 from app.formats.session.calibration_session import ARM
 from app.messages.message import Text, message
 from app.operations.context import Context, TheContext
@@ -80,8 +82,11 @@ def _take_pass(context: Context) -> PassRecord:
 
 def _source(context: Context, name: Text, folder: Path, calibration_id: str) -> PassRecord:
     """A scan with the calibration with which it was made."""
-    calibration = context.store.calibrations.get(calibration_id)
+    recording = folder / "scan.mcap"
+    stated = sensor_values(open_recording(recording).station_metadata(), SCAN_CALIBRATION)
+    sensor = context.rig.selected if context.rig.selected in stated else ""
+    calibration = context.store.calibrations.get(stated[sensor] if sensor else calibration_id)
     if calibration is None:
         raise OperationError("no-calibration", message("calibration-here-any-more", name=name))
     file = calibration.file
-    return PassRecord(name, folder / "scan.mcap", file, file.parent / ARM)
+    return PassRecord(name, recording, file, file.parent / ARM, sensor)

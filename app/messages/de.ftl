@@ -350,6 +350,7 @@ calibrate-first = Zuerst kalibrieren
 calibrate-first-2 = zuerst kalibrieren
 calibrate-sensor-arm-touch-object-then = Sensor am Messarm kalibrieren: Objekt antasten, dann einige Bilder aufnehmen.
 calibrate-sensors-again-their-place-belongs = Die Sensoren neu kalibrieren: Ihre Lage wurde mit dem bisherigen Messarm bestimmt.
+calibrate-this-sensor = Diesen Sensor kalibrieren
 calibrated = Kalibriert
 calibrated-distance-camera = Kalibrierter Abstand von der Kamera
 calibrating = Kalibrierung läuft
@@ -456,6 +457,7 @@ change = Änderung
 change-one-them = eine von beiden ändern
 change-permissions-place = Zugriffsrechte oder Speicherort ändern
 change-place = Speicherort ändern
+change-them-in-file = ihre Tabellen [sensor.NAME] in { $file } ändern und die Station neu starten
 changed-account = Konto geändert
 changed-after-session-had-written = { $name } wurde geändert, nachdem diese Sitzung die Datei geschrieben hatte
 changed-notifications = Benachrichtigungen geändert
@@ -712,6 +714,7 @@ connected-has-serial-number =
        *[sensor] der angeschlossene Sensor hat die Seriennummer { $serial_number }
     }
 connected-has-serial-number-chosen-datasheet = Das angeschlossene Gerät ({ $name }) hat die Seriennummer { $serial_number }, das gewählte Datenblatt gilt für { $serial_number2 }.
+connected-sensor = Angeschlossener Sensor
 connected-sensors-picture-has-pixels-choose = Das Bild des angeschlossenen Sensors hat { $width_px } × { $height_px } Pixel, das von { $name } { $size } × { $size2 }. Den angeschlossenen Sensor wählen.
 connected-yet = noch nicht verbunden
 connecting = { $title } wird verbunden
@@ -1372,6 +1375,7 @@ performance-test =
        *[sphere] Leistungsprüfung: eine Kugel
     }
 performance-values-against-limits = Werte als Anteile ihrer größten zulässigen Abweichungen, mit der Prüfwertunsicherheit (k = 2) als Balken. Der gefüllte Punkt ist der schlechtere Wert, der zählt; offene Punkte sind die Werte jeder Position.
+pictures-were-taken-with-other-sensor = Es wurden Bilder mit einem anderen Sensor aufgenommen. Für diesen eine neue Kalibrierung beginnen.
 places-of-hemisphere =
     { $title }, vom Pol gesehen: { $count ->
         [one] { $count } Stelle
@@ -1428,12 +1432,16 @@ scanned-centres-of-position = Durch Scannen, Position { $position }
 scanned-places-of-position = Gescannte Kugel, Position { $position }
 search-again-for-devices = Suchen Sie noch einmal; wenn das nicht hilft, prüfen Sie Netzwerk und Kabel.
 seats-and-placements = Aufnahmen und Aufstellungen
+selected-sensor = Sensor ausgewählt
+sensor-calibrated = { $name }: { $calibration }, { $total } (k = 1)
+sensor-cannot-be-selected-now = ein anderer Sensor lässt sich jetzt nicht auswählen
 sensor-left-out =
     { $count ->
         [one] ein Bild
        *[other] { $count } Bilder
     } des Sensors { $name } ausgelassen: für ihn wurde keine Kalibrierung angegeben
 sensor-sends-lines-no-pictures = der Sensor sendet Laserlinien und keine Bilder
+sensor-without-calibration = { $name }: noch nicht kalibriert
 sensors-line-lists-differ = die Punkte der Linie des Sensors sind unvollständig
 set-sensor-send-pictures = den Sensor auf Bilder umstellen oder einen anderen Sensor verwenden
 shows-arm-joints = Form der angetasteten Kugel; Einzelpunkt-Schwenkprüfung
@@ -2747,6 +2755,7 @@ stated = nicht angegeben
 station-does-answer-name-names-added = Diese Station ist unter dem Namen „{ $name }“ nicht erreichbar. Namen lassen sich mit hosts in station.toml ergänzen.
 station-ended-during-scan = Die Station wurde während dieses Scans beendet.
 station-has-administrator-already = Die Station hat bereits einen Administrator
+station-has-several-sensors = diese Station hat mehrere Sensoren, die hier nicht geändert werden
 station-starting = Die Station startet.
 station-toml-bayer-alone = station.toml, [sensor]: bayer braucht laser_colour: gemessen werden die Pixel dieser Farbe
 station-toml-driver-has-no-option = station.toml, [{ $table }]: Der Treiber hat keine Option { $key }

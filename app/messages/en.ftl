@@ -350,6 +350,7 @@ calibrate-first = Calibrate first
 calibrate-first-2 = calibrate first
 calibrate-sensor-arm-touch-object-then = Calibrate the sensor on the arm: touch the object, then take a few pictures.
 calibrate-sensors-again-their-place-belongs = Calibrate the sensors again: their mounting was determined with the previous arm.
+calibrate-this-sensor = Calibrate this sensor
 calibrated = Calibrated
 calibrated-distance-camera = Calibrated distance from the camera
 calibrating = Calibrating
@@ -456,6 +457,7 @@ change = Change
 change-one-them = change one of the limits
 change-permissions-place = Change its permissions, or choose another location
 change-place = Choose another location
+change-them-in-file = change their tables [sensor.NAME] in { $file }, and start the station again
 changed-account = changed an account
 changed-after-session-had-written = { $name } was changed after this session wrote it
 changed-notifications = changed the notifications
@@ -712,6 +714,7 @@ connected-has-serial-number =
        *[sensor] the connected sensor has the serial number { $serial_number }
     }
 connected-has-serial-number-chosen-datasheet = The connected { $name } has the serial number { $serial_number }, but the selected datasheet is for { $serial_number2 }.
+connected-sensor = Connected sensor
 connected-sensors-picture-has-pixels-choose = The connected sensor's picture has { $width_px } × { $height_px } pixels, but { $name } has { $size } × { $size2 }. Choose the sensor that is connected.
 connected-yet = not connected yet
 connecting = Connecting to the { $title }
@@ -1368,6 +1371,7 @@ performance-test =
        *[sphere] Performance test: one sphere
     }
 performance-values-against-limits = Values as shares of their maximum permissible errors, with the test uncertainty (k = 2) as a bar. The filled dot is the worse value, which counts; open dots are the values of each position.
+pictures-were-taken-with-other-sensor = Pictures were taken with another sensor. Begin a new calibration for this one.
 places-of-hemisphere =
     { $title }, seen from the pole: { $count ->
         [one] { $count } place
@@ -1424,12 +1428,16 @@ scanned-centres-of-position = By scan, position { $position }
 scanned-places-of-position = Scanned sphere, position { $position }
 search-again-for-devices = Search again; if that does not help, check network and cables.
 seats-and-placements = Seats and placements
+selected-sensor = selected a sensor
+sensor-calibrated = { $name }: { $calibration }, { $total } (k = 1)
+sensor-cannot-be-selected-now = another sensor cannot be selected now
 sensor-left-out =
     { $count ->
         [one] one frame
        *[other] { $count } frames
     } of the sensor { $name } left out: no calibration was given for it
 sensor-sends-lines-no-pictures = the sensor sends laser lines and no pictures
+sensor-without-calibration = { $name }: not calibrated yet
 sensors-line-lists-differ = the points of the sensor's line are incomplete
 set-sensor-send-pictures = set the sensor to send pictures, or use another sensor
 shows-arm-joints = form of the touched sphere; single-point articulation
@@ -2734,6 +2742,7 @@ stated = not stated
 station-does-answer-name-names-added = This station does not respond to the name '{ $name }'. Add names with hosts in station.toml.
 station-ended-during-scan = The station ended during this scan.
 station-has-administrator-already = The station already has an administrator
+station-has-several-sensors = this station has several sensors, which are not changed here
 station-starting = The station is starting.
 station-toml-bayer-alone = station.toml, [sensor]: bayer requires laser_colour, whose pixels are measured
 station-toml-driver-has-no-option = station.toml, [{ $table }]: the driver has no option { $key }

@@ -14,6 +14,7 @@ from app.guide.common.validity import DUE, DueLimits
 from app.guide.verify.guide import VerifyGuide
 from app.operations.device_setup import KINDS, DeviceSetup
 from app.operations.recovery import Recovery
+from app.operations.sensor_selection import SensorSelection
 from app.operations.services import MonitoringServices
 from app.security.authentication import Authenticator
 from app.station.bus import Bus
@@ -54,6 +55,7 @@ class Context:
     monitoring: MonitoringServices
     recovery: Recovery
     device_setup: DeviceSetup
+    sensor_selection: SensorSelection
     due: DueLimits = DUE
     printer: asyncio.Lock = field(default_factory=asyncio.Lock)
     """Reports are made one at a time: many at once would delay Stop."""

@@ -43,6 +43,8 @@ class StationDevices:
     tables: Mapping[DeviceKind, DeviceTable] = field(default_factory=dict)
     simulation: SimulatedDevices | None = None
     """Of a demonstration: what it uses without a table."""
+    sensors: Mapping[str, DeviceTable] = field(default_factory=dict)
+    """Of a station with several, by their names; they are not changed on the page."""
 
 
 @dataclass(frozen=True)
@@ -124,6 +126,9 @@ class DeviceSetup:
         self._tables = dict(devices.tables)
         for kind, table in self._tables.items():
             (rig.arm if kind == "arm" else rig.sensor).label = table.label
+        self._sensors = dict(devices.sensors)
+        for name, table in self._sensors.items():
+            rig.sensors[name].label = table.label or name
         self._changing = threading.Lock()
         self.search = DeviceSearch()
         self.trials = DeviceTrials(rig)
@@ -138,7 +143,7 @@ class DeviceSetup:
         return DevicesView(
             file="" if self._file is None else display_path(self._file),
             demonstration=self._simulation is not None,
-            devices=tuple(self._device(kind) for kind in KINDS),
+            devices=self._devices(),
             searching=self.search.running,
             searched=result.done,
             found=tuple(
@@ -206,6 +211,12 @@ class DeviceSetup:
         with self._changing:
             if self._file is None:
                 raise OperationError("devices-fixed", message("devices-of-replay-are-fixed"))
+            if kind == "sensor" and len(self._rig.sensors) > 1:
+                raise OperationError(
+                    "several-sensors",
+                    message("station-has-several-sensors"),
+                    remedy=message("change-them-in-file", file=display_path(self._file)),
+                )
             busy = self._busy()
             if busy is not None:
                 raise busy
@@ -225,9 +236,36 @@ class DeviceSetup:
         return find_undescribed(self._rig.sensor, self._library())
 
     def _is_in_use(self, kind: DeviceKind, driver: str, options: Mapping[str, object]) -> bool:
-        table = self._tables.get(kind)
-        return table is not None and is_same_device(
-            kind, driver, options, table.driver, table.options
+        return self._name_in_use(kind, driver, options) is not None
+
+    def _name_in_use(
+        self, kind: DeviceKind, driver: str, options: Mapping[str, object]
+    ) -> str | None:
+        """The name of the station's sensor that it is, empty of the arm and of the only sensor;
+        None if the station does not use it."""
+        tables = {"": self._tables[kind]} if kind in self._tables else {}
+        if kind == "sensor":
+            tables |= self._sensors
+        for name, table in tables.items():
+            if is_same_device(kind, driver, options, table.driver, table.options):
+                return name
+        return None
+
+    def _devices(self) -> tuple[StationDevice, ...]:
+        if len(self._rig.sensors) == 1:
+            return tuple(self._device(kind) for kind in KINDS)
+        return (self._device("arm"), *map(self._named_sensor, self._rig.sensors))
+
+    def _named_sensor(self, name: str) -> StationDevice:
+        """One of several sensors."""
+        sensor, table = self._rig.sensors[name], self._sensors.get(name)
+        return StationDevice(
+            kind="sensor",
+            driver="" if table is None else table.driver,
+            label=sensor.label,
+            options={} if table is None else dict(table.options),
+            simulated=table is None,
+            state=sensor.link(),
         )
 
     def _device(self, kind: DeviceKind) -> StationDevice:

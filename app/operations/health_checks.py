@@ -5,6 +5,7 @@ import shutil
 import sys
 import time
 from collections.abc import Callable
+from dataclasses import replace
 from datetime import UTC, datetime
 from importlib.metadata import PackageNotFoundError, version
 from typing import TypeVar, cast
@@ -12,6 +13,7 @@ from typing import TypeVar, cast
 from app.errors import OperationError
 from app.formats.json_document import SOFTWARE
 from app.guide.common.validity import SECONDS_A_DAY, age_days
+from app.messages.message import join
 from app.monitoring import health, storage_health
 from app.monitoring import health_topics as health_messages
 from app.monitoring.health import DeviceKind, Health, HealthItem
@@ -57,7 +59,7 @@ class HealthChecker:
         rig = self._context.rig
         return {
             "arm": lambda: self._device("arm", rig.arm),
-            "sensor": lambda: self._device("sensor", rig.sensor),
+            "sensor": self._sensors,
             "readings": self._readings,
             "room": self._temperature,
             "disk": self._disk,
@@ -77,10 +79,25 @@ class HealthChecker:
             "webhook": self._webhook,
         }
 
-    def _device(self, name: DeviceKind, side: StationArm | StationSensor) -> list[HealthItem]:
+    def _sensors(self) -> list[HealthItem]:
+        """The items of the only sensor, or of each by its name."""
+        found: list[HealthItem] = []
+        for name, sensor in self._context.rig.sensors.items():
+            items = self._device("sensor", sensor, name)
+            if name:
+                items = [
+                    replace(one, id=f"{one.id}-{name}", title=join([one.title, name], " "))
+                    for one in items
+                ]
+            found += items
+        return found
+
+    def _device(
+        self, name: DeviceKind, side: StationArm | StationSensor, sensor: str = ""
+    ) -> list[HealthItem]:
         state = side.link()
         counts = (state.received, state.lost, state.corrupt)
-        window = self._context.monitoring.losses[name]
+        window = self._context.monitoring.losses[f"{name} {sensor}" if sensor else name]
         window.note(*counts)
         return [
             health.device(name, state),
@@ -99,7 +116,7 @@ class HealthChecker:
     def _warmer_c(self) -> float | None:
         """Relative to the time of calibration."""
         store = self._context.store
-        record = store.calibrations.active()
+        record = store.calibrations.active(self._context.rig.selected)
         return None if record is None else store.temperatures.change_since(record.accepted_at)
 
     def _disk(self) -> list[HealthItem]:

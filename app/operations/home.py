@@ -30,13 +30,18 @@ RESULTS: dict[str, State] = {"pass": "valid", "fail": "failed", "uncertain": "un
 
 def build_home(context: Context) -> Home:
     """The current home page."""
-    record = context.store.calibrations.active()
+    record = context.store.calibrations.active(context.rig.selected)
     summary = calibration_summary(record) if record else None
     findings: list[Finding] = []
-    for link in (context.rig.arm.link(), context.rig.sensor.link()):
+    links = [("", context.rig.arm.link())]
+    links += [(name, one.link()) for name, one in context.rig.sensors.items()]
+    for name, link in links:
         if link.state in ("lost", "off"):
-            text = join([link.title, link.text], ": ")
+            title = join([link.title, name], " ") if name else link.title
+            text = join([title, link.text], ": ")
             findings.append(Finding("bad", text, message("check-connection")))
+    if len(context.rig.sensors) > 1:
+        findings += _sensor_findings(context)
     known = validity_inputs(context, record)
     lines = check_validity(known, datetime.now(UTC), context.due)
     error = context.scanner.why_not() if record is not None else None
@@ -50,6 +55,21 @@ def build_home(context: Context) -> Home:
         tuple(findings),
         choose_next_action(lines, context.guide.running, context.verify_guide.running, blocked),
     )
+
+
+def _sensor_findings(context: Context) -> list[Finding]:
+    """The calibration of each of several sensors."""
+    found = []
+    for name in context.rig.sensors:
+        record = context.store.calibrations.active(name)
+        if record is None:
+            text = message("sensor-without-calibration", name=name)
+            found.append(Finding("attention", text, message("calibrate-this-sensor")))
+            continue
+        total = quantity(record.figures.total_um, "µm")
+        text = message("sensor-calibrated", name=name, calibration=record.name, total=total)
+        found.append(Finding("good", text))
+    return found
 
 
 def validity_inputs(context: Context, record: CalibrationRecord | None) -> ValidityInputs:

@@ -28,7 +28,8 @@ STATIONS_S = 1.0
 HEALTH_S = 3.0
 TEMPERATURE_S = 5.0
 END_S = 1.5
-TOPICS = {"devices", "report", "stations", "flow", "scan", "preview", "view", "home", "arm"}
+DEVICE_TOPICS = {"devices", "sensors"}
+TOPICS = DEVICE_TOPICS | {"report", "stations", "flow", "scan", "preview", "view", "home", "arm"}
 """What browsers want, and the passing on of events does not."""
 DueKey = tuple[str, str | None]
 """Id and time of a check that is due."""

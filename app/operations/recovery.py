@@ -23,6 +23,7 @@ from app.formats.recording.reader import (
     find_damage,
     open_recording,
 )
+from app.formats.recording.topics import sensor_values
 from app.formats.results.calibration import read_calibration
 from app.formats.session.calibration_session import ARM
 from app.messages.message import Text, join, message
@@ -174,13 +175,17 @@ class Recovery:
 
     def _rebuild(self, scan: ScanRecord) -> int:
         """Computes the cloud of a scan as during the scan; returns the number of its points."""
-        record = self._store.calibrations.get(scan.calibration_id)
-        if record is None:
+        recording = scan.folder / RECORDING
+        stated = sensor_values(open_recording(recording).station_metadata(), SCAN_CALIBRATION)
+        ids = {name: one for name, one in stated.items() if name} or {"": scan.calibration_id}
+        records = {name: self._store.calibrations.get(one) for name, one in ids.items()}
+        found = {name: record for name, record in records.items() if record is not None}
+        if len(found) < len(ids):
             raise OperationError("no-calibration", message("calibration-known-here"))
         made = reconstruct_cloud(
-            scan.folder / RECORDING,
-            read_calibration(record.file),
-            read_any_arm(record.file.parent / ARM),
+            recording,
+            {name: read_calibration(record.file) for name, record in found.items()},
+            read_any_arm(next(iter(found.values())).file.parent / ARM),
             scan.folder / CLOUD,
             self._progress,
         )

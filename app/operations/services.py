@@ -144,7 +144,7 @@ class MonitoringServices:
         self.temperature = TemperatureWatch(
             settings.thermometer, lambda celsius: store.temperatures.add(celsius, "thermometer")
         )
-        self.losses = {"arm": LossWindow(), "sensor": LossWindow()}
+        self.losses: dict[str, LossWindow] = defaultdict(LossWindow)
         self.fleet = Fleet()
         self.broker = None if mqtt is None else self._make_broker(mqtt)
         self.webhooks = WebhookStore(store.folder)

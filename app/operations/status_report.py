@@ -1,6 +1,7 @@
 """The report of the station: for its own kiosk screens, and over MQTT for other stations."""
 
 import time
+from dataclasses import replace
 
 from app.errors import sentence
 from app.findings import Quality
@@ -38,7 +39,7 @@ def build_report(context: Context) -> StationReport:
         address=watch.settings.address,
         at=utc_now(),
         up_s=round(time.monotonic() - watch.started_s, 1),
-        devices=(_device("arm", devices.arm), _device("camera", devices.sensor)),
+        devices=(_device("arm", devices.arm), *_cameras(context)),
         laser_on=devices.laser_on,
         activity=_activity(context),
         calibration=_calibration(known, context.due.calibration_days),
@@ -48,6 +49,16 @@ def build_report(context: Context) -> StationReport:
         disk_free_gb=round(devices.disk_free_gb, 1),
         control=holder.name[:80] if holder else None,
     )
+
+
+def _cameras(context: Context) -> tuple[DeviceReport, ...]:
+    """The only camera, or each with its name in its text."""
+    found = []
+    for name, sensor in context.rig.sensors.items():
+        state = sensor.link()
+        text = join([name, state.text], ": ") if name else state.text
+        found.append(_device("camera", replace(state, text=text)))
+    return tuple(found)
 
 
 def _device(name: str, state: DeviceState) -> DeviceReport:

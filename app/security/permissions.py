@@ -118,6 +118,7 @@ ROUTES: dict[tuple[str, str], Rule] = {
     ("POST", "/api/laser/off"): Rule(Right.be, message("switched-laser-off")),
     ("POST", "/api/stop"): Rule(Right.be, message("pressed-stop")),
     ("POST", "/api/exposure"): Rule(Right.act),
+    ("POST", "/api/sensor"): Rule(Right.act, message("selected-sensor")),
     ("GET", "/api/settings"): LOOK,
     ("POST", "/api/settings"): Rule(Right.act, message("changed-settings")),
     ("POST", "/api/settings/exposure"): Rule(Right.act, message("set-exposure-picture")),

@@ -1,6 +1,6 @@
 """Connects the parts of the station, and closes them in order."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
@@ -33,9 +33,11 @@ from app.operations.context import Context
 from app.operations.device_setup import KINDS, DeviceSetup, StationDevices, choice_of
 from app.operations.home import last_tip_finding
 from app.operations.recovery import Recovery
+from app.operations.sensor_selection import SensorSelection
 from app.operations.services import MonitoringServices, MonitoringSettings
 from app.security.authentication import Authenticator
 from app.security.console_code import new_code
+from app.settings.settings import DeviceKind
 from app.station.bus import Bus
 from app.station.control_lease import Lease
 from app.station.devices.pulse_trigger import TriggerSettings
@@ -45,11 +47,10 @@ from app.station.operator_settings import OperatorSettings
 from app.station.preview.preview import Preview
 from app.station.scan.scanner import Scanner
 from app.station.scan.state import ScanResult
-from app.station.setup.drivers import choose_arm, choose_sensor
+from app.station.setup.drivers import choose_arm, choose_sensor, sensor_factory
 from app.station.view3d.scene import Scene
 from app.station.view3d.view_controller import ViewController
 from app.station.working_distance import WorkingRange
-from app.store.calibrations import CalibrationRecord
 from app.store.scans import ScanRecord
 from app.store.store import Store
 from app.wire.schema import StationInfo
@@ -66,7 +67,8 @@ class StationParts:
     data: Path
     arm: Callable[[], ArmDriver] | None = None
     """None: by ``devices``, as the sensor."""
-    sensor: Callable[[], SensorDriver] | None = None
+    sensor: Callable[[], SensorDriver] | Mapping[str, Callable[[], SensorDriver]] | None = None
+    """Of several sensors, one for each by its name."""
     hosts: tuple[str, ...] = ()
     simulated_operator: SimulatedOperator | None = None
     """Of the simulated station."""
@@ -107,11 +109,13 @@ def open_context(parts: StationParts) -> Context:
 def _build_context(parts: StationParts, store: Store) -> Context:
     bus = Bus()
     tables, simulation = parts.devices.tables, parts.devices.simulation
-    real = frozenset(tables) if simulation is not None else frozenset()
+    real: frozenset[DeviceKind] = frozenset(tables)
+    real |= {"sensor"} if parts.devices.sensors else frozenset()
+    real = real if simulation is not None else frozenset()
     rig = Rig(
         bus,
         parts.arm or choose_arm(choice_of(tables.get("arm")), simulation),
-        parts.sensor or choose_sensor(choice_of(tables.get("sensor")), simulation),
+        parts.sensor or _sensor_makers(parts.devices),
         store.folder,
         parts.trigger,
         real,
@@ -145,7 +149,8 @@ def _build_context(parts: StationParts, store: Store) -> Context:
     )
 
     def use_active() -> None:
-        _use_calibration(store.calibrations.active(), store, rig, preview, scanner, bus)
+        for name in rig.sensors:
+            _use_calibration(name, store, rig, preview, scanner, bus)
 
     use_active()  # an open session then applies its own choice
     guide = CalibrationGuide(
@@ -220,6 +225,12 @@ def _build_context(parts: StationParts, store: Store) -> Context:
         watch,
         recovery,
         device_setup,
+        SensorSelection(
+            rig,
+            preview,
+            use_active,
+            lambda: any(one.running for one in (guide, arm_guide, verify_guide)),
+        ),
         parts.due,
     )
 
@@ -298,29 +309,44 @@ def _record(result: ScanResult) -> ScanRecord:
     )
 
 
+def _sensor_makers(
+    devices: StationDevices,
+) -> Callable[[], SensorDriver] | Mapping[str, Callable[[], SensorDriver]]:
+    """The factory of the sensor, or of each of several."""
+    if not devices.sensors:
+        return choose_sensor(choice_of(devices.tables.get("sensor")), devices.simulation)
+    return {
+        name: sensor_factory(table.driver, table.options) for name, table in devices.sensors.items()
+    }
+
+
 def _use_calibration(
-    record: CalibrationRecord | None,
+    name: str,
     store: Store,
     rig: Rig,
     preview: Preview,
     scanner: Scanner,
     bus: Bus,
 ) -> None:
-    """Makes the active calibration the one for scans."""
-    preview.set_calibration(None)
+    """Makes the active calibration of a sensor the one for scans."""
+    record, is_shown = store.calibrations.active(name), name == rig.selected
+    if is_shown:
+        preview.set_calibration(None)
     if record is None:
-        scanner.set_calibration(None, _unreadable(store))
+        scanner.set_calibration(None, _unreadable(store, name), sensor=name)
         return
     try:
         calibration = scan_calibration(record)
     except OperationError as error:
         text = message("calibration-in-use-unreadable", error=error.text)
         bus.event("refused", text, "bad")
-        scanner.set_calibration(None, unreadable_calibration_error(error.text))
+        scanner.set_calibration(None, unreadable_calibration_error(error.text), sensor=name)
         return
     rig.arm.set_model(calibration.arm)
+    scanner.set_calibration(calibration, look=lambda: calibration_error(record), sensor=name)
+    if not is_shown:
+        return
     preview.set_stripe_axis(calibration.stripe_axis)
-    scanner.set_calibration(calibration, look=lambda: calibration_error(record))
     preview.set_calibration(
         WorkingRange(
             calibration.camera,
@@ -331,9 +357,12 @@ def _use_calibration(
     )
 
 
-def _unreadable(store: Store) -> OperationError | None:
+def _unreadable(store: Store, sensor: str) -> OperationError | None:
     """Why there is none although one was accepted."""
-    active = next((one for one in store.calibrations.unreadable() if one.active), None)
+    active = next(
+        (one for one in store.calibrations.unreadable() if one.active and one.sensor == sensor),
+        None,
+    )
     return (
         None
         if active is None

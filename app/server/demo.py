@@ -1,7 +1,7 @@
 """The demonstration: the simulated station, with its datasheets in a data folder."""
 
 import json
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import replace
 from pathlib import Path
@@ -14,8 +14,10 @@ from app.messages.message import join, message
 from app.operations.device_setup import StationDevices
 from app.operations.services import MonitoringSettings
 from app.server.composition import StationParts
+from app.settings.settings import Settings
 from app.settings.station_toml import DEFAULT_FILE, read_settings
 from app.station.setup.drivers import SimulatedDevices
+from hardware.interfaces import SensorDriver
 from hardware.registry import arm_driver
 from hardware.simulator.scene.random_scenes import demo_robot
 from hardware.simulator.scene.world import RoomThermometer
@@ -63,11 +65,13 @@ def station_parts(simulation: SimulatedStation, data: Path) -> StationParts:
     driver, options = _arm_options(simulation)
     devices = SimulatedDevices(lambda: arm_driver(driver, options), simulation.sensor)
     file = data / DEFAULT_FILE
-    chosen = read_settings(file).devices if file.exists() else {}
+    settings = read_settings(file) if file.exists() else Settings()
+    chosen = settings.devices
     return StationParts(
         name="Demonstration",
         data=data,
-        devices=StationDevices(file, chosen, devices),
+        sensor=None if settings.sensors else _sensors(simulation),
+        devices=StationDevices(file, chosen, devices, settings.sensors),
         simulated_operator=simulation.operator,
         guest="Demo",
         monitoring=MonitoringSettings(
@@ -78,6 +82,13 @@ def station_parts(simulation: SimulatedStation, data: Path) -> StationParts:
             },
         ),
     )
+
+
+def _sensors(simulation: SimulatedStation) -> Mapping[str, Callable[[], SensorDriver]] | None:
+    """Both sensors of a simulation with two; None of the only one."""
+    if not simulation.config.second_sensor:
+        return None
+    return {"left": simulation.sensor, "right": simulation.second_sensor}
 
 
 def _arm_options(simulation: SimulatedStation) -> tuple[str, dict[str, object]]:

@@ -40,7 +40,7 @@ from app.server.starting_page import (
     StartingApp,
     StartStep,
 )
-from app.settings.settings import Serving, Settings, user_data_folder
+from app.settings.settings import DeviceTable, Serving, Settings, user_data_folder
 from app.settings.station_toml import DEFAULT_FILE, read_settings
 
 if TYPE_CHECKING:
@@ -118,6 +118,8 @@ def _check_drivers(settings: Settings, config: Path | None) -> None:
             arm_driver(arm.driver, arm.options)
         if (sensor := settings.sensor) is not None:
             sensor_driver(sensor.driver, sensor.options)
+        for table in settings.sensors.values():
+            sensor_driver(table.driver, table.options)
     except DeviceError as error:
         named = str(error.what).replace(DEFAULT_FILE, str(config or DEFAULT_FILE), 1)
         raise OperationError("driver", named, remedy=error.remedy) from error
@@ -130,7 +132,7 @@ def _load_parts(settings: Settings, data: Path | None, file: Path) -> "StationPa
     from app.server.composition import StationParts
 
     station = settings.station
-    devices = StationDevices(file.absolute(), settings.devices)
+    devices = StationDevices(file.absolute(), settings.devices, sensors=settings.sensors)
     return StationParts(
         name=station.name,
         data=data or station.data,
@@ -157,16 +159,18 @@ def _monitoring_settings(settings: Settings) -> "MonitoringSettings":
     from hardware.thermometer import FileThermometer
 
     station, mqtt = settings.station, settings.mqtt
+    tables: dict[str, DeviceTable] = dict(settings.devices.items())
+    tables |= {f"sensor {name}": table for name, table in settings.sensors.items()}
     file = settings.temperature.file if settings.temperature else None
     effective_settings: dict[str, object] = {
-        "drivers": {kind: table.driver for kind, table in settings.devices.items()},
+        "drivers": {name: table.driver for name, table in tables.items()},
         "name": station.name,
         "data": str(station.data),
         "hosts": list(station.hosts),
         "limits": settings.limits.model_dump(),
         "decision": settings.decision.model_dump(),
         "tls": station.tls_certificate is not None,
-        **{kind: dict(table.options) for kind, table in settings.devices.items()},
+        **{name: dict(table.options) for name, table in tables.items()},
         "mqtt": None if mqtt is None else {k: str(v) for k, v in mqtt},
         "archive": None if settings.archive is None else settings.archive.place,
         "temperature": None if file is None else str(file),

@@ -24,6 +24,7 @@ from app.archive.archive_settings import ArchiveSettings
 from app.errors import OperationError
 from app.formats.datasheets.gauge import DEFAULT_LIMITS, VerificationLimits
 from app.formats.open_file import check_ordinary
+from app.formats.recording.topics import SENSOR_NAME
 from app.formats.settings.toml_table import Limit, NonEmpty, SettingsPath, TomlTable
 from app.guide.common.validity import DUE, DueLimits
 from app.metrology.decision import GUARDED_95, RULES, Bearer, DecisionRule
@@ -176,6 +177,8 @@ class Settings(TomlTable):
     station: StationTable = Field(default_factory=StationTable)
     arm: DeviceTable | None = None
     sensor: DeviceTable | None = None
+    sensors: dict[str, DeviceTable] = Field(default_factory=dict)
+    """Of a station with several: the tables ``[sensor.NAME]``, by their names."""
     limits: LimitsTable = LimitsTable()
     verification: VerificationTable = VerificationTable()
     decision: DecisionTable = DecisionTable()
@@ -184,6 +187,46 @@ class Settings(TomlTable):
     archive: ArchiveSettings | None = None
     temperature: TemperatureTable | None = None
     trigger: TriggerTable | None = None
+
+    @model_validator(mode="before")
+    @classmethod
+    def _split_sensors(cls, given: object, info: ValidationInfo) -> object:
+        """Takes ``[sensor.left]`` and ``[sensor.right]`` for two sensors."""
+        if not isinstance(given, dict):
+            return given
+        if "sensors" in given:
+            raise OperationError(
+                "settings-key-unknown",
+                f"{info.context}: the table [sensors] is unknown",
+                remedy="Name each sensor, as in [sensor.left]",
+            )
+        tables = given.get("sensor")
+        if not isinstance(tables, dict) or not tables or "driver" in tables:
+            return given
+        if not all(isinstance(table, dict) for table in tables.values()):
+            return given
+        for name in tables:
+            if not SENSOR_NAME.fullmatch(name):
+                raise OperationError(
+                    "settings-sensor-name",
+                    f"{info.context}: [sensor.{name}]",
+                    "the name of a sensor is of letters, digits and underscores, and begins with "
+                    "a letter",
+                    "Give it another name",
+                )
+        others = {key: value for key, value in given.items() if key != "sensor"}
+        return {**others, "sensors": tables}
+
+    @model_validator(mode="after")
+    def _check_trigger(self, info: ValidationInfo) -> Self:
+        if self.trigger is not None and len(self.sensors) > 1:
+            raise OperationError(
+                "settings-trigger",
+                f"{info.context}, [trigger]: the station has several sensors",
+                "the arm's pulses can be paired with the pictures of one",
+                "Take the table out, or name one sensor only",
+            )
+        return self
 
     @property
     def devices(self) -> dict[DeviceKind, DeviceTable]:

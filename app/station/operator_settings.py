@@ -65,6 +65,8 @@ class PassRecord:
     recording: Path
     calibration: Path
     arm: Path
+    sensor: str = ""
+    """Name of the sensor that the calibration is of, in a recording of several."""
 
 
 class OperatorSettings:
@@ -176,6 +178,7 @@ class OperatorSettings:
                 arm,
                 lambda share, _: progress(source.name, share),
                 str(source.name),
+                source.sensor,
             )
 
         with self._lock:

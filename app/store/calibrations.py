@@ -1,4 +1,4 @@
-"""Accepted calibrations; one of them is active."""
+"""Accepted calibrations; one of each sensor is active."""
 
 import json
 from collections.abc import Mapping
@@ -16,7 +16,7 @@ from app.timestamps import parse_moment
 
 MOST_UM = 1e9
 """One kilometre: larger than for any calibration."""
-COLUMNS = "id, session_id, name, file, accepted_at, figures, active"
+COLUMNS = "id, session_id, name, file, accepted_at, figures, active, sensor"
 
 
 @dataclass(frozen=True, slots=True)
@@ -42,6 +42,8 @@ class CalibrationRecord:
     accepted_at: str
     figures: CalibrationFigures
     active: bool
+    sensor: str = ""
+    """Name of the sensor in the station; empty of the only one."""
 
 
 FIGURES = TypeAdapter(CalibrationFigures)
@@ -54,6 +56,7 @@ class UnreadableCalibration:
     id: str
     name: str
     active: bool
+    sensor: str = ""
 
 
 class CalibrationStore:
@@ -72,19 +75,23 @@ class CalibrationStore:
         figures: Mapping[str, Any],
         key: str | None,
         check: Check = accept_any,
+        sensor: str = "",
     ) -> JournalRow:
         """Puts a session's calibration to use, and closes the session.
 
         The journal row ``accepted``, the record and the change of the active
         calibration are one transaction. The calibration's id is its session's.
-        ``figures`` has the fields of ``CalibrationFigures``.
+        ``figures`` has the fields of ``CalibrationFigures``; ``sensor`` is the name of the sensor,
+        empty of the only one.
         """
         kept = CalibrationFigures(**figures)
         with self._database.transaction() as connection:
             row = append_row(connection, session_id, "accepted", {"name": name}, key, check)
-            connection.execute("UPDATE calibration SET active = 0 WHERE active = 1")
             connection.execute(
-                f"INSERT INTO calibration ({COLUMNS}) VALUES (?, ?, ?, ?, ?, ?, 1)",
+                "UPDATE calibration SET active = 0 WHERE active = 1 AND sensor = ?", (sensor,)
+            )
+            connection.execute(
+                f"INSERT INTO calibration ({COLUMNS}) VALUES (?, ?, ?, ?, ?, ?, 1, ?)",
                 (
                     session_id,
                     session_id,
@@ -92,15 +99,16 @@ class CalibrationStore:
                     file.relative_to(self._folder).as_posix(),
                     row.at,
                     json.dumps(asdict(kept), allow_nan=False),
+                    sensor,
                 ),
             )
             close_session(connection, session_id)
         return row
 
-    def active(self) -> CalibrationRecord | None:
-        """The calibration in use; None before the first was accepted, or if its row cannot be
-        read."""
-        return self._first_record("WHERE active = 1")
+    def active(self, sensor: str = "") -> CalibrationRecord | None:
+        """The calibration of a sensor in use; None before the first was accepted, or if its row
+        cannot be read."""
+        return self._first_record("WHERE active = 1 AND sensor = ?", sensor)
 
     def get(self, calibration_id: str) -> CalibrationRecord | None:
         return self._first_record("WHERE id = ?", calibration_id)
@@ -135,13 +143,14 @@ class CalibrationStore:
             row["accepted_at"],
             FIGURES.validate_json(row["figures"]),
             bool(row["active"]),
+            row["sensor"],
         )
 
     def unreadable(self) -> list[UnreadableCalibration]:
         """Calibrations whose row cannot be read."""
         kept = {record.id for record in self.all()}
         return [
-            UnreadableCalibration(row["id"], row["name"], bool(row["active"]))
-            for row in self._database.read("SELECT id, name, active FROM calibration")
+            UnreadableCalibration(row["id"], row["name"], bool(row["active"]), row["sensor"])
+            for row in self._database.read("SELECT id, name, active, sensor FROM calibration")
             if row["id"] not in kept
         ]

@@ -134,6 +134,11 @@ KIOSKS = """
 ALTER TABLE wall_link RENAME TO kiosk_link;
 ALTER TABLE scraper RENAME TO api_token;
 """
+SENSORS = """
+ALTER TABLE calibration ADD COLUMN sensor TEXT NOT NULL DEFAULT '';
+DROP INDEX one_active_calibration;
+CREATE UNIQUE INDEX one_active_calibration ON calibration (sensor) WHERE active = 1;
+"""
 SCHEMAS = (
     FIRST,
     ACCESS,
@@ -143,6 +148,7 @@ SCHEMAS = (
     RECORDINGS,
     MESSAGES,
     KIOSKS,
+    SENSORS,
 )
 """The additions of each version of the database."""
 SCHEMA_VERSION = len(SCHEMAS)

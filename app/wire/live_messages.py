@@ -13,7 +13,7 @@ from app.guide.common.view import FlowView
 from app.guide.verify.view import VerifyView
 from app.messages.message import Text
 from app.station.control_lease import Control
-from app.station.devices.rig import Devices
+from app.station.devices.rig import Devices, SensorChoice
 from app.station.operator_settings import StationSettings
 from app.station.view3d.view_controller import ViewState
 from app.supervision.messages import StationReport
@@ -35,6 +35,7 @@ class Topics:
 
     control: Control
     devices: Devices
+    sensors: SensorChoice
     flow: FlowView
     scan: ScanStatus
     settings: StationSettings

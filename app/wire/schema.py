@@ -55,6 +55,10 @@ class Exposure(RequestBody):
     exposure_us: Annotated[float, Field(gt=0, allow_inf_nan=False, strict=False)]
 
 
+class SensorName(RequestBody):
+    name: Annotated[str, Field(max_length=40)]
+
+
 class NewTemperature(RequestBody):
     celsius: Annotated[float, Field(ge=-20, le=60, allow_inf_nan=False, strict=False)]
 

@@ -162,3 +162,39 @@ def test_limits_of_a_verification_and_what_is_due_are_the_stations_own(tmp_path:
         file.write_text(f"{devices}{wrong}\n")
         with pytest.raises(OperationError, match=r"form|from|tip_hours"):
             read_settings(file)
+
+
+TWO = (
+    GOOD.replace("[sensor]", "[sensor.left]")
+    + """
+[sensor.right]
+driver = "opencv"
+source = 1
+label = "Inner"
+"""
+)
+
+
+def test_several_sensors_have_tables_with_names(tmp_path: Path) -> None:
+    settings = read_settings(write(tmp_path, TWO))
+    assert settings.sensor is None
+    assert set(settings.devices) == {"arm"}
+    assert list(settings.sensors) == ["left", "right"]
+    left, right = settings.sensors.values()
+    assert (left.driver, left.options) == ("opencv", {"source": 0})
+    assert (right.label, right.options) == ("Inner", {"source": 1})
+
+
+@pytest.mark.parametrize(
+    ("text", "code"),
+    [
+        (TWO.replace("sensor.right", 'sensor."the right one"'), "settings-sensor-name"),
+        (TWO + "[trigger]\nrate_hz = 20.0\n", "settings-trigger"),
+        (TWO.replace("sensor.right", "sensors.right"), "settings-key-unknown"),
+        (TWO.replace('driver = "opencv"\nsource = 1', "source = 1"), "settings-key-missing"),
+    ],
+)
+def test_odd_tables_of_sensors_are_refused(tmp_path: Path, text: str, code: str) -> None:
+    with pytest.raises(OperationError) as caught:
+        read_settings(write(tmp_path, text))
+    assert caught.value.code == code

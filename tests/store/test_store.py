@@ -1,5 +1,6 @@
 """The station's memory: nothing acknowledged is lost, nothing written is changed."""
 
+import json
 import os
 import signal
 import sqlite3
@@ -14,6 +15,7 @@ import pytest
 from app.errors import OperationError
 from app.store.calibrations import CalibrationFigures
 from app.store.scans import ScanRecord
+from app.store.schemas import SCHEMAS, SENSORS
 from app.store.store import Store
 
 FIGURES: dict[str, Any] = {
@@ -97,6 +99,39 @@ def test_only_the_last_accepted_calibration_is_active(tmp_path: Path) -> None:
     latest = store.journal.latest_session("calibration")
     assert latest is not None
     assert latest.ended_at is not None
+    store.close()
+
+
+def test_each_sensor_has_its_own_active_calibration(tmp_path: Path) -> None:
+    store = Store(tmp_path)
+    for session, sensor in (("s1", "left"), ("s2", "right"), ("s3", "left")):
+        store.journal.begin_session(session, "calibration")
+        file = store.folder / "sessions" / session / "calibration.json"
+        store.calibrations.accept(session, session, file, FIGURES, None, sensor=sensor)
+    found = {name: store.calibrations.active(name) for name in ("left", "right")}
+    assert {name: one.id for name, one in found.items() if one} == {"left": "s3", "right": "s2"}
+    assert store.calibrations.active() is None
+    store.close()
+
+
+def test_calibrations_of_an_earlier_version_are_those_of_the_only_sensor(tmp_path: Path) -> None:
+    place = SCHEMAS.index(SENSORS)
+    old = sqlite3.connect(tmp_path / "station.db")
+    old.executescript(f"{' '.join(SCHEMAS[:place])} PRAGMA user_version = {place};")
+    for session, active in (("s1", 0), ("s2", 1)):
+        at = "2026-01-01T10:00:00Z"
+        old.execute("INSERT INTO session VALUES (?, 'calibration', ?, ?)", (session, at, at))
+        old.execute(
+            "INSERT INTO calibration VALUES (?, ?, ?, 'c.json', ?, ?, ?)",
+            (session, session, session, at, json.dumps(FIGURES), active),
+        )
+    old.commit()
+    old.close()
+    store = Store(tmp_path)
+    now = store.calibrations.active()
+    assert now is not None
+    assert (now.id, now.sensor) == ("s2", "")
+    assert [one.active for one in store.calibrations.all()].count(True) == 1
     store.close()
 
 

@@ -22,6 +22,8 @@ from app.guide.common.validity import SECONDS_A_DAY
 from app.operations.context import Context, TheContext
 from app.operations.home import calibration_summary
 from app.operations.services import BUCKETS_S
+from app.station.devices.arm_device import StationArm
+from app.station.devices.sensor_device import StationSensor
 
 router = APIRouter()
 VERDICTS = ("good", "attention", "bad")
@@ -77,7 +79,9 @@ class _StationCollector(Collector):
                 ("corrupt", "Samples or frames that arrived garbled"),
             )
         }
-        for name, side in (("arm", rig.arm), ("camera", rig.sensor)):
+        cameras = {f"camera-{k}" if k else "camera": one for k, one in rig.sensors.items()}
+        sides: dict[str, StationArm | StationSensor] = {"arm": rig.arm, **cameras}
+        for name, side in sides.items():
             state = side.link()
             up.add_metric([name], float(state.state == "connected"))
             if state.age_s is not None:
@@ -86,7 +90,8 @@ class _StationCollector(Collector):
             counters["lost"].add_metric([name], state.lost)
             counters["corrupt"].add_metric([name], state.corrupt)
         yield from (up, age, *counters.values())
-        yield _gauge("laser_on", "Whether the laser is on", rig.sensor.laser_on)
+        laser_on = any(sensor.laser_on for sensor in rig.sensors.values())
+        yield _gauge("laser_on", "Whether the laser is on", laser_on)
 
     def _scans(self) -> Iterator[Metric]:
         watch, scan = self._context.monitoring, self._context.scanner.state()
@@ -107,7 +112,7 @@ class _StationCollector(Collector):
         )
 
     def _calibration(self) -> Iterator[Metric]:
-        record = self._context.store.calibrations.active()
+        record = self._context.store.calibrations.active(self._context.rig.selected)
         verdict = _family(
             GaugeMetricFamily,
             "calibration_verdict",

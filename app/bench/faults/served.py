@@ -17,13 +17,18 @@ from app.server.demo import ROBOT, station_parts, write_datasheets
 from app.server.listener import listen
 from app.server.startup import Plan, run
 from app.store.store import Store
-from hardware.simulator.station import SimulatedStation, SimulationConfig
+from hardware.simulator.station import (
+    SECOND_SERIAL_NUMBER,
+    SENSOR_SERIAL_NUMBER,
+    SimulatedStation,
+    SimulationConfig,
+)
 
 CONFIG = SimulationConfig(pace=4.0)
 HOST = "127.0.0.1"
 
 
-def true_calibration(simulation: SimulatedStation) -> dict[str, Any]:
+def true_calibration(simulation: SimulatedStation, second: bool = False) -> dict[str, Any]:
     """The calibration of a simulated sensor as a solve without any error would have it."""
     truth: dict[str, Any] = json.loads(json.dumps(simulation.truth()))
     T_cam_sensor = np.array(truth["camera"]["T_cam_sensor"])
@@ -41,29 +46,39 @@ def true_calibration(simulation: SimulatedStation) -> dict[str, Any]:
             "height_px": simulation.config.height_px,
         },
         "laser_plane": truth["laser_plane"],
-        "probe_matrix": truth["T_flange_sensor"],
+        "probe_matrix": truth["T_flange_second_sensor" if second else "T_flange_sensor"],
         "stripe_axis": "u",
-        "serial_numbers": {"arm": "", "object": "TWIN-B1", "sensor": "TWIN-S1"},
+        "serial_numbers": {"arm": "", "object": "TWIN-B1", "sensor": _serial(second)},
         "uncertainty": {"total_um": 30.0, "budget": [], "depth_range_mm": [60.0, 240.0]},
     }
 
 
-def accept_truth(store: Store, simulation: SimulatedStation, name: str) -> None:
-    """Puts the true calibration in use, as a session of this name would have."""
+def _serial(second: bool) -> str:
+    return SECOND_SERIAL_NUMBER if second else SENSOR_SERIAL_NUMBER
+
+
+def accept_truth(
+    store: Store, simulation: SimulatedStation, name: str, sensor: str = "", second: bool = False
+) -> None:
+    """Puts the true calibration in use, as a session of this name would have.
+
+    Args:
+        sensor: its name at a station with several; ``second``: which one it is in the simulation.
+    """
     folder = store.folder / "sessions" / name
     folder.mkdir(parents=True)
     file = folder / "calibration.json"
-    file.write_text(json.dumps(true_calibration(simulation)))
+    file.write_text(json.dumps(true_calibration(simulation, second)))
     (folder / "arm.json").write_text(json.dumps(simulation.datasheets()["arm.json"]))
     figures = {
         "total_um": 30.0,
         "verdict": "good",
         "arm_serial": "",
         "object_serial": "TWIN-B1",
-        "sensor_serial": "TWIN-S1",
+        "sensor_serial": _serial(second),
     }
     store.journal.begin_session(name, "calibration")
-    store.calibrations.accept(name, f"True {name}", file, figures, None)
+    store.calibrations.accept(name, f"True {name}", file, figures, None, sensor=sensor)
 
 
 def prepare(data: Path) -> None:

@@ -5,6 +5,7 @@ A station with one sensor records it as ``/sensor/stripe``; one with several nam
 """
 
 import re
+from collections.abc import Mapping
 
 JOINTS_TOPIC, POSE_TOPIC = "/arm/joints", "/arm/pose"
 IMAGE_TOPIC, STRIPE_TOPIC = "/sensor/image", "/sensor/stripe"
@@ -39,3 +40,17 @@ def sensor_key(key: str, sensor: str) -> str:
     ('sensor_serial/left', 'sensor_serial')
     """
     return f"{key}/{sensor}" if sensor else key
+
+
+def sensor_values(station: Mapping[str, str], key: str) -> dict[str, str]:
+    """A property of each sensor in the metadata of the station, by the sensor's name.
+
+    >>> sensor_values({"scan_calibration": "c1", "scan_calibration/left": "c2"}, "scan_calibration")
+    {'': 'c1', 'left': 'c2'}
+    """
+    found = {}
+    for name, value in station.items():
+        plain, slash, sensor = name.partition("/")
+        if plain == key and bool(slash) == bool(sensor):
+            found[sensor] = value
+    return found

@@ -18,7 +18,7 @@ from app.guide.calibration.poses.detection import DetectionCache
 from app.guide.calibration.rules import RULES
 from app.guide.calibration.session_datasheets import CHOOSING, SessionDatasheets, best_guess
 from app.guide.calibration.session_folder import SessionFolder
-from app.guide.calibration.state import FIELDS, CalibrationState, apply_row
+from app.guide.calibration.state import DEVICE, FIELDS, CalibrationState, apply_row
 from app.guide.common.flow import Flow
 from app.guide.common.guided_session import (
     NO_PROVENANCE,
@@ -37,6 +37,7 @@ from app.metrology.arm.kinematics import flange_pose
 from app.metrology.decision import GUARDED_95, DecisionRule
 from app.metrology.limits import LIMITS, Limits
 from app.metrology.transforms import Floats
+from app.station.devices.rig import NamedSensor
 from app.station.preview.preview import Preview
 from app.station.scan.state import ScanState
 from app.station.view3d.scene import Scene
@@ -118,6 +119,7 @@ class CalibrationGuide(GuidedSession[CalibrationState, CalibrationLive, FlowView
             sensor_link=rig.sensor.link(),
             arm=self._arm_info(),
             sensor=self._sensor_info(),
+            devices=self._devices(),
             stillness=rig.arm.stillness(),
             library=self.datasheets.library(state.step in CHOOSING),
             chosen=self.datasheets.selection(state),
@@ -192,6 +194,11 @@ class CalibrationGuide(GuidedSession[CalibrationState, CalibrationLive, FlowView
             return None
         return ConnectedSensor(info.serial_number, info.width_px, info.height_px)
 
+    def _devices(self) -> tuple[NamedSensor, ...]:
+        """The sensors to choose from; none of a station with one."""
+        rig = self.station.rig
+        return rig.sensor_choice().sensors if len(rig.sensors) > 1 else ()
+
     # -- sessions ------------------------------------------------------------
 
     def start(self) -> FlowView:
@@ -215,6 +222,8 @@ class CalibrationGuide(GuidedSession[CalibrationState, CalibrationLive, FlowView
         choices = dict(self.state.choices)
         if step == "devices":
             choices = best_guess(library, self.state, self._arm_info(), self._sensor_info())
+            if len(self.station.rig.sensors) > 1:
+                choices[DEVICE] = self.station.rig.selected
         session_id = new_session_id()
         if step == "touch":
             SessionFolder(self._sessions / session_id).keep_datasheets(library, choices)
@@ -235,11 +244,15 @@ class CalibrationGuide(GuidedSession[CalibrationState, CalibrationLive, FlowView
                 "sensor_serial": chosen.sensor.serial_number if chosen.sensor else "",
             }
             name = str(message("calibration-utc", now=f"{datetime.now(UTC):%Y-%m-%d %H:%M}"))
+            sensor = self.station.rig.selected
+            name = f"{name}, {sensor}" if sensor else name
             file = self.folder.calibration
             self.folder.keep_acceptance(name, result, self.provenance, self.rule)
             session_id = self.state.session_id
             self.keep(
-                lambda check: self.calibrations.accept(session_id, name, file, figures, key, check)
+                lambda check: self.calibrations.accept(
+                    session_id, name, file, figures, key, check, sensor
+                )
             )
             self.station.bus.event("accepted", message("use-2", name=name), "good")
             self.after_change()
@@ -257,6 +270,7 @@ class CalibrationGuide(GuidedSession[CalibrationState, CalibrationLive, FlowView
             station.preview.detect(None)
             return
         chosen = self.datasheets.selection(state)
+        self._use_chosen_device()
         station.rig.arm.set_model(chosen.arm)
         if chosen.sensor is not None:
             station.preview.set_stripe_axis(chosen.sensor.stripe_axis)
@@ -269,6 +283,14 @@ class CalibrationGuide(GuidedSession[CalibrationState, CalibrationLive, FlowView
             station.scene.set_object(T_arm_obj, chosen.object)
         else:
             station.scene.clear_object()
+
+    def _use_chosen_device(self) -> None:
+        """The session's sensor is the selected one, of several."""
+        rig, name = self.station.rig, self.state.choices.get(DEVICE, "")
+        if name in rig.sensors and name != rig.selected:
+            rig.select(name)
+            self.station.preview.use_sensor(rig.sensor)
+            self.station.preview.set_calibration(None)
 
     def _place_of_object(self) -> Floats | None:
         """``T_arm_obj`` (4, 4) by the contacts, or by the pictures so far; None before."""

@@ -19,6 +19,7 @@ from app.metrology.probing.alignment import Alignment
 from app.metrology.targets.chessboard import Chessboard
 from app.metrology.targets.target import CalibrationTarget
 from app.station.devices.link_state import DeviceState
+from app.station.devices.rig import NamedSensor
 from app.station.devices.stillness import Stillness
 
 
@@ -108,6 +109,8 @@ class CalibrationLive(SessionLive):
     scanning: bool
     tip: Finding | None
     """What the last check of the tip says, while the set-up is looked at."""
+    devices: tuple[NamedSensor, ...] = ()
+    """The sensors to choose from, at a station with several."""
 
     @property
     def links(self) -> tuple[DeviceState, DeviceState]:

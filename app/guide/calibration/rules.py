@@ -8,7 +8,7 @@ from typing import Literal
 from app.findings import Finding
 from app.guide.calibration.live import CalibrationLive
 from app.guide.calibration.poses.board_views import still_missing
-from app.guide.calibration.state import STEPS, CalibrationState
+from app.guide.calibration.state import DEVICE, STEPS, CalibrationState
 from app.guide.calibration.touch.block import WRONG_FACE_MM
 from app.guide.calibration.touch.report import face_names, where_on_object
 from app.guide.common.arguments import (
@@ -45,11 +45,21 @@ def _choose(state: CalibrationState, live: CalibrationLive, args: Args) -> Text:
     field, chosen = args.get("field"), args.get("id")
     if not isinstance(field, str) or not isinstance(chosen, str):
         return message("choice-needs-field-id")
+    if field == DEVICE:
+        return _choose_device(state, live, chosen)
     return (
         ""
         if live.library.has(field, chosen)
         else message("there-no-here", field=field, chosen=chosen)
     )
+
+
+def _choose_device(state: CalibrationState, live: CalibrationLive, chosen: str) -> Text:
+    if chosen not in (one.name for one in live.devices):
+        return message("no-sensor-named", name=chosen)
+    if state.captures and chosen != state.choices.get(DEVICE):
+        return message("pictures-were-taken-with-other-sensor")
+    return ""
 
 
 def _setup(state: CalibrationState, live: CalibrationLive, args: Args) -> Text:
@@ -232,7 +242,7 @@ def _back(state: CalibrationState, live: CalibrationLive, args: Args) -> Text:
 
 
 class _Choice(Arguments):
-    field: Literal["arm", "object", "sensor"]
+    field: Literal["arm", "object", "sensor", "device"]
     id: ShortText
 
 

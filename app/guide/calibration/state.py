@@ -17,6 +17,8 @@ from app.station.devices.capture import Lighting
 
 STEPS = ("devices", "setup", "touch", "place", "capture", "solve", "review")
 FIELDS = ("arm", "object", "sensor")
+DEVICE = "device"
+"""The choice of the connected sensor, at a station with several."""
 
 Payload = Mapping[str, Any]
 """A row's own JSON; each kind of row has the fields that its function below reads."""

@@ -99,7 +99,7 @@ def calibrate(guide: CalibrationGuide, progress: Progress) -> None:
         state = guide.state
         guide.folder.keep_contacts(state.counted)
         guide.folder.keep_images(state.pictures)
-        in_use = guide.calibrations.active()
+        in_use = guide.calibrations.active(guide.station.rig.selected)
     known, points = guide.pose_detections(), [contact.index for contact in state.counted]
     try:
         outcome = solve(guide.folder, in_use, progress, known, guide.limits, points)

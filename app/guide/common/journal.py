@@ -113,9 +113,12 @@ class StoredCalibration(Protocol):
 
 
 class Calibrations(Protocol):
-    """Where accepted calibrations are kept; exactly one of them is in use."""
+    """Where accepted calibrations are kept; one of each sensor is in use.
 
-    def active(self) -> StoredCalibration | None: ...
+    ``sensor`` is the sensor's name, empty of the only one.
+    """
+
+    def active(self, sensor: str = "") -> StoredCalibration | None: ...
     def accept(
         self,
         session_id: str,
@@ -124,6 +127,7 @@ class Calibrations(Protocol):
         figures: Mapping[str, object],
         key: str | None,
         check: Check,
+        sensor: str = "",
     ) -> JournalEntry: ...
 
 

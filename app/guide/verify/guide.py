@@ -114,7 +114,7 @@ class VerifyGuide(GuidedSession[VerifyState, VerifyLive, VerifyView]):
     def live(self) -> VerifyLive:
         """The station as the session sees it."""
         station, state = self.station, self.state
-        side, active = station.rig.arm, self.calibrations.active()
+        side, active = station.rig.arm, self.calibrations.active(self.station.rig.selected)
         gauges, (gauge, arm) = self.gauges(), self.datasheets()
         touched, judged = self._results(gauge, arm)
         blocked = station.scanner.why_not() if state.step == "scan" else None
@@ -220,7 +220,7 @@ class VerifyGuide(GuidedSession[VerifyState, VerifyLive, VerifyView]):
 
     def begin(self, key: str | None) -> None:
         """A new session of the calibration in use, with the gauge of the last."""
-        active = self.calibrations.active()
+        active = self.calibrations.active(self.station.rig.selected)
         if active is None:
             raise OperationError(
                 "no-calibration",
@@ -235,7 +235,7 @@ class VerifyGuide(GuidedSession[VerifyState, VerifyLive, VerifyView]):
 
     def keep_datasheets(self) -> None:
         """Copies gauge, arm and calibration, which the session uses from now on."""
-        active = self.calibrations.active()
+        active = self.calibrations.active(self.station.rig.selected)
         assert active is not None
         with convert_io_errors(self.folder):
             ensure_folder(self.folder)

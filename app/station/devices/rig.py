@@ -32,11 +32,32 @@ class Devices:
     arm: DeviceState
     sensor: DeviceState
     laser_on: bool
+    """Of any sensor."""
     has_laser_switch: bool
     arm_still: bool
     exposure_us: float | None
     tip_mm: tuple[float, float, float] | None
     disk_free_gb: float
+
+
+@dataclass(frozen=True, slots=True)
+class NamedSensor:
+    """One of several sensors."""
+
+    name: str
+    label: str
+    """What people call it."""
+    state: DeviceState
+    laser_on: bool
+
+
+@dataclass(frozen=True, slots=True)
+class SensorChoice:
+    """The sensors of a station with several."""
+
+    selected: str
+    """Name of the one that is seen, switched, exposed and calibrated."""
+    sensors: tuple[NamedSensor, ...]
 
 
 class Rig:
@@ -152,12 +173,22 @@ class Rig:
         return Devices(
             arm=self.arm.link(),
             sensor=self.sensor.link(),
-            laser_on=self.sensor.laser_on,
+            laser_on=any(sensor.laser_on for sensor in self.sensors.values()),
             has_laser_switch=info is not None and info.has_laser_switch,
             arm_still=self.arm.stillness().still,
             exposure_us=self.sensor.exposure_us,
             tip_mm=self.arm.tip_mm(),
             disk_free_gb=shutil.disk_usage(self._data_dir).free / 1e9,
+        )
+
+    def sensor_choice(self) -> SensorChoice:
+        """The sensors to choose from."""
+        return SensorChoice(
+            self._selected,
+            tuple(
+                NamedSensor(name, one.label or name, one.link(), one.laser_on)
+                for name, one in self.sensors.items()
+            ),
         )
 
     def capture_pair(self, needs_laser: bool = True) -> Capture:
@@ -203,6 +234,8 @@ class Rig:
             now_s = time.monotonic()
             if said != before or now_s - published_s >= PUBLISH_S:
                 self._bus.publish("devices", self.devices())
+                if len(self.sensors) > 1:
+                    self._bus.publish("sensors", self.sensor_choice())
                 published_s = now_s
 
     def _report_doubt(self, before: bool) -> bool:

@@ -120,6 +120,10 @@ class Preview:
             self._thread.join(5.0)
             self._thread = None
 
+    def use_sensor(self, sensor: StationSensor) -> None:
+        """Shows another sensor from now on."""
+        self._sensor = sensor
+
     def add_viewer(self) -> None:
         with self._watched:
             self._viewers += 1
@@ -177,7 +181,7 @@ class Preview:
         return self._latest
 
     def _run(self) -> None:
-        sequence, last_sequence = 0, -1
+        sequence, last = 0, (self._sensor, -1)
         while True:
             with self._watched:
                 self._watched.wait_for(
@@ -186,10 +190,12 @@ class Preview:
                 if self._stopping:
                     return
             started_s = time.monotonic()
-            frame = self._sensor.frames.wait_newest(_other_than(last_sequence), 0.2)
+            sensor = self._sensor
+            shown = last[1] if last[0] is sensor else -1
+            frame = sensor.frames.wait_newest(_other_than(shown), 0.2)
             if frame is None:
                 continue
-            last_sequence = frame.sequence
+            last = (sensor, frame.sequence)
             sequence += 1
             try:
                 self._latest = (

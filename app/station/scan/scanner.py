@@ -2,7 +2,7 @@
 
 import threading
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from datetime import UTC, datetime
@@ -14,6 +14,7 @@ from app.formats.settings.scan_settings import AUTOMATIC, ScanSettings
 from app.messages.message import Text, message
 from app.station.bus import Bus
 from app.station.devices.rig import Rig
+from app.station.devices.sensor_device import StationSensor
 from app.station.scan.messages import end_reason, scan_findings, start_error
 from app.station.scan.pipeline import ScanPipeline
 from app.station.scan.points import ScanCalibration
@@ -169,7 +170,8 @@ class Scanner:
         """Starts a scan with all sensors and switches their lasers on; its id.
 
         Args:
-            into: a new folder of the caller's to record in, not among the scans.
+            into: a new folder of the caller's to record in, not among the scans; of several
+                sensors, the selected one alone is then recorded, as the only one.
 
         Raises:
             OperationError: no valid calibration for these devices, a device lost, another
@@ -179,7 +181,7 @@ class Scanner:
             refusal = self.why_not() or self._folders.start_space_error()
             if refusal is not None:
                 raise refusal
-            sensors = self._scan_sensors()
+            sensors = self._scan_sensors(into is not None)
             started = datetime.now(UTC)
             folder = self._folders.new(started) if into is None else make_scan_folder(into)
             scan_id = folder.name if into is None else f"{into.parent.name}-{into.name}"
@@ -189,7 +191,7 @@ class Scanner:
             started_at = started.isoformat(timespec="seconds")
             self._scene.begin(scan_id)
             try:
-                self._prepare_sensors()
+                self._prepare_sensors([one.device for one in sensors])
                 pipeline = ScanPipeline(
                     self._rig.arm,
                     sensors,
@@ -287,12 +289,12 @@ class Scanner:
         for sensor in self._rig.sensors.values():
             sensor.want_lines(not settings.record_pictures)
 
-    def _prepare_sensors(self) -> None:
+    def _prepare_sensors(self, sensors: Sequence[StationSensor]) -> None:
         """Lasers on, exposure and delivery as set.
 
         The exposure that the operator set is that of the only sensor; several keep their own.
         """
-        for sensor in self._rig.sensors.values():
+        for sensor in sensors:
             info = sensor.info
             if info is not None and info.has_laser_switch:
                 sensor.set_laser(True)
@@ -300,8 +302,12 @@ class Scanner:
             self._rig.sensor.set_exposure_us(self._settings.exposure_us)
         self._choose_delivery(self._settings)
 
-    def _scan_sensors(self) -> list[ScanSensor]:
+    def _scan_sensors(self, selected_alone: bool) -> list[ScanSensor]:
         """The sensors with their calibrations; each has one when a scan can start."""
+        if selected_alone:
+            calibration = self._calibrations[self._rig.selected].calibration
+            assert calibration is not None
+            return [ScanSensor("", self._rig.sensor, calibration)]
         return [
             ScanSensor(name, self._rig.sensors[name], one.calibration)
             for name, one in self._calibrations.items()

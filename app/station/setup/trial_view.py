@@ -58,6 +58,8 @@ class TrialSubject:
     driver: str
     options: Mapping[str, object]
     in_use: bool
+    sensor: str = ""
+    """Of several sensors of the station, the name of the one in use."""
 
 
 def view_arm(number: int, subject: TrialSubject, arm: StationArm, ended: Text = "") -> TrialView:

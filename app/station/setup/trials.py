@@ -120,7 +120,9 @@ class DeviceTrials:
             make_arm = arm_factory(subject.driver, subject.options)
             return (self._rig.arm if subject.in_use else StationArm(Bus(), make_arm)), None
         make = sensor_factory(subject.driver, subject.options)
-        return None, (self._rig.sensor if subject.in_use else StationSensor(Bus(), make))
+        return None, (
+            self._rig.sensors[subject.sensor] if subject.in_use else StationSensor(Bus(), make)
+        )
 
     def _end(self, why: Text) -> None:
         if self._trial is not None:

@@ -3,7 +3,7 @@ import { t } from "../state/language";
 import { localized } from "../state/localized";
 import { getState, setState } from "../state/store";
 import { NoAnswer, post, Refused } from "./http";
-import type { Problem, ScanStatus, SignInState, StudyState } from "./wire";
+import type { Problem, ScanStatus, SensorChoice, SignInState, StudyState } from "./wire";
 
 /** 128 random bits; also on plain http, where randomUUID does not exist. */
 export function newKey(): string {
@@ -81,6 +81,13 @@ export async function stopAll(): Promise<void> {
   } catch (error) {
     notifyOfError(error, t("ui-stop-not-confirmed-use-switch-device"));
   }
+}
+
+export async function selectSensor(name: string): Promise<void> {
+  await done(async () => {
+    const sensors = await post<SensorChoice>("/api/sensor", { name });
+    if (sensors) setState({ sensors });
+  }, t("ui-the-sensor-was-not-selected"));
 }
 
 export async function setExposure(exposure_us: number): Promise<void> {

@@ -42,7 +42,7 @@ export function DevicesCard({ view, saved, onSearch, onView }: DevicesCardProps)
           {t("ui-this-station-uses")}
         </h2>
         {view.devices.map((device) => (
-          <Used key={device.kind} device={device} view={view} onView={onView} />
+          <Used key={`${device.kind} ${device.label}`} device={device} view={view} onView={onView} />
         ))}
       </section>
       {view.searching ? (

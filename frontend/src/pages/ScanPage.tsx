@@ -8,6 +8,7 @@ import { BigNumber } from "../parts/BigNumber";
 import { CardHead } from "../parts/CardHead";
 import { Download } from "../parts/Download";
 import { Findings } from "../parts/Findings";
+import { SensorSegments } from "../parts/SensorSegments";
 import { ReplayCard } from "../scan/ReplayCard";
 import { ScanFigures } from "../scan/ScanFigures";
 import { ScanPicture } from "../scan/ScanPicture";
@@ -40,6 +41,7 @@ export function ScanPage() {
       card={
         <>
           <CardHead title={t(title)} text={t(text)} help="scan" />
+          <SensorSegments />
           <BigNumber
             number={{
               label: t("ui-points"),

@@ -6,6 +6,7 @@ import { LiveCamera } from "../image/LiveCamera";
 import { CardHead } from "../parts/CardHead";
 import fields from "../parts/Field.module.css";
 import { Findings } from "../parts/Findings";
+import { SensorSegments } from "../parts/SensorSegments";
 import { DelaySettings } from "../settings/DelaySettings";
 import { LanguageSettings } from "../settings/LanguageSettings";
 import { LineSettings } from "../settings/LineSettings";
@@ -44,6 +45,7 @@ export function SettingsPage() {
                 : t("ui-switch-laser-display-detected-line-changes")
             }
           />
+          <SensorSegments />
           <Findings findings={settings.findings} />
           <ZoneButtons zones={zones} settings={settings} />
           <LineSettings settings={settings} />

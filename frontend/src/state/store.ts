@@ -11,6 +11,7 @@ import type {
   RemoteStation,
   ReplayState,
   ScanStatus,
+  SensorChoice,
   SignInState,
   StationInfo,
   StationReport,
@@ -54,6 +55,8 @@ export interface LiveState {
   control: Control | null;
   station: StationInfo | null;
   devices: Devices | null;
+  /** Of a station with several. */
+  sensors: SensorChoice | null;
   flow: FlowView | null;
   scan: ScanStatus | null;
   settings: StationSettings | null;
@@ -86,6 +89,7 @@ let state: LiveState = {
   control: null,
   station: null,
   devices: null,
+  sensors: null,
   flow: null,
   scan: null,
   settings: null,

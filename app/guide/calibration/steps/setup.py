@@ -3,7 +3,7 @@
 from app.findings import Quality
 from app.guide.calibration.live import CalibrationLive
 from app.guide.calibration.rules import offer, other_devices
-from app.guide.calibration.state import CalibrationState
+from app.guide.calibration.state import DEVICE, CalibrationState
 from app.guide.calibration.steps.body import StepView, geometry
 from app.guide.common.view import Choice, ChoiceOption, ChoicesPicture, DeviceLine, DevicesPicture
 from app.messages.message import Text, message, quantity, rounded
@@ -83,9 +83,11 @@ def _choices(state: CalibrationState, live: CalibrationLive) -> list[Choice]:
         )
         for entry in library.sensors.values()
     ]
+    devices = [ChoiceOption(one.name, one.label, one.state.text) for one in live.devices]
     return [
         Choice(field, title, options, state.choices.get(field, ""))
         for field, title, options in (
+            *(((DEVICE, message("connected-sensor"), devices),) if devices else ()),
             ("arm", message("arm-tip"), arms),
             ("object", message("object"), objects),
             ("sensor", message("sensor-2"), sensors),

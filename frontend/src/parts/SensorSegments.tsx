@@ -1,0 +1,19 @@
+import { selectSensor } from "../api/commands";
+import { t } from "../state/language";
+import { useLive } from "../state/store";
+import { Segments } from "./Segments";
+
+/** Which of several sensors is seen, switched and exposed; nothing at a station with one. */
+export function SensorSegments() {
+  const choice = useLive((s) => s.sensors);
+  if (!choice) return null;
+  return (
+    <Segments
+      label={t("ui-sensor-selected")}
+      options={choice.sensors.map(({ name, label }) => ({ value: name, label }))}
+      value={choice.selected}
+      onChange={(name) => void selectSensor(name)}
+      wide
+    />
+  );
+}

@@ -1,0 +1,123 @@
+"""A station with two sensors, from its address: chosen, scanned with, listed, rebuilt."""
+
+import time
+from collections.abc import Callable, Iterator
+
+import numpy as np
+import pytest
+
+from app.bench.faults.served import accept_truth
+from app.errors import OperationError
+from app.formats.clouds.files import read_cloud
+from app.formats.recording.reader import open_recording
+from app.operations.health_checks import HealthChecker
+from app.operations.home import build_home
+from app.operations.status_report import build_report
+from hardware.simulator.station import SimulationConfig
+from tests.api.conftest import Server, running_server
+
+pytestmark = pytest.mark.slow
+
+CONFIG = SimulationConfig(
+    second_sensor=True, width_px=640, height_px=512, frames_hz=12.0, pace=3.0, imperfection_um=0.0
+)
+SENSORS = {"left": False, "right": True}
+"""Names, and whether it is the simulation's second one."""
+
+
+@pytest.fixture(scope="module")
+def station(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Server]:
+    with running_server(tmp_path_factory.mktemp("two"), CONFIG) as server:
+        until(lambda: all(one.fresh for one in server.context.rig.sensors.values()), 120)
+        yield server
+
+
+def until(condition: Callable[[], object], timeout_s: float = 60.0) -> None:
+    deadline = time.monotonic() + timeout_s
+    while not condition():
+        assert time.monotonic() < deadline
+        time.sleep(0.05)
+
+
+def select(station: Server, name: str) -> int:
+    return station.http.post("/api/sensor", json={"name": name}).status_code
+
+
+def test_each_is_calibrated_in_its_own_session(station: Server) -> None:
+    """The set-up step asks which sensor; what is accepted is that sensor's alone."""
+    assert station.http.post("/api/flow/start", json={}).status_code == 200
+    station.do("confirm_devices")
+    view = station.flow()
+    choice = view["picture"]["choices"][0]
+    assert choice["field"] == "device"
+    assert [option["id"] for option in choice["options"]] == ["left", "right"]
+    assert choice["selected"] == "left"
+    station.do("choose", field="device", id="right")
+    assert station.context.rig.selected == "right"
+    assert select(station, "left") == 422  # the open session's sensor stays
+    assert station.command("choose", field="device", id="top").status_code in (409, 422)
+    station.do("abandon")
+    assert select(station, "left") == 200
+    assert station.context.rig.selected == "left"
+
+
+def test_both_scan_into_one_cloud_and_a_killed_scan_is_rebuilt(station: Server) -> None:
+    context, store = station.context, station.context.store
+    findings = [str(one.text) for one in build_home(context).findings]
+    assert "left: not calibrated yet" in findings
+    for name, second in SENSORS.items():
+        accept_truth(store, station.simulation, f"truth-{name}", name, second)
+    assert {store.calibrations.active(name).id for name in SENSORS} == {  # type: ignore[union-attr]
+        "truth-left",
+        "truth-right",
+    }
+    context.guide._on_closed()  # the station works with them from now on
+    until(lambda: station.http.get("/api/scan").json()["state"] == "idle")
+
+    assert station.http.post("/api/scan/start", json={}).status_code == 200
+    assert station.simulation.operator.scan_part("sphere")
+    assert station.http.get("/api/home").status_code == 200
+    assert context.rig.devices().laser_on
+    station.http.post("/api/scan/stop", json={})
+    scan = store.scans.newest()
+    assert scan is not None
+    live = read_cloud(scan.folder / "cloud.ply").points_mm
+    assert len(live) == scan.points > 1000
+    topics = open_recording(scan.folder / "scan.mcap")
+    assert list(topics.records())
+    assert topics.sensors == ("left", "right")
+    assert topics.station["scan_calibration/right"] == "truth-right"
+
+    (scan.folder / "cloud.ply").unlink()
+    assert context.recovery._rebuild(scan) == scan.points
+    again = read_cloud(scan.folder / "cloud.ply").points_mm
+    np.testing.assert_allclose(again, live, atol=1e-6)
+
+
+def test_every_page_lists_each_sensor(station: Server) -> None:
+    ids = {item.id for item in HealthChecker(station.context).look().items}
+    assert {"device-arm", "device-sensor-left", "device-sensor-right"} <= ids
+    devices = station.http.get("/api/devices").json()["devices"]
+    assert [(one["kind"], one["label"]) for one in devices[1:]] == [
+        ("sensor", "left"),
+        ("sensor", "right"),
+    ]
+    report = build_report(station.context)
+    cameras = [one.text for one in report.devices if one.name == "camera"]
+    assert [text.partition(":")[0] for text in cameras] == ["left", "right"]
+    with pytest.raises(OperationError, match="several sensors"):
+        station.context.device_setup.choose("sensor", "folder", {"path": "."}, "")
+
+
+def test_exposure_and_preview_are_those_of_the_selected_one(station: Server) -> None:
+    rig = station.context.rig
+    before_us = rig.sensors["left"].exposure_us
+    assert select(station, "right") == 200
+    assert station.http.post("/api/exposure", json={"exposure_us": 800.0}).status_code == 200
+    until(lambda: rig.sensors["right"].exposure_us == 800.0)
+    assert rig.sensors["left"].exposure_us == before_us
+    assert select(station, "top") == 422
+    with station.context.preview.watch():
+        newest = station.context.preview.latest()
+        until(lambda: station.context.preview.latest() is not newest)
+    assert select(station, "left") == 200
