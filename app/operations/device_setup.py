@@ -254,9 +254,9 @@ class DeviceSetup:
     def _devices(self) -> tuple[StationDevice, ...]:
         if len(self._rig.sensors) == 1:
             return tuple(self._device(kind) for kind in KINDS)
-        return (self._device("arm"), *map(self._named_sensor, self._rig.sensors))
+        return (self._device("arm"), *map(self._one_of_several, self._rig.sensors))
 
-    def _named_sensor(self, name: str) -> StationDevice:
+    def _one_of_several(self, name: str) -> StationDevice:
         """One of several sensors."""
         sensor, table = self._rig.sensors[name], self._sensors.get(name)
         return StationDevice(

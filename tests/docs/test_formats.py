@@ -208,7 +208,7 @@ def test_station_toml_has_every_key_and_the_defaults(examples: Path) -> None:
         (examples / name).touch()
     trustme.CA().cert_pem.write_to_path(str(examples / "ca.pem"))
     settings, written = read_settings(file), tomllib.loads(file.read_text(encoding="utf-8"))
-    for name in Settings.model_fields:
+    for name in set(Settings.model_fields) - {"sensors"}:  # instead of the table of one
         keys = set(type(getattr(settings, name)).model_fields) - WITHOUT_DEFAULT
         assert set(written[name]) >= keys, name
     assert all(f"`{key}`" in PAGE for key in WITHOUT_DEFAULT)

@@ -4,7 +4,7 @@ Frames are stamped when they arrive, late and unevenly, as over a busy network. 
 which triggers they belong to, and which frames were lost.
 """
 
-from collections from collections import deque
+from collections import deque
 
 from hardware.clock import now_ns
 from hardware.interfaces import Frame, SensorInfo
