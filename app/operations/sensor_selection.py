@@ -14,12 +14,19 @@ class SensorSelection:
     Args:
         use: called after a change: the calibrations in use are applied again.
         is_open: whether a guided session is open, whose sensor must not change.
+        is_scanning: whether all sensors are in use.
     """
 
     def __init__(
-        self, rig: Rig, preview: Preview, use: Callable[[], None], is_open: Callable[[], bool]
+        self,
+        rig: Rig,
+        preview: Preview,
+        use: Callable[[], None],
+        is_open: Callable[[], bool],
+        is_scanning: Callable[[], bool],
     ) -> None:
-        self._rig, self._preview, self._use, self._is_open = rig, preview, use, is_open
+        self._rig, self._preview, self._use = rig, preview, use
+        self._is_open, self._is_scanning = is_open, is_scanning
 
     def select(self, name: str) -> SensorChoice:
         """Selects a sensor.
@@ -34,7 +41,7 @@ class SensorSelection:
                 message("guided-session-is-open"),
                 message("end-it-first"),
             )
-        self._rig.select(name)
+        self._rig.select(name, self._is_scanning())
         self._preview.use_sensor(self._rig.sensor)
         self._use()
         return self._rig.sensor_choice()

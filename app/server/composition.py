@@ -230,6 +230,7 @@ def _build_context(parts: StationParts, store: Store) -> Context:
             preview,
             use_active,
             lambda: any(one.running for one in (guide, arm_guide, verify_guide)),
+            lambda: scanner.recording() is not None,
         ),
         parts.due,
     )

@@ -165,6 +165,26 @@ def test_zones_belong_to_the_sensor_in_whose_picture_they_were_drawn(
     assert points["right"] == 0
 
 
+def test_a_verification_scans_with_the_selected_sensor_alone(
+    simulation: SimulatedStation, rig: Rig, scanner: Scanner, tmp_path: Path
+) -> None:
+    """Recorded as the only one, so that its calibration alone rebuilds it."""
+    assert simulation.operator.hold_over("block", 0)
+    rig.select("right")
+    folder = tmp_path / "verification" / "cloud-1"
+    scanner.start("verification", into=folder)
+    until(lambda: scanner.state().points > 1000, 60)
+    assert not rig.sensors["left"].laser_on
+    assert scanner.stop() is not None
+    use = calibrations(simulation, tmp_path)["right"]
+    rebuilt = reconstruct_cloud(
+        folder / "scan.mcap", file_calibration(use), use.arm, tmp_path / "again.ply"
+    )
+    live = read_cloud(folder / "cloud.ply").points_mm
+    np.testing.assert_allclose(read_cloud(tmp_path / "again.ply").points_mm, live, atol=1e-6)
+    assert rebuilt.points == len(live)
+
+
 def test_the_selected_sensor_is_seen_switched_and_exposed(
     simulation: SimulatedStation, rig: Rig
 ) -> None:

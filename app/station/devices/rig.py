@@ -111,8 +111,8 @@ class Rig:
         one."""
         return self._selected
 
-    def select(self, name: str) -> None:
-        """Selects another sensor; the lasers of the others are switched off.
+    def select(self, name: str, is_scanning: bool = False) -> None:
+        """Selects another sensor; the lasers of the others are switched off, except in a scan.
 
         Raises:
             OperationError: there is no such sensor, or a picture is being taken.
@@ -126,7 +126,7 @@ class Rig:
         finally:
             self._capturing.release()
         for other, sensor in self.sensors.items():
-            if other != name:
+            if other != name and not is_scanning:
                 sensor.laser_off()
 
     def lasers_off(self) -> None:
