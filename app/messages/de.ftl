@@ -437,7 +437,7 @@ certificate-needs-one =
         [0] nichts
        *[other] { $count }
     }
-certificate-not-validated = dieser Kalibrierschein ist nicht signiert und nicht gegen das Schema des DCC geprüft: vor der Ausgabe prüfen
+certificate-not-validated = dieser Kalibrierschein ist nicht signiert. Er folgt dem Schema des DCC 3.3.0, wurde aber selbst nicht dagegen geprüft: vor der Ausgabe prüfen
 certificate-out-of-date = der Kalibrierschein des Prüfkörpers galt bis { $until }
 certificate-rule =
     Ein Wert ist konform, wenn er um mindestens das { $factor }-Fache seiner Standard-Prüfwertunsicherheit innerhalb seiner größten zulässigen Abweichung liegt. Dazwischen { $bearer ->
@@ -1392,7 +1392,7 @@ point-judged-with-guard =
 point-judged-without-guard = Ein Merkmal, das durch einen einzelnen gescannten Punkt gegeben ist, ist konform, wenn der Punkt innerhalb der Toleranz liegt.
 points-in-gate = Punkte
 points-outside-gate = Punkte außerhalb
-qif-not-validated = diese Datei ist nach QIF 3.0 geschrieben, aber nicht gegen dessen Schema geprüft; ein Leseprogramm kann sie ablehnen
+qif-not-validated = diese Datei folgt dem Schema von QIF 3.0, wurde aber selbst nicht dagegen geprüft
 quaternion-must-be-unit = die letzten vier Zahlen müssen ein Einheitsquaternion sein, w zuerst
 range-all-m = Spannweite aller, µm
 range-all-points-in-gate = Spannweite aller Punkte

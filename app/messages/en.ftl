@@ -437,7 +437,7 @@ certificate-needs-one =
         [0] none was found
        *[other] { $count } were found
     }
-certificate-not-validated = this certificate is not signed, and was not validated against the schema of the DCC: check it before you issue it
+certificate-not-validated = this certificate is not signed. It is written after the schema of DCC 3.3.0, but was not validated against it: check it before you issue it
 certificate-out-of-date = the certificate of the artefact was valid until { $until }
 certificate-rule =
     A value conforms if it is within its maximum permissible error by at least { $factor } times its standard test value uncertainty. In between, { $bearer ->
@@ -1388,7 +1388,7 @@ point-judged-with-guard =
 point-judged-without-guard = A feature given by a single scanned point conforms if the point lies inside its tolerance.
 points-in-gate = Points
 points-outside-gate = Points outside
-qif-not-validated = this file was written after QIF 3.0 but not validated against its schema; a reader may refuse it
+qif-not-validated = this file is written after the schema of QIF 3.0, but was not validated against it
 quaternion-must-be-unit = its last four numbers must be a unit quaternion, w first
 range-all-m = Range of all, µm
 range-all-points-in-gate = Range of all points

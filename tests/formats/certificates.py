@@ -77,6 +77,15 @@ def standard_mu(value: str) -> str:
     )
 
 
+def coverage_interval(value: str) -> str:
+    """As D-SI 1 has it."""
+    return (
+        f"<si:coverageInterval><si:standardUnc>{value}</si:standardUnc>"
+        "<si:intervalMin>24.9</si:intervalMin><si:intervalMax>25.1</si:intervalMax>"
+        "<si:coverageProbability>0.95</si:coverageProbability></si:coverageInterval>"
+    )
+
+
 def certificate(*quantities: str, version: str = "3.3.0") -> str:
     return HEAD.format(version=version) + "\n".join(quantities) + TAIL
 

@@ -24,6 +24,7 @@ from tests.formats.certificates import (
     DIAMETER,
     FORM,
     certificate,
+    coverage_interval,
     expanded,
     expanded_mu,
     quantity,
@@ -46,11 +47,31 @@ ORDER = {
     "measurementResult": (
         "name usedMethods usedSoftware measuringEquipments influenceConditions results"
     ),
-    "expandedUnc": "uncertainty coverageFactor coverageProbability distribution",
+    "measurementResults": "measurementResult",
+    "influenceCondition": "name data",
+    "result": "name data",
+    "measuringEquipment": "name identifications",
+    "identification": "issuer value",
+    "software": "name release",
+    "contact": "name location",
+    "customer": "name location",
+    "measurementUncertaintyUnivariate": "expandedMU",
+    "expandedMU": "valueExpandedMU coverageFactor coverageProbability distribution",
     "item": "name identifications",
     "respPerson": "person mainSigner",
 }
-"""The children of elements, in the order of certificates that the PTB's own tools accept."""
+"""The children of elements that are always the same, in the order of the schema of DCC 3.3.0."""
+ORDER_OF_SOME = {
+    "usedMethod": "name description norm",
+    "quantity": "name real measurementMetaData",
+    "real": "value unit measurementUncertaintyUnivariate",
+    "statement": "norm declaration conformity",
+    "metaData": "declaration conformityXMLList data",
+}
+"""The children of elements that may lack some, in the same order."""
+SHORT_TEXTS = ("release", "uniqueIdentifier", "value", "norm")
+"""Never empty, and without space about them."""
+CONFORMITIES = {"pass", "fail", "conditionalPass", "conditionalFail", "noPass", "noFail"}
 
 
 def read(tmp_path: Path, text: str, **names: str) -> CertifiedSphere:
@@ -77,6 +98,7 @@ def test_a_sphere_is_read_with_everything_that_its_certificate_states(tmp_path: 
         (real("0.025", "\\metre", expanded("6e-7")), 25.0, 0.3),
         (real("25000", "\\micro\\metre", expanded_mu("0.9", "3")), 25.0, 0.3),
         (real("25", "\\milli\\metre", standard_mu("0.0003")), 25.0, 0.3),
+        (real("25", "\\milli\\metre", coverage_interval("0.0003")), 25.0, 0.3),
         (
             "<si:hybrid>"
             + real("298.15", "\\kelvin")
@@ -248,7 +270,7 @@ def written(document: PerformanceFile, issuer: Issuer = ISSUER) -> ET.Element:
 
 def values(quantity: ET.Element) -> tuple[float, float]:
     value = quantity.findtext("si:real/si:value", "", NAMES)
-    uncertainty = quantity.findtext("si:real/si:expandedUnc/si:uncertainty", "nan", NAMES)
+    uncertainty = quantity.findtext("si:real//si:valueExpandedMU", "nan", NAMES)
     return float(value), float(uncertainty)
 
 
@@ -260,6 +282,12 @@ def test_a_written_certificate_has_its_elements_in_order(tmp_path: Path, build: 
         name = local_name(element)
         if name in ORDER:
             assert [local_name(child) for child in element] == ORDER[name].split()
+        if name in ORDER_OF_SOME:
+            places = [ORDER_OF_SOME[name].split().index(local_name(child)) for child in element]
+            assert places == sorted(set(places))
+    said = {one.text for one in root.iter(f"{{{DCC}}}conformity")}
+    said |= {one.text for one in root.iter(f"{{{DCC}}}conformityXMLList")}
+    assert said <= CONFORMITIES
     languages = [one.text for one in root.iter(f"{{{DCC}}}usedLangCodeISO639_1")]
     for element in root.iter():
         spoken = [one.get("lang") for one in element.findall("dcc:content", NAMES)]
@@ -295,6 +323,15 @@ def test_a_written_certificate_is_the_same_again_and_safe(tmp_path: Path) -> Non
     )
     laboratory = ".//dcc:calibrationLaboratory/dcc:contact/dcc:name/dcc:content"
     assert root.findtext(laboratory, "", NAMES) == "Lab <A> & B"
+
+
+def test_short_texts_are_never_empty_or_with_space_about_them(tmp_path: Path) -> None:
+    document = sphere_result(tmp_path)
+    serials = document.serial_numbers.model_copy(update={"arm": " A 1\n", "sensor": " "})
+    odd = document.model_copy(update={"serial_numbers": serials, "standards": ("Own rule ",)})
+    texts = [one.text or "" for one in written(odd).iter() if local_name(one) in SHORT_TEXTS]
+    assert {"A 1", "–", "Own rule"} <= set(texts)
+    assert all(text and text == text.strip() for text in texts)
 
 
 def test_a_test_without_temperatures_says_so(tmp_path: Path) -> None:

@@ -1,20 +1,17 @@
-"""Results of performance tests as CSV, XLSX and QIF."""
+"""Results of performance tests as CSV and XLSX."""
 
 import csv
 import io
 import sys
 from collections.abc import Callable
 from pathlib import Path
-from xml.etree import ElementTree as ET
 
 import openpyxl
 import pytest
 
 from app.errors import OperationError
 from app.formats.exchange.result_tables import result_tables
-from app.formats.exchange.write_qif import QIF, qif_bytes
 from app.formats.exchange.write_tables import write_csv_tables, write_workbook
-from app.formats.exchange.xml_text import local_name
 from app.formats.performance.results import PerformanceFile
 from tests.formats.performance_builders import (
     contact_result,
@@ -25,7 +22,6 @@ from tests.formats.performance_builders import (
 
 BUILDERS = (sphere_result, lengths_result, contact_result, plane_result)
 Build = Callable[[Path], PerformanceFile]
-NAMES = {"q": QIF}
 
 
 def rows_of(path: Path) -> list[dict[str, str]]:
@@ -111,45 +107,3 @@ def test_without_the_extra_the_error_names_it(
         write_workbook(sphere_result(tmp_path / "test"), tmp_path / "result.xlsx")
     assert raised.value.code == "extra-missing"
     assert not (tmp_path / "result.xlsx").exists()
-
-
-@pytest.mark.parametrize("build", BUILDERS)
-def test_qif_links_every_measurement_to_its_definition(tmp_path: Path, build: Build) -> None:
-    document = build(tmp_path)
-    root = ET.fromstring(qif_bytes(document))
-    ids = [int(one.get("id", "0")) for one in root.iter() if one.get("id")]
-    assert sorted(ids) == list(range(1, int(root.get("idMax", "0")) + 1))
-    by_id = {one.get("id"): one for one in root.iter() if one.get("id")}
-    measurements = root.findall(".//q:CharacteristicMeasurements/*", NAMES)
-    assert len(measurements) == len(document.figures)
-    for one, figure in zip(measurements, document.figures, strict=True):
-        item = by_id[one.findtext("q:CharacteristicItemId", "", NAMES)]
-        nominal = by_id[item.findtext("q:CharacteristicNominalId", "", NAMES)]
-        definition = by_id[nominal.findtext("q:CharacteristicDefinitionId", "", NAMES)]
-        assert definition.findtext("q:Name", "", NAMES) == figure.symbol
-        value = one.find("q:Value", NAMES)
-        status = one.findtext("q:Status/q:CharacteristicStatusEnum", "", NAMES)
-        if figure.value is None:
-            assert (value, status) == (None, "NOT_MEASURED")
-            continue
-        assert value is not None
-        assert float(value.text or "") == pytest.approx(figure.value / 1e3, abs=6e-7)
-        assert (status == "PASS") == (figure.decision == "pass")
-        largest = definition.findtext("q:Tolerance/q:MaxValue", None, NAMES)
-        assert (None if largest is None else 1e3 * float(largest)) == figure.limit
-
-
-def test_qif_counts_what_its_lists_hold(tmp_path: Path) -> None:
-    content = qif_bytes(sphere_result(tmp_path))
-    assert content == qif_bytes(sphere_result(tmp_path))
-    root = ET.fromstring(content)
-    counted = [one for one in root.iter() if one.get("n")]
-    assert len(counted) == 5
-    assert all(int(one.get("n", "")) == len(one) for one in counted)
-    assert [local_name(one) for one in root] == [
-        "QPId",
-        "Header",
-        "FileUnits",
-        "Characteristics",
-        "Results",
-    ]

@@ -95,7 +95,8 @@ def _standard_uncertainties(real: ET.Element, count: int) -> list[float | None]:
     if len(expanded) in (1, count) and len(factors) in (1, count) and min(factors) > 0:
         pairs = zip(_repeat(expanded, count), _repeat(factors, count), strict=True)
         return [abs(value) / factor for value, factor in pairs]
-    standard = _numbers(parts.get("valueStandardMU") or [])
+    # the second of a coverage interval of D-SI 1 and 2
+    standard = _numbers(parts.get("valueStandardMU") or parts.get("standardUnc") or [])
     if len(standard) in (1, count):
         return [abs(one) for one in _repeat(standard, count)]
     return [None] * count

@@ -50,7 +50,7 @@ def certificate_bytes(document: PerformanceFile, issuer: Issuer) -> bytes:
         OperationError: the laboratory or the country is missing or impossible.
 
     Source:
-        PTB, Digital Calibration Certificate 3.3.0, and D-SI.
+        PTB, Digital Calibration Certificate 3.3.0, and D-SI 2.2.
     """
     if not issuer.laboratory.strip():
         raise OperationError("issuer-unknown", message("certificate-needs-laboratory"))
@@ -87,7 +87,12 @@ def _texts(parent: ET.Element, name: str, text: Text) -> ET.Element:
 def _identification(parent: ET.Element, issuer: str, value: str) -> None:
     one = add(add(parent, _dcc("identifications")), _dcc("identification"))
     add(one, _dcc("issuer"), issuer)
-    add(one, _dcc("value"), value or "–")
+    add(one, _dcc("value"), _short_text(value))
+
+
+def _short_text(text: str) -> str:
+    """As the certificate wants short texts: not empty, without space about them."""
+    return text.strip() or "–"
 
 
 def _administration(parent: ET.Element, document: PerformanceFile, issuer: Issuer) -> None:
@@ -97,7 +102,7 @@ def _administration(parent: ET.Element, document: PerformanceFile, issuer: Issue
     for language in LANGUAGES:
         add(core, _dcc("usedLangCodeISO639_1"), language)
     add(core, _dcc("mandatoryLangCodeISO639_1"), LANGUAGES[0])
-    add(core, _dcc("uniqueIdentifier"), document.id)
+    add(core, _dcc("uniqueIdentifier"), _short_text(document.id))
     add(core, _dcc("beginPerformanceDate"), _day(document.started_at))
     add(core, _dcc("endPerformanceDate"), _day(document.ended_at))
     add(core, _dcc("performanceLocation"), "laboratory")
@@ -126,7 +131,7 @@ def _statements(parent: ET.Element, document: PerformanceFile) -> None:
         if text:
             _texts(add(statements, _dcc("statement")), "declaration", text)
     rule = add(statements, _dcc("statement"), refType="basic_conformity")
-    add(rule, _dcc("norm"), f"{document.rule.standard}:{document.rule.edition}")
+    add(rule, _dcc("norm"), _short_text(f"{document.rule.standard}:{document.rule.edition}"))
     _texts(rule, "declaration", rule_text(document.rule))
     if document.verdict.result in CONFORMITY:
         add(rule, _dcc("conformity"), CONFORMITY[document.verdict.result])
@@ -152,7 +157,7 @@ def _results(parent: ET.Element, document: PerformanceFile) -> None:
     for standard in document.standards:
         method = add(methods, _dcc("usedMethod"))
         _texts(method, "name", title)
-        add(method, _dcc("norm"), standard)
+        add(method, _dcc("norm"), _short_text(standard))
     uncertainty = add(methods, _dcc("usedMethod"), refType="basic_uncertainty")
     _texts(uncertainty, "name", message("test-value-uncertainty"))
     _texts(uncertainty, "description", message("test-value-uncertainty-text"))
@@ -186,7 +191,7 @@ def _artefacts(parent: ET.Element, document: PerformanceFile) -> None:
         for issuer, value in numbers:
             found = add(identifications, _dcc("identification"))
             add(found, _dcc("issuer"), issuer)
-            add(found, _dcc("value"), value or "–")
+            add(found, _dcc("value"), _short_text(value))
 
 
 def _conditions(parent: ET.Element, document: PerformanceFile) -> None:
@@ -216,8 +221,9 @@ def _figure(parent: ET.Element, figure: PerformanceFigure, rule: RulePart) -> No
     assert figure.value is not None
     real = _real(quantity, _number(figure.value), "\\micro\\metre")
     if figure.test_uncertainty is not None:
-        expanded = add(real, _si("expandedUnc"))
-        add(expanded, _si("uncertainty"), _number(figure.test_uncertainty))
+        stated = add(real, _si("measurementUncertaintyUnivariate"))
+        expanded = add(stated, _si("expandedMU"))
+        add(expanded, _si("valueExpandedMU"), _number(figure.test_uncertainty))
         add(expanded, _si("coverageFactor"), "2")
         add(expanded, _si("coverageProbability"), "0.95")
         add(expanded, _si("distribution"), "normal")

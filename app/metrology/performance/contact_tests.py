@@ -19,8 +19,9 @@ PLACEMENTS = 20
 class EffectiveDiameter:
     """A master sphere measured three times near the middle of the reach."""
 
+    errors_um: tuple[float, ...]
+    """Of each measurement: its diameter minus the calibrated one."""
     mean_error_um: float
-    """Mean diameter minus the calibrated one."""
     standard_deviation_um: float
 
 
@@ -62,7 +63,7 @@ def effective_diameter(
         for points in spheres_mm
     ]
     sd = float(np.std(errors_um, ddof=1)) if len(errors_um) > 1 else 0.0
-    return EffectiveDiameter(float(np.mean(errors_um)), sd)
+    return EffectiveDiameter(tuple(errors_um), float(np.mean(errors_um)), sd)
 
 
 def seat_articulation(tips_mm: Floats) -> SeatArticulation:

@@ -62,7 +62,8 @@ def _measure_diameter(data: MeasuredData) -> list[Measured]:
     found = effective_diameter(groups, tip_of(data.arm).diameter_mm, sphere.diameter_mm)
     certificate = SphereCertificate(sphere.diameter_mm, sphere.diameter_sd_um, sphere.form_um)
     sd_um = size_uncertainty_um(certificate)
-    return [Measured("effective-diameter", found.mean_error_um, (), sd_um, "", tuple(names))]
+    mean, each = found.mean_error_um, found.errors_um
+    return [Measured("effective-diameter", mean, each, sd_um, "", tuple(names))]
 
 
 def _measure_seats(data: MeasuredData) -> list[Measured]:

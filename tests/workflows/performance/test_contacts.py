@@ -125,6 +125,7 @@ def test_the_contact_tests_state_their_figures(tmp_path: Path) -> None:
     folder = write_test(tmp_path / "t", "contact", contact_groups(0.02), ())
     found = {one.quantity: one for one in evaluate_performance(folder).figures}
     assert found["effective-diameter"].value == pytest.approx(10, abs=0.1)
+    assert found["effective-diameter"].values == pytest.approx([10, 10, 10], abs=0.1)
     largest, two_s = found["articulation-largest"], found["articulation-two-s"]
     assert len(largest.values) == 3
     assert two_s.value == pytest.approx(2 * np.sqrt(3) * 20, rel=0.35)
