@@ -99,5 +99,10 @@ class ArchiveWorker:
         self.failures += 1
         if known is None or known.code != error.code:
             self._on_trouble(error.text)
-        # 2 ** 20 pauses are longer than the longest in any case
-        return min(self._first_pause_s * 2.0 ** min(self.failures - 1, 20), LONGEST_PAUSE_S)
+        return pause_after(self.failures, self._first_pause_s)
+
+
+def pause_after(failures: int, first_s: float = FIRST_PAUSE_S) -> float:
+    """Seconds until the next attempt: each failure doubles them, up to an hour."""
+    doubled = min(failures - 1, 20)  # more would be longer than an hour in any case
+    return min(first_s * 2.0**doubled, LONGEST_PAUSE_S)

@@ -6,7 +6,7 @@ import time
 import uuid
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 from unittest.mock import patch
@@ -18,6 +18,7 @@ from fastapi import FastAPI
 from pydantic_core import to_jsonable_python
 
 from app.operations.context import Context
+from app.operations.services import MonitoringSettings
 from app.server.application import build_app
 from app.server.demo import station_parts
 from app.server.listener import make_server
@@ -96,7 +97,9 @@ QUICK = SimulationConfig(pace=3.0)
 
 
 @contextmanager
-def running_server(data: Path, config: SimulationConfig = QUICK) -> Iterator[Server]:
+def running_server(
+    data: Path, config: SimulationConfig = QUICK, monitoring: MonitoringSettings | None = None
+) -> Iterator[Server]:
     """A server on a data folder, with a client that has entered; it ends in order."""
     with (
         patch.object(accounts, "HASHER", QUICK_HASHER),
@@ -105,7 +108,8 @@ def running_server(data: Path, config: SimulationConfig = QUICK) -> Iterator[Ser
     ):
         listening.bind(("127.0.0.1", 0))
         listening.listen()
-        app = build_app(station_parts(simulation, data))
+        parts = station_parts(simulation, data)
+        app = build_app(parts if monitoring is None else replace(parts, monitoring=monitoring))
         running = make_server(app)
         thread = threading.Thread(target=running.run, kwargs={"sockets": [listening]})
         thread.start()

@@ -46,6 +46,27 @@ def test_a_whole_file(tmp_path: Path) -> None:
     assert settings.limits == LimitsTable(good_um=30.0, usable_um=LIMITS.usable_um)
 
 
+def test_an_archive(tmp_path: Path) -> None:
+    assert read_settings(write(tmp_path, GOOD)).archive is None
+    more = '\n[archive]\nurl = "copies"\nkeep_days = 90\n'
+    archive = read_settings(write(tmp_path, GOOD + more)).archive
+    assert archive is not None
+    assert (archive.url, archive.keep_days, archive.free_gb) == (f"{tmp_path / 'copies'}", 90, None)
+    more = """
+[archive]
+url = "s3://bucket/room"
+access_key = "k"
+secret_file = "secret"
+"""
+    (tmp_path / "secret").write_text("hidden\n")
+    archive = read_settings(write(tmp_path, GOOD + more)).archive
+    assert archive is not None
+    assert (archive.url, archive.secret()) == ("s3://bucket/room", "hidden")
+    (tmp_path / "secret").unlink()
+    with pytest.raises(OperationError, match="secret"):
+        archive.secret()
+
+
 def test_a_broker_and_a_thermometer(tmp_path: Path) -> None:
     (tmp_path / "secret").write_text("a word\n")
     more = """
@@ -116,6 +137,9 @@ def test_the_decision_rule_and_who_bears_the_uncertainty(tmp_path: Path) -> None
         (('data = "records"', 'data = ""'), "it is empty"),
         (("[arm]", '[decision]\nrule = "hopeful"\n[arm]'), "rule = 'hopeful'"),
         (("[arm]", '[decision]\nbearer = "nobody"\n[arm]'), "bearer = 'nobody'"),
+        (("[arm]", '[archive]\nurl = "x"\nkeep_days = 0\n[arm]'), "keep_days"),
+        (("[arm]", "[archive]\nkeep_days = 9\n[arm]"), "url is missing"),
+        (("[arm]", '[archive]\nurl = "s3://b"\naccess_key = "k"\n[arm]'), "without the other"),
         (("[arm]", '[mqtt]\nhost = "h"\nstation = "Room 2"\n[arm]'), "lower-case letters"),
         (("[arm]", '[mqtt]\nhost = "h"\nca_file = "station.toml"\n[arm]'), "no certificates"),
         (("[arm]", '[mqtt]\nhost = "h"\nca_file = "gone"\n[arm]'), "there is no such file"),

@@ -1,0 +1,115 @@
+"""A station with an archive, in its pages and on the command line."""
+
+import json
+import os
+import time
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import httpx
+import pytest
+from typer.testing import CliRunner
+
+from app.archive.archive_settings import ArchiveSettings
+from app.cli.main import cli
+from app.formats.recording.raw import MAGIC
+from app.operations.services import MonitoringSettings
+from app.store.store import Store
+from tests.api.conftest import running_server
+from tests.archive.filled import add_scan, check_whole, content_of
+from tests.sent_texts import english
+
+DEADLINE_S = 120.0
+
+
+def add_old_scan(store: Store, scan_id: str) -> Path:
+    """A scan that was recorded a hundred days ago."""
+    folder = add_scan(store, scan_id, 3000)
+    (folder / "scan.mcap").write_bytes(MAGIC + bytes(3000) + MAGIC)
+    for path in folder.iterdir():
+        seconds = time.time() - 100 * 86_400
+        os.utime(path, (seconds, seconds))
+    return folder
+
+
+def settings_file(top: Path, more: str) -> Path:
+    file = top / "station.toml"
+    file.write_text(f'[station]\ndata = "data"\n{more}')
+    return file
+
+
+def until(http: httpx.Client, path: str, ready: Callable[[Any], bool]) -> Any:
+    deadline_s = time.monotonic() + DEADLINE_S
+    while not ready(found := http.get(path).json()):
+        assert time.monotonic() < deadline_s, found
+        time.sleep(0.1)
+    return found
+
+
+def findings(view: Any) -> dict[str, Any]:
+    return {item["id"]: item for item in view["health"]["items"]}
+
+
+@pytest.mark.slow
+def test_a_scan_that_left_the_disk_is_listed_and_comes_back_while_the_station_runs(
+    tmp_path: Path, place: Path
+) -> None:
+    store = Store(tmp_path / "data")
+    folder = add_old_scan(store, "old")
+    before = content_of(folder)
+    store.close()
+    rules = {"url": str(place), "keep_days": 90}
+    settings = ArchiveSettings.model_validate(rules, context=tmp_path / "station.toml")
+    with running_server(store.folder, monitoring=MonitoringSettings(archive=settings)) as server:
+        (scan,) = until(server.http, "/api/scans", lambda scans: bool(scans[0]["note"]))
+        assert english(scan["note"]).endswith("crenel archive fetch scans old")
+        assert not folder.exists()
+        health = findings(
+            until(server.http, "/api/health", lambda view: "archive" in findings(view))
+        )
+        for name in ("archive", "recordings", "records"):
+            assert health[name]["quality"] == "good", health[name]
+        missing = server.http.get("/api/scans/old/cloud.ply")
+        assert missing.status_code == 404
+        assert "crenel archive fetch" in missing.text
+        file = settings_file(tmp_path, f'[archive]\nurl = "{place}"\n')
+        words = ["archive", "fetch", "scans", "old", "--config", str(file)]
+        fetched = CliRunner().invoke(cli, words)
+        assert fetched.exit_code == 0, fetched.output
+        assert content_of(folder) == before
+        (scan,) = server.http.get("/api/scans").json()
+        assert scan["note"] == ""
+        assert server.http.get("/api/scans/old/cloud.ply").content == before["cloud.ply"]
+
+
+def test_the_commands_fill_verify_and_read_an_archive(tmp_path: Path, place: Path) -> None:
+    store = Store(tmp_path / "data")
+    folder = add_old_scan(store, "old")
+    before = content_of(folder)
+    file = settings_file(tmp_path, f'[archive]\nurl = "{place}"\nkeep_days = 90\n')
+
+    def run(*words: str, status: int = 0) -> str:
+        done = CliRunner().invoke(cli, ["archive", *words, "--config", str(file)])
+        assert done.exit_code == status, done.output
+        return done.output
+
+    assert json.loads(run("status", "--json"))["waiting"] == 1
+    assert "1 records copied" in run("run")
+    state = json.loads(run("status", "--json"))
+    assert (state["waiting"], [one["id"] for one in state["in_archive_only"]]) == (0, ["old"])
+    assert "scans old" in run("status")
+    assert "whole" in run("verify")
+    run("fetch", "scans", "old")
+    assert content_of(folder) == before
+    assert "already" in run("fetch", "scans", "old", status=1)
+    run("fetch", "photos", "old", status=2)
+    run("fetch", "scans", "../old", status=2)
+    (copy,) = place.glob("scans/old/*/scan.mcap")
+    copy.unlink()
+    assert "scan.mcap" in run("verify", status=1)
+    run("run")
+    assert len(check_whole(content_of(place))) == 1
+    settings_file(tmp_path, "")
+    assert "names no archive" in run("status", status=1)
+    store.close()
