@@ -16,7 +16,7 @@ from hardware.simulator.devices.kinematics import (
     flange_pose,
     translation,
 )
-from hardware.simulator.devices.motion import JointPath, Motion
+from hardware.simulator.devices.motion import JointPath, Motion, plan_path
 from hardware.simulator.operator.contact import (
     BOARD,
     choose_contact_point,
@@ -25,6 +25,7 @@ from hardware.simulator.operator.contact import (
 )
 from hardware.simulator.operator.holding import SensorMount, sensor_over_block, sensor_over_board
 from hardware.simulator.operator.moving import MoveExecutor, OperatorState
+from hardware.simulator.operator.on_sphere import path_onto_place, plan_view
 from hardware.simulator.operator.paths import PASS_S, PathPlanner, passing_poses
 from hardware.simulator.operator.sweeping import plan_sweeps, sweep_poses
 from hardware.simulator.operator.swinging import (
@@ -266,6 +267,51 @@ class ScriptedOperator:
             return True
         return False
 
+    def touch_sphere(self, outward: Sequence[float], stylus_from: Sequence[float]) -> bool:
+        """Touches the sphere on the table at a place and presses the primary button; False when
+        cancelled.
+
+        Args:
+            outward: (3,) direction of the place from the sphere's centre, arm frame.
+            stylus_from: (3,) direction in which the stylus points away from the place.
+
+        Raises UnreachableError where the arm cannot get there like that.
+        """
+        thing = self._scene.find_object("sphere")
+        shape, centre = thing.shape, thing.T_arm_obj[:3, 3]
+        assert isinstance(shape, GaugeSphere)
+        place, stylus = _unit(outward), _unit(stylus_from)
+        with self._executor.move("touching the sphere"):
+            gap_mm = shape.radius_mm + self.planner.gap_mm()
+            self._tap(
+                lambda q: path_onto_place(self._arm, centre, gap_mm, place, stylus, q, self._rng)
+            )
+            return True
+        return False
+
+    def scan_sphere(self, seen_from: Sequence[float]) -> bool:
+        """Passes the sensor over the sphere on the table so that it sees it from a direction
+        (3,), arm frame; False when cancelled.
+
+        Raises UnreachableError where the arm cannot hold the sensor like that.
+        """
+        thing = self._scene.find_object("sphere")
+        shape = thing.shape
+        assert isinstance(shape, GaugeSphere)
+        with self._executor.move("scanning the sphere"):
+            sweeps = plan_view(shape.radius_mm, thing.T_arm_obj[:3, :3].T @ _unit(seen_from))
+            for sweep in sweeps:
+                poses = sweep_poses(thing.T_arm_obj, sweep) @ self._T_sensor_flange
+                with suppress(UnreachableError):
+                    to_start = self.planner.path_to(poses[0], 50.0)
+                    plan_path(self._arm, poses, to_start.q_rad[-1], sweep.duration_s)
+                    self._executor.play(to_start, 0.0, 0.5)
+                    path = self.planner.path_through(poses, sweep.duration_s)
+                    self._executor.play(path, 0.5, 1.0)
+                    return True
+            raise UnreachableError("the arm cannot hold the sensor over the sphere like that")
+        return False
+
     def _forget_contact(self) -> None:
         self._last_contact = None
 
@@ -329,6 +375,11 @@ class ScriptedOperator:
             self._executor.play(self.planner.apply_pace(path), 0.0, 1.0)
             return True
         return False
+
+
+def _unit(direction: Sequence[float]) -> Floats:
+    found = np.asarray(direction, dtype=np.float64)
+    return np.asarray(found / np.linalg.norm(found))
 
 
 def _depth(shape: CrenellatedBlock | Board, face: str) -> float:
