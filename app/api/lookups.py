@@ -11,6 +11,7 @@ from app.messages.message import Text, message
 from app.operations.context import Context
 from app.store.calibrations import CalibrationRecord
 from app.store.scans import ScanRecord
+from app.store.performances import PerformanceRecord
 from app.store.verifications import VerificationRecord
 
 
@@ -35,6 +36,14 @@ def find_verification(context: Context, verification_id: str) -> VerificationRec
     record = context.store.verifications.get(verification_id)
     if record is None:
         raise NotFoundError(message("there-no-verification", record_id=verification_id))
+    return record
+
+
+def find_performance(context: Context, performance_id: str) -> PerformanceRecord:
+    """A performance test; raises ``NotFoundError`` where there is none of this id."""
+    record = context.store.performances.get(performance_id)
+    if record is None:
+        raise NotFoundError(message("there-no-performance", record_id=performance_id))
     return record
 
 

@@ -19,7 +19,7 @@ from app.api import (
 )
 from app.api.access import accounts, auth, tokens
 from app.api.monitoring import health, metrics, notifications
-from app.api.sessions import arm, calibration, verification
+from app.api.sessions import arm, calibration, performance, verification
 from app.api.static_files import file_response, names_a_file, page_response
 from app.api.viewer import proxy
 
@@ -54,6 +54,7 @@ ROUTERS = (
     calibration.router,
     arm.router,
     verification.router,
+    performance.router,
     calibrations.router,
     scan.router,
     settings.router,

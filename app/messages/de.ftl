@@ -266,6 +266,7 @@ began-backup = Sicherung gestartet
 began-cloud = Punktwolke begonnen
 began-resumed-arm-check = Armprüfung begonnen oder fortgesetzt
 began-resumed-calibration = Kalibrierung begonnen oder fortgesetzt
+began-resumed-performance-test = hat eine Leistungsprüfung begonnen oder fortgesetzt
 began-resumed-verification = Verifizierung begonnen oder fortgesetzt
 began-seat = Position begonnen
 begin-again = Neu beginnen
@@ -1349,14 +1350,89 @@ no-sensor-named = diese Station hat keinen Sensor namens { $name }
 one-pose-takes-no-raw = eine einzelne Pose lässt sich nicht aus Bayer-Rohbildern kalibrieren
 opens-again = Die Verbindung öffnet sich von selbst wieder; danach den letzten Schritt wiederholen.
 origin-of-figures = Herkunft der Werte
+performance-accept = Prüfung abschließen
+performance-all-scanned = Alle fünf Stellungen sind gescannt.
+performance-all-touched = Alle Stellen dieses Schritts sind angetastet. Weiter.
+performance-another-step =
+    { $step ->
+        [artefact] Das gehört zu einem anderen Schritt; die Prüfung steht bei „Kugel und Grenzwerte“.
+        [pattern] Das gehört zu einem anderen Schritt; die Prüfung steht bei „25 Antastungen“.
+        [location] Das gehört zu einem anderen Schritt; die Prüfung steht bei „Lage durch Antasten“.
+        [scan] Das gehört zu einem anderen Schritt; die Prüfung steht bei „Fünf Scans“.
+        [end] Das gehört zu einem anderen Schritt; die Prüfung steht bei „Nochmals antasten“.
+       *[review] Das gehört zu einem anderen Schritt; die Prüfung steht bei „Ergebnis“.
+    }
+performance-articulation =
+    { $number ->
+        [1] Von oben
+        [2] Vom Arm weg geneigt
+        [3] Nach rechts geneigt
+        [4] Zum Arm hin geneigt
+       *[other] Nach links geneigt
+    }
+performance-articulations-missing =
+    { $missing ->
+        [one] Eine Stellung ist noch nicht gescannt.
+       *[other] { $missing } Stellungen sind noch nicht gescannt.
+    }
+performance-aside-note = { $title }: { $reason }
+performance-began-scan = hat einen Scan der Kugel begonnen
+performance-begin-scan = Scan beginnen
+performance-cancelled-device = Abgebrochen: Ein Gerät ist ausgefallen.
+performance-cancelled-moved = Abgebrochen: Kugel oder Arm hat sich bewegt.
+performance-cancelled-operating = Abgebrochen: Bedienfehler, wiederholt.
+performance-cancelled-other = Vom Bediener abgebrochen.
+performance-cancelled-plan = Abgebrochen: Plan, Kalibrierung oder Einstellungen wurden geändert.
+performance-cannot-read = Der Eintrag der Leistungsprüfung { $one } ist nicht lesbar.
+performance-choose-sphere = Zuerst eine Kugel wählen.
+performance-confirmed-artefact = hat die Kugel bestätigt
+performance-confirmed-step = hat einen Schritt bestätigt
+performance-correct-gauge = Die Datei im Ordner gauges berichtigen oder eine andere Kugel wählen.
+performance-do-artefact = Die Prüfkugel wählen und im Arbeitsraum des Arms befestigen. Sollen Grenzwerte beurteilt werden, sie aus dem Datenblatt eintragen.
+performance-do-end = Die Kugel noch fünfmal antasten: Das zeigt, ob sie sich bewegt hat.
+performance-do-review = Maß, Form und Lage der Kugel durch Antasten, durch Scannen und aus beidem zusammen.
+performance-drop-scan = Scan verwerfen
+performance-dropped-scan = hat einen Scan der Kugel verworfen
+performance-dropping-scan = Der Scan wird verworfen
 performance-editions = Normen
+performance-end-scan = Scan beenden
 performance-ended = Beendet
+performance-evaluating = Die Kenngrößen werden berechnet
+performance-finish-scan-first = Zuerst den laufenden Scan beenden oder verwerfen.
+performance-finished-scan = hat einen Scan der Kugel beendet
 performance-gate-points = Punkte eines Scans nehmen teil, wenn sie höchstens { $shell } von der Oberfläche der kalibrierten Kugel und höchstens { $cone } von ihrem Pol ({ $pole }) entfernt liegen und der Sensor diese Oberfläche unter höchstens { $incidence } zu ihrer Normalen sieht. Alle diese Punkte zählen; keiner wird wegen seines Residuums entfernt.
+performance-go-on = Weiter
+performance-hold-sensor =
+    { $number ->
+        [1] Den Sensor über die Kugel halten, Blick senkrecht nach unten. Den Scan beginnen und die Laserlinie über die Kugel führen.
+        [2] Den Sensor auf der vom Arm abgewandten Seite halten, etwa 45° geneigt. Den Scan beginnen und die Laserlinie über die Kugel führen.
+        [3] Den Sensor vom Arm aus gesehen rechts halten, etwa 45° geneigt. Den Scan beginnen und die Laserlinie über die Kugel führen.
+        [4] Den Sensor auf der Seite des Arms halten, etwa 45° geneigt. Den Scan beginnen und die Laserlinie über die Kugel führen.
+       *[other] Den Sensor vom Arm aus gesehen links halten, etwa 45° geneigt. Den Scan beginnen und die Laserlinie über die Kugel führen.
+    }
+performance-is-closed = Diese Prüfung ist abgeschlossen. Eine neue beginnen.
+performance-is-evaluated = Die Kenngrößen werden noch berechnet.
+performance-leave-question = Diese Prüfung abbrechen? Sie bleibt erhalten und wird mit dem Grund aufgeführt.
+performance-measuring-scan = Der Scan der Stellung { $articulation } wird ausgewertet
+performance-move-sphere = Die Kugel an ihre zweite Position in einem anderen Teil des Arbeitsraums setzen und befestigen. Dann oben antasten.
+performance-no-free-place = Diese Antastung liegt nicht nahe einer noch freien Stelle und wurde nicht übernommen
+performance-no-scan-runs = Es läuft kein Scan.
+performance-no-sphere = Im Ordner gauges liegt noch keine Kugel.
+performance-no-way-back = Das Angetastete gilt: Nach der ersten Antastung geht die Prüfung nicht zurück.
+performance-nothing-to-test = Es gibt nichts zu prüfen
+performance-other-calibration = Seit Beginn der Prüfung wurde die verwendete Kalibrierung gewechselt.
+performance-pass-slowly = Die Laserlinie langsam über die ganze Kugel führen, dann den Scan beenden.
 performance-patches =
     { $count ->
         [one] { $count } Stelle eines Scans ist der mittlere Abstand
        *[other] { $count } Stellen eines Scans sind die mittleren Abstände
     } aller Punkte innerhalb von { $half } um die Richtungen des Musters.
+performance-plan-changed = Der Plan dieser Prüfung wurde nach der ersten Antastung geändert.
+performance-plan-is-frozen = Kugel und Grenzwerte stehen seit der ersten Antastung fest.
+performance-put-back = Antastung zurückholen
+performance-repeat = Prüfung wiederholen
+performance-repeat-question = Die Prüfung wiederholen? Dieser Durchgang bleibt erhalten und wird als wiederholt aufgeführt.
+performance-repeat-scan = Scan { $number } nochmals
 performance-rule =
     Entscheidungsregel, { $standard }:{ $edition }: { $guard ->
         [yes] Ein Wert ist konform, wenn er um mehr als das { $factor }-Fache seiner Standard-Prüfwertunsicherheit innerhalb seiner größten zulässigen Abweichung (MPE) liegt, und nicht konform, wenn er um mehr als das darüber liegt. Dazwischen { $bearer ->
@@ -1366,6 +1442,28 @@ performance-rule =
         }.
        *[no] Ein Wert ist konform, wenn er seine größte zulässige Abweichung (MPE) nicht überschreitet; die Prüfwertunsicherheit wird angegeben und nicht angewandt.
     } U ist die Unsicherheit von Normal und Aufbau, nicht die Streuung von Arm und Sensor: Diese misst die Prüfung.
+performance-run = Position { $position }, Scan der Stellung { $articulation }
+performance-run-dropped = Während des Scannens verworfen.
+performance-run-repeated = Vom Bediener wiederholt.
+performance-scan-again = Diese Stellung nochmals scannen, langsam über die ganze Kugel
+performance-scan-done = Stellung { $articulation } ist gescannt.
+performance-scan-is-measured = Der letzte Scan wird noch ausgewertet.
+performance-scan-missing = Die Stellung, auf deren Seite sie liegen, nochmals scannen.
+performance-scan-name = Leistungsprüfung, Stellung { $articulation }
+performance-scan-shows = { $patches } von 25 Feldern, { $points } Punkte
+performance-scan-too-small = Der Scan deckt nur { $count } der 25 Felder der Kugel ab
+performance-scans-done = { $done } von { $of } Stellungen
+performance-set-is-invalid = Das Gemessene gehört zum alten Stand und ist als Prüfung ungültig. Neu beginnen; die Daten bleiben erhalten.
+performance-set-positions = hat die Zahl der Positionen gewählt
+performance-settings-changed = Die Einstellungen für Scans wurden nach der ersten Antastung dieser Prüfung geändert.
+performance-simulation-scans = Der simulierte Bediener scannt Stellung { $articulation }
+performance-simulation-touches = Der simulierte Bediener tastet die Kugel an: { $done } von { $of }
+performance-sphere-is-fixed = Die Kugel ist befestigt
+performance-step-artefact = Kugel und Grenzwerte
+performance-step-end = Nochmals antasten
+performance-step-location = Lage durch Antasten
+performance-step-pattern = 25 Antastungen
+performance-step-scan = Fünf Scans
 performance-symbol = Symbol
 performance-test =
     { $kind ->
@@ -1374,6 +1472,24 @@ performance-test =
         [contact] Leistungsprüfung: taktiles Antasten
        *[sphere] Leistungsprüfung: eine Kugel
     }
+performance-touch-location =
+    { $number ->
+        [1] Das Handgelenk über der Kugel halten, der Taster zeigt senkrecht nach unten. Oben und an vier Stellen ringsum antasten, ohne den Taster zu drehen.
+        [2] Den Taster etwa 45° neigen, das Handgelenk auf der vom Arm abgewandten Seite. Die fünf markierten Stellen antasten, ohne den Taster zu drehen.
+        [3] Den Taster etwa 45° neigen, das Handgelenk vom Arm aus gesehen rechts. Die fünf markierten Stellen antasten, ohne den Taster zu drehen.
+        [4] Den Taster etwa 45° neigen, das Handgelenk auf der Seite des Arms. Die fünf markierten Stellen antasten, ohne den Taster zu drehen.
+       *[other] Den Taster etwa 45° neigen, das Handgelenk vom Arm aus gesehen links. Die fünf markierten Stellen antasten, ohne den Taster zu drehen.
+    }
+performance-touch-pattern = Die markierten Stellen in beliebiger Reihenfolge antasten, das Handgelenk dabei frei drehen. Die nächste freie ist hervorgehoben.
+performance-touch-place = Stelle { $number } der Zeichnung antasten
+performance-touch-taken = Antastung { $count } auf der Kugel
+performance-touch-top-first = Die Kugel zuerst ganz oben antasten; daraus folgen die anderen Stellen. Von da an stehen Kugel und Grenzwerte fest.
+performance-touches-missing =
+    { $missing ->
+        [one] Eine Antastung fehlt.
+       *[other] { $missing } Antastungen fehlen.
+    }
+performance-valid-until = Kalibrierschein gültig bis { $until }
 performance-values-against-limits = Werte als Anteile ihrer größten zulässigen Abweichungen, mit der Prüfwertunsicherheit (k = 2) als Balken. Der gefüllte Punkt ist der schlechtere Wert, der zählt; offene Punkte sind die Werte jeder Position.
 pictures-were-taken-with-other-sensor = Es wurden Bilder mit einem anderen Sensor aufgenommen. Für diesen eine neue Kalibrierung beginnen.
 places-of-hemisphere =
@@ -2926,6 +3042,7 @@ there-no-identification-arm = Die Identifikation des Messarms { $record_id } gib
 there-no-language = die Sprache „{ $language }“ gibt es nicht
 there-no-limit = { $title }: { $value }; kein Grenzwert.
 there-no-map-cloud = Zu Punktwolke { $number } gibt es keine Karte.
+there-no-performance = Es gibt keine Leistungsprüfung { $record_id }
 there-no-picture-object-sensor-take = Es gibt noch kein Bild dieses Objekts mit diesem Sensor. Eines aufnehmen.
 there-no-picture-yet-take-one = Es gibt noch kein Bild. Eines aufnehmen.
 there-no-points-rectangle = Im Rechteck sind keine Punkte
@@ -3381,6 +3498,7 @@ word-on = an
 word-once = einmal
 word-part = Teil
 word-pass = bestanden
+word-performance-test = Leistungsprüfung
 word-pictures = Bilder
 word-plane = Ebene
 word-plate = Platte

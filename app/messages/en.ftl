@@ -266,6 +266,7 @@ began-backup = started a backup
 began-cloud = started a cloud
 began-resumed-arm-check = started or resumed an arm check
 began-resumed-calibration = started or resumed a calibration
+began-resumed-performance-test = started or resumed a performance test
 began-resumed-verification = started or resumed a verification
 began-seat = started a place
 begin-again = Start again
@@ -1345,14 +1346,89 @@ no-sensor-named = this station has no sensor named { $name }
 one-pose-takes-no-raw = one pose cannot be calibrated from raw Bayer pictures
 opens-again = The connection opens again by itself; then repeat the last action.
 origin-of-figures = Origin of the figures
+performance-accept = Finish the test
+performance-all-scanned = All five articulations are scanned.
+performance-all-touched = All places of this step are touched. Continue.
+performance-another-step =
+    { $step ->
+        [artefact] This belongs to another step; the test is at 'Sphere and limits'.
+        [pattern] This belongs to another step; the test is at '25 touches'.
+        [location] This belongs to another step; the test is at 'Location by touch'.
+        [scan] This belongs to another step; the test is at 'Five scans'.
+        [end] This belongs to another step; the test is at 'Touch again'.
+       *[review] This belongs to another step; the test is at 'Result'.
+    }
+performance-articulation =
+    { $number ->
+        [1] From above
+        [2] Tilted away from the arm
+        [3] Tilted to the right
+        [4] Tilted towards the arm
+       *[other] Tilted to the left
+    }
+performance-articulations-missing =
+    { $missing ->
+        [one] One articulation is not scanned yet.
+       *[other] { $missing } articulations are not scanned yet.
+    }
+performance-aside-note = { $title }: { $reason }
+performance-began-scan = began a scan of the sphere
+performance-begin-scan = Begin the scan
+performance-cancelled-device = Cancelled: a device failed.
+performance-cancelled-moved = Cancelled: the sphere or the arm moved.
+performance-cancelled-operating = Cancelled: operating error, repeated.
+performance-cancelled-other = Cancelled by the operator.
+performance-cancelled-plan = Cancelled: plan, calibration or settings were changed.
+performance-cannot-read = The entry of performance test { $one } cannot be read.
+performance-choose-sphere = Choose a sphere first.
+performance-confirmed-artefact = confirmed the sphere
+performance-confirmed-step = confirmed a step
+performance-correct-gauge = Correct the file in the folder gauges, or choose another sphere.
+performance-do-artefact = Choose the test sphere and fix it within the arm's reach. Enter the limits from the datasheet if they are to be judged.
+performance-do-end = Touch the sphere five more times: they show whether it has moved.
+performance-do-review = Size, form and location of the sphere by touch, by scan, and both together.
+performance-drop-scan = Discard the scan
+performance-dropped-scan = discarded a scan of the sphere
+performance-dropping-scan = Discarding the scan
 performance-editions = Standards
+performance-end-scan = End the scan
 performance-ended = Ended
+performance-evaluating = Calculating the figures
+performance-finish-scan-first = End or discard the running scan first.
+performance-finished-scan = ended a scan of the sphere
 performance-gate-points = Points of a scan take part if they lie within { $shell } of the surface of the calibrated sphere and within { $cone } of its pole ({ $pole }), and if the sensor sees that surface at no more than { $incidence } from its normal. All these points count; none is removed by its residual.
+performance-go-on = Continue
+performance-hold-sensor =
+    { $number ->
+        [1] Hold the sensor above the sphere, looking straight down. Begin the scan and move the stripe over the sphere.
+        [2] Hold the sensor on the side away from the arm, tilted by about 45°. Begin the scan and move the stripe over the sphere.
+        [3] Hold the sensor on the right as seen from the arm, tilted by about 45°. Begin the scan and move the stripe over the sphere.
+        [4] Hold the sensor on the side of the arm, tilted by about 45°. Begin the scan and move the stripe over the sphere.
+       *[other] Hold the sensor on the left as seen from the arm, tilted by about 45°. Begin the scan and move the stripe over the sphere.
+    }
+performance-is-closed = This test is closed. Begin a new one.
+performance-is-evaluated = The figures are still being calculated.
+performance-leave-question = Cancel this test? It is kept and listed with the reason.
+performance-measuring-scan = Evaluating the scan of articulation { $articulation }
+performance-move-sphere = Move the sphere to its second position, in another part of the arm's reach, and fix it. Then touch its top.
+performance-no-free-place = This touch is not near a place that is still free; it was not taken
+performance-no-scan-runs = No scan is running.
+performance-no-sphere = There is no sphere in the folder gauges yet.
+performance-no-way-back = What was touched stands: the test does not go back after its first touch.
+performance-nothing-to-test = There is nothing to test
+performance-other-calibration = The calibration in use has changed since the test began.
+performance-pass-slowly = Move the stripe slowly over the whole sphere, then end the scan.
 performance-patches =
     { $count ->
         [one] { $count } place of a scan is
        *[other] { $count } places of a scan are
     } the mean distances of all points within { $half } of the directions of the pattern.
+performance-plan-changed = The plan of this test was changed after its first touch.
+performance-plan-is-frozen = Sphere and limits are fixed since the first touch.
+performance-put-back = Put the touch back
+performance-repeat = Repeat the test
+performance-repeat-question = Repeat the test? This run is kept and listed as repeated.
+performance-repeat-scan = Scan { $number } again
 performance-rule =
     Decision rule, { $standard }:{ $edition }: { $guard ->
         [yes] a value conforms if it is within its maximum permissible error (MPE) by more than { $factor } times its standard test uncertainty, and does not if it is beyond by more than that. In between, { $bearer ->
@@ -1362,6 +1438,28 @@ performance-rule =
         }.
        *[no] a value conforms if it does not exceed its maximum permissible error (MPE); the test uncertainty is stated and not applied.
     } U is the uncertainty of artefact and set-up, not the scatter of arm and sensor, which is what the test measures.
+performance-run = Position { $position }, scan of articulation { $articulation }
+performance-run-dropped = Discarded by the operator while it was scanned.
+performance-run-repeated = Repeated by the operator.
+performance-scan-again = Scan this articulation again, slowly over the whole sphere
+performance-scan-done = Articulation { $articulation } is scanned.
+performance-scan-is-measured = The last scan is still being evaluated.
+performance-scan-missing = Scan the articulation on whose side they lie again.
+performance-scan-name = Performance test, articulation { $articulation }
+performance-scan-shows = { $patches } of 25 patches, { $points } points
+performance-scan-too-small = The scan covers only { $count } of the sphere's 25 patches
+performance-scans-done = { $done } of { $of } articulations
+performance-set-is-invalid = What was measured belongs to the old state and is invalid as a test. Begin again; the data are kept.
+performance-set-positions = chose how many positions
+performance-settings-changed = The settings for scans were changed after the first touch of this test.
+performance-simulation-scans = The simulated operator scans articulation { $articulation }
+performance-simulation-touches = The simulated operator touches the sphere: { $done } of { $of }
+performance-sphere-is-fixed = The sphere is fixed
+performance-step-artefact = Sphere and limits
+performance-step-end = Touch again
+performance-step-location = Location by touch
+performance-step-pattern = 25 touches
+performance-step-scan = Five scans
 performance-symbol = Symbol
 performance-test =
     { $kind ->
@@ -1370,6 +1468,24 @@ performance-test =
         [contact] Performance test: contact probing
        *[sphere] Performance test: one sphere
     }
+performance-touch-location =
+    { $number ->
+        [1] Hold the wrist above the sphere, with the stylus pointing straight down. Touch the top and four places around it without turning the stylus.
+        [2] Tilt the stylus by about 45°, wrist on the side away from the arm. Touch the five marked places without turning the stylus.
+        [3] Tilt the stylus by about 45°, wrist on the right as seen from the arm. Touch the five marked places without turning the stylus.
+        [4] Tilt the stylus by about 45°, wrist on the side of the arm. Touch the five marked places without turning the stylus.
+       *[other] Tilt the stylus by about 45°, wrist on the left as seen from the arm. Touch the five marked places without turning the stylus.
+    }
+performance-touch-pattern = Touch the marked places in any order, with the wrist turned freely. The nearest free one is highlighted.
+performance-touch-place = Touch place { $number } of the drawing
+performance-touch-taken = Touch { $count } on the sphere
+performance-touch-top-first = Touch the top of the sphere first; the other places follow from it. From here on, sphere and limits are fixed.
+performance-touches-missing =
+    { $missing ->
+        [one] One touch is missing.
+       *[other] { $missing } touches are missing.
+    }
+performance-valid-until = certificate valid until { $until }
 performance-values-against-limits = Values as shares of their maximum permissible errors, with the test uncertainty (k = 2) as a bar. The filled dot is the worse value, which counts; open dots are the values of each position.
 pictures-were-taken-with-other-sensor = Pictures were taken with another sensor. Begin a new calibration for this one.
 places-of-hemisphere =
@@ -2913,6 +3029,7 @@ there-no-identification-arm = There is no identification of the arm { $record_id
 there-no-language = there is no language '{ $language }'
 there-no-limit = { $title }: { $value }; there is no limit.
 there-no-map-cloud = There is no map of cloud { $number }.
+there-no-performance = There is no performance test { $record_id }
 there-no-picture-object-sensor-take = There is no picture of this object and sensor. Take one.
 there-no-picture-yet-take-one = There is no picture yet. Take one.
 there-no-points-rectangle = There are no points in the rectangle
@@ -3367,6 +3484,7 @@ word-on = on
 word-once = once
 word-part = part
 word-pass = pass
+word-performance-test = performance test
 word-pictures = pictures
 word-plane = plane
 word-plate = plate

@@ -11,6 +11,7 @@ from app.guide.arm.guide import ArmGuide
 from app.guide.calibration.guide import CalibrationGuide
 from app.guide.common.simulated_scan import SimulatedScan
 from app.guide.common.validity import DUE, DueLimits
+from app.guide.performance.guide import PerformanceGuide
 from app.guide.verify.guide import VerifyGuide
 from app.operations.device_setup import KINDS, DeviceSetup
 from app.operations.recovery import Recovery
@@ -49,6 +50,7 @@ class Context:
     simulated_scan: SimulatedScan
     arm_guide: ArmGuide
     verify_guide: VerifyGuide
+    performance_guide: PerformanceGuide
     settings: OperatorSettings
     lease: Lease
     authenticator: Authenticator

@@ -6,6 +6,7 @@ from collections.abc import Awaitable, Callable, Coroutine
 from itertools import count
 
 from app.errors import OperationError, sentence
+from app.guide.performance.commands import measure_waiting as measure_waiting_scan
 from app.guide.verify.commands import measure_waiting
 from app.messages.message import join
 from app.operations.context import Context
@@ -62,6 +63,8 @@ async def tick(context: Context) -> None:
         await asyncio.to_thread(context.arm_guide.refresh)
         await asyncio.to_thread(measure_waiting, context.verify_guide)
         await asyncio.to_thread(context.verify_guide.refresh)
+        await asyncio.to_thread(measure_waiting_scan, context.performance_guide)
+        await asyncio.to_thread(context.performance_guide.refresh)
         if number % HOME_EVERY == 0:
             await asyncio.to_thread(context.recovery.step)
             found = await asyncio.to_thread(build_home, context)

@@ -6,6 +6,8 @@ from pathlib import Path
 from app.archive.records import is_in_archive_only
 from app.errors import OperationError
 from app.formats.datasheets.arm import read_any_arm
+from app.formats.performance.plan import RESULT
+from app.formats.performance.results import PerformanceFile
 from app.formats.results.calibration import CalibrationFile
 from app.formats.results.verification import VERIFICATION, VerificationFile
 from app.formats.session.calibration_session import ARM
@@ -15,7 +17,13 @@ from app.operations.context import Context
 
 def list_unreadable(context: Context) -> list[Text]:
     """One sentence for each. It reads every record, which may take seconds."""
-    store, sessions = context.store, (context.guide, context.arm_guide, context.verify_guide)
+    store = context.store
+    sessions = (
+        context.guide,
+        context.arm_guide,
+        context.verify_guide,
+        context.performance_guide,
+    )
     reasons = [session.unreadable_reason for session in sessions if session.unreadable_reason]
     rows = store.unreadable_rows()
     if rows:
@@ -27,6 +35,9 @@ def list_unreadable(context: Context) -> list[Text]:
     reasons += [
         message("verification-cannot-read", one=one) for one in store.verifications.unreadable()
     ]
+    reasons += [
+        message("performance-cannot-read", one=one) for one in store.performances.unreadable()
+    ]
     for record in store.calibrations.all():
         reasons += _reading_error(record.file, CalibrationFile.read)
         reasons += _reading_error(record.file.parent / ARM, read_any_arm)
@@ -34,6 +45,9 @@ def list_unreadable(context: Context) -> list[Text]:
         if is_in_archive_only(store.folder, "verifications", verification.folder.name):
             continue
         reasons += _reading_error(verification.folder / VERIFICATION, VerificationFile.read)
+    for test in store.performances.all():
+        if test.figures.result != "cancelled":
+            reasons += _reading_error(test.folder / RESULT, PerformanceFile.read)
     return reasons
 
 

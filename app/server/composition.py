@@ -19,6 +19,8 @@ from app.guide.common.guided_session import GuidedSession, Provenance, StationSe
 from app.guide.common.simulated_operator import SimulatedOperator
 from app.guide.common.simulated_scan import SimulatedScan
 from app.guide.common.validity import DUE, DueLimits
+from app.guide.performance.commands import COMMANDS as PERFORMANCE_COMMANDS
+from app.guide.performance.guide import PerformanceGuide, PerformanceServices
 from app.guide.verify.commands import COMMANDS as VERIFICATION_COMMANDS
 from app.guide.verify.guide import VerificationServices, VerifyGuide
 from app.messages.message import Text, message
@@ -186,15 +188,31 @@ def _build_context(parts: StationParts, store: Store) -> Context:
         signing,
         parts.rule,
     )
+    performance_guide = PerformanceGuide(
+        PerformanceServices(
+            bus,
+            rig,
+            jobs,
+            parts.simulated_operator,
+            scanner,
+            scene,
+            lambda: settings.settings.model_dump(mode="json"),
+        ),
+        store.journal,
+        store.calibrations,
+        store.performances,
+        store.folder,
+        signing,
+    )
     rig.arm.on_button = Buttons(
-        _button_handler(guide, arm_guide, verify_guide),
+        _button_handler(guide, arm_guide, verify_guide, performance_guide),
         there=lambda: rig.arm.link().state == "connected",
     ).edge
     device_setup = DeviceSetup(
         bus,
         rig,
         parts.devices,
-        lambda: _work_error(scanner, jobs, (guide, arm_guide, verify_guide)),
+        lambda: _work_error(scanner, jobs, (guide, arm_guide, verify_guide, performance_guide)),
         watch.note_devices,
         watch.note_options,
         lambda: read_library(store.folder),
@@ -217,6 +235,7 @@ def _build_context(parts: StationParts, store: Store) -> Context:
         simulated_scan,
         arm_guide,
         verify_guide,
+        performance_guide,
         settings,
         lease,
         Authenticator(
@@ -271,7 +290,10 @@ def _work_error(
 
 
 def _button_handler(
-    guide: CalibrationGuide, arm_guide: ArmGuide, verify_guide: VerifyGuide
+    guide: CalibrationGuide,
+    arm_guide: ArmGuide,
+    verify_guide: VerifyGuide,
+    performance_guide: PerformanceGuide,
 ) -> Callable[[Press], None]:
     """A press belongs to the open session that waits for it and was used last."""
 
@@ -279,6 +301,10 @@ def _button_handler(
         sessions: list[tuple[int, Callable[[], bool]]] = [
             (guide.state.rev, lambda: CALIBRATION_COMMANDS.press(guide, event)),
             (verify_guide.state.rev, lambda: VERIFICATION_COMMANDS.press(verify_guide, event)),
+            (
+                performance_guide.state.rev,
+                lambda: PERFORMANCE_COMMANDS.press(performance_guide, event),
+            ),
             (arm_guide.state.rev, lambda: ARM_COMMANDS.press(arm_guide, event)),
         ]
         for _, takes in sorted(sessions, key=lambda one: one[0], reverse=True):

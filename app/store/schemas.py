@@ -139,6 +139,15 @@ ALTER TABLE calibration ADD COLUMN sensor TEXT NOT NULL DEFAULT '';
 DROP INDEX one_active_calibration;
 CREATE UNIQUE INDEX one_active_calibration ON calibration (sensor) WHERE active = 1;
 """
+PERFORMANCES = """
+CREATE TABLE performance (
+    id TEXT PRIMARY KEY REFERENCES session (id),
+    calibration_id TEXT NOT NULL REFERENCES calibration (id),
+    folder TEXT NOT NULL,
+    ended_at TEXT NOT NULL,
+    figures TEXT NOT NULL
+) STRICT;
+"""
 SCHEMAS = (
     FIRST,
     ACCESS,
@@ -149,6 +158,7 @@ SCHEMAS = (
     MESSAGES,
     KIOSKS,
     SENSORS,
+    PERFORMANCES,
 )
 """The additions of each version of the database."""
 SCHEMA_VERSION = len(SCHEMAS)

@@ -17,11 +17,12 @@ from app.store.database import FULL, Database
 from app.store.journal import JournalStore
 from app.store.lock import FolderLock
 from app.store.login_sessions import LoginSessionStore
+from app.store.performances import PerformanceStore
 from app.store.scans import ScanStore
 from app.store.temperatures import TemperatureStore
 from app.store.verifications import VerificationStore
 
-RECORD_FOLDERS = ("sessions", "scans", "verifications")
+RECORD_FOLDERS = ("sessions", "scans", "verifications", "performance")
 """Folders whose content is listed in the database."""
 FOLDERS = ("arms", "objects", "sensors", "gauges", *RECORD_FOLDERS)
 SETTINGS_FILE = "scan_settings.json"
@@ -89,6 +90,7 @@ class Store:
         self.journal = JournalStore(self._database)
         self.calibrations = CalibrationStore(self._database, self.folder)
         self.verifications = VerificationStore(self._database, self.folder)
+        self.performances = PerformanceStore(self._database, self.folder)
         self.temperatures = TemperatureStore(self._database)
         self.scans = ScanStore(self._database, self.folder)
         self.settings = SettingsStore(self.folder)

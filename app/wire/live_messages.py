@@ -10,6 +10,7 @@ from pydantic import Field
 from app.findings import Quality
 from app.guide.arm.view import ArmView
 from app.guide.common.view import FlowView
+from app.guide.performance.view import PerformanceView
 from app.guide.verify.view import VerifyView
 from app.messages.message import Text
 from app.station.control_lease import Control
@@ -43,6 +44,7 @@ class Topics:
     home: Home
     arm: ArmView
     verify: VerifyView
+    performance: PerformanceView
     view: ViewState
     stations: Sequence[RemoteStation]
     report: StationReport

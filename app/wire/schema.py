@@ -328,6 +328,19 @@ class VerificationSummary:
 
 
 @dataclass(frozen=True)
+class PerformanceSummary:
+    """A performance test as it appears in the list."""
+
+    id: str
+    ended_at: str
+    kind: Literal["sphere", "lengths", "plane", "contact"]
+    result: Literal["pass", "fail", "uncertain", "cancelled"]
+    text: Text
+    artefact: str
+    operator: str
+
+
+@dataclass(frozen=True)
 class StudyState:
     """State of rebuilding the clouds with every calibration: running, done, or neither."""
 

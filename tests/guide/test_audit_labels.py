@@ -11,6 +11,8 @@ from app.guide.calibration.rules import RULES as CALIBRATION_RULES
 from app.guide.common.audit_labels import AUDIT_LABELS, audit_label
 from app.guide.common.commands import Commands
 from app.guide.common.rules import CommandRules
+from app.guide.performance.commands import COMMANDS as OF_PERFORMANCE
+from app.guide.performance.rules import RULES as PERFORMANCE_RULES
 from app.guide.verify.commands import COMMANDS as OF_VERIFICATION
 from app.guide.verify.rules import RULES as VERIFICATION_RULES
 
@@ -18,6 +20,7 @@ FLOWS: tuple[tuple[Commands[Any], CommandRules[Any, Any]], ...] = (
     (OF_CALIBRATION, CALIBRATION_RULES),
     (OF_ARM, ARM_RULES),
     (OF_VERIFICATION, VERIFICATION_RULES),
+    (OF_PERFORMANCE, PERFORMANCE_RULES),
 )
 
 

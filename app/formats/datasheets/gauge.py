@@ -74,6 +74,10 @@ class GaugeFile(Document):
     """Of the radius, or of a plane's flatness, k = 1."""
     form_um: NotNegative = 0.0
     """The gauge's own deviation from its shape."""
+    valid_until: Annotated[str, Field(max_length=40)] = ""
+    """The certificate's, an ISO 8601 date; empty: not stated."""
+    expansion_per_c: NotNegative = 0.0
+    """Coefficient of thermal expansion; 0: not stated."""
     limits: VerificationLimits = VerificationLimits()
 
     @model_validator(mode="after")

@@ -65,6 +65,14 @@ class SimulatedOperator(Protocol):
         """Touches the plate or the sphere on the table at its ``index``-th place, and presses
         the primary button."""
 
+    def touch_sphere(self, outward: Sequence[float], stylus_from: Sequence[float]) -> bool:
+        """Touches the sphere on the table at the place in a direction (3,) from its centre, with
+        the stylus from another (3,), and presses the primary button; arm frame."""
+
+    def scan_sphere(self, seen_from: Sequence[float]) -> bool:
+        """Passes the sensor over the sphere on the table, which it sees from a direction (3,),
+        arm frame."""
+
     def swing_in_seat(self) -> bool:
         """Swings the arm about the tip, which stays where it is."""
 

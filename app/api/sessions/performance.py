@@ -1,0 +1,55 @@
+"""The guided performance test, and the list of tests."""
+
+from fastapi import APIRouter
+from starlette.responses import Response
+
+from app.api.lookups import find_performance, send_file
+from app.api.sessions.routes import add_session_routes
+from app.formats.performance.plan import RESULT
+from app.guide.performance.commands import COMMANDS
+from app.guide.performance.view import PerformanceView
+from app.messages.message import message
+from app.operations.context import TheContext
+from app.store.performances import PerformanceRecord
+from app.wire.json_response import json_response
+from app.wire.schema import PerformanceSummary
+
+router = APIRouter(prefix="/api")
+
+
+add_session_routes(
+    router, "/performance", PerformanceView, lambda context: context.performance_guide, COMMANDS
+)
+
+
+@router.post("/performance/start", response_model=PerformanceView)
+def start(context: TheContext) -> Response:
+    """Begins a performance test, or resumes the open one."""
+    return json_response(context.performance_guide.start())
+
+
+@router.get("/performances")
+def performances(context: TheContext) -> list[PerformanceSummary]:
+    """Lists all performance tests in which a point was taken, newest first."""
+    return [_summary(record) for record in context.store.performances.all()]
+
+
+def _summary(record: PerformanceRecord) -> PerformanceSummary:
+    figures = record.figures
+    return PerformanceSummary(
+        id=record.id,
+        ended_at=record.ended_at,
+        kind=figures.kind,
+        result=figures.result,
+        text=figures.text,
+        artefact=figures.artefact,
+        operator=figures.operator,
+    )
+
+
+@router.get("/performances/{performance_id}")
+def performance(performance_id: str, context: TheContext) -> Response:
+    """The result of a performance test, as stored in its file."""
+    path = find_performance(context, performance_id).folder / RESULT
+    missing = message("record-data-folder-any-more")
+    return send_file(path, missing, "application/json", f"performance-{performance_id}.json")

@@ -1,0 +1,1 @@
+"""The guided performance test: one sphere, touched and scanned."""

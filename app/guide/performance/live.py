@@ -1,0 +1,56 @@
+"""What the view of a performance test depends on beside its journal. Pure."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from app.formats.datasheets.gauge import GaugeFile
+from app.formats.performance.results import PerformanceFile
+from app.guide.common.datasheet_library import Gauges
+from app.guide.common.rules import SessionLive
+from app.messages.message import Text
+from app.metrology.arm.kinematics import AnyArm
+from app.metrology.transforms import Floats
+from app.station.devices.link_state import DeviceState
+
+
+@dataclass(frozen=True, eq=False)
+class Places:
+    """The places of the part of the test that is touched now."""
+
+    directions: Floats
+    """(P, 3) from the sphere's centre, arm frame."""
+    flat_deg: Floats
+    """(P, 2) as seen along the pole: to the right and away from the arm, in degrees."""
+    taken: frozenset[int]
+    next: int
+    """The one to touch now, -1 of none."""
+    tip_flat_deg: tuple[float, float] | None
+    """Where the tip is; None before the centre is known."""
+
+
+@dataclass(frozen=True, eq=False)
+class PerformanceLive(SessionLive):
+    """The station as the performance test sees it."""
+
+    active_id: str
+    """The calibration in use; empty without one."""
+    active_name: str
+    gauges: Gauges
+    """The spheres among the data folder's gauges."""
+    gauge: GaugeFile | None
+    artefact_problems: tuple[Text, ...]
+    """Why the chosen sphere cannot serve."""
+    setup_now: Mapping[str, object]
+    """The station's settings of scans."""
+    plan_changed: bool
+    """Whether the plan's file is no longer the one of the first touch."""
+    arm: AnyArm | None
+    places: Places | None
+    pattern_flat_deg: Floats
+    """(25, 2) of the patches, as ``Places.flat_deg``."""
+    result: PerformanceFile | None
+    arm_link: DeviceState
+    sensor_link: DeviceState
+    still: bool
+    scan_why_not: Text
+    scan_points: int

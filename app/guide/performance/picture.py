@@ -1,0 +1,166 @@
+"""What is drawn of a performance test: places, patches, articulations, figures. Pure."""
+
+from app.formats.performance.plan import ARTICULATIONS, LOCATION_TOUCHES, sphere_feature
+from app.formats.performance.results import PerformanceFile
+from app.formats.performance.symbols import DEFAULT_EDITION, TITLES, Quantity, symbol_of
+from app.guide.common.journal import error_from_payload
+from app.guide.performance.live import PerformanceLive
+from app.guide.performance.rules import patch_totals
+from app.guide.performance.state import PerformanceState, SphereScan
+from app.guide.performance.view import (
+    ArticulationLine,
+    ArticulationState,
+    PatchMark,
+    PerformanceFigureLine,
+    PerformanceLimitLine,
+    PerformancePicture,
+    PerformanceResultView,
+    PlaceMark,
+    RunLine,
+)
+from app.messages.message import Text, message
+from app.workflows.performance.evaluate import SPHERE_QUANTITIES
+from app.workflows.performance.sphere_test import LEAST_FRAMES, LEAST_POINTS
+
+
+RUN_REASONS = {
+    "dropped": message("performance-run-dropped"),
+    "repeated": message("performance-run-repeated"),
+}
+
+
+def build_picture(state: PerformanceState, live: PerformanceLive) -> PerformancePicture:
+    """The picture."""
+    places = live.places
+    return PerformancePicture(
+        limits=[_limit(state, one) for one in SPHERE_QUANTITIES],
+        places=_places(live),
+        tip_deg=places.tip_flat_deg if places is not None else None,
+        patches=_patches(state, live) if state.step == "scan" else [],
+        articulations=_articulations(state) if state.step in ("location", "scan") else [],
+        result=result_view(live.result) if state.step == "review" and live.result else None,
+        aside=aside_lines(state),
+    )
+
+
+def _limit(state: PerformanceState, of: Quantity) -> PerformanceLimitLine:
+    symbol = symbol_of(DEFAULT_EDITION, of).symbol
+    return PerformanceLimitLine(of, symbol, TITLES[of], state.limits.get(of))
+
+
+def _places(live: PerformanceLive) -> list[PlaceMark]:
+    places = live.places
+    if places is None:
+        return []
+    return [
+        PlaceMark(
+            i + 1,
+            round(right, 1),
+            round(away, 1),
+            "done" if i in places.taken else "next" if i == places.next else "free",
+        )
+        for i, (right, away) in enumerate(places.flat_deg.tolist())
+    ]
+
+
+def _patches(state: PerformanceState, live: PerformanceLive) -> list[PatchMark]:
+    flat = live.pattern_flat_deg.tolist()
+    return [
+        PatchMark(
+            i + 1,
+            round(right, 1),
+            round(away, 1),
+            points,
+            frames,
+            points >= LEAST_POINTS and frames >= LEAST_FRAMES,
+        )
+        for i, ((right, away), (points, frames)) in enumerate(
+            zip(flat, patch_totals(state), strict=True)
+        )
+    ]
+
+
+def _articulations(state: PerformanceState) -> list[ArticulationLine]:
+    line = _touched if state.step == "location" else _scanned
+    return [line(state, number) for number in range(1, ARTICULATIONS + 1)]
+
+
+def articulation_title(number: int) -> Text:
+    """How the wrist or the sensor is held."""
+    return message("performance-articulation", number=number)
+
+
+def _touched(state: PerformanceState, number: int) -> ArticulationLine:
+    done = len(state.of(sphere_feature(state.position, "location", number)))
+    shown: ArticulationState = "todo"
+    if done >= LOCATION_TOUCHES:
+        shown = "done"
+    elif number == state.articulation:
+        shown = "now"
+    text = message("touches", done=done, of=LOCATION_TOUCHES)
+    return ArticulationLine(number, articulation_title(number), shown, text)
+
+
+def _scanned(state: PerformanceState, number: int) -> ArticulationLine:
+    title = articulation_title(number)
+    found = [one for one in state.here if one.articulation == number and not one.aside]
+    last = found[-1] if found else None
+    if last is None:
+        shown: ArticulationState = "now" if number == state.articulation else "todo"
+        return ArticulationLine(number, title, shown, "")
+    if not last.ended:
+        return ArticulationLine(number, title, "scanning", "")
+    if last.refused is not None:
+        return ArticulationLine(number, title, "refused", error_from_payload(last.refused).reason)
+    if last.waiting:
+        return ArticulationLine(number, title, "measuring", "")
+    seen = sum(p >= LEAST_POINTS and f >= LEAST_FRAMES for p, f in last.patches)
+    text = message("performance-scan-shows", points=last.points, patches=seen)
+    return ArticulationLine(number, title, "done", text)
+
+
+def run_text(scan: SphereScan) -> Text:
+    """A scan that was measured, in a sentence."""
+    return message("performance-scan-done", articulation=scan.articulation)
+
+
+def aside_lines(state: PerformanceState) -> list[RunLine]:
+    """The scans that do not count, and why."""
+    lines = []
+    for scan in state.scans:
+        title = message(
+            "performance-run", position=scan.position, articulation=scan.articulation
+        )
+        if scan.aside:
+            lines.append(RunLine(title, RUN_REASONS[scan.aside]))
+        elif scan.refused is not None:
+            lines.append(RunLine(title, error_from_payload(scan.refused).reason))
+    return lines
+
+
+def result_view(found: PerformanceFile) -> PerformanceResultView:
+    """What a test found."""
+    figures = [
+        PerformanceFigureLine(
+            one.quantity,
+            one.symbol,
+            one.title,
+            one.value,
+            one.values,
+            one.test_uncertainty,
+            one.limit,
+            one.decision,
+            one.reason,
+            one.problem,
+        )
+        for one in found.figures
+    ]
+    return PerformanceResultView(
+        found.verdict.result,
+        found.verdict.text,
+        found.status,
+        figures,
+        found.offset.text if found.offset else "",
+        found.problems,
+        found.notes,
+    )

@@ -1,0 +1,201 @@
+"""What the commands of a performance test take, and why one is not possible now. Pure.
+
+An empty reason means that it is possible.
+"""
+
+from typing import Annotated, Literal
+
+from pydantic import Field
+
+from app.formats.performance.plan import ARTICULATIONS, LOCATION_TOUCHES, PATTERN_TOUCHES
+from app.formats.performance.symbols import Quantity
+from app.guide.common.arguments import Args, Arguments, IdArguments, OperatorArguments
+from app.guide.common.journal import error_from_payload
+from app.guide.common.rules import Command, CommandRules, no_simulation_reason
+from app.guide.performance.live import PerformanceLive
+from app.guide.performance.state import STEPS, TOUCHING, PerformanceState
+from app.messages.message import Text, message
+from app.workflows.performance.sphere_test import LEAST_FRAMES, LEAST_POINTS
+
+SCANS_MOST = 60
+Reason = Literal["moved", "operating", "device", "plan", "other"]
+WANTED = {
+    "pattern": PATTERN_TOUCHES,
+    "location": ARTICULATIONS * LOCATION_TOUCHES,
+    "end": LOCATION_TOUCHES,
+}
+"""Touches of a step."""
+ALWAYS = ("stop_simulation", "abandon", "again", "finish_scan", "drop_scan")
+"""What can be done although the plan stands no more."""
+
+
+class PositionsArguments(Arguments):
+    number: Annotated[int, Field(ge=1, le=2)]
+
+
+class LimitArguments(Arguments):
+    """``a_um``: the maximum permissible error by the datasheet; missing: none."""
+
+    quantity: Quantity
+    a_um: Annotated[float, Field(gt=0, le=100_000)] | None = None
+
+
+class ArticulationArguments(Arguments):
+    articulation: Annotated[int, Field(ge=1, le=ARTICULATIONS)] | None = None
+
+
+class ReasonArguments(Arguments):
+    reason: Reason = "other"
+
+
+def change_reason(state: PerformanceState, live: PerformanceLive) -> Text:
+    """Said where what was fixed at the first touch is no longer so."""
+    if not live.active_id:
+        return message("there-no-calibration-use-calibrate-first")
+    if live.active_id != state.calibration_id:
+        return message("performance-other-calibration")
+    if live.plan_changed:
+        return message("performance-plan-changed")
+    if state.frozen and state.setup != live.setup_now:
+        return message("performance-settings-changed")
+    return ""
+
+
+def missing_patches(state: PerformanceState) -> list[int]:
+    """Numbers of the patches that the scans of this position do not cover, from 1."""
+    totals = patch_totals(state)
+    return [
+        number
+        for number, (points, frames) in enumerate(totals, start=1)
+        if points < LEAST_POINTS or frames < LEAST_FRAMES
+    ]
+
+
+def patch_totals(state: PerformanceState) -> list[tuple[int, int]]:
+    """Points and frames of each patch over the scans of this position that count."""
+    good = [scan.patches for scan in state.here if scan.good]
+    if not good:
+        return [(0, 0)] * PATTERN_TOUCHES
+    return [
+        (sum(points for points, _ in patch), sum(frames for _, frames in patch))
+        for patch in zip(*good, strict=True)
+    ]
+
+
+def _frozen(state: PerformanceState, live: PerformanceLive, args: Args) -> Text:
+    return message("performance-plan-is-frozen") if state.frozen else ""
+
+
+def _choose(state: PerformanceState, live: PerformanceLive, args: Args) -> Text:
+    chosen = args.get("id")
+    known = isinstance(chosen, str) and chosen in live.gauges.known
+    return _frozen(state, live, args) or ("" if known else message("there-no-such-gauge"))
+
+
+def _confirm_artefact(state: PerformanceState, live: PerformanceLive, args: Args) -> Text:
+    if live.gauge is None:
+        return message("performance-choose-sphere")
+    return live.artefact_problems[0] if live.artefact_problems else ""
+
+
+def _touch(state: PerformanceState, live: PerformanceLive, args: Args) -> Text:
+    if live.arm_link.state != "connected":
+        return message("arm-2", text=live.arm_link.text)
+    if live.arm is not None and live.arm.tip is None:
+        return message("arm-without-tip-touches-nothing", name=live.arm.name)
+    if len(state.of_step) >= WANTED[state.step]:
+        return message("performance-all-touched")
+    return "" if live.still else message("hold-arm-still-2")
+
+
+def _undo(state: PerformanceState, live: PerformanceLive, args: Args) -> Text:
+    return "" if state.of_step else message("no-touch-taken-yet")
+
+
+def _redo(state: PerformanceState, live: PerformanceLive, args: Args) -> Text:
+    return "" if state.undone else message("no-touch-taken-back-since-last")
+
+
+def _confirm(state: PerformanceState, live: PerformanceLive, args: Args) -> Text:
+    if state.step == "scan":
+        return _confirm_scans(state)
+    done, of = len(state.of_step), WANTED[state.step]
+    return "" if done >= of else message("performance-touches-missing", missing=of - done)
+
+
+def _confirm_scans(state: PerformanceState) -> Text:
+    if state.open_scan is not None:
+        return message("performance-finish-scan-first")
+    if any(scan.waiting for scan in state.scans):
+        return message("performance-scan-is-measured")
+    if state.articulation:
+        left = sum(state.scan_of(i + 1) is None for i in range(ARTICULATIONS))
+        return message("performance-articulations-missing", missing=left)
+    missing = missing_patches(state)
+    if missing:
+        return message("patches-not-covered", patches=", ".join(map(str, missing)))
+    return ""
+
+
+def _begin_scan(state: PerformanceState, live: PerformanceLive, args: Args) -> Text:
+    if state.open_scan is not None:
+        return message("performance-finish-scan-first")
+    if any(scan.waiting for scan in state.scans):
+        return message("performance-scan-is-measured")
+    if len(state.scans) >= SCANS_MOST:
+        return message("clouds-enough", clouds_most=SCANS_MOST)
+    if args.get("articulation") is None and not state.articulation:
+        return message("performance-all-scanned")
+    return live.scan_why_not
+
+
+def _scanning(state: PerformanceState, live: PerformanceLive, args: Args) -> Text:
+    return "" if state.open_scan is not None else message("performance-no-scan-runs")
+
+
+def _back(state: PerformanceState, live: PerformanceLive, args: Args) -> Text:
+    return message("performance-no-way-back") if state.frozen else ""
+
+
+def _accept(state: PerformanceState, live: PerformanceLive, args: Args) -> Text:
+    if state.failed is not None:
+        return error_from_payload(state.failed).reason
+    return "" if live.result is not None else message("performance-is-evaluated")
+
+
+def _leave(state: PerformanceState, live: PerformanceLive, args: Args) -> Text:
+    return message("performance-finish-scan-first") if state.open_scan is not None else ""
+
+
+def _simulation(state: PerformanceState, live: PerformanceLive, args: Args) -> Text:
+    return no_simulation_reason(state, live, args) or _leave(state, live, args)
+
+
+def _check_plan(state: PerformanceState, live: PerformanceLive, name: str) -> Text:
+    return "" if name in ALWAYS else change_reason(state, live)
+
+
+RULES = CommandRules[PerformanceState, PerformanceLive](
+    {
+        "choose_gauge": Command(("artefact",), _choose, IdArguments),
+        "set_positions": Command(("artefact",), _frozen, PositionsArguments),
+        "set_limit": Command(("artefact", "pattern"), _frozen, LimitArguments),
+        "confirm_artefact": Command(("artefact",), _confirm_artefact),
+        "touch": Command(TOUCHING, _touch),
+        "undo": Command(TOUCHING, _undo),
+        "redo": Command(TOUCHING, _redo),
+        "begin_scan": Command(("scan",), _begin_scan, ArticulationArguments),
+        "finish_scan": Command(("scan",), _scanning),
+        "drop_scan": Command(("scan",), _scanning),
+        "confirm": Command((*TOUCHING, "scan"), _confirm),
+        "back": Command(("pattern",), _back),
+        "accept": Command(("review",), _accept),
+        "run_simulation": Command(STEPS[:-1], _simulation, OperatorArguments),
+        "stop_simulation": Command(),
+        "abandon": Command(rule=_leave, arguments=ReasonArguments),
+        "again": Command(rule=_leave, arguments=ReasonArguments),
+    },
+    closed=message("performance-is-closed"),
+    elsewhere=lambda step: message("performance-another-step", step=step),
+    precondition=_check_plan,
+)

@@ -1,0 +1,120 @@
+"""The simulated operator in a performance test: touches the sphere's places, and scans it."""
+
+import time
+
+from app.guide.common.simulated_operator import SimulatedOperator
+from app.guide.common.simulation import (
+    ATTEMPTS,
+    TIMEOUT_S,
+    StepWork,
+    act_as_operator,
+    touch_until_taken,
+    work_on_steps,
+)
+from app.guide.performance import tasks
+from app.guide.performance.guide import PerformanceGuide
+from app.guide.performance.places import POLE, directions_of_articulations
+from app.guide.performance.rules import WANTED
+from app.messages.message import message
+from app.station.jobs import Progress
+
+PAUSE_S = 0.1
+SCAN_ATTEMPTS = 2
+
+
+def simulate(
+    guide: PerformanceGuide, operator: SimulatedOperator, whole: bool, progress: Progress
+) -> None:
+    """Does the present step, or goes on up to the result."""
+    work_on_steps(STEPS, guide, operator, whole, progress)
+
+
+def _confirm_artefact(
+    guide: PerformanceGuide, operator: SimulatedOperator, progress: Progress
+) -> None:
+    act_as_operator(guide, "confirm_artefact", lambda: tasks.confirm_artefact(guide, None))
+
+
+def _touch(guide: PerformanceGuide, operator: SimulatedOperator, progress: Progress) -> None:
+    of = WANTED[guide.state.step]
+    while (done := len(guide.state.of_step)) < of:
+        progress(message("performance-simulation-touches", done=done + 1, of=of), done / of)
+        if not guide.simulation_running or not _touch_next(guide, operator):
+            return
+    _confirm(guide)
+
+
+def _touch_next(guide: PerformanceGuide, operator: SimulatedOperator) -> bool:
+    with guide.lock:
+        state, part, centre = guide.state, guide.part_places(), guide.centre_mm()
+        taken = {touch.place for touch in state.of(state.feature)}
+    assert part is not None
+    place = next(i for i in range(len(part.directions)) if i not in taken)
+    outward = part.directions[place]
+    stylus = outward + POLE
+    if state.step == "location":
+        stylus = directions_of_articulations(centre)[state.articulation - 1]
+    return touch_until_taken(
+        guide,
+        lambda attempt: operator.touch_sphere(outward.tolist(), stylus.tolist()),
+        lambda: len(guide.state.touches),
+        message("hands-touch-declined-times", index=place + 1, attempts=ATTEMPTS),
+    )
+
+
+def _scan(guide: PerformanceGuide, operator: SimulatedOperator, progress: Progress) -> None:
+    attempts = 0
+    while (articulation := guide.state.articulation) and attempts < SCAN_ATTEMPTS:
+        text = message("performance-simulation-scans", articulation=articulation)
+        progress(text, (articulation - 1) / 5)
+        if not guide.simulation_running or not _scan_one(guide, operator, articulation, progress):
+            return
+        attempts = attempts + 1 if guide.state.articulation == articulation else 0
+    _confirm(guide)
+
+
+def _scan_one(
+    guide: PerformanceGuide, operator: SimulatedOperator, articulation: int, progress: Progress
+) -> bool:
+    """One scan from its begin to its measure; False when it was stopped."""
+    _await_scanner(guide)
+    direction = directions_of_articulations(guide.centre_mm())[articulation - 1]
+    if not act_as_operator(
+        guide, "begin_scan", lambda: tasks.begin_scan(guide, articulation, None)
+    ):
+        return False
+    whole = operator.scan_sphere(direction.tolist())
+    with guide.lock:
+        if guide.state.open_scan is None:
+            return False
+        scan = tasks.end_scan(guide, "scan_ended" if whole else "scan_dropped", None)
+    guide.station.scanner.stop()
+    if whole:
+        tasks.measure_scan(guide, scan, progress)
+    return whole
+
+
+def _await_scanner(guide: PerformanceGuide) -> None:
+    """A camera or an arm that was just connected takes a moment."""
+    deadline_s = time.monotonic() + TIMEOUT_S
+    while guide.station.scanner.why_not() is not None and time.monotonic() < deadline_s:
+        time.sleep(PAUSE_S)
+
+
+def _end(guide: PerformanceGuide, operator: SimulatedOperator, progress: Progress) -> None:
+    _touch(guide, operator, progress)
+    if guide.state.step == "review":
+        tasks.evaluate(guide, progress)
+
+
+def _confirm(guide: PerformanceGuide) -> None:
+    act_as_operator(guide, "confirm", lambda: guide.append("step_confirmed", {}))
+
+
+STEPS: dict[str, StepWork[PerformanceGuide]] = {
+    "artefact": _confirm_artefact,
+    "pattern": _touch,
+    "location": _touch,
+    "scan": _scan,
+    "end": _end,
+}

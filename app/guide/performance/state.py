@@ -1,0 +1,260 @@
+"""The state of a performance test: a fold over its journal. Pure."""
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field, replace
+from typing import Any
+
+from app.formats.performance.plan import ARTICULATIONS, sphere_feature, sphere_scan
+from app.guide.common.journal import SIMULATION_NOTES, JournalEntry, put_back, reading_of, take_back
+
+STEPS = ("artefact", "pattern", "location", "scan", "end", "review")
+TOUCHING = ("pattern", "location", "end")
+"""Steps in which places are touched."""
+Payload = Mapping[str, Any]
+
+
+@dataclass(frozen=True)
+class SphereContact:
+    """One touch of the sphere."""
+
+    index: int
+    feature: str
+    """Its part of the test, as in the table of touches."""
+    place: int
+    """Which of the part's places it was at, from 0."""
+    reading: tuple[float, ...]
+    """The arm's."""
+    voided: bool = False
+
+
+@dataclass(frozen=True)
+class SphereScan:
+    """One scan of the sphere in an articulation."""
+
+    number: int
+    """Of all scans of the test."""
+    position: int
+    articulation: int
+    at: str
+    """When it was begun."""
+    ended: bool = False
+    points: int = 0
+    """Of the sphere, within the gate."""
+    patches: tuple[tuple[int, int], ...] = ()
+    """Points and frames of each of the 25; empty until it is measured."""
+    refused: Payload | None = None
+    """Why it is of no use."""
+    aside: str = ""
+    """Why it does not count: dropped while it was scanned, or repeated; empty if it counts."""
+
+    @property
+    def name(self) -> str:
+        """Of its folder."""
+        return sphere_scan(self.position, self.articulation)
+
+    @property
+    def waiting(self) -> bool:
+        """Whether it is still to be measured."""
+        return self.ended and not self.patches and self.refused is None and not self.aside
+
+    @property
+    def good(self) -> bool:
+        """Whether it counts."""
+        return bool(self.patches) and not self.aside
+
+
+@dataclass(frozen=True)
+class PerformanceState:
+    """Where a performance test stands."""
+
+    session_id: str = ""
+    rev: int = 0
+    started_at: str = ""
+    calibration_id: str = ""
+    step: str = "artefact"
+    reached: str = "artefact"
+    gauge: str = ""
+    """Of the data folder's gauges, by the name of its file."""
+    positions: int = 1
+    position: int = 1
+    limits: Mapping[str, float] = field(default_factory=dict)
+    """Maximum permissible errors in µm by the quantity."""
+    plan_sha256: str = ""
+    """Of the plan's file, from the first touch on."""
+    setup: Payload = field(default_factory=dict)
+    """The station's settings of scans at the first touch."""
+    touches: tuple[SphereContact, ...] = ()
+    undone: tuple[int, ...] = ()
+    """Touches that were taken back since the last one was taken; they can be put back."""
+    scans: tuple[SphereScan, ...] = ()
+    result: str = ""
+    """Of the evaluation; empty until it was evaluated."""
+    failed: Payload | None = None
+    """Why it could not be evaluated."""
+    ended: str = ""
+    """accepted or abandoned; empty while the session is open."""
+
+    @property
+    def frozen(self) -> bool:
+        """Whether the plan stands."""
+        return bool(self.plan_sha256)
+
+    @property
+    def counted(self) -> tuple[SphereContact, ...]:
+        """Touches that count."""
+        return tuple(touch for touch in self.touches if not touch.voided)
+
+    @property
+    def articulation(self) -> int:
+        """The one that is touched or scanned now, from 1; 0 once all are done."""
+        for number in range(1, ARTICULATIONS + 1):
+            if self.step == "location":
+                done = len(self.of(sphere_feature(self.position, "location", number))) >= 5
+            else:
+                done = self.scan_of(number) is not None
+            if not done:
+                return number
+        return 0
+
+    @property
+    def feature(self) -> str:
+        """The part of the test that is touched now; empty while none is."""
+        if self.step == "location" and self.articulation:
+            return sphere_feature(self.position, "location", self.articulation)
+        if self.step == "pattern":
+            return sphere_feature(self.position, "pattern")
+        return sphere_feature(self.position, "end") if self.step == "end" else ""
+
+    @property
+    def of_step(self) -> tuple[SphereContact, ...]:
+        """Touches of the present step, in their order."""
+        start = f"p{self.position}-{self.step}"
+        return tuple(touch for touch in self.counted if touch.feature.startswith(start))
+
+    def of(self, feature: str) -> tuple[SphereContact, ...]:
+        """Touches that count of a part of the test."""
+        return tuple(touch for touch in self.counted if touch.feature == feature)
+
+    @property
+    def here(self) -> tuple[SphereScan, ...]:
+        """Scans of the present position, those set aside, too."""
+        return tuple(scan for scan in self.scans if scan.position == self.position)
+
+    def scan_of(self, articulation: int) -> SphereScan | None:
+        """The scan that counts of an articulation at the present position."""
+        found = [one for one in self.here if one.articulation == articulation and one.good]
+        return found[-1] if found else None
+
+    @property
+    def open_scan(self) -> SphereScan | None:
+        """The one that is under way."""
+        last = self.scans[-1] if self.scans else None
+        return last if last is not None and not last.ended and not last.aside else None
+
+
+def apply_row(state: PerformanceState, row: JournalEntry) -> PerformanceState:
+    """The state after one more row of the journal.
+
+    Raises:
+        ValueError: a row of a kind that this version does not know.
+    """
+    if row.kind not in CHANGES:
+        raise ValueError(f"row of an unknown kind: {row.kind}")
+    changed = CHANGES[row.kind](state, {**row.payload, "at": row.at})
+    reached = max(changed.reached, changed.step, key=STEPS.index)
+    return replace(changed, session_id=row.session_id, rev=row.number, reached=reached)
+
+
+def _start(state: PerformanceState, payload: Payload) -> PerformanceState:
+    return replace(
+        state,
+        calibration_id=payload["calibration_id"],
+        gauge=payload["gauge"],
+        positions=payload["positions"],
+        limits=dict(payload["limits"]),
+        started_at=payload["at"],
+    )
+
+
+def _set_limit(state: PerformanceState, payload: Payload) -> PerformanceState:
+    limits = {name: a_um for name, a_um in state.limits.items() if name != payload["quantity"]}
+    if payload["a_um"]:
+        limits[payload["quantity"]] = payload["a_um"]
+    return replace(state, limits=limits)
+
+
+def _freeze(state: PerformanceState, payload: Payload) -> PerformanceState:
+    return replace(state, plan_sha256=payload["plan_sha256"], setup=payload["setup"])
+
+
+def _add_touch(state: PerformanceState, payload: Payload) -> PerformanceState:
+    touch = SphereContact(
+        len(state.touches), payload["feature"], payload["place"], reading_of(payload)
+    )
+    return replace(state, touches=(*state.touches, touch), undone=())
+
+
+def _touch_voided(state: PerformanceState, payload: Payload) -> PerformanceState:
+    touches, undone = take_back(state.touches, state.undone, payload["index"])
+    return replace(state, touches=touches, undone=undone)
+
+
+def _touch_restored(state: PerformanceState, payload: Payload) -> PerformanceState:
+    touches, undone = put_back(state.touches, state.undone, payload["index"])
+    return replace(state, touches=touches, undone=undone)
+
+
+def _begin_scan(state: PerformanceState, payload: Payload) -> PerformanceState:
+    number = payload["articulation"]
+    before = tuple(
+        replace(one, aside="repeated")
+        if one.good and one.position == state.position and one.articulation == number
+        else one
+        for one in state.scans
+    )
+    scan = SphereScan(len(state.scans) + 1, state.position, number, payload["at"])
+    return replace(state, scans=(*before, scan))
+
+
+def _change_scan(state: PerformanceState, number: int, **changes: Any) -> PerformanceState:
+    scans = tuple(replace(one, **changes) if one.number == number else one for one in state.scans)
+    return replace(state, scans=scans)
+
+
+def _measured(state: PerformanceState, payload: Payload) -> PerformanceState:
+    patches = tuple((int(points), int(frames)) for points, frames in payload["patches"])
+    return _change_scan(state, payload["number"], points=payload["points"], patches=patches)
+
+
+def _confirm(state: PerformanceState, payload: Payload) -> PerformanceState:
+    if state.step == "end" and state.position < state.positions:
+        return replace(state, step="pattern", position=state.position + 1, undone=())
+    return replace(state, step=STEPS[STEPS.index(state.step) + 1], undone=())
+
+
+CHANGES: dict[str, Callable[[PerformanceState, Payload], PerformanceState]] = {
+    "started": _start,
+    "gauge_chosen": lambda state, payload: replace(state, gauge=payload["id"]),
+    "positions_set": lambda state, payload: replace(state, positions=payload["number"]),
+    "limit_set": _set_limit,
+    "plan_frozen": _freeze,
+    "touched": _add_touch,
+    "touch_voided": _touch_voided,
+    "touch_restored": _touch_restored,
+    "scan_begun": _begin_scan,
+    "scan_ended": lambda state, payload: _change_scan(state, payload["number"], ended=True),
+    "scan_dropped": lambda state, payload: _change_scan(
+        state, payload["number"], ended=True, aside="dropped"
+    ),
+    "scan_measured": _measured,
+    "scan_refused": lambda state, payload: _change_scan(
+        state, payload["number"], refused=payload["refused"]
+    ),
+    "step_confirmed": _confirm,
+    "went_back": lambda state, payload: replace(state, step=payload["to"]),
+    "evaluated": lambda state, payload: replace(state, result=payload["result"], failed=None),
+    "evaluation_failed": lambda state, payload: replace(state, failed=payload["refused"]),
+    **dict.fromkeys(SIMULATION_NOTES, lambda state, payload: state),
+    "accepted": lambda state, payload: replace(state, ended="accepted"),
+    "abandoned": lambda state, payload: replace(state, ended="abandoned"),
+}

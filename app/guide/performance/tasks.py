@@ -1,0 +1,198 @@
+"""The longer works of a performance test: its plan, its scans, its evaluation."""
+
+import shutil
+from datetime import UTC, datetime
+
+from app.errors import OperationError
+from app.formats.atomic_write import ensure_folder, sync_file, sync_folder, write_atomically
+from app.formats.io_errors import convert_io_errors
+from app.formats.open_file import read_bounded
+from app.formats.performance.plan import RESULT
+from app.formats.performance.station_limits import write_station_limits
+from app.formats.session.calibration_session import ARM
+from app.guide.calibration.session_folder import CALIBRATION
+from app.guide.common.arguments import Args
+from app.guide.common.flow import DECISION_QUALITY
+from app.guide.common.journal import error_payload
+from app.guide.performance.flow import CANCELLED
+from app.guide.performance.guide import PerformanceGuide
+from app.guide.performance.picture import aside_lines, run_text
+from app.guide.performance.places import POLE
+from app.guide.performance.plan import limit_parts
+from app.guide.performance.state import SphereScan
+from app.messages.message import message
+from app.metrology.performance.gate import gate_sphere
+from app.metrology.performance.pattern import pattern_directions, scan_patches
+from app.station.jobs import Progress
+from app.workflows.performance.evaluate import evaluate_performance
+from app.workflows.performance.measured_data import RECORDING, read_scan
+from app.workflows.performance.sphere_test import LEAST_FRAMES, LEAST_PATCHES, LEAST_POINTS
+
+
+def set_limit(guide: PerformanceGuide, args: Args, key: str | None) -> None:
+    """A limit by the datasheet, kept for the next tests, too."""
+    payload = {"quantity": args["quantity"], "a_um": args.get("a_um")}
+    guide.append("limit_set", payload, key)
+    write_station_limits(guide.data_folder, limit_parts(guide.state))
+
+
+def confirm_artefact(guide: PerformanceGuide, key: str | None) -> None:
+    """From here on the test uses its own copies of arm and calibration."""
+    active = guide.calibrations.active()
+    assert active is not None
+    with convert_io_errors(guide.folder):
+        ensure_folder(guide.folder)
+        for source, name in ((active.file.parent / ARM, ARM), (active.file, CALIBRATION)):
+            write_atomically(guide.folder / name, read_bounded(source))
+    guide.append("step_confirmed", {}, key)
+
+
+def begin_scan(guide: PerformanceGuide, articulation: int, key: str | None) -> None:
+    """Starts the scan of an articulation; an earlier one of it is kept aside.
+
+    Raises:
+        OperationError: it cannot start.
+    """
+    state = guide.state
+    name = SphereScan(0, state.position, articulation, "").name
+    folder = guide.folder / name
+    if folder.exists():
+        number = 1 + sum(1 for _ in guide.folder.glob(f"{name}-aside-*"))
+        with convert_io_errors(folder):
+            shutil.move(folder, guide.folder / f"{name}-aside-{number}")
+    title = message("performance-scan-name", articulation=articulation)
+    guide.station.scanner.start(str(title), folder)
+    guide.append("scan_begun", {"articulation": articulation}, key)
+
+
+def end_scan(guide: PerformanceGuide, kind: str, key: str | None) -> SphereScan:
+    """Ends the scan that runs, as ``scan_ended`` or ``scan_dropped``."""
+    scan = guide.state.open_scan
+    assert scan is not None
+    guide.append(kind, {"number": scan.number}, key)
+    return scan
+
+
+def measure_scan(guide: PerformanceGuide, scan: SphereScan, progress: Progress) -> None:
+    """Rebuilds a scan from its recording and counts its patches; a refusal is kept, too."""
+    progress(message("performance-measuring-scan", articulation=scan.articulation), 0.5)
+    folder = guide.folder / scan.name
+    try:
+        points, patches = _patches_of(guide, scan)
+    except OperationError as error:
+        guide.append("scan_refused", {"number": scan.number, "refused": error_payload(error)})
+        guide.station.bus.event("refused", error.text, "attention")
+    else:
+        payload = {"number": scan.number, "points": points, "patches": patches}
+        guide.append("scan_measured", payload)
+        guide.station.bus.event("step_done", run_text(scan), "good")
+    scan_id = f"{guide.folder.name}-{folder.name}"
+    guide.station.scanner.forget(scan_id)
+    guide.station.scene.close_scan(scan_id)
+
+
+def _patches_of(guide: PerformanceGuide, scan: SphereScan) -> tuple[int, list[list[int]]]:
+    """Points of the sphere in a scan, and points and frames of each patch."""
+    path = guide.folder / scan.name / RECORDING
+    with guide.lock:
+        arm, gauge, centre = guide.arm(), guide.gauge(), guide.centre_mm()
+    if arm is None or gauge is None or gauge.radius_mm is None or centre is None:
+        raise OperationError(
+            "datasheets-unreadable", message("sessions-gauge-arm-cannot-read-any")
+        )
+    with convert_io_errors(path):  # a killed process left it in memory alone
+        sync_file(path)
+        sync_folder(path.parent)
+    cloud = read_scan(path, guide.calibration(), arm)
+    gate = guide.plan().gate.gate
+    found = gate_sphere(cloud.points_mm, cloud.views, 2 * gauge.radius_mm, POLE, centre, gate)
+    patches = scan_patches(
+        cloud.points_mm[found.inside],
+        cloud.frame[found.inside],
+        found.centre_mm,
+        pattern_directions(POLE),
+    )
+    covered = (patches.points >= LEAST_POINTS) & (patches.frames >= LEAST_FRAMES)
+    if covered.sum() < LEAST_PATCHES:
+        raise OperationError(
+            "cloud-too-small",
+            message("performance-scan-too-small", count=int(covered.sum())),
+            remedy=message("performance-scan-again"),
+        )
+    counts = zip(patches.points.tolist(), patches.frames.tolist(), strict=True)
+    return int(found.inside.sum()), [list(count) for count in counts]
+
+
+def evaluate(guide: PerformanceGuide, progress: Progress) -> None:
+    """Computes the figures and writes them; a refusal is kept, too."""
+    progress(message("performance-evaluating"), 0.2)
+    state, provenance = guide.state, guide.provenance
+    ended_at = datetime.now(UTC).isoformat(timespec="seconds").replace("+00:00", "Z")
+    try:
+        found = evaluate_performance(guide.folder, ended_at)
+        asides = [
+            message("performance-aside-note", title=line.title, reason=line.reason)
+            for line in aside_lines(state)
+        ]
+        temperatures = (
+            provenance.celsius_near(state.started_at),
+            provenance.celsius_near(ended_at),
+        )
+        result = found.model_copy(
+            update={"notes": (*found.notes, *asides), "temperature_c": temperatures}
+        )
+        result.write(guide.folder / RESULT)
+    except OperationError as error:
+        guide.append("evaluation_failed", {"refused": error_payload(error)})
+        guide.station.bus.event("refused", error.text, "attention")
+        return
+    guide.append("evaluated", {"result": result.verdict.result})
+
+
+def accept(guide: PerformanceGuide, key: str | None) -> None:
+    """Lists the finished test; raises ``OperationError``, and nothing is kept then."""
+    found = guide.result()
+    assert found is not None
+    verdict = found.verdict
+    _close(guide, "accepted", {"result": verdict.result}, verdict.result, verdict.text, key)
+    quality = DECISION_QUALITY[verdict.result]
+    guide.station.bus.event("accepted", verdict.text, quality)
+
+
+def abandon(guide: PerformanceGuide, reason: str, key: str | None) -> None:
+    """Ends the test without a result; one in which a point was taken is listed with the reason."""
+    if guide.state.frozen:
+        payload = {"reason": reason}
+        _close(guide, "abandoned", payload, "cancelled", CANCELLED[reason], key)
+    else:
+        guide.append("abandoned", {"reason": reason}, key)
+
+
+def _close(
+    guide: PerformanceGuide,
+    kind: str,
+    payload: dict[str, object],
+    result: str,
+    text: object,
+    key: str | None,
+) -> None:
+    state, gauge = guide.state, guide.gauge()
+    figures = {
+        "kind": "sphere",
+        "result": result,
+        "text": text,
+        "artefact": (gauge.name if gauge else "") or state.gauge,
+        "operator": guide.provenance.operator(),
+    }
+    guide.keep(
+        lambda check: guide.performances.close(
+            state.session_id,
+            kind,
+            payload,
+            state.calibration_id,
+            guide.folder,
+            figures,
+            key,
+            check,
+        )
+    )

@@ -1,0 +1,122 @@
+"""What the browser is shown of a performance test."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Literal
+
+from app.guide.common.view import ChoiceOption, SessionView
+from app.messages.message import Text
+from app.metrology.decision import Decision
+
+PlaceState = Literal["free", "next", "done"]
+ArticulationState = Literal["todo", "now", "scanning", "measuring", "done", "refused"]
+
+
+@dataclass(frozen=True)
+class PerformanceLimitLine:
+    """A limit that can be entered from a datasheet."""
+
+    quantity: str
+    symbol: str
+    title: Text
+    a_um: float | None
+
+
+@dataclass(frozen=True)
+class PlaceMark:
+    """A place to touch, as seen along the pole in degrees from it: right, and away from the arm."""
+
+    number: int
+    right_deg: float
+    away_deg: float
+    state: PlaceState
+
+
+@dataclass(frozen=True)
+class PatchMark:
+    """One of the 25 patches of the scans, where a ``PlaceMark`` would be."""
+
+    number: int
+    right_deg: float
+    away_deg: float
+    points: int
+    frames: int
+    covered: bool
+
+
+@dataclass(frozen=True)
+class ArticulationLine:
+    """One of the five articulations."""
+
+    number: int
+    title: Text
+    state: ArticulationState
+    text: Text
+    """What is known of it, or why it is of no use."""
+
+
+@dataclass(frozen=True)
+class PerformanceFigureLine:
+    """One symbol with its value and its limit."""
+
+    quantity: str
+    symbol: str
+    title: Text
+    value: float | None
+    values: Sequence[float | None]
+    test_uncertainty: float | None
+    limit: float | None
+    decision: Decision
+    reason: Text
+    problem: Text
+
+
+@dataclass(frozen=True)
+class RunLine:
+    """A scan that does not count, and why."""
+
+    title: Text
+    reason: Text
+
+
+@dataclass(frozen=True)
+class PerformanceResultView:
+    """What the test found."""
+
+    result: Literal["pass", "fail", "uncertain"]
+    text: Text
+    status: Text
+    figures: Sequence[PerformanceFigureLine]
+    offset: Text
+    """The error of the probe matrix that the articulations imply; empty if none can be stated."""
+    problems: Sequence[Text]
+    notes: Sequence[Text]
+
+
+@dataclass(frozen=True)
+class PerformancePicture:
+    """Everything that is drawn for a performance test."""
+
+    limits: Sequence[PerformanceLimitLine]
+    places: Sequence[PlaceMark]
+    tip_deg: tuple[float, float] | None
+    patches: Sequence[PatchMark]
+    articulations: Sequence[ArticulationLine]
+    result: PerformanceResultView | None
+    aside: Sequence[RunLine]
+
+
+@dataclass(frozen=True)
+class PerformanceView(SessionView):
+    """The whole state of the performance test."""
+
+    calibration_id: str
+    calibration: str
+    """Name of the calibration with which it is scanned."""
+    gauges: Sequence[ChoiceOption]
+    gauge: str
+    positions: int
+    position: int
+    frozen: bool
+    """Whether the plan stands: limits and sphere can no longer be changed."""
+    picture: PerformancePicture
