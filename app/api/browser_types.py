@@ -16,6 +16,7 @@ from pydantic_core import core_schema
 
 from app.api.routers import ROUTERS
 from app.formats.json_document import DocumentPart
+from app.formats.performance.results import PerformanceFile
 from app.formats.results.verification import VerificationFile
 from app.messages.message import Message, MessageList, Quantity
 from app.messages.stored import SUFFIX
@@ -40,7 +41,7 @@ BESIDE_ROUTES: tuple[Any, ...] = (
     RecordedCalibration,
 )
 """Models that are sent and are not the declared answer of a route."""
-FILES: tuple[Any, ...] = (VerificationFile, MapFile)
+FILES: tuple[Any, ...] = (VerificationFile, PerformanceFile, MapFile)
 """The station's own files that are sent unchanged."""
 Schema = dict[str, Any]
 

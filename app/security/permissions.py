@@ -99,9 +99,7 @@ ROUTES: dict[tuple[str, str], Rule] = {
     ("POST", "/api/arm/start"): Rule(Right.act, message("began-resumed-arm-check")),
     ("POST", "/api/arm/command"): Rule(Right.act, message("arm-check-2")),
     ("GET", "/api/performance"): LOOK,
-    ("POST", "/api/performance/start"): Rule(
-        Right.act, message("began-resumed-performance-test")
-    ),
+    ("POST", "/api/performance/start"): Rule(Right.act, message("began-resumed-performance-test")),
     ("POST", "/api/performance/command"): Rule(Right.act, word("performance test")),
     ("GET", "/api/performances"): LOOK,
     ("GET", "/api/performances/{performance_id}"): LOOK,

@@ -11,6 +11,7 @@ import { EntrancePage } from "./pages/EntrancePage";
 import { HealthPage } from "./pages/HealthPage";
 import { HomePage } from "./pages/HomePage";
 import { PeoplePage } from "./pages/PeoplePage";
+import { PerformancePage } from "./pages/PerformancePage";
 import { RecordsPage } from "./pages/RecordsPage";
 import { ReferencePage } from "./pages/ReferencePage";
 import { ScanPage } from "./pages/ScanPage";
@@ -26,6 +27,7 @@ const PAGE = {
   home: HomePage,
   calibrate: CalibratePage,
   verify: VerifyPage,
+  performance: PerformancePage,
   scan: ScanPage,
   arm: ArmPage,
   records: RecordsPage,

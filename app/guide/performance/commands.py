@@ -101,9 +101,7 @@ ACTS: dict[str, Act[PerformanceGuide]] = {
     "back": go_back(STEPS),
     "accept": lambda guide, args, key: tasks.accept(guide, key),
     **simulation_acts(simulate),
-    "abandon": lambda guide, args, key: tasks.abandon(
-        guide, str(args.get("reason", "other")), key
-    ),
+    "abandon": lambda guide, args, key: tasks.abandon(guide, str(args.get("reason", "other")), key),
     "again": _again,
 }
 COMMANDS = Commands(ACTS, button_command, {"touch": _touch_at})

@@ -29,8 +29,8 @@ from app.guide.common.guided_session import (
 from app.guide.common.journal import Calibrations, Check, Journal, JournalEntry
 from app.guide.performance.flow import build_view
 from app.guide.performance.live import PerformanceLive, Places
-from app.guide.performance.plan import build_plan
 from app.guide.performance.places import PartPlaces, flat_pattern, places_of, sphere_centre_of
+from app.guide.performance.plan import build_plan
 from app.guide.performance.rules import RULES
 from app.guide.performance.state import PerformanceState, apply_row
 from app.guide.performance.view import PerformanceView
@@ -335,5 +335,3 @@ def _read_spheres(data_folder: Path) -> Gauges:
         name: entry for name, entry in found.known.items() if entry.datasheet.shape == "sphere"
     }
     return replace(found, known=spheres)
-
-

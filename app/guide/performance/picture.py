@@ -22,7 +22,6 @@ from app.messages.message import Text, message
 from app.workflows.performance.evaluate import SPHERE_QUANTITIES
 from app.workflows.performance.sphere_test import LEAST_FRAMES, LEAST_POINTS
 
-
 RUN_REASONS = {
     "dropped": message("performance-run-dropped"),
     "repeated": message("performance-run-repeated"),
@@ -81,7 +80,7 @@ def _patches(state: PerformanceState, live: PerformanceLive) -> list[PatchMark]:
 
 
 def _articulations(state: PerformanceState) -> list[ArticulationLine]:
-    line = _touched if state.step == "location" else _scanned
+    line = _touch_line if state.step == "location" else _scan_line
     return [line(state, number) for number in range(1, ARTICULATIONS + 1)]
 
 
@@ -90,7 +89,7 @@ def articulation_title(number: int) -> Text:
     return message("performance-articulation", number=number)
 
 
-def _touched(state: PerformanceState, number: int) -> ArticulationLine:
+def _touch_line(state: PerformanceState, number: int) -> ArticulationLine:
     done = len(state.of(sphere_feature(state.position, "location", number)))
     shown: ArticulationState = "todo"
     if done >= LOCATION_TOUCHES:
@@ -101,7 +100,7 @@ def _touched(state: PerformanceState, number: int) -> ArticulationLine:
     return ArticulationLine(number, articulation_title(number), shown, text)
 
 
-def _scanned(state: PerformanceState, number: int) -> ArticulationLine:
+def _scan_line(state: PerformanceState, number: int) -> ArticulationLine:
     title = articulation_title(number)
     found = [one for one in state.here if one.articulation == number and not one.aside]
     last = found[-1] if found else None
@@ -128,9 +127,7 @@ def aside_lines(state: PerformanceState) -> list[RunLine]:
     """The scans that do not count, and why."""
     lines = []
     for scan in state.scans:
-        title = message(
-            "performance-run", position=scan.position, articulation=scan.articulation
-        )
+        title = message("performance-run", position=scan.position, articulation=scan.articulation)
         if scan.aside:
             lines.append(RunLine(title, RUN_REASONS[scan.aside]))
         elif scan.refused is not None:

@@ -1,4 +1,4 @@
-"""The places to touch in each part of the one-sphere test, about the centre by its touches. Pure."""
+"""The places to touch in each part of the one-sphere test, about the touched centre. Pure."""
 
 from dataclasses import dataclass
 

@@ -2,6 +2,9 @@
 
 import time
 
+import numpy as np
+
+from app.formats.performance.plan import ARTICULATIONS
 from app.guide.common.simulated_operator import SimulatedOperator
 from app.guide.common.simulation import (
     ATTEMPTS,
@@ -14,8 +17,9 @@ from app.guide.common.simulation import (
 from app.guide.performance import tasks
 from app.guide.performance.guide import PerformanceGuide
 from app.guide.performance.places import POLE, directions_of_articulations
-from app.guide.performance.rules import WANTED
+from app.guide.performance.rules import WANTED, missing_patches
 from app.messages.message import message
+from app.metrology.performance.pattern import pattern_directions
 from app.station.jobs import Progress
 
 PAUSE_S = 0.1
@@ -66,11 +70,24 @@ def _scan(guide: PerformanceGuide, operator: SimulatedOperator, progress: Progre
     attempts = 0
     while (articulation := guide.state.articulation) and attempts < SCAN_ATTEMPTS:
         text = message("performance-simulation-scans", articulation=articulation)
-        progress(text, (articulation - 1) / 5)
+        progress(text, (articulation - 1) / ARTICULATIONS)
         if not guide.simulation_running or not _scan_one(guide, operator, articulation, progress):
             return
         attempts = attempts + 1 if guide.state.articulation == articulation else 0
+    for _ in range(ARTICULATIONS):
+        missing = missing_patches(guide.state)
+        if not missing or guide.state.articulation:
+            break
+        again = _sees_best(guide, missing[0])
+        if not guide.simulation_running or not _scan_one(guide, operator, again, progress):
+            return
     _confirm(guide)
+
+
+def _sees_best(guide: PerformanceGuide, patch: int) -> int:
+    """The articulation that a patch is seen best from."""
+    directions = directions_of_articulations(guide.centre_mm())
+    return 1 + int(np.argmax(directions @ pattern_directions(POLE)[patch - 1]))
 
 
 def _scan_one(

@@ -221,7 +221,7 @@ def _change_scan(state: PerformanceState, number: int, **changes: Any) -> Perfor
     return replace(state, scans=scans)
 
 
-def _measured(state: PerformanceState, payload: Payload) -> PerformanceState:
+def _keep_patches(state: PerformanceState, payload: Payload) -> PerformanceState:
     patches = tuple((int(points), int(frames)) for points, frames in payload["patches"])
     return _change_scan(state, payload["number"], points=payload["points"], patches=patches)
 
@@ -246,7 +246,7 @@ CHANGES: dict[str, Callable[[PerformanceState, Payload], PerformanceState]] = {
     "scan_dropped": lambda state, payload: _change_scan(
         state, payload["number"], ended=True, aside="dropped"
     ),
-    "scan_measured": _measured,
+    "scan_measured": _keep_patches,
     "scan_refused": lambda state, payload: _change_scan(
         state, payload["number"], refused=payload["refused"]
     ),

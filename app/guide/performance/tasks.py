@@ -1,6 +1,7 @@
 """The longer works of a performance test: its plan, its scans, its evaluation."""
 
 import shutil
+from collections.abc import Mapping
 from datetime import UTC, datetime
 
 from app.errors import OperationError
@@ -97,9 +98,7 @@ def _patches_of(guide: PerformanceGuide, scan: SphereScan) -> tuple[int, list[li
     with guide.lock:
         arm, gauge, centre = guide.arm(), guide.gauge(), guide.centre_mm()
     if arm is None or gauge is None or gauge.radius_mm is None or centre is None:
-        raise OperationError(
-            "datasheets-unreadable", message("sessions-gauge-arm-cannot-read-any")
-        )
+        raise OperationError("datasheets-unreadable", message("sessions-gauge-arm-cannot-read-any"))
     with convert_io_errors(path):  # a killed process left it in memory alone
         sync_file(path)
         sync_folder(path.parent)
@@ -171,7 +170,7 @@ def abandon(guide: PerformanceGuide, reason: str, key: str | None) -> None:
 def _close(
     guide: PerformanceGuide,
     kind: str,
-    payload: dict[str, object],
+    payload: Mapping[str, object],
     result: str,
     text: object,
     key: str | None,

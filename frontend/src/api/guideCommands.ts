@@ -30,4 +30,5 @@ async function start(guide: Guide, body: unknown, whatWas: string): Promise<void
 
 export const startCalibration = () => start("flow", {}, t("ui-the-calibration-was-not-started"));
 export const startVerification = () => start("verify", {}, t("ui-the-verification-was-not-started"));
+export const startPerformance = () => start("performance", {}, t("ui-the-test-was-not-started"));
 export const startArm = (purpose: ArmView["purpose"]) => start("arm", { purpose }, t("ui-the-session-was-not-started"));

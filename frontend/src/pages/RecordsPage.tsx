@@ -4,6 +4,7 @@ import type {
   ArmCheckSummary,
   CalibrationSummary,
   IdentificationSummary,
+  PerformanceSummary,
   ScanSummary,
   TipCheckSummary,
   VerificationSummary,
@@ -12,6 +13,7 @@ import { ArmRow, IdentifiedRow, TipRow } from "../arm/CheckRows";
 import { useArmList } from "../arm/useArmList";
 import { Banners } from "../frame/Banners";
 import rows from "../parts/List.module.css";
+import { PerformanceRow } from "../performance/PerformanceRow";
 import { CalibrationHistory } from "../records/CalibrationHistory";
 import { CalibrationRecord } from "../records/CalibrationRecord";
 import { CalibrationRow, ScanRow, VerificationRow } from "../records/Rows";
@@ -32,6 +34,8 @@ function AllRecords() {
   const calibrations = useList<CalibrationSummary>("/api/calibrations");
   const verified = useLive((s) => `${s.verify?.session_id ?? ""} ${s.verify?.running ?? ""}`);
   const verifications = useList<VerificationSummary>("/api/verifications", verified);
+  const tested = useLive((s) => `${s.performance?.session_id ?? ""} ${s.performance?.running ?? ""}`);
+  const performances = useList<PerformanceSummary>("/api/performances", tested);
   const checks = useChecks();
   const records = useLive((s) => s.view?.records ?? 0);
   const scans = useList<ScanSummary>("/api/scans", `${records}`);
@@ -50,6 +54,12 @@ function AllRecords() {
           empty={t("ui-accepted-verifications-appear-newest-first-make")}
           {...verifications}
           row={(summary) => <VerificationRow key={summary.id} summary={summary} />}
+        />
+        <Section
+          title={t("ui-performance-tests")}
+          empty={t("ui-performance-tests-appear-here")}
+          {...performances}
+          row={(summary) => <PerformanceRow key={summary.id} summary={summary} />}
         />
         <Section
           title={t("ui-arm-and-tip")}

@@ -47,6 +47,12 @@ export const VerifyIcon = icon(
     <path d="m8 12.300 2.800 2.800L16 9.500" />
   </>,
 );
+export const PerformanceIcon = icon(
+  <>
+    <circle cx="12" cy="10" r="6.500" />
+    <path d="M12 16.500V20M8 20.500h8M9 9.500l3-2 3 2M12 7.500v5" />
+  </>,
+);
 export const RecordsIcon = icon(<path d="M5 4h10l4 4v12H5zM15 4v4h4M8.5 12h7M8.5 15.5h7" />);
 export const SuperviseIcon = icon(<path d="M3 5h18v11H3zM9 20h6M12 16v4M6.500 12.500l3-3.500 2.500 2.500 4-4.500" />);
 export const HealthIcon = icon(

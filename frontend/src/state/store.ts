@@ -8,6 +8,7 @@ import type {
   FlowView,
   Home,
   Notice,
+  PerformanceView,
   RemoteStation,
   ReplayState,
   ScanStatus,
@@ -24,8 +25,8 @@ import { localized } from "./localized";
 export type Connection = "connecting" | "live" | "lost";
 
 /** A guided session, by its name in the live state and in its addresses. */
-export type Guide = "flow" | "verify" | "arm";
-export type SessionView = FlowView | VerifyView | ArmView;
+export type Guide = "flow" | "verify" | "performance" | "arm";
+export type SessionView = FlowView | VerifyView | PerformanceView | ArmView;
 
 export interface StationEvent {
   id: number;
@@ -65,6 +66,7 @@ export interface LiveState {
   home: Home | null;
   arm: ArmView | null;
   verify: VerifyView | null;
+  performance: PerformanceView | null;
   /** Id of the opened verification record; null for the running verification. */
   record: string | null;
   view: ViewState | null;
@@ -97,6 +99,7 @@ let state: LiveState = {
   home: null,
   arm: null,
   verify: null,
+  performance: null,
   record: null,
   view: null,
   report: null,

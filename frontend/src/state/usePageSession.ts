@@ -1,7 +1,12 @@
 import type { Page } from "./router";
 import { type Guide, type SessionView, useLive } from "./store";
 
-const GUIDES: Partial<Record<Page, Guide>> = { calibrate: "flow", verify: "verify", arm: "arm" };
+const GUIDES: Partial<Record<Page, Guide>> = {
+  calibrate: "flow",
+  verify: "verify",
+  performance: "performance",
+  arm: "arm",
+};
 
 /** The guided session that a page displays; null on other pages, and before it is known. */
 export function usePageSession(page: Page): SessionView | null {

@@ -15,17 +15,21 @@ from hardware.simulator.devices.kinematics import (
     translation,
 )
 from hardware.simulator.devices.motion import JointPath, plan_approach
-from hardware.simulator.operator.swinging import CLEAR_MM, TOUCH_S
 from hardware.simulator.operator.sweeping import Sweep
+from hardware.simulator.operator.swinging import CLEAR_MM, TOUCH_S
 
 TRIES = 60
 SWAY = 0.06
 """By how much an operator misses the direction of the stylus, as a share of its length."""
 SHORTEST_WAYS = 6
 """Of so many ways the one is taken that turns the arm least."""
-SWEEP_TURNS_RAD = (0.0, np.pi / 2, np.pi, -np.pi / 2)
+SWEEP_TURNS_RAD = (0.0, 0.2, -0.2, 0.35, -0.35)
+LASER_SHARE = 0.6
+"""By how much of the angle between them the laser is held higher than the view between both."""
 OVER_SHARE, TOP_SHARE = 1.05, 0.75
 """How far a sweep goes beyond the middle and how high, in radii of the sphere."""
+PASS_S = 3.2
+"""Of one pass, at any pace: the camera's pictures decide how close its lines are."""
 
 
 def path_onto_place(
@@ -67,21 +71,32 @@ def path_onto_place(
     return min(found, key=lambda path: float(np.max(np.abs(path.q_rad[0] - q_rad))))
 
 
-def plan_view(radius_mm: float, seen_from: Floats) -> list[Sweep]:
+def plan_view(radius_mm: float, seen_from: Floats, camera: Floats) -> list[Sweep]:
     """The ways in which the sensor is passed over a sphere that it sees from a direction.
+
+    Of camera and laser the camera is held lower, so that it sees the sphere down to its rim.
 
     Args:
         seen_from: (3,) direction to the sensor from the sphere's centre, in the sphere's frame.
+        camera: (3,) direction to the camera in the sensor's frame.
 
     Returns:
-        One sweep for each way of holding the sensor about that direction; any of them will do.
+        Sweeps from a little more or less to the side; any of them will do.
     """
-    turned = np.eye(4)
-    turned[:3, :3] = _turn_onto(np.array([0.0, 0.0, 1.0]), seen_from)
     half, top = OVER_SHARE * radius_mm, TOP_SHARE * radius_mm
     sweeps = []
     for turn_rad in SWEEP_TURNS_RAD:
-        held = turned @ rotation_about("z", turn_rad)
+        towards = rotation_about("z", turn_rad)[:3, :3] @ seen_from
+        side = np.cross([0.0, 0.0, 1.0], towards)
+        if np.linalg.norm(side) < 1e-3:
+            side = rotation_about("z", turn_rad)[:3, 0]
+        x = side / np.linalg.norm(side)
+        between = float(np.arccos(np.clip(camera[2] / np.linalg.norm(camera), -1.0, 1.0)))
+        lean = LASER_SHARE * between
+        away = np.cross(x, towards)
+        z = np.cos(lean) * towards - np.sin(lean) * away
+        held = np.eye(4)
+        held[:3, :3] = np.column_stack([x, np.cross(z, x), z])
         ends = [held @ translation(0.0, y, top) for y in (-half, half)]
         sweeps.append(Sweep(ends[0], ends[1]))
     return sweeps

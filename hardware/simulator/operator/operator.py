@@ -25,6 +25,7 @@ from hardware.simulator.operator.contact import (
 )
 from hardware.simulator.operator.holding import SensorMount, sensor_over_block, sensor_over_board
 from hardware.simulator.operator.moving import MoveExecutor, OperatorState
+from hardware.simulator.operator.on_sphere import PASS_S as SPHERE_PASS_S
 from hardware.simulator.operator.on_sphere import path_onto_place, plan_view
 from hardware.simulator.operator.paths import PASS_S, PathPlanner, passing_poses
 from hardware.simulator.operator.sweeping import plan_sweeps, sweep_poses
@@ -299,15 +300,19 @@ class ScriptedOperator:
         shape = thing.shape
         assert isinstance(shape, GaugeSphere)
         with self._executor.move("scanning the sphere"):
-            sweeps = plan_view(shape.radius_mm, thing.T_arm_obj[:3, :3].T @ _unit(seen_from))
+            direction = thing.T_arm_obj[:3, :3].T @ _unit(seen_from)
+            camera = self._sensor_mount.optics.centre_mm
+            sweeps = plan_view(shape.radius_mm, direction, camera)
             for sweep in sweeps:
                 poses = sweep_poses(thing.T_arm_obj, sweep) @ self._T_sensor_flange
                 with suppress(UnreachableError):
                     to_start = self.planner.path_to(poses[0], 50.0)
-                    plan_path(self._arm, poses, to_start.q_rad[-1], sweep.duration_s)
-                    self._executor.play(to_start, 0.0, 0.5)
-                    path = self.planner.path_through(poses, sweep.duration_s)
-                    self._executor.play(path, 0.5, 1.0)
+                    plan_path(self._arm, poses, to_start.q_rad[-1], SPHERE_PASS_S)
+                    self._executor.play(to_start, 0.0, 0.3)
+                    seconds = SPHERE_PASS_S * self.planner.pace
+                    self._executor.play(self.planner.path_through(poses, seconds), 0.3, 0.65)
+                    back = self.planner.path_through(poses[::-1], seconds)
+                    self._executor.play(back, 0.65, 1.0)
                     return True
             raise UnreachableError("the arm cannot hold the sensor over the sphere like that")
         return False

@@ -1,0 +1,88 @@
+import type { PerformanceFigureLine, PerformanceResultView, RunLine } from "../api/wire";
+import { measured, signedLength } from "../parts/lengths";
+import { QualityMark } from "../parts/QualityMark";
+import { t } from "../state/language";
+import { DECISIONS, QUALITY } from "../verify/verification";
+import styles from "./ResultTable.module.css";
+
+interface ResultTableProps {
+  result: Pick<PerformanceResultView, "figures" | "offset" | "status" | "problems" | "notes">;
+  aside?: RunLine[];
+}
+
+/** Every symbol in words with its value, its limit and the decision; what else should be known. */
+export function ResultTable({ result, aside = [] }: ResultTableProps) {
+  return (
+    <div className={styles.result}>
+      {result.status && <p className={styles.status}>{result.status}</p>}
+      {result.problems.map((text) => (
+        <p key={text} className={styles.problem}>
+          {text}
+        </p>
+      ))}
+      <table className={styles.table}>
+        <thead>
+          <tr>
+            <th scope="col">{t("ui-figure")}</th>
+            <th scope="col">{t("ui-value")}</th>
+            <th scope="col">{t("ui-limit")}</th>
+            <th scope="col">{t("ui-decision")}</th>
+          </tr>
+        </thead>
+        <tbody>
+          {result.figures.map((figure) => (
+            <Row key={figure.quantity} figure={figure} />
+          ))}
+        </tbody>
+      </table>
+      {result.offset && (
+        <section className={styles.section}>
+          <h3>{t("ui-implied-probe-matrix-error")}</h3>
+          <p>{result.offset}</p>
+        </section>
+      )}
+      {aside.length > 0 && (
+        <section className={styles.section}>
+          <h3>{t("ui-scans-that-do-not-count")}</h3>
+          {aside.map(({ title, reason }, i) => (
+            <p key={i}>
+              {title}: {reason}
+            </p>
+          ))}
+        </section>
+      )}
+      {result.notes.map((note) => (
+        <p key={note} className={styles.note}>
+          {note}
+        </p>
+      ))}
+    </div>
+  );
+}
+
+function Row({ figure }: { figure: PerformanceFigureLine }) {
+  const signed = figure.quantity.startsWith("size");
+  const { value, limit, test_uncertainty } = figure;
+  return (
+    <tr data-quantity={figure.quantity}>
+      <th scope="row">
+        <span className={styles.title}>{figure.title}</span>
+        <span className={styles.symbol}>{figure.symbol}</span>
+        {figure.problem && <span className={styles.problem}>{figure.problem}</span>}
+      </th>
+      <td>
+        {value === null ? "–" : signed ? signedLength(value, "µm") : measured(value, "µm")}
+        {value !== null && test_uncertainty !== null && (
+          <span className={styles.symbol}>± {measured(test_uncertainty, "µm")}</span>
+        )}
+      </td>
+      <td>{limit === null ? "–" : `${signed ? "± " : ""}${measured(limit, "µm")}`}</td>
+      <td>
+        <span className={styles.decision}>
+          <QualityMark quality={QUALITY[figure.decision]} size="1.25rem" />
+          {t(DECISIONS[figure.decision])}
+        </span>
+      </td>
+    </tr>
+  );
+}

@@ -1,0 +1,261 @@
+"""The guided performance test over HTTP, simulated: the whole one-sphere test, and what is
+refused, kept and listed."""
+
+import json
+import shutil
+import time
+import uuid
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Any
+
+import httpx
+import numpy as np
+import pytest
+
+from app.formats.performance.plan import read_plan
+from app.formats.performance.results import read_performance
+from app.guide.performance.commands import measure_waiting
+from app.guide.performance.guide import PerformanceGuide, PerformanceServices
+from app.guide.performance.places import POLE
+from app.metrology.performance.pattern import RIM_DEG, pattern_directions
+from app.station.bus import Bus
+from app.station.devices.rig import Rig
+from app.station.jobs import Jobs
+from app.station.scan.scanner import Scanner
+from app.station.view3d.scene import Scene
+from app.store.store import Store
+from tests.api.calibrated import use_truth
+from tests.api.conftest import Server, run_command
+from tests.sent_texts import english
+
+pytestmark = pytest.mark.slow
+
+View = dict[str, Any]
+DIRECTIONS = pattern_directions(POLE, RIM_DEG)
+
+
+class Desk:
+    """The operator's end of the test."""
+
+    def __init__(self, server: Server) -> None:
+        self.server = server
+
+    def view(self) -> View:
+        return dict(self.server.http.get("/api/performance").json())
+
+    def command(self, name: str, **args: object) -> httpx.Response:
+        body = {"name": name, "args": args, "rev": self.view()["rev"], "key": uuid.uuid4().hex}
+        return self.server.http.post("/api/performance/command", json=body)
+
+    def do(self, name: str, **args: Any) -> View:
+        """A command that must be done; the view after it."""
+        return run_command(lambda: self.command(name, **args))
+
+    def wait(self, ready: Callable[[View], bool], timeout_s: float = 60.0) -> View:
+        deadline = time.monotonic() + timeout_s
+        while not ready(view := self.view()):
+            assert time.monotonic() < deadline, view
+            time.sleep(0.05)
+        return view
+
+    def start(self) -> View:
+        self.wait(lambda view: view["busy"] is None)
+        if self.view()["running"]:
+            self.do("abandon")
+        self.server.http.post("/api/performance/start").raise_for_status()
+        return self.view()
+
+    def touch(self, place: int) -> View:
+        """Touches a place of the pattern until it is taken; a busy machine's arm may come late."""
+        before = self.view()["progress"]["done"]
+        outward = DIRECTIONS[place]
+        for _ in range(5):
+            operator = self.server.simulation.operator
+            assert operator.touch_sphere(outward.tolist(), (outward + POLE).tolist())
+            deadline = time.monotonic() + 2.0
+            while time.monotonic() < deadline:
+                view = self.view()
+                if view["progress"]["done"] > before:
+                    return view
+                time.sleep(0.05)
+        raise AssertionError(view["findings"])
+
+    def list(self) -> list[dict[str, Any]]:
+        return list(self.server.http.get("/api/performances").json())
+
+
+@pytest.fixture(scope="module")
+def calibration(server: Server) -> str:
+    return use_truth(server, f"truth-{uuid.uuid4().hex[:6]}")
+
+
+@pytest.fixture
+def desk(server: Server, calibration: str) -> Iterator[Desk]:
+    desk = Desk(server)
+    yield desk
+    server.http.post("/api/stop").raise_for_status()
+    desk.wait(lambda view: view["busy"] is None)
+    if desk.view()["running"]:
+        desk.do("abandon")
+
+
+def refusal(answer: httpx.Response) -> str:
+    assert answer.status_code == 422, answer.text
+    return str(answer.json()["detail"])
+
+
+def test_the_simulated_operator_does_the_whole_test(desk: Desk, calibration: str) -> None:
+    view = desk.start()
+    assert [gauge["id"] for gauge in view["gauges"]] == ["sphere"]
+    desk.do("set_limit", quantity="form-touch", a_um=200.0)
+    desk.do("set_limit", quantity="location-scan", a_um=900.0)
+    desk.do("run_simulation", all=True)
+    view = desk.wait(lambda view: view["step"] == "review" and view["busy"] is None, 240.0)
+    result = view["picture"]["result"]
+    assert result is not None, view["findings"]
+    figures = {figure["quantity"]: figure for figure in result["figures"]}
+    problems = {name: english(one["problem"]) for name, one in figures.items() if one["problem"]}
+    assert not problems
+    assert 0 < figures["form-touch"]["value"] < 200
+    assert 0 < figures["location-scan"]["value"] < 900
+    assert abs(figures["size-all-scan"]["value"]) < 300
+    assert not desk.do("accept")["running"]
+
+    newest, *_ = desk.list()
+    assert (newest["kind"], newest["result"]) == ("sphere", result["result"])
+    folder = desk.server.data / "performance" / newest["id"]
+    plan, found = read_plan(folder), read_performance(folder)
+    assert plan.simulated
+    assert {limit.quantity: limit.a_um for limit in plan.limits} == {
+        "form-touch": 200.0,
+        "location-scan": 900.0,
+    }
+    assert {entry.file for entry in found.inputs} >= {
+        "plan.json", "arm.json", "calibration.json", "touches.csv", "p1-a5/scan.mcap",
+    }  # fmt: skip
+    served = desk.server.http.get(f"/api/performances/{newest['id']}").json()
+    assert served == json.loads((folder / "performance.json").read_text())
+    # the limits are there for the next test
+    limits = {one["quantity"]: one["a_um"] for one in desk.start()["picture"]["limits"]}
+    assert (limits["form-touch"], limits["size-touch"]) == (200.0, None)
+
+
+def test_touches_count_for_free_places_and_the_plan_stands_from_the_first(desk: Desk) -> None:
+    desk.start()
+    assert "Choose" not in english(desk.do("confirm_artefact")["instruction"])
+    view = desk.touch(0)
+    assert view["frozen"]
+    assert view["picture"]["places"][0]["state"] == "done"
+    assert "fixed" in refusal(desk.command("set_limit", quantity="form-touch", a_um=1.0))
+    assert "does not go back" in refusal(desk.command("back"))
+    view = desk.touch(7)
+    assert view["picture"]["places"][7]["state"] == "done"
+    # the same place again, and one between places
+    answer = desk.command("touch")
+    for _ in range(20):  # the arm may still move away
+        if answer.json().get("code") == "no-free-place":
+            break
+        time.sleep(0.1)
+        answer = desk.command("touch")
+    assert answer.json()["code"] == "no-free-place", answer.text
+    assert desk.view()["progress"]["done"] == 2
+    assert desk.do("undo")["progress"]["done"] == 1
+    assert desk.do("redo")["progress"]["done"] == 2
+    assert "23 touches" in refusal(desk.command("confirm"))
+
+
+def test_a_cancelled_test_is_listed_with_its_reason(desk: Desk) -> None:
+    desk.start()
+    desk.do("confirm_artefact")
+    desk.touch(0)
+    session = desk.view()["session_id"]
+    desk.do("abandon", reason="moved")
+    newest, *_ = desk.list()
+    assert (newest["id"], newest["result"]) == (session, "cancelled")
+    assert "moved" in english(newest["text"])
+    assert (desk.server.data / "performance" / session / "touches.csv").is_file()
+    listed = len(desk.list())
+    desk.start()
+    desk.do("abandon")
+    assert len(desk.list()) == listed  # nothing was touched
+
+
+def test_a_changed_plan_or_setting_makes_the_set_invalid(desk: Desk) -> None:
+    server = desk.server
+    desk.start()
+    desk.do("confirm_artefact")
+    view = desk.touch(0)
+    plan = server.data / "performance" / view["session_id"] / "plan.json"
+    kept = plan.read_bytes()
+    plan.write_bytes(kept.replace(b'"positions": 1', b'"positions": 2'))
+    view = desk.view()
+    assert any("plan of this test was changed" in english(f["text"]) for f in view["findings"])
+    assert [action["name"] for action in view["actions"]] == ["again", "abandon"]
+    assert "plan of this test" in refusal(desk.command("confirm"))
+    plan.write_bytes(kept)
+    assert "again" not in {action["name"] for action in desk.view()["actions"]}
+    server.http.post("/api/settings", json={"threshold": 40}).raise_for_status()
+    try:
+        view = desk.view()
+        assert any("settings for scans" in english(f["text"]) for f in view["findings"])
+    finally:
+        server.http.post("/api/settings", json={"threshold": None}).raise_for_status()
+    assert not any("settings for scans" in english(f["text"]) for f in desk.view()["findings"])
+
+
+def test_an_expired_certificate_is_named_before_the_test_begins(desk: Desk) -> None:
+    path = desk.server.data / "gauges" / "old.nominal.json"
+    sphere = json.loads((desk.server.data / "gauges" / "sphere.nominal.json").read_text())
+    path.write_text(json.dumps({**sphere, "valid_until": "2020-01-31"}))
+    try:
+        desk.start()
+        desk.wait(lambda view: {gauge["id"] for gauge in view["gauges"]} >= {"old"})
+        view = desk.do("choose_gauge", id="old")
+        assert any("2020-01-31" in english(f["text"]) for f in view["findings"])
+        assert "2020-01-31" in refusal(desk.command("confirm_artefact"))
+    finally:
+        path.unlink()
+
+
+def reopened(server: Server, left: Path) -> tuple[Store, Scanner, Scene, Jobs, PerformanceGuide]:
+    """The guide of a next server on what is on the disk."""
+    store, bus = Store(left), Bus()
+    rig, scene = Rig(bus, server.simulation.sensor, server.simulation.sensor, left), Scene()  # type: ignore[arg-type]
+    scanner, jobs = Scanner(bus, rig, scene, left / "scans"), Jobs(bus)
+    setup = server.context.settings.settings.model_dump(mode="json")
+    station = PerformanceServices(bus, rig, jobs, None, scanner, scene, lambda: setup)
+    guide = PerformanceGuide(station, store.journal, store.calibrations, store.performances, left)
+    return store, scanner, scene, jobs, guide
+
+
+def test_a_server_killed_in_any_step_loses_nothing(desk: Desk, tmp_path: Path) -> None:
+    """What is on the disk at that moment is all that a next server has."""
+    server = desk.server
+    desk.start()
+    desk.do("run_simulation", all=True)
+    seen: set[str] = set()
+    while (view := desk.view())["step"] != "review" or view["busy"] is not None:
+        step = view["step"]
+        if step in seen or (view["progress"] is None or view["progress"]["done"] < 1):
+            time.sleep(0.1)
+            continue
+        seen.add(step)
+        left = tmp_path / step
+        shutil.copytree(server.data, left)
+        store, scanner, scene, jobs, guide = reopened(server, left)
+        try:
+            after = guide.view()
+            assert after.session_id == view["session_id"]
+            assert after.rev >= view["rev"]
+            assert guide.running
+            if guide.state.open_scan is not None:
+                measure_waiting(guide)
+                jobs.wait(30.0)
+                assert guide.state.open_scan is None
+        finally:
+            scanner.close()
+            scene.close()
+            store.close()
+    assert seen == {"pattern", "location", "scan", "end"}
+    assert np.isfinite(desk.view()["picture"]["result"]["figures"][0]["value"])
