@@ -26,6 +26,7 @@ from app.formats.datasheets.target import read_certificate, read_object
 from app.formats.images import write_png
 from app.formats.json_document import Document
 from app.formats.performance.plan import read_plan
+from app.formats.performance.station_limits import read_station_limits
 from app.formats.recording.decoders import SCHEMAS
 from app.formats.recording.reader import STATION_METADATA
 from app.formats.recording.stripe_message import STRIPE_SCHEMA, stripe_descriptors
@@ -223,6 +224,14 @@ def test_every_document_of_the_package_is_named() -> None:
     assert "crenel/tip-check" in formats()
     missing = {name for name in formats() if f"`{name}`" not in PAGE and f'"{name}"' not in PAGE}
     assert not missing
+
+
+def test_limits_of_a_performance_test_are_read(examples: Path) -> None:
+    limits = read_station_limits(examples)
+    assert [(one.quantity, one.a_um) for one in limits] == [
+        ("form-touch", 25),
+        ("location-scan", 60),
+    ]
 
 
 def test_a_length_standard_and_a_plan_of_a_performance_test_are_read(examples: Path) -> None:

@@ -1,0 +1,77 @@
+"""The one-sphere test in a real browser: from its start to its figures and its record."""
+
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from playwright.sync_api import Browser, expect
+
+from app.bench.faults.served import prepare
+from tests.e2e.conftest import Demo
+from tests.e2e.test_demo import Visit
+
+pytestmark = pytest.mark.slow
+
+SIZES = {"desktop": (1280, 800), "tablet": (820, 1180)}
+STEPS = ("pattern", "location", "scan", "end", "review")
+WAIT_MS = 30_000
+FIGURES = 11
+
+
+@pytest.fixture(scope="module")
+def station(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Demo]:
+    """A simulated station whose sensor is calibrated."""
+    data = tmp_path_factory.mktemp("performance") / "data"
+    prepare(data)
+    running = Demo(data, (sys.executable, "-m", "app.bench.faults.served", str(data)))
+    yield running
+    running.end()
+
+
+def look_at_both_sizes(visit: Visit, name: str) -> None:
+    """Nothing is wider than the screen, on either."""
+    for size, (width, height) in SIZES.items():
+        visit.page.set_viewport_size({"width": width, "height": height})
+        visit.look(f"performance-{name}-{size}")
+        assert visit.page.evaluate("document.documentElement.scrollWidth") <= width
+
+
+def test_the_one_sphere_test_from_start_to_figures(
+    station: Demo, browser: Browser, pictures: Path
+) -> None:
+    page = browser.new_page(viewport={"width": 1280, "height": 800})
+    page.set_default_timeout(WAIT_MS)
+    visit = Visit(page, pictures)
+    page.goto(station.link)
+    page.get_by_role("link", name="Performance").click()
+    look_at_both_sizes(visit, "before")
+    page.get_by_role("button", name="Start the test").click()
+    field = page.get_by_label("form of the touched sphere")
+    expect(field).to_be_visible()
+    field.fill("300")
+    page.get_by_role("button", name="Set", exact=True).click()
+    look_at_both_sizes(visit, "artefact")
+    page.get_by_role("button", name="Let the simulated operator do everything").click()
+    for step in STEPS:
+        visit.wait_until(
+            step,
+            "/api/performance",
+            lambda view, step=step: (  # type: ignore[misc]
+                view["step"] == step
+                and (step == "review" or view["progress"]["done"] > 0)
+                and (step != "review" or view["picture"]["result"] is not None)
+            ),
+        )
+        look_at_both_sizes(visit, step)
+    rows = page.locator("tr[data-quantity]")
+    expect(rows).to_have_count(FIGURES)
+    expect(rows.filter(has_text="P_Form.Sph.1x25::Tact").get_by_text("300")).to_be_visible()
+    page.get_by_role("button", name="Finish the test").click()
+    expect(page.get_by_role("heading", name="Performance tests")).to_be_visible()
+    look_at_both_sizes(visit, "list")
+    page.get_by_role("button", name="Open").first.click()
+    expect(rows).to_have_count(FIGURES)
+    look_at_both_sizes(visit, "record")
+    assert not visit.faults
+    page.close()
