@@ -1,4 +1,4 @@
-"""Reports of calibrations, verifications, checks and identifications of the arm.
+"""Reports of calibrations, verifications, performance tests, checks and identifications.
 
 A report is rendered from its folder at each request; nothing of it is stored, and it is identical
 to that of ``crenel report`` for the folder.
@@ -12,7 +12,7 @@ from typing import Annotated, Literal
 from fastapi import APIRouter, Path, Query
 from starlette.responses import Response
 
-from app.api.lookups import find_calibration
+from app.api.lookups import find_calibration, find_performance
 from app.api.problems import NotFoundError
 from app.guide.arm.view import ArmCheckSummary, IdentificationSummary, TipCheckSummary
 from app.messages.message import Text, message
@@ -50,6 +50,14 @@ async def verification_report(
 ) -> Response:
     """The report of a verification."""
     return await _report(context, lambda: _verification(context, record_id), form, lang)
+
+
+@router.get("/performances/{record_id}/report.{form}")
+async def performance_report(
+    record_id: RecordId, form: Form, context: TheContext, lang: Language = "en"
+) -> Response:
+    """The report of a performance test."""
+    return await _report(context, lambda: find_performance(context, record_id).folder, form, lang)
 
 
 def _calibration(context: Context, record_id: str) -> Folder:

@@ -101,6 +101,7 @@ def _activity(context: Context) -> ActivityReport:
     for topic, kind in (
         ("flow", "calibrating"),
         ("verify", "verifying"),
+        ("performance", "verifying"),
         ("arm", "checking_arm"),
     ):
         view = context.bus.latest(topic)

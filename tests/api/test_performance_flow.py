@@ -1,10 +1,12 @@
 """The guided performance test over HTTP, simulated: the whole one-sphere test, and what is
 refused, kept and listed."""
 
+import io
 import json
 import shutil
 import time
 import uuid
+import zipfile
 from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
@@ -136,6 +138,13 @@ def test_the_simulated_operator_does_the_whole_test(desk: Desk, calibration: str
     }  # fmt: skip
     served = desk.server.http.get(f"/api/performances/{newest['id']}").json()
     assert served == json.loads((folder / "performance.json").read_text())
+    report = desk.server.http.get(f"/api/performances/{newest['id']}/report.html")
+    assert "P_Form.Sph.1x25" in report.text
+    packed = desk.server.http.get(f"/api/performances/{newest['id']}/export.zip").content
+    with zipfile.ZipFile(io.BytesIO(packed)) as archive:
+        assert any(name.endswith(".csv") for name in archive.namelist())
+    qif = desk.server.http.get(f"/api/performances/{newest['id']}/export.qif")
+    assert "QIFDocument" in qif.text
     # the limits are there for the next test
     limits = {one["quantity"]: one["a_um"] for one in desk.start()["picture"]["limits"]}
     assert (limits["form-touch"], limits["size-touch"]) == (200.0, None)
@@ -233,9 +242,12 @@ def test_a_server_killed_in_any_step_loses_nothing(desk: Desk, tmp_path: Path) -
     """What is on the disk at that moment is all that a next server has."""
     server = desk.server
     desk.start()
+    desk.do("choose_gauge", id="sphere")
     desk.do("run_simulation", all=True)
     seen: set[str] = set()
+    deadline = time.monotonic() + 300.0
     while (view := desk.view())["step"] != "review" or view["busy"] is not None:
+        assert time.monotonic() < deadline, view
         step = view["step"]
         if step in seen or (view["progress"] is None or view["progress"]["done"] < 1):
             time.sleep(0.1)

@@ -658,7 +658,6 @@ ui-performance-help-scan = Die Haupttaste des Arms beginnt und beendet einen Sca
 ui-performance-help-sphere = Die Datei der Kugel im Ordner gauges nennt Durchmesser, Form und ihre Unsicherheiten nach dem Kalibrierschein.
 ui-performance-help-touch = Die Haupttaste des Arms nimmt eine Antastung auf, die Rücknahmetaste nimmt die letzte zurück.
 ui-performance-needs = Eine kalibrierte Kugel von mindestens 10 mm auf festem Fuß, nicht die zum Kalibrieren verwendete.
-ui-performance-record = Ergebnis als Datei
 ui-performance-tests = Leistungsprüfungen
 ui-performance-tests-appear-here = Leistungsprüfungen erscheinen hier, die neueste zuerst, auch die abgebrochenen.
 ui-picture = Bild

@@ -658,7 +658,6 @@ ui-performance-help-scan = The arm's main button begins and ends a scan.
 ui-performance-help-sphere = The sphere's file in the folder gauges states diameter, form and their uncertainties by its certificate.
 ui-performance-help-touch = The arm's main button takes a touch, the undo button takes the last one back.
 ui-performance-needs = A calibrated sphere of at least 10 mm on a firm foot, not the one used for calibration.
-ui-performance-record = Result as a file
 ui-performance-tests = Performance tests
 ui-performance-tests-appear-here = Performance tests appear here, newest first, the cancelled ones, too.
 ui-picture = Picture

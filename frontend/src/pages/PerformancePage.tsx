@@ -8,6 +8,7 @@ import { EmptyState } from "../parts/EmptyState";
 import { moment } from "../parts/format";
 import rows from "../parts/List.module.css";
 import { PressButton } from "../parts/PressButton";
+import { Reports } from "../parts/Reports";
 import { ArtefactChoice } from "../performance/ArtefactChoice";
 import { ArticulationList } from "../performance/ArticulationList";
 import { PerformanceCard } from "../performance/PerformanceCard";
@@ -121,7 +122,13 @@ function Record({ id }: { id: string }) {
           <PressButton free onPress={() => go("performance")}>
             {t("ui-performance-tests")}
           </PressButton>
-          <Download href={`/api/performances/${id}`}>{t("ui-performance-record")}</Download>
+          <Reports of={`/api/performances/${id}`} />
+          <div className={styles.files}>
+            <Download href={`/api/performances/${id}/export.zip`}>CSV</Download>
+            <Download href={`/api/performances/${id}/export.xlsx`}>XLSX</Download>
+            <Download href={`/api/performances/${id}/export.qif`}>QIF</Download>
+            <Download href={`/api/performances/${id}`}>JSON</Download>
+          </div>
         </>
       }
     />

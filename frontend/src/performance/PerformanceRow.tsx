@@ -3,6 +3,7 @@ import type { PlainId } from "../messages/text";
 import { moment } from "../parts/format";
 import { PressButton } from "../parts/PressButton";
 import { QualityMark } from "../parts/QualityMark";
+import { Reports } from "../parts/Reports";
 import styles from "../records/Rows.module.css";
 import { isolated } from "../state/isolated";
 import { t } from "../state/language";
@@ -31,9 +32,12 @@ export function PerformanceRow({ summary }: { summary: PerformanceSummary }) {
         </p>
       </div>
       {summary.result !== "cancelled" && (
-        <PressButton free onPress={() => go("performance", summary.id)}>
-          {t("ui-open")}
-        </PressButton>
+        <>
+          <PressButton free onPress={() => go("performance", summary.id)}>
+            {t("ui-open")}
+          </PressButton>
+          <Reports of={`/api/performances/${summary.id}`} />
+        </>
       )}
     </li>
   );
