@@ -248,7 +248,7 @@ def _build_context(parts: StationParts, store: Store) -> Context:
             rig,
             preview,
             use_active,
-            lambda: any(one.running for one in (guide, arm_guide, verify_guide)),
+            lambda: any(one.running for one in (guide, arm_guide, verify_guide, performance_guide)),
             lambda: scanner.recording() is not None,
         ),
         parts.due,
