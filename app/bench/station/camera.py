@@ -37,8 +37,10 @@ class CameraBench:
     """What became of the camera's pictures. Ages are from mid-exposure to the station's hub."""
 
     seconds: float
+    openings: int
+    """How often the station opened the camera; once if it was never lost."""
     sent: int
-    """By the camera's own numbers, from the first picture to the last one."""
+    """By the camera's own numbers, from the first picture of each opening to the last one."""
     whole: int
     lost: int
     """As the station counts them."""
@@ -58,6 +60,7 @@ COLUMNS = ("measure", "value")
 def table(found: CameraBench) -> list[tuple[str, str]]:
     return [
         ("pictures a second", f"{found.sent / found.seconds:.1f} over {found.seconds:.0f} s"),
+        ("opened", f"{found.openings}"),
         ("sent, received whole, counted as lost", f"{found.sent}, {found.whole}, {found.lost}"),
         ("neither received nor counted", f"{found.unaccounted}"),
         (
@@ -131,26 +134,30 @@ def _read(sensor: StationSensor) -> Iterator[None]:
 
 def _watch(sensor: StationSensor, tap: FrameTap, seconds: float, progress: Progress) -> CameraBench:
     ages_ns: list[int] = []
-    last = -1
+    numbers: list[int] = []
     begin_s, begin_cpu_s = time.monotonic(), time.process_time()
     while (gone_s := time.monotonic() - begin_s) < seconds:
         progress(gone_s / seconds, f"{gone_s:.0f} of {seconds:.0f} s")
         for frame in tap.get(_TAP_SIZE, 0.2):
             ages_ns.append(now_ns() - frame.mid_exposure_ns)
-            last = frame.sequence
+            numbers.append(frame.sequence)
     cores = (time.process_time() - begin_cpu_s) / gone_s
     sensor.reader.stop()
-    late = tap.get(_TAP_SIZE, 0.0)
+    numbers += [frame.sequence for frame in tap.get(_TAP_SIZE, 0.0)]
     link = sensor.reader.link()
     if not ages_ns:
         raise OperationError(
             "bench-camera-silent", "Nothing was measured: no whole picture arrived", link.text
         )
     median_ns, late_ns = np.percentile(ages_ns, (50, 99))
+    # the station's numbers begin with 0 at each opening
+    steps = np.diff(numbers, append=-1)
+    ends = np.array(numbers)[steps < 0]
     return CameraBench(
         seconds=gone_s,
-        sent=(late[-1].sequence if late else last) + 1,
-        whole=len(ages_ns) + len(late),
+        openings=len(ends),
+        sent=int(np.sum(ends + 1)),
+        whole=len(numbers),
         lost=link.lost,
         age_median_s=1e-9 * float(median_ns),
         age_99_s=1e-9 * float(late_ns),
