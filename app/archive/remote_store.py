@@ -1,7 +1,9 @@
 """The places that an archive can be: a folder or a mount, or anything that fsspec opens."""
 
 import errno
+import logging
 import os
+from asyncio import AbstractEventLoop
 from collections.abc import Iterable, Iterator
 from contextlib import closing, suppress
 from pathlib import Path
@@ -14,10 +16,13 @@ from app.formats.atomic_write import atomic_file, ensure_folder
 from app.formats.open_file import open_file
 from app.messages.message import message
 
+log = logging.getLogger(__name__)
 PIECE_BYTES = 1 << 18
 PART_BYTES = 5 << 20
 """Of a large object: the least that S3 takes; bursts stay small."""
 CONNECT_S, READ_S = 10, 60
+RETRIES = 2
+"""Within a call; the station itself tries again with growing pauses."""
 OBJECT_STORES = ("s3://", "s3a://", "gs://", "gcs://")
 """They have no folders, and their libraries would create a missing bucket instead."""
 
@@ -163,7 +168,7 @@ def _open_filesystem(settings: ArchiveSettings) -> tuple[Any, str]:
             "config_kwargs": {
                 "connect_timeout": CONNECT_S,
                 "read_timeout": READ_S,
-                "retries": {"max_attempts": 1},  # s3fs tries again, and so does the station
+                "retries": {"max_attempts": 1},  # s3fs tries again
                 # many compatible stores do not know the newer checksums; the content is read back
                 "request_checksum_calculation": "when_required",
                 "response_checksum_validation": "when_required",
@@ -181,4 +186,13 @@ def _open_filesystem(settings: ArchiveSettings) -> tuple[Any, str]:
             str(error),
             message("archive-install-library", library=extra),
         ) from error
+    if protocol == "s3":
+        files.retries = RETRIES
+    if (loop := getattr(files, "loop", None)) is not None:
+        # connections that are cut leave such exceptions behind; each call reports its own error
+        loop.call_soon_threadsafe(loop.set_exception_handler, _note_exception)
     return files, str(root)
+
+
+def _note_exception(loop: AbstractEventLoop, context: dict[str, Any]) -> None:
+    log.debug("%s", context.get("message"), exc_info=context.get("exception"))

@@ -24,8 +24,8 @@ from tests.archive.filled import add_scan, archive_of, check_whole, content_of, 
 from tests.archive.s3 import BUCKET, CuttingProxy, S3Server
 
 pytestmark = pytest.mark.slow
-LARGE = 11 << 20
-"""Sent in three parts."""
+LARGE = 6 << 20
+"""Sent in two parts."""
 
 
 @pytest.fixture(scope="module")
@@ -84,7 +84,7 @@ def test_uploads_that_are_cut_at_random_leave_nothing_partial_with_a_manifest(
     archive = open_archive(store, tmp_path, proxy.port)
     complete = 0
     try:
-        for most in (50_000, 3_000_000, 10_000_000, 40_000_000, float("inf")):
+        for most in (50_000, 6_000_000, 20_000_000, float("inf")):
             proxy.restore(most)
             with suppress(StoreError):
                 archive.run()
