@@ -39,7 +39,7 @@ def list_records(data: Path, lists: RecordLists, now: datetime) -> list[StationR
     A scan is finished when it is in the list of scans, and a guided session when it was ended or
     another one of its kind began after it. Guided sessions of calibrations and of the arm stay on
     the station: every scan and every verification needs its calibration. So do verifications of
-    the calibration in use, and the last record of each kind.
+    the calibrations in use, and the last record of each kind.
     """
     ended, newest = _sessions(lists.journal)
     scans = {scan.folder.name: scan for scan in lists.scans.all()}
@@ -121,10 +121,10 @@ def _sessions(journal: JournalStore) -> tuple[Set[str], Set[str]]:
 
 
 def _needed_verifications(lists: RecordLists) -> Set[str]:
-    active = lists.calibrations.active()
-    if active is None:
-        return set()
-    return {one.id for one in lists.verifications.all() if one.calibration_id == active.id}
+    """Those of the calibrations in use: each sensor has its own."""
+    active = {one.id for one in lists.calibrations.all() if one.active}
+    active |= {one.id for one in lists.calibrations.unreadable() if one.active}
+    return {one.id for one in lists.verifications.all() if one.calibration_id in active}
 
 
 def _folders(parent: Path) -> Iterator[Path]:

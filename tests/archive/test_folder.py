@@ -126,10 +126,9 @@ def test_without_a_rule_nothing_leaves_the_disk(store: Store, place: Path) -> No
     assert away_of(store) == []
 
 
-def test_verifications_of_the_calibration_in_use_and_the_last_one_stay(
+def test_verifications_of_the_calibrations_in_use_and_the_last_one_stay(
     store: Store, place: Path
 ) -> None:
-    add_session(store, "calibration", "c1", ended=False)
     figures = {
         "total_um": 20.0,
         "verdict": "good",
@@ -137,13 +136,15 @@ def test_verifications_of_the_calibration_in_use_and_the_last_one_stay(
         "object_serial": "B",
         "sensor_serial": "S",
     }
-    file = store.folder / "sessions/c1/calibration.json"
-    file.write_text("{}")
-    store.calibrations.accept("c1", "name", file, figures, None)
-    (calibration,) = store.calibrations.all()
-    for name, of in (("used", calibration.id), ("other", "none"), ("last", "none")):
-        folder = add_session(store, "verification", name, ended=of == "none")
-        if of != "none":
+    for calibration, sensor in (("c0", ""), ("c1", ""), ("c2", "blue")):
+        folder = add_session(store, "calibration", calibration, ended=False)
+        (folder / "calibration.json").write_text("{}")
+        file = folder / "calibration.json"
+        store.calibrations.accept(calibration, "name", file, figures, None, sensor=sensor)
+    verified = {"former": "c0", "used": "c1", "blue": "c2", "other": "", "last": ""}
+    for name, of in verified.items():
+        folder = add_session(store, "verification", name, ended=not of)
+        if of:
             verdict = {
                 "result": "pass",
                 "text": "",
@@ -156,7 +157,7 @@ def test_verifications_of_the_calibration_in_use_and_the_last_one_stay(
             store.verifications.accept(name, of, folder, verdict, None)
     archive_of(store, str(place)).run()
     archive_of(store, str(place), later=LATER, rules={"keep_days": 90}).run()
-    assert away_of(store) == ["other"]
+    assert sorted(away_of(store)) == ["former", "other"]
 
 
 def test_what_is_damaged_in_the_archive_stays_on_the_disk_and_is_copied_again(
