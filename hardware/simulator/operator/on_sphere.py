@@ -18,10 +18,12 @@ from hardware.simulator.devices.motion import JointPath, plan_approach
 from hardware.simulator.operator.sweeping import Sweep
 from hardware.simulator.operator.swinging import CLEAR_MM, TOUCH_S
 
-TRIES = 60
+TRIES, NEAR = 60, 20
+TWIST_RAD = 0.5
+"""Of the stylus about itself, in the first tries."""
 SWAY = 0.06
 """By how much an operator misses the direction of the stylus, as a share of its length."""
-SHORTEST_WAYS = 6
+SHORTEST_WAYS = 4
 """Of so many ways the one is taken that turns the arm least."""
 SWEEP_TURNS_RAD = (0.0, 0.2, -0.2, 0.35, -0.35)
 LASER_SHARE = 0.6
@@ -53,10 +55,12 @@ def path_onto_place(
     """
     tip, still = np.array(arm.tip_mm), np.zeros(3)
     found: list[JointPath] = []
-    for _ in range(TRIES):
+    now = flange_pose(arm, q_rad)[:3, :3]
+    for attempt in range(TRIES):
         T = np.eye(4)
-        T[:3, :3] = _turn_onto(tip, -(stylus_from + rng.normal(0.0, SWAY, 3)))
-        T = T @ _turn_about(tip, float(rng.uniform(-np.pi, np.pi)))
+        T[:3, :3] = _turn_onto(now @ tip, -(stylus_from + rng.normal(0.0, SWAY, 3))) @ now
+        # as the hand holds it now, or however it can
+        T = T @ _turn_about(tip, float(rng.normal(0.0, TWIST_RAD if attempt < NEAR else np.pi)))
         T[:3, 3] = ball_mm + radius_mm * outward - T[:3, :3] @ tip
         with suppress(UnreachableError):
             goal = solve_joints(arm, T, q_rad, rng, attempts=2)
