@@ -203,6 +203,7 @@ def _build_context(parts: StationParts, store: Store) -> Context:
         store.performances,
         store.folder,
         signing,
+        parts.rule,
     )
     rig.arm.on_button = Buttons(
         _button_handler(guide, arm_guide, verify_guide, performance_guide),

@@ -36,6 +36,7 @@ from app.guide.performance.state import PerformanceState, apply_row
 from app.guide.performance.view import PerformanceView
 from app.messages.message import Text, message
 from app.metrology.arm.kinematics import AnyArm, tip_centres, tip_of
+from app.metrology.decision import GUARDED_95, DecisionRule
 from app.metrology.performance.articulation import assign_places, flat_deg, nearest_free
 from app.metrology.transforms import Floats
 from app.station.scan.scanner import Scanner
@@ -85,8 +86,10 @@ class PerformanceGuide(GuidedSession[PerformanceState, PerformanceLive, Performa
         performances: Performances,
         data_folder: Path,
         signing: Provenance = NO_PROVENANCE,
+        rule: DecisionRule = GUARDED_95,
     ) -> None:
         super().__init__(station, journal, FLOW, data_folder, signing)
+        self.rule = rule
         self.calibrations, self.performances = calibrations, performances
         self._gauges = FolderContent(_read_spheres, data_folder)
         self._arm: tuple[str, AnyArm | None] = ("", None)
@@ -159,7 +162,7 @@ class PerformanceGuide(GuidedSession[PerformanceState, PerformanceLive, Performa
         """The plan as it would be frozen now; a sphere must be chosen."""
         gauge = self.gauge()
         assert gauge is not None
-        return build_plan(self.state, gauge, self.provenance)
+        return build_plan(self.state, gauge, self.provenance, self.rule)
 
     def result(self) -> PerformanceFile | None:
         """What the test found; None before it was evaluated, or if it cannot be read."""

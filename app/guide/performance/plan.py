@@ -5,14 +5,16 @@ from typing import cast
 from app.formats.datasheets.gauge import GaugeFile
 from app.formats.performance.plan import LimitPart, PerformancePlan, SpherePart
 from app.formats.performance.symbols import Quantity
+from app.formats.results.decision_rule import RulePart
 from app.guide.common.guided_session import Provenance
 from app.guide.performance.state import PerformanceState
+from app.metrology.decision import DecisionRule
 
 
 def build_plan(
-    state: PerformanceState, gauge: GaugeFile, provenance: Provenance
+    state: PerformanceState, gauge: GaugeFile, provenance: Provenance, rule: DecisionRule
 ) -> PerformancePlan:
-    """The plan of the one-sphere test."""
+    """The plan of the one-sphere test; ``rule`` is the station's."""
     return PerformancePlan(
         id=state.session_id,
         kind="sphere",
@@ -23,6 +25,7 @@ def build_plan(
         sphere=sphere_part(state.gauge, gauge),
         positions=state.positions,
         limits=limit_parts(state),
+        rule=RulePart.of(rule),
     )
 
 
