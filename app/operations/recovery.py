@@ -16,6 +16,7 @@ from app.formats.atomic_write import sync_file, sync_folder
 from app.formats.datasheets.arm import read_any_arm
 from app.formats.io_errors import convert_io_errors
 from app.formats.json_document import file_sha256, read_text
+from app.formats.performance.plan import RESULT
 from app.formats.recording.reader import (
     SCAN_CALIBRATION,
     SCAN_NAME,
@@ -42,7 +43,7 @@ DELETED = ".deleted-"
 KILLED = message("station-ended-during-scan")
 RETRY_S = 10.0
 END_S = 5.0
-RECORD = "verification.json"
+VERIFICATION = "verification.json"
 LONGEST_NAME = 120
 """Properties that a recording states about itself."""
 
@@ -216,7 +217,7 @@ class Recovery:
         return message("no-points-can-made", interrupted=scan.interrupted, why=why)
 
     def find_damage(self) -> list[Text]:
-        """The recordings of scans and verifications that have changed."""
+        """The recordings of scans, verifications and performance tests that have changed."""
         damaged: list[Text] = []
         for scan in self._store.scans.all():
             if self._is_away(scan.folder):
@@ -224,11 +225,17 @@ class Recovery:
             if damage := find_damage(scan.folder / RECORDING, scan.recording_bytes):
                 damaged.append(join([scan.name, damage], ": "))
         for verification in self._store.verifications.all():
-            for name, sha256 in _recording_hashes(verification.folder):
-                path = verification.folder / name
-                if (damage := find_damage(path)) and not self._matches_hash(path, sha256):
-                    damaged.append(join([f"{verification.id}, {name}", damage], ": "))
+            damaged += self._damage_of_inputs(verification.id, verification.folder / VERIFICATION)
+        for performance in self._store.performances.all():
+            damaged += self._damage_of_inputs(performance.id, performance.folder / RESULT)
         return damaged
+
+    def _damage_of_inputs(self, record_id: str, document: Path) -> Iterator[Text]:
+        """The changed recordings among the inputs that a document of results names."""
+        for name, sha256 in _recording_hashes(document):
+            path = document.parent / name
+            if (damage := find_damage(path)) and not self._matches_hash(path, sha256):
+                yield join([f"{record_id}, {name}", damage], ": ")
 
     def _is_away(self, folder: Path) -> bool:
         """Whether the archive has a scan that is no longer on this disk."""
@@ -272,11 +279,11 @@ def _remove_empty(folder: Path) -> None:
         folder.rmdir()
 
 
-def _recording_hashes(folder: Path) -> list[tuple[str, str]]:
-    """Names and hashes of the recordings in the record of a verification."""
+def _recording_hashes(document: Path) -> list[tuple[str, str]]:
+    """Names and hashes of the recordings among the inputs of a document of results."""
     try:
-        with convert_io_errors(folder):
-            inputs = json.loads(read_text(folder / RECORD))["inputs"]
+        with convert_io_errors(document):
+            inputs = json.loads(read_text(document))["inputs"]
         return [(one["file"], one["sha256"]) for one in inputs if one["file"].endswith(RECORDING)]
     except (OperationError, ValueError, KeyError, TypeError, AttributeError):
         return []

@@ -145,6 +145,13 @@ def test_the_simulated_operator_does_the_whole_test(desk: Desk, calibration: str
         assert any(name.endswith(".csv") for name in archive.namelist())
     qif = desk.server.http.get(f"/api/performances/{newest['id']}/export.qif")
     assert "QIFDocument" in qif.text
+    recording = folder / "p1-a5" / "scan.mcap"
+    whole = recording.read_bytes()
+    assert not desk.server.context.recovery.find_damage()
+    recording.write_bytes(whole[:-1])
+    (damage,) = desk.server.context.recovery.find_damage()
+    assert str(damage).startswith(f"{newest['id']}, p1-a5/scan.mcap")
+    recording.write_bytes(whole)
     # the limits are there for the next test
     limits = {one["quantity"]: one["a_um"] for one in desk.start()["picture"]["limits"]}
     assert (limits["form-touch"], limits["size-touch"]) == (200.0, None)
