@@ -6,12 +6,13 @@ from app.errors import OperationError
 from app.formats.file_names import display_path
 from app.formats.performance.plan import RESULT as PERFORMANCE
 from app.formats.results.arm_checks import ARM_CHECK, TIP_CHECK
+from app.formats.results.calibration import CALIBRATION
 from app.formats.results.verification import VERIFICATION
 from app.formats.session.arm_session import IDENTIFIED
 from app.messages.message import Text, join, message
 from app.report.content import Report
 from app.report.contents.arm_check import arm_check_report
-from app.report.contents.calibration import CALIBRATION, calibration_report
+from app.report.contents.calibration import calibration_report
 from app.report.contents.identification import identification_report
 from app.report.contents.performance import performance_report
 from app.report.contents.tip_check import tip_check_report

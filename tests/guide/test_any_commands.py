@@ -25,6 +25,7 @@ from starlette.types import ASGIApp
 
 from app.guide.arm.rules import RULES as OF_ARM
 from app.guide.calibration.rules import RULES as OF_CALIBRATION
+from app.guide.performance.rules import RULES as OF_PERFORMANCE
 from app.guide.verify.rules import RULES as OF_VERIFICATION
 from app.operations.context import Context
 from app.server.application import build_app
@@ -45,11 +46,21 @@ CHOICES = dict.fromkeys(("arm", "object", "sensor"), "simulated")
 NAMES = {
     "flow": (*OF_CALIBRATION.commands, "nothing"),
     "arm": (*OF_ARM.commands, "nothing"),
+    "performance": (*OF_PERFORMANCE.commands, "nothing"),
     "verify": (*OF_VERIFICATION.commands, "nothing"),
 }
 Q_RAD = [[0.1 * joint + 0.3 * n for joint in range(6)] for n in range(4)]
 TOUCHED: Rows = [point_row(face, q) for face, q in zip(("crest", "front") * 2, Q_RAD, strict=True)]
 PICTURES: Rows = [capture_row(), capture_row(laser=None)]
+TEST = {"calibration_id": "true", "gauge": "ball", "positions": 1, "limits": {}}
+PLAN_FROZEN = ("plan_frozen", {"plan_sha256": "0" * 64, "setup": {}})
+PATTERN: Rows = [
+    *[("started", TEST), ("step_confirmed", {})],
+    *(
+        ("touched", {"feature": "p1-pattern", "place": place, "reading": q})
+        for place, q in enumerate(Q_RAD)
+    ),
+]
 AT: dict[str, list[Rows]] = {
     "calibration": [
         [],
@@ -91,7 +102,18 @@ AT: dict[str, list[Rows]] = {
             )
         ),
     ],
+    "performance": [
+        [],
+        [("started", TEST)],
+        [("started", TEST), ("step_confirmed", {})],
+        PATTERN,
+        [*PATTERN, PLAN_FROZEN, ("step_confirmed", {})],
+        [*PATTERN, *[("step_confirmed", {})] * 2, ("scan_begun", {"articulation": 1})],
+        [*PATTERN, *[("step_confirmed", {})] * 3],
+        [*PATTERN, *[("step_confirmed", {})] * 4],
+    ],
 }
+FOLDERS = {"verify": "verifications", "performance": "performance"}
 
 ANY_TEXT = st.text(st.characters(exclude_categories=()), max_size=8)
 ANYTHING = st.recursive(
@@ -103,15 +125,20 @@ ANYTHING = st.recursive(
 )
 LIKELY = st.sampled_from(
     ("simulated", "chessboard", "arm", "object", "crest", "setup", "touch", "gauge", "seat", "bar")
+    + ("ball", "form-touch", "artefact", "moved")
     + ("sphere", "plate", 0, 1, 2, 3, 25.0, 0.001, True)
 )
-FIELDS = ("field", "id", "face", "index", "number", "to", "all", "limit_um", "kind", "size_mm")
+FIELDS = (
+    *("field", "id", "face", "index", "number", "to", "all", "limit_um", "kind", "size_mm"),
+    *("quantity", "a_um", "articulation", "reason"),
+)
 ARGS = st.one_of(
     st.dictionaries(st.sampled_from(FIELDS), st.one_of(LIKELY, ANYTHING), max_size=3),
     st.dictionaries(ANY_TEXT, ANYTHING, max_size=2),
 )
 JSON = {"Content-Type": "application/json"}
 PLATE = {"format": "crenel/nominal", "version": 1, "shape": "plane", "name": "Plate"}
+BALL = {"format": "crenel/nominal", "version": 1, "shape": "sphere", "radius_mm": 12.5}
 
 
 class InProcess:
@@ -163,7 +190,8 @@ class AnyCommands(RuleBasedStateMachine):
         assert not any(guide.unreadable_reason for guide in self.guides())
 
     def guides(self) -> tuple[Any, ...]:
-        return self.context.guide, self.context.arm_guide, self.context.verify_guide
+        context = self.context
+        return context.guide, context.arm_guide, context.verify_guide, context.performance_guide
 
     @rule(flow=st.sampled_from(sorted(NAMES)), data=st.data(), args=ARGS, stale=st.booleans())
     def command(self, flow: str, data: st.DataObject, args: object, stale: bool) -> None:
@@ -187,7 +215,7 @@ class AnyCommands(RuleBasedStateMachine):
         self.close()
         self.open()
         assert [guide.state for guide in self.guides()] == before
-        for route in ("flow", "arm", "verify", "home", "arm/checks", "calibrations"):
+        for route in (*NAMES, "home", "arm/checks", "calibrations", "performances"):
             assert self.http.get(f"/api/{route}").status_code == 200
 
     def close(self) -> None:
@@ -209,11 +237,15 @@ def seed(store: Store, kind: str, rows: Rows) -> None:
     store.journal.begin_session(session_id, kind)
     for row_kind, payload in rows:
         store.journal.append(session_id, row_kind, payload)
-    folder = store.folder / ("verifications" if kind == "verify" else "sessions") / session_id
-    folder.mkdir(exist_ok=True)
+    folder = store.folder / FOLDERS.get(kind, "sessions") / session_id
+    folder.mkdir(parents=True, exist_ok=True)
     for name in ("arm", "object", "sensor"):
         shutil.copy(store.folder / f"{name}s" / "simulated.json", folder / f"{name}.json")
-    shutil.copy(store.folder / "gauges" / "plate.json", folder / "gauge.json")
+    gauge = "ball" if kind == "performance" else "plate"
+    shutil.copy(store.folder / "gauges" / f"{gauge}.json", folder / "gauge.json")
+    active = store.calibrations.active()
+    assert active is not None
+    shutil.copy(active.file, folder / "calibration.json")
 
 
 def answered(answer: httpx.Response, asked: object) -> None:
@@ -236,6 +268,7 @@ def template(simulation: SimulatedStation, tmp_path_factory: pytest.TempPathFact
     use_truth(SimpleNamespace(simulation=simulation, data=data, context=context), "true")
     (data / "gauges").mkdir(exist_ok=True)
     (data / "gauges" / "plate.json").write_text(json.dumps(PLATE))
+    (data / "gauges" / "ball.json").write_text(json.dumps(BALL))
     close_context(context)
     context.store.close()
     context.monitoring.close()

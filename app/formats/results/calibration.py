@@ -25,6 +25,7 @@ from app.metrology.sensor.camera import Camera, project, rays
 from app.metrology.sensor.laser_plane import LaserPlane
 from app.metrology.transforms import Floats
 
+CALIBRATION = "calibration.json"
 RIGID_TOLERANCE = 1e-6
 LENS_TOLERANCE_PX = 0.01
 AGREEMENT = 1e-6

@@ -16,6 +16,7 @@ from app.formats.io_errors import convert_io_errors
 from app.formats.json_document import file_sha256
 from app.formats.open_file import read_bounded
 from app.formats.results.acceptance import ACCEPTANCE, Acceptance, ComparisonPart
+from app.formats.results.calibration import CALIBRATION
 from app.formats.results.decision_rule import RulePart
 from app.formats.session.calibration_session import (
     ARM,
@@ -36,8 +37,6 @@ from app.guide.common.guided_session import Provenance
 from app.guide.common.result_view import CalibrationResult
 from app.metrology.decision import DecisionRule
 from app.station.devices.capture import Capture
-
-CALIBRATION = "calibration.json"
 
 
 class SessionFolder:

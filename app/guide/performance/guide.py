@@ -14,10 +14,15 @@ from app.formats.json_document import file_sha256
 from app.formats.performance.plan import PLAN, TOUCHES, PerformancePlan
 from app.formats.performance.results import PerformanceFile, read_performance
 from app.formats.performance.station_limits import read_station_limits
-from app.formats.results.calibration import Calibration, read_calibration
+from app.formats.results.calibration import CALIBRATION, Calibration, read_calibration
 from app.formats.session.calibration_session import ARM, contact_readings, write_contacts
-from app.guide.calibration.session_folder import CALIBRATION
-from app.guide.common.datasheet_library import FolderContent, Gauges, read_gauges
+from app.guide.common.datasheet_library import (
+    FolderContent,
+    Gauges,
+    keep_copies,
+    read_copies,
+    read_gauges,
+)
 from app.guide.common.flow import Flow
 from app.guide.common.guided_session import (
     NO_PROVENANCE,
@@ -26,7 +31,13 @@ from app.guide.common.guided_session import (
     StationServices,
     new_session_id,
 )
-from app.guide.common.journal import Calibrations, Check, Journal, JournalEntry
+from app.guide.common.journal import (
+    Calibrations,
+    Check,
+    Journal,
+    JournalEntry,
+    StoredCalibration,
+)
 from app.guide.performance.flow import build_view
 from app.guide.performance.live import PerformanceLive, Places
 from app.guide.performance.places import PartPlaces, flat_pattern, places_of, sphere_centre_of
@@ -92,7 +103,7 @@ class PerformanceGuide(GuidedSession[PerformanceState, PerformanceLive, Performa
         self.rule = rule
         self.calibrations, self.performances = calibrations, performances
         self._gauges = FolderContent(_read_spheres, data_folder)
-        self._arm: tuple[str, AnyArm | None] = ("", None)
+        self._session_copies: tuple[str, GaugeFile | None, AnyArm | None] = ("", None, None)
         self._problems: tuple[tuple[str, GaugeFile | None] | None, tuple[Text, ...]] = (None, ())
         self._result: tuple[str, PerformanceFile | None] = ("", None)
         self.resume()
@@ -107,7 +118,7 @@ class PerformanceGuide(GuidedSession[PerformanceState, PerformanceLive, Performa
     def live(self) -> PerformanceLive:
         """The station as the session sees it."""
         station, state = self.station, self.state
-        side, active = station.rig.arm, self.calibrations.active()
+        side, active = station.rig.arm, self.active()
         gauges, gauge = self.gauges(), self.gauge()
         blocked = station.scanner.why_not() if state.step == "scan" else None
         return PerformanceLive(
@@ -138,21 +149,33 @@ class PerformanceGuide(GuidedSession[PerformanceState, PerformanceLive, Performa
         return self._gauges.latest(choosing=not self.running or self.state.step == "artefact")
 
     def gauge(self) -> GaugeFile | None:
-        """The chosen sphere."""
-        entry = self.gauges().known.get(self.state.gauge)
-        return entry.datasheet if entry else None
+        """The chosen sphere, the session's own copy once it was confirmed."""
+        return self.datasheets()[0]
 
     def arm(self) -> AnyArm | None:
         """The session's own copy, once the sphere was confirmed."""
+        return self.datasheets()[1]
+
+    def datasheets(self) -> tuple[GaugeFile | None, AnyArm | None]:
+        """Sphere and arm; None for what cannot be read."""
         state = self.state
         if not state.session_id or state.step == "artefact" or state.ended:
-            return None
-        if self._arm[0] != state.session_id:
-            try:
-                self._arm = (state.session_id, read_any_arm(self.folder / ARM))
-            except OperationError:
-                self._arm = (state.session_id, None)
-        return self._arm[1]
+            entry = self.gauges().known.get(state.gauge)
+            return entry.datasheet if entry else None, None
+        if self._session_copies[0] != state.session_id:
+            self._session_copies = (state.session_id, *read_copies(self.folder))
+        return self._session_copies[1:]
+
+    def keep_datasheets(self) -> None:
+        """Copies sphere, arm and calibration, which the session uses from now on."""
+        active = self.active()
+        assert active is not None
+        keep_copies(self.folder, self.gauges().known[self.state.gauge].path, active.file)
+        self._session_copies = ("", None, None)
+
+    def active(self) -> StoredCalibration | None:
+        """The calibration in use of the selected sensor."""
+        return self.calibrations.active(self.station.rig.selected)
 
     def calibration(self) -> Calibration:
         """The session's own copy; raises ``OperationError``."""
@@ -205,7 +228,7 @@ class PerformanceGuide(GuidedSession[PerformanceState, PerformanceLive, Performa
         return Places(part.directions, flat, taken, following, tip_deg)
 
     def _artefact_problems(self, gauge: GaugeFile | None) -> tuple[Text, ...]:
-        active = self.calibrations.active()
+        active = self.active()
         if gauge is None or active is None:
             return ()
         if self._problems[0] != (active.id, gauge):
@@ -237,7 +260,7 @@ class PerformanceGuide(GuidedSession[PerformanceState, PerformanceLive, Performa
 
     def begin(self, key: str | None) -> None:
         """A new session of the calibration in use, with the sphere and the limits of the last."""
-        active = self.calibrations.active()
+        active = self.active()
         if active is None:
             raise OperationError(
                 "no-calibration",

@@ -56,6 +56,8 @@ def change_reason(state: PerformanceState, live: PerformanceLive) -> Text:
         return message("performance-other-calibration")
     if live.plan_changed:
         return message("performance-plan-changed")
+    if live.gauge is None and state.step not in ("artefact", "review"):
+        return message("sessions-gauge-arm-cannot-read-any")
     if state.frozen and state.setup != live.setup_now:
         return message("performance-settings-changed")
     return ""

@@ -5,13 +5,10 @@ from collections.abc import Mapping
 from datetime import UTC, datetime
 
 from app.errors import OperationError
-from app.formats.atomic_write import ensure_folder, sync_file, sync_folder, write_atomically
+from app.formats.atomic_write import sync_file, sync_folder
 from app.formats.io_errors import convert_io_errors
-from app.formats.open_file import read_bounded
 from app.formats.performance.plan import RESULT
 from app.formats.performance.station_limits import write_station_limits
-from app.formats.session.calibration_session import ARM
-from app.guide.calibration.session_folder import CALIBRATION
 from app.guide.common.arguments import Args
 from app.guide.common.flow import DECISION_QUALITY
 from app.guide.common.journal import error_payload
@@ -38,13 +35,8 @@ def set_limit(guide: PerformanceGuide, args: Args, key: str | None) -> None:
 
 
 def confirm_artefact(guide: PerformanceGuide, key: str | None) -> None:
-    """From here on the test uses its own copies of arm and calibration."""
-    active = guide.calibrations.active()
-    assert active is not None
-    with convert_io_errors(guide.folder):
-        ensure_folder(guide.folder)
-        for source, name in ((active.file.parent / ARM, ARM), (active.file, CALIBRATION)):
-            write_atomically(guide.folder / name, read_bounded(source))
+    """From here on the test uses its own copies of sphere, arm and calibration."""
+    guide.keep_datasheets()
     guide.append("step_confirmed", {}, key)
 
 

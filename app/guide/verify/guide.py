@@ -8,16 +8,18 @@ from typing import Protocol
 import numpy as np
 
 from app.errors import OperationError
-from app.formats.atomic_write import ensure_folder, write_atomically
 from app.formats.datasheets.arm import read_any_arm
-from app.formats.datasheets.gauge import DEFAULT_LIMITS, GaugeFile, VerificationLimits, read_gauge
-from app.formats.io_errors import convert_io_errors
-from app.formats.open_file import read_bounded
-from app.formats.results.calibration import Calibration, read_calibration
-from app.formats.results.verification import CONTACTS, GAUGE
+from app.formats.datasheets.gauge import DEFAULT_LIMITS, GaugeFile, VerificationLimits
+from app.formats.results.calibration import CALIBRATION, Calibration, read_calibration
+from app.formats.results.verification import CONTACTS
 from app.formats.session.calibration_session import ARM, contact_readings, write_contacts
-from app.guide.calibration.session_folder import CALIBRATION
-from app.guide.common.datasheet_library import FolderContent, Gauges, read_gauges
+from app.guide.common.datasheet_library import (
+    FolderContent,
+    Gauges,
+    keep_copies,
+    read_copies,
+    read_gauges,
+)
 from app.guide.common.flow import Flow
 from app.guide.common.guided_session import (
     NO_PROVENANCE,
@@ -157,11 +159,7 @@ class VerifyGuide(GuidedSession[VerifyState, VerifyLive, VerifyView]):
             return entry.datasheet if entry else None, None
         named = f"{state.session_id}/{state.gauge}"
         if self._session_copies[0] != named:
-            try:
-                own = read_gauge(self.folder / GAUGE), read_any_arm(self.folder / ARM)
-                self._session_copies = (named, *own)
-            except OperationError:
-                self._session_copies = (named, None, None)
+            self._session_copies = (named, *read_copies(self.folder))
         return self._session_copies[1:]
 
     def calibration(self) -> Calibration:
@@ -237,14 +235,7 @@ class VerifyGuide(GuidedSession[VerifyState, VerifyLive, VerifyView]):
         """Copies gauge, arm and calibration, which the session uses from now on."""
         active = self.calibrations.active(self.station.rig.selected)
         assert active is not None
-        with convert_io_errors(self.folder):
-            ensure_folder(self.folder)
-            for source, name in (
-                (self.gauges().known[self.state.gauge].path, GAUGE),
-                (active.file.parent / ARM, ARM),
-                (active.file, CALIBRATION),
-            ):
-                write_atomically(self.folder / name, read_bounded(source))
+        keep_copies(self.folder, self.gauges().known[self.state.gauge].path, active.file)
         self._session_copies = ("", None, None)
 
     # -- touches -------------------------------------------------------------

@@ -9,7 +9,7 @@ from app.errors import OperationError
 from app.formats.atomic_write import sync_file, sync_folder
 from app.formats.io_errors import convert_io_errors
 from app.formats.json_document import SOFTWARE, file_sha256
-from app.formats.results.calibration import CalibrationFile, Input
+from app.formats.results.calibration import CALIBRATION, CalibrationFile, Input
 from app.formats.results.decision_rule import RulePart
 from app.formats.results.verification import (
     CONTACTS,
@@ -23,7 +23,6 @@ from app.formats.results.verification import (
     write_verification,
 )
 from app.formats.session.calibration_session import ARM
-from app.guide.calibration.session_folder import CALIBRATION
 from app.guide.common.flow import DECISION_QUALITY
 from app.guide.common.journal import error_payload
 from app.guide.verify.guide import VerifyGuide

@@ -8,7 +8,7 @@ from app.errors import sentence
 from app.formats.datasheets.sensor import SensorDatasheet
 from app.formats.datasheets.target import read_certificate
 from app.formats.results.acceptance import Acceptance, read_acceptance
-from app.formats.results.calibration import CalibrationFile, PosePart
+from app.formats.results.calibration import CALIBRATION, CalibrationFile, PosePart
 from app.formats.results.decision_rule import FORMER_POINT_RULE, RulePart, describe_rule
 from app.formats.session.calibration_session import (
     OBJECT,
@@ -53,7 +53,6 @@ from app.report.formatting import (
 from app.report.provenance import inputs_section
 from app.workflows.calibrate import session_channel
 
-CALIBRATION = "calibration.json"
 DISPLAYED_POSES = 6
 WORDS: dict[Quality, Message] = {
     "good": message("good"),

@@ -12,14 +12,14 @@ from app.formats.clouds.points import Points
 from app.formats.datasheets.arm import read_any_arm
 from app.formats.json_document import file_sha256
 from app.formats.performance.plan import PLAN, TOUCHES, PerformancePlan, read_plan
-from app.formats.results.calibration import Calibration, Input, read_calibration
+from app.formats.results.calibration import CALIBRATION, Calibration, Input, read_calibration
 from app.formats.session.calibration_session import ARM, read_contacts
 from app.messages.message import message
 from app.metrology.arm.kinematics import AnyArm, tip_centres
 from app.metrology.transforms import Floats
 from app.workflows.reconstruct import reconstruct_into
 
-CALIBRATION, RECORDING = "calibration.json", "scan.mcap"
+RECORDING = "scan.mcap"
 
 
 @dataclass(frozen=True)
