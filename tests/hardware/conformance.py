@@ -567,7 +567,9 @@ class SensorConformance:
         assert driver.health.lost <= len(damaged)
         seen = read_past(driver, max(damaged))
         missing = set(range(max(seen))) - seen
-        assert damaged <= missing
+        # numbers begin with the first picture that the driver sees; the camera may be ahead
+        ahead = range(min(damaged) + 1)
+        assert any({number - late for number in damaged} <= missing for late in ahead)
         assert len(missing) <= driver.health.lost
         driver.close()
 

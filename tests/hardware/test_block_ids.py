@@ -51,3 +51,19 @@ def test_any_64_bit_counter_is_taken_as_it_is(first: int, gaps: list[int]) -> No
     for gap in gaps:
         wanted.append(wanted[-1] + gap)
     assert count_all([first + number for number in wanted]) == wanted
+
+
+def test_an_incomplete_picture_may_have_no_number() -> None:
+    counter = BlockCounter()
+    assert counter.count(0, whole=False) is None
+    assert [counter.count(65_401), counter.count(0, whole=False), counter.count(65_403)] == [
+        0,
+        None,
+        2,
+    ]
+
+
+def test_a_whole_picture_may_have_the_number_zero() -> None:
+    """USB3 Vision counts from 0."""
+    counter = BlockCounter()
+    assert [counter.count(0), counter.count(1, whole=False), counter.count(2)] == [0, 1, 2]

@@ -20,12 +20,16 @@ class BlockCounter:
         self._count = 0
         self._long = False
 
-    def count(self, block_id: int) -> int | None:
+    def count(self, block_id: int, whole: bool = True) -> int | None:
         """The number of a picture, from 0 at the first one; None of a repeated or late one.
 
+        An incomplete picture may have the id 0, which says that its id did not arrive; it has no
+        number, either. Its place in the count shows by the next one.
         A 64-bit id that falls back means that the camera began to count again: its picture is the
         next one.
         """
+        if block_id == 0 and not whole:
+            return None
         self._long |= block_id > _WRAP
         last, self._last = self._last, block_id
         if last is None:

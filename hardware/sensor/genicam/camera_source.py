@@ -121,7 +121,7 @@ class CameraSource(ImageSource):
             DeviceError: only incomplete ones have arrived for some time, or the pixel format is
                 not known.
         """
-        number = self._blocks.count(picture.block_id)
+        number = self._blocks.count(picture.block_id, picture.whole)
         if not picture.whole:
             self._note_incomplete()
             return NoImage.SILENCE
