@@ -106,6 +106,7 @@ class PerformanceGuide(GuidedSession[PerformanceState, PerformanceLive, Performa
         self._session_copies: tuple[str, GaugeFile | None, AnyArm | None] = ("", None, None)
         self._problems: tuple[tuple[str, GaugeFile | None] | None, tuple[Text, ...]] = (None, ())
         self._result: tuple[str, PerformanceFile | None] = ("", None)
+        self._centre: tuple[PerformanceState | None, Floats | None] = (None, None)
         self.resume()
 
     @property
@@ -201,9 +202,13 @@ class PerformanceGuide(GuidedSession[PerformanceState, PerformanceLive, Performa
 
     def centre_mm(self) -> Floats | None:
         """(3,) of the sphere at this position, by the touches of its pattern; None before the
-        first."""
-        arm, gauge = self.arm(), self.gauge()
-        return None if arm is None or gauge is None else sphere_centre_of(self.state, arm, gauge)
+        first. Fitted once for each state."""
+        gauge, arm = self.datasheets()
+        if arm is None or gauge is None:
+            return None
+        if self._centre[0] is not self.state:
+            self._centre = (self.state, sphere_centre_of(self.state, arm, gauge))
+        return self._centre[1]
 
     def part_places(self) -> PartPlaces | None:
         """The places of the part of the test that is touched now; None if there is none."""

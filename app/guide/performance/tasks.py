@@ -1,4 +1,4 @@
-"""The longer works of a performance test: its plan, its scans, its evaluation."""
+"""What takes longer in a performance test: its plan, its scans, its evaluation."""
 
 import shutil
 from collections.abc import Mapping
