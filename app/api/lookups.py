@@ -10,9 +10,8 @@ from app.formats.open_file import open_file
 from app.messages.message import Text, message
 from app.operations.context import Context
 from app.store.calibrations import CalibrationRecord
-from app.store.performances import PerformanceRecord
 from app.store.scans import ScanRecord
-from app.store.verifications import VerificationRecord
+from app.store.session_records import PerformanceRecord, VerificationRecord
 
 
 def find_calibration(context: Context, calibration_id: str) -> CalibrationRecord:

@@ -14,7 +14,7 @@ from app.archive.planning import FileStamp, StationRecord
 from app.store.calibrations import CalibrationStore
 from app.store.journal import JournalStore
 from app.store.scans import ScanStore
-from app.store.verifications import VerificationStore
+from app.store.session_records import VerificationStore
 
 KINDS: tuple[Kind, ...] = get_args(Kind)
 PART = ".part"

@@ -128,7 +128,7 @@ def _open_archive(config: Path | None, data: Path | None) -> "Iterator[Archive]"
     from app.store.database import Database
     from app.store.journal import JournalStore
     from app.store.scans import ScanStore
-    from app.store.verifications import VerificationStore
+    from app.store.session_records import VerificationStore
 
     settings = read_settings(config)
     if settings.archive is None:

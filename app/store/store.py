@@ -17,10 +17,9 @@ from app.store.database import FULL, Database
 from app.store.journal import JournalStore
 from app.store.lock import FolderLock
 from app.store.login_sessions import LoginSessionStore
-from app.store.performances import PerformanceStore
 from app.store.scans import ScanStore
+from app.store.session_records import PerformanceStore, VerificationStore
 from app.store.temperatures import TemperatureStore
-from app.store.verifications import VerificationStore
 
 RECORD_FOLDERS = ("sessions", "scans", "verifications", "performance")
 """Folders whose content is listed in the database."""

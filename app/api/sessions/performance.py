@@ -10,7 +10,7 @@ from app.guide.performance.commands import COMMANDS
 from app.guide.performance.view import PerformanceView
 from app.messages.message import message
 from app.operations.context import TheContext
-from app.store.performances import PerformanceRecord
+from app.store.session_records import PerformanceRecord
 from app.wire.json_response import json_response
 from app.wire.schema import PerformanceSummary
 

@@ -15,7 +15,7 @@ from app.guide.verify.view import VerifyView
 from app.messages.message import message
 from app.operations.context import Context, TheContext
 from app.station.jobs import Job, Progress
-from app.store.verifications import VerificationRecord
+from app.store.session_records import VerificationRecord
 from app.wire.json_response import json_response
 from app.wire.schema import NewTemperature, StudyState, VerificationSummary
 from app.workflows.measure_gauge import MAP
