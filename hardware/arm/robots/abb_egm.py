@@ -20,23 +20,20 @@ Source:
 
 from collections.abc import Mapping, Sequence
 from math import radians, sqrt
-from typing import Annotated, Any, Literal
+from typing import Annotated, Any
 
 from pydantic import AfterValidator, Field, FiniteFloat
 
 from app.messages.message import Text, message
 from hardware.arm.robots.egm_message import decode_robot
-from hardware.arm.robots.link import ControllerLink
+from hardware.arm.robots.listening import FIRST_PACKETS, ListeningOptions, ListeningStream, Pose
 from hardware.arm.robots.readings import RobotReading, WrappingCounter, require_finite, require_unit
-from hardware.arm.robots.rotations import Quaternion, Vector, flange_behind_tool, place_in_arm
-from hardware.arm.robots.streaming_arm import RobotOptions, StreamingArm, await_readings
+from hardware.arm.robots.streaming_arm import StreamingArm, await_readings
 from hardware.errors import DeviceError
 from hardware.interfaces import ArmInfo, LinkHealth
 from hardware.options import read_options
 
 _PORT = 6510
-_FIRST = 10
-"""Packets that show the cycle."""
 _UNIT_TOLERANCE = 1e-4
 
 
@@ -51,11 +48,10 @@ Frame7 = Annotated[
 ]
 
 
-class AbbEgmOptions(RobotOptions):
+class AbbEgmOptions(ListeningOptions):
     """Options of the driver in station.toml."""
 
     port: int = Field(default=_PORT, ge=1, le=65535)
-    report: Literal["flange", "joints"] = "flange"
     tool: Frame7 = Field(default=[0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0])
     base: Frame7 = Field(default=[0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0])
 
@@ -66,59 +62,40 @@ def from_options(options: Mapping[str, object]) -> StreamingArm:
     return StreamingArm(checked, checked.address, lambda: EgmStream(checked))
 
 
-class EgmStream:
+class EgmStream(ListeningStream):
     """What the controller sends to one port. Implements ``ControllerStream``."""
 
     silence_remedy: Text = message("egm-start-stream")
 
     def __init__(self, options: AbbEgmOptions) -> None:
-        self._options = options
-        self._link = ControllerLink(options.address)
-        self._health = LinkHealth()
-        self._tool, self._base = _frame(options.tool), _frame(options.base)
+        unreadable = message("egm-no-egm", address=options.address)
+        tool, base = _frame(options.tool), _frame(options.base)
+        super().__init__(options, tool, base, unreadable)
         self._sequence, self._time_ms = WrappingCounter(1 << 32), WrappingCounter(1 << 32)
         self._has_clock: bool | None = None
 
     def start(self, timeout_s: float, health: LinkHealth) -> ArmInfo:
         """Listens, and learns rate and joints from the first packets."""
-        self._health = health
-        self._link.listen_udp(self._options.port)
-        first = sorted(await_readings(self, _FIRST, timeout_s), key=lambda each: each.device_ns)
+        self.listen(health)
+        first = await_readings(self, FIRST_PACKETS, timeout_s)
+        first.sort(key=lambda each: each.device_ns)
         counts = (first[-1].count or 0) - (first[0].count or 0) if first else 0
         if counts < 1:
-            raise self._no_data_error()
-        poses = self._options.report == "flange"
-        return ArmInfo(
-            name="ABB EGM",
-            serial_number="",
-            joint_count=0 if poses else len(first[0].joints_rad),
-            rate_hz=counts * 1e9 / max(first[-1].device_ns - first[0].device_ns, 1_000_000),
-            reports="pose" if poses else "joints",
-            buttons=frozenset(),
-        )
+            raise self.no_data_error()
+        rate_hz = counts * 1e9 / max(first[-1].device_ns - first[0].device_ns, 1_000_000)
+        return self.info("ABB EGM", len(first[0].joints_rad), rate_hz)
 
-    def receive(self, timeout_s: float) -> Sequence[RobotReading]:
-        """Readings of the packets that have arrived."""
-        found: list[RobotReading] = []
-        for data in self._link.receive(timeout_s):
-            robot = decode_robot(data)
-            if robot is None:
-                self._health.corrupt += 1
-            else:
-                found.append(self._reading(robot))
-        return found
-
-    def close(self) -> None:
-        """Stops listening; the controller goes on."""
-        self._link.close()
+    def decode(self, data: bytes) -> RobotReading | None:
+        robot = decode_robot(data)
+        return None if robot is None else self._reading(robot)
 
     def _reading(self, robot: Any) -> RobotReading:
         count = self._sequence.unwrap(robot.header.seqno)
         device_ns = self._device_ns(robot)
         feedback = robot.feedBack
-        if self._options.report == "joints":
+        if not self._sends_poses:
             joints = list(feedback.joints.joints)
-            require_finite(self._options.address, joints)
+            require_finite(self._address, joints)
             if not 5 <= len(joints) <= 7:
                 raise self._lack_error("joints")
             return RobotReading(device_ns, count, joints_rad=tuple(map(radians, joints)))
@@ -129,10 +106,9 @@ class EgmStream:
         return self._pose_reading(device_ns, count, values)
 
     def _pose_reading(self, device_ns: int, count: int, values: tuple[float, ...]) -> RobotReading:
-        require_finite(self._options.address, values)
-        require_unit(self._options.address, values[3:])
-        tool_mm, tool = place_in_arm(*self._base, *_frame(values))
-        position_mm, orientation = flange_behind_tool(tool_mm, tool, *self._tool)
+        require_finite(self._address, values)
+        require_unit(self._address, values[3:])
+        position_mm, orientation = self.flange_of(_frame(values))
         return RobotReading(device_ns, count, position_mm=position_mm, quaternion_xyzw=orientation)
 
     def _device_ns(self, robot: Any) -> int:
@@ -141,7 +117,7 @@ class EgmStream:
             self._has_clock = has_clock
         if self._has_clock != has_clock:
             raise DeviceError(
-                message("robot-clock-jumped", address=self._options.address),
+                message("robot-clock-jumped", address=self._address),
                 message("opens-again"),
             )
         if has_clock:
@@ -151,26 +127,12 @@ class EgmStream:
 
     def _lack_error(self, name: str) -> DeviceError:
         return DeviceError(
-            message("egm-lacks", address=self._options.address, name=name),
+            message("egm-lacks", address=self._address, name=name),
             message("check-what-robot-sends"),
         )
 
-    def _no_data_error(self) -> DeviceError:
-        if self._health.corrupt:
-            return DeviceError(
-                message("egm-no-egm", address=self._options.address), self.silence_remedy
-            )
-        return DeviceError(
-            message(
-                "robot-sends-nothing-to-port",
-                address=self._options.address,
-                port=str(self._options.port),
-            ),
-            self.silence_remedy,
-        )
 
-
-def _frame(values: Sequence[float]) -> tuple[Vector, Quaternion]:
+def _frame(values: Sequence[float]) -> Pose:
     """x, y, z in mm and q1 … q4, which is w first, as position and quaternion."""
     x, y, z, w, i, j, k = values
     return (x, y, z), (i, j, k, w)

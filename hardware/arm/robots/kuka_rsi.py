@@ -21,22 +21,16 @@ Source:
 from collections.abc import Mapping, Sequence
 from itertools import pairwise
 from math import radians
-from typing import Annotated, Literal
+from typing import Annotated
 from xml.etree import ElementTree
 
 from pydantic import Field, FiniteFloat
 
 from app.messages.message import Text, message
-from hardware.arm.robots.link import ControllerLink
+from hardware.arm.robots.listening import FIRST_PACKETS, ListeningOptions, ListeningStream, Pose
 from hardware.arm.robots.readings import RobotReading, require_finite
-from hardware.arm.robots.rotations import (
-    Quaternion,
-    Vector,
-    axis_angles_quaternion,
-    flange_behind_tool,
-    place_in_arm,
-)
-from hardware.arm.robots.streaming_arm import RobotOptions, StreamingArm, await_readings
+from hardware.arm.robots.rotations import axis_angles_quaternion
+from hardware.arm.robots.streaming_arm import StreamingArm, await_readings
 from hardware.errors import DeviceError
 from hardware.interfaces import ArmInfo, LinkHealth
 from hardware.options import read_options
@@ -45,17 +39,14 @@ _PORT = 49152
 _POSE = ("X", "Y", "Z", "A", "B", "C")
 _JOINTS = ("A1", "A2", "A3", "A4", "A5", "A6")
 _ELEMENTS = {"flange": ("RIst", _POSE), "joints": ("AIPos", _JOINTS)}
-_FIRST = 10
-"""Packets that show the cycle."""
 
 Frame6 = Annotated[list[FiniteFloat], Field(min_length=6, max_length=6)]
 
 
-class KukaRsiOptions(RobotOptions):
+class KukaRsiOptions(ListeningOptions):
     """Options of the driver in station.toml."""
 
     port: int = Field(default=_PORT, ge=1, le=65535)
-    report: Literal["flange", "joints"] = "flange"
     tool: Frame6 = Field(default=[0.0] * 6)
     base: Frame6 = Field(default=[0.0] * 6)
 
@@ -66,88 +57,55 @@ def from_options(options: Mapping[str, object]) -> StreamingArm:
     return StreamingArm(checked, checked.address, lambda: RsiStream(checked))
 
 
-class RsiStream:
+class RsiStream(ListeningStream):
     """What the controller sends to one port. Implements ``ControllerStream``."""
 
     silence_remedy: Text = message("kuka-start-rsi")
 
     def __init__(self, options: KukaRsiOptions) -> None:
-        self._options = options
-        self._link = ControllerLink(options.address)
-        self._health = LinkHealth()
-        self._tool, self._base = _frame(options.tool), _frame(options.base)
+        unreadable = message("kuka-no-rsi", address=options.address)
+        tool, base = _frame(options.tool), _frame(options.base)
+        super().__init__(options, tool, base, unreadable)
+        self._element, self._keys = _ELEMENTS[options.report]
 
     def start(self, timeout_s: float, health: LinkHealth) -> ArmInfo:
         """Listens, and learns the controller's cycle from the first packets."""
-        self._health = health
-        self._link.listen_udp(self._options.port)
-        first = await_readings(self, _FIRST, timeout_s)
+        self.listen(health)
+        first = await_readings(self, FIRST_PACKETS, timeout_s)
         stamps = sorted({reading.device_ns for reading in first})
         if len(stamps) < 2:
-            raise self._no_data_error()
+            raise self.no_data_error()
         cycle_ns = min(b - a for a, b in pairwise(stamps))
-        poses = self._options.report == "flange"
-        return ArmInfo(
-            name="KUKA RSI",
-            serial_number="",
-            joint_count=0 if poses else len(_JOINTS),
-            rate_hz=1e9 / cycle_ns,
-            reports="pose" if poses else "joints",
-            buttons=frozenset(),
-        )
+        return self.info("KUKA RSI", len(_JOINTS), 1e9 / cycle_ns)
 
-    def receive(self, timeout_s: float) -> Sequence[RobotReading]:
-        """Readings of the packets that have arrived."""
-        found: list[RobotReading] = []
-        for data in self._link.receive(timeout_s):
-            root = _parse(data)
-            stamp = root.findtext("IPOC") if root is not None else None
-            if root is None or stamp is None or not stamp.strip().isdecimal():
-                self._health.corrupt += 1
-                continue
-            found.append(self._reading(int(stamp) * 1_000_000, root))
-        return found
-
-    def close(self) -> None:
-        """Stops listening; the controller goes on."""
-        self._link.close()
+    def decode(self, data: bytes) -> RobotReading | None:
+        root = _parse(data)
+        stamp = root.findtext("IPOC") if root is not None else None
+        if root is None or stamp is None or not stamp.strip().isdecimal():
+            return None
+        return self._reading(int(stamp) * 1_000_000, root)
 
     def _reading(self, device_ns: int, root: ElementTree.Element) -> RobotReading:
         values = self._values(root)
-        if self._options.report == "joints":
+        if not self._sends_poses:
             return RobotReading(device_ns, joints_rad=tuple(map(radians, values)))
-        tool_mm, tool = place_in_arm(*self._base, *_frame(values))
-        position_mm, orientation = flange_behind_tool(tool_mm, tool, *self._tool)
+        position_mm, orientation = self.flange_of(_frame(values))
         return RobotReading(device_ns, position_mm=position_mm, quaternion_xyzw=orientation)
 
     def _values(self, root: ElementTree.Element) -> list[float]:
-        name, keys = _ELEMENTS[self._options.report]
+        name, keys = self._element, self._keys
         element = root.find(name)
         if element is None or not all(key in element.attrib for key in keys):
             raise DeviceError(
-                message("kuka-lacks-element", address=self._options.address, name=name),
+                message("kuka-lacks-element", address=self._address, name=name),
                 message("kuka-add-element", name=name),
             )
         try:
             values = [float(element.attrib[key]) for key in keys]
         except ValueError:
             values = [float("nan")]
-        require_finite(self._options.address, values)
+        require_finite(self._address, values)
         return values
-
-    def _no_data_error(self) -> DeviceError:
-        if self._health.corrupt:
-            return DeviceError(
-                message("kuka-no-rsi", address=self._options.address), self.silence_remedy
-            )
-        return DeviceError(
-            message(
-                "robot-sends-nothing-to-port",
-                address=self._options.address,
-                port=str(self._options.port),
-            ),
-            self.silence_remedy,
-        )
 
 
 def _parse(data: bytes) -> ElementTree.Element | None:
@@ -161,7 +119,7 @@ def _parse(data: bytes) -> ElementTree.Element | None:
         return None
 
 
-def _frame(values: Sequence[float]) -> tuple[Vector, Quaternion]:
+def _frame(values: Sequence[float]) -> Pose:
     """X, Y, Z in mm and A, B, C in degrees as position and quaternion."""
     x, y, z, a, b, c = values
     return (x, y, z), axis_angles_quaternion(radians(c), radians(b), radians(a))
