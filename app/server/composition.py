@@ -19,10 +19,11 @@ from app.guide.common.guided_session import GuidedSession, Provenance, StationSe
 from app.guide.common.simulated_operator import SimulatedOperator
 from app.guide.common.simulated_scan import SimulatedScan
 from app.guide.common.validity import DUE, DueLimits
+from app.guide.gauge.session import GaugeServices
 from app.guide.performance.commands import COMMANDS as PERFORMANCE_COMMANDS
 from app.guide.performance.guide import PerformanceGuide, PerformanceServices
 from app.guide.verify.commands import COMMANDS as VERIFICATION_COMMANDS
-from app.guide.verify.guide import VerificationServices, VerifyGuide
+from app.guide.verify.guide import VerifyGuide
 from app.messages.message import Text, message
 from app.metrology.decision import GUARDED_95, DecisionRule
 from app.metrology.limits import LIMITS, Limits
@@ -179,7 +180,7 @@ def _build_context(parts: StationParts, store: Store) -> Context:
     arm_guide = ArmGuide(arm_station, store.journal, store.folder, signing, parts.rule)
     guide.tip = lambda: last_tip_finding(arm_guide, parts.due)
     verify_guide = VerifyGuide(
-        VerificationServices(bus, rig, jobs, parts.simulated_operator, scanner, scene),
+        GaugeServices(bus, rig, jobs, parts.simulated_operator, scanner, scene),
         store.journal,
         store.calibrations,
         store.verifications,

@@ -16,8 +16,9 @@ import httpx
 import pytest
 
 from app.formats.results.verification import read_verification
+from app.guide.gauge.session import GaugeServices
 from app.guide.verify.commands import measure_waiting
-from app.guide.verify.guide import VerificationServices, VerifyGuide
+from app.guide.verify.guide import VerifyGuide
 from app.metrology.decision import GUARDED_95
 from app.station.bus import Bus
 from app.station.devices.rig import Rig
@@ -300,7 +301,7 @@ def test_a_server_killed_while_it_scans_loses_no_cloud(desk: Desk, tmp_path: Pat
     scanner = Scanner(bus, rig, scene, left / "scans")
     jobs = Jobs(bus)
     try:
-        station = VerificationServices(bus, rig, jobs, None, scanner, scene)
+        station = GaugeServices(bus, rig, jobs, None, scanner, scene)
         guide = VerifyGuide(station, store.journal, store.calibrations, store.verifications, left)
         assert guide.state.session_id == session
         assert guide.state.open_cloud is not None

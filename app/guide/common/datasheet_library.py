@@ -1,5 +1,4 @@
-"""The arms, objects, sensors and gauges that the station knows, from files in its data folder;
-and a session's own copies of them."""
+"""The arms, objects, sensors and gauges that the station knows, from files in its data folder."""
 
 import time
 from collections.abc import Callable, Mapping
@@ -9,17 +8,11 @@ from typing import Generic, TypeVar
 
 from app.errors import OperationError
 from app.findings import Finding
-from app.formats.atomic_write import ensure_folder, write_atomically
 from app.formats.datasheets.arm import read_any_arm
 from app.formats.datasheets.gauge import GaugeFile, read_gauge
 from app.formats.datasheets.sensor import SensorDatasheet, read_sensor
 from app.formats.datasheets.target import read_object
 from app.formats.file_names import check_name, display_path
-from app.formats.io_errors import convert_io_errors
-from app.formats.open_file import read_bounded
-from app.formats.results.calibration import CALIBRATION
-from app.formats.results.verification import GAUGE
-from app.formats.session.calibration_session import ARM
 from app.messages.message import message
 from app.metrology.arm.kinematics import AnyArm
 from app.metrology.targets.target import CalibrationTarget
@@ -128,24 +121,3 @@ def _entries(
         except OperationError as error:
             findings.append(Finding("attention", error.text, message("correct-remove-file")))
     return entries
-
-
-def keep_copies(folder: Path, gauge: Path, calibration: Path) -> None:
-    """Copies a gauge, a calibration and the calibration's arm into a session's folder.
-
-    Raises:
-        OperationError: a file cannot be read or written.
-    """
-    sources = ((gauge, GAUGE), (calibration.parent / ARM, ARM), (calibration, CALIBRATION))
-    with convert_io_errors(folder):
-        ensure_folder(folder)
-        for source, name in sources:
-            write_atomically(folder / name, read_bounded(source))
-
-
-def read_copies(folder: Path) -> tuple[GaugeFile | None, AnyArm | None]:
-    """Gauge and arm of a session; None, both, if one of them cannot be read."""
-    try:
-        return read_gauge(folder / GAUGE), read_any_arm(folder / ARM)
-    except OperationError:
-        return None, None

@@ -8,27 +8,17 @@ from typing import Any, Protocol
 import numpy as np
 
 from app.errors import OperationError
-from app.formats.datasheets.arm import read_any_arm
 from app.formats.datasheets.gauge import GaugeFile
 from app.formats.json_document import file_sha256
 from app.formats.performance.plan import PLAN, TOUCHES, PerformancePlan
 from app.formats.performance.results import PerformanceFile, read_performance
 from app.formats.performance.station_limits import read_station_limits
-from app.formats.results.calibration import CALIBRATION, Calibration, read_calibration
-from app.formats.session.calibration_session import ARM, contact_readings, write_contacts
-from app.guide.common.datasheet_library import (
-    FolderContent,
-    Gauges,
-    keep_copies,
-    read_copies,
-    read_gauges,
-)
+from app.formats.results.calibration import read_calibration
+from app.guide.common.datasheet_library import Gauges, read_gauges
 from app.guide.common.flow import Flow
 from app.guide.common.guided_session import (
     NO_PROVENANCE,
-    GuidedSession,
     Provenance,
-    StationServices,
     new_session_id,
 )
 from app.guide.common.journal import (
@@ -36,8 +26,8 @@ from app.guide.common.journal import (
     Check,
     Journal,
     JournalEntry,
-    StoredCalibration,
 )
+from app.guide.gauge.session import GaugeServices, GaugeSession
 from app.guide.performance.flow import build_view
 from app.guide.performance.live import PerformanceLive, Places
 from app.guide.performance.places import PartPlaces, flat_pattern, places_of, sphere_centre_of
@@ -46,12 +36,10 @@ from app.guide.performance.rules import RULES
 from app.guide.performance.state import PerformanceState, apply_row
 from app.guide.performance.view import PerformanceView
 from app.messages.message import Text, message
-from app.metrology.arm.kinematics import AnyArm, tip_centres, tip_of
+from app.metrology.arm.kinematics import AnyArm, tip_centres
 from app.metrology.decision import GUARDED_95, DecisionRule
 from app.metrology.performance.articulation import assign_places, flat_deg, nearest_free
 from app.metrology.transforms import Floats
-from app.station.scan.scanner import Scanner
-from app.station.view3d.scene import Scene
 from app.workflows.performance.artefact_checks import artefact_problems
 
 KIND = "performance"
@@ -59,11 +47,9 @@ FLOW = Flow(KIND, KIND, PerformanceState(), apply_row, build_view, RULES)
 
 
 @dataclass(frozen=True)
-class PerformanceServices(StationServices):
+class PerformanceServices(GaugeServices):
     """The station's parts that a performance test works with."""
 
-    scanner: Scanner
-    scene: Scene
     scan_setup: Callable[[], Mapping[str, object]]
     """The settings of scans as they are now."""
 
@@ -84,7 +70,7 @@ class Performances(Protocol):
     ) -> JournalEntry: ...
 
 
-class PerformanceGuide(GuidedSession[PerformanceState, PerformanceLive, PerformanceView]):
+class PerformanceGuide(GaugeSession[PerformanceState, PerformanceLive, PerformanceView]):
     """The latest performance test."""
 
     station: PerformanceServices
@@ -99,11 +85,10 @@ class PerformanceGuide(GuidedSession[PerformanceState, PerformanceLive, Performa
         signing: Provenance = NO_PROVENANCE,
         rule: DecisionRule = GUARDED_95,
     ) -> None:
-        super().__init__(station, journal, FLOW, data_folder, signing)
-        self.rule = rule
-        self.calibrations, self.performances = calibrations, performances
-        self._gauges = FolderContent(_read_spheres, data_folder)
-        self._session_copies: tuple[str, GaugeFile | None, AnyArm | None] = ("", None, None)
+        super().__init__(
+            station, journal, FLOW, calibrations, data_folder, signing, rule, _read_spheres
+        )
+        self.performances = performances
         self._problems: tuple[tuple[str, GaugeFile | None] | None, tuple[Text, ...]] = (None, ())
         self._result: tuple[str, PerformanceFile | None] = ("", None)
         self._centre: tuple[PerformanceState | None, Floats | None] = (None, None)
@@ -145,10 +130,6 @@ class PerformanceGuide(GuidedSession[PerformanceState, PerformanceLive, Performa
             trouble=self._trouble,
         )
 
-    def gauges(self) -> Gauges:
-        """The data folder's spheres; read again only while one can be chosen."""
-        return self._gauges.latest(choosing=not self.running or self.state.step == "artefact")
-
     def gauge(self) -> GaugeFile | None:
         """The chosen sphere, the session's own copy once it was confirmed."""
         return self.datasheets()[0]
@@ -156,31 +137,6 @@ class PerformanceGuide(GuidedSession[PerformanceState, PerformanceLive, Performa
     def arm(self) -> AnyArm | None:
         """The session's own copy, once the sphere was confirmed."""
         return self.datasheets()[1]
-
-    def datasheets(self) -> tuple[GaugeFile | None, AnyArm | None]:
-        """Sphere and arm; None for what cannot be read."""
-        state = self.state
-        if not state.session_id or state.step == "artefact" or state.ended:
-            entry = self.gauges().known.get(state.gauge)
-            return entry.datasheet if entry else None, None
-        if self._session_copies[0] != state.session_id:
-            self._session_copies = (state.session_id, *read_copies(self.folder))
-        return self._session_copies[1:]
-
-    def keep_datasheets(self) -> None:
-        """Copies sphere, arm and calibration, which the session uses from now on."""
-        active = self.active()
-        assert active is not None
-        keep_copies(self.folder, self.gauges().known[self.state.gauge].path, active.file)
-        self._session_copies = ("", None, None)
-
-    def active(self) -> StoredCalibration | None:
-        """The calibration in use of the selected sensor."""
-        return self.calibrations.active(self.station.rig.selected)
-
-    def calibration(self) -> Calibration:
-        """The session's own copy; raises ``OperationError``."""
-        return read_calibration(self.folder / CALIBRATION)
 
     def plan(self) -> PerformancePlan:
         """The plan as it would be frozen now; a sphere must be chosen."""
@@ -252,32 +208,10 @@ class PerformanceGuide(GuidedSession[PerformanceState, PerformanceLive, Performa
 
     # -- sessions ------------------------------------------------------------
 
-    def start(self) -> PerformanceView:
-        """Begins a session; an open one is resumed instead.
-
-        Raises:
-            OperationError: there is no calibration in use.
-        """
-        with self.lock:
-            if not self.running:
-                self.begin(None)
-            return self.refresh()
-
     def begin(self, key: str | None) -> None:
         """A new session of the calibration in use, with the sphere and the limits of the last."""
-        active = self.active()
-        if active is None:
-            raise OperationError(
-                "no-calibration",
-                message("performance-nothing-to-test"),
-                message("no-calibration-use-yet"),
-                message("calibrate-first"),
-            )
-        known = self.gauges().known
-        gauge = self.state.gauge if self.state.gauge in known else next(iter(known), "")
         payload = {
-            "calibration_id": active.id,
-            "gauge": gauge,
+            **self.first_payload(message("performance-nothing-to-test")),
             "positions": self.state.positions,
             "limits": {one.quantity: one.a_um for one in read_station_limits(self.data_folder)},
         }
@@ -291,13 +225,7 @@ class PerformanceGuide(GuidedSession[PerformanceState, PerformanceLive, Performa
         Raises:
             OperationError: the arm is lost or moves, or no free place is near.
         """
-        side, arm = self.station.rig.arm, self.arm()
-        if arm is None:
-            raise OperationError(
-                "no-arm-model", message("sessions-arm-cannot-read"), remedy=message("begin-new-one")
-            )
-        side.set_model(arm)  # by which it is judged whether the arm is still
-        mean = side.average(until_ns=until_ns)
+        arm, mean = self.average_touch(until_ns)
         feature, place = self.state.feature, self._place_of(arm, mean.reading)
         if not self.state.frozen:
             self.freeze()
@@ -339,14 +267,8 @@ class PerformanceGuide(GuidedSession[PerformanceState, PerformanceLive, Performa
 
     def keep_touches(self) -> None:
         """Brings the test's table of touches up to date."""
-        path, counted = self.folder / TOUCHES, self.state.counted
-        if not counted:
-            path.unlink(missing_ok=True)
-            return
-        tip_of(arm := read_any_arm(self.folder / ARM))
-        readings = np.array([touch.reading for touch in counted])
-        features = [touch.feature for touch in counted]
-        write_contacts(path, contact_readings(features, arm, readings))
+        counted = self.state.counted
+        self.write_touches(TOUCHES, [touch.feature for touch in counted], counted)
 
     # -- what waits ----------------------------------------------------------
 

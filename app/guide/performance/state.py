@@ -5,12 +5,12 @@ from dataclasses import dataclass, field, replace
 from typing import Any
 
 from app.formats.performance.plan import ARTICULATIONS, sphere_feature, sphere_scan
-from app.guide.common.journal import SIMULATION_NOTES, JournalEntry, put_back, reading_of, take_back
+from app.guide.common.journal import SIMULATION_NOTES, JournalEntry, reading_of
+from app.guide.gauge.state import Payload, apply_change, restore_touch, void_touch
 
 STEPS = ("artefact", "pattern", "location", "scan", "end", "review")
 TOUCHING = ("pattern", "location", "end")
 """Steps in which places are touched."""
-Payload = Mapping[str, Any]
 
 
 @dataclass(frozen=True)
@@ -158,11 +158,7 @@ def apply_row(state: PerformanceState, row: JournalEntry) -> PerformanceState:
     Raises:
         ValueError: a row of a kind that this version does not know.
     """
-    if row.kind not in CHANGES:
-        raise ValueError(f"row of an unknown kind: {row.kind}")
-    changed = CHANGES[row.kind](state, {**row.payload, "at": row.at})
-    reached = max(changed.reached, changed.step, key=STEPS.index)
-    return replace(changed, session_id=row.session_id, rev=row.number, reached=reached)
+    return apply_change(CHANGES, STEPS, state, row)
 
 
 def _start(state: PerformanceState, payload: Payload) -> PerformanceState:
@@ -192,16 +188,6 @@ def _add_touch(state: PerformanceState, payload: Payload) -> PerformanceState:
         len(state.touches), payload["feature"], payload["place"], reading_of(payload)
     )
     return replace(state, touches=(*state.touches, touch), undone=())
-
-
-def _touch_voided(state: PerformanceState, payload: Payload) -> PerformanceState:
-    touches, undone = take_back(state.touches, state.undone, payload["index"])
-    return replace(state, touches=touches, undone=undone)
-
-
-def _touch_restored(state: PerformanceState, payload: Payload) -> PerformanceState:
-    touches, undone = put_back(state.touches, state.undone, payload["index"])
-    return replace(state, touches=touches, undone=undone)
 
 
 def _begin_scan(state: PerformanceState, payload: Payload) -> PerformanceState:
@@ -239,8 +225,8 @@ CHANGES: dict[str, Callable[[PerformanceState, Payload], PerformanceState]] = {
     "limit_set": _set_limit,
     "plan_frozen": _freeze,
     "touched": _add_touch,
-    "touch_voided": _touch_voided,
-    "touch_restored": _touch_restored,
+    "touch_voided": void_touch,
+    "touch_restored": restore_touch,
     "scan_begun": _begin_scan,
     "scan_ended": lambda state, payload: _change_scan(state, payload["number"], ended=True),
     "scan_dropped": lambda state, payload: _change_scan(

@@ -1,34 +1,23 @@
 """The one verification session of a station: its journal, its clouds, and what is shown of it."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from pathlib import Path
 from typing import Protocol
 
 import numpy as np
 
 from app.errors import OperationError
-from app.formats.datasheets.arm import read_any_arm
 from app.formats.datasheets.gauge import DEFAULT_LIMITS, GaugeFile, VerificationLimits
-from app.formats.results.calibration import CALIBRATION, Calibration, read_calibration
 from app.formats.results.verification import CONTACTS
-from app.formats.session.calibration_session import ARM, contact_readings, write_contacts
-from app.guide.common.datasheet_library import (
-    FolderContent,
-    Gauges,
-    keep_copies,
-    read_copies,
-    read_gauges,
-)
+from app.guide.common.datasheet_library import read_gauges
 from app.guide.common.flow import Flow
 from app.guide.common.guided_session import (
     NO_PROVENANCE,
-    GuidedSession,
     Provenance,
-    StationServices,
     new_session_id,
 )
 from app.guide.common.journal import Calibrations, Check, Journal, JournalEntry
+from app.guide.gauge.session import GaugeServices, GaugeSession
 from app.guide.verify.flow import build_view
 from app.guide.verify.live import CloudResults, VerifyLive
 from app.guide.verify.rules import RULES
@@ -38,8 +27,6 @@ from app.messages.message import message, quantity
 from app.metrology.arm.kinematics import AnyArm, tip_centres
 from app.metrology.decision import GUARDED_95, DecisionRule
 from app.metrology.gauges.probed_gauge import fit_probed_plane, fit_probed_sphere
-from app.station.scan.scanner import Scanner
-from app.station.view3d.scene import Scene
 from app.workflows.measure_gauge import GaugeFit
 from app.workflows.verification_metrics import (
     ProbedGauge,
@@ -51,14 +38,6 @@ from app.workflows.verification_metrics import (
 KIND = "verify"
 FLOW = Flow(KIND, "verify", VerifyState(), apply_row, build_view, RULES)
 SAME_PLACE_MM = 0.3
-
-
-@dataclass(frozen=True)
-class VerificationServices(StationServices):
-    """The station's parts that a verification works with."""
-
-    scanner: Scanner
-    scene: Scene
 
 
 class Verifications(Protocol):
@@ -75,14 +54,12 @@ class Verifications(Protocol):
     ) -> JournalEntry: ...
 
 
-class VerifyGuide(GuidedSession[VerifyState, VerifyLive, VerifyView]):
+class VerifyGuide(GaugeSession[VerifyState, VerifyLive, VerifyView]):
     """The latest verification."""
-
-    station: VerificationServices
 
     def __init__(
         self,
-        station: VerificationServices,
+        station: GaugeServices,
         journal: Journal,
         calibrations: Calibrations,
         verifications: Verifications,
@@ -91,12 +68,11 @@ class VerifyGuide(GuidedSession[VerifyState, VerifyLive, VerifyView]):
         signing: Provenance = NO_PROVENANCE,
         rule: DecisionRule = GUARDED_95,
     ) -> None:
-        super().__init__(station, journal, FLOW, data_folder, signing)
-        self.rule = rule
-        self.calibrations, self.verifications = calibrations, verifications
+        super().__init__(
+            station, journal, FLOW, calibrations, data_folder, signing, rule, read_gauges
+        )
+        self.verifications = verifications
         self._limits = limits
-        self._gauges = FolderContent(read_gauges, data_folder)
-        self._session_copies: tuple[str, GaugeFile | None, AnyArm | None] = ("", None, None)
         self._judged: tuple[
             VerifyState | None, ProbedGauge | OperationError | None, CloudResults
         ] = (
@@ -116,7 +92,7 @@ class VerifyGuide(GuidedSession[VerifyState, VerifyLive, VerifyView]):
     def live(self) -> VerifyLive:
         """The station as the session sees it."""
         station, state = self.station, self.state
-        side, active = station.rig.arm, self.calibrations.active(self.station.rig.selected)
+        side, active = station.rig.arm, self.active()
         gauges, (gauge, arm) = self.gauges(), self.datasheets()
         touched, judged = self._results(gauge, arm)
         blocked = station.scanner.why_not() if state.step == "scan" else None
@@ -146,25 +122,6 @@ class VerifyGuide(GuidedSession[VerifyState, VerifyLive, VerifyView]):
     def limits(self, gauge: GaugeFile | None) -> VerificationLimits:
         """The gauge's own, and the station's where its certificate says nothing."""
         return gauge.limits.with_defaults(self._limits) if gauge is not None else self._limits
-
-    def gauges(self) -> Gauges:
-        """The data folder's; read again only while one can be chosen."""
-        return self._gauges.latest(choosing=not self.running or self.state.step == "gauge")
-
-    def datasheets(self) -> tuple[GaugeFile | None, AnyArm | None]:
-        """Gauge and arm: the session's own copies once the gauge was confirmed."""
-        state = self.state
-        if state.step == "gauge" or state.ended:
-            entry = self.gauges().known.get(state.gauge)
-            return entry.datasheet if entry else None, None
-        named = f"{state.session_id}/{state.gauge}"
-        if self._session_copies[0] != named:
-            self._session_copies = (named, *read_copies(self.folder))
-        return self._session_copies[1:]
-
-    def calibration(self) -> Calibration:
-        """The session's own copy; raises ``OperationError``."""
-        return read_calibration(self.folder / CALIBRATION)
 
     def _results(
         self, gauge: GaugeFile | None, arm: AnyArm | None
@@ -205,38 +162,10 @@ class VerifyGuide(GuidedSession[VerifyState, VerifyLive, VerifyView]):
 
     # -- sessions ------------------------------------------------------------
 
-    def start(self) -> VerifyView:
-        """Begins a session; an open one is resumed instead.
-
-        Raises:
-            OperationError: there is no calibration in use.
-        """
-        with self.lock:
-            if not self.running:
-                self.begin(None)
-            return self.refresh()
-
     def begin(self, key: str | None) -> None:
         """A new session of the calibration in use, with the gauge of the last."""
-        active = self.calibrations.active(self.station.rig.selected)
-        if active is None:
-            raise OperationError(
-                "no-calibration",
-                message("there-nothing-verify"),
-                message("no-calibration-use-yet"),
-                message("calibrate-first"),
-            )
-        known = self.gauges().known
-        gauge = self.state.gauge if self.state.gauge in known else next(iter(known), "")
-        payload = {"calibration_id": active.id, "gauge": gauge}
+        payload = self.first_payload(message("there-nothing-verify"))
         self.begin_session(VerifyState(session_id=new_session_id()), payload, key)
-
-    def keep_datasheets(self) -> None:
-        """Copies gauge, arm and calibration, which the session uses from now on."""
-        active = self.calibrations.active(self.station.rig.selected)
-        assert active is not None
-        keep_copies(self.folder, self.gauges().known[self.state.gauge].path, active.file)
-        self._session_copies = ("", None, None)
 
     # -- touches -------------------------------------------------------------
 
@@ -246,13 +175,7 @@ class VerifyGuide(GuidedSession[VerifyState, VerifyLive, VerifyView]):
         Raises:
             OperationError: the arm is lost or moves, or that place was touched before.
         """
-        side, (_, arm) = self.station.rig.arm, self.datasheets()
-        if arm is None:
-            raise OperationError(
-                "no-arm-model", message("sessions-arm-cannot-read"), remedy=message("begin-new-one")
-            )
-        side.set_model(arm)  # by which it is judged whether the arm is still
-        mean = side.average(until_ns=until_ns)
+        arm, mean = self.average_touch(until_ns)
         counted = self.state.counted
         if counted:
             tips = tip_centres(arm, np.array([*(t.reading for t in counted), mean.reading]))
@@ -273,13 +196,8 @@ class VerifyGuide(GuidedSession[VerifyState, VerifyLive, VerifyView]):
 
     def keep_touches(self) -> None:
         """Brings the session's table of touches up to date."""
-        path, counted = self.folder / CONTACTS, self.state.counted
-        if not counted:
-            path.unlink(missing_ok=True)
-            return
-        readings = np.array([touch.reading for touch in counted])
-        arm = read_any_arm(self.folder / ARM)
-        write_contacts(path, contact_readings(("gauge",) * len(counted), arm, readings))
+        counted = self.state.counted
+        self.write_touches(CONTACTS, ("gauge",) * len(counted), counted)
 
     def to_measure(self) -> VerificationCloud | None:
         """A cloud that is scanned and waits to be measured. One whose scan ended without the

@@ -1,13 +1,12 @@
 """The state of a verification: a fold over its journal. Pure."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from dataclasses import dataclass, replace
-from typing import Any
 
-from app.guide.common.journal import SIMULATION_NOTES, JournalEntry, put_back, reading_of, take_back
+from app.guide.common.journal import SIMULATION_NOTES, JournalEntry, reading_of
+from app.guide.gauge.state import Payload, apply_change, restore_touch, void_touch
 
 STEPS = ("gauge", "touch", "scan", "review")
-Payload = Mapping[str, Any]
 
 
 @dataclass(frozen=True)
@@ -97,11 +96,7 @@ def apply_row(state: VerifyState, row: JournalEntry) -> VerifyState:
     Raises:
         ValueError: a row of a kind that this version does not know.
     """
-    if row.kind not in CHANGES:
-        raise ValueError(f"row of an unknown kind: {row.kind}")
-    changed = CHANGES[row.kind](state, {**row.payload, "at": row.at})
-    reached = max(changed.reached, changed.step, key=STEPS.index)
-    return replace(changed, session_id=row.session_id, rev=row.number, reached=reached)
+    return apply_change(CHANGES, STEPS, state, row)
 
 
 def _start(state: VerifyState, payload: Payload) -> VerifyState:
@@ -122,13 +117,7 @@ def _touch_voided(state: VerifyState, payload: Payload) -> VerifyState:
     index = payload["index"]
     if all(t.index != index for t in state.counted):
         return state
-    touches, undone = take_back(state.touches, state.undone, index)
-    return replace(state, touches=touches, undone=undone)
-
-
-def _touch_restored(state: VerifyState, payload: Payload) -> VerifyState:
-    touches, undone = put_back(state.touches, state.undone, payload["index"])
-    return replace(state, touches=touches, undone=undone)
+    return void_touch(state, payload)
 
 
 def _cloud_begun(state: VerifyState, payload: Payload) -> VerifyState:
@@ -155,7 +144,7 @@ CHANGES: dict[str, Callable[[VerifyState, Payload], VerifyState]] = {
     "gauge_confirmed": lambda state, payload: replace(state, step="touch"),
     "touched": _add_touch,
     "touch_voided": _touch_voided,
-    "touch_restored": _touch_restored,
+    "touch_restored": restore_touch,
     "touch_confirmed": lambda state, payload: replace(state, step="scan", by_probe=True),
     "touch_skipped": lambda state, payload: replace(state, step="scan", by_probe=False),
     "cloud_begun": _cloud_begun,

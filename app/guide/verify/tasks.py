@@ -141,7 +141,7 @@ def build_record(guide: VerifyGuide, live: VerifyLive) -> VerificationFile:
     """The record as of now."""
     provenance = guide.provenance
     state, gauge, verdict = guide.state, live.gauge, live.judged.verdict
-    active = guide.calibrations.active(guide.station.rig.selected)
+    active = guide.active()
     assert gauge is not None
     assert verdict is not None
     assert active is not None

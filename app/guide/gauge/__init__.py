@@ -1,0 +1,1 @@
+"""What the sessions on a gauge share: verification and performance test."""

@@ -1,0 +1,207 @@
+"""A session on a gauge with the calibration in use: its datasheets, its start, its touches."""
+
+from abc import abstractmethod
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Generic, Protocol, TypeVar
+
+import numpy as np
+
+from app.errors import OperationError
+from app.formats.atomic_write import ensure_folder, write_atomically
+from app.formats.datasheets.arm import read_any_arm
+from app.formats.datasheets.gauge import GaugeFile, read_gauge
+from app.formats.io_errors import convert_io_errors
+from app.formats.open_file import read_bounded
+from app.formats.results.calibration import CALIBRATION, Calibration, read_calibration
+from app.formats.results.verification import GAUGE
+from app.formats.session.calibration_session import ARM, contact_readings, write_contacts
+from app.guide.common.datasheet_library import FolderContent, Gauges
+from app.guide.common.flow import Flow, View
+from app.guide.common.guided_session import GuidedSession, Provenance, StationServices
+from app.guide.common.journal import Calibrations, Journal, StoredCalibration
+from app.guide.common.rules import Live, SessionState
+from app.messages.message import Text, message
+from app.metrology.arm.kinematics import AnyArm
+from app.metrology.decision import DecisionRule
+from app.station.devices.reading_buffer import ReadingMean
+from app.station.scan.scanner import Scanner
+from app.station.view3d.scene import Scene
+
+
+@dataclass(frozen=True)
+class GaugeServices(StationServices):
+    """The station's parts that a session on a gauge works with."""
+
+    scanner: Scanner
+    scene: Scene
+
+
+class GaugeState(SessionState, Protocol):
+    """What the states of sessions on a gauge have."""
+
+    @property
+    def gauge(self) -> str:
+        """Of the data folder's gauges, by the name of its file."""
+
+
+State = TypeVar("State", bound=GaugeState)
+
+
+class TouchReading(Protocol):
+    """A touch of the gauge."""
+
+    @property
+    def reading(self) -> tuple[float, ...]: ...
+
+
+class GaugeSession(GuidedSession[State, Live, View], Generic[State, Live, View]):
+    """The latest session of a kind on a gauge. Its gauge is chosen in its first step.
+
+    Args:
+        read: the gauges of a data folder that can be chosen.
+        rule: how values, uncertainties and limits become decisions.
+    """
+
+    station: GaugeServices
+
+    def __init__(
+        self,
+        station: GaugeServices,
+        journal: Journal,
+        flow: Flow[State, Live, View],
+        calibrations: Calibrations,
+        data_folder: Path,
+        provenance: Provenance,
+        rule: DecisionRule,
+        read: Callable[[Path], Gauges],
+    ) -> None:
+        super().__init__(station, journal, flow, data_folder, provenance)
+        self.rule = rule
+        self.calibrations = calibrations
+        self._first_step = flow.empty.step
+        self._gauges = FolderContent(read, data_folder)
+        self._session_copies: tuple[str, GaugeFile | None, AnyArm | None] = ("", None, None)
+
+    @property
+    @abstractmethod
+    def folder(self) -> Path:
+        """The present session's folder."""
+
+    # -- datasheets ----------------------------------------------------------
+
+    def gauges(self) -> Gauges:
+        """The data folder's; read again only while one can be chosen."""
+        choosing = not self.running or self.state.step == self._first_step
+        return self._gauges.latest(choosing=choosing)
+
+    def datasheets(self) -> tuple[GaugeFile | None, AnyArm | None]:
+        """Gauge and arm: the session's own copies once the gauge was confirmed; None for what
+        cannot be read."""
+        state = self.state
+        if state.step == self._first_step or state.ended:
+            entry = self.gauges().known.get(state.gauge)
+            return entry.datasheet if entry else None, None
+        named = f"{state.session_id}/{state.gauge}"
+        if self._session_copies[0] != named:
+            self._session_copies = (named, *_read_copies(self.folder))
+        return self._session_copies[1:]
+
+    def keep_datasheets(self) -> None:
+        """Copies gauge, arm and calibration, which the session uses from now on.
+
+        Raises:
+            OperationError: a file cannot be read or written.
+        """
+        active = self.active()
+        assert active is not None
+        sources = (
+            (self.gauges().known[self.state.gauge].path, GAUGE),
+            (active.file.parent / ARM, ARM),
+            (active.file, CALIBRATION),
+        )
+        with convert_io_errors(self.folder):
+            ensure_folder(self.folder)
+            for source, name in sources:
+                write_atomically(self.folder / name, read_bounded(source))
+        self._session_copies = ("", None, None)
+
+    def active(self) -> StoredCalibration | None:
+        """The calibration in use of the selected sensor."""
+        return self.calibrations.active(self.station.rig.selected)
+
+    def calibration(self) -> Calibration:
+        """The session's own copy; raises ``OperationError``."""
+        return read_calibration(self.folder / CALIBRATION)
+
+    # -- sessions ------------------------------------------------------------
+
+    def start(self) -> View:
+        """Begins a session; an open one is resumed instead.
+
+        Raises:
+            OperationError: there is no calibration in use.
+        """
+        with self.lock:
+            if not self.running:
+                self.begin(None)
+            return self.refresh()
+
+    @abstractmethod
+    def begin(self, key: str | None) -> None:
+        """A new session of the calibration in use, with the gauge of the last."""
+
+    def first_payload(self, without_calibration: Text) -> Mapping[str, object]:
+        """The calibration in use, and the gauge of the last session or the first one there is.
+
+        Raises:
+            OperationError: there is no calibration in use, with the text for this case.
+        """
+        active = self.active()
+        if active is None:
+            raise OperationError(
+                "no-calibration",
+                without_calibration,
+                message("no-calibration-use-yet"),
+                message("calibrate-first"),
+            )
+        known = self.gauges().known
+        gauge = self.state.gauge if self.state.gauge in known else next(iter(known), "")
+        return {"calibration_id": active.id, "gauge": gauge}
+
+    # -- touches -------------------------------------------------------------
+
+    def average_touch(self, until_ns: int | None) -> tuple[AnyArm, ReadingMean]:
+        """The session's arm, and its mean reading while it touches, or touched at ``until_ns``.
+
+        Raises:
+            OperationError: the arm's datasheet cannot be read, or the arm is lost or moves.
+        """
+        side, (_, arm) = self.station.rig.arm, self.datasheets()
+        if arm is None:
+            raise OperationError(
+                "no-arm-model", message("sessions-arm-cannot-read"), remedy=message("begin-new-one")
+            )
+        side.set_model(arm)  # by which it is judged whether the arm is still
+        return arm, side.average(until_ns=until_ns)
+
+    def write_touches(
+        self, name: str, features: Sequence[str], touches: Sequence[TouchReading]
+    ) -> None:
+        """Brings the session's table of touches up to date; without touches there is none."""
+        path = self.folder / name
+        if not touches:
+            path.unlink(missing_ok=True)
+            return
+        readings = np.array([touch.reading for touch in touches])
+        arm = read_any_arm(self.folder / ARM)
+        write_contacts(path, contact_readings(features, arm, readings))
+
+
+def _read_copies(folder: Path) -> tuple[GaugeFile | None, AnyArm | None]:
+    """Gauge and arm of a session; None, both, if one of them cannot be read."""
+    try:
+        return read_gauge(folder / GAUGE), read_any_arm(folder / ARM)
+    except OperationError:
+        return None, None
