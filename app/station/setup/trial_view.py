@@ -2,15 +2,15 @@
 
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass
-from typing import Literal, TypeAlias
+from dataclasses import dataclass, replace
+from typing import Any, Literal, TypeAlias
 
 from app.messages.message import Text
 from app.station.devices.arm_device import StationArm
-from app.station.devices.device_thread import Link, LinkState
+from app.station.devices.device_thread import DeviceReader, Link, LinkState
 from app.station.devices.rig import DeviceName
 from app.station.devices.sensor_device import StationSensor
-from hardware.interfaces import ArmReading, JointSample, PoseSample, StampKind
+from hardware.interfaces import ArmInfo, ArmReading, JointSample, PoseSample, SensorInfo, StampKind
 
 TrialState: TypeAlias = Literal["opening", "live", "waiting", "failed", "ended"]
 
@@ -64,18 +64,51 @@ class TrialSubject:
 
 def view_arm(number: int, subject: TrialSubject, arm: StationArm, ended: Text = "") -> TrialView:
     """The view of an arm; ``ended`` says why the trial is over, if it is."""
-    info, link = arm.info, arm.reader.link()
+    info = arm.info
     newest: ArmReading | None = arm.latest()
     joints = newest.joints_rad if isinstance(newest, JointSample) else ()
     pose = newest if isinstance(newest, PoseSample) else None
+    return replace(
+        _view_link(number, subject, arm.reader, info, ended),
+        joints_deg=tuple(round(math.degrees(q), 2) for q in joints),
+        position_mm=None if pose is None else pose.position_mm,
+        rotation_deg=None if pose is None else _rotation_deg(pose.quaternion_xyzw),
+    )
+
+
+def view_sensor(
+    number: int, subject: TrialSubject, sensor: StationSensor, ended: Text = ""
+) -> TrialView:
+    """The view of a sensor; as ``view_arm``."""
+    info, latest = sensor.info, sensor.frames.newest
+    shortest, longest = info.exposure_range_us if info else (0.0, 0.0)
+    return replace(
+        _view_link(number, subject, sensor.reader, info, ended),
+        width_px=info.width_px if info else None,
+        height_px=info.height_px if info else None,
+        exposure_us=latest.exposure_us if latest and info and latest.exposure_us > 0 else None,
+        exposure_range_us=(shortest, longest) if shortest < longest else None,
+        picture=latest.sequence if latest and not ended else None,
+    )
+
+
+def _view_link(
+    number: int,
+    subject: TrialSubject,
+    reader: DeviceReader[Any, Any],
+    info: ArmInfo | SensorInfo | None,
+    ended: Text,
+) -> TrialView:
+    """What all devices show, without data."""
+    link = reader.link()
     return TrialView(
         number=number,
         kind=subject.kind,
         driver=subject.driver,
         options=subject.options,
         in_use=subject.in_use,
-        state=_state(link, arm.reader.error, ended),
-        text=_text(link, arm.reader.error, ended),
+        state=_state(link, reader.error, ended),
+        text=_text(link, reader.error, ended),
         name=info.name if info else "",
         serial_number=info.serial_number if info else "",
         rate_hz=link.rate_hz,
@@ -88,38 +121,6 @@ def view_arm(number: int, subject: TrialSubject, arm: StationArm, ended: Text = 
         exposure_us=None,
         exposure_range_us=None,
         picture=None,
-        joints_deg=tuple(round(math.degrees(q), 2) for q in joints),
-        position_mm=None if pose is None else pose.position_mm,
-        rotation_deg=None if pose is None else _rotation_deg(pose.quaternion_xyzw),
-    )
-
-
-def view_sensor(
-    number: int, subject: TrialSubject, sensor: StationSensor, ended: Text = ""
-) -> TrialView:
-    """The view of a sensor; as ``view_arm``."""
-    info, link, latest = sensor.info, sensor.reader.link(), sensor.frames.newest
-    shortest, longest = info.exposure_range_us if info else (0.0, 0.0)
-    return TrialView(
-        number=number,
-        kind=subject.kind,
-        driver=subject.driver,
-        options=subject.options,
-        in_use=subject.in_use,
-        state=_state(link, sensor.reader.error, ended),
-        text=_text(link, sensor.reader.error, ended),
-        name=info.name if info else "",
-        serial_number=info.serial_number if info else "",
-        rate_hz=link.rate_hz,
-        received=link.received,
-        lost=link.lost,
-        corrupt=link.corrupt,
-        stamps=info.stamps if info else None,
-        width_px=info.width_px if info else None,
-        height_px=info.height_px if info else None,
-        exposure_us=latest.exposure_us if latest and info and latest.exposure_us > 0 else None,
-        exposure_range_us=(shortest, longest) if shortest < longest else None,
-        picture=latest.sequence if latest and not ended else None,
         joints_deg=(),
         position_mm=None,
         rotation_deg=None,
