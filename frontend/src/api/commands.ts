@@ -50,6 +50,18 @@ export async function done(act: () => Promise<unknown>, whatWas: string): Promis
   }
 }
 
+/** Asks, and displays an error; returns the answer, null if there is none. */
+export async function ask<T>(act: () => Promise<T | null>, whatWas: string): Promise<T | null> {
+  try {
+    const answer = await act();
+    clearBanner();
+    return localized(answer);
+  } catch (error) {
+    notifyOfError(error, whatWas);
+    return null;
+  }
+}
+
 async function scanCommand(path: string, body: unknown, whatWas: string): Promise<void> {
   await done(async () => {
     const scan = await post<ScanStatus>(path, body);

@@ -1,7 +1,5 @@
-import { clearBanner } from "../state/banner";
 import { t } from "../state/language";
-import { localized } from "../state/localized";
-import { notifyOfError } from "./commands";
+import { ask } from "./commands";
 import { drop, get, post } from "./http";
 import type { DevicesView, TrialView } from "./wire";
 
@@ -17,33 +15,22 @@ export interface Choice {
 
 const PATH = "/api/devices";
 
-async function done<T>(act: () => Promise<T | null>, whatWas: string): Promise<T | null> {
-  try {
-    const answer = await act();
-    clearBanner();
-    return localized(answer);
-  } catch (error) {
-    notifyOfError(error, whatWas);
-    return null;
-  }
-}
-
 export const readDevices = () => get<DevicesView>(PATH);
 export const readTrial = () => get<TrialView | null>(`${PATH}/trial`);
 
-export const searchDevices = () => done(() => post<DevicesView>(`${PATH}/search`), t("ui-the-search-was-not-started"));
+export const searchDevices = () => ask(() => post<DevicesView>(`${PATH}/search`), t("ui-the-search-was-not-started"));
 
 export const tryDevice = (choice: Choice) =>
-  done(() => post<TrialView>(`${PATH}/trial`, choice), t("ui-the-device-was-not-opened"));
+  ask(() => post<TrialView>(`${PATH}/trial`, choice), t("ui-the-device-was-not-opened"));
 
 export const chooseDevice = (choice: Choice, label: string) =>
-  done(() => post<DevicesView>(PATH, { ...choice, label }), t("ui-the-device-was-not-saved"));
+  ask(() => post<DevicesView>(PATH, { ...choice, label }), t("ui-the-device-was-not-saved"));
 
 export const removeDevice = (kind: DeviceKind) =>
-  done(() => post<DevicesView>(`${PATH}/remove`, { kind }), t("ui-the-device-was-not-changed"));
+  ask(() => post<DevicesView>(`${PATH}/remove`, { kind }), t("ui-the-device-was-not-changed"));
 
 export const describeCamera = (stripe_axis: "u" | "v") =>
-  done(() => post<DevicesView>(`${PATH}/datasheet`, { stripe_axis }), t("ui-the-datasheet-was-not-written"));
+  ask(() => post<DevicesView>(`${PATH}/datasheet`, { stripe_axis }), t("ui-the-datasheet-was-not-written"));
 
 /** The station closes it by itself if this does not arrive. */
 export async function endTrial(): Promise<void> {

@@ -1,8 +1,6 @@
 import { startPerformance } from "../api/guideCommands";
 import type { PerformanceFile, PerformanceSummary, PerformanceView } from "../api/wire";
 import { Layout } from "../frame/Layout";
-import { MainAct } from "../parts/Actions";
-import { CardHead } from "../parts/CardHead";
 import { Download } from "../parts/Download";
 import { EmptyState } from "../parts/EmptyState";
 import { moment } from "../parts/format";
@@ -21,6 +19,7 @@ import { useLive } from "../state/store";
 import { useList } from "../state/useList";
 import { Verdict } from "../verify/BigVerdict";
 import { GaugeDrawing } from "../verify/GaugeDrawing";
+import { StartCard } from "../verify/StartCard";
 import { useFile } from "../verify/useFile";
 import styles from "./PerformancePage.module.css";
 
@@ -77,23 +76,13 @@ function Before() {
         )
       }
       card={
-        <>
-          <CardHead
-            title={t("ui-test-the-performance")}
-            text={calibrated ? t("ui-performance-needs") : t("ui-no-calibration-use-yet-calibrate-first")}
-          />
-          <MainAct>
-            {calibrated ? (
-              <PressButton kind="primary" onPress={startPerformance}>
-                {t("ui-start-the-test")}
-              </PressButton>
-            ) : (
-              <PressButton free kind="primary" onPress={() => go("calibrate")}>
-                {t("ui-calibrate")}
-              </PressButton>
-            )}
-          </MainAct>
-        </>
+        <StartCard
+          title={t("ui-test-the-performance")}
+          text={t("ui-performance-needs")}
+          calibrated={calibrated}
+          start={t("ui-start-the-test")}
+          onStart={startPerformance}
+        />
       }
     />
   );

@@ -2,7 +2,6 @@ import { startVerification } from "../api/guideCommands";
 import type { VerificationFile, VerificationSummary, VerifyView } from "../api/wire";
 import { Layout } from "../frame/Layout";
 import { MainAct } from "../parts/Actions";
-import { CardHead } from "../parts/CardHead";
 import { Download } from "../parts/Download";
 import { EmptyState } from "../parts/EmptyState";
 import { moment } from "../parts/format";
@@ -20,6 +19,7 @@ import { GaugeDrawing } from "../verify/GaugeDrawing";
 import { RecordList } from "../verify/RecordList";
 import { RecordView } from "../verify/RecordView";
 import { ResultTabs } from "../verify/ResultTabs";
+import { StartCard } from "../verify/StartCard";
 import { TouchView } from "../verify/TouchView";
 import { useFile } from "../verify/useFile";
 import { VerifyCard } from "../verify/VerifyCard";
@@ -102,23 +102,13 @@ function First({ calibrated }: { calibrated: boolean }) {
         />
       }
       card={
-        <>
-          <CardHead
-            title={t("ui-verify-the-calibration")}
-            text={calibrated ? t("ui-clamp-gauge-within-arms-reach") : t("ui-no-calibration-use-yet-calibrate-first")}
-          />
-          <MainAct>
-            {calibrated ? (
-              <PressButton kind="primary" onPress={begin}>
-                {t("ui-start-verification")}
-              </PressButton>
-            ) : (
-              <PressButton free kind="primary" onPress={() => go("calibrate")}>
-                {t("ui-calibrate")}
-              </PressButton>
-            )}
-          </MainAct>
-        </>
+        <StartCard
+          title={t("ui-verify-the-calibration")}
+          text={t("ui-clamp-gauge-within-arms-reach")}
+          calibrated={calibrated}
+          start={t("ui-start-verification")}
+          onStart={begin}
+        />
       }
     />
   );

@@ -1,0 +1,34 @@
+import { MainAct } from "../parts/Actions";
+import { CardHead } from "../parts/CardHead";
+import { PressButton } from "../parts/PressButton";
+import { t } from "../state/language";
+import { go } from "../state/router";
+
+interface Props {
+  title: string;
+  /** What is needed. */
+  text: string;
+  calibrated: boolean;
+  start: string;
+  onStart: () => Promise<void>;
+}
+
+/** Begins a session that needs a calibration in use; without one, leads there. */
+export function StartCard({ title, text, calibrated, start, onStart }: Props) {
+  return (
+    <>
+      <CardHead title={title} text={calibrated ? text : t("ui-no-calibration-use-yet-calibrate-first")} />
+      <MainAct>
+        {calibrated ? (
+          <PressButton kind="primary" onPress={onStart}>
+            {start}
+          </PressButton>
+        ) : (
+          <PressButton free kind="primary" onPress={() => go("calibrate")}>
+            {t("ui-calibrate")}
+          </PressButton>
+        )}
+      </MainAct>
+    </>
+  );
+}
