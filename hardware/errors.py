@@ -1,6 +1,6 @@
 """The error that device drivers raise."""
 
-from app.messages.message import Text
+from app.messages.message import Text, message
 
 
 class DeviceError(Exception):
@@ -19,3 +19,8 @@ class DeviceError(Exception):
     def __str__(self) -> str:
         """The error as one line of English text, for logs and the console."""
         return f"{str(self.what).rstrip('.')}. {self.remedy!s}".strip()
+
+
+def device_lost_error(title: Text) -> DeviceError:
+    """The error of a device that does not answer any more."""
+    return DeviceError(message("device-lost", title=title), message("check-cable-power"))

@@ -30,9 +30,9 @@ from pydantic import Field
 
 from app.messages.message import Text, message
 from hardware.clock import now_ns
-from hardware.errors import DeviceError
+from hardware.errors import DeviceError, device_lost_error
 from hardware.options import read_options
-from hardware.sensor.genicam.camera import in_use_error
+from hardware.sensor.genicam.camera import in_use_error, no_camera_error
 from hardware.sensor.genicam.camera_source import ArrivedPicture, CameraSource
 from hardware.sensor.genicam.features import FeatureError
 from hardware.sensor.genicam.node_map import NodeMapCamera
@@ -121,16 +121,9 @@ class GentlSource(CameraSource):
         self._harvester = _load_harvester()
         self._camera: Any = None
         self._lost = False
-        try:
-            with _refusals():
-                self._open(options)
-                self._start()
-        except FeatureError as error:
-            self.release()
-            raise settings_refusal_error(title, error) from error
-        except BaseException:
-            self.release()
-            raise
+        with self.opening(), _refusals():
+            self._open(options)
+            self._start()
 
     def _open(self, options: GentlOptions) -> None:
         from genicam import gentl
@@ -144,10 +137,7 @@ class GentlSource(CameraSource):
             if options.serial_number in (None, each.serial_number)
         ]
         if not found:
-            raise DeviceError(
-                message("no-camera-found", title=self._title),
-                message("check-camera-power-cable-network"),
-            )
+            raise no_camera_error(self._title)
         about = found[0].property_dict
         self.name = f"{about['vendor']} {about['model']}"
         self.serial_number = about["serial_number"]
@@ -194,9 +184,7 @@ class GentlSource(CameraSource):
         """Reads a register; raises ``DeviceError`` if the camera does not answer."""
         if not self.is_alive():
             self._lost = True
-            raise DeviceError(
-                message("device-lost", title=self._title), message("check-cable-power")
-            )
+            raise device_lost_error(self._title)
         self._heard_s = time.monotonic()
 
     def release(self) -> None:

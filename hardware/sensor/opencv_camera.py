@@ -40,7 +40,7 @@ from pydantic import Field, PositiveFloat, PositiveInt
 
 from app.messages.message import Text, join, message, rounded
 from hardware.clock import now_ns
-from hardware.errors import DeviceError
+from hardware.errors import DeviceError, device_lost_error
 from hardware.options import Options, read_options
 from hardware.sensor.grabbing import GrabbingSensor
 from hardware.sensor.grey import BayerPattern, LaserColour, require_colour, to_grey
@@ -169,9 +169,7 @@ class _Camera(ImageSource):
 
     def grab(self) -> GrabbedImage | NoImage:
         if not self._capture.grab():
-            raise DeviceError(
-                message("device-lost", title=self._title), message("check-cable-power")
-            )
+            raise device_lost_error(self._title)
         event_ns = self._event_ns(now_ns())
         there, raw = self._capture.retrieve()
         if not there:

@@ -28,9 +28,9 @@ from pydantic import Field
 
 from app.messages.message import Text, message
 from hardware.clock import now_ns
-from hardware.errors import DeviceError
+from hardware.errors import DeviceError, device_lost_error
 from hardware.options import read_options
-from hardware.sensor.genicam.camera import in_use_error
+from hardware.sensor.genicam.camera import in_use_error, no_camera_error
 from hardware.sensor.genicam.camera_source import ArrivedPicture, CameraSource
 from hardware.sensor.genicam.features import FeatureError
 from hardware.sensor.genicam.node_map import NodeMapCamera
@@ -109,16 +109,9 @@ class PylonSource(CameraSource):
         self._pylon = _load_pylon()
         self._camera: Any = None
         self._is_open = False
-        try:
-            with _refusals():
-                self._open(options)
-                self._start()
-        except FeatureError as error:
-            self.release()
-            raise settings_refusal_error(title, error) from error
-        except BaseException:
-            self.release()
-            raise
+        with self.opening(), _refusals():
+            self._open(options)
+            self._start()
 
     def _open(self, options: PylonOptions) -> None:
         factory = self._pylon.TlFactory.GetInstance()
@@ -132,10 +125,7 @@ class PylonSource(CameraSource):
             )
         ]
         if not found:
-            raise DeviceError(
-                message("no-camera-found", title=self._title),
-                message("check-camera-power-cable-network"),
-            )
+            raise no_camera_error(self._title)
         info = found[0]
         if not factory.IsDeviceAccessible(info):
             raise in_use_error(self._title)
@@ -177,9 +167,7 @@ class PylonSource(CameraSource):
     def require_answer(self) -> None:
         """Raises ``DeviceError`` if the library has noticed that the camera is gone."""
         if not self.is_alive():
-            raise DeviceError(
-                message("device-lost", title=self._title), message("check-cable-power")
-            )
+            raise device_lost_error(self._title)
 
     def release(self) -> None:
         """Switches the laser off, stops the camera and closes it."""

@@ -40,14 +40,8 @@ class GenicamSource(CameraSource):
         self._stream: CameraStream | None = None
         self._parser: int | None = None
         self._link: CameraLink | None = None
-        try:
+        with self.opening():
             self._start()
-        except AravisError as error:
-            self.release()
-            raise settings_refusal_error(title, error) from error
-        except BaseException:
-            self.release()
-            raise
 
     def _start(self) -> None:
         camera = self.camera

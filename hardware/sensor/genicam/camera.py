@@ -214,9 +214,7 @@ def _find(title: Text, listed: list[ListedCamera], serial_number: str | None) ->
         if serial_number in (None, camera.serial_number):
             return camera
     if not listed:
-        raise DeviceError(
-            message("no-camera-found", title=title), message("check-camera-power-cable-network")
-        )
+        raise no_camera_error(title)
     names = ", ".join(f"{camera.model} {camera.serial_number}" for camera in listed)
     raise DeviceError(message("no-camera-found", title=title), message("cameras-are", names=names))
 
@@ -234,6 +232,13 @@ def _require_usable(title: Text, camera: AravisCamera, serial_number: str | None
             message("other-serial-number", title=title, found=found, wanted=serial_number),
             message("check-sensor-address"),
         )
+
+
+def no_camera_error(title: Text) -> DeviceError:
+    """The error where no camera, or not the wanted one, is in reach."""
+    return DeviceError(
+        message("no-camera-found", title=title), message("check-camera-power-cable-network")
+    )
 
 
 def in_use_error(title: Text) -> DeviceError:

@@ -2,6 +2,8 @@
 
 import math
 import time
+from collections.abc import Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass
 
 from app.messages.message import Text, message
@@ -90,6 +92,18 @@ class CameraSource(ImageSource):
         self._whole_s = time.monotonic()
         self._incomplete = 0
         self._format: PixelFormat | None = None
+
+    @contextmanager
+    def opening(self) -> Iterator[None]:
+        """Opens the camera within; what was opened is released if that fails."""
+        try:
+            yield
+        except FeatureError as error:
+            self.release()
+            raise settings_refusal_error(self._title, error) from error
+        except BaseException:
+            self.release()
+            raise
 
     def set_exposure_us(self, exposure_us: float) -> None:
         try:

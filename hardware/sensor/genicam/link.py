@@ -3,7 +3,7 @@
 import threading
 
 from app.messages.message import Text, message
-from hardware.errors import DeviceError
+from hardware.errors import DeviceError, device_lost_error
 from hardware.sensor.genicam.aravis import AravisError
 from hardware.sensor.genicam.camera import AravisCamera, in_use_error
 from hardware.sensor.genicam.gige_vision.control_register import ControlRegister
@@ -35,12 +35,12 @@ class CameraLink:
             try:
                 self._camera.read_first_bytes()
             except AravisError as error:
-                raise self._loss_error() from error
+                raise device_lost_error(self._title) from error
             return
         with self._lock:
             control = self._register.read()
         if control is None:
-            raise self._loss_error()
+            raise device_lost_error(self._title)
         if not control:
             raise control_lost_error(self._title)
         try:
@@ -59,9 +59,6 @@ class CameraLink:
     def close(self) -> None:
         if self._register is not None:
             self._register.close()
-
-    def _loss_error(self) -> DeviceError:
-        return DeviceError(message("device-lost", title=self._title), message("check-cable-power"))
 
 
 def control_lost_error(title: Text) -> DeviceError:
