@@ -4,7 +4,7 @@ import gzip
 
 import pytest
 from axe_playwright_python.sync_playwright import Axe
-from playwright.sync_api import Browser, Page, Response
+from playwright.sync_api import Browser, Page, Response, ViewportSize
 
 from tests.e2e.conftest import Demo
 
@@ -14,6 +14,9 @@ PAGES = (
     *("", "calibrate", "verify", "scan", "arm", "records", "supervise", "health", "settings"),
     *("devices", "people"),
 )
+USUAL: ViewportSize = {"width": 1180, "height": 820}
+# so low that every page that can scroll does
+LOW: ViewportSize = {"width": 1180, "height": 420}
 MOST_BYTES = 500_000
 """Of everything that a page's first visit loads, the 3D view aside, as sent by gzip."""
 PAINTED = "performance.getEntriesByName('first-contentful-paint')[0].startTime"
@@ -22,7 +25,7 @@ WHERE = {"exclude": [["iframe"]]}
 
 
 def test_axe_finds_no_serious_fault(browser: Browser, demo: Demo) -> None:
-    page = browser.new_page(viewport={"width": 1180, "height": 820})
+    page = browser.new_page(viewport=USUAL)
     page.goto(demo.link)
     page.get_by_role("link", name="Calibrate").wait_for()
     found: list[str] = []
@@ -30,6 +33,9 @@ def test_axe_finds_no_serious_fault(browser: Browser, demo: Demo) -> None:
         page.goto(f"{demo.address}{name}")
         page.get_by_role("main").wait_for()
         found += in_both_themes(page, name or "home")
+        page.set_viewport_size(LOW)
+        found += serious(page, f"{name or 'home'}, low")
+        page.set_viewport_size(USUAL)
     page.goto(f"{demo.address}calibrate")
     page.get_by_role("button", name="Start calibration").click()
     page.get_by_text("Step 1 of 7").first.wait_for()

@@ -36,7 +36,7 @@ export function HealthPage() {
   const operator = admin || role === "operator";
   return (
     <main className={styles.page}>
-      <div className={styles.records}>
+      <div className={styles.records} tabIndex={0}>
         {view ? <Checks health={view.health} /> : <p className={styles.empty}>{t("ui-checking-the-station")}</p>}
         {view && <Maintenance backup={view.backup} admin={admin} operator={operator} onChange={read} />}
         <Notifications admin={admin} />

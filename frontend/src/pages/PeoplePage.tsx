@@ -11,7 +11,7 @@ export function PeoplePage() {
   const role = useLive((s) => s.session?.you?.role);
   return (
     <main className={styles.page}>
-      <div className={styles.records}>
+      <div className={styles.records} tabIndex={0}>
         {role === "admin" ? (
           <>
             <Accounts />

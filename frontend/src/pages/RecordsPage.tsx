@@ -41,7 +41,7 @@ function AllRecords() {
   const scans = useList<ScanSummary>("/api/scans", `${records}`);
   return (
     <main className={styles.page}>
-      <div className={styles.records}>
+      <div className={styles.records} tabIndex={0}>
         <Section
           title={t("ui-calibrations")}
           empty={t("ui-accepted-calibrations-appear-newest-first-accept")}

@@ -40,7 +40,7 @@ export function StartingPage() {
         </div>
       </header>
       <main className={layout.main}>
-        <section className={layout.card} aria-label={t("ui-preparation")}>
+        <section className={layout.card} aria-label={t("ui-preparation")} tabIndex={0}>
           {ended ? (
             <div className={styles.ended} role="alert">
               <QualityMark quality="attention" />

@@ -44,7 +44,7 @@ function Doing({ report }: { report: StationReport }) {
 
 function Alarms({ alarms }: { alarms: Alarm[] }) {
   return (
-    <section className={styles.alarms} aria-label={t("ui-alarms")}>
+    <section className={styles.alarms} aria-label={t("ui-alarms")} tabIndex={0}>
       {alarms.length === 0 && (
         <p className={styles.alarm} data-quality="good">
           <QualityMark quality="good" size="1.25em" />
