@@ -4,28 +4,22 @@ Its arm speaks real bytes at ``arm_url``, its sensor is a driver like any other,
 ``datasheets`` are what an operator would be given with the devices.
 """
 
-from dataclasses import dataclass, field
-from typing import Literal
+from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
 
-from hardware.interfaces import Button, Delivery, SensorDriver, SensorInfo
+from hardware.interfaces import Button, SensorDriver, SensorInfo
 from hardware.registry import sensor_driver
+from hardware.simulator.configuration import SimulationConfig, build_rig, model_frame
 from hardware.simulator.devices.arm_device import ArmDevice, ArmFaults, Encoders
 from hardware.simulator.devices.gige_camera.camera import LASER_LINE, GigeCamera
 from hardware.simulator.devices.gige_camera.registers import CameraIdentity
 from hardware.simulator.devices.kinematics import (
-    ArmModel,
     Floats,
     flange_pose,
     flange_poses,
-    perturb_arm,
-    rigid_fit,
     rotation_about,
-    solve_joints,
-    tip_centres,
-    translation,
 )
 from hardware.simulator.devices.motion import Motion
 from hardware.simulator.devices.ports import DevicePort, PtyPort, TcpPort
@@ -33,7 +27,7 @@ from hardware.simulator.devices.rtde_server import RobotState, RtdeServer
 from hardware.simulator.operator.holding import SensorMount
 from hardware.simulator.operator.operator import ScriptedOperator
 from hardware.simulator.rendering.line_sensor import LineSensor
-from hardware.simulator.rendering.noise import Detector, RawImage
+from hardware.simulator.rendering.noise import RawImage
 from hardware.simulator.rendering.render import Renderer
 from hardware.simulator.rendering.sensor import (
     EXPOSURE_RANGE_US,
@@ -55,81 +49,18 @@ from hardware.simulator.scene.datasheets import (
     sphere_nominal,
 )
 from hardware.simulator.scene.random_scenes import (
-    demo_arm,
-    draw_sensor,
-    draw_true_block,
     draw_true_board,
-    random_mounting,
 )
-from hardware.simulator.scene.tabletop import build_table_scene, part_pose
-from hardware.simulator.scene.world import Board, CrenellatedBlock, GaugeSphere, Light
-from hardware.simulator.session import SimulatedRig, ground_truth
+from hardware.simulator.scene.tabletop import build_table_scene
+from hardware.simulator.scene.world import GaugeSphere
+from hardware.simulator.session import ground_truth
 
+__all__ = ["SimulatedStation", "SimulationConfig"]
 SENSOR_SERIAL_NUMBER = "TWIN-S1"
 JUMBO_BYTES = 8192
-
-
 SECOND_SERIAL_NUMBER = "TWIN-S2"
 SECOND_MOUNTING = rotation_about("z", 0.6) @ rotation_about("x", 0.2)
 """``T_sensor_second`` (4, 4): about the middle of the measuring range, so that both lines meet."""
-
-
-@dataclass(frozen=True)
-class SimulationConfig:
-    """What station to simulate; the defaults are the demonstration."""
-
-    seed: int = 1
-    arm: ArmModel = field(default_factory=demo_arm)
-    """As its datasheet has it."""
-    imperfection_um: float = 45.0
-    """Rms error of the tip over the arm's whole reach that the datasheets do not state."""
-    arm_reports: Literal["joints", "pose"] = "joints"
-    """Poses are those that a controller computes from the arm's nominal model."""
-    robot: bool = False
-    """A robot of Universal Robots carries the sensor, and speaks RTDE; it has no tip. Its poses
-    are computed from the nominal model, too."""
-    rate_hz: float = 1000.0
-    counts_per_revolution: int = 1 << 22
-    line: str = "tcp"
-    """"tcp" or "pty"."""
-    host: str = "127.0.0.1"
-    port: int = 0
-    """Of the arm's TCP line; 0: any that is free."""
-    block: CrenellatedBlock = field(default_factory=CrenellatedBlock)
-    """As its certificate has it."""
-    board: Board = field(default_factory=Board)
-    """As its certificate has it."""
-    certificate_sd_mm: float = 0.002
-    """Of the block's sizes and of the board's."""
-    contact_sd_mm: float = 0.006
-    tremor_um: float = 0.0
-    """How much the tip trembles while the sensor is held."""
-    pace: float = 1.0
-    """The simulated operator's speed; 1 is a person's."""
-    distortion: tuple[float, float, float, float, float] = (-0.04, 0.0, 0.0, 0.0, 0.0)
-    roll_rad: float = 0.0
-    width_px: int = 1280
-    height_px: int = 1024
-    frames_hz: float = 25.0
-    arm_delay_ms: float = 0.0
-    """By how much the arm's stamps are later than the camera's."""
-    detector: Detector = field(default_factory=Detector)
-    light: Light = field(default_factory=Light)
-    delivers: frozenset[Delivery] = frozenset({"picture"})
-    """Pictures, lines that the camera finds itself, or both; a triggered camera: pictures."""
-    second_sensor: bool = False
-    """A second sensor of the same kind sits beside the first one, and measures the same place."""
-    triggered: bool = False
-    """The arm's pulses trigger the camera."""
-    jitter_ms: float = 0.0
-    """By how much the frames of a triggered camera arrive earlier or later than usual."""
-    laser_switch: bool = True
-    """Whether the station can switch the laser, or only a person at the sensor."""
-    camera: Literal["built-in", "gige"] = "built-in"
-    """The driver of the simulated sensor; or the driver ``genicam``, with a camera that sends the
-    pictures over GigE Vision, and switches the laser."""
-    camera_address: str = "127.0.0.1"
-    """Of the GigE camera; the port is always the same, so one address serves one camera."""
 
 
 class SimulatedStation:
@@ -141,8 +72,8 @@ class SimulatedStation:
         self.second_camera_faults = CameraFaults()
         self.lighting = Lighting()
         rng = np.random.default_rng(self.config.seed)
-        self._rig, self._home = _build(self.config, rng)
-        self._correction = _model_frame(self._rig, self._home, rng)
+        self._rig, self._home = build_rig(self.config, rng)
+        self._correction = model_frame(self._rig, self._home, rng)
         self._board = draw_true_board(self.config.board, self.config.certificate_sd_mm, rng)
         rig = self._rig
         self._scene = build_table_scene(
@@ -284,23 +215,16 @@ class SimulatedStation:
         """A new driver of the station's one sensor, unopened."""
         if self.config.camera == "gige":
             return sensor_driver("genicam", self.sensor_options())
-        optics = self._rig.optics
-        info = SensorInfo(
-            name="Simulated stripe sensor",
-            serial_number=SENSOR_SERIAL_NUMBER,
-            width_px=optics.width_px,
-            height_px=optics.height_px,
-            exposure_range_us=EXPOSURE_RANGE_US,
-            has_laser_switch=self.config.laser_switch,
-            longest_gap_s=LONGEST_GAP_S,
-            free_running=not self.config.triggered,
-            delivers=frozenset({"picture"}) if self.config.triggered else self.config.delivers,
-        )
+        info = self._sensor_info(SENSOR_SERIAL_NUMBER)
         if self.config.triggered:
             self._triggered = TriggeredSensor(
-                self.shared_renderer, info, self.config.jitter_ms, self.config.seed
+                self.shared_renderer,
+                replace(info, free_running=False),
+                self.config.jitter_ms,
+                self.config.seed,
             )
             return self._triggered
+        info = replace(info, delivers=self.config.delivers)
         early_ns = round(1e6 * self.config.arm_delay_ms)
         make = LineSensor if "line" in info.delivers else SimulatedSensor
         return make(self.shared_renderer, info, self.config.frames_hz, self.config.seed, early_ns)
@@ -308,18 +232,20 @@ class SimulatedStation:
     def second_sensor(self) -> SensorDriver:
         """A new driver of the second sensor, unopened."""
         assert self._second_renderer is not None, "there is no second sensor"
+        info, config = self._sensor_info(SECOND_SERIAL_NUMBER), self.config
+        return SimulatedSensor(self._second_renderer, info, config.frames_hz, config.seed + 1)
+
+    def _sensor_info(self, serial_number: str) -> SensorInfo:
         optics = self._rig.optics
-        info = SensorInfo(
+        return SensorInfo(
             name="Simulated stripe sensor",
-            serial_number=SECOND_SERIAL_NUMBER,
+            serial_number=serial_number,
             width_px=optics.width_px,
             height_px=optics.height_px,
             exposure_range_us=EXPOSURE_RANGE_US,
             has_laser_switch=self.config.laser_switch,
             longest_gap_s=LONGEST_GAP_S,
         )
-        config = self.config
-        return SimulatedSensor(self._second_renderer, info, config.frames_hz, config.seed + 1)
 
     def _second_pose(self, stamp_ns: int) -> Floats:
         T = flange_pose(self._rig.arm, self._motion.at(stamp_ns)) @ self._T_flange_second
@@ -419,36 +345,3 @@ class SimulatedStation:
         return Renderer(
             self._scene, rig.optics, rig.light_plane, self.config.detector, self.config.seed
         )
-
-
-def _build(config: SimulationConfig, rng: np.random.Generator) -> tuple[SimulatedRig, Floats]:
-    """The rig, and joint angles with the sensor well above the table."""
-    optics, light_plane = draw_sensor(
-        config.block,
-        rng,
-        roll_rad=config.roll_rad,
-        distortion=config.distortion,
-        width_px=config.width_px,
-        height_px=config.height_px,
-    )
-    arm = perturb_arm(config.arm, config.imperfection_um, rng)
-    T_flange_sensor = random_mounting(rng)
-    T_arm_obj = part_pose("block", -config.block.base_z_mm)
-    over_table = translation(740.0, 0.0, 110.0) @ rotation_about("z", 0.1)
-    start = np.zeros(arm.joint_count)
-    home = solve_joints(arm, over_table @ np.linalg.inv(T_flange_sensor), start, rng)
-    block = draw_true_block(config.block, config.certificate_sd_mm, rng)
-    rig = SimulatedRig(
-        arm, config.arm, optics, light_plane, T_flange_sensor, block, config.block, T_arm_obj
-    )
-    return rig, home
-
-
-def _model_frame(rig: SimulatedRig, home: Floats, rng: np.random.Generator) -> Floats:
-    """Where the arm's model, imperfect as it is, best has its frame around the table (4, 4).
-
-    Gauges are certified in the frame that a perfect model would measure in; without
-    this their nominals would be off by what no calibration of the sensor can mend.
-    """
-    q = home + rng.uniform(-0.25, 0.25, (300, len(home)))
-    return rigid_fit(tip_centres(rig.nominal_arm, q), tip_centres(rig.arm, q))

@@ -2,7 +2,7 @@
 
 from functools import lru_cache
 from importlib import resources
-from typing import Literal
+from typing import Literal, get_args
 
 from pydantic import TypeAdapter
 
@@ -10,7 +10,7 @@ from app.errors import OperationError
 from app.formats.json_document import DocumentPart
 from app.messages.message import Text, message
 
-Quantity = Literal[
+SphereQuantity = Literal[
     "size-touch",
     "form-touch",
     "location-touch",
@@ -22,6 +22,10 @@ Quantity = Literal[
     "size-both",
     "form-both",
     "location-both",
+]
+"""What the one-sphere test measures."""
+Quantity = Literal[
+    SphereQuantity,
     "length-touch",
     "length-scan",
     "plane-scan",
@@ -32,6 +36,7 @@ Quantity = Literal[
     "volumetric-two-rms",
 ]
 """What is measured, whatever a standard calls it."""
+SPHERE_QUANTITIES: tuple[SphereQuantity, ...] = get_args(SphereQuantity)
 DEFAULT_EDITION = "2016"
 
 TITLES: dict[Quantity, Text] = {

@@ -2,7 +2,13 @@
 
 from app.formats.performance.plan import ARTICULATIONS, LOCATION_TOUCHES, sphere_feature
 from app.formats.performance.results import PerformanceFile
-from app.formats.performance.symbols import DEFAULT_EDITION, TITLES, Quantity, symbol_of
+from app.formats.performance.symbols import (
+    DEFAULT_EDITION,
+    SPHERE_QUANTITIES,
+    TITLES,
+    Quantity,
+    symbol_of,
+)
 from app.guide.common.journal import error_from_payload
 from app.guide.performance.live import PerformanceLive
 from app.guide.performance.rules import patch_totals
@@ -19,7 +25,6 @@ from app.guide.performance.view import (
     RunLine,
 )
 from app.messages.message import Text, message
-from app.workflows.performance.evaluate import SPHERE_QUANTITIES
 from app.workflows.performance.sphere_test import LEAST_FRAMES, LEAST_POINTS
 
 RUN_REASONS = {

@@ -23,7 +23,7 @@ from app.formats.performance.results import (
     PerformanceFile,
     SphereMeasurement,
 )
-from app.formats.performance.symbols import Quantity, editions
+from app.formats.performance.symbols import SPHERE_QUANTITIES, Quantity, editions
 from app.formats.results.calibration import SerialNumbers
 from app.messages.message import Text, message, quantity
 from app.metrology.performance.location import estimate_offset
@@ -45,20 +45,6 @@ from app.workflows.performance.sphere_test import (
     measure_position,
     problems_of,
     worst,
-)
-
-SPHERE_QUANTITIES: tuple[Quantity, ...] = (
-    "size-touch",
-    "form-touch",
-    "location-touch",
-    "size-scan",
-    "size-all-scan",
-    "form-scan",
-    "dispersion-scan",
-    "location-scan",
-    "size-both",
-    "form-both",
-    "location-both",
 )
 
 
