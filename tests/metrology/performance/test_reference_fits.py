@@ -4,7 +4,7 @@ import mpmath
 import numpy as np
 import pytest
 
-from app.metrology.fitting.cylinder import perpendicular_axes
+from app.metrology.fitting.cylinder import fit_cylinder, perpendicular_axes
 from app.metrology.performance.plane import least_squares_plane
 from app.metrology.performance.sphere import least_squares_sphere
 
@@ -76,4 +76,83 @@ def test_a_plane_has_the_digits_of_the_reference(seed: int) -> None:
     for mine, theirs in zip(found.normal.tolist(), normal, strict=True):
         assert abs(mpmath.mpf(mine) - sign * theirs) < 1e-12
     for mine, theirs in zip(found.centre_mm.tolist(), middle, strict=True):
+        assert abs(mpmath.mpf(mine) - theirs) < 1e-11
+
+
+def arc_of_cylinder(arc_deg: float, seed: int, count: int = 300) -> np.ndarray:
+    """Points (N, 3) about a strip of a cylinder far from the origin, with form and noise."""
+    random = np.random.default_rng(seed)
+    axis = random.normal(size=3)
+    axis /= np.linalg.norm(axis)
+    a, b = perpendicular_axes(axis)
+    turn = np.radians(arc_deg) * random.uniform(-0.5, 0.5, count)
+    radius = 15.0 + 0.004 * random.uniform(-1, 1, count) + 0.003 * np.cos(9 * turn)
+    outward = np.cos(turn)[:, None] * a + np.sin(turn)[:, None] * b
+    along = random.uniform(-20, 20, count)
+    return np.asarray(
+        np.array([700.0, -300.0, 150.0]) + radius[:, None] * outward + along[:, None] * axis
+    )
+
+
+def exact_cylinder(
+    points: np.ndarray, point: np.ndarray, direction: np.ndarray, radius: float
+) -> tuple[list[mpmath.mpf], list[mpmath.mpf], mpmath.mpf]:
+    """Point of the axis, direction and radius of least squares of radial distances, by
+    Gauss-Newton with 50 digits.
+
+    The axis has four parameters: where it meets the plane across the start's direction, and how
+    it is inclined to it.
+    """
+    a, b = perpendicular_axes(direction)
+    axes = [[mpmath.mpf(float(e)) for e in one] for one in (a, b, direction)]
+    rows = [
+        [sum(x * e for x, e in zip(map(mpmath.mpf, away), one, strict=True)) for one in axes]
+        for away in (points - point).tolist()
+    ]
+    found = [mpmath.mpf(0)] * 4 + [mpmath.mpf(radius)]
+    for _ in range(200):
+        N, g = mpmath.zeros(5, 5), mpmath.zeros(5, 1)
+        p, q, m, n, r = found
+        square = 1 + m * m + n * n
+        for x, y, z in rows:
+            along = ((x - p) * m + (y - q) * n + z) / square
+            away = [x - p - along * m, y - q - along * n, z - along]
+            distance = mpmath.sqrt(sum(one * one for one in away))
+            u, v = away[0] / distance, away[1] / distance
+            j = [-u, -v, -u * along, -v * along, mpmath.mpf(-1)]
+            off = distance - r
+            for row in range(5):
+                g[row] -= j[row] * off
+                for column in range(5):
+                    N[row, column] += j[row] * j[column]
+        step = mpmath.lu_solve(N, g)
+        found = [one + step[i] for i, one in enumerate(found)]
+        if max(abs(step[i]) for i in range(5)) < mpmath.mpf(10) ** -30:
+            break
+    else:
+        raise AssertionError("the reference did not converge")
+    p, q, m, n, r = found
+    length = mpmath.sqrt(1 + m * m + n * n)
+
+    def turned(values: list[mpmath.mpf]) -> list[mpmath.mpf]:
+        return [sum(v * e[i] for v, e in zip(values, axes, strict=True)) for i in range(3)]
+
+    return turned([p, q, mpmath.mpf(0)]), turned([m / length, n / length, 1 / length]), r
+
+
+@pytest.mark.parametrize("arc_deg", [20, 35, 60, 90])
+@pytest.mark.parametrize("seed", [1, 2, 3])
+def test_a_cylinder_has_the_digits_of_the_reference(arc_deg: float, seed: int) -> None:
+    points = arc_of_cylinder(arc_deg, seed)
+    found = fit_cylinder(points)
+    assert found.used.all()
+    shift, direction, radius = exact_cylinder(
+        points, found.point_mm, found.direction, found.radius_mm
+    )
+    assert abs(mpmath.mpf(found.radius_mm) - radius) < 1e-9
+    # the shift of the axis at the fit's own point, across it
+    along = sum(s * d for s, d in zip(shift, direction, strict=True))
+    for s, d in zip(shift, direction, strict=True):
+        assert abs(s - along * d) < 1e-9
+    for mine, theirs in zip(found.direction.tolist(), direction, strict=True):
         assert abs(mpmath.mpf(mine) - theirs) < 1e-11
