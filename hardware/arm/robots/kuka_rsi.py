@@ -39,6 +39,8 @@ _PORT = 49152
 _POSE = ("X", "Y", "Z", "A", "B", "C")
 _JOINTS = ("A1", "A2", "A3", "A4", "A5", "A6")
 _ELEMENTS = {"flange": ("RIst", _POSE), "joints": ("AIPos", _JOINTS)}
+_LONGEST_STAMP = 18
+"""Digits; the controller counts milliseconds."""
 
 Frame6 = Annotated[list[FiniteFloat], Field(min_length=6, max_length=6)]
 
@@ -80,8 +82,8 @@ class RsiStream(ListeningStream):
 
     def decode(self, data: bytes) -> RobotReading | None:
         root = _parse(data)
-        stamp = root.findtext("IPOC") if root is not None else None
-        if root is None or stamp is None or not stamp.strip().isdecimal():
+        stamp = root.findtext("IPOC", "").strip() if root is not None else ""
+        if root is None or not stamp.isdecimal() or len(stamp) > _LONGEST_STAMP:
             return None
         return self._reading(int(stamp) * 1_000_000, root)
 
@@ -109,13 +111,12 @@ class RsiStream(ListeningStream):
 
 
 def _parse(data: bytes) -> ElementTree.Element | None:
-    """The document of a packet; None of anything else. Documents that define entities are not
-    read."""
-    if b"<!" in data:
-        return None
+    """The document of a packet in UTF-8; None of anything else. Documents that define entities are
+    not read."""
     try:
-        return ElementTree.fromstring(data)
-    except ElementTree.ParseError:
+        text = data.decode()
+        return ElementTree.fromstring(text) if "<!" not in text else None
+    except (UnicodeDecodeError, ElementTree.ParseError):
         return None
 
 
