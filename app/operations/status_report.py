@@ -52,19 +52,26 @@ def build_report(context: Context) -> StationReport:
 
 
 def _cameras(context: Context) -> tuple[DeviceReport, ...]:
-    """The only camera, or each with its name in its text."""
+    """The only camera, or each with its name.
+
+    The text begins with the name, too: readers of earlier versions know no other place for it.
+    """
     found = []
     for name, sensor in context.rig.sensors.items():
         state = sensor.link()
-        text = join([name, state.text], ": ") if name else state.text
-        found.append(_device("camera", replace(state, text=text)))
+        if not name:
+            found.append(_device("camera", state))
+            continue
+        text = join([name, state.text], ": ")
+        found.append(_device("camera", replace(state, text=text), sensor.label or name))
     return tuple(found)
 
 
-def _device(name: str, state: DeviceState) -> DeviceReport:
+def _device(name: str, state: DeviceState, sensor: str = "") -> DeviceReport:
     return DeviceReport.model_validate(
         {
             "name": name,
+            "sensor": sensor[:80],
             "state": state.state,
             **payload_text(text=state.text),
             "age_s": None if state.age_s is None else round(max(state.age_s, 0.0), 3),

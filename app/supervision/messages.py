@@ -21,7 +21,7 @@ LONGEST_ID = 40
 EVENTS_STORED = 6
 """Maximum number kept of one station."""
 ID = re.compile(r"[a-z0-9-]{1,40}")
-MOST_DEVICES, MOST_ALARMS = 4, 12
+MOST_DEVICES, MOST_ALARMS = 9, 12
 """Maximum number in one report; others are omitted."""
 MOST = 2**53
 """The largest count or measured value: every reader represents it exactly."""
@@ -53,6 +53,9 @@ class DeviceReport(Payload):
     """One device, with the age of its data."""
 
     name: Literal["arm", "camera"]
+    sensor: Name = Field(
+        default="", description="Name of the sensor in a station with several, otherwise empty"
+    )
     state: Literal["connected", "connecting", "lost", "off"]
     text: ShortText
     text_message: MessageData = None

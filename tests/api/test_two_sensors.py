@@ -106,8 +106,11 @@ def test_every_page_lists_each_sensor(station: Server) -> None:
         ("sensor", "right"),
     ]
     report = build_report(station.context)
-    cameras = [one.text for one in report.devices if one.name == "camera"]
-    assert [text.partition(":")[0] for text in cameras] == ["left", "right"]
+    cameras = [one for one in report.devices if one.name == "camera"]
+    assert [one.sensor for one in cameras] == ["left", "right"]
+    # for readers of an earlier version
+    assert [one.text.partition(":")[0] for one in cameras] == ["left", "right"]
+    assert all(one.rate_hz and one.stamps for one in cameras)
     with pytest.raises(OperationError, match="several sensors"):
         station.context.device_setup.choose("sensor", "folder", {"path": "."}, "")
 

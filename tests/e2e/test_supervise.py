@@ -96,6 +96,9 @@ def test_a_kiosk_shows_every_station_and_which_is_lost(
             expect(kiosk.get_by_role("heading", name="Demonstration")).to_be_visible()
             card = kiosk.get_by_role("listitem").filter(has_text="Hall-3")
             expect(card.get_by_text("live", exact=True)).to_be_visible()
+            sensor = card.locator("div").filter(has=kiosk.get_by_text("right", exact=True)).last
+            expect(sensor).to_contain_text("30 fps")
+            expect(sensor).to_contain_text("12 lost, 0 corrupt · stamps: ")
             other.send_signal(signal.SIGSTOP)
             expect(card.get_by_text("lost for")).to_be_visible(timeout=5000)
             kiosk.screenshot(path=pictures / "supervise-1-lost.png")

@@ -25,6 +25,12 @@ DEVICE = DeviceReport(
     lost=0,
     corrupt=0,
 )
+SENSORS = tuple(
+    DEVICE.model_copy(
+        update={"name": "camera", "sensor": name, "rate_hz": 30.0, "lost": lost, "stamps": "device"}
+    )
+    for name, lost in (("left", 0), ("right", 12))
+)
 IDLE = ActivityReport(
     kind="idle",
     title="Nothing is running",
@@ -79,7 +85,7 @@ async def publish(port: int, station: str) -> None:
     number = 0
     while not running.done():
         number += 1
-        broker.report(make_report(station, instance))
+        broker.report(make_report(station, instance, devices=(DEVICE, *SENSORS)))
         broker.event(make_event(station, instance, number))
         if broker.state.connected and number % 5 == 1:
             print("connected", flush=True)

@@ -12,7 +12,7 @@ from app.supervision.messages import (
     station_id,
 )
 from app.supervision.remote_stations import LOST_AFTER_S, MOST_STATIONS, Fleet
-from tests.supervision.publishing import make_event, make_report
+from tests.supervision.publishing import DEVICE, SENSORS, make_event, make_report
 
 
 class Clock:
@@ -102,6 +102,23 @@ def test_a_later_version_may_say_more() -> None:
     )
     made.take("a", "report", payload.encode(), False)
     assert state(made) == "live"
+
+
+def test_an_earlier_version_does_not_name_its_sensors() -> None:
+    made, _ = fleet()
+    report = make_report("a", "1", devices=(DEVICE, *SENSORS)).model_dump(mode="json")
+    made.take("a", "report", json.dumps(report).encode(), False)
+    assert sensors(made) == ["", "left", "right"]
+    for device in report["devices"]:
+        del device["sensor"]
+    made.take("a", "report", json.dumps(report).encode(), False)
+    assert sensors(made) == ["", "", ""]
+
+
+def sensors(made: Fleet) -> list[str]:
+    (shown,) = made.stations()
+    assert shown.report is not None
+    return [device.sensor for device in shown.report.devices]
 
 
 def test_of_events_the_newest_is_shown() -> None:

@@ -6,7 +6,7 @@ import { QualityMark } from "../parts/QualityMark";
 import { isolated } from "../state/isolated";
 import { t } from "../state/language";
 import styles from "./StationCards.module.css";
-import { doing, type Fact, facts, KINDS, stationState } from "./stationFacts";
+import { doing, type Fact, facts, KINDS, sensorFacts, stationState } from "./stationFacts";
 
 /** Number of cards at first, and added per press: anyone who may publish can invent stations. */
 const CARDS = 48;
@@ -95,6 +95,7 @@ function Inside({ report, station }: { report: StationReport; station: RemoteSta
   const { title, number, unit, note } = doing(report);
   const alarm = report.alarms[0]?.text;
   const event = station.events[0];
+  const sensors = sensorFacts(report);
   return (
     <>
       <div>
@@ -114,23 +115,39 @@ function Inside({ report, station }: { report: StationReport; station: RemoteSta
       <dl className={styles.facts}>
         {facts(report, 0)
           .filter(isRelevant)
+          .filter((fact) => !sensors.some((sensor) => sensor.id === fact.id))
           .map((fact) => (
-            <div key={fact.id} data-quality={live ? fact.quality : "neutral"}>
-              <dt>{fact.label}</dt>
-              <dd>
-                {live && (fact.quality === "bad" || fact.quality === "attention") && (
-                  <QualityMark quality={fact.quality} size="0.9em" />
-                )}
-                {fact.value}
-              </dd>
-            </div>
+            <ShownFact key={fact.id} fact={fact} live={live} />
           ))}
       </dl>
+      {sensors.length > 0 && (
+        <dl className={styles.sensors}>
+          {sensors.map((sensor) => (
+            <ShownFact key={sensor.id} fact={sensor} live={live} withNote />
+          ))}
+        </dl>
+      )}
       {event && (
         <p className={styles.event}>
           {moment(event.at).slice(11)} {event.text}
         </p>
       )}
     </>
+  );
+}
+
+/** One fact; quality marks only what is live and needs attention. */
+function ShownFact({ fact, live, withNote }: { fact: Fact; live: boolean; withNote?: boolean }) {
+  return (
+    <div data-quality={live ? fact.quality : "neutral"}>
+      <dt>{fact.label}</dt>
+      <dd>
+        {live && (fact.quality === "bad" || fact.quality === "attention") && (
+          <QualityMark quality={fact.quality} size="0.9em" />
+        )}
+        {fact.value}
+      </dd>
+      {withNote && <dd className={styles.under}>{fact.note}</dd>}
+    </div>
   );
 }

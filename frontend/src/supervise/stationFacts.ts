@@ -3,6 +3,7 @@ import type { CalibrationReport, DeviceReport, RemoteStation, StationReport } fr
 import type { PlainId } from "../messages/text";
 import { age, days, daysAgo, figures } from "../parts/format";
 import { measured } from "../parts/lengths";
+import { isolated } from "../state/isolated";
 import { t } from "../state/language";
 import { stampsText } from "../state/stamps";
 
@@ -44,10 +45,21 @@ export const KINDS: Record<StationReport["activity"]["kind"], PlainId> = {
   working: "ui-job",
 };
 
+/** The sensors of a station with several, each with its name; none of the others. */
+export function sensorFacts(report: StationReport): Fact[] {
+  const sensors = deviceFacts(report, 0).filter((_, i) => report.devices[i]?.name === "camera");
+  return sensors.length > 1 ? sensors : [];
+}
+
+function deviceFacts({ devices }: StationReport, more_s: number): Fact[] {
+  // names may be equal, or missing from a station of an earlier version
+  return devices.map((device, i) => ({ ...deviceFact(device, more_s), id: `${device.name}-${i}` }));
+}
+
 /** The facts of a station in order of importance, with the age of the device data. */
 export function facts(report: StationReport, more_s: number): Fact[] {
   return [
-    ...report.devices.map((device) => deviceFact(device, more_s)),
+    ...deviceFacts(report, more_s),
     calibrationFact(report.calibration),
     verificationFact(report),
     ...(report.temperature_c === null
@@ -75,8 +87,9 @@ function fact(id: string, label: string, value: string, note: string, quality: Q
 
 function deviceFact(device: DeviceReport, more_s: number): Fact {
   const arm = device.name === "arm";
+  const sensor = device.sensor ?? "";
   const stated = (value: string, note: string, quality: Quality) =>
-    fact(device.name, arm ? t("ui-arm") : t("ui-camera"), value, note, quality);
+    fact(device.name, arm ? t("ui-arm") : isolated(sensor) || t("ui-camera"), value, note, quality);
   const old = device.age_s === null ? null : age(device.age_s + more_s);
   if (device.state === "lost" || device.state === "off") {
     const value = device.state === "lost" ? t("ui-lost") : t("ui-off");
