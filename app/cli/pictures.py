@@ -6,10 +6,15 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from app.console import AsJson, print_json, print_table, progress_bar, report_errors
+from app.console import AsJson, fail, print_json, print_table, progress_bar, report_errors
 
 if TYPE_CHECKING:
+    from app.errors import OperationError
     from app.metrology.channel import Channel
+    from app.workflows.pictures.extract_stripes import ImageStripe
+
+SOME_WITHOUT_LINE = 3
+"""Exit status if some of several pictures have no line; 2 is a wrong command line."""
 
 
 class PeakOption(StrEnum):
@@ -117,7 +122,9 @@ def extract(
 ) -> None:
     """Extract the laser stripe: columns u, v, intensity, sigma_px.
 
-    Of several pictures, a last column ``image`` names the picture of each row.
+    Of several pictures, a last column ``image`` names the picture of each row. Each picture is
+    listed with its points or the reason why it has none. Exits with status 3 if some pictures have
+    no line, and with status 1, without a file, if none has one.
     """
     from app.formats.atomic_write import check_output_path
     from app.formats.images import read_grey_to_show
@@ -139,45 +146,74 @@ def extract(
         channel = find_laser_weights(images[0], laser_off)
     with progress_bar("Extracting", not as_json) as progress:
         stripes = extract_all(images, axis.value, progress, settings, zones, channel)
-        write_stripes(output, stripes)
+        lines = [one for one in stripes if one.refusal is None]
+        if len(images) == 1 and stripes[0].refusal is not None:
+            raise stripes[0].refusal
+        if lines:
+            write_stripes(output, stripes)
         if draw is not None:
             drawings = (
                 (one.file, draw_stripe(read_grey_to_show(one.file, channel), one.stripe))
-                for one in stripes
+                for one in lines
             )
             write_drawings(draw, drawings)
     if as_json:
-        found = [
-            {
-                "image": str(one.file),
-                "channel": str(one.channel),
-                "width_px": one.width_px or None,
-                "rows_made_one": one.rows_made_one,
-                "u": one.stripe.u.tolist(),
-                "v": one.stripe.v.tolist(),
-                "intensity": one.stripe.intensity.tolist(),
-                "sigma_px": one.stripe.sigma_px.tolist(),
-            }
-            for one in stripes
-        ]
-        print_json({"file": str(output), "axis": axis.value, "images": found})
-        return
+        file = str(output) if lines else None
+        pictures = list(map(_stripe_fields, stripes))
+        print_json({"file": file, "axis": axis.value, "images": pictures})
+    else:
+        _print_stripes(stripes)
+        if lines:
+            print(f"{output} written")
+    if not lines:
+        fail(f"none of the {len(stripes)} pictures has a line: nothing written")
+    if len(lines) < len(stripes):
+        without = len(stripes) - len(lines)
+        fail(f"{without} of {len(stripes)} pictures have no line", SOME_WITHOUT_LINE)
+
+
+def _refusal_fields(refusal: "OperationError | None") -> dict[str, str] | None:
+    """Why a picture is refused, for programs."""
+    return None if refusal is None else {"code": refusal.code, "text": refusal.line}
+
+
+def _stripe_fields(found: "ImageStripe") -> dict[str, object]:
+    """A picture's stripe, or why there is none, for programs."""
+    return {
+        "image": str(found.file),
+        "channel": str(found.channel),
+        "width_px": found.width_px or None,
+        "rows_made_one": found.rows_made_one,
+        "u": found.stripe.u.tolist(),
+        "v": found.stripe.v.tolist(),
+        "intensity": found.stripe.intensity.tolist(),
+        "sigma_px": found.stripe.sigma_px.tolist(),
+        "refusal": _refusal_fields(found.refusal),
+    }
+
+
+def _print_stripes(stripes: "list[ImageStripe]") -> None:
+    """A row for each picture, then the reasons of those without a line."""
     import numpy as np
 
     rows = [
-        (
+        (str(one.file), "none", "", "", "", "")
+        if one.refusal is not None
+        else (
             str(one.file),
             str(len(one.stripe.u)),
             f"{float(np.median(one.stripe.sigma_px)):.3f}",
             f"{one.width_px:.1f}" if one.width_px else "clipped",
             f"{one.rows_made_one:g}",
-            one.channel,
+            str(one.channel),
         )
         for one in stripes
     ]
     columns = ("picture", "points", "median σ px", "width px", "rows made one", "channel")
     print_table("Laser stripe", columns, rows)
-    print(f"{output} written")
+    for one in stripes:
+        if one.refusal is not None:
+            print(one.refusal.line)  # it names the picture
 
 
 @report_errors
@@ -228,9 +264,7 @@ def detect(
             {
                 "image": str(one.file),
                 "corners": [vars(corner) for corner in one.corners],
-                "refusal": None
-                if one.refusal is None
-                else {"code": one.refusal.code, "text": one.refusal.line},
+                "refusal": _refusal_fields(one.refusal),
             }
             for one in found
         ]

@@ -115,6 +115,52 @@ def test_stripes_are_drawn(tmp_path: Path) -> None:
     assert np.flatnonzero(red).tolist() == [39, 40, 41]
 
 
+def test_pictures_without_a_line_are_listed_and_the_others_written(tmp_path: Path) -> None:
+    rows = np.arange(80.0)[:, None]
+    grey = 20 + 150 * np.exp(-((rows - 40.3) ** 2) / 4.5) + np.zeros((80, 120))
+    noise = np.random.default_rng(0).normal(0, 1.0, grey.shape)
+    lines = [tmp_path / "first.png", tmp_path / "last.png"]
+    for path in lines:
+        cv2.imwrite(str(path), (grey + noise).round().astype(np.uint8))
+    empty, broken, table = (tmp_path / name for name in ("empty.png", "broken.png", "s.csv"))
+    cv2.imwrite(str(empty), np.full((80, 120), 90, np.uint8))
+    broken.write_bytes(b"no picture")
+    pictures = (lines[0], empty, broken, lines[1])
+    drawn = tmp_path / "drawn"
+    result = crenel("extract", *pictures, "-o", table, "--draw", drawn)
+    assert result.exit_code == 3
+    reasons = result.stdout.split("\n")
+    assert any(line.startswith(f"{empty} shows no laser stripe") for line in reasons)
+    assert any(line.startswith(str(broken)) for line in reasons)
+    assert result.stderr.endswith("crenel: 2 of 4 pictures have no line\n")
+    with table.open() as file:
+        named = [row["image"] for row in csv.DictReader(file)]
+    assert named == [str(lines[0])] * 120 + [str(lines[1])] * 120
+    assert sorted(path.name for path in drawn.iterdir()) == ["first.png", "last.png"]
+    result = crenel("extract", *pictures, "-o", table, "--json")
+    assert result.exit_code == 3
+    found = json.loads(result.stdout)["images"]
+    assert [len(one["u"]) for one in found] == [120, 0, 0, 120]
+    assert [one["refusal"] and one["refusal"]["code"] for one in found] == [
+        None,
+        "stripe-not-found",
+        "image-unreadable",
+        None,
+    ]
+
+
+def test_nothing_is_written_where_no_picture_has_a_line(tmp_path: Path) -> None:
+    empty, table = tmp_path / "empty.png", tmp_path / "s.csv"
+    cv2.imwrite(str(empty), np.full((80, 120), 90, np.uint8))
+    result = crenel("extract", empty, empty, "-o", table)
+    assert result.exit_code == 1
+    assert "none of the 2 pictures has a line" in result.stderr
+    result = crenel("extract", empty, "-o", table)
+    assert result.exit_code == 1
+    assert "shows no laser stripe" in result.stderr
+    assert not table.exists()
+
+
 def write_raw(path: Path) -> Path:
     cv2.imwrite(str(path), mosaic(expose(render_colours("red", 6.0), seed=1), "GRBG"))
     return path

@@ -44,6 +44,7 @@ from app.metrology.stripe.settings import (
     MOST_SMOOTHING_PX,
     PeakChoice,
     StripeSettings,
+    check_settings,
 )
 from app.metrology.stripe.smoothing import HALF_HEIGHT_PERIOD, number_sharing_noise
 from app.metrology.stripe.tracking import StripeTracker
@@ -57,6 +58,7 @@ __all__ = [
     "Stripe",
     "StripeSettings",
     "StripeTracker",
+    "check_settings",
     "concatenate_stripes",
     "empty_stripe",
     "extract_stripe",

@@ -18,7 +18,15 @@ from app.metrology.bayer import CELL_PX, BayerPlane
 from app.metrology.channel import Channel
 from app.metrology.colour import ColourWeights, find_weights
 from app.metrology.image import saturation_level
-from app.metrology.stripe import AUTOMATIC, FoundLine, Stripe, StripeSettings, find_stripe
+from app.metrology.stripe import (
+    AUTOMATIC,
+    FoundLine,
+    Stripe,
+    StripeSettings,
+    check_settings,
+    empty_stripe,
+    find_stripe,
+)
 from app.progress import Progress, no_progress
 
 MANY_CLIPPED, DARK = 0.3, 0.1
@@ -28,16 +36,18 @@ COLUMNS = ("u", "v", "intensity", "sigma_px")
 
 @dataclass(frozen=True)
 class ImageStripe:
-    """The stripe in one picture file."""
+    """The stripe in one picture file, or the reason why there is none."""
 
     file: Path
     stripe: Stripe
-    channel: Text
+    """Without points if there is a refusal."""
+    channel: Text = ""
     """What of the picture was measured, in words."""
-    width_px: float
+    width_px: float = 0.0
     """The line's usual width at half height; 0 if it is clipped."""
-    rows_made_one: float
+    rows_made_one: float = 1.0
     """Rows of the picture that were made one to find the line."""
+    refusal: OperationError | None = None
 
 
 def extract_stripes(
@@ -48,29 +58,46 @@ def extract_stripes(
     mask: Mask | None = None,
     channel: Channel | None = None,
 ) -> list[ImageStripe]:
-    """The stripe of every picture, outside the zones of a mask.
+    """The stripe of every picture, outside the zones of a mask, each by itself.
+
+    A picture that cannot be read, has no stripe, or differs in size from the mask is listed with
+    this refusal.
 
     Args:
         channel: what of colour or raw pictures is measured.
 
     Raises:
-        OperationError: a picture cannot be read, has no stripe, or differs in size from the mask.
+        OperationError: the settings contradict each other.
     """
+    check_settings(settings)
     found: list[ImageStripe] = []
-    where = None if mask is None else mask.where()
-    cell_px = CELL_PX if isinstance(channel, BayerPlane) else 1
     for done, path in enumerate(images):
         progress(done / len(images), path.name)
-        picture = read_grey(path, channel)
-        if mask is not None:
-            mask.check_size(path, cell_px * picture.shape[1], cell_px * picture.shape[0])
-        line = _extract(picture, axis, where, settings, channel)
-        if not len(line.stripe.u):
-            raise _no_stripe_error(path, picture, axis, mask is not None)
-        text, width_px = channel_text(path, channel), cell_px * line.width_px
-        found.append(ImageStripe(path, line.stripe, text, width_px, line.factor))
+        try:
+            found.append(_extract_file(path, axis, settings, mask, channel))
+        except OperationError as refusal:
+            found.append(ImageStripe(path, empty_stripe(axis), refusal=refusal))
     progress(1.0, "")
     return found
+
+
+def _extract_file(
+    path: Path,
+    axis: str,
+    settings: StripeSettings,
+    mask: Mask | None,
+    channel: Channel | None,
+) -> ImageStripe:
+    """The stripe of a picture; raises ``OperationError`` if it cannot be measured or has none."""
+    cell_px = CELL_PX if isinstance(channel, BayerPlane) else 1
+    picture = read_grey(path, channel)
+    if mask is not None:
+        mask.check_size(path, cell_px * picture.shape[1], cell_px * picture.shape[0])
+    line = _extract(picture, axis, None if mask is None else mask.where(), settings, channel)
+    if not len(line.stripe.u):
+        raise _no_stripe_error(path, picture, axis, mask is not None)
+    text, width_px = channel_text(path, channel), cell_px * line.width_px
+    return ImageStripe(path, line.stripe, text, width_px, line.factor)
 
 
 def _extract(
@@ -130,7 +157,8 @@ def _no_stripe_error(path: Path, picture: GreyImage, axis: str, masked: bool) ->
 
 
 def write_stripes(path: Path, stripes: Sequence[ImageStripe]) -> None:
-    """Writes ``u,v,intensity,sigma_px``; for several pictures, with a last column ``image``."""
+    """Writes ``u,v,intensity,sigma_px``; for several pictures, with a last column ``image``, also
+    if only one of them has a stripe."""
     several = len(stripes) > 1
     rows: list[tuple[float | str, ...]] = []
     for picture in stripes:
