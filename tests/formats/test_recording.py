@@ -93,6 +93,20 @@ def test_the_file_is_a_whole_mcap_to_others(tmp_path: Path) -> None:
     assert topics == {"/arm/joints", "/sensor/image", "/sensor/stripe"}
 
 
+def test_pictures_have_chunks_of_their_own(tmp_path: Path) -> None:
+    written(tmp_path / "scan.mcap", frames=5)
+    with open(tmp_path / "scan.mcap", "rb") as file:
+        summary = make_reader(file).get_summary()
+    assert summary is not None
+    topics = {number: channel.topic for number, channel in summary.channels.items()}
+    held = [
+        {topics[channel] for channel in chunk.message_index_offsets}
+        for chunk in summary.chunk_indexes
+    ]
+    assert held.count({"/sensor/image"}) == 5
+    assert held.count({"/arm/joints", "/sensor/stripe"}) == len(held) - 5 > 0
+
+
 def test_sixteen_bit_pictures_read_back(tmp_path: Path) -> None:
     grey = np.random.default_rng(2).integers(0, 65535, (30, 41)).astype(np.uint16)
     with RecordingWriter(tmp_path / "scan.mcap", NAMES) as writer:

@@ -43,8 +43,9 @@ class RecordingWriter:
     """A recording that grows on disk; its content is readable at any moment.
 
     Chunks of 1 MiB go to disk when they are full, LZ4 compressed, so that a killed process loses
-    less than one of them. For use from one thread, except ``sync``. ``close`` completes the file
-    and syncs it; leaving the ``with`` block closes.
+    less than one of them. Each picture has a chunk of its own, so that stripes and joints can be
+    read without them by the index of the chunks. For use from one thread, except ``sync``.
+    ``close`` completes the file and syncs it; leaving the ``with`` block closes.
     """
 
     def __init__(
@@ -154,7 +155,9 @@ class RecordingWriter:
             step=width * image.itemsize,
             data=image.astype(image.dtype.newbyteorder("<"), copy=False).tobytes(),
         )
+        self.flush()
         self._add(self._images[sensor], stamp_ns, message.SerializeToString())
+        self.flush()
 
     def flush(self) -> None:
         """Passes everything so far to the operating system: a killed process does not lose it."""
