@@ -15,6 +15,7 @@ from app.console import (
     print_table,
     progress_bar,
     report_errors,
+    warn,
 )
 from app.messages.message import Text
 from app.progress import Progress
@@ -132,7 +133,11 @@ def boards(
 @report_errors
 def real(
     folder: Annotated[
-        Path, typer.Argument(help="Folder with boards/SET and lines/SET, as docs/accuracy.md says.")
+        Path,
+        typer.Argument(
+            help="Folder with boards/SET and lines/SET, as docs/accuracy.md says; or of pictures of"
+            " one line.",
+        ),
     ],
     harder: Annotated[
         bool,
@@ -168,6 +173,17 @@ def real(
 
     Of pictures without a line: the share of columns with points.
     """
+    _real_pictures(folder, as_json, harder, draw, smoothing)
+
+
+def _real_pictures(
+    folder: Path,
+    as_json: bool,
+    harder: bool = False,
+    draw: Path | None = None,
+    smoothing: float = 0.0,
+) -> None:
+    """Measures real pictures, and prints a table for each kind of set."""
     from app.bench.metrology import real_boards
     from app.bench.real import real_pictures
     from app.metrology.stripe import StripeSettings
@@ -198,10 +214,7 @@ def extraction(
         int, typer.Option(min=4, help="Frames of each kind to measure errors on.")
     ] = 12,
     real: Annotated[
-        list[Path] | None,
-        typer.Option(
-            help="Folder of real pictures to measure the line's local noise in. Repeatable."
-        ),
+        Path | None, typer.Option(hidden=True, help="The same as crenel bench real FOLDER.")
     ] = None,
     variants: Annotated[
         bool, typer.Option(help="Measure plain frames with every processor variant instead.")
@@ -222,13 +235,15 @@ def extraction(
     if clipped:
         _extraction_clipped(as_json)
         return
-    from app.bench.stripe import real_lines
+    if real is not None:
+        warn(f"use crenel bench real {real}, which this runs")
+        _real_pictures(real, as_json)
+        return
     from app.bench.stripe.extraction import run
     from app.bench.stripe.speed import COLUMNS, table
 
-    of_real = [row for folder in real or () for row in real_lines.run(folder)]
     shown = Shown("Measuring", "Stripe extraction, 1280 × 1024, one thread", "measures")
-    _measure(shown, as_json, lambda progress: [*run(frames, progress), *of_real], COLUMNS, table)
+    _measure(shown, as_json, partial(run, frames), COLUMNS, table)
 
 
 def _extraction_paired(against: Path | None, as_json: bool) -> None:

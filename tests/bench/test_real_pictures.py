@@ -215,3 +215,24 @@ def test_the_command_prints_tables_or_json(tmp_path: Path) -> None:
     assert (line["missed"], line["scatter_ratio"]) == (0, None)
     refused = crenel("bench", "real", tmp_path / "boards")
     assert "boards/SET or lines/SET" in refused.stderr
+
+
+def test_a_folder_of_pictures_is_one_set_of_lines(tmp_path: Path) -> None:
+    write_set(tmp_path / "one", stripe_axis="u")
+    (only,) = find_sets(tmp_path / "one")
+    assert (only.name, only.kind, only.about.stripe_axis) == ("lines/one", "lines", "u")
+    direct = json.loads(crenel("bench", "real", tmp_path / "one", "--json").stdout)
+    former = crenel("bench", "extraction", "--real", tmp_path / "one", "--json")
+    assert "use crenel bench real" in former.stderr
+    assert json.loads(former.stdout) == direct
+
+
+def test_lines_of_a_robots_sensor_are_quieter_than_those_of_peers(real: Path) -> None:
+    (pictures,) = find_sets(real / "robot-laser-chessboard" / "calib1")
+    about = PictureSetNotes(stripe_axis="v", width_px=18.0)
+    line = measure_lines("robot", pictures.pictures()[:2], about)
+    noise = line.noise_px["crenel"]
+    assert noise is not None
+    assert noise < 0.03
+    assert noise < 0.9 * (line.noise_px["centroid"] or 0.0)
+    assert line.missed < 0.02 * line.agreed

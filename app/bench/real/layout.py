@@ -4,6 +4,8 @@
 
     FOLDER/boards/SET/    pictures of a board, the laser off, and the board as object.json
     FOLDER/lines/SET/     pictures of a laser line, and what is known of them as set.json
+
+A folder that holds pictures itself is one set of lines.
 """
 
 from collections.abc import Callable
@@ -85,30 +87,36 @@ class PictureSet:
 
 
 def find_sets(folder: Path) -> list[PictureSet]:
-    """The sets of a folder, those of boards first.
+    """The sets of a folder, those of boards first; a folder of pictures is one set of lines.
 
     Raises:
         OperationError: it has none, or a set has no pictures or a file that cannot be read.
     """
     with convert_io_errors(folder):
-        places = [
+        places: list[tuple[Kind, Path]] = [
             (kind, place)
             for kind in KINDS
             for place in sorted((folder / kind).glob("*/"))
             if place.is_dir()
         ]
+        if not places and _pictures_in(folder):
+            places = [("lines", folder)]
     if not places:
         raise OperationError(
             "folder-without-sets",
             str(folder),
-            "it has no folder boards/SET or lines/SET",
+            "it has no pictures, and no folder boards/SET or lines/SET",
             "Put the pictures of each camera into one",
         )
     return [_read_set(kind, place) for kind, place in places]
 
 
+def _pictures_in(folder: Path) -> tuple[Path, ...]:
+    return tuple(sorted(path for path in folder.iterdir() if path.suffix.lower() in SUFFIXES))
+
+
 def _read_set(kind: Kind, place: Path) -> PictureSet:
-    files = tuple(sorted(path for path in place.iterdir() if path.suffix.lower() in SUFFIXES))
+    files = _pictures_in(place)
     if not files:
         raise OperationError(
             "folder-without-pictures", str(place), "it contains no pictures", "Add some"
