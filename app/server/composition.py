@@ -155,6 +155,10 @@ def _build_context(parts: StationParts, store: Store) -> Context:
         for name in rig.sensors:
             _use_calibration(name, store, rig, preview, scanner, bus)
 
+    def use_selected() -> None:
+        use_active()
+        settings.publish()  # the exposure shown is that of the selected sensor
+
     use_active()  # an open session then applies its own choice
     guide = CalibrationGuide(
         CalibrationServices(bus, rig, jobs, parts.simulated_operator, preview, scene),
@@ -249,7 +253,7 @@ def _build_context(parts: StationParts, store: Store) -> Context:
         SensorSelection(
             rig,
             preview,
-            use_active,
+            use_selected,
             lambda: any(one.running for one in (guide, arm_guide, verify_guide, performance_guide)),
             lambda: scanner.recording() is not None,
         ),

@@ -102,7 +102,8 @@ class OperatorSettings:
         with self._lock:
             now = self._settings
             return StationSettings(
-                **now.model_dump(exclude={"mask", "sync"}),
+                **now.model_dump(exclude={"mask", "sync", "sensor_exposures_us", "exposure_us"}),
+                exposure_us=now.exposure_of_us(self._rig.selected),
                 zones=now.mask.zones if now.mask is not None else (),
                 delay=self._delay_estimate or now.sync,
                 delay_applied=self._delay_estimate is None and now.sync is not None,
@@ -111,17 +112,20 @@ class OperatorSettings:
             )
 
     def change(self, change: SettingsChange) -> None:
-        """Sets what the change has.
+        """Sets what the change has; the exposure is that of the selected sensor.
 
         Raises:
             OperationError: zones that cannot be meant, or while no sensor is connected; or a disk
                 that does not take it. Nothing is then changed.
         """
         with self._lock:
-            changed = change.model_dump(exclude_unset=True, exclude={"zones"})
+            changed = change.model_dump(exclude_unset=True, exclude={"zones", "exposure_us"})
             if "zones" in change.model_fields_set:
                 changed["mask"] = self._mask(change.zones)
-            self._set(self._settings.model_copy(update=changed))
+            settings = self._settings.model_copy(update=changed)
+            if "exposure_us" in change.model_fields_set:
+                settings = settings.with_exposure_us(self._rig.selected, change.exposure_us)
+            self._set(settings)
             if change.exposure_us is not None and self._rig.sensor.fresh:
                 self._rig.sensor.set_exposure_us(change.exposure_us)
 
@@ -132,7 +136,7 @@ class OperatorSettings:
             OperationError: the laser is off, no line is seen, or the sensor is lost; the exposure
                 is then as before.
         """
-        sensor, extraction = self._rig.sensor, self._preview.extraction
+        name, sensor, extraction = self._rig.selected, self._rig.sensor, self._preview.extraction
         if not sensor.laser_on:
             raise OperationError(
                 "laser-off",
@@ -160,7 +164,7 @@ class OperatorSettings:
                 message("bring-part-into-sensors-range"),
             )
         with self._lock:
-            self._set(self._settings.model_copy(update={"exposure_us": round(exposure_us, 1)}))
+            self._set(self._settings.with_exposure_us(name, round(exposure_us, 1)))
 
     def find_delay(self, jobs: Jobs, taken: Callable[[], PassRecord]) -> None:
         """Looks for the delay in a scan, as a job; raises ``OperationError`` while another runs.
@@ -184,7 +188,7 @@ class OperatorSettings:
         with self._lock:
             jobs.start(message("looking-delay"), work, self._delay_found)
             self._finding = True
-        self._publish()
+        self.publish()
 
     def use_delay(self, on: bool) -> None:
         """Applies the delay that was found last, or none from now on.
@@ -212,7 +216,7 @@ class OperatorSettings:
             self._delay_estimate = job.result or self._delay_estimate
         if job.refusal is not None:
             self._bus.event("refused", job.refusal.text, "attention")
-        self._publish()
+        self.publish()
 
     def _mask(self, zones: Zones) -> Mask | None:
         """The zones as a mask of the connected sensor."""
@@ -267,7 +271,8 @@ class OperatorSettings:
     def _apply(self) -> None:
         self._scanner.set_settings(self._settings)
         self._preview.set_settings(self._settings)
-        self._publish()
+        self.publish()
 
-    def _publish(self) -> None:
+    def publish(self) -> None:
+        """Shows the settings to every browser, as after the selection of another sensor."""
         self._bus.publish(TOPIC, self.view())

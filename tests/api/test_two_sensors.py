@@ -10,9 +10,11 @@ from app.bench.faults.served import accept_truth
 from app.errors import OperationError
 from app.formats.clouds.files import read_cloud
 from app.formats.recording.reader import open_recording
+from app.formats.settings.scan_settings import ScanSettings
 from app.operations.health_checks import HealthChecker
 from app.operations.home import build_home
 from app.operations.status_report import build_report
+from app.station.operator_settings import StationSettings
 from hardware.simulator.station import SimulationConfig
 from tests.api.conftest import Server, running_server
 
@@ -123,7 +125,22 @@ def test_exposure_and_preview_are_those_of_the_selected_one(station: Server) -> 
     until(lambda: rig.sensors["right"].exposure_us == 800.0)
     assert rig.sensors["left"].exposure_us == before_us
     assert select(station, "top") == 422
+    settings = station.http.post("/api/settings", json={"exposure_us": 900.0}).json()
+    assert settings["exposure_us"] == 900.0
+    until(lambda: rig.sensors["right"].exposure_us == 900.0)
     with station.context.preview.watch():
         newest = station.context.preview.latest()
         until(lambda: station.context.preview.latest() is not newest)
+    assert select(station, "left") == 200
+    assert station.http.get("/api/settings").json()["exposure_us"] is None
+    shown = station.context.bus.latest("settings")
+    assert isinstance(shown, StationSettings)
+    assert shown.exposure_us is None
+    station.http.post("/api/settings", json={"exposure_us": 700.0}).raise_for_status()
+    stored = ScanSettings.read(station.data / "scan_settings.json")
+    assert stored.exposure_us is None
+    assert stored.sensor_exposures_us == {"left": 700.0, "right": 900.0}
+    assert select(station, "right") == 200
+    station.http.post("/api/settings", json={"exposure_us": None}).raise_for_status()
+    assert station.http.get("/api/settings").json()["exposure_us"] is None
     assert select(station, "left") == 200

@@ -6,6 +6,7 @@ from pathlib import Path
 import cv2
 import numpy as np
 import pytest
+from pydantic import ValidationError
 
 from app.errors import OperationError
 from app.formats.settings.mask import Mask
@@ -90,6 +91,24 @@ def settings(**change: object) -> ScanSettings:
     )
     held = {"threshold": 12, "min_width_px": 2.5, "choice": "first", "mask": mask, "sync": sync}
     return ScanSettings.model_validate({**held, **change})
+
+
+def test_each_of_several_sensors_has_its_own_exposure(tmp_path: Path) -> None:
+    path = tmp_path / "scan_settings.json"
+    path.write_text('{"format": "crenel/scan-settings", "version": 1, "exposure_us": 2000}')
+    earlier = ScanSettings.read(path)
+    assert earlier.exposure_of_us("") == 2000
+    assert earlier.exposure_of_us("left") is None
+    assert "sensor_exposures_us" not in earlier.text()
+    changed = earlier.with_exposure_us("left", 700.0).with_exposure_us("right", 900.0)
+    changed.write(path)
+    kept = ScanSettings.read(path)
+    assert [kept.exposure_of_us(name) for name in ("", "left", "right")] == [2000, 700, 900]
+    only_right = kept.with_exposure_us("left", None)
+    assert only_right.sensor_exposures_us == {"right": 900}
+    assert only_right.with_exposure_us("right", None) == earlier
+    with pytest.raises(ValidationError, match="right"):
+        settings(sensor_exposures_us={"right": -1})
 
 
 def test_settings_survive_a_restart(tmp_path: Path) -> None:

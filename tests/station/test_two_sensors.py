@@ -144,6 +144,17 @@ def test_a_scan_needs_the_calibration_of_each(
     assert caught.value.code == "no-calibration"
 
 
+def test_each_scans_with_its_own_stored_exposure(
+    simulation: SimulatedStation, rig: Rig, scanner: Scanner
+) -> None:
+    assert simulation.operator.hold_over("block", 0)
+    known = ScanSettings(exposure_us=300.0).with_exposure_us("left", 700.0)
+    scanner.set_settings(known.with_exposure_us("right", 900.0))
+    scanner.start("exposures")
+    until(lambda: [one.exposure_us for one in rig.sensors.values()] == [700.0, 900.0], 60)
+    scanner.stop()
+
+
 def test_zones_belong_to_the_sensor_in_whose_picture_they_were_drawn(
     simulation: SimulatedStation, scanner: Scanner, tmp_path: Path
 ) -> None:

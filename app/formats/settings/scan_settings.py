@@ -4,7 +4,8 @@
 """
 
 import json
-from typing import Annotated, ClassVar
+from collections.abc import Mapping
+from typing import Annotated, ClassVar, Self
 
 from pydantic import BaseModel, ConfigDict, Field, StrictBool
 
@@ -67,6 +68,24 @@ class ScanSettings(ScanOptions, Document):
 
     mask: Mask | None = None
     sync: Sync | None = None
+    sensor_exposures_us: Mapping[str, Exposure] | None = None
+    """Of several sensors, by their names; ``exposure_us`` is that of a station with one."""
+
+    def exposure_of_us(self, sensor: str) -> float | None:
+        """The stored exposure of a sensor, whose name is empty if it is the only one."""
+        if not sensor:
+            return self.exposure_us
+        return (self.sensor_exposures_us or {}).get(sensor)
+
+    def with_exposure_us(self, sensor: str, exposure_us: float | None) -> Self:
+        """These settings with another exposure of a sensor; None is automatic."""
+        if not sensor:
+            return self.model_copy(update={"exposure_us": exposure_us})
+        exposures_us = {**(self.sensor_exposures_us or {})}
+        exposures_us.pop(sensor, None)
+        if exposure_us is not None:
+            exposures_us[sensor] = exposure_us
+        return self.model_copy(update={"sensor_exposures_us": exposures_us or None})
 
     @property
     def stripe(self) -> StripeSettings:

@@ -290,16 +290,15 @@ class Scanner:
             sensor.want_lines(not settings.record_pictures)
 
     def _prepare_sensors(self, sensors: Sequence[StationSensor]) -> None:
-        """Lasers on, exposure and delivery as set.
-
-        The exposure that the operator set is that of the only sensor; several keep their own.
-        """
+        """Lasers on, exposures and delivery as set."""
         for sensor in sensors:
             info = sensor.info
             if info is not None and info.has_laser_switch:
                 sensor.set_laser(True)
-        if self._settings.exposure_us is not None and len(self._rig.sensors) == 1:
-            self._rig.sensor.set_exposure_us(self._settings.exposure_us)
+        for name, sensor in self._rig.sensors.items():
+            exposure_us = self._settings.exposure_of_us(name)
+            if exposure_us is not None and sensor in sensors:
+                sensor.set_exposure_us(exposure_us)
         self._choose_delivery(self._settings)
 
     def _scan_sensors(self, selected_alone: bool) -> list[ScanSensor]:
