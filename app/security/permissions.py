@@ -105,6 +105,7 @@ ROUTES: dict[tuple[str, str], Rule] = {
     ("GET", "/api/performances/{performance_id}"): LOOK,
     ("GET", "/api/performances/{record_id}/report.{form}"): LOOK,
     ("GET", "/api/performances/{record_id}/export.{form}"): LOOK,
+    ("GET", "/api/export-formats"): LOOK,
     ("GET", "/api/verify"): LOOK,
     ("POST", "/api/verify/start"): Rule(Right.act, message("began-resumed-verification")),
     ("POST", "/api/verify/command"): Rule(Right.act, word("verification")),

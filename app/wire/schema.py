@@ -167,6 +167,14 @@ class ScanSummary:
 
 
 @dataclass(frozen=True)
+class ExportFormats:
+    """Which formats for other programs the station can write."""
+
+    xlsx_why_not: Text
+    """What to install for it; empty: it can."""
+
+
+@dataclass(frozen=True)
 class StationInfo:
     name: str
     version: str

@@ -145,6 +145,13 @@ def test_the_simulated_operator_does_the_whole_test(desk: Desk, calibration: str
         assert any(name.endswith(".csv") for name in archive.namelist())
     qif = desk.server.http.get(f"/api/performances/{newest['id']}/export.qif")
     assert "QIFDocument" in qif.text
+    certificate = f"/api/performances/{newest['id']}/export.dcc"
+    refused = desk.server.http.get(certificate, params={"country": "Germany"})
+    assert "two capital letters" in refusal(refused)
+    issued = desk.server.http.get(certificate, params={"laboratory": "Halle 3", "country": "DE"})
+    assert issued.headers["content-disposition"].endswith('-dcc.xml"')
+    assert "Halle 3" in issued.text
+    assert desk.server.http.get("/api/export-formats").json() == {"xlsx_why_not": ""}
     recording = folder / "p1-a5" / "scan.mcap"
     whole = recording.read_bytes()
     assert not desk.server.context.recovery.find_damage()

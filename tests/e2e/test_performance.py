@@ -37,6 +37,27 @@ def look_at_both_sizes(visit: Visit, name: str) -> None:
         assert visit.page.evaluate("document.documentElement.scrollWidth") <= width
 
 
+def export_from(visit: Visit) -> None:
+    """Every file of a result; who issues the certificate is asked once."""
+    page = visit.page
+    for label, ending in (("CSV", ".zip"), ("XLSX", ".xlsx"), ("QIF", ".qif")):
+        with page.expect_download() as saved:
+            page.get_by_role("button", name=label).click()
+        assert saved.value.suggested_filename.endswith(ending)
+    page.get_by_role("button", name="DCC").click()
+    page.get_by_label("Laboratory").fill("Halle 3")
+    page.get_by_label("Country").fill("de")
+    look_at_both_sizes(visit, "certificate")
+    with page.expect_download() as saved:
+        page.get_by_role("button", name="Save the certificate").click()
+    text = Path(saved.value.path()).read_text()
+    assert "Halle 3" in text
+    assert "<dcc:countryCodeISO3166_1>DE<" in text
+    page.reload()
+    page.get_by_role("button", name="DCC").click()
+    expect(page.get_by_label("Country")).to_have_value("DE")
+
+
 def test_the_one_sphere_test_from_start_to_figures(
     station: Demo, browser: Browser, pictures: Path
 ) -> None:
@@ -73,5 +94,6 @@ def test_the_one_sphere_test_from_start_to_figures(
     page.get_by_role("button", name="Open").first.click()
     expect(rows).to_have_count(FIGURES)
     look_at_both_sizes(visit, "record")
+    export_from(visit)
     assert not visit.faults
     page.close()

@@ -11,7 +11,11 @@ import pytest
 
 from app.errors import OperationError
 from app.formats.exchange.result_tables import result_tables
-from app.formats.exchange.write_tables import write_csv_tables, write_workbook
+from app.formats.exchange.write_tables import (
+    workbook_obstacle,
+    write_csv_tables,
+    write_workbook,
+)
 from app.formats.performance.results import PerformanceFile
 from tests.formats.performance_builders import (
     contact_result,
@@ -102,7 +106,9 @@ def test_a_workbook_is_the_same_again_and_has_no_formulas(tmp_path: Path) -> Non
 def test_without_the_extra_the_error_names_it(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
+    assert not workbook_obstacle()
     monkeypatch.setitem(sys.modules, "xlsxwriter", None)
+    assert "pip install 'crenel[xlsx]'" in str(workbook_obstacle())
     with pytest.raises(OperationError, match=r"crenel\[xlsx\]") as raised:
         write_workbook(sphere_result(tmp_path / "test"), tmp_path / "result.xlsx")
     assert raised.value.code == "extra-missing"

@@ -53,10 +53,16 @@ def certificate_bytes(document: PerformanceFile, issuer: Issuer) -> bytes:
         PTB, Digital Calibration Certificate 3.3.0, and D-SI 2.2.
     """
     if not issuer.laboratory.strip():
-        raise OperationError("issuer-unknown", message("certificate-needs-laboratory"))
+        raise OperationError(
+            "issuer-unknown",
+            message("certificate-needs-laboratory"),
+            remedy=message("enter-laboratory"),
+        )
     if not COUNTRY.fullmatch(issuer.country):
         raise OperationError(
-            "issuer-unknown", message("certificate-needs-country", country=issuer.country or "–")
+            "issuer-unknown",
+            message("certificate-needs-country", country=issuer.country or "–"),
+            remedy=message("enter-country"),
         )
     root = ET.Element(_dcc("digitalCalibrationCertificate"), {"schemaVersion": VERSION})
     root.set(f"{{{INSTANCE}}}schemaLocation", SCHEMA)

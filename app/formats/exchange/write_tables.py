@@ -1,6 +1,7 @@
 """A performance test as a folder of CSV files, or as one XLSX workbook."""
 
 import importlib
+import importlib.util
 import io
 from datetime import UTC, datetime
 from pathlib import Path
@@ -13,9 +14,10 @@ from app.formats.exchange.result_tables import result_tables
 from app.formats.file_names import display_path
 from app.formats.io_errors import convert_io_errors
 from app.formats.performance.results import PerformanceFile
-from app.messages.message import message
+from app.messages.message import Text, message
 from app.timestamps import parse_moment
 
+LIBRARY = "xlsxwriter"
 WIDEST = 60
 """Of a column, in characters."""
 EARLIEST = datetime(1980, 1, 1)
@@ -76,9 +78,16 @@ def _end_time(document: PerformanceFile) -> datetime:
         return EARLIEST
 
 
+def workbook_obstacle() -> Text:
+    """What to install before a workbook can be written; empty if nothing is missing."""
+    if importlib.util.find_spec(LIBRARY) is not None:
+        return ""
+    return message("xlsx-extra-missing")
+
+
 def _load_library(path: Path) -> Any:
     try:
-        return importlib.import_module("xlsxwriter")
+        return importlib.import_module(LIBRARY)
     except ImportError as error:
         raise OperationError(
             "extra-missing",

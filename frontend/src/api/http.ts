@@ -43,28 +43,33 @@ function problemOf(status: number, text: string): Problem {
   };
 }
 
-/** The complete text of an answer; an interrupted one does not count. */
-async function request(path: string, init: RequestInit): Promise<string> {
+/** A complete answer; an interrupted one does not count. */
+async function request(path: string, init: RequestInit): Promise<Blob> {
   let answer: Response;
-  let text: string;
+  let content: Blob;
   try {
     answer = await fetch(path, { ...init, signal: AbortSignal.timeout(ANSWER_WITHIN_MS) });
-    text = await answer.text();
+    content = await answer.blob();
   } catch {
     throw new NoAnswer(path);
   }
-  if (answer.ok) return text;
-  const problem = problemOf(answer.status, text);
+  if (answer.ok) return content;
+  const problem = problemOf(answer.status, await content.text());
   throw problem.code === "starting" ? new NoAnswer(path) : new Refused(problem);
 }
 
+const requestText = async (path: string, init: RequestInit) => (await request(path, init)).text();
+
+/** The file at an address. */
+export const getFile = (path: string) => request(path, { method: "GET" });
+
 /** The data at an address, in this browser's language. */
 export async function get<T>(path: string): Promise<T> {
-  return localized(JSON.parse(await request(path, { method: "GET" })) as T);
+  return localized(JSON.parse(await requestText(path, { method: "GET" })) as T);
 }
 
 export async function post<T>(path: string, body: unknown = {}): Promise<T | null> {
-  const text = await request(path, {
+  const text = await requestText(path, {
     method: "POST",
     headers: { "Content-Type": "application/json" },
     body: JSON.stringify(body),
@@ -86,7 +91,7 @@ export async function postOnce<T>(path: string, command: { key: string }): Promi
 
 /** Deletes something. */
 export async function drop<T>(path: string): Promise<T | null> {
-  return parsed<T>(await request(path, { method: "DELETE" }));
+  return parsed<T>(await requestText(path, { method: "DELETE" }));
 }
 
 function parsed<T>(text: string): T | null {

@@ -1,7 +1,6 @@
 import { startPerformance } from "../api/guideCommands";
 import type { PerformanceFile, PerformanceSummary, PerformanceView } from "../api/wire";
 import { Layout } from "../frame/Layout";
-import { Download } from "../parts/Download";
 import { EmptyState } from "../parts/EmptyState";
 import { moment } from "../parts/format";
 import rows from "../parts/List.module.css";
@@ -9,6 +8,7 @@ import { PressButton } from "../parts/PressButton";
 import { Reports } from "../parts/Reports";
 import { ArtefactChoice } from "../performance/ArtefactChoice";
 import { ArticulationList } from "../performance/ArticulationList";
+import { ExportFiles } from "../performance/ExportFiles";
 import { PerformanceCard } from "../performance/PerformanceCard";
 import { PerformanceRow } from "../performance/PerformanceRow";
 import { ResultTable } from "../performance/ResultTable";
@@ -112,12 +112,7 @@ function Record({ id }: { id: string }) {
             {t("ui-performance-tests")}
           </PressButton>
           <Reports of={`/api/performances/${id}`} />
-          <div className={styles.files}>
-            <Download href={`/api/performances/${id}/export.zip`}>CSV</Download>
-            <Download href={`/api/performances/${id}/export.xlsx`}>XLSX</Download>
-            <Download href={`/api/performances/${id}/export.qif`}>QIF</Download>
-            <Download href={`/api/performances/${id}`}>JSON</Download>
-          </div>
+          <ExportFiles id={id} />
         </>
       }
     />

@@ -1,5 +1,6 @@
 import type { Legend } from "../api/wire";
 import { figures } from "../parts/format";
+import { saveFile } from "../parts/saveFile";
 import { t } from "../state/language";
 import { decimalsOf, MEASURES } from "./LegendBar";
 
@@ -25,7 +26,7 @@ export async function savePicture(frame: HTMLIFrameElement, legend: Legend | nul
   if (legend) drawLegend(pen, legend, size);
   const blob = await new Promise<Blob | null>((done) => page.toBlob(done, "image/png"));
   if (!blob) return false;
-  download(blob, `crenel-${stampOf(at, "-", "")}.png`);
+  saveFile(blob, `crenel-${stampOf(at, "-", "")}.png`);
   return true;
 }
 
@@ -59,12 +60,4 @@ function stampOf(at: Date, between: string, colon: string): string {
   const two = (part: number) => String(part).padStart(2, "0");
   const day = `${at.getFullYear()}-${two(at.getMonth() + 1)}-${two(at.getDate())}`;
   return day + between + [at.getHours(), at.getMinutes(), at.getSeconds()].map(two).join(colon);
-}
-
-function download(blob: Blob, name: string): void {
-  const link = document.createElement("a");
-  link.href = URL.createObjectURL(blob);
-  link.download = name;
-  link.click();
-  setTimeout(() => URL.revokeObjectURL(link.href), 10_000);
 }
