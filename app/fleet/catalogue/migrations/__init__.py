@@ -1,0 +1,1 @@
+"""The steps from each version of the catalogue to the next, for alembic."""

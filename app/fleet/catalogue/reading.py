@@ -1,0 +1,283 @@
+"""Reads the catalogue: search, one record, a figure over time."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, fields
+from datetime import datetime
+from typing import TYPE_CHECKING, Any
+
+from sqlalchemy import Connection, Select, and_, exists, func, or_, select
+
+from app.fleet.catalogue.entry import (
+    CatalogueEntry,
+    EntryFigure,
+    EntryFile,
+    split_words,
+)
+from app.fleet.catalogue.tables import FigureRow, FileRow, RecordRow, StationRow, WordRow
+
+if TYPE_CHECKING:
+    from sqlalchemy.engine import Row
+
+RARE = 1000
+"""With at most so many records of a word, these are looked at first."""
+BEHIND = "\U0010ffff"
+"""Stands behind every other character."""
+OWN_FIELDS = tuple(
+    one.name for one in fields(CatalogueEntry) if one.name not in ("files", "figures")
+)
+
+
+@dataclass(frozen=True, slots=True)
+class SearchQuery:
+    """What is looked for; empty fields find everything."""
+
+    text: str = ""
+    """Beginnings of words of label, id, operator or serial numbers, all of them."""
+    station: str = ""
+    kind: str = ""
+    verdict: str = ""
+    calibration_id: str = ""
+    since: datetime | None = None
+    until: datetime | None = None
+    """The first moment that is too late."""
+    limit: int = 50
+    before: tuple[datetime, int] | None = None
+    """Continues behind the last record of the page before."""
+
+
+@dataclass(frozen=True, slots=True)
+class FoundRecord:
+    """A record of a search, without files and figures."""
+
+    key: int
+    entry: CatalogueEntry
+    size_bytes: int
+
+
+@dataclass(frozen=True, slots=True)
+class FigurePoint:
+    """One value of a figure, and the record that it stands in."""
+
+    station: str
+    at: datetime
+    value: float
+    unit: str
+    expanded_uncertainty: float | None
+    limit: float | None
+    decision: str
+    symbol: str
+    record_key: int
+
+
+@dataclass(frozen=True, slots=True)
+class KnownContent:
+    """What the catalogue has of a record's folder."""
+
+    content: str
+    label: str
+    current_at: datetime
+    archived: bool
+
+
+@dataclass(frozen=True, slots=True)
+class StationSummary:
+    """What the catalogue has of a station."""
+
+    id: str
+    name: str
+    collected_at: datetime | None
+    problem: str
+    records: int
+    archived: int
+    size_bytes: int
+    newest_at: datetime | None
+
+
+def search(connection: Connection, query: SearchQuery) -> list[FoundRecord]:
+    """The records that a query finds, newest first, at most ``query.limit``."""
+    wanted = _add_filters(select(RecordRow.__table__), query)
+    terms = sorted(split_words(query.text))
+    if terms:
+        counts = {term: _count_to(connection, term) for term in terms}
+        rarest = min(terms, key=lambda term: counts[term])
+        if counts[rarest] <= RARE:
+            keys = connection.scalars(select(WordRow.record_key).where(_begins(rarest))).all()
+            wanted = wanted.where(RecordRow.key.in_(keys))
+            terms.remove(rarest)
+        for term in terms:
+            wanted = wanted.where(
+                exists().where(
+                    _begins(term), WordRow.at == RecordRow.at, WordRow.record_key == RecordRow.key
+                )
+                if counts[rarest] <= RARE
+                else RecordRow.key.in_(select(WordRow.record_key).where(_begins(term)))
+            )
+    if query.before is not None:
+        at, key = query.before
+        wanted = wanted.where(or_(RecordRow.at < at, and_(RecordRow.at == at, RecordRow.key < key)))
+    newest = wanted.order_by(RecordRow.at.desc(), RecordRow.key.desc()).limit(query.limit)
+    return [_read_row(row) for row in connection.execute(newest)]
+
+
+def read_record(
+    connection: Connection, station: str, kind: str, record_id: str
+) -> CatalogueEntry | None:
+    """A record with its files and figures; None if the catalogue has none."""
+    row = connection.execute(
+        select(RecordRow.__table__).where(
+            RecordRow.station == station, RecordRow.kind == kind, RecordRow.id == record_id
+        )
+    ).one_or_none()
+    if row is None:
+        return None
+    files = connection.execute(
+        select(FileRow.path, FileRow.bytes, FileRow.sha256)
+        .where(FileRow.record_key == row.key)
+        .order_by(FileRow.path)
+    )
+    figures = connection.execute(
+        select(
+            FigureRow.symbol,
+            FigureRow.quantity,
+            FigureRow.value,
+            FigureRow.unit,
+            FigureRow.expanded_uncertainty,
+            FigureRow.limit_value,
+            FigureRow.decision,
+        )
+        .where(FigureRow.record_key == row.key)
+        .order_by(FigureRow.number)
+    )
+    return CatalogueEntry(
+        **{name: getattr(row, name) for name in OWN_FIELDS},
+        files=tuple(EntryFile(*file) for file in files),
+        figures=tuple(EntryFigure(*figure) for figure in figures),
+    )
+
+
+def list_contents(connection: Connection, station: str) -> dict[str, KnownContent]:
+    """The contents of a station's records that are there, by the name of the folder."""
+    found = connection.execute(
+        select(
+            RecordRow.id,
+            RecordRow.content,
+            RecordRow.label,
+            RecordRow.current_at,
+            RecordRow.archived_at.is_not(None),
+        ).where(RecordRow.station == station)
+    )
+    return {row[0]: KnownContent(*row[1:]) for row in found}
+
+
+def figure_points(
+    connection: Connection,
+    quantity: str,
+    stations: Sequence[str] = (),
+    since: datetime | None = None,
+    until: datetime | None = None,
+    limit: int = 20_000,
+) -> list[FigurePoint]:
+    """The values of a quantity, oldest first; the newest ``limit`` of them.
+
+    Args:
+        stations: all of the catalogue if empty.
+    """
+    if not stations:
+        stations = connection.scalars(select(StationRow.id)).all()
+    wanted = select(
+        FigureRow.station,
+        FigureRow.at,
+        FigureRow.value,
+        FigureRow.unit,
+        FigureRow.expanded_uncertainty,
+        FigureRow.limit_value,
+        FigureRow.decision,
+        FigureRow.symbol,
+        FigureRow.record_key,
+    ).where(FigureRow.quantity == quantity)
+    if since is not None:
+        wanted = wanted.where(FigureRow.at >= since)
+    if until is not None:
+        wanted = wanted.where(FigureRow.at < until)
+    found: list[FigurePoint] = []
+    for station in stations:  # each is one range of the index
+        newest = wanted.where(FigureRow.station == station).order_by(FigureRow.at.desc())
+        found += [FigurePoint(*row) for row in connection.execute(newest.limit(limit))]
+    return sorted(found, key=lambda point: (point.at, point.station))[-limit:]
+
+
+def quantities(connection: Connection) -> list[str]:
+    """The quantities of which the catalogue has values, in order."""
+    found: list[str] = []
+    while True:  # from one to the next in the index: all rows would take seconds
+        last = found[-1] if found else ""
+        after = select(func.min(FigureRow.quantity)).where(FigureRow.quantity > last)
+        following = connection.scalar(after)
+        if following is None:
+            return found
+        found.append(following)
+
+
+def summarise_stations(connection: Connection) -> list[StationSummary]:
+    """Every station, by name."""
+    counted = {
+        row.station: row
+        for row in connection.execute(
+            select(
+                RecordRow.station,
+                func.count().label("records"),
+                func.count(RecordRow.archived_at).label("archived"),
+                func.sum(RecordRow.size_bytes).label("bytes"),
+                func.max(RecordRow.at, type_=RecordRow.at.type).label("newest"),
+            ).group_by(RecordRow.station)
+        )
+    }
+    found = []
+    for row in connection.execute(select(StationRow.__table__).order_by(StationRow.id)):
+        its = counted.get(row.id)
+        records, archived = (0, 0) if its is None else (its.records, its.archived)
+        size, newest_at = (0, None) if its is None else (int(its.bytes), its.newest)
+        found.append(
+            StationSummary(
+                row.id,
+                row.name or row.id,
+                row.collected_at,
+                row.problem,
+                records,
+                archived,
+                size,
+                newest_at,
+            )
+        )
+    return found
+
+
+def _add_filters(wanted: Select[Any], query: SearchQuery) -> Select[Any]:
+    for column, value in (
+        (RecordRow.station, query.station),
+        (RecordRow.kind, query.kind),
+        (RecordRow.verdict, query.verdict),
+        (RecordRow.calibration_id, query.calibration_id),
+    ):
+        if value:
+            wanted = wanted.where(column == value)
+    if query.since is not None:
+        wanted = wanted.where(RecordRow.at >= query.since)
+    if query.until is not None:
+        wanted = wanted.where(RecordRow.at < query.until)
+    return wanted
+
+
+def _begins(term: str) -> Any:
+    return and_(WordRow.word >= term, WordRow.word < term + BEHIND)
+
+
+def _count_to(connection: Connection, term: str) -> int:
+    """How many records have a word that begins so, up to one more than ``RARE``."""
+    some = select(WordRow.record_key).where(_begins(term)).limit(RARE + 1).subquery()
+    return connection.scalar(select(func.count()).select_from(some)) or 0
+
+
+def _read_row(row: "Row[Any]") -> FoundRecord:
+    entry = CatalogueEntry(**{name: getattr(row, name) for name in OWN_FIELDS})
+    return FoundRecord(row.key, entry, row.size_bytes)

@@ -1,0 +1,36 @@
+"""Catalogues in both databases."""
+
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+pytest.importorskip("sqlalchemy")
+pytest.importorskip("alembic")
+pytest.importorskip("psycopg")
+
+from app.fleet.catalogue.catalogue import FleetCatalogue
+from tests.fleet.postgres import PostgresServer, has_postgres, running_postgres
+
+
+@pytest.fixture(scope="session")
+def postgres() -> Iterator[PostgresServer]:
+    if not has_postgres():
+        pytest.skip("postgresql is not installed")
+    with running_postgres() as server:
+        yield server
+
+
+@pytest.fixture(params=["sqlite", "postgresql"])
+def url(request: pytest.FixtureRequest, tmp_path: Path) -> str:
+    """An address of no catalogue yet."""
+    if request.param == "sqlite":
+        return f"sqlite:///{tmp_path}/catalogue.db"
+    server: PostgresServer = request.getfixturevalue("postgres")
+    return server.new_database()
+
+
+@pytest.fixture
+def catalogue(url: str) -> Iterator[FleetCatalogue]:
+    with FleetCatalogue(url) as opened:
+        yield opened

@@ -1,0 +1,95 @@
+"""Debian's PostgreSQL as a real server of an unprivileged user."""
+
+import os
+import pwd
+import shutil
+import socket
+import subprocess
+import tempfile
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+import psycopg
+
+PROGRAMS = sorted(Path("/usr/lib/postgresql").glob("*/bin"), reverse=True)
+START_S = 60
+
+
+def has_postgres() -> bool:
+    return bool(PROGRAMS) and (os.getuid() != 0 or _unprivileged() is not None)
+
+
+def _unprivileged() -> pwd.struct_passwd | None:
+    """Who runs the server where the tests run as root, which PostgreSQL refuses."""
+    for name in ("postgres", "nobody"):
+        try:
+            return pwd.getpwnam(name)
+        except KeyError:
+            continue
+    return None
+
+
+class PostgresServer:
+    """A cluster in a folder of its own, on a free port of this machine."""
+
+    def __init__(self, folder: Path) -> None:
+        self._folder = folder
+        self._user = _unprivileged() if os.getuid() == 0 else None
+        if self._user is not None:
+            os.chown(folder, self._user.pw_uid, self._user.pw_gid)
+        self._run("initdb", "-D", "data", "-U", "crenel", "-A", "trust", "-E", "UTF8", "-N")
+        with socket.create_server(("127.0.0.1", 0)) as free:
+            self.port = int(free.getsockname()[1])
+        self._schemas = 0
+
+    def start(self) -> None:
+        options = f"-p {self.port} -c listen_addresses=127.0.0.1 -k {self._folder} -c fsync=off"
+        self._run(
+            "pg_ctl", "start", "-w", "-t", str(START_S), "-D", "data", "-l", "log", "-o", options
+        )
+
+    def stop(self) -> None:
+        """At once, as after a power failure."""
+        self._run("pg_ctl", "stop", "-w", "-D", "data", "-m", "immediate")
+
+    def new_database(self) -> str:
+        """The address of an empty schema: it takes far less time than a whole database."""
+        self._schemas += 1
+        name = f"test_{self._schemas}"
+        address = f"postgresql://crenel@127.0.0.1:{self.port}/postgres"
+        with psycopg.connect(address, autocommit=True) as connection:
+            connection.execute(f"CREATE SCHEMA {name}".encode())
+        return f"{address}?options=-csearch_path%3D{name}"
+
+    def _run(self, program: str, *arguments: str) -> None:
+        user = None if self._user is None else self._user.pw_name
+        with (self._folder.parent / f"{self._folder.name}.out").open("ab") as output:
+            subprocess.run(
+                [PROGRAMS[0] / program, *arguments],
+                cwd=self._folder,
+                user=user,
+                group=None if self._user is None else self._user.pw_gid,
+                extra_groups=None if self._user is None else [],
+                env={"PATH": os.defpath, "LC_ALL": "C.UTF-8"},
+                stdout=output,
+                stderr=output,
+                check=True,
+                timeout=2 * START_S,
+            )
+
+
+@contextmanager
+def running_postgres() -> Iterator[PostgresServer]:
+    # outside of pytest's folders, which only root may enter
+    folder = Path(tempfile.mkdtemp(prefix="crenel-postgres-"))
+    server = None
+    try:
+        server = PostgresServer(folder)
+        server.start()
+        yield server
+    finally:
+        if server is not None:
+            server.stop()
+        shutil.rmtree(folder)
+        Path(f"{folder}.out").unlink(missing_ok=True)

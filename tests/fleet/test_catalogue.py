@@ -1,0 +1,216 @@
+"""The catalogue stores each record once, and finds it again."""
+
+import threading
+from dataclasses import replace
+from datetime import timedelta
+
+import pytest
+
+from app.fleet.catalogue.catalogue import FleetCatalogue
+from app.fleet.catalogue.database import CatalogueError
+from app.fleet.catalogue.entry import CatalogueEntry, EntryFile
+from app.fleet.catalogue.reading import (
+    SearchQuery,
+    figure_points,
+    list_contents,
+    quantities,
+    read_record,
+    search,
+    summarise_stations,
+)
+from tests.fleet.entries import START, entry_of, figure_of
+
+
+def found_ids(catalogue: FleetCatalogue, **query: object) -> list[str]:
+    with catalogue.reading() as connection:
+        found = search(connection, SearchQuery(**query))  # type: ignore[arg-type]
+    return [f"{one.entry.station}/{one.entry.id}" for one in found]
+
+
+def read(catalogue: FleetCatalogue, entry: CatalogueEntry) -> CatalogueEntry | None:
+    with catalogue.reading() as connection:
+        return read_record(connection, entry.station, entry.kind, entry.id)
+
+
+def test_an_entry_comes_back_as_it_was(catalogue: FleetCatalogue) -> None:
+    entry = entry_of(
+        1,
+        kind="performance",
+        verdict="fail",
+        temperature_c=20.4,
+        figures=(figure_of(12.5), figure_of(-3.0, "size-scan", limit=None, decision="none")),
+        files=(EntryFile("performance.json", 7, "d" * 64), EntryFile("plan.json", 5, "e" * 64)),
+    )
+    assert catalogue.add([entry]) == 1
+    assert read(catalogue, entry) == entry
+
+
+def test_the_same_record_is_stored_once(catalogue: FleetCatalogue) -> None:
+    entries = [entry_of(number, figures=(figure_of(1.0),)) for number in range(5)]
+    assert catalogue.add(entries) == 5
+    assert catalogue.add(entries[:3] + entries) == 0
+    assert len(found_ids(catalogue)) == 5
+    with catalogue.reading() as connection:
+        assert len(figure_points(connection, "location-scan")) == 5
+
+
+def test_ids_are_the_stations_own(catalogue: FleetCatalogue) -> None:
+    catalogue.add([entry_of(1), entry_of(1, station="room-2")])
+    assert sorted(found_ids(catalogue)) == ["room-1/scan-1", "room-2/scan-1"]
+
+
+def test_the_content_that_was_current_last_counts(catalogue: FleetCatalogue) -> None:
+    first = entry_of(1, figures=(figure_of(1.0),))
+    later = replace(
+        first,
+        content="f" * 16,
+        label="Cover 9",
+        current_at=START + timedelta(days=2),
+        files=(EntryFile("scan.mcap", 5, "f" * 64),),
+        figures=(),
+    )
+    catalogue.add([first])
+    assert catalogue.add([later]) == 1
+    assert catalogue.add([first]) == 0
+    assert read(catalogue, first) == later
+    assert found_ids(catalogue, text="housing") == []
+    assert found_ids(catalogue, text="cover") == ["room-1/scan-1"]
+
+
+def test_a_record_is_archived_and_renamed_without_another_content(
+    catalogue: FleetCatalogue,
+) -> None:
+    entry = entry_of(1)
+    catalogue.add([entry])
+    archived = START + timedelta(days=1)
+    assert catalogue.add([replace(entry, archived_at=archived, place="s3://plant/1")]) == 0
+    renamed = replace(entry, label="Bracket 12", current_at=START + timedelta(days=3))
+    assert catalogue.add([renamed]) == 0
+    found = read(catalogue, entry)
+    assert found == replace(renamed, archived_at=archived, place="s3://plant/1")
+    assert found_ids(catalogue, text="bracket 12") == ["room-1/scan-1"]
+    assert found_ids(catalogue, text="4711") == []
+
+
+def test_search_takes_beginnings_of_words_and_all_of_them(catalogue: FleetCatalogue) -> None:
+    catalogue.add(
+        [
+            entry_of(1, label="Housing 4711-B"),
+            entry_of(2, label="Housing 4712", operator="Émile"),
+            entry_of(3, label="Gehäuse 4711", station="room-2"),
+        ]
+    )
+    assert found_ids(catalogue, text="4711") == ["room-2/scan-3", "room-1/scan-1"]
+    assert found_ids(catalogue, text="hous 47") == ["room-1/scan-2", "room-1/scan-1"]
+    assert found_ids(catalogue, text="GEHÄUSE") == ["room-2/scan-3"]
+    assert found_ids(catalogue, text="éMI a-17") == ["room-1/scan-2"]
+    assert found_ids(catalogue, text="711") == []
+    assert found_ids(catalogue, text="4711", station="room-1") == ["room-1/scan-1"]
+
+
+def test_a_word_that_most_records_have_is_found_with_any_other(catalogue: FleetCatalogue) -> None:
+    catalogue.add([entry_of(number, label=f"Housing {number}") for number in range(1500)])
+    assert found_ids(catalogue, text="housing", limit=2) == ["room-1/scan-1499", "room-1/scan-1498"]
+    assert found_ids(catalogue, text="housing 1203") == ["room-1/scan-1203"]
+    assert found_ids(catalogue, text="ada hous", limit=1) == ["room-1/scan-1499"]
+
+
+def test_search_by_period_kind_verdict_and_calibration(catalogue: FleetCatalogue) -> None:
+    catalogue.add(
+        [
+            entry_of(1, calibration_id="cal-2"),
+            entry_of(2, kind="verification", verdict="fail"),
+            entry_of(3),
+        ]
+    )
+    hour = timedelta(hours=1)
+    assert found_ids(catalogue, since=START + 2 * hour) == [
+        "room-1/scan-3",
+        "room-1/verification-2",
+    ]
+    assert found_ids(catalogue, until=START + 2 * hour) == ["room-1/scan-1"]
+    assert found_ids(catalogue, kind="scan") == ["room-1/scan-3", "room-1/scan-1"]
+    assert found_ids(catalogue, verdict="fail") == ["room-1/verification-2"]
+    assert found_ids(catalogue, calibration_id="cal-2") == ["room-1/scan-1"]
+
+
+def test_pages_go_on_where_the_last_one_ended(catalogue: FleetCatalogue) -> None:
+    catalogue.add([entry_of(number, at=START) for number in range(7)])
+    seen: list[str] = []
+    before = None
+    while True:
+        with catalogue.reading() as connection:
+            page = search(connection, SearchQuery(limit=3, before=before))
+        if not page:
+            break
+        seen += [one.entry.id for one in page]
+        before = page[-1].entry.at, page[-1].key
+    assert sorted(seen) == sorted(f"scan-{number}" for number in range(7))
+
+
+def test_a_figure_over_time_and_stations(catalogue: FleetCatalogue) -> None:
+    catalogue.add(
+        [
+            entry_of(2, kind="performance", figures=(figure_of(2.0), figure_of(9.0, "size-scan"))),
+            entry_of(1, kind="performance", figures=(figure_of(1.0),)),
+            entry_of(3, "room-2", kind="performance", figures=(figure_of(3.0),)),
+        ]
+    )
+    with catalogue.reading() as connection:
+        points = figure_points(connection, "location-scan")
+        assert [(one.station, one.value) for one in points] == [
+            ("room-1", 1.0),
+            ("room-1", 2.0),
+            ("room-2", 3.0),
+        ]
+        assert points[0].limit == 40.0
+        assert points[0].at == START + timedelta(hours=1)
+        only = figure_points(connection, "location-scan", ["room-2"])
+        assert [one.value for one in only] == [3.0]
+        since = figure_points(connection, "location-scan", since=START + timedelta(hours=2))
+        assert [one.value for one in since] == [2.0, 3.0]
+        assert quantities(connection) == ["location-scan", "size-scan"]
+
+
+def test_stations_with_their_counts(catalogue: FleetCatalogue) -> None:
+    catalogue.add([entry_of(1), entry_of(2, archived_at=START)])
+    catalogue.note_collection("room-1", "Measuring room 1", START)
+    catalogue.note_collection("room-2", "", None, "the archive is away")
+    with catalogue.reading() as connection:
+        first, second = summarise_stations(connection)
+        known = list_contents(connection, "room-1")
+    assert (first.name, first.records, first.archived) == ("Measuring room 1", 2, 1)
+    assert first.size_bytes == 1001 + 1002 + 18
+    assert (first.collected_at, first.newest_at) == (START, START + timedelta(hours=2))
+    assert (second.name, second.records, second.problem) == ("room-2", 0, "the archive is away")
+    assert known["scan-2"].archived
+    assert not known["scan-1"].archived
+
+
+def test_two_writers_at_once_store_every_record_once(url: str) -> None:
+    entries = [entry_of(number, figures=(figure_of(1.0),)) for number in range(60)]
+    failures: list[Exception] = []
+
+    def write() -> None:
+        try:
+            with FleetCatalogue(url) as own:
+                for start in range(0, 60, 10):
+                    own.add(entries[start : start + 10])
+        except Exception as error:
+            failures.append(error)
+
+    threads = [threading.Thread(target=write) for _ in range(3)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert not failures
+    with FleetCatalogue(url) as catalogue:
+        assert len(found_ids(catalogue, limit=1000)) == 60
+
+
+def test_a_database_that_is_away_is_one_clear_line() -> None:
+    with pytest.raises(CatalogueError) as caught:
+        FleetCatalogue("postgresql://crenel:secret@127.0.0.1:1/plant")
+    assert "postgresql://127.0.0.1:1/plant cannot be used now" in caught.value.line
+    assert "secret" not in caught.value.line
