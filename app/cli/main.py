@@ -1,5 +1,6 @@
 """The command line: ``crenel``. Heavy modules are imported by the command that needs them."""
 
+import os
 import signal
 import sys
 from enum import StrEnum
@@ -64,6 +65,8 @@ class UnitOption(StrEnum):
 def main() -> None:
     """The entry point of ``crenel``."""
     signal.signal(signal.SIGTERM, _terminate)
+    # pydantic would read the metadata of every installed package in search of plugins
+    os.environ.setdefault("PYDANTIC_DISABLE_PLUGINS", "__all__")
     cli()
 
 

@@ -26,6 +26,7 @@ from app.metrology.calibration.observation_model import (
     stripe_rows,
 )
 from app.metrology.detection.detect_block import Corner, EdgePoints
+from app.metrology.robust import sigma_from_median
 from app.metrology.sensor.camera import Camera
 from app.metrology.sensor.laser_plane import LaserPlane
 from app.metrology.sensor.projection import COUNT, LENS
@@ -181,7 +182,7 @@ def _require_enough(kept: list[NDArray[np.bool_]], parameters: int) -> None:
 def _agreeing(rows: Rows) -> NDArray[np.bool_]:
     """Rows (N,) within the limit, measured by their own scatter if that is larger."""
     off = np.abs(rows.residuals / rows.sigma)
-    spread = max(float(np.median(off)) / 0.6745, 1.0) if len(off) else 1.0
+    spread = max(sigma_from_median(off), 1.0) if len(off) else 1.0
     return np.asarray(off < OUTLIER_SIGMAS * spread)
 
 

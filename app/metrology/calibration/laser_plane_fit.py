@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 from app.errors import OperationError
 from app.messages.message import message
 from app.metrology.image import Image
+from app.metrology.robust import sigma_from_median
 from app.metrology.sensor.camera import Camera, rays
 from app.metrology.sensor.laser_plane import LaserPlane, meet_levels, refuse_edge_on
 from app.metrology.stripe import Stripe, concatenate_stripes, extract_stripe
@@ -244,7 +245,7 @@ def _agreeing(plane: LaserPlane, points: Floats, per_sigma: Floats) -> NDArray[n
     """Points (n,) within the limit, measured by their own scatter if that is larger."""
     off = points @ plane.normal - plane.offset_mm
     off /= np.maximum(np.abs(per_sigma @ plane.normal), 1e-9)
-    spread = max(float(np.median(np.abs(off))) / 0.6745, 1.0)
+    spread = max(sigma_from_median(np.abs(off)), 1.0)
     return np.asarray(np.abs(off) < OUTLIER_SIGMAS * spread)
 
 

@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.metrology.chessboard.perspective import predict_corner
+from app.metrology.robust import median
 from app.metrology.targets.chessboard import Chessboard
 from app.metrology.transforms import Floats
 
@@ -51,4 +52,4 @@ def agreeing_corners(board: Chessboard, uv: Floats, number: NDArray[np.int64]) -
             for one, at in zip(predicted, uv, strict=True)
         ]
     )
-    return np.asarray(off < max(MISFIT_PX, MISFIT_TIMES * float(np.median(off))))
+    return np.asarray(off < max(MISFIT_PX, MISFIT_TIMES * median(off)))

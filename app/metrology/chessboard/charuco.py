@@ -24,6 +24,7 @@ from app.metrology.chessboard.missing_corners import CornerGrid
 from app.metrology.chessboard.perspective import predict_corner
 from app.metrology.detection.failure_evidence import DetectionError, ImageAnnotation
 from app.metrology.image import Image, saturation_level
+from app.metrology.robust import median
 from app.metrology.targets.chessboard import Chessboard, Markers, corner_grid
 from app.metrology.transforms import Floats
 
@@ -115,7 +116,7 @@ def _refuse_other_size(
         if square is not None:
             areas = [cv2.contourArea(one.astype(np.float32)) for one in (outline, square)]
             shares.append(float(np.sqrt(areas[0] / max(areas[1], 1.0))))
-    side_mm = float(np.median(shares)) * board.square_mm if shares else markers.side_mm
+    side_mm = median(shares) * board.square_mm if shares else markers.side_mm
     if abs(side_mm / markers.side_mm - 1) < MARKER_SIZE_SHARE:
         return
     refusal = OperationError(

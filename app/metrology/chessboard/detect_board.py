@@ -23,6 +23,7 @@ from app.metrology.chessboard.perspective import fit_perspective, map_places
 from app.metrology.chessboard.saddle_points import Saddles, find_saddles
 from app.metrology.chessboard.window import find_window
 from app.metrology.image import Image
+from app.metrology.robust import median
 from app.metrology.stripe import Stripe
 from app.metrology.targets.chessboard import Chessboard
 from app.metrology.transforms import Floats
@@ -174,7 +175,7 @@ def _numberings(
             continue
         H = fit_perspective(turned, uv)
         right, up = (map_places(H, turned + np.array(way)) - uv for way in ((1, 0), (0, 1)))
-        if float(np.median(right[:, 0] * up[:, 1] - right[:, 1] * up[:, 0])) > 0:
+        if median(right[:, 0] * up[:, 1] - right[:, 1] * up[:, 0]) > 0:
             continue  # seen from behind
         across = map_places(H, turned + 1) - uv
         angle = np.arctan2(across[:, 1], across[:, 0])

@@ -5,6 +5,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.metrology.image import Image, saturation_level
+from app.metrology.robust import median
 from app.metrology.stripe import Stripe, empty_stripe
 
 # Pixels this close to clipped ones or to the middle of the stripe show laser light.
@@ -32,7 +33,7 @@ def drop_faint_stripe(image: Image, stripe: Stripe) -> Stripe:
     u, v = (np.round(x).astype(np.int64) for x in (stripe.u, stripe.v))
     at = image[np.clip(v, 0, image.shape[0] - 1), np.clip(u, 0, image.shape[1] - 1)]
     white = float(np.quantile(image, DARKER_SHARE))
-    if np.median(at) >= min(OUTSHINES * white, saturation_level(image)):
+    if median(at) >= min(OUTSHINES * white, saturation_level(image)):
         return stripe
     return empty_stripe(stripe.axis)
 
@@ -41,7 +42,7 @@ def laser_mask(image: Image, stripe: Stripe | None) -> NDArray[np.bool_]:
     """(H, W) pixels that the laser's line has spoilt: its own, and the clipped ones about it."""
     if stripe is None or not len(stripe.u):
         return np.zeros(image.shape, dtype=np.bool_)
-    own = stripe.intensity > STRIPE_SHARE * float(np.median(stripe.intensity))
+    own = stripe.intensity > STRIPE_SHARE * median(stripe.intensity)
     middle = np.zeros(image.shape, np.uint8)
     u, v = (np.round(x[own]).astype(np.int64) for x in (stripe.u, stripe.v))
     middle[np.clip(v, 0, image.shape[0] - 1), np.clip(u, 0, image.shape[1] - 1)] = 1

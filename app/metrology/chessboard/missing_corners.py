@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from app.metrology.chessboard.perspective import fit_perspective, map_places
 from app.metrology.image import Image, saturation_level
+from app.metrology.robust import median
 from app.metrology.transforms import Floats
 
 Cause = Literal["outside", "laser", "glare", "unknown"]
@@ -45,7 +46,7 @@ class CornerGrid:
             for beside in ((i + 1, j), (i, j + 1))
             if beside in at
         ]
-        return float(np.median(steps)) if steps else 0.0
+        return median(steps) if steps else 0.0
 
     def causes(self, places: NDArray[np.int64]) -> list[Cause]:
         """What hides the corners at places (M, 2) of the grid, which may lie beyond it."""

@@ -7,6 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.metrology.image import Image
+from app.metrology.robust import sigma_from_median
 from app.metrology.transforms import Floats
 
 # Blur for the saddle search, and the radii of the two rings on which each is tested.
@@ -70,7 +71,7 @@ def _find_in(grey: NDArray[np.float32], blocked: NDArray[np.bool_]) -> Saddles:
 def _noise(grey: NDArray[np.float32]) -> float:
     """Standard deviation of a pixel in the dark, uniform parts, in grey levels."""
     steps = np.abs(np.diff(grey[::4], axis=1))
-    return max(float(np.median(steps)) / (0.6745 * 2**0.5), 0.3)
+    return max(sigma_from_median(steps) / 2**0.5, 0.3)
 
 
 def _peaks(grey: NDArray[np.float32], blur: float, blocked: NDArray[np.bool_]) -> Floats:

@@ -20,6 +20,7 @@ from app.metrology.detection.errors import COMPLETE_SHARE
 from app.metrology.detection.rejection import RejectionReason, size_mismatch
 from app.metrology.detection.search.coarse_pose import SearchResult
 from app.metrology.detection.visibility import find_visible_edges
+from app.metrology.robust import median
 from app.metrology.sensor.camera import project
 from app.metrology.targets.crenellated_block import Crenellated
 from app.metrology.transforms import Floats
@@ -84,7 +85,7 @@ def _find_misplaced_edges(grey: Floats, found: EdgeMeasurements) -> RejectionRea
 def _find_shifted_plane(found: EdgeMeasurements, certificate_mm: float) -> RejectionReason | None:
     """A plane of the block that lies elsewhere according to all edges together."""
     depth = found.at.points_mm[found.used] @ found.camera.rotation[2]
-    px_per_mm = found.camera.matrix[0, 0] / float(np.median(depth) + found.camera.translation_mm[2])
+    px_per_mm = found.camera.matrix[0, 0] / float(median(depth) + found.camera.translation_mm[2])
     least_mm = _SHIFTED_BLURS * max(1.0, found.blur_px) / px_per_mm
     shifts = [one for one in estimate_shifts(found, certificate_mm) if abs(one.by_mm) > least_mm]
     shift = max(shifts, key=lambda one: one.ratio, default=None)

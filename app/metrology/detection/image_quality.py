@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 from app.errors import OperationError
 from app.messages.message import Text, message, quantity
 from app.metrology.image import saturation_level
+from app.metrology.robust import median, sigma_from_median
 from app.metrology.transforms import Floats
 
 Image = NDArray[np.uint8] | NDArray[np.uint16]
@@ -75,7 +76,7 @@ def is_noisy(grey: Floats) -> bool:
     """Whether a picture (H, W) is so noisy, relative to its contrast, that edges of faces may be
     lost."""
     bend = np.abs(grey[1:-1:2, 2::2] - 2 * grey[1:-1:2, 1:-1:2] + grey[1:-1:2, :-2:2])
-    noise = float(np.median(bend)) / (0.6745 * np.sqrt(6.0))
+    noise = sigma_from_median(bend) / np.sqrt(6.0)
     low, high = np.percentile(grey[::4, ::4], (2.0, 98.0))
     return bool(noise > NOISY * float(high - low))
 
@@ -116,7 +117,7 @@ def _level_blur_px(small: NDArray[np.float32]) -> float:
     )
     box = np.ones((15, 15), np.uint8)
     height = cv2.dilate(smooth, box) - cv2.erode(smooth, box)
-    noise = float(np.median(slope[::2, ::2])) / 1.1774
+    noise = median(slope[::2, ::2]) / 1.1774
     low, high = np.percentile(smooth[::4, ::4], (1.0, 99.0))
     ridge = (slope > 6 * noise + 0.3) & (height > 0.3 * (high - low))
     ridge &= slope >= cv2.dilate(slope, np.ones((3, 3), np.uint8))
@@ -125,7 +126,7 @@ def _level_blur_px(small: NDArray[np.float32]) -> float:
     ridge &= slope * 20.0 > height
     if int(ridge.sum()) < 50:
         return float("inf")
-    blur = float(np.median(height[ridge] / slope[ridge])) / np.sqrt(2 * np.pi)
+    blur = median(height[ridge] / slope[ridge]) / np.sqrt(2 * np.pi)
     return float(np.sqrt(max(blur**2 - _SMOOTH_PX**2, 0.05)))
 
 

@@ -14,6 +14,7 @@ from app.metrology.fitting.plane_sphere import (
     filter_outliers,
     finite_points,
 )
+from app.metrology.robust import median
 from app.metrology.transforms import Floats
 
 NEIGHBOURS = 24
@@ -140,7 +141,7 @@ def _start(points: Floats) -> ShapeParameters:
         cylinder = _cylinder_through(p, q, n, m)
         if cylinder is None:
             continue
-        misfit = float(np.median(np.abs(cylinder_distances(sample, cylinder))))
+        misfit = median(np.abs(cylinder_distances(sample, cylinder)))
         if best is None or misfit < best[0]:
             best = (misfit, cylinder)
     if best is None:

@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 
 from app.errors import OperationError
 from app.messages.message import message
+from app.metrology.robust import median, sigma_from_median
 from app.metrology.transforms import Floats
 
 FILTER_SIGMAS = 3.0
@@ -171,7 +172,7 @@ def filter_outliers(
     """
     shape, off = start, distances_of(points, start)
     # first, the points close to the start, by a scale that outliers do not affect
-    keep = np.abs(off) <= 5 * max(1.4826 * float(np.median(np.abs(off))), 1e-9)
+    keep = np.abs(off) <= 5 * max(sigma_from_median(np.abs(off)), 1e-9)
     for _ in range(50):
         shape = least_squares(points[keep], shape)
         off = distances_of(points, shape)
@@ -229,7 +230,7 @@ def _start_sphere(points: Floats) -> ShapeParameters:
             continue
         centre = np.linalg.solve(system, np.sum(four[1:] ** 2 - four[0] ** 2, axis=1))
         radius = float(np.linalg.norm(four[0] - centre))
-        misfit = float(np.median(np.abs(np.linalg.norm(sample - centre, axis=1) - radius)))
+        misfit = median(np.abs(np.linalg.norm(sample - centre, axis=1) - radius))
         if best is None or misfit < best[0]:
             best = (misfit, centre, radius)
     if best is None:

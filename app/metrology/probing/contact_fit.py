@@ -12,6 +12,7 @@ from app.metrology.probing.contacts import (
     off_face_mask,
     surface_points,
 )
+from app.metrology.robust import median, sigma_from_median
 from app.metrology.targets.crenellated_block import Crenellated
 from app.metrology.transforms import Floats, nearest_rotation, rigid, rotation_from_vector
 
@@ -34,7 +35,7 @@ def best_start(contacts: FaceContacts, tip_radius_mm: float, block: Crenellated)
         off_face = off_face_mask(
             contacts.features, surface_points(contacts, T, tip_radius_mm), block
         )
-        misfit = float(np.median(np.abs(contacts.residuals_mm(T))))
+        misfit = median(np.abs(contacts.residuals_mm(T)))
         found.append((int(off_face.sum()), misfit, T))
     return min(found, key=lambda start: start[:2])[2]
 
@@ -87,7 +88,7 @@ def _step(contacts: FaceContacts, T_arm_obj: Floats, weights: Floats) -> tuple[F
 
 
 def _huber(residuals_mm: Floats) -> Floats:
-    scale = 1.4826 * float(np.median(np.abs(residuals_mm))) + 1e-6
+    scale = sigma_from_median(np.abs(residuals_mm)) + 1e-6
     return np.minimum(1.0, 1.5 * scale / np.maximum(np.abs(residuals_mm), 1e-12))
 
 

@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from app.errors import OperationError
 from app.messages.message import Text, join, message
+from app.metrology.robust import median
 from app.metrology.targets.crenellated_block import FACES, Crenellated, on_face, probing_face
 from app.metrology.transforms import Floats, apply, inverse
 
@@ -139,7 +140,7 @@ def in_plane_spread(points_mm: Floats) -> tuple[float, Floats]:
     offsets = np.einsum("ij,ij->i", normals, corners[:, 0])
     distances = np.abs(points_mm @ normals.T - offsets)
     best = int(np.argmin(np.median(distances, axis=0)))
-    near = distances[:, best] <= np.maximum(3 * np.median(distances[:, best]), 0.1)
+    near = distances[:, best] <= np.maximum(3 * median(distances[:, best]), 0.1)
     _, s, Vt = np.linalg.svd(points_mm[near] - points_mm[near].mean(axis=0))
     return float(s[1] / np.sqrt(near.sum())), Vt[2]
 

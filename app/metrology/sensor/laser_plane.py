@@ -8,6 +8,7 @@ import numpy as np
 
 from app.errors import OperationError
 from app.messages.message import message, quantity
+from app.metrology.robust import median
 from app.metrology.sensor.camera import Camera, rays
 from app.metrology.transforms import Floats
 
@@ -99,7 +100,7 @@ def refuse_edge_on(plane: LaserPlane, sight: Floats) -> None:
             sight and the plane is less than ``LEAST_ANGLE_DEG``.
     """
     sine = np.abs(sight @ plane.normal) / np.linalg.norm(sight, axis=1)
-    angle = float(np.degrees(np.arcsin(np.median(sine))))
+    angle = float(np.degrees(np.arcsin(median(sine))))
     if angle < LEAST_ANGLE_DEG:
         raise OperationError(
             "laser-through-camera",

@@ -4,6 +4,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from app.metrology.robust import median
 from app.metrology.transforms import Floats
 
 BLUR_SPACINGS, BLUR_UNCERTAINTIES = 4.0, 10.0
@@ -58,7 +59,7 @@ def pass_speed(
     velocity = points.mean(axis=0) @ rate[:3, :3].T + rate[:3, 3]
     along = T_after[:3, :3] @ (line / length)
     across = velocity - float(velocity @ along) * along
-    spacing = float(np.median(np.linalg.norm(np.diff(points, axis=0), axis=1)))
+    spacing = median(np.linalg.norm(np.diff(points, axis=0), axis=1))
     return PassSpeed(
         blur_mm=float(np.linalg.norm(velocity)) * exposure_s,
         step_mm=float(np.linalg.norm(across)) * period_s,

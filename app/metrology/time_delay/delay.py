@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from app.errors import OperationError
 from app.messages.message import message, quantity, rounded
 from app.metrology.fitting.plane_sphere import fit_plane
+from app.metrology.robust import median, sigma_from_median
 from app.metrology.time_delay.delay_fit import (
     DelayEstimate,
     DelayHypothesis,
@@ -92,7 +93,7 @@ def estimate_delay(passed: PlanePass) -> ClockDelay:
         found = fit_delay(lines, passed.poses_at, fit)
         fit, off_mm = found, _distances(passed, found)
         near = off_mm[off_mm < gate_mm]
-        gate_mm = max(GATE_SCALES * 1.4826 * float(np.median(near)), LEAST_GATE_MM)
+        gate_mm = max(GATE_SCALES * sigma_from_median(near), LEAST_GATE_MM)
     _check_delay(found)
     on_plane = off_mm < gate_mm
     return ClockDelay(
@@ -133,7 +134,7 @@ def _search_delay(sample: PlanePass) -> DelayHypothesis:
         if known.mean() < 0.7:
             continue
         plane = fit_plane(points[known])
-        off_mm = float(np.median(np.abs(points[known] @ plane.normal - plane.offset_mm)))
+        off_mm = median(np.abs(points[known] @ plane.normal - plane.offset_mm))
         if best is None or off_mm < 0.95 * best[0]:
             best = off_mm, DelayHypothesis(float(delay_ns), plane.normal, plane.offset_mm)
     if best is None:
@@ -159,7 +160,7 @@ def _check_frames(count: int) -> None:
 def _check_plane(off_mm: Floats, gate_mm: float, frames: int) -> None:
     near = off_mm[off_mm < gate_mm]
     share = len(near) / len(off_mm)
-    spread_mm = 1.4826 * float(np.median(near)) if len(near) else np.inf
+    spread_mm = sigma_from_median(near) if len(near) else np.inf
     if share < LEAST_SHARE or spread_mm > MOST_SPREAD_MM:
         why = message(
             "points-lie-within-one-plane",

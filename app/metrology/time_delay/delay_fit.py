@@ -7,6 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.metrology.arm.reading_interpolation import Stamps
+from app.metrology.robust import sigma_from_median
 from app.metrology.time_delay.plane_pass import StripeLines
 from app.metrology.transforms import Floats
 
@@ -117,7 +118,7 @@ def _weights(off_mm: Floats, variance: Floats) -> Floats:
     found = []
     for off in np.split(off_mm, 2):
         # the terms of the plane and of the height leave the spread's centre at zero
-        spread = (1.4826 * float(np.median(np.abs(off)))) ** 2
+        spread = sigma_from_median(np.abs(off)) ** 2
         scale = np.sqrt(np.maximum(spread, variance))
         far = np.abs(off) / scale
         found.append(np.minimum(1.0, HUBER / np.maximum(far, 1e-9)) / scale**2)

@@ -27,6 +27,7 @@ from app.metrology.calibration.findings import (
 )
 from app.metrology.limits import Limits
 from app.metrology.probing.alignment import Alignment
+from app.metrology.robust import median
 from app.metrology.targets.crenellated_block import Crenellated
 
 # Ratio of the arm's reading noise to its datasheet from which it is reported.
@@ -101,7 +102,7 @@ def _pose_findings(evidence: BlockEvidence) -> list[CalibrationFinding]:
             message(
                 "poses-agree-objects-place-pose-furthest",
                 used=len(used),
-                median=quantity(np.median(off), "µm"),
+                median=quantity(median(off), "µm"),
                 number=furthest.number,
                 off=quantity(furthest.off_um, "µm"),
             ),

@@ -13,6 +13,7 @@ from app.metrology.adjustment.board.surface import board_prior, coordinate_group
 from app.metrology.adjustment.core.linearise import camera_prior
 from app.metrology.adjustment.core.observations import TargetPrior
 from app.metrology.calibration.observation_model import BLOCK
+from app.metrology.robust import sigma_from_median
 from app.metrology.sensor.camera import Camera
 from app.metrology.sensor.projection import COUNT, step_camera
 from app.metrology.targets.chessboard import Chessboard
@@ -76,7 +77,7 @@ def _gauss_newton_step(views: Sequence[BoardView], at: Bundle, prior: TargetPrio
         J[:, : len(COMMON)] = rows.jacobian[:, COMMON]
         J[:, len(COMMON) : shared] = rows.jacobian[:, BLOCK]
         J[:, _pose_slice(shared, p)] = rows.jacobian[:, PER_POSE]
-        scatter[p] = max(float(np.median(np.abs(r))) / 0.6745, LEAST_SCATTER_PX)
+        scatter[p] = max(sigma_from_median(np.abs(r)), LEAST_SCATTER_PX)
         kept = np.abs(r) < OUTLIER_SIGMAS * scatter[p]
         N += J[kept].T @ J[kept] / scatter[p] ** 2
         g += J[kept].T @ r[kept] / scatter[p] ** 2

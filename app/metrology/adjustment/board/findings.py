@@ -23,6 +23,7 @@ from app.metrology.calibration.findings import (
     uncertainty_verdict,
 )
 from app.metrology.limits import Limits
+from app.metrology.robust import median
 from app.metrology.targets.chessboard import Chessboard, corner_points
 
 # Name of a robot's contribution in the budget.
@@ -186,7 +187,7 @@ def _pose_findings(evidence: BoardEvidence) -> list[CalibrationFinding]:
             message(
                 "poses-agree-boards-place-pose-furthest",
                 used=len(used),
-                median=quantity(np.median(off), "µm"),
+                median=quantity(median(off), "µm"),
                 number=furthest.number,
                 off=quantity(furthest.off_um, "µm"),
             ),

@@ -13,6 +13,7 @@ from app.metrology.adjustment.board.observations import BoardView, intersect_sur
 from app.metrology.adjustment.board.surface import around_pattern
 from app.metrology.adjustment.core.gauss_newton import AdjustmentResult
 from app.metrology.adjustment.core.observations import AdjustmentProblem
+from app.metrology.robust import median
 from app.metrology.sensor.laser_plane import LaserPlane, tangents
 from app.metrology.transforms import Floats
 
@@ -78,7 +79,7 @@ def fit_laser_lines(
     _refuse_one_line([in_cam[p] for p in enough], plane)
     _refuse_parallel([found.cameras[p].rotation[:, 2] for p in enough], plane)
     off = _offsets(in_cam, enough, plane)
-    usual = float(np.median(np.abs(off[enough])))
+    usual = median(np.abs(off[enough]))
     if usual > max(OFF_MM, OFF_FLATNESSES * views[0].board.flatness_mm):
         raise OperationError(
             "lines-contradict",
@@ -118,7 +119,7 @@ def _offsets(in_cam: Sequence[Floats], poses: Sequence[int], plane: LaserPlane) 
     """(P,) median distance of each pose's points from a plane; NaN for other poses."""
     off = np.full(len(in_cam), np.nan)
     for p in poses:
-        off[p] = float(np.median(in_cam[p] @ plane.normal - plane.offset_mm))
+        off[p] = median(in_cam[p] @ plane.normal - plane.offset_mm)
     return off
 
 
@@ -185,7 +186,7 @@ def _fit_plane_and_scatter(per_pose: Sequence[Floats], moved: bool) -> tuple[Las
     """
     plane = _least_squares_plane(per_pose)
     scatter = USUAL_SCATTER
-    half_mm = float(np.median([_half_length(points) for points in per_pose]))
+    half_mm = median([_half_length(points) for points in per_pose])
     for _ in range(THROUGH_ROUNDS):
         off, by_plane = _off_plane(per_pose, plane)  # (L, 2), (L, 2, 3)
         weight = scatter**-2.0
@@ -296,11 +297,11 @@ def fit_majority_plane(per_pose: Sequence[Floats]) -> LaserPlane:
         if length < 1e-6:
             continue
         normal = normal / length
-        score = float(np.median([np.median(np.abs((p - a) @ normal)) for p in thinned]))
+        score = median([median(np.abs((p - a) @ normal)) for p in thinned])
         if score < least:
             best, least = LaserPlane(normal, float(normal @ a)), score
     off = every @ best.normal - best.offset_mm
-    near = every[np.abs(off) <= max(AGREEING_TIMES * float(np.median(np.abs(off))), 1e-6)]
+    near = every[np.abs(off) <= max(AGREEING_TIMES * median(np.abs(off)), 1e-6)]
     centre = near.mean(axis=0)
     normal = np.linalg.svd(near - centre, full_matrices=False)[2][2]
     normal = normal * np.sign(normal[2] or 1.0)
@@ -323,7 +324,7 @@ def _refuse_one_line(per_pose: Sequence[Floats], plane: LaserPlane) -> None:
 def _refuse_parallel(uprights: Sequence[Floats], plane: LaserPlane) -> None:
     """``uprights`` are the board's normals (3,) in the camera's frame."""
     cosines = np.abs(np.array(uprights) @ plane.normal)
-    angle = float(np.median(np.degrees(np.arccos(np.clip(cosines, 0, 1)))))
+    angle = median(np.degrees(np.arccos(np.clip(cosines, 0, 1))))
     if angle < LEAST_LASER_ANGLE_DEG:
         raise OperationError(
             "laser-along-board",

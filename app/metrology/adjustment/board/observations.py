@@ -16,6 +16,7 @@ from app.metrology.adjustment.board.surface import (
 from app.metrology.adjustment.core.robust_weights import RobustWeights, bin_neighbours, unit_weights
 from app.metrology.calibration.observation_model import BLOCK, PLANE, Rows
 from app.metrology.chessboard.board_detection import BoardDetection
+from app.metrology.robust import median
 from app.metrology.sensor.camera import Camera, rays
 from app.metrology.sensor.laser_plane import LaserPlane, tangents
 from app.metrology.sensor.projection import COUNT, project_with_jacobian
@@ -62,8 +63,8 @@ class BoardView:
         off = np.full(len(points), np.inf)
         off[near] = points[near] @ plane.normal - plane.offset_mm
         if near.any():
-            off -= float(np.median(off[near]))  # of the line as a whole, which may be off
-        usual = float(np.median(np.abs(off[near]))) if near.any() else 0.0
+            off -= median(off[near])  # of the line as a whole, which may be off
+        usual = median(np.abs(off[near])) if near.any() else 0.0
         return replace(self, used=np.abs(off) < max(OFF_PLANE_MM, OFF_PLANE_TIMES * usual))
 
     def bin_points(

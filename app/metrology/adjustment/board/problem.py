@@ -42,6 +42,7 @@ from app.metrology.adjustment.core.robot_noise import (
 )
 from app.metrology.arm.kinematics import Arm, RobotArm
 from app.metrology.limits import LIMITS, Limits
+from app.metrology.robust import median
 from app.metrology.targets.chessboard import Chessboard, pattern_centre
 from app.metrology.transforms import Floats, apply, inverse, rigid
 
@@ -209,7 +210,7 @@ def _contact_observations(
     touches = plane_contacts(inputs.arm, FEATURE, inputs.contact_readings, coordinates, noise)
     in_obj = apply(inverse(T_arm_obj), touches.tips_mm)
     off_mm = in_obj[:, 2] - touches.radius_mm
-    usual = float(np.median(off_mm))
+    usual = median(off_mm)
     if abs(usual) > CONTACTS_OFF_MM:
         raise OperationError(
             "contacts-off-board",

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from app.errors import OperationError
 from app.messages.message import message, quantity, signed
+from app.metrology.robust import median
 from app.metrology.transforms import Floats, inverse, nearest_rotation, rigid, vector_from_rotation
 
 Thing = Literal["object", "board"]
@@ -93,7 +94,7 @@ def mounting_by_motion(T_arm_flange: Floats, T_cam_obj: Floats, reach_mm: float)
     for draw in draws:
         X, Z = _hand_eye(T_arm_flange[draw], T_cam_obj[draw])
         off_mm = pose_offsets_mm(T_arm_flange, T_cam_obj, X, Z, reach_mm)
-        if best is None or np.median(off_mm) < np.median(best.off_mm):
+        if best is None or median(off_mm) < median(best.off_mm):
             best = Mounting(X, Z, T_arm_flange, T_cam_obj, off_mm, find_contradictions(off_mm))
     assert best is not None
     kept = ~best.contradicts
@@ -169,7 +170,7 @@ def refuse_contradictions(mounting: Mounting, numbers: Sequence[int], thing: Thi
         OperationError: states how far apart the poses place the target.
     """
     out = mounting.contradicts
-    some = out.sum() * 2 < len(out) and np.median(mounting.off_mm) < HOPELESS_MM
+    some = out.sum() * 2 < len(out) and median(mounting.off_mm) < HOPELESS_MM
     if some or len(out) < 2:
         return
     raise OperationError(
@@ -192,7 +193,7 @@ def mean_transform(T: Floats) -> Floats:
 
 def find_contradictions(off_mm: Floats) -> NDArray[np.bool_]:
     """Mask (P,) of the poses that are further off than the scatter of the better half explains."""
-    usual = float(np.median(off_mm))
+    usual = median(off_mm)
     return np.asarray(off_mm > max(CONTRADICTS_MM, CONTRADICTS_TIMES * usual))
 
 

@@ -7,6 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.metrology.calibration.observation_model import Rows
+from app.metrology.robust import sigma_from_median
 from app.metrology.sensor.residual_correlation import neighbours_alike, variances_of_lines
 from app.metrology.transforms import Floats
 
@@ -28,7 +29,7 @@ def robust_weights(rows: Rows) -> RobustWeights:
     """Rows against their own scatter; the standard deviations of a line are raised if it scatters
     more than stated, or if adjacent points are correlated (speckle)."""
     off = rows.residuals / rows.sigma
-    spread = max(float(np.median(np.abs(off))) / 0.6745, 1.0) if len(off) else 1.0
+    spread = max(sigma_from_median(np.abs(off)), 1.0) if len(off) else 1.0
     kept = np.abs(off) < OUTLIER_SIGMAS * spread
     if rows.shared is not None:
         return RobustWeights(kept, _line_inflation(rows, rows.shared, off, kept))

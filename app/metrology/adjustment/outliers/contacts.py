@@ -6,11 +6,11 @@ import numpy as np
 
 from app.metrology.adjustment.core.gauss_newton import AdjustmentResult, solve_adjustment
 from app.metrology.adjustment.core.variance_components import USUAL_CONTACT_MM
+from app.metrology.robust import sigma_from_median
 
 # With fewer contact points than this, no outlier can be identified.
 FEWEST_CONTACTS = 5
 SIGMAS = 4.0
-MEDIAN_TO_SD = 1.4826
 # Share of a contact point that the others must determine before it is judged.
 LEAST_REDUNDANCY = 0.05
 
@@ -43,7 +43,7 @@ def find_outlier_contact(found: AdjustmentResult) -> int | None:
     )
     off_mm = np.abs(contacts.residuals_mm) / np.sqrt(spare)
     usual_mm = np.sqrt(contacts.variances(replace(found.scales, touch_mm=USUAL_CONTACT_MM)))
-    scatter_mm = max(MEDIAN_TO_SD * float(np.median(off_mm)), 1e-9)
+    scatter_mm = max(sigma_from_median(off_mm), 1e-9)
     # few contact points determine their scatter poorly
     limit = SIGMAS * (1 + 4.0 / len(off_mm))
     off = np.minimum(off_mm / (limit * scatter_mm), off_mm / (SIGMAS * usual_mm))

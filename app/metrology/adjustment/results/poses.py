@@ -20,6 +20,7 @@ from app.metrology.calibration.findings import (
 )
 from app.metrology.calibration.observation_model import Rows, with_coordinates
 from app.metrology.probing.alignment import Alignment
+from app.metrology.robust import median
 from app.metrology.sensor.camera import project
 from app.metrology.targets.crenellated_block import Crenellated, corners
 from app.metrology.transforms import Floats, inverse
@@ -101,7 +102,7 @@ def outlier_pose_results(
     """Results of the poses that contradict the others, each with the pose whose readings would fit
     it."""
     T_arm_flange = mounting.T_arm_flange
-    usual_mm = float(np.median(mounting.off_mm))
+    usual_mm = median(mounting.off_mm)
     results = []
     for p in map(int, np.flatnonzero(mounting.contradicts)):
         off = _length(mounting.off_mm[p])

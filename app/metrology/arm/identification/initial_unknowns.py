@@ -19,6 +19,7 @@ from app.metrology.arm.identification.parameters import (
 from app.metrology.arm.identification.unknowns import Unknowns
 from app.metrology.arm.kinematics import Arm, Tip
 from app.metrology.fitting.plane_sphere import fit_sphere
+from app.metrology.robust import median
 from app.metrology.transforms import (
     Floats,
     apply,
@@ -192,5 +193,5 @@ def _typical_rotation(rotations: Floats) -> Floats:
     some = rotations[:: max(1, len(rotations) // DRAWS)]
     apart = np.linalg.norm(some[:, None] - rotations[None], axis=(2, 3))
     central = apart[int(np.argmin(np.median(apart, axis=1)))]
-    near: NDArray[np.bool_] = central <= np.median(central)
+    near: NDArray[np.bool_] = central <= median(central)
     return nearest_rotation(rotations[near].mean(axis=0))

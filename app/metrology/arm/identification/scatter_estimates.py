@@ -21,10 +21,12 @@ from app.metrology.arm.identification.observations import StackedObservations
 from app.metrology.arm.identification.parameter_selection import system_covariance
 from app.metrology.arm.identification.scatter import Scatter
 from app.metrology.arm.identification.unknowns import Unknowns
+from app.metrology.robust import MEDIAN_OF_NORMAL, median
 from app.metrology.transforms import Floats
 
-MEDIAN_OF_ONE, MEDIAN_OF_THREE = 0.6745, 1.5382
-"""Medians of the chi distributions with one and three degrees of freedom."""
+MEDIAN_OF_THREE = 1.5382
+"""The median of the chi distribution with three degrees of freedom; of one it is
+``MEDIAN_OF_NORMAL``."""
 LEAST_SPARE = 0.05
 """Share of the coordinates' redundancy that is assumed at least."""
 LARGEST_GROWTH = 100.0
@@ -46,7 +48,7 @@ def median_scatter(data: StackedObservations, at: Unknowns, parameters: int) -> 
     by_encoders = np.trace(predict_tips(data, at).covariances, axis1=1, axis2=2) / 3
     measured = coordinate_residuals(data, at, Scatter())
     variances = measured.variances
-    typical = np.where(data.on_sphere, MEDIAN_OF_ONE, MEDIAN_OF_THREE)
+    typical = np.where(data.on_sphere, MEDIAN_OF_NORMAL, MEDIAN_OF_THREE)
     turned = found.has_rotation
     kinds = (
         (deviations[: data.touches] / typical, by_encoders),
@@ -66,7 +68,7 @@ def median_scatter(data: StackedObservations, at: Unknowns, parameters: int) -> 
 
 
 def _median(values: Floats) -> float:
-    return float(np.median(values)) if len(values) else 0.0
+    return median(values) if len(values) else 0.0
 
 
 def _lengths(vectors: Floats) -> Floats:

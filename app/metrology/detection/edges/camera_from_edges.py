@@ -5,6 +5,7 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
+from app.metrology.robust import sigma_from_median
 from app.metrology.sensor.camera import Camera, project
 from app.metrology.transforms import Floats, nearest_rotation, rotation_from_vector
 from app.native.arguments import F64, Array, Function, Real
@@ -106,7 +107,7 @@ def _equations(
 ) -> tuple[Floats, Floats, float]:
     """``J' W J`` and ``J' W off`` of the chosen columns with Huber's weights, and the scatter."""
     z = np.abs(off) / sigma
-    spread = max(1.0, float(np.median(z)) / 0.6745)
+    spread = max(1.0, sigma_from_median(z))
     weight = np.minimum(1.0, 2.0 * spread / np.maximum(z, 1e-12)) / sigma**2
     A = J[:, chosen]
     weighed = A.T * weight

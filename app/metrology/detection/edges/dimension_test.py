@@ -22,6 +22,7 @@ from app.metrology.detection.edges.measure_all import EdgeMeasurements
 from app.metrology.detection.edges.stations import EdgeStations
 from app.metrology.detection.edges.step_fit import select_stations
 from app.metrology.detection.visibility import Wireframe
+from app.metrology.robust import sigma_from_median
 from app.metrology.sensor.camera import Camera, project
 from app.metrology.transforms import Floats
 
@@ -243,7 +244,7 @@ def _estimate_shift(
         left = (rest - by_mm * alone)[:count]
         scale = max(1.0, float(np.sqrt(left @ left / spare)))
         deviation = float(np.hypot(scale / np.sqrt(square), certificate_mm))
-        spread = max(1.0, float(np.median(np.abs(left))) / 0.6745)
+        spread = max(1.0, sigma_from_median(np.abs(left)))
         weight = weight * np.sqrt(
             np.minimum(1.0, _HUBER * spread / np.maximum(np.abs(left), 1e-12))
         )

@@ -21,6 +21,7 @@ from app.metrology.detection.edges.stations import EdgeStations, sample_profiles
 from app.metrology.detection.edges.step_fit import select_stations
 from app.metrology.detection.rejection import RejectionReason, size_mismatch
 from app.metrology.detection.visibility import find_visible_edges
+from app.metrology.robust import MEDIAN_OF_NORMAL, median
 from app.metrology.sensor.camera import project
 from app.metrology.transforms import Floats
 
@@ -77,7 +78,7 @@ def measure_ends(grey: Floats, found: EdgeMeasurements) -> list[EdgeEnd]:
         found: the measured edges.
     """
     ends = [end for way in _ways(found) if (end := _measure_end(grey, found, way)) is not None]
-    usual_mm = float(np.median([end.by_mm for end in ends])) if ends else 0.0
+    usual_mm = median([end.by_mm for end in ends]) if ends else 0.0
     return [replace(end, by_mm=end.by_mm - usual_mm) for end in ends]
 
 
@@ -186,7 +187,7 @@ def _measure_end(grey: Floats, found: EdgeMeasurements, way: _Way) -> EdgeEnd | 
     step, beside = _contrast(grey, at, found.blur_px)
     usual, noise = (
         _median(on_edge),
-        _median(np.abs([_moving_average(one) for one in beside])) / 0.6745,
+        _median(np.abs([_moving_average(one) for one in beside])) / MEDIAN_OF_NORMAL,
     )
     if not abs(usual) > _OVER_SURROUNDINGS * noise:
         return None
@@ -215,7 +216,7 @@ def _along(found: EdgeMeasurements, way: _Way, px_per_mm: float, row: int) -> Ed
 def _median(values: Floats) -> float:
     """Median of the known values; NaN if there is none."""
     known = values[np.isfinite(values)]
-    return float(np.median(known)) if len(known) else np.nan
+    return median(known) if len(known) else np.nan
 
 
 def _contrast(grey: Floats, at: EdgeStations, blur_px: float) -> tuple[Floats, Floats]:

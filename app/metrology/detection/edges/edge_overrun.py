@@ -11,6 +11,7 @@ from app.metrology.detection.edges.measure_all import EdgeMeasurements, stations
 from app.metrology.detection.edges.stations import EdgeStations
 from app.metrology.detection.edges.step_fit import measure_steps, select_stations
 from app.metrology.detection.rejection import RejectionReason, describe_edge
+from app.metrology.robust import median
 from app.metrology.sensor.camera import project
 from app.metrology.transforms import Floats
 
@@ -43,7 +44,7 @@ def find_overrun(grey: Floats, found: EdgeMeasurements) -> RejectionReason | Non
         own = found.used & np.isin(at.edge, edges)
         if own.sum() < _ENOUGH:
             continue
-        step = float(np.median(found.step[own]))
+        step = median(found.step[own])
         row = int(np.flatnonzero(own)[0])
         begin, end = frame.starts_mm[edges], frame.ends_mm[edges]
         # Halfway to the next edge in the line; far beyond the last one.

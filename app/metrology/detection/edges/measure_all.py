@@ -29,6 +29,7 @@ from app.metrology.detection.edges.step_fit import (
 )
 from app.metrology.detection.edges.tool_marks import texture
 from app.metrology.detection.visibility import Wireframe
+from app.metrology.robust import median
 from app.metrology.sensor.camera import Camera, project
 from app.metrology.transforms import Floats
 
@@ -191,8 +192,8 @@ def _blur(masked: Floats, frame: Wireframe, camera: Camera, blur: float) -> tupl
         sound = np.isfinite(seen.offset_px) & (np.abs(seen.step) > _SHOWS * seen.step_sigma)
         if sound.sum() < 12:
             break
-        contrast = float(np.median(np.abs(seen.step[sound]) / seen.noise[sound]))
-        last, blur = blur, float(np.median(seen.blur_px[sound]))
+        contrast = median(np.abs(seen.step[sound]) / seen.noise[sound])
+        last, blur = blur, median(seen.blur_px[sound])
         if abs(blur / last - 1) < 0.1:
             break
     return blur, contrast
@@ -241,7 +242,7 @@ def _find_soft_parts(
     for part in np.unique(at.part[some]):
         widths = seen.blur_px[at.part[some] == part]
         widths = widths[np.isfinite(widths)]
-        if len(widths) >= _WIDTHS and np.median(widths) > _SOFTER * blur:
+        if len(widths) >= _WIDTHS and median(widths) > _SOFTER * blur:
             soft |= at.part == part
     return soft
 

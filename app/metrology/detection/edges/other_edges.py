@@ -17,6 +17,7 @@ from app.metrology.detection.edges.measure_all import EdgeMeasurements
 from app.metrology.detection.edges.stations import EdgeStations, place_stations, sample_profiles
 from app.metrology.detection.edges.step_fit import select_stations
 from app.metrology.detection.rejection import RejectionReason, size_mismatch
+from app.metrology.robust import median, sigma_from_median
 from app.metrology.transforms import Floats
 
 # Shifts smaller than this are not reported as a different dimension, px.
@@ -129,16 +130,16 @@ def _lines_about(grey: Floats, found: EdgeMeasurements) -> _Lines:
     smooth[hidden] = np.nan
     at = place_stations(found.frame, found.camera, _SPACING_PX, _STRAIGHT_PX)
     depth = at.points_mm @ found.camera.rotation[2] + found.camera.translation_mm[2]
-    px_per_mm = found.camera.matrix[0, 0] / float(np.median(depth))
+    px_per_mm = found.camera.matrix[0, 0] / median(depth)
     reach = int(np.ceil(FURTHEST_MM * px_per_mm)) + 2
     slope = np.gradient(sample_profiles(smooth, at.uv_px, at.normal, reach), axis=1)
     blur = float(np.hypot(found.blur_px, max(1.0, found.blur_px)))
-    usual = float(np.median(np.abs(found.step[found.used]))) / (_ROOT_TWO_PI * blur)
+    usual = median(np.abs(found.step[found.used])) / (_ROOT_TWO_PI * blur)
     peak = np.zeros(slope.shape, dtype=bool)
     for part in np.unique(at.part):
         rows = at.part == part
         along = np.abs(_average_along(slope[rows]))
-        noise = float(np.median(along)) / 0.6745
+        noise = sigma_from_median(along)
         peak[rows] = along >= max(_STEP * usual, _OVER_NOISE * noise)
         peak[rows, 1:-1] &= (along[:, 1:-1] >= along[:, :-2]) & (along[:, 1:-1] >= along[:, 2:])
     peak[:, [0, -1]] = False

@@ -8,6 +8,7 @@ from app.messages.message import message, quantity
 from app.metrology.detection.edges.dimension_test import PlaneShift, estimate_shifts
 from app.metrology.detection.edges.measure_all import EdgeMeasurements, refit_without
 from app.metrology.detection.rejection import RejectionReason, describe_edge
+from app.metrology.robust import median, sigma_from_median
 from app.metrology.sensor.camera import project
 
 # An edge that is off by this many standard deviations does not fit the certificate.
@@ -55,9 +56,9 @@ def measure_parts(found: EdgeMeasurements, certificate_mm: float) -> list[EdgePa
         rows = np.flatnonzero(found.used & (at.part == part))
         if len(rows) < _POINTS:
             continue
-        mm_per_px = float(np.median(depth[rows])) / found.camera.matrix[0, 0]
-        off = float(np.median(found.off_px[rows]))
-        own = 1.25 * float(np.median(found.sigma_px[rows])) / np.sqrt(len(rows))
+        mm_per_px = median(depth[rows]) / found.camera.matrix[0, 0]
+        off = median(found.off_px[rows])
+        own = 1.25 * median(found.sigma_px[rows]) / np.sqrt(len(rows))
         allowed = np.sqrt(own**2 + (certificate_mm / mm_per_px) ** 2 + model_px**2)
         edge = int(at.edge[rows[0]])
         parts.append(
@@ -146,7 +147,7 @@ def _is_single_edge(
 def _find_strain(found: EdgeMeasurements, parts: list[EdgePart]) -> RejectionReason | None:
     """All edges are off by more than texture explains: the camera had to absorb a wrong
     dimension."""
-    usual_px = float(np.median([part.distance_px for part in parts])) / 0.6745
+    usual_px = sigma_from_median([part.distance_px for part in parts])
     if usual_px < _STRAIN_BLURS * max(1.0, found.blur_px):
         return None
     worst = max(parts, key=lambda part: part.distance_px)
@@ -166,7 +167,7 @@ def _find_strain(found: EdgeMeasurements, parts: list[EdgePart]) -> RejectionRea
 def _find_displaced(parts: list[EdgePart], sigmas: float) -> list[EdgePart]:
     """The parts that are too far from their predicted position; all if most are."""
     # Texture along the edges moves each as a whole; an edge that moves more stands out.
-    spread = max(1.0, float(np.median([part.ratio for part in parts] or [0.0])) / 0.6745)
+    spread = max(1.0, sigma_from_median([part.ratio for part in parts] or [0.0]))
     if spread > _SPREAD:
         return parts
     return [part for part in parts if part.ratio > sigmas * spread]

@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.metrology.detection.edges.stations import EdgeStations
+from app.metrology.robust import median, sigma_from_median
 from app.metrology.transforms import Floats
 
 # Points further from the median of their part, relative to standard deviation and scatter, are
@@ -61,8 +62,8 @@ def estimate_scatter(
     means: list[_Mean] = []
     for part in np.unique(at.part[shows]):
         rows = np.flatnonzero(shows & (at.part == part))
-        z = (off_px[rows] - np.median(off_px[rows])) / sigma_px[rows]
-        spread = max(float(np.median(np.abs(z))) / 0.6745, 1.0)
+        z = (off_px[rows] - median(off_px[rows])) / sigma_px[rows]
+        spread = max(sigma_from_median(np.abs(z)), 1.0)
         fine = np.abs(z) < _WITHIN * spread
         used[rows[fine]] = True
         if fine.sum() >= _IN_MEAN:
@@ -79,7 +80,7 @@ def estimate_scatter(
     along = 1.0
     if spreads:
         alike = float(np.clip(products / max(squares, 1e-12), 0.0, _MOST_ALIKE))
-        along = float(np.sqrt(np.median(np.concatenate(spreads)) * (1 + alike) / (1 - alike)))
+        along = float(np.sqrt(median(np.concatenate(spreads)) * (1 + alike) / (1 - alike)))
     return used, along, _part_factors(at, means, along**2)
 
 
@@ -96,7 +97,7 @@ def _part_factors(at: EdgeStations, means: list[_Mean], scale: float) -> Floats:
     moved = 0.0
     if len(means) >= _FEWEST_MEANS:
         # Scales the median of the squares to its value for unit variance.
-        lack = np.median(off**2 - _MEDIAN_SQUARE * (own + others)) / _MEDIAN_SQUARE
+        lack = median(off**2 - _MEDIAN_SQUARE * (own + others)) / _MEDIAN_SQUARE
         moved = max(float(lack), 0.0)
     for one, variance in zip(means, own, strict=True):
         factor[at.part == one.part] = np.sqrt(1 + (moved + one.marks) / variance)

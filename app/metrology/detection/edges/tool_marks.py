@@ -4,6 +4,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.metrology.detection.edges.stations import EdgeStations, sample_profiles
+from app.metrology.robust import median
 from app.metrology.transforms import Floats
 
 # The texture is taken from this many windows of the step's fit on either side.
@@ -60,7 +61,7 @@ def texture(
         mean = values.sum(axis=0) / counts[enough]
         scatter = (values**2).sum(axis=0) / counts[enough] - mean**2
         left = float(np.mean(mean**2 - scatter / (counts[enough] - 1)))
-        height = abs(float(np.median(step[rows])))
+        height = abs(median(step[rows]))
         ratio[rows] = np.sqrt(max(left, 0.0)) / max(height, 1e-9)
         moved[rows] = ratio[rows[0]] * _ROOT_TWO_PI * blur_px
     return ratio, moved

@@ -28,6 +28,7 @@ from app.metrology.detection.search.pose_hypotheses import (
 )
 from app.metrology.detection.search.vanishing_points import perpendicular_directions
 from app.metrology.detection.visibility import Wireframe, wireframe
+from app.metrology.robust import MEDIAN_OF_NORMAL
 from app.metrology.sensor.camera import Camera, project
 from app.metrology.targets.crenellated_block import Crenellated
 from app.metrology.transforms import Floats
@@ -174,7 +175,7 @@ def _camera(guess: PoseHypothesis, shape: tuple[int, ...]) -> Camera:
 def _slope_noise(smooth: Floats) -> float:
     """Standard deviation of the slope, grey levels per pixel, in areas without edges."""
     slope = 0.5 * (smooth[::2, 2:] - smooth[::2, :-2])
-    return max(float(np.nanmedian(np.abs(slope))) / 0.6745, 0.15)
+    return max(float(np.nanmedian(np.abs(slope))) / MEDIAN_OF_NORMAL, 0.15)
 
 
 def _support(

@@ -28,6 +28,7 @@ from app.metrology.arm.identification.robust_solve import ArmFit, fit_arm
 from app.metrology.arm.identification.scatter import deviation_limit
 from app.metrology.arm.identification.volumetric_error import size_uncertainty_mm
 from app.metrology.arm.kinematics import Arm
+from app.metrology.robust import median, sigma_from_median
 from app.metrology.transforms import Floats
 
 LEAST_TO_SIZE, SPHERE_STEPS, OUTLIER_SDS = 8, 20, 5.0
@@ -112,8 +113,8 @@ def _fit_sphere_radius(
         off = far - at[3]
         J = np.column_stack([away / far[:, None], np.ones(len(points))])
         at = at + np.linalg.lstsq(J[kept], off[kept], rcond=None)[0]
-        left = np.abs(off - np.median(off))
-        sd = max(1.4826 * float(np.median(left)), 1e-6)
+        left = np.abs(off - median(off))
+        sd = max(sigma_from_median(left), 1e-6)
         kept = left < OUTLIER_SDS * sd
         if kept.sum() < LEAST_TO_SIZE:
             return None

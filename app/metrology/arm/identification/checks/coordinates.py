@@ -27,6 +27,7 @@ from app.metrology.arm.identification.robust_solve import ArmFit, settle_frames
 from app.metrology.arm.identification.scatter import Scatter
 from app.metrology.arm.identification.unknowns import Unknowns
 from app.metrology.arm.kinematics import Arm
+from app.metrology.robust import median
 from app.metrology.transforms import Floats, apply
 
 LEAST_IN_FRAME, WANTED_POSES = 6, 50
@@ -140,7 +141,7 @@ def _check_unit(arm: Arm, data: StackedObservations) -> None:
 
 def _spread_mm(points: Floats) -> float:
     """Typical distance (mm) of points from their middle."""
-    return float(np.median(np.linalg.norm(points - np.median(points, axis=0), axis=1)))
+    return median(np.linalg.norm(points - np.median(points, axis=0), axis=1))
 
 
 def _check_frames(data: StackedObservations, at: Unknowns) -> None:
@@ -168,7 +169,7 @@ def _check_one_frame(
     predicted, measured = marker_points(data, at)[far], data.coordinates.points_mm[far]
     T = align_frame(predicted, measured)
     left_mm = np.linalg.norm(apply(T, measured) - predicted, axis=1)
-    if float(np.median(left_mm)) > max(AS_CLOSE * typical_mm, AS_CLOSE_MM):
+    if median(left_mm) > max(AS_CLOSE * typical_mm, AS_CLOSE_MM):
         return
     lines = [data.coordinates.lines[i] for i in far]
     raise OperationError(
@@ -180,7 +181,7 @@ def _check_one_frame(
             points=len(own),
             first=min(lines),
             last=max(lines),
-            off=quantity(float(np.median(off_mm[np.isin(own, far)])), "mm", 1),
+            off=quantity(median(off_mm[np.isin(own, far)]), "mm", 1),
         ),
         message("instrument-or-base-moved"),
         message("name-frame-of-each-set-up"),
@@ -188,7 +189,7 @@ def _check_one_frame(
 
 
 def _check_rotations(angles_rad: Floats) -> None:
-    typical = float(np.median(angles_rad))
+    typical = median(angles_rad)
     if typical > OTHER_ROTATION_RAD:
         raise OperationError(
             "rotations-do-not-fit",

@@ -21,6 +21,7 @@ from app.metrology.arm.identification.observations import (
 from app.metrology.arm.identification.robust_solve import ArmFit
 from app.metrology.arm.identification.scatter import deviation_limit
 from app.metrology.arm.kinematics import Arm
+from app.metrology.robust import median
 from app.metrology.transforms import Floats
 
 OUTLIER_SHARE = 0.25
@@ -70,7 +71,7 @@ def _suspicions(data: StackedObservations, fit: ArmFit) -> Iterator[_Suspicion]:
             if gap_mm > max(max(MOVED_SIGMAS, chance) * sd, LEAST_GAP_MM):
                 yield _Suspicion(group, gap_mm, _move_error(place, split, gap_mm, sd))
             elif out >= 3 and out > OUTLIER_SHARE * len(points):
-                off_mm = float(np.median(np.linalg.norm(points[~kept], axis=1)))
+                off_mm = median(np.linalg.norm(points[~kept], axis=1))
                 yield _Suspicion(group, off_mm, _disagreement_error(place, out))
 
 
@@ -106,7 +107,7 @@ def _typical_sd(data: StackedObservations, fit: ArmFit, vectors: Floats) -> floa
     seated = fit.inliers[: data.touches] & ~data.on_sphere
     if not seated.any():
         return fit.scatter.touch_mm
-    return float(np.sqrt(np.median(np.sum(vectors[seated] ** 2, axis=1))) / 1.5382)
+    return float(np.sqrt(median(np.sum(vectors[seated] ** 2, axis=1))) / 1.5382)
 
 
 def _chance_gap(split: int, points: int, seats: int, freedom: float) -> float:

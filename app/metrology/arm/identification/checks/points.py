@@ -17,6 +17,7 @@ from app.metrology.arm.identification.parameters import (
 )
 from app.metrology.arm.identification.robust_solve import ArmFit
 from app.metrology.arm.kinematics import Arm
+from app.metrology.robust import median
 from app.metrology.transforms import Floats
 
 LEAST_TURN_RAD = np.deg2rad(1.0)
@@ -105,7 +106,7 @@ def check_arm_fits(arm: Arm, observations: ArmObservations) -> None:
         )
     tips = {seat.name: tip_jacobian(arm, seat.q_rad)[0] for seat in observations.seats}
     far_mm = {name: _typical_distance(points) for name, points in tips.items()}
-    if len(far_mm) > 1 and float(np.median(list(far_mm.values()))) > NO_SEAT_MM:
+    if len(far_mm) > 1 and median(list(far_mm.values())) > NO_SEAT_MM:
         name = max(far_mm, key=lambda seat: far_mm[seat])
         raise OperationError(
             "arm-does-not-fit",
@@ -142,7 +143,7 @@ def _different_rows(data: StackedObservations) -> int:
 def _split_reason(far_mm: list[float]) -> Text:
     """Why the points of a seat are apart; the arm is the cause if the tip moves far in other seats
     too."""
-    if not far_mm or float(np.median(far_mm)) < ODD_MM:
+    if not far_mm or median(far_mm) < ODD_MM:
         return message("two-seats-or-seat-carried")
     return message("two-seats-or-seat-carried-or-arm", far=quantity(max(far_mm), "mm"))
 
@@ -169,7 +170,7 @@ def _check_bars_kind(arm: Arm, bars: Sequence[Bar]) -> None:
 
 def _typical_distance(points: Floats) -> float:
     """Median distance of the points from their middle, mm."""
-    return float(np.median(np.linalg.norm(points - np.median(points, axis=0), axis=1)))
+    return median(np.linalg.norm(points - np.median(points, axis=0), axis=1))
 
 
 def check_disjoint(observations: ArmObservations, check: ArmObservations) -> None:
