@@ -90,9 +90,18 @@ def paper(
 @report_errors
 def performance(
     draws: Annotated[int, typer.Option(min=100, help="Draws of white noise.")] = 10_000,
+    rendered: Annotated[
+        bool, typer.Option("--rendered", help="Plant faults on the rendered simulated station.")
+    ] = False,
     as_json: AsJson = False,
 ) -> None:
     """Check the figures of performance tests against expectations and planted faults."""
+    if rendered:
+        from app.bench.metrology import rendered_faults as faults
+
+        shown = Shown("Rendering", "Faults of the simulated station, µm", "faults")
+        _measure(shown, as_json, faults.run, faults.COLUMNS, faults.table)
+        return
     from app.bench.metrology.performance import COLUMNS, run, table
 
     shown = Shown("Drawing", "Figures of performance tests, µm", "figures")

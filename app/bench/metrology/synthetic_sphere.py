@@ -24,6 +24,7 @@ from app.formats.performance.plan import (
 from app.formats.recording.writer import RecordingWriter
 from app.formats.results.calibration import CalibrationFile
 from app.formats.session.calibration_session import contact_readings, write_contacts
+from app.metrology.performance.articulation import articulation_directions, location_places
 from app.metrology.performance.pattern import RIM_DEG, pattern_directions
 from app.metrology.sensor.camera import Camera, project
 from app.metrology.stripe import Stripe
@@ -41,8 +42,9 @@ SPHERE = SpherePart(
 )
 WIDTH, HEIGHT = 1280, 1024
 DISTANCE_MM = 140.0
-FIVE = [0, 17, 19, 21, 23]
-"""Of the pattern: the pole, and four around the rim."""
+POLE = np.array(GatePart().pole)
+STYLUS_RAD, HELD_RAD = 0.7, 0.07
+"""By how much the stylus is tilted at most, where it is held freely and in an articulation."""
 FRAME_NS = 20_000_000
 STEP_MM = 0.25
 TRIES = 50
@@ -62,12 +64,9 @@ def true_camera() -> Camera:
 
 
 @dataclass(frozen=True)
-class Faults:
-    """What is wrong, and how noisy it is."""
+class PlantedFaults:
+    """What is wrong with a station."""
 
-    touch_sd_mm: float = 0.0
-    point_sd_mm: float = 0.0
-    """Of scanned points along the surface's normal."""
     matrix_offset_mm: tuple[float, float, float] = (0.0, 0.0, 0.0)
     """The sensor is really this far from where the calibration has it, in its own frame."""
     scale: float = 1.0
@@ -80,8 +79,54 @@ class Faults:
     """Share of scanned points that lie up to 0.5 mm off."""
     link_mm: float = 0.0
     """Error of the second link of a jointed arm."""
+
+
+@dataclass(frozen=True)
+class Faults(PlantedFaults):
+    """What is wrong, and how noisy it is."""
+
+    touch_sd_mm: float = 0.0
+    point_sd_mm: float = 0.0
+    """Of scanned points along the surface's normal."""
     articulations: int = 5
     seed: int = 1
+
+
+@dataclass(frozen=True, eq=False)
+class TouchGroup:
+    """The touches of one part of the test."""
+
+    feature: str
+    centre_mm: Floats  # (3,)
+    outward: Floats
+    """(N, 3) where the sphere is touched, from its centre."""
+    stylus_from: Floats | None
+    """(3,) direction from the tip to the wrist; None: any."""
+
+
+def touch_groups(centre_mm: Floats, moved_mm: Floats) -> list[TouchGroup]:
+    """All touches of a one-sphere test; the sphere moves before those at the end."""
+    pattern = pattern_directions(POLE, RIM_DEG)
+    towards = -centre_mm
+    groups = [TouchGroup(sphere_feature(1, "pattern"), centre_mm, pattern, None)]
+    for number, held in enumerate(articulation_directions(POLE, towards), 1):
+        name = sphere_feature(1, "location", number)
+        groups.append(TouchGroup(name, centre_mm, location_places(held, POLE, towards), held))
+    end = location_places(POLE, POLE, towards)
+    groups.append(TouchGroup(sphere_feature(1, "end"), centre_mm + moved_mm, end, None))
+    return groups
+
+
+def sphere_plan(sphere: SpherePart, limits: tuple[LimitPart, ...] = ()) -> PerformancePlan:
+    """The plan of a one-sphere test."""
+    return PerformancePlan(
+        id="test",
+        kind="sphere",
+        started_at="2026-11-26T10:00:00+00:00",
+        sphere=sphere,
+        gate=GatePart(),
+        limits=limits,
+    )
 
 
 @dataclass
@@ -99,15 +144,7 @@ class SphereSession:
         self._arm = JointArm(self.faults.link_mm) if self.joints else PoseArm()
         self.folder.mkdir(parents=True, exist_ok=True)
         self._random = np.random.default_rng(self.faults.seed)
-        plan = PerformancePlan(
-            id="test",
-            kind="sphere",
-            started_at="2026-11-26T10:00:00+00:00",
-            sphere=self.sphere,
-            gate=GatePart(),
-            limits=self.limits,
-        )
-        plan.write(self.folder / PLAN)
+        sphere_plan(self.sphere, self.limits).write(self.folder / PLAN)
         self._arm.write(self.folder / "arm.json")
         write_calibration(self.folder / "calibration.json")
         self._write_touches()
@@ -116,40 +153,38 @@ class SphereSession:
         return self.folder
 
     def _write_touches(self) -> None:
-        groups: list[tuple[str, Floats, Floats]] = []
-        end = CENTRE + np.array(self.faults.moved_mm)
-        pattern = pattern_directions(np.array([0.0, 0.0, 1.0]), RIM_DEG)
-        groups.append((sphere_feature(1, "pattern"), CENTRE, pattern))
-        for number in range(1, 6):
-            groups.append((sphere_feature(1, "location", number), CENTRE, pattern[FIVE]))
-        groups.append((sphere_feature(1, "end"), end, pattern[FIVE]))
         features: list[str] = []
         readings: list[Floats] = []
-        for name, centre, directions in groups:
-            features += [name] * len(directions)
-            readings += [self._touch(centre, one) for one in directions]
+        for group in touch_groups(CENTRE, np.array(self.faults.moved_mm)):
+            features += [group.feature] * len(group.outward)
+            readings += [
+                self._touch(group.centre_mm, one, group.stylus_from) for one in group.outward
+            ]
         arm = read_any_arm(self.folder / "arm.json")
         contacts = contact_readings(features, arm, np.array(readings))
         write_contacts(self.folder / TOUCHES, contacts)
 
-    def _touch(self, centre: Floats, outward: Floats) -> Floats:
+    def _touch(self, centre: Floats, outward: Floats, stylus_from: Floats | None) -> Floats:
         """The arm's reading with the true tip in contact, its wrist turned at random."""
         reach = self.sphere.diameter_mm / 2 + (TIP.diameter_mm + self.faults.tip_excess_mm) / 2
         at = centre + outward * (reach + self.faults.touch_sd_mm * self._random.normal())
         for _ in range(TRIES):
-            R = self._stylus_orientation()
+            R = self._stylus_orientation(stylus_from)
             reading = self._arm.reading(rigid(R, at - R @ np.array([TIP.x_mm, TIP.y_mm, TIP.z_mm])))
             if reading is not None:
                 return reading
         raise RuntimeError("the arm does not reach the sphere")
 
-    def _stylus_orientation(self) -> Floats:
-        """(3, 3) of the flange, the stylus downward within 40°."""
-        turn, tilt, side = self._random.uniform([-0.6, 0.0, 0.0], [0.6, 0.7, 2 * np.pi])
+    def _stylus_orientation(self, stylus_from: Floats | None) -> Floats:
+        """(3, 3) of the flange, the stylus in an articulation or downward within 40°."""
+        most = STYLUS_RAD if stylus_from is None else HELD_RAD
+        turn, tilt, side = self._random.uniform([-0.6, 0.0, 0.0], [0.6, most, 2 * np.pi])
         axis = tilt * np.array([np.cos(side), np.sin(side), 0.0])
         down = Rotation.from_euler("x", 180, degrees=True)
         spin = Rotation.from_euler("z", turn)
-        return np.asarray((Rotation.from_rotvec(axis) * down * spin).as_matrix())
+        held = POLE if stylus_from is None else stylus_from
+        lean = Rotation.align_vectors([held], [POLE])[0]
+        return np.asarray((lean * Rotation.from_rotvec(axis) * down * spin).as_matrix())
 
     def _write_scan(self, number: int) -> None:
         """The sensor passes over the sphere, tilted as the articulation says."""

@@ -7,7 +7,7 @@ import pytest
 from scipy.spatial.transform import Rotation
 
 from app.bench.metrology.synthetic_arm import TIP
-from app.bench.metrology.synthetic_sphere import FIVE, SPHERE
+from app.bench.metrology.synthetic_sphere import SPHERE
 from app.formats.datasheets.arm import ArmFile
 from app.formats.datasheets.length_standard import LengthPart, LengthStandardFile
 from app.formats.performance.plan import (
@@ -36,6 +36,9 @@ BAR = LengthStandardFile(
 )
 PATTERN = pattern_directions(np.array([0.0, 0.0, 1.0]), RIM_DEG)
 Groups = list[tuple[str, np.ndarray]]
+
+FIVE = [0, 17, 19, 21, 23]
+"""Of the pattern: the pole, and four around the rim."""
 
 
 def write_test(folder: Path, kind: Kind, groups: Groups, limits: tuple[LimitPart, ...]) -> Path:
