@@ -32,6 +32,7 @@ add-line = Zeile { $key } = … hinzufügen
 add-picture-delete-pose = Bild ergänzen oder Pose löschen
 add-pictures-turned-about-another-axis = Bilder aufnehmen, die um eine andere Achse gedreht sind
 added-account = Konto angelegt
+added-gauge-certificate = Kalibrierschein eines Prüfnormals hinzugefügt
 address-none-message-can-sent = An diese Adresse lässt sich keine Nachricht senden
 adjusting-all-poses-together = Alle Posen werden gemeinsam ausgeglichen
 after = Nachher
@@ -2502,7 +2503,7 @@ protobuf-expected = erwartet wird { $schemas } in Protobuf
 put-arm-back = Vorherigen Messarm wiederherstellen
 put-back-end-swing = Wieder einsetzen oder den Schwenk abschließen.
 put-back-what-there-before = vorherigen Messarm wiederhergestellt
-put-certificate-into-folder-gauges = Datenblatt eines Prüfnormals in den Ordner gauges legen.
+put-certificate-into-folder-gauges = Datenblatt eines Prüfnormals oder digitalen Kalibrierschein (DCC) einer Kugel in den Ordner gauges legen.
 put-file-back-last-backup-leave = Datei aus der letzten Sicherung wiederherstellen oder ohne sie fortfahren.
 put-file-back-last-backup-restart = Datei aus der letzten Sicherung wiederherstellen und die Station neu starten oder neu kalibrieren
 put-file-place = Durch eine normale Datei ersetzen

@@ -32,6 +32,7 @@ add-line = Add a line { $key } = …
 add-picture-delete-pose = Add the picture, or delete the pose
 add-pictures-turned-about-another-axis = add pictures rotated about another axis
 added-account = added an account
+added-gauge-certificate = added the certificate of a gauge
 address-none-message-can-sent = Messages cannot be sent to this address
 adjusting-all-poses-together = Adjusting all poses together
 after = After
@@ -2493,7 +2494,7 @@ protobuf-expected = { $schemas } in protobuf is expected
 put-arm-back = Restore the previous arm
 put-back-end-swing = Put it back into the seat, or finish the swing.
 put-back-what-there-before = restored the previous arm
-put-certificate-into-folder-gauges = Put the datasheet of a gauge into the folder gauges.
+put-certificate-into-folder-gauges = Put the datasheet of a gauge, or the digital certificate (DCC) of a sphere, into the folder gauges.
 put-file-back-last-backup-leave = Restore the file from the last backup, or leave it and continue.
 put-file-back-last-backup-restart = Restore its file from the last backup and restart the station, or calibrate again
 put-file-place = Put a regular file in its place

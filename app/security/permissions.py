@@ -101,6 +101,7 @@ ROUTES: dict[tuple[str, str], Rule] = {
     ("GET", "/api/performance"): LOOK,
     ("POST", "/api/performance/start"): Rule(Right.act, message("began-resumed-performance-test")),
     ("POST", "/api/performance/command"): Rule(Right.act, word("performance test")),
+    ("POST", "/api/performance/certificate"): Rule(Right.act, message("added-gauge-certificate")),
     ("GET", "/api/performances"): LOOK,
     ("GET", "/api/performances/{performance_id}"): LOOK,
     ("GET", "/api/performances/{record_id}/report.{form}"): LOOK,

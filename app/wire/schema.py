@@ -55,6 +55,13 @@ class Exposure(RequestBody):
     exposure_us: Annotated[float, Field(gt=0, allow_inf_nan=False, strict=False)]
 
 
+class UploadedCertificate(RequestBody):
+    """A digital certificate; ``name`` is that of its file."""
+
+    name: Annotated[str, Field(max_length=200)]
+    text: str
+
+
 class SensorName(RequestBody):
     name: Annotated[str, Field(max_length=40)]
 

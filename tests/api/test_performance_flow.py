@@ -15,6 +15,7 @@ import httpx
 import numpy as np
 import pytest
 
+from app.formats.datasheets.gauge import read_gauge
 from app.formats.performance.plan import read_plan
 from app.formats.performance.results import read_performance
 from app.guide.performance.commands import measure_waiting
@@ -29,6 +30,7 @@ from app.station.view3d.scene import Scene
 from app.store.store import Store
 from tests.api.calibrated import use_truth
 from tests.api.conftest import Server, run_command
+from tests.formats.certificates import DIAMETER, FORM, certificate, quantity, real
 from tests.sent_texts import english
 
 pytestmark = pytest.mark.slow
@@ -227,18 +229,55 @@ def test_a_changed_plan_or_setting_makes_the_set_invalid(desk: Desk) -> None:
     assert not any("settings for scans" in english(f["text"]) for f in desk.view()["findings"])
 
 
-def test_an_expired_certificate_is_named_before_the_test_begins(desk: Desk) -> None:
+def test_a_sphere_with_an_expired_certificate_cannot_be_chosen(desk: Desk) -> None:
     path = desk.server.data / "gauges" / "old.nominal.json"
     sphere = json.loads((desk.server.data / "gauges" / "sphere.nominal.json").read_text())
     path.write_text(json.dumps({**sphere, "valid_until": "2020-01-31"}))
     try:
         desk.start()
-        desk.wait(lambda view: {gauge["id"] for gauge in view["gauges"]} >= {"old"})
-        view = desk.do("choose_gauge", id="old")
-        assert any("2020-01-31" in english(f["text"]) for f in view["findings"])
-        assert "2020-01-31" in refusal(desk.command("confirm_artefact"))
+        desk.do("choose_gauge", id="sphere")
+        view = desk.wait(lambda view: {gauge["id"] for gauge in view["gauges"]} >= {"old"})
+        why_not = {gauge["id"]: english(gauge["why_not"]) for gauge in view["gauges"]}
+        assert "2020-01-31" in why_not["old"]
+        assert not why_not["sphere"]
+        assert "2020-01-31" in refusal(desk.command("choose_gauge", id="old"))
+        # one that expires after it was chosen
+        chosen = desk.server.data / "gauges" / "sphere.nominal.json"
+        whole = chosen.read_text()
+        chosen.write_text(path.read_text())
+        try:
+            desk.wait(lambda view: any("2020-01" in english(f["text"]) for f in view["findings"]))
+            assert "2020-01-31" in refusal(desk.command("confirm_artefact"))
+        finally:
+            chosen.write_text(whole)
     finally:
         path.unlink()
+
+
+def test_a_certificate_that_was_uploaded_is_a_sphere_of_the_test(desk: Desk) -> None:
+    def upload(name: str, text: str) -> httpx.Response:
+        body = {"name": name, "text": text}
+        return desk.server.http.post("/api/performance/certificate", json=body)
+
+    assert "no Digital Calibration Certificate" in refusal(upload("k.xml", "<a/>"))
+    bare = upload(
+        "bare.xml", certificate(quantity("Diameter", real("25", "\\milli\\metre")))
+    ).json()
+    assert "uncertainty" in english(bare["why_not"])
+    added = upload("K-17.xml", certificate(DIAMETER, FORM)).json()
+    try:
+        assert (added["id"], added["label"], added["why_not"]) == ("K-17", "Ceramic sphere", "")
+        desk.start()
+        ids = [gauge["id"] for gauge in desk.view()["gauges"]]
+        assert ids[-1] == "bare"
+        assert "There is no such gauge" in refusal(desk.command("choose_gauge", id="bare"))
+        desk.do("choose_gauge", id="K-17")
+        view = desk.do("confirm_artefact")
+        copy = desk.server.data / "performance" / view["session_id"] / "gauge.json"
+        assert read_gauge(copy).serial_number == "K-17"
+    finally:
+        for name in ("bare", "K-17"):
+            (desk.server.data / "gauges" / f"{name}.xml").unlink()
 
 
 def reopened(server: Server, left: Path) -> tuple[Store, Scanner, Scene, Jobs, PerformanceGuide]:

@@ -5,11 +5,12 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from playwright.sync_api import Browser, expect
+from playwright.sync_api import Browser, FilePayload, expect
 
 from app.bench.faults.served import prepare
 from tests.e2e.conftest import Demo
 from tests.e2e.test_demo import Visit
+from tests.formats.certificates import DIAMETER, certificate
 
 pytestmark = pytest.mark.slow
 
@@ -67,7 +68,12 @@ def test_the_one_sphere_test_from_start_to_figures(
     page.goto(station.link)
     page.get_by_role("link", name="Performance").click()
     look_at_both_sizes(visit, "before")
+    content = certificate(DIAMETER).encode()
+    sphere = FilePayload(name="K-17.xml", mimeType="text/xml", buffer=content)
+    page.locator("[data-certificate]").set_input_files(sphere)
+    expect(page.get_by_text("This sphere can be chosen")).to_be_visible()
     page.get_by_role("button", name="Start the test").click()
+    expect(page.get_by_role("radio", name="Ceramic sphere")).to_be_visible()
     field = page.get_by_label("form of the touched sphere")
     expect(field).to_be_visible()
     field.fill("300")

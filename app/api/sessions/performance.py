@@ -7,12 +7,12 @@ from app.api.lookups import find_performance, send_file
 from app.api.sessions.routes import add_session_routes
 from app.formats.performance.plan import RESULT
 from app.guide.performance.commands import COMMANDS
-from app.guide.performance.view import PerformanceView
+from app.guide.performance.view import PerformanceView, SphereOption
 from app.messages.message import message
 from app.operations.context import TheContext
 from app.store.session_records import PerformanceRecord
 from app.wire.json_response import json_response
-from app.wire.schema import PerformanceSummary
+from app.wire.schema import PerformanceSummary, UploadedCertificate
 
 router = APIRouter(prefix="/api")
 
@@ -26,6 +26,12 @@ add_session_routes(
 def start(context: TheContext) -> Response:
     """Begins a performance test, or resumes the open one."""
     return json_response(context.performance_guide.start())
+
+
+@router.post("/performance/certificate")
+def add_certificate(asked: UploadedCertificate, context: TheContext) -> SphereOption:
+    """Puts the digital certificate (DCC) of a sphere into the folder of gauges."""
+    return context.performance_guide.add_certificate(asked.name, asked.text)
 
 
 @router.get("/performances")

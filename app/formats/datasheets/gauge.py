@@ -74,6 +74,8 @@ class GaugeFile(Document):
     """Of the radius, or of a plane's flatness, k = 1."""
     form_um: NotNegative = 0.0
     """The gauge's own deviation from its shape."""
+    form_sd_um: NotNegative = 0.0
+    """Standard uncertainty of ``form_um``, k = 1."""
     valid_until: Annotated[str, Field(max_length=40)] = ""
     """The certificate's, an ISO 8601 date; empty: not stated."""
     expansion_per_c: NotNegative = 0.0

@@ -35,7 +35,11 @@ def open_certificate(path: Path) -> ET.Element:
     Raises:
         OperationError: unreadable, no DCC, or another major version.
     """
-    root = read_xml(path)
+    return check_certificate(read_xml(path), path)
+
+
+def check_certificate(root: ET.Element, path: Path) -> ET.Element:
+    """The root, if it is that of a DCC 3.x; raises ``OperationError`` naming the file if not."""
     if local_name(root) != "digitalCalibrationCertificate" or not str(root.tag).startswith(
         f"{{{DCC}}}"
     ):

@@ -49,6 +49,8 @@ class CertifiedSphere:
             certificate=sphere.certificate,
             standard_uncertainty_um=sphere.diameter_sd_um / 2,
             form_um=sphere.form_um,
+            form_sd_um=sphere.form_sd_um,
+            valid_until=sphere.valid_until,
         )
 
 

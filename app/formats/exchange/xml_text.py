@@ -20,7 +20,11 @@ def read_xml(path: Path) -> ET.Element:
         OperationError: unreadable; not well formed; or with a document type, which could pull in
             other files or grow without limit.
     """
-    text = read_text(path)
+    return parse_xml(read_text(path), path)
+
+
+def parse_xml(text: str, path: Path) -> ET.Element:
+    """The root of the text of an XML file of this name; raises as ``read_xml``."""
     # by the text, before the parser sees an entity; a certificate never needs one
     if "<!DOCTYPE" in text or "<!ENTITY" in text:
         raise OperationError(

@@ -6,20 +6,22 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Generic, TypeVar
 
-from app.errors import OperationError
+from app.errors import OperationError, sentence
 from app.findings import Finding
 from app.formats.datasheets.arm import read_any_arm
 from app.formats.datasheets.gauge import GaugeFile, read_gauge
 from app.formats.datasheets.sensor import SensorDatasheet, read_sensor
 from app.formats.datasheets.target import read_object
-from app.formats.file_names import check_name, display_path
-from app.messages.message import message
+from app.formats.exchange.read_certificate import read_sphere_certificate
+from app.formats.file_names import check_name, display_path, escape_unprintable
+from app.messages.message import Text, message
 from app.metrology.arm.kinematics import AnyArm
 from app.metrology.targets.target import CalibrationTarget
 
 Datasheet = TypeVar("Datasheet")
 Content = TypeVar("Content")
 GAUGE_ENDINGS = (".nominal.json", ".json")
+CERTIFICATE_ENDING = ".xml"
 FRESH_S = 2.0
 """While the operator chooses, files that were added are seen after this time."""
 
@@ -53,11 +55,20 @@ class DatasheetLibrary:
 
 
 @dataclass(frozen=True)
+class RefusedCertificate:
+    """A digital certificate that does not describe a gauge."""
+
+    id: str
+    reason: Text
+
+
+@dataclass(frozen=True)
 class Gauges:
-    """The data folder's gauges by id; files that cannot be read are findings."""
+    """The data folder's gauges by id; datasheets that cannot be read are findings."""
 
     known: Mapping[str, DatasheetEntry[GaugeFile]]
     findings: tuple[Finding, ...]
+    refused: tuple[RefusedCertificate, ...] = ()
 
 
 class FolderContent(Generic[Content]):
@@ -66,6 +77,10 @@ class FolderContent(Generic[Content]):
     def __init__(self, read: Callable[[Path], Content], data_folder: Path) -> None:
         self._read, self._data_folder = read, data_folder
         self._latest: tuple[float, Content] | None = None
+
+    def forget(self) -> None:
+        """Has it read again at the next look."""
+        self._latest = None
 
     def latest(self, choosing: bool) -> Content:
         """As it was read last, or is now."""
@@ -100,10 +115,24 @@ def _read_station_sensor(path: Path) -> SensorDatasheet:
 
 
 def read_gauges(data_folder: Path) -> Gauges:
-    """Reads ``gauges/*.json`` and ``gauges/*.nominal.json``."""
-    findings: list[Finding] = []
-    known = _entries(data_folder / "gauges", read_gauge, findings, GAUGE_ENDINGS)
-    return Gauges(known, tuple(findings))
+    """Reads ``gauges/*.json``, ``*.nominal.json``, and ``*.xml``: digital certificates of spheres.
+
+    Of a certificate and a datasheet of the same name, the datasheet counts.
+    """
+    folder, findings = data_folder / "gauges", list[Finding]()
+    known = _entries(folder, read_gauge, findings, GAUGE_ENDINGS)
+    refused = []
+    for path in sorted(folder.glob(f"*{CERTIFICATE_ENDING}")):
+        if path.stem in known:
+            continue
+        try:
+            check_name(path)
+            gauge = read_sphere_certificate(path).gauge
+            known[path.stem] = DatasheetEntry(path.stem, path, gauge)
+        except OperationError as error:
+            name = escape_unprintable(path.stem)
+            refused.append(RefusedCertificate(name, sentence(error.why or error.what)))
+    return Gauges(known, tuple(findings), tuple(refused))
 
 
 def _entries(

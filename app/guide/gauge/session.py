@@ -17,7 +17,7 @@ from app.formats.open_file import read_bounded
 from app.formats.results.calibration import CALIBRATION, Calibration, read_calibration
 from app.formats.results.verification import GAUGE
 from app.formats.session.calibration_session import ARM, contact_readings, write_contacts
-from app.guide.common.datasheet_library import FolderContent, Gauges
+from app.guide.common.datasheet_library import CERTIFICATE_ENDING, FolderContent, Gauges
 from app.guide.common.flow import Flow, View
 from app.guide.common.guided_session import GuidedSession, Provenance, StationServices
 from app.guide.common.journal import Calibrations, Journal, StoredCalibration
@@ -116,13 +116,14 @@ class GaugeSession(GuidedSession[State, Live, View], Generic[State, Live, View])
         """
         active = self.active()
         assert active is not None
-        sources = (
-            (self.gauges().known[self.state.gauge].path, GAUGE),
-            (active.file.parent / ARM, ARM),
-            (active.file, CALIBRATION),
-        )
+        entry = self.gauges().known[self.state.gauge]
+        sources = [(active.file.parent / ARM, ARM), (active.file, CALIBRATION)]
+        if entry.path.suffix != CERTIFICATE_ENDING:
+            sources.append((entry.path, GAUGE))
         with convert_io_errors(self.folder):
             ensure_folder(self.folder)
+            if entry.path.suffix == CERTIFICATE_ENDING:
+                entry.datasheet.write(self.folder / GAUGE)
             for source, name in sources:
                 write_atomically(self.folder / name, read_bounded(source))
         self._session_copies = ("", None, None)

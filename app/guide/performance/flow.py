@@ -1,19 +1,21 @@
 """The view of a performance test, from its state and the station as it is. Pure."""
 
+from collections.abc import Mapping
 from functools import partial
 
 from app.errors import sentence
 from app.findings import Finding
 from app.formats.datasheets.gauge import GaugeFile
 from app.formats.performance.plan import ARTICULATIONS
+from app.guide.common.datasheet_library import Gauges
 from app.guide.common.flow import DECISION_QUALITY, device_findings, list_steps
 from app.guide.common.journal import error_from_payload
-from app.guide.common.view import Action, ChoiceOption, LiveNumber, StepProgress
+from app.guide.common.view import Action, LiveNumber, StepProgress
 from app.guide.performance.live import PerformanceLive
 from app.guide.performance.picture import articulation_title, build_picture
 from app.guide.performance.rules import RULES, WANTED, change_reason, missing_patches
 from app.guide.performance.state import TOUCHING, PerformanceState
-from app.guide.performance.view import PerformanceView
+from app.guide.performance.view import PerformanceView, SphereOption
 from app.messages.message import Text, join, message, quantity
 
 TITLES = {
@@ -48,10 +50,7 @@ def build_view(state: PerformanceState, live: PerformanceLive) -> PerformanceVie
         running=running,
         calibration_id=state.calibration_id,
         calibration=live.active_name if state.calibration_id == live.active_id else "",
-        gauges=[
-            ChoiceOption(entry.id, entry.datasheet.name or entry.id, _detail(entry.datasheet))
-            for entry in live.gauges.known.values()
-        ],
+        gauges=sphere_options(live.gauges, live.obstacles),
         gauge=state.gauge,
         positions=state.positions,
         position=state.position,
@@ -67,6 +66,20 @@ def build_view(state: PerformanceState, live: PerformanceLive) -> PerformanceVie
         actions=_actions(state, live) if running else [],
         busy=live.busy,
     )
+
+
+def sphere_options(gauges: Gauges, obstacles: Mapping[str, Text]) -> list[SphereOption]:
+    """The spheres, then the certificates that describe none."""
+    spheres = [
+        SphereOption(
+            entry.id,
+            entry.datasheet.name or entry.id,
+            _detail(entry.datasheet),
+            sentence(obstacles.get(entry.id, "")),
+        )
+        for entry in gauges.known.values()
+    ]
+    return spheres + [SphereOption(one.id, one.id, "", one.reason) for one in gauges.refused]
 
 
 def _detail(gauge: GaugeFile) -> Text:

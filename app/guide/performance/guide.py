@@ -27,20 +27,22 @@ from app.guide.common.journal import (
     Journal,
     JournalEntry,
 )
+from app.guide.gauge.certificates import store_certificate
 from app.guide.gauge.session import GaugeServices, GaugeSession
-from app.guide.performance.flow import build_view
+from app.guide.performance.flow import build_view, sphere_options
 from app.guide.performance.live import PerformanceLive, Places
 from app.guide.performance.places import PartPlaces, flat_pattern, places_of, sphere_centre_of
-from app.guide.performance.plan import build_plan
+from app.guide.performance.plan import build_plan, sphere_part
 from app.guide.performance.rules import RULES
 from app.guide.performance.state import PerformanceState, apply_row
-from app.guide.performance.view import PerformanceView
+from app.guide.performance.view import PerformanceView, SphereOption
 from app.messages.message import Text, message
 from app.metrology.arm.kinematics import AnyArm, tip_centres
 from app.metrology.decision import GUARDED_95, DecisionRule
 from app.metrology.performance.articulation import assign_places, flat_deg, nearest_free
 from app.metrology.transforms import Floats
-from app.workflows.performance.artefact_checks import artefact_problems
+from app.timestamps import utc_now
+from app.workflows.performance.artefact_checks import list_problems
 
 KIND = "performance"
 FLOW = Flow(KIND, KIND, PerformanceState(), apply_row, build_view, RULES)
@@ -89,7 +91,7 @@ class PerformanceGuide(GaugeSession[PerformanceState, PerformanceLive, Performan
             station, journal, FLOW, calibrations, data_folder, signing, rule, _read_spheres
         )
         self.performances = performances
-        self._problems: tuple[tuple[str, GaugeFile | None] | None, tuple[Text, ...]] = (None, ())
+        self._object: tuple[str, str | OperationError] = ("", "")
         self._result: tuple[str, PerformanceFile | None] = ("", None)
         self._centre: tuple[PerformanceState | None, Floats | None] = (None, None)
         self.resume()
@@ -112,7 +114,8 @@ class PerformanceGuide(GaugeSession[PerformanceState, PerformanceLive, Performan
             active_name=active.name if active else "",
             gauges=gauges,
             gauge=gauge,
-            artefact_problems=self._artefact_problems(gauge),
+            artefact_problems=self._sphere_problems(state.gauge, gauge) if gauge else (),
+            obstacles=self._obstacles(gauges),
             setup_now=station.scan_setup(),
             plan_changed=self.running and state.frozen and self._is_plan_changed(),
             arm=self.arm(),
@@ -188,17 +191,40 @@ class PerformanceGuide(GaugeSession[PerformanceState, PerformanceLive, Performan
         flat = flat_deg(part.directions, part.pole, part.towards)
         return Places(part.directions, flat, taken, following, tip_deg)
 
-    def _artefact_problems(self, gauge: GaugeFile | None) -> tuple[Text, ...]:
+    def _sphere_problems(self, name: str, gauge: GaugeFile) -> tuple[Text, ...]:
+        """Why a sphere cannot serve in this test, or in one that would begin now."""
         active = self.active()
-        if gauge is None or active is None:
+        if active is None:
             return ()
-        if self._problems[0] != (active.id, gauge):
-            try:
-                found = tuple(artefact_problems(self.plan(), read_calibration(active.file)))
-            except OperationError as error:
-                found = (error.text,)
-            self._problems = ((active.id, gauge), found)
-        return self._problems[1]
+        if self._object[0] != active.id:
+            self._object = (active.id, _calibration_object(active.file))
+        own = self._object[1]
+        if isinstance(own, OperationError):
+            return (own.text,)
+        day = (self.state.started_at if self.running else utc_now())[:10]
+        return tuple(list_problems(sphere_part(name, gauge), day, own))
+
+    def _obstacles(self, gauges: Gauges) -> dict[str, Text]:
+        """Of the spheres that cannot serve, why."""
+        found = {
+            name: self._sphere_problems(name, entry.datasheet)
+            for name, entry in gauges.known.items()
+        }
+        return {name: problems[0] for name, problems in found.items() if problems}
+
+    def add_certificate(self, name: str, text: str) -> SphereOption:
+        """Puts a sphere's digital certificate into the folder of gauges; what it is worth.
+
+        Raises:
+            OperationError: it is no such certificate, or cannot be stored.
+        """
+        with self.lock:
+            added = store_certificate(self.data_folder, name, text)
+            self._gauges.forget()
+            self.refresh()
+            gauges = self.gauges()
+            options = sphere_options(gauges, self._obstacles(gauges))
+            return next(one for one in options if one.id == added)
 
     def _is_plan_changed(self) -> bool:
         try:
@@ -210,8 +236,13 @@ class PerformanceGuide(GaugeSession[PerformanceState, PerformanceLive, Performan
 
     def begin(self, key: str | None) -> None:
         """A new session of the calibration in use, with the sphere and the limits of the last."""
+        first = self.first_payload(message("performance-nothing-to-test"))
+        gauges = self.gauges()
+        obstacles = self._obstacles(gauges)
+        usable = [name for name in gauges.known if name not in obstacles]
         payload = {
-            **self.first_payload(message("performance-nothing-to-test")),
+            **first,
+            "gauge": first["gauge"] if first["gauge"] in usable else next(iter(usable), ""),
             "positions": self.state.positions,
             "limits": {one.quantity: one.a_um for one in read_station_limits(self.data_folder)},
         }
@@ -279,6 +310,14 @@ class PerformanceGuide(GaugeSession[PerformanceState, PerformanceLive, Performan
             scan = self.state.open_scan if self.running else None
             if scan is not None and self.station.scanner.recording() != self.folder / scan.name:
                 self.append("scan_ended", {"number": scan.number})
+
+
+def _calibration_object(file: Path) -> str | OperationError:
+    """The serial number of a calibration's own object, or why it cannot be read."""
+    try:
+        return read_calibration(file).serial_numbers.object
+    except OperationError as error:
+        return error
 
 
 def _read_spheres(data_folder: Path) -> Gauges:

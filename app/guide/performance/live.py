@@ -40,6 +40,8 @@ class PerformanceLive(SessionLive):
     gauge: GaugeFile | None
     artefact_problems: tuple[Text, ...]
     """Why the chosen sphere cannot serve."""
+    obstacles: Mapping[str, Text]
+    """Of the spheres that cannot serve, why, by their id."""
     setup_now: Mapping[str, object]
     """The station's settings of scans."""
     plan_changed: bool

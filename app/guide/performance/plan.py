@@ -40,6 +40,7 @@ def sphere_part(name: str, gauge: GaugeFile) -> SpherePart:
         diameter_mm=2 * gauge.radius_mm,
         diameter_sd_um=2 * gauge.standard_uncertainty_um,
         form_um=gauge.form_um,
+        form_sd_um=gauge.form_sd_um,
         expansion_per_c=gauge.expansion_per_c,
     )
 

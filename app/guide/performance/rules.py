@@ -90,8 +90,9 @@ def _frozen(state: PerformanceState, live: PerformanceLive, args: Args) -> Text:
 
 def _choose(state: PerformanceState, live: PerformanceLive, args: Args) -> Text:
     chosen = args.get("id")
-    known = isinstance(chosen, str) and chosen in live.gauges.known
-    return _frozen(state, live, args) or ("" if known else message("there-no-such-gauge"))
+    if not isinstance(chosen, str) or chosen not in live.gauges.known:
+        return _frozen(state, live, args) or message("there-no-such-gauge")
+    return _frozen(state, live, args) or live.obstacles.get(chosen, "")
 
 
 def _confirm_artefact(state: PerformanceState, live: PerformanceLive, args: Args) -> Text:

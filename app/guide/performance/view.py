@@ -13,6 +13,14 @@ ArticulationState = Literal["todo", "now", "scanning", "measuring", "done", "ref
 
 
 @dataclass(frozen=True)
+class SphereOption(ChoiceOption):
+    """A sphere, or a certificate that describes none."""
+
+    why_not: Text
+    """Why it cannot be chosen; empty if it can."""
+
+
+@dataclass(frozen=True)
 class PerformanceLimitLine:
     """A limit that can be entered from a datasheet."""
 
@@ -113,7 +121,7 @@ class PerformanceView(SessionView):
     calibration_id: str
     calibration: str
     """Name of the calibration with which it is scanned."""
-    gauges: Sequence[ChoiceOption]
+    gauges: Sequence[SphereOption]
     gauge: str
     positions: int
     position: int

@@ -158,6 +158,10 @@ def _findings(state: VerifyState, live: VerifyLive) -> list[Finding]:
         findings += strain_findings(live.strain)
     if state.step == "gauge":
         findings += live.gauges.findings
+        findings += [
+            Finding("attention", join([one.id, one.reason], ": "), message("correct-remove-file"))
+            for one in live.gauges.refused
+        ]
         if not live.gauges.known:
             text = message("there-no-gauge-data-folder-yet")
             findings.append(

@@ -7,12 +7,15 @@ import styles from "./ChoicesPicture.module.css";
 
 interface ChoiceGroupProps {
   title: string;
-  options: ChoiceOption[];
+  options: (ChoiceOption & { why_not?: string })[];
   selected: string;
   onChoose: (id: string) => void;
 }
 
-/** One of several, each with what distinguishes it; the arrow keys go from one to the next. */
+/**
+ * One of several, each with what distinguishes it, or why it cannot be chosen; the arrow keys go from
+ * one to the next.
+ */
 export function ChoiceGroup({ title, options, selected, onChoose }: ChoiceGroupProps) {
   const group = useRef<HTMLDivElement>(null);
   const onKey = (event: KeyboardEvent) => {
@@ -33,13 +36,15 @@ export function ChoiceGroup({ title, options, selected, onChoose }: ChoiceGroupP
             type="button"
             role="radio"
             aria-checked={option.id === selected}
+            aria-disabled={option.why_not ? true : undefined}
             className={styles.option}
-            onClick={() => option.id === selected || onChoose(option.id)}
+            onClick={() => option.id === selected || option.why_not || onChoose(option.id)}
           >
             <span className={styles.tick}>{option.id === selected && <CheckIcon size="1.125rem" />}</span>
             <span>
               <span className={styles.label}>{isolated(option.label)}</span>
               <span className={styles.detail}>{option.detail}</span>
+              {option.why_not && <span className={styles.why}>{option.why_not}</span>}
             </span>
           </button>
         ))}

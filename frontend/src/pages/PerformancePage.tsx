@@ -8,6 +8,7 @@ import { PressButton } from "../parts/PressButton";
 import { Reports } from "../parts/Reports";
 import { ArtefactChoice } from "../performance/ArtefactChoice";
 import { ArticulationList } from "../performance/ArticulationList";
+import { CertificateUpload } from "../performance/CertificateUpload";
 import { ExportFiles } from "../performance/ExportFiles";
 import { PerformanceCard } from "../performance/PerformanceCard";
 import { PerformanceRow } from "../performance/PerformanceRow";
@@ -82,7 +83,9 @@ function Before() {
           calibrated={calibrated}
           start={t("ui-start-the-test")}
           onStart={startPerformance}
-        />
+        >
+          <CertificateUpload />
+        </StartCard>
       }
     />
   );

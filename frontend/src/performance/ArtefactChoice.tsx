@@ -12,16 +12,20 @@ import { useLengthField } from "../parts/useLengthField";
 import { t } from "../state/language";
 import { GaugeDrawing } from "../verify/GaugeDrawing";
 import styles from "./ArtefactChoice.module.css";
+import { CertificateUpload } from "./CertificateUpload";
 
 /** The sphere, the number of positions, and the limits by the datasheet. */
 export function ArtefactChoice({ view }: { view: PerformanceView }) {
   if (view.gauges.length === 0)
     return (
-      <EmptyState
-        picture={<GaugeDrawing shape="sphere" />}
-        title={t("ui-no-gauge-yet")}
-        text={t("ui-put-datasheet-plate-sphere-into-folder")}
-      />
+      <div className={styles.choice}>
+        <EmptyState
+          picture={<GaugeDrawing shape="sphere" />}
+          title={t("ui-no-gauge-yet")}
+          text={t("ui-put-datasheet-plate-sphere-into-folder")}
+        />
+        <CertificateUpload />
+      </div>
     );
   return (
     <div className={styles.choice}>
@@ -31,6 +35,7 @@ export function ArtefactChoice({ view }: { view: PerformanceView }) {
         selected={view.gauge}
         onChoose={(id) => void sendCommand("performance", "choose_gauge", { id })}
       />
+      <CertificateUpload />
       <section>
         <h3 className={styles.heading}>{t("ui-positions-of-the-sphere")}</h3>
         <Chips

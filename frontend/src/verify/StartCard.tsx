@@ -1,3 +1,5 @@
+import type { ReactNode } from "react";
+
 import { MainAct } from "../parts/Actions";
 import { CardHead } from "../parts/CardHead";
 import { PressButton } from "../parts/PressButton";
@@ -11,13 +13,16 @@ interface Props {
   calibrated: boolean;
   start: string;
   onStart: () => Promise<void>;
+  /** What can be prepared before. */
+  children?: ReactNode;
 }
 
 /** Begins a session that needs a calibration in use; without one, leads there. */
-export function StartCard({ title, text, calibrated, start, onStart }: Props) {
+export function StartCard({ title, text, calibrated, start, onStart, children }: Props) {
   return (
     <>
       <CardHead title={title} text={calibrated ? text : t("ui-no-calibration-use-yet-calibrate-first")} />
+      {calibrated && children}
       <MainAct>
         {calibrated ? (
           <PressButton kind="primary" onPress={onStart}>

@@ -1,0 +1,53 @@
+import { type ChangeEvent, useRef, useState } from "react";
+
+import { ask } from "../api/commands";
+import { post } from "../api/http";
+import type { SphereOption } from "../api/wire";
+import { PressButton } from "../parts/PressButton";
+import { notify } from "../state/banner";
+import { isolated } from "../state/isolated";
+import { t } from "../state/language";
+import styles from "./CertificateUpload.module.css";
+
+/** Adds the digital certificate of a sphere to the station's gauges, and states what it is worth. */
+export function CertificateUpload() {
+  const chooser = useRef<HTMLInputElement>(null);
+  const [added, setAdded] = useState<SphereOption | null>(null);
+  const take = async (event: ChangeEvent<HTMLInputElement>) => {
+    const field = event.currentTarget;
+    const file = field.files?.[0];
+    if (!file) return;
+    const text = await readText(file);
+    // the same file can be chosen once more after it was corrected
+    field.value = "";
+    if (text === null) {
+      notify({ quality: "attention", title: t("ui-certificate-is-not-utf-8", { name: file.name }) });
+      return;
+    }
+    const body = { name: file.name.slice(0, 200), text };
+    const path = "/api/performance/certificate";
+    setAdded(await ask(() => post<SphereOption>(path, body), t("ui-the-certificate-was-not-added")));
+  };
+  return (
+    <div className={styles.upload}>
+      <input ref={chooser} type="file" accept=".xml,text/xml" hidden onChange={take} data-certificate />
+      <PressButton onPress={() => chooser.current?.click()}>{t("ui-add-a-certificate-dcc")}</PressButton>
+      {added && (
+        <p className={styles.added} role="status">
+          <strong>{isolated(added.label)}</strong>
+          {added.detail && <span>{added.detail}</span>}
+          <span>{added.why_not || t("ui-the-sphere-can-be-chosen")}</span>
+        </p>
+      )}
+    </div>
+  );
+}
+
+/** The text of a UTF-8 file; null of any other. */
+async function readText(file: File): Promise<string | null> {
+  try {
+    return new TextDecoder("utf-8", { fatal: true }).decode(await file.arrayBuffer());
+  } catch {
+    return null;
+  }
+}
