@@ -8,8 +8,7 @@ from urllib.parse import urlsplit
 from pydantic import AfterValidator, Field, ValidationInfo, model_validator
 
 from app.errors import OperationError
-from app.formats.open_file import read_bounded
-from app.formats.settings.toml_table import NonEmpty, SettingsPath, TomlTable
+from app.formats.settings.toml_table import NonEmpty, SettingsPath, TomlTable, read_secret
 from app.messages.message import message
 
 REMOTE = "://"
@@ -72,12 +71,4 @@ class ArchiveSettings(TomlTable):
         """
         if self.secret_file is None:
             return None
-        try:
-            return read_bounded(self.secret_file).decode().strip()
-        except (OSError, UnicodeDecodeError) as error:
-            raise OperationError(
-                "archive-secret",
-                message("cannot-read-2", password_file=self.secret_file),
-                str(getattr(error, "strerror", None) or error),
-                message("archive-name-secret-file"),
-            ) from error
+        return read_secret(self.secret_file, "archive-secret", message("archive-name-secret-file"))

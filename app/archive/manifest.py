@@ -59,6 +59,8 @@ class Manifest(Document):
     content: Annotated[str, Field(pattern="^[0-9a-f]{16}$")]
     """Of the files' hashes: another content is another folder in the archive."""
     archived_at: str
+    label: str | None = None
+    """Of a scan, what the operator calls it; None in older manifests and of other records."""
     files: tuple[ArchivedFile, ...]
 
     @property

@@ -37,6 +37,8 @@ class StationRecord:
     stamps: tuple[FileStamp, ...] = field(default=())
     """Of all its files, by path."""
     note: ArchiveNote | None = None
+    label: str | None = None
+    """Of a scan, its name in the list of scans."""
 
     @property
     def size_bytes(self) -> int:
@@ -45,8 +47,11 @@ class StationRecord:
 
     @property
     def is_archived(self) -> bool:
-        """Whether the archive has exactly these files."""
-        return self.note is not None and self.stamps == stamps_of(self.note)
+        """Whether the archive has exactly these files, under this name; without their names, as
+        earlier versions wrote them, they stay as they are."""
+        if self.note is None or self.note.label not in (None, self.label):
+            return False
+        return self.stamps == stamps_of(self.note)
 
 
 @dataclass(frozen=True, slots=True)

@@ -2,7 +2,7 @@
 
 import os
 from collections.abc import Iterator, Set
-from contextlib import suppress
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass
 from datetime import UTC, datetime, timedelta
 from pathlib import Path
@@ -11,7 +11,9 @@ from typing import get_args
 from app.archive.manifest import ArchiveNote, Kind
 from app.archive.notes import read_note
 from app.archive.planning import FileStamp, StationRecord
+from app.store.backup import DATABASE, check_data_folder
 from app.store.calibrations import CalibrationStore
+from app.store.database import Database
 from app.store.journal import JournalStore
 from app.store.scans import ScanStore
 from app.store.session_records import VerificationStore
@@ -33,6 +35,26 @@ class RecordLists:
     verifications: VerificationStore
 
 
+@contextmanager
+def open_record_lists(data: Path) -> Iterator[RecordLists]:
+    """The lists of a data folder, whose station may be running.
+
+    Raises:
+        OperationError: no station has used the folder, or its database cannot be read.
+    """
+    check_data_folder(data)
+    database = Database(data / DATABASE)
+    try:
+        yield RecordLists(
+            JournalStore(database),
+            ScanStore(database, data),
+            CalibrationStore(database, data),
+            VerificationStore(database, data),
+        )
+    finally:
+        database.close()
+
+
 def list_records(data: Path, lists: RecordLists, now: datetime) -> list[StationRecord]:
     """All records on the disk of the data folder.
 
@@ -50,8 +72,8 @@ def list_records(data: Path, lists: RecordLists, now: datetime) -> list[StationR
             stamps = stamps_in(folder)
             note = read_note(data, kind, folder.name)
             at = _newest_change(folder, stamps)
+            scan = scans.get(folder.name) if kind == "scans" else None
             if kind == "scans":
-                scan = scans.get(folder.name)
                 waits = (
                     scan is not None
                     and bool(scan.interrupted)
@@ -72,6 +94,7 @@ def list_records(data: Path, lists: RecordLists, now: datetime) -> list[StationR
                     needed,
                     stamps or (),
                     note,
+                    None if scan is None else str(scan.name),
                 )
             )
     return found

@@ -36,19 +36,22 @@ def archive_record(record: StationRecord, store: RemoteStore, pace: Pace) -> Arc
         SourceError: a file of the record cannot be read, or changes.
         ArchiveEndedError: the station ends.
     """
-    files = tuple(_hash_file(record.folder, stamp, pace) for stamp in record.stamps)
+    files = hash_files(record, pace)
     manifest = Manifest(
         kind=record.kind,
         id=record.id,
         content=content_name(files),
         archived_at=utc_now(),
+        label=record.label,
         files=files,
     )
     present = read_manifest(store, manifest.folder)
     if present is not None and find_difference(present, store, pace) is None:
-        return _note(manifest, present.archived_at)
-    for file in files:
-        _copy_file(record.folder, file, f"{manifest.folder}/{file.path}", store, pace)
+        if present.label == record.label:
+            return _note(manifest, present.archived_at)
+    else:
+        for file in files:
+            _copy_file(record.folder, file, f"{manifest.folder}/{file.path}", store, pace)
     if stamps_in(record.folder) != record.stamps:
         raise _change_error(record.folder)
     content = manifest.text().encode()
@@ -112,6 +115,15 @@ def download_file(
             writing.write(piece)
     if found.hexdigest() != file.sha256:
         raise _differs(name)
+
+
+def hash_files(record: StationRecord, pace: Pace) -> tuple[ArchivedFile, ...]:
+    """All files of a record with their hashes, by reading them.
+
+    Raises:
+        SourceError: one cannot be read, or changes.
+    """
+    return tuple(_hash_file(record.folder, stamp, pace) for stamp in record.stamps)
 
 
 def _hash_file(folder: Path, stamp: FileStamp, pace: Pace) -> ArchivedFile:

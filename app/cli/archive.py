@@ -119,16 +119,10 @@ def _open_archive(config: Path | None, data: Path | None) -> "Iterator[Archive]"
     """
     from app.archive.archive import Archive
     from app.archive.pace import full_speed
-    from app.archive.records import RecordLists
+    from app.archive.records import open_record_lists
     from app.errors import OperationError
     from app.messages.message import message
     from app.settings.station_toml import read_settings
-    from app.store.backup import DATABASE, check_data_folder
-    from app.store.calibrations import CalibrationStore
-    from app.store.database import Database
-    from app.store.journal import JournalStore
-    from app.store.scans import ScanStore
-    from app.store.session_records import VerificationStore
 
     settings = read_settings(config)
     if settings.archive is None:
@@ -136,15 +130,5 @@ def _open_archive(config: Path | None, data: Path | None) -> "Iterator[Archive]"
             "no-archive", message("archive-not-set"), remedy=message("archive-write-table")
         )
     folder = (data or settings.station.data).absolute()
-    check_data_folder(folder)
-    database = Database(folder / DATABASE)
-    try:
-        lists = RecordLists(
-            JournalStore(database),
-            ScanStore(database, folder),
-            CalibrationStore(database, folder),
-            VerificationStore(database, folder),
-        )
+    with open_record_lists(folder) as lists:
         yield Archive(settings.archive, folder, lists, full_speed())
-    finally:
-        database.close()

@@ -12,6 +12,7 @@ import typer
 from app.cli.archive import archive
 from app.cli.arm import articulation, identify
 from app.cli.bench import bench
+from app.cli.catalogue import catalogue
 from app.cli.certificate import certificate
 from app.cli.performance import performance
 from app.cli.pictures import detect, extract
@@ -187,5 +188,6 @@ cli.command()(password)
 cli.command()(mqtt_schema)
 cli.add_typer(archive, name="archive")
 cli.add_typer(bench, name="bench")
+cli.add_typer(catalogue, name="catalogue")
 cli.add_typer(performance, name="performance")
 cli.add_typer(certificate, name="certificate")

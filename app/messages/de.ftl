@@ -1177,7 +1177,13 @@ flange-differs = der Flansch weicht um { $moved } ab
 flange-turned-most-between-poses = der Flansch hat sich zwischen den { $count } Posen höchstens um { $turn } gedreht
 flanges-frame-now-arms-calibrations-made = Das Flanschsystem ist jetzt das dieses Messarms: Kalibrierungen mit dem bisherigen Messarm gehören nicht dazu.
 flat-board-tells-cameras-focal-length = eine ebene Tafel bestimmt die Brennweite der Kamera ab { $fewest_poses } gegeneinander geneigten Bildern
+fleet-give-place = Geben Sie archive = {"{"} url = "…" {"}"} oder data = "…" an
 fleet-library-missing = Die Bibliotheken der Flotte fehlen: { $libraries }
+fleet-name-password-file = Nennen Sie eine Datei, die nur das Passwort der Datenbank enthält
+fleet-no-marker = crenel-archive.txt fehlt darin; die Station schreibt es mit ihrem ersten Datensatz
+fleet-settings-missing = { $path }: diese Datei gibt es nicht
+fleet-station-has-no-place = { $file }: eine Station hat weder ein Archiv noch einen Datenordner
+fleet-write-settings = Schreiben Sie eine, wie docs/fleet.md zeigt, oder nennen Sie eine andere mit --config
 floors-grooves = Nutgründe
 focal-length = Brennweite
 focal-lengths = { $u } × { $v }

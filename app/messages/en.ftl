@@ -1173,7 +1173,13 @@ flange-differs = the flange differs by { $moved }
 flange-turned-most-between-poses = the flange rotated by at most { $turn } between the { $count } poses
 flanges-frame-now-arms-calibrations-made = The flange frame is now that of this arm: calibrations made with the previous arm do not apply to it.
 flat-board-tells-cameras-focal-length = a flat board determines the camera's focal length only with at least { $fewest_poses } pictures, tilted relative to each other
+fleet-give-place = Give archive = {"{"} url = "…" {"}"} or data = "…"
 fleet-library-missing = The libraries of the fleet are missing: { $libraries }
+fleet-name-password-file = Name a file that contains only the password of the database
+fleet-no-marker = it lacks crenel-archive.txt, which the station writes there with its first record
+fleet-settings-missing = { $path }: there is no such file
+fleet-station-has-no-place = { $file }: a station has neither an archive nor a data folder
+fleet-write-settings = Write one as docs/fleet.md shows, or name another with --config
 floors-grooves = Floors (grooves)
 focal-length = Focal length
 focal-lengths = { $u } × { $v }

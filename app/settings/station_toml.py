@@ -2,8 +2,9 @@
 
 import tomllib
 from pathlib import Path
+from typing import TypeVar
 
-from pydantic import ValidationError
+from pydantic import BaseModel, ValidationError
 
 from app.errors import OperationError
 from app.formats.io_errors import convert_io_errors
@@ -11,6 +12,7 @@ from app.formats.open_file import read_bounded
 from app.messages.validation import validation_text
 from app.settings.settings import Settings
 
+Tables = TypeVar("Tables", bound=BaseModel)
 DEFAULT_FILE = "station.toml"
 WORDS = {
     "string_type": "it must be text in quotes",
@@ -45,10 +47,19 @@ def read_settings(path: Path | None) -> Settings:
             "it states which arm and which sensor are connected",
             "Write one as docs/operating.md shows, name another with --config, or try crenel demo",
         )
+    return read_tables(path, Settings)
+
+
+def read_tables(path: Path, model: type[Tables]) -> Tables:
+    """Reads a file of settings, whose path is the context of the validation.
+
+    Raises:
+        OperationError: as ``read_settings``, for a file that is there.
+    """
     with convert_io_errors(path):
         raw = read_bounded(path)
     try:
-        return Settings.model_validate(tomllib.loads(raw.decode()), context=path)
+        return model.model_validate(tomllib.loads(raw.decode()), context=path)
     except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
         raise OperationError("settings-not-toml", str(path), f"it is not TOML: {error}") from error
     except ValidationError as error:
@@ -70,7 +81,7 @@ def _invalid(path: Path, error: ValidationError) -> OperationError:
         )
     words = WORDS.get(first["type"])
     if first["type"] == "string_pattern_mismatch":
-        words = PATTERN_WORDS[place[-1]]
+        words = PATTERN_WORDS.get(place[-1], PATTERN_WORDS["station"])
     return OperationError(
         "settings-key-invalid",
         f"{named} = {first['input']!r}",

@@ -4,9 +4,7 @@ from typing import Annotated
 
 from pydantic import Field
 
-from app.errors import OperationError
-from app.formats.open_file import read_bounded
-from app.formats.settings.toml_table import NonEmpty, SettingsPath, TomlTable
+from app.formats.settings.toml_table import NonEmpty, SettingsPath, TomlTable, read_secret
 from app.messages.message import message
 
 
@@ -31,12 +29,5 @@ class BrokerSettings(TomlTable):
         """
         if self.password_file is None:
             return None
-        try:
-            return read_bounded(self.password_file).decode().rstrip("\r\n")
-        except (OSError, UnicodeDecodeError) as error:
-            raise OperationError(
-                "mqtt-password",
-                message("cannot-read-2", password_file=self.password_file),
-                str(getattr(error, "strerror", None) or error),
-                message("name-file-holds-brokers-password-alone"),
-            ) from error
+        remedy = message("name-file-holds-brokers-password-alone")
+        return read_secret(self.password_file, "mqtt-password", remedy)

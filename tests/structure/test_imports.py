@@ -22,7 +22,6 @@ LAYERS: dict[str, set[str]] = {
     "app.workflows": {"app.formats", "app.metrology"},
     "app.store": {"app.formats"},
     "app.archive": {"app.store", "app.formats"},
-    "app.fleet": {"app.archive", "app.supervision", "app.formats", "app.metrology"},
     "app.security": {"app.store"},
     "app.station": {"app.workflows", "app.formats", "app.metrology", "app.native", "hardware"},
     "app.guide": {"app.station", "app.workflows", "app.formats", "app.metrology"},
@@ -32,6 +31,13 @@ LAYERS: dict[str, set[str]] = {
     "app.settings": {
         "app.archive",
         "app.guide",
+        "app.supervision",
+        "app.formats",
+        "app.metrology",
+    },
+    "app.fleet": {
+        "app.archive",
+        "app.settings",
         "app.supervision",
         "app.formats",
         "app.metrology",

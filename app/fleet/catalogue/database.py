@@ -76,7 +76,9 @@ def create_engine(url: str) -> "Engine":
 
 def place_of(url: str) -> str:
     """An address in messages: without user and password."""
-    scheme, _, rest = url.partition("://")
+    scheme, separator, rest = url.partition("://")
+    if not separator:
+        return url
     return f"{scheme.partition('+')[0]}://{rest.rpartition('@')[2]}"
 
 

@@ -75,6 +75,7 @@ class KnownContent:
 
     content: str
     label: str
+    size_bytes: int
     current_at: datetime
     archived: bool
 
@@ -162,6 +163,7 @@ def list_contents(connection: Connection, station: str) -> dict[str, KnownConten
             RecordRow.id,
             RecordRow.content,
             RecordRow.label,
+            RecordRow.size_bytes,
             RecordRow.current_at,
             RecordRow.archived_at.is_not(None),
         ).where(RecordRow.station == station)

@@ -6,6 +6,10 @@ from typing import Annotated
 from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, ValidationInfo
 from pydantic_core import PydanticKnownError
 
+from app.errors import OperationError
+from app.formats.open_file import read_bounded
+from app.messages.message import Text, message
+
 
 class TomlTable(BaseModel):
     """Its values are of their own kind, and keys that it does not know are refused."""
@@ -26,3 +30,17 @@ SettingsPath = Annotated[Path, BeforeValidator(_resolve)]
 """Relative ones are beside the file, whose own path is the context of the validation."""
 NonEmpty = Annotated[str, Field(min_length=1)]
 Limit = Annotated[float, Field(gt=0, le=10_000, allow_inf_nan=False)]
+
+
+def read_secret(path: Path, code: str, remedy: Text) -> str:
+    """The content of a file that contains only a password or a key, without the line ending.
+
+    Raises:
+        OperationError: ``code``, it cannot be read.
+    """
+    try:
+        return read_bounded(path).decode().rstrip("\r\n")
+    except (OSError, UnicodeDecodeError) as error:
+        reason = str(getattr(error, "strerror", None) or error)
+        what = message("cannot-read-2", password_file=path)
+        raise OperationError(code, what, reason, remedy) from error

@@ -1,0 +1,113 @@
+"""``fleet.toml``: the catalogue's database, the stations, their archives or data folders, and the
+broker."""
+
+from pathlib import Path
+from typing import Annotated, Self
+from urllib.parse import quote
+
+from pydantic import AfterValidator, Field, ValidationInfo, model_validator
+
+from app.archive.archive_settings import ArchiveSettings
+from app.errors import OperationError
+from app.fleet.collection.collector import CollectedStation
+from app.fleet.collection.places import ArchivePlace, FolderPlace, RecordPlace
+from app.formats.settings.toml_table import NonEmpty, SettingsPath, TomlTable, read_secret
+from app.messages.message import message
+from app.settings.station_toml import read_tables
+from app.supervision.broker_settings import BrokerSettings
+
+DEFAULT_FILE = "fleet.toml"
+SQLITE = "sqlite:///"
+StationId = Annotated[str, Field(pattern="^[a-z0-9-]{1,40}$")]
+
+
+def _resolve_database(url: str, info: ValidationInfo) -> str:
+    """A path of SQLite is relative to the file of the settings."""
+    if not url.startswith(SQLITE):
+        return url
+    assert isinstance(info.context, Path)
+    path = info.context.absolute().parent / Path(url.removeprefix(SQLITE)).expanduser()
+    return f"{SQLITE}{path}"
+
+
+class CatalogueSettings(TomlTable):
+    """``[catalogue]`` of fleet.toml."""
+
+    database: Annotated[NonEmpty, AfterValidator(_resolve_database)]
+    password_file: SettingsPath | None = None
+    """Contains only the password of the user in ``database``."""
+    look_s: Annotated[float, Field(ge=1, le=86_400, allow_inf_nan=False)] = 60.0
+    """Between two looks for new records."""
+
+    def url(self) -> str:
+        """The address with the password.
+
+        Raises:
+            OperationError: its file cannot be read.
+        """
+        if self.password_file is None:
+            return self.database
+        scheme, _, rest = self.database.partition("://")
+        user, _, place = rest.rpartition("@")
+        remedy = message("fleet-name-password-file")
+        password = read_secret(self.password_file, "catalogue-password", remedy)
+        return f"{scheme}://{user}:{quote(password, safe='')}@{place}"
+
+
+class StationPlaces(TomlTable):
+    """``[stations.ID]`` of fleet.toml; the id is that of the station's topics."""
+
+    name: str = ""
+    archive: ArchiveSettings | None = None
+    data: SettingsPath | None = None
+    """Its data folder, of a station on this machine."""
+
+    @model_validator(mode="after")
+    def _check_place(self, info: ValidationInfo) -> Self:
+        if self.archive is None and self.data is None:
+            raise OperationError(
+                "fleet-station-place",
+                message("fleet-station-has-no-place", file=str(info.context)),
+                remedy=message("fleet-give-place"),
+            )
+        return self
+
+    def places(self) -> list[RecordPlace]:
+        """Where its records are collected: its own disk first, which knows the names of today."""
+        found: list[RecordPlace] = []
+        if self.data is not None:
+            found.append(FolderPlace(self.data))
+        if self.archive is not None:
+            found.append(ArchivePlace(self.archive))
+        return found
+
+
+class FleetSettings(TomlTable):
+    """The whole file."""
+
+    catalogue: CatalogueSettings
+    stations: dict[StationId, StationPlaces] = Field(default_factory=dict)
+    mqtt: BrokerSettings | None = None
+
+    def list_stations(self) -> list[CollectedStation]:
+        """The stations with their places, as the file lists them."""
+        return [
+            CollectedStation(station, places.name, places.places())
+            for station, places in self.stations.items()
+        ]
+
+
+def read_fleet_settings(path: Path | None) -> FleetSettings:
+    """Reads ``fleet.toml``, by default the one in the working folder.
+
+    Raises:
+        OperationError: there is no such file, or it is not as docs/fleet.md describes.
+    """
+    path = path or Path(DEFAULT_FILE)
+    if not path.exists():
+        raise OperationError(
+            "settings-missing",
+            message("fleet-settings-missing", path=path),
+            remedy=message("fleet-write-settings"),
+        )
+    return read_tables(path, FleetSettings)

@@ -1,0 +1,81 @@
+"""``crenel catalogue`` on the data folder of a station."""
+
+import json
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from typer.testing import CliRunner, Result
+
+from app.cli.main import cli
+from app.store.store import Store
+from tests.fleet.records import add_every_kind
+
+SETTINGS = """
+[catalogue]
+database = "sqlite:///catalogue.db"
+
+[stations.room-1]
+name = "Measuring room 1"
+data = "data"
+
+[stations.room-2]
+archive = { url = "archive-of-room-2" }
+"""
+
+
+@pytest.fixture
+def store(tmp_path: Path) -> Iterator[Store]:
+    opened = Store(tmp_path / "data")
+    add_every_kind(opened)
+    yield opened
+    opened.close()
+
+
+@pytest.fixture
+def config(store: Store, tmp_path: Path) -> Path:
+    path = tmp_path / "fleet.toml"
+    path.write_text(SETTINGS)
+    return path
+
+
+def run(config: Path, *arguments: str) -> Result:
+    return CliRunner().invoke(cli, ["catalogue", *arguments, "--config", str(config)])
+
+
+def test_a_station_is_collected_searched_and_shown(config: Path) -> None:
+    collected = run(config, "collect")
+    assert "7 records are new" in collected.stdout
+    assert "room-2: The archive" in collected.stderr
+    assert collected.exit_code == 1
+    found = json.loads(run(config, "search", "housing 4711", "--json").stdout)["records"]
+    assert [one["id"] for one in found] == ["20260504-111500"]
+    assert "Housing 4711" in run(config, "search", "--since", "2026-05-04", "--kind", "scan").stdout
+    shown = run(config, "show", "room-1", "tip_check", "20260504-080000-dd44")
+    assert "tip-diameter-error" in shown.stdout
+    assert "-100 µm" in shown.stdout
+    stations = json.loads(run(config, "status", "--json").stdout)["stations"]
+    assert [(one["id"], one["records"]) for one in stations] == [("room-1", 7), ("room-2", 0)]
+    assert stations[1]["problem"]
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ("[stations.room-1]\ndata = 'data'\n", "[catalogue] is missing"),
+        ("[catalogue]\ndatabase = 'nonsense'\n", "nonsense is no address of a catalogue"),
+        ("[catalogue]\ndatabase = 'sqlite:///a.db'\n[stations.a]\n", "neither an archive nor"),
+        ("[catalogue]\ndatabase = 'postgresql://u@127.0.0.1:1/a'\n", "cannot be used now"),
+    ],
+)
+def test_settings_that_cannot_work_are_one_clear_line(tmp_path: Path, text: str, said: str) -> None:
+    path = tmp_path / "fleet.toml"
+    path.write_text(text)
+    refused = run(path, "status")
+    assert refused.exit_code == 1
+    assert said in refused.stderr
+    assert refused.stderr.count("\n") == 1
+
+
+def test_missing_settings_are_named(tmp_path: Path) -> None:
+    assert "there is no such file" in run(tmp_path / "none.toml", "status").stderr
