@@ -38,6 +38,9 @@ class RemoteStore(Protocol):
     def read(self, name: str) -> Iterator[bytes]:
         """The content of a file in pieces."""
 
+    def read_start(self, name: str, count: int) -> bytes:
+        """The first ``count`` bytes of a file, or all of a shorter one."""
+
     def size(self, name: str) -> int | None:
         """Bytes of a file; None if there is none."""
 
@@ -69,6 +72,10 @@ class FolderStore:
                 os.posix_fadvise(file.fileno(), 0, 0, os.POSIX_FADV_DONTNEED)
             while piece := file.read(PIECE_BYTES):
                 yield piece
+
+    def read_start(self, name: str, count: int) -> bytes:
+        with convert_store_errors(self._place), open_file(self._root / name) as file:
+            return file.read(count)
 
     def size(self, name: str) -> int | None:
         with convert_store_errors(self._place):
@@ -128,6 +135,11 @@ class FsspecStore:
             with closing(files.open(path, "rb", block_size=PART_BYTES)) as file:
                 while piece := file.read(PIECE_BYTES):
                     yield piece
+
+    def read_start(self, name: str, count: int) -> bytes:
+        with convert_store_errors(self._place):
+            files, path = self._at(name)
+            return bytes(files.cat_file(path, start=0, end=count))
 
     def size(self, name: str) -> int | None:
         with convert_store_errors(self._place):

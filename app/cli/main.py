@@ -11,6 +11,7 @@ import typer
 
 from app.cli.archive import archive
 from app.cli.arm import articulation, identify
+from app.cli.batch import rebuild
 from app.cli.bench import bench
 from app.cli.catalogue import catalogue
 from app.cli.certificate import certificate
@@ -177,6 +178,7 @@ def verify(
 cli.command()(extract)
 cli.command()(detect)
 cli.command()(reconstruct)
+cli.command()(rebuild)
 cli.command()(sync)
 cli.command()(study)
 cli.command()(replay)

@@ -111,11 +111,12 @@ def reconstruct_cloud(
     cloud_path: Path,
     progress: Progress = no_progress,
     delay_ns: int | None = None,
+    threads: int | None = None,
 ) -> Reconstruction:
     """Reconstructs the cloud of a recording in the arm frame and writes it in the format of its
     name.
 
-    The recording is opened, and points are made, on all cores; only a few blocks of it
+    The recording is opened, and points are made, on several cores; only a few blocks of it
     are in memory at a time.
 
     Args:
@@ -123,6 +124,7 @@ def reconstruct_cloud(
             sensor without one are left out.
         delay_ns: delay of the arm's time stamps relative to the camera's; None: as applied by the
             station, if the recording states it.
+        threads: that compute at the same time; None: one for each core.
 
     Raises:
         OperationError: calibration, arm and recording do not belong together, the recording
@@ -137,6 +139,7 @@ def reconstruct_cloud(
             lambda points, _: cloud.append(points),
             progress,
             delay_ns,
+            threads=threads,
         )
 
 
@@ -166,13 +169,14 @@ def reconstruct_into(
     progress: Progress = no_progress,
     delay_ns: int | None = None,
     take_poses: PoseConsumer = lambda first, poses: None,
+    threads: int | None = None,
 ) -> Reconstruction:
     """Like ``reconstruct_cloud``; passes the points to ``take``, and the poses of their frames to
     ``take_poses``, in order, in the caller's thread."""
     for one in calibrations_by_sensor(calibration).values():
         check_serials(one, arm)
     job = _Job(open_recording(recording_path), calibration, arm, (take, take_poses), delay_ns)
-    workers = os.cpu_count() or 1
+    workers = threads or os.cpu_count() or 1
     with ThreadPoolExecutor(workers, "rebuild") as pool:
         try:
             job.run(pool, 2 * workers, progress)

@@ -22,6 +22,7 @@ LAYERS: dict[str, set[str]] = {
     "app.workflows": {"app.formats", "app.metrology"},
     "app.store": {"app.formats"},
     "app.archive": {"app.store", "app.formats"},
+    "app.batch": {"app.archive", "app.workflows", "app.formats", "app.metrology"},
     "app.security": {"app.store"},
     "app.station": {"app.workflows", "app.formats", "app.metrology", "app.native", "hardware"},
     "app.guide": {"app.station", "app.workflows", "app.formats", "app.metrology"},

@@ -77,7 +77,9 @@ def raw_records(file: BinaryIO, largest: int = LARGEST_RECORD) -> Iterator[McapR
     Raises:
         what ``DAMAGE`` names: where the file is cut off or damaged.
     """
-    size = os.fstat(file.fileno()).st_size
+    at = file.tell()
+    size = file.seek(0, os.SEEK_END)
+    file.seek(at)
     while True:
         opcode, length = HEAD.unpack(_read(file, HEAD.size))
         if opcode == INVALID:

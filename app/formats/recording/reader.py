@@ -101,17 +101,7 @@ class Recording:
             OperationError: missing, or no MCAP.
         """
         with convert_io_errors(self.path), open_file(self.path) as file:
-            check_magic(self.path, file)
-            with suppress(*DAMAGE):
-                for record in raw_records(file, LARGEST_PREAMBLE):
-                    if (
-                        isinstance(record, Chunk | LoggedMessage | DataEnd)
-                        or file.tell() > LARGEST_PREAMBLE
-                    ):
-                        break
-                    if isinstance(record, Metadata) and record.name == STATION_METADATA:
-                        return dict(record.metadata)
-        return {}
+            return read_station_metadata(self.path, file)
 
     def _decode(self, file: BinaryIO) -> Iterator[Record]:
         decoders = Decoders(self.path)
@@ -180,6 +170,29 @@ class Recording:
             share=quantity(share, "%"),
             end=quantity((self.last_ns - self.first_ns) / 1e9, "s", 3),
         )
+
+
+def read_station_metadata(path: Path, file: BinaryIO) -> dict[str, str]:
+    """The properties of the station from a recording's beginning, ``LARGEST_PREAMBLE`` bytes of it;
+    empty if there are none.
+
+    Args:
+        path: names the recording in messages.
+
+    Raises:
+        OperationError: no MCAP.
+    """
+    check_magic(path, file)
+    with suppress(*DAMAGE):
+        for record in raw_records(file, LARGEST_PREAMBLE):
+            if (
+                isinstance(record, Chunk | LoggedMessage | DataEnd)
+                or file.tell() > LARGEST_PREAMBLE
+            ):
+                break
+            if isinstance(record, Metadata) and record.name == STATION_METADATA:
+                return dict(record.metadata)
+    return {}
 
 
 def open_recording(path: Path) -> Recording:

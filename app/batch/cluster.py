@@ -1,0 +1,148 @@
+"""The workers: processes of this machine, or any cluster of Dask."""
+
+import logging
+import os
+import time
+from collections.abc import Callable
+from contextlib import suppress
+from tempfile import TemporaryDirectory
+from typing import TYPE_CHECKING, Any, Protocol
+
+from app.errors import OperationError
+from app.messages.message import Text, message, quantity
+
+if TYPE_CHECKING:
+    from distributed import Client, LocalCluster
+
+CONNECT_S = 5.0
+CLOSE_S = 5.0
+GIVE_UP_S = 3600.0
+"""A scheduler or a store that does not answer for so long is given up."""
+PAUSE_S = 1.0
+
+
+class Cluster(Protocol):
+    """Workers that are asked through a client of Dask."""
+
+    threads: int
+    """Of one piece of work."""
+
+    @property
+    def client(self) -> "Client":
+        """Connected, as far as is known."""
+
+    def reconnect(self, say: Callable[[Text], None]) -> None:
+        """Waits until the scheduler is there again; raises ``OperationError`` after an hour."""
+
+    def close(self) -> None:
+        """Ends what was started here; idempotent."""
+
+
+class LocalWorkers:
+    """Worker processes of this machine; Dask replaces one that ends.
+
+    Args:
+        count: of processes; each does one piece of work at a time.
+
+    Raises:
+        OperationError: Dask is not installed.
+    """
+
+    def __init__(self, count: int) -> None:
+        dask = _load_dask()
+        self.threads = max((os.cpu_count() or 1) // count, 1)
+        self._folder = TemporaryDirectory(prefix="crenel-workers-")
+        self._cluster: LocalCluster = dask.LocalCluster(
+            n_workers=count,
+            threads_per_worker=1,
+            processes=True,
+            host="127.0.0.1",
+            dashboard_address="127.0.0.1:0",
+            local_directory=self._folder.name,
+            silence_logs=logging.CRITICAL,
+        )
+        self.client: Client = dask.Client(self._cluster, set_as_default=False)
+
+    def reconnect(self, say: Callable[[Text], None]) -> None:
+        raise _scheduler_error(str(self._cluster.scheduler_address))
+
+    def close(self) -> None:
+        with suppress(Exception):  # whatever Dask says about processes that have ended
+            self.client.close(CLOSE_S)
+        with suppress(Exception):
+            self._cluster.close(CLOSE_S)
+        self._folder.cleanup()
+
+
+class RemoteScheduler:
+    """The workers of a scheduler that runs somewhere.
+
+    Args:
+        address: as ``tcp://host:8786``.
+        threads: of one piece of work.
+
+    Raises:
+        OperationError: Dask is not installed, or the scheduler does not answer.
+    """
+
+    def __init__(self, address: str, threads: int = 1) -> None:
+        self._dask, self._address, self.threads = _load_dask(), address, threads
+        try:
+            self.client: Client = self._connect()
+        except (OSError, ValueError) as error:
+            raise OperationError(
+                "no-scheduler",
+                message("batch-no-scheduler", address=address),
+                str(error),
+                message("batch-start-scheduler"),
+            ) from error
+
+    def reconnect(self, say: Callable[[Text], None]) -> None:
+        with suppress(Exception):
+            self.client.close(CLOSE_S)
+        say(message("batch-scheduler-away", address=self._address))
+        deadline_s = time.monotonic() + GIVE_UP_S
+        while time.monotonic() < deadline_s:
+            try:
+                self.client = self._connect()
+            except (OSError, ValueError):
+                time.sleep(PAUSE_S)
+            else:
+                say(message("batch-scheduler-back"))
+                return
+        raise _scheduler_error(self._address)
+
+    def close(self) -> None:
+        with suppress(Exception):
+            self.client.close(CLOSE_S)
+
+    def _connect(self) -> "Client":
+        client: Client = self._dask.Client(
+            self._address, timeout=CONNECT_S, set_as_default=False, name="crenel"
+        )
+        return client
+
+
+def _load_dask() -> Any:
+    try:
+        import distributed
+    except ImportError as error:
+        raise OperationError(
+            "no-dask",
+            message("batch-no-dask"),
+            str(error),
+            message("batch-install-dask"),
+        ) from error
+    # what it logs of workers and schedulers that are lost is its own matter
+    for name in ("distributed", "tornado", "asyncio"):
+        logging.getLogger(name).setLevel(logging.CRITICAL)
+    return distributed
+
+
+def _scheduler_error(address: str) -> OperationError:
+    return OperationError(
+        "no-scheduler",
+        message("batch-no-scheduler", address=address),
+        message("batch-waited", time=quantity(GIVE_UP_S / 60, "min")),
+        message("batch-run-again"),
+    )

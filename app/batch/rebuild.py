@@ -1,0 +1,136 @@
+"""``crenel rebuild``: the clouds of many recordings, with today's calibration or any other."""
+
+import hashlib
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from app.archive.archive_settings import ArchiveSettings
+from app.batch.calibrations import BySensor, CalibrationFinder, GivenCalibrations
+from app.batch.places import Dependency, Place
+from app.batch.recordings import ScanRecording, Selection, find_recordings
+from app.batch.results import RebuiltCloud, ResultStore, describe_files, stem_of
+from app.batch.work import Desk, Refusal
+from app.errors import OperationError
+from app.formats.json_document import SOFTWARE
+from app.progress import Progress, no_progress
+from app.workflows.reconstruct import reconstruct_cloud
+
+RECORDING = "scan.mcap"
+
+
+@dataclass(frozen=True)
+class RebuildWork:
+    """The cloud of one recording."""
+
+    key: str
+    recording: ScanRecording
+    digest: str
+    """SHA-256 of the recording."""
+    calibrations: BySensor
+    output: ArchiveSettings
+    suffix: str
+    """Of the cloud's format, as ``.ply``."""
+
+    @property
+    def name(self) -> str:
+        return f"{self.recording.station}/{self.recording.id}"
+
+    @property
+    def size_bytes(self) -> int:
+        return self.recording.file.bytes
+
+    @property
+    def stem(self) -> str:
+        """The name of the result without its suffix."""
+        return stem_of(self.recording.station, self.recording.id, self.key)
+
+    @property
+    def depends_on(self) -> Sequence[Dependency]:
+        return (self.recording.file.place.dependency, Dependency(self.output))
+
+    def perform(self, desk: Desk) -> Mapping[str, Any]:
+        results = ResultStore(self.output)
+        if (known := results.read(self.stem)) is not None:
+            return known
+        read = {sensor: files.read(desk.folder) for sensor, files in self.calibrations.items()}
+        arm = next(arm for _, arm in read.values())
+        sensors = {sensor: calibration for sensor, (calibration, _) in read.items()}
+        path = desk.local_copy(self.recording.file, RECORDING)
+        cloud = self.stem + self.suffix
+        with results.file(cloud, desk) as target:
+            made = reconstruct_cloud(path, sensors, arm, target, desk.report, threads=desk.threads)
+        document = RebuiltCloud(
+            key=self.key,
+            station=self.recording.station,
+            record=self.recording.id,
+            started_at=self.recording.started_at.isoformat(),
+            recording_sha256=self.digest,
+            calibrations=describe_files(self.calibrations),
+            software=SOFTWARE,
+            cloud=cloud,
+            points=made.points,
+            frames=made.frames,
+            frames_without_stripe=made.frames_without_stripe,
+            frames_without_joints=made.frames_without_joints,
+            seconds=made.seconds,
+            warnings=made.warnings,
+        )
+        return results.write(self.stem, document)
+
+
+@dataclass(frozen=True)
+class RebuildPlan:
+    """What is to be done."""
+
+    works: list[RebuildWork]
+    refused: list[tuple[str, Refusal]]
+    """Recordings that cannot be rebuilt, by name."""
+    left_out: int
+    """Recordings of another arm or sensor than the given calibration's."""
+
+
+def plan_rebuild(
+    places: Sequence[Place],
+    selection: Selection,
+    output: ArchiveSettings,
+    suffix: str,
+    given: BySensor | None = None,
+    progress: Progress = no_progress,
+) -> RebuildPlan:
+    """The recordings that are chosen, each with the calibrations for it.
+
+    Args:
+        output: where the clouds go.
+        given: calibrations for all; None: those with which each recording was taken.
+
+    Raises:
+        OperationError: a place cannot be read, or a given calibration is damaged.
+    """
+    finder = CalibrationFinder(places)
+    works: list[RebuildWork] = []
+    refused: list[tuple[str, Refusal]] = []
+    left_out = 0
+    checked = GivenCalibrations(given) if given is not None else None
+    for recording in find_recordings(places, selection, progress):
+        if checked is not None and not checked.belong_to(recording):
+            left_out += 1
+            continue
+        name = f"{recording.station}/{recording.id}"
+        try:
+            calibrations = given if given is not None else finder.of_recording(recording)
+            digest = recording.file.digest()
+        except OperationError as error:
+            refused.append((name, Refusal.of(error)))
+            continue
+        key = key_of("rebuild", digest, calibrations, suffix)
+        works.append(RebuildWork(key, recording, digest, calibrations, output, suffix))
+    return RebuildPlan(works, refused, left_out)
+
+
+def key_of(kind: str, digest: str, calibrations: BySensor, *more: str) -> str:
+    """The key of a result: of recording, calibrations, arm, software version and what else
+    determines it."""
+    used = [f"{sensor} {files.digest}" for sensor, files in sorted(calibrations.items())]
+    lines = [kind, SOFTWARE.version, digest, *used, *more]
+    return hashlib.sha256("\n".join(lines).encode()).hexdigest()

@@ -1,0 +1,148 @@
+"""Chooses recordings of scans: by period, station and the calibration that they were taken with."""
+
+from collections.abc import Iterator, Mapping, Sequence
+from concurrent.futures import ThreadPoolExecutor
+from contextlib import suppress
+from dataclasses import dataclass
+from datetime import UTC, datetime, timedelta
+from functools import partial
+from io import BytesIO
+from pathlib import Path
+
+from app.archive.manifest import Kind
+from app.archive.remote_store import RemoteStore
+from app.batch.period import ALWAYS, Period
+from app.batch.places import Place, PlaceRecord, RecordFile
+from app.errors import OperationError
+from app.formats.open_file import open_file
+from app.formats.recording.raw import MAGIC
+from app.formats.recording.reader import (
+    LARGEST_PREAMBLE,
+    SCAN_CALIBRATION,
+    SCAN_STARTED,
+    read_station_metadata,
+)
+from app.formats.recording.topics import sensor_values
+from app.progress import Progress, no_progress
+from app.timestamps import is_moment, parse_moment
+
+RECORDING = "scan.mcap"
+READERS = 16
+"""Records that are looked at simultaneously: a store far away answers slowly."""
+LONGEST = timedelta(days=2)
+"""No scan takes longer."""
+
+
+@dataclass(frozen=True)
+class Selection:
+    """Which records are worked on."""
+
+    period: Period = ALWAYS
+    stations: frozenset[str] = frozenset()
+    """Empty: all."""
+    taken_with: frozenset[str] = frozenset()
+    """Ids of calibrations; empty: all."""
+
+    def places(self, places: Sequence[Place]) -> list[Place]:
+        """Those of the chosen stations."""
+        return [one for one in places if not self.stations or one.station in self.stations]
+
+
+@dataclass(frozen=True)
+class ScanRecording:
+    """The recording of a scan."""
+
+    id: str
+    file: RecordFile
+    metadata: Mapping[str, str]
+    """Of the station, as the recording states them."""
+
+    @property
+    def station(self) -> str:
+        """The station that took it."""
+        return self.file.place.station
+
+    @property
+    def started_at(self) -> datetime:
+        """When it began; else when its file was completed."""
+        started = self.metadata.get(SCAN_STARTED, "")
+        return parse_moment(started) if is_moment(started) else completion_time(self.file)
+
+    @property
+    def calibration_ids(self) -> dict[str, str]:
+        """Of the calibration in use, by the sensor's name; empty of the only one."""
+        stated = sensor_values(self.metadata, SCAN_CALIBRATION)
+        return {name: one for name, one in stated.items() if name} or stated
+
+
+def completion_time(file: RecordFile) -> datetime:
+    """When a file was last written."""
+    return datetime.fromtimestamp(file.mtime_ns / 1e9, UTC)
+
+
+def find_records(
+    place: Place, kind: Kind, progress: Progress = no_progress
+) -> Iterator[tuple[PlaceRecord, RemoteStore]]:
+    """All whole records of a kind, with the store that they are read from.
+
+    Raises:
+        OperationError: the place cannot be read.
+    """
+    store = place.store()
+    ids = place.ids(kind, store)
+    with ThreadPoolExecutor(READERS, "find-records") as pool:
+        for number, record in enumerate(pool.map(lambda one: place.record(kind, one, store), ids)):
+            progress(number / len(ids), place.station)
+            if record is not None:
+                yield record, store
+
+
+def find_recordings(
+    places: Sequence[Place], selection: Selection, progress: Progress = no_progress
+) -> Iterator[ScanRecording]:
+    """The chosen recordings of scans, station after station, in the order of their names.
+
+    Raises:
+        OperationError: a place cannot be read, or a recording is none.
+    """
+    for place in selection.places(places):
+        with ThreadPoolExecutor(READERS, "find-recordings") as pool:
+            records = find_records(place, "scans", progress)
+            read = partial(_read_if_chosen, selection=selection)
+            for found in pool.map(read, records):
+                if found is not None:
+                    yield found
+
+
+def _read_if_chosen(
+    one: tuple[PlaceRecord, RemoteStore], selection: Selection
+) -> ScanRecording | None:
+    record, store = one
+    file = record.files.get(RECORDING)
+    if file is None or not may_be_within(selection.period, file) or _is_written(file):
+        return None
+    start = BytesIO(store.read_start(file.name, LARGEST_PREAMBLE))
+    metadata: dict[str, str] = {}
+    with suppress(OperationError):  # who works on it says what is wrong
+        metadata = read_station_metadata(Path(file.name), start)
+    found = ScanRecording(record.id, file, metadata)
+    ids = set(found.calibration_ids.values())
+    if selection.taken_with and not ids & selection.taken_with:
+        return None
+    return found if selection.period.contains(found.started_at) else None
+
+
+def may_be_within(period: Period, file: RecordFile) -> bool:
+    """Whether a recording that was completed then can have begun within the period."""
+    at = completion_time(file)
+    return at >= period.begin and (at < period.end or at - period.end < LONGEST)
+
+
+def _is_written(file: RecordFile) -> bool:
+    """Whether a scan in progress of a station writes it: it has no end yet, and is new."""
+    if file.place.is_archive or datetime.now(UTC) - completion_time(file) > timedelta(hours=1):
+        return False
+    with suppress(OSError), open_file(Path(file.place.settings.url) / file.name) as opened:
+        opened.seek(max(file.bytes - len(MAGIC), 0))
+        return opened.read() != MAGIC
+    return False

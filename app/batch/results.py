@@ -1,0 +1,149 @@
+"""Where results are kept: a folder or a store, each under a name with the key of its work.
+
+A result is whole exactly when its document is there: that is written last, at once.
+"""
+
+import json
+from collections.abc import Iterator, Mapping, Sequence, Set
+from contextlib import contextmanager, suppress
+from pathlib import Path
+from typing import Any, ClassVar
+
+from app.archive.archive_settings import ArchiveSettings
+from app.archive.remote_store import PIECE_BYTES, open_store
+from app.batch.calibrations import BySensor
+from app.batch.work import Desk
+from app.errors import OperationError
+from app.formats.atomic_write import ensure_folder
+from app.formats.io_errors import convert_io_errors
+from app.formats.json_document import Document, DocumentPart, Software
+from app.formats.open_file import open_file
+from app.messages.message import Text, message
+
+SHORT_KEY = 16
+DOCUMENT, PART = ".json", ".part"
+
+
+class UsedFiles(DocumentPart):
+    """A calibration and its arm, by their SHA-256."""
+
+    sensor: str = ""
+    id: str
+    calibration_sha256: str
+    arm_sha256: str
+
+
+class RebuiltCloud(Document):
+    """``<station>-<scan>-<key>.json``: a rebuilt cloud, and from what it was made."""
+
+    FORMAT: ClassVar[str] = "crenel/rebuilt-cloud"
+
+    key: str
+    station: str
+    record: str
+    started_at: str
+    recording_sha256: str
+    calibrations: tuple[UsedFiles, ...]
+    software: Software
+    cloud: str
+    """Name of its file, beside the document."""
+    points: int
+    frames: int
+    frames_without_stripe: int
+    frames_without_joints: int
+    seconds: float
+    """Of the recording."""
+    warnings: tuple[Text, ...] = ()
+
+
+class ResultStore:
+    """The results of one kind of work."""
+
+    def __init__(self, settings: ArchiveSettings) -> None:
+        self.settings = settings
+        self._store = open_store(settings)
+
+    def prepare(self) -> None:
+        """Creates the folder of a store that is a folder; raises ``OperationError``."""
+        if self.settings.is_folder:
+            folder = Path(self.settings.url)
+            with convert_io_errors(folder):
+                ensure_folder(folder)
+
+    def keys(self) -> set[str]:
+        """The shortened keys of all results that are there; raises ``OperationError``."""
+        names = (name for name in self._store.names("") if name.endswith(DOCUMENT))
+        return {name.removesuffix(DOCUMENT).rpartition("-")[2] for name in names}
+
+    def read(self, stem: str) -> dict[str, Any] | None:
+        """The fields of a result's document; None if there is no whole one."""
+        name = stem + DOCUMENT
+        if self._store.size(name) is None:
+            return None
+        try:
+            fields = json.loads(b"".join(self._store.read(name)))
+        except (ValueError, RecursionError):
+            return None
+        return fields if isinstance(fields, dict) else None
+
+    def write(self, stem: str, document: Document) -> Mapping[str, Any]:
+        """Keeps a result's document; returns its fields."""
+        content = document.text().encode()
+        self._store.write(stem + DOCUMENT, [content], len(content))
+        fields: dict[str, Any] = json.loads(content)
+        return fields
+
+    @contextmanager
+    def file(self, name: str, desk: Desk) -> Iterator[Path]:
+        """A path for writing a file, which is kept under its name when the block ends."""
+        if self.settings.is_folder:
+            yield Path(self.settings.url) / name
+            return
+        path = desk.folder / name
+        yield path
+        self._store.write(name, _pieces(path), path.stat().st_size)
+
+    def remove_parts(self, keys: Set[str]) -> None:
+        """Removes what workers that were killed left half-written of these results."""
+        if not self.settings.is_folder:
+            return
+        for part in Path(self.settings.url).glob(f".*{PART}"):
+            target = part.name.removesuffix(PART).rpartition(".")[0]
+            if Path(target).stem.rpartition("-")[2] in keys:
+                with suppress(OSError):
+                    part.unlink()
+
+
+def _pieces(path: Path) -> Iterator[bytes]:
+    with convert_io_errors(path), open_file(path) as file:
+        while piece := file.read(PIECE_BYTES):
+            yield piece
+
+
+def describe_files(calibrations: BySensor) -> tuple[UsedFiles, ...]:
+    """What a document states of the calibrations."""
+    return tuple(
+        UsedFiles(
+            sensor=sensor,
+            id=one.id,
+            calibration_sha256=one.calibration_sha256,
+            arm_sha256=one.arm_sha256,
+        )
+        for sensor, one in calibrations.items()
+    )
+
+
+def stem_of(station: str, record: str, key: str) -> str:
+    """The name of a result, without its suffix."""
+    return f"{station}-{record}-{key[:SHORT_KEY]}"
+
+
+def check_results_apart(output: ArchiveSettings, sources: Sequence[ArchiveSettings]) -> None:
+    """Raises ``OperationError`` if results would be written into an archive or a data folder."""
+    for source in sources:
+        if f"{output.url.rstrip('/')}/".startswith(f"{source.url.rstrip('/')}/"):
+            raise OperationError(
+                "output-is-source",
+                message("batch-output-in-source", place=output.place),
+                remedy=message("batch-name-another-output"),
+            )

@@ -1,0 +1,156 @@
+"""Has the workers do all pieces of work, each once, whatever is lost in between."""
+
+import asyncio
+import time
+from collections import deque
+from collections.abc import Callable, Sequence
+from contextlib import suppress
+from queue import Empty, SimpleQueue
+from typing import TYPE_CHECKING
+
+from app.batch.cluster import GIVE_UP_S, Cluster
+from app.batch.work import Outcome, Refusal, Work, perform_on_worker
+from app.formats.json_document import SOFTWARE
+from app.messages.message import Text, message
+from app.progress import Progress, no_progress
+
+if TYPE_CHECKING:
+    from distributed import Future
+
+WINDOW = 500
+"""Pieces of work that the scheduler has at a time: however many there are, it stays small."""
+LOOK_S = 0.5
+GATHER_S = 60.0
+FIRST_PAUSE_S, LONGEST_PAUSE_S = 1.0, 30.0
+"""After a store that cannot be reached; each further time doubles it."""
+
+TakeOutcome = Callable[[Work, Outcome], None]
+"""Called with what became of each piece of work: ``done`` or ``refused``."""
+
+
+class Runner:
+    """Does pieces of work on a cluster.
+
+    Args:
+        kind: one word, by which Dask's dashboard groups them.
+        say: called with what the operator should know meanwhile.
+    """
+
+    def __init__(
+        self,
+        cluster: Cluster,
+        kind: str,
+        take: TakeOutcome,
+        progress: Progress = no_progress,
+        say: Callable[[Text], None] = lambda text: None,
+    ) -> None:
+        self._cluster, self._kind, self._take = cluster, kind, take
+        self._progress, self._say = progress, say
+        self._waiting: deque[Work] = deque()
+        self._running: dict[str, tuple[Future[Outcome], Work]] = {}
+        self._ended: SimpleQueue[Future[Outcome]] = SimpleQueue()
+        self._pause_s = 0.0
+        self._next_s = 0.0
+        self._away_since_s: float | None = None
+
+    def run(self, works: Sequence[Work]) -> None:
+        """Returns when each has been taken.
+
+        Raises:
+            OperationError: the scheduler or a store was away for an hour, or refuses everything.
+        """
+        self._waiting.extend({work.key: work for work in works}.values())
+        count = len(self._waiting)
+        total = sum(work.size_bytes for work in self._waiting)
+        done = taken = 0
+        try:
+            while self._waiting or self._running:
+                self._check_connection()
+                self._submit()
+                work = self._take_next()
+                if work is not None:
+                    taken, done = taken + 1, done + work.size_bytes
+                    self._progress(done / max(total, 1), f"{taken} / {count}")
+        finally:
+            futures = [future for future, _ in self._running.values()]
+            if futures:
+                with suppress(Exception):  # the reason for the end counts
+                    self._cluster.client.cancel(futures, force=True)
+
+    def _check_connection(self) -> None:
+        """Has everything done again that was under way when the scheduler was lost."""
+        if self._cluster.client.status == "running":
+            return
+        self._waiting.extendleft(work for _, work in self._running.values())
+        self._running.clear()
+        self._cluster.reconnect(self._say)
+
+    def _submit(self) -> None:
+        if time.monotonic() < self._next_s:
+            return
+        client = self._cluster.client
+        while self._waiting and len(self._running) < WINDOW:
+            work = self._waiting.popleft()
+            key = f"{self._kind}-{work.key}"
+            future = client.submit(
+                perform_on_worker, work, SOFTWARE.version, self._cluster.threads, key=key
+            )
+            self._running[key] = future, work
+            future.add_done_callback(self._ended.put)
+
+    def _take_next(self) -> Work | None:
+        """The next piece of work that is finished for good; None for now."""
+        try:
+            future = self._ended.get(timeout=LOOK_S)
+        except Empty:
+            return None
+        known, work = self._running.get(str(future.key), (None, None))
+        if known is not future or work is None:
+            return None
+        del self._running[str(future.key)]
+        outcome = _outcome_of(future)
+        if outcome is None:
+            self._waiting.appendleft(work)
+        elif outcome.state == "stop":
+            assert outcome.refusal is not None
+            raise outcome.refusal.error()
+        elif outcome.state == "away":
+            self._waiting.append(work)
+            self._note_away(outcome)
+        else:
+            self._note_back()
+            self._take(work, outcome)
+            return work
+        return None
+
+    def _note_away(self, outcome: Outcome) -> None:
+        assert outcome.refusal is not None
+        now_s = time.monotonic()
+        if self._away_since_s is None:
+            self._away_since_s = now_s
+            self._say(message("batch-store-away", why=outcome.refusal.what))
+        elif now_s - self._away_since_s > GIVE_UP_S:
+            raise outcome.refusal.error()
+        if now_s >= self._next_s:  # those that were under way fail together
+            self._pause_s = min(max(2 * self._pause_s, FIRST_PAUSE_S), LONGEST_PAUSE_S)
+            self._next_s = now_s + self._pause_s
+
+    def _note_back(self) -> None:
+        if self._away_since_s is not None:
+            self._say(message("batch-store-back"))
+        self._away_since_s, self._pause_s, self._next_s = None, 0.0, 0.0
+
+
+def _outcome_of(future: "Future[Outcome]") -> Outcome | None:
+    """What a future of Dask holds; None if it was lost with a scheduler."""
+    try:
+        if future.status == "finished":
+            return future.result(timeout=GATHER_S)
+        if future.status == "error":
+            error = future.exception(timeout=GATHER_S)
+            what = message("batch-worker-failed", error=type(error).__name__)
+            return Outcome("refused", refusal=Refusal("worker-failed", what, str(error)))
+    except (Exception, asyncio.CancelledError):
+        # a result that was lost with its worker or its scheduler comes in many forms
+        return None
+    return None

@@ -1,0 +1,189 @@
+"""A piece of work, and how a worker does it."""
+
+import resource
+import sys
+import time
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+from tempfile import TemporaryDirectory
+from typing import Any, Literal, Protocol, Self
+
+from app.archive.manifest import ArchivedFile
+from app.archive.pace import ArchiveEndedError, Pace
+from app.archive.transfer import download_file
+from app.batch.places import Dependency, RecordFile
+from app.errors import OperationError
+from app.formats.io_errors import convert_io_errors
+from app.formats.json_document import SOFTWARE
+from app.messages.message import Text, message
+
+STOPPING = {
+    "archive-forbidden",
+    "archive-full",
+    "archive-library",
+    "archive-secret",
+    "disk-full",
+    "extra-missing",
+    "folder-forbidden",
+    "folder-read-only",
+}
+"""Codes of errors that all other pieces of work would meet, too."""
+
+
+@dataclass(frozen=True)
+class Desk:
+    """What a worker provides for a piece of work."""
+
+    folder: Path
+    """For temporary files; removed afterwards."""
+    threads: int
+    """That compute at the same time."""
+    is_ending: Callable[[], bool]
+
+    def report(self, share: float, text: Text) -> None:
+        """The progress of the work; raises ``ArchiveEndedError`` if the worker ends."""
+        if self.is_ending():
+            raise ArchiveEndedError
+
+    def local_copy(self, file: RecordFile, name: str) -> Path:
+        """A file of a record on this machine, compared by its hash if it had to be copied.
+
+        Raises:
+            OperationError: it cannot be read, or differs from its hash.
+        """
+        settings = file.place.settings
+        if settings.is_folder:
+            return Path(settings.url) / file.name
+        target = self.folder / name
+        described = ArchivedFile(
+            path=name, bytes=file.bytes, sha256=file.digest(), mtime_ns=file.mtime_ns
+        )
+        with convert_io_errors(target):
+            target.parent.mkdir(parents=True, exist_ok=True)
+            download_file(described, file.name, target, file.place.store(), _EndingPace(self))
+        return target
+
+
+class _EndingPace(Pace):
+    """At full speed, until the worker ends."""
+
+    def __init__(self, desk: Desk) -> None:
+        super().__init__(1.0, lambda: False)
+        self._desk = desk
+
+    def take(self, count: int) -> None:
+        self._desk.report(0.0, "")
+
+
+class Work(Protocol):
+    """A piece of work whose result is kept under its key; it can be pickled."""
+
+    @property
+    def key(self) -> str:
+        """Hexadecimal; of all that determines the result."""
+
+    @property
+    def name(self) -> str:
+        """In messages."""
+
+    @property
+    def size_bytes(self) -> int:
+        """By which the progress is measured."""
+
+    @property
+    def depends_on(self) -> Sequence[Dependency]:
+        """The places that it reads and writes."""
+
+    def perform(self, desk: Desk) -> Mapping[str, Any]:
+        """Makes the result and keeps it, unless it is there.
+
+        Returns:
+            The fields of its document.
+
+        Raises:
+            OperationError: it cannot be made.
+        """
+
+
+@dataclass(frozen=True)
+class Refusal:
+    """An ``OperationError`` as it comes from a worker."""
+
+    code: str
+    what: Text
+    why: Text = ""
+    remedy: Text = ""
+
+    @classmethod
+    def of(cls, error: OperationError) -> Self:
+        """The parts of an error."""
+        return cls(error.code, error.what, error.why, error.remedy)
+
+    def error(self) -> OperationError:
+        """The error again."""
+        return OperationError(self.code, self.what, self.why, self.remedy)
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """What became of a piece of work."""
+
+    state: Literal["done", "refused", "away", "stop"]
+    """``away``: a place cannot be reached now; ``stop``: all others would fail, too."""
+    result: Mapping[str, Any] = field(default_factory=dict)
+    refusal: Refusal | None = None
+    seconds: float = 0.0
+    """That the worker was busy with it."""
+    memory_bytes: int = 0
+    """Most that the worker's process has used so far."""
+
+
+def perform_on_worker(work: Work, version: str, threads: int) -> Outcome:
+    """Does a piece of work in a worker of Dask.
+
+    Args:
+        version: of the software that asks for it.
+    """
+    from distributed import Status, get_worker
+
+    worker = get_worker()
+    ending = (Status.closing, Status.closing_gracefully, Status.closed)
+    if version != SOFTWARE.version:
+        versions = message("batch-other-version", here=version, there=SOFTWARE.version)
+        return Outcome("stop", refusal=Refusal("other-version", versions))
+    return perform(work, Path(worker.local_directory), threads, lambda: worker.status in ending)
+
+
+def perform(
+    work: Work, scratch: Path, threads: int, is_ending: Callable[[], bool] = lambda: False
+) -> Outcome:
+    """Does a piece of work in this process.
+
+    Args:
+        scratch: a folder for temporary files.
+    """
+    began_s = time.perf_counter()
+    outcome = _try(work, scratch, threads, is_ending)
+    peak = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
+    return Outcome(
+        outcome.state,
+        outcome.result,
+        outcome.refusal,
+        time.perf_counter() - began_s,
+        peak if sys.platform == "darwin" else peak * 1024,
+    )
+
+
+def _try(work: Work, scratch: Path, threads: int, is_ending: Callable[[], bool]) -> Outcome:
+    try:
+        with TemporaryDirectory(prefix="crenel-", dir=scratch) as folder:
+            return Outcome("done", work.perform(Desk(Path(folder), threads, is_ending)))
+    except OperationError as error:
+        refusal = Refusal.of(error)
+    if refusal.code in STOPPING:
+        return Outcome("stop", refusal=refusal)
+    is_away = refusal.code == "archive-ended" or not all(
+        place.is_there() for place in work.depends_on
+    )
+    return Outcome("away" if is_away else "refused", refusal=refusal)

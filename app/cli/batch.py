@@ -1,0 +1,295 @@
+"""The command line's part for many recordings: ``crenel rebuild``, and what its like share."""
+
+import os
+import sys
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass, field
+from enum import StrEnum
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from app.cli.scan import paths_by_sensor
+from app.console import AsJson, fail, print_json, progress_bar, report_errors, warn
+from app.messages.message import Text
+
+if TYPE_CHECKING:
+    from app.archive.archive_settings import ArchiveSettings
+    from app.batch.calibrations import BySensor
+    from app.batch.cluster import Cluster
+    from app.batch.places import Place
+    from app.batch.recordings import Selection
+    from app.batch.results import ResultStore
+    from app.batch.work import Outcome, Refusal, Work
+
+MOST_SHOWN = 10
+"""Of what was refused."""
+
+Places = Annotated[
+    list[str] | None,
+    typer.Argument(
+        metavar="[PLACE]...",
+        help="Archives (folders or addresses as s3://bucket/room-2), what several of them are in, "
+        "or data folders of stations. Default: the archive of station.toml.",
+    ),
+]
+Output = Annotated[
+    str,
+    typer.Option("-o", "--output", help="Folder, or address, to which the results go."),
+]
+Config = Annotated[
+    Path | None,
+    typer.Option("--config", help="station.toml whose [archive] has the endpoint and the keys."),
+]
+PeriodOption = Annotated[
+    str | None,
+    typer.Option("--period", help="As 2026-05-13, 2026-05, 2026 or 2026-05..2026-06-15; UTC."),
+]
+Station = Annotated[
+    list[str] | None,
+    typer.Option("--station", help="Only this station: the name of its archive's folder."),
+]
+TakenWith = Annotated[
+    list[str] | None,
+    typer.Option("--taken-with", metavar="ID", help="Only what was taken with this calibration."),
+]
+EachCalibration = Annotated[
+    list[str] | None,
+    typer.Option(
+        "--calibration",
+        metavar="[NAME=]CALIBRATION",
+        help="Use this calibration.json, or that of this session; of several sensors, one for "
+        "each. Default: the one with which each recording was taken.",
+    ),
+]
+ArmFile = Annotated[
+    Path | None, typer.Option("--arm", help="arm.json; default: beside the calibration.")
+]
+Workers = Annotated[
+    int | None,
+    typer.Option(
+        "--workers", min=1, max=1024, help="Processes on this machine. Default: one per core."
+    ),
+]
+Scheduler = Annotated[
+    str | None,
+    typer.Option("--scheduler", metavar="tcp://HOST:8786", help="Use this cluster of Dask."),
+]
+
+
+class CloudFormat(StrEnum):
+    """Of rebuilt clouds."""
+
+    PLY = "ply"
+    PCD = "pcd"
+    E57 = "e57"
+    XYZ = "xyz"
+    LAS = "las"
+    LAZ = "laz"
+
+
+@dataclass
+class Tally:
+    """What became of the pieces of work."""
+
+    done: list["tuple[Work, Outcome]"] = field(default_factory=list)
+    refused: list["tuple[str, Refusal]"] = field(default_factory=list)
+
+    def take(self, work: "Work", outcome: "Outcome") -> None:
+        """Called with each that has ended."""
+        if outcome.refusal is None:
+            self.done.append((work, outcome))
+        else:
+            self.refused.append((work.name, outcome.refusal))
+
+    def end(self) -> None:
+        """Names what was refused on stderr, and ends with status 1, if anything was."""
+        for name, refusal in self.refused[:MOST_SHOWN]:
+            warn(f"{name}: {refusal.error().line}")
+        if self.refused:
+            fail(f"{len(self.refused)} recordings were refused; the results of all others stay.")
+
+
+@report_errors
+def rebuild(
+    places: Places = None,
+    output: Output = "clouds",
+    cloud_format: Annotated[
+        CloudFormat, typer.Option("--format", help="Of the clouds.")
+    ] = CloudFormat.PLY,
+    period: PeriodOption = None,
+    station: Station = None,
+    taken_with: TakenWith = None,
+    calibration: EachCalibration = None,
+    arm: ArmFile = None,
+    workers: Workers = None,
+    scheduler: Scheduler = None,
+    config: Config = None,
+    as_json: AsJson = False,
+) -> None:
+    """Rebuild the clouds of many recordings, on all cores or on a cluster of Dask.
+
+    What is in the output already is not made again: start it again after any interruption.
+    """
+    from app.batch.rebuild import plan_rebuild
+    from app.batch.results import ResultStore
+
+    found, keys = open_places(places, config)
+    results = ResultStore(output_settings(output, keys, found))
+    results.prepare()
+    with progress_bar("Looking for recordings", not as_json) as progress:
+        plan = plan_rebuild(
+            found,
+            selection_of(period, station, taken_with),
+            results.settings,
+            f".{cloud_format.value}",
+            choose_calibrations(calibration, arm, found),
+            progress,
+        )
+    tally = Tally(refused=plan.refused)
+    known = do_missing("rebuild", plan.works, results, workers, scheduler, tally, as_json)
+    points = sum(int(outcome.result.get("points", 0)) for _, outcome in tally.done)
+    if as_json:
+        print_json(
+            {
+                "made": len(tally.done),
+                "already_there": known,
+                "of_other_devices": plan.left_out,
+                "refused": {name: refusal.error().line for name, refusal in tally.refused},
+                "points": points,
+                "output": results.settings.place,
+            }
+        )
+    else:
+        others = f", {plan.left_out} of other devices left out" if plan.left_out else ""
+        print(
+            f"{len(tally.done)} clouds with {points} points made, {known} were there already"
+            f"{others}. They are in {results.settings.place}."
+        )
+    tally.end()
+
+
+def do_missing(
+    kind: str,
+    works: "Sequence[Work]",
+    results: "ResultStore",
+    workers: int | None,
+    scheduler: str | None,
+    tally: Tally,
+    as_json: bool,
+) -> int:
+    """Does the pieces of work without a result.
+
+    Returns:
+        The number of those that had one.
+
+    Raises:
+        OperationError: none of the others can be done now.
+    """
+    from app.batch.results import SHORT_KEY
+    from app.batch.runner import Runner
+
+    there = results.keys()
+    missing = {work.key[:SHORT_KEY]: work for work in works if work.key[:SHORT_KEY] not in there}
+    ended = not missing
+    try:
+        if missing:
+            with open_cluster(len(missing), workers, scheduler) as cluster:
+                if not as_json:
+                    _say(f"Dask's dashboard: {cluster.client.dashboard_link}")
+                with progress_bar(f"{len(missing)} recordings", not as_json) as progress:
+                    Runner(cluster, kind, tally.take, progress, _say).run(list(missing.values()))
+        ended = True
+    finally:
+        if missing and (ended or scheduler is None):  # others' workers may still be writing
+            results.remove_parts(missing.keys())
+    return len(works) - len(missing)
+
+
+@contextmanager
+def open_cluster(most: int, workers: int | None, scheduler: str | None) -> "Iterator[Cluster]":
+    """Workers of this machine, or those of a scheduler.
+
+    Args:
+        most: processes that have something to do.
+    """
+    from app.batch.cluster import LocalWorkers, RemoteScheduler
+
+    if workers is not None and scheduler is not None:
+        raise typer.BadParameter(
+            "give only one of the two", param_hint="'--workers', '--scheduler'"
+        )
+    cluster: Cluster
+    if scheduler is not None:
+        cluster = RemoteScheduler(scheduler)
+    else:
+        cluster = LocalWorkers(max(min(workers or os.cpu_count() or 1, most), 1))
+    try:
+        yield cluster
+    finally:
+        cluster.close()
+
+
+def open_places(
+    given: Sequence[str] | None, config: Path | None
+) -> "tuple[list[Place], ArchiveSettings | None]":
+    """The places of the command line, by default the archive of ``station.toml``, and the settings
+    whose endpoint and keys are used for all."""
+    from app.batch.places import find_places
+    from app.errors import OperationError
+    from app.messages.message import message
+    from app.settings.station_toml import read_settings
+
+    keys = read_settings(config).archive if config is not None or not given else None
+    if not given and keys is None:
+        raise OperationError(
+            "no-archive", message("archive-not-set"), remedy=message("archive-write-table")
+        )
+    return find_places(given or [keys.url if keys is not None else ""], keys), keys
+
+
+def output_settings(
+    output: str, keys: "ArchiveSettings | None", places: "Sequence[Place]"
+) -> "ArchiveSettings":
+    """Where results go; refuses a place within an archive or a data folder."""
+    from app.batch.places import settings_for
+    from app.batch.results import check_results_apart
+
+    made = settings_for(output, keys)
+    check_results_apart(made, [place.settings for place in places])
+    return made
+
+
+def selection_of(
+    period: str | None, stations: Sequence[str] | None, taken_with: Sequence[str] | None
+) -> "Selection":
+    """The choice among the records."""
+    from app.batch.period import ALWAYS, parse_period
+    from app.batch.recordings import Selection
+
+    return Selection(
+        parse_period(period) if period is not None else ALWAYS,
+        frozenset(stations or ()),
+        frozenset(taken_with or ()),
+    )
+
+
+def choose_calibrations(
+    given: Sequence[str] | None, arm: Path | None, places: "Sequence[Place]"
+) -> "BySensor | None":
+    """The calibrations of the command line by their sensors; None: those of each recording."""
+    from app.batch.calibrations import CalibrationFinder, choose_calibration
+
+    if not given:
+        if arm is not None:
+            raise typer.BadParameter("needs --calibration, too", param_hint="'--arm'")
+        return None
+    finder = CalibrationFinder(places)
+    named = paths_by_sensor(given)
+    return {name: choose_calibration(str(path), arm, finder) for name, path in named.items()}
+
+
+def _say(text: Text) -> None:
+    print("crenel:", str(text), file=sys.stderr)

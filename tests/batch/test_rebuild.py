@@ -1,0 +1,187 @@
+"""``crenel rebuild`` on this machine."""
+
+import json
+import os
+import subprocess
+import sys
+from datetime import UTC, datetime
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+pytest.importorskip("distributed")
+
+from app.batch.period import Period, parse_period
+from app.batch.places import find_places, settings_for
+from app.batch.rebuild import RebuildWork, plan_rebuild
+from app.batch.recordings import Selection
+from app.batch.results import ResultStore
+from app.batch.work import perform
+from app.errors import OperationError
+from app.formats.clouds.files import read_cloud
+from app.formats.datasheets.arm import read_any_arm
+from app.formats.results.calibration import read_calibration
+from app.workflows.reconstruct import reconstruct_cloud
+from tests.batch.filled import CALIBRATION, fill_archive, fill_station
+
+SCANS = ("one", "two", "three")
+CRENEL = Path(sys.executable).with_name("crenel")
+
+
+def run(*arguments: object, cwd: Path, status: int = 0) -> dict[str, Any]:
+    """What a command printed as JSON."""
+    ran = subprocess.run(
+        [CRENEL, *map(str, arguments), "--json"],
+        cwd=cwd,
+        capture_output=True,
+        text=True,
+        timeout=200,
+        check=False,
+    )
+    assert ran.returncode == status, ran.stderr
+    found: dict[str, Any] = json.loads(ran.stdout)
+    return found
+
+
+def plan(
+    place: Path, output: Path, selection: Selection | None = None
+) -> tuple[list[RebuildWork], ResultStore]:
+    results = ResultStore(settings_for(str(output)))
+    results.prepare()
+    made = plan_rebuild(
+        find_places([str(place)]), selection or Selection(), results.settings, ".ply"
+    )
+    assert made.refused == []
+    return made.works, results
+
+
+@pytest.fixture
+def archive(tmp_path: Path) -> Path:
+    fill_archive(tmp_path / "plant" / "room-2", tmp_path / "data", SCANS)
+    return tmp_path / "plant" / "room-2"
+
+
+@pytest.mark.slow
+def test_every_cloud_is_made_once_and_is_that_of_the_recording(
+    archive: Path, tmp_path: Path
+) -> None:
+    made = run("rebuild", archive, "-o", "clouds", "--workers", 2, cwd=tmp_path)
+    assert (made["made"], made["already_there"], made["refused"]) == (3, 0, {})
+    clouds = sorted((tmp_path / "clouds").glob("*.ply"))
+    session = tmp_path / "data/sessions" / CALIBRATION
+    for cloud, scan_id in zip(clouds, sorted(SCANS), strict=True):
+        assert cloud.name.startswith(f"room-2-{scan_id}-")
+        direct = tmp_path / "direct.ply"
+        reconstruct_cloud(
+            tmp_path / "data/scans" / scan_id / "scan.mcap",
+            read_calibration(session / "calibration.json"),
+            read_any_arm(session / "arm.json"),
+            direct,
+        )
+        assert cloud.read_bytes() == direct.read_bytes()
+    before = {path: path.stat().st_mtime_ns for path in (tmp_path / "clouds").iterdir()}
+    assert len(before) == 6
+    # the plant, in which the archive is; and the station's own folder: the same recordings
+    again = run("rebuild", archive.parent, "data", "-o", "clouds", cwd=tmp_path)
+    assert (again["made"], again["already_there"]) == (0, 6)
+    assert {path: path.stat().st_mtime_ns for path in (tmp_path / "clouds").iterdir()} == before
+
+
+def test_recordings_are_chosen_by_period_station_and_calibration(
+    archive: Path, tmp_path: Path
+) -> None:
+    def chosen(selection: Selection) -> list[str]:
+        return [work.recording.id for work in plan(archive, tmp_path / "out", selection)[0]]
+
+    assert chosen(Selection()) == sorted(SCANS)
+    assert chosen(Selection(period=parse_period("2026-05-02..2026-05-03"))) == ["three", "two"]
+    assert chosen(Selection(period=parse_period("2027"))) == []
+    assert chosen(Selection(stations=frozenset({"room-3"}))) == []
+    assert chosen(Selection(taken_with=frozenset({CALIBRATION}))) == sorted(SCANS)
+    assert chosen(Selection(taken_with=frozenset({"another"}))) == []
+
+
+def test_another_calibration_or_format_is_another_result(archive: Path, tmp_path: Path) -> None:
+    works, results = plan(archive, tmp_path / "out")
+    assert perform(works[0], tmp_path, 1).state == "done"
+    assert results.keys() == {works[0].key[:16]}
+    calibration = tmp_path / "data/sessions" / CALIBRATION / "calibration.json"
+    calibration.write_text(calibration.read_text().replace("0.25", "0.35"))
+    given = tmp_path / "given"
+    args = ("--calibration", calibration, "-o", given)
+    other = run("rebuild", archive, *args, "--period", "2026-05-01", cwd=tmp_path)
+    assert other["made"] == 1
+    (document,) = given.glob("*.json")
+    assert document.stem.rpartition("-")[2] not in {work.key[:16] for work in works}
+    (cloud,), (before,) = given.glob("*.ply"), (tmp_path / "out").glob("*.ply")
+    assert abs(read_cloud(cloud).points_mm - read_cloud(before).points_mm).max() > 0.01
+
+
+def test_recordings_of_other_devices_are_left_out(archive: Path, tmp_path: Path) -> None:
+    calibration = tmp_path / "data/sessions" / CALIBRATION / "calibration.json"
+    calibration.write_text(calibration.read_text().replace("S-1", "S-2"))
+    found = run("rebuild", archive, "--calibration", calibration, cwd=tmp_path)
+    assert (found["made"], found["of_other_devices"]) == (0, 3)
+
+
+def test_what_cannot_be_rebuilt_is_named_and_the_rest_is_made(tmp_path: Path) -> None:
+    fill_station(tmp_path / "data", SCANS).close()
+    damaged = tmp_path / "data/scans/two/scan.mcap"
+    damaged.write_bytes(b"no recording")
+    os.utime(damaged, (0, 0))
+    found = run("rebuild", "data", "-o", "out", "--workers", 1, cwd=tmp_path, status=1)
+    assert found["made"] == 2
+    assert list(found["refused"]) == ["data/two"]
+    left = sorted(path.suffix for path in (tmp_path / "out").iterdir())
+    assert left == [".json", ".json", ".ply", ".ply"]
+
+
+def test_a_place_that_is_away_is_no_refusal(archive: Path, tmp_path: Path) -> None:
+    works, _ = plan(archive, tmp_path / "out")
+    archive.rename(tmp_path / "away")
+    assert perform(works[0], tmp_path, 1).state == "away"
+    (tmp_path / "away").rename(archive)
+    recording = Path(archive) / works[0].recording.file.name
+    recording.unlink()
+    assert perform(works[0], tmp_path, 1).state == "refused"
+    assert perform(works[1], tmp_path, 1).state == "done"
+
+
+def test_nothing_is_written_into_what_is_read(archive: Path, tmp_path: Path) -> None:
+    ran = subprocess.run(
+        [CRENEL, "rebuild", archive, "-o", archive / "clouds"],
+        capture_output=True,
+        text=True,
+        timeout=100,
+        check=False,
+    )
+    assert ran.returncode == 1
+    assert "is within the records" in ran.stderr
+    assert not (archive / "clouds").exists()
+
+
+def test_an_address_without_records_is_refused(tmp_path: Path) -> None:
+    with pytest.raises(OperationError, match="is no archive"):
+        find_places([str(tmp_path)])
+
+
+@pytest.mark.parametrize(
+    ("text", "begin", "end"),
+    [
+        ("2026-05-13", (2026, 5, 13), (2026, 5, 14)),
+        ("2026-12", (2026, 12, 1), (2027, 1, 1)),
+        ("2026", (2026, 1, 1), (2027, 1, 1)),
+        ("..2026-05", (1970, 1, 1), (2026, 6, 1)),
+        ("2026-05-13..", (2026, 5, 13), (9999, 1, 1)),
+    ],
+)
+def test_periods(text: str, begin: tuple[int, int, int], end: tuple[int, int, int]) -> None:
+    expected = Period(datetime(*begin, tzinfo=UTC), datetime(*end, tzinfo=UTC))
+    assert parse_period(text) == expected
+
+
+@pytest.mark.parametrize("text", ["", "May", "2026-13", "2026-06..2026-05", "99999"])
+def test_what_is_no_period_is_refused(text: str) -> None:
+    with pytest.raises(OperationError, match="is no period"):
+        parse_period(text)
