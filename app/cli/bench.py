@@ -387,3 +387,22 @@ def start(
     copies = [running_copy(), *([find_copy("against", against)] if against else [])]
     shown = Shown("Starting", "From the start on: median (least–most)", "measures")
     _measure(shown, as_json, partial(run, copies, rounds, session), columns(copies), table)
+
+
+@bench.command()
+@report_errors
+def catalogue(
+    rows: Annotated[int, typer.Option(min=10_000, help="Rows of all tables.")] = 1_000_000,
+    database: Annotated[
+        str, typer.Option(help="Address of an empty catalogue; by default a file of SQLite.")
+    ] = "",
+    as_json: AsJson = False,
+) -> None:
+    """Store invented records of 100 stations in a catalogue, and measure its questions."""
+    from app.fleet.catalogue.libraries import check_libraries
+
+    check_libraries()
+    from app.bench.fleet.catalogue import COLUMNS, run, table
+
+    shown = Shown("Storing", "The catalogue of 100 stations")
+    _measure(shown, as_json, partial(run, rows, database), COLUMNS, table)

@@ -1,6 +1,6 @@
 """``crenel catalogue``: the records of all stations, collected and found."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from datetime import datetime
 from pathlib import Path
@@ -21,8 +21,8 @@ from app.console import (
 
 if TYPE_CHECKING:
     from app.fleet.catalogue.catalogue import FleetCatalogue
-    from app.fleet.catalogue.entry import CatalogueEntry
     from app.fleet.fleet_settings import FleetSettings
+    from app.fleet.questions import AffectedPeriod, StationDrift
 
 catalogue = typer.Typer(
     cls=FullHelpGroup,
@@ -118,7 +118,7 @@ def search(
     with _open_catalogue(config) as (_, opened), opened.reading() as connection:
         found = search_all(connection, query)
     if as_json:
-        print_json({"records": [_entry_fields(one.entry) for one in found]})
+        print_json({"records": [_plain(one.entry) for one in found]})
         return
     rows = [
         (
@@ -156,11 +156,9 @@ def show(
     if entry is None:
         fail(f"the catalogue has no {kind} {record_id} of {station}.")
     if as_json:
-        print_json(_entry_fields(entry))
+        print_json(_plain(entry))
         return
-    fields = {
-        name: value for name, value in _entry_fields(entry).items() if value not in ("", None)
-    }
+    fields = {name: value for name, value in _plain(entry).items() if value not in ("", None)}
     rows = [(name, str(value)) for name, value in fields.items() if not isinstance(value, list)]
     print_figures(f"{station}/{kind}/{record_id}", rows)
     if entry.figures:
@@ -179,6 +177,92 @@ def show(
     print_table("files", ("file", "bytes", "SHA-256"), files)
 
 
+@catalogue.command()
+@report_errors
+def drift(
+    quantity: Annotated[
+        str, typer.Argument(help="As in the results of a record, for example location-scan.")
+    ],
+    station: Station = "",
+    since: Since = "",
+    until: Until = "",
+    config: Config = None,
+    as_json: AsJson = False,
+) -> None:
+    """Since when a figure changed, with its uncertainty, and which recordings are affected."""
+    from app.fleet.catalogue.reading import quantities
+    from app.fleet.questions import drift_of, find_affected
+
+    chosen = [station] if station else []
+    with _open_catalogue(config) as (_, opened), opened.reading() as connection:
+        known = quantities(connection)
+        if quantity not in known:
+            fail(f"there are no values of {quantity}; choose one of {', '.join(known) or 'none'}.")
+        drifts = drift_of(connection, quantity, chosen, _parse_day(since), _parse_day(until))
+        periods = [one for found in drifts for one in find_affected(connection, found)]
+    if as_json:
+        print_json({"quantity": quantity, "periods": [_plain(one) for one in periods]})
+        return
+    values = sum(len(found.points) for found in drifts)
+    print(f"{quantity}: {values} values of {len(drifts)} stations, {len(periods)} changes.")
+    for period in periods:
+        _print_period(period, drifts)
+
+
+def _print_period(period: "AffectedPeriod", drifts: "Sequence[StationDrift]") -> None:
+    change = period.change
+    unit = next(found.points[0].unit for found in drifts if found.station == period.station)
+    expanded = 2 * change.standard_uncertainty
+    lasts = "lasts" if period.ended is None else f"until {_moment(period.ended.by)}"
+    calibrations = ", ".join(period.calibration_ids)
+    rows = [
+        ("changed between", f"{_moment(change.after)} and {_moment(change.by)}"),
+        ("95 %", f"{_moment(change.earliest)} to {_moment(change.latest)}"),
+        ("from", f"{change.before_value:.2f} {unit} to {change.after_value:.2f} {unit}"),
+        ("by", f"{change.size:+.2f} ± {expanded:.2f} {unit} (k = 2)"),
+        ("ends", lasts),
+        ("calibrations", calibrations or "none that explains it"),
+        ("affected recordings", str(len(period.recordings))),
+        ("perhaps affected", str(len(period.possible))),
+    ]
+    print_figures(period.station, rows)
+    for doubt, recordings in (("", period.recordings), ("perhaps ", period.possible)):
+        for one in recordings:
+            print(f"{doubt}{one.station}/scan/{one.id}  {_moment(one.at)}  {one.label}")
+
+
+@catalogue.command()
+@report_errors
+def calibration(
+    text: Annotated[str, typer.Argument(help="Beginnings of words of the scan: its part.")],
+    station: Station = "",
+    config: Config = None,
+    as_json: AsJson = False,
+) -> None:
+    """Which calibration was in use when a part was scanned, and which is the newest."""
+    from app.fleet.questions import find_calibrations
+
+    with _open_catalogue(config) as (_, opened), opened.reading() as connection:
+        found = find_calibrations(connection, text, station)
+    if as_json:
+        print_json({"recordings": [_plain(one) for one in found]})
+        return
+    rows = [
+        (
+            f"{one.recording.station}/scan/{one.recording.id}",
+            one.recording.label,
+            _moment(one.recording.at),
+            one.recording.calibration_id,
+            "unknown" if one.calibration is None else _moment(one.calibration.at),
+            "" if one.calibration is None else one.calibration.verdict,
+            "" if one.newest is None else one.newest.id,
+        )
+        for one in found
+    ]
+    columns = ("recording", "label", "time", "calibration", "accepted", "verdict", "newest")
+    print_table(f"{len(found)} recordings", columns, rows)
+
+
 @contextmanager
 def _open_catalogue(config: Path | None) -> "Iterator[tuple[FleetSettings, FleetCatalogue]]":
     """The settings and their catalogue; raises ``OperationError``."""
@@ -193,13 +277,11 @@ def _open_catalogue(config: Path | None) -> "Iterator[tuple[FleetSettings, Fleet
         yield settings, opened
 
 
-def _entry_fields(entry: "CatalogueEntry") -> dict[str, object]:
-    """An entry as plain values."""
+def _plain(value: object) -> dict[str, object]:
+    """An entry, or an answer that contains some, as plain values."""
     from pydantic import TypeAdapter
 
-    from app.fleet.catalogue.entry import CatalogueEntry
-
-    fields: dict[str, object] = TypeAdapter(CatalogueEntry).dump_python(entry, mode="json")
+    fields: dict[str, object] = TypeAdapter(type(value)).dump_python(value, mode="json")
     return fields
 
 

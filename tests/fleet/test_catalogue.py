@@ -173,18 +173,22 @@ def test_a_figure_over_time_and_stations(catalogue: FleetCatalogue) -> None:
 
 
 def test_stations_with_their_counts(catalogue: FleetCatalogue) -> None:
-    catalogue.add([entry_of(1), entry_of(2, archived_at=START)])
+    catalogue.add([entry_of(2, archived_at=START), entry_of(3), entry_of(1)])
+    smaller = (EntryFile("scan.mcap", 7, "f" * 64),)
+    later = START + timedelta(days=1)
+    catalogue.add([entry_of(1, archived_at=later), entry_of(2, archived_at=START)])
+    catalogue.add([entry_of(3, content="9" * 16, files=smaller, current_at=later)])
     catalogue.note_collection("room-1", "Measuring room 1", START)
     catalogue.note_collection("room-2", "", None, "the archive is away")
     with catalogue.reading() as connection:
         first, second = summarise_stations(connection)
         known = list_contents(connection, "room-1")
-    assert (first.name, first.records, first.archived) == ("Measuring room 1", 2, 1)
-    assert first.size_bytes == 1001 + 1002 + 18
-    assert (first.collected_at, first.newest_at) == (START, START + timedelta(hours=2))
+    assert (first.name, first.records, first.archived) == ("Measuring room 1", 3, 2)
+    assert first.size_bytes == 1001 + 1002 + 18 + 7
+    assert (first.collected_at, first.newest_at) == (START, START + timedelta(hours=3))
     assert (second.name, second.records, second.problem) == ("room-2", 0, "the archive is away")
     assert known["scan-2"].archived
-    assert not known["scan-1"].archived
+    assert not known["scan-3"].archived
 
 
 def test_two_writers_at_once_store_every_record_once(url: str) -> None:

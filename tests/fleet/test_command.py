@@ -8,8 +8,10 @@ import pytest
 from typer.testing import CliRunner, Result
 
 from app.cli.main import cli
+from app.fleet.catalogue.catalogue import FleetCatalogue
 from app.store.store import Store
 from tests.fleet.records import add_every_kind
+from tests.fleet.test_questions import ten_months
 
 SETTINGS = """
 [catalogue]
@@ -79,3 +81,25 @@ def test_settings_that_cannot_work_are_one_clear_line(tmp_path: Path, text: str,
 
 def test_missing_settings_are_named(tmp_path: Path) -> None:
     assert "there is no such file" in run(tmp_path / "none.toml", "status").stderr
+
+
+def test_the_questions_are_answered(config: Path) -> None:
+    run(config, "collect")
+    used = json.loads(run(config, "calibration", "4711", "--json").stdout)["recordings"]
+    assert [one["calibration"]["label"] for one in used] == ["Calibration of May"]
+    assert "Calibration of May" not in run(config, "drift", "arm-largest").stdout
+    assert "1 values of 1 stations, 0 changes" in run(config, "drift", "arm-largest").stdout
+    assert "choose one of arm-half-range" in run(config, "drift", "size").stderr
+
+
+def test_a_planted_change_is_printed_with_its_recordings(tmp_path: Path) -> None:
+    path = tmp_path / "fleet.toml"
+    path.write_text('[catalogue]\ndatabase = "sqlite:///catalogue.db"\n')
+    with FleetCatalogue(f"sqlite:///{tmp_path}/catalogue.db") as catalogue:
+        catalogue.add(ten_months((120, 150), by_calibration=True))
+    printed = run(path, "drift", "location-scan", "--station", "room-3").stdout
+    assert "cal-4" in printed
+    assert "room-3/scan/scan-120" in printed
+    assert printed.count("room-3/scan/") == 30
+    (period,) = json.loads(run(path, "drift", "location-scan", "--json").stdout)["periods"]
+    assert len(period["recordings"]) == 30

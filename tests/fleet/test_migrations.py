@@ -3,6 +3,7 @@
 import sqlite3
 from collections.abc import Iterator
 from contextlib import closing, contextmanager
+from datetime import UTC, datetime
 from pathlib import Path
 
 import pytest
@@ -19,7 +20,13 @@ from app.fleet.catalogue.database import (
     open_engine,
     upgrade,
 )
-from app.fleet.catalogue.reading import SearchQuery, figure_points, read_record, search
+from app.fleet.catalogue.reading import (
+    SearchQuery,
+    figure_points,
+    read_record,
+    search,
+    summarise_stations,
+)
 from app.fleet.catalogue.tables import CatalogueTable
 
 FIRST = Path(__file__).parent / "revision_1.sql"
@@ -55,6 +62,9 @@ def check_content(url: str) -> None:
         assert [one.value for one in figure_points(connection, "location-scan")] == [12.5]
         found = search(connection, SearchQuery(text="housing 4711"))
         assert [one.entry.id for one in found] == ["20260504-111500"]
+        (station,) = summarise_stations(connection)
+        assert (station.records, station.archived, station.size_bytes) == (2, 0, 24)
+        assert station.newest_at == datetime(2026, 5, 4, 10, 12, tzinfo=UTC)
 
 
 def test_a_database_of_the_first_version_opens(tmp_path: Path) -> None:

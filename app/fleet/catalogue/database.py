@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from sqlalchemy import Connection, Engine
 
 MIGRATIONS = Path(__file__).parent / "migrations"
-FIRST_REVISION, LAST_REVISION = "0001", "0002"
+FIRST_REVISION, LAST_REVISION = "0001", "0003"
 WRITERS_LOCK = 0x6372656E
 """PostgreSQL's advisory lock of whoever writes."""
 WAIT_S = 10

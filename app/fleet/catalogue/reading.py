@@ -156,6 +156,48 @@ def read_record(
     )
 
 
+def read_scans(
+    connection: Connection,
+    station: str,
+    since: datetime | None = None,
+    until: datetime | None = None,
+    calibration_ids: Sequence[str] = (),
+) -> list[CatalogueEntry]:
+    """The scans of a station, oldest first, without files.
+
+    Args:
+        since: the first moment, as ``until`` the last one, inclusive.
+        calibration_ids: only with these, if there are any.
+    """
+    wanted = select(RecordRow.__table__).where(
+        RecordRow.station == station, RecordRow.kind == "scan"
+    )
+    if since is not None:
+        wanted = wanted.where(RecordRow.at >= since)
+    if until is not None:
+        wanted = wanted.where(RecordRow.at <= until)
+    if calibration_ids:
+        wanted = wanted.where(RecordRow.calibration_id.in_(calibration_ids))
+    return [_read_row(row).entry for row in connection.execute(wanted.order_by(RecordRow.at))]
+
+
+def newest_calibration(
+    connection: Connection, station: str, sensor_serial: str
+) -> CatalogueEntry | None:
+    """The calibration that a station accepted last for a sensor, without files and figures."""
+    row = connection.execute(
+        select(RecordRow.__table__)
+        .where(
+            RecordRow.station == station,
+            RecordRow.kind == "calibration",
+            RecordRow.sensor_serial == sensor_serial,
+        )
+        .order_by(RecordRow.at.desc())
+        .limit(1)
+    ).one_or_none()
+    return None if row is None else _read_row(row).entry
+
+
 def list_contents(connection: Connection, station: str) -> dict[str, KnownContent]:
     """The contents of a station's records that are there, by the name of the folder."""
     found = connection.execute(
@@ -221,37 +263,21 @@ def quantities(connection: Connection) -> list[str]:
 
 
 def summarise_stations(connection: Connection) -> list[StationSummary]:
-    """Every station, by name."""
-    counted = {
-        row.station: row
-        for row in connection.execute(
-            select(
-                RecordRow.station,
-                func.count().label("records"),
-                func.count(RecordRow.archived_at).label("archived"),
-                func.sum(RecordRow.size_bytes).label("bytes"),
-                func.max(RecordRow.at, type_=RecordRow.at.type).label("newest"),
-            ).group_by(RecordRow.station)
+    """Every station, by its id."""
+    rows = connection.execute(select(StationRow.__table__).order_by(StationRow.id))
+    return [
+        StationSummary(
+            id=row.id,
+            name=row.name or row.id,
+            collected_at=row.collected_at,
+            problem=row.problem,
+            records=row.records,
+            archived=row.archived,
+            size_bytes=row.size_bytes,
+            newest_at=row.newest_at,
         )
-    }
-    found = []
-    for row in connection.execute(select(StationRow.__table__).order_by(StationRow.id)):
-        its = counted.get(row.id)
-        records, archived = (0, 0) if its is None else (its.records, its.archived)
-        size, newest_at = (0, None) if its is None else (int(its.bytes), its.newest)
-        found.append(
-            StationSummary(
-                row.id,
-                row.name or row.id,
-                row.collected_at,
-                row.problem,
-                records,
-                archived,
-                size,
-                newest_at,
-            )
-        )
-    return found
+        for row in rows
+    ]
 
 
 def _add_filters(wanted: Select[Any], query: SearchQuery) -> Select[Any]:

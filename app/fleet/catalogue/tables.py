@@ -59,6 +59,11 @@ class StationRow(CatalogueTable):
     """The last time that everything it offered was in the catalogue."""
     problem: Mapped[str] = mapped_column(default="")
     """Why the last attempt failed; empty if it did not."""
+    records: Mapped[int] = mapped_column(BigInteger, default=0, server_default="0")
+    """This and the next are kept with every change: counting would read all records."""
+    archived: Mapped[int] = mapped_column(BigInteger, default=0, server_default="0")
+    size_bytes: Mapped[int] = mapped_column(BigInteger, default=0, server_default="0")
+    newest_at: Mapped[datetime | None] = mapped_column(UtcMoment)
 
 
 class RecordRow(CatalogueTable):

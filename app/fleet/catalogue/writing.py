@@ -1,11 +1,12 @@
 """Writes entries to the catalogue: each record once, its newest content."""
 
+from collections import defaultdict
 from collections.abc import Sequence
-from dataclasses import asdict, fields
+from dataclasses import asdict, dataclass, fields
 from datetime import UTC, datetime
 from typing import TYPE_CHECKING, Any, cast
 
-from sqlalchemy import Connection, delete, insert, select, tuple_, update
+from sqlalchemy import Connection, case, delete, insert, select, tuple_, update
 from sqlalchemy.dialects import postgresql, sqlite
 
 from app.fleet.catalogue.entry import CatalogueEntry, EntryFigure
@@ -72,18 +73,60 @@ def store_entries(connection: Connection, entries: Sequence[CatalogueEntry]) -> 
 def _store_some(connection: Connection, entries: Sequence[CatalogueEntry]) -> int:
     present = _present(connection, [_identity(entry) for entry in entries])
     changed = []
+    counts: dict[str, StationCounts] = defaultdict(StationCounts)
     for entry in entries:
         known = present.get(_identity(entry))
         if known is None:
+            counts[entry.station].add(entry.archived_at, entry.size_bytes, entry.at)
             changed.append(entry)
         elif known.content == entry.content:
-            _note_again(connection, known, entry)
+            newly_archived = _note_again(connection, known, entry)
+            counts[entry.station].archived += newly_archived
         elif known.current_at <= _current_at(entry):
+            counts[entry.station].remove(known.archived_at, known.size_bytes)
+            counts[entry.station].add(entry.archived_at, entry.size_bytes, entry.at)
             _forget_parts(connection, known)
             changed.append(entry)
     if changed:
         _insert_records(connection, changed)
+    for station, its in counts.items():
+        _add_counts(connection, station, its)
     return len(changed)
+
+
+@dataclass
+class StationCounts:
+    """By how much the counts of a station change."""
+
+    records: int = 0
+    archived: int = 0
+    size_bytes: int = 0
+    newest_at: datetime | None = None
+
+    def add(self, archived_at: datetime | None, size_bytes: int, at: datetime) -> None:
+        self.records += 1
+        self.archived += archived_at is not None
+        self.size_bytes += size_bytes
+        self.newest_at = at if self.newest_at is None else max(self.newest_at, at)
+
+    def remove(self, archived_at: datetime | None, size_bytes: int) -> None:
+        self.records -= 1
+        self.archived -= archived_at is not None
+        self.size_bytes -= size_bytes
+
+
+def _add_counts(connection: Connection, station: str, by: StationCounts) -> None:
+    values: dict[str, object] = {
+        "records": StationRow.records + by.records,
+        "archived": StationRow.archived + by.archived,
+        "size_bytes": StationRow.size_bytes + by.size_bytes,
+    }
+    if by.newest_at is not None:
+        newest = case(
+            (StationRow.newest_at > by.newest_at, StationRow.newest_at), else_=by.newest_at
+        )
+        values["newest_at"] = newest
+    connection.execute(update(StationRow).where(StationRow.id == station).values(**values))
 
 
 def _present(connection: Connection, identities: Sequence[Identity]) -> dict[Identity, "Row[Any]"]:
@@ -95,8 +138,12 @@ def _present(connection: Connection, identities: Sequence[Identity]) -> dict[Ide
     return {(row.station, row.kind, row.id): row for row in found}
 
 
-def _note_again(connection: Connection, known: "Row[Any]", entry: CatalogueEntry) -> None:
-    """The content is known: it is current, perhaps under another name, or archived by now."""
+def _note_again(connection: Connection, known: "Row[Any]", entry: CatalogueEntry) -> bool:
+    """The content is known: it is current, perhaps under another name, or archived by now.
+
+    Returns:
+        Whether it is archived now and was not.
+    """
     found: dict[str, object] = {}
     if _current_at(entry) > known.current_at:
         found["current_at"] = _current_at(entry)
@@ -108,6 +155,7 @@ def _note_again(connection: Connection, known: "Row[Any]", entry: CatalogueEntry
         found |= {"archived_at": entry.archived_at, "place": entry.place}
     if found:
         connection.execute(update(RecordRow).where(RecordRow.key == known.key).values(**found))
+    return "archived_at" in found
 
 
 def _forget_parts(connection: Connection, known: "Row[Any]") -> None:

@@ -1,0 +1,16 @@
+"""``crenel bench catalogue`` stores what it says, and its questions have answers."""
+
+from app.bench.fleet.catalogue import run, table
+from app.progress import no_progress
+
+
+def test_a_small_catalogue_is_filled_and_asked() -> None:
+    found = run(10_000, "", no_progress)
+    assert found.rows >= 10_000
+    assert found.records >= 500
+    assert found.bytes > 100_000
+    answers = {one.question: one.answers for one in found.questions}
+    assert answers["one record with results and files"] == 1
+    assert answers["all stations with their counts"] == 100
+    assert answers["a word that an eighth of all records have"] > 0
+    assert len(table(found)) == len(found.questions) + 2

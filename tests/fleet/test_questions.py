@@ -1,0 +1,138 @@
+"""A wrong calibration is found with its dates and its recordings, and no other recording."""
+
+from datetime import datetime, timedelta
+
+import numpy as np
+import pytest
+
+from app.bench.fleet.invented import START, PlantedStep, invent_entries
+from app.fleet.catalogue.catalogue import FleetCatalogue
+from app.fleet.catalogue.entry import CatalogueEntry
+from app.fleet.catalogue.reading import SearchQuery, search
+from app.fleet.questions import drift_of, find_affected, find_calibrations
+from tests.fleet.entries import entry_of, figure_of
+
+DAY = timedelta(days=1)
+
+
+def ten_months(
+    wrong: tuple[int, int], by_calibration: bool, station: str = "room-3"
+) -> list[CatalogueEntry]:
+    """A station with two tests a week, scans every day, and a calibration every thirty days; of the
+    days ``wrong``, the location error is 12 µm larger."""
+    rng = np.random.default_rng(7)
+    found = []
+    for day in range(300):
+        month = day // 30
+        about = {
+            "at": START + DAY * day,
+            "station": station,
+            "calibration_id": f"cal-{month}" if by_calibration else "cal-0",
+        }
+        if day % 30 == 0:
+            found.append(
+                entry_of(kind="calibration", **{**about, "id": f"cal-{month}"})  # type: ignore[arg-type]
+            )
+        found.append(entry_of(**{**about, "id": f"scan-{day}", "label": f"Part {4700 + day}"}))  # type: ignore[arg-type]
+        if day % 3 == 1:
+            value = 28.0 + float(rng.normal(0, 2.0)) + (12.0 if wrong[0] <= day < wrong[1] else 0.0)
+            found.append(
+                entry_of(
+                    kind="performance",
+                    **{**about, "id": f"test-{day}", "figures": (figure_of(value),)},  # type: ignore[arg-type]
+                )
+            )
+    return found
+
+
+def day_of(at: datetime) -> int:
+    return (at - START) // DAY
+
+
+def test_a_wrong_calibration_of_a_month_names_its_recordings_and_none_else(
+    catalogue: FleetCatalogue,
+) -> None:
+    catalogue.add(ten_months((120, 150), by_calibration=True))
+    catalogue.add(ten_months((0, 0), by_calibration=True, station="room-4"))
+    with catalogue.reading() as connection:
+        wrong, right = drift_of(connection, "location-scan")
+        assert right.changes == ()
+        assert find_affected(connection, right) == []
+        (period,) = find_affected(connection, wrong)
+    assert period.station == "room-3"
+    assert period.calibration_ids == ("cal-4",)
+    assert [one.id for one in period.recordings] == [f"scan-{day}" for day in range(120, 150)]
+    assert period.possible == ()
+    assert period.ended is not None
+    assert day_of(period.change.earliest) < 120 <= day_of(period.change.latest)
+    assert day_of(period.ended.earliest) < 150 <= day_of(period.ended.latest)
+    assert abs(period.change.size - 12.0) < 4 * period.change.standard_uncertainty
+
+
+def test_a_change_that_no_calibration_explains_is_bounded_by_time(
+    catalogue: FleetCatalogue,
+) -> None:
+    catalogue.add(ten_months((103, 300), by_calibration=False))
+    with catalogue.reading() as connection:
+        (drift,) = drift_of(connection, "location-scan", ["room-3"])
+        (period,) = find_affected(connection, drift)
+    assert period.ended is None
+    assert period.calibration_ids == ()
+    sure = {one.id for one in period.recordings}
+    possible = {one.id for one in period.possible}
+    affected = {f"scan-{day}" for day in range(103, 300)}
+    assert sure <= affected
+    assert affected <= sure | possible
+    assert len(possible) <= 14
+
+
+@pytest.mark.parametrize("seed", [1, 2, 3])
+def test_a_planted_month_is_found_among_invented_stations(seed: int, tmp_path: object) -> None:
+    begin, end = START + 120 * DAY, START + 150 * DAY
+    step = PlantedStep("room-2", begin, end, 14.0)
+    entries = invent_entries(3, 9000, seed, timedelta(hours=2.4), [step])
+    with FleetCatalogue(f"sqlite:///{tmp_path}/catalogue.db") as catalogue:
+        catalogue.add(list(entries))
+        with catalogue.reading() as connection:
+            drifts = drift_of(connection, "location-scan")
+            found = [one for drift in drifts for one in find_affected(connection, drift)]
+    (period,) = found
+    assert period.station == "room-2"
+    assert period.change.earliest <= begin <= period.change.latest
+    assert period.ended is not None
+    assert period.ended.earliest <= end <= period.ended.latest
+
+
+def test_a_test_that_names_no_calibration_is_assigned_by_the_hash_of_its_file(
+    catalogue: FleetCatalogue,
+) -> None:
+    found = []
+    for entry in ten_months((120, 150), by_calibration=True):
+        hashed = f"{entry.calibration_id:0<64}"
+        unnamed = "" if entry.kind == "performance" else entry.calibration_id
+        found.append(
+            entry_of(
+                **{
+                    **{name: getattr(entry, name) for name in ("station", "kind", "id", "at")},
+                    "figures": entry.figures,
+                    "calibration_id": unnamed,
+                    "calibration_sha256": "" if entry.kind == "scan" else hashed,
+                }
+            )
+        )
+    catalogue.add(found)
+    with catalogue.reading() as connection:
+        (drift,) = drift_of(connection, "location-scan")
+        (period,) = find_affected(connection, drift)
+    assert period.calibration_ids == ("cal-4",)
+
+
+def test_the_calibration_in_use_when_a_part_was_scanned(catalogue: FleetCatalogue) -> None:
+    catalogue.add(ten_months((0, 0), by_calibration=True))
+    with catalogue.reading() as connection:
+        (used,) = find_calibrations(connection, "part 4711")
+        assert search(connection, SearchQuery(text="part 4711"))[0].entry == used.recording
+    assert used.calibration is not None
+    assert (used.recording.id, used.calibration.id) == ("scan-11", "cal-0")
+    assert used.newest is not None
+    assert used.newest.id == "cal-9"
