@@ -23,9 +23,18 @@ def saturation_level(image: Image) -> float:
     """
     if image.dtype == np.uint8:
         return 255.0
-    top = int(image.max())
-    if top:
-        significant = top >> ((top & -top).bit_length() - 1)
+    return float(full_scale_shown(int(image.max())))
+
+
+def full_scale_shown(brightest: int) -> int:
+    """The full scale of a sensor of 9 to 16 bits that its brightest pixel shows, otherwise 65535.
+
+    Example:
+        >>> full_scale_shown(4095), full_scale_shown(4095 << 4), full_scale_shown(4000)
+        (4095, 65520, 65535)
+    """
+    if brightest:
+        significant = brightest >> ((brightest & -brightest).bit_length() - 1)
         if significant & (significant + 1) == 0 and 9 <= significant.bit_length() <= 16:
-            return float(top)
-    return 65535.0
+            return brightest
+    return 65535

@@ -7,6 +7,7 @@ import pytest
 from numpy.typing import NDArray
 
 from app.metrology.stripe import Stripe, StripeSettings, StripeTracker, extract_stripe, find_stripe
+from app.metrology.stripe.scales import follow_scale, scale_of
 from app.metrology.transforms import Floats
 
 WIDTH, HEIGHT = 960, 720
@@ -207,3 +208,39 @@ def test_pictures_of_more_bits_are_scaled_alike(shift: int) -> None:
     on, beside = shares(extract_stripe(image), rows, 40)
     assert on > 0.98
     assert beside == 0
+
+
+def test_the_full_scale_of_a_followed_wide_line_is_that_of_its_sensor() -> None:
+    """By what is read of each image: a lamp elsewhere says nothing, what was seen once stays."""
+    scale = scale_of(np.full((600, 300), 900, np.uint16), 3.0)
+    parts = np.array([[60, 90, 0, 200], [100, 120, 100, 300]])
+    image = np.full((600, 300), 900, np.uint16)
+    image[0, 0] = 4095
+    image[190, 250] = 3000
+    assert follow_scale(scale, image, parts) == scale
+    image[359, 299] = 4095
+    deeper = follow_scale(scale, image, parts)
+    assert (deeper.saturated, deeper.gain) == (4095, 16)
+    image[359, 299] = 900
+    assert follow_scale(deeper, image, parts) == deeper
+    image[200, 100] = 5000
+    assert follow_scale(deeper, image, parts).saturated == 65535
+
+
+def test_a_followed_wide_line_of_16_bits_is_that_of_whole_images() -> None:
+    """Also where single frames clip, and their noise is stated in the same levels."""
+    tracker = StripeTracker()
+    for frame in range(6):
+        rows = np.asarray(300 + 2.0 * frame + 0.05 * np.arange(WIDTH), dtype=np.float64)
+        height = np.where(np.arange(WIDTH) < 60 * (frame % 2), 5000, 2000.0)
+        light = 300 + beam(rows, 52.0, height)
+        noise = np.random.default_rng(frame).standard_normal(light.shape)
+        image = np.clip(np.rint(light + 20 * noise), 0, 4095).astype(np.uint16)
+        followed, whole = tracker.extract(image), extract_stripe(image)
+        common = np.intersect1d(followed.u, whole.u).astype(np.int64)
+        assert len(common) > 0.97 * WIDTH
+        for one in (followed, whole):
+            off = one.v - rows[one.u.astype(int)]
+            assert float(np.median(np.abs(off))) < 0.1
+        ratio = np.median(followed.sigma_px) / np.median(whole.sigma_px)
+        assert 0.7 < ratio < 1.4

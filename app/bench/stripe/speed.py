@@ -3,6 +3,7 @@
 import time
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from itertools import product
 
 import numpy as np
 
@@ -36,6 +37,8 @@ def table(rows: Sequence[ComparisonRow]) -> list[list[str]]:
 POOL, ROUNDS, BURST = 64, 15, 16
 REBUILT_FRAMES, REBUILT_TIMES = 100, 60
 WIDE_LINES_PX = (20, 50)
+DEEPER_BITS = 4
+"""Of frames of 12 bits in 16, more than those of 8."""
 
 
 def speeds(frames: int, progress: Progress) -> list[ComparisonRow]:
@@ -44,6 +47,7 @@ def speeds(frames: int, progress: Progress) -> list[ComparisonRow]:
     base = [simulate_frame(seed).image for seed in range(min(frames, 8))]
     pool = [np.roll(base[i % len(base)], 17 * i, axis=1) for i in range(POOL)]
     wide = [simulate_frame(1, width_px=width * PER_FULL_WIDTH).image for width in WIDE_LINES_PX]
+    deep = [image * np.uint16(1 << DEEPER_BITS) for image in wide]
     camera, plane = make_sensor()
     progress(0.2, "timing")
     once, crenel, opencv, gravity, placed, tracked, *tracked_wide = median_seconds(
@@ -53,7 +57,7 @@ def speeds(frames: int, progress: Progress) -> list[ComparisonRow]:
             (fit_blurred_parabola, pool),
             (centroid, pool),
             (lambda image: to_points(image, camera, plane), pool),
-            *((StripeTracker().extract, _move(image)) for image in (base[1], *wide)),
+            *((StripeTracker().extract, _move(image)) for image in (base[1], *wide, *deep)),
         ]
     )
     points = float(np.mean([len(extract_stripe(image).u) for image in pool[:8]]))
@@ -68,8 +72,10 @@ def speeds(frames: int, progress: Progress) -> list[ComparisonRow]:
         ),
         ComparisonRow("with the stripe followed", f"{1 / tracked:.0f} /s"),
         *(
-            ComparisonRow(f"the same, {width} px wide at half height", f"{1 / seconds:.0f} /s")
-            for width, seconds in zip(WIDE_LINES_PX, tracked_wide, strict=True)
+            ComparisonRow(f"the same, {width} px wide at half height{of}", f"{1 / seconds:.0f} /s")
+            for (of, width), seconds in zip(
+                product(("", ", 12 bits in 16"), WIDE_LINES_PX), tracked_wide, strict=True
+            )
         ),
         ComparisonRow("image to points in the arm frame", f"{points / placed / 1e6:.2f} million/s"),
         ComparisonRow(

@@ -1,5 +1,6 @@
 """Stripe extraction from an image: checks, the call into C, and its result."""
 
+import math
 from dataclasses import dataclass
 from typing import cast
 
@@ -9,14 +10,16 @@ from numpy.typing import NDArray
 
 from app.errors import OperationError
 from app.messages.message import message
-from app.metrology.image import Image, saturation_level
+from app.metrology.image import Image
 from app.metrology.stripe.points import Stripe, empty_stripe, stripe_from_points
 from app.metrology.stripe.scales import (
     FULL,
     THIN_FACTOR,
+    Scale,
     height_at,
     reduce_mask,
     reduce_rows,
+    rows_to_fill,
     scale_of,
     wide_factors,
 )
@@ -106,15 +109,15 @@ def find_stripe(
     """
     grey = orient_image(image, axis)
     found = extract_whole(grey, axis, orient_mask(where, grey, axis), settings)
-    found.stripe = smooth_as_set(found.stripe, grey, settings)
+    found.stripe = smooth_as_set(found, settings)
     return found
 
 
-def smooth_as_set(stripe: Stripe, grey: Image, settings: StripeSettings) -> Stripe:
-    """The stripe of an image, smoothed along itself if the settings say so."""
+def smooth_as_set(found: "FoundLine", settings: StripeSettings) -> Stripe:
+    """The stripe that was found, smoothed along itself if the settings say so."""
     if settings.smoothing_px == 0:
-        return stripe
-    return smooth_stripe(stripe, settings.smoothing_px, saturation_level(grey))
+        return found.stripe
+    return smooth_stripe(found.stripe, settings.smoothing_px, found.saturated)
 
 
 @dataclass(slots=True)
@@ -123,15 +126,22 @@ class FoundLine:
 
     ``evidence``: length of the line, in shares of the image's width, times its height in grey
     levels; 0 if it does not stand out of the image. ``length``: that of one piece which shows as
-    much. ``factor``: rows of the image that were made one. ``sigma_rows``: the usual width there,
-    as a standard deviation; 0 if the line is clipped.
+    much. ``scale``: how many rows of the image were made one. ``sigma_rows``: the usual width
+    there, as a standard deviation; 0 if the line is clipped. ``saturated``: the grey level from
+    which on the line counts as clipped.
     """
 
     stripe: Stripe
     evidence: float = 0.0
     length: float = 0.0
-    factor: float = 1.0
+    scale: Scale = FULL
     sigma_rows: float = 0.0
+    saturated: float = math.inf
+
+    @property
+    def factor(self) -> float:
+        """Rows of the image that were made one."""
+        return self.scale.factor
 
     @property
     def width_px(self) -> float:
@@ -198,7 +208,7 @@ def _extract_at(
 ) -> FoundLine:
     """The stripe in a complete image at one scale."""
     parts, allowed = whole_image(grey, factor), reduce_mask(where, factor)
-    return extract_parts(grey, axis, parts, allowed, settings, factor=factor)
+    return extract_parts(grey, axis, parts, allowed, settings, scale=scale_of(grey, factor))
 
 
 def extract_parts(
@@ -208,7 +218,7 @@ def extract_parts(
     where: NDArray[np.bool_] | None,
     settings: StripeSettings,
     known: NDArray[np.float32] | None = None,
-    factor: float = 1.0,
+    scale: Scale = FULL,
 ) -> FoundLine:
     """The stripe in parts of an image that is already oriented, at one scale.
 
@@ -220,25 +230,32 @@ def extract_parts(
             anywhere.
         known: (4,) the three terms of the noise and the usual width (a standard deviation, px)
             from earlier frames at this scale; zeros are filled in.
-        factor: rows of the image that are made one.
+        scale: how many rows of the image are made one.
     """
     check_settings(settings)
     if grey.shape[0] <= LEAST_ROWS or grey.shape[1] < settings.min_run:
         return FoundLine(empty_stripe(axis))
-    image, scale, kind = grey, FULL, grey.dtype
+    image, kind, factor = grey, grey.dtype, scale.factor
     if factor != 1:
-        scale, kind = scale_of(grey, factor), U16
-        settings = scale.settings(settings)
+        kind, settings = U16, scale.settings(settings)
     known = np.zeros(4, dtype=np.float32) if known is None else known
-    workspace = acquire_workspace(height_at(grey.shape[0], factor), grey.shape[1], kind)
+    rows = height_at(grey.shape[0], factor)
+    workspace = acquire_workspace(rows, grey.shape[1], kind)
     try:
         if factor != 1:
-            image = reduce_rows(grey, scale, parts, workspace.reduced)
+            filled = rows_to_fill(parts, rows, float(known[3]), clipped=False)
+            image = reduce_rows(grey, scale, filled, workspace.reduced)
         workspace.set_frame(image, parts, where, known)
         workspace.set_settings(settings, scale.climb_rows)
         count = EXTRACT[image.dtype](workspace.fields)
+        if factor > 1 and workspace.fields.is_clipped:
+            more = rows_to_fill(parts, rows, 0, clipped=True)
+            if (more[:, :2] != filled[:, :2]).any():
+                reduce_rows(grey, scale, more, workspace.reduced)
+                count = EXTRACT[image.dtype](workspace.fields)
         points = workspace.points[:, :count].copy()
         evidence, length = workspace.fields.evidence, workspace.fields.length
+        saturated = workspace.fields.saturated / scale.gain
     finally:
         release_workspace(workspace)
     if factor != 1:
@@ -247,7 +264,7 @@ def extract_parts(
         unresolved = factor < 1 and known[3] < UNRESOLVED_SIGMA_ROWS
         points[3] = np.hypot(points[3] * factor, UNRESOLVED_PX if unresolved else 0)
     stripe = stripe_from_points(points, axis)
-    return FoundLine(stripe, evidence / scale.gain, length, factor, float(known[3]))
+    return FoundLine(stripe, evidence / scale.gain, length, scale, float(known[3]), saturated)
 
 
 def whole_image(grey: Image, factor: float = 1.0) -> NDArray[np.int64]:

@@ -1,13 +1,14 @@
 """Scales at which a stripe is looked for: several rows made one, so that a wide line is narrow, or
 one made two for a line of hardly a pixel."""
 
+import math
 from dataclasses import dataclass
 from typing import cast
 
 import numpy as np
 from numpy.typing import NDArray
 
-from app.metrology.image import Image, saturation_level
+from app.metrology.image import Image, full_scale_shown, saturation_level
 from app.metrology.stripe.settings import StripeSettings
 from app.native.arguments import I64, U8, U16, Array, Function, Integer
 from app.native.library import CRENEL
@@ -21,6 +22,13 @@ LEAST_ROWS = 64
 STEEPEST_PX = 4.0
 """Pixels by which a line may climb from one column to the next."""
 FULL_SCALE_16 = 65535
+FIT_SIGMAS, FIT_MORE, WIDEST_FIT_ROWS = 3.6, 4, 40
+"""Rows about a peak that its fit reads: of its width, more, and at most, as in ``pipeline.c``."""
+SEARCHED_BEYOND = 22
+"""Rows by which a part reaches beyond the line at its place in the image before: the surroundings
+that the search needs, as in ``tracking.c``, and those by which the line may move."""
+FLANK_ROWS = 88
+"""Rows that a clipped line's flanks and background reach beyond a part: core, flank, background."""
 
 _reduce = {
     kind: Function(
@@ -47,6 +55,15 @@ _double = {
     )
     for kind, bits in ((U8, 8), (U16, 16))
 }
+
+
+_highest_in_parts = Function(
+    CRENEL,
+    "highest_in_parts",
+    Array(U16, "height", "width"),
+    Array(I64, "part_count", 4),
+    returns=int,
+)
 
 
 @dataclass(frozen=True)
@@ -91,9 +108,35 @@ def wide_factors(rows: int) -> tuple[float, ...]:
 
 def scale_of(grey: Image, factor: float) -> Scale:
     """The scale that makes ``factor`` rows of such an image one."""
+    return _scale_for(grey, factor, int(saturation_level(grey)))
+
+
+def follow_scale(before: Scale, grey: Image, parts: NDArray[np.int64]) -> Scale:
+    """The scale for the next image of the same sensor, of which only parts are read.
+
+    The full scale that earlier images showed is that of the sensor, unless a pixel is above it.
+
+    Args:
+        before: the scale for the images before.
+        parts: (n, 4) of the reduced image, see ``reduce_rows``.
+    """
+    if before.factor == 1 or grey.dtype == U8:
+        return before
+    rows = parts.copy()
+    rows[:, 0] = np.floor(parts[:, 0] * before.factor)
+    rows[:, 1] = np.ceil(parts[:, 1] * before.factor)
+    highest = _highest_in_parts(grey, rows)
+    is_known = before.saturated < FULL_SCALE_16
+    if highest <= before.saturated and is_known:
+        return before
+    return _scale_for(grey, before.factor, full_scale_shown(highest))
+
+
+def _scale_for(grey: Image, factor: float, saturated: int) -> Scale:
+    if factor == 1:
+        return FULL
     if grey.dtype == U8:
         return Scale(factor, FULL_SCALE_16 // 255, 255)
-    saturated = int(saturation_level(grey))
     gain = 1
     while saturated * gain * 2 <= FULL_SCALE_16:
         gain *= 2
@@ -108,6 +151,23 @@ def rows_at(across_px: NDArray[np.float64], factor: float) -> NDArray[np.float64
 def height_at(rows: int, factor: float) -> int:
     """How many rows an image of so many has with ``factor`` of them made one."""
     return int(rows / factor)
+
+
+def rows_to_fill(
+    parts: NDArray[np.int64], rows: int, sigma_rows: float, *, clipped: bool
+) -> NDArray[np.int64]:
+    """Parts (n, 4) of a reduced image of so many rows with what the fits read beyond them.
+
+    Args:
+        sigma_rows: the line's usual width as a standard deviation; 0 if it is not known.
+        clipped: whether the flanks of a clipped core are read.
+    """
+    fit = math.ceil(FIT_SIGMAS * sigma_rows + FIT_MORE) if sigma_rows else WIDEST_FIT_ROWS
+    beyond = FLANK_ROWS if clipped else max(min(fit, WIDEST_FIT_ROWS) - SEARCHED_BEYOND, 0)
+    filled = parts.copy()
+    filled[:, 0] = np.maximum(parts[:, 0] - beyond, 0)
+    filled[:, 1] = np.minimum(parts[:, 1] + beyond, rows)
+    return filled
 
 
 def reduce_rows(

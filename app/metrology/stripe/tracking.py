@@ -15,7 +15,7 @@ from app.metrology.stripe.extraction import (
     smooth_as_set,
 )
 from app.metrology.stripe.points import Stripe
-from app.metrology.stripe.scales import height_at, reduce_mask, rows_at
+from app.metrology.stripe.scales import FULL, follow_scale, height_at, reduce_mask, rows_at
 from app.metrology.stripe.settings import AUTOMATIC, StripeSettings
 from app.native.arguments import BOOL, F64, I64, Array, Function, Integer
 from app.native.library import CRENEL
@@ -81,7 +81,7 @@ class StripeTracker:
         self._along = self._across = np.zeros(0)
         self._turn = 0
         self._known = np.zeros(4, dtype=np.float32)
-        self._factor = 1.0
+        self._scale = FULL
 
     def extract(self, image: Image) -> Stripe:
         """The stripe of the next frame; results and errors are those of ``extract_stripe``."""
@@ -106,7 +106,7 @@ class StripeTracker:
             found = self._extract(self._parts(whole), grey)
         if is_turn and not (found.is_certain if is_first else found.is_long):
             found = self._try_scales(grey, found)
-        return smooth_as_set(found.stripe, grey, self._settings)
+        return smooth_as_set(found, self._settings)
 
     def _try_scales(self, grey: Image, found: FoundLine) -> FoundLine:
         """What the image shows at the best scale, which is kept for the frames to come."""
@@ -114,7 +114,7 @@ class StripeTracker:
         best = extract_whole(grey, self._axis, self._allowed, self._settings, whole)
         if best.factor == found.factor:
             return found
-        self._factor = best.factor
+        self._scale = best.scale
         self._reduced = reduce_mask(self._allowed, best.factor)
         self._known[:] = 0
         self._remember(best)
@@ -122,7 +122,7 @@ class StripeTracker:
 
     def _parts(self, whole: NDArray[np.bool_]) -> NDArray[np.int64]:
         """The parts (n, 4) of the image to read; the complete image if that is not slower."""
-        factor, (rows, columns) = self._factor, self._shape
+        factor, (rows, columns) = self._scale.factor, self._shape
         parts = np.empty((len(whole) + 1, 4), dtype=np.int64)
         count = _plan_parts(
             self._along,
@@ -138,8 +138,12 @@ class StripeTracker:
 
     def _extract(self, parts: NDArray[np.int64], grey: Image) -> FoundLine:
         """The stripe in these parts; stores its position."""
+        scale = follow_scale(self._scale, grey, parts)
+        if scale != self._scale:
+            self._known[:] = 0  # the noise was in other levels
+            self._scale = scale
         found = extract_parts(
-            grey, self._axis, parts, self._reduced, self._settings, self._known, self._factor
+            grey, self._axis, parts, self._reduced, self._settings, self._known, scale
         )
         self._remember(found)
         return found
@@ -153,5 +157,5 @@ class StripeTracker:
     def _forget(self) -> None:
         """Forgets the stripe, for images of another size."""
         self._along = self._across = np.zeros(0)
-        self._factor, self._reduced = 1.0, self._allowed
+        self._scale, self._reduced = FULL, self._allowed
         self._turn = 0

@@ -264,6 +264,7 @@ EXPORT(int64_t, OF(extract))(Workspace *work)
     const int64_t peaks = OF(list_peaks)(work, threshold);
     const bool linked = choose_peaks(work, peaks);
     const float saturated = OF(clipping_level)(work, full);
+    work->saturated = saturated;
     const int64_t found =
         OF(place_points)(work, read, threshold, saturated, highest_core >= saturated);
     int64_t pieces = list_pieces(work, found);

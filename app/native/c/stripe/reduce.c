@@ -56,3 +56,25 @@ EXPORT(void, OF(double_rows))(int64_t height, int64_t width, int64_t doubled, co
         }
     }
 }
+
+#if BITS == 16
+/* The highest pixel of parts of the picture (height, width). */
+EXPORT(int64_t, highest_in_parts)(int64_t height, int64_t width, int64_t part_count,
+                                  const uint16_t *pixels, const int64_t *parts)
+{
+    uint16_t most[64] = {0}, highest = 0;
+    for (const int64_t *part = parts; part < parts + 4 * part_count; part += 4) {
+        for (int64_t row = part[0]; row < min_i64(part[1], height); row++) {
+            const uint16_t *line = pixels + row * width;
+            for (int64_t begin = part[2]; begin < part[3]; begin += 64) {
+                const int64_t n = min_i64(64, part[3] - begin);
+                for (int64_t i = 0; i < n; i++)
+                    most[i] = line[begin + i] > most[i] ? line[begin + i] : most[i];
+            }
+        }
+    }
+    for (int i = 0; i < 64; i++)
+        highest = most[i] > highest ? most[i] : highest;
+    return highest;
+}
+#endif

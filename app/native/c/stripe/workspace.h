@@ -96,6 +96,7 @@ typedef struct {
 
     /* results: how much of a line the points are, and how long, see evidence.c */
     double evidence, length;
+    double saturated; /* the level from which on pixels count as clipped */
     int64_t is_clipped; /* some points lie where the line is clipped, and have no peak */
 } Workspace;
 
