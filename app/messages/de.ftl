@@ -210,6 +210,9 @@ arms-position-known-around-most-pictures = die Stellung des Messarms ist für di
 arms-zero = Abstand vom Nullpunkt des Messarms
 artefact-is-calibration-object = der Prüfkörper { $serial_number } ist das Objekt, mit dem der Sensor kalibriert wurde
 artefact-missing = der Plan nennt keinen Prüfkörper
+articulation-scanned-otherwise = Aufstellung { $position }, Stellung { $number }: Die Kamera blickte { $off } neben der gewünschten Richtung (höchstens { $most }).
+articulation-touched-otherwise = Aufstellung { $position }, Stellung { $number }: Der Taster wurde { $off } neben der gewünschten Richtung gehalten (höchstens { $most }).
+articulations-nearly-same = die Stellungen { $first } und { $second } sind fast gleich, { $apart } auseinander; nötig sind mindestens { $least }
 articulations-not-scanned = nur { $count } der { $needed } Stellungen wurden gescannt
 articulations-too-alike = der Sensor sah die Kugel von zu ähnlichen Seiten
 articulations-without-touches = in den Stellungen { $names } fehlen Antastungen
@@ -1413,6 +1416,7 @@ performance-articulations-missing =
 performance-aside-note = { $title }: { $reason }
 performance-began-scan = hat einen Scan der Kugel begonnen
 performance-begin-scan = Scan beginnen
+performance-camera-off-articulation = Die Kamera blickt { $off } neben der gewünschten Richtung (höchstens { $most }).
 performance-cancelled-device = Abgebrochen: Ein Gerät ist ausgefallen.
 performance-cancelled-moved = Abgebrochen: Kugel oder Arm hat sich bewegt.
 performance-cancelled-operating = Abgebrochen: Bedienfehler, wiederholt.
@@ -1499,6 +1503,7 @@ performance-step-end = Nochmals antasten
 performance-step-location = Lage durch Antasten
 performance-step-pattern = 25 Antastungen
 performance-step-scan = Fünf Scans
+performance-stylus-off-articulation = Der Taster ist { $off } neben der gewünschten Richtung (höchstens { $most }).
 performance-symbol = Symbol
 performance-test =
     { $kind ->
@@ -1524,6 +1529,7 @@ performance-touches-missing =
         [one] Eine Antastung fehlt.
        *[other] { $missing } Antastungen fehlen.
     }
+performance-turn-towards-articulation = Drehen Sie das Handgelenk, bis diese Meldung verschwindet; anders genommene Punkte werden im Ergebnis vermerkt
 performance-valid-until = Kalibrierschein gültig bis { $until }
 performance-values-against-limits = Werte als Anteile ihrer größten zulässigen Abweichungen, mit der Prüfwertunsicherheit (k = 2) als Balken. Der gefüllte Punkt ist der schlechtere Wert, der zählt; offene Punkte sind die Werte jeder Position.
 pictures-were-taken-with-other-sensor = Es wurden Bilder mit einem anderen Sensor aufgenommen. Für diesen eine neue Kalibrierung beginnen.

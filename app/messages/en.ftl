@@ -210,6 +210,9 @@ arms-position-known-around-most-pictures = the arm's position is unknown for mos
 arms-zero = Distance from the arm's origin
 artefact-is-calibration-object = the artefact { $serial_number } is the object that the sensor was calibrated with
 artefact-missing = the plan names no artefact
+articulation-scanned-otherwise = Position { $position }, articulation { $number }: the camera looked from a direction { $off } away from the wanted one (at most { $most }).
+articulation-touched-otherwise = Position { $position }, articulation { $number }: the stylus was held { $off } away from the wanted direction (at most { $most }).
+articulations-nearly-same = the articulations { $first } and { $second } are nearly the same, { $apart } apart; at least { $least } are needed
 articulations-not-scanned = only { $count } of the { $needed } articulations were scanned
 articulations-too-alike = the sensor looked at the sphere from too similar sides
 articulations-without-touches = touches are missing in the articulations { $names }
@@ -1409,6 +1412,7 @@ performance-articulations-missing =
 performance-aside-note = { $title }: { $reason }
 performance-began-scan = began a scan of the sphere
 performance-begin-scan = Begin the scan
+performance-camera-off-articulation = The camera looks from a direction { $off } away from the wanted one (at most { $most }).
 performance-cancelled-device = Cancelled: a device failed.
 performance-cancelled-moved = Cancelled: the sphere or the arm moved.
 performance-cancelled-operating = Cancelled: operating error, repeated.
@@ -1495,6 +1499,7 @@ performance-step-end = Touch again
 performance-step-location = Location by touch
 performance-step-pattern = 25 touches
 performance-step-scan = Five scans
+performance-stylus-off-articulation = The stylus is { $off } away from the wanted direction (at most { $most }).
 performance-symbol = Symbol
 performance-test =
     { $kind ->
@@ -1520,6 +1525,7 @@ performance-touches-missing =
         [one] One touch is missing.
        *[other] { $missing } touches are missing.
     }
+performance-turn-towards-articulation = Turn the wrist until this message disappears; points taken otherwise are noted in the result
 performance-valid-until = certificate valid until { $until }
 performance-values-against-limits = Values as shares of their maximum permissible errors, with the test uncertainty (k = 2) as a bar. The filled dot is the worse value, which counts; open dots are the values of each position.
 pictures-were-taken-with-other-sensor = Pictures were taken with another sensor. Begin a new calibration for this one.

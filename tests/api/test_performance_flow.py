@@ -131,6 +131,7 @@ def test_the_simulated_operator_does_the_whole_test(desk: Desk, calibration: str
     folder = desk.server.data / "performance" / newest["id"]
     plan, found = read_plan(folder), read_performance(folder)
     assert plan.simulated
+    assert not [note for note in found.notes if "articulation" in str(note)]
     assert {limit.quantity: limit.a_um for limit in plan.limits} == {
         "form-touch": 200.0,
         "location-scan": 900.0,

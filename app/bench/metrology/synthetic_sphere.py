@@ -89,6 +89,8 @@ class Faults(PlantedFaults):
     point_sd_mm: float = 0.0
     """Of scanned points along the surface's normal."""
     articulations: int = 5
+    second_like_first: bool = False
+    """The second articulation is held like the first, by touch and by scan."""
     seed: int = 1
 
 
@@ -157,9 +159,10 @@ class SphereSession:
         readings: list[Floats] = []
         for group in touch_groups(CENTRE, np.array(self.faults.moved_mm)):
             features += [group.feature] * len(group.outward)
-            readings += [
-                self._touch(group.centre_mm, one, group.stylus_from) for one in group.outward
-            ]
+            stylus = group.stylus_from
+            if self.faults.second_like_first and group.feature == sphere_feature(1, "location", 2):
+                stylus = POLE
+            readings += [self._touch(group.centre_mm, one, stylus) for one in group.outward]
         arm = read_any_arm(self.folder / "arm.json")
         contacts = contact_readings(features, arm, np.array(readings))
         write_contacts(self.folder / TOUCHES, contacts)
@@ -189,7 +192,8 @@ class SphereSession:
     def _write_scan(self, number: int) -> None:
         """The sensor passes over the sphere, tilted as the articulation says."""
         faults = self.faults
-        R_arm_sensor = _orientation(number)
+        held = 1 if faults.second_like_first and number == 2 else number
+        R_arm_sensor = _orientation(held)
         camera = true_camera()
         offset = np.array(faults.matrix_offset_mm)
         folder = self.folder / sphere_scan(1, number)
@@ -250,7 +254,8 @@ def _orientation(number: int) -> Floats:
     """(3, 3) of the sensor: its camera above the sphere, and tilted by 40° to four sides."""
     away = true_camera().centre_mm
     up = Rotation.align_vectors([[0, 0, 1.0]], [away / np.linalg.norm(away)])[0]
-    tilts = {1: ("x", 0), 2: ("x", 40), 3: ("x", -40), 4: ("y", 40), 5: ("y", -40)}
+    # away from the arm, to the right, towards it, to the left
+    tilts = {1: ("x", 0), 2: ("y", 40), 3: ("x", 40), 4: ("y", -40), 5: ("x", -40)}
     axis, angle = tilts[number]
     turn = Rotation.from_euler("z", 30.0 * number, degrees=True)
     return np.asarray((Rotation.from_euler(axis, angle, degrees=True) * turn * up).as_matrix())

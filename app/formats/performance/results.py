@@ -78,6 +78,10 @@ class SphereMeasurement(DocumentPart):
     a place without a touch."""
     tactile_centres_mm: tuple[Vector3, ...] = ()
     """Of the articulations by touch, with a free diameter."""
+    stylus_directions: tuple[Vector3, ...] = ()
+    """Unit, from the tip to the wrist, arm frame: mean of each articulation by touch."""
+    view_directions: tuple[Vector3, ...] = ()
+    """Unit, from the sphere to the camera, arm frame: mean of each articulation by scan."""
     scan_centres_mm: tuple[Vector3, ...] = ()
     """Of the articulations by scan, with a free diameter."""
     fixed_centres_mm: tuple[Vector3, ...] = ()

@@ -8,7 +8,7 @@ from app.findings import Finding
 from app.formats.datasheets.gauge import GaugeFile
 from app.formats.performance.plan import ARTICULATIONS
 from app.guide.common.datasheet_library import Gauges
-from app.guide.common.flow import DECISION_QUALITY, device_findings, list_steps
+from app.guide.common.flow import DECISION_QUALITY, device_findings, list_steps, strain_findings
 from app.guide.common.journal import error_from_payload
 from app.guide.common.view import Action, LiveNumber, StepProgress
 from app.guide.performance.live import PerformanceLive
@@ -17,6 +17,7 @@ from app.guide.performance.rules import RULES, WANTED, change_reason, missing_pa
 from app.guide.performance.state import TOUCHING, PerformanceState
 from app.guide.performance.view import PerformanceView, SphereOption
 from app.messages.message import Text, join, message, quantity
+from app.metrology.performance.articulation import HELD_DEG
 
 TITLES = {
     "artefact": message("performance-step-artefact"),
@@ -149,6 +150,10 @@ def _findings(state: PerformanceState, live: PerformanceLive) -> list[Finding]:
     findings += device_findings(live.arm_link, live.sensor_link)
     if state.step == "artefact":
         findings += _about_artefact(live)
+    if state.step in TOUCHING:
+        findings += strain_findings(live.strain)
+    if live.off_deg is not None and live.off_deg > HELD_DEG:
+        findings.append(_about_articulation(live.off_deg, state.step))
     if state.step == "scan":
         findings += _about_scans(state)
     if state.step == "review":
@@ -163,6 +168,15 @@ def _about_artefact(live: PerformanceLive) -> list[Finding]:
         findings.append(Finding("attention", text, message("put-certificate-into-folder-gauges")))
     remedy = message("performance-correct-gauge")
     return findings + [Finding("bad", sentence(one), remedy) for one in live.artefact_problems]
+
+
+def _about_articulation(off_deg: float, step: str) -> Finding:
+    off, most = quantity(off_deg, "°"), quantity(HELD_DEG, "°")
+    if step == "location":
+        text = message("performance-stylus-off-articulation", off=off, most=most)
+    else:
+        text = message("performance-camera-off-articulation", off=off, most=most)
+    return Finding("attention", text, message("performance-turn-towards-articulation"))
 
 
 def _about_scans(state: PerformanceState) -> list[Finding]:

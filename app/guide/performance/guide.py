@@ -13,7 +13,7 @@ from app.formats.json_document import file_sha256
 from app.formats.performance.plan import PLAN, TOUCHES, PerformancePlan
 from app.formats.performance.results import PerformanceFile, read_performance
 from app.formats.performance.station_limits import read_station_limits
-from app.formats.results.calibration import read_calibration
+from app.formats.results.calibration import Calibration, read_calibration
 from app.guide.common.datasheet_library import Gauges, read_gauges
 from app.guide.common.flow import Flow
 from app.guide.common.guided_session import (
@@ -31,7 +31,13 @@ from app.guide.gauge.certificates import store_certificate
 from app.guide.gauge.session import GaugeServices, GaugeSession
 from app.guide.performance.flow import build_view, sphere_options
 from app.guide.performance.live import PerformanceLive, Places
-from app.guide.performance.places import PartPlaces, flat_pattern, places_of, sphere_centre_of
+from app.guide.performance.places import (
+    PartPlaces,
+    flat_pattern,
+    off_articulation_deg,
+    places_of,
+    sphere_centre_of,
+)
 from app.guide.performance.plan import build_plan, sphere_part
 from app.guide.performance.rules import RULES
 from app.guide.performance.state import PerformanceState, apply_row
@@ -39,7 +45,11 @@ from app.guide.performance.view import PerformanceView, SphereOption
 from app.messages.message import Text, message
 from app.metrology.arm.kinematics import AnyArm, tip_centres
 from app.metrology.decision import GUARDED_95, DecisionRule
-from app.metrology.performance.articulation import assign_places, flat_deg, nearest_free
+from app.metrology.performance.articulation import (
+    assign_places,
+    flat_deg,
+    nearest_free,
+)
 from app.metrology.transforms import Floats
 from app.timestamps import utc_now
 from app.workflows.performance.artefact_checks import list_problems
@@ -93,6 +103,7 @@ class PerformanceGuide(GaugeSession[PerformanceState, PerformanceLive, Performan
         self.performances = performances
         self._object: tuple[str, str | OperationError] = ("", "")
         self._result: tuple[str, PerformanceFile | None] = ("", None)
+        self._calibration: tuple[str, Calibration | None] = ("", None)
         self._centre: tuple[PerformanceState | None, Floats | None] = (None, None)
         self.resume()
 
@@ -107,6 +118,7 @@ class PerformanceGuide(GaugeSession[PerformanceState, PerformanceLive, Performan
         """The station as the session sees it."""
         station, state = self.station, self.state
         side, active = station.rig.arm, self.active()
+        stillness = side.stillness()
         gauges, gauge = self.gauges(), self.gauge()
         blocked = station.scanner.why_not() if state.step == "scan" else None
         return PerformanceLive(
@@ -124,7 +136,9 @@ class PerformanceGuide(GaugeSession[PerformanceState, PerformanceLive, Performan
             result=self.result(),
             arm_link=side.link(),
             sensor_link=station.rig.sensor.link(),
-            still=side.stillness().still,
+            still=stillness.still,
+            strain=stillness.strain,
+            off_deg=self._off_deg(),
             scan_why_not=blocked.text if blocked else "",
             scan_points=station.scanner.state().points if state.open_scan else 0,
             has_simulation=station.simulated_operator is not None,
@@ -172,6 +186,24 @@ class PerformanceGuide(GaugeSession[PerformanceState, PerformanceLive, Performan
     def part_places(self) -> PartPlaces | None:
         """The places of the part of the test that is touched now; None if there is none."""
         return places_of(self.state, self.centre_mm())
+
+    def _off_deg(self) -> float | None:
+        """How far stylus or camera is from the direction of the present articulation."""
+        newest, arm, centre = self.station.rig.arm.latest(), self.arm(), self.centre_mm()
+        if newest is None or arm is None or centre is None:
+            return None
+        return off_articulation_deg(
+            self.state, arm, np.array(newest.reading), centre, self._calibration_in_use()
+        )
+
+    def _calibration_in_use(self) -> Calibration | None:
+        """The session's own copy, read once; None if it cannot be read."""
+        if self._calibration[0] != self.state.session_id:
+            try:
+                self._calibration = (self.state.session_id, self.calibration())
+            except OperationError:
+                return None
+        return self._calibration[1]
 
     def _live_places(self) -> Places | None:
         part, centre = self.part_places(), self.centre_mm()

@@ -9,6 +9,7 @@ from app.guide.common.datasheet_library import Gauges
 from app.guide.common.rules import SessionLive
 from app.messages.message import Text
 from app.metrology.arm.kinematics import AnyArm
+from app.metrology.arm.strained_pose import Strain
 from app.metrology.transforms import Floats
 from app.station.devices.link_state import DeviceState
 
@@ -54,5 +55,9 @@ class PerformanceLive(SessionLive):
     arm_link: DeviceState
     sensor_link: DeviceState
     still: bool
+    strain: Strain | None
+    """Why the pose strains the arm."""
+    off_deg: float | None
+    """Angle of stylus or camera from the direction of the present articulation; None of none."""
     scan_why_not: Text
     scan_points: int

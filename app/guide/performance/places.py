@@ -6,14 +6,18 @@ import numpy as np
 
 from app.formats.datasheets.gauge import GaugeFile
 from app.formats.performance.plan import GatePart, sphere_feature
+from app.formats.results.calibration import Calibration
 from app.guide.performance.state import PerformanceState
-from app.metrology.arm.kinematics import AnyArm, tip_centres, tip_of
+from app.metrology.arm.kinematics import AnyArm, flange_pose, tip_centres, tip_of
 from app.metrology.performance.articulation import (
     LOCATION_CATCH_DEG,
+    angle_deg,
     articulation_directions,
     find_centre,
     flat_deg,
     location_places,
+    mean_direction,
+    stylus_directions,
 )
 from app.metrology.performance.pattern import CATCH_DEG, RIM_DEG, pattern_directions
 from app.metrology.transforms import Floats
@@ -53,6 +57,33 @@ def towards_base(centre_mm: Floats | None) -> Floats:
 def directions_of_articulations(centre_mm: Floats | None) -> Floats:
     """(5, 3) as of ``articulation_directions``."""
     return articulation_directions(POLE, towards_base(centre_mm))
+
+
+def off_articulation_deg(
+    state: PerformanceState,
+    arm: AnyArm,
+    reading: Floats,
+    centre_mm: Floats,
+    calibration: Calibration | None,
+) -> float | None:
+    """The angle of stylus or camera from the direction of the articulation that is touched or
+    scanned now; None while none is.
+
+    Args:
+        reading: (k,) of the arm.
+        centre_mm: (3,) of the sphere.
+    """
+    if state.step not in ("location", "scan") or not state.articulation:
+        return None
+    if state.step == "location":
+        held = stylus_directions(arm, reading[None])[0]
+    elif calibration is None:
+        return None
+    else:
+        T = flange_pose(arm, reading) @ calibration.T_flange_sensor
+        away = T[:3, :3] @ calibration.camera.centre_mm + T[:3, 3] - centre_mm
+        held = mean_direction(away[None])
+    return angle_deg(held, directions_of_articulations(centre_mm)[state.articulation - 1])
 
 
 def places_of(state: PerformanceState, centre_mm: Floats | None) -> PartPlaces | None:

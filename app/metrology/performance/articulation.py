@@ -1,10 +1,12 @@
 """The articulations of the location test, and which place of a sphere a touch belongs to."""
 
 from collections.abc import Sequence
+from itertools import combinations
 
 import numpy as np
 from numpy.typing import NDArray
 
+from app.metrology.arm.kinematics import AnyArm, flange_poses, tip_of
 from app.metrology.transforms import Floats
 
 TILT_DEG = 45.0
@@ -13,6 +15,11 @@ AROUND_DEG = 60.0
 """Of the four places around that of the articulation's direction."""
 LOCATION_CATCH_DEG = 30.0
 """A touch of the location test belongs to the nearest free place within this."""
+HELD_DEG = 25.0
+"""An articulation is met if the stylus, or the view of the camera, is within this of its direction:
+a hand holds it so without a fixture."""
+LEAST_APART_DEG = 20.0
+"""Two articulations of one location test whose directions differ by less are the same."""
 ROUNDS = 30
 
 
@@ -50,6 +57,44 @@ def articulation_directions(pole: Floats, towards: Floats) -> Floats:
     tilt = np.radians(TILT_DEG)
     tilted = [np.cos(tilt) * up + np.sin(tilt) * side for side in (away, right, -away, -right)]
     return np.array([up, *tilted])
+
+
+def stylus_directions(arm: AnyArm, readings: Floats) -> Floats:
+    """Unit directions (N, 3) from the tip to the wrist, arm frame.
+
+    Args:
+        readings: (N, k) of the arm.
+
+    Raises:
+        OperationError: a robot without a tip.
+    """
+    stylus = tip_of(arm).centre_mm
+    length_mm = max(float(np.linalg.norm(stylus)), 1e-9)
+    return np.asarray(-flange_poses(arm, readings)[:, :3, :3] @ stylus / length_mm)
+
+
+def mean_direction(directions: Floats) -> Floats:
+    """The unit direction (3,) of the mean of unit directions (N, 3)."""
+    mean = directions.mean(axis=0)
+    return np.asarray(mean / max(float(np.linalg.norm(mean)), 1e-9))
+
+
+def angle_deg(a: Floats, b: Floats) -> float:
+    """The angle between two unit directions (3,).
+
+    Example:
+        >>> round(angle_deg(np.array([1.0, 0.0, 0.0]), np.array([0.0, 0.0, 1.0])))
+        90
+    """
+    return float(np.degrees(np.arccos(np.clip(a @ b, -1.0, 1.0))))
+
+
+def nearest_pair(directions: Floats) -> tuple[int, int, float]:
+    """The two of unit directions (N, 3), N >= 2, that differ least, and by how much in degrees."""
+    pairs = combinations(range(len(directions)), 2)
+    return min(
+        ((i, j, angle_deg(directions[i], directions[j])) for i, j in pairs), key=lambda one: one[2]
+    )
 
 
 def location_places(direction: Floats, pole: Floats, towards: Floats) -> Floats:

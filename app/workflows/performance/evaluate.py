@@ -55,6 +55,7 @@ class _Parts:
     spheres: tuple[SphereMeasurement, ...] = ()
     offset: ImpliedOffsetPart | None = None
     lengths: tuple[LengthPoint, ...] = ()
+    notes: tuple[Text, ...] = ()
 
 
 def evaluate_performance(folder: Path, ended_at: str = "") -> PerformanceFile:
@@ -93,7 +94,7 @@ def evaluate_performance(folder: Path, ended_at: str = "") -> PerformanceFile:
         figures=figures,
         verdict=judge_all(figures),
         problems=tuple(problems),
-        notes=_notes(plan),
+        notes=(*_notes(plan), *parts.notes),
         inputs=data.inputs,
         software=SOFTWARE,
         spheres=parts.spheres,
@@ -168,7 +169,8 @@ def _measure_sphere(data: MeasuredData, problems: list[Text]) -> tuple[list[Meas
         for of in SPHERE_QUANTITIES
     ]
     spheres = tuple(result.measurement() for result in results)
-    return measured, _Parts(spheres, _offset(results))
+    notes = tuple(note for result in results for note in result.notes)
+    return measured, _Parts(spheres, _offset(results), notes=notes)
 
 
 def _least_drift_um(data: MeasuredData) -> float:

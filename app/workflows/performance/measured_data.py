@@ -16,6 +16,7 @@ from app.formats.results.calibration import CALIBRATION, Calibration, Input, rea
 from app.formats.session.calibration_session import ARM, read_contacts
 from app.messages.message import message
 from app.metrology.arm.kinematics import AnyArm, tip_centres
+from app.metrology.performance.articulation import stylus_directions
 from app.metrology.transforms import Floats
 from app.workflows.reconstruct import reconstruct_into
 
@@ -42,6 +43,8 @@ class MeasuredData:
     calibration: Calibration | None
     tips_mm: Mapping[str, Floats]
     """Tip centres (N, 3) by the feature of the touches."""
+    styli: Mapping[str, Floats]
+    """Unit directions (N, 3) from the tip to the wrist by the feature of the touches."""
     inputs: tuple[Input, ...]
 
     def has_scan(self, name: str) -> bool:
@@ -72,12 +75,15 @@ def read_measured_data(folder: Path, features: Sequence[str]) -> MeasuredData:
     calibration_path = folder / CALIBRATION
     calibration = read_calibration(calibration_path) if calibration_path.is_file() else None
     tips: dict[str, Floats] = {}
+    styli: dict[str, Floats] = {}
     if (folder / TOUCHES).is_file():
         contacts = read_contacts(folder / TOUCHES, arm, features)
         centres = tip_centres(arm, contacts.arm_readings)
         names = np.array(contacts.features)
-        tips = {name: centres[names == name] for name in dict.fromkeys(contacts.features)}
-    return MeasuredData(folder, plan, arm, calibration, tips, _inputs(folder))
+        directions = stylus_directions(arm, contacts.arm_readings)
+        for name in dict.fromkeys(contacts.features):
+            tips[name], styli[name] = centres[names == name], directions[names == name]
+    return MeasuredData(folder, plan, arm, calibration, tips, styli, _inputs(folder))
 
 
 def read_scan(recording: Path, calibration: Calibration, arm: AnyArm) -> ScanCloud:

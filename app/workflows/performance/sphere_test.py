@@ -18,6 +18,7 @@ from app.formats.performance.results import PatchPart, SphereMeasurement
 from app.formats.performance.symbols import Quantity
 from app.messages.message import Text, message
 from app.metrology.arm.kinematics import tip_of
+from app.metrology.performance.articulation import articulation_directions, mean_direction
 from app.metrology.performance.gate import gate_sphere
 from app.metrology.performance.location import location_error_mm
 from app.metrology.performance.pattern import (
@@ -35,6 +36,7 @@ from app.metrology.performance.sphere import (
     sphere_centre,
 )
 from app.metrology.transforms import Floats
+from app.workflows.performance.articulation_checks import articulation_notes, articulations_alike
 from app.workflows.performance.measured_data import MeasuredData, ScanCloud
 
 LEAST_POINTS, LEAST_FRAMES = 20, 2
@@ -57,6 +59,8 @@ class PositionResult:
     """(A, 3) of the articulations by scan."""
     R_arm_sensor: Floats | None = None
     """(A, 3, 3) of the sensor in them."""
+    notes: list[Text] = field(default_factory=list)
+    """Articulations that were not held as wanted."""
     moved_um: float = 0.0
     """Movement of the sphere between the first touches and the last; 0 if not touched again."""
 
@@ -144,8 +148,15 @@ def _measure_tactile_location(data: MeasuredData, position: int, result: Positio
     except OperationError as error:
         result.refuse(error.text, "location-touch")
         return
-    result.note("location-touch", location_error_mm(centres), *names)
     result.details["tactile_centres_mm"] = centres.tolist()
+    directions = np.array([mean_direction(data.styli[name]) for name in names])
+    result.details["stylus_directions"] = directions.tolist()
+    wanted = _directions_to_hold(data, centres)
+    result.notes += articulation_notes(directions, wanted, "touch", position)
+    if alike := articulations_alike(directions):
+        result.refuse(alike, "location-touch")
+        return
+    result.note("location-touch", location_error_mm(centres), *names)
 
 
 def _measure_drift(data: MeasuredData, position: int, result: PositionResult) -> None:
@@ -186,7 +197,7 @@ def _measure_scans(
     points = np.concatenate([cloud.points_mm for cloud in inside])
     counts = [sum(len(cloud.points_mm) for cloud in inside), sum(out for _, out in clouds)]
     result.details |= {"points": counts[0], "points_outside": counts[1]}
-    _measure_location(sphere, names, inside, data.plan.gate.pole, result)
+    _measure_location(data, sphere, names, inside, result)
     try:
         found = least_squares_sphere(points)
     except OperationError as error:
@@ -234,10 +245,10 @@ def _gate_scan(
 
 
 def _measure_location(
+    data: MeasuredData,
     sphere: SpherePart,
     names: Sequence[str],
     clouds: Sequence[ScanCloud],
-    pole: Sequence[float],
     result: PositionResult,
 ) -> None:
     """Location over the articulations, each by the representative points of what it saw."""
@@ -246,7 +257,7 @@ def _measure_location(
         result.refuse(missing, "location-scan")
         return
     free, fixed = [], []
-    directions = pattern_directions(np.array(pole))
+    directions = pattern_directions(np.array(data.plan.gate.pole))
     for name, cloud in zip(names, clouds, strict=True):
         try:
             whole = least_squares_sphere(cloud.points_mm)
@@ -265,14 +276,26 @@ def _measure_location(
             result.refuse(error.text, "location-scan")
             return
     centres = np.array(free)
-    result.note("location-scan", location_error_mm(centres), *names)
+    views = np.array([mean_direction(cloud.views) for cloud in clouds])
+    wanted = _directions_to_hold(data, centres)
+    result.notes += articulation_notes(views, wanted, "scan", result.position)
+    if alike := articulations_alike(views):
+        result.refuse(alike, "location-scan")
+    else:
+        result.note("location-scan", location_error_mm(centres), *names)
     result.details |= {
+        "view_directions": views.tolist(),
         "scan_centres_mm": centres.tolist(),
         "fixed_centres_mm": np.array(fixed).tolist(),
         "location_fixed_um": 1e3 * location_error_mm(np.array(fixed)),
     }
     result.centres_mm = np.array(fixed)
     result.R_arm_sensor = np.array([cloud.R_arm_sensor for cloud in clouds])
+
+
+def _directions_to_hold(data: MeasuredData, centres_mm: Floats) -> Floats:
+    """(5, 3) of the articulations about the centre of a sphere, the arm's base at the origin."""
+    return articulation_directions(np.array(data.plan.gate.pole), -centres_mm.mean(axis=0))
 
 
 def _measure_both(

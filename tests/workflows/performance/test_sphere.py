@@ -147,6 +147,26 @@ def test_uncovered_patches_are_named(tmp_path: Path) -> None:
     assert "do not cover the patches" in str(problem(result, "form-scan"))
 
 
+def test_two_articulations_that_are_nearly_the_same_give_no_location(tmp_path: Path) -> None:
+    result = evaluate_performance(with_faults(tmp_path / "t", second_like_first=True))
+    found = values(result)
+    for quantity in ("location-touch", "location-scan"):
+        assert found[quantity] is None
+        assert "articulations 1 and 2 are nearly the same" in str(problem(result, quantity))
+    assert found["size-touch"] == pytest.approx(0, abs=0.01)
+    notes = [str(note) for note in result.notes if "articulation 2" in str(note)]
+    assert len(notes) == 2
+    assert "the stylus was held" in notes[0]
+    assert "the camera looked" in notes[1]
+
+
+def test_articulations_that_were_held_as_wanted_are_not_mentioned(tmp_path: Path) -> None:
+    result = evaluate_performance(with_faults(tmp_path / "t"))
+    assert not [note for note in result.notes if "articulation" in str(note)]
+    assert len(result.spheres[0].stylus_directions) == 5
+    assert len(result.spheres[0].view_directions) == 5
+
+
 def test_limits_decide_by_the_rule_of_the_plan(tmp_path: Path) -> None:
     limits = (
         LimitPart(quantity="form-touch", a_um=30.0),
