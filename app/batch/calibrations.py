@@ -45,6 +45,11 @@ class CalibrationFiles:
         """Of the arm's file."""
         return hashlib.sha256(self.arm).hexdigest()
 
+    def write(self, folder: Path) -> None:
+        """Writes both files under their usual names; raises ``OSError``."""
+        for name, content in ((CALIBRATION, self.calibration), (ARM, self.arm)):
+            (folder / name).write_bytes(content)
+
     def read(self, folder: Path) -> tuple[Calibration, AnyArm]:
         """What the files contain.
 
@@ -54,8 +59,7 @@ class CalibrationFiles:
         Raises:
             OperationError: one is damaged, or they do not belong together.
         """
-        for name, content in ((CALIBRATION, self.calibration), (ARM, self.arm)):
-            (folder / name).write_bytes(content)
+        self.write(folder)
         calibration, arm = read_calibration(folder / CALIBRATION), read_any_arm(folder / ARM)
         check_serials(calibration, arm)
         return calibration, arm

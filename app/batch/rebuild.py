@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from app.archive.archive_settings import ArchiveSettings
+from app.archive.store_errors import StoreError
 from app.batch.calibrations import BySensor, CalibrationFinder, GivenCalibrations
 from app.batch.places import Dependency, Place
 from app.batch.recordings import ScanRecording, Selection, find_recordings
@@ -56,7 +57,7 @@ class RebuildWork:
         read = {sensor: files.read(desk.folder) for sensor, files in self.calibrations.items()}
         arm = next(arm for _, arm in read.values())
         sensors = {sensor: calibration for sensor, (calibration, _) in read.items()}
-        path = desk.local_copy(self.recording.file, RECORDING)
+        path = desk.find_locally(self.recording.file, RECORDING)
         cloud = self.stem + self.suffix
         with results.file(cloud, desk) as target:
             made = reconstruct_cloud(path, sensors, arm, target, desk.report, threads=desk.threads)
@@ -120,6 +121,8 @@ def plan_rebuild(
         try:
             calibrations = given if given is not None else finder.of_recording(recording)
             digest = recording.file.digest()
+        except StoreError:
+            raise
         except OperationError as error:
             refused.append((name, Refusal.of(error)))
             continue

@@ -93,6 +93,11 @@ class ResultStore:
         fields: dict[str, Any] = json.loads(content)
         return fields
 
+    def write_table(self, name: str, text: str) -> None:
+        """Keeps a table of all results; raises ``OperationError``."""
+        content = text.encode()
+        self._store.write(name, [content], len(content))
+
     @contextmanager
     def file(self, name: str, desk: Desk) -> Iterator[Path]:
         """A path for writing a file, which is kept under its name when the block ends."""

@@ -46,15 +46,21 @@ class Desk:
         if self.is_ending():
             raise ArchiveEndedError
 
-    def local_copy(self, file: RecordFile, name: str) -> Path:
-        """A file of a record on this machine, compared by its hash if it had to be copied.
+    def find_locally(self, file: RecordFile, name: str) -> Path:
+        """A file of a record on this machine: that of a folder, or a copy.
 
         Raises:
             OperationError: it cannot be read, or differs from its hash.
         """
         settings = file.place.settings
-        if settings.is_folder:
-            return Path(settings.url) / file.name
+        return Path(settings.url) / file.name if settings.is_folder else self.copy(file, name)
+
+    def copy(self, file: RecordFile, name: str) -> Path:
+        """A copy of a file of a record on this machine, compared by its hash.
+
+        Raises:
+            OperationError: it cannot be read, or differs from its hash.
+        """
         target = self.folder / name
         described = ArchivedFile(
             path=name, bytes=file.bytes, sha256=file.digest(), mtime_ns=file.mtime_ns

@@ -11,6 +11,18 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from app.cli.batch_options import (
+    ArmFile,
+    Config,
+    EachCalibration,
+    Output,
+    PeriodOption,
+    Places,
+    Scheduler,
+    Station,
+    TakenWith,
+    Workers,
+)
 from app.cli.scan import paths_by_sensor
 from app.console import AsJson, fail, print_json, progress_bar, report_errors, warn
 from app.messages.message import Text
@@ -26,57 +38,6 @@ if TYPE_CHECKING:
 
 MOST_SHOWN = 10
 """Of what was refused."""
-
-Places = Annotated[
-    list[str] | None,
-    typer.Argument(
-        metavar="[PLACE]...",
-        help="Archives (folders or addresses as s3://bucket/room-2), what several of them are in, "
-        "or data folders of stations. Default: the archive of station.toml.",
-    ),
-]
-Output = Annotated[
-    str,
-    typer.Option("-o", "--output", help="Folder, or address, to which the results go."),
-]
-Config = Annotated[
-    Path | None,
-    typer.Option("--config", help="station.toml whose [archive] has the endpoint and the keys."),
-]
-PeriodOption = Annotated[
-    str | None,
-    typer.Option("--period", help="As 2026-05-13, 2026-05, 2026 or 2026-05..2026-06-15; UTC."),
-]
-Station = Annotated[
-    list[str] | None,
-    typer.Option("--station", help="Only this station: the name of its archive's folder."),
-]
-TakenWith = Annotated[
-    list[str] | None,
-    typer.Option("--taken-with", metavar="ID", help="Only what was taken with this calibration."),
-]
-EachCalibration = Annotated[
-    list[str] | None,
-    typer.Option(
-        "--calibration",
-        metavar="[NAME=]CALIBRATION",
-        help="Use this calibration.json, or that of this session; of several sensors, one for "
-        "each. Default: the one with which each recording was taken.",
-    ),
-]
-ArmFile = Annotated[
-    Path | None, typer.Option("--arm", help="arm.json; default: beside the calibration.")
-]
-Workers = Annotated[
-    int | None,
-    typer.Option(
-        "--workers", min=1, max=1024, help="Processes on this machine. Default: one per core."
-    ),
-]
-Scheduler = Annotated[
-    str | None,
-    typer.Option("--scheduler", metavar="tcp://HOST:8786", help="Use this cluster of Dask."),
-]
 
 
 class CloudFormat(StrEnum):

@@ -12,6 +12,18 @@ import typer
 from app.cli.archive import archive
 from app.cli.arm import articulation, identify
 from app.cli.batch import rebuild
+from app.cli.batch_options import (
+    ArmFile,
+    BatchOptions,
+    Config,
+    EachCalibration,
+    PeriodOption,
+    Scheduler,
+    Station,
+    TakenWith,
+    Workers,
+    name_places,
+)
 from app.cli.bench import bench
 from app.cli.catalogue import catalogue
 from app.cli.certificate import certificate
@@ -141,23 +153,62 @@ cli.command()(calibrate)
 @report_errors
 def verify(
     shape: Annotated[ShapeOption, typer.Argument(help="Shape of the gauge.")],
-    clouds: Annotated[
-        list[Path], typer.Argument(help="Clouds of the gauge, in any format that crenel writes.")
+    given: Annotated[
+        list[str],
+        typer.Argument(
+            metavar="CLOUD... | PLACE...",
+            help="Clouds of the gauge, in any format that crenel writes; or archives and data "
+            "folders, whose verifications are measured again.",
+        ),
     ],
     nominal: Annotated[
         Path | None, typer.Option(help="nominal.json: the true position of the gauge.")
     ] = None,
     output: Annotated[
-        Path | None, typer.Option("-o", "--output", help="Also write the report to this file.")
+        str | None,
+        typer.Option(
+            "-o", "--output", help="Also write the report to this file; of places, their folder."
+        ),
     ] = None,
     unit: Annotated[UnitOption, typer.Option(help="Of the clouds' coordinates.")] = UnitOption.MM,
+    calibration: EachCalibration = None,
+    arm: ArmFile = None,
+    period: PeriodOption = None,
+    station: Station = None,
+    taken_with: TakenWith = None,
+    workers: Workers = None,
+    scheduler: Scheduler = None,
+    config: Config = None,
     as_json: AsJson = False,
 ) -> None:
-    """Check clouds of a gauge plane or sphere against its nominal, in arcsec and µm."""
+    """Check clouds of a gauge plane or sphere against its nominal, in arcsec and µm.
+
+    Of archives and data folders: measure the clouds of all their verifications again.
+    """
+    if name_places(given):
+        from app.cli.batch_verifications import measure_places
+
+        options = BatchOptions(
+            output or "verified", period, station, taken_with, workers, scheduler, config, as_json
+        )
+        measure_places("verify", given, calibration or (), arm, shape.value, options)
+        return
+    _verify_clouds(shape, [Path(one) for one in given], nominal, output, unit, as_json)
+
+
+def _verify_clouds(
+    shape: ShapeOption,
+    clouds: list[Path],
+    nominal: Path | None,
+    report_file: str | None,
+    unit: UnitOption,
+    as_json: bool,
+) -> None:
     from app.formats.atomic_write import check_output_path
     from app.workflows.verify_gauge import report_table
     from app.workflows.verify_gauge import verify as verify_all
 
+    output = None if report_file is None else Path(report_file)
     if output is not None:
         check_output_path(output, clouds if nominal is None else [*clouds, nominal])
     with progress_bar("Verifying", not as_json) as progress:

@@ -8,6 +8,16 @@ from typing import Annotated
 
 import typer
 
+from app.cli.batch_options import (
+    BatchOptions,
+    Config,
+    PeriodOption,
+    Scheduler,
+    Station,
+    TakenWith,
+    Workers,
+    name_places,
+)
 from app.console import (
     AsJson,
     print_figures,
@@ -184,16 +194,19 @@ def sync(
 
 @report_errors
 def study(
-    files: Annotated[
-        list[Path],
+    given: Annotated[
+        list[str],
         typer.Argument(
-            metavar="RECORDING...",
-            help="Scans of one plane; .json files among them are calibrations.",
+            metavar="RECORDING... | PLACE...",
+            help="Scans of one plane; .json files among them are calibrations. Or archives and "
+            "data folders, whose verifications are studied.",
         ),
     ],
-    arm: Annotated[Path, typer.Option(help="The arm's arm.json.")],
+    arm: Annotated[
+        Path | None, typer.Option(help="The arm's arm.json; not needed for places.")
+    ] = None,
     calibrations: Annotated[
-        list[Path] | None,
+        list[str] | None,
         typer.Option(
             "--calibrations", metavar="CALIBRATION...", help="Calibrations of the sensor."
         ),
@@ -202,14 +215,48 @@ def study(
         Path | None, typer.Option(help="nominal.json: the true position of the plane.")
     ] = None,
     output: Annotated[
-        Path | None, typer.Option("-o", "--output", help="Write the table to this CSV file.")
+        str | None,
+        typer.Option(
+            "-o", "--output", help="Write the table to this CSV file; of places, their folder."
+        ),
     ] = None,
+    period: PeriodOption = None,
+    station: Station = None,
+    taken_with: TakenWith = None,
+    workers: Workers = None,
+    scheduler: Scheduler = None,
+    config: Config = None,
     as_json: AsJson = False,
 ) -> None:
     """Repeat the article's study: clouds of one plane, each rebuilt with each calibration.
 
-    Reports how far the plane rotates and shifts between calibrations, and between clouds.
+    Reports how far the plane rotates and shifts between calibrations, and between clouds. Of
+    archives and data folders: the clouds of all verifications, with all calibrations of the
+    station.
     """
+    if name_places(given):
+        from app.cli.batch_verifications import measure_places
+
+        options = BatchOptions(
+            output or "studied", period, station, taken_with, workers, scheduler, config, as_json
+        )
+        measure_places("study", given, calibrations or (), arm, None, options)
+        return
+    if arm is None:
+        raise typer.BadParameter("none given", param_hint="'--arm'")
+    files = [Path(one) for one in given]
+    known = [Path(one) for one in calibrations or ()]
+    _study_files(files, arm, known, nominal, None if output is None else Path(output), as_json)
+
+
+def _study_files(
+    files: list[Path],
+    arm: Path,
+    calibrations: list[Path],
+    nominal: Path | None,
+    output: Path | None,
+    as_json: bool,
+) -> None:
     from app.formats.atomic_write import check_output_path
     from app.formats.datasheets.arm import read_any_arm
     from app.formats.results.calibration import read_calibration
@@ -217,7 +264,7 @@ def study(
     from app.workflows.repeatability_study import run_study as run
 
     calibration_files = [
-        *(calibrations or []),
+        *calibrations,
         *(path for path in files if path.suffix.lower() == ".json"),
     ]
     recordings = [path for path in files if path.suffix.lower() != ".json"]

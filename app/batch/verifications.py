@@ -1,0 +1,204 @@
+"""``crenel verify`` and ``crenel study`` over archives: the clouds of verifications, each rebuilt
+with the calibration that was verified, with a given one, or with all of the station."""
+
+import csv
+import hashlib
+import io
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from tempfile import TemporaryDirectory
+from typing import Any, Literal
+
+from app.archive.archive_settings import ArchiveSettings
+from app.archive.remote_store import RemoteStore
+from app.archive.store_errors import StoreError
+from app.batch.calibrations import ARM, CALIBRATION, CalibrationFiles, read_files
+from app.batch.places import Dependency, Place, PlaceRecord
+from app.batch.recordings import Selection, find_records
+from app.batch.results import ResultStore, stem_of
+from app.batch.work import Desk, Refusal
+from app.errors import OperationError
+from app.formats.datasheets.gauge import Shape
+from app.formats.json_document import SOFTWARE
+from app.formats.results.verification import VERIFICATION, VerificationFile, read_verification
+from app.progress import Progress, no_progress
+from app.timestamps import is_moment, parse_moment
+from app.workflows.verification_study import AcceptedCalibration, study_verification
+
+RECORD = "record"
+CLOUD_SUFFIX = ".ply"
+FIGURES = ("rms_um", "angle_arcsec", "z_error_um", "radius_error_um", "centre_error_um")
+COLUMNS = ("station", "verification", "taken_at", "cloud", "calibration", *FIGURES)
+With = Literal["own", "all"]
+"""Which calibrations: that which was verified, or all of the station."""
+
+
+@dataclass(frozen=True)
+class VerificationWork:
+    """One verification, each of its clouds rebuilt with each of some calibrations."""
+
+    key: str
+    record: PlaceRecord
+    taken_at: str
+    sources: tuple[CalibrationFiles, ...]
+    output: ArchiveSettings
+
+    @property
+    def name(self) -> str:
+        return f"{self.record.place.station}/{self.record.id}"
+
+    @property
+    def size_bytes(self) -> int:
+        return sum(file.bytes for file in self.record.files.values()) * len(self.sources)
+
+    @property
+    def stem(self) -> str:
+        """The name of the result without its suffix."""
+        return stem_of(self.record.place.station, self.record.id, self.key)
+
+    @property
+    def depends_on(self) -> Sequence[Dependency]:
+        return (self.record.place.dependency, Dependency(self.output))
+
+    def perform(self, desk: Desk) -> Mapping[str, Any]:
+        results = ResultStore(self.output)
+        if (known := results.read(self.stem)) is not None:
+            return known
+        # copied from a folder, too: a place that is lost midway must not look like a calibration
+        # that does not fit
+        for path, file in self.record.files.items():
+            if not path.endswith(CLOUD_SUFFIX):
+                desk.copy(file, f"{RECORD}/{path}")
+        accepted = []
+        for number, files in enumerate(self.sources):
+            folder = desk.folder / f"calibration-{number}"
+            folder.mkdir()
+            files.write(folder)
+            accepted.append(AcceptedCalibration(files.id, files.id, folder))
+        return results.write(self.stem, study_verification(desk.folder / RECORD, accepted))
+
+
+def plan_verifications(
+    places: Sequence[Place],
+    selection: Selection,
+    output: ArchiveSettings,
+    rebuilt_with: With | tuple[CalibrationFiles, ...],
+    shape: Shape | None = None,
+    progress: Progress = no_progress,
+) -> tuple[list[VerificationWork], list[tuple[str, Refusal]]]:
+    """The chosen verifications, and those that cannot be read.
+
+    Args:
+        shape: of the gauge; None: any.
+
+    Raises:
+        OperationError: a place cannot be read.
+    """
+    works: list[VerificationWork] = []
+    refused: list[tuple[str, Refusal]] = []
+    for place in selection.places(places):
+        every: list[CalibrationFiles] | None = None
+        for record, store in find_records(place, "verifications", progress):
+            try:
+                found = _read_if_chosen(record, store, selection, shape)
+                if found is None:
+                    continue
+                known, own = found
+                if rebuilt_with == "all" and every is None:
+                    every = _calibrations_of(place, store)
+                sources = _sources(rebuilt_with, own, every or [])
+                key = _key_of(record, sources)
+            except StoreError:
+                raise
+            except OperationError as error:
+                refused.append((f"{place.station}/{record.id}", Refusal.of(error)))
+                continue
+            taken_at = known.clouds[0].taken_at
+            works.append(VerificationWork(key, record, taken_at, sources, output))
+    return works, refused
+
+
+def _sources(
+    rebuilt_with: With | tuple[CalibrationFiles, ...],
+    own: CalibrationFiles,
+    every: Sequence[CalibrationFiles],
+) -> tuple[CalibrationFiles, ...]:
+    if rebuilt_with == "own":
+        return (own,)
+    return (tuple(every) or (own,)) if rebuilt_with == "all" else rebuilt_with
+
+
+def _read_if_chosen(
+    record: PlaceRecord, store: RemoteStore, selection: Selection, shape: Shape | None
+) -> tuple[VerificationFile, CalibrationFiles] | None:
+    """An accepted verification with the calibration that it verified."""
+    if not {VERIFICATION, CALIBRATION, ARM} <= record.files.keys():
+        return None
+    content = {
+        name: b"".join(store.read(record.files[name].name))
+        for name in (VERIFICATION, CALIBRATION, ARM)
+    }
+    with TemporaryDirectory(prefix="crenel-") as folder:
+        (Path(folder) / VERIFICATION).write_bytes(content[VERIFICATION])
+        known = read_verification(Path(folder))
+    taken_at = known.clouds[0].taken_at if known.clouds else ""
+    chosen = (
+        is_moment(taken_at)
+        and selection.period.contains(parse_moment(taken_at))
+        and shape in (None, known.gauge.shape)
+        and (not selection.taken_with or known.calibration.id in selection.taken_with)
+    )
+    if not chosen:
+        return None
+    own = CalibrationFiles(known.calibration.id, content[CALIBRATION], content[ARM])
+    return known, own
+
+
+def _calibrations_of(place: Place, store: RemoteStore) -> list[CalibrationFiles]:
+    """All calibrations of a station; those of other devices are left out by the study itself."""
+    found = (read_files(place, one, store) for one in place.ids("sessions", store))
+    return [one for one in found if one is not None]
+
+
+def _key_of(record: PlaceRecord, sources: Iterable[CalibrationFiles]) -> str:
+    files = [
+        f"{file.digest()} {path}"
+        for path, file in sorted(record.files.items())
+        if not path.endswith(CLOUD_SUFFIX)
+    ]
+    used = [f"{one.id} {one.digest}" for one in sources]
+    lines = ["verification", SOFTWARE.version, *files, *used]
+    return hashlib.sha256("\n".join(lines).encode()).hexdigest()
+
+
+def table_of(results: Iterable[tuple[VerificationWork, Mapping[str, Any]]]) -> list[list[str]]:
+    """One row for each cloud and calibration; cells of figures that there are not are empty.
+
+    Args:
+        results: the fields of ``crenel/study`` documents.
+    """
+    rows = []
+    for work, study in results:
+        for row in study["rows"]:
+            figures = (row.get(name) for name in FIGURES)
+            rows.append(
+                [
+                    work.record.place.station,
+                    work.record.id,
+                    work.taken_at,
+                    study["clouds"][row["cloud"]],
+                    study["calibration_ids"][row["calibration"]],
+                    *("" if figure is None else f"{figure:.3f}" for figure in figures),
+                ]
+            )
+    return sorted(rows)
+
+
+def table_text(rows: Iterable[Sequence[str]]) -> str:
+    """The table as CSV, with its header."""
+    text = io.StringIO()
+    table = csv.writer(text, lineterminator="\n")
+    table.writerow(COLUMNS)
+    table.writerows(rows)
+    return text.getvalue()

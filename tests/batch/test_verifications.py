@@ -1,0 +1,146 @@
+"""``crenel verify`` and ``crenel study`` over archives and data folders."""
+
+import csv
+from pathlib import Path
+
+import pytest
+
+pytest.importorskip("distributed")
+
+from app.batch.places import find_places, settings_for
+from app.batch.recordings import Selection
+from app.batch.results import ResultStore
+from app.batch.verifications import (
+    VerificationWork,
+    With,
+    plan_verifications,
+    table_of,
+    table_text,
+)
+from app.batch.work import perform
+from app.formats.datasheets.gauge import GaugeFile
+from app.formats.results.verification import VerificationFile
+from app.store.store import Store
+from tests.archive.filled import archive_of
+from tests.batch.filled import CALIBRATION, fill_station
+from tests.batch.test_rebuild import run
+from tests.workflows.test_study import scan_a_plane
+from tests.workflows.test_verification import RECORD
+
+OTHER = "20260601-080000-calibration"
+VERIFIED = ("v1", "v2")
+
+
+def add_verification(store: Store, record_id: str, taken_at: str) -> Path:
+    """Two clouds of one plane, 20 µm apart."""
+    folder = store.folder / "verifications" / record_id
+    for number in (1, 2):
+        (folder / f"cloud-{number}").mkdir(parents=True)
+        scan_a_plane(folder / f"cloud-{number}" / "scan.mcap", 0.02 * number)
+    session = store.folder / "sessions" / CALIBRATION
+    for name in ("calibration.json", "arm.json"):
+        (folder / name).write_bytes((session / name).read_bytes())
+    GaugeFile(shape="plane").write(folder / "gauge.json")
+    (cloud,) = RECORD["clouds"]
+    clouds = [
+        {**cloud, "name": f"Cloud {number}", "recording": f"cloud-{number}/scan.mcap"}
+        | {"taken_at": taken_at}
+        for number in (1, 2)
+    ]
+    known = {
+        **RECORD,
+        "id": record_id,
+        "gauge": {"shape": "plane", "name": "Plate"},
+        "calibration": {**RECORD["calibration"], "id": CALIBRATION},
+        "clouds": clouds,
+    }
+    VerificationFile.model_validate(known).write(folder / "verification.json")
+    store.journal.begin_session(record_id, "verification")
+    store.journal.end_session(record_id)
+    return folder
+
+
+@pytest.fixture
+def archive(tmp_path: Path) -> Path:
+    """Of a station with two verifications and two calibrations."""
+    place = tmp_path / "room-2"
+    place.mkdir()
+    store = fill_station(tmp_path / "data", [])
+    for number, record_id in enumerate(VERIFIED, 5):
+        add_verification(store, record_id, f"2026-0{number}-21T10:16:00Z")
+    sessions = store.folder / "sessions"
+    (sessions / OTHER).mkdir()
+    for name in ("calibration.json", "arm.json"):
+        content = (sessions / CALIBRATION / name).read_text()
+        (sessions / OTHER / name).write_text(content.replace("0.25", "0.35"))
+    store.journal.begin_session(OTHER, "calibration")
+    store.journal.end_session(OTHER)
+    archive_of(store, str(place)).run()
+    store.close()
+    return place
+
+
+def plan(
+    place: Path, tmp_path: Path, rebuilt_with: With, selection: Selection | None = None
+) -> tuple[list[VerificationWork], ResultStore]:
+    results = ResultStore(settings_for(str(tmp_path / "out")))
+    results.prepare()
+    works, refused = plan_verifications(
+        find_places([str(place)]), selection or Selection(), results.settings, rebuilt_with
+    )
+    assert refused == []
+    return works, results
+
+
+def test_each_cloud_is_measured_with_the_calibration_that_was_verified(
+    archive: Path, tmp_path: Path
+) -> None:
+    works, _ = plan(archive, tmp_path, "own")
+    assert [work.record.id for work in works] == list(VERIFIED)
+    outcomes = [perform(work, tmp_path, 1) for work in works]
+    assert [one.refusal for one in outcomes] == [None, None]
+    rows = table_of(zip(works, (one.result for one in outcomes), strict=True))
+    assert [row[:5] for row in rows] == [
+        ["room-2", one, f"2026-0{number}-21T10:16:00Z", f"Cloud {cloud}", CALIBRATION]
+        for number, one in enumerate(VERIFIED, 5)
+        for cloud in (1, 2)
+    ]
+    table = list(csv.DictReader(table_text(rows).splitlines()))
+    heights = [float(row["z_error_um"]) for row in table[:2]]
+    assert abs(heights[1] - heights[0]) == pytest.approx(20, rel=0.2)
+
+
+def test_a_study_takes_all_calibrations_of_the_station(archive: Path, tmp_path: Path) -> None:
+    works, results = plan(archive, tmp_path, "all")
+    outcome = perform(works[0], tmp_path, 1)
+    assert sorted(outcome.result["calibration_ids"]) == [CALIBRATION, OTHER]
+    assert len(outcome.result["rows"]) == 4
+    kept = results.read(works[0].stem)
+    assert kept == outcome.result
+    assert perform(works[0], tmp_path, 1).result == kept
+
+
+def test_verifications_are_chosen_by_their_calibration(archive: Path, tmp_path: Path) -> None:
+    other = Selection(taken_with=frozenset({OTHER}))
+    assert plan(archive, tmp_path, "own", other)[0] == []
+
+
+def test_an_archive_that_is_lost_midway_gives_no_partial_study(
+    archive: Path, tmp_path: Path
+) -> None:
+    works, results = plan(archive, tmp_path, "all")
+    archive.rename(tmp_path / "away")
+    assert perform(works[0], tmp_path, 1).state == "away"
+    assert results.keys() == set()
+
+
+@pytest.mark.slow
+def test_the_commands_print_and_keep_the_table(archive: Path, tmp_path: Path) -> None:
+    args = ("--workers", 2, "-o", "out")
+    found = run("verify", "plane", archive, *args, "--period", "2026-05", cwd=tmp_path)
+    assert (found["made"], len(found["rows"])) == (1, 2)
+    assert (tmp_path / "out/table.csv").read_text().count("\n") == 3
+    assert run("verify", "sphere", archive, *args, cwd=tmp_path)["rows"] == []
+    studied = run("study", archive, "data", *args, cwd=tmp_path)
+    # the records are the same in the archive and in the data folder: each has one result
+    assert (studied["made"], len(studied["rows"])) == (2, 8)
