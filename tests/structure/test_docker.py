@@ -53,3 +53,22 @@ def test_the_broker_is_there_for_those_who_ask_and_lets_nobody_in_unasked() -> N
     sources = [volume.partition(":")[0] for volume in broker["volumes"]]
     (config,) = [source for source in sources if source.endswith(".conf")]
     assert "allow_anonymous false" in (ROOT / "docker" / config).read_text().splitlines()
+
+
+def test_three_workers_reach_their_scheduler_and_nobody_else_does() -> None:
+    compose = yaml.safe_load((ROOT / "docker/workers.compose.yaml").read_text())
+    services = compose["services"]
+    assert services["worker"]["deploy"]["replicas"] == 3
+    command = services["scheduler"]["command"]
+    port = command[command.index("--port") + 1]
+    assert services["worker"]["command"][:2] == ["worker", f"tcp://scheduler:{port}"]
+    assert all(one.startswith("127.0.0.1:") for one in services["scheduler"]["ports"])
+    extras = services["worker"]["build"]["args"]["EXTRAS"].split(",")
+    assert set(extras) <= project_extras()
+
+
+def project_extras() -> set[str]:
+    import tomllib
+
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text())["project"]
+    return set(project["optional-dependencies"])
