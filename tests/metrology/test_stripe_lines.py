@@ -159,6 +159,16 @@ def test_a_reflection_in_a_gap_of_the_line_is_none() -> None:
     assert beside == 0
 
 
+def test_a_piece_of_line_before_an_edge_of_the_room_is_no_reflection() -> None:
+    """The edge goes on where the piece ends, but a reflection would not fade there."""
+    u = np.arange(WIDTH)
+    rows = np.where(u < 200, 300.0, 420.0)
+    light = 20 + beam(rows, 5.0, 180.0) + beam(np.full(WIDTH, 300.0), 5.0, 40.0 * (u >= 200))
+    found, false = shares(extract_stripe(expose(light, 1)), rows, 5.0)
+    assert found > 0.98
+    assert false == 0
+
+
 def test_a_dimmer_half_of_the_line_is_line() -> None:
     rows = course(6)
     height = np.where(np.arange(WIDTH) < 500, 200.0, 70.0)

@@ -17,8 +17,9 @@ static const double HARDLY_LESS = 0.3, ALONE = 0.5;
 /* The line goes on over so many columns, climbing as in a run, and by so many rows at once. */
 enum { BRIDGED = 16, STEP_ROWS = 8 };
 /* Columns in which a ghost's track lies beneath the line, at least, and in shares of those in
- * which it does not; its height there in shares of the line's. */
-static const double GHOST_COLUMNS = 12, GHOST_SHARE = 0.5, GHOST_HEIGHT = 0.7;
+ * which it does not; its height there in shares of the line's, and of its own where it does not: a
+ * reflection does not fade where the line begins, what a track of the line is linked to may. */
+static const double GHOST_COLUMNS = 12, GHOST_SHARE = 0.5, GHOST_HEIGHT = 0.7, GHOST_FADES = 0.5;
 
 /* Lists the pieces of n points; returns how many. */
 static int64_t list_pieces(Workspace *work, int64_t n)
@@ -95,20 +96,30 @@ static double clutter_level(const Workspace *work, const int32_t *point_at, int6
 }
 
 /* Counts in how many columns each track is the point, and in how many it lies beside one that is
- * stronger: work->reached and work->track_order. */
+ * stronger: work->reached and work->track_order; and sums its heights there: work->track_total and
+ * work->worth. */
 static void count_columns(Workspace *work, int64_t n, const int32_t *point_at)
 {
     int32_t *chosen = work->reached, *beneath = work->track_order;
+    double *chosen_height = work->track_total, *beneath_height = work->worth;
     const double *height = work->points + HEIGHT * work->width;
     memset(chosen, 0, (size_t)n * sizeof *chosen);
     memset(beneath, 0, (size_t)n * sizeof *beneath);
+    memset(chosen_height, 0, (size_t)n * sizeof *chosen_height);
+    memset(beneath_height, 0, (size_t)n * sizeof *beneath_height);
     for (int64_t p = 0; p < n; p++) {
         const int32_t point = point_at[work->peak_columns[p]], track = work->track[p];
         if (point < 0)
             continue;
         const double rows = rows_between(work, (int32_t)p, point);
-        chosen[track] += rows <= ON_LINE;
-        beneath[track] += rows > BESIDE_LINE && work->peak_heights[p] < GHOST_HEIGHT * height[point];
+        const double own = work->peak_heights[p];
+        if (rows <= ON_LINE) {
+            chosen[track]++;
+            chosen_height[track] += own;
+        } else if (rows > BESIDE_LINE && own < GHOST_HEIGHT * height[point]) {
+            beneath[track]++;
+            beneath_height[track] += own;
+        }
     }
 }
 
@@ -120,8 +131,11 @@ static bool is_ghost(const Workspace *work, const Piece *piece)
         const int32_t peak = work->best[(int64_t)work->points[i]];
         if (peak < 0 || rows_between(work, peak, (int32_t)i) > ON_LINE)
             continue;
-        chosen += work->reached[work->track[peak]];
-        beneath += work->track_order[work->track[peak]];
+        const int32_t track = work->track[peak];
+        const double columns = work->reached[track], others = work->track_order[track];
+        chosen += columns;
+        if (work->worth[track] * columns >= GHOST_FADES * work->track_total[track] * others)
+            beneath += others;
     }
     return beneath > GHOST_COLUMNS * (double)piece->count && beneath > GHOST_SHARE * chosen;
 }
