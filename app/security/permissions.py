@@ -103,6 +103,7 @@ ROUTES: dict[tuple[str, str], Rule] = {
     ("POST", "/api/performance/command"): Rule(Right.act, word("performance test")),
     ("POST", "/api/performance/certificate"): Rule(Right.act, message("added-gauge-certificate")),
     ("GET", "/api/performances"): LOOK,
+    ("GET", "/api/performance-history"): LOOK,
     ("GET", "/api/performances/{performance_id}"): LOOK,
     ("GET", "/api/performances/{record_id}/report.{form}"): LOOK,
     ("GET", "/api/performances/{record_id}/export.{form}"): LOOK,

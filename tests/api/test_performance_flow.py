@@ -141,6 +141,10 @@ def test_the_simulated_operator_does_the_whole_test(desk: Desk, calibration: str
     }  # fmt: skip
     served = desk.server.http.get(f"/api/performances/{newest['id']}").json()
     assert served == json.loads((folder / "performance.json").read_text())
+    history = desk.server.http.get("/api/performance-history").json()
+    assert history[-1]["id"] == newest["id"]
+    drawn = {one["quantity"]: (one["value"], one["limit"]) for one in history[-1]["symbols"]}
+    assert drawn["form-touch"] == (figures["form-touch"]["value"], 200.0)
     report = desk.server.http.get(f"/api/performances/{newest['id']}/report.html")
     assert "P_Form.Sph.1x25" in report.text
     packed = desk.server.http.get(f"/api/performances/{newest['id']}/export.zip").content

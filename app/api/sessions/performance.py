@@ -13,6 +13,7 @@ from app.operations.context import TheContext
 from app.store.session_records import PerformanceRecord
 from app.wire.json_response import json_response
 from app.wire.schema import PerformanceSummary, UploadedCertificate
+from app.workflows.performance.history import PerformanceSymbols, read_symbols
 
 router = APIRouter(prefix="/api")
 
@@ -38,6 +39,13 @@ def add_certificate(asked: UploadedCertificate, context: TheContext) -> SphereOp
 def performances(context: TheContext) -> list[PerformanceSummary]:
     """Lists all performance tests in which a point was taken, newest first."""
     return [_summary(record) for record in context.store.performances.all()]
+
+
+@router.get("/performance-history")
+def performance_history(context: TheContext) -> list[PerformanceSymbols]:
+    """Every symbol of all tests with a readable result, oldest first."""
+    records = context.store.performances.all()
+    return read_symbols([record.folder for record in reversed(records)])
 
 
 def _summary(record: PerformanceRecord) -> PerformanceSummary:

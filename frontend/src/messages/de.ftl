@@ -82,6 +82,7 @@ ui-back-up-now = Jetzt sichern
 ui-backup = Sicherung
 ui-backup-copies-calibrations-scans-accounts-settings = Eine Sicherung kopiert Kalibrierungen, Scans, Konten und Einstellungen im laufenden Betrieb. Zum Wiederherstellen die Station beenden und mit diesem Ordner neu starten:
 ui-ball-bar = Kugelstab
+ui-bars-test-value-uncertainty-dashed-limit-as-of-test = Balken: Unsicherheit des Prüfwerts, k = 2. Gestrichelt: der Grenzwert der jeweiligen Prüfung.
 ui-before = Vorher
 ui-before-and-after = Vorher und nachher
 ui-before-difference-identified-arm-after-standard = Vorher: Abweichung vom identifizierten Messarm. Nachher: Standardunsicherheit, k = 1. Beides rms.
@@ -221,6 +222,7 @@ ui-days-ago = { $n ->
        *[other] vor { $n } Tagen
     }
 ui-decision = Entscheidung
+ui-decision-rule-changed-values-comparable = Die Entscheidungsregel hat sich zwischen diesen Prüfungen geändert; Werte, Unsicherheiten und Grenzwerte bleiben vergleichbar.
 ui-delay-between-arm-and-camera = Zeitversatz zwischen Messarm und Kamera
 ui-delete = Löschen
 ui-delete-recording-points-removed-disk-permanently = { $name } löschen? Die Aufzeichnung und die { $points } Punkte werden endgültig vom Datenträger entfernt.
@@ -412,6 +414,7 @@ ui-laser-unknown = Laser unbekannt
 ui-last-backup = Letzte Sicherung { $when }: { $files }, { $size } in { $folder }
 ui-last-points-order-capture-about-mean = Die letzten { $n } Punkte in der Reihenfolge der Aufnahme, relativ zu ihrem Mittelwert.
 ui-latest = { $figure }, zuletzt: { $value }
+ui-latest-decided = Zuletzt: { $value } ({ $decision }).
 ui-least-10-characters-three-unrelated-words = Mindestens 10 Zeichen; gut sind drei Wörter ohne Zusammenhang.
 ui-leave-tip-seat-turn-every-joint = Die Tastkugel in der Pfanne lassen und jedes Gelenk langsam über seinen ganzen Bereich drehen. Punkte werden automatisch aufgenommen.
 ui-left-out = ausgeschlossen
@@ -826,6 +829,7 @@ ui-simulated = simuliert
 ui-simulated-operator-may-still-moving = der simulierte Bediener bewegt sich vielleicht noch
 ui-simulated-operator-passes-over-plate = Der simulierte Bediener fährt über die Platte.
 ui-since = seit { $when }
+ui-since-moved-by = Seit { $date }: { $change }.
 ui-six-places-determine-the-arms-geometry = Sechs Positionen bestimmen die Geometrie des Messarms
 ui-six-seats-spheres-ball-bar-places = Sechs Pfannen, Kugeln oder Kugelstabpositionen über die ganze Reichweite bestimmen die Geometrie des Messarms. Erforderlich, wenn eine Prüfung nicht bestanden ist, oder vor der ersten Kalibrierung.
 ui-smoothing-along-the-line = Glättung entlang der Linie
@@ -884,6 +888,7 @@ ui-switch-at-the-sensor = Schalter am Sensor
 ui-switch-laser-display-detected-line-changes = Laser einschalten, um die erkannte Linie anzuzeigen. Änderungen gelten sofort und werden gespeichert.
 ui-switch-on = Einschalten
 ui-switched-off = ausgeschaltet
+ui-symbols-over-time-appear-after-second-test = Ab der zweiten Prüfung mit demselben Arm und derselben Art von Normal erscheint hier jedes Symbol im zeitlichen Verlauf.
 ui-take-first-last-glass-film-where = Bei Glas und Folie, wo zwei Oberflächen reflektieren, die erste oder die letzte verwenden.
 ui-take-over = Übernehmen
 ui-take-over-control-give-reason = Oder die Bedienung übernehmen und { $name } einen Grund nennen

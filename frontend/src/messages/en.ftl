@@ -82,6 +82,7 @@ ui-back-up-now = Back up now
 ui-backup = Backup
 ui-backup-copies-calibrations-scans-accounts-settings = A backup copies calibrations, scans, accounts and settings while the station runs. To restore a backup, stop the station and start it with the backup folder:
 ui-ball-bar = Ball bar
+ui-bars-test-value-uncertainty-dashed-limit-as-of-test = Bars: test value uncertainty, k = 2. Dashed: the limit as of each test.
 ui-before = Before
 ui-before-and-after = Before and after
 ui-before-difference-identified-arm-after-standard = Before: difference from the identified arm. After: standard uncertainty, k = 1. Both rms.
@@ -221,6 +222,7 @@ ui-days-ago = { $n ->
        *[other] { $n } days ago
     }
 ui-decision = Decision
+ui-decision-rule-changed-values-comparable = The decision rule changed between these tests; values, uncertainties and limits remain comparable.
 ui-delay-between-arm-and-camera = Delay between arm and camera
 ui-delete = Delete
 ui-delete-recording-points-removed-disk-permanently = Delete { $name }? Its recording and its { $points } points are removed from the disk permanently.
@@ -412,6 +414,7 @@ ui-laser-unknown = Laser unknown
 ui-last-backup = Last backup { $when }: { $files }, { $size } in { $folder }
 ui-last-points-order-capture-about-mean = The last { $n } points in order of capture, relative to their mean.
 ui-latest = { $figure }, latest: { $value }
+ui-latest-decided = Latest: { $value } ({ $decision }).
 ui-least-10-characters-three-unrelated-words = At least 10 characters; three unrelated words work well.
 ui-leave-tip-seat-turn-every-joint = Leave the tip in the seat and turn every joint slowly through its full range. Points are taken automatically.
 ui-left-out = excluded
@@ -826,6 +829,7 @@ ui-simulated = simulated
 ui-simulated-operator-may-still-moving = the simulated operator may still be moving
 ui-simulated-operator-passes-over-plate = The simulated operator is scanning the plate.
 ui-since = since { $when }
+ui-since-moved-by = Since { $date }: { $change }.
 ui-six-places-determine-the-arms-geometry = Six places determine the arm's geometry
 ui-six-seats-spheres-ball-bar-places = Six seats, spheres or ball bar places over the whole reach determine the arm's geometry. Do this when a check fails, or before the first calibration.
 ui-smoothing-along-the-line = Smoothing along the line
@@ -884,6 +888,7 @@ ui-switch-at-the-sensor = Switch at the sensor
 ui-switch-laser-display-detected-line-changes = Switch on the laser to see the detected line. Changes apply at once and are saved.
 ui-switch-on = Switch on
 ui-switched-off = switched off
+ui-symbols-over-time-appear-after-second-test = Each symbol over time appears here after the second test with the same arm and kind of artefact.
 ui-take-first-last-glass-film-where = On glass and film, two surfaces reflect: use the first or the last line there.
 ui-take-over = Take over
 ui-take-over-control-give-reason = Or take over control and give { $name } a reason

@@ -16,6 +16,7 @@ import rows from "../parts/List.module.css";
 import { PerformanceRow } from "../performance/PerformanceRow";
 import { CalibrationHistory } from "../records/CalibrationHistory";
 import { CalibrationRecord } from "../records/CalibrationRecord";
+import { PerformanceHistory } from "../records/PerformanceHistory";
 import { CalibrationRow, ScanRow, VerificationRow } from "../records/Rows";
 import { t } from "../state/language";
 import { useDetail } from "../state/router";
@@ -58,6 +59,7 @@ function AllRecords() {
         <Section
           title={t("ui-performance-tests")}
           empty={t("ui-performance-tests-appear-here")}
+          above={<PerformanceHistory change={tested} />}
           {...performances}
           row={(summary) => <PerformanceRow key={summary.id} summary={summary} />}
         />

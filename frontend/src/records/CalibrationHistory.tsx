@@ -7,7 +7,7 @@ import { TimeChart } from "../parts/TimeChart";
 import { t } from "../state/language";
 import { go } from "../state/router";
 import { useList } from "../state/useList";
-import styles from "./CalibrationHistory.module.css";
+import styles from "./History.module.css";
 
 interface Measure {
   label: PlainId;

@@ -1,0 +1,87 @@
+import { useId, useState } from "react";
+
+import type { PerformanceSymbols, SymbolValue } from "../api/wire";
+import look from "../parts/Control.module.css";
+import { moment } from "../parts/format";
+import { measured, signedLength } from "../parts/lengths";
+import { TimeChart } from "../parts/TimeChart";
+import { t } from "../state/language";
+import { go } from "../state/router";
+import { useList } from "../state/useList";
+import { DECISIONS, QUALITY } from "../verify/verification";
+import styles from "./History.module.css";
+
+/** A test with the one symbol that is drawn. */
+type Point = PerformanceSymbols & { found: SymbolValue };
+
+/**
+ * One symbol of the performance tests over time: of those on the arm and on the kind of artefact of
+ * the newest test. Each limit is that of its own test.
+ */
+export function PerformanceHistory({ change }: { change: string }) {
+  const { list } = useList<PerformanceSymbols>("/api/performance-history", change);
+  const [selected, setSelected] = useState("");
+  const id = useId();
+  const newest = list?.[list.length - 1];
+  if (!list || !newest) return null;
+  const own = list.filter(
+    (test) => test.arm_serial === newest.arm_serial && test.artefact_kind === newest.artefact_kind,
+  );
+  if (own.length < 2) return <p className={styles.first}>{t("ui-symbols-over-time-appear-after-second-test")}</p>;
+  const shown = newest.symbols.find(({ quantity }) => quantity === selected) ?? newest.symbols[0];
+  if (!shown) return null;
+  const points = own.flatMap((test): Point[] => {
+    const found = test.symbols.find(({ quantity }) => quantity === shown.quantity);
+    return found ? [{ ...test, found }] : [];
+  });
+  return (
+    <div className={styles.history}>
+      <div className={styles.choice}>
+        <select
+          id={id}
+          className={`${look.input} ${styles.select}`}
+          aria-label={t("ui-plotted-quantity")}
+          value={shown.quantity}
+          onChange={(event) => setSelected(event.target.value)}
+        >
+          {newest.symbols.map(({ quantity, symbol, title }) => (
+            <option key={quantity} value={quantity}>
+              {symbol} · {title}
+            </option>
+          ))}
+        </select>
+      </div>
+      <TimeChart
+        points={points.map(({ id, ended_at, found }) => ({
+          id,
+          at: ended_at,
+          value: found.value,
+          limit: found.limit,
+          uncertainty: found.test_uncertainty,
+          quality: QUALITY[found.decision],
+        }))}
+        unit="µm"
+        label={t("ui-over-time", { figure: shown.symbol })}
+        signed={shown.signed}
+        onPoint={(id) => go("performance", id)}
+      />
+      <p className={styles.words}>
+        {t("ui-bars-test-value-uncertainty-dashed-limit-as-of-test")} {summarised(points)}
+        {new Set(points.map(({ rule }) => rule)).size > 1 && ` ${t("ui-decision-rule-changed-values-comparable")}`}
+      </p>
+    </div>
+  );
+}
+
+/** The newest value with its decision, and what changed since the first. */
+function summarised(points: Point[]): string {
+  const known = points.filter(({ found }) => found.value !== null);
+  const [first, last] = [known[0], known[known.length - 1]];
+  if (first?.found.value == null || last?.found.value == null) return "";
+  const { value, signed, decision } = last.found;
+  const figure = signed ? signedLength(value, "µm") : measured(value, "µm");
+  const latest = t("ui-latest-decided", { value: figure, decision: t(DECISIONS[decision]) });
+  if (first === last) return latest;
+  const moved = signedLength(value - first.found.value, "µm");
+  return `${latest} ${t("ui-since-moved-by", { date: moment(first.ended_at), change: moved })}`;
+}
