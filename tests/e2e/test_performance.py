@@ -101,7 +101,8 @@ def test_the_one_sphere_test_from_start_to_figures(
     expect(rows).to_have_count(FIGURES)
     look_at_both_sizes(visit, "record")
     export_from(visit)
-    page.goto(f"{station.address}#/records")
+    page.get_by_role("button", name="Cancel").click()
+    page.get_by_role("link", name="Records").click()
     expect(page.get_by_text("Each symbol over time appears here after the second")).to_be_visible()
     assert not visit.faults
     page.close()
