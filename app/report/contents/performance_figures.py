@@ -4,13 +4,12 @@ from collections.abc import Sequence
 
 from app.formats.performance.results import LengthPoint, PerformanceFigure, PerformanceFile
 from app.messages.message import Text, message, quantity, signed
+from app.report.contents.limits_figure import LimitedValue, draw_limits
 from app.report.figure import (
     BLUE,
     FAINT,
     GROUND,
-    INK,
     LINE,
-    ORANGE,
     PANEL,
     RED,
     SOFT,
@@ -23,7 +22,6 @@ from app.report.formatting import micrometres
 
 LABELS = 234.0
 """Wide enough for the longest title of a figure, in every language."""
-ROW = 22.0
 BARS: tuple[str, ...] = ("articulation-largest", "articulation-two-s", "volumetric-largest")
 SHIFT = 1.3
 """Between the places of one length, so that equal errors are seen apart."""
@@ -31,46 +29,22 @@ SHIFT = 1.3
 
 def limits_figure(figures: Sequence[PerformanceFigure]) -> tuple[Figure[Text], Text] | None:
     """Each figure in shares of its limit, with the values of all positions; None without limits."""
-    limited = [one for one in figures if one.limit is not None and one.value is not None]
+    limited = [
+        LimitedValue(
+            one.title,
+            micrometres(one.value),
+            one.value,
+            one.test_uncertainty or 0.0,
+            one.limit,
+            one.decision,
+            [value for value in one.values if value is not None] if len(one.values) < 10 else [],
+        )
+        for one in figures
+        if one.limit is not None and one.value is not None
+    ]
     if not limited:
         return None
-    figure = Figure[Text](520, ROW * len(limited) + 26, message("figures-against-their-limits"))
-    width = 216.0
-    reach = max(_share(one, _of(one)) for one in limited)
-    scale = width / (2 * max(1.2, 1.05 * reach))
-    zero = LABELS + width / 2
-    for row, one in enumerate(limited):
-        assert one.limit is not None
-        y = ROW * row + 13
-        figure.box((LABELS, y - 6), width, 12, GROUND)
-        for value in one.values:
-            if value is not None and len(one.values) < 10:
-                at = (zero + value / one.limit * scale, y)
-                figure.items.append(Dot(at, 1.9, "", FAINT, 0.7))
-        at_x = zero + _of(one) / one.limit * scale
-        u = (one.test_uncertainty or 0.0) / one.limit * scale
-        colour = {"pass": BLUE, "fail": RED}.get(one.decision, ORANGE)
-        figure.line((at_x - u, y), (at_x + u, y), stroke=colour, width=2)
-        figure.items.append(Dot((at_x, y), 3, colour, WHITE, 0.6))
-        figure.label((LABELS - 8, y + 3), one.title, 7.5, SOFT, "end")
-        figure.label((LABELS + width + 8, y + 3), micrometres(_of(one)), 8, INK)
-    bottom = ROW * len(limited) + 4
-    figure.line((zero, 2.0), (zero, bottom), stroke=LINE)
-    for sign in (-1, 1):
-        x = zero + sign * scale
-        figure.items.append(Polyline(((x, 2.0), (x, bottom)), RED, 1, dash=(3, 2)))
-        figure.label((x, bottom + 11), "MPE", 7.5, RED, "middle")
-    return figure, message("performance-values-against-limits")
-
-
-def _of(one: PerformanceFigure) -> float:
-    assert one.value is not None
-    return one.value
-
-
-def _share(one: PerformanceFigure, value: float) -> float:
-    assert one.limit is not None
-    return (abs(value) + (one.test_uncertainty or 0.0)) / one.limit
+    return draw_limits(limited, LABELS, "MPE"), message("performance-values-against-limits")
 
 
 def lengths_figure(lengths: Sequence[LengthPoint]) -> tuple[Figure[Text], Text]:

@@ -4,20 +4,16 @@ import numpy as np
 
 from app.formats.results.verification import FigurePart, VerificationFile
 from app.messages.message import Text, message, quantity, signed
+from app.report.contents.limits_figure import LimitedValue, draw_limits
 from app.report.figure import (
     BLUE,
     FAINT,
     GROUND,
-    INK,
     LINE,
-    ORANGE,
     PANEL,
-    RED,
     SOFT,
-    WHITE,
     Dot,
     Figure,
-    Polyline,
 )
 from app.report.formatting import error_value
 from app.workflows.measure_gauge import MapFile
@@ -34,39 +30,21 @@ WITHIN = 0.98
 
 def limit_figure(document: VerificationFile) -> tuple[Figure[Text], Text]:
     """Each figure in shares of its limit, with its uncertainty and each cloud's own value."""
-    limited = [figure for figure in document.figures if figure.limit is not None]
-    figure = Figure[Text](
-        520, 24.0 * max(len(limited), 1) + 26, message("figures-against-their-limits")
-    )
-    left, width = LABELS, 270.0
-    reach = max((_limit_share(one) for one in limited), default=1.0)
-    scale = width / (2 * max(1.2, 1.05 * reach))
-    zero = left + width / 2
-    for row, one in enumerate(limited):
-        assert one.limit is not None
-        y = 24.0 * row + 14
-        figure.box((left, y - 7), width, 14, GROUND)
-        u = _uncertainty_of_decision(one) / one.limit * scale
-        at = zero + one.value / one.limit * scale
-        colour = {"pass": BLUE, "fail": RED}.get(one.decision, ORANGE)
-        for value in one.clouds:
-            figure.items.append(Dot((zero + value / one.limit * scale, y), 1.8, "", FAINT, 0.7))
-        figure.line((at - u, y), (at + u, y), stroke=colour, width=2)
-        figure.items.append(Dot((at, y), 3, colour, WHITE, 0.6))
-        figure.label((left - 8, y + 3), one.title, 7.5, SOFT, "end")
-        figure.label((left + width + 8, y + 3), error_value(one.value, one.unit), 8, INK)
-    bottom = 24.0 * len(limited) + 4
-    figure.line((zero, 2.0), (zero, bottom), stroke=LINE)
-    for sign in (-1, 1):
-        x = zero + sign * scale
-        figure.items.append(Polyline(((x, 2.0), (x, bottom)), RED, 1, dash=(3, 2)))
-        figure.label((x, bottom + 11), message("limit-mark"), 7.5, RED, "middle")
+    limited = [
+        LimitedValue(
+            one.title,
+            error_value(one.value, one.unit),
+            one.value,
+            _uncertainty_of_decision(one),
+            one.limit,
+            one.decision,
+            one.clouds,
+        )
+        for one in document.figures
+        if one.limit is not None
+    ]
+    figure = draw_limits(limited, LABELS, message("limit-mark"))
     return figure, message("values-shares-their-limits-bar-expanded")
-
-
-def _limit_share(one: FigurePart) -> float:
-    assert one.limit is not None
-    return (abs(one.value) + _uncertainty_of_decision(one)) / one.limit
 
 
 def _uncertainty_of_decision(one: FigurePart) -> float:
