@@ -1381,6 +1381,7 @@ microscribe-other-device = Das Gerät unter { $url } antwortet nicht wie ein Mic
 microscribe-stopped-answering = Der MicroScribe unter { $url } antwortet nicht mehr
 move-bayer-to-station-toml = bayer und laser_colour in [sensor] von station.toml setzen; bayer aus dem Datenblatt entfernen und width_px und height_px halbieren
 name-quantity = Die Größe mit { $option } benennen
+never-tested = Noch nie geprüft.
 no-camera-without-datasheet = Es ist keine Kamera ohne Datenblatt angeschlossen
 no-dcc = die Datei ist kein digitaler Kalibrierschein (DCC)
 no-device-chosen = Nicht gewählt: { $title }
@@ -3046,6 +3047,8 @@ takes-notifications = { $host } nimmt Benachrichtigungen an.
 taking-picture = Bild wird aufgenommen
 tells-whoever-away-what-done-fault = Der Webhook benachrichtigt Abwesende über Fertiges, Störungen und Fälliges.
 temperature = Temperatur
+test-performance = Leistung prüfen
+test-performance-again = Erneut prüfen
 test-u = U der Prüfung, k = 2
 test-value-uncertainty = Prüfwertunsicherheit
 test-value-uncertainty-text = Erweiterte Unsicherheit von Normal und Aufbau, k = 2. Die Streuung von Arm und Sensor gehört nicht dazu: Die Prüfung misst sie.
@@ -3181,6 +3184,7 @@ tips-diameter-how-well-touches-agree = Durchmesser der Tastkugel und Übereinsti
 tips-diameter-off-known-only-k = Der Durchmesser der Tastkugel weicht um { $off } ab; die erweiterte Unsicherheit von { $known } (k = 2) ist zu groß, um die Einhaltung des Grenzwerts nachzuweisen.
 tips-places = Positionen der Tastkugel
 tips-places-about-their-middle = Positionen der Tastkugel relativ zu ihrer Mitte
+title-performance-test = Leistungsprüfung
 titled-text = { $title }: { $text }
 to-2 = Bis
 together = Gesamt

@@ -1377,6 +1377,7 @@ microscribe-other-device = The device at { $url } does not answer as a MicroScri
 microscribe-stopped-answering = The MicroScribe at { $url } has stopped answering
 move-bayer-to-station-toml = Set bayer and laser_colour in [sensor] of station.toml; take bayer out of the datasheet, and halve its width_px and height_px
 name-quantity = Name the quantity with { $option }
+never-tested = It has never been tested.
 no-camera-without-datasheet = No camera without a datasheet is connected
 no-dcc = the file is no Digital Calibration Certificate (DCC)
 no-device-chosen = No { $title } is chosen
@@ -3033,6 +3034,8 @@ takes-notifications = { $host } accepts notifications.
 taking-picture = Taking the picture
 tells-whoever-away-what-done-fault = It informs people who are away about completed jobs, faults and due checks.
 temperature = Temperature
+test-performance = Test the performance
+test-performance-again = Test again
 test-u = U of test, k = 2
 test-value-uncertainty = Test value uncertainty
 test-value-uncertainty-text = Expanded uncertainty of artefact and set-up, k = 2. The scatter of arm and sensor is no part of it: the test measures it.
@@ -3168,6 +3171,7 @@ tips-diameter-how-well-touches-agree = The tip's diameter, and the agreement of 
 tips-diameter-off-known-only-k = The tip's diameter deviates by { $off }; its expanded uncertainty of { $known } (k = 2) is too large to prove that the limit is kept.
 tips-places = Tip positions
 tips-places-about-their-middle = Tip positions relative to their mean
+title-performance-test = Performance test
 titled-text = { $title }: { $text }
 to-2 = To
 together = Together

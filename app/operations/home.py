@@ -19,6 +19,7 @@ from app.guide.common.validity import (
 from app.messages.message import Text, join, message, quantity
 from app.operations.context import Context
 from app.store.calibrations import CalibrationRecord
+from app.store.session_records import PerformanceRecord
 from app.wire.schema import CalibrationSummary, Home
 
 PASSING = ("busy", "arm-lost", "sensor-lost")
@@ -87,9 +88,17 @@ def validity_inputs(context: Context, record: CalibrationRecord | None) -> Valid
         verified_before=store.verifications.newest() is not None,
         tip=None if tip is None else CheckResult(tip.at, _state(tip.verdict), tip.text),
         arm=None if arm is None else CheckResult(arm.at, _state(arm.verdict), _arm_text(arm)),
+        performance=_performance(store.performances.newest_judged()),
         warmer_c=None if record is None else store.temperatures.change_since(record.accepted_at),
         has_joints=not (info := context.rig.arm.info) or info.reports == "joints",
     )
+
+
+def _performance(record: PerformanceRecord | None) -> CheckResult | None:
+    if record is None:
+        return None
+    figures = record.figures
+    return CheckResult(record.ended_at, RESULTS[figures.result], figures.text)
 
 
 def _calibration(

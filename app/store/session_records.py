@@ -232,6 +232,13 @@ class PerformanceStore(SessionRecordStore[PerformanceRecord]):
         listed = PerformanceSummaryFigures(**figures)
         return self._close(session_id, kind, payload, calibration_id, folder, listed, key, check)
 
+    def newest_judged(self) -> PerformanceRecord | None:
+        """The last test that was not cancelled."""
+        return self._first(
+            "WHERE json_extract(figures, '$.result') <> 'cancelled'"
+            " ORDER BY ended_at DESC, rowid DESC"
+        )
+
     def _build(
         self, record_id: str, calibration_id: str, folder: Path, ended_at: str, figures: Any
     ) -> PerformanceRecord:

@@ -141,6 +141,8 @@ def test_the_simulated_operator_does_the_whole_test(desk: Desk, calibration: str
     }  # fmt: skip
     served = desk.server.http.get(f"/api/performances/{newest['id']}").json()
     assert served == json.loads((folder / "performance.json").read_text())
+    checks = {one["id"]: one for one in desk.server.http.get("/api/home").json()["checks"]}
+    assert checks["performance"]["at"] == newest["ended_at"]
     history = desk.server.http.get("/api/performance-history").json()
     assert history[-1]["id"] == newest["id"]
     drawn = {one["quantity"]: (one["value"], one["limit"]) for one in history[-1]["symbols"]}
@@ -209,6 +211,8 @@ def test_a_cancelled_test_is_listed_with_its_reason(desk: Desk) -> None:
     desk.start()
     desk.do("abandon")
     assert len(desk.list()) == listed  # nothing was touched
+    judged = desk.server.context.store.performances.newest_judged()
+    assert judged is None or judged.figures.result != "cancelled"
 
 
 def test_a_changed_plan_or_setting_makes_the_set_invalid(desk: Desk) -> None:

@@ -30,7 +30,9 @@ def done(
 
 
 NOTHING = ValidityInputs(None, None, False, None, None, None)
-ALL = ValidityInputs(done(2, text="8 µm (k = 1)"), done(1), True, done(0.1), done(3), 0.4)
+ALL = ValidityInputs(
+    done(2, text="8 µm (k = 1)"), done(1), True, done(0.1), done(3), 0.4, done(200)
+)
 
 
 def lines(known: ValidityInputs) -> dict[str, Validity]:
@@ -93,6 +95,29 @@ def test_a_check_that_is_due_is_said_but_holds_up_nothing() -> None:
     assert lines(known)["tip"].state == "due"
     assert lines(known)["arm"].state == "missing"
     assert after(known).page == "scan"
+
+
+@pytest.mark.parametrize(
+    ("test", "state", "said"),
+    [
+        (None, "missing", "never been tested"),
+        (done(364), "valid", "due after 365 days"),
+        (done(366), "due", "366 days old"),
+        (done(9, "failed", "P_Form is beyond its limit."), "failed", "P_Form is beyond"),
+        (done(9, "unsure", "Not known."), "unsure", "undecided"),
+    ],
+)
+def test_a_performance_test_becomes_due_and_holds_up_nothing(
+    test: CheckResult | None, state: State, said: str
+) -> None:
+    known = replace(ALL, performance=test)
+    line = lines(known)["performance"]
+    assert (line.state, line.page) == (state, "performance")
+    assert said in str(line.text)
+    assert after(known).page == "scan"
+    yearly = DUE.model_copy(update={"performance_days": 30.0})
+    strict = {one.id: one for one in check_validity(known, NOW, yearly)}["performance"]
+    assert strict.state == ("due" if state == "valid" else state)
 
 
 def test_other_devices_than_calibrated_come_before_verifying() -> None:

@@ -10,8 +10,8 @@ from app.formats.settings.toml_table import Limit, TomlTable
 from app.messages.message import Text, message, quantity, rounded, signed
 from app.timestamps import parse_moment
 
-CheckName = Literal["calibration", "verification", "tip", "arm"]
-Page = Literal["home", "calibrate", "verify", "scan", "arm", "records"]
+CheckName = Literal["calibration", "verification", "performance", "tip", "arm"]
+Page = Literal["home", "calibrate", "verify", "performance", "scan", "arm", "records"]
 State = Literal["valid", "due", "missing", "failed", "unsure"]
 SECONDS_A_DAY = 86400.0
 
@@ -21,6 +21,7 @@ class DueLimits(TomlTable):
 
     calibration_days: Limit = 30.0
     verification_days: Limit = 7.0
+    performance_days: Limit = 365.0
     arm_days: Limit = 30.0
     tip_hours: Limit = 24.0
     temperature_c: Limit = 3.0
@@ -54,6 +55,8 @@ class ValidityInputs:
     arm: CheckResult | None
     warmer_c: float | None
     """Now against the calibration's time; None where one of the two is not known."""
+    performance: CheckResult | None = None
+    """The newest performance test that has a result."""
     has_joints: bool = True
     """False of an arm that reports poses: its joints and its tip are not checked here."""
 
@@ -95,7 +98,7 @@ QUALITY: dict[State, Quality] = {
 def check_validity(
     known: ValidityInputs, now: datetime, limits: DueLimits = DUE
 ) -> tuple[Validity, ...]:
-    """Every line, the calibration first; of tip and arm only for an arm with joints."""
+    """Every line, the calibration first; what is touched or turned only for an arm with joints."""
     lines = (_calibration(known, now, limits), _verification(known, now, limits))
     if not known.has_joints:
         return lines
@@ -103,6 +106,7 @@ def check_validity(
     arm_days, arm_action = limits.arm_days, message("check-arm")
     return (
         *lines,
+        _performance(known, now, limits),
         _check_age("tip", message("tip"), known.tip, now, tip_days, tip_action),
         _check_age("arm", message("arm-4"), known.arm, now, arm_days, arm_action),
     )
@@ -160,27 +164,43 @@ def _verification(known: ValidityInputs, now: datetime, limits: DueLimits) -> Va
         )
 
     result = known.verification
-    again = message("verify-again")
     if result is None:
         if known.calibration is None:
             return line("missing", message("comes-after-calibration"), None, message("verify"))
-        text = message("calibration-verified-yet")
-        if known.verified_before:
-            text = message("last-verification-older-than-calibration")
-        return line("missing", text, None, message("verify"))
+        never = message("calibration-verified-yet")
+        before = message("last-verification-older-than-calibration")
+        return line("missing", before if known.verified_before else never, None, message("verify"))
+    state, text = _judge(result, now, limits.verification_days)
+    return line(state, text, result.at, message("verify-again"))
+
+
+def _performance(known: ValidityInputs, now: datetime, limits: DueLimits) -> Validity:
+    def line(state: State, text: Text, at: str | None, action: Text) -> Validity:
+        title = message("title-performance-test")
+        return Validity(
+            "performance", title, state, QUALITY[state], text, at, "performance", action
+        )
+
+    result = known.performance
+    if result is None:
+        return line("missing", message("never-tested"), None, message("test-performance"))
+    state, text = _judge(result, now, limits.performance_days)
+    return line(state, text, result.at, message("test-performance-again"))
+
+
+def _judge(result: CheckResult, now: datetime, limit_days: float) -> tuple[State, Text]:
+    """The state of something that was judged by limits, and why, in one sentence."""
     age = age_days(result.at, now)
     if result.result == "failed":
         text = message("verification-failed-ago", ago=duration(age), text=result.text)
-        return line("failed", text, result.at, again)
+        return "failed", text
     if result.result == "unsure":
         text = message("verification-undecided-ago", ago=duration(age), text=result.text)
-        return line("unsure", text, result.at, again)
-    limit = duration(limits.verification_days)
-    if age > limits.verification_days:
-        text = message("old-after-days-due", ago=duration(age), limit=limit)
-        return line("due", text, result.at, again)
-    text = message("passed-ago-due-after-days", ago=duration(age), limit=limit)
-    return line("valid", text, result.at, again)
+        return "unsure", text
+    limit = duration(limit_days)
+    if age > limit_days:
+        return "due", message("old-after-days-due", ago=duration(age), limit=limit)
+    return "valid", message("passed-ago-due-after-days", ago=duration(age), limit=limit)
 
 
 def _check_age(
