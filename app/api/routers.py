@@ -18,7 +18,7 @@ from app.api import (
     scene,
     settings,
 )
-from app.api.access import accounts, auth, tokens
+from app.api.access import accounts, auth, provider, tokens
 from app.api.monitoring import health, metrics, notifications
 from app.api.sessions import arm, calibration, performance, verification
 from app.api.static_files import file_response, names_a_file, page_response
@@ -50,6 +50,7 @@ def client_file(path: str) -> Response:
 
 ROUTERS = (
     auth.router,
+    provider.router,
     accounts.router,
     tokens.router,
     calibration.router,

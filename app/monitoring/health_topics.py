@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Mapping
 
+from app.errors import reason_sentence
 from app.messages.message import Text, join, message
 from app.monitoring.health import HealthItem
 
@@ -43,3 +44,13 @@ def not_made(name: str, why: Text) -> HealthItem:
         message("what-looks-may-good-bad"),
         message("look-log-below-send-support-bundle"),
     )
+
+
+def sign_in(provider: str, trouble: Text) -> HealthItem:
+    """Whether people can sign in with their accounts of the plant's provider."""
+    title, why = message("sign-in-health"), message("sign-in-health-why")
+    if trouble:
+        remedy = message("sign-in-health-remedy")
+        return HealthItem("sign-in", title, "attention", reason_sentence(trouble), why, remedy)
+    what = message("sign-in-provider-answers", name=provider)
+    return HealthItem("sign-in", title, "good", what, why, "")

@@ -2,7 +2,7 @@
 
 import asyncio
 from dataclasses import dataclass, field, fields, replace
-from typing import Annotated, cast
+from typing import TYPE_CHECKING, Annotated, cast
 
 from fastapi import Depends
 from starlette.requests import HTTPConnection
@@ -30,6 +30,9 @@ from app.station.view3d.scene import Scene
 from app.station.view3d.view_controller import ViewController
 from app.store.store import Store
 from app.wire.schema import ScanStatus, StationInfo
+
+if TYPE_CHECKING:
+    from app.single_sign_on.provider import Provider
 
 
 @dataclass(frozen=True)
@@ -59,6 +62,8 @@ class Context:
     device_setup: DeviceSetup
     sensor_selection: SensorSelection
     due: DueLimits = DUE
+    provider: "Provider | None" = None
+    """Of the plant's accounts."""
     printer: asyncio.Lock = field(default_factory=asyncio.Lock)
     """Reports are made one at a time: many at once would delay Stop."""
 

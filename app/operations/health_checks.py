@@ -30,6 +30,7 @@ T = TypeVar("T")
 DATABASE_EVERY_S = 600.0
 RECORDS_EVERY_S = 30.0
 """Checks that access the disk run less often than the others."""
+PROVIDER_EVERY_S = 300.0
 AN_HOUR_S = 3600.0
 AHEAD_S = 60.0
 PACKAGES = ("numpy", "scipy", "opencv-python-headless", "fastapi", "uvicorn", "viser")
@@ -76,6 +77,7 @@ class HealthChecker:
             "network": lambda: [health.network(self._context.monitoring.settings.network)],
             "software": lambda: [health.software(software(self._context))],
             "broker": self._broker,
+            "sign-in": self._sign_in,
             "webhook": self._webhook,
         }
 
@@ -206,6 +208,13 @@ class HealthChecker:
             health.broker(host, state.connected, state.text, for_s, doubled),
             *health_messages.messages(unread.counts, unread.ago_s),
         ]
+
+    def _sign_in(self) -> list[HealthItem]:
+        provider = self._context.provider
+        if provider is None:
+            return []
+        trouble = self._every(PROVIDER_EVERY_S, "sign-in", provider.check)
+        return [health_messages.sign_in(provider.name, trouble)]
 
     def _webhook(self) -> list[HealthItem]:
         webhook = self._context.monitoring.webhook

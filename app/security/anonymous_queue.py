@@ -8,8 +8,10 @@ import asyncio
 import hashlib
 import time
 from collections import OrderedDict
-from collections.abc import Callable
+from collections.abc import AsyncIterator, Callable
+from contextlib import asynccontextmanager
 
+from starlette.requests import HTTPConnection
 from starlette.responses import Response
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
@@ -20,6 +22,8 @@ TRUSTED_S = 300.0
 MOST_TRUSTED = 512
 IS_CONNECTED = "is_connected"
 """In the state of a request: whether its connection still exists."""
+TURN = "turn"
+"""In the state of an anonymous request: its slot."""
 
 
 class AnonymousQueue:
@@ -40,6 +44,7 @@ class AnonymousQueue:
             await self._app(scope, receive, send)
             return
         turn = _Turn(self._places, receive, send)
+        scope.setdefault("state", {})[TURN] = turn
         await turn.begin()
         try:
             if _is_connected(scope):
@@ -86,6 +91,20 @@ class _Turn:
         self._answered = True
         self.end()
         await self._send(message)
+
+
+@asynccontextmanager
+async def without_place(connection: HTTPConnection) -> AsyncIterator[None]:
+    """Leaves the slot to others while an anonymous request waits for another server."""
+    turn: _Turn | None = connection.scope.get("state", {}).get(TURN)
+    if turn is None:
+        yield
+        return
+    turn.end()
+    try:
+        yield
+    finally:
+        await turn.begin()
 
 
 def _is_connected(scope: Scope) -> bool:

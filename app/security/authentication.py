@@ -132,6 +132,17 @@ class Authenticator:
             self._note(good, key)
         return good
 
+    def check_provider_attempts(self, address: str) -> None:
+        """Raises ``TooManyAttemptsError`` after many failed sign-ins with the provider's accounts
+        from this address."""
+        with self._lock:
+            self._check_throttle(f"provider {address_key(address)}")
+
+    def note_provider_attempt(self, good: bool, address: str) -> None:
+        """Notes the end of a sign-in with an account of the provider."""
+        with self._lock:
+            self._note(good, f"provider {address_key(address)}")
+
     def _matches(self, code: str, address: str) -> bool:
         key = address_key(address)
         self._check_throttle(key)

@@ -60,6 +60,8 @@ ROUTES: dict[tuple[str, str], Rule] = {
     ("POST", "/api/session/code"): ENTER,
     ("POST", "/api/session/admin"): ENTER,
     ("POST", "/api/session/kiosk"): ENTER,
+    ("POST", "/api/session/provider"): ENTER,
+    ("POST", "/api/session/provider/answer"): ENTER,
     ("POST", "/api/session/password"): Rule(Right.be, message("changed-own-password")),
     ("GET", "/api/openapi.json"): LOOK,
     (WEBSOCKET, "/api/live"): LOOK,

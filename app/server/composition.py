@@ -3,7 +3,7 @@
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from app.api.scan import stop_everything
 from app.errors import OperationError
@@ -41,6 +41,7 @@ from app.operations.services import MonitoringServices, MonitoringSettings
 from app.security.authentication import Authenticator
 from app.security.console_code import new_code
 from app.settings.settings import DeviceKind
+from app.single_sign_on.settings import SignInSettings
 from app.station.bus import Bus
 from app.station.control_lease import Lease
 from app.station.devices.pulse_trigger import TriggerSettings
@@ -58,6 +59,9 @@ from app.store.scans import ScanRecord
 from app.store.store import Store
 from app.wire.schema import StationInfo
 from hardware.interfaces import ArmDriver, SensorDriver
+
+if TYPE_CHECKING:
+    from app.single_sign_on.provider import Provider
 
 JOB_END_S = 3.0
 
@@ -93,6 +97,8 @@ class StationParts:
     """The choice of the devices, which the Devices page can change."""
     monitoring: MonitoringSettings = field(default_factory=MonitoringSettings)
     """Recipients of notifications, and further services."""
+    sign_in: SignInSettings | None = None
+    """The provider of the plant's accounts."""
 
 
 def open_context(parts: StationParts) -> Context:
@@ -258,7 +264,19 @@ def _build_context(parts: StationParts, store: Store) -> Context:
             lambda: scanner.recording() is not None,
         ),
         parts.due,
+        _open_provider(parts.sign_in, store),
     )
+
+
+def _open_provider(settings: SignInSettings | None, store: Store) -> "Provider | None":
+    """The provider of accounts; who signed in with another one must sign in again."""
+    store.login_sessions.end_other_providers(settings.issuer if settings else "")
+    if settings is None:
+        return None
+    # most stations have no provider, and need not import the library
+    from app.single_sign_on.provider import Provider
+
+    return Provider(settings)
 
 
 def close_context(context: Context) -> None:

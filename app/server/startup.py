@@ -143,6 +143,7 @@ def _load_parts(settings: Settings, data: Path | None, file: Path) -> "StationPa
         due=settings.due,
         trigger=_trigger_settings(settings),
         monitoring=_monitoring_settings(settings),
+        sign_in=settings.sign_in,
     )
 
 
@@ -173,6 +174,7 @@ def _monitoring_settings(settings: Settings) -> "MonitoringSettings":
         **{name: dict(table.options) for name, table in tables.items()},
         "mqtt": None if mqtt is None else {k: str(v) for k, v in mqtt},
         "archive": None if settings.archive is None else settings.archive.place,
+        "sign_in": None if settings.sign_in is None else settings.sign_in.issuer,
         "temperature": None if file is None else str(file),
     }
     return MonitoringSettings(

@@ -5,7 +5,6 @@ The context of a validation is the path of the file.
 
 import ipaddress
 import os
-import ssl
 from collections.abc import Mapping
 from dataclasses import replace
 from pathlib import Path
@@ -23,12 +22,18 @@ from pydantic import (
 from app.archive.archive_settings import ArchiveSettings
 from app.errors import OperationError
 from app.formats.datasheets.gauge import DEFAULT_LIMITS, VerificationLimits
-from app.formats.open_file import check_ordinary
 from app.formats.recording.topics import SENSOR_NAME
-from app.formats.settings.toml_table import Limit, NonEmpty, SettingsPath, TomlTable
+from app.formats.settings.toml_table import (
+    Limit,
+    NonEmpty,
+    SettingsPath,
+    TomlTable,
+    check_authority,
+)
 from app.guide.common.validity import DUE, DueLimits
 from app.metrology.decision import GUARDED_95, RULES, Bearer, DecisionRule
 from app.metrology.limits import LIMITS
+from app.single_sign_on.settings import SignInSettings
 from app.supervision.broker_settings import BrokerSettings
 
 
@@ -185,6 +190,7 @@ class Settings(TomlTable):
     due: DueLimits = DUE
     mqtt: BrokerSettings | None = None
     archive: ArchiveSettings | None = None
+    sign_in: SignInSettings | None = None
     temperature: TemperatureTable | None = None
     trigger: TriggerTable | None = None
 
@@ -243,19 +249,5 @@ class Settings(TomlTable):
             return None
         mqtt.password()
         if mqtt.ca_file is not None:
-            _check_authority(mqtt.ca_file, info)
+            check_authority(mqtt.ca_file, "settings-mqtt", f"{info.context}, [mqtt]", "broker")
         return mqtt
-
-
-def _check_authority(file: Path, info: ValidationInfo) -> None:
-    try:
-        check_ordinary(file)
-        ssl.create_default_context(cafile=file)
-    except OSError as error:  # those of TLS are of this kind
-        unreadable = isinstance(error, ssl.SSLError)
-        raise OperationError(
-            "settings-mqtt",
-            f"{info.context}, [mqtt]: ca_file = {str(file)!r}",
-            "it holds no certificates" if unreadable else "there is no such file",
-            "Give the certificates of the broker's authority in PEM format",
-        ) from error

@@ -18,7 +18,7 @@ LONGEST_NAME = 40
 SHORTEST_PASSWORD, LONGEST_PASSWORD = 10, 200
 HASHER = PasswordHasher()
 NO_PASSWORD = "!"
-"""In place of a hash: the account can sign in with a link only."""
+"""In place of a hash: the account can sign in with a link, or at a provider, only."""
 
 
 class Role(IntEnum):
@@ -39,6 +39,8 @@ class Account:
     name: str
     role: Role
     made_at: str
+    provider: str = ""
+    """The issuer of an account of a provider; empty for one of this station."""
 
 
 class AccountStore:
@@ -82,24 +84,82 @@ class AccountStore:
             )
         return account
 
+    def admit(self, provider: str, subject: str, name: str, role: Role) -> Account:
+        """The account of a person whom a provider signed in, with the role that they have now.
+
+        The person is recognised by the subject: with another name than before, the account gets
+        that name, and browsers with the former one are signed out.
+
+        Raises:
+            OperationError: the name is invalid, or belongs to another account, which stays as it
+                is.
+        """
+        name = _check_account_name(name)
+        with self._database.transaction() as connection:
+            rows = connection.execute(
+                "SELECT name, role, made_at FROM account WHERE provider = ? AND subject = ?",
+                (provider, subject),
+            ).fetchall()
+            before = rows[0]["name"] if rows else None
+            if before is not None and before.lower() == name.lower():
+                connection.execute(
+                    "UPDATE account SET role = ? WHERE name = ?", (role.name, before)
+                )
+                return Account(before, role, rows[0]["made_at"], provider)
+            if connection.execute("SELECT 1 FROM account WHERE name = ?", (name,)).fetchone():
+                raise OperationError(
+                    "account-of-station",
+                    message("account-belongs-to-another", name=name),
+                    remedy=message("account-remove-or-use-password"),
+                )
+            if before is not None:
+                connection.execute("DELETE FROM account WHERE name = ?", (before,))
+            made_at = rows[0]["made_at"] if rows else utc_now()
+            connection.execute(
+                "INSERT INTO account (name, role, password, made_at, provider, subject)"
+                " VALUES (?, ?, ?, ?, ?, ?)",
+                (name, role.name, NO_PASSWORD, made_at, provider, subject),
+            )
+        return Account(name, role, made_at, provider)
+
+    def find_subject(self, provider: str, subject: str) -> Account | None:
+        """The account of a person of a provider."""
+        found = self._read("WHERE provider = ? AND subject = ?", provider, subject)
+        return found[0] if found else None
+
     def authenticate(self, name: str, password: str) -> Account | None:
         """The account to which name and password belong; takes equally long for unknown names."""
         rows = self._database.read("SELECT * FROM account WHERE name = ?", plain_name(name))
-        hashed = rows[0]["password"] if rows else _dummy_hash()
+        known = bool(rows) and rows[0]["password"] != NO_PASSWORD
+        hashed = rows[0]["password"] if known else _dummy_hash()
         try:
             HASHER.verify(hashed, password)
         except (VerificationError, InvalidHashError):
             return None
-        return _account(rows[0]) if rows else None
+        return _account(rows[0]) if known else None
+
+    def check_local(self, name: str) -> None:
+        """Raises ``OperationError`` if the provider decides on password and role."""
+        account = self.get(name)
+        if account is not None and account.provider:
+            raise OperationError(
+                "account-of-provider",
+                message("account-is-of-provider", name=account.name),
+                remedy=message("account-change-at-provider"),
+            )
 
     def set_password(self, name: str, password: str) -> None:
-        """Raises ``OperationError`` if the password is unsuitable."""
+        """Raises ``OperationError`` if the password is unsuitable, or for an account of a
+        provider."""
+        self.check_local(name)
         hashed = self._hash_password(name, password)
         with self._database.transaction() as connection:
             connection.execute("UPDATE account SET password = ? WHERE name = ?", (hashed, name))
 
     def set_role(self, name: str, role: Role) -> None:
-        """Raises ``OperationError`` if no administrator would be left."""
+        """Raises ``OperationError`` if no administrator would be left, or for an account of a
+        provider."""
+        self.check_local(name)
         self._check_admin_left(name, role)
         with self._database.transaction() as connection:
             connection.execute("UPDATE account SET role = ? WHERE name = ?", (role.name, name))
@@ -161,7 +221,7 @@ def _dummy_hash() -> str:
 
 
 def _account(row: sqlite3.Row) -> Account:
-    return Account(row["name"], Role[row["role"]], row["made_at"])
+    return Account(row["name"], Role[row["role"]], row["made_at"], row["provider"])
 
 
 def plain_name(name: str) -> str:

@@ -38,6 +38,8 @@ class Principal:
     role: Role
     kiosk: bool
     """A screen on the shop floor without an operator."""
+    provider: str = ""
+    """The issuer of an account of a provider; empty for one of this station."""
 
 
 class LoginSessionStore:
@@ -71,8 +73,9 @@ class LoginSessionStore:
         """The user of a cookie or kiosk link; None if it is not valid (any more)."""
         digest = token_digest(token)
         rows = self._database.read(
-            "SELECT sign_in.begun_at, sign_in.seen_at, account.name, account.role FROM sign_in"
-            " JOIN account ON account.name = sign_in.account WHERE token = ?",
+            "SELECT sign_in.begun_at, sign_in.seen_at, account.name, account.role,"
+            " account.provider FROM sign_in JOIN account ON account.name = sign_in.account"
+            " WHERE token = ?",
             digest,
         )
         if rows:
@@ -84,12 +87,14 @@ class LoginSessionStore:
 
     def _memory_principal(self, digest: str) -> Principal | None:
         account, begun_at = self._in_memory[digest]
-        rows = self._database.read("SELECT name, role FROM account WHERE name = ?", account)
+        rows = self._database.read(
+            "SELECT name, role, provider FROM account WHERE name = ?", account
+        )
         late = datetime.now(UTC) - datetime.fromisoformat(begun_at) > IDLE
         if late or not rows:
             self._in_memory.pop(digest, None)
             return None
-        return Principal(digest[:ID_DIGITS], rows[0]["name"], Role[rows[0]["role"]], kiosk=False)
+        return _principal_of(digest, rows[0])
 
     def _principal(self, digest: str, row: sqlite3.Row) -> Principal | None:
         now = datetime.now(UTC)
@@ -108,7 +113,7 @@ class LoginSessionStore:
                     )
             except OperationError as error:  # a full disk does not prevent Stop
                 log.warning("a sign-in is not noted as used: %s", error.why)
-        return Principal(digest[:ID_DIGITS], row["name"], Role[row["role"]], kiosk=False)
+        return _principal_of(digest, row)
 
     def end(self, token: str) -> None:
         """Signs one browser out."""
@@ -121,6 +126,10 @@ class LoginSessionStore:
             if name.casefold() == account.casefold():
                 self._in_memory.pop(digest, None)
         self._end("account = ?", account)
+
+    def end_other_providers(self, provider: str) -> None:
+        """Signs out everyone whose account is of another provider; an empty one: of any."""
+        self._end("account IN (SELECT name FROM account WHERE provider NOT IN ('', ?))", provider)
 
     def remember_browser(self, token: str, account: str) -> str:
         """Marks a browser as known for this account; returns its token, a new one if it had
@@ -148,3 +157,8 @@ class LoginSessionStore:
     def _end(self, clause: str, value: str) -> None:
         with self._database.transaction() as connection:
             connection.execute(f"DELETE FROM sign_in WHERE {clause}", (value,))
+
+
+def _principal_of(digest: str, row: sqlite3.Row) -> Principal:
+    role = Role[row["role"]]
+    return Principal(digest[:ID_DIGITS], row["name"], role, kiosk=False, provider=row["provider"])

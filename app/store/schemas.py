@@ -148,6 +148,11 @@ CREATE TABLE performance (
     figures TEXT NOT NULL
 ) STRICT;
 """
+PROVIDERS = """
+ALTER TABLE account ADD COLUMN provider TEXT NOT NULL DEFAULT '';
+ALTER TABLE account ADD COLUMN subject TEXT NOT NULL DEFAULT '';
+CREATE UNIQUE INDEX one_account_of_a_subject ON account (provider, subject) WHERE provider <> '';
+"""
 SCHEMAS = (
     FIRST,
     ACCESS,
@@ -159,6 +164,7 @@ SCHEMAS = (
     KIOSKS,
     SENSORS,
     PERFORMANCES,
+    PROVIDERS,
 )
 """The additions of each version of the database."""
 SCHEMA_VERSION = len(SCHEMAS)

@@ -214,6 +214,14 @@ class SignInCode(RequestBody):
     code: Secret
 
 
+class ProviderReply(RequestBody):
+    """With what a provider of accounts sent the browser back: a code or an error."""
+
+    state: Annotated[str, Field(pattern=r"^[\w-]{1,100}$")]
+    code: Annotated[str, Field(pattern="^[ -~]*$", max_length=4096)] = ""
+    error: Annotated[str, Field(pattern="^[a-z_]*$", max_length=40)] = ""
+
+
 class FirstAdmin(RequestBody):
     code: Secret
     name: Name
@@ -259,17 +267,31 @@ class CurrentUser:
     name: str
     role: RoleName
     kiosk: bool
+    by_provider: bool = False
+    """Whether the account is of the provider, which has its password."""
+
+
+@dataclass(frozen=True)
+class ProviderPage:
+    """Where the browser goes to sign in with an account of the provider."""
+
+    address: str
 
 
 @dataclass(frozen=True)
 class SignInState:
     """``first_start``: the console's code creates the administrator; ``by_code``: the code signs
-    in."""
+    in; ``provider``: the name of the provider of accounts, empty if there is none, and
+    ``provider_trouble``, why it cannot be used; ``sign_out_page``: where it ends its own
+    session."""
 
     station: str
     you: CurrentUser | None
     first_start: bool
     by_code: bool
+    provider: str = ""
+    provider_trouble: Text = ""
+    sign_out_page: str = ""
 
 
 @dataclass(frozen=True)
@@ -277,6 +299,8 @@ class AccountSummary:
     name: str
     role: RoleName
     made_at: str
+    by_provider: bool = False
+    """Whether the account is of the provider, which has its password and its role."""
 
 
 @dataclass(frozen=True)

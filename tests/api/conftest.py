@@ -22,6 +22,7 @@ from app.operations.services import MonitoringSettings
 from app.server.application import build_app
 from app.server.demo import station_parts
 from app.server.listener import make_server
+from app.single_sign_on.settings import SignInSettings
 from app.store import accounts
 from hardware.simulator.station import SimulatedStation, SimulationConfig
 from tests.entering import cookie, enter
@@ -98,7 +99,10 @@ QUICK = SimulationConfig(pace=3.0)
 
 @contextmanager
 def running_server(
-    data: Path, config: SimulationConfig = QUICK, monitoring: MonitoringSettings | None = None
+    data: Path,
+    config: SimulationConfig = QUICK,
+    monitoring: MonitoringSettings | None = None,
+    sign_in: SignInSettings | None = None,
 ) -> Iterator[Server]:
     """A server on a data folder, with a client that has entered; it ends in order."""
     with (
@@ -108,7 +112,7 @@ def running_server(
     ):
         listening.bind(("127.0.0.1", 0))
         listening.listen()
-        parts = station_parts(simulation, data)
+        parts = replace(station_parts(simulation, data), sign_in=sign_in)
         app = build_app(parts if monitoring is None else replace(parts, monitoring=monitoring))
         running = make_server(app)
         thread = threading.Thread(target=running.run, kwargs={"sockets": [listening]})

@@ -205,7 +205,7 @@ def test_the_recordings_topics_and_message_are_as_described() -> None:
 
 def test_station_toml_has_every_key_and_the_defaults(examples: Path) -> None:
     file = examples / "station.toml"
-    for name in ("cert.pem", "key.pem", "mqtt-password", "archive-secret"):
+    for name in ("cert.pem", "key.pem", "mqtt-password", "archive-secret", "client-secret"):
         (examples / name).touch()
     trustme.CA().cert_pem.write_to_path(str(examples / "ca.pem"))
     settings, written = read_settings(file), tomllib.loads(file.read_text(encoding="utf-8"))

@@ -250,3 +250,30 @@ def test_a_browser_is_known_for_those_who_signed_in_at_it(store: Store) -> None:
     store.accounts.remove("Anna")
     assert not store.login_sessions.is_known_browser(token, "Anna")
     assert store.login_sessions.is_known_browser(token, "Ben")
+
+
+def test_who_signed_in_with_another_provider_must_sign_in_again(store: Store) -> None:
+    store.accounts.add("Local", Role.viewer, PASSWORD)
+    store.accounts.admit("https://one", "1", "One", Role.viewer)
+    store.accounts.admit("https://two", "1", "Two", Role.viewer)
+    tokens = {name: store.login_sessions.begin(name, "") for name in ("Local", "One", "Two")}
+    store.login_sessions.end_other_providers("https://two")
+    known = {name for name, token in tokens.items() if store.login_sessions.principal(token)}
+    assert known == {"Local", "Two"}
+    store.login_sessions.end_other_providers("")
+    known = {name for name, token in tokens.items() if store.login_sessions.principal(token)}
+    assert known == {"Local"}
+
+
+def test_an_administrator_of_the_provider_does_not_replace_the_last_one(store: Store) -> None:
+    store.accounts.add("Anna", Role.admin, PASSWORD)
+    store.accounts.admit("https://one", "1", "Ben", Role.admin)
+    with pytest.raises(OperationError) as refused:
+        store.accounts.remove("Anna")
+    assert refused.value.code == "last-admin"
+    with pytest.raises(OperationError) as refused:
+        store.accounts.set_password("ben", PASSWORD)
+    assert refused.value.code == "account-of-provider"
+    with pytest.raises(OperationError) as refused:
+        store.accounts.set_role("ben", Role.viewer)
+    assert refused.value.code == "account-of-provider"

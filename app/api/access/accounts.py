@@ -90,4 +90,5 @@ def _sign_out(context: Context, account: Account) -> None:
 
 
 def _summary(account: Account) -> AccountSummary:
-    return AccountSummary(account.name, ROLE_NAMES[account.role], account.made_at)
+    role, by_provider = ROLE_NAMES[account.role], bool(account.provider)
+    return AccountSummary(account.name, role, account.made_at, by_provider)

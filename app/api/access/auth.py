@@ -1,5 +1,7 @@
 """Signing in and out, and control of the station."""
 
+import asyncio
+from dataclasses import replace
 from http import HTTPStatus
 
 from fastapi import APIRouter, Request, Response
@@ -9,6 +11,7 @@ from app.api.access.authorization import (
     TheVisitor,
     address_of,
     browser_token,
+    own_address,
     set_browser_token,
     set_cookie,
     token_of,
@@ -16,6 +19,7 @@ from app.api.access.authorization import (
 )
 from app.messages.message import Text, message
 from app.operations.context import Context, TheContext
+from app.security.anonymous_queue import without_place
 from app.security.authentication import AccessDeniedError
 from app.station.control_lease import Control
 from app.store.accounts import Role
@@ -34,6 +38,7 @@ from app.wire.schema import (
 )
 
 router = APIRouter(prefix="/api")
+SIGNED_IN = message("signed")
 ROLE_NAMES: dict[Role, RoleName] = {
     Role.viewer: "viewer",
     Role.operator: "operator",
@@ -44,7 +49,7 @@ ROLE_NAMES: dict[Role, RoleName] = {
 @router.get("/session")
 def session(request: Request, context: TheContext) -> SignInState:
     """Who is signed in here, or how to sign in."""
-    return _session(context, visitor_of(request))
+    return sign_in_state(context, visitor_of(request))
 
 
 @router.get("/starting")
@@ -72,7 +77,7 @@ def sign_in(
             message("try-again-ask-administrator-new-password"),
         )
     _trust_browser(account.name, request, response, context)
-    return _begin(account.name, request, response, context)
+    return begin_session(account.name, request, response, context)
 
 
 @router.post("/session/code")
@@ -83,7 +88,7 @@ def sign_in_guest(
     guest = context.authenticator.guest_by_code(asked.code, address_of(request))
     if guest is None:
         raise _wrong_code(context, request, message("entered-consoles-code"))
-    return _begin(guest, request, response, context)
+    return begin_session(guest, request, response, context)
 
 
 @router.post("/session/admin")
@@ -97,7 +102,7 @@ def first_admin(
     if account is None:
         raise _wrong_code(context, request, message("made-first-administrator"))
     _trust_browser(account.name, request, response, context)
-    return _begin(account.name, request, response, context)
+    return begin_session(account.name, request, response, context)
 
 
 @router.post("/session/kiosk")
@@ -115,19 +120,32 @@ def sign_in_kiosk(
         )
     set_cookie(response, request, asked.code, kiosk=True)
     context.store.audit.note(visitor.name, address_of(request), message("opened-kiosk"))
-    return _session(context, visitor)
+    return sign_in_state(context, visitor)
 
 
 @router.delete("/session")
-def sign_out(request: Request, response: Response, context: TheContext) -> SignInState:
-    """Signs this browser out; its control goes to whoever requested it, or becomes free."""
-    visitor, token = visitor_of(request), token_of(request)
+async def sign_out(request: Request, response: Response, context: TheContext) -> SignInState:
+    """Signs this browser out; its control goes to whoever requested it, or becomes free.
+
+    The answer names the page on which the provider of the account signs out, too.
+    """
+    visitor = await asyncio.to_thread(_end_session, request, context)
+    set_cookie(response, request, "", kiosk=False)
+    signed_out = await asyncio.to_thread(sign_in_state, context, None)
+    if visitor is None or not visitor.provider or context.provider is None:
+        return signed_out
+    async with without_place(request):
+        page = await context.provider.sign_out_address(own_address(request, "/"))
+    return replace(signed_out, sign_out_page=page)
+
+
+def _end_session(request: Request, context: Context) -> Principal | None:
+    visitor = visitor_of(request)
     if visitor is not None:
         context.lease.leave(visitor.id)
-        context.store.login_sessions.end(token)
+        context.store.login_sessions.end(token_of(request))
         context.store.audit.note(visitor.name, address_of(request), message("signed-out"))
-    set_cookie(response, request, "", kiosk=False)
-    return _session(context, None)
+    return visitor
 
 
 @router.post("/session/password")
@@ -139,6 +157,7 @@ def change_password(
     visitor: TheVisitor,
 ) -> SignInState:
     """Changes the user's own password; all other browsers of this user are signed out."""
+    context.store.accounts.check_local(visitor.name)
     address, browser = address_of(request), browser_token(request)
     if context.authenticator.sign_in(visitor.name, asked.old, address, browser) is None:
         raise AccessDeniedError(
@@ -150,7 +169,7 @@ def change_password(
     context.store.accounts.set_password(visitor.name, asked.new)
     context.store.login_sessions.end_all(visitor.name)
     context.lease.leave_all(visitor.name)
-    return _begin(visitor.name, request, response, context)
+    return begin_session(visitor.name, request, response, context)
 
 
 @router.post("/control/ask")
@@ -188,14 +207,18 @@ def current_user(visitor: Principal | None) -> CurrentUser | None:
     """A user as their own browser sees them."""
     if visitor is None:
         return None
-    return CurrentUser(visitor.id, visitor.name, ROLE_NAMES[visitor.role], visitor.kiosk)
+    role, by_provider = ROLE_NAMES[visitor.role], bool(visitor.provider)
+    return CurrentUser(visitor.id, visitor.name, role, visitor.kiosk, by_provider)
 
 
-def _begin(name: str, request: Request, response: Response, context: Context) -> SignInState:
+def begin_session(
+    name: str, request: Request, response: Response, context: Context, act: Text = SIGNED_IN
+) -> SignInState:
+    """Signs this browser in; ``act`` is for the audit log."""
     token = context.store.login_sessions.begin(name, request.headers.get("user-agent", ""))
     set_cookie(response, request, token, kiosk=False)
-    context.store.audit.note(name, address_of(request), message("signed"))
-    return _session(context, context.store.login_sessions.principal(token))
+    context.store.audit.note(name, address_of(request), act)
+    return sign_in_state(context, context.store.login_sessions.principal(token))
 
 
 def _trust_browser(name: str, request: Request, response: Response, context: Context) -> None:
@@ -207,10 +230,16 @@ def _trust_browser(name: str, request: Request, response: Response, context: Con
         )
 
 
-def _session(context: Context, visitor: Principal | None) -> SignInState:
-    entrance = context.authenticator
+def sign_in_state(context: Context, visitor: Principal | None) -> SignInState:
+    """Who is signed in, or how to sign in."""
+    entrance, provider = context.authenticator, context.provider
     return SignInState(
-        context.station.name, current_user(visitor), entrance.first_start, entrance.by_code
+        context.station.name,
+        current_user(visitor),
+        entrance.first_start,
+        entrance.by_code,
+        provider.name if provider else "",
+        provider.trouble if provider else "",
     )
 
 

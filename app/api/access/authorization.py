@@ -184,6 +184,23 @@ def browser_token(connection: HTTPConnection) -> str:
     return connection.cookies.get(f"{cookie_name(connection)}-known", "")
 
 
+def own_address(connection: HTTPConnection, path: str) -> str:
+    """The address of a page, as this browser reaches the server."""
+    return f"{connection.url.scheme}://{connection.url.netloc}{path}"
+
+
+def pending_cookie(connection: HTTPConnection) -> str:
+    """The cookie of a sign-in that waits for the provider's answer, or an empty string."""
+    return connection.cookies.get(f"{cookie_name(connection)}-pending", "")
+
+
+def set_pending_cookie(
+    response: Response, connection: HTTPConnection, value: str, lasts_s: int
+) -> None:
+    """A sign-in was begun in this browser; an empty value: it is finished."""
+    _write_cookie(response, connection, f"{cookie_name(connection)}-pending", value, lasts_s)
+
+
 def set_cookie(response: Response, connection: HTTPConnection, token: str, kiosk: bool) -> None:
     """Signs this browser in with a token; scripts cannot read it, other pages cannot send it."""
     lasts_s = A_YEAR_S if kiosk else int(LONGEST.total_seconds())

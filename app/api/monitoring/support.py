@@ -121,6 +121,9 @@ def context_redactor(context: Context) -> Redactor:
     if watch.settings.mqtt is not None:
         with suppress(OperationError):  # what cannot be read cannot leak
             secrets.append(watch.settings.mqtt.password() or "")
+    if context.provider is not None:
+        with suppress(OperationError):
+            secrets.append(context.provider.settings.client_secret() or "")
     people = {account.name for account in store.accounts.all()}
     people |= {entry.who for entry in store.audit.newest(100_000)}
     people |= {link.made_by for link in (*store.kiosk_links.all(), *store.api_tokens.all())}

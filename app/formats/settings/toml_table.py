@@ -1,5 +1,6 @@
 """What the tables of ``station.toml`` are made of."""
 
+import ssl
 from pathlib import Path
 from typing import Annotated
 
@@ -7,7 +8,7 @@ from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, ValidationIn
 from pydantic_core import PydanticKnownError
 
 from app.errors import OperationError
-from app.formats.open_file import read_bounded
+from app.formats.open_file import check_ordinary, read_bounded
 from app.messages.message import Text, message
 
 
@@ -44,3 +45,27 @@ def read_secret(path: Path, code: str, remedy: Text) -> str:
         reason = str(getattr(error, "strerror", None) or error)
         what = message("cannot-read-2", password_file=path)
         raise OperationError(code, what, reason, remedy) from error
+
+
+def check_authority(file: Path, code: str, table: str, whose: str) -> None:
+    """Checks the certificates of an authority.
+
+    Args:
+        code: of the error.
+        table: the table with the key ``ca_file``, with the path of its file.
+        whose: of which server it is the authority.
+
+    Raises:
+        OperationError: the file is not there, or holds no certificates.
+    """
+    try:
+        check_ordinary(file)
+        ssl.create_default_context(cafile=file)
+    except OSError as error:  # those of TLS are of this kind
+        unreadable = isinstance(error, ssl.SSLError)
+        raise OperationError(
+            code,
+            f"{table}: ca_file = {str(file)!r}",
+            "it holds no certificates" if unreadable else "there is no such file",
+            f"Give the certificates of the {whose}'s authority in PEM format",
+        ) from error

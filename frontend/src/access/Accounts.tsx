@@ -60,9 +60,14 @@ function AccountRow({ account, onChange }: { account: AccountSummary; onChange: 
           {own && ` (${t("ui-you")})`}
         </strong>
         <span>{t("ui-since", { when: moment(account.made_at) })}</span>
+        {account.by_provider && <span>{t("ui-provider-sets-role-and-password")}</span>}
       </div>
-      <RoleChoice role={account.role} disabled={own} onRole={(role) => change({ role })} name={account.name} />
-      {!own && password === null && (
+      {account.by_provider ? (
+        <span>{t(ROLES[account.role])}</span>
+      ) : (
+        <RoleChoice role={account.role} disabled={own} onRole={(role) => change({ role })} name={account.name} />
+      )}
+      {!own && !account.by_provider && password === null && (
         <PressButton free onPress={() => setPassword("")}>
           {t("ui-new-password")}
         </PressButton>

@@ -1,12 +1,17 @@
 import { clearBanner } from "../state/banner";
 import { t } from "../state/language";
+import { asSent } from "../state/localized";
 import { setState } from "../state/store";
 import { done, notifyOfError } from "./commands";
 import { drop, get, NoAnswer, post } from "./http";
 import type { Role } from "./types";
-import type { AccessTokenSummary, AccountSummary, Control, SignInState } from "./wire";
+import type { AccessTokenSummary, AccountSummary, Control, ProviderPage, ProviderReply, SignInState } from "./wire";
 
 const AGAIN_MS = 1000;
+/** The page to which a provider of accounts sends the browser back. */
+const PROVIDER_PATH = "/sign-in";
+/** In the session storage: the page that was open before. */
+const PATH_BEFORE = "crenel-path-before-sign-in";
 
 /** The part of a link after its #, removed from the address at once. Earlier kiosk links have "wall". */
 function fragment(): { way: "code" | "kiosk"; value: string } | null {
@@ -16,8 +21,26 @@ function fragment(): { way: "code" | "kiosk"; value: string } | null {
   return { way: found[1] === "code" ? "code" : "kiosk", value: found[2] ?? "" };
 }
 
-/** Signs in with the link that opened this page, or continues with the existing sign-in. */
+/** What a provider of accounts sent, removed from the address at once. */
+function providerReply(): ProviderReply | null {
+  if (window.location.pathname !== PROVIDER_PATH) return null;
+  const query = new URLSearchParams(window.location.search);
+  window.history.replaceState(null, "", sessionStorage.getItem(PATH_BEFORE) ?? "/");
+  sessionStorage.removeItem(PATH_BEFORE);
+  const state = query.get("state");
+  return state ? { state, code: query.get("code") ?? "", error: query.get("error") ?? "" } : null;
+}
+
+/** Signs in with the provider's answer or the link that opened this page, or continues with the existing sign-in. */
 export async function startSession(): Promise<void> {
+  const reply = providerReply();
+  if (reply) {
+    try {
+      return put(await post<SignInState>("/api/session/provider/answer", reply));
+    } catch (error) {
+      notifyOfError(error, t("ui-you-were-not-signed-in"));
+    }
+  }
   const link = fragment();
   if (link) {
     try {
@@ -43,7 +66,7 @@ export async function readSession(): Promise<void> {
 }
 
 function put(session: SignInState | null): void {
-  if (session) setState({ session });
+  if (session) setState({ session: asSent(session) });
 }
 
 export const signIn = (name: string, password: string) =>
@@ -58,8 +81,22 @@ export const makeAdmin = (code: string, name: string, password: string) =>
     t("ui-the-account-was-not-created"),
   );
 
+/** Opens the sign-in page of the provider of accounts. */
+export const signInWithProvider = () =>
+  done(async () => {
+    const page = await post<ProviderPage>("/api/session/provider");
+    if (!page) return;
+    sessionStorage.setItem(PATH_BEFORE, window.location.pathname);
+    window.location.assign(page.address);
+  }, t("ui-you-were-not-signed-in"));
+
+/** Signs out here, and with an account of the provider on its page, too. */
 export const signOut = () =>
-  done(async () => put(await drop<SignInState>("/api/session")), t("ui-you-may-still-be-signed-in"));
+  done(async () => {
+    const session = await drop<SignInState>("/api/session");
+    put(session);
+    if (session?.sign_out_page) window.location.assign(session.sign_out_page);
+  }, t("ui-you-may-still-be-signed-in"));
 
 export const changePassword = (old: string, fresh: string) =>
   done(

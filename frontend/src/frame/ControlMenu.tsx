@@ -49,7 +49,7 @@ export function ControlMenu() {
           {t("ui-you-are-signed-in-as")} <strong>{isolated(you.name)}</strong>,{" "}
           {you.kiosk ? t("ui-a-kiosk-display") : t(ROLES[you.role])}.
         </p>
-        {!you.kiosk && !guest && <PasswordForm />}
+        {!you.kiosk && !guest && !you.by_provider && <PasswordForm />}
         <PressButton free onPress={async () => void (await signOut())}>
           {t("ui-sign-out")}
         </PressButton>

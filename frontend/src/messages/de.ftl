@@ -634,6 +634,7 @@ ui-option-trigger = Trigger
 ui-option-trigger-edge = Flanke des Triggers
 ui-option-url = Anschluss oder Adresse
 ui-option-width = Breite
+ui-or-with-an-account-of-this-station = oder mit einem Konto dieser Station
 ui-out-of-the-frame = außerhalb des Bildes
 ui-outlier = Ausreißer
 ui-outlier-does-not-fit-face-not = Ausreißer: Der Punkt passt nicht zu seiner Fläche und wird nicht verwendet.
@@ -710,6 +711,8 @@ ui-problems = { $n ->
        *[other] { $n } Probleme
     }
 ui-prometheus-reads = Prometheus liest { $address } mit einem eigenen Token, gesendet als Bearer.
+ui-provider-sets-role-and-password = Konto des Anbieters, der Rolle und Passwort festlegt
+ui-provider-trouble = { $trouble }. Melden Sie sich mit einem Konto dieser Station an.
 ui-put-datasheet-plate-sphere-into-folder = Das Datenblatt einer Platte oder Kugel, oder den digitalen Kalibrierschein (DCC) einer Kugel, in den Ordner „gauges“ des Datenordners legen. Das Datenblatt enthält Nennmaß, Kalibrierschein und Grenzwerte. Das Prüfnormal erscheint sofort hier.
 ui-radius-error = Radiusabweichung
 ui-radius-error-lowercase = Radiusabweichung
@@ -822,6 +825,7 @@ ui-show-pose = Pose { $n } anzeigen
 ui-sign-in = Anmelden
 ui-sign-in-to-continue = Zum Fortfahren anmelden
 ui-sign-in-with-a-name = Mit Namen anmelden
+ui-sign-in-with-provider = Mit { $name } anmelden
 ui-sign-in-with-the-consoles-code = Mit dem Code der Konsole anmelden
 ui-sign-out = Abmelden
 ui-signed-out-everywhere-no-longer-sign = { $name } wird überall abgemeldet und kann sich nicht mehr anmelden. Die Einträge im Aktionsprotokoll bleiben erhalten.

@@ -634,6 +634,7 @@ ui-option-trigger = Trigger
 ui-option-trigger-edge = Edge of the trigger
 ui-option-url = Port or address
 ui-option-width = Width
+ui-or-with-an-account-of-this-station = or with an account of this station
 ui-out-of-the-frame = out of the frame
 ui-outlier = outlier
 ui-outlier-does-not-fit-face-not = Outlier: this point does not fit its face and is not used.
@@ -710,6 +711,8 @@ ui-problems = { $n ->
        *[other] { $n } problems
     }
 ui-prometheus-reads = Prometheus reads { $address } with its own token, sent as a Bearer token.
+ui-provider-sets-role-and-password = Account of the provider, which sets role and password
+ui-provider-trouble = { $trouble }. Sign in with an account of this station.
 ui-put-datasheet-plate-sphere-into-folder = Put the file of a plate or sphere, or the digital certificate (DCC) of a sphere, into the folder gauges of the data folder. The file holds the nominal size, the certificate and the limits. The gauge appears here at once.
 ui-radius-error = Radius error
 ui-radius-error-lowercase = radius error
@@ -822,6 +825,7 @@ ui-show-pose = Show pose { $n }
 ui-sign-in = Sign in
 ui-sign-in-to-continue = Sign in to continue
 ui-sign-in-with-a-name = Sign in with a name
+ui-sign-in-with-provider = Sign in with { $name }
 ui-sign-in-with-the-consoles-code = Sign in with the console's code
 ui-sign-out = Sign out
 ui-signed-out-everywhere-no-longer-sign = { $name } is signed out everywhere and can no longer sign in. Their entries stay in the audit log.

@@ -1,5 +1,5 @@
 import { type FormEvent, type ReactNode, useState } from "react";
-import { enterByCode, makeAdmin, signIn } from "../api/session";
+import { enterByCode, makeAdmin, signIn, signInWithProvider } from "../api/session";
 import type { SignInState } from "../api/wire";
 import { ChooseLanguage } from "../parts/ChooseLanguage";
 import { Mark } from "../parts/icons";
@@ -23,11 +23,30 @@ export function EntrancePage({ session }: { session: SignInState }) {
             <div className={styles.station}>{isolated(session.station)}</div>
           </div>
         </div>
+        {session.provider && <WithProvider session={session} />}
         <Way session={session} />
         <EntranceMessage />
         <ChooseLanguage id="entrance-language" />
       </div>
     </main>
+  );
+}
+
+/** The button for accounts of the provider, or why it cannot be used now; above those of the station. */
+function WithProvider({ session }: { session: SignInState }) {
+  return (
+    <div className={styles.form}>
+      <PressButton free kind="primary" onPress={async () => void (await signInWithProvider())}>
+        {t("ui-sign-in-with-provider", { name: session.provider })}
+      </PressButton>
+      {session.provider_trouble && (
+        <p className={styles.trouble}>
+          <QualityMark quality="attention" />
+          <span>{t("ui-provider-trouble", { trouble: String(session.provider_trouble) })}</span>
+        </p>
+      )}
+      <p className={styles.or}>{t("ui-or-with-an-account-of-this-station")}</p>
+    </div>
   );
 }
 
