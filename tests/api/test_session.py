@@ -256,6 +256,7 @@ def test_a_kiosk_shows_and_does_nothing(server: Server) -> None:
             "name": "Hall 3",
             "role": "viewer",
             "kiosk": True,
+            "by_provider": False,
         }
         assert screen.get("/api/flow").status_code == 200
         assert screen.post("/api/stop").status_code == 403
