@@ -13,8 +13,8 @@ export default defineConfig({
     license: { fileName: "licences.md" },
     chunkSizeWarningLimit: 600,
     rollupOptions: {
-      // the client, and the page that is there while the station starts
-      input: ["index.html", "starting.html"],
+      // the client, the page that is there while the station starts, and that of the fleet
+      input: ["index.html", "starting.html", "fleet.html"],
       // a language is one file, the client's texts and the station's
       output: {
         codeSplitting: {

@@ -146,6 +146,22 @@ def serve(
     run_serve(config, data, host, port, open_browser)
 
 
+@cli.command()
+@report_errors
+def fleet(
+    config: Annotated[
+        Path | None, typer.Option("--config", help="fleet.toml: database, stations, broker.")
+    ] = None,
+    host: Host = "127.0.0.1",
+    port: Port = 8100,
+    open_browser: Open = False,
+) -> None:
+    """Serve one page for all stations: search, drift, calibrations, archive state."""
+    from app.server.fleet.start import serve_fleet
+
+    serve_fleet(config, host, port, open_browser)
+
+
 cli.command()(calibrate)
 
 

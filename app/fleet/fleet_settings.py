@@ -13,6 +13,7 @@ from app.fleet.collection.collector import CollectedStation
 from app.fleet.collection.places import ArchivePlace, FolderPlace, RecordPlace
 from app.formats.settings.toml_table import NonEmpty, SettingsPath, TomlTable, read_secret
 from app.messages.message import message
+from app.settings.settings import Serving
 from app.settings.station_toml import read_tables
 from app.supervision.broker_settings import BrokerSettings
 
@@ -82,10 +83,24 @@ class StationPlaces(TomlTable):
         return found
 
 
+class FleetServerSettings(TomlTable):
+    """``[server]`` of fleet.toml."""
+
+    password_file: SettingsPath | None = None
+    """Contains only the password of the page."""
+    tls_certificate: SettingsPath | None = None
+    tls_key: SettingsPath | None = None
+
+    def serving(self) -> Serving:
+        """How browsers reach the server."""
+        return Serving(tls_certificate=self.tls_certificate, tls_key=self.tls_key)
+
+
 class FleetSettings(TomlTable):
     """The whole file."""
 
     catalogue: CatalogueSettings
+    server: FleetServerSettings = FleetServerSettings()
     stations: dict[StationId, StationPlaces] = Field(default_factory=dict)
     mqtt: BrokerSettings | None = None
 

@@ -1206,8 +1206,12 @@ flanges-frame-now-arms-calibrations-made = Das Flanschsystem ist jetzt das diese
 flat-board-tells-cameras-focal-length = eine ebene Tafel bestimmt die Brennweite der Kamera ab { $fewest_poses } gegeneinander geneigten Bildern
 fleet-give-place = Geben Sie archive = {"{"} url = "…" {"}"} oder data = "…" an
 fleet-library-missing = Die Bibliotheken der Flotte fehlen: { $libraries }
+fleet-name-page-password = Nennen Sie eine Datei, die nur das Passwort der Seite enthält
 fleet-name-password-file = Nennen Sie eine Datei, die nur das Passwort der Datenbank enthält
 fleet-no-marker = crenel-archive.txt fehlt darin; die Station schreibt es mit ihrem ersten Datensatz
+fleet-no-record = Der Katalog hat keinen solchen Datensatz: { $id }
+fleet-open-to-all = Jeder, der { $host } erreicht, könnte den Katalog lesen
+fleet-set-password = Setzen Sie password_file in [server] der fleet.toml, oder lassen Sie --host bei 127.0.0.1
 fleet-settings-missing = { $path }: diese Datei gibt es nicht
 fleet-station-has-no-place = { $file }: eine Station hat weder ein Archiv noch einen Datenordner
 fleet-write-settings = Schreiben Sie eine, wie docs/fleet.md zeigt, oder nennen Sie eine andere mit --config

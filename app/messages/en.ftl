@@ -1202,8 +1202,12 @@ flanges-frame-now-arms-calibrations-made = The flange frame is now that of this 
 flat-board-tells-cameras-focal-length = a flat board determines the camera's focal length only with at least { $fewest_poses } pictures, tilted relative to each other
 fleet-give-place = Give archive = {"{"} url = "…" {"}"} or data = "…"
 fleet-library-missing = The libraries of the fleet are missing: { $libraries }
+fleet-name-page-password = Name a file that contains only the password of the page
 fleet-name-password-file = Name a file that contains only the password of the database
 fleet-no-marker = it lacks crenel-archive.txt, which the station writes there with its first record
+fleet-no-record = The catalogue has no such record: { $id }
+fleet-open-to-all = Anyone who reaches { $host } could read the catalogue
+fleet-set-password = Set password_file in [server] of fleet.toml, or leave --host at 127.0.0.1
 fleet-settings-missing = { $path }: there is no such file
 fleet-station-has-no-place = { $file }: a station has neither an archive nor a data folder
 fleet-write-settings = Write one as docs/fleet.md shows, or name another with --config

@@ -45,7 +45,7 @@ class BoundedClient(aiomqtt.Client):
         user: str | None,
         password: str | None,
         identifier: str,
-        will: aiomqtt.Will,
+        will: aiomqtt.Will | None,
         keepalive_s: int,
         answer_s: float,
         tls: ssl.SSLContext | None,

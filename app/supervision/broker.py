@@ -52,11 +52,21 @@ class Broker:
 
     Everything runs on the event loop. The station works with or without the connection: only the
     latest report counts, and the oldest waiting events are dropped.
+
+    Args:
+        listens_only: it is no station: it appears nowhere, and publishes nothing.
     """
 
     def __init__(
-        self, settings: BrokerSettings, station: str, name: str, instance: str, fleet: Fleet
+        self,
+        settings: BrokerSettings,
+        station: str,
+        name: str,
+        instance: str,
+        fleet: Fleet,
+        listens_only: bool = False,
     ) -> None:
+        self._listens_only = listens_only
         self._settings, self._station, self._name = settings, station, name
         self._instance, self.fleet = instance, fleet
         self._report: StationReport | None = None
@@ -117,7 +127,9 @@ class Broker:
         tls = None
         if settings.tls or settings.ca_file is not None:
             tls = ssl.create_default_context(cafile=settings.ca_file)
-        lost = self._presence("lost")
+        lost = aiomqtt.Will(
+            self._topic("presence"), self._presence("lost").model_dump_json(), 1, True
+        )
         inbox = Inbox(settings.prefix, self.fleet.unread, self._is_known)
         async with BoundedClient(
             settings.host,
@@ -126,7 +138,7 @@ class Broker:
             user=settings.user,
             password=await asyncio.to_thread(settings.password),
             identifier=f"crenel-{self._station}-{self._instance}",
-            will=aiomqtt.Will(self._topic("presence"), lost.model_dump_json(), 1, True),
+            will=None if self._listens_only else lost,
             keepalive_s=KEEPALIVE_S,
             answer_s=ANSWER_S,
             tls=tls,
@@ -206,7 +218,9 @@ class Broker:
     async def _send(
         self, client: aiomqtt.Client, kind: str, payload: Payload, *, retain: bool, qos: int = 1
     ) -> None:
-        await client.publish(self._topic(kind), payload.model_dump_json(), qos=qos, retain=retain)
+        if not self._listens_only:
+            text = payload.model_dump_json()
+            await client.publish(self._topic(kind), text, qos=qos, retain=retain)
         _end_if_cancelled()
 
     def _presence(self, state: str) -> Presence:

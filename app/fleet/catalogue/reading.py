@@ -181,6 +181,31 @@ def read_scans(
     return [_read_row(row).entry for row in connection.execute(wanted.order_by(RecordRow.at))]
 
 
+def list_newest_calibrations(connection: Connection) -> list[CatalogueEntry]:
+    """The calibration that each station accepted last for each of its sensors, with its figures."""
+    newest = (
+        select(RecordRow.station, RecordRow.sensor_serial, func.max(RecordRow.at).label("at"))
+        .where(RecordRow.kind == "calibration")
+        .group_by(RecordRow.station, RecordRow.sensor_serial)
+        .subquery()
+    )
+    rows = connection.execute(
+        select(RecordRow.station, RecordRow.id)
+        .join(
+            newest,
+            and_(
+                RecordRow.station == newest.c.station,
+                RecordRow.sensor_serial == newest.c.sensor_serial,
+                RecordRow.at == newest.c.at,
+            ),
+        )
+        .where(RecordRow.kind == "calibration")
+        .order_by(RecordRow.station, RecordRow.sensor_serial)
+    ).all()
+    found = [read_record(connection, row[0], "calibration", row[1]) for row in rows]
+    return [entry for entry in found if entry is not None]
+
+
 def newest_calibration(
     connection: Connection, station: str, sensor_serial: str
 ) -> CatalogueEntry | None:

@@ -316,6 +316,47 @@ ui-fit-a-shape-first = Zuerst eine Form einpassen
 ui-fitted-plane-outward-positive = von der eingepassten Ebene, nach außen positiv
 ui-fitted-sphere-outward-positive = von der eingepassten Kugel, nach außen positiv
 ui-flat-chessboard-laser-line-crosses-also = Auch ein ebenes Schachbrett, über das die Laserlinie verläuft, ist geeignet; es muss nicht angetastet werden.
+ui-fleet = Flotte
+ui-fleet-affected = { $n ->
+    [one] Eine Aufnahme ist betroffen.
+   *[other] { $n } Aufnahmen sind betroffen.
+}
+ui-fleet-archived = Archiviert
+ui-fleet-back = Zurück zur Liste
+ui-fleet-calibrations = Kalibrierungen
+ui-fleet-changed = Änderung um { $size } ± { $uncertainty } { $unit } (k = 2) zwischen { $earliest } und { $latest } (95 %).
+ui-fleet-collected = Gesammelt
+ui-fleet-drift = Drift
+ui-fleet-ended = Spätestens am { $when } wieder wie vorher.
+ui-fleet-expanded = U (k = 2)
+ui-fleet-explained = Nur die Prüfungen dieses Zeitraums verwendeten: { $calibrations }. Die Aufnahmen damit sind betroffen.
+ui-fleet-file = Datei
+ui-fleet-from = Gesammelt aus
+ui-fleet-kind = Art
+ui-fleet-label = Name
+ui-fleet-lasts = Sie dauert an.
+ui-fleet-newest = Neuester Datensatz
+ui-fleet-no-answer = Der Server der Flotte antwortet nicht, oder seine Datenbank ist jetzt nicht benutzbar. Die Stationen arbeiten weiter, und nichts geht verloren.
+ui-fleet-not-collected = Am Broker, aber nicht in fleet.toml: es wird nichts gesammelt.
+ui-fleet-not-on-broker = Am Broker nicht gehört
+ui-fleet-nothing-found = Kein Datensatz gefunden.
+ui-fleet-object = Prüfkörper
+ui-fleet-only-on-station = Nur auf der Station
+ui-fleet-place = Katalog: { $place }
+ui-fleet-possible = { $n ->
+    [one] Eine weitere ist vielleicht betroffen.
+   *[other] { $n } weitere sind vielleicht betroffen.
+}
+ui-fleet-quantity = Größe
+ui-fleet-records = Datensätze
+ui-fleet-session = Andere Sitzung
+ui-fleet-since = Von
+ui-fleet-size = Umfang
+ui-fleet-software = Software
+ui-fleet-symbol = Symbol
+ui-fleet-until = Bis
+ui-fleet-verdict = Ergebnis
+ui-fleet-words = Teil, Bediener, Kennung, Seriennummer
 ui-for = seit { $age }
 ui-for-information-without-a-limit = zur Information, ohne Grenzwert
 ui-form = Form

@@ -316,6 +316,47 @@ ui-fit-a-shape-first = Fit a shape first
 ui-fitted-plane-outward-positive = from the fitted plane (outward is positive)
 ui-fitted-sphere-outward-positive = from the fitted sphere (outward is positive)
 ui-flat-chessboard-laser-line-crosses-also = You can also use a flat chessboard that the laser line crosses. Touching it is optional.
+ui-fleet = Fleet
+ui-fleet-affected = { $n ->
+    [one] One recording is affected.
+   *[other] { $n } recordings are affected.
+}
+ui-fleet-archived = Archived
+ui-fleet-back = Back to the list
+ui-fleet-calibrations = Calibrations
+ui-fleet-changed = Changed by { $size } ± { $uncertainty } { $unit } (k = 2) between { $earliest } and { $latest } (95 %).
+ui-fleet-collected = Collected
+ui-fleet-drift = Drift
+ui-fleet-ended = Back to the level before by { $when }.
+ui-fleet-expanded = U (k = 2)
+ui-fleet-explained = Only the tests of this period used: { $calibrations }. The recordings with these are affected.
+ui-fleet-file = File
+ui-fleet-from = Collected from
+ui-fleet-kind = Kind
+ui-fleet-label = Name
+ui-fleet-lasts = It lasts.
+ui-fleet-newest = Newest record
+ui-fleet-no-answer = The fleet's server does not answer, or its database cannot be used now. The stations go on, and nothing is lost.
+ui-fleet-not-collected = On the broker, but not in fleet.toml: nothing is collected.
+ui-fleet-not-on-broker = Not heard on the broker
+ui-fleet-nothing-found = No record is found.
+ui-fleet-object = Artefact
+ui-fleet-only-on-station = Only on the station
+ui-fleet-place = Catalogue: { $place }
+ui-fleet-possible = { $n ->
+    [one] One more is perhaps affected.
+   *[other] { $n } more are perhaps affected.
+}
+ui-fleet-quantity = Quantity
+ui-fleet-records = Records
+ui-fleet-session = Other session
+ui-fleet-since = From
+ui-fleet-size = Size
+ui-fleet-software = Software
+ui-fleet-symbol = Symbol
+ui-fleet-until = Until
+ui-fleet-verdict = Result
+ui-fleet-words = Part, operator, id, serial number
 ui-for = for { $age }
 ui-for-information-without-a-limit = for information, without a limit
 ui-form = Form

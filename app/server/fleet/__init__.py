@@ -1,0 +1,1 @@
+"""``crenel fleet``: a server with one page for all stations: catalogue, drift, archive, MQTT."""

@@ -1,0 +1,60 @@
+"""Starts the fleet's server."""
+
+import logging
+from pathlib import Path
+
+from app.errors import OperationError
+from app.fleet.catalogue.libraries import check_libraries
+from app.formats.settings.toml_table import read_secret
+from app.messages.message import message
+from app.server.listener import (
+    LOOPBACK,
+    OneLineFormatter,
+    listen,
+    local_address,
+    make_server,
+    raise_file_limit,
+)
+
+PORTS_TRIED = 10
+
+
+def serve_fleet(config: Path | None, host: str, port: int, open_browser: bool) -> None:
+    """Serves until SIGINT or SIGTERM.
+
+    Raises:
+        OperationError: a library is missing, the settings are wrong, the port is in use, or other
+            machines could read the catalogue without a password.
+    """
+    check_libraries()
+    from app.fleet.fleet_settings import read_fleet_settings
+    from app.server.fleet.application import build_fleet_app
+    from app.server.fleet.service import FleetService
+
+    settings = read_fleet_settings(config)
+    password = ""
+    if settings.server.password_file is not None:
+        remedy = message("fleet-name-page-password")
+        password = read_secret(settings.server.password_file, "fleet-password", remedy)
+    if host not in LOOPBACK and not password:
+        raise OperationError(
+            "fleet-open",
+            message("fleet-open-to-all", host=host),
+            remedy=message("fleet-set-password"),
+        )
+    raise_file_limit()
+    listening = listen(host, port, PORTS_TRIED)
+    serving = settings.server.serving()
+    server = make_server(build_fleet_app(FleetService(settings), password), serving)
+    console = logging.StreamHandler()
+    console.setLevel(logging.WARNING)
+    console.setFormatter(OneLineFormatter("%(asctime)s %(name)s: %(message)s"))
+    logging.getLogger().addHandler(console)
+    server.address = local_address(host, listening, serving)
+    server.open_browser = open_browser
+    try:
+        server.run(sockets=[listening])
+    except KeyboardInterrupt:
+        pass  # uvicorn raises the signal again after a regular end
+    finally:
+        listening.close()

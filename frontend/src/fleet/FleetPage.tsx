@@ -1,0 +1,54 @@
+import { useState } from "react";
+import { Chips } from "../parts/Chips";
+import { ChooseLanguage } from "../parts/ChooseLanguage";
+import { Mark } from "../parts/icons";
+import { t, useLanguage } from "../state/language";
+import { type Overview, useAnswer } from "./answers";
+import { CalibrationsTable } from "./CalibrationsTable";
+import { DriftView } from "./DriftView";
+import styles from "./FleetPage.module.css";
+import { RecordSearch } from "./RecordSearch";
+import { StationList } from "./StationList";
+
+type View = "stations" | "records" | "drift" | "calibrations";
+const READ_MS = 5000;
+
+/** All stations: what they do, what they recorded, and how their figures drift. */
+export function FleetPage() {
+  const language = useLanguage();
+  const [view, setView] = useState<View>("stations");
+  const { value: overview, failed } = useAnswer<Overview>("/api/fleet/overview", READ_MS);
+  return (
+    <div className={styles.frame} key={language}>
+      <header className={styles.bar}>
+        <Mark size="1.75em" />
+        <h1 className={styles.title}>{t("ui-fleet")}</h1>
+        <Chips
+          label={t("ui-view")}
+          value={view}
+          onChange={setView}
+          options={[
+            { value: "stations", label: t("ui-stations") },
+            { value: "records", label: t("ui-fleet-records") },
+            { value: "drift", label: t("ui-fleet-drift") },
+            { value: "calibrations", label: t("ui-fleet-calibrations") },
+          ]}
+        />
+        <div className={styles.language}>
+          <ChooseLanguage id="fleet-language" />
+        </div>
+      </header>
+      <main className={styles.main} tabIndex={0} aria-label={t("ui-fleet")}>
+        {(failed || overview?.problem) && (
+          <p className={styles.problem} role="status">
+            {overview?.problem || t("ui-fleet-no-answer")}
+          </p>
+        )}
+        {overview && view === "stations" && <StationList stations={overview.stations} place={overview.place} />}
+        {overview && view === "records" && <RecordSearch overview={overview} />}
+        {overview && view === "drift" && <DriftView overview={overview} />}
+        {overview && view === "calibrations" && <CalibrationsTable />}
+      </main>
+    </div>
+  );
+}

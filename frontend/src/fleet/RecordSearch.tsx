@@ -1,0 +1,168 @@
+import { useDeferredValue, useState } from "react";
+
+import { figures, moment } from "../parts/format";
+import { QualityMark } from "../parts/QualityMark";
+import { t } from "../state/language";
+import { type Found, KINDS, type Overview, qualityOf, useAnswer } from "./answers";
+import styles from "./FleetPage.module.css";
+import { RecordDetail } from "./RecordDetail";
+
+interface Query {
+  text: string;
+  station: string;
+  kind: string;
+  since: string;
+  until: string;
+}
+
+const EVERYTHING: Query = { text: "", station: "", kind: "", since: "", until: "" };
+const DAY_MS = 86_400_000;
+
+function addressOf({ text, station, kind, since, until }: Query, before: Found | null): string {
+  const wanted = new URLSearchParams({ text, station, kind });
+  if (since) wanted.set("since", new Date(`${since}T00:00`).toISOString());
+  // the last day is included
+  if (until) wanted.set("until", new Date(new Date(`${until}T00:00`).getTime() + DAY_MS).toISOString());
+  if (before) {
+    wanted.set("before", before.at);
+    wanted.set("before_key", String(before.key));
+  }
+  return `/api/fleet/records?${wanted}`;
+}
+
+/** The records of all stations, found by words, period, station and kind. */
+export function RecordSearch({ overview }: { overview: Overview }) {
+  const [query, setQuery] = useState(EVERYTHING);
+  const [pages, setPages] = useState<(Found | null)[]>([null]);
+  const [chosen, choose] = useState<Found | null>(null);
+  const settled = useDeferredValue(query);
+  const change = (part: Partial<Query>) => {
+    setQuery({ ...query, ...part });
+    setPages([null]);
+  };
+  if (chosen) return <RecordDetail found={chosen} onBack={() => choose(null)} />;
+  return (
+    <section aria-label={t("ui-fleet-records")}>
+      <form className={styles.form} role="search" onSubmit={(event) => event.preventDefault()}>
+        <label>
+          {t("ui-fleet-words")}
+          <input type="search" value={query.text} onChange={(event) => change({ text: event.target.value })} />
+        </label>
+        <label>
+          {t("ui-station")}
+          <select value={query.station} onChange={(event) => change({ station: event.target.value })}>
+            <option value="">{t("ui-all")}</option>
+            {overview.stations.map(({ id, name }) => (
+              <option key={id} value={id}>
+                {name}
+              </option>
+            ))}
+          </select>
+        </label>
+        <label>
+          {t("ui-fleet-kind")}
+          <select value={query.kind} onChange={(event) => change({ kind: event.target.value })}>
+            <option value="">{t("ui-all")}</option>
+            {overview.kinds.map((kind) => (
+              <option key={kind} value={kind}>
+                {kindName(kind)}
+              </option>
+            ))}
+          </select>
+        </label>
+        <label>
+          {t("ui-fleet-since")}
+          <input type="date" value={query.since} onChange={(event) => change({ since: event.target.value })} />
+        </label>
+        <label>
+          {t("ui-fleet-until")}
+          <input type="date" value={query.until} onChange={(event) => change({ until: event.target.value })} />
+        </label>
+      </form>
+      <div className={styles.scroll}>
+        <table className={styles.table}>
+          <thead>
+            <tr>
+              <th scope="col">{t("ui-time")}</th>
+              <th scope="col">{t("ui-station")}</th>
+              <th scope="col">{t("ui-fleet-kind")}</th>
+              <th scope="col">{t("ui-fleet-label")}</th>
+              <th scope="col">{t("ui-fleet-verdict")}</th>
+              <th scope="col">{t("ui-calibration")}</th>
+              <th scope="col">{t("ui-fleet-archived")}</th>
+            </tr>
+          </thead>
+          {pages.map((before, number) => (
+            <Page
+              key={before?.key ?? 0}
+              path={addressOf(settled, before)}
+              last={number === pages.length - 1}
+              onChoose={choose}
+              onMore={(end) => setPages([...pages, end])}
+            />
+          ))}
+        </table>
+      </div>
+    </section>
+  );
+}
+
+function Page({
+  path,
+  last,
+  onChoose,
+  onMore,
+}: {
+  path: string;
+  last: boolean;
+  onChoose: (found: Found) => void;
+  onMore: (end: Found) => void;
+}) {
+  const { value } = useAnswer<{ records: Found[]; more: boolean }>(path);
+  if (!value) return null;
+  const end = value.records[value.records.length - 1];
+  return (
+    <tbody>
+      {value.records.map((found) => (
+        <tr key={found.key}>
+          <td>
+            <button type="button" className={styles.link} onClick={() => onChoose(found)}>
+              {moment(found.at)}
+            </button>
+          </td>
+          <td>{found.station}</td>
+          <td>{kindName(found.kind)}</td>
+          <td>{found.label || found.id}</td>
+          <td>
+            {found.verdict && <QualityMark quality={qualityOf(found.verdict)} size="1.1em" />}
+            {found.points !== null && !found.verdict && t("ui-n-points", { n: found.points })}
+          </td>
+          <td>{found.calibration_id}</td>
+          <td>{found.archived_at ? moment(found.archived_at) : "–"}</td>
+        </tr>
+      ))}
+      {last && value.records.length === 0 && (
+        <tr>
+          <td colSpan={7} className={styles.note}>
+            {t("ui-fleet-nothing-found")}
+          </td>
+        </tr>
+      )}
+      {last && value.more && end && (
+        <tr>
+          <td colSpan={7}>
+            <button type="button" className={styles.more} onClick={() => onMore(end)}>
+              {t("ui-display-more", { n: figures(50) })}
+            </button>
+          </td>
+        </tr>
+      )}
+    </tbody>
+  );
+}
+
+/** The name of a kind of record. */
+export function kindName(kind: string): string {
+  const id = KINDS[kind];
+  return id ? t(id) : kind;
+}

@@ -1,0 +1,75 @@
+"""The *Fleet* page in a browser, with a catalogue of three stations."""
+
+from collections.abc import Iterator
+from datetime import timedelta
+
+import pytest
+from playwright.sync_api import Browser, Page, expect
+
+pytest.importorskip("sqlalchemy")
+pytest.importorskip("psycopg")
+
+from app.bench.fleet.invented import START, PlantedStep, invent_entries
+from app.fleet.catalogue.catalogue import FleetCatalogue
+from tests.fleet.test_server import running_fleet
+
+pytestmark = pytest.mark.slow
+WRONG_SINCE = START + timedelta(days=120)
+STEP = PlantedStep("room-2", WRONG_SINCE, WRONG_SINCE + timedelta(days=30), 14.0)
+
+
+@pytest.fixture(scope="module")
+def address(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
+    folder = tmp_path_factory.mktemp("fleet")
+    with FleetCatalogue(f"sqlite:///{folder}/catalogue.db") as catalogue:
+        catalogue.add(list(invent_entries(3, 6000, 1, timedelta(hours=3.6), [STEP])))
+    settings = folder / "fleet.toml"
+    settings.write_text('[catalogue]\ndatabase = "sqlite:///catalogue.db"\n')
+    with running_fleet(settings) as client:
+        yield str(client.base_url)
+
+
+@pytest.fixture
+def page(browser: Browser, address: str) -> Iterator[Page]:
+    opened = browser.new_page(viewport={"width": 1280, "height": 800})
+    opened.goto(f"{address}?lang=en")
+    yield opened
+    opened.close()
+
+
+def open_view(page: Page, name: str) -> None:
+    page.get_by_role("group", name="View").get_by_role("button", name=name).click()
+
+
+def test_stations_and_records(page: Page) -> None:
+    expect(page.get_by_role("heading", name="room-2")).to_be_visible()
+    expect(page.locator("dd").filter(has_text="2000").first).to_be_visible()
+    open_view(page, "Records")
+    rows = page.locator("tbody tr")
+    expect(rows).to_have_count(51)
+    page.get_by_role("button", name="Show 50 more").click()
+    expect(rows).to_have_count(101)
+    page.locator("select").last.select_option("performance")
+    page.locator("select").first.select_option("room-2")
+    expect(rows.first).to_contain_text("Sphere 25")
+    rows.first.get_by_role("button").click()
+    expect(page.get_by_text("L_Dia.2x1:Ps:ODS")).to_be_visible()
+    page.get_by_role("button", name="Back to the list").click()
+    page.get_by_label("Part, operator").fill("nothing like this")
+    expect(page.get_by_text("No record is found.")).to_be_visible()
+
+
+def test_a_drift_names_its_recordings(page: Page) -> None:
+    open_view(page, "Drift")
+    expect(page.get_by_role("img")).to_have_count(3)
+    changed = page.get_by_text("Changed by")
+    expect(changed).to_have_count(1)
+    page.locator("summary").click()
+    expect(page.locator("details li").first).to_be_visible()
+
+
+def test_calibrations_stand_side_by_side_in_german(page: Page) -> None:
+    page.get_by_role("button", name="Deutsch").click()
+    page.get_by_role("button", name="Kalibrierungen").click()
+    expect(page.get_by_role("columnheader")).to_have_count(4)
+    expect(page.get_by_role("row", name="point-uncertainty")).to_be_visible()
