@@ -15,6 +15,7 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from app.api.access import provider as provider_routes
+from app.operations.health_checks import HealthChecker
 from app.security import login_throttle
 from app.single_sign_on import provider as provider_module
 from app.single_sign_on.pending import ProviderAnswer
@@ -278,6 +279,12 @@ def test_a_station_without_a_provider_has_none(tmp_path: Path) -> None:
         assert finish(server.http, ProviderAnswer("x")).status_code == 404
 
 
+def quality_in_health(server: Server) -> str:
+    """How Health judges the provider."""
+    items = HealthChecker(server.context).look().items
+    return next(item.quality for item in items if item.id == "sign-in")
+
+
 def test_a_station_works_on_while_the_provider_is_away(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -292,7 +299,9 @@ def test_a_station_works_on_while_the_provider_is_away(
         anna, other = (running.enter_context(station.browser()) for _ in range(2))
         station.sign_in(anna, "1").raise_for_status()
         server.context.store.accounts.add("Ben", Role.operator, PASSWORD)
+        assert quality_in_health(server) == "good"
         plant.close()
+        assert quality_in_health(server) == "attention"
         refused = other.post("/api/session/provider")
         assert code_of(refused) == (401, "sign-in-provider-away")
         assert refused.json()["detail"] == "Plant accounts cannot be reached"

@@ -2,9 +2,10 @@
 
 import asyncio
 
+from starlette.requests import HTTPConnection
 from starlette.types import Message, Receive, Scope, Send
 
-from app.security.anonymous_queue import PLACES, AnonymousQueue
+from app.security.anonymous_queue import PLACES, AnonymousQueue, without_place
 
 GOOD = b"crenel-8000=good"
 
@@ -88,6 +89,37 @@ def test_a_client_that_sends_slowly_or_goes_away_has_no_place() -> None:
         for _ in range(2 * PLACES):
             await asked(strangers)
         assert application.answered == 1 + 2 * PLACES
+
+    asyncio.run(passing())
+
+
+def test_who_waits_for_another_server_has_no_place() -> None:
+    async def passing() -> None:
+        answered = asyncio.Event()
+        waiting = 0
+
+        async def asks_another(scope: Scope, receive: Receive, send: Send) -> None:
+            nonlocal waiting
+            if scope.get("path") == "/provider":
+                async with without_place(HTTPConnection(scope)):
+                    waiting += 1
+                    await answered.wait()
+            await send({"type": "http.response.start"})
+
+        strangers = AnonymousQueue(asks_another)
+        slow = [
+            asyncio.create_task(strangers({**request(), "path": "/provider"}, received, sent))
+            for _ in range(10)
+        ]
+        async with asyncio.timeout(5.0):
+            while waiting < len(slow):
+                await asyncio.sleep(0)
+        for _ in range(2 * PLACES):
+            await asked(strangers)
+        answered.set()
+        await asyncio.gather(*slow)
+        for _ in range(2 * PLACES):
+            await asked(strangers)
 
     asyncio.run(passing())
 
