@@ -1,4 +1,4 @@
-"""A server that is killed in every step of a calibration and a verification."""
+"""A server that is killed in every step of a calibration, a verification and a performance test."""
 
 from pathlib import Path
 
@@ -9,8 +9,13 @@ from app.bench.faults.row import FaultRow, table
 
 pytestmark = pytest.mark.slow
 
-ALIKE = {("flow", "touch", 5), ("flow", "touch", 20), ("verify", "touch", 2), ("verify", "scan", 1)}
-"""Places of the bench that are between two others of their step, and left to it."""
+ALIKE = {
+    *(("flow", "touch", count) for count in (5, 20)),
+    *(("verify", step, count) for step, count in (("touch", 2), ("scan", 1))),
+    *(("performance", step, 0) for step in ("artefact", "pattern", "location", "end", "review")),
+    *(("performance", step, count) for step, count in (("pattern", 12), ("scan", 1))),
+}
+"""Places of the bench that are like others of their step or beside them, and left to it."""
 
 
 def assert_kept(row: FaultRow) -> None:

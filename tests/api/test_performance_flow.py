@@ -3,31 +3,20 @@ refused, kept and listed."""
 
 import io
 import json
-import shutil
 import time
 import uuid
 import zipfile
 from collections.abc import Callable, Iterator
-from pathlib import Path
 from typing import Any
 
 import httpx
-import numpy as np
 import pytest
 
 from app.formats.datasheets.gauge import read_gauge
 from app.formats.performance.plan import read_plan
 from app.formats.performance.results import read_performance
-from app.guide.performance.commands import measure_waiting
-from app.guide.performance.guide import PerformanceGuide, PerformanceServices
 from app.guide.performance.places import POLE
 from app.metrology.performance.pattern import RIM_DEG, pattern_directions
-from app.station.bus import Bus
-from app.station.devices.rig import Rig
-from app.station.jobs import Jobs
-from app.station.scan.scanner import Scanner
-from app.station.view3d.scene import Scene
-from app.store.store import Store
 from tests.api.calibrated import use_truth
 from tests.api.conftest import Server, run_command
 from tests.formats.certificates import DIAMETER, FORM, certificate, quantity, real
@@ -287,51 +276,3 @@ def test_a_certificate_that_was_uploaded_is_a_sphere_of_the_test(desk: Desk) -> 
     finally:
         for name in ("bare", "K-17"):
             (desk.server.data / "gauges" / f"{name}.xml").unlink()
-
-
-def reopened(server: Server, left: Path) -> tuple[Store, Scanner, Scene, Jobs, PerformanceGuide]:
-    """The guide of a next server on what is on the disk."""
-    store, bus = Store(left), Bus()
-    rig, scene = Rig(bus, server.simulation.sensor, server.simulation.sensor, left), Scene()  # type: ignore[arg-type]
-    scanner, jobs = Scanner(bus, rig, scene, left / "scans"), Jobs(bus)
-    setup = server.context.settings.settings.model_dump(mode="json")
-    station = PerformanceServices(bus, rig, jobs, None, scanner, scene, lambda: setup)
-    guide = PerformanceGuide(station, store.journal, store.calibrations, store.performances, left)
-    return store, scanner, scene, jobs, guide
-
-
-def test_a_server_killed_in_any_step_loses_nothing(desk: Desk, tmp_path: Path) -> None:
-    """What is on the disk at that moment is all that a next server has."""
-    server = desk.server
-    desk.start()
-    desk.do("choose_gauge", id="sphere")
-    desk.do("run_simulation", all=True)
-    seen: set[str] = set()
-    deadline = time.monotonic() + 300.0
-    while (view := desk.view())["step"] != "review" or view["busy"] is not None:
-        assert time.monotonic() < deadline, view
-        step = view["step"]
-        if step in seen or (view["progress"] is None or view["progress"]["done"] < 1):
-            time.sleep(0.1)
-            continue
-        seen.add(step)
-        left = tmp_path / step
-        shutil.copytree(server.data, left)
-        shutil.rmtree(left / "gauges")  # the test has its own copy of the sphere's file
-        store, scanner, scene, jobs, guide = reopened(server, left)
-        try:
-            after = guide.view()
-            assert after.session_id == view["session_id"]
-            assert after.rev >= view["rev"]
-            assert guide.running
-            assert guide.gauge() is not None
-            if guide.state.open_scan is not None:
-                measure_waiting(guide)
-                jobs.wait(30.0)
-                assert guide.state.open_scan is None
-        finally:
-            scanner.close()
-            scene.close()
-            store.close()
-    assert seen == {"pattern", "location", "scan", "end"}
-    assert np.isfinite(desk.view()["picture"]["result"]["figures"][0]["value"])

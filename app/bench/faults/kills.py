@@ -33,9 +33,18 @@ KILL_POINTS: dict[str, tuple[KillPoint, ...]] = {
         *(("gauge", 0), ("touch", 0), ("touch", 2), ("touch", 5)),
         *(("scan", 0), ("scan", 1), ("scan", 2), ("review", 0)),
     ),
+    "performance": (
+        *(("artefact", 0), ("pattern", 0), ("pattern", 1), ("pattern", 12), ("location", 0)),
+        *(("location", 7), ("scan", 0), ("scan", 1), ("scan", 3), ("end", 0), ("end", 2)),
+        *(("review", 0), ("review", 1)),
+    ),
 }
-"""The steps in which it is killed, and after how many points, pictures or clouds."""
-NAMES = {"flow": "kill -9 in a calibration", "verify": "kill -9 in a verification"}
+"""The steps in which it is killed, and after how many points, pictures, clouds or results."""
+NAMES = {
+    "flow": "kill -9 in a calibration",
+    "verify": "kill -9 in a verification",
+    "performance": "kill -9 in a performance test",
+}
 
 
 def kill_scans(
@@ -146,11 +155,11 @@ def kill_guides(
 
     Args:
         data: a folder for the station's own, which is made.
-        flow: ``flow`` for a calibration, ``verify`` for a verification.
+        flow: ``flow`` for a calibration, ``verify`` for a verification, ``performance``.
         places: where, instead of in ``KILL_POINTS``.
     """
     row, before = FaultRow(NAMES[flow]), None
-    if flow == "verify":
+    if flow != "flow":
         prepare(data)
     places = places or KILL_POINTS[flow]
     for number, place in enumerate([*places, None]):
@@ -196,12 +205,26 @@ def _advance(station: StationProcess, flow: str, place: KillPoint) -> View:
 def _list_items(view: View) -> set[Any]:
     """What an operator has done in this step, as the page shows it."""
     picture, step = view["picture"], view["step"]
+    if "articulations" in picture:
+        return _list_performance_items(view)
     if step == "touch":
         return {
             (point.get("face"), point["index"])
             for point in picture.get("points") or picture.get("touches") or []
         }
     return {c["number"] for c in picture.get("clouds", []) if c["state"] == "good"}
+
+
+def _list_performance_items(view: View) -> set[Any]:
+    """The same of a performance test: places of a step, scans, or the result."""
+    picture, step = view["picture"], view["step"]
+    if step == "review":
+        return {"result"} if picture["result"] else set()
+    if step == "scan":
+        return {one["number"] for one in picture["articulations"] if one["state"] == "done"}
+    if step == "location":  # its places are those of one articulation
+        return set(range(view["progress"]["done"]))
+    return {place["number"] for place in picture["places"] if place["state"] == "done"}
 
 
 def _has_reached(view: View, step: str, count: int) -> bool:
