@@ -17,6 +17,8 @@ from typing import Literal, Protocol, runtime_checkable
 import numpy as np
 from numpy.typing import NDArray
 
+from app.messages.message import Text
+
 
 @dataclass(frozen=True, slots=True)
 class JointSample:
@@ -183,6 +185,8 @@ class SensorInfo:
     """False of a camera that waits for a trigger: its silence is no loss."""
     delivers: frozenset[Delivery] = frozenset({"picture"})
     """What it can send. After ``open``, it sends pictures if it can."""
+    loss_remedy: Text = ""
+    """What to do on this computer if data are lost, where the driver sees that; otherwise empty."""
 
 
 @dataclass(slots=True)
@@ -192,6 +196,9 @@ class LinkHealth:
     received: int = 0
     lost: int = 0
     corrupt: int = 0
+    late: int = 0
+    """Of those received, the ones that came much too late because the line is too slow for all;
+    only of drivers that know when a record was taken."""
 
 
 class ArmDriver(Protocol):

@@ -9,7 +9,7 @@ from typing import Literal
 
 from app.errors import OperationError, sentence
 from app.findings import Quality
-from app.messages.message import Text, join, message, quantity, signed
+from app.messages.message import Text, join, message, quantity, signed, word
 from app.monitoring.loop_watchdog import Stalls
 from app.monitoring.system_info import Memory
 from app.station.devices.link_state import DeviceState, Losses
@@ -90,15 +90,20 @@ def stamps(kind: DeviceKind, state: DeviceState) -> list[HealthItem]:
     ]
 
 
-def losses(kind: DeviceKind, lately: Losses) -> HealthItem:
-    """Whether all data of a device arrives."""
+def losses(kind: DeviceKind, lately: Losses, losing: bool = False, remedy: Text = "") -> HealthItem:
+    """Whether all data of a device arrives.
+
+    Args:
+        losing: much of it is lost, or comes later and later, just now.
+        remedy: what to do on this computer, if the driver knows it.
+    """
     quality: Quality = "good"
-    if lately.share > LOSS_BAD:
+    if losing or lately.share > LOSS_BAD:
         quality = "bad"
     elif lately.share > LOSS_ATTENTION:
         quality = "attention"
     missing = lately.lost + lately.corrupt
-    what = message("no-data-yet")
+    what: Text = message("no-data-yet")
     if lately.received or missing:
         what = message(
             "lost-garbled-last-ten-minutes",
@@ -106,13 +111,15 @@ def losses(kind: DeviceKind, lately: Losses) -> HealthItem:
             total=lately.received + missing,
             share=quantity(100 * lately.share, "%", 2),
         )
+    if losing:
+        what = join([message("data-lost-now", title=word(kind)), what], " ")
     return HealthItem(
         f"losses-{kind}",
         message("losses", device=kind),
         quality,
         what,
         message("frame-without-joints-around-gives-no"),
-        "" if quality == "good" else message("use-shorter-cable-port-own-close"),
+        "" if quality == "good" else remedy or message("use-shorter-cable-port-own-close"),
     )
 
 

@@ -104,7 +104,7 @@ class HealthChecker:
         return [
             health.device(name, state),
             *health.stamps(name, state),
-            health.losses(name, window.over(*counts)),
+            health.losses(name, window.over(*counts), state.losing, state.loss_remedy),
         ]
 
     def _readings(self) -> list[HealthItem]:

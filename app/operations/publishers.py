@@ -2,6 +2,7 @@
 
 import asyncio
 import logging
+import time
 from collections.abc import Awaitable, Callable, Coroutine
 from itertools import count
 
@@ -27,6 +28,8 @@ HOME_EVERY = 5
 REPORT_S = 0.5
 STATIONS_S = 1.0
 HEALTH_S = 3.0
+LOSING_S = 0.1
+"""Health is looked at sooner when a device begins to lose its data."""
 TEMPERATURE_S = 5.0
 END_S = 1.5
 DEVICE_TOPICS = {"devices", "sensors"}
@@ -183,11 +186,17 @@ def _pass_on(context: Context, event: Event) -> None:
 
 async def _health(context: Context) -> None:
     examiner = HealthChecker(context)
+    looked_s, losing = float("-inf"), frozenset[str]()
 
     async def step() -> None:
+        nonlocal looked_s, losing
+        before, losing = losing, context.rig.losing()
+        if losing == before and time.monotonic() - looked_s < HEALTH_S:
+            return
+        looked_s = time.monotonic()
         context.monitoring.health = await asyncio.to_thread(examiner.look)
 
-    await _repeat(step, HEALTH_S, "the station's health could not be looked at")
+    await _repeat(step, LOSING_S, "the station's health could not be looked at")
 
 
 async def _temperature(context: Context) -> None:

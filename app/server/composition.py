@@ -44,11 +44,11 @@ from app.settings.settings import DeviceKind
 from app.single_sign_on.settings import SignInSettings
 from app.station.bus import Bus
 from app.station.control_lease import Lease
-from app.station.devices.pulse_trigger import TriggerSettings
 from app.station.devices.rig import Rig
 from app.station.jobs import Jobs
 from app.station.operator_settings import OperatorSettings
 from app.station.preview.preview import Preview
+from app.station.pulses.pulse_trigger import TriggerSettings
 from app.station.scan.scanner import Scanner
 from app.station.scan.state import ScanResult
 from app.station.setup.drivers import choose_arm, choose_sensor, sensor_factory

@@ -48,7 +48,7 @@ if TYPE_CHECKING:
     from app.operations.services import MonitoringSettings
     from app.server.composition import StationParts
     from app.server.live_replay import Replay
-    from app.station.devices.pulse_trigger import TriggerSettings
+    from app.station.pulses.pulse_trigger import TriggerSettings
 
 PORTS_TRIED = 20
 
@@ -148,7 +148,7 @@ def _load_parts(settings: Settings, data: Path | None, file: Path) -> "StationPa
 
 
 def _trigger_settings(settings: Settings) -> "TriggerSettings | None":
-    from app.station.devices.pulse_trigger import TriggerSettings
+    from app.station.pulses.pulse_trigger import TriggerSettings
 
     table = settings.trigger
     return None if table is None else TriggerSettings(table.rate_hz, table.delay_us)

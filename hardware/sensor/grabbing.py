@@ -88,6 +88,7 @@ class GrabbingSensor:
             stamps=source.stamps,
             stamp_at=source.stamp_at,
             free_running=source.free_running,
+            loss_remedy=source.loss_remedy,
         )
         return self._info
 
@@ -267,6 +268,7 @@ class _Grabber(threading.Thread):
                 self._health.lost += 1
             self._queue.append(frame)
             self._health.received += 1
+            self._health.late += picture.late
             self._changed.notify_all()
 
     def _finish(self, error: DeviceError | None) -> None:

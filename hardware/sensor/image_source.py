@@ -39,6 +39,8 @@ class GrabbedImage:
     pulse: int | None = None
     """As of ``Frame``."""
     laser_on: bool = True
+    late: bool = False
+    """Held up by a line that is too slow."""
 
 
 class NoImage(Enum):
@@ -72,6 +74,8 @@ class ImageSource(ABC):
     longest_gap_s = 0.0
     no_picture_remedy: Text = message("check-cable-no-other-program-uses")
     """What to do if the device is open and sends nothing."""
+    loss_remedy: Text = ""
+    """As of ``SensorInfo``."""
     size_px: tuple[int, int] | None = None
     """Width and height; None if they are unknown until the first picture. Required of a camera
     that waits for a trigger."""

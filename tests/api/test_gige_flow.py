@@ -4,6 +4,7 @@ One of a hundred packets is lost on the line. The simulated camera is ours; the 
 through Aravis, which is not.
 """
 
+import asyncio
 import time
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -140,10 +141,18 @@ def losses(server: Server) -> dict[str, Any]:
     return dict(next(item for item in items if item["id"] == "losses-sensor"))
 
 
-def test_a_slow_line_shows_by_the_pictures_it_loses(server: Server) -> None:
-    with camera_faults(server) as faults:
+def test_a_slow_line_shows_by_late_pictures_and_by_those_it_loses(server: Server) -> None:
+    with camera_faults(server) as faults, server.context.bus.subscribe() as subscription:
         before = server.context.rig.sensor.link().lost
         faults.line_bytes_per_s = SLOW_BYTES_PER_S
+        until(lambda: server.context.rig.sensor.link().losing)
+        driver = server.context.rig.sensor.reader.driver
+        assert driver is not None
+        # pictures are late before the camera's memory is full, and the first one is lost
+        assert driver.health.late > 0
+        until(lambda: "late" in english(losses(server)["what"]))
+        kinds = [event.kind for event in asyncio.run(subscription.next()).events]
+        assert "sensor-losing" in kinds
         until(lambda: server.context.rig.sensor.link().lost > before + 30)
         until(lambda: losses(server)["quality"] != "good")
         said = losses(server)

@@ -1,5 +1,8 @@
 """Block ids of GigE Vision and USB3 Vision, unwrapped."""
 
+from itertools import accumulate
+
+import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -35,6 +38,46 @@ def test_a_repeated_or_late_block_has_no_number() -> None:
 
 def test_a_long_counter_that_begins_again_loses_nothing() -> None:
     assert count_all([100_000, 100_001, 1, 2]) == [0, 1, 2, 3]
+
+
+PERIOD_NS = 40_000_000
+
+
+def count_stamped(pictures: list[tuple[int, int]]) -> list[int | None]:
+    """Of ids with stamps in periods."""
+    counter = BlockCounter()
+    return [counter.count(number, stamp_ns=at * PERIOD_NS) for number, at in pictures]
+
+
+@pytest.mark.parametrize("last", [1000, 30_000, 60_000])
+@pytest.mark.parametrize("first", [1, 2, 900])
+@pytest.mark.parametrize("clock", [100_100, 3])
+def test_a_count_that_begins_again_goes_on(last: int, first: int, clock: int) -> None:
+    """It falls by less or more than half the range; the camera's clock goes on, or begins again."""
+    before = [(last - 4 + i, 100_000 + i) for i in range(5)]
+    after = [(first + i, clock + i) for i in range(3)]
+    assert count_stamped(before + after) == [0, 1, 2, 3, 4, 5, 6, 7]
+
+
+def test_stamps_leave_a_late_picture_late() -> None:
+    pictures = [(11, 11), (12, 12), (14, 14), (13, 13), (15, 15), (9, 9), (16, 16)]
+    assert count_stamped(pictures) == [0, 1, 3, None, 4, None, 5]
+
+
+def test_losses_across_the_wrap_are_counted_where_the_stamps_agree() -> None:
+    pictures = [(65_000, 0), (65_001, 1), (500, 1035), (501, 1036)]
+    assert count_stamped(pictures) == [0, 1, 1035, 1036]
+
+
+def test_a_pause_of_the_trigger_before_the_wrap_is_no_new_start() -> None:
+    assert count_stamped([(65_534, 0), (65_535, 1), (1, 90_000), (2, 90_001)]) == [0, 1, 2, 3]
+
+
+@given(st.integers(1, 65535), steps)
+def test_stamps_change_nothing_for_a_count_that_goes_on(first: int, gaps: list[int]) -> None:
+    numbers = list(accumulate(gaps, initial=0))
+    pictures = [((first - 1 + number) % 65535 + 1, number) for number in numbers]
+    assert count_stamped(pictures) == numbers
 
 
 @given(st.integers(1, 65535), steps)

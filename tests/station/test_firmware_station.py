@@ -15,8 +15,8 @@ from app.metrology.arm.reading_interpolation import shortest_turn
 from app.metrology.probing.alignment import align
 from app.metrology.targets.crenellated_block import Crenellated
 from app.station.bus import Bus
-from app.station.devices.pulse_trigger import TriggerSettings
 from app.station.devices.rig import Rig
+from app.station.pulses.pulse_trigger import TriggerSettings
 from hardware.clock import now_ns
 from hardware.interfaces import Frame
 from hardware.registry import arm_driver

@@ -180,6 +180,14 @@ def test_losses_are_of_the_last_minutes() -> None:
     assert health.losses("arm", Losses(100_000, 5, 0)).quality == "good"
 
 
+def test_losses_just_now_are_bad_and_the_drivers_remedy_comes_first() -> None:
+    said = health.losses("sensor", Losses(100_000, 5, 0), losing=True, remedy="Raise it.")
+    assert said.quality == "bad"
+    assert str(said.what).startswith("Much of the data from the sensor is being lost")
+    assert said.remedy == "Raise it."
+    assert health.losses("sensor", Losses(100_000, 5, 0), remedy="Raise it.").remedy == ""
+
+
 def test_thermometers(tmp_path: Path) -> None:
     file = tmp_path / "temperature"
     file.write_text("21375\n")

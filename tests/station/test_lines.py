@@ -17,10 +17,10 @@ from app.formats.results.calibration import Calibration, SerialNumbers
 from app.formats.settings.scan_settings import ScanSettings
 from app.metrology.fitting.plane_sphere import fit_sphere
 from app.station.bus import Bus
-from app.station.devices.pulse_pairing import PulsePairing
 from app.station.devices.rig import Rig
 from app.station.preview.line_picture import draw_line
 from app.station.preview.preview import Preview
+from app.station.pulses.pulse_pairing import PulsePairing
 from app.station.scan.extraction import Extraction
 from app.station.scan.scanner import Scanner
 from app.station.scan.state import ScanResult

@@ -6,7 +6,7 @@ import time
 import numpy as np
 import pytest
 
-from app.station.devices.pulse_pairing import PulsePairing
+from app.station.pulses.pulse_pairing import PulsePairing
 from hardware.interfaces import Frame
 
 MS = 1_000_000

@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 
 from app.station.bus import Bus
-from app.station.devices.pulse_trigger import TriggerSettings
 from app.station.devices.rig import Rig
+from app.station.pulses.pulse_trigger import TriggerSettings
 from hardware.interfaces import Frame
 from hardware.registry import arm_driver
 from hardware.simulator.station import SimulatedStation, SimulationConfig

@@ -13,7 +13,6 @@ from app.metrology.transforms import Floats, vector_from_rotation
 from app.station.bus import Bus
 from app.station.devices.device_thread import READ_TIMEOUT_S, DeviceReader
 from app.station.devices.link_state import DeviceState, device_state
-from app.station.devices.pulse_pairing import PulsePairing
 from app.station.devices.reading_buffer import (
     ReadingMean,
     ReadingRing,
@@ -23,6 +22,7 @@ from app.station.devices.reading_buffer import (
 )
 from app.station.devices.reading_judge import ReadingJudge
 from app.station.devices.stillness import UNKNOWN, WINDOW_S, Stillness, stillness
+from app.station.pulses.pulse_pairing import PulsePairing
 from hardware.clock import now_ns
 from hardware.interfaces import ArmDriver, ArmInfo, ArmReading, ButtonEvent
 

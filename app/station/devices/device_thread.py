@@ -12,6 +12,7 @@ from typing import Generic, Protocol, TypeVar
 from app.errors import reason_sentence, sentence
 from app.messages.message import Text, join, message, quantity, word
 from app.station.devices.awake_clock import AWAKE
+from app.station.devices.loss_alarm import LossAlarm
 from hardware.errors import DeviceError
 from hardware.interfaces import AnswersWhileSilent, LinkHealth
 
@@ -48,6 +49,8 @@ class Link:
     received: int
     lost: int
     corrupt: int
+    losing: bool = False
+    """Whether much of the data is lost, or comes later and later, just now."""
 
 
 class Device(Protocol):
@@ -112,6 +115,7 @@ class DeviceReader(Generic[D, I_co]):
         self._counted = LinkHealth()
         self._records = 0
         self._arrivals: deque[tuple[float, int]] = deque()
+        self._alarm = LossAlarm()
 
     def start(self) -> None:
         self._stopping.clear()
@@ -164,7 +168,8 @@ class DeviceReader(Generic[D, I_co]):
             state, text = self._state(age, now)
             health = self._total()
             rate = self._rate(time.monotonic()) if state is LinkState.CONNECTED else None
-        return Link(state, text, age, rate, health.received, health.lost, health.corrupt)
+            losing = state is LinkState.CONNECTED and self._alarm.is_on(now)
+        return Link(state, text, age, rate, health.received, health.lost, health.corrupt, losing)
 
     def _state(self, age_s: float | None, now: float) -> tuple[LinkState, Text]:
         title = word(self._title)
@@ -232,6 +237,7 @@ class DeviceReader(Generic[D, I_co]):
             self._last_data_s, self._last_answer_s = None, 0.0
             self._counted, self._records = LinkHealth(), 0
             self._arrivals.clear()
+            self._alarm.clear()
 
     def _use(self) -> bool:
         """Makes and opens a driver and reads it until it is lost; True if any data arrived."""
@@ -275,6 +281,8 @@ class DeviceReader(Generic[D, I_co]):
         while not self._stopping.is_set() and self._replacement is None:
             count = self._read(driver)
             now = AWAKE.now_s()
+            with self._lock:
+                self._alarm.note(now, self._total())
             if count:
                 self._note(now, time.monotonic(), count)
                 continue
@@ -319,4 +327,6 @@ def device_error_text(error: DeviceError) -> Text:
 
 
 def _sum(a: LinkHealth, b: LinkHealth) -> LinkHealth:
-    return LinkHealth(a.received + b.received, a.lost + b.lost, a.corrupt + b.corrupt)
+    return LinkHealth(
+        a.received + b.received, a.lost + b.lost, a.corrupt + b.corrupt, a.late + b.late
+    )

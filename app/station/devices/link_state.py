@@ -26,6 +26,10 @@ class DeviceState:
     corrupt: int
     stamps: StampKind | None = None
     """Where the time stamps come from; None while it is not connected."""
+    losing: bool = False
+    """Whether much of its data is lost, or comes later and later, just now."""
+    loss_remedy: Text = ""
+    """What to do on this computer against losses, if the driver knows it."""
 
 
 def device_state(
@@ -54,6 +58,8 @@ def device_state(
         link.lost,
         link.corrupt,
         info.stamps if info is not None else None,
+        link.losing,
+        info.loss_remedy if isinstance(info, SensorInfo) else "",
     )
 
 

@@ -9,15 +9,15 @@ from pathlib import Path
 from typing import Literal, TypeAlias
 
 from app.errors import OperationError
-from app.messages.message import join, message
+from app.messages.message import Text, join, message, word
 from app.station.bus import Bus
 from app.station.devices.arm_device import StationArm
 from app.station.devices.capture import Capture, capture
 from app.station.devices.device_thread import Link, LinkState
 from app.station.devices.link_state import DeviceState
-from app.station.devices.pulse_pairing import PulsePairing
-from app.station.devices.pulse_trigger import PulseTrigger, TriggerSettings
 from app.station.devices.sensor_device import StationSensor
+from app.station.pulses.pulse_pairing import PulsePairing
+from app.station.pulses.pulse_trigger import PulseTrigger, TriggerSettings
 from hardware.interfaces import ArmDriver, SensorDriver
 
 # Interval at which devices are published, and at once when one is lost or back.
@@ -181,6 +181,12 @@ class Rig:
             disk_free_gb=shutil.disk_usage(self._data_dir).free / 1e9,
         )
 
+    def losing(self) -> frozenset[str]:
+        """The devices that lose much of their data just now: arm, sensor and its name."""
+        links = [("arm", self.arm.reader.link())]
+        links += [(f"sensor {name}", one.reader.link()) for name, one in self.sensors.items()]
+        return frozenset(name for name, link in links if link.losing)
+
     def sensor_choice(self) -> SensorChoice:
         """The sensors to choose from."""
         return SensorChoice(
@@ -219,20 +225,20 @@ class Rig:
             self._capturing.release()
 
     def _publish(self) -> None:
-        said: dict[str, LinkState] = {}
+        said: dict[str, Link] = {}
         published_s, doubted = 0.0, False
         while not self._stopping.wait(LOOK_S):
-            before = dict(said)
+            before = _states(said)
             links = [("arm", "", self.arm.reader.link())]
             links += [("sensor", name, one.reader.link()) for name, one in self.sensors.items()]
             for title, name, link in links:
                 self._report_link(title, said.get(f"{title} {name}"), link, name)
-                said[f"{title} {name}"] = link.state
+                said[f"{title} {name}"] = link
             if self._trigger is not None:
                 self._trigger.use(self.arm.reader.driver, self.sensor.reader.driver)
             doubted = self._report_doubt(doubted)
             now_s = time.monotonic()
-            if said != before or now_s - published_s >= PUBLISH_S:
+            if _states(said) != before or now_s - published_s >= PUBLISH_S:
                 self._bus.publish("devices", self.devices())
                 if len(self.sensors) > 1:
                     self._bus.publish("sensors", self.sensor_choice())
@@ -245,14 +251,21 @@ class Rig:
             self._bus.event(doubt.code, doubt.text, "bad")
         return doubt is not None
 
-    def _report_link(
-        self, title: str, before: LinkState | None, link: Link, name: str = ""
-    ) -> None:
-        """Reports once that a device was lost, and once that it is back."""
-        if before == link.state:
+    def _report_link(self, title: str, before: Link | None, link: Link, name: str = "") -> None:
+        """Reports once that a device was lost or loses much, and once that it is back."""
+        if link.losing and not (before and before.losing):
+            losing: Text = message("data-lost-now", title=word(title))
+            losing = join([name, losing], ": ") if name else losing
+            self._bus.event(f"{title}-losing", losing, "bad")
+        if before and before.state == link.state:
             return
         text = join([name, link.text], ": ") if name else link.text
         if link.state is LinkState.LOST:
             self._bus.event(f"{title}-lost", text, "bad")
         elif link.state is LinkState.CONNECTED:
             self._bus.event(f"{title}-connected", text, "good")
+
+
+def _states(links: Mapping[str, Link]) -> dict[str, tuple[LinkState, bool]]:
+    """What is published at once when it changes."""
+    return {name: (link.state, link.losing) for name, link in links.items()}

@@ -13,7 +13,7 @@ from app.station.devices.capture import no_pictures_error
 from app.station.devices.device_thread import READ_TIMEOUT_S, DeviceReader
 from app.station.devices.frame_hub import FrameHub
 from app.station.devices.link_state import DeviceState, device_state
-from app.station.devices.pulse_pairing import PulsePairing
+from app.station.pulses.pulse_pairing import PulsePairing
 from hardware.clock import now_ns
 from hardware.errors import DeviceError
 from hardware.interfaces import DeliversLines, Delivery, Frame, Line, SensorDriver, SensorInfo

@@ -12,6 +12,7 @@ from app.station.devices.rig import DeviceName
 from app.station.devices.sensor_device import StationSensor
 from hardware.interfaces import ArmInfo, ArmReading, JointSample, PoseSample, SensorInfo, StampKind
 
+MUCH_LOST = 0.01
 TrialState: TypeAlias = Literal["opening", "live", "waiting", "failed", "ended"]
 
 
@@ -37,6 +38,8 @@ class TrialView:
     corrupt: int
     stamps: StampKind | None
     """None before it is open."""
+    loss_remedy: Text
+    """What to do on this computer against losses, while much is lost; empty if nothing is known."""
     width_px: int | None
     height_px: int | None
     exposure_us: float | None
@@ -116,6 +119,7 @@ def _view_link(
         lost=link.lost,
         corrupt=link.corrupt,
         stamps=info.stamps if info else None,
+        loss_remedy=_loss_remedy(link, info),
         width_px=None,
         height_px=None,
         exposure_us=None,
@@ -125,6 +129,13 @@ def _view_link(
         position_mm=None,
         rotation_deg=None,
     )
+
+
+def _loss_remedy(link: Link, info: ArmInfo | SensorInfo | None) -> Text:
+    share = (link.lost + link.corrupt) / max(link.received + link.lost + link.corrupt, 1)
+    if not isinstance(info, SensorInfo) or not (link.losing or share > MUCH_LOST):
+        return ""
+    return info.loss_remedy
 
 
 def _state(link: Link, error: Text, ended: Text) -> TrialState:

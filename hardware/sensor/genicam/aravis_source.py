@@ -10,6 +10,7 @@ from hardware.sensor.genicam.aravis import AravisError
 from hardware.sensor.genicam.camera import open_camera
 from hardware.sensor.genicam.camera_source import ArrivedPicture, CameraSource
 from hardware.sensor.genicam.gige_vision.camera_clock import CameraClock
+from hardware.sensor.genicam.gige_vision.receive_buffer import receive_buffer_remedy
 from hardware.sensor.genicam.link import CameraLink, control_lost_error
 from hardware.sensor.genicam.settings import (
     GenicamOptions,
@@ -58,6 +59,8 @@ class GenicamSource(CameraSource):
             self._parser = camera.call("create_chunk_parser")
         self._clock = CameraClock(camera)
         self._stream = CameraStream(camera)
+        if camera.is_gige:
+            self.loss_remedy = receive_buffer_remedy(camera.call("get_payload"))
         camera.call("start_acquisition")
         self._heard_s = time.monotonic()
 

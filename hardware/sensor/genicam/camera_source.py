@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
 
-from app.messages.message import Text, message
+from app.messages.message import Text, join, message
 from hardware.clock import now_ns
 from hardware.errors import DeviceError
 from hardware.sensor.genicam.block_ids import BlockCounter
@@ -20,6 +20,7 @@ from hardware.sensor.genicam.settings import (
     switch_laser,
     unknown_format_error,
 )
+from hardware.sensor.genicam.slow_line import SlowLine
 from hardware.sensor.grey import to_grey
 from hardware.sensor.image_source import GrabbedImage, GreyImage, ImageSource, NoImage
 
@@ -88,6 +89,7 @@ class CameraSource(ImageSource):
         self._exposures = SettingHistory(settings.exposure_us)
         self._laser = SettingHistory(not self.has_laser_switch)
         self._blocks = BlockCounter()
+        self._line = SlowLine()
         self.times = PictureTimes(self._exposures, options.stamp_at, options.latency_us)
         self._whole_s = time.monotonic()
         self._incomplete = 0
@@ -135,7 +137,8 @@ class CameraSource(ImageSource):
             DeviceError: only incomplete ones have arrived for some time, or the pixel format is
                 not known.
         """
-        number = self._blocks.count(picture.block_id, picture.whole)
+        stamp_ns = picture.device_ns if picture.whole else None
+        number = self._blocks.count(picture.block_id, picture.whole, stamp_ns)
         if not picture.whole:
             self._note_incomplete()
             return NoImage.SILENCE
@@ -150,6 +153,7 @@ class CameraSource(ImageSource):
         )
         self.stamps, self.stamp_at = self.times.stamps, self.times.stamp_at
         half_ns = round(exposure_us * 500)
+        late = self.stamps == "device" and self._line.holds_up(mid_ns + half_ns, picture.arrival_ns)
         lit = self._laser.values_between(mid_ns - half_ns, mid_ns + half_ns)
         return GrabbedImage(
             image,
@@ -159,6 +163,7 @@ class CameraSource(ImageSource):
             full_scale=None if self._format is None else self._format.full_scale,
             pulse=None if self.free_running else number + 1,
             laser_on=lit == {True},
+            late=late,
         )
 
     def _decode(self, picture: ArrivedPicture) -> GreyImage | None:
@@ -177,7 +182,8 @@ class CameraSource(ImageSource):
         self._incomplete += 1
         since_s = time.monotonic() - self._whole_s
         if self._incomplete >= _FEWEST_INCOMPLETE and since_s > _INCOMPLETE_S:
+            check: Text = message("check-packet-size-and-network")
             raise DeviceError(
                 message("pictures-arrive-incomplete", title=self._title),
-                message("check-packet-size-and-network"),
+                join([check, self.loss_remedy], " ") if self.loss_remedy else check,
             )

@@ -4,7 +4,7 @@ import logging
 import threading
 from dataclasses import dataclass
 
-from app.station.devices.pulse_pairing import PulsePairing
+from app.station.pulses.pulse_pairing import PulsePairing
 from hardware.errors import DeviceError
 from hardware.interfaces import ArmDriver, PulseSource, SensorDriver
 
