@@ -151,7 +151,9 @@ def _trigger_settings(settings: Settings) -> "TriggerSettings | None":
     from app.station.pulses.pulse_trigger import TriggerSettings
 
     table = settings.trigger
-    return None if table is None else TriggerSettings(table.rate_hz, table.delay_us)
+    if table is None:
+        return None
+    return TriggerSettings(table.rate_hz, table.delay_us, table.delays_us)
 
 
 def _monitoring_settings(settings: Settings) -> "MonitoringSettings":

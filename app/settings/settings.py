@@ -169,11 +169,15 @@ class TemperatureTable(TomlTable):
 
 
 class TriggerTable(TomlTable):
-    """How the arm triggers the camera."""
+    """How the arm triggers the cameras."""
 
     rate_hz: Annotated[float, Field(ge=10.0, le=10_000.0)]
     delay_us: Annotated[float, Field(ge=0.0, le=100_000.0)] = 0.0
     """From a pulse to the start of its exposure, by the camera's datasheet."""
+    delays_us: dict[str, Annotated[float, Field(ge=0.0, le=100_000.0)]] = Field(
+        default_factory=dict
+    )
+    """Of several sensors, those with another delay, by their names."""
 
 
 class Settings(TomlTable):
@@ -225,12 +229,13 @@ class Settings(TomlTable):
 
     @model_validator(mode="after")
     def _check_trigger(self, info: ValidationInfo) -> Self:
-        if self.trigger is not None and len(self.sensors) > 1:
+        unknown = sorted(set(self.trigger.delays_us) - set(self.sensors)) if self.trigger else []
+        if unknown:
             raise OperationError(
                 "settings-trigger",
-                f"{info.context}, [trigger]: the station has several sensors",
-                "the arm's pulses can be paired with the pictures of one",
-                "Take the table out, or name one sensor only",
+                f"{info.context}, [trigger]: delays_us names {', '.join(unknown)}",
+                "there is no sensor of that name",
+                "Name the sensors as their tables do; delay_us is for all others",
             )
         return self
 

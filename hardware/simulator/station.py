@@ -101,7 +101,7 @@ class SimulatedStation:
         self._line: DevicePort | None = None
         self._device: ArmDevice | None = None
         self._robot: RtdeServer | None = None
-        self._triggered: TriggeredSensor | None = None
+        self._triggered: dict[str, TriggeredSensor] = {}
         self._gige: GigeCamera | None = None
         self.operator = ScriptedOperator(
             self._rig.arm,
@@ -217,13 +217,7 @@ class SimulatedStation:
             return sensor_driver("genicam", self.sensor_options())
         info = self._sensor_info(SENSOR_SERIAL_NUMBER)
         if self.config.triggered:
-            self._triggered = TriggeredSensor(
-                self.shared_renderer,
-                replace(info, free_running=False),
-                self.config.jitter_ms,
-                self.config.seed,
-            )
-            return self._triggered
+            return self._make_triggered(self.shared_renderer, info, self.config.seed)
         info = replace(info, delivers=self.config.delivers)
         early_ns = round(1e6 * self.config.arm_delay_ms)
         make = LineSensor if "line" in info.delivers else SimulatedSensor
@@ -233,7 +227,17 @@ class SimulatedStation:
         """A new driver of the second sensor, unopened."""
         assert self._second_renderer is not None, "there is no second sensor"
         info, config = self._sensor_info(SECOND_SERIAL_NUMBER), self.config
+        if config.triggered:
+            return self._make_triggered(self._second_renderer, info, config.seed + 1)
         return SimulatedSensor(self._second_renderer, info, config.frames_hz, config.seed + 1)
+
+    def _make_triggered(
+        self, renderer: SharedRenderer, info: SensorInfo, seed: int
+    ) -> SensorDriver:
+        waiting = replace(info, free_running=False)
+        sensor = TriggeredSensor(renderer, waiting, self.config.jitter_ms, seed)
+        self._triggered[info.serial_number] = sensor
+        return sensor
 
     def _sensor_info(self, serial_number: str) -> SensorInfo:
         optics = self._rig.optics
@@ -326,12 +330,12 @@ class SimulatedStation:
         return self.shared_renderer.expose(mid_ns, exposure_us, 1.0)
 
     def trigger_camera(self, stamp_ns: int) -> None:
-        """A pulse on the camera's input, of another arm than the simulated one."""
+        """A pulse on the cameras' inputs, of another arm than the simulated one."""
         self._trigger(stamp_ns)
 
     def _trigger(self, stamp_ns: int) -> None:
-        if self._triggered is not None:
-            self._triggered.trigger(stamp_ns)
+        for sensor in tuple(self._triggered.values()):
+            sensor.trigger(stamp_ns)
 
     def _controller_poses(self, q_rad: Floats) -> Floats:
         return flange_poses(self._rig.nominal_arm, q_rad)

@@ -12,6 +12,7 @@ from app.metrology.decision import EXPANDED_K2, GUARDED_95
 from app.metrology.limits import LIMITS
 from app.settings.settings import LimitsTable
 from app.settings.station_toml import read_settings
+from app.station.pulses.pulse_trigger import TriggerSettings
 
 GOOD = """
 [station]
@@ -209,11 +210,20 @@ def test_several_sensors_have_tables_with_names(tmp_path: Path) -> None:
     assert (right.label, right.options) == ("Inner", {"source": 1})
 
 
+def test_several_sensors_are_triggered_with_delays_of_their_own(tmp_path: Path) -> None:
+    table = "[trigger]\nrate_hz = 20.0\ndelay_us = 12.0\ndelays_us = { right = 30.0 }\n"
+    trigger = read_settings(write(tmp_path, TWO + table)).trigger
+    assert trigger is not None
+    used = TriggerSettings(trigger.rate_hz, trigger.delay_us, trigger.delays_us)
+    assert [used.delay_of_us(name) for name in ("left", "right")] == [12.0, 30.0]
+
+
 @pytest.mark.parametrize(
     ("text", "code"),
     [
         (TWO.replace("sensor.right", 'sensor."the right one"'), "settings-sensor-name"),
-        (TWO + "[trigger]\nrate_hz = 20.0\n", "settings-trigger"),
+        (TWO + "[trigger]\nrate_hz = 20.0\ndelays_us = { top = 9.0 }\n", "settings-trigger"),
+        (TWO + "[trigger]\nrate_hz = 20.0\ndelays_us = { left = -1.0 }\n", "settings-key-invalid"),
         (TWO.replace("sensor.right", "sensors.right"), "settings-key-unknown"),
         (TWO.replace('driver = "opencv"\nsource = 1', "source = 1"), "settings-key-missing"),
     ],

@@ -3,6 +3,7 @@
 import threading
 import time
 from collections.abc import Iterator
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -10,6 +11,7 @@ import pytest
 
 from app.station.bus import Bus
 from app.station.devices.rig import Rig
+from app.station.devices.sensor_device import StationSensor
 from app.station.pulses.pulse_trigger import TriggerSettings
 from hardware.interfaces import Frame
 from hardware.registry import arm_driver
@@ -86,6 +88,63 @@ def test_a_camera_that_comes_back_is_paired_again(simulation: SimulatedStation, 
     until(lambda: rig.sensor.reader.link().state.value == "connected", 30)
     until(lambda: rig.sensor.is_paired, 60)
     assert len(collect(rig, 5)) >= 5
+
+
+@pytest.fixture(scope="module")
+def two_cameras() -> Iterator[SimulatedStation]:
+    with SimulatedStation(replace(CONFIG, second_sensor=True)) as running:
+        yield running
+
+
+def test_each_of_two_cameras_is_paired_by_its_own_count(
+    two_cameras: SimulatedStation, tmp_path: Path
+) -> None:
+    """One pulse starts both exposures; one camera's losses and jitter do not concern the other."""
+    simulation, delay_us = two_cameras, 500.0
+    rig = Rig(
+        Bus(),
+        lambda: arm_driver("serial-encoder", {"url": simulation.arm_url}),
+        {"left": simulation.sensor, "right": simulation.second_sensor},
+        tmp_path,
+        TriggerSettings(RATE_HZ, delays_us={"right": delay_us}),
+    )
+    rig.start()
+    try:
+        left, right = rig.sensors.values()
+        simulation.camera_faults.drop_rate = 0.1
+        until(lambda: left.is_paired and right.is_paired, 120)
+        check_common_pulses(left, right, delay_us)
+        # a camera that comes back gets a new start of the pulses, which both are paired by
+        simulation.second_camera_faults.lost = True
+        until(lambda: right.reader.link().state.value == "lost", 60)
+        assert left.is_paired
+        simulation.second_camera_faults.lost = False
+        until(lambda: right.fresh and left.is_paired and right.is_paired, 120)
+        check_common_pulses(left, right, delay_us)
+    finally:
+        rig.stop()
+        simulation.clear_faults()
+
+
+def check_common_pulses(left: StationSensor, right: StationSensor, delay_us: float) -> None:
+    """Exposures of one pulse differ by the stated delay alone, although cameras count apart."""
+    taps = {sensor: sensor.frames.tap(200) for sensor in (left, right)}
+    stamps: dict[StationSensor, list[int]] = {left: [], right: []}
+
+    def have_enough() -> bool:
+        for sensor, tap in taps.items():
+            stamps[sensor] += [frame.mid_exposure_ns for frame in tap.get(100, 0.1)]
+        return min(len(found) for found in stamps.values()) >= 20
+
+    until(have_enough, 60)
+    for sensor, tap in taps.items():
+        sensor.frames.untap(tap)
+    apart_ns = np.subtract.outer(np.array(stamps[right]), np.array(stamps[left]))
+    off_ns = np.abs(apart_ns - 1e3 * delay_us).min(axis=1)
+    # the partners of some frames were lost, or came before or after the others
+    off_ns = off_ns[off_ns < 0.5e9 / RATE_HZ]
+    assert len(off_ns) >= 10
+    assert off_ns.max() < 1e3
 
 
 def test_a_camera_without_pulses_is_there_though_silent(tmp_path: Path) -> None:

@@ -38,13 +38,13 @@ class StationArm:
     """Reads the arm in its own thread; everything else may be called from any thread."""
 
     def __init__(
-        self, bus: Bus, make: Callable[[], ArmDriver], pairing: PulsePairing | None = None
+        self, bus: Bus, make: Callable[[], ArmDriver], pairings: Sequence[PulsePairing] = ()
     ) -> None:
-        """``pairing``: receives the samples that were latched at trigger pulses."""
+        """``pairings``: receive the samples that were latched at trigger pulses."""
         self.label = ""
         """What people call it."""
         self._bus = bus
-        self._pairing = pairing
+        self._pairings = tuple(pairings)
         self._chosen: AnyArm | None = None
         self._ring: ReadingRing | None = None
         self._judge: ReadingJudge | None = None
@@ -258,10 +258,10 @@ class StationArm:
         ring, judge = self._ring, self._judge
         if ring is None or judge is None:
             return
-        if self._pairing is not None:
-            for sample in samples:
-                if sample.pulse is not None:
-                    self._pairing.note_pulse(sample.pulse, sample.stamp_ns)
+        for sample in samples:
+            if sample.pulse is not None:
+                for pairing in self._pairings:
+                    pairing.note_pulse(sample.pulse, sample.stamp_ns)
         good = judge.filter(samples)
         ring.extend(good, judge.judged_ns)
         if good:

@@ -67,7 +67,7 @@ class Rig:
         arm, sensor: return a new, unopened driver at each call; of several sensors, one for each
             by its name.
         data_dir: the folder whose disk is watched.
-        trigger: the arm triggers the camera in this way; None if it does not.
+        trigger: the arm triggers the cameras in this way; None if it does not.
         real: of a demonstration, which devices are real ones instead of the simulation's.
     """
 
@@ -83,19 +83,21 @@ class Rig:
         self.real = real
         self._bus = bus
         self._data_dir = data_dir
-        pairing = None if trigger is None else PulsePairing(trigger.delay_us)
-        self.arm = StationArm(bus, arm, pairing)
         makers = {"": sensor} if callable(sensor) else dict(sensor)
+        pairings: dict[str, PulsePairing] = {}
+        if trigger is not None:
+            pairings = {name: PulsePairing(trigger.delay_of_us(name)) for name in makers}
+        self.arm = StationArm(bus, arm, tuple(pairings.values()))
         self.sensors: Mapping[str, StationSensor] = {
-            name: StationSensor(bus, make, pairing) for name, make in makers.items()
+            name: StationSensor(bus, make, pairings.get(name)) for name, make in makers.items()
         }
         """By their names; the name of the only one is empty."""
         for name, one in self.sensors.items():
             one.label = name
         self._selected = next(iter(self.sensors))
         self._trigger: PulseTrigger | None = None
-        if trigger is not None and pairing is not None:
-            self._trigger = PulseTrigger(trigger, pairing)
+        if trigger is not None:
+            self._trigger = PulseTrigger(trigger, tuple(pairings.values()))
         self._capturing = threading.Lock()
         self._stopping = threading.Event()
         self._publisher: threading.Thread | None = None
@@ -235,7 +237,8 @@ class Rig:
                 self._report_link(title, said.get(f"{title} {name}"), link, name)
                 said[f"{title} {name}"] = link
             if self._trigger is not None:
-                self._trigger.use(self.arm.reader.driver, self.sensor.reader.driver)
+                drivers = [one.reader.driver for one in self.sensors.values()]
+                self._trigger.use(self.arm.reader.driver, drivers)
             doubted = self._report_doubt(doubted)
             now_s = time.monotonic()
             if _states(said) != before or now_s - published_s >= PUBLISH_S:
