@@ -24,6 +24,7 @@ def publish() -> None:
     rclpy.init()
     node = rclpy.create_node("bench_arm")
     joints = node.create_publisher(JointState, "/bench/joints", 100)
+    transforms = transform_publishers(node)
     poses = node.create_publisher(PoseStamped, "/bench/pose", qos_profile_sensor_data)
     start_ns, sent = time.monotonic_ns(), 0
     while True:
@@ -34,6 +35,34 @@ def publish() -> None:
             if "silent" not in said:
                 joints.publish(stamped(joint_state(JointState(), said), stamp, said))
                 poses.publish(stamped(pose(PoseStamped(), said), stamp, said))
+                if transforms is not None:
+                    transforms(stamp)
+
+
+def transform_publishers(node: Any) -> Any:
+    """Publishes base -> flange at each call, and flange -> tool, which is the same place, once;
+    None without tf2_msgs."""
+    try:
+        from tf2_msgs.msg import TFMessage
+    except ImportError:
+        return None
+    from geometry_msgs.msg import TransformStamped
+    from rclpy.qos import DurabilityPolicy, QoSProfile
+
+    def made(parent: str, child: str, stamp: Any) -> Any:
+        one = TransformStamped()
+        one.header.frame_id, one.child_frame_id, one.header.stamp = parent, child, stamp
+        if child == "flange":
+            moved, turned = one.transform.translation, one.transform.rotation
+            moved.x, moved.y, moved.z = 0.5, -0.25, 0.125
+            turned.x, turned.w = 0.6, 0.8
+        return TFMessage(transforms=[one])
+
+    moving = node.create_publisher(TFMessage, "/tf", 100)
+    kept = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
+    static = node.create_publisher(TFMessage, "/tf_static", kept)
+    static.publish(made("flange", "tool", node.get_clock().now().to_msg()))
+    return lambda stamp: moving.publish(made("base", "flange", stamp))
 
 
 def listen(said: set[str]) -> None:

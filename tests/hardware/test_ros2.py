@@ -1,7 +1,8 @@
 """The driver for ROS 2 against a node of ROS 2 in a process of its own.
 
 It needs ``rclpy``, from an installation of ROS 2 or the wheels ``ros-kilted-rclpy[fastrtps]``,
-``ros-kilted-sensor-msgs`` and ``ros-kilted-geometry-msgs``, in an environment of its own.
+``ros-kilted-sensor-msgs`` and ``ros-kilted-geometry-msgs``, in an environment of its own. The tests
+of transforms also need ``tf2_msgs``, of which there is no wheel.
 """
 
 import os
@@ -10,9 +11,14 @@ import sys
 import time
 from collections.abc import Iterator
 from pathlib import Path
+from types import SimpleNamespace
+from typing import Any
 
 import pytest
 
+from hardware.arm.robots.readings import RobotReading
+from hardware.arm.robots.ros2 import Ros2Options, TopicStream
+from hardware.arm.robots.transform_chain import TransformChain
 from hardware.errors import DeviceError
 from hardware.interfaces import ArmDriver, PoseSample
 from hardware.registry import arm_driver
@@ -34,6 +40,7 @@ NAMES = ["joint_a", "joint_b", "joint_c", "joint_d", "joint_e", "joint_f"]
 OPTIONS: dict[str, dict[str, object]] = {
     "joints": {"topic": "/bench/joints", "kind": "joints", "joint_names": NAMES},
     "pose": {"topic": "/bench/pose", "kind": "pose"},
+    "tf": {"kind": "tf", "parent_frame": "base", "child_frame": "tool"},
 }
 
 
@@ -48,8 +55,55 @@ def test_without_ros_the_remedy_is_its_setup_file(monkeypatch: pytest.MonkeyPatc
 def test_joints_need_names() -> None:
     with pytest.raises(DeviceError, match="'joint_names' is missing"):
         arm_driver("ros2", {"topic": "/joint_states", "kind": "joints"})
-    with pytest.raises(DeviceError, match="kind = 'tf' cannot be used"):
-        arm_driver("ros2", {"topic": "/tf", "kind": "tf"})
+    with pytest.raises(DeviceError, match="kind = 'twist' cannot be used"):
+        arm_driver("ros2", {"topic": "/twist", "kind": "twist"})
+
+
+def test_transforms_need_two_frames() -> None:
+    with pytest.raises(DeviceError, match="'child_frame' is missing"):
+        arm_driver("ros2", {"kind": "tf", "parent_frame": "base"})
+    with pytest.raises(DeviceError, match="are both base"):
+        arm_driver("ros2", {"kind": "tf", "parent_frame": "/base", "child_frame": "base"})
+    with pytest.raises(DeviceError, match="'topic' is missing"):
+        arm_driver("ros2", {"kind": "pose"})
+
+
+def transform(parent: str, child: str, stamp_ms: int, x_m: float, qz: float = 0.0) -> Any:
+    """A ``geometry_msgs/TransformStamped``, as the driver reads it."""
+    return SimpleNamespace(
+        header=SimpleNamespace(
+            frame_id=parent, stamp=SimpleNamespace(sec=1, nanosec=1_000_000 * stamp_ms)
+        ),
+        child_frame_id=child,
+        transform=SimpleNamespace(
+            translation=SimpleNamespace(x=x_m, y=0.0, z=0.0),
+            rotation=SimpleNamespace(x=0.0, y=0.0, z=qz, w=(1 - qz * qz) ** 0.5),
+        ),
+    )
+
+
+def test_messages_of_transforms_become_poses() -> None:
+    """The middleware is left out: there is no wheel of the messages' type."""
+    options = Ros2Options.model_validate({**OPTIONS["tf"], "timeout_s": 1.0})
+    chain = TransformChain("/tf", "base", "tool")
+    stream = TopicStream("/tf", options, chain)
+
+    def receive(*transforms: Any, is_static: bool = False) -> list[RobotReading]:
+        held = SimpleNamespace(transforms=transforms)
+        return stream._chain_readings(chain, 0, held, is_static)
+
+    assert receive(transform("/flange", "/tool", 0, 0.1), is_static=True) == []
+    (reading,) = receive(transform("base", "flange", 5, 0.5, qz=0.6))
+    assert reading.device_ns == 1_005_000_000
+    # 100 mm along the turned x axis: cos = 1 - 2 * 0.36, sin = 2 * 0.6 * 0.8
+    assert reading.position_mm == pytest.approx((500 + 28, 96, 0))
+    assert reading.quaternion_xyzw == pytest.approx((0, 0, 0.6, 0.8))
+    with pytest.raises(DeviceError, match="no numbers"):
+        receive(transform("base", "flange", 6, float("nan")))
+    long = transform("base", "flange", 7, 0.5)
+    long.transform.rotation.w = 1.1
+    with pytest.raises(DeviceError, match=r"1\.1"):
+        receive(long)
 
 
 class Ros2Bench(ArmBench):
@@ -87,9 +141,11 @@ class Ros2Bench(ArmBench):
         self.command("silent" if silent else "loud")
 
 
-@pytest.fixture(params=["joints", "pose"])
+@pytest.fixture(params=["joints", "pose", "tf"])
 def bench(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> Iterator[Ros2Bench]:
     pytest.importorskip("rclpy")
+    if request.param == "tf":
+        pytest.importorskip("tf2_msgs")
     monkeypatch.setenv("ROS_DOMAIN_ID", str(100 + os.getpid() % 100))
     monkeypatch.setenv("ROS_AUTOMATIC_DISCOVERY_RANGE", "LOCALHOST")
     bench = Ros2Bench(request.param)
@@ -116,6 +172,8 @@ def test_readings_are_as_published(bench: Ros2Bench) -> None:
 
 @pytest.mark.parametrize("word", ["nan", "unstamped", "moved", "short", "earlier"])
 def test_what_cannot_be_used_is_an_error(bench: Ros2Bench, word: str) -> None:
+    if bench.kind == "tf":
+        pytest.skip("transforms are tested without the middleware")
     of_one_kind = {"moved": "pose", "short": "joints"}
     if of_one_kind.get(word, bench.kind) != bench.kind:
         pytest.skip("the other kind of message")
@@ -148,6 +206,6 @@ def test_a_wrong_topic_lists_those_that_are_there(bench: Ros2Bench) -> None:
     with pytest.raises(DeviceError) as caught:
         arm_driver("ros2", wrong).open()
     assert "Nothing is published on /bench/nothing" in str(caught.value.what)
-    assert str(OPTIONS[bench.kind]["topic"]) in str(caught.value.remedy)
+    assert str(OPTIONS[bench.kind].get("topic", "/tf")) in str(caught.value.remedy)
     with pytest.raises(DeviceError, match="refuses the subscription"):
         arm_driver("ros2", {**wrong, "topic": "no topic!"}).open()

@@ -6,7 +6,8 @@ dependency of Crenel. The driver subscribes to one topic and publishes nothing. 
     [arm]
     driver = "ros2"
     topic = "/joint_states"
-    kind = "joints"             # sensor_msgs/JointState; or "pose": geometry_msgs/PoseStamped
+    kind = "joints"             # sensor_msgs/JointState; or "pose": geometry_msgs/PoseStamped;
+                                # or "tf": a chain of tf2_msgs/TFMessage
     joint_names = ["shoulder_pan_joint", "…"]   # for joints: 5 to 7 names, base joint first
     stamps = "header"           # or "arrival", if the messages have no time stamps
     domain_id = 0               # optional: instead of ROS_DOMAIN_ID
@@ -14,6 +15,8 @@ dependency of Crenel. The driver subscribes to one topic and publishes nothing. 
     timeout_s = 5.0             # how long ``open`` waits for messages
 
 A pose must be that of the flange in the frame of the arm's base, both of which stay the same.
+For ``kind = "tf"``, ``parent_frame`` and ``child_frame`` name both; the topics are ``/tf`` and
+``/tf_static`` unless ``topic`` names another one, whose name plus ``_static`` is the second.
 """
 
 import importlib
@@ -26,8 +29,9 @@ from typing import Any, Literal
 from pydantic import Field
 
 from app.messages.message import Text, message
-from hardware.arm.robots.readings import RobotReading, require_finite
+from hardware.arm.robots.readings import RobotReading, require_finite, require_unit
 from hardware.arm.robots.streaming_arm import StreamingArm, StreamOptions, await_readings
+from hardware.arm.robots.transform_chain import FramePlacement, TransformChain
 from hardware.clock import now_ns
 from hardware.errors import DeviceError
 from hardware.interfaces import ArmInfo, LinkHealth
@@ -38,14 +42,21 @@ _FIRST = 20
 _FEWEST_JOINTS = 5
 _DEPTH = 1000
 """Messages that may wait for a late reader."""
-_TYPES = {"joints": ("sensor_msgs.msg", "JointState"), "pose": ("geometry_msgs.msg", "PoseStamped")}
+_TYPES = {
+    "joints": ("sensor_msgs.msg", "JointState"),
+    "pose": ("geometry_msgs.msg", "PoseStamped"),
+    "tf": ("tf2_msgs.msg", "TFMessage"),
+}
+_TRANSFORMS = "/tf"
 
 
 class Ros2Options(StreamOptions):
     """Options of the driver in station.toml."""
 
-    topic: str = Field(min_length=1)
-    kind: Literal["joints", "pose"]
+    topic: str | None = Field(default=None, min_length=1)
+    kind: Literal["joints", "pose", "tf"]
+    parent_frame: str | None = Field(default=None, min_length=1)
+    child_frame: str | None = Field(default=None, min_length=1)
     joint_names: list[str] = Field(default_factory=list, max_length=7)
     stamps: Literal["header", "arrival"] = "header"
     domain_id: int | None = Field(default=None, ge=0, le=232)
@@ -60,7 +71,25 @@ def from_options(options: Mapping[str, object]) -> StreamingArm:
             message("station-toml-option-missing", table="arm", key=repr("joint_names")),
             message("ros2-needs-joint-names"),
         )
-    return StreamingArm(checked, checked.topic, lambda: TopicStream(checked))
+    if checked.kind == "tf":
+        topic = checked.topic or _TRANSFORMS
+        parent = _require_option("parent_frame", checked.parent_frame).removeprefix("/")
+        child = _require_option("child_frame", checked.child_frame).removeprefix("/")
+        if parent == child:
+            raise DeviceError(message("ros2-same-frames", frame=child))
+        return StreamingArm(
+            checked,
+            topic,
+            lambda: TopicStream(topic, checked, TransformChain(topic, parent, child)),
+        )
+    topic = _require_option("topic", checked.topic)
+    return StreamingArm(checked, topic, lambda: TopicStream(topic, checked))
+
+
+def _require_option(key: str, value: str | None) -> str:
+    if value is None:
+        raise DeviceError(message("station-toml-option-missing", table="arm", key=repr(key)))
+    return value
 
 
 class TopicStream:
@@ -68,14 +97,17 @@ class TopicStream:
 
     silence_remedy: Text = message("ros2-check-publisher")
 
-    def __init__(self, options: Ros2Options) -> None:
-        self._options = options
+    def __init__(
+        self, topic: str, options: Ros2Options, chain: TransformChain | None = None
+    ) -> None:
+        self._topic, self._options, self._chain = topic, options, chain
         self._lock = threading.Lock()
         self._closed = False
         self._context: Any = None
         self._node: Any = None
         self._executor: Any = None
-        self._arrived: deque[tuple[int, Any]] = deque()
+        self._arrived: deque[tuple[int, Any, bool]] = deque()
+        """Arrival, message, and whether it came on the topic of what does not move."""
         self._count = 0
         self._frame: str | None = None
 
@@ -85,9 +117,9 @@ class TopicStream:
         first = await_readings(self, _FIRST, timeout_s)
         if len(first) < 2 or first[-1].device_ns <= first[0].device_ns:
             raise self._no_message_error()
-        poses = self._options.kind == "pose"
+        poses = self._options.kind != "joints"
         return ArmInfo(
-            name=f"ROS 2 {self._options.topic}",
+            name=f"ROS 2 {self._topic}",
             serial_number="",
             joint_count=0 if poses else len(self._options.joint_names),
             rate_hz=(len(first) - 1) * 1e9 / (first[-1].device_ns - first[0].device_ns),
@@ -102,14 +134,18 @@ class TopicStream:
         with self._lock:
             while not self._arrived:
                 if self._closed or self._executor is None:
-                    raise DeviceError(message("robot-link-closed", address=self._options.topic))
+                    raise DeviceError(message("robot-link-closed", address=self._topic))
                 remaining_s = deadline - time.monotonic()
                 self._executor.spin_once(timeout_sec=max(0.0, remaining_s))
                 if remaining_s <= 0:
                     break
         found: list[RobotReading] = []
         while self._arrived:
-            found.append(self._reading(*self._arrived.popleft()))
+            arrival_ns, received, is_static = self._arrived.popleft()
+            if self._chain is not None:
+                found += self._chain_readings(self._chain, arrival_ns, received, is_static)
+            else:
+                found.append(self._reading(arrival_ns, received))
         return found
 
     def close(self) -> None:
@@ -155,15 +191,51 @@ class TopicStream:
                 profile = qos.QoSProfile(
                     depth=_DEPTH, reliability=qos.ReliabilityPolicy.BEST_EFFORT
                 )
-                self._node.create_subscription(message_type, options.topic, self._note, profile)
+                self._node.create_subscription(message_type, self._topic, self._note, profile)
+                if self._chain is not None:
+                    # what does not move was published once, for all who come later
+                    kept = qos.QoSProfile(
+                        depth=_DEPTH, durability=qos.DurabilityPolicy.TRANSIENT_LOCAL
+                    )
+                    static = f"{self._topic}_static"
+                    self._node.create_subscription(message_type, static, self._note_static, kept)
         except Exception as error:  # rclpy has no common class for what its middleware reports
             raise DeviceError(
-                message("ros2-failed", topic=options.topic, reason=error),
+                message("ros2-failed", topic=self._topic, reason=error),
                 message("correct-option", key="topic"),
             ) from error
 
     def _note(self, received: Any) -> None:
-        self._arrived.append((now_ns(), received))
+        self._arrived.append((now_ns(), received, False))
+
+    def _note_static(self, received: Any) -> None:
+        self._arrived.append((now_ns(), received, True))
+
+    def _chain_readings(
+        self, chain: TransformChain, arrival_ns: int, received: Any, is_static: bool
+    ) -> list[RobotReading]:
+        """The pose of the child frame after a message, if it has changed."""
+        for one in received.transforms:
+            moved, turned = one.transform.translation, one.transform.rotation
+            rotation = (turned.x, turned.y, turned.z, turned.w)
+            position_mm = (1000 * moved.x, 1000 * moved.y, 1000 * moved.z)
+            require_finite(self._topic, (*position_mm, *rotation))
+            require_unit(self._topic, rotation)
+            stamp_ns = 0 if is_static else self._device_ns(arrival_ns, one.header)
+            frames = (one.header.frame_id.removeprefix("/"), one.child_frame_id.removeprefix("/"))
+            chain.add(*frames, FramePlacement(stamp_ns, position_mm, rotation), is_static)
+        placed = chain.pose()
+        if placed is None:
+            return []
+        self._count += 1
+        return [
+            RobotReading(
+                placed.stamp_ns,
+                self._count,
+                position_mm=placed.position_mm,
+                quaternion_xyzw=placed.rotation,
+            )
+        ]
 
     def _reading(self, arrival_ns: int, received: Any) -> RobotReading:
         self._count += 1
@@ -183,7 +255,7 @@ class TopicStream:
         device_ns = int(header.stamp.sec) * 1_000_000_000 + int(header.stamp.nanosec)
         if device_ns == 0:
             raise DeviceError(
-                message("ros2-no-stamp", topic=self._options.topic), message("ros2-use-arrival")
+                message("ros2-no-stamp", topic=self._topic), message("ros2-use-arrival")
             )
         return device_ns
 
@@ -192,11 +264,11 @@ class TopicStream:
         missing = [name for name in self._options.joint_names if name not in angles]
         if missing:
             raise DeviceError(
-                message("ros2-lacks-joint", topic=self._options.topic, name=missing[0]),
+                message("ros2-lacks-joint", topic=self._topic, name=missing[0]),
                 message("ros2-joints-are", names=", ".join(received.name)),
             )
         joints = tuple(float(angles[name]) for name in self._options.joint_names)
-        require_finite(self._options.topic, joints)
+        require_finite(self._topic, joints)
         return joints
 
     def _require_frame(self, frame: str) -> None:
@@ -206,7 +278,7 @@ class TopicStream:
             raise DeviceError(
                 message(
                     "ros2-frame-changed",
-                    topic=self._options.topic,
+                    topic=self._topic,
                     frame=frame,
                     expected=self._frame,
                 ),
@@ -214,12 +286,14 @@ class TopicStream:
             )
 
     def _no_message_error(self) -> DeviceError:
+        if self._chain is not None and self._chain.has_transforms:
+            return self._chain.missing_error()
         package, kind = _TYPES[self._options.kind]
         wanted = f"{package.partition('.')[0]}/msg/{kind}"
-        own = self._node.resolve_topic_name(self._options.topic)
+        own = self._node.resolve_topic_name(self._topic)
         topics = self._node.get_topic_names_and_types()
         found = [name for name, kinds in topics if wanted in kinds and name != own]
-        what = message("ros2-nothing-published", topic=self._options.topic, kind=wanted)
+        what = message("ros2-nothing-published", topic=self._topic, kind=wanted)
         if found:
             return DeviceError(what, message("ros2-topics-are", names=", ".join(sorted(found))))
         return DeviceError(what, self.silence_remedy)
