@@ -263,6 +263,21 @@ def calibration(
     print_table(f"{len(found)} recordings", columns, rows)
 
 
+@catalogue.command()
+@report_errors
+def export(
+    folder: Annotated[Path, typer.Argument(help="Folder of the Parquet files.", metavar="FOLDER")],
+    config: Config = None,
+) -> None:
+    """Write the catalogue as Parquet files, for DuckDB and other programs."""
+    from app.fleet.exports import export_parquet
+
+    with _open_catalogue(config) as (_, opened), opened.reading() as connection:
+        rows = export_parquet(connection, folder)
+    for name, number in rows.items():
+        print(f"{folder / name}.parquet: {number} rows")
+
+
 @contextmanager
 def _open_catalogue(config: Path | None) -> "Iterator[tuple[FleetSettings, FleetCatalogue]]":
     """The settings and their catalogue; raises ``OperationError``."""

@@ -59,6 +59,8 @@ def test_a_station_is_collected_searched_and_shown(config: Path) -> None:
     stations = json.loads(run(config, "status", "--json").stdout)["stations"]
     assert [(one["id"], one["records"]) for one in stations] == [("room-1", 7), ("room-2", 0)]
     assert stations[1]["problem"]
+    exported = run(config, "export", str(config.parent / "tables")).stdout
+    assert "record.parquet: 7 rows" in exported
 
 
 @pytest.mark.parametrize(
