@@ -90,6 +90,9 @@ def paper(
 @report_errors
 def performance(
     draws: Annotated[int, typer.Option(min=100, help="Draws of white noise.")] = 10_000,
+    tests: Annotated[
+        int, typer.Option(min=0, help="Simulated tests for the uncertainty of every figure.")
+    ] = 200,
     rendered: Annotated[
         bool, typer.Option("--rendered", help="Plant faults on the rendered simulated station.")
     ] = False,
@@ -105,7 +108,7 @@ def performance(
     from app.bench.metrology.performance import COLUMNS, run, table
 
     shown = Shown("Drawing", "Figures of performance tests, µm", "figures")
-    _measure(shown, as_json, partial(run, draws), COLUMNS, table)
+    _measure(shown, as_json, partial(run, draws, tests), COLUMNS, table)
 
 
 @bench.command()

@@ -1426,6 +1426,7 @@ performance-articulations-missing =
 performance-aside-note = { $title }: { $reason }
 performance-began-scan = hat einen Scan der Kugel begonnen
 performance-begin-scan = Scan beginnen
+performance-brought-to-20 = Größen und Längen sind auf 20 °C bezogen; das Prüfnormal hatte { $celsius }.
 performance-camera-off-articulation = Die Kamera blickt { $off } neben der gewünschten Richtung (höchstens { $most }).
 performance-cancelled-device = Abgebrochen: Ein Gerät ist ausgefallen.
 performance-cancelled-moved = Abgebrochen: Kugel oder Arm hat sich bewegt.
@@ -1515,6 +1516,7 @@ performance-step-pattern = 25 Antastungen
 performance-step-scan = Fünf Scans
 performance-stylus-off-articulation = Der Taster ist { $off } neben der gewünschten Richtung (höchstens { $most }).
 performance-symbol = Symbol
+performance-temperature-not-stated = Die Temperatur des Prüfnormals wurde nicht angegeben: Größen und Längen gelten als bei 20 °C gemessen, und ihre Unsicherheit enthält die Temperatur nicht.
 performance-test =
     { $kind ->
         [lengths] Leistungsprüfung: Längen

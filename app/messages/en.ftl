@@ -1422,6 +1422,7 @@ performance-articulations-missing =
 performance-aside-note = { $title }: { $reason }
 performance-began-scan = began a scan of the sphere
 performance-begin-scan = Begin the scan
+performance-brought-to-20 = Sizes and lengths are brought to 20 °C; the artefact was at { $celsius }.
 performance-camera-off-articulation = The camera looks from a direction { $off } away from the wanted one (at most { $most }).
 performance-cancelled-device = Cancelled: a device failed.
 performance-cancelled-moved = Cancelled: the sphere or the arm moved.
@@ -1511,6 +1512,7 @@ performance-step-pattern = 25 touches
 performance-step-scan = Five scans
 performance-stylus-off-articulation = The stylus is { $off } away from the wanted direction (at most { $most }).
 performance-symbol = Symbol
+performance-temperature-not-stated = The artefact's temperature was not stated: sizes and lengths are taken as at 20 °C, and their uncertainty does not contain the temperature.
 performance-test =
     { $kind ->
         [lengths] Performance test: lengths

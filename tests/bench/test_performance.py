@@ -2,6 +2,7 @@
 
 import pytest
 
+from app.bench.metrology.claimed_uncertainty import coverage_rows
 from app.bench.metrology.performance import run, table
 
 
@@ -13,3 +14,11 @@ def test_every_row_is_near_its_expectation() -> None:
             assert row.found == pytest.approx(row.expected, rel=0.2), row.figure
         else:
             assert row.found > 1, row.figure
+
+
+def test_the_uncertainty_of_sizes_and_lengths_is_that_of_the_artefact() -> None:
+    ratios = {row.figure: row.ratio for row in coverage_rows(24)}
+    assert len(ratios) == 12
+    # by 24 draws a ratio is known to 15 %
+    for figure in ("size-touch", "size-scan", "location-scan", "form-both", "length-touch"):
+        assert 0.55 < ratios[figure] < 1.8, figure

@@ -8,6 +8,7 @@ from pathlib import Path
 import numpy as np
 from scipy.spatial.transform import Rotation
 
+from app.bench.metrology.claimed_uncertainty import coverage_rows
 from app.bench.metrology.synthetic_sphere import Faults, SphereSession
 from app.formats.performance.results import PerformanceFile
 from app.formats.performance.symbols import Quantity
@@ -36,18 +37,24 @@ class PerformanceRow:
     found: float
 
 
-def run(draws: int, progress: Progress = no_progress) -> list[PerformanceRow]:
+def run(draws: int, tests: int = 0, progress: Progress = no_progress) -> list[PerformanceRow]:
     """Every row.
 
     Args:
         draws: of white noise.
+        tests: simulated ones, for the uncertainty of every figure.
     """
     rows = noise_rows(draws)
     progress(0.5, "planted faults")
     with tempfile.TemporaryDirectory() as folder:
         rows += fault_rows(Path(folder))
     progress(0.9, "stated against true")
-    return [*rows, *uncertainty_rows(min(draws, 1000))]
+    rows += uncertainty_rows(min(draws, 1000))
+    claimed = coverage_rows(tests) if tests else []
+    return [
+        *rows,
+        *(PerformanceRow(f"{one.figure}, stated / observed", 1.0, one.ratio) for one in claimed),
+    ]
 
 
 def table(rows: Sequence[PerformanceRow]) -> list[tuple[str, str, str, str]]:

@@ -11,7 +11,7 @@ from typing import Annotated, ClassVar, Literal
 from pydantic import Field
 
 from app.formats.datasheets.length_standard import LengthStandardFile
-from app.formats.json_document import Document, DocumentPart, NotNegative, Positive, Vector3
+from app.formats.json_document import Document, DocumentPart, NotNegative, Number, Positive, Vector3
 from app.formats.performance.symbols import DEFAULT_EDITION, Quantity
 from app.formats.results.decision_rule import RulePart
 from app.metrology.performance.gate import CONE_DEG, INCIDENCE_DEG, SHELL_MM, SphereGate
@@ -62,6 +62,7 @@ class SpherePart(DocumentPart):
     form_um: NotNegative
     form_sd_um: NotNegative = 0.0
     expansion_per_c: NotNegative = 0.0
+    expansion_sd_per_c: NotNegative = 0.0
 
 
 class PlatePart(DocumentPart):
@@ -99,6 +100,8 @@ class PerformancePlan(Document):
     gate: GatePart = GatePart()
     limits: tuple[LimitPart, ...] = ()
     rule: RulePart = RulePart()
+    artefact_c: Number | None = None
+    """Temperature of the artefact during the test; None: not measured, taken as 20 °C."""
     temperature_sd_c: NotNegative = 0.0
     """Standard uncertainty of the artefact's temperature."""
 

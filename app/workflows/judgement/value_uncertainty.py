@@ -9,8 +9,8 @@ from app.formats.results.verification import FigureName
 from app.metrology.gauges.errors import ARCSEC_PER_RAD
 from app.metrology.performance.value_uncertainty import (
     SphereCertificate,
+    centre_uncertainty_um,
     form_uncertainty_um,
-    location_uncertainty_um,
     plane_uncertainty_um,
     size_uncertainty_um,
 )
@@ -39,7 +39,7 @@ def _sphere(gauge: GaugeFile) -> dict[FigureName, float]:
     sphere = SphereCertificate(
         2 * gauge.radius_mm, 2 * gauge.standard_uncertainty_um, gauge.form_um
     )
-    form, place = form_uncertainty_um(sphere), location_uncertainty_um(sphere, 0.0)
+    form, place = form_uncertainty_um(sphere), centre_uncertainty_um(sphere)
     return {
         "form": form,
         "form_all": form,

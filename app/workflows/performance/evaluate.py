@@ -26,10 +26,12 @@ from app.formats.performance.results import (
 from app.formats.performance.symbols import SPHERE_QUANTITIES, Quantity, editions
 from app.formats.results.calibration import SerialNumbers
 from app.messages.message import Text, message, quantity
+from app.metrology.performance.lengths import REFERENCE_C
 from app.metrology.performance.location import estimate_offset
 from app.metrology.performance.sphere import least_squares_sphere
 from app.metrology.performance.value_uncertainty import (
     SphereCertificate,
+    form_of_both_uncertainty_um,
     form_uncertainty_um,
     location_uncertainty_um,
     size_uncertainty_um,
@@ -42,6 +44,7 @@ from app.workflows.performance.measured_data import MeasuredData, read_measured_
 from app.workflows.performance.plane_test import measure_plane
 from app.workflows.performance.sphere_test import (
     PositionResult,
+    bring_sizes_to_20,
     measure_position,
     problems_of,
     worst,
@@ -144,8 +147,11 @@ def _measure(
 def _measure_sphere(data: MeasuredData, problems: list[Text]) -> tuple[list[Measured], _Parts]:
     plan = data.plan
     assert plan.sphere is not None, "a plan of this kind has a sphere"
-    certificate = _certificate(plan.sphere)
+    certificate = sphere_certificate(plan.sphere)
+    off_c = 0.0 if plan.artefact_c is None else plan.artefact_c - REFERENCE_C
     results = [measure_position(data, plan.sphere, i + 1) for i in range(plan.positions)]
+    for result in results:
+        bring_sizes_to_20(result, plan.sphere, off_c)
     moved_um = max(result.moved_um for result in results)
     still_um = K * max(form_uncertainty_um(certificate), size_uncertainty_um(certificate)) / 2
     limit_um = max(still_um, _least_drift_um(data))
@@ -162,7 +168,7 @@ def _measure_sphere(data: MeasuredData, problems: list[Text]) -> tuple[list[Meas
             of,
             worst(results, of),
             tuple(None if of not in one.values_mm else 1e3 * one.values_mm[of] for one in results),
-            _test_sd_um(of, certificate, plan.temperature_sd_c, moved_um),
+            sphere_uncertainty_um(of, certificate, moved_um, plan.temperature_sd_c, off_c),
             problems_of(results, of),
             tuple(name for one in results for name in one.data.get(of, ())),
         )
@@ -185,23 +191,41 @@ def _least_drift_um(data: MeasuredData) -> float:
     return 2 * 1.25 * scatter_um
 
 
-def _certificate(sphere: SpherePart) -> SphereCertificate:
+def sphere_certificate(sphere: SpherePart) -> SphereCertificate:
+    """What the certificate of a plan's sphere says."""
     return SphereCertificate(
         sphere.diameter_mm,
         sphere.diameter_sd_um,
         sphere.form_um,
         sphere.form_sd_um,
         sphere.expansion_per_c,
+        sphere.expansion_sd_per_c,
     )
 
 
-def _test_sd_um(
-    of: Quantity, sphere: SphereCertificate, temperature_sd_c: float, moved_um: float
+def sphere_uncertainty_um(
+    of: Quantity,
+    sphere: SphereCertificate,
+    moved_um: float,
+    temperature_sd_c: float = 0.0,
+    off_c: float = 0.0,
 ) -> float:
+    """Test value uncertainty of a quantity of the one-sphere test, k = 1.
+
+    Args:
+        moved_um: of the sphere, between the first touches and the last.
+        off_c: temperature of the sphere minus 20 °C.
+    """
     if of.startswith("size"):
-        return size_uncertainty_um(sphere, temperature_sd_c)
-    if of.startswith("location"):
-        return location_uncertainty_um(sphere, moved_um)
+        return size_uncertainty_um(sphere, temperature_sd_c, off_c)
+    if of == "location-touch":
+        return location_uncertainty_um(sphere, moved_um, "touch")
+    if of == "location-scan":
+        return location_uncertainty_um(sphere, moved_um, "scan")
+    if of == "location-both":
+        return location_uncertainty_um(sphere, moved_um, "both")
+    if of == "form-both":
+        return form_of_both_uncertainty_um(sphere, moved_um)
     return form_uncertainty_um(sphere)
 
 
@@ -248,6 +272,14 @@ def _notes(plan: PerformancePlan) -> tuple[Text, ...]:
         )
         if plan.positions == 1:
             notes.append(message("performance-one-position"))
+    if plan.kind in ("sphere", "lengths"):
+        notes.append(_temperature_note(plan))
     if plan.kind == "plane":
         notes.append(message("performance-plane-is-addition"))
     return tuple(notes)
+
+
+def _temperature_note(plan: PerformancePlan) -> Text:
+    if plan.artefact_c is None:
+        return message("performance-temperature-not-stated")
+    return message("performance-brought-to-20", celsius=quantity(plan.artefact_c, "°C", 1))

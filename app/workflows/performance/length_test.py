@@ -95,6 +95,7 @@ def _lengths_by_touch(data: MeasuredData) -> tuple[list[MeasuredLength], list[st
                         repeat,
                         nominal,
                         length_mm,
+                        data.plan.artefact_c,
                         temperature_sd_c=data.plan.temperature_sd_c,
                     )
                 )

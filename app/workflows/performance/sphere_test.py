@@ -90,6 +90,19 @@ def measure_position(data: MeasuredData, sphere: SpherePart, position: int) -> P
     return result
 
 
+def bring_sizes_to_20(result: PositionResult, sphere: SpherePart, off_c: float) -> None:
+    """Errors of size with the sphere at 20 °C.
+
+    Args:
+        off_c: its temperature in the test minus 20 °C.
+    """
+    growth = 1 + sphere.expansion_per_c * off_c
+    for of, error_mm in result.values_mm.items():
+        if of.startswith("size"):
+            at_20_mm = (error_mm + sphere.diameter_mm) / growth
+            result.values_mm[of] = at_20_mm - sphere.diameter_mm
+
+
 def _measure_pattern(
     data: MeasuredData, sphere: SpherePart, position: int, result: PositionResult
 ) -> tuple[Floats, Floats] | None:

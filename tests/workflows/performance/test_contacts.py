@@ -17,6 +17,7 @@ from app.formats.performance.plan import (
     LimitPart,
     PerformancePlan,
     length_feature,
+    read_plan,
 )
 from app.formats.session.calibration_session import ContactReadings, write_contacts
 from app.metrology.performance.pattern import RIM_DEG, pattern_directions
@@ -98,6 +99,24 @@ def test_a_scale_error_shows_in_the_lengths(tmp_path: Path) -> None:
         assert one.error_um == pytest.approx(0.1 * one.length_mm, abs=10)
     good = write_test(tmp_path / "g", "lengths", length_groups(1.0), limits)
     assert evaluate_performance(good).figures[0].decision == "pass"
+
+
+def test_lengths_are_brought_to_20_degrees(tmp_path: Path) -> None:
+    folder = write_test(tmp_path / "t", "lengths", length_groups(1.0, range(1, 2)), ())
+    cold = evaluate_performance(folder)
+    assert "temperature was not stated" in str(cold.notes[-1])
+    plan = read_plan(folder)
+    assert plan.length is not None
+    steel = plan.length.model_copy(update={"expansion_per_c": 11.5e-6, "expansion_sd_per_c": 1e-6})
+    (folder / PLAN).unlink()
+    plan.model_copy(update={"artefact_c": 25.0, "length": steel}).write(folder / PLAN)
+    warm = evaluate_performance(folder)
+    for before, after in zip(cold.lengths, warm.lengths, strict=True):
+        shrunk_um = 1e3 * before.length_mm * 11.5e-6 * 5
+        assert before.error_um - after.error_um == pytest.approx(shrunk_um, rel=1e-3)
+        by_coefficient_um = 2 * 1e3 * before.length_mm * 1e-6 * 5
+        expected_um = np.hypot(before.test_uncertainty_um, by_coefficient_um)
+        assert after.test_uncertainty_um == pytest.approx(expected_um, rel=1e-6)
 
 
 def test_lengths_in_some_places_are_what_there_is(tmp_path: Path) -> None:

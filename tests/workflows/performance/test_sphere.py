@@ -167,6 +167,25 @@ def test_articulations_that_were_held_as_wanted_are_not_mentioned(tmp_path: Path
     assert len(result.spheres[0].view_directions) == 5
 
 
+def test_sizes_are_brought_to_20_degrees_with_their_uncertainty(tmp_path: Path) -> None:
+    warm = SPHERE.model_copy(
+        update={"expansion_per_c": 11.5e-6, "expansion_sd_per_c": 2e-6, "form_um": 0.0}
+    )
+    folder = SphereSession(tmp_path / "t", Faults(articulations=0), warm).write()
+    unstated = evaluate_performance(folder)
+    assert "temperature was not stated" in str(unstated.notes[-1])
+    plan = read_plan(folder).model_copy(update={"artefact_c": 30.0, "temperature_sd_c": 0.5})
+    (folder / PLAN).unlink()
+    plan.write(folder / PLAN)
+    result = evaluate_performance(folder)
+    # what measures 25 mm at 30 °C is 25 mm * 11.5e-6 * 10 smaller at 20 °C
+    assert values(result)["size-touch"] == pytest.approx(-25e3 * 11.5e-5, abs=0.01)
+    size = next(one for one in result.figures if one.quantity == "size-touch")
+    expected = 2 * np.sqrt(0.2**2 + (25e3 * 11.5e-6 * 0.5) ** 2 + (25e3 * 2e-6 * 10) ** 2)
+    assert size.test_uncertainty == pytest.approx(expected, rel=1e-6)
+    assert "30.0 °C" in str(result.notes[-1]) or "30 °C" in str(result.notes[-1])
+
+
 def test_limits_decide_by_the_rule_of_the_plan(tmp_path: Path) -> None:
     limits = (
         LimitPart(quantity="form-touch", a_um=30.0),
