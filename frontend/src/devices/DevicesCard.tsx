@@ -4,6 +4,7 @@ import { MainAct } from "../parts/Actions";
 import { CardHead } from "../parts/CardHead";
 import { PressButton } from "../parts/PressButton";
 import { QualityMark } from "../parts/QualityMark";
+import card from "../parts/Section.module.css";
 import { t } from "../state/language";
 import { go } from "../state/router";
 import styles from "./Devices.module.css";
@@ -37,8 +38,8 @@ export function DevicesCard({ view, saved, onSearch, onView }: DevicesCardProps)
         </MainAct>
       )}
       {view.undescribed && <LineQuestion onView={onView} />}
-      <section className={styles.section} aria-labelledby="used">
-        <h2 id="used" className={styles.heading}>
+      <section className={card.section} aria-labelledby="used">
+        <h2 id="used" className={card.heading}>
           {t("ui-this-station-uses")}
         </h2>
         {view.devices.map((device) => (
@@ -75,8 +76,8 @@ export function DevicesCard({ view, saved, onSearch, onView }: DevicesCardProps)
 function LineQuestion({ onView }: { onView: DevicesCardProps["onView"] }) {
   const answer = (axis: "u" | "v") => async () => onView(await describeCamera(axis));
   return (
-    <section className={styles.section} aria-labelledby="line">
-      <h2 id="line" className={styles.heading}>
+    <section className={card.section} aria-labelledby="line">
+      <h2 id="line" className={card.heading}>
         {t("ui-how-does-the-laser-line-run")}
       </h2>
       <div className={styles.answers}>

@@ -6,6 +6,7 @@ import { LiveCamera } from "../image/LiveCamera";
 import { CardHead } from "../parts/CardHead";
 import fields from "../parts/Field.module.css";
 import { Findings } from "../parts/Findings";
+import card from "../parts/Section.module.css";
 import { SensorSegments } from "../parts/SensorSegments";
 import { DelaySettings } from "../settings/DelaySettings";
 import { LanguageSettings } from "../settings/LanguageSettings";
@@ -49,8 +50,8 @@ export function SettingsPage() {
           <Findings findings={settings.findings} />
           <ZoneButtons zones={zones} settings={settings} />
           <LineSettings settings={settings} />
-          <section className={styles.section} aria-labelledby="speed">
-            <h2 id="speed" className={styles.heading}>
+          <section className={card.section} aria-labelledby="speed">
+            <h2 id="speed" className={card.heading}>
               {t("ui-speed")}
             </h2>
             <NumberSetting
@@ -61,8 +62,8 @@ export function SettingsPage() {
               settings={settings}
             />
           </section>
-          <section className={styles.section} aria-labelledby="recording">
-            <h2 id="recording" className={styles.heading}>
+          <section className={card.section} aria-labelledby="recording">
+            <h2 id="recording" className={card.heading}>
               {t("ui-recording")}
             </h2>
             <label className={styles.switch}>

@@ -5,6 +5,7 @@ import fields from "../parts/Field.module.css";
 import { signed } from "../parts/format";
 import { measured } from "../parts/lengths";
 import { PressButton } from "../parts/PressButton";
+import card from "../parts/Section.module.css";
 import { t } from "../state/language";
 import { useLive } from "../state/store";
 import styles from "./Settings.module.css";
@@ -15,8 +16,8 @@ export function DelaySettings({ settings }: { settings: StationSettings }) {
   const scanning = useLive((s) => s.scan?.state === "running" || s.scan?.state === "stopping");
   const { delay, delay_applied, finding_delay } = settings;
   return (
-    <section className={styles.section} aria-labelledby="delay">
-      <h2 id="delay" className={styles.heading}>
+    <section className={card.section} aria-labelledby="delay">
+      <h2 id="delay" className={card.heading}>
         {t("ui-delay-between-arm-and-camera")}
       </h2>
       {delay ? (

@@ -1,13 +1,13 @@
 import { ChooseLanguage, ChooseUnits } from "../parts/ChooseLanguage";
 import fields from "../parts/Field.module.css";
+import card from "../parts/Section.module.css";
 import { t } from "../state/language";
-import styles from "./Settings.module.css";
 
 /** Language and units of this browser; the same as in the bar above. */
 export function LanguageSettings() {
   return (
-    <section className={styles.section} aria-labelledby="language">
-      <h2 id="language" className={styles.heading}>
+    <section className={card.section} aria-labelledby="language">
+      <h2 id="language" className={card.heading}>
         {t("ui-language-and-units")}
       </h2>
       <ChooseLanguage id="settings-language" />

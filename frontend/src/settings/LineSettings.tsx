@@ -4,9 +4,9 @@ import type { PlainId } from "../messages/text";
 import look from "../parts/Control.module.css";
 import fields from "../parts/Field.module.css";
 import { PressButton } from "../parts/PressButton";
+import card from "../parts/Section.module.css";
 import { t } from "../state/language";
 import { NumberSetting } from "./NumberSetting";
-import styles from "./Settings.module.css";
 
 const CHOICES: { value: StationSettings["choice"]; label: PlainId }[] = [
   { value: "continuity", label: "ui-the-longest-line-automatic" },
@@ -18,8 +18,8 @@ const CHOICES: { value: StationSettings["choice"]; label: PlainId }[] = [
 /** How the laser line is distinguished from everything else that is bright. */
 export function LineSettings({ settings }: { settings: StationSettings }) {
   return (
-    <section className={styles.section} aria-labelledby="line">
-      <h2 id="line" className={styles.heading}>
+    <section className={card.section} aria-labelledby="line">
+      <h2 id="line" className={card.heading}>
         {t("ui-laser-line")}
       </h2>
       <NumberSetting

@@ -1,6 +1,7 @@
 import type { StationSettings } from "../api/wire";
 import fields from "../parts/Field.module.css";
 import { PressButton } from "../parts/PressButton";
+import card from "../parts/Section.module.css";
 import { t } from "../state/language";
 import styles from "./Settings.module.css";
 import type { Zones } from "./useZones";
@@ -9,8 +10,8 @@ import type { Zones } from "./useZones";
 export function ZoneButtons({ zones, settings }: { zones: Zones; settings: StationSettings }) {
   const count = settings.zones.length;
   return (
-    <section className={styles.section} aria-labelledby="zones">
-      <h2 id="zones" className={styles.heading}>
+    <section className={card.section} aria-labelledby="zones">
+      <h2 id="zones" className={card.heading}>
         {t("ui-zones-without-measurement")}
       </h2>
       <p className={fields.help}>

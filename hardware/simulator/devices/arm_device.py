@@ -22,6 +22,7 @@ from hardware.simulator.devices.arm_packets import (
     reading_packet,
     sample_payload,
 )
+from hardware.simulator.devices.device_thread import ThreadedDevice
 from hardware.simulator.devices.motion import Motion
 from hardware.simulator.devices.ports import DevicePort
 from hardware.simulator.devices.trigger_pulses import RATES_HZ, TriggerPulses
@@ -83,7 +84,7 @@ class ArmFaults:
             setattr(self, name, value)
 
 
-class ArmDevice:
+class ArmDevice(ThreadedDevice):
     """Runs on a thread of its own between ``start`` and ``stop``.
 
     Args:
@@ -117,22 +118,11 @@ class ArmDevice:
         self._outbox: deque[tuple[int, bytes]] = deque()
         self._free_ns = 0
         self._requests = RequestReader()
-        self._stopping = threading.Event()
-        self._thread: threading.Thread | None = None
+        super().__init__("simulated-arm")
         self._skip = 0
         self._frozen_count: int | None = None
 
-    def start(self) -> None:
-        self._stopping.clear()
-        self._thread = threading.Thread(target=self._run, name="simulated-arm", daemon=True)
-        self._thread.start()
-
-    def stop(self) -> None:
-        """Ends the thread and cuts the line; idempotent."""
-        self._stopping.set()
-        if self._thread is not None:
-            self._thread.join()
-            self._thread = None
+    def _release(self) -> None:
         self._line.release()
 
     def press(self, button: Button, pressed: bool, at_ns: int | None = None) -> None:

@@ -7,7 +7,6 @@ function of time, so that any simulated motion can be shown through it.
 import contextlib
 import socket
 import struct
-import threading
 from collections.abc import Callable
 from dataclasses import dataclass, field
 
@@ -16,6 +15,7 @@ from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
 from hardware.clock import now_ns
+from hardware.simulator.devices.device_thread import ThreadedDevice
 
 Floats = NDArray[np.float64]
 
@@ -66,7 +66,7 @@ class RtdeFaults:
     """Changes a data package before it is sent."""
 
 
-class RtdeServer:
+class RtdeServer(ThreadedDevice):
     """Serves any number of clients on a thread of its own between ``start`` and ``stop``.
 
     Args:
@@ -96,21 +96,10 @@ class RtdeServer:
         self._clients: list[_Client] = []
         self._born_ns = now_ns() - 77_000_000_000
         self._said: list[bytes] = []
-        self._stopping = threading.Event()
-        self._thread: threading.Thread | None = None
+        super().__init__("simulated-robot")
         self._plug_in()
 
-    def start(self) -> None:
-        self._stopping.clear()
-        self._thread = threading.Thread(target=self._run, name="simulated-robot", daemon=True)
-        self._thread.start()
-
-    def stop(self) -> None:
-        """Ends the thread and every connection; idempotent."""
-        self._stopping.set()
-        if self._thread is not None:
-            self._thread.join()
-            self._thread = None
+    def _release(self) -> None:
         self._unplug()
 
     def say(self, text: str, source: str = "RTDE") -> None:
