@@ -3,9 +3,10 @@
 from collections.abc import Sequence
 from dataclasses import dataclass, fields
 from datetime import datetime
+from itertools import islice
 from typing import TYPE_CHECKING, Any
 
-from sqlalchemy import Connection, Select, and_, exists, func, or_, select
+from sqlalchemy import Connection, Select, and_, func, or_, select
 
 from app.fleet.catalogue.entry import (
     CatalogueEntry,
@@ -97,27 +98,27 @@ class StationSummary:
 def search(connection: Connection, query: SearchQuery) -> list[FoundRecord]:
     """The records that a query finds, newest first, at most ``query.limit``."""
     wanted = _add_filters(select(RecordRow.__table__), query)
-    terms = sorted(split_words(query.text))
-    if terms:
-        counts = {term: _count_to(connection, term) for term in terms}
-        rarest = min(terms, key=lambda term: counts[term])
-        if counts[rarest] <= RARE:
-            keys = connection.scalars(select(WordRow.record_key).where(_begins(rarest))).all()
-            wanted = wanted.where(RecordRow.key.in_(keys))
-            terms.remove(rarest)
-        for term in terms:
-            wanted = wanted.where(
-                exists().where(
-                    _begins(term), WordRow.at == RecordRow.at, WordRow.record_key == RecordRow.key
-                )
-                if counts[rarest] <= RARE
-                else RecordRow.key.in_(select(WordRow.record_key).where(_begins(term)))
-            )
     if query.before is not None:
         at, key = query.before
         wanted = wanted.where(or_(RecordRow.at < at, and_(RecordRow.at == at, RecordRow.key < key)))
-    newest = wanted.order_by(RecordRow.at.desc(), RecordRow.key.desc()).limit(query.limit)
-    return [_read_row(row) for row in connection.execute(newest)]
+    wanted = wanted.order_by(RecordRow.at.desc(), RecordRow.key.desc())
+    terms = sorted(split_words(query.text))
+    counts = {term: _count_to(connection, term) for term in terms}
+    rarest = min(terms, key=lambda term: counts[term], default="")
+    if not terms or counts[rarest] > RARE:
+        for term in terms:
+            with_term = select(WordRow.record_key).where(_begins(term))
+            wanted = wanted.where(RecordRow.key.in_(with_term))
+        return [_read_row(row) for row in connection.execute(wanted.limit(query.limit))]
+    keys = connection.scalars(select(WordRow.record_key).where(_begins(rarest))).all()
+    rows = connection.execute(wanted.where(RecordRow.key.in_(keys)))
+    # the other words of so few records are compared here
+    found = (one for one in map(_read_row, rows) if _has_words(one.entry, terms))
+    return list(islice(found, query.limit))
+
+
+def _has_words(entry: CatalogueEntry, terms: Sequence[str]) -> bool:
+    return all(any(word.startswith(term) for word in entry.words) for term in terms)
 
 
 def read_record(
