@@ -39,7 +39,7 @@ def evaluate(
     for figure in result.figures:
         value = "–" if figure.value is None else f"{figure.value:.1f} µm"
         limit = "" if figure.limit is None else f", limit {figure.limit:g} µm: {figure.decision}"
-        why = f" ({figure.problem})" if figure.problem else ""
+        why = f" ({figure.problem!s})" if figure.problem else ""
         rows.append((figure.symbol, f"{value}{limit}{why}"))
     print_figures(f"Performance test {result.id}", rows)
     for text in (result.status, result.offset.text if result.offset else "", result.verdict.text):

@@ -123,6 +123,11 @@ class Document(DocumentPart):
             )
 
 
+def document_format(path: Path) -> object:
+    """The format that a document names; raises ``OperationError`` if it is no document."""
+    return _read_object(path).get("format")
+
+
 def _with_english(part: DocumentPart, fields: dict[str, Any]) -> dict[str, Any]:
     """The plain values of a part, with the English of each text before its data."""
     written: dict[str, Any] = {}

@@ -1401,6 +1401,7 @@ origin-of-figures = Herkunft der Werte
 performance-accept = Prüfung abschließen
 performance-all-scanned = Alle fünf Stellungen sind gescannt.
 performance-all-touched = Alle Stellen dieses Schritts sind angetastet. Weiter.
+performance-another-length = Diese Antastung ergibt eine Länge von { $found } statt { $wanted }; sie wurde nicht übernommen
 performance-another-step =
     { $step ->
         [artefact] Das gehört zu einem anderen Schritt; die Prüfung steht bei „Kugel und Grenzwerte“.
@@ -1409,6 +1410,11 @@ performance-another-step =
         [scan] Das gehört zu einem anderen Schritt; die Prüfung steht bei „Fünf Scans“.
         [end] Das gehört zu einem anderen Schritt; die Prüfung steht bei „Nochmals antasten“.
        *[review] Das gehört zu einem anderen Schritt; die Prüfung steht bei „Ergebnis“.
+    }
+performance-artefact-is-ready =
+    { $test ->
+        [lengths] Das Normal ist bereit
+       *[other] Die Kugel ist fest
     }
 performance-articulation =
     { $number ->
@@ -1429,18 +1435,31 @@ performance-begin-scan = Scan beginnen
 performance-brought-to-20 = Größen und Längen sind auf 20 °C bezogen; das Prüfnormal hatte { $celsius }.
 performance-camera-off-articulation = Die Kamera blickt { $off } neben der gewünschten Richtung (höchstens { $most }).
 performance-cancelled-device = Abgebrochen: Ein Gerät ist ausgefallen.
-performance-cancelled-moved = Abgebrochen: Kugel oder Arm hat sich bewegt.
+performance-cancelled-moved = Abgebrochen: Prüfkörper oder Arm hat sich bewegt.
 performance-cancelled-operating = Abgebrochen: Bedienfehler, wiederholt.
 performance-cancelled-other = Vom Bediener abgebrochen.
 performance-cancelled-plan = Abgebrochen: Plan, Kalibrierung oder Einstellungen wurden geändert.
 performance-cannot-read = Der Eintrag der Leistungsprüfung { $one } ist nicht lesbar.
-performance-choose-sphere = Zuerst eine Kugel wählen.
-performance-confirmed-artefact = hat die Kugel bestätigt
+performance-cap-below-a = Die Obergrenze B darf nicht kleiner als A sein.
+performance-choose-artefact =
+    { $test ->
+        [lengths] Zuerst ein Längennormal wählen.
+       *[other] Zuerst eine Kugel wählen.
+    }
+performance-confirmed-artefact = hat den Prüfkörper bestätigt
 performance-confirmed-step = hat einen Schritt bestätigt
-performance-correct-gauge = Die Datei im Ordner gauges berichtigen oder eine andere Kugel wählen.
-performance-do-artefact = Die Prüfkugel wählen und im Arbeitsraum des Arms befestigen. Sollen Grenzwerte beurteilt werden, sie aus dem Datenblatt eintragen.
+performance-correct-gauge = Die Datei im Ordner gauges berichtigen oder eine andere wählen.
+performance-do-artefact =
+    { $test ->
+        [lengths] Das Längennormal wählen. Sollen die Längen beurteilt werden, A, K und B aus dem Datenblatt eintragen.
+       *[other] Die Prüfkugel wählen und im Arbeitsraum des Arms befestigen. Sollen Grenzwerte beurteilt werden, sie aus dem Datenblatt eintragen.
+    }
 performance-do-end = Die Kugel noch fünfmal antasten: Das zeigt, ob sie sich bewegt hat.
-performance-do-review = Maß, Form und Lage der Kugel durch Antasten, durch Scannen und aus beidem zusammen.
+performance-do-review =
+    { $test ->
+        [lengths] Die Abweichungen aller Längen gegenüber der zulässigen.
+       *[other] Maß, Form und Lage der Kugel durch Antasten, durch Scannen und aus beidem zusammen.
+    }
 performance-drop-scan = Scan verwerfen
 performance-dropped-scan = hat einen Scan der Kugel verworfen
 performance-dropping-scan = Der Scan wird verworfen
@@ -1450,6 +1469,7 @@ performance-ended = Beendet
 performance-evaluating = Die Kenngrößen werden berechnet
 performance-finish-scan-first = Zuerst den laufenden Scan beenden oder verwerfen.
 performance-finished-scan = hat einen Scan der Kugel beendet
+performance-fix-standard = Mit Längen eines wackelnden Normals lässt sich nichts entscheiden. Das Normal befestigen und die Prüfung wiederholen.
 performance-gate-points = Punkte eines Scans nehmen teil, wenn sie höchstens { $shell } von der Oberfläche der kalibrierten Kugel und höchstens { $cone } von ihrem Pol ({ $pole }) entfernt liegen und der Sensor diese Oberfläche unter höchstens { $incidence } zu ihrer Normalen sieht. Alle diese Punkte zählen; keiner wird wegen seines Residuums entfernt.
 performance-go-on = Weiter
 performance-hold-sensor =
@@ -1462,14 +1482,23 @@ performance-hold-sensor =
     }
 performance-is-closed = Diese Prüfung ist abgeschlossen. Eine neue beginnen.
 performance-is-evaluated = Die Kenngrößen werden noch berechnet.
+performance-last-error = Abweichung der letzten Länge, { $length }
 performance-leave-question = Diese Prüfung abbrechen? Sie bleibt erhalten und wird mit dem Grund aufgeführt.
+performance-length-is-confirmed = Die letzte Länge ist mit der ersten Antastung der nächsten bestätigt; ihre Antastungen stehen fest.
+performance-lengths-done = Alle Längen sind gemessen. Weiter zum Ergebnis.
+performance-lengths-measured = { $done } von { $of } Längen
 performance-measuring-scan = Der Scan der Stellung { $articulation } wird ausgewertet
 performance-move-sphere = Die Kugel an ihre zweite Position in einem anderen Teil des Arbeitsraums setzen und befestigen. Dann oben antasten.
+performance-no-artefact =
+    { $test ->
+        [lengths] Im Ordner gauges ist noch kein Längennormal.
+       *[other] Im Ordner gauges ist noch keine Kugel.
+    }
 performance-no-free-place = Diese Antastung liegt nicht nahe einer noch freien Stelle und wurde nicht übernommen
 performance-no-scan-runs = Es läuft kein Scan.
-performance-no-sphere = Im Ordner gauges liegt noch keine Kugel.
 performance-no-way-back = Das Angetastete gilt: Nach der ersten Antastung geht die Prüfung nicht zurück.
 performance-nothing-to-test = Es gibt nichts zu prüfen
+performance-off-direction = Das Normal liegt { $angle } neben der gezeichneten Richtung.
 performance-other-calibration = Seit Beginn der Prüfung wurde die verwendete Kalibrierung gewechselt.
 performance-pass-slowly = Die Laserlinie langsam über die ganze Kugel führen, dann den Scan beenden.
 performance-patches =
@@ -1477,8 +1506,19 @@ performance-patches =
         [one] { $count } Stelle eines Scans ist der mittlere Abstand
        *[other] { $count } Stellen eines Scans sind die mittleren Abstände
     } aller Punkte innerhalb von { $half } um die Richtungen des Musters.
+performance-place =
+    { $number ->
+        [1] waagerecht, vom Arm weg
+        [2] waagerecht, quer, nah links
+        [3] waagerecht, quer, fern rechts
+        [4] senkrecht
+        [5] 45° geneigt, quer, links
+        [6] 45° geneigt, vom Arm weg, rechts
+       *[other] Raumdiagonale
+    }
+performance-place-title = Lage { $number } von 7
 performance-plan-changed = Der Plan dieser Prüfung wurde nach der ersten Antastung geändert.
-performance-plan-is-frozen = Kugel und Grenzwerte stehen seit der ersten Antastung fest.
+performance-plan-is-frozen = Prüfkörper und Grenzwerte stehen seit der ersten Antastung fest.
 performance-put-back = Antastung zurückholen
 performance-repeat = Prüfung wiederholen
 performance-repeat-question = Die Prüfung wiederholen? Dieser Durchgang bleibt erhalten und wird als wiederholt aufgeführt.
@@ -1505,12 +1545,26 @@ performance-scan-too-small = Der Scan deckt nur { $count } der 25 Felder der Kug
 performance-scans-done = { $done } von { $of } Stellungen
 performance-set-is-invalid = Das Gemessene gehört zum alten Stand und ist als Prüfung ungültig. Neu beginnen; die Daten bleiben erhalten.
 performance-set-positions = hat die Zahl der Positionen gewählt
+performance-set-standard-up = Das Normal wie gezeichnet aufstellen: { $place }. Befestigen. { $text }
 performance-settings-changed = Die Einstellungen für Scans wurden nach der ersten Antastung dieser Prüfung geändert.
 performance-simulation-scans = Der simulierte Bediener scannt Stellung { $articulation }
-performance-simulation-touches = Der simulierte Bediener tastet die Kugel an: { $done } von { $of }
-performance-sphere-is-fixed = Die Kugel ist befestigt
-performance-step-artefact = Kugel und Grenzwerte
+performance-simulation-touches =
+    { $test ->
+        [lengths] Der simulierte Bediener tastet das Stufenendmaß an: { $done } von { $of }
+       *[other] Der simulierte Bediener tastet die Kugel an: { $done } von { $of }
+    }
+performance-sphere-touched-there = Die Kugel wurde dort schon angetastet; diese Antastung wurde nicht übernommen
+performance-standard-lengths =
+    { $kind ->
+        [step-gauge] Stufenendmaß
+       *[other] Stab
+    }, { $count ->
+        [one] eine Länge, { $longest }
+       *[other] { $count } Längen, { $shortest } bis { $longest }
+    }
+performance-step-artefact = Prüfkörper und Grenzwerte
 performance-step-end = Nochmals antasten
+performance-step-lengths = Längen
 performance-step-location = Lage durch Antasten
 performance-step-pattern = 25 Antastungen
 performance-step-scan = Fünf Scans
@@ -1524,6 +1578,18 @@ performance-test =
         [contact] Leistungsprüfung: taktiles Antasten
        *[sphere] Leistungsprüfung: eine Kugel
     }
+performance-touch-ends-of-length = Das andere Ende der genannten Länge antasten
+performance-touch-length =
+    Länge { $length }, Wiederholung { $repeat } von { $of }: { $kind ->
+        [face] { $end ->
+            [1] die erste Fläche
+           *[other] die zweite Fläche
+        } antasten. Beide in gleicher Richtung und auf gleicher Höhe und Seite antasten.
+       *[sphere] { $end ->
+            [1] die erste Kugel
+           *[other] die zweite Kugel
+        } an { $touches } Stellen ringsum antasten.
+    }
 performance-touch-location =
     { $number ->
         [1] Das Handgelenk über der Kugel halten, der Taster zeigt senkrecht nach unten. Oben und an vier Stellen ringsum antasten, ohne den Taster zu drehen.
@@ -1534,13 +1600,19 @@ performance-touch-location =
     }
 performance-touch-pattern = Die markierten Stellen in beliebiger Reihenfolge antasten, das Handgelenk dabei frei drehen. Die nächste freie ist hervorgehoben.
 performance-touch-place = Stelle { $number } der Zeichnung antasten
-performance-touch-taken = Antastung { $count } auf der Kugel
+performance-touch-sphere-elsewhere = Die Antastungen über die Kugel verteilen
+performance-touch-taken =
+    { $test ->
+        [lengths] Antastung { $count } der Längen
+       *[other] Antastung { $count } an der Kugel
+    }
 performance-touch-top-first = Die Kugel zuerst ganz oben antasten; daraus folgen die anderen Stellen. Von da an stehen Kugel und Grenzwerte fest.
 performance-touches-missing =
     { $missing ->
         [one] Eine Antastung fehlt.
        *[other] { $missing } Antastungen fehlen.
     }
+performance-turn-standard = Die sieben Lagen decken den Raum des Arms nur ab, wenn das Normal etwa wie gezeichnet liegt.
 performance-turn-towards-articulation = Drehen Sie das Handgelenk, bis diese Meldung verschwindet; anders genommene Punkte werden im Ergebnis vermerkt
 performance-valid-until = Kalibrierschein gültig bis { $until }
 performance-values-against-limits = Werte als Anteile ihrer größten zulässigen Abweichungen, mit der Prüfwertunsicherheit (k = 2) als Balken. Der gefüllte Punkt ist der schlechtere Wert, der zählt; offene Punkte sind die Werte jeder Position.
@@ -1974,6 +2046,8 @@ lower-limit-below-upper = Die untere Grenze liegt nicht unter der oberen
 made-first-administrator = ersten Administrator angelegt
 made-simulated-hardware-demonstration = Mit simulierten Geräten erstellt: Demonstration.
 made-token-metrics = Token für Metriken angelegt
+length-beyond-reach = das Längennormal ist { $length } lang, der Arm reicht nur { $reach } weit
+length-standard-rocks = das Normal wackelt in Lage { $place }: Wiederholungen einer Länge streuen um { $scatter }, Antastungen um { $touches }
 made-kiosk-link = Kiosk-Link angelegt
 make-backup-another-disk = Sicherung auf einem anderen Datenträger anlegen
 make-one-below-crenel-backup = Unten oder mit crenel backup eine anlegen.
@@ -2350,6 +2424,11 @@ performance-articulation-two-s = Einzelpunkt-Schwenkprüfung, zweifache Standard
 performance-beyond-limit = { $title }: { $value }, jenseits der Grenze von { $limit }; Unsicherheit des Prüfwerts { $uncertainty } (k = 2).
 performance-dispersion-scan = Streuung der gescannten Kugel, 95 % aller Punkte
 performance-effective-diameter = wirksamer Durchmesser der Prüfkugel
+performance-fewer-lengths =
+    { $count ->
+        [one] Das Normal hat nur eine Länge; das Verfahren verlangt fünf.
+       *[other] Das Normal hat nur { $count } Längen; das Verfahren verlangt fünf.
+    }
 performance-form-both = Form, angetastet und gescannt zusammen
 performance-form-scan = Form der gescannten Kugel, 25 Stellen
 performance-form-touch = Form der angetasteten Kugel

@@ -1397,6 +1397,7 @@ origin-of-figures = Origin of the figures
 performance-accept = Finish the test
 performance-all-scanned = All five articulations are scanned.
 performance-all-touched = All places of this step are touched. Continue.
+performance-another-length = This touch makes the length { $found } instead of { $wanted }; it was not taken
 performance-another-step =
     { $step ->
         [artefact] This belongs to another step; the test is at 'Sphere and limits'.
@@ -1405,6 +1406,11 @@ performance-another-step =
         [scan] This belongs to another step; the test is at 'Five scans'.
         [end] This belongs to another step; the test is at 'Touch again'.
        *[review] This belongs to another step; the test is at 'Result'.
+    }
+performance-artefact-is-ready =
+    { $test ->
+        [lengths] The standard is ready
+       *[other] The sphere is fixed
     }
 performance-articulation =
     { $number ->
@@ -1425,18 +1431,31 @@ performance-begin-scan = Begin the scan
 performance-brought-to-20 = Sizes and lengths are brought to 20 °C; the artefact was at { $celsius }.
 performance-camera-off-articulation = The camera looks from a direction { $off } away from the wanted one (at most { $most }).
 performance-cancelled-device = Cancelled: a device failed.
-performance-cancelled-moved = Cancelled: the sphere or the arm moved.
+performance-cancelled-moved = Cancelled: the artefact or the arm moved.
 performance-cancelled-operating = Cancelled: operating error, repeated.
 performance-cancelled-other = Cancelled by the operator.
 performance-cancelled-plan = Cancelled: plan, calibration or settings were changed.
 performance-cannot-read = The entry of performance test { $one } cannot be read.
-performance-choose-sphere = Choose a sphere first.
-performance-confirmed-artefact = confirmed the sphere
+performance-cap-below-a = The cap B of the limit must not be smaller than A.
+performance-choose-artefact =
+    { $test ->
+        [lengths] Choose a length standard first.
+       *[other] Choose a sphere first.
+    }
+performance-confirmed-artefact = confirmed the artefact
 performance-confirmed-step = confirmed a step
-performance-correct-gauge = Correct the file in the folder gauges, or choose another sphere.
-performance-do-artefact = Choose the test sphere and fix it within the arm's reach. Enter the limits from the datasheet if they are to be judged.
+performance-correct-gauge = Correct the file in the folder gauges, or choose another one.
+performance-do-artefact =
+    { $test ->
+        [lengths] Choose the length standard. Enter A, K and B from the datasheet if the lengths are to be judged.
+       *[other] Choose the test sphere and fix it within the arm's reach. Enter the limits from the datasheet if they are to be judged.
+    }
 performance-do-end = Touch the sphere five more times: they show whether it has moved.
-performance-do-review = Size, form and location of the sphere by touch, by scan, and both together.
+performance-do-review =
+    { $test ->
+        [lengths] The errors of all lengths against the permissible error.
+       *[other] Size, form and location of the sphere by touch, by scan, and both together.
+    }
 performance-drop-scan = Discard the scan
 performance-dropped-scan = discarded a scan of the sphere
 performance-dropping-scan = Discarding the scan
@@ -1446,6 +1465,7 @@ performance-ended = Ended
 performance-evaluating = Calculating the figures
 performance-finish-scan-first = End or discard the running scan first.
 performance-finished-scan = ended a scan of the sphere
+performance-fix-standard = Nothing can be decided by lengths of a standard that rocks. Fix it and repeat the test.
 performance-gate-points = Points of a scan take part if they lie within { $shell } of the surface of the calibrated sphere and within { $cone } of its pole ({ $pole }), and if the sensor sees that surface at no more than { $incidence } from its normal. All these points count; none is removed by its residual.
 performance-go-on = Continue
 performance-hold-sensor =
@@ -1458,14 +1478,23 @@ performance-hold-sensor =
     }
 performance-is-closed = This test is closed. Begin a new one.
 performance-is-evaluated = The figures are still being calculated.
+performance-last-error = Error of the last length, { $length }
 performance-leave-question = Cancel this test? It is kept and listed with the reason.
+performance-length-is-confirmed = The last length is confirmed by the first touch of the next one; its touches stand.
+performance-lengths-done = All lengths are measured. Continue to the result.
+performance-lengths-measured = { $done } of { $of } lengths
 performance-measuring-scan = Evaluating the scan of articulation { $articulation }
 performance-move-sphere = Move the sphere to its second position, in another part of the arm's reach, and fix it. Then touch its top.
+performance-no-artefact =
+    { $test ->
+        [lengths] There is no length standard in the folder gauges yet.
+       *[other] There is no sphere in the folder gauges yet.
+    }
 performance-no-free-place = This touch is not near a place that is still free; it was not taken
 performance-no-scan-runs = No scan is running.
-performance-no-sphere = There is no sphere in the folder gauges yet.
 performance-no-way-back = What was touched stands: the test does not go back after its first touch.
 performance-nothing-to-test = There is nothing to test
+performance-off-direction = The standard lies { $angle } off the drawn direction.
 performance-other-calibration = The calibration in use has changed since the test began.
 performance-pass-slowly = Move the stripe slowly over the whole sphere, then end the scan.
 performance-patches =
@@ -1473,8 +1502,19 @@ performance-patches =
         [one] { $count } place of a scan is
        *[other] { $count } places of a scan are
     } the mean distances of all points within { $half } of the directions of the pattern.
+performance-place =
+    { $number ->
+        [1] horizontal, away from the arm
+        [2] horizontal, across, near on the left
+        [3] horizontal, across, far on the right
+        [4] vertical
+        [5] inclined by 45°, across, on the left
+        [6] inclined by 45°, away from the arm, on the right
+       *[other] diagonal through the volume
+    }
+performance-place-title = Place { $number } of 7
 performance-plan-changed = The plan of this test was changed after its first touch.
-performance-plan-is-frozen = Sphere and limits are fixed since the first touch.
+performance-plan-is-frozen = Artefact and limits are fixed since the first touch.
 performance-put-back = Put the touch back
 performance-repeat = Repeat the test
 performance-repeat-question = Repeat the test? This run is kept and listed as repeated.
@@ -1501,12 +1541,26 @@ performance-scan-too-small = The scan covers only { $count } of the sphere's 25 
 performance-scans-done = { $done } of { $of } articulations
 performance-set-is-invalid = What was measured belongs to the old state and is invalid as a test. Begin again; the data are kept.
 performance-set-positions = chose how many positions
+performance-set-standard-up = Set the standard up as drawn: { $place }. Fix it. { $text }
 performance-settings-changed = The settings for scans were changed after the first touch of this test.
 performance-simulation-scans = The simulated operator scans articulation { $articulation }
-performance-simulation-touches = The simulated operator touches the sphere: { $done } of { $of }
-performance-sphere-is-fixed = The sphere is fixed
-performance-step-artefact = Sphere and limits
+performance-simulation-touches =
+    { $test ->
+        [lengths] The simulated operator touches the step gauge: { $done } of { $of }
+       *[other] The simulated operator touches the sphere: { $done } of { $of }
+    }
+performance-sphere-touched-there = The sphere was touched near there already; this touch was not taken
+performance-standard-lengths =
+    { $kind ->
+        [step-gauge] Step gauge
+       *[other] Bar
+    }, { $count ->
+        [one] one length, { $longest }
+       *[other] { $count } lengths, { $shortest } to { $longest }
+    }
+performance-step-artefact = Artefact and limits
 performance-step-end = Touch again
+performance-step-lengths = Lengths
 performance-step-location = Location by touch
 performance-step-pattern = 25 touches
 performance-step-scan = Five scans
@@ -1520,6 +1574,18 @@ performance-test =
         [contact] Performance test: contact probing
        *[sphere] Performance test: one sphere
     }
+performance-touch-ends-of-length = Touch the other end of the length that is named
+performance-touch-length =
+    Length { $length }, repeat { $repeat } of { $of }: { $kind ->
+        [face] touch { $end ->
+            [1] the first face
+           *[other] the second face
+        }. Touch both in the same direction and at the same height and side.
+       *[sphere] touch { $end ->
+            [1] the first sphere
+           *[other] the second sphere
+        } in { $touches } places all around.
+    }
 performance-touch-location =
     { $number ->
         [1] Hold the wrist above the sphere, with the stylus pointing straight down. Touch the top and four places around it without turning the stylus.
@@ -1530,13 +1596,19 @@ performance-touch-location =
     }
 performance-touch-pattern = Touch the marked places in any order, with the wrist turned freely. The nearest free one is highlighted.
 performance-touch-place = Touch place { $number } of the drawing
-performance-touch-taken = Touch { $count } on the sphere
+performance-touch-sphere-elsewhere = Spread the touches over the sphere
+performance-touch-taken =
+    { $test ->
+        [lengths] Touch { $count } of the lengths
+       *[other] Touch { $count } on the sphere
+    }
 performance-touch-top-first = Touch the top of the sphere first; the other places follow from it. From here on, sphere and limits are fixed.
 performance-touches-missing =
     { $missing ->
         [one] One touch is missing.
        *[other] { $missing } touches are missing.
     }
+performance-turn-standard = The seven places only cover the arm's volume if the standard lies about as drawn.
 performance-turn-towards-articulation = Turn the wrist until this message disappears; points taken otherwise are noted in the result
 performance-valid-until = certificate valid until { $until }
 performance-values-against-limits = Values as shares of their maximum permissible errors, with the test uncertainty (k = 2) as a bar. The filled dot is the worse value, which counts; open dots are the values of each position.
@@ -1970,6 +2042,8 @@ lower-limit-below-upper = The lower limit is not below the upper
 made-first-administrator = created the first administrator
 made-simulated-hardware-demonstration = Made on simulated hardware: a demonstration.
 made-token-metrics = created a metrics token
+length-beyond-reach = the length standard is { $length } long, and the arm reaches { $reach } only
+length-standard-rocks = the standard rocks in place { $place }: repeats of a length scatter by { $scatter }, touches by { $touches }
 made-kiosk-link = created a kiosk link
 make-backup-another-disk = Make the backup on another disk
 make-one-below-crenel-backup = Make a backup below, or with crenel backup.
@@ -2341,6 +2415,11 @@ performance-articulation-two-s = single-point articulation, twice the standard d
 performance-beyond-limit = { $title }: { $value }, beyond the limit of { $limit }; test value uncertainty { $uncertainty } (k = 2).
 performance-dispersion-scan = dispersion of the scanned sphere, 95 % of all points
 performance-effective-diameter = effective diameter of the master sphere
+performance-fewer-lengths =
+    { $count ->
+        [one] The standard has only one length; the procedure takes five.
+       *[other] The standard has only { $count } lengths; the procedure takes five.
+    }
 performance-form-both = form, touched and scanned together
 performance-form-scan = form of the scanned sphere, 25 places
 performance-form-touch = form of the touched sphere

@@ -43,6 +43,10 @@ class ArmStart(RequestBody):
     purpose: Literal["check", "tip", "identify"]
 
 
+class PerformanceStart(RequestBody):
+    test: Literal["sphere", "lengths"] = "sphere"
+
+
 class ScanStart(RequestBody):
     name: Annotated[str, Field(max_length=120)] = ""
 

@@ -25,7 +25,7 @@ from hardware.simulator.devices.motion import Motion
 from hardware.simulator.devices.ports import DevicePort, PtyPort, TcpPort
 from hardware.simulator.devices.rtde_server import RobotState, RtdeServer
 from hardware.simulator.operator.holding import SensorMount
-from hardware.simulator.operator.operator import ScriptedOperator
+from hardware.simulator.operator.operator import GAUGE_SD_MM, ScriptedOperator
 from hardware.simulator.rendering.line_sensor import LineSensor
 from hardware.simulator.rendering.noise import RawImage
 from hardware.simulator.rendering.render import Renderer
@@ -47,6 +47,7 @@ from hardware.simulator.scene.datasheets import (
     robot_datasheet,
     sensor_datasheet,
     sphere_nominal,
+    step_gauge_datasheet,
 )
 from hardware.simulator.scene.random_scenes import (
     draw_true_board,
@@ -286,6 +287,7 @@ class SimulatedStation:
             "sensor.json": sensor_datasheet(rig.optics, rig.light_plane),
             "plate.nominal.json": plane_nominal(plate[:3, 3], plate[:3, 2]),
             "sphere.nominal.json": sphere_nominal(sphere[:3, 3], ball),
+            "step-gauge.json": step_gauge_datasheet(self.operator.step_gauge, GAUGE_SD_MM),
         }
 
     def truth(self) -> JsonObject:

@@ -235,7 +235,7 @@ def test_limits_of_a_performance_test_are_read(examples: Path) -> None:
 
 
 def test_a_length_standard_and_a_plan_of_a_performance_test_are_read(examples: Path) -> None:
-    bar = read_length_standard(examples / "lengths/bar.json")
+    bar = read_length_standard(examples / "gauges/bar.json")
     assert bar.lengths[0].length_mm == 400.0123
     plan = read_plan(examples / "performance")
     assert plan.sphere is not None

@@ -1,5 +1,6 @@
-"""The one-sphere test in a real browser: from its start to its figures and its record."""
+"""The performance tests in a real browser: from their start to their figures and their record."""
 
+import json
 import sys
 from collections.abc import Iterator
 from pathlib import Path
@@ -18,13 +19,18 @@ SIZES = {"desktop": (1280, 800), "tablet": (820, 1180)}
 STEPS = ("pattern", "location", "scan", "end", "review")
 WAIT_MS = 30_000
 FIGURES = 11
+LENGTHS = 7 * 3
+"""Of a standard with a single length."""
 
 
 @pytest.fixture(scope="module")
 def station(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Demo]:
-    """A simulated station whose sensor is calibrated."""
+    """A simulated station whose sensor is calibrated, with a step gauge of a single length, too."""
     data = tmp_path_factory.mktemp("performance") / "data"
     prepare(data)
+    gauge = json.loads((data / "gauges" / "step-gauge.json").read_text())
+    short = {**gauge, "name": "Short gauge", "lengths": gauge["lengths"][-1:]}
+    (data / "gauges" / "short.json").write_text(json.dumps(short))
     running = Demo(data, (sys.executable, "-m", "app.bench.faults.served", str(data)))
     yield running
     running.end()
@@ -104,5 +110,50 @@ def test_the_one_sphere_test_from_start_to_figures(
     page.get_by_role("button", name="Cancel").click()
     page.get_by_role("link", name="Records").click()
     expect(page.get_by_text("Each symbol over time appears here after the second")).to_be_visible()
+    assert not visit.faults
+    page.close()
+
+
+def test_the_length_test_from_start_to_errors(
+    station: Demo, browser: Browser, pictures: Path
+) -> None:
+    page = browser.new_page(viewport={"width": 1280, "height": 800})
+    page.set_default_timeout(WAIT_MS)
+    visit = Visit(page, pictures)
+    page.goto(station.link)
+    page.get_by_role("link", name="Performance").click()
+    page.get_by_role("button", name="Lengths", exact=True).click()
+    look_at_both_sizes(visit, "lengths-before")
+    page.get_by_role("button", name="Start the test").click()
+    page.get_by_role("radio", name="Short gauge").click()
+    for letter, value in (("A", "200"), ("K", "10"), ("B", "400")):
+        page.get_by_label(letter, exact=True).fill(value)
+    page.get_by_role("button", name="Set", exact=True).click()
+    expect(page.get_by_text("The standard has only one length")).to_be_visible()
+    look_at_both_sizes(visit, "lengths-artefact")
+    page.get_by_role("button", name="Let the simulated operator do everything").click()
+    visit.wait_until(
+        "errors",
+        "/api/performance",
+        lambda view: view["step"] == "lengths" and len(view["picture"]["lengths"]["errors"]) >= 7,
+    )
+    expect(page.locator("svg [data-place='1'][data-state='done']")).to_have_count(2)
+    look_at_both_sizes(visit, "lengths")
+    visit.wait_until(
+        "review", "/api/performance", lambda view: view["picture"]["result"] is not None
+    )
+    look_at_both_sizes(visit, "lengths-review")
+    drawn = page.locator("circle[data-beyond]")
+    expect(drawn).to_have_count(LENGTHS)
+    row = page.locator("tr[data-quantity='length-touch']")
+    expect(row.get_by_text("± 260 µm")).to_be_visible()
+    page.get_by_role("button", name="Finish the test").click()
+    page.get_by_role("button", name="Open").first.click()
+    expect(drawn).to_have_count(LENGTHS)
+    look_at_both_sizes(visit, "lengths-record")
+    with page.expect_popup() as opened:
+        page.get_by_role("link", name="Report", exact=True).click()
+    report = opened.value
+    expect(report.get_by_role("img", name="Errors of length")).to_be_visible()
     assert not visit.faults
     page.close()

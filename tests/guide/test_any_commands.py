@@ -53,6 +53,12 @@ Q_RAD = [[0.1 * joint + 0.3 * n for joint in range(6)] for n in range(4)]
 TOUCHED: Rows = [point_row(face, q) for face, q in zip(("crest", "front") * 2, Q_RAD, strict=True)]
 PICTURES: Rows = [capture_row(), capture_row(laser=None)]
 TEST = {"calibration_id": "true", "gauge": "ball", "positions": 1, "limits": {}}
+LENGTHS = {**TEST, "test": "lengths", "gauge": "steps"}
+CONFIRMED = ("step_confirmed", {"lengths": 2, "touches_each": 1})
+ENDS: Rows = [
+    ("touched", {"feature": feature, "place": 0, "reading": q})
+    for feature, q in zip(("l1-1-1-0", "l1-1-1-1", "l1-1-2-0", "l1-1-2-1"), Q_RAD, strict=True)
+]
 PLAN_FROZEN = ("plan_frozen", {"plan_sha256": "0" * 64, "setup": {}})
 PATTERN: Rows = [
     *[("started", TEST), ("step_confirmed", {})],
@@ -111,6 +117,8 @@ AT: dict[str, list[Rows]] = {
         [*PATTERN, *[("step_confirmed", {})] * 2, ("scan_begun", {"articulation": 1})],
         [*PATTERN, *[("step_confirmed", {})] * 3],
         [*PATTERN, *[("step_confirmed", {})] * 4],
+        [("started", LENGTHS)],
+        [("started", LENGTHS), CONFIRMED, *ENDS, PLAN_FROZEN],
     ],
 }
 FOLDERS = {"verify": "verifications", "performance": "performance"}
@@ -125,12 +133,12 @@ ANYTHING = st.recursive(
 )
 LIKELY = st.sampled_from(
     ("simulated", "chessboard", "arm", "object", "crest", "setup", "touch", "gauge", "seat", "bar")
-    + ("ball", "form-touch", "artefact", "moved")
+    + ("ball", "steps", "form-touch", "length-touch", "artefact", "moved")
     + ("sphere", "plate", 0, 1, 2, 3, 25.0, 0.001, True)
 )
 FIELDS = (
     *("field", "id", "face", "index", "number", "to", "all", "limit_um", "kind", "size_mm"),
-    *("quantity", "a_um", "articulation", "reason"),
+    *("quantity", "a_um", "k", "b_um", "articulation", "reason"),
 )
 ARGS = st.one_of(
     st.dictionaries(st.sampled_from(FIELDS), st.one_of(LIKELY, ANYTHING), max_size=3),
@@ -139,6 +147,13 @@ ARGS = st.one_of(
 JSON = {"Content-Type": "application/json"}
 PLATE = {"format": "crenel/nominal", "version": 1, "shape": "plane", "name": "Plate"}
 BALL = {"format": "crenel/nominal", "version": 1, "shape": "sphere", "radius_mm": 12.5}
+STEPS = {
+    "format": "crenel/length-standard",
+    "version": 1,
+    "kind": "step-gauge",
+    "name": "Steps",
+    "lengths": [{"length_mm": mm, "standard_uncertainty_um": 1} for mm in (100, 300)],
+}
 
 
 class InProcess:
@@ -205,7 +220,9 @@ class AnyCommands(RuleBasedStateMachine):
 
     @rule(flow=st.sampled_from(sorted(NAMES)), purpose=st.sampled_from(PURPOSES))
     def start(self, flow: str, purpose: str) -> None:
-        asked = {"purpose": purpose} if flow == "arm" else None
+        asked: dict[str, str] | None = {"purpose": purpose} if flow == "arm" else None
+        if flow == "performance" and purpose == "tip":
+            asked = {"test": "lengths"}
         answered(self.http.post(f"/api/{flow}/start", asked), flow)
 
     @rule()
@@ -241,7 +258,9 @@ def seed(store: Store, kind: str, rows: Rows) -> None:
     folder.mkdir(parents=True, exist_ok=True)
     for name in ("arm", "object", "sensor"):
         shutil.copy(store.folder / f"{name}s" / "simulated.json", folder / f"{name}.json")
-    gauge = "ball" if kind == "performance" else "plate"
+    gauge = "plate"
+    if kind == "performance":
+        gauge = str(rows[0][1]["gauge"])
     shutil.copy(store.folder / "gauges" / f"{gauge}.json", folder / "gauge.json")
     active = store.calibrations.active()
     assert active is not None
@@ -269,6 +288,7 @@ def template(simulation: SimulatedStation, tmp_path_factory: pytest.TempPathFact
     (data / "gauges").mkdir(exist_ok=True)
     (data / "gauges" / "plate.json").write_text(json.dumps(PLATE))
     (data / "gauges" / "ball.json").write_text(json.dumps(BALL))
+    (data / "gauges" / "steps.json").write_text(json.dumps(STEPS))
     close_context(context)
     context.store.close()
     context.monitoring.close()

@@ -7,12 +7,12 @@ from app.api.lookups import find_performance, send_file
 from app.api.sessions.routes import add_session_routes
 from app.formats.performance.plan import RESULT
 from app.guide.performance.commands import COMMANDS
-from app.guide.performance.view import PerformanceView, SphereOption
+from app.guide.performance.view import ArtefactOption, PerformanceView
 from app.messages.message import message
 from app.operations.context import TheContext
 from app.store.session_records import PerformanceRecord
 from app.wire.json_response import json_response
-from app.wire.schema import PerformanceSummary, UploadedCertificate
+from app.wire.schema import PerformanceStart, PerformanceSummary, UploadedCertificate
 from app.workflows.performance.history import PerformanceSymbols, read_symbols
 
 router = APIRouter(prefix="/api")
@@ -24,13 +24,14 @@ add_session_routes(
 
 
 @router.post("/performance/start", response_model=PerformanceView)
-def start(context: TheContext) -> Response:
-    """Begins a performance test, or resumes the open one."""
-    return json_response(context.performance_guide.start())
+def start(context: TheContext, asked: PerformanceStart | None = None) -> Response:
+    """Begins a performance test, of one sphere unless asked otherwise, or resumes the open one."""
+    test = asked.test if asked is not None else "sphere"
+    return json_response(context.performance_guide.start_test(test))
 
 
 @router.post("/performance/certificate")
-def add_certificate(asked: UploadedCertificate, context: TheContext) -> SphereOption:
+def add_certificate(asked: UploadedCertificate, context: TheContext) -> ArtefactOption:
     """Puts the digital certificate (DCC) of a sphere into the folder of gauges."""
     return context.performance_guide.add_certificate(asked.name, asked.text)
 

@@ -9,13 +9,14 @@ from app.bench.metrology.synthetic_sphere import POLE, PlantedFaults, TouchGroup
 from app.formats.datasheets.length_standard import LengthPart, LengthStandardFile
 from app.formats.performance.plan import PLAN, PerformancePlan, length_feature
 from app.metrology.performance.articulation import location_places
-from app.metrology.performance.lengths import PLACES, propose_places
+from app.metrology.performance.length_places import ArmReach, propose_places
+from app.metrology.performance.lengths import PLACES
 from app.metrology.transforms import Floats
 from app.workflows.performance.evaluate import evaluate_performance
 from hardware.simulator.devices.kinematics import tip_centres
 from hardware.simulator.scene.datasheets import arm_datasheet, write_document
 
-REACH_MM = 1000.0
+REACH = ArmReach(np.array([0.0, 0.0, 320.0]), 1000.0, known=True)
 LENGTHS_MM = (80.0, 160.0, 240.0, 320.0, 400.0)
 
 
@@ -67,7 +68,7 @@ class BarTest:
             ends[group.feature] = np.linalg.lstsq(group.outward, along, rcond=None)[0]
         errors_um = []
         for place, number, length_mm in _lengths():
-            a, b = propose_places(REACH_MM, length_mm)[place - 1]
+            a, b = propose_places(REACH, length_mm)[place - 1]
             first, second = (ends[length_feature(place, 1, number, end)] for end in (0, 1))
             errors_um.append(1e3 * float((b - a) / length_mm @ (second - first)))
         return errors_um
@@ -85,7 +86,7 @@ def _lengths() -> list[tuple[int, int, float]]:
 def _groups() -> list[TouchGroup]:
     groups = []
     for place, number, length_mm in _lengths():
-        for end, centre in enumerate(propose_places(REACH_MM, length_mm)[place - 1]):
+        for end, centre in enumerate(propose_places(REACH, length_mm)[place - 1]):
             outward = location_places(POLE, POLE, -centre)
             feature = length_feature(place, 1, number, end)
             groups.append(TouchGroup(feature, centre, outward, None))

@@ -1,4 +1,4 @@
-"""``lengths/*.json``: a ball bar, step gauge or scale bar with its calibrated lengths."""
+"""``gauges/*.json``: a ball bar, step gauge or scale bar with its calibrated lengths."""
 
 from pathlib import Path
 from typing import Annotated, ClassVar, Literal

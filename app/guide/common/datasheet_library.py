@@ -10,14 +10,17 @@ from app.errors import OperationError, sentence
 from app.findings import Finding
 from app.formats.datasheets.arm import read_any_arm
 from app.formats.datasheets.gauge import GaugeFile, read_gauge
+from app.formats.datasheets.length_standard import LengthStandardFile, read_length_standard
 from app.formats.datasheets.sensor import SensorDatasheet, read_sensor
 from app.formats.datasheets.target import read_object
 from app.formats.exchange.read_certificate import read_sphere_certificate
 from app.formats.file_names import check_name, display_path, escape_unprintable
+from app.formats.json_document import document_format
 from app.messages.message import Text, message
 from app.metrology.arm.kinematics import AnyArm
 from app.metrology.targets.target import CalibrationTarget
 
+AnyGauge = GaugeFile | LengthStandardFile
 Datasheet = TypeVar("Datasheet")
 Content = TypeVar("Content")
 GAUGE_ENDINGS = (".nominal.json", ".json")
@@ -63,10 +66,10 @@ class RefusedCertificate:
 
 
 @dataclass(frozen=True)
-class Gauges:
+class Gauges(Generic[Datasheet]):
     """The data folder's gauges by id; datasheets that cannot be read are findings."""
 
-    known: Mapping[str, DatasheetEntry[GaugeFile]]
+    known: Mapping[str, DatasheetEntry[Datasheet]]
     findings: tuple[Finding, ...]
     refused: tuple[RefusedCertificate, ...] = ()
 
@@ -114,13 +117,25 @@ def _read_station_sensor(path: Path) -> SensorDatasheet:
     )
 
 
-def read_gauges(data_folder: Path) -> Gauges:
-    """Reads ``gauges/*.json``, ``*.nominal.json``, and ``*.xml``: digital certificates of spheres.
+def read_gauges(data_folder: Path) -> Gauges[GaugeFile]:
+    """Reads the plates and spheres, as ``read_any_gauges``."""
+    found = read_any_gauges(data_folder)
+    known = {
+        name: DatasheetEntry(name, entry.path, entry.datasheet)
+        for name, entry in found.known.items()
+        if isinstance(entry.datasheet, GaugeFile)
+    }
+    return Gauges(known, found.findings, found.refused)
+
+
+def read_any_gauges(data_folder: Path) -> Gauges[AnyGauge]:
+    """Reads ``gauges/*.json``, ``*.nominal.json``, and ``*.xml``: plates, spheres, length
+    standards, and digital certificates of spheres.
 
     Of a certificate and a datasheet of the same name, the datasheet counts.
     """
     folder, findings = data_folder / "gauges", list[Finding]()
-    known = _entries(folder, read_gauge, findings, GAUGE_ENDINGS)
+    known = _entries(folder, read_any_gauge, findings, GAUGE_ENDINGS)
     refused = []
     for path in sorted(folder.glob(f"*{CERTIFICATE_ENDING}")):
         if path.stem in known:
@@ -133,6 +148,13 @@ def read_gauges(data_folder: Path) -> Gauges:
             name = escape_unprintable(path.stem)
             refused.append(RefusedCertificate(name, sentence(error.why or error.what)))
     return Gauges(known, tuple(findings), tuple(refused))
+
+
+def read_any_gauge(path: Path) -> AnyGauge:
+    """A gauge or a length standard; raises ``OperationError`` naming file and field."""
+    if document_format(path) == LengthStandardFile.FORMAT:
+        return read_length_standard(path)
+    return read_gauge(path)
 
 
 def _entries(

@@ -69,6 +69,12 @@ class SimulatedOperator(Protocol):
         """Touches the sphere on the table at the place in a direction (3,) from its centre, with
         the stylus from another (3,), and presses the primary button; arm frame."""
 
+    def touch_length(
+        self, middle_mm: Sequence[float], along: Sequence[float], length_mm: float, end: int
+    ) -> bool:
+        """Touches an end (0 or 1) of a length of the step gauge, which is set up about a middle
+        (3,) along a direction (3,), and presses the primary button; arm frame."""
+
     def scan_sphere(self, seen_from: Sequence[float]) -> bool:
         """Passes the sensor over the sphere on the table, which it sees from a direction (3,),
         arm frame."""

@@ -1,7 +1,7 @@
 """A session on a gauge with the calibration in use: its datasheets, its start, its touches."""
 
 from abc import abstractmethod
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Generic, Protocol, TypeVar
@@ -11,8 +11,8 @@ import numpy as np
 from app.errors import OperationError
 from app.formats.atomic_write import ensure_folder, write_atomically
 from app.formats.datasheets.arm import read_any_arm
-from app.formats.datasheets.gauge import GaugeFile, read_gauge
 from app.formats.io_errors import convert_io_errors
+from app.formats.json_document import Document
 from app.formats.open_file import read_bounded
 from app.formats.results.calibration import CALIBRATION, Calibration, read_calibration
 from app.formats.results.verification import GAUGE
@@ -47,6 +47,8 @@ class GaugeState(SessionState, Protocol):
 
 
 State = TypeVar("State", bound=GaugeState)
+Gauge = TypeVar("Gauge", bound=Document)
+"""Its datasheet."""
 
 
 class TouchReading(Protocol):
@@ -56,11 +58,12 @@ class TouchReading(Protocol):
     def reading(self) -> tuple[float, ...]: ...
 
 
-class GaugeSession(GuidedSession[State, Live, View], Generic[State, Live, View]):
+class GaugeSession(GuidedSession[State, Live, View], Generic[State, Live, View, Gauge]):
     """The latest session of a kind on a gauge. Its gauge is chosen in its first step.
 
     Args:
         read: the gauges of a data folder that can be chosen.
+        read_one: the datasheet of one of them.
         rule: how values, uncertainties and limits become decisions.
     """
 
@@ -75,14 +78,15 @@ class GaugeSession(GuidedSession[State, Live, View], Generic[State, Live, View])
         data_folder: Path,
         provenance: Provenance,
         rule: DecisionRule,
-        read: Callable[[Path], Gauges],
+        read: Callable[[Path], Gauges[Gauge]],
+        read_one: Callable[[Path], Gauge],
     ) -> None:
         super().__init__(station, journal, flow, data_folder, provenance)
         self.rule = rule
         self.calibrations = calibrations
         self._first_step = flow.empty.step
-        self._gauges = FolderContent(read, data_folder)
-        self._session_copies: tuple[str, GaugeFile | None, AnyArm | None] = ("", None, None)
+        self._gauges, self._read_one = FolderContent(read, data_folder), read_one
+        self._session_copies: tuple[str, Gauge | None, AnyArm | None] = ("", None, None)
 
     @property
     @abstractmethod
@@ -91,12 +95,12 @@ class GaugeSession(GuidedSession[State, Live, View], Generic[State, Live, View])
 
     # -- datasheets ----------------------------------------------------------
 
-    def gauges(self) -> Gauges:
+    def gauges(self) -> Gauges[Gauge]:
         """The data folder's; read again only while one can be chosen."""
         choosing = not self.running or self.state.step == self._first_step
         return self._gauges.latest(choosing=choosing)
 
-    def datasheets(self) -> tuple[GaugeFile | None, AnyArm | None]:
+    def datasheets(self) -> tuple[Gauge | None, AnyArm | None]:
         """Gauge and arm: the session's own copies once the gauge was confirmed; None for what
         cannot be read."""
         state = self.state
@@ -105,8 +109,15 @@ class GaugeSession(GuidedSession[State, Live, View], Generic[State, Live, View])
             return entry.datasheet if entry else None, None
         named = f"{state.session_id}/{state.gauge}"
         if self._session_copies[0] != named:
-            self._session_copies = (named, *_read_copies(self.folder))
+            self._session_copies = (named, *self._read_copies())
         return self._session_copies[1:]
+
+    def _read_copies(self) -> tuple[Gauge | None, AnyArm | None]:
+        """Gauge and arm of a session; None, both, if one of them cannot be read."""
+        try:
+            return self._read_one(self.folder / GAUGE), read_any_arm(self.folder / ARM)
+        except OperationError:
+            return None, None
 
     def keep_datasheets(self) -> None:
         """Copies gauge, arm and calibration, which the session uses from now on.
@@ -153,8 +164,11 @@ class GaugeSession(GuidedSession[State, Live, View], Generic[State, Live, View])
     def begin(self, key: str | None) -> None:
         """A new session of the calibration in use, with the gauge of the last."""
 
-    def first_payload(self, without_calibration: Text) -> Mapping[str, object]:
-        """The calibration in use, and the gauge of the last session or the first one there is.
+    def first_payload(
+        self, without_calibration: Text, known: Iterable[str]
+    ) -> Mapping[str, object]:
+        """The calibration in use, and of the ``known`` gauges that of the last session or the first
+        one.
 
         Raises:
             OperationError: there is no calibration in use, with the text for this case.
@@ -167,8 +181,8 @@ class GaugeSession(GuidedSession[State, Live, View], Generic[State, Live, View])
                 message("no-calibration-use-yet"),
                 message("calibrate-first"),
             )
-        known = self.gauges().known
-        gauge = self.state.gauge if self.state.gauge in known else next(iter(known), "")
+        ids = list(known)
+        gauge = self.state.gauge if self.state.gauge in ids else next(iter(ids), "")
         return {"calibration_id": active.id, "gauge": gauge}
 
     # -- touches -------------------------------------------------------------
@@ -198,11 +212,3 @@ class GaugeSession(GuidedSession[State, Live, View], Generic[State, Live, View])
         readings = np.array([touch.reading for touch in touches])
         arm = read_any_arm(self.folder / ARM)
         write_contacts(path, contact_readings(features, arm, readings))
-
-
-def _read_copies(folder: Path) -> tuple[GaugeFile | None, AnyArm | None]:
-    """Gauge and arm of a session; None, both, if one of them cannot be read."""
-    try:
-        return read_gauge(folder / GAUGE), read_any_arm(folder / ARM)
-    except OperationError:
-        return None, None

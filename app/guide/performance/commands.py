@@ -2,11 +2,11 @@
 
 from app.guide.common.arguments import Args
 from app.guide.common.buttons import ButtonName
-from app.guide.common.commands import Act, Commands, go_back, record, simulation_acts
+from app.guide.common.commands import Act, Commands, record, simulation_acts
 from app.guide.performance import tasks
 from app.guide.performance.guide import PerformanceGuide
 from app.guide.performance.simulated_operator import simulate
-from app.guide.performance.state import STEPS, TOUCHING, SphereScan
+from app.guide.performance.state import TOUCHING, SphereScan
 from app.messages.message import message
 from app.station.jobs import Progress
 
@@ -98,7 +98,7 @@ ACTS: dict[str, Act[PerformanceGuide]] = {
     "finish_scan": _finish_scan,
     "drop_scan": _drop_scan,
     "confirm": record("step_confirmed"),
-    "back": go_back(STEPS),
+    "back": record("went_back", to="artefact"),
     "accept": lambda guide, args, key: tasks.accept(guide, key),
     **simulation_acts(simulate),
     "abandon": lambda guide, args, key: tasks.abandon(guide, str(args.get("reason", "other")), key),

@@ -6,18 +6,30 @@ from functools import partial
 from app.errors import sentence
 from app.findings import Finding
 from app.formats.datasheets.gauge import GaugeFile
+from app.formats.datasheets.length_standard import LengthStandardFile
 from app.formats.performance.plan import ARTICULATIONS
-from app.guide.common.datasheet_library import Gauges
+from app.guide.common.datasheet_library import AnyGauge, Gauges
 from app.guide.common.flow import DECISION_QUALITY, device_findings, list_steps, strain_findings
 from app.guide.common.journal import error_from_payload
 from app.guide.common.view import Action, LiveNumber, StepProgress
+from app.guide.performance.length.picture import (
+    last_error,
+    length_findings,
+    length_instruction,
+)
 from app.guide.performance.live import PerformanceLive
 from app.guide.performance.picture import articulation_title, build_picture
-from app.guide.performance.rules import RULES, WANTED, change_reason, missing_patches
-from app.guide.performance.state import TOUCHING, PerformanceState
-from app.guide.performance.view import PerformanceView, SphereOption
+from app.guide.performance.rules import (
+    RULES,
+    change_reason,
+    count_wanted,
+    missing_patches,
+)
+from app.guide.performance.state import TEST_STEPS, TOUCHING, PerformanceState
+from app.guide.performance.view import ArtefactOption, PerformanceView
 from app.messages.message import Text, join, message, quantity
 from app.metrology.performance.articulation import HELD_DEG
+from app.metrology.performance.lengths import LENGTHS
 
 TITLES = {
     "artefact": message("performance-step-artefact"),
@@ -25,12 +37,8 @@ TITLES = {
     "location": message("performance-step-location"),
     "scan": message("performance-step-scan"),
     "end": message("performance-step-end"),
+    "lengths": message("performance-step-lengths"),
     "review": message("result"),
-}
-DOING = {
-    "artefact": message("performance-do-artefact"),
-    "end": message("performance-do-end"),
-    "review": message("performance-do-review"),
 }
 CANCELLED = {
     "moved": message("performance-cancelled-moved"),
@@ -49,17 +57,20 @@ def build_view(state: PerformanceState, live: PerformanceLive) -> PerformanceVie
         session_id=state.session_id,
         rev=state.rev,
         running=running,
+        test=state.test,
         calibration_id=state.calibration_id,
         calibration=live.active_name if state.calibration_id == live.active_id else "",
-        gauges=sphere_options(live.gauges, live.obstacles),
+        gauges=gauge_options(live.gauges, live.obstacles),
         gauge=state.gauge,
         positions=state.positions,
         position=state.position,
         frozen=state.frozen,
-        steps=list_steps(TITLES, state.step, state.reached),
+        steps=list_steps(
+            {step: TITLES[step] for step in TEST_STEPS[state.test]}, state.step, state.reached
+        ),
         step=state.step,
         title=_title(state),
-        instruction=_instruction(state),
+        instruction=_instruction(state, live),
         picture=build_picture(state, live),
         number=_number(state, live) if running else None,
         progress=_progress(state) if running else None,
@@ -69,10 +80,10 @@ def build_view(state: PerformanceState, live: PerformanceLive) -> PerformanceVie
     )
 
 
-def sphere_options(gauges: Gauges, obstacles: Mapping[str, Text]) -> list[SphereOption]:
-    """The spheres, then the certificates that describe none."""
-    spheres = [
-        SphereOption(
+def gauge_options(gauges: Gauges[AnyGauge], obstacles: Mapping[str, Text]) -> list[ArtefactOption]:
+    """The spheres or length standards, then the certificates that describe none."""
+    known = [
+        ArtefactOption(
             entry.id,
             entry.datasheet.name or entry.id,
             _detail(entry.datasheet),
@@ -80,13 +91,11 @@ def sphere_options(gauges: Gauges, obstacles: Mapping[str, Text]) -> list[Sphere
         )
         for entry in gauges.known.values()
     ]
-    return spheres + [SphereOption(one.id, one.id, "", one.reason) for one in gauges.refused]
+    return known + [ArtefactOption(one.id, one.id, "", one.reason) for one in gauges.refused]
 
 
-def _detail(gauge: GaugeFile) -> Text:
-    parts: list[Text] = [
-        message("sphere-2", diameter=quantity(2 * (gauge.radius_mm or 0.0), "mm", 3))
-    ]
+def _detail(gauge: AnyGauge) -> Text:
+    parts: list[Text] = [_size(gauge)]
     if gauge.serial_number:
         parts.append(message("serial-number", serial_number=gauge.serial_number))
     if gauge.certificate:
@@ -96,13 +105,30 @@ def _detail(gauge: GaugeFile) -> Text:
     return join(parts)
 
 
+def _size(gauge: AnyGauge) -> Text:
+    if isinstance(gauge, GaugeFile):
+        return message("sphere-2", diameter=quantity(2 * (gauge.radius_mm or 0.0), "mm", 3))
+    lengths = [one.length_mm for one in gauge.lengths]
+    return message(
+        "performance-standard-lengths",
+        kind=gauge.kind,
+        count=len(lengths),
+        shortest=quantity(min(lengths), "mm"),
+        longest=quantity(max(lengths), "mm"),
+    )
+
+
 def _title(state: PerformanceState) -> Text:
     if state.step in ("location", "scan") and state.articulation:
         return articulation_title(state.articulation)
+    if state.end is not None:
+        return message("performance-place-title", number=state.end.place)
     return TITLES[state.step]
 
 
-def _instruction(state: PerformanceState) -> Text:
+def _instruction(state: PerformanceState, live: PerformanceLive) -> Text:
+    if state.step == "lengths":
+        return length_instruction(state, live.lengths)
     if state.step == "pattern":
         if not state.of_step:
             if state.position > 1:
@@ -117,7 +143,11 @@ def _instruction(state: PerformanceState) -> Text:
         if not state.articulation:
             return message("performance-all-scanned")
         return message("performance-hold-sensor", number=state.articulation)
-    return DOING[state.step]
+    if state.step == "end":
+        return message("performance-do-end")
+    if state.step == "review":
+        return message("performance-do-review", test=state.test)
+    return message("performance-do-artefact", test=state.test)
 
 
 # -- the card ------------------------------------------------------------------
@@ -126,12 +156,18 @@ def _instruction(state: PerformanceState) -> Text:
 def _number(state: PerformanceState, live: PerformanceLive) -> LiveNumber | None:
     if state.step == "scan" and state.open_scan is not None:
         return LiveNumber(message("points-5"), float(live.scan_points), "", 0)
+    if state.step == "lengths":
+        return last_error(live.lengths)
     return None
 
 
 def _progress(state: PerformanceState) -> StepProgress | None:
+    if state.step == "lengths" and state.sequence is not None:
+        done = len(state.of_step) // state.sequence.of_measurement
+        of = state.sequence.measurements
+        return StepProgress(done, of, message("performance-lengths-measured", done=done, of=of))
     if state.step in TOUCHING:
-        done, of = len(state.of_step), WANTED[state.step]
+        done, of = len(state.of_step), count_wanted(state)
         return StepProgress(done, of, message("touches", done=done, of=of))
     if state.step == "scan":
         done = sum(state.scan_of(number + 1) is not None for number in range(ARTICULATIONS))
@@ -149,9 +185,11 @@ def _findings(state: PerformanceState, live: PerformanceLive) -> list[Finding]:
         findings.append(Finding("bad", reason, remedy))
     findings += device_findings(live.arm_link, live.sensor_link)
     if state.step == "artefact":
-        findings += _about_artefact(live)
+        findings += _about_artefact(state, live)
     if state.step in TOUCHING:
         findings += strain_findings(live.strain)
+    if state.step == "lengths":
+        findings += length_findings(live.lengths)
     if live.off_deg is not None and live.off_deg > HELD_DEG:
         findings.append(_about_articulation(live.off_deg, state.step))
     if state.step == "scan":
@@ -161,11 +199,14 @@ def _findings(state: PerformanceState, live: PerformanceLive) -> list[Finding]:
     return findings
 
 
-def _about_artefact(live: PerformanceLive) -> list[Finding]:
+def _about_artefact(state: PerformanceState, live: PerformanceLive) -> list[Finding]:
     findings = list(live.gauges.findings)
     if not live.gauges.known:
-        text = message("performance-no-sphere")
+        text = message("performance-no-artefact", test=state.test)
         findings.append(Finding("attention", text, message("put-certificate-into-folder-gauges")))
+    if isinstance(live.artefact, LengthStandardFile) and len(live.artefact.lengths) < LENGTHS:
+        text = message("performance-fewer-lengths", count=len(live.artefact.lengths))
+        findings.append(Finding("attention", text))
     remedy = message("performance-correct-gauge")
     return findings + [Finding("bad", sentence(one), remedy) for one in live.artefact_problems]
 
@@ -216,10 +257,10 @@ def _actions(state: PerformanceState, live: PerformanceLive) -> list[Action]:
         return [again, leave]
     simulation = RULES.offer_simulation(state, live, whole=state.step == "artefact")
     if state.step == "artefact":
-        label = message("performance-sphere-is-fixed")
+        label = message("performance-artefact-is-ready", test=state.test)
         return [offer("confirm_artefact", label, primary=True), *simulation, leave]
     if state.step in TOUCHING:
-        enough = len(state.of_step) >= WANTED[state.step]
+        enough = len(state.of_step) >= count_wanted(state)
         back = [offer("back", message("back"))] if not state.frozen else []
         return [
             offer("touch", message("take-touch"), primary=not enough),

@@ -1,7 +1,7 @@
 """The one performance test of a station: its journal, its touches and scans, and what is shown."""
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Protocol
 
@@ -9,12 +9,13 @@ import numpy as np
 
 from app.errors import OperationError
 from app.formats.datasheets.gauge import GaugeFile
+from app.formats.datasheets.length_standard import LengthStandardFile
 from app.formats.json_document import file_sha256
 from app.formats.performance.plan import PLAN, TOUCHES, PerformancePlan
 from app.formats.performance.results import PerformanceFile, read_performance
 from app.formats.performance.station_limits import read_station_limits
-from app.formats.results.calibration import Calibration, read_calibration
-from app.guide.common.datasheet_library import Gauges, read_gauges
+from app.formats.results.calibration import Calibration
+from app.guide.common.datasheet_library import AnyGauge, Gauges, read_any_gauge
 from app.guide.common.flow import Flow
 from app.guide.common.guided_session import (
     NO_PROVENANCE,
@@ -29,27 +30,31 @@ from app.guide.common.journal import (
 )
 from app.guide.gauge.certificates import store_certificate
 from app.guide.gauge.session import GaugeServices, GaugeSession
-from app.guide.performance.flow import build_view, sphere_options
+from app.guide.performance.artefacts import (
+    CalibratedWith,
+    gauges_of_test,
+    read_calibrated_with,
+    read_test_gauges,
+)
+from app.guide.performance.flow import build_view, gauge_options
+from app.guide.performance.length.so_far import LengthsSoFar, check_touch, measure_so_far
 from app.guide.performance.live import PerformanceLive, Places
 from app.guide.performance.places import (
     PartPlaces,
+    find_touched_place,
     flat_pattern,
+    live_places,
     off_articulation_deg,
     places_of,
     sphere_centre_of,
 )
-from app.guide.performance.plan import build_plan, sphere_part
+from app.guide.performance.plan import build_plan, choose_lengths, sphere_part
 from app.guide.performance.rules import RULES
-from app.guide.performance.state import PerformanceState, apply_row
-from app.guide.performance.view import PerformanceView, SphereOption
+from app.guide.performance.state import PerformanceState, Test, apply_row
+from app.guide.performance.view import ArtefactOption, PerformanceView
 from app.messages.message import Text, message
-from app.metrology.arm.kinematics import AnyArm, tip_centres
+from app.metrology.arm.kinematics import AnyArm
 from app.metrology.decision import GUARDED_95, DecisionRule
-from app.metrology.performance.articulation import (
-    assign_places,
-    flat_deg,
-    nearest_free,
-)
 from app.metrology.transforms import Floats
 from app.timestamps import utc_now
 from app.workflows.performance.artefact_checks import list_problems
@@ -82,7 +87,7 @@ class Performances(Protocol):
     ) -> JournalEntry: ...
 
 
-class PerformanceGuide(GaugeSession[PerformanceState, PerformanceLive, PerformanceView]):
+class PerformanceGuide(GaugeSession[PerformanceState, PerformanceLive, PerformanceView, AnyGauge]):
     """The latest performance test."""
 
     station: PerformanceServices
@@ -98,10 +103,19 @@ class PerformanceGuide(GaugeSession[PerformanceState, PerformanceLive, Performan
         rule: DecisionRule = GUARDED_95,
     ) -> None:
         super().__init__(
-            station, journal, FLOW, calibrations, data_folder, signing, rule, _read_spheres
+            station,
+            journal,
+            FLOW,
+            calibrations,
+            data_folder,
+            signing,
+            rule,
+            read_test_gauges,
+            read_any_gauge,
         )
         self.performances = performances
-        self._object: tuple[str, str | OperationError] = ("", "")
+        self._calibrated_with: tuple[str, CalibratedWith | OperationError | None] = ("", None)
+        self._lengths: tuple[PerformanceState | None, LengthsSoFar | None] = (None, None)
         self._result: tuple[str, PerformanceFile | None] = ("", None)
         self._calibration: tuple[str, Calibration | None] = ("", None)
         self._centre: tuple[PerformanceState | None, Floats | None] = (None, None)
@@ -119,19 +133,20 @@ class PerformanceGuide(GaugeSession[PerformanceState, PerformanceLive, Performan
         station, state = self.station, self.state
         side, active = station.rig.arm, self.active()
         stillness = side.stillness()
-        gauges, gauge = self.gauges(), self.gauge()
+        gauges, artefact = self.gauges(), self.artefact()
         blocked = station.scanner.why_not() if state.step == "scan" else None
         return PerformanceLive(
             active_id=active.id if active else "",
             active_name=active.name if active else "",
             gauges=gauges,
-            gauge=gauge,
-            artefact_problems=self._sphere_problems(state.gauge, gauge) if gauge else (),
+            artefact=artefact,
+            artefact_problems=self._problems_of(state.gauge, artefact) if artefact else (),
             obstacles=self._obstacles(gauges),
             setup_now=station.scan_setup(),
             plan_changed=self.running and state.frozen and self._is_plan_changed(),
             arm=self.arm(),
             places=self._live_places(),
+            lengths=self.lengths(),
             pattern_flat_deg=flat_pattern(self.centre_mm()),
             result=self.result(),
             arm_link=side.link(),
@@ -147,19 +162,33 @@ class PerformanceGuide(GaugeSession[PerformanceState, PerformanceLive, Performan
             trouble=self._trouble,
         )
 
+    def gauges(self) -> Gauges[AnyGauge]:
+        """The data folder's spheres or length standards, by the kind of the test."""
+        return gauges_of_test(super().gauges(), self.state.test)
+
+    def artefact(self) -> AnyGauge | None:
+        """The chosen sphere or standard, the session's own copy once it was confirmed."""
+        return self.gauge() or self.standard()
+
     def gauge(self) -> GaugeFile | None:
-        """The chosen sphere, the session's own copy once it was confirmed."""
-        return self.datasheets()[0]
+        """The sphere of a one-sphere test."""
+        found = self.datasheets()[0]
+        return found if isinstance(found, GaugeFile) else None
+
+    def standard(self) -> LengthStandardFile | None:
+        """The standard of a length test, with the lengths that are measured."""
+        found = self.datasheets()[0]
+        return choose_lengths(found) if isinstance(found, LengthStandardFile) else None
 
     def arm(self) -> AnyArm | None:
         """The session's own copy, once the sphere was confirmed."""
         return self.datasheets()[1]
 
     def plan(self) -> PerformancePlan:
-        """The plan as it would be frozen now; a sphere must be chosen."""
-        gauge = self.gauge()
-        assert gauge is not None
-        return build_plan(self.state, gauge, self.provenance, self.rule)
+        """The plan as it would be frozen now; an artefact must be chosen."""
+        artefact = self.artefact()
+        assert artefact is not None
+        return build_plan(self.state, artefact, self.provenance, self.rule)
 
     def result(self) -> PerformanceFile | None:
         """What the test found; None before it was evaluated, or if it cannot be read."""
@@ -176,7 +205,7 @@ class PerformanceGuide(GaugeSession[PerformanceState, PerformanceLive, Performan
     def centre_mm(self) -> Floats | None:
         """(3,) of the sphere at this position, by the touches of its pattern; None before the
         first. Fitted once for each state."""
-        gauge, arm = self.datasheets()
+        gauge, arm = self.gauge(), self.arm()
         if arm is None or gauge is None:
             return None
         if self._centre[0] is not self.state:
@@ -209,42 +238,41 @@ class PerformanceGuide(GaugeSession[PerformanceState, PerformanceLive, Performan
         part, centre = self.part_places(), self.centre_mm()
         if part is None:
             return None
-        taken = frozenset(touch.place for touch in self.state.of(self.state.feature))
         tip = self.station.rig.arm.tip_mm() if centre is not None else None
-        free = [place for place in range(len(part.directions)) if place not in taken]
-        following = free[0] if free else -1
-        tip_deg: tuple[float, float] | None = None
-        if tip is not None and centre is not None:
-            at = np.array(tip)
-            following = nearest_free(at, centre, part.directions, sorted(taken))
-            away = (at - centre) / max(float(np.linalg.norm(at - centre)), 1e-9)
-            right_deg, away_deg = flat_deg(away[None], part.pole, part.towards)[0].tolist()
-            tip_deg = (round(right_deg), round(away_deg))
-        flat = flat_deg(part.directions, part.pole, part.towards)
-        return Places(part.directions, flat, taken, following, tip_deg)
+        return live_places(self.state, part, centre, None if tip is None else np.array(tip))
 
-    def _sphere_problems(self, name: str, gauge: GaugeFile) -> tuple[Text, ...]:
-        """Why a sphere cannot serve in this test, or in one that would begin now."""
+    def lengths(self) -> LengthsSoFar | None:
+        """What is known of a length test; None of another, and before its standard was confirmed.
+        Computed once for each state."""
+        standard, arm = self.standard(), self.arm()
+        if standard is None or arm is None:
+            return None
+        if self._lengths[0] is not self.state:
+            self._lengths = (self.state, measure_so_far(self.state, standard, arm))
+        return self._lengths[1]
+
+    def _problems_of(self, name: str, gauge: AnyGauge) -> tuple[Text, ...]:
+        """Why a gauge cannot serve in this test, or in one that would begin now."""
         active = self.active()
         if active is None:
             return ()
-        if self._object[0] != active.id:
-            self._object = (active.id, _calibration_object(active.file))
-        own = self._object[1]
-        if isinstance(own, OperationError):
-            return (own.text,)
+        if self._calibrated_with[0] != active.id:
+            self._calibrated_with = (active.id, read_calibrated_with(active.file))
+        known = self._calibrated_with[1]
+        if not isinstance(known, CalibratedWith):
+            return (known.text,) if known is not None else ()
+        part = sphere_part(name, gauge) if isinstance(gauge, GaugeFile) else gauge
         day = (self.state.started_at if self.running else utc_now())[:10]
-        return tuple(list_problems(sphere_part(name, gauge), day, own))
+        return tuple(list_problems(part, day, known.object_serial, known.arm))
 
-    def _obstacles(self, gauges: Gauges) -> dict[str, Text]:
-        """Of the spheres that cannot serve, why."""
+    def _obstacles(self, gauges: Gauges[AnyGauge]) -> dict[str, Text]:
+        """Of the gauges that cannot serve, why."""
         found = {
-            name: self._sphere_problems(name, entry.datasheet)
-            for name, entry in gauges.known.items()
+            name: self._problems_of(name, entry.datasheet) for name, entry in gauges.known.items()
         }
         return {name: problems[0] for name, problems in found.items() if problems}
 
-    def add_certificate(self, name: str, text: str) -> SphereOption:
+    def add_certificate(self, name: str, text: str) -> ArtefactOption:
         """Puts a sphere's digital certificate into the folder of gauges; what it is worth.
 
         Raises:
@@ -254,8 +282,8 @@ class PerformanceGuide(GaugeSession[PerformanceState, PerformanceLive, Performan
             added = store_certificate(self.data_folder, name, text)
             self._gauges.forget()
             self.refresh()
-            gauges = self.gauges()
-            options = sphere_options(gauges, self._obstacles(gauges))
+            gauges = gauges_of_test(super().gauges(), "sphere")
+            options = gauge_options(gauges, self._obstacles(gauges))
             return next(one for one in options if one.id == added)
 
     def _is_plan_changed(self) -> bool:
@@ -266,17 +294,34 @@ class PerformanceGuide(GaugeSession[PerformanceState, PerformanceLive, Performan
 
     # -- sessions ------------------------------------------------------------
 
+    def start_test(self, test: Test) -> PerformanceView:
+        """Begins a test of a kind; an open one is resumed instead.
+
+        Raises:
+            OperationError: there is no calibration in use.
+        """
+        with self.lock:
+            if not self.running:
+                self._begin(test, None)
+            return self.refresh()
+
     def begin(self, key: str | None) -> None:
-        """A new session of the calibration in use, with the sphere and the limits of the last."""
-        first = self.first_payload(message("performance-nothing-to-test"))
-        gauges = self.gauges()
+        """A new session of the calibration in use, of the kind and with the artefact and the limits
+        of the last."""
+        self._begin(self.state.test, key)
+
+    def _begin(self, test: Test, key: str | None) -> None:
+        gauges = gauges_of_test(super().gauges(), test)
         obstacles = self._obstacles(gauges)
         usable = [name for name in gauges.known if name not in obstacles]
         payload = {
-            **first,
-            "gauge": first["gauge"] if first["gauge"] in usable else next(iter(usable), ""),
+            **self.first_payload(message("performance-nothing-to-test"), usable),
+            "test": test,
             "positions": self.state.positions,
-            "limits": {one.quantity: one.a_um for one in read_station_limits(self.data_folder)},
+            "limits": {
+                one.quantity: {"a_um": one.a_um, "k": one.k, "b_um": one.b_um}
+                for one in read_station_limits(self.data_folder)
+            },
         }
         self.begin_session(PerformanceState(session_id=new_session_id()), payload, key)
 
@@ -294,30 +339,22 @@ class PerformanceGuide(GaugeSession[PerformanceState, PerformanceLive, Performan
             self.freeze()
         payload = {"feature": feature, "place": place, "reading": mean.reading.tolist()}
         self.append("touched", payload, key)
-        text = message("performance-touch-taken", count=len(self.state.of_step))
+        text = message(
+            "performance-touch-taken", count=len(self.state.of_step), test=self.state.test
+        )
         self.station.bus.event("point_taken", text)
         self.keep_touches()
 
     def _place_of(self, arm: AnyArm, reading: Floats) -> int:
+        standard = self.standard()
+        if standard is not None:
+            return check_touch(self.state, standard, arm, reading)
         part, centre = self.part_places(), self.centre_mm()
         if part is None:
             raise OperationError("not-now", message("performance-all-touched"))
         if centre is None:
             return 0  # the first touch finds the sphere
-        before = self.state.of(self.state.feature)
-        readings = np.array([*(touch.reading for touch in before), reading])
-        tips = tip_centres(arm, readings)
-        taken = [touch.place for touch in before]
-        free = np.array([i for i in range(len(part.directions)) if i not in taken], dtype=np.int64)
-        found = assign_places(tips[-1:], centre, part.directions[free], part.catch_deg)
-        if found[0] >= 0:
-            return int(free[found[0]])
-        wanted = nearest_free(tips[-1], centre, part.directions, taken)
-        raise OperationError(
-            "no-free-place",
-            message("performance-no-free-place"),
-            remedy=message("performance-touch-place", number=wanted + 1),
-        )
+        return find_touched_place(self.state, part, centre, arm, reading)
 
     def freeze(self) -> None:
         """Writes the plan, which stands from now on."""
@@ -342,20 +379,3 @@ class PerformanceGuide(GaugeSession[PerformanceState, PerformanceLive, Performan
             scan = self.state.open_scan if self.running else None
             if scan is not None and self.station.scanner.recording() != self.folder / scan.name:
                 self.append("scan_ended", {"number": scan.number})
-
-
-def _calibration_object(file: Path) -> str | OperationError:
-    """The serial number of a calibration's own object, or why it cannot be read."""
-    try:
-        return read_calibration(file).serial_numbers.object
-    except OperationError as error:
-        return error
-
-
-def _read_spheres(data_folder: Path) -> Gauges:
-    """The spheres among the data folder's gauges."""
-    found = read_gauges(data_folder)
-    spheres = {
-        name: entry for name, entry in found.known.items() if entry.datasheet.shape == "sphere"
-    }
-    return replace(found, known=spheres)

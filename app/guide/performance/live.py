@@ -3,10 +3,10 @@
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from app.formats.datasheets.gauge import GaugeFile
 from app.formats.performance.results import PerformanceFile
-from app.guide.common.datasheet_library import Gauges
+from app.guide.common.datasheet_library import AnyGauge, Gauges
 from app.guide.common.rules import SessionLive
+from app.guide.performance.length.so_far import LengthsSoFar
 from app.messages.message import Text
 from app.metrology.arm.kinematics import AnyArm
 from app.metrology.arm.strained_pose import Strain
@@ -36,19 +36,22 @@ class PerformanceLive(SessionLive):
     active_id: str
     """The calibration in use; empty without one."""
     active_name: str
-    gauges: Gauges
-    """The spheres among the data folder's gauges."""
-    gauge: GaugeFile | None
+    gauges: Gauges[AnyGauge]
+    """The spheres or the length standards among the data folder's gauges."""
+    artefact: AnyGauge | None
+    """The chosen one."""
     artefact_problems: tuple[Text, ...]
-    """Why the chosen sphere cannot serve."""
+    """Why it cannot serve."""
     obstacles: Mapping[str, Text]
-    """Of the spheres that cannot serve, why, by their id."""
+    """Of the gauges that cannot serve, why, by their id."""
     setup_now: Mapping[str, object]
     """The station's settings of scans."""
     plan_changed: bool
     """Whether the plan's file is no longer the one of the first touch."""
     arm: AnyArm | None
     places: Places | None
+    lengths: LengthsSoFar | None
+    """Of a length test, once its standard was confirmed."""
     pattern_flat_deg: Floats
     """(25, 2) of the patches, as ``Places.flat_deg``."""
     result: PerformanceFile | None

@@ -4,13 +4,14 @@ from app.formats.performance.plan import ARTICULATIONS, LOCATION_TOUCHES, sphere
 from app.formats.performance.results import PerformanceFile
 from app.formats.performance.symbols import (
     DEFAULT_EDITION,
-    SPHERE_QUANTITIES,
     TITLES,
     Quantity,
     symbol_of,
 )
 from app.guide.common.journal import error_from_payload
+from app.guide.performance.length.picture import lengths_picture
 from app.guide.performance.live import PerformanceLive
+from app.guide.performance.plan import QUANTITIES
 from app.guide.performance.rules import patch_totals
 from app.guide.performance.state import PerformanceState, SphereScan
 from app.guide.performance.view import (
@@ -37,11 +38,12 @@ def build_picture(state: PerformanceState, live: PerformanceLive) -> Performance
     """The picture."""
     places = live.places
     return PerformancePicture(
-        limits=[_limit(state, one) for one in SPHERE_QUANTITIES],
+        limits=[_limit(state, one) for one in QUANTITIES[state.test]],
         places=_places(live),
         tip_deg=places.tip_flat_deg if places is not None else None,
         patches=_patches(state, live) if state.step == "scan" else [],
         articulations=_articulations(state) if state.step in ("location", "scan") else [],
+        lengths=lengths_picture(state, live.lengths) if live.lengths is not None else None,
         result=result_view(live.result) if state.step == "review" and live.result else None,
         aside=aside_lines(state),
     )
@@ -49,7 +51,16 @@ def build_picture(state: PerformanceState, live: PerformanceLive) -> Performance
 
 def _limit(state: PerformanceState, of: Quantity) -> PerformanceLimitLine:
     symbol = symbol_of(DEFAULT_EDITION, of).symbol
-    return PerformanceLimitLine(of, symbol, TITLES[of], state.limits.get(of))
+    limit = state.limits.get(of)
+    return PerformanceLimitLine(
+        of,
+        symbol,
+        TITLES[of],
+        limit.a_um if limit else None,
+        limit.k if limit else None,
+        limit.b_um if limit else None,
+        grows=of in QUANTITIES["lengths"],
+    )
 
 
 def _places(live: PerformanceLive) -> list[PlaceMark]:

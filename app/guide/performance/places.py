@@ -4,19 +4,24 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from app.errors import OperationError
 from app.formats.datasheets.gauge import GaugeFile
 from app.formats.performance.plan import GatePart, sphere_feature
 from app.formats.results.calibration import Calibration
+from app.guide.performance.live import Places
 from app.guide.performance.state import PerformanceState
+from app.messages.message import message
 from app.metrology.arm.kinematics import AnyArm, flange_pose, tip_centres, tip_of
 from app.metrology.performance.articulation import (
     LOCATION_CATCH_DEG,
     angle_deg,
     articulation_directions,
+    assign_places,
     find_centre,
     flat_deg,
     location_places,
     mean_direction,
+    nearest_free,
     stylus_directions,
 )
 from app.metrology.performance.pattern import CATCH_DEG, RIM_DEG, pattern_directions
@@ -89,7 +94,7 @@ def off_articulation_deg(
 def places_of(state: PerformanceState, centre_mm: Floats | None) -> PartPlaces | None:
     """The places of the part that is touched now; None if none is."""
     towards = towards_base(centre_mm)
-    if not state.feature:
+    if not state.feature or state.test != "sphere":
         return None
     if state.step == "pattern":
         return PartPlaces(pattern_directions(POLE, RIM_DEG), CATCH_DEG, POLE, towards)
@@ -103,3 +108,47 @@ def places_of(state: PerformanceState, centre_mm: Floats | None) -> PartPlaces |
 def flat_pattern(centre_mm: Floats | None) -> Floats:
     """(25, 2) of the patches as seen along the pole, in degrees."""
     return flat_deg(pattern_directions(POLE), POLE, towards_base(centre_mm))
+
+
+def live_places(
+    state: PerformanceState, part: PartPlaces, centre_mm: Floats | None, tip_mm: Floats | None
+) -> Places:
+    """The places of a part with what is done, and the one that the tip is nearest to.
+
+    Args:
+        tip_mm: (3,) of the tip's centre now; None if it is not known.
+    """
+    taken = frozenset(touch.place for touch in state.of(state.feature))
+    free = [place for place in range(len(part.directions)) if place not in taken]
+    following = free[0] if free else -1
+    tip_deg: tuple[float, float] | None = None
+    if tip_mm is not None and centre_mm is not None:
+        following = nearest_free(tip_mm, centre_mm, part.directions, sorted(taken))
+        away = (tip_mm - centre_mm) / max(float(np.linalg.norm(tip_mm - centre_mm)), 1e-9)
+        right_deg, away_deg = flat_deg(away[None], part.pole, part.towards)[0].tolist()
+        tip_deg = (round(right_deg), round(away_deg))
+    flat = flat_deg(part.directions, part.pole, part.towards)
+    return Places(part.directions, flat, taken, following, tip_deg)
+
+
+def find_touched_place(
+    state: PerformanceState, part: PartPlaces, centre_mm: Floats, arm: AnyArm, reading: Floats
+) -> int:
+    """The free place of a part that a touch belongs to.
+
+    Raises:
+        OperationError: none is near.
+    """
+    before = state.of(state.feature)
+    tips = tip_centres(arm, np.array([*(touch.reading for touch in before), reading]))
+    taken = [touch.place for touch in before]
+    free = np.array([i for i in range(len(part.directions)) if i not in taken], dtype=np.int64)
+    found = assign_places(tips[-1:], centre_mm, part.directions[free], part.catch_deg)
+    if found[0] >= 0:
+        return int(free[found[0]])
+    wanted = nearest_free(tips[-1], centre_mm, part.directions, taken)
+    raise OperationError(
+        "no-free-place",
+        message("performance-no-free-place"),
+        remedy=message("performance-touch-place", number=wanted + 1),
+    )

@@ -1,30 +1,41 @@
 """The plan of a guided performance test, from what the operator chose."""
 
+from collections.abc import Mapping
 from typing import cast
 
 from app.formats.datasheets.gauge import GaugeFile
+from app.formats.datasheets.length_standard import LengthStandardFile
 from app.formats.performance.plan import LimitPart, PerformancePlan, SpherePart
-from app.formats.performance.symbols import Quantity
+from app.formats.performance.symbols import SPHERE_QUANTITIES, Quantity
 from app.formats.results.decision_rule import RulePart
+from app.guide.common.datasheet_library import AnyGauge
 from app.guide.common.guided_session import Provenance
-from app.guide.performance.state import PerformanceState
+from app.guide.performance.state import PerformanceState, Test
 from app.metrology.decision import DecisionRule
+from app.metrology.performance.lengths import LENGTHS
+
+QUANTITIES: Mapping[Test, tuple[Quantity, ...]] = {
+    "sphere": SPHERE_QUANTITIES,
+    "lengths": ("length-touch",),
+}
+"""What each test measures."""
 
 
 def build_plan(
-    state: PerformanceState, gauge: GaugeFile, provenance: Provenance, rule: DecisionRule
+    state: PerformanceState, artefact: AnyGauge, provenance: Provenance, rule: DecisionRule
 ) -> PerformancePlan:
-    """The plan of the one-sphere test; ``rule`` is the station's."""
+    """The plan of the test; ``rule`` is the station's."""
     return PerformancePlan(
         id=state.session_id,
-        kind="sphere",
+        kind=state.test,
         station=provenance.station,
         operator=provenance.operator(),
         simulated=provenance.is_simulated(),
         started_at=state.started_at,
-        sphere=sphere_part(state.gauge, gauge),
-        positions=state.positions,
-        limits=limit_parts(state),
+        sphere=sphere_part(state.gauge, artefact) if isinstance(artefact, GaugeFile) else None,
+        length=artefact if isinstance(artefact, LengthStandardFile) else None,
+        positions=state.positions if state.test == "sphere" else 1,
+        limits=tuple(one for one in limit_parts(state) if one.quantity in QUANTITIES[state.test]),
         rule=RulePart.of(rule),
     )
 
@@ -48,5 +59,15 @@ def sphere_part(name: str, gauge: GaugeFile) -> SpherePart:
 def limit_parts(state: PerformanceState) -> tuple[LimitPart, ...]:
     """The limits that were entered."""
     return tuple(
-        LimitPart(quantity=cast(Quantity, name), a_um=a_um) for name, a_um in state.limits.items()
+        LimitPart(quantity=cast(Quantity, name), a_um=limit.a_um, k=limit.k, b_um=limit.b_um)
+        for name, limit in state.limits.items()
     )
+
+
+def choose_lengths(standard: LengthStandardFile) -> LengthStandardFile:
+    """A standard with the lengths that are measured: five spread over those that it has, from the
+    shortest to the longest; all, if there are no more."""
+    known = sorted(standard.lengths, key=lambda one: one.length_mm)
+    steps = range(LENGTHS)
+    chosen = [known[round(i * (len(known) - 1) / (LENGTHS - 1))] for i in steps]
+    return standard.model_copy(update={"lengths": tuple(chosen if len(known) > LENGTHS else known)})

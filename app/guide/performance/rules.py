@@ -24,7 +24,8 @@ WANTED = {
     "location": ARTICULATIONS * LOCATION_TOUCHES,
     "end": LOCATION_TOUCHES,
 }
-"""Touches of a step."""
+"""Touches of a step of the one-sphere test."""
+MOST_UM = 100_000
 ALWAYS = ("stop_simulation", "abandon", "again", "finish_scan", "drop_scan")
 """What can be done although the plan stands no more."""
 
@@ -34,10 +35,13 @@ class PositionsArguments(Arguments):
 
 
 class LimitArguments(Arguments):
-    """``a_um``: the maximum permissible error by the datasheet; missing: none."""
+    """``a_um``: the maximum permissible error by the datasheet; missing: none. Of a length, it may
+    grow by L/``k`` up to ``b_um``."""
 
     quantity: Quantity
-    a_um: Annotated[float, Field(gt=0, le=100_000)] | None = None
+    a_um: Annotated[float, Field(gt=0, le=MOST_UM)] | None = None
+    k: Annotated[float, Field(gt=0, le=1e6)] | None = None
+    b_um: Annotated[float, Field(gt=0, le=MOST_UM)] | None = None
 
 
 class ArticulationArguments(Arguments):
@@ -48,6 +52,13 @@ class ReasonArguments(Arguments):
     reason: Reason = "other"
 
 
+def count_wanted(state: PerformanceState) -> int:
+    """Touches of the present step."""
+    if state.step == "lengths":
+        return 0 if state.sequence is None else state.sequence.touches
+    return WANTED[state.step]
+
+
 def change_reason(state: PerformanceState, live: PerformanceLive) -> Text:
     """Said where what was fixed at the first touch is no longer so."""
     if not live.active_id:
@@ -56,7 +67,7 @@ def change_reason(state: PerformanceState, live: PerformanceLive) -> Text:
         return message("performance-other-calibration")
     if live.plan_changed:
         return message("performance-plan-changed")
-    if live.gauge is None and state.step not in ("artefact", "review"):
+    if live.artefact is None and state.step not in ("artefact", "review"):
         return message("sessions-gauge-arm-cannot-read-any")
     if state.frozen and state.setup != live.setup_now:
         return message("performance-settings-changed")
@@ -88,6 +99,13 @@ def _frozen(state: PerformanceState, live: PerformanceLive, args: Args) -> Text:
     return message("performance-plan-is-frozen") if state.frozen else ""
 
 
+def _set_limit(state: PerformanceState, live: PerformanceLive, args: Args) -> Text:
+    a_um, b_um = args.get("a_um"), args.get("b_um")
+    if isinstance(a_um, float) and isinstance(b_um, float) and b_um < a_um:
+        return message("performance-cap-below-a")
+    return _frozen(state, live, args)
+
+
 def _choose(state: PerformanceState, live: PerformanceLive, args: Args) -> Text:
     chosen = args.get("id")
     if not isinstance(chosen, str) or chosen not in live.gauges.known:
@@ -96,8 +114,8 @@ def _choose(state: PerformanceState, live: PerformanceLive, args: Args) -> Text:
 
 
 def _confirm_artefact(state: PerformanceState, live: PerformanceLive, args: Args) -> Text:
-    if live.gauge is None:
-        return message("performance-choose-sphere")
+    if live.artefact is None:
+        return message("performance-choose-artefact", test=state.test)
     return live.artefact_problems[0] if live.artefact_problems else ""
 
 
@@ -106,13 +124,17 @@ def _touch(state: PerformanceState, live: PerformanceLive, args: Args) -> Text:
         return message("arm-2", text=live.arm_link.text)
     if live.arm is not None and live.arm.tip is None:
         return message("arm-without-tip-touches-nothing", name=live.arm.name)
-    if len(state.of_step) >= WANTED[state.step]:
+    if len(state.of_step) >= count_wanted(state):
         return message("performance-all-touched")
     return "" if live.still else message("hold-arm-still-2")
 
 
 def _undo(state: PerformanceState, live: PerformanceLive, args: Args) -> Text:
-    return "" if state.of_step else message("no-touch-taken-yet")
+    if not state.of_step:
+        return message("no-touch-taken-yet")
+    if len(state.of_step) <= state.confirmed:
+        return message("performance-length-is-confirmed")
+    return ""
 
 
 def _redo(state: PerformanceState, live: PerformanceLive, args: Args) -> Text:
@@ -122,7 +144,7 @@ def _redo(state: PerformanceState, live: PerformanceLive, args: Args) -> Text:
 def _confirm(state: PerformanceState, live: PerformanceLive, args: Args) -> Text:
     if state.step == "scan":
         return _confirm_scans(state)
-    done, of = len(state.of_step), WANTED[state.step]
+    done, of = len(state.of_step), count_wanted(state)
     return "" if done >= of else message("performance-touches-missing", missing=of - done)
 
 
@@ -182,7 +204,7 @@ RULES = CommandRules[PerformanceState, PerformanceLive](
     {
         "choose_gauge": Command(("artefact",), _choose, IdArguments),
         "set_positions": Command(("artefact",), _frozen, PositionsArguments),
-        "set_limit": Command(("artefact", "pattern"), _frozen, LimitArguments),
+        "set_limit": Command(("artefact", "pattern", "lengths"), _set_limit, LimitArguments),
         "confirm_artefact": Command(("artefact",), _confirm_artefact),
         "touch": Command(TOUCHING, _touch),
         "undo": Command(TOUCHING, _undo),
@@ -191,7 +213,7 @@ RULES = CommandRules[PerformanceState, PerformanceLive](
         "finish_scan": Command(("scan",), _scanning),
         "drop_scan": Command(("scan",), _scanning),
         "confirm": Command((*TOUCHING, "scan"), _confirm),
-        "back": Command(("pattern",), _back),
+        "back": Command(("pattern", "lengths"), _back),
         "accept": Command(("review",), _accept),
         "run_simulation": Command(STEPS[:-1], _simulation, OperatorArguments),
         "stop_simulation": Command(),

@@ -17,7 +17,7 @@ from app.guide.common.simulation import (
 from app.guide.performance import tasks
 from app.guide.performance.guide import PerformanceGuide
 from app.guide.performance.places import POLE, directions_of_articulations
-from app.guide.performance.rules import WANTED, missing_patches
+from app.guide.performance.rules import count_wanted, missing_patches
 from app.messages.message import message
 from app.metrology.performance.pattern import pattern_directions
 from app.station.jobs import Progress
@@ -40,12 +40,34 @@ def _confirm_artefact(
 
 
 def _touch(guide: PerformanceGuide, operator: SimulatedOperator, progress: Progress) -> None:
-    of = WANTED[guide.state.step]
+    of, touch_next = count_wanted(guide.state), _touch_next
+    if guide.state.step == "lengths":
+        touch_next = _touch_next_end
     while (done := len(guide.state.of_step)) < of:
-        progress(message("performance-simulation-touches", done=done + 1, of=of), done / of)
-        if not guide.simulation_running or not _touch_next(guide, operator):
+        text = message(
+            "performance-simulation-touches", done=done + 1, of=of, test=guide.state.test
+        )
+        progress(text, done / of)
+        if not guide.simulation_running or not touch_next(guide, operator):
             return
     _confirm(guide)
+
+
+def _touch_next_end(guide: PerformanceGuide, operator: SimulatedOperator) -> bool:
+    with guide.lock:
+        end, so_far, number = guide.state.end, guide.lengths(), len(guide.state.of_step)
+    assert end is not None
+    assert so_far is not None
+    first, last = so_far.places_mm[end.place - 1]
+    length_mm = so_far.standard.lengths[end.length - 1].length_mm
+    return touch_until_taken(
+        guide,
+        lambda attempt: operator.touch_length(
+            ((first + last) / 2).tolist(), (last - first).tolist(), length_mm, end.end
+        ),
+        lambda: len(guide.state.touches),
+        message("hands-touch-declined-times", index=number + 1, attempts=ATTEMPTS),
+    )
 
 
 def _touch_next(guide: PerformanceGuide, operator: SimulatedOperator) -> bool:
@@ -134,4 +156,5 @@ STEPS: dict[str, StepWork[PerformanceGuide]] = {
     "location": _touch,
     "scan": _scan,
     "end": _end,
+    "lengths": _end,
 }

@@ -2,26 +2,42 @@
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
-from typing import Any
+from typing import Any, Literal
 
 from app.formats.performance.plan import ARTICULATIONS, sphere_feature, sphere_scan
 from app.guide.common.journal import SIMULATION_NOTES, JournalEntry, reading_of
 from app.guide.gauge.state import Payload, apply_change, restore_touch, void_touch
+from app.guide.performance.length.sequence import LengthEnd, LengthSequence
 
-STEPS = ("artefact", "pattern", "location", "scan", "end", "review")
-TOUCHING = ("pattern", "location", "end")
+Test = Literal["sphere", "lengths"]
+"""The kinds of tests that are guided."""
+STEPS = ("artefact", "pattern", "location", "scan", "end", "lengths", "review")
+TEST_STEPS: Mapping[Test, tuple[str, ...]] = {
+    "sphere": ("artefact", "pattern", "location", "scan", "end", "review"),
+    "lengths": ("artefact", "lengths", "review"),
+}
+TOUCHING = ("pattern", "location", "end", "lengths")
 """Steps in which places are touched."""
 
 
 @dataclass(frozen=True)
+class DatasheetLimit:
+    """A maximum permissible error: ``A``, or ``A + L/K`` up to ``B``; in µm, ``K`` without unit."""
+
+    a_um: float
+    k: float | None = None
+    b_um: float | None = None
+
+
+@dataclass(frozen=True)
 class SphereContact:
-    """One touch of the sphere."""
+    """One touch of the sphere or the length standard."""
 
     index: int
     feature: str
     """Its part of the test, as in the table of touches."""
     place: int
-    """Which of the part's places it was at, from 0."""
+    """Which of the part's places it was at, from 0; on the end of a length, which touch."""
     reading: tuple[float, ...]
     """The arm's."""
     voided: bool = False
@@ -69,6 +85,7 @@ class PerformanceState:
 
     session_id: str = ""
     rev: int = 0
+    test: Test = "sphere"
     started_at: str = ""
     calibration_id: str = ""
     step: str = "artefact"
@@ -77,8 +94,12 @@ class PerformanceState:
     """Of the data folder's gauges, by the name of its file."""
     positions: int = 1
     position: int = 1
-    limits: Mapping[str, float] = field(default_factory=dict)
-    """Maximum permissible errors in µm by the quantity."""
+    sequence: LengthSequence | None = None
+    """Of the touches of a length test, from the choice of the standard on."""
+    confirmed: int = 0
+    """Touches of lengths that are confirmed: they are not taken back any more."""
+    limits: Mapping[str, DatasheetLimit] = field(default_factory=dict)
+    """Maximum permissible errors by the quantity."""
     plan_sha256: str = ""
     """Of the plan's file, from the first touch on."""
     setup: Payload = field(default_factory=dict)
@@ -117,8 +138,17 @@ class PerformanceState:
         return 0
 
     @property
+    def end(self) -> LengthEnd | None:
+        """The end of a length that is touched next; None without any."""
+        if self.step != "lengths" or self.sequence is None:
+            return None
+        return self.sequence.end_at(len(self.counted))
+
+    @property
     def feature(self) -> str:
         """The part of the test that is touched now; empty while none is."""
+        if self.step == "lengths":
+            return self.end.feature if self.end is not None else ""
         if self.step == "location" and self.articulation:
             return sphere_feature(self.position, "location", self.articulation)
         if self.step == "pattern":
@@ -128,6 +158,8 @@ class PerformanceState:
     @property
     def of_step(self) -> tuple[SphereContact, ...]:
         """Touches of the present step, in their order."""
+        if self.step == "lengths":
+            return self.counted
         start = f"p{self.position}-{self.step}"
         return tuple(touch for touch in self.counted if touch.feature.startswith(start))
 
@@ -164,18 +196,26 @@ def apply_row(state: PerformanceState, row: JournalEntry) -> PerformanceState:
 def _start(state: PerformanceState, payload: Payload) -> PerformanceState:
     return replace(
         state,
+        test=payload.get("test", "sphere"),
         calibration_id=payload["calibration_id"],
         gauge=payload["gauge"],
         positions=payload["positions"],
-        limits=dict(payload["limits"]),
+        limits={name: _limit_of(limit) for name, limit in payload["limits"].items()},
         started_at=payload["at"],
     )
 
 
+def _limit_of(limit: Any) -> DatasheetLimit:
+    """Of a journal's row; before there were lengths, of ``A`` alone."""
+    if isinstance(limit, Mapping):
+        return DatasheetLimit(limit["a_um"], limit.get("k"), limit.get("b_um"))
+    return DatasheetLimit(limit)
+
+
 def _set_limit(state: PerformanceState, payload: Payload) -> PerformanceState:
-    limits = {name: a_um for name, a_um in state.limits.items() if name != payload["quantity"]}
+    limits = {name: limit for name, limit in state.limits.items() if name != payload["quantity"]}
     if payload["a_um"]:
-        limits[payload["quantity"]] = payload["a_um"]
+        limits[payload["quantity"]] = _limit_of(payload)
     return replace(state, limits=limits)
 
 
@@ -187,7 +227,11 @@ def _add_touch(state: PerformanceState, payload: Payload) -> PerformanceState:
     touch = SphereContact(
         len(state.touches), payload["feature"], payload["place"], reading_of(payload)
     )
-    return replace(state, touches=(*state.touches, touch), undone=())
+    confirmed = state.confirmed
+    if state.sequence is not None:  # the first touch of a length confirms the one before
+        whole = len(state.counted) // state.sequence.of_measurement
+        confirmed = max(confirmed, whole * state.sequence.of_measurement)
+    return replace(state, touches=(*state.touches, touch), undone=(), confirmed=confirmed)
 
 
 def _begin_scan(state: PerformanceState, payload: Payload) -> PerformanceState:
@@ -215,7 +259,11 @@ def _keep_patches(state: PerformanceState, payload: Payload) -> PerformanceState
 def _confirm(state: PerformanceState, payload: Payload) -> PerformanceState:
     if state.step == "end" and state.position < state.positions:
         return replace(state, step="pattern", position=state.position + 1, undone=())
-    return replace(state, step=STEPS[STEPS.index(state.step) + 1], undone=())
+    steps = TEST_STEPS[state.test]
+    if state.step == "artefact" and state.test == "lengths":
+        sequence = LengthSequence(payload["lengths"], payload["touches_each"])
+        state = replace(state, sequence=sequence)
+    return replace(state, step=steps[steps.index(state.step) + 1], undone=())
 
 
 CHANGES: dict[str, Callable[[PerformanceState, Payload], PerformanceState]] = {

@@ -14,6 +14,7 @@ from app.guide.common.flow import DECISION_QUALITY
 from app.guide.common.journal import error_payload
 from app.guide.performance.flow import CANCELLED
 from app.guide.performance.guide import PerformanceGuide
+from app.guide.performance.length.so_far import touches_on_end
 from app.guide.performance.picture import aside_lines, run_text
 from app.guide.performance.places import POLE
 from app.guide.performance.plan import limit_parts
@@ -29,15 +30,19 @@ from app.workflows.performance.sphere_test import LEAST_FRAMES, LEAST_PATCHES, L
 
 def set_limit(guide: PerformanceGuide, args: Args, key: str | None) -> None:
     """A limit by the datasheet, kept for the next tests, too."""
-    payload = {"quantity": args["quantity"], "a_um": args.get("a_um")}
+    payload = {name: args.get(name) for name in ("quantity", "a_um", "k", "b_um")}
     guide.append("limit_set", payload, key)
     write_station_limits(guide.data_folder, limit_parts(guide.state))
 
 
 def confirm_artefact(guide: PerformanceGuide, key: str | None) -> None:
-    """From here on the test uses its own copies of sphere, arm and calibration."""
+    """From here on the test uses its own copies of artefact, arm and calibration."""
     guide.keep_datasheets()
-    guide.append("step_confirmed", {}, key)
+    standard = guide.standard()
+    payload: dict[str, object] = {}
+    if standard is not None:
+        payload = {"lengths": len(standard.lengths), "touches_each": touches_on_end(standard)}
+    guide.append("step_confirmed", payload, key)
 
 
 def begin_scan(guide: PerformanceGuide, articulation: int, key: str | None) -> None:
@@ -167,12 +172,12 @@ def _close(
     text: object,
     key: str | None,
 ) -> None:
-    state, gauge = guide.state, guide.gauge()
+    state, artefact = guide.state, guide.artefact()
     figures = {
-        "kind": "sphere",
+        "kind": state.test,
         "result": result,
         "text": text,
-        "artefact": (gauge.name if gauge else "") or state.gauge,
+        "artefact": (artefact.name if artefact else "") or state.gauge,
         "operator": guide.provenance.operator(),
     }
     guide.keep(

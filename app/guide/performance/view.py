@@ -9,12 +9,13 @@ from app.messages.message import Text
 from app.metrology.decision import Decision
 
 PlaceState = Literal["free", "next", "done"]
+PlaceProgress = Literal["todo", "now", "done"]
 ArticulationState = Literal["todo", "now", "scanning", "measuring", "done", "refused"]
 
 
 @dataclass(frozen=True)
-class SphereOption(ChoiceOption):
-    """A sphere, or a certificate that describes none."""
+class ArtefactOption(ChoiceOption):
+    """A sphere or length standard, or a certificate that describes none."""
 
     why_not: Text
     """Why it cannot be chosen; empty if it can."""
@@ -28,6 +29,10 @@ class PerformanceLimitLine:
     symbol: str
     title: Text
     a_um: float | None
+    k: float | None
+    b_um: float | None
+    grows: bool
+    """Whether the limit may grow with the length: A + L/K, up to B."""
 
 
 @dataclass(frozen=True)
@@ -61,6 +66,51 @@ class ArticulationLine:
     state: ArticulationState
     text: Text
     """What is known of it, or why it is of no use."""
+
+
+@dataclass(frozen=True)
+class LengthPlaceMark:
+    """One of the seven places of a length standard, as it is proposed."""
+
+    number: int
+    title: Text
+    state: PlaceProgress
+    done: int
+    of: int
+    """Lengths that are measured there."""
+    ends_mm: Sequence[tuple[float, float, float]]
+    """Of the standard, arm frame."""
+
+
+@dataclass(frozen=True)
+class LengthErrorMark:
+    """An error of length."""
+
+    place: int
+    repeat: int
+    length_mm: float
+    error_um: float
+    limit_um: float | None
+
+
+@dataclass(frozen=True)
+class LengthLimitMark:
+    """A length of the standard with the maximum permissible error of it."""
+
+    length_mm: float
+    limit_um: float | None
+
+
+@dataclass(frozen=True)
+class LengthsPicture:
+    """What is drawn of a length test."""
+
+    reach_mm: float
+    shoulder_mm: float
+    """Height of the arm's shoulder over its base."""
+    places: Sequence[LengthPlaceMark]
+    limits: Sequence[LengthLimitMark]
+    errors: Sequence[LengthErrorMark]
 
 
 @dataclass(frozen=True)
@@ -110,6 +160,7 @@ class PerformancePicture:
     tip_deg: tuple[float, float] | None
     patches: Sequence[PatchMark]
     articulations: Sequence[ArticulationLine]
+    lengths: LengthsPicture | None
     result: PerformanceResultView | None
     aside: Sequence[RunLine]
 
@@ -118,10 +169,11 @@ class PerformancePicture:
 class PerformanceView(SessionView):
     """The whole state of the performance test."""
 
+    test: Literal["sphere", "lengths"]
     calibration_id: str
     calibration: str
     """Name of the calibration with which it is scanned."""
-    gauges: Sequence[SphereOption]
+    gauges: Sequence[ArtefactOption]
     gauge: str
     positions: int
     position: int

@@ -7,7 +7,7 @@ from typing import Protocol
 import numpy as np
 
 from app.errors import OperationError
-from app.formats.datasheets.gauge import DEFAULT_LIMITS, GaugeFile, VerificationLimits
+from app.formats.datasheets.gauge import DEFAULT_LIMITS, GaugeFile, VerificationLimits, read_gauge
 from app.formats.results.verification import CONTACTS
 from app.guide.common.datasheet_library import read_gauges
 from app.guide.common.flow import Flow
@@ -54,7 +54,7 @@ class Verifications(Protocol):
     ) -> JournalEntry: ...
 
 
-class VerifyGuide(GaugeSession[VerifyState, VerifyLive, VerifyView]):
+class VerifyGuide(GaugeSession[VerifyState, VerifyLive, VerifyView, GaugeFile]):
     """The latest verification."""
 
     def __init__(
@@ -69,7 +69,15 @@ class VerifyGuide(GaugeSession[VerifyState, VerifyLive, VerifyView]):
         rule: DecisionRule = GUARDED_95,
     ) -> None:
         super().__init__(
-            station, journal, FLOW, calibrations, data_folder, signing, rule, read_gauges
+            station,
+            journal,
+            FLOW,
+            calibrations,
+            data_folder,
+            signing,
+            rule,
+            read_gauges,
+            read_gauge,
         )
         self.verifications = verifications
         self._limits = limits
@@ -164,7 +172,7 @@ class VerifyGuide(GaugeSession[VerifyState, VerifyLive, VerifyView]):
 
     def begin(self, key: str | None) -> None:
         """A new session of the calibration in use, with the gauge of the last."""
-        payload = self.first_payload(message("there-nothing-verify"))
+        payload = self.first_payload(message("there-nothing-verify"), self.gauges().known)
         self.begin_session(VerifyState(session_id=new_session_id()), payload, key)
 
     # -- touches -------------------------------------------------------------

@@ -35,7 +35,7 @@ class VerifyLive(SessionLive):
     active_id: str
     """The calibration in use; empty without one."""
     active_name: str
-    gauges: Gauges
+    gauges: Gauges[GaugeFile]
     gauge: GaugeFile | None
     """The chosen one; from the touches on the session's own copy."""
     limits: VerificationLimits

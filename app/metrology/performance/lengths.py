@@ -87,13 +87,13 @@ def summarise_lengths(
 
     Args:
         values: at least one.
-        limits_um: the maximum permissible error of each.
+        limits_um: the maximum permissible error of each; infinite without one.
 
     Source:
         ISO 10360-2: of the 35 groups, up to five may have one value outside.
     """
     pairs = list(zip(values, limits_um, strict=True))
-    worst = max(pairs, key=lambda pair: abs(pair[0].error_um) / pair[1])[0]
+    worst = max(pairs, key=lambda pair: (abs(pair[0].error_um) / pair[1], abs(pair[0].error_um)))[0]
     outside = tuple(value for value, limit in pairs if abs(value.error_um) > limit)
     groups: dict[tuple[int, float], int] = {}
     for value in outside:
@@ -107,36 +107,3 @@ def summarise_lengths(
 def length_of_bar_mm(first_mm: Floats, second_mm: Floats) -> float:
     """Distance of the centres (3,) of a ball bar's two spheres."""
     return float(np.linalg.norm(np.asarray(first_mm) - np.asarray(second_mm)))
-
-
-def propose_places(reach_mm: float, bar_mm: float, height_mm: float = 250.0) -> Floats:
-    """Seven placements (7, 2, 3) mm of a bar's ends within the arm's reach, arm frame.
-
-    Radial, tangential to the left and right, vertical, two inclined by 45°, and the diagonal
-    through the workspace.
-
-    Args:
-        reach_mm: length of the arm stretched out.
-        bar_mm: length of the bar.
-        height_mm: of the table above the arm's base plane.
-    """
-    middle = 0.55 * reach_mm
-    places = []
-    for azimuth_deg, along in (
-        (0.0, (1.0, 0.0, 0.0)),
-        (50.0, (0.0, 1.0, 0.0)),
-        (-50.0, (0.0, 1.0, 0.0)),
-        (20.0, (0.0, 0.0, 1.0)),
-        (35.0, (0.0, 0.7071, 0.7071)),
-        (-35.0, (0.7071, 0.0, 0.7071)),
-        (0.0, (0.5774, 0.5774, 0.5774)),
-    ):
-        turn = np.radians(azimuth_deg)
-        R = np.array(
-            [[np.cos(turn), -np.sin(turn), 0], [np.sin(turn), np.cos(turn), 0], [0, 0, 1.0]]
-        )
-        direction = R @ np.array(along)
-        low = 0.5 * bar_mm * abs(direction[2])
-        centre = R @ np.array([middle, 0.0, height_mm + low])
-        places.append([centre - 0.5 * bar_mm * direction, centre + 0.5 * bar_mm * direction])
-    return np.array(places)

@@ -6,27 +6,36 @@ from app.formats.datasheets.length_standard import LengthStandardFile
 from app.formats.performance.plan import PerformancePlan, PlatePart, SpherePart
 from app.formats.results.calibration import Calibration
 from app.messages.message import Text, message, quantity
+from app.metrology.arm.kinematics import AnyArm
+from app.metrology.performance.length_places import arm_reach
 
 Artefact = SpherePart | LengthStandardFile | PlatePart
 LEAST_DIAMETER_MM = 10.0
 """ISO 10360-5 and -8."""
 
 
-def artefact_problems(plan: PerformancePlan, calibration: Calibration | None) -> list[Text]:
-    """Why the artefact of a plan cannot serve; empty if it can."""
+def artefact_problems(
+    plan: PerformancePlan, calibration: Calibration | None, arm: AnyArm | None = None
+) -> list[Text]:
+    """Why the artefact of a plan cannot serve; empty if it can.
+
+    Args:
+        arm: by which lengths are measured.
+    """
     artefact = plan.sphere or plan.length or plan.plate
     if artefact is None:
         return [message("artefact-missing")]
     own = None if calibration is None else calibration.serial_numbers.object
-    return list_problems(artefact, plan.started_at[:10], own or "")
+    return list_problems(artefact, plan.started_at[:10], own or "", arm)
 
 
-def list_problems(artefact: Artefact, day: str, own: str) -> list[Text]:
+def list_problems(artefact: Artefact, day: str, own: str, arm: AnyArm | None = None) -> list[Text]:
     """Why an artefact cannot serve; empty if it can.
 
     Args:
         day: of the test, ISO 8601.
         own: serial number of the calibration's own object; empty if it is not known.
+        arm: by which lengths are measured; None if it is not known.
     """
     problems: list[Text] = []
     if own and artefact.serial_number and own == artefact.serial_number:
@@ -41,8 +50,24 @@ def list_problems(artefact: Artefact, day: str, own: str) -> list[Text]:
     elif isinstance(artefact, PlatePart):
         if artefact.flatness_um == 0 == artefact.flatness_sd_um:
             problems.append(message("certificate-without-uncertainty"))
-    elif any(one.standard_uncertainty_um == 0 for one in artefact.lengths):
+    else:
+        problems += _length_problems(artefact, arm)
+    return problems
+
+
+def _length_problems(standard: LengthStandardFile, arm: AnyArm | None) -> list[Text]:
+    problems: list[Text] = []
+    if any(one.standard_uncertainty_um == 0 for one in standard.lengths):
         problems.append(message("certificate-without-uncertainty"))
+    reach, longest_mm = arm and arm_reach(arm), max(one.length_mm for one in standard.lengths)
+    if reach and reach.known and longest_mm > reach.radius_mm:
+        problems.append(
+            message(
+                "length-beyond-reach",
+                length=quantity(longest_mm, "mm"),
+                reach=quantity(reach.radius_mm, "mm"),
+            )
+        )
     return problems
 
 

@@ -26,7 +26,7 @@ from app.formats.performance.results import (
 from app.formats.performance.symbols import SPHERE_QUANTITIES, Quantity, editions
 from app.formats.results.calibration import SerialNumbers
 from app.messages.message import Text, message, quantity
-from app.metrology.performance.lengths import REFERENCE_C
+from app.metrology.performance.lengths import LENGTHS, REFERENCE_C
 from app.metrology.performance.location import estimate_offset
 from app.metrology.performance.sphere import least_squares_sphere
 from app.metrology.performance.value_uncertainty import (
@@ -73,7 +73,7 @@ def evaluate_performance(folder: Path, ended_at: str = "") -> PerformanceFile:
     """
     plan = read_plan(folder)
     data = read_measured_data(folder, _features(plan))
-    problems = artefact_problems(plan, data.calibration)
+    problems = artefact_problems(plan, data.calibration, data.arm)
     figures, parts = _measure(data, problems)
     serials = SerialNumbers() if data.calibration is None else data.calibration.serial_numbers
     status = "" if plan.standards_at_hand else message("performance-status")
@@ -129,7 +129,8 @@ def _measure(
     if plan.kind == "sphere":
         measured, parts = _measure_sphere(data, problems)
     elif plan.kind == "lengths":
-        measured, lengths = measure_lengths(data)
+        measured, lengths, rocking = measure_lengths(data)
+        problems += rocking
         parts = _Parts(lengths=tuple(LengthPoint.model_validate(one) for one in lengths))
     elif plan.kind == "plane":
         measured = measure_plane(data)
@@ -272,6 +273,8 @@ def _notes(plan: PerformancePlan) -> tuple[Text, ...]:
         )
         if plan.positions == 1:
             notes.append(message("performance-one-position"))
+    if plan.length is not None and len(plan.length.lengths) < LENGTHS:
+        notes.append(message("performance-fewer-lengths", count=len(plan.length.lengths)))
     if plan.kind in ("sphere", "lengths"):
         notes.append(_temperature_note(plan))
     if plan.kind == "plane":

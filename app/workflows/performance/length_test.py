@@ -1,12 +1,19 @@
 """Errors of length by touch or scan: ball bars and step gauges in seven places."""
 
+from collections.abc import Mapping, Sequence
+
 import numpy as np
 
 from app.errors import OperationError
+from app.formats.datasheets.length_standard import LengthStandardFile
 from app.formats.performance.plan import PerformancePlan, length_feature
 from app.formats.performance.symbols import Quantity
-from app.messages.message import message
+from app.messages.message import Text, message, quantity
 from app.metrology.arm.kinematics import tip_of
+from app.metrology.performance.length_scatter import (
+    find_rocking_places,
+    sphere_touch_scatter_um,
+)
 from app.metrology.performance.lengths import (
     PLACES,
     REPEATS,
@@ -36,19 +43,26 @@ def length_features(plan: PerformancePlan) -> list[str]:
     ]
 
 
-def measure_lengths(data: MeasuredData) -> tuple[list[Measured], list[dict[str, object]]]:
-    """The worst error of length by touch, and every single one."""
-    values, names = _lengths_by_touch(data)
-    quantity: Quantity = "length-touch"
+def measure_lengths(
+    data: MeasuredData,
+) -> tuple[list[Measured], list[dict[str, object]], list[Text]]:
+    """The worst error of length by touch, every single one, and why none is stated."""
+    standard = data.plan.length
+    assert standard is not None, "a plan of this kind has lengths"
+    tip_mm = tip_of(data.arm).diameter_mm
+    values, names = lengths_by_touch(
+        standard, data.tips_mm, tip_mm, data.plan.artefact_c, data.plan.temperature_sd_c
+    )
+    of: Quantity = "length-touch"
     if not values:
-        return [Measured(quantity, None, problem=message("no-lengths-measured"))], []
-    permissible = data.plan.limit(quantity)
+        return [Measured(of, None, problem=message("no-lengths-measured"))], [], []
+    permissible = data.plan.limit(of)
     limits = [
         np.inf if permissible is None else permissible.at(one.nominal.length_mm) for one in values
     ]
     summary = summarise_lengths(values, limits)
     measured = Measured(
-        quantity,
+        of,
         summary.worst.error_um,
         tuple(one.error_um for one in values),
         summary.worst.test_uncertainty_um,
@@ -67,21 +81,34 @@ def measure_lengths(data: MeasuredData) -> tuple[list[Measured], list[dict[str, 
         }
         for one, limit in zip(values, limits, strict=True)
     ]
-    return [measured], points
+    return [measured], points, rocking_problems(standard, values, data.tips_mm, tip_mm)
 
 
-def _lengths_by_touch(data: MeasuredData) -> tuple[list[MeasuredLength], list[str]]:
-    standard = data.plan.length
-    assert standard is not None, "a plan of this kind has lengths"
+def lengths_by_touch(
+    standard: LengthStandardFile,
+    tips_mm: Mapping[str, Floats],
+    tip_diameter_mm: float,
+    artefact_c: float | None = None,
+    temperature_sd_c: float = 0.0,
+) -> tuple[list[MeasuredLength], list[str]]:
+    """The lengths both of whose ends were touched, and the groups of these touches.
+
+    Args:
+        tips_mm: tip centres (N, 3) by the feature of the touches.
+        artefact_c: temperature of the standard; None: taken as 20 °C.
+
+    Raises:
+        OperationError: a sphere has too few touches.
+    """
     values: list[MeasuredLength] = []
     names: list[str] = []
     for place in range(1, PLACES + 1):
         for repeat in range(1, REPEATS + 1):
             for number, part in enumerate(standard.lengths, 1):
                 ends = [length_feature(place, repeat, number, end) for end in (0, 1)]
-                if not all(name in data.tips_mm for name in ends):
+                if not all(name in tips_mm for name in ends):
                     continue
-                a, b = (_end_mm(data, data.tips_mm[name]) for name in ends)
+                a, b = (end_mm(standard, tips_mm[name], tip_diameter_mm) for name in ends)
                 nominal = CalibratedLength(
                     part.length_mm,
                     part.standard_uncertainty_um,
@@ -90,23 +117,18 @@ def _lengths_by_touch(data: MeasuredData) -> tuple[list[MeasuredLength], list[st
                 )
                 length_mm = length_of_bar_mm(a, b)
                 values.append(
-                    MeasuredLength(
-                        place,
-                        repeat,
-                        nominal,
-                        length_mm,
-                        data.plan.artefact_c,
-                        temperature_sd_c=data.plan.temperature_sd_c,
-                    )
+                    MeasuredLength(place, repeat, nominal, length_mm, artefact_c, temperature_sd_c)
                 )
                 names += ends
     return values, names
 
 
-def _end_mm(data: MeasuredData, tips_mm: Floats) -> Floats:
-    """One end (3,): a sphere's centre, or the mean of touches on a face in the same direction."""
-    standard = data.plan.length
-    assert standard is not None
+def end_mm(standard: LengthStandardFile, tips_mm: Floats, tip_diameter_mm: float) -> Floats:
+    """One end (3,): a sphere's centre, or the mean of touches on a face in the same direction.
+
+    Raises:
+        OperationError: a sphere has too few touches.
+    """
     diameter = standard.sphere_diameter_mm
     if diameter is None or len(tips_mm) == 1:
         return np.asarray(tips_mm.mean(axis=0))
@@ -117,4 +139,26 @@ def _end_mm(data: MeasuredData, tips_mm: Floats) -> Floats:
             message("least-needed", least=LEAST_TOUCHES),
             message("touch-more-places"),
         )
-    return sphere_centre(tips_mm, diameter + tip_of(data.arm).diameter_mm)
+    return sphere_centre(tips_mm, diameter + tip_diameter_mm)
+
+
+def rocking_problems(
+    standard: LengthStandardFile,
+    values: Sequence[MeasuredLength],
+    tips_mm: Mapping[str, Floats],
+    tip_diameter_mm: float,
+) -> list[Text]:
+    """Each place in which the repeats scatter far more than the touches: the standard rocks."""
+    touches_um: float | None = None
+    if standard.sphere_diameter_mm is not None:
+        reach_mm = (standard.sphere_diameter_mm + tip_diameter_mm) / 2
+        touches_um = sphere_touch_scatter_um(tips_mm, reach_mm)
+    return [
+        message(
+            "length-standard-rocks",
+            place=one.place,
+            scatter=quantity(one.scatter_um, "µm"),
+            touches=quantity(one.expected_um, "µm", 1),
+        )
+        for one in find_rocking_places(values, touches_um)
+    ]

@@ -3,7 +3,7 @@ import { t } from "../state/language";
 import { type Guide, getState, putView, type SessionView } from "../state/store";
 import { done, newKey, notifyOfError } from "./commands";
 import { post, postOnce, Refused } from "./http";
-import type { ArmView, FlowCommand } from "./wire";
+import type { ArmView, FlowCommand, PerformanceView } from "./wire";
 
 export async function sendCommand(guide: Guide, name: string, args: Record<string, unknown> = {}): Promise<void> {
   const command: FlowCommand = { name, args, rev: getState()[guide]?.rev ?? 0, key: newKey() };
@@ -30,5 +30,6 @@ async function start(guide: Guide, body: unknown, whatWas: string): Promise<void
 
 export const startCalibration = () => start("flow", {}, t("ui-the-calibration-was-not-started"));
 export const startVerification = () => start("verify", {}, t("ui-the-verification-was-not-started"));
-export const startPerformance = () => start("performance", {}, t("ui-the-test-was-not-started"));
+export const startPerformance = (test: PerformanceView["test"]) =>
+  start("performance", { test }, t("ui-the-test-was-not-started"));
 export const startArm = (purpose: ArmView["purpose"]) => start("arm", { purpose }, t("ui-the-session-was-not-started"));

@@ -1,6 +1,9 @@
+import { useState } from "react";
+
 import { startPerformance } from "../api/guideCommands";
-import type { PerformanceFile, PerformanceSummary, PerformanceView } from "../api/wire";
+import type { LengthsPicture, PerformanceFile, PerformanceSummary, PerformanceView } from "../api/wire";
 import { Layout } from "../frame/Layout";
+import { Chips } from "../parts/Chips";
 import { EmptyState } from "../parts/EmptyState";
 import { moment } from "../parts/format";
 import rows from "../parts/List.module.css";
@@ -10,13 +13,15 @@ import { ArtefactChoice } from "../performance/ArtefactChoice";
 import { ArticulationList } from "../performance/ArticulationList";
 import { CertificateUpload } from "../performance/CertificateUpload";
 import { ExportFiles } from "../performance/ExportFiles";
+import { LengthErrors } from "../performance/LengthErrors";
+import { LengthPlaces } from "../performance/LengthPlaces";
 import { PerformanceCard } from "../performance/PerformanceCard";
 import { PerformanceRow } from "../performance/PerformanceRow";
 import { ResultTable } from "../performance/ResultTable";
 import { SphereMap } from "../performance/SphereMap";
 import { t } from "../state/language";
 import { go, useDetail } from "../state/router";
-import { useLive } from "../state/store";
+import { getState, useLive } from "../state/store";
 import { useList } from "../state/useList";
 import { Verdict } from "../verify/BigVerdict";
 import { GaugeDrawing } from "../verify/GaugeDrawing";
@@ -38,16 +43,38 @@ function Picture({ view }: { view: PerformanceView }) {
   if (step === "artefact") return <ArtefactChoice view={view} />;
   if (step === "review")
     return picture.result ? (
-      <ResultTable result={picture.result} aside={picture.aside} />
+      <ResultTable result={picture.result} aside={picture.aside}>
+        {picture.lengths && <LengthErrors {...picture.lengths} />}
+      </ResultTable>
     ) : (
       <EmptyState title="" text="" />
     );
+  if (picture.lengths) return <Lengths lengths={picture.lengths} />;
   return (
     <div className={styles.step}>
       <SphereMap picture={picture} />
       {picture.articulations.length > 0 && (
-        <ArticulationList lines={picture.articulations} repeatable={step === "scan" && view.busy === null} />
+        <ArticulationList
+          label={t("ui-articulations")}
+          lines={picture.articulations}
+          repeatable={step === "scan" && view.busy === null}
+        />
       )}
+    </div>
+  );
+}
+
+function Lengths({ lengths }: { lengths: LengthsPicture }) {
+  return (
+    <div className={styles.step}>
+      <div className={styles.drawings}>
+        <LengthPlaces lengths={lengths} />
+        <LengthErrors {...lengths} />
+      </div>
+      <ArticulationList
+        label={t("ui-places")}
+        lines={lengths.places.map((place) => ({ ...place, text: t("ui-lengths-done-of", place) }))}
+      />
     </div>
   );
 }
@@ -56,6 +83,9 @@ function Before() {
   const ended = useLive((s) => `${s.performance?.session_id ?? ""} ${s.performance?.running ?? ""}`);
   const { list } = useList<PerformanceSummary>("/api/performances", ended);
   const calibrated = useLive((s) => (s.home?.calibration ?? null) !== null);
+  // the one that was done last is offered first
+  const [test, setTest] = useState<PerformanceView["test"]>(() => getState().performance?.test ?? "sphere");
+  const lengths = test === "lengths";
   return (
     <Layout
       picture={
@@ -70,21 +100,30 @@ function Before() {
           </div>
         ) : (
           <EmptyState
-            picture={<GaugeDrawing shape="sphere" touching scanning />}
+            picture={lengths ? undefined : <GaugeDrawing shape="sphere" touching scanning />}
             title={t("ui-performance-first-title")}
-            text={t("ui-performance-first-text")}
+            text={lengths ? t("ui-lengths-first-text") : t("ui-performance-first-text")}
           />
         )
       }
       card={
         <StartCard
-          title={t("ui-test-the-performance")}
-          text={t("ui-performance-needs")}
+          title={lengths ? t("ui-length-test") : t("ui-test-the-performance")}
+          text={lengths ? t("ui-lengths-need") : t("ui-performance-needs")}
           calibrated={calibrated}
           start={t("ui-start-the-test")}
-          onStart={startPerformance}
+          onStart={() => startPerformance(test)}
         >
-          <CertificateUpload />
+          <Chips
+            label={t("ui-kind-of-test")}
+            options={[
+              { value: "sphere", label: t("ui-one-sphere") },
+              { value: "lengths", label: t("ui-lengths") },
+            ]}
+            value={test}
+            onChange={setTest}
+          />
+          {!lengths && <CertificateUpload />}
         </StartCard>
       }
     />
@@ -99,7 +138,11 @@ function Record({ id }: { id: string }) {
         failed ? (
           <EmptyState title={t("ui-this-record-cannot-be-loaded")} text={t("ui-file-missing-data-folder-changed")} />
         ) : (
-          file && <ResultTable result={displayed(file)} />
+          file && (
+            <ResultTable result={displayed(file)}>
+              {file.length && file.lengths && <LengthErrors errors={file.lengths} limits={limitsOf(file)} />}
+            </ResultTable>
+          )
         )
       }
       card={
@@ -107,7 +150,7 @@ function Record({ id }: { id: string }) {
           {file && (
             <Verdict {...file.verdict}>
               <p>
-                {file.sphere?.name} · {moment(file.ended_at)}
+                {(file.sphere ?? file.length)?.name} · {moment(file.ended_at)}
               </p>
             </Verdict>
           )}
@@ -120,6 +163,14 @@ function Record({ id }: { id: string }) {
       }
     />
   );
+}
+
+/** The lengths of the standard, with the limits that they were judged by. */
+function limitsOf(file: PerformanceFile) {
+  const limits = new Map(file.lengths?.map(({ length_mm, limit_um }) => [length_mm, limit_um ?? null]));
+  return [...limits]
+    .map(([length_mm, limit_um]) => ({ length_mm, limit_um }))
+    .sort((a, b) => a.length_mm - b.length_mm);
 }
 
 function displayed(file: PerformanceFile) {

@@ -14,10 +14,16 @@ const STATES: Record<ArticulationLine["state"], PlainId> = {
   refused: "ui-unusable",
 };
 
-/** The five articulations of a step: what is done, and what each has shown. */
-export function ArticulationList({ lines, repeatable }: { lines: ArticulationLine[]; repeatable: boolean }) {
+interface ArticulationListProps {
+  label: string;
+  lines: ArticulationLine[];
+  repeatable?: boolean;
+}
+
+/** The five articulations of a step, or the seven places: what is done, and what each has shown. */
+export function ArticulationList({ label, lines, repeatable = false }: ArticulationListProps) {
   return (
-    <ol className={styles.list} aria-label={t("ui-articulations")}>
+    <ol className={styles.list} aria-label={label}>
       {lines.map(({ number, title, state, text }) => (
         <li key={number} className={styles.row} data-state={state}>
           <span className={styles.number}>{number}</span>

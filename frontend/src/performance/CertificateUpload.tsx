@@ -2,7 +2,7 @@ import { type ChangeEvent, useRef, useState } from "react";
 
 import { ask } from "../api/commands";
 import { post } from "../api/http";
-import type { SphereOption } from "../api/wire";
+import type { ArtefactOption } from "../api/wire";
 import { PressButton } from "../parts/PressButton";
 import { notify } from "../state/banner";
 import { isolated } from "../state/isolated";
@@ -12,7 +12,7 @@ import styles from "./CertificateUpload.module.css";
 /** Adds the digital certificate of a sphere to the station's gauges, and states what it is worth. */
 export function CertificateUpload() {
   const chooser = useRef<HTMLInputElement>(null);
-  const [added, setAdded] = useState<SphereOption | null>(null);
+  const [added, setAdded] = useState<ArtefactOption | null>(null);
   const take = async (event: ChangeEvent<HTMLInputElement>) => {
     const field = event.currentTarget;
     const file = field.files?.[0];
@@ -26,7 +26,7 @@ export function CertificateUpload() {
     }
     const body = { name: file.name.slice(0, 200), text };
     const path = "/api/performance/certificate";
-    setAdded(await ask(() => post<SphereOption>(path, body), t("ui-the-certificate-was-not-added")));
+    setAdded(await ask(() => post<ArtefactOption>(path, body), t("ui-the-certificate-was-not-added")));
   };
   return (
     <div className={styles.upload}>

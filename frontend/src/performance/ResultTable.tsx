@@ -1,3 +1,5 @@
+import type { ReactNode } from "react";
+
 import type { PerformanceFigureLine, PerformanceResultView, RunLine } from "../api/wire";
 import { measured, signedLength } from "../parts/lengths";
 import { QualityMark } from "../parts/QualityMark";
@@ -8,10 +10,12 @@ import styles from "./ResultTable.module.css";
 interface ResultTableProps {
   result: Pick<PerformanceResultView, "figures" | "offset" | "status" | "problems" | "notes">;
   aside?: RunLine[];
+  /** What is drawn of it, below the figures. */
+  children?: ReactNode;
 }
 
 /** Every symbol in words with its value, its limit and the decision; what else should be known. */
-export function ResultTable({ result, aside = [] }: ResultTableProps) {
+export function ResultTable({ result, aside = [], children }: ResultTableProps) {
   return (
     <div className={styles.result}>
       {result.status && <p className={styles.status}>{result.status}</p>}
@@ -35,6 +39,7 @@ export function ResultTable({ result, aside = [] }: ResultTableProps) {
           ))}
         </tbody>
       </table>
+      {children}
       {result.offset && (
         <section className={styles.section}>
           <h3>{t("ui-implied-probe-matrix-error")}</h3>
@@ -61,7 +66,7 @@ export function ResultTable({ result, aside = [] }: ResultTableProps) {
 }
 
 function Row({ figure }: { figure: PerformanceFigureLine }) {
-  const signed = figure.quantity.startsWith("size");
+  const signed = /^(size|length)/.test(figure.quantity);
   const { value, limit, test_uncertainty } = figure;
   return (
     <tr data-quantity={figure.quantity}>

@@ -13,7 +13,7 @@ interface Props {
   calibrated: boolean;
   start: string;
   onStart: () => Promise<void>;
-  /** What can be prepared before. */
+  /** What is chosen or prepared before. */
   children?: ReactNode;
 }
 

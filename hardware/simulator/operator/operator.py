@@ -25,6 +25,7 @@ from hardware.simulator.operator.contact import (
 )
 from hardware.simulator.operator.holding import SensorMount, sensor_over_block, sensor_over_board
 from hardware.simulator.operator.moving import MoveExecutor, OperatorState
+from hardware.simulator.operator.on_face import path_onto_face
 from hardware.simulator.operator.on_sphere import PASS_S as SPHERE_PASS_S
 from hardware.simulator.operator.on_sphere import path_onto_place, plan_view
 from hardware.simulator.operator.paths import PASS_S, PathPlanner, passing_poses
@@ -42,6 +43,7 @@ from hardware.simulator.operator.swinging import (
     seat_centre,
     swing_path,
 )
+from hardware.simulator.scene.step_gauge import StepGauge, draw_true_step_gauge, gauge_start_mm
 from hardware.simulator.scene.world import Board, Box, CrenellatedBlock, GaugeSphere, SimulatedScene
 
 CLEAR_MM = 3.0
@@ -54,6 +56,8 @@ PATH_TRIES = 8
 """Of which the shortest is taken."""
 INDEX_OFFSETS = (0.0, 0.3, 0.6, -0.3)
 """Places on a sphere between its numbered ones, tried where the arm does not get to one."""
+GAUGE_SD_MM = 0.0005
+"""Of the step gauge's lengths, as its certificate has it."""
 MIN_HEIGHT = 0.15
 """Over a sphere's middle, as a share of its radius, that is touched: its foot is below."""
 
@@ -84,6 +88,11 @@ class ScriptedOperator:
         self.planner = PathPlanner(arm, motion, pace, contact_sd_mm, self._rng)
         self._executor = MoveExecutor(motion, press, self._forget_contact)
         self._last_contact: str | None = None
+        self.step_gauge = StepGauge()
+        """As its certificate has it."""
+        self._true_gauge = draw_true_step_gauge(
+            self.step_gauge, GAUGE_SD_MM, np.random.default_rng(seed)
+        )
         block = scene.find_object("block")
         assert isinstance(block.shape, CrenellatedBlock)
         self.faces = reachable_faces(block.shape, arm.tip_diameter_mm / 2)
@@ -286,6 +295,32 @@ class ScriptedOperator:
             gap_mm = shape.radius_mm + self.planner.gap_mm()
             self._tap(
                 lambda q: path_onto_place(self._arm, centre, gap_mm, place, stylus, q, self._rng)
+            )
+            return True
+        return False
+
+    def touch_length(
+        self, middle_mm: Sequence[float], along: Sequence[float], length_mm: float, end: int
+    ) -> bool:
+        """Touches an end (0 or 1) of a length of the step gauge and presses the primary button;
+        False when cancelled.
+
+        Args:
+            middle_mm: (3,) of the gauge where it is set up, arm frame.
+            along: (3,) its direction, arm frame.
+
+        Raises KeyError for a length that it does not have, UnreachableError where the arm cannot
+        get there.
+        """
+        direction = _unit(along)
+        start = gauge_start_mm(self.step_gauge, np.asarray(middle_mm), direction)
+        at_mm = self._true_gauge.face_mm(self.step_gauge, length_mm, end)
+        with self._executor.move("touching the step gauge"):
+            gap_mm = self.planner.gap_mm()
+            self._tap(
+                lambda q: path_onto_face(
+                    self._arm, start + at_mm * direction, gap_mm, -direction, q, self._rng
+                )
             )
             return True
         return False

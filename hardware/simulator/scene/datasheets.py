@@ -11,6 +11,7 @@ import numpy as np
 
 from hardware.simulator.devices.kinematics import ArmModel, Floats
 from hardware.simulator.scene.camera import LightPlane, Optics, to_pixels
+from hardware.simulator.scene.step_gauge import StepGauge
 from hardware.simulator.scene.world import Board, CrenellatedBlock, GaugeSphere
 
 JsonObject = dict[str, object]
@@ -163,6 +164,22 @@ def sphere_nominal(centre_mm: Floats, ball: GaugeSphere) -> JsonObject:
         "certificate": "simulated",
         "standard_uncertainty_um": 0.3,
         "form_um": 1.0,
+    }
+
+
+def step_gauge_datasheet(certificate: StepGauge, standard_uncertainty_mm: float) -> JsonObject:
+    """The file of a length standard as the step gauge's certificate has it."""
+    return {
+        "format": "crenel/length-standard",
+        "version": 1,
+        "kind": "step-gauge",
+        "name": "Simulated step gauge",
+        "serial_number": "TWIN-L1",
+        "certificate": "simulated",
+        "lengths": [
+            {"length_mm": length, "standard_uncertainty_um": 1e3 * standard_uncertainty_mm}
+            for length in certificate.lengths_mm
+        ],
     }
 
 

@@ -119,6 +119,23 @@ def test_lengths_are_brought_to_20_degrees(tmp_path: Path) -> None:
         assert after.test_uncertainty_um == pytest.approx(expected_um, rel=1e-6)
 
 
+def test_no_length_is_stated_of_a_standard_that_rocks(tmp_path: Path) -> None:
+    groups = length_groups(1.0)
+    random = np.random.default_rng(5)
+    shaken = [
+        (name, tips + (0.1 * random.normal(size=3) if name.startswith("l4-") else 0.0))
+        for name, tips in groups
+    ]
+    folder = write_test(tmp_path / "t", "lengths", shaken, ())
+    result = evaluate_performance(folder)
+    (problem,) = result.problems
+    assert "rocks in place 4" in str(problem)
+    assert result.figures[0].value is None
+    assert len(result.lengths) == 105
+    shown = crenel("performance", "evaluate", folder)
+    assert "rocks in place 4" in shown.stdout
+
+
 def test_lengths_in_some_places_are_what_there_is(tmp_path: Path) -> None:
     folder = write_test(tmp_path / "t", "lengths", length_groups(1.0, range(1, 3)), ())
     assert len(evaluate_performance(folder).lengths) == 30

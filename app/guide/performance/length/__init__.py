@@ -1,0 +1,1 @@
+"""The guided length test: its order, what is measured so far, and what is drawn."""

@@ -1,0 +1,85 @@
+"""Whether a length standard rocks: its lengths then differ between repeats more than touches do."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from app.metrology.performance.lengths import MeasuredLength
+from app.metrology.performance.sphere import sphere_centre
+from app.metrology.transforms import Floats
+
+FAR_MORE = 6.0
+"""So many times what the touches explain. Of steady standards with a single length, one in two
+thousand has such a place by chance; with two lengths or more, none of two thousand."""
+LEAST_OTHERS = 4
+"""Places that the scatter of single touches is taken from."""
+LEAST_UM = 10.0
+"""A standard that moves by less does not show in the figures of an arm."""
+
+
+@dataclass(frozen=True)
+class RockingPlace:
+    """A place in which the standard does not stand still."""
+
+    place: int
+    scatter_um: float
+    """Standard deviation of a length between repeats."""
+    expected_um: float
+    """What the touches explain."""
+
+
+def repeat_scatter_um(values: Sequence[MeasuredLength]) -> dict[int, float]:
+    """Standard deviation of a length between the repeats, pooled for each place that has some."""
+    errors: dict[tuple[int, float], list[float]] = {}
+    for one in values:
+        errors.setdefault((one.place, one.nominal.length_mm), []).append(one.error_um)
+    squares: dict[int, float] = {}
+    freedom: dict[int, int] = {}
+    for (place, _), found in errors.items():
+        squares[place] = squares.get(place, 0.0) + len(found) * float(np.var(found))
+        freedom[place] = freedom.get(place, 0) + len(found) - 1
+    return {place: (squares[place] / n) ** 0.5 for place, n in freedom.items() if n > 0}
+
+
+def sphere_touch_scatter_um(ends_mm: Mapping[str, Floats], reach_mm: float) -> float | None:
+    """Standard deviation of a length that follows from the touches' distances from the spheres.
+
+    Args:
+        ends_mm: tip centres (N, 3) on each end of a bar; groups of four or more count.
+        reach_mm: radius of sphere and tip together.
+
+    Returns:
+        None without such a group.
+    """
+    squares, freedom = 0.0, 0
+    for tips in ends_mm.values():
+        if len(tips) < 4:
+            continue
+        off = np.linalg.norm(tips - sphere_centre(tips, 2 * reach_mm), axis=1) - reach_mm
+        squares, freedom = squares + float(off @ off), freedom + len(tips) - 3
+    # a centre by four touches is about as good as one of them; a length has two
+    return 1e3 * float(np.sqrt(2 * squares / freedom)) if freedom else None
+
+
+def find_rocking_places(
+    values: Sequence[MeasuredLength], touches_um: float | None = None
+) -> list[RockingPlace]:
+    """The places in which the repeats scatter far more than the touches explain.
+
+    Args:
+        touches_um: of a length, by the touches themselves; None where each end has one touch: the
+            other places then show what touches scatter.
+    """
+    found = repeat_scatter_um(values)
+    rocking = []
+    for place, scatter_um in found.items():
+        expected_um = touches_um
+        if expected_um is None:
+            others = [value for other, value in found.items() if other != place]
+            if len(others) < LEAST_OTHERS:
+                continue
+            expected_um = float(np.median(others))
+        if scatter_um > max(FAR_MORE * expected_um, LEAST_UM):
+            rocking.append(RockingPlace(place, scatter_um, expected_um))
+    return rocking

@@ -1,0 +1,100 @@
+import type { LengthPlaceMark, LengthsPicture } from "../api/wire";
+import { t } from "../state/language";
+import styles from "./LengthPlaces.module.css";
+
+/** A point of the arm's frame on the drawing: to the right, and up. */
+type Projection = (point: readonly [number, number, number]) => [number, number];
+
+/* Away from the arm is up in the one, and to the right in the other. */
+const FROM_ABOVE: Projection = ([x, y]) => [-y, x];
+const FROM_THE_SIDE: Projection = ([x, , z]) => [x, z];
+
+/** The seven places of the standard within the arm's reach, from above and from the side. */
+export function LengthPlaces({ lengths }: { lengths: LengthsPicture }) {
+  const { reach_mm: reach, shoulder_mm: shoulder, places } = lengths;
+  const edge = 0.08 * reach;
+  return (
+    <figure className={styles.places}>
+      <div className={styles.views}>
+        <View
+          title={t("ui-from-above-arm-below")}
+          box={[-reach - edge, -0.35 * reach, 2 * (reach + edge), 1.35 * reach + edge]}
+          centre={[0, 0]}
+          reach={reach}
+          places={places}
+          project={FROM_ABOVE}
+        />
+        <View
+          title={t("ui-from-the-side-arm-left")}
+          box={[-0.35 * reach, -edge, 1.35 * reach + edge, shoulder + reach + 2 * edge]}
+          centre={[0, shoulder]}
+          reach={reach}
+          places={places}
+          project={FROM_THE_SIDE}
+          column={shoulder}
+        />
+      </div>
+      <figcaption className={styles.caption}>
+        <span className={styles.key}>
+          <i data-key="now" /> {t("ui-place-next")} <i data-key="done" /> {t("ui-place-done")} <i data-key="todo" />{" "}
+          {t("ui-to-do")}
+        </span>
+      </figcaption>
+    </figure>
+  );
+}
+
+interface ViewProps {
+  title: string;
+  /** Left, bottom, width and height in mm. */
+  box: [number, number, number, number];
+  centre: [number, number];
+  reach: number;
+  places: LengthPlaceMark[];
+  project: Projection;
+  /** Height of the arm's column, if it is seen. */
+  column?: number;
+}
+
+function View({ title, box: [left, bottom, width, height], centre, reach, places, project, column }: ViewProps) {
+  /* what is done now is drawn over the others */
+  const ordered = [...places].sort((a, b) => Number(a.state === "now") - Number(b.state === "now"));
+  const unit = reach / 100;
+  return (
+    <svg
+      className={styles.view}
+      viewBox={`${left} ${-bottom - height} ${width} ${height}`}
+      role="img"
+      aria-label={title}
+    >
+      <title>{title}</title>
+      <circle className={styles.reach} cx={centre[0]} cy={-centre[1]} r={reach} strokeWidth={0.5 * unit} />
+      {column !== undefined && (
+        <>
+          <line className={styles.table} x1={left} x2={left + width} y1={0} y2={0} strokeWidth={0.6 * unit} />
+          <line className={styles.arm} x1={0} x2={0} y1={0} y2={-column} strokeWidth={5 * unit} />
+        </>
+      )}
+      <circle className={styles.base} cx={centre[0]} cy={-centre[1]} r={4 * unit} />
+      {ordered.map((place) => (
+        <Standard key={place.number} place={place} project={project} unit={unit} />
+      ))}
+    </svg>
+  );
+}
+
+function Standard({ place, project, unit }: { place: LengthPlaceMark; project: Projection; unit: number }) {
+  const [[x1, y1], [x2, y2]] = place.ends_mm.map((end) => project(end as [number, number, number])) as [
+    [number, number],
+    [number, number],
+  ];
+  return (
+    <g className={styles.standard} data-state={place.state} data-place={place.number}>
+      <line x1={x1} y1={-y1} x2={x2} y2={-y2} strokeWidth={(place.state === "now" ? 3.5 : 2) * unit} />
+      <circle cx={x2} cy={-y2} r={5 * unit} />
+      <text x={x2} y={-y2} fontSize={6.5 * unit}>
+        {place.number}
+      </text>
+    </g>
+  );
+}

@@ -1,0 +1,171 @@
+"""The guided length test over HTTP, simulated: what counts, what is refused, kept and listed."""
+
+import json
+import shutil
+import time
+import uuid
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from app.formats.performance.plan import read_plan
+from app.guide.performance.guide import PerformanceGuide, PerformanceServices
+from app.station.bus import Bus
+from app.station.devices.rig import Rig
+from app.station.jobs import Jobs
+from app.station.scan.scanner import Scanner
+from app.station.view3d.scene import Scene
+from app.store.store import Store
+from tests.api.calibrated import use_truth
+from tests.api.conftest import Server
+from tests.api.test_performance_flow import Desk, View, refusal
+from tests.sent_texts import english
+
+pytestmark = pytest.mark.slow
+
+
+class LengthDesk(Desk):
+    """The operator's end of a length test."""
+
+    def start(self) -> View:
+        self.wait(lambda view: view["busy"] is None)
+        if self.view()["running"]:
+            self.do("abandon")
+        answer = self.server.http.post("/api/performance/start", json={"test": "lengths"})
+        answer.raise_for_status()
+        return self.view()
+
+    def add(self, name: str, **changes: object) -> dict[str, Any]:
+        """Puts a step gauge into the folder; what it is offered as."""
+        gauges = self.server.data / "gauges"
+        content = json.loads((gauges / "step-gauge.json").read_text())
+        (gauges / f"{name}.json").write_text(json.dumps({**content, **changes}))
+        view = self.wait(lambda view: any(gauge["id"] == name for gauge in view["gauges"]))
+        return next(dict(gauge) for gauge in view["gauges"] if gauge["id"] == name)
+
+    def touch_end(self, length_mm: float, end: int) -> View:
+        """Touches an end of a length in the first place, until it is taken or declined."""
+        so_far = self.server.context.performance_guide.lengths()
+        assert so_far is not None
+        first, last = so_far.places_mm[0]
+        guide = self.server.context.performance_guide
+        for _ in range(5):
+            before, declined = len(guide.state.touches), guide.declined
+            operator = self.server.simulation.operator
+            middle, along = ((first + last) / 2).tolist(), (last - first).tolist()
+            assert operator.touch_length(middle, along, length_mm, end)
+            deadline = time.monotonic() + 2.0
+            while time.monotonic() < deadline:
+                if len(guide.state.touches) > before:
+                    return self.view()
+                time.sleep(0.05)
+            texts = [english(finding["text"]) for finding in self.view()["findings"]]
+            if guide.declined > declined and any("not taken" in text for text in texts):
+                return self.view()
+        raise AssertionError(self.view()["findings"])
+
+
+@pytest.fixture(scope="module")
+def calibration(server: Server) -> str:
+    return use_truth(server, f"truth-{uuid.uuid4().hex[:6]}")
+
+
+@pytest.fixture
+def desk(server: Server, calibration: str) -> Iterator[LengthDesk]:
+    desk = LengthDesk(server)
+    yield desk
+    server.http.post("/api/stop").raise_for_status()
+    desk.wait(lambda view: view["busy"] is None)
+    if desk.view()["running"]:
+        desk.do("abandon")
+    for path in (server.data / "gauges").glob("made-*.json"):
+        path.unlink()
+
+
+@contextmanager
+def reopened(server: Server, left: Path) -> Iterator[PerformanceGuide]:
+    """The guide of a next server on what is on the disk."""
+    store, bus = Store(left), Bus()
+    rig, scene = Rig(bus, server.simulation.sensor, server.simulation.sensor, left), Scene()  # type: ignore[arg-type]
+    scanner = Scanner(bus, rig, scene, left / "scans")
+    setup = server.context.settings.settings.model_dump(mode="json")
+    station = PerformanceServices(bus, rig, Jobs(bus), None, scanner, scene, lambda: setup)
+    try:
+        yield PerformanceGuide(station, store.journal, store.calibrations, store.performances, left)
+    finally:
+        scanner.close()
+        scene.close()
+        store.close()
+
+
+def test_lengths_count_in_their_order_and_survive_a_killed_server(
+    desk: LengthDesk, tmp_path: Path
+) -> None:
+    server, view = desk.server, desk.start()
+    assert (view["test"], [gauge["id"] for gauge in view["gauges"]]) == ("lengths", ["step-gauge"])
+    assert "cap B" in refusal(
+        desk.command("set_limit", quantity="length-touch", a_um=90.0, k=10.0, b_um=80.0)
+    )
+    desk.do("set_limit", quantity="length-touch", a_um=90.0, k=10.0, b_um=120.0)
+    view = desk.do("confirm_artefact")
+    picture = view["picture"]["lengths"]
+    assert [place["state"] for place in picture["places"]] == ["now", *["todo"] * 6]
+    assert [limit["limit_um"] for limit in picture["limits"]] == [100, 112.5, 120, 120, 120]
+    view = desk.touch_end(100.0, 0)
+    assert view["frozen"]
+    assert "fixed" in refusal(desk.command("set_limit", quantity="length-touch", a_um=1.0))
+    view = desk.touch_end(225.0, 1)  # another face than that of the length
+    assert any("225 mm instead of 100 mm" in english(f["text"]) for f in view["findings"])
+    view = desk.touch_end(100.0, 1)
+    (error,) = view["picture"]["lengths"]["errors"]
+    assert (error["place"], error["length_mm"], error["limit_um"]) == (1, 100.0, 100.0)
+    assert abs(error["error_um"]) < 1000
+    assert not desk.do("undo")["picture"]["lengths"]["errors"]
+    assert desk.do("redo")["picture"]["lengths"]["errors"] == [error]
+    desk.touch_end(225.0, 0)  # confirms the length before
+    desk.do("undo")
+    assert "confirmed" in refusal(desk.command("undo"))
+    assert "208 touches" in refusal(desk.command("confirm"))
+
+    shutil.copytree(server.data, left := tmp_path / "left")
+    shutil.rmtree(left / "gauges")  # the test has its own copy of the standard's file
+    with reopened(server, left) as guide:
+        assert guide.view().picture.lengths is not None
+        assert guide.state == server.context.performance_guide.state
+        assert [one.error_um for one in guide.lengths().values] == [error["error_um"]]  # type: ignore[union-attr]
+
+    session = desk.view()["session_id"]
+    desk.do("abandon", reason="moved")
+    newest, *_ = desk.list()
+    assert (newest["id"], newest["kind"], newest["result"]) == (session, "lengths", "cancelled")
+    plan = read_plan(server.data / "performance" / session)
+    (limit,) = plan.limits
+    assert (plan.kind, limit.a_um, limit.k, limit.b_um) == ("lengths", 90.0, 10.0, 120.0)
+    assert plan.length is not None
+    assert np.allclose([one.length_mm for one in plan.length.lengths], [100, 225, 350, 475, 600])
+
+
+@pytest.mark.parametrize(
+    ("changes", "said"),
+    [
+        ({"valid_until": "2020-01-31"}, "2020-01-31"),
+        ({"lengths": [{"length_mm": 400.0, "standard_uncertainty_um": 0}]}, "no uncertainty"),
+        ({"lengths": [{"length_mm": 4000.0, "standard_uncertainty_um": 1}]}, "reaches 1379 mm"),
+    ],
+)
+def test_a_standard_that_cannot_serve_is_listed_with_the_reason(
+    desk: LengthDesk, changes: dict[str, Any], said: str
+) -> None:
+    desk.start()
+    offered = desk.add(f"made-{uuid.uuid4().hex[:6]}", **changes)
+    assert said in english(offered["why_not"])
+    assert said in refusal(desk.command("choose_gauge", id=offered["id"]))
+
+
+def test_a_one_sphere_test_does_not_offer_standards(desk: LengthDesk) -> None:
+    assert {gauge["id"] for gauge in Desk.start(desk)["gauges"]} == {"sphere"}
+    assert desk.view()["test"] == "sphere"

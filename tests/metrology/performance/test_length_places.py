@@ -1,0 +1,83 @@
+"""Seven places of a standard within the reach, and whether the standard stands still there."""
+
+import numpy as np
+import pytest
+
+from app.metrology.arm.kinematics import RobotArm
+from app.metrology.performance.length_places import ArmReach, arm_reach, propose_places
+from app.metrology.performance.length_scatter import find_rocking_places, repeat_scatter_um
+from app.metrology.performance.lengths import (
+    PLACES,
+    REPEATS,
+    CalibratedLength,
+    MeasuredLength,
+    summarise_lengths,
+)
+
+REACH = ArmReach(np.array([0.0, 0.0, 320.0]), 1379.0, known=True)
+
+
+@pytest.mark.parametrize("bar_mm", [50.0, 400.0, 900.0, 1100.0])
+def test_every_place_is_within_the_reach_and_clear_of_table_and_arm(bar_mm: float) -> None:
+    places = propose_places(REACH, bar_mm)
+    bars = places[:, :1] + np.linspace(0, 1, 50)[:, None] * (places[:, 1:] - places[:, :1])
+    assert np.linalg.norm(places[:, 1] - places[:, 0], axis=1) == pytest.approx(bar_mm)
+    assert np.linalg.norm(bars - REACH.shoulder_mm, axis=2).max() < 0.86 * REACH.radius_mm
+    assert np.linalg.norm(bars[:, :, :2], axis=2).min() > 0.19 * REACH.radius_mm
+    assert bars[:, :, 2].min() > 50
+
+
+def test_the_directions_cover_the_volume() -> None:
+    ends = propose_places(REACH, 400.0)
+    directions = (ends[:, 1] - ends[:, 0]) / 400.0
+    up = np.abs(directions[:, 2])
+    assert up[:3] == pytest.approx(0)
+    assert up[3] == pytest.approx(1)
+    assert up[4:6] == pytest.approx(np.sqrt(0.5))
+    assert up[6] == pytest.approx(np.sqrt(1 / 3))
+    between = np.abs(directions @ directions.T) - np.eye(PLACES)
+    assert np.degrees(np.arccos(between.max())) > 20
+    near, far = (np.linalg.norm(ends[i].mean(axis=0)[:2]) for i in (1, 2))
+    assert far > 1.4 * near
+
+
+def test_an_arm_without_known_links_has_a_usual_reach() -> None:
+    assert not arm_reach(RobotArm("Robot", "R-1")).known
+
+
+def lengths(sd_um: float, rocks: dict[int, float] | None = None) -> list[MeasuredLength]:
+    random = np.random.default_rng(3)
+    nominal = CalibratedLength(300.0, 0.5, 0.0)
+    return [
+        MeasuredLength(
+            place,
+            repeat,
+            nominal,
+            300.0 + 1e-3 * (rocks or {}).get(place, sd_um) * float(random.normal()),
+        )
+        for place in range(1, PLACES + 1)
+        for repeat in range(1, REPEATS + 1)
+        for _ in range(5)
+    ]
+
+
+def test_scatter_is_that_of_the_repeats() -> None:
+    found = repeat_scatter_um(lengths(10.0, {3: 200.0}))
+    assert found[3] == pytest.approx(200, rel=0.5)
+    assert all(found[place] == pytest.approx(10, rel=0.5) for place in (1, 2, 4, 5, 6, 7))
+
+
+def test_a_place_in_which_the_standard_rocks_is_found() -> None:
+    assert not find_rocking_places(lengths(10.0))
+    (found,) = find_rocking_places(lengths(10.0, {3: 200.0}))
+    assert found.place == 3
+    assert found.expected_um == pytest.approx(10, rel=0.5)
+    # by the touches themselves, also where it rocks everywhere
+    assert len(find_rocking_places(lengths(200.0), touches_um=10.0)) == PLACES
+    assert not find_rocking_places(lengths(5.0), touches_um=0.1)  # too little to show
+
+
+def test_without_limits_the_largest_error_counts() -> None:
+    values = lengths(10.0)
+    worst = summarise_lengths(values, [np.inf] * len(values)).worst
+    assert abs(worst.error_um) == max(abs(one.error_um) for one in values)
