@@ -9,15 +9,13 @@ from app.archive.archive_settings import ArchiveSettings
 from app.archive.store_errors import StoreError
 from app.batch.calibrations import BySensor, CalibrationFinder, GivenCalibrations
 from app.batch.places import Dependency, Place
-from app.batch.recordings import ScanRecording, Selection, find_recordings
+from app.batch.recordings import RECORDING, ScanRecording, Selection, find_recordings
 from app.batch.results import RebuiltCloud, ResultStore, describe_files, stem_of
 from app.batch.work import Desk, Refusal
 from app.errors import OperationError
 from app.formats.json_document import SOFTWARE
 from app.progress import Progress, no_progress
 from app.workflows.reconstruct import reconstruct_cloud
-
-RECORDING = "scan.mcap"
 
 
 @dataclass(frozen=True)

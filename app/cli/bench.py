@@ -409,3 +409,19 @@ def catalogue(
 
     shown = Shown("Storing", "The catalogue of 100 stations")
     _measure(shown, as_json, partial(run, rows, database), COLUMNS, table)
+
+
+@bench.command()
+@report_errors
+def batch(
+    recordings: Annotated[int, typer.Option(min=2, help="Copies of 5 s.")] = 200,
+    disk: Annotated[
+        Path, typer.Option(help="Folder on the disk that is measured.", file_okay=False)
+    ] = Path(),
+    as_json: AsJson = False,
+) -> None:
+    """Rebuild copies of a simulated recording by one and two workers, in memory and on a disk."""
+    from app.bench.fleet.batch import COLUMNS, run, table
+
+    shown = Shown("Rebuilding", "Many recordings of 5 s", "runs")
+    _measure(shown, as_json, partial(run, recordings, disk), COLUMNS, table)
