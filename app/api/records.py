@@ -4,13 +4,16 @@ from pathlib import Path
 
 from fastapi import APIRouter
 from starlette.responses import Response
+from starlette.status import HTTP_202_ACCEPTED
 
 from app.api.lookups import find_calibration, find_scan, send_file
 from app.api.problems import NotFoundError
 from app.archive.records import is_in_archive_only
+from app.errors import OperationError
 from app.messages.message import message
 from app.operations.context import TheContext
 from app.operations.home import build_home, calibration_summary
+from app.station.jobs import Job, Progress
 from app.wire.schema import CalibrationSummary, Home, ScanSummary
 
 router = APIRouter(prefix="/api")
@@ -48,6 +51,7 @@ def scans(context: TheContext) -> list[ScanSummary]:
             seconds=scan.seconds,
             calibration_id=scan.calibration_id,
             note=context.recovery.scan_note(scan),
+            away=is_in_archive_only(context.store.folder, "scans", scan.folder.name),
         )
         for scan in context.store.scans.all()
     ]
@@ -60,6 +64,29 @@ def cloud(scan_id: str, context: TheContext) -> Response:
     if is_in_archive_only(context.store.folder, "scans", scan.folder.name):
         raise NotFoundError(message("archive-fetch-record", kind="scans", id=scan.folder.name))
     return _download(scan.folder / "cloud.ply", "application/octet-stream", f"{scan.id}.ply")
+
+
+@router.post("/scans/{scan_id}/fetch", status_code=HTTP_202_ACCEPTED)
+def fetch(scan_id: str, context: TheContext) -> None:
+    """Brings a scan back from the archive, in the background."""
+    scan = find_scan(context, scan_id)
+    archive = context.monitoring.archive
+    if archive is None:
+        raise OperationError(
+            "no-archive", message("archive-not-set"), remedy=message("archive-write-table")
+        )
+
+    def work(progress: Progress) -> None:
+        archive.fetch("scans", scan.folder.name)
+
+    def ended(job: Job[None]) -> None:
+        if job.refusal is not None:
+            context.bus.event("refused", job.refusal.text, "bad")
+        else:
+            context.bus.event("archive", message("archive-fetched", name=scan.name), "good")
+        context.view_controller.note_records()
+
+    context.jobs.start(message("archive-fetching", name=scan.name), work, ended)
 
 
 def _download(path: Path, media_type: str, name: str) -> Response:

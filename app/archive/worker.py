@@ -7,6 +7,7 @@ import time
 from collections.abc import Callable
 
 from app.archive.archive import Archive, ArchiveState
+from app.archive.manifest import Kind
 from app.archive.pace import ArchiveEndedError
 from app.errors import OperationError
 from app.messages.message import Text, message
@@ -54,6 +55,10 @@ class ArchiveWorker:
     def state(self) -> ArchiveState:
         """What is where; it looks at every record on the disk."""
         return self._archive.state()
+
+    def fetch(self, kind: Kind, record_id: str) -> None:
+        """Brings a record back to the station's disk; raises ``OperationError``."""
+        self._archive.fetch(kind, record_id)
 
     def start(self) -> None:
         """Starts the thread."""

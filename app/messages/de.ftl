@@ -83,7 +83,7 @@ archive-check-id = crenel archive status zeigt, was im Archiv ist
 archive-check-keys = Prüfen Sie access_key, secret_file und die Rechte des Archivs; die Station versucht es von selbst wieder
 archive-check-network = Prüfen Sie das Netz, den endpoint und ob der Server des Archivs läuft; die Station versucht es von selbst wieder
 archive-check-url = Hängen Sie den Datenträger ein, legen Sie den Ordner oder Bucket an, oder berichtigen Sie url in [archive] der station.toml
-archive-complete = Alles Abgeschlossene ist in { $place }, dort gelesen und verglichen.
+archive-complete = Alles Abgeschlossene ist in { $place }, dort gelesen und verglichen. Auch auf dieser Platte: { $archived }. Nur dort: { $away }.
 archive-copy-differs = { $name } weicht im Archiv von dem ab, was geschrieben wurde
 archive-copying =
     { $waiting ->
@@ -91,6 +91,8 @@ archive-copying =
        *[other] { $waiting } Datensätze ({ $size }) werden nach { $place } kopiert.
     }
 archive-fetch-record = Nur im Archiv. Zurückholen mit: crenel archive fetch { $kind } { $id }
+archive-fetched = { $name } ist aus dem Archiv zurück.
+archive-fetching = { $name } wird aus dem Archiv geholt
 archive-forbidden = Das Archiv { $place } verweigert den Zugriff
 archive-full = Das Archiv { $place } ist voll
 archive-give-both-keys = Geben Sie access_key und secret_file an, oder keines von beiden
@@ -1104,6 +1106,7 @@ fanuc-sends-no-status = Der Roboter unter { $address } antwortet, sendet aber ke
 fanuc-update = Die Software der Steuerung aktualisieren.
 far-out = weit außen
 fault = Ursache: { CAPITAL($fault) }. { $text }
+fetched-scan = Scan aus dem Archiv geholt
 few-poses = { $poses } Posen ergeben { $figures } Werte für { $unknown } Unbekannte und prüfen sie kaum: { $wanted } Posen messen, über die ganze Reichweite verteilt
 fewest-in-patch = Wenigste je Stelle
 field-is = { $path }: { $place } ist { $value }

@@ -83,7 +83,7 @@ archive-check-id = See the records in the archive with crenel archive status
 archive-check-keys = Check access_key, secret_file and the permissions of the archive; the station tries again by itself
 archive-check-network = Check the network, the endpoint and whether the archive's server runs; the station tries again by itself
 archive-check-url = Mount its disk, create the folder or the bucket, or correct url in [archive] of station.toml
-archive-complete = Everything that is finished is in { $place }, read there and compared.
+archive-complete = Everything that is finished is in { $place }, read there and compared. Also on this disk: { $archived }. Only there: { $away }.
 archive-copy-differs = { $name } differs in the archive from what was written to it
 archive-copying =
     { $waiting ->
@@ -91,6 +91,8 @@ archive-copying =
        *[other] { $waiting } records ({ $size }) are being copied to { $place }.
     }
 archive-fetch-record = In the archive only. Bring it back with: crenel archive fetch { $kind } { $id }
+archive-fetched = { $name } is back from the archive.
+archive-fetching = Bringing { $name } back from the archive
 archive-forbidden = The archive { $place } refuses access
 archive-full = The archive { $place } is full
 archive-give-both-keys = Give both access_key and secret_file, or neither
@@ -1100,6 +1102,7 @@ fanuc-sends-no-status = The robot at { $address } answers but sends no status
 fanuc-update = Update the controller's software.
 far-out = far out
 fault = { CAPITAL($fault) } is at fault. { $text }
+fetched-scan = fetched a scan from the archive
 few-poses = { $poses } poses give { $figures } values for { $unknown } unknowns and hardly check them: measure { $wanted } poses, all over the reach
 fewest-in-patch = Fewest at a place
 field-is = { $path }: { $place } is { $value }

@@ -113,9 +113,21 @@ def backup(days: float | None, place: str, same_disk: bool, trouble: Text) -> He
 
 
 def archive(
-    place: str, waiting: int, waiting_gb: float, trouble: OperationError | None, retry_s: float
+    place: str,
+    waiting: int,
+    waiting_gb: float,
+    archived: int,
+    away: int,
+    trouble: OperationError | None,
+    retry_s: float,
 ) -> HealthItem:
-    """Whether finished records arrive in the archive; ``retry_s``: until the next attempt."""
+    """Whether finished records arrive in the archive.
+
+    Args:
+        archived: records that are here, too.
+        away: records that are there only.
+        retry_s: until the next attempt.
+    """
     title, why = message("archive"), message("archive-why")
     if trouble is not None:
         what = message(
@@ -130,4 +142,5 @@ def archive(
         size = quantity(waiting_gb, "GB", 2)
         what = message("archive-copying", place=place, waiting=waiting, size=size)
         return HealthItem("archive", title, "good", what, why, "")
-    return HealthItem("archive", title, "good", message("archive-complete", place=place), why, "")
+    what = message("archive-complete", place=place, archived=archived, away=away)
+    return HealthItem("archive", title, "good", what, why, "")

@@ -160,8 +160,17 @@ class HealthChecker:
             return []
         state = self._every(RECORDS_EVERY_S, "archive", worker.state)
         trouble, retry_s = worker.trouble, worker.retry_in_s
-        waiting_gb = state.waiting_bytes / 1e9
-        return [storage_health.archive(worker.place, state.waiting, waiting_gb, trouble, retry_s)]
+        return [
+            storage_health.archive(
+                worker.place,
+                state.waiting,
+                state.waiting_bytes / 1e9,
+                state.archived,
+                state.away,
+                trouble,
+                retry_s,
+            )
+        ]
 
     def _clock(self) -> list[HealthItem]:
         clock = self._context.monitoring.clock

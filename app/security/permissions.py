@@ -83,6 +83,7 @@ ROUTES: dict[tuple[str, str], Rule] = {
     ("GET", "/api/scans"): LOOK,
     ("GET", "/api/scans/{scan_id}/cloud.ply"): LOOK,
     ("POST", "/api/scans/{scan_id}/name"): Rule(Right.act, message("renamed-scan")),
+    ("POST", "/api/scans/{scan_id}/fetch"): Rule(Right.act, message("fetched-scan")),
     ("DELETE", "/api/scans/{scan_id}"): Rule(Right.act, message("deleted-scan")),
     ("POST", "/api/scans/{scan_id}/shown"): Rule(Right.act),
     ("GET", "/api/view"): LOOK,

@@ -175,6 +175,8 @@ class ScanSummary:
     calibration_id: str
     note: Text
     """What is wrong with its recording, or why it ended early; usually empty."""
+    away: bool
+    """Only the archive has its files."""
 
 
 @dataclass(frozen=True)

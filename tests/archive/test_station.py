@@ -73,12 +73,10 @@ def test_a_scan_that_left_the_disk_is_listed_and_comes_back_while_the_station_ru
         missing = server.http.get("/api/scans/old/cloud.ply")
         assert missing.status_code == 404
         assert "crenel archive fetch" in missing.text
-        file = settings_file(tmp_path, f'[archive]\nurl = "{place}"\n')
-        words = ["archive", "fetch", "scans", "old", "--config", str(file)]
-        fetched = CliRunner().invoke(cli, words)
-        assert fetched.exit_code == 0, fetched.output
+        assert scan["away"]
+        assert server.http.post("/api/scans/old/fetch").status_code == 202
+        (scan,) = until(server.http, "/api/scans", lambda scans: not scans[0]["away"])
         assert content_of(folder) == before
-        (scan,) = server.http.get("/api/scans").json()
         assert scan["note"] == ""
         assert server.http.get("/api/scans/old/cloud.ply").content == before["cloud.ply"]
 

@@ -244,10 +244,10 @@ def test_the_worst_comes_first_and_is_what_the_station_is() -> None:
     assert storage_health.backup(1.0, "x", False, "").quality == "good"
     away = OperationError("archive-away", "away", "no route", "check the network")
     for waiting in (0, 1, 2):
-        late = storage_health.archive("x", waiting, 0.1, away, 120.0)
+        late = storage_health.archive("x", waiting, 0.1, 3, 1, away, 120.0)
         assert (late.quality, str(late.remedy)) == ("attention", "Check the network.")
         assert "2 min" in str(late.what)
-        assert storage_health.archive("x", waiting, 0.1, None, 0.0).quality == "good"
+        assert storage_health.archive("x", waiting, 0.1, 3, 1, None, 0.0).quality == "good"
     assert health.clock(0, 0.0, 2.0).quality == "bad"
     assert health.clock(1, 9.0, 0.0).quality == "attention"
     assert health.broker("b", False, "refused", 5.0, False).quality == "attention"

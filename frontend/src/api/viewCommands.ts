@@ -26,4 +26,6 @@ export const showScan = (id: string, on: boolean) =>
 export const renameScan = (id: string, name: string) =>
   done(() => post(`${scanAt(id)}/name`, { name }), t("ui-the-name-was-not-changed"));
 
+export const fetchScan = (id: string) => done(() => post(`${scanAt(id)}/fetch`), t("ui-the-scan-was-not-fetched"));
+
 export const deleteScan = (id: string) => done(() => drop(scanAt(id)), t("ui-the-scan-may-still-exist"));

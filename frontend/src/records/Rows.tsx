@@ -1,3 +1,4 @@
+import { fetchScan } from "../api/viewCommands";
 import type { CalibrationSummary, ScanSummary, VerificationSummary } from "../api/wire";
 import { Download } from "../parts/Download";
 import { daysAgo, duration, moment } from "../parts/format";
@@ -78,7 +79,11 @@ export function ScanRow({ summary }: { summary: ScanSummary }) {
       </div>
       <p className={styles.value}>{t("ui-n-points", { n: summary.points })}</p>
       <ScanActs scan={summary} />
-      <Download href={`/api/scans/${summary.id}/cloud.ply`}>PLY</Download>
+      {summary.away ? (
+        <PressButton onPress={() => void fetchScan(summary.id)}>{t("ui-fetch")}</PressButton>
+      ) : (
+        <Download href={`/api/scans/${summary.id}/cloud.ply`}>PLY</Download>
+      )}
     </li>
   );
 }
