@@ -163,7 +163,9 @@ def test_a_piece_of_line_before_an_edge_of_the_room_is_no_reflection() -> None:
     """The edge goes on where the piece ends, but a reflection would not fade there."""
     u = np.arange(WIDTH)
     rows = np.where(u < 200, 300.0, 420.0)
-    light = 20 + beam(rows, 5.0, 180.0) + beam(np.full(WIDTH, 300.0), 5.0, 40.0 * (u >= 200))
+    light = (
+        20 + beam(rows, 5.0, 180.0) + beam(np.full(WIDTH, 300.0), 5.0, np.where(u < 200, 0.0, 40.0))
+    )
     found, false = shares(extract_stripe(expose(light, 1)), rows, 5.0)
     assert found > 0.98
     assert false == 0
@@ -196,6 +198,17 @@ def test_a_compressed_saturated_line_is_found(quality: int, width_px: float) -> 
     on, beside = shares(extract_stripe(seen), rows, width_px)
     assert on > 0.95
     assert beside < 0.01
+
+
+@pytest.mark.parametrize(("width_px", "height", "power"), [(30.0, 220, 8.0), (40.0, 150, 6.0)])
+def test_the_uncertainty_of_a_flat_top_is_what_it_scatters_by(
+    width_px: float, height: float, power: float
+) -> None:
+    bent = 8 * np.sin(np.arange(WIDTH) / 200)
+    rows = np.asarray(300 + 0.03 * np.arange(WIDTH) + bent, dtype=np.float64)
+    stripe = extract_stripe(expose(20 + beam(rows, width_px, height, power), 3))
+    off = (stripe.v - rows[stripe.u.astype(int)]) / stripe.sigma_px
+    assert 0.6 < float(1.4826 * np.median(np.abs(off - np.median(off)))) < 1.25
 
 
 def test_a_wide_line_is_followed_and_a_narrow_one_after_it() -> None:

@@ -35,6 +35,7 @@ typedef struct {
     int64_t cores;
     int32_t *column, *first, *last, *track;
     double core_width;
+    double half_fall; /* rows over which the flanks fall to half, beside the core */
     /* Beside each core, above and below it (n): background and height of clipping over it, in
      * grey levels; in whole blocks of LANES columns: signals (blocks, 2 FLANK, LANES) in shares
      * of the height of clipping above. */

@@ -111,6 +111,14 @@ static double uneven_variance(const Clipped *c, int64_t column, double decay_px)
     return factor > UNEVEN ? shift * shift : 0.0;
 }
 
+/* Rows over which the shared flanks fall to half from the core's edge on. */
+static double half_fall(const Flanks *flanks)
+{
+    const double slope = flanks->slope, bend = flanks->bend, half = log(2);
+    const double root = slope * slope + 4 * bend * half;
+    return root > 0 ? 2 * half / max_f64(slope + sqrt(root), 0.02) : half / max_f64(slope, 0.02);
+}
+
 /* Keeps the columns whose flanks fit, with the variances of their middles. */
 static void keep_fitted(Clipped *c, const Flanks *flanks)
 {
@@ -140,5 +148,6 @@ static void fit_flanks(Clipped *c, double saturated, double read)
     for (int round = 0; round < FIT_ROUNDS; round++)
         if (fit_round(c, &flanks, round, first_read, first_gain))
             break;
+    c->half_fall = half_fall(&flanks);
     keep_fitted(c, &flanks);
 }

@@ -2,6 +2,9 @@
 
 /* Where most of the line is clipped, points dimmer than this share of it are none of it. */
 static const double DIM = 0.25;
+/* Flanks that fall to half over fewer rows are seen by too few pixels: errors by their phase go on
+ * along a line that is nearly parallel to the rows, and no scatter shows them. */
+static const double LEAST_FALL = 2;
 
 /* The table of peaks or of points: its rows, `stride` long each. */
 typedef struct {
@@ -81,8 +84,12 @@ static double speckle_beside(Clipped *c, PointTable peaks, int64_t kept, int64_t
 }
 
 /* What the smoothed clipped points scatter by. Those that share no column are as far apart as the
- * core is wide. */
-static double speckle_of_flanks(Clipped *c)
+ * core is wide.
+ *
+ * share: of their variances by noise, what they scatter by where that is less: flanks of another
+ * shape than the fit's leave what looks like noise. Two brightnesses shift neighbours alike, so
+ * that no scatter shows it. */
+static double speckle_of_flanks(Clipped *c, double *share)
 {
     double *variance = c->mean;
     int64_t lag = (int64_t)c->core_width + 1;
@@ -90,7 +97,12 @@ static double speckle_of_flanks(Clipped *c)
         c->along[i] = c->flank_column[i];
         variance[i] = c->by_noise[i] + c->by_surface[i];
     }
-    return speckle_variance(c->along, c->centre, variance, c->flanks, lag, lag, c->workspace, NULL);
+    const double rough =
+        speckle_variance(c->along, c->centre, variance, c->flanks, lag, lag, c->workspace, NULL);
+    *share = 1.0;
+    if (rough == 0 && c->half_fall >= LEAST_FALL)
+        speckle_variance(c->along, c->centre, c->by_noise, c->flanks, lag, lag, c->workspace, share);
+    return rough;
 }
 
 /* Joins n peaks beside the cores and the flanks; fills the points; returns how many there are.
@@ -104,10 +116,10 @@ static int64_t join_flanks(Clipped *c, double *peak_table, int64_t n, double sat
     if (c->flanks > n)
         n = keep_high(peaks, n, DIM * saturated);
     int64_t kept = keep_runs(c, merge(c, peaks, n), n, shortest);
-    double scatter = speckle_beside(c, peaks, kept, n), rough = 0.0;
+    double scatter = speckle_beside(c, peaks, kept, n), rough = 0.0, share = 1.0;
     if (c->flanks) {
         smooth_flanks(c);
-        rough = speckle_of_flanks(c);
+        rough = speckle_of_flanks(c, &share);
         /* a few points between clipped ones lie on the same rough surface */
         scatter = max_f64(scatter, rough);
     }
@@ -117,7 +129,7 @@ static int64_t join_flanks(Clipped *c, double *peak_table, int64_t n, double sat
         points.across[i] = j < 0 ? peaks.across[k] : c->centre[j];
         points.height[i] = j < 0 ? min_f64(peaks.height[k], saturated) : saturated;
         points.unsure[i] = sqrt(j < 0 ? peaks.unsure[k] + scatter
-                                      : c->by_noise[j] + c->by_surface[j] + rough);
+                                      : share * c->by_noise[j] + c->by_surface[j] + rough);
     }
     return kept;
 }

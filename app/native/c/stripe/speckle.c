@@ -106,7 +106,7 @@ static double speckle_variance(const double *along, const double *across, const 
     if (2 * number_below(squares, known, n, excused, 0.0) < found)
         return search_speckle(squares, known, n, found);
     /* never less than chance may have made it */
-    const double doubt = 1 + CHANCE * sqrt(1.0 / (double)found);
+    const double doubt = 1 + CHANCE * sqrt(max_f64((double)alike, 1) / (double)found);
     if (share && 2 * number_below(squares, known, n, 1 / doubt, 0.0) >= found)
         *share = min_f64(doubt * search_share(squares, known, n, found), 1.0);
     return 0.0;
