@@ -19,6 +19,7 @@ from app.guide.verify.state import VerifyState, apply_row
 from app.metrology.decision import EXPANDED_K2, GUARDED_95, SIMPLE, DecisionRule
 from app.metrology.gauges.errors import NominalPlane, NominalSphere
 from app.metrology.gauges.probed_gauge import ProbedPlane, ProbedSphere
+from app.metrology.performance.value_uncertainty import DIAMETER_BY_FORM
 from app.workflows.measure_gauge import GaugeFit
 from app.workflows.verification_metrics import cloud_errors, gauge_figures, verification_verdict
 from tests.guide.builders import CONNECTED, FakeRow
@@ -224,7 +225,7 @@ def test_performance_is_judged_by_the_test_uncertainty_and_places_by_the_measure
     assert [name for name, which in by.items() if which == "measurement"] == ["centre_error"]
     assert found["form"].test_uncertainty == pytest.approx(1.0)  # half the sphere's own form
     radius = found["radius_error"]
-    assert radius.test_uncertainty == pytest.approx(np.hypot(1.0, 0.1))
+    assert radius.test_uncertainty == pytest.approx(np.hypot(1.0, DIAMETER_BY_FORM))
     assert radius.expanded_uncertainty > 20.0  # by the scan, which is what is tested
     assert radius.value == pytest.approx(20.0)
     assert radius.decision == "pass"
