@@ -21,6 +21,7 @@ from app.formats.results.verification import VerificationFile
 from app.messages.message import Message, MessageList, Quantity
 from app.messages.stored import SUFFIX
 from app.station.preview.preview import PreviewHeader
+from app.wire.fleet import FLEET_ANSWERS
 from app.wire.live_messages import BeatMessage, EventMessage, HelloMessage, LiveRequest, Topics
 from app.wire.schema import Problem, ProblemMessages, RecordedCalibration
 from app.workflows.measure_gauge import MapFile
@@ -39,8 +40,9 @@ BESIDE_ROUTES: tuple[Any, ...] = (
     PreviewHeader,
     Problem,
     RecordedCalibration,
+    *FLEET_ANSWERS,
 )
-"""Models that are sent and are not the declared answer of a route."""
+"""Models that are sent and are not the declared answer of a route of the station."""
 FILES: tuple[Any, ...] = (VerificationFile, PerformanceFile, MapFile)
 """The station's own files that are sent unchanged."""
 Schema = dict[str, Any]

@@ -3,22 +3,21 @@
 import asyncio
 import hmac
 from base64 import b64decode
-from collections.abc import AsyncIterator, Mapping
+from collections.abc import AsyncIterator
 from contextlib import asynccontextmanager
-from dataclasses import asdict
 from datetime import datetime
 from typing import Annotated
 
 from fastapi import FastAPI, Query, Request
-from pydantic import TypeAdapter
 from starlette.middleware.base import RequestResponseEndpoint
 from starlette.responses import Response
 
 from app.api import problems
 from app.api.problems import NotFoundError
 from app.api.static_files import file_response, page_response
-from app.fleet.catalogue.entry import ENTRY_KINDS, CatalogueEntry
+from app.fleet.catalogue.entry import ENTRY_KINDS
 from app.fleet.catalogue.reading import (
+    FoundRecord,
     SearchQuery,
     list_newest_calibrations,
     quantities,
@@ -30,9 +29,20 @@ from app.fleet.questions import drift_of, find_affected
 from app.formats.json_document import SOFTWARE
 from app.messages.message import message
 from app.server.fleet.service import FleetService
+from app.wire.fleet import (
+    CalibrationsInUse,
+    DriftingStation,
+    DriftPeriod,
+    FleetDrift,
+    FleetOverview,
+    FleetRecord,
+    FleetStation,
+    FoundFleetRecord,
+    RecordsPage,
+    StationsOnBroker,
+)
 from app.wire.json_response import json_response
 
-ENTRY = TypeAdapter(CatalogueEntry)
 PAGE = "fleet.html"
 MOST = 50
 NO_ACCESS = {"WWW-Authenticate": 'Basic realm="Crenel fleet", charset="UTF-8"'}
@@ -76,28 +86,25 @@ def build_fleet_app(service: FleetService, password: str = "") -> FastAPI:
 def _add_routes(app: FastAPI, service: FleetService) -> None:
     @app.get("/api/fleet/overview")
     def overview() -> Response:
-        with service.catalogue().reading() as connection:
-            stations = [asdict(one) for one in summarise_stations(connection)]
-            known = quantities(connection)
         catalogue = service.catalogue()
-        return json_response(
-            {
-                "place": catalogue.place,
-                "stations": stations,
-                "kinds": ENTRY_KINDS,
-                "quantities": known,
-                "problem": service.problem,
-                "looks_every_s": service.looks_every_s,
-            }
+        with catalogue.reading() as connection:
+            stations = summarise_stations(connection)
+            known = quantities(connection)
+        answer = FleetOverview(
+            place=catalogue.place,
+            stations=[FleetStation.model_validate(one) for one in stations],
+            kinds=list(ENTRY_KINDS),
+            quantities=list(known),
+            problem=service.problem,
+            looks_every_s=service.looks_every_s,
         )
+        return json_response(answer)
 
     @app.get("/api/fleet/stations")
     async def stations() -> Response:
-        broker = service.broker
-        found = [one.model_dump(mode="json") for one in service.remote_stations()]
-        return json_response(
-            {"broker": broker is not None and broker.state.connected, "stations": found}
-        )
+        connected = service.broker is not None and service.broker.state.connected
+        answer = StationsOnBroker(broker=connected, stations=list(service.remote_stations()))
+        return json_response(answer)
 
     @app.get("/api/fleet/records")
     def records(
@@ -120,8 +127,8 @@ def _add_routes(app: FastAPI, service: FleetService) -> None:
         )
         with service.catalogue().reading() as connection:
             found = search(connection, query)
-        listed = [{"key": one.key, **_entry_fields(one.entry)} for one in found[:MOST]]
-        return json_response({"records": listed, "more": len(found) > MOST})
+        listed = [_found_record(one) for one in found[:MOST]]
+        return json_response(RecordsPage(records=listed, more=len(found) > MOST))
 
     @app.get("/api/fleet/records/{station}/{kind}/{record_id}")
     def record(station: str, kind: str, record_id: str) -> Response:
@@ -129,26 +136,26 @@ def _add_routes(app: FastAPI, service: FleetService) -> None:
             found = read_record(connection, station, kind, record_id)
         if found is None:
             raise NotFoundError(message("fleet-no-record", id=record_id))
-        return json_response(_entry_fields(found))
+        return json_response(FleetRecord.model_validate(found))
 
     @app.get("/api/fleet/drift/{quantity}")
     def drift(quantity: str, station: Annotated[list[str], Query()] = []) -> Response:  # noqa: B006
         with service.catalogue().reading() as connection:
             found = drift_of(connection, quantity, station)
             periods = [one for its in found for one in find_affected(connection, its)]
-        return json_response(
-            {
-                "quantity": quantity,
-                "stations": [asdict(one) for one in found],
-                "periods": [asdict(one) for one in periods],
-            }
+        answer = FleetDrift(
+            quantity=quantity,
+            stations=[DriftingStation.model_validate(one) for one in found],
+            periods=[DriftPeriod.model_validate(one) for one in periods],
         )
+        return json_response(answer)
 
     @app.get("/api/fleet/calibrations")
     def calibrations() -> Response:
         with service.catalogue().reading() as connection:
             found = list_newest_calibrations(connection)
-        return json_response({"calibrations": [_entry_fields(one) for one in found]})
+        answer = CalibrationsInUse(calibrations=[FleetRecord.model_validate(one) for one in found])
+        return json_response(answer)
 
     @app.get("/{path:path}")
     async def page(path: str) -> Response:
@@ -158,9 +165,9 @@ def _add_routes(app: FastAPI, service: FleetService) -> None:
         return found or page_response(PAGE)
 
 
-def _entry_fields(entry: CatalogueEntry) -> Mapping[str, object]:
-    fields: dict[str, object] = ENTRY.dump_python(entry, mode="json")
-    return {**fields, "size_bytes": entry.size_bytes}
+def _found_record(found: FoundRecord) -> FoundFleetRecord:
+    record = FleetRecord.model_validate(found.entry).model_dump()
+    return FoundFleetRecord(**{**record, "size_bytes": found.size_bytes, "key": found.key})
 
 
 def _is_allowed(header: str, password: str) -> bool:

@@ -1,12 +1,13 @@
+import type { CalibrationsInUse } from "../api/wire";
 import { figures, moment } from "../parts/format";
 import { QualityMark } from "../parts/QualityMark";
 import { t } from "../state/language";
-import { type Entry, qualityOf, useAnswer } from "./answers";
+import { qualityOf, useAnswer } from "./answers";
 import styles from "./FleetPage.module.css";
 
 /** The newest calibration of every station and sensor, side by side. */
 export function CalibrationsTable() {
-  const { value } = useAnswer<{ calibrations: Entry[] }>("/api/fleet/calibrations");
+  const { value } = useAnswer<CalibrationsInUse>("/api/fleet/calibrations");
   if (!value) return null;
   const { calibrations } = value;
   const quantities = [...new Set(calibrations.flatMap((one) => one.figures.map(({ quantity }) => quantity)))];

@@ -1,5 +1,5 @@
+import type { DriftPoint, DriftStep } from "../api/wire";
 import { figures, moment } from "../parts/format";
-import type { DriftChange, DriftPoint } from "./answers";
 import { qualityOf } from "./answers";
 import styles from "./FleetPage.module.css";
 
@@ -22,7 +22,7 @@ export function DriftChart({
   label,
 }: {
   points: DriftPoint[];
-  changes: DriftChange[];
+  changes: DriftStep[];
   range: Range;
   label: string;
 }) {

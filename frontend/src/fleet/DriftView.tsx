@@ -1,16 +1,16 @@
 import { useState } from "react";
-
+import type { DriftPeriod, FleetDrift, FleetOverview } from "../api/wire";
 import { figures, moment } from "../parts/format";
 import { QualityMark } from "../parts/QualityMark";
 import { t } from "../state/language";
-import { type Drift, type Overview, type Period, useAnswer } from "./answers";
+import { useAnswer } from "./answers";
 import { DriftChart } from "./DriftChart";
 import styles from "./FleetPage.module.css";
 
 const FIRST = "location-scan";
 
 /** A figure of all stations over time, its changes, and the recordings that they affect. */
-export function DriftView({ overview }: { overview: Overview }) {
+export function DriftView({ overview }: { overview: FleetOverview }) {
   const { quantities } = overview;
   const [quantity, setQuantity] = useState(quantities.includes(FIRST) ? FIRST : (quantities[0] ?? ""));
   if (!quantity) return <p className={styles.note}>{t("ui-no-data-yet")}</p>;
@@ -34,7 +34,7 @@ export function DriftView({ overview }: { overview: Overview }) {
 }
 
 function Charts({ quantity, names }: { quantity: string; names: Map<string, string> }) {
-  const { value } = useAnswer<Drift>(`/api/fleet/drift/${encodeURIComponent(quantity)}`);
+  const { value } = useAnswer<FleetDrift>(`/api/fleet/drift/${encodeURIComponent(quantity)}`);
   if (!value) return null;
   const points = value.stations.flatMap((one) => one.points);
   const known = points.flatMap(({ value, limit }) => [value, ...(limit === null ? [] : [limit])]);
@@ -58,7 +58,7 @@ function Charts({ quantity, names }: { quantity: string; names: Map<string, stri
   ));
 }
 
-function Affected({ period, unit }: { period: Period; unit: string }) {
+function Affected({ period, unit }: { period: DriftPeriod; unit: string }) {
   const { change, ended, calibration_ids, recordings, possible } = period;
   const size = change.after_value - change.before_value;
   return (

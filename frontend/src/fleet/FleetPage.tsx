@@ -1,9 +1,10 @@
 import { useState } from "react";
+import type { FleetOverview } from "../api/wire";
 import { Chips } from "../parts/Chips";
 import { ChooseLanguage } from "../parts/ChooseLanguage";
 import { Mark } from "../parts/icons";
 import { t, useLanguage } from "../state/language";
-import { type Overview, useAnswer } from "./answers";
+import { useAnswer } from "./answers";
 import { CalibrationsTable } from "./CalibrationsTable";
 import { DriftView } from "./DriftView";
 import styles from "./FleetPage.module.css";
@@ -17,7 +18,7 @@ const READ_MS = 5000;
 export function FleetPage() {
   const language = useLanguage();
   const [view, setView] = useState<View>("stations");
-  const { value: overview, failed } = useAnswer<Overview>("/api/fleet/overview", READ_MS);
+  const { value: overview, failed } = useAnswer<FleetOverview>("/api/fleet/overview", READ_MS);
   return (
     <div className={styles.frame} key={language}>
       <header className={styles.bar}>

@@ -1,14 +1,15 @@
+import type { FleetRecord, FoundFleetRecord } from "../api/wire";
 import { figures, moment } from "../parts/format";
 import { QualityMark } from "../parts/QualityMark";
 import { t } from "../state/language";
-import { type Entry, type Found, qualityOf, useAnswer } from "./answers";
+import { qualityOf, useAnswer } from "./answers";
 import styles from "./FleetPage.module.css";
 import { kindName } from "./RecordSearch";
 
 /** One record with its results and its files. */
-export function RecordDetail({ found, onBack }: { found: Found; onBack: () => void }) {
+export function RecordDetail({ found, onBack }: { found: FoundFleetRecord; onBack: () => void }) {
   const path = [found.station, found.kind, found.id].map(encodeURIComponent).join("/");
-  const { value } = useAnswer<Entry>(`/api/fleet/records/${path}`);
+  const { value } = useAnswer<FleetRecord>(`/api/fleet/records/${path}`);
   const entry = value ?? found;
   const facts: [string, string][] = [
     [t("ui-station"), entry.station],

@@ -1,9 +1,9 @@
 import { useDeferredValue, useState } from "react";
-
+import type { FleetOverview, FoundFleetRecord, RecordsPage } from "../api/wire";
 import { figures, moment } from "../parts/format";
 import { QualityMark } from "../parts/QualityMark";
 import { t } from "../state/language";
-import { type Found, KINDS, type Overview, qualityOf, useAnswer } from "./answers";
+import { KINDS, qualityOf, useAnswer } from "./answers";
 import styles from "./FleetPage.module.css";
 import { RecordDetail } from "./RecordDetail";
 
@@ -18,7 +18,7 @@ interface Query {
 const EVERYTHING: Query = { text: "", station: "", kind: "", since: "", until: "" };
 const DAY_MS = 86_400_000;
 
-function addressOf({ text, station, kind, since, until }: Query, before: Found | null): string {
+function addressOf({ text, station, kind, since, until }: Query, before: FoundFleetRecord | null): string {
   const wanted = new URLSearchParams({ text, station, kind });
   if (since) wanted.set("since", new Date(`${since}T00:00`).toISOString());
   // the last day is included
@@ -31,10 +31,10 @@ function addressOf({ text, station, kind, since, until }: Query, before: Found |
 }
 
 /** The records of all stations, found by words, period, station and kind. */
-export function RecordSearch({ overview }: { overview: Overview }) {
+export function RecordSearch({ overview }: { overview: FleetOverview }) {
   const [query, setQuery] = useState(EVERYTHING);
-  const [pages, setPages] = useState<(Found | null)[]>([null]);
-  const [chosen, choose] = useState<Found | null>(null);
+  const [pages, setPages] = useState<(FoundFleetRecord | null)[]>([null]);
+  const [chosen, choose] = useState<FoundFleetRecord | null>(null);
   const settled = useDeferredValue(query);
   const change = (part: Partial<Query>) => {
     setQuery({ ...query, ...part });
@@ -115,10 +115,10 @@ function Page({
 }: {
   path: string;
   last: boolean;
-  onChoose: (found: Found) => void;
-  onMore: (end: Found) => void;
+  onChoose: (found: FoundFleetRecord) => void;
+  onMore: (end: FoundFleetRecord) => void;
 }) {
-  const { value } = useAnswer<{ records: Found[]; more: boolean }>(path);
+  const { value } = useAnswer<RecordsPage>(path);
   if (!value) return null;
   const end = value.records[value.records.length - 1];
   return (

@@ -1,16 +1,17 @@
+import type { FleetStation, StationsOnBroker } from "../api/wire";
 import { figures, moment } from "../parts/format";
 import { QualityMark } from "../parts/QualityMark";
 import { isolated } from "../state/isolated";
 import { t } from "../state/language";
 import { doing, stationState } from "../supervise/stationFacts";
-import { type CatalogueStation, type OnBroker, useAnswer } from "./answers";
+import { useAnswer } from "./answers";
 import styles from "./FleetPage.module.css";
 
 const READ_MS = 2000;
 
 /** The stations of the catalogue with what they do now, and the state of their archives. */
-export function StationList({ stations, place }: { stations: CatalogueStation[]; place: string }) {
-  const { value: heard } = useAnswer<OnBroker>("/api/fleet/stations", READ_MS);
+export function StationList({ stations, place }: { stations: FleetStation[]; place: string }) {
+  const { value: heard } = useAnswer<StationsOnBroker>("/api/fleet/stations", READ_MS);
   const live = new Map((heard?.stations ?? []).map((one) => [one.id, one]));
   const known = new Set(stations.map((one) => one.id));
   const others = [...live.values()].filter((one) => !known.has(one.id));
@@ -37,8 +38,8 @@ function StationCard({
   station,
   remote,
 }: {
-  station: CatalogueStation;
-  remote: OnBroker["stations"][number] | undefined;
+  station: FleetStation;
+  remote: StationsOnBroker["stations"][number] | undefined;
 }) {
   const waiting = station.records - station.archived;
   return (
@@ -66,7 +67,7 @@ function StationCard({
   );
 }
 
-function Now({ remote }: { remote: OnBroker["stations"][number] | undefined }) {
+function Now({ remote }: { remote: StationsOnBroker["stations"][number] | undefined }) {
   if (!remote) return <p className={styles.note}>{t("ui-fleet-not-on-broker")}</p>;
   const { words, quality } = stationState(remote);
   const activity = remote.state === "live" && remote.report ? doing(remote.report) : null;

@@ -1,0 +1,169 @@
+"""What the fleet's server answers; made of the catalogue's own records by their attributes."""
+
+from datetime import datetime
+
+from pydantic import BaseModel, ConfigDict
+
+from app.messages.message import Text
+from app.supervision.remote_stations import RemoteStation
+
+
+class FleetAnswer(BaseModel):
+    """A part of an answer; ``model_validate`` takes it from an object with these attributes."""
+
+    model_config = ConfigDict(from_attributes=True, frozen=True)
+
+
+class FleetStation(FleetAnswer):
+    """What the catalogue has of a station."""
+
+    id: str
+    name: str
+    collected_at: datetime | None
+    problem: str
+    records: int
+    archived: int
+    size_bytes: int
+    newest_at: datetime | None
+
+
+class FleetOverview(FleetAnswer):
+    """The catalogue as a whole; ``problem``: why it cannot be used now."""
+
+    place: str
+    stations: list[FleetStation]
+    kinds: list[str]
+    quantities: list[str]
+    problem: Text
+    looks_every_s: float
+
+
+class StationsOnBroker(FleetAnswer):
+    """What the stations report over MQTT; ``broker``: it is connected."""
+
+    broker: bool
+    stations: list[RemoteStation]
+
+
+class RecordFigure(FleetAnswer):
+    """One result of a record; the uncertainty has k = 2."""
+
+    symbol: str
+    quantity: str
+    value: float
+    unit: str
+    expanded_uncertainty: float | None
+    limit: float | None
+    decision: str
+
+
+class RecordedFile(FleetAnswer):
+    """A file of a record."""
+
+    path: str
+    bytes: int
+    sha256: str
+
+
+class FleetRecord(FleetAnswer):
+    """A record of a station."""
+
+    station: str
+    kind: str
+    id: str
+    at: datetime
+    label: str
+    operator: str
+    arm_serial: str
+    sensor_serial: str
+    object_serial: str
+    calibration_id: str
+    software: str
+    verdict: str
+    temperature_c: float | None
+    points: int | None
+    archived_at: datetime | None
+    place: str
+    size_bytes: int
+    files: list[RecordedFile]
+    figures: list[RecordFigure]
+
+
+class FoundFleetRecord(FleetRecord):
+    """A record in a list, without files and figures; ``key`` continues the list behind it."""
+
+    key: int
+
+
+class RecordsPage(FleetAnswer):
+    """What a search found, newest first."""
+
+    records: list[FoundFleetRecord]
+    more: bool
+
+
+class DriftPoint(FleetAnswer):
+    """One value of a figure."""
+
+    at: datetime
+    value: float
+    unit: str
+    limit: float | None
+    decision: str
+    record_key: int
+
+
+class DriftStep(FleetAnswer):
+    """A change of a figure: between which values, within which times (95 %), and by how much."""
+
+    after: datetime
+    by: datetime
+    earliest: datetime
+    latest: datetime
+    before_value: float
+    after_value: float
+    standard_uncertainty: float
+
+
+class DriftingStation(FleetAnswer):
+    """A figure of one station over time."""
+
+    station: str
+    points: list[DriftPoint]
+    changes: list[DriftStep]
+
+
+class DriftPeriod(FleetAnswer):
+    """A stretch of time in which a figure differed, and what was scanned in it, surely and
+    possibly affected."""
+
+    station: str
+    change: DriftStep
+    ended: DriftStep | None
+    calibration_ids: list[str]
+    recordings: list[FleetRecord]
+    possible: list[FleetRecord]
+
+
+class FleetDrift(FleetAnswer):
+    """A figure of all stations over time, and what its changes affect."""
+
+    quantity: str
+    stations: list[DriftingStation]
+    periods: list[DriftPeriod]
+
+
+class CalibrationsInUse(FleetAnswer):
+    """The newest calibration of every station and sensor."""
+
+    calibrations: list[FleetRecord]
+
+
+FLEET_ANSWERS = (
+    FleetOverview,
+    StationsOnBroker,
+    RecordsPage,
+    FleetRecord,
+    FleetDrift,
+    CalibrationsInUse,
+)
