@@ -25,7 +25,7 @@ from app.cli.batch_options import (
     name_places,
 )
 from app.cli.bench import bench
-from app.cli.catalogue import catalogue
+from app.cli.catalogue import catalogue, drift
 from app.cli.certificate import certificate
 from app.cli.performance import performance
 from app.cli.pictures import detect, extract
@@ -246,6 +246,7 @@ cli.command()(extract)
 cli.command()(detect)
 cli.command()(reconstruct)
 cli.command()(rebuild)
+cli.command()(drift)
 cli.command()(sync)
 cli.command()(study)
 cli.command()(replay)

@@ -92,6 +92,8 @@ def test_the_questions_are_answered(config: Path) -> None:
     assert "Calibration of May" not in run(config, "drift", "arm-largest").stdout
     assert "1 values of 1 stations, 0 changes" in run(config, "drift", "arm-largest").stdout
     assert "choose one of arm-half-range" in run(config, "drift", "size").stderr
+    alone = CliRunner().invoke(cli, ["drift", "arm-largest", "--config", str(config)])
+    assert alone.stdout == run(config, "drift", "arm-largest").stdout
 
 
 def test_a_planted_change_is_printed_with_its_recordings(tmp_path: Path) -> None:
