@@ -100,8 +100,10 @@ def trial(context: TheContext) -> TrialView | None:
 
 @router.get("/trial/picture.jpg")
 def picture(context: TheContext) -> Response:
-    """Its newest picture."""
+    """Its newest picture; nothing (204) before the first, and when the trial has ended."""
     content = context.device_setup.trials.picture()
+    if content is None:
+        return Response(status_code=HTTP_204_NO_CONTENT)
     return Response(content, media_type="image/jpeg", headers={"Cache-Control": "no-store"})
 
 

@@ -2944,6 +2944,7 @@ set-cloud-aside = Punktwolke ausgeschlossen
 set-exposure-picture = Belichtung nach dem Bild eingestellt
 set-exposure-so-stripe-bright-but = So belichten, dass die Laserlinie hell, aber nicht übersteuert ist.
 set-limit = Grenzwert festgelegt
+set-temperature = Temperatur des Normals eingegeben
 set-machines-clock-let-kept-time = Uhr des Rechners stellen und von einem Zeitserver führen lassen.
 set-pose-aside = Pose ausgeschlossen
 set-sensor-back-calibrate-again = Einstellungen des Sensors wiederherstellen oder neu kalibrieren

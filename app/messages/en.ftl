@@ -2935,6 +2935,7 @@ set-cloud-aside = excluded a cloud
 set-exposure-picture = set the exposure by the picture
 set-exposure-so-stripe-bright-but = Set the exposure so that the stripe is bright but not clipped.
 set-limit = set the limit
+set-temperature = set the temperature of the artefact
 set-machines-clock-let-kept-time = Set the machine's clock, and synchronise it with a time server.
 set-pose-aside = excluded a pose
 set-sensor-back-calibrate-again = restore the sensor's settings, or calibrate again

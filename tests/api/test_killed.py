@@ -12,8 +12,8 @@ pytestmark = pytest.mark.slow
 ALIKE = {
     *(("flow", "touch", count) for count in (5, 20)),
     *(("verify", step, count) for step, count in (("touch", 2), ("scan", 1))),
-    *(("performance", step, 0) for step in ("artefact", "pattern", "location", "end", "review")),
-    *(("performance", step, count) for step, count in (("pattern", 12), ("scan", 1))),
+    *(("performance", step, 0) for step in ("artefact", "pattern", "location", "scan", "end")),
+    *(("performance", *place) for place in (("pattern", 12), ("scan", 1), ("review", 0))),
 }
 """Places of the bench that are like others of their step or beside them, and left to it."""
 

@@ -111,12 +111,16 @@ def test_lengths_count_in_their_order_and_survive_a_killed_server(
         desk.command("set_limit", quantity="length-touch", a_um=90.0, k=10.0, b_um=80.0)
     )
     desk.do("set_limit", quantity="length-touch", a_um=90.0, k=10.0, b_um=120.0)
+    desk.do("set_temperature", celsius=20.0, expanded_c=0.4)
     view = desk.do("confirm_artefact")
     picture = view["picture"]["lengths"]
     assert [place["state"] for place in picture["places"]] == ["now", *["todo"] * 6]
     assert [limit["limit_um"] for limit in picture["limits"]] == [100, 112.5, 120, 120, 120]
     view = desk.touch_end(100.0, 0)
     assert view["frozen"]
+    plan = read_plan(server.data / "performance" / view["session_id"])
+    assert (plan.artefact_c, plan.temperature_sd_c) == (20.0, 0.2)
+    assert "fixed" in refusal(desk.command("set_temperature", celsius=21.0))
     assert "fixed" in refusal(desk.command("set_limit", quantity="length-touch", a_um=1.0))
     view = desk.touch_end(225.0, 1)  # another face than that of the length
     assert any("225 mm instead of 100 mm" in english(f["text"]) for f in view["findings"])

@@ -1,11 +1,9 @@
-"""The guided performance test over HTTP, simulated: the whole one-sphere test, and what is
-refused, kept and listed."""
+"""The guided one-sphere test over HTTP, simulated: what is refused, kept and listed. The whole test
+is in ``tests/e2e``."""
 
-import io
 import json
 import time
 import uuid
-import zipfile
 from collections.abc import Callable, Iterator
 from typing import Any
 
@@ -13,8 +11,6 @@ import httpx
 import pytest
 
 from app.formats.datasheets.gauge import read_gauge
-from app.formats.performance.plan import read_plan
-from app.formats.performance.results import read_performance
 from app.guide.performance.places import POLE
 from app.metrology.performance.pattern import RIM_DEG, pattern_directions
 from tests.api.calibrated import use_truth
@@ -98,70 +94,6 @@ def refusal(answer: httpx.Response) -> str:
     return str(answer.json()["detail"])
 
 
-def test_the_simulated_operator_does_the_whole_test(desk: Desk, calibration: str) -> None:
-    view = desk.start()
-    assert [gauge["id"] for gauge in view["gauges"]] == ["sphere"]
-    desk.do("set_limit", quantity="form-touch", a_um=200.0)
-    desk.do("set_limit", quantity="location-scan", a_um=900.0)
-    desk.do("run_simulation", all=True)
-    view = desk.wait(lambda view: view["step"] == "review" and view["busy"] is None, 240.0)
-    result = view["picture"]["result"]
-    assert result is not None, view["findings"]
-    figures = {figure["quantity"]: figure for figure in result["figures"]}
-    problems = {name: english(one["problem"]) for name, one in figures.items() if one["problem"]}
-    assert not problems
-    assert 0 < figures["form-touch"]["value"] < 200
-    assert 0 < figures["location-scan"]["value"] < 900
-    assert abs(figures["size-all-scan"]["value"]) < 300
-    assert not desk.do("accept")["running"]
-
-    newest, *_ = desk.list()
-    assert (newest["kind"], newest["result"]) == ("sphere", result["result"])
-    folder = desk.server.data / "performance" / newest["id"]
-    plan, found = read_plan(folder), read_performance(folder)
-    assert plan.simulated
-    assert not [note for note in found.notes if "articulation" in str(note)]
-    assert {limit.quantity: limit.a_um for limit in plan.limits} == {
-        "form-touch": 200.0,
-        "location-scan": 900.0,
-    }
-    assert {entry.file for entry in found.inputs} >= {
-        "plan.json", "arm.json", "calibration.json", "touches.csv", "p1-a5/scan.mcap",
-    }  # fmt: skip
-    served = desk.server.http.get(f"/api/performances/{newest['id']}").json()
-    assert served == json.loads((folder / "performance.json").read_text())
-    checks = {one["id"]: one for one in desk.server.http.get("/api/home").json()["checks"]}
-    assert checks["performance"]["at"] == newest["ended_at"]
-    history = desk.server.http.get("/api/performance-history").json()
-    assert history[-1]["id"] == newest["id"]
-    drawn = {one["quantity"]: (one["value"], one["limit"]) for one in history[-1]["symbols"]}
-    assert drawn["form-touch"] == (figures["form-touch"]["value"], 200.0)
-    report = desk.server.http.get(f"/api/performances/{newest['id']}/report.html")
-    assert "P_Form.Sph.1x25" in report.text
-    packed = desk.server.http.get(f"/api/performances/{newest['id']}/export.zip").content
-    with zipfile.ZipFile(io.BytesIO(packed)) as archive:
-        assert any(name.endswith(".csv") for name in archive.namelist())
-    qif = desk.server.http.get(f"/api/performances/{newest['id']}/export.qif")
-    assert "QIFDocument" in qif.text
-    certificate = f"/api/performances/{newest['id']}/export.dcc"
-    refused = desk.server.http.get(certificate, params={"country": "Germany"})
-    assert "two capital letters" in refusal(refused)
-    issued = desk.server.http.get(certificate, params={"laboratory": "Halle 3", "country": "DE"})
-    assert issued.headers["content-disposition"].endswith('-dcc.xml"')
-    assert "Halle 3" in issued.text
-    assert desk.server.http.get("/api/export-formats").json() == {"xlsx_why_not": ""}
-    recording = folder / "p1-a5" / "scan.mcap"
-    whole = recording.read_bytes()
-    assert not desk.server.context.recovery.find_damage()
-    recording.write_bytes(whole[:-1])
-    (damage,) = desk.server.context.recovery.find_damage()
-    assert str(damage).startswith(f"{newest['id']}, p1-a5/scan.mcap")
-    recording.write_bytes(whole)
-    # the limits are there for the next test
-    limits = {one["quantity"]: one["a_um"] for one in desk.start()["picture"]["limits"]}
-    assert (limits["form-touch"], limits["size-touch"]) == (200.0, None)
-
-
 def test_touches_count_for_free_places_and_the_plan_stands_from_the_first(desk: Desk) -> None:
     desk.start()
     assert "Choose" not in english(desk.do("confirm_artefact")["instruction"])
@@ -195,13 +127,31 @@ def test_a_cancelled_test_is_listed_with_its_reason(desk: Desk) -> None:
     newest, *_ = desk.list()
     assert (newest["id"], newest["result"]) == (session, "cancelled")
     assert "moved" in english(newest["text"])
-    assert (desk.server.data / "performance" / session / "touches.csv").is_file()
+    folder = desk.server.data / "performance" / session
+    assert (folder / "touches.csv").is_file()
     listed = len(desk.list())
     desk.start()
     desk.do("abandon")
     assert len(desk.list()) == listed  # nothing was touched
     judged = desk.server.context.store.performances.newest_judged()
     assert judged is None or judged.figures.result != "cancelled"
+
+
+def test_a_recording_of_a_test_that_is_gone_is_named(desk: Desk) -> None:
+    desk.start()
+    desk.do("confirm_artefact")
+    desk.touch(0)
+    session = desk.view()["session_id"]
+    desk.do("abandon", reason="other")
+    recovery = desk.server.context.recovery
+    assert not recovery.find_damage()
+    result = desk.server.data / "performance" / session / "performance.json"
+    result.write_text(json.dumps({"inputs": [{"file": "p1-a5/scan.mcap", "sha256": "0" * 64}]}))
+    try:
+        (damage,) = recovery.find_damage()
+        assert str(damage).startswith(f"{session}, p1-a5/scan.mcap")
+    finally:
+        result.unlink()
 
 
 def test_a_changed_plan_or_setting_makes_the_set_invalid(desk: Desk) -> None:

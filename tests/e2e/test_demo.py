@@ -20,6 +20,8 @@ pytestmark = pytest.mark.slow
 
 STEPS = ("devices", "setup", "touch", "place", "capture", "solve")
 PATIENCE_S = 120
+SCREENSHOT_MS = 120_000
+"""The 3D view is drawn without a graphics processor."""
 """How long one step of the simulated operator may take on a busy machine."""
 
 
@@ -40,7 +42,8 @@ class Visit:
 
     def look(self, name: str) -> None:
         self.taken += 1
-        self.page.screenshot(path=self.pictures / f"{self.taken:02d}-{name}.png")
+        path = self.pictures / f"{self.taken:02d}-{name}.png"
+        self.page.screenshot(path=path, timeout=SCREENSHOT_MS)
 
     def ask(self, path: str) -> dict[str, Any]:
         """What the server answers to the page's own question."""

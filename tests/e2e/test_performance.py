@@ -6,9 +6,11 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from playwright.sync_api import Browser, FilePayload, expect
+from playwright.sync_api import APIResponse, Browser, FilePayload, Page, expect
 
 from app.bench.faults.served import prepare
+from app.formats.performance.plan import read_plan
+from app.formats.performance.results import read_performance
 from tests.e2e.conftest import Demo
 from tests.e2e.test_demo import Visit
 from tests.formats.certificates import DIAMETER, certificate
@@ -42,6 +44,38 @@ def look_at_both_sizes(visit: Visit, name: str) -> None:
         visit.page.set_viewport_size({"width": width, "height": height})
         visit.look(f"performance-{name}-{size}")
         assert visit.page.evaluate("document.documentElement.scrollWidth") <= width
+
+
+def check_record(station: Demo, page: Page) -> None:
+    """What the finished test left: its folder, its list, Home, its history and its report."""
+
+    def get(path: str) -> APIResponse:
+        return page.request.get(f"{station.address.rstrip('/')}/api/{path}")
+
+    (newest,) = get("performances").json()
+    folder = station.data / "performance" / newest["id"]
+    plan, found = read_plan(folder), read_performance(folder)
+    values = {figure.quantity: figure.value or 0.0 for figure in found.figures}
+    assert plan.simulated
+    assert {limit.quantity: limit.a_um for limit in plan.limits} == {"form-touch": 300.0}
+    assert not [str(figure.problem) for figure in found.figures if figure.problem]
+    assert not [note for note in found.notes if "articulation" in str(note)]
+    assert 0 < values["form-touch"] < 200
+    assert 0 < values["location-scan"] < 900
+    assert abs(values["size-all-scan"]) < 300
+    assert {entry.file for entry in found.inputs} >= {
+        "plan.json", "arm.json", "calibration.json", "touches.csv", "p1-a5/scan.mcap",
+    }  # fmt: skip
+    served = get(f"performances/{newest['id']}").json()
+    assert served == json.loads((folder / "performance.json").read_text())
+    checks = {one["id"]: one for one in get("home").json()["checks"]}
+    assert checks["performance"]["at"] == newest["ended_at"]
+    history = get("performance-history").json()
+    drawn = {one["quantity"]: (one["value"], one["limit"]) for one in history[-1]["symbols"]}
+    assert drawn["form-touch"] == (values["form-touch"], 300.0)
+    assert "P_Form.Sph.1x25" in get(f"performances/{newest['id']}/report.html").text()
+    refused = get(f"performances/{newest['id']}/export.dcc?country=Germany")
+    assert "two capital letters" in refused.json()["detail"]
 
 
 def export_from(visit: Visit) -> None:
@@ -106,6 +140,7 @@ def test_the_one_sphere_test_from_start_to_figures(
     page.get_by_role("button", name="Open").first.click()
     expect(rows).to_have_count(FIGURES)
     look_at_both_sizes(visit, "record")
+    check_record(station, page)
     export_from(visit)
     page.get_by_role("button", name="Cancel").click()
     page.get_by_role("link", name="Records").click()

@@ -57,9 +57,6 @@ def test_a_person_signs_in(own: OwnProvider, tmp_path: Path) -> None:
     assert provider.trouble == ""
 
 
-NOW = int(time.time())
-
-
 @pytest.mark.parametrize(
     ("claims", "code"),
     [
@@ -77,11 +74,8 @@ NOW = int(time.time())
         ({"sub": 7}, "foreign"),
         ({"at_hash": "of another token"}, "foreign"),
         ({"at_hash": 7}, "foreign"),
-        ({"exp": NOW - SKEW_S - 5}, "clock"),
         ({"exp": None}, "clock"),
         ({"exp": "soon"}, "clock"),
-        ({"iat": NOW + SKEW_S + 3600}, "clock"),
-        ({"nbf": NOW + SKEW_S + 3600}, "clock"),
         ({"preferred_username": None}, "no-name"),
         ({"preferred_username": ["anna"]}, "no-name"),
     ],
@@ -96,16 +90,30 @@ def test_a_token_for_something_else_is_refused(
 @pytest.mark.parametrize(
     "claims",
     [
-        {"exp": NOW - 30},
         {"aud": ["station-2", "station-3"], "azp": "station-2"},
         {"at_hash": "FPlcM-1UXiivOYozpUrp7Q"},
     ],
-    ids=["clocks differ", "several audiences", "at_hash"],
+    ids=["several audiences", "at_hash"],
 )
 def test_a_token_with_what_may_differ_is_taken(
     own: OwnProvider, tmp_path: Path, claims: dict[str, object]
 ) -> None:
     own.claims = claims
+    assert sign_in(Provider(own.settings(tmp_path)), own).name == "anna"
+
+
+@pytest.mark.parametrize(
+    ("claim", "off_s"), [("exp", -SKEW_S - 5), ("iat", SKEW_S + 60), ("nbf", SKEW_S + 60)]
+)
+def test_clocks_that_differ_too_much_are_named(
+    own: OwnProvider, tmp_path: Path, claim: str, off_s: int
+) -> None:
+    own.claims = {claim: int(time.time()) + off_s}
+    assert failure_of(Provider(own.settings(tmp_path)), own) == "sign-in-clock"
+
+
+def test_clocks_may_differ_a_little(own: OwnProvider, tmp_path: Path) -> None:
+    own.claims = {"exp": int(time.time()) - SKEW_S // 4}
     assert sign_in(Provider(own.settings(tmp_path)), own).name == "anna"
 
 

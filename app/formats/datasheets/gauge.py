@@ -80,6 +80,8 @@ class GaugeFile(Document):
     """The certificate's, an ISO 8601 date; empty: not stated."""
     expansion_per_c: NotNegative = 0.0
     """Coefficient of thermal expansion; 0: not stated."""
+    expansion_sd_per_c: NotNegative = 0.0
+    """Its standard uncertainty, k = 1."""
     limits: VerificationLimits = VerificationLimits()
 
     @model_validator(mode="after")

@@ -14,6 +14,7 @@ AUDIT_LABELS = {
     "confirm_setup": message("confirmed-what-use"),
     "confirm_place": message("confirmed-object-picture"),
     "set_limit": message("set-limit"),
+    "set_temperature": message("set-temperature"),
     "select_face": message("chose-face"),
     "take_point": message("took-point"),
     "touch": message("took-point"),

@@ -90,6 +90,7 @@ ACTS: dict[str, Act[PerformanceGuide]] = {
     "choose_gauge": record("gauge_chosen", "id"),
     "set_positions": record("positions_set", "number"),
     "set_limit": tasks.set_limit,
+    "set_temperature": tasks.set_temperature,
     "confirm_artefact": lambda guide, args, key: tasks.confirm_artefact(guide, key),
     "touch": lambda guide, args, key: guide.touch(None, key),
     "undo": _undo,

@@ -39,6 +39,8 @@ def build_picture(state: PerformanceState, live: PerformanceLive) -> Performance
     places = live.places
     return PerformancePicture(
         limits=[_limit(state, one) for one in QUANTITIES[state.test]],
+        artefact_c=state.artefact_c,
+        expanded_c=state.expanded_c,
         places=_places(live),
         tip_deg=places.tip_flat_deg if places is not None else None,
         patches=_patches(state, live) if state.step == "scan" else [],

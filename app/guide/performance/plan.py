@@ -37,6 +37,8 @@ def build_plan(
         positions=state.positions if state.test == "sphere" else 1,
         limits=tuple(one for one in limit_parts(state) if one.quantity in QUANTITIES[state.test]),
         rule=RulePart.of(rule),
+        artefact_c=state.artefact_c,
+        temperature_sd_c=state.expanded_c / 2,
     )
 
 
@@ -53,6 +55,7 @@ def sphere_part(name: str, gauge: GaugeFile) -> SpherePart:
         form_um=gauge.form_um,
         form_sd_um=gauge.form_sd_um,
         expansion_per_c=gauge.expansion_per_c,
+        expansion_sd_per_c=gauge.expansion_sd_per_c,
     )
 
 

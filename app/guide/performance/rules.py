@@ -44,6 +44,13 @@ class LimitArguments(Arguments):
     b_um: Annotated[float, Field(gt=0, le=MOST_UM)] | None = None
 
 
+class TemperatureArguments(Arguments):
+    """Of the artefact; missing: not measured. ``expanded_c`` is its uncertainty, k = 2."""
+
+    celsius: Annotated[float, Field(ge=-20, le=60)] | None = None
+    expanded_c: Annotated[float, Field(ge=0, le=10)] = 0.0
+
+
 class ArticulationArguments(Arguments):
     articulation: Annotated[int, Field(ge=1, le=ARTICULATIONS)] | None = None
 
@@ -205,6 +212,9 @@ RULES = CommandRules[PerformanceState, PerformanceLive](
         "choose_gauge": Command(("artefact",), _choose, IdArguments),
         "set_positions": Command(("artefact",), _frozen, PositionsArguments),
         "set_limit": Command(("artefact", "pattern", "lengths"), _set_limit, LimitArguments),
+        "set_temperature": Command(
+            ("artefact", "pattern", "lengths"), _frozen, TemperatureArguments
+        ),
         "confirm_artefact": Command(("artefact",), _confirm_artefact),
         "touch": Command(TOUCHING, _touch),
         "undo": Command(TOUCHING, _undo),

@@ -100,6 +100,10 @@ class PerformanceState:
     """Touches of lengths that are confirmed: they are not taken back any more."""
     limits: Mapping[str, DatasheetLimit] = field(default_factory=dict)
     """Maximum permissible errors by the quantity."""
+    artefact_c: float | None = None
+    """Temperature of the artefact; None: not measured."""
+    expanded_c: float = 0.0
+    """Its uncertainty, k = 2."""
     plan_sha256: str = ""
     """Of the plan's file, from the first touch on."""
     setup: Payload = field(default_factory=dict)
@@ -271,6 +275,9 @@ CHANGES: dict[str, Callable[[PerformanceState, Payload], PerformanceState]] = {
     "gauge_chosen": lambda state, payload: replace(state, gauge=payload["id"]),
     "positions_set": lambda state, payload: replace(state, positions=payload["number"]),
     "limit_set": _set_limit,
+    "temperature_set": lambda state, payload: replace(
+        state, artefact_c=payload["celsius"], expanded_c=payload["expanded_c"]
+    ),
     "plan_frozen": _freeze,
     "touched": _add_touch,
     "touch_voided": void_touch,

@@ -35,6 +35,12 @@ def set_limit(guide: PerformanceGuide, args: Args, key: str | None) -> None:
     write_station_limits(guide.data_folder, limit_parts(guide.state))
 
 
+def set_temperature(guide: PerformanceGuide, args: Args, key: str | None) -> None:
+    """The artefact's temperature, measured before the first touch."""
+    payload = {"celsius": args.get("celsius"), "expanded_c": args.get("expanded_c", 0.0)}
+    guide.append("temperature_set", payload, key)
+
+
 def confirm_artefact(guide: PerformanceGuide, key: str | None) -> None:
     """From here on the test uses its own copies of artefact, arm and calibration."""
     guide.keep_datasheets()

@@ -156,6 +156,9 @@ class PerformancePicture:
     """Everything that is drawn for a performance test."""
 
     limits: Sequence[PerformanceLimitLine]
+    artefact_c: float | None
+    """Temperature of the artefact, with its uncertainty (k = 2); None: not measured."""
+    expanded_c: float
     places: Sequence[PlaceMark]
     tip_deg: tuple[float, float] | None
     patches: Sequence[PatchMark]

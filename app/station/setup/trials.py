@@ -4,7 +4,6 @@ import threading
 import time
 from dataclasses import dataclass
 
-from app.errors import OperationError
 from app.messages.message import Text, message, quantity
 from app.station.bus import Bus
 from app.station.devices.arm_device import StationArm
@@ -92,17 +91,14 @@ class DeviceTrials:
         trial.looked_s = time.monotonic()
         return trial.view()
 
-    def picture(self) -> bytes:
+    def picture(self) -> bytes | None:
         """The newest picture, or the newest line drawn, as JPEG, its longer side at most 800 px.
 
-        Raises:
-            OperationError: no camera is tried, or it has sent no picture yet.
+        None if no camera is tried, or it has sent no picture yet.
         """
         trial = self._trial
         latest = trial.sensor.frames.newest if trial is not None and trial.sensor else None
-        if latest is None:
-            raise OperationError("no-picture", message("no-picture-came-sensor"))
-        return jpeg(picture_of(latest))
+        return None if latest is None else jpeg(picture_of(latest))
 
     def stop(self) -> None:
         """Ends the trial and forgets it; idempotent."""

@@ -964,6 +964,9 @@ ui-take-over-control-give-reason = Oder die Bedienung übernehmen und { $name } 
 ui-taken-after-few-more-they-drawn = { $n } aufgenommen. Nach einigen weiteren werden sie hier dargestellt.
 ui-temperature = Temperatur
 ui-temperature-at-acceptance = Temperatur bei der Annahme
+ui-temperature-of-the-artefact = Temperatur des Normals
+ui-temperature-of-the-artefact-why = Größen und Längen werden damit auf 20 °C bezogen. Ohne sie gelten sie wie bei 20 °C.
+ui-temperature-uncertainty = Unsicherheit der Temperatur (k = 2)
 ui-term = Koeffizient
 ui-test = Testen
 ui-test-lowercase = Test

@@ -964,6 +964,9 @@ ui-take-over-control-give-reason = Or take over control and give { $name } a rea
 ui-taken-after-few-more-they-drawn = { $n } taken. The drawing appears after a few more.
 ui-temperature = Temperature
 ui-temperature-at-acceptance = Temperature at acceptance
+ui-temperature-of-the-artefact = Temperature of the artefact
+ui-temperature-of-the-artefact-why = Sizes and lengths are brought to 20 °C by it. Without it, they are taken as at 20 °C.
+ui-temperature-uncertainty = Uncertainty of the temperature (k = 2)
 ui-term = Term
 ui-test = Test
 ui-test-lowercase = test

@@ -6,6 +6,7 @@ import { EmptyState } from "../parts/EmptyState";
 import { t } from "../state/language";
 import { GaugeDrawing } from "../verify/GaugeDrawing";
 import styles from "./ArtefactChoice.module.css";
+import { ArtefactTemperature } from "./ArtefactTemperature";
 import { CertificateUpload } from "./CertificateUpload";
 import { Limits } from "./Limits";
 
@@ -48,6 +49,7 @@ export function ArtefactChoice({ view }: { view: PerformanceView }) {
           />
         </section>
       )}
+      <ArtefactTemperature celsius={view.picture.artefact_c} expanded={view.picture.expanded_c} />
       <Limits limits={view.picture.limits} />
     </div>
   );
