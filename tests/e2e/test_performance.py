@@ -118,6 +118,7 @@ def test_the_one_sphere_test_from_start_to_figures(
     expect(field).to_be_visible()
     field.fill("300")
     page.get_by_role("button", name="Set", exact=True).click()
+    expect(page.get_by_role("button", name="Set", exact=True)).to_have_count(0)
     look_at_both_sizes(visit, "artefact")
     page.get_by_role("button", name="Let the simulated operator do everything").click()
     for step in STEPS:
@@ -164,6 +165,7 @@ def test_the_length_test_from_start_to_errors(
     for letter, value in (("A", "200"), ("K", "10"), ("B", "400")):
         page.get_by_label(letter, exact=True).fill(value)
     page.get_by_role("button", name="Set", exact=True).click()
+    expect(page.get_by_role("button", name="Set", exact=True)).to_have_count(0)
     expect(page.get_by_text("The standard has only one length")).to_be_visible()
     look_at_both_sizes(visit, "lengths-artefact")
     page.get_by_role("button", name="Let the simulated operator do everything").click()

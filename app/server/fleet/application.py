@@ -127,7 +127,7 @@ def _add_routes(app: FastAPI, service: FleetService) -> None:
         )
         with service.catalogue().reading() as connection:
             found = search(connection, query)
-        listed = [_found_record(one) for one in found[:MOST]]
+        listed = [_record_of(one) for one in found[:MOST]]
         return json_response(RecordsPage(records=listed, more=len(found) > MOST))
 
     @app.get("/api/fleet/records/{station}/{kind}/{record_id}")
@@ -165,7 +165,7 @@ def _add_routes(app: FastAPI, service: FleetService) -> None:
         return found or page_response(PAGE)
 
 
-def _found_record(found: FoundRecord) -> FoundFleetRecord:
+def _record_of(found: FoundRecord) -> FoundFleetRecord:
     record = FleetRecord.model_validate(found.entry).model_dump()
     return FoundFleetRecord(**{**record, "size_bytes": found.size_bytes, "key": found.key})
 
