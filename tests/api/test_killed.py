@@ -13,7 +13,8 @@ ALIKE = {
     *(("flow", "touch", count) for count in (5, 20)),
     *(("verify", step, count) for step, count in (("touch", 2), ("scan", 1))),
     *(("performance", step, 0) for step in ("artefact", "pattern", "location", "scan", "end")),
-    *(("performance", *place) for place in (("pattern", 12), ("scan", 1), ("review", 0))),
+    *(("performance", *place) for place in (("pattern", 12), ("scan", 3), ("end", 2))),
+    *(("performance", "review", count) for count in (0, 1)),
 }
 """Places of the bench that are like others of their step or beside them, and left to it."""
 
