@@ -25,7 +25,7 @@ class Cluster(Protocol):
     """Workers that are asked through a client of Dask."""
 
     threads: int
-    """Of one piece of work."""
+    """Of one task."""
 
     @property
     def client(self) -> "Client":
@@ -42,7 +42,7 @@ class LocalWorkers:
     """Worker processes of this machine; Dask replaces one that ends.
 
     Args:
-        count: of processes; each does one piece of work at a time.
+        count: of processes; each does one task at a time.
 
     Raises:
         OperationError: Dask is not installed.
@@ -79,7 +79,7 @@ class RemoteScheduler:
 
     Args:
         address: as ``tcp://host:8786``.
-        threads: of one piece of work.
+        threads: of one task.
 
     Raises:
         OperationError: Dask is not installed, or the scheduler does not answer.

@@ -24,7 +24,7 @@ HASH_BYTES = 1 << 20
 
 @dataclass(frozen=True)
 class Dependency:
-    """A place without which a piece of work cannot be done."""
+    """A place without which a task cannot be done."""
 
     settings: ArchiveSettings
     marker: str = ""

@@ -11,7 +11,7 @@ from app.batch.calibrations import BySensor, CalibrationFinder, GivenCalibration
 from app.batch.places import Dependency, Place
 from app.batch.recordings import RECORDING, ScanRecording, Selection, find_recordings
 from app.batch.results import RebuiltCloud, ResultStore, describe_files, stem_of
-from app.batch.work import Desk, Refusal
+from app.batch.task import Desk, Refusal
 from app.errors import OperationError
 from app.formats.json_document import SOFTWARE
 from app.progress import Progress, no_progress
@@ -19,7 +19,7 @@ from app.workflows.reconstruct import reconstruct_cloud
 
 
 @dataclass(frozen=True)
-class RebuildWork:
+class RebuildTask:
     """The cloud of one recording."""
 
     key: str
@@ -82,7 +82,7 @@ class RebuildWork:
 class RebuildPlan:
     """What is to be done."""
 
-    works: list[RebuildWork]
+    tasks: list[RebuildTask]
     refused: list[tuple[str, Refusal]]
     """Recordings that cannot be rebuilt, by name."""
     left_out: int
@@ -107,7 +107,7 @@ def plan_rebuild(
         OperationError: a place cannot be read, or a given calibration is damaged.
     """
     finder = CalibrationFinder(places)
-    works: list[RebuildWork] = []
+    tasks: list[RebuildTask] = []
     refused: list[tuple[str, Refusal]] = []
     left_out = 0
     checked = GivenCalibrations(given) if given is not None else None
@@ -125,8 +125,8 @@ def plan_rebuild(
             refused.append((name, Refusal.of(error)))
             continue
         key = key_of("rebuild", digest, calibrations, suffix)
-        works.append(RebuildWork(key, recording, digest, calibrations, output, suffix))
-    return RebuildPlan(works, refused, left_out)
+        tasks.append(RebuildTask(key, recording, digest, calibrations, output, suffix))
+    return RebuildPlan(tasks, refused, left_out)
 
 
 def key_of(kind: str, digest: str, calibrations: BySensor, *more: str) -> str:

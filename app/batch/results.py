@@ -1,4 +1,4 @@
-"""Where results are kept: a folder or a store, each under a name with the key of its work.
+"""Where results are kept: a folder or a store, each under a name with the key of its task.
 
 A result is whole exactly when its document is there: that is written last, at once.
 """
@@ -12,7 +12,7 @@ from typing import Any, ClassVar
 from app.archive.archive_settings import ArchiveSettings
 from app.archive.remote_store import PIECE_BYTES, open_store
 from app.batch.calibrations import BySensor
-from app.batch.work import Desk
+from app.batch.task import Desk
 from app.errors import OperationError
 from app.formats.atomic_write import ensure_folder
 from app.formats.io_errors import convert_io_errors
@@ -57,7 +57,7 @@ class RebuiltCloud(Document):
 
 
 class ResultStore:
-    """The results of one kind of work."""
+    """The results of one kind of task."""
 
     def __init__(self, settings: ArchiveSettings) -> None:
         self.settings = settings

@@ -1,4 +1,4 @@
-"""Has the workers do all pieces of work, each once, whatever is lost in between."""
+"""Has the workers do all tasks, each once, whatever is lost in between."""
 
 import asyncio
 import time
@@ -9,7 +9,7 @@ from queue import Empty, SimpleQueue
 from typing import TYPE_CHECKING
 
 from app.batch.cluster import GIVE_UP_S, Cluster
-from app.batch.work import Outcome, Refusal, Work, perform_on_worker
+from app.batch.task import Outcome, Refusal, Task, perform_on_worker
 from app.formats.json_document import SOFTWARE
 from app.messages.message import Text, message
 from app.progress import Progress, no_progress
@@ -18,18 +18,18 @@ if TYPE_CHECKING:
     from distributed import Future
 
 WINDOW = 500
-"""Pieces of work that the scheduler has at a time: however many there are, it stays small."""
+"""Tasks that the scheduler has at a time: however many there are, it stays small."""
 LOOK_S = 0.5
 GATHER_S = 60.0
 FIRST_PAUSE_S, LONGEST_PAUSE_S = 1.0, 30.0
 """After a store that cannot be reached; each further time doubles it."""
 
-TakeOutcome = Callable[[Work, Outcome], None]
-"""Called with what became of each piece of work: ``done`` or ``refused``."""
+TakeOutcome = Callable[[Task, Outcome], None]
+"""Called with what became of each task: ``done`` or ``refused``."""
 
 
 class Runner:
-    """Does pieces of work on a cluster.
+    """Does tasks on a cluster.
 
     Args:
         kind: one word, by which Dask's dashboard groups them.
@@ -46,30 +46,30 @@ class Runner:
     ) -> None:
         self._cluster, self._kind, self._take = cluster, kind, take
         self._progress, self._say = progress, say
-        self._waiting: deque[Work] = deque()
-        self._running: dict[str, tuple[Future[Outcome], Work]] = {}
+        self._waiting: deque[Task] = deque()
+        self._running: dict[str, tuple[Future[Outcome], Task]] = {}
         self._ended: SimpleQueue[Future[Outcome]] = SimpleQueue()
         self._pause_s = 0.0
         self._next_s = 0.0
         self._away_since_s: float | None = None
 
-    def run(self, works: Sequence[Work]) -> None:
+    def run(self, tasks: Sequence[Task]) -> None:
         """Returns when each has been taken.
 
         Raises:
             OperationError: the scheduler or a store was away for an hour, or refuses everything.
         """
-        self._waiting.extend({work.key: work for work in works}.values())
+        self._waiting.extend({task.key: task for task in tasks}.values())
         count = len(self._waiting)
-        total = sum(work.size_bytes for work in self._waiting)
+        total = sum(task.size_bytes for task in self._waiting)
         done = taken = 0
         try:
             while self._waiting or self._running:
                 self._check_connection()
                 self._submit()
-                work = self._take_next()
-                if work is not None:
-                    taken, done = taken + 1, done + work.size_bytes
+                task = self._take_next()
+                if task is not None:
+                    taken, done = taken + 1, done + task.size_bytes
                     self._progress(done / max(total, 1), f"{taken} / {count}")
         finally:
             futures = [future for future, _ in self._running.values()]
@@ -81,7 +81,7 @@ class Runner:
         """Has everything done again that was under way when the scheduler was lost."""
         if self._cluster.client.status == "running":
             return
-        self._waiting.extendleft(work for _, work in self._running.values())
+        self._waiting.extendleft(task for _, task in self._running.values())
         self._running.clear()
         self._cluster.reconnect(self._say)
 
@@ -90,37 +90,37 @@ class Runner:
             return
         client = self._cluster.client
         while self._waiting and len(self._running) < WINDOW:
-            work = self._waiting.popleft()
-            key = f"{self._kind}-{work.key}"
+            task = self._waiting.popleft()
+            key = f"{self._kind}-{task.key}"
             future = client.submit(
-                perform_on_worker, work, SOFTWARE.version, self._cluster.threads, key=key
+                perform_on_worker, task, SOFTWARE.version, self._cluster.threads, key=key
             )
-            self._running[key] = future, work
+            self._running[key] = future, task
             future.add_done_callback(self._ended.put)
 
-    def _take_next(self) -> Work | None:
-        """The next piece of work that is finished for good; None for now."""
+    def _take_next(self) -> Task | None:
+        """The next task that is finished for good; None for now."""
         try:
             future = self._ended.get(timeout=LOOK_S)
         except Empty:
             return None
-        known, work = self._running.get(str(future.key), (None, None))
-        if known is not future or work is None:
+        known, task = self._running.get(str(future.key), (None, None))
+        if known is not future or task is None:
             return None
         del self._running[str(future.key)]
         outcome = _outcome_of(future)
         if outcome is None:
-            self._waiting.appendleft(work)
+            self._waiting.appendleft(task)
         elif outcome.state == "stop":
             assert outcome.refusal is not None
             raise outcome.refusal.error()
         elif outcome.state == "away":
-            self._waiting.append(work)
+            self._waiting.append(task)
             self._note_away(outcome)
         else:
             self._note_back()
-            self._take(work, outcome)
-            return work
+            self._take(task, outcome)
+            return task
         return None
 
     def _note_away(self, outcome: Outcome) -> None:

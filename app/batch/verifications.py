@@ -17,7 +17,7 @@ from app.batch.calibrations import ARM, CALIBRATION, CalibrationFiles, read_file
 from app.batch.places import Dependency, Place, PlaceRecord
 from app.batch.recordings import Selection, find_records
 from app.batch.results import ResultStore, stem_of
-from app.batch.work import Desk, Refusal
+from app.batch.task import Desk, Refusal
 from app.errors import OperationError
 from app.formats.datasheets.gauge import Shape
 from app.formats.json_document import SOFTWARE
@@ -35,7 +35,7 @@ With = Literal["own", "all"]
 
 
 @dataclass(frozen=True)
-class VerificationWork:
+class VerificationTask:
     """One verification, each of its clouds rebuilt with each of some calibrations."""
 
     key: str
@@ -86,7 +86,7 @@ def plan_verifications(
     rebuilt_with: With | tuple[CalibrationFiles, ...],
     shape: Shape | None = None,
     progress: Progress = no_progress,
-) -> tuple[list[VerificationWork], list[tuple[str, Refusal]]]:
+) -> tuple[list[VerificationTask], list[tuple[str, Refusal]]]:
     """The chosen verifications, and those that cannot be read.
 
     Args:
@@ -95,7 +95,7 @@ def plan_verifications(
     Raises:
         OperationError: a place cannot be read.
     """
-    works: list[VerificationWork] = []
+    tasks: list[VerificationTask] = []
     refused: list[tuple[str, Refusal]] = []
     for place in selection.places(places):
         every: list[CalibrationFiles] | None = None
@@ -115,8 +115,8 @@ def plan_verifications(
                 refused.append((f"{place.station}/{record.id}", Refusal.of(error)))
                 continue
             taken_at = known.clouds[0].taken_at
-            works.append(VerificationWork(key, record, taken_at, sources, output))
-    return works, refused
+            tasks.append(VerificationTask(key, record, taken_at, sources, output))
+    return tasks, refused
 
 
 def _sources(
@@ -172,21 +172,21 @@ def _key_of(record: PlaceRecord, sources: Iterable[CalibrationFiles]) -> str:
     return hashlib.sha256("\n".join(lines).encode()).hexdigest()
 
 
-def table_of(results: Iterable[tuple[VerificationWork, Mapping[str, Any]]]) -> list[list[str]]:
+def table_of(results: Iterable[tuple[VerificationTask, Mapping[str, Any]]]) -> list[list[str]]:
     """One row for each cloud and calibration; cells of figures that there are not are empty.
 
     Args:
         results: the fields of ``crenel/study`` documents.
     """
     rows = []
-    for work, study in results:
+    for task, study in results:
         for row in study["rows"]:
             figures = (row.get(name) for name in FIGURES)
             rows.append(
                 [
-                    work.record.place.station,
-                    work.record.id,
-                    work.taken_at,
+                    task.record.place.station,
+                    task.record.id,
+                    task.taken_at,
                     study["clouds"][row["cloud"]],
                     study["calibration_ids"][row["calibration"]],
                     *("" if figure is None else f"{figure:.3f}" for figure in figures),

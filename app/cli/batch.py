@@ -34,7 +34,7 @@ if TYPE_CHECKING:
     from app.batch.places import Place
     from app.batch.recordings import Selection
     from app.batch.results import ResultStore
-    from app.batch.work import Outcome, Refusal, Work
+    from app.batch.task import Outcome, Refusal, Task
 
 MOST_SHOWN = 10
 """Of what was refused."""
@@ -53,17 +53,17 @@ class CloudFormat(StrEnum):
 
 @dataclass
 class Tally:
-    """What became of the pieces of work."""
+    """What became of the tasks."""
 
-    done: list["tuple[Work, Outcome]"] = field(default_factory=list)
+    done: list["tuple[Task, Outcome]"] = field(default_factory=list)
     refused: list["tuple[str, Refusal]"] = field(default_factory=list)
 
-    def take(self, work: "Work", outcome: "Outcome") -> None:
+    def take(self, task: "Task", outcome: "Outcome") -> None:
         """Called with each that has ended."""
         if outcome.refusal is None:
-            self.done.append((work, outcome))
+            self.done.append((task, outcome))
         else:
-            self.refused.append((work.name, outcome.refusal))
+            self.refused.append((task.name, outcome.refusal))
 
     def end(self) -> None:
         """Names what was refused on stderr, and ends with status 1, if anything was."""
@@ -110,7 +110,7 @@ def rebuild(
             progress,
         )
     tally = Tally(refused=plan.refused)
-    known = do_missing("rebuild", plan.works, results, workers, scheduler, tally, as_json)
+    known = do_missing("rebuild", plan.tasks, results, workers, scheduler, tally, as_json)
     points = sum(int(outcome.result.get("points", 0)) for _, outcome in tally.done)
     if as_json:
         print_json(
@@ -134,14 +134,14 @@ def rebuild(
 
 def do_missing(
     kind: str,
-    works: "Sequence[Work]",
+    tasks: "Sequence[Task]",
     results: "ResultStore",
     workers: int | None,
     scheduler: str | None,
     tally: Tally,
     as_json: bool,
 ) -> int:
-    """Does the pieces of work without a result.
+    """Does the tasks without a result.
 
     Returns:
         The number of those that had one.
@@ -153,7 +153,7 @@ def do_missing(
     from app.batch.runner import Runner
 
     there = results.keys()
-    missing = {work.key[:SHORT_KEY]: work for work in works if work.key[:SHORT_KEY] not in there}
+    missing = {task.key[:SHORT_KEY]: task for task in tasks if task.key[:SHORT_KEY] not in there}
     ended = not missing
     try:
         if missing:
@@ -166,7 +166,7 @@ def do_missing(
     finally:
         if missing and (ended or scheduler is None):  # others' workers may still be writing
             results.remove_parts(missing.keys())
-    return len(works) - len(missing)
+    return len(tasks) - len(missing)
 
 
 @contextmanager

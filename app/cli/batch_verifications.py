@@ -33,7 +33,7 @@ def measure_places(
     from app.batch.results import ResultStore
     from app.batch.verifications import (
         COLUMNS,
-        VerificationWork,
+        VerificationTask,
         plan_verifications,
         table_of,
         table_text,
@@ -47,7 +47,7 @@ def measure_places(
     finder = CalibrationFinder(found)
     given = tuple(choose_calibration(one, arm, finder) for one in calibrations)
     with progress_bar("Looking for verifications", not options.as_json) as progress:
-        works, refused = plan_verifications(
+        tasks, refused = plan_verifications(
             found,
             selection_of(options.period, options.station, options.taken_with),
             results.settings,
@@ -57,13 +57,13 @@ def measure_places(
         )
     tally = Tally(refused=refused)
     known = do_missing(
-        kind, works, results, options.workers, options.scheduler, tally, options.as_json
+        kind, tasks, results, options.workers, options.scheduler, tally, options.as_json
     )
     refused_names = {name for name, _ in tally.refused}
-    documents: list[tuple[VerificationWork, dict[str, object]]] = []
-    for work in works:
-        if work.name not in refused_names and (read := results.read(work.stem)) is not None:
-            documents.append((work, read))
+    documents: list[tuple[VerificationTask, dict[str, object]]] = []
+    for task in tasks:
+        if task.name not in refused_names and (read := results.read(task.stem)) is not None:
+            documents.append((task, read))
     rows = table_of(documents)
     results.write_table(TABLE, table_text(rows))
     if options.as_json:
@@ -77,6 +77,6 @@ def measure_places(
             }
         )
     else:
-        print_table(f"{len(works)} verifications", COLUMNS, rows[:MOST_ROWS])
+        print_table(f"{len(tasks)} verifications", COLUMNS, rows[:MOST_ROWS])
         print(f"{len(rows)} rows are in {results.settings.place.rstrip('/')}/{TABLE}")
     tally.end()

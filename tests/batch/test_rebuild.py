@@ -14,10 +14,10 @@ pytest.importorskip("distributed")
 
 from app.batch.period import Period, parse_period
 from app.batch.places import find_places, settings_for
-from app.batch.rebuild import RebuildWork, plan_rebuild
+from app.batch.rebuild import RebuildTask, plan_rebuild
 from app.batch.recordings import Selection
 from app.batch.results import ResultStore
-from app.batch.work import perform
+from app.batch.task import perform
 from app.errors import OperationError
 from app.formats.clouds.files import read_cloud
 from app.formats.datasheets.arm import read_any_arm
@@ -46,14 +46,14 @@ def run(*arguments: object, cwd: Path, status: int = 0) -> dict[str, Any]:
 
 def plan(
     place: Path, output: Path, selection: Selection | None = None
-) -> tuple[list[RebuildWork], ResultStore]:
+) -> tuple[list[RebuildTask], ResultStore]:
     results = ResultStore(settings_for(str(output)))
     results.prepare()
     made = plan_rebuild(
         find_places([str(place)]), selection or Selection(), results.settings, ".ply"
     )
     assert made.refused == []
-    return made.works, results
+    return made.tasks, results
 
 
 @pytest.fixture
@@ -92,7 +92,7 @@ def test_recordings_are_chosen_by_period_station_and_calibration(
     archive: Path, tmp_path: Path
 ) -> None:
     def chosen(selection: Selection) -> list[str]:
-        return [work.recording.id for work in plan(archive, tmp_path / "out", selection)[0]]
+        return [task.recording.id for task in plan(archive, tmp_path / "out", selection)[0]]
 
     assert chosen(Selection()) == sorted(SCANS)
     assert chosen(Selection(period=parse_period("2026-05-02..2026-05-03"))) == ["three", "two"]
@@ -103,9 +103,9 @@ def test_recordings_are_chosen_by_period_station_and_calibration(
 
 
 def test_another_calibration_or_format_is_another_result(archive: Path, tmp_path: Path) -> None:
-    works, results = plan(archive, tmp_path / "out")
-    assert perform(works[0], tmp_path, 1).state == "done"
-    assert results.keys() == {works[0].key[:16]}
+    tasks, results = plan(archive, tmp_path / "out")
+    assert perform(tasks[0], tmp_path, 1).state == "done"
+    assert results.keys() == {tasks[0].key[:16]}
     calibration = tmp_path / "data/sessions" / CALIBRATION / "calibration.json"
     calibration.write_text(calibration.read_text().replace("0.25", "0.35"))
     given = tmp_path / "given"
@@ -113,7 +113,7 @@ def test_another_calibration_or_format_is_another_result(archive: Path, tmp_path
     other = run("rebuild", archive, *args, "--period", "2026-05-01", cwd=tmp_path)
     assert other["made"] == 1
     (document,) = given.glob("*.json")
-    assert document.stem.rpartition("-")[2] not in {work.key[:16] for work in works}
+    assert document.stem.rpartition("-")[2] not in {task.key[:16] for task in tasks}
     (cloud,), (before,) = given.glob("*.ply"), (tmp_path / "out").glob("*.ply")
     assert abs(read_cloud(cloud).points_mm - read_cloud(before).points_mm).max() > 0.01
 
@@ -138,14 +138,14 @@ def test_what_cannot_be_rebuilt_is_named_and_the_rest_is_made(tmp_path: Path) ->
 
 
 def test_a_place_that_is_away_is_no_refusal(archive: Path, tmp_path: Path) -> None:
-    works, _ = plan(archive, tmp_path / "out")
+    tasks, _ = plan(archive, tmp_path / "out")
     archive.rename(tmp_path / "away")
-    assert perform(works[0], tmp_path, 1).state == "away"
+    assert perform(tasks[0], tmp_path, 1).state == "away"
     (tmp_path / "away").rename(archive)
-    recording = Path(archive) / works[0].recording.file.name
+    recording = Path(archive) / tasks[0].recording.file.name
     recording.unlink()
-    assert perform(works[0], tmp_path, 1).state == "refused"
-    assert perform(works[1], tmp_path, 1).state == "done"
+    assert perform(tasks[0], tmp_path, 1).state == "refused"
+    assert perform(tasks[1], tmp_path, 1).state == "done"
 
 
 def test_nothing_is_written_into_what_is_read(archive: Path, tmp_path: Path) -> None:

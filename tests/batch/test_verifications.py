@@ -10,14 +10,14 @@ pytest.importorskip("distributed")
 from app.batch.places import find_places, settings_for
 from app.batch.recordings import Selection
 from app.batch.results import ResultStore
+from app.batch.task import perform
 from app.batch.verifications import (
-    VerificationWork,
+    VerificationTask,
     With,
     plan_verifications,
     table_of,
     table_text,
 )
-from app.batch.work import perform
 from app.formats.datasheets.gauge import GaugeFile
 from app.formats.results.verification import VerificationFile
 from app.store.store import Store
@@ -82,24 +82,24 @@ def archive(tmp_path: Path) -> Path:
 
 def plan(
     place: Path, tmp_path: Path, rebuilt_with: With, selection: Selection | None = None
-) -> tuple[list[VerificationWork], ResultStore]:
+) -> tuple[list[VerificationTask], ResultStore]:
     results = ResultStore(settings_for(str(tmp_path / "out")))
     results.prepare()
-    works, refused = plan_verifications(
+    tasks, refused = plan_verifications(
         find_places([str(place)]), selection or Selection(), results.settings, rebuilt_with
     )
     assert refused == []
-    return works, results
+    return tasks, results
 
 
 def test_each_cloud_is_measured_with_the_calibration_that_was_verified(
     archive: Path, tmp_path: Path
 ) -> None:
-    works, _ = plan(archive, tmp_path, "own")
-    assert [work.record.id for work in works] == list(VERIFIED)
-    outcomes = [perform(work, tmp_path, 1) for work in works]
+    tasks, _ = plan(archive, tmp_path, "own")
+    assert [task.record.id for task in tasks] == list(VERIFIED)
+    outcomes = [perform(task, tmp_path, 1) for task in tasks]
     assert [one.refusal for one in outcomes] == [None, None]
-    rows = table_of(zip(works, (one.result for one in outcomes), strict=True))
+    rows = table_of(zip(tasks, (one.result for one in outcomes), strict=True))
     assert [row[:5] for row in rows] == [
         ["room-2", one, f"2026-0{number}-21T10:16:00Z", f"Cloud {cloud}", CALIBRATION]
         for number, one in enumerate(VERIFIED, 5)
@@ -111,13 +111,13 @@ def test_each_cloud_is_measured_with_the_calibration_that_was_verified(
 
 
 def test_a_study_takes_all_calibrations_of_the_station(archive: Path, tmp_path: Path) -> None:
-    works, results = plan(archive, tmp_path, "all")
-    outcome = perform(works[0], tmp_path, 1)
+    tasks, results = plan(archive, tmp_path, "all")
+    outcome = perform(tasks[0], tmp_path, 1)
     assert sorted(outcome.result["calibration_ids"]) == [CALIBRATION, OTHER]
     assert len(outcome.result["rows"]) == 4
-    kept = results.read(works[0].stem)
+    kept = results.read(tasks[0].stem)
     assert kept == outcome.result
-    assert perform(works[0], tmp_path, 1).result == kept
+    assert perform(tasks[0], tmp_path, 1).result == kept
 
 
 def test_verifications_are_chosen_by_their_calibration(archive: Path, tmp_path: Path) -> None:
@@ -128,9 +128,9 @@ def test_verifications_are_chosen_by_their_calibration(archive: Path, tmp_path: 
 def test_an_archive_that_is_lost_midway_gives_no_partial_study(
     archive: Path, tmp_path: Path
 ) -> None:
-    works, results = plan(archive, tmp_path, "all")
+    tasks, results = plan(archive, tmp_path, "all")
     archive.rename(tmp_path / "away")
-    assert perform(works[0], tmp_path, 1).state == "away"
+    assert perform(tasks[0], tmp_path, 1).state == "away"
     assert results.keys() == set()
 
 

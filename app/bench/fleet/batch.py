@@ -17,7 +17,7 @@ from app.batch.rebuild import plan_rebuild
 from app.batch.recordings import RECORDING, Selection
 from app.batch.results import ResultStore
 from app.batch.runner import Runner
-from app.batch.work import Outcome, Work
+from app.batch.task import Outcome, Task
 from app.bench.faults.served import true_calibration
 from app.formats.datasheets.arm import read_any_arm
 from app.formats.recording.reader import SCAN_CALIBRATION, SCAN_NAME
@@ -143,7 +143,7 @@ def measure(name: str, data: Path, output: Path, workers: int) -> BatchRun:
     _drop_from_memory(data)
     outcomes: list[Outcome] = []
 
-    def take(work: Work, outcome: Outcome) -> None:
+    def take(task: Task, outcome: Outcome) -> None:
         if outcome.refusal is not None:
             raise outcome.refusal.error()
         outcomes.append(outcome)
@@ -155,7 +155,7 @@ def measure(name: str, data: Path, output: Path, workers: int) -> BatchRun:
         cluster.client.wait_for_workers(workers)
         start_s = time.perf_counter() - began_s
         began_s = time.perf_counter()
-        Runner(cluster, "bench", take, no_progress).run(plan.works)
+        Runner(cluster, "bench", take, no_progress).run(plan.tasks)
         wall_s = time.perf_counter() - began_s
     finally:
         cluster.close()
@@ -165,7 +165,7 @@ def measure(name: str, data: Path, output: Path, workers: int) -> BatchRun:
         name,
         workers,
         count,
-        plan.works[0].size_bytes / 1e6,
+        plan.tasks[0].size_bytes / 1e6,
         1e3 * plan_s / count,
         start_s,
         wall_s,

@@ -1,4 +1,4 @@
-"""A piece of work, and how a worker does it."""
+"""A task, and how a worker does it."""
 
 import resource
 import sys
@@ -28,12 +28,12 @@ STOPPING = {
     "folder-forbidden",
     "folder-read-only",
 }
-"""Codes of errors that all other pieces of work would meet, too."""
+"""Codes of errors that all other tasks would meet, too."""
 
 
 @dataclass(frozen=True)
 class Desk:
-    """What a worker provides for a piece of work."""
+    """What a worker provides for a task."""
 
     folder: Path
     """For temporary files; removed afterwards."""
@@ -42,7 +42,7 @@ class Desk:
     is_ending: Callable[[], bool]
 
     def report(self, share: float, text: Text) -> None:
-        """The progress of the work; raises ``ArchiveEndedError`` if the worker ends."""
+        """The progress of the task; raises ``ArchiveEndedError`` if the worker ends."""
         if self.is_ending():
             raise ArchiveEndedError
 
@@ -82,8 +82,8 @@ class _EndingPace(Pace):
         self._desk.report(0.0, "")
 
 
-class Work(Protocol):
-    """A piece of work whose result is kept under its key; it can be pickled."""
+class Task(Protocol):
+    """A task whose result is kept under its key; it can be pickled."""
 
     @property
     def key(self) -> str:
@@ -133,7 +133,7 @@ class Refusal:
 
 @dataclass(frozen=True)
 class Outcome:
-    """What became of a piece of work."""
+    """What became of a task."""
 
     state: Literal["done", "refused", "away", "stop"]
     """``away``: a place cannot be reached now; ``stop``: all others would fail, too."""
@@ -145,8 +145,8 @@ class Outcome:
     """Most that the worker's process has used so far."""
 
 
-def perform_on_worker(work: Work, version: str, threads: int) -> Outcome:
-    """Does a piece of work in a worker of Dask.
+def perform_on_worker(task: Task, version: str, threads: int) -> Outcome:
+    """Does a task in a worker of Dask.
 
     Args:
         version: of the software that asks for it.
@@ -158,19 +158,19 @@ def perform_on_worker(work: Work, version: str, threads: int) -> Outcome:
     if version != SOFTWARE.version:
         versions = message("batch-other-version", here=version, there=SOFTWARE.version)
         return Outcome("stop", refusal=Refusal("other-version", versions))
-    return perform(work, Path(worker.local_directory), threads, lambda: worker.status in ending)
+    return perform(task, Path(worker.local_directory), threads, lambda: worker.status in ending)
 
 
 def perform(
-    work: Work, scratch: Path, threads: int, is_ending: Callable[[], bool] = lambda: False
+    task: Task, scratch: Path, threads: int, is_ending: Callable[[], bool] = lambda: False
 ) -> Outcome:
-    """Does a piece of work in this process.
+    """Does a task in this process.
 
     Args:
         scratch: a folder for temporary files.
     """
     began_s = time.perf_counter()
-    outcome = _try(work, scratch, threads, is_ending)
+    outcome = _try(task, scratch, threads, is_ending)
     peak = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
     return Outcome(
         outcome.state,
@@ -181,15 +181,15 @@ def perform(
     )
 
 
-def _try(work: Work, scratch: Path, threads: int, is_ending: Callable[[], bool]) -> Outcome:
+def _try(task: Task, scratch: Path, threads: int, is_ending: Callable[[], bool]) -> Outcome:
     try:
         with TemporaryDirectory(prefix="crenel-", dir=scratch) as folder:
-            return Outcome("done", work.perform(Desk(Path(folder), threads, is_ending)))
+            return Outcome("done", task.perform(Desk(Path(folder), threads, is_ending)))
     except OperationError as error:
         refusal = Refusal.of(error)
     if refusal.code in STOPPING:
         return Outcome("stop", refusal=refusal)
     is_away = refusal.code == "archive-ended" or not all(
-        place.is_there() for place in work.depends_on
+        place.is_there() for place in task.depends_on
     )
     return Outcome("away" if is_away else "refused", refusal=refusal)
