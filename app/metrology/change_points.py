@@ -5,14 +5,13 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from app.metrology.robust import sigma_from_median
 from app.metrology.transforms import Floats
 
 LEAST_VALUES = 3
 """Of a segment: fewer may be outliers."""
 MOST_VALUES = 4000
 CONFIDENCE = 0.95
-MAD_TO_SD = 1.4826
-"""Of a normal distribution."""
 PENALTY = 4.0
 """Per change, times the variance and the logarithm of the number of values: a change has a place
 and a new mean, and is one of many possible ones (modified Bayes information criterion)."""
@@ -92,7 +91,7 @@ def scatter_sd(values: Floats, least_sd: float = 0.0) -> float:
     if len(values) < 2:
         return least_sd
     differences = np.abs(np.diff(values))
-    return max(MAD_TO_SD * float(np.median(differences)) / math.sqrt(2.0), least_sd)
+    return max(sigma_from_median(differences) / math.sqrt(2.0), least_sd)
 
 
 class _Series:

@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 from app.errors import OperationError
 from app.messages.message import message
 from app.metrology.image import Image, saturation_level
+from app.metrology.robust import sigma_from_median
 from app.metrology.transforms import Floats
 
 LaserColour = Literal["red", "green", "blue"]
@@ -27,7 +28,6 @@ DARKER = 0.008
 """Of full scale: by more, the room's light is off, and not the noise."""
 UNLIT_NOISES = 5.0
 """Differences beyond this are no noise."""
-SIGMA_OF_MEDIAN = 1.4826
 ROUNDING_VARIANCE = 1 / 12
 LEAST_WEIGHT = 0.01
 """Channels that would count less are left out."""
@@ -116,6 +116,6 @@ def _noise_variance(risen: Floats) -> float:
     above = above[above > 0]
     if not len(above):
         return ROUNDING_VARIANCE
-    spread = SIGMA_OF_MEDIAN * float(np.median(above))
+    spread = sigma_from_median(above)
     noise = above[above <= UNLIT_NOISES * spread]
     return float(np.mean(noise**2)) + ROUNDING_VARIANCE

@@ -28,6 +28,7 @@ from app.bench.real.agreement import APART_PX, agree, apart_px, find_agreed, fin
 from app.bench.real.layout import LazyPicture, PictureSetNotes
 from app.bench.real.peers import PEERS, find_by_peers, measure_width_px
 from app.metrology.image import Image
+from app.metrology.robust import sigma_from_median
 from app.metrology.stripe import AUTOMATIC, Stripe, StripeSettings, extract_stripe
 from app.metrology.stripe.extraction import orient_image
 from app.metrology.transforms import Floats
@@ -35,7 +36,6 @@ from app.metrology.transforms import Floats
 CRENEL = "crenel"
 METHODS = (CRENEL, *PEERS)
 WINDOW, LEAST_OF_WINDOW = 21, 15
-SIGMA_OF_MEDIAN = 1.4826
 LEAST_FRAMES = 5
 NOTHING_KNOWN = PictureSetNotes()
 OFTEN = 0.8
@@ -203,7 +203,7 @@ def noise_of_columns(rows: Floats) -> Floats:
 def robust_deviation(parts: Sequence[Floats]) -> float | None:
     """The standard deviation of all values by the median of their sizes; None without any."""
     values = np.concatenate([*parts, np.zeros(0)])
-    return SIGMA_OF_MEDIAN * float(np.median(np.abs(values))) if len(values) else None
+    return sigma_from_median(np.abs(values)) if len(values) else None
 
 
 def _is_turned(pictures: Sequence[Image], width_px: float | None) -> bool:

@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 
 from app.bench.real.agreement import find_runs
 from app.metrology.image import Image, saturation_level
+from app.metrology.robust import sigma_from_median
 from app.metrology.transforms import Floats
 
 Grey = NDArray[np.float32]
@@ -109,7 +110,7 @@ def find_by_peers(image: Image, width_px: float) -> dict[str, Floats]:
 def least_height(image: Image) -> float:
     """The least height of a line above its surroundings, in grey levels."""
     steps = np.abs(np.diff(image.astype(np.float32), axis=0))
-    noise = 1.4826 * float(np.median(steps)) / np.sqrt(2.0)
+    noise = sigma_from_median(steps) / np.sqrt(2.0)
     return float(max(LEAST_NOISES * noise, LEAST_HEIGHT * saturation_level(image)))
 
 

@@ -7,6 +7,7 @@ import numpy as np
 
 from app.metrology.performance.lengths import MeasuredLength
 from app.metrology.performance.sphere import sphere_centre
+from app.metrology.robust import median
 from app.metrology.transforms import Floats
 
 FAR_MORE = 6.0
@@ -79,7 +80,7 @@ def find_rocking_places(
             others = [value for other, value in found.items() if other != place]
             if len(others) < LEAST_OTHERS:
                 continue
-            expected_um = float(np.median(others))
+            expected_um = median(others)
         if scatter_um > max(FAR_MORE * expected_um, LEAST_UM):
             rocking.append(RockingPlace(place, scatter_um, expected_um))
     return rocking
