@@ -1,25 +1,4 @@
-import "@mantine/core/styles/baseline.css";
-import "@mantine/core/styles/default-css-variables.css";
-import "@mantine/core/styles/global.css";
-import "./styles/tokens.css";
-import "./styles/base.css";
-
-import { MantineProvider } from "@mantine/core";
-import { StrictMode } from "react";
-import { createRoot } from "react-dom/client";
-
+import { mountPage } from "./mountPage";
 import { StartingPage } from "./pages/StartingPage";
-import { startLanguage } from "./state/language";
-import { theme } from "./theme";
 
-const root = document.getElementById("root");
-if (!root) throw new Error("the page has no #root");
-
-await startLanguage();
-createRoot(root).render(
-  <StrictMode>
-    <MantineProvider theme={theme} defaultColorScheme="auto">
-      <StartingPage />
-    </MantineProvider>
-  </StrictMode>,
-);
+await mountPage(<StartingPage />);

@@ -1,6 +1,7 @@
 import type { LengthPlaceMark, LengthsPicture } from "../api/wire";
 import { t } from "../state/language";
 import styles from "./LengthPlaces.module.css";
+import keys from "./MapKey.module.css";
 
 /** A point of the arm's frame on the drawing: to the right, and up. */
 type Projection = (point: readonly [number, number, number]) => [number, number];
@@ -35,8 +36,8 @@ export function LengthPlaces({ lengths }: { lengths: LengthsPicture }) {
         />
       </div>
       <figcaption className={styles.caption}>
-        <span className={styles.key}>
-          <i data-key="now" /> {t("ui-place-next")} <i data-key="done" /> {t("ui-place-done")} <i data-key="todo" />{" "}
+        <span className={keys.key}>
+          <i data-key="next" /> {t("ui-place-next")} <i data-key="done" /> {t("ui-place-done")} <i data-key="todo" />{" "}
           {t("ui-to-do")}
         </span>
       </figcaption>

@@ -1,5 +1,6 @@
 import type { PatchMark, PerformancePicture } from "../api/wire";
 import { t } from "../state/language";
+import keys from "./MapKey.module.css";
 import styles from "./SphereMap.module.css";
 
 const RINGS_DEG = [22.5, 45, 67.5, 90];
@@ -31,13 +32,13 @@ export function SphereMap({ picture }: { picture: PerformancePicture }) {
       <figcaption className={styles.caption}>
         <span>{t("ui-seen-from-above-arm-below")}</span>
         {places.length > 0 && (
-          <span className={styles.key}>
+          <span className={keys.key}>
             <i data-key="next" /> {t("ui-place-next")} <i data-key="done" /> {t("ui-place-done")} <i data-key="tip" />{" "}
             {t("ui-place-tip")}
           </span>
         )}
         {patches.length > 0 && (
-          <span className={styles.key}>
+          <span className={keys.key}>
             <i data-key="covered" /> {t("ui-patch-covered")} <i data-key="open" /> {t("ui-patch-open")}
           </span>
         )}
