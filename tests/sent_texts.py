@@ -25,6 +25,8 @@ OWN_TEXTS = (
 )
 """What the tests write themselves: reasons, names, and events of their own; and the names in
 datasheets of simulated devices."""
+QUOTED_TEXTS = ("Can't connect to device",)
+"""What libraries say and messages quote as the reason: Aravis, of a camera that is gone."""
 
 
 def english(data: object) -> str:
@@ -65,7 +67,9 @@ def _is_translated(text: Text) -> bool:
     data = text_to_json(text)
     prose = [item for item in _strings(data) if TWO_WORDS.search(item)]
     unknown = [term for term in _terms(data) if in_english(Message(term)) == term]
-    return not unknown and all(any(own in item for own in OWN_TEXTS) for item in prose)
+    return not unknown and all(
+        any(known in item for known in OWN_TEXTS + QUOTED_TEXTS) for item in prose
+    )
 
 
 def _texts(value: object) -> Iterator[Text]:
