@@ -16,6 +16,15 @@ settings.register_profile("long", max_examples=5_000, deadline=None)
 settings.load_profile("usual")
 
 
+def pytest_addoption(parser: pytest.Parser) -> None:
+    """Of the tests with a real browser."""
+    parser.addoption(
+        "--screenshots",
+        action="store_true",
+        help="leave a screenshot of every view of the browser tests in test-output/e2e",
+    )
+
+
 @pytest.fixture(scope="session")
 def samples() -> Path:
     """The folder of sample sessions with their truth, kept beside the checkout."""

@@ -134,6 +134,13 @@ def pictures() -> Path:
     return folder
 
 
+@pytest.fixture(scope="session")
+def screenshots(request: pytest.FixtureRequest, pictures: Path) -> Path | None:
+    """Where every view of a long visit is left for people to look at; None without the option
+    ``--screenshots``, since drawing them takes half of such a test."""
+    return pictures if request.config.getoption("screenshots") else None
+
+
 def wait_in_page(page: Page, condition: str, argument: object = None) -> None:
     """Wait until a function of JavaScript is true in the page; for 30 s at most.
 

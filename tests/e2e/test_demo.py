@@ -2,63 +2,22 @@
 
 import re
 import sys
-import time
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from functools import partial
 from pathlib import Path
-from typing import Any
 
 import cv2
 import numpy as np
 import pytest
-from playwright.sync_api import Browser, ConsoleMessage, Page, expect
+from playwright.sync_api import Browser, expect
 
 from app.formats.clouds.files import read_cloud
 from tests.e2e.conftest import Demo
+from tests.e2e.visit import Visit, is_at, is_verifying, take_poses
 
 pytestmark = pytest.mark.slow
 
 STEPS = ("devices", "setup", "touch", "place", "capture", "solve")
-PATIENCE_S = 120
-SCREENSHOT_MS = 120_000
-"""The 3D view is drawn without a graphics processor."""
-"""How long one step of the simulated operator may take on a busy machine."""
-
-
-class Visit:
-    """A page that keeps what went wrong in it, and takes numbered screenshots."""
-
-    def __init__(self, page: Page, pictures: Path) -> None:
-        self.page = page
-        self.pictures = pictures
-        self.taken = 0
-        self.faults: list[str] = []
-        page.on("console", self._console)
-        page.on("pageerror", lambda error: self.faults.append(str(error)))
-
-    def _console(self, message: ConsoleMessage) -> None:
-        if message.type == "error":
-            self.faults.append(f"{message.text} ({message.location.get('url')})")
-
-    def look(self, name: str) -> None:
-        self.taken += 1
-        path = self.pictures / f"{self.taken:02d}-{name}.png"
-        self.page.screenshot(path=path, timeout=SCREENSHOT_MS)
-
-    def ask(self, path: str) -> dict[str, Any]:
-        """What the server answers to the page's own question."""
-        found = self.page.evaluate("path => fetch(path).then(answer => answer.json())", path)
-        assert isinstance(found, dict)
-        return found
-
-    def wait_until(self, what: str, path: str, done: Callable[[dict[str, Any]], bool]) -> None:
-        """Asks until the answer satisfies; the page goes on meanwhile."""
-        last = self.ask(path)
-        end = time.monotonic() + PATIENCE_S
-        while not done(last):
-            assert time.monotonic() < end, f"{what}: still {last}"
-            self.page.wait_for_timeout(300)
-            last = self.ask(path)
 
 
 def look_at_the_record(visit: Visit) -> None:
@@ -89,10 +48,10 @@ def demo(tmp_path: Path) -> Iterator[Demo]:
 
 @pytest.mark.timeout(900)
 def test_the_whole_path_from_the_first_page_to_a_saved_cloud(
-    demo: Demo, browser: Browser, pictures: Path, tmp_path: Path
+    demo: Demo, browser: Browser, screenshots: Path | None, tmp_path: Path
 ) -> None:
     page = browser.new_page(viewport={"width": 1440, "height": 900})
-    visit = Visit(page, pictures)
+    visit = Visit(page, screenshots)
     page.goto(demo.link)
     page.get_by_role("button", name="Calibrate").click()
     page.get_by_role("button", name="Start calibration").click()
@@ -106,7 +65,6 @@ def test_the_whole_path_from_the_first_page_to_a_saved_cloud(
     page.get_by_role("button", name="Open").first.click()
     expect(page.get_by_text("Passed").or_(page.get_by_text("Uncertain")).first).to_be_visible()
     page.get_by_role("link", name="Home").click()
-    page.wait_for_timeout(500)
     visit.look("home")
     page.close()
     assert not visit.faults, "\n".join(visit.faults)
@@ -122,20 +80,16 @@ def calibrate(visit: Visit) -> None:
             "/api/flow",
             partial(is_at, step),
         )
-        page.wait_for_timeout(500)
         visit.look(step)
         if step == "touch":
             page.get_by_role("button", name="Help").click()
             expect(page.get_by_text("The arm's main button takes a point.")).to_be_visible()
         page.get_by_role("button", name="Let the simulated operator do it").click()
-        page.wait_for_timeout(500)
         visit.look(f"{step}-by-the-operator")
     take_poses(visit)
-    page.wait_for_timeout(500)
     visit.look("review")
     for tab in ("Poses", "Map", "Error budget", "Numbers"):
         page.get_by_role("tab", name=tab).or_(page.get_by_text(tab, exact=True)).first.click()
-        page.wait_for_timeout(300)
         visit.look(f"review-{tab.lower().replace(' ', '-')}")
     set_aside_and_back(visit)
     result = visit.ask("/api/flow")["picture"]["result"]
@@ -158,10 +112,8 @@ def verify(visit: Visit) -> None:
             "/api/verify",
             partial(is_verifying, step),
         )
-        page.wait_for_timeout(400)
         visit.look(f"verify-{step}")
         page.get_by_role("button", name="Let the simulated operator do it").click()
-        page.wait_for_timeout(1000)
         visit.look(f"verify-{step}-by-the-operator")
     visit.wait_until(
         "the verdict",
@@ -170,7 +122,6 @@ def verify(visit: Visit) -> None:
     )
     for tab in ("Map", "Clouds", "Numbers"):
         page.get_by_text(tab, exact=True).first.click()
-        page.wait_for_timeout(400)
         visit.look(f"verify-{tab.lower()}")
     found = visit.ask("/api/verify")["picture"]
     assert found["verdict"]["result"] != "fail", found["figures"]
@@ -189,7 +140,6 @@ def set_aside_and_back(visit: Visit) -> None:
     page = visit.page
     page.get_by_role("button", name="Exclude").first.click()
     expect(page.get_by_role("button", name="Compute again")).to_be_visible()
-    page.wait_for_timeout(500)
     visit.look("set-aside")
     assert visit.ask("/api/flow")["picture"]["stale"]
     page.get_by_role("button", name="Compute again").click()
@@ -204,36 +154,6 @@ def set_aside_and_back(visit: Visit) -> None:
     page.get_by_role("button", name="Show pose").first.click()
     expect(page.get_by_role("group", name="Poses")).to_be_visible()
     visit.look("a-pose-that-a-finding-names")
-
-
-def is_at(step: str, view: dict[str, Any]) -> bool:
-    return view["step"] == step and view["busy"] is None and not lost_devices(view)
-
-
-def is_verifying(step: str, view: dict[str, Any]) -> bool:
-    return view["running"] is True and is_at(step, view)
-
-
-def lost_devices(view: dict[str, Any]) -> bool:
-    return any("Connecting" in finding["text"] for finding in view["findings"])
-
-
-def take_poses(visit: Visit) -> None:
-    """The simulated operator takes pose after pose as advised, until the result is there."""
-    poses: set[int] = set()
-    for _ in range(30):
-        visit.wait_until("the simulated operator", "/api/flow", lambda view: view["busy"] is None)
-        view = visit.ask("/api/flow")
-        if view["step"] == "review":
-            assert len(poses) >= 3
-            return
-        if view["step"] == "capture":
-            poses.add(view["rev"])
-            assert view["picture"]["target"]
-            visit.look(f"pose-{len(poses) + 1}")
-        visit.page.get_by_role("button", name="Let the simulated operator do it").click()
-        visit.page.wait_for_timeout(500)
-    raise AssertionError("the simulated operator never came to the result")
 
 
 def scan(visit: Visit, folder: Path) -> None:

@@ -15,7 +15,7 @@ from app.formats.datasheets.sensor import read_sensor
 from app.settings.station_toml import read_settings
 from tests.e2e.conftest import Demo
 from tests.e2e.test_access_for_all import in_both_themes
-from tests.e2e.test_demo import Visit
+from tests.e2e.visit import Visit
 from tests.hardware.fake_cameras import AravisFake, port_for_this_test
 from tests.hardware.test_registry import install
 
@@ -83,7 +83,7 @@ def test_an_industrial_camera_is_connected_in_a_few_clicks(
 def connect_the_industrial_camera(station: Demo, page: Page, pictures: Path) -> None:
     """From the first page to the camera in use, and back to the simulated one."""
     page.add_init_script(COUNT_CLICKS)
-    visit = Visit(page, pictures)
+    visit = Visit(page)
     page.goto(station.link)
     page.get_by_role("button", name="Connect your own devices").click()
     row = page.get_by_role("listitem").filter(has_text="127.0.0.1")
@@ -121,7 +121,7 @@ def test_a_camera_is_connected_in_a_few_clicks(
 ) -> None:
     page = browser.new_page(viewport={"width": 1280, "height": 800})
     page.add_init_script(COUNT_CLICKS)
-    visit = Visit(page, pictures)
+    visit = Visit(page)
     page.goto(station.link)
     page.get_by_role("button", name="Connect your own devices").click()
 

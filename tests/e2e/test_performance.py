@@ -12,7 +12,7 @@ from app.bench.faults.served import prepare
 from app.formats.performance.plan import read_plan
 from app.formats.performance.results import read_performance
 from tests.e2e.conftest import Demo
-from tests.e2e.test_demo import Visit
+from tests.e2e.visit import Visit
 from tests.formats.certificates import DIAMETER, certificate
 
 pytestmark = pytest.mark.slow
@@ -100,11 +100,11 @@ def export_from(visit: Visit) -> None:
 
 
 def test_the_one_sphere_test_from_start_to_figures(
-    station: Demo, browser: Browser, pictures: Path
+    station: Demo, browser: Browser, screenshots: Path | None
 ) -> None:
     page = browser.new_page(viewport={"width": 1280, "height": 800})
     page.set_default_timeout(WAIT_MS)
-    visit = Visit(page, pictures)
+    visit = Visit(page, screenshots)
     page.goto(station.link)
     page.get_by_role("link", name="Performance").click()
     look_at_both_sizes(visit, "before")
@@ -151,11 +151,11 @@ def test_the_one_sphere_test_from_start_to_figures(
 
 
 def test_the_length_test_from_start_to_errors(
-    station: Demo, browser: Browser, pictures: Path
+    station: Demo, browser: Browser, screenshots: Path | None
 ) -> None:
     page = browser.new_page(viewport={"width": 1280, "height": 800})
     page.set_default_timeout(WAIT_MS)
-    visit = Visit(page, pictures)
+    visit = Visit(page, screenshots)
     page.goto(station.link)
     page.get_by_role("link", name="Performance").click()
     page.get_by_role("button", name="Lengths", exact=True).click()

@@ -9,7 +9,7 @@ import pytest
 from playwright.sync_api import Browser, expect
 
 from tests.e2e.conftest import Demo
-from tests.e2e.test_demo import Visit, is_at, is_verifying, take_poses
+from tests.e2e.visit import Visit, is_at, is_verifying, take_poses
 
 pytestmark = pytest.mark.slow
 
@@ -25,16 +25,15 @@ def robot(tmp_path: Path) -> Iterator[Demo]:
 
 @pytest.mark.timeout(900)
 def test_a_robot_station_from_the_first_page_to_a_verification(
-    robot: Demo, browser: Browser, pictures: Path
+    robot: Demo, browser: Browser, screenshots: Path | None
 ) -> None:
     page = browser.new_page(viewport={"width": 1440, "height": 900})
-    visit = Visit(page, pictures)
+    visit = Visit(page, screenshots)
     page.goto(robot.link)
     page.get_by_role("button", name="Calibrate").click()
     page.get_by_role("button", name="Start calibration").click()
     for step in ("devices", "setup", "place", "capture"):
         visit.wait_until(f"step {step}", "/api/flow", partial(is_at, step))
-        page.wait_for_timeout(500)
         visit.look(step)
         page.get_by_role("button", name="Let the simulated operator do it").click()
         page.wait_for_timeout(500)
@@ -48,7 +47,6 @@ def test_a_robot_station_from_the_first_page_to_a_verification(
     page.get_by_role("button", name="Start verification").click()
     for step in ("gauge", "scan"):
         visit.wait_until(f"verifying: {step}", "/api/verify", partial(is_verifying, step))
-        page.wait_for_timeout(400)
         visit.look(f"verify-{step}")
         page.get_by_role("button", name="Let the simulated operator do it").click()
         page.wait_for_timeout(1000)

@@ -6,7 +6,7 @@ import pytest
 from playwright.sync_api import Browser, expect
 
 from tests.e2e.conftest import Demo
-from tests.e2e.test_demo import Visit
+from tests.e2e.visit import Visit
 
 pytestmark = pytest.mark.slow
 
@@ -15,7 +15,7 @@ def test_a_zone_is_drawn_pulled_undone_and_kept(
     demo: Demo, browser: Browser, pictures: Path
 ) -> None:
     page = browser.new_page(viewport={"width": 1180, "height": 820})
-    visit = Visit(page, pictures)
+    visit = Visit(page)
     page.goto(demo.link)
     page.get_by_role("link", name="Settings").click()
     editor = page.get_by_role("group", name="Zones without measurement")

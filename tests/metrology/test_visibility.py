@@ -17,6 +17,7 @@ CAMERA_MM = np.array([13.0, -70.0, 120.0])
 SEEN_FROM = st.tuples(st.floats(-70, 70), st.floats(-140, -20), st.floats(40, 160)).map(
     lambda at: np.array(at)
 )
+NUDGES_MM = np.array([[0.0, 0, 0], [1, 0, 0], [-1, 0, 0], [0, 1, 0], [0, -1, 0]])
 
 
 def inside(block: Crenellated, points: Floats) -> NDArray[np.bool_]:
@@ -33,6 +34,13 @@ def clear(block: Crenellated, eye: Floats, point: Floats) -> bool:
     """Whether nothing lies between the eye and just before the point."""
     share = np.linspace(0.2, 1 - 1e-5, 6000)[:, None]
     return not inside(block, eye + share * (point - eye)).any()
+
+
+def grazes(block: Crenellated, eye: Floats, point: Floats) -> bool:
+    """Whether the line of sight passes so close to an edge that the steps of ``clear`` may miss
+    what hides it: an eye a millimetre beside sees otherwise."""
+    beside = eye + NUDGES_MM
+    return len({clear(block, one, point) for one in beside}) > 1
 
 
 def spans(block: Crenellated, eye: Floats) -> dict[str, list[tuple[float, float]]]:
@@ -68,7 +76,15 @@ def test_a_point_is_visible_just_when_no_material_is_before_it(
 def test_corners_agree_with_the_march(eye: Floats) -> None:
     shown = visible_corners(BLOCK, eye)
     for name, point in corners(BLOCK).items():
-        assert (name in shown) == clear(BLOCK, eye, point), name
+        if not grazes(BLOCK, eye, point):
+            assert (name in shown) == clear(BLOCK, eye, point), name
+
+
+def test_a_corner_behind_a_sliver_of_material_is_hidden() -> None:
+    eye = np.array([-53.75, -20.0, 157.125])
+    # the line of sight crosses the top of the merlon before it, 0.8 µm from its edge
+    assert "floor:2:R:back" not in visible_corners(BLOCK, eye)
+    assert "floor:2:R:back" in visible_corners(BLOCK, eye + [1.0, 0.0, 0.0])
 
 
 def test_a_merlon_hides_the_foot_of_the_wall_behind_it() -> None:
