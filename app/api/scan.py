@@ -88,7 +88,7 @@ def stop_everything(context: Context) -> None:
     """In the order of danger; scanned data is saved."""
     context.rig.lasers_off()
     context.simulated_scan.stop()
-    for guide in (context.guide, context.arm_guide, context.verify_guide):
+    for guide in context.guides:
         guide.stop_simulation()
     context.scanner.stop()
     context.rig.lasers_off()

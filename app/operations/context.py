@@ -77,6 +77,11 @@ class Context:
             simulated=base.simulated and len(real) < len(KINDS),
         )
 
+    @property
+    def guides(self) -> tuple[CalibrationGuide, ArmGuide, VerifyGuide, PerformanceGuide]:
+        """All guided sessions."""
+        return (self.guide, self.arm_guide, self.verify_guide, self.performance_guide)
+
     def scan_state(self, state: ScannerState | None = None) -> ScanStatus:
         """The scan as the browser shows it."""
         known = state or self.scanner.state()

@@ -18,13 +18,7 @@ from app.operations.context import Context
 def list_unreadable(context: Context) -> list[Text]:
     """One sentence for each. It reads every record, which may take seconds."""
     store = context.store
-    sessions = (
-        context.guide,
-        context.arm_guide,
-        context.verify_guide,
-        context.performance_guide,
-    )
-    reasons = [session.unreadable_reason for session in sessions if session.unreadable_reason]
+    reasons = [guide.unreadable_reason for guide in context.guides if guide.unreadable_reason]
     rows = store.unreadable_rows()
     if rows:
         first = rows[0]

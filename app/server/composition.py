@@ -216,15 +216,16 @@ def _build_context(parts: StationParts, store: Store) -> Context:
         signing,
         parts.rule,
     )
+    guides = (guide, arm_guide, verify_guide, performance_guide)
     rig.arm.on_button = Buttons(
-        _button_handler(guide, arm_guide, verify_guide, performance_guide),
+        _button_handler(*guides),
         there=lambda: rig.arm.link().state == "connected",
     ).edge
     device_setup = DeviceSetup(
         bus,
         rig,
         parts.devices,
-        lambda: _work_error(scanner, jobs, (guide, arm_guide, verify_guide, performance_guide)),
+        lambda: _work_error(scanner, jobs, guides),
         watch.note_devices,
         watch.note_options,
         lambda: read_library(store.folder),
@@ -260,7 +261,7 @@ def _build_context(parts: StationParts, store: Store) -> Context:
             rig,
             preview,
             use_selected,
-            lambda: any(one.running for one in (guide, arm_guide, verify_guide, performance_guide)),
+            lambda: any(one.running for one in guides),
             lambda: scanner.recording() is not None,
         ),
         parts.due,

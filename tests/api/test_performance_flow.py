@@ -118,6 +118,15 @@ def test_touches_count_for_free_places_and_the_plan_stands_from_the_first(desk: 
     assert "23 touches" in refusal(desk.command("confirm"))
 
 
+def test_stop_ends_the_simulated_operator(desk: Desk) -> None:
+    desk.start()
+    desk.do("run_simulation", all=True)
+    desk.wait(lambda view: view["progress"]["done"] > 1 and view["step"] == "pattern")
+    desk.server.http.post("/api/stop").raise_for_status()
+    done = desk.wait(lambda view: view["busy"] is None)["progress"]["done"]
+    assert done < len(DIRECTIONS)
+
+
 def test_a_cancelled_test_is_listed_with_its_reason(desk: Desk) -> None:
     desk.start()
     desk.do("confirm_artefact")
