@@ -190,6 +190,7 @@ arm-sends-no-valid-poses = Die letzten { $count } Posen des Messarms unter { $ur
 arm-sends-other-joint-count = Der Messarm unter { $url } hat { $expected } Gelenke angekündigt, sendet aber { $count }
 arm-sends-samples-but-no-hello = Der Messarm unter { $url } sendet Messwerte, aber kein Hello
 arm-sent-too-little-arm-camera = der Messarm hat zu wenig gesendet, oder Messarm und Kamera haben nicht dieselbe Zeitbasis
+arm-session-under-way-go-where-stands = Eine Prüfung oder Identifikation des Arms läuft. Beim aktuellen Schritt fortfahren.
 arm-speaks-version-protocol-driver-speaks = Der Messarm unter { $url } verwendet Version { $other_version } des Protokolls, dieser Treiber die Versionen 1 und 2
 arm-stays-shows-nothing-errors = ein unbewegter Messarm zeigt nichts von seinen Fehlern
 arm-still = der Messarm war nicht in Ruhe
@@ -1321,6 +1322,7 @@ give-station-data-folder-own = Der Station einen eigenen Datenordner geben
 give-tip-or-leave-out-probing = Tastkugel in arm.json angeben oder probing.csv weglassen
 go-back-take-picture-points-again = Zurückgehen und das Bild oder die Punkte neu aufnehmen.
 go-calibrating = Kalibrierung fortsetzen
+go-checking-arm = Mit dem Arm fortfahren
 go-faster = Schneller führen, { $speed } oder mehr
 go-faster-farther-over-plate-nearer = Den Sensor schneller und weiter über die Platte führen, mehrmals näher heran und wieder weg
 go-further-away-object-does-fit = Weiter weg: Das Objekt passt nicht ganz ins Bild
@@ -1334,6 +1336,7 @@ go-pose-count-one-other-s =
 go-scanning = Weiter zum Scannen
 go-slower-shorten-exposure = Langsamer führen oder kürzer belichten.
 go-swinging-least-points = Weiter schwenken: { $taken } von mindestens { $least } Punkten.
+go-testing = Leistungsprüfung fortsetzen
 go-verifying = Verifizierung fortsetzen
 go-without-probe = Ohne Taster fortfahren
 goes-beyond-end =
@@ -1581,6 +1584,7 @@ performance-test =
         [contact] Leistungsprüfung: taktiles Antasten
        *[sphere] Leistungsprüfung: eine Kugel
     }
+performance-test-under-way-go-where-stands = Eine Leistungsprüfung läuft. Beim aktuellen Schritt fortfahren.
 performance-touch-ends-of-length = Das andere Ende der genannten Länge antasten
 performance-touch-length =
     Länge { $length }, Wiederholung { $repeat } von { $of }: { $kind ->

@@ -190,6 +190,7 @@ arm-sends-no-valid-poses = The last { $count } poses of the arm at { $url } cont
 arm-sends-other-joint-count = The arm at { $url } announced { $expected } joints, but sends { $count }
 arm-sends-samples-but-no-hello = The arm at { $url } sends samples but no hello
 arm-sent-too-little-arm-camera = the arm sent too few samples, or the clocks of arm and camera differ
+arm-session-under-way-go-where-stands = A check or identification of the arm is in progress. Continue where it stopped.
 arm-speaks-version-protocol-driver-speaks = The arm at { $url } uses version { $other_version } of the protocol; this driver supports versions 1 and 2
 arm-stays-shows-nothing-errors = an arm that does not move reveals none of its errors
 arm-still = the arm was not held still
@@ -1317,6 +1318,7 @@ give-station-data-folder-own = Give the station its own data folder
 give-tip-or-leave-out-probing = give the tip in arm.json, or leave out probing.csv
 go-back-take-picture-points-again = Go back, and take the picture or the points again.
 go-calibrating = Continue calibration
+go-checking-arm = Continue with the arm
 go-faster = Move faster, at { $speed } or more
 go-faster-farther-over-plate-nearer = Move faster and farther over the plate, nearer and away again several times
 go-further-away-object-does-fit = Move further away: the object does not fit into the picture
@@ -1330,6 +1332,7 @@ go-pose-count-one-other-s =
 go-scanning = Continue to scanning
 go-slower-shorten-exposure = Move more slowly, or shorten the exposure.
 go-swinging-least-points = Keep swinging: { $taken } of at least { $least } points.
+go-testing = Continue performance test
 go-verifying = Continue verification
 go-without-probe = Continue without contact points
 goes-beyond-end =
@@ -1577,6 +1580,7 @@ performance-test =
         [contact] Performance test: contact probing
        *[sphere] Performance test: one sphere
     }
+performance-test-under-way-go-where-stands = A performance test is in progress. Continue where it stopped.
 performance-touch-ends-of-length = Touch the other end of the length that is named
 performance-touch-length =
     Length { $length }, repeat { $repeat } of { $of }: { $kind ->

@@ -9,6 +9,7 @@ from app.guide.arm.view import ArmCheckSummary
 from app.guide.common.validity import (
     CheckResult,
     DueLimits,
+    Page,
     State,
     ValidityInputs,
     age_days,
@@ -54,8 +55,19 @@ def build_home(context: Context) -> Home:
         lines,
         None if reading is None else reading.celsius,
         tuple(findings),
-        choose_next_action(lines, context.guide.running, context.verify_guide.running, blocked),
+        choose_next_action(lines, _page_under_way(context), blocked),
     )
+
+
+def _page_under_way(context: Context) -> Page | None:
+    """The page of a guided session that is in progress."""
+    running: dict[Page, bool] = {
+        "calibrate": context.guide.running,
+        "arm": context.arm_guide.running,
+        "verify": context.verify_guide.running,
+        "performance": context.performance_guide.running,
+    }
+    return next((page for page, runs in running.items() if runs), None)
 
 
 def _sensor_findings(context: Context) -> list[Finding]:

@@ -10,6 +10,7 @@ from app.guide.common.validity import (
     DUE,
     CheckResult,
     NextAction,
+    Page,
     State,
     Validity,
     ValidityInputs,
@@ -39,10 +40,8 @@ def lines(known: ValidityInputs) -> dict[str, Validity]:
     return {line.id: line for line in check_validity(known, NOW)}
 
 
-def after(
-    known: ValidityInputs, calibrating: bool = False, verifying: bool = False, blocked: str = ""
-) -> NextAction:
-    return choose_next_action(check_validity(known, NOW), calibrating, verifying, blocked)
+def after(known: ValidityInputs, under_way: Page | None = None, blocked: str = "") -> NextAction:
+    return choose_next_action(check_validity(known, NOW), under_way, blocked)
 
 
 def test_where_all_is_in_order_the_next_step_is_to_scan() -> None:
@@ -53,13 +52,20 @@ def test_where_all_is_in_order_the_next_step_is_to_scan() -> None:
     assert "−0.8 °C" in str(lines(replace(ALL, warmer_c=-0.8))["calibration"].text)
 
 
+@pytest.mark.parametrize("page", ["calibrate", "verify", "performance", "arm"])
+def test_what_is_in_progress_comes_before_all_else(page: Page) -> None:
+    led = after(ALL, under_way=page)
+    assert led.page == page
+    assert "in progress" in str(led.text)
+
+
 def test_a_newcomer_is_led_from_calibrating_over_verifying_to_scanning() -> None:
     assert after(NOTHING).page == "calibrate"
-    assert str(after(NOTHING, calibrating=True).label) == "Continue calibration"
+    assert str(after(NOTHING, under_way="calibrate").label) == "Continue calibration"
     calibrated = replace(NOTHING, calibration=done(0))
     assert after(calibrated).page == "verify"
     assert lines(calibrated)["verification"].quality == "attention"
-    assert str(after(calibrated, verifying=True).label) == "Continue verification"
+    assert str(after(calibrated, under_way="verify").label) == "Continue verification"
     assert after(replace(calibrated, verification=done(0))).page == "scan"
 
 
@@ -152,4 +158,4 @@ def test_the_state_of_the_tip_is_shown_before_touching() -> None:
 def test_a_robot_has_no_tip_and_no_joints_to_check() -> None:
     lines = check_validity(replace(ALL, has_joints=False), NOW)
     assert [line.id for line in lines] == ["calibration", "verification"]
-    assert choose_next_action(lines, False, False, "").page == "scan"
+    assert choose_next_action(lines, None, "").page == "scan"

@@ -236,22 +236,29 @@ def tip_finding(line: Validity) -> Finding:
     return Finding(line.quality, text, message("check-first-page-arm-tip-takes"))
 
 
+CONTINUE: dict[Page, tuple[Text, Text]] = {
+    "calibrate": (message("go-calibrating"), message("calibration-under-way-go-where-stands")),
+    "verify": (message("go-verifying"), message("verification-under-way-go-where-stands")),
+    "performance": (message("go-testing"), message("performance-test-under-way-go-where-stands")),
+    "arm": (message("go-checking-arm"), message("arm-session-under-way-go-where-stands")),
+}
+"""What leads back to a guided session, by its page: the button and the sentence."""
+
+
 def choose_next_action(
-    lines: Sequence[Validity], calibrating: bool, verifying: bool, blocked: Text
+    lines: Sequence[Validity], under_way: Page | None, blocked: Text
 ) -> NextAction:
     """One sentence and one button.
 
     Args:
+        under_way: the page of a guided session that is in progress; None for none.
         blocked: why the calibration does not fit the devices; empty where it does.
     """
+    if under_way is not None:
+        label, text = CONTINUE[under_way]
+        return NextAction(label, under_way, text)
     line = {one.id: one for one in lines}
     calibration, verification = line["calibration"], line["verification"]
-    if calibrating:
-        text = message("calibration-under-way-go-where-stands")
-        return NextAction(message("go-calibrating"), "calibrate", text)
-    if verifying:
-        text = message("verification-under-way-go-where-stands")
-        return NextAction(message("go-verifying"), "verify", text)
     tip, arm = line.get("tip"), line.get("arm")
     if tip is not None and tip.state == "failed":
         return NextAction(message("check-tip-again"), "arm", tip.text)
