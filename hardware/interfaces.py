@@ -197,8 +197,8 @@ class LinkHealth:
     lost: int = 0
     corrupt: int = 0
     late: int = 0
-    """Of those received, the ones that came much too late because the line is too slow for all;
-    only of drivers that know when a record was taken."""
+    """Of those received or on their way, the ones that come much too late because the line is too
+    slow for all; only of drivers that notice that."""
 
 
 class ArmDriver(Protocol):

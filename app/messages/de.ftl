@@ -415,6 +415,7 @@ calibration-valid-verified-scan-part = Die Kalibrierung ist gültig und verifizi
 calibration-verified-yet = Diese Kalibrierung ist noch nicht verifiziert.
 calibrations-unknowns-did-settle-what-seen = die Unbekannten der Kalibrierung konvergieren mit diesen Bildern und Antastpunkten nicht
 camera = Die Kamera { $source }
+camera-answers-but-does-not-open = { $title } antwortet, lässt sich aber nicht öffnen ({ $reason })
 camera-cannot-do = { $title } unterstützt { $key } = { $value } nicht; möglich ist { $given }
 camera-control-lost = { $title } gehorcht diesem Programm nicht mehr
 camera-looks-along-laser-plane-deg = die Kamera blickt nahezu in der Laserebene, { $angle } Abweichung (Grenzwert { $limit })

@@ -415,6 +415,7 @@ calibration-valid-verified-scan-part = The calibration is valid and verified. Sc
 calibration-verified-yet = This calibration is not verified yet.
 calibrations-unknowns-did-settle-what-seen = the calibration did not converge on the pictures and contact points
 camera = The camera { $source }
+camera-answers-but-does-not-open = { $title } answers, but cannot be opened ({ $reason })
 camera-cannot-do = { $title } does not support { $key } = { $value }; it offers { $given }
 camera-control-lost = { $title } no longer obeys this program
 camera-looks-along-laser-plane-deg = the camera looks along the laser plane, at an angle of { $angle } (limit { $limit })

@@ -211,6 +211,8 @@ class _Grabber(threading.Thread):
                 elif picture is NoImage.DAMAGED:
                     self._health.corrupt += 1
                     self._next_sequence += 1
+                elif picture is NoImage.LATE:
+                    self._health.late += 1
         except EndOfRecordingError:
             self._finish(None)
         except DeviceError as error:

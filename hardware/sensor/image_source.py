@@ -50,6 +50,8 @@ class NoImage(Enum):
     """A picture arrived that cannot be decoded."""
     SILENCE = auto()
     """Nothing arrived, and the device is there."""
+    LATE = auto()
+    """As ``SILENCE``, but a picture is on its way, and held up by a line that is too slow."""
 
 
 class ImageSource(ABC):

@@ -131,3 +131,17 @@ def test_a_clock_that_the_pictures_contradict_is_not_used(off_ns: int) -> None:
         times.compare(begun_ns, begun_ns + off_ns)
         middle_ns, _ = times.middle(begun_ns, begun_ns + 2_000_000 + DELAY_NS, None)
         assert abs(middle_ns - begun_ns - DELAY_NS - 1_000_000) < 1000
+
+
+def test_a_clock_that_was_compared_badly_at_first_is_used_when_it_is_known() -> None:
+    """On a busy computer the first answers may be noted late; and a picture, very late."""
+    times = PictureTimes(SettingHistory(2000.0), "exposure-start", 0.0)
+    off_ns = []
+    for number in range(200):
+        begun_ns = 10**12 + number * PERIOD_NS
+        times.compare(begun_ns - 86_400_000_000_000, begun_ns + (number < 3) * 400_000_000)
+        way_ns = 4_000_000_000 if number == 150 else 150_000_000
+        middle_ns, _ = times.middle(begun_ns - 86_400_000_000_000, begun_ns + way_ns, None)
+        off_ns.append(middle_ns - begun_ns - 1_000_000)
+    assert max(np.abs(off_ns[100:])) < 200_000_000
+    assert max(np.abs(off_ns[175:])) < 1000

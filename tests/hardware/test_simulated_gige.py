@@ -40,6 +40,8 @@ DELAY_MS = 5.0
 LOST_BLOCKS = (3, 4, 7)
 """Block ids, which count from 1: one less is the sequence number."""
 NEAR_THE_LAST = 65_500
+TRIES_OF_ARAVIS = 6
+"""Requests until it gives up, half a second apart."""
 GIGE = replace(SMALL, camera="gige")
 
 
@@ -282,6 +284,56 @@ def test_a_camera_of_a_program_that_lets_no_other_read_is_in_use(camera: GigeCam
         driver.open()
     camera.faults.taken = False
     open_in_time(driver)
+    next_frame(driver)
+    driver.close()
+
+
+def test_a_line_on_which_one_picture_takes_seconds_is_noticed_before_it_has_arrived(
+    camera: GigeCamera,
+) -> None:
+    driver = make_driver()
+    open_in_time(driver)
+    for _ in range(10):
+        next_frame(driver)
+    assert driver.health.late == 0
+    camera.faults.line_bytes_per_s = WIDTH * HEIGHT / 2.0
+    before, deadline = driver.health.received, time.monotonic() + LONG_S
+    while not driver.health.late:
+        assert time.monotonic() < deadline
+        driver.read(0.1)
+    # the one that was on its way, and at most one of the line as it was before
+    assert driver.health.received <= before + 2
+    driver.close()
+
+
+def test_a_clock_that_answers_late_gives_true_stamps() -> None:
+    """As on a busy computer: every second answer is noted long after the clock was latched."""
+    true_ns: list[int] = []
+
+    def note(mid_ns: int, exposure_us: float, laser_share: float) -> RawImage:
+        true_ns.append(mid_ns)
+        return picture(mid_ns, exposure_us, laser_share)
+
+    # two and a half periods after the exposure: no other exposure is near a stamp that is late
+    camera = GigeCamera(CameraIdentity(ADDRESS, "SIM-1", WIDTH, HEIGHT, 10.0), note, delay_ms=250.0)
+    camera.faults.latch_delays_s = (0.0, 0.12)
+    camera.start()
+    try:
+        driver = make_driver(rate_hz=10.0)
+        assert open_in_time(driver).stamps == "device"
+        stamps_ns = [next_frame(driver).mid_exposure_ns for _ in range(10)]
+        driver.close()
+    finally:
+        camera.stop()
+    off_ns = np.min(np.abs(np.subtract.outer(stamps_ns, true_ns)), axis=1)
+    assert np.median(off_ns) < 10e6
+
+
+def test_a_camera_that_answers_again_is_opened_at_once(camera: GigeCamera) -> None:
+    """Aravis gives up, and the camera is there."""
+    camera.faults.unanswered = TRIES_OF_ARAVIS
+    driver = make_driver()
+    driver.open()
     next_frame(driver)
     driver.close()
 

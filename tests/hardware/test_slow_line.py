@@ -15,7 +15,7 @@ def judge(arrivals_ms: list[float]) -> list[bool]:
     """Pictures exposed every 40 ms, by their arrivals."""
     line = SlowLine()
     return [
-        line.holds_up(number * PERIOD_MS * MS, round(at * MS))
+        line.holds_up(number, number * PERIOD_MS * MS, round(at * MS))
         for number, at in enumerate(arrivals_ms)
     ]
 
@@ -33,6 +33,50 @@ def test_a_pause_of_the_computer_is_no_slow_line() -> None:
 
 def test_jitter_is_no_slow_line() -> None:
     assert not any(judge([5, 45, 110, 175, 240, 241, 260, 300, 365, 430]))
+
+
+def watch(pictures_ms: list[float], until_ms: int, busy: bool = True) -> list[int]:
+    """The times in ms at which the line is said to be too slow, looked at every 50 ms.
+
+    Pictures are exposed every 40 ms. ``pictures_ms``: when one is complete; ``busy``: bytes arrive
+    all the time, and otherwise only with the pictures.
+    """
+    line, said, come = SlowLine(), [], 0
+    for number in range(2):
+        line.holds_up(number, number * PERIOD_MS * MS, number * PERIOD_MS * MS)
+    for at_ms in range(0, until_ms, 50):
+        now = sum(at <= at_ms for at in pictures_ms)
+        if line.is_too_slow(at_ms * MS, (at_ms if busy else 0) + now, now > come):
+            said.append(at_ms)
+        come = now
+    return said
+
+
+def test_a_picture_that_takes_long_is_noticed_before_it_has_arrived() -> None:
+    assert watch([], 2000) == [400]
+    # once for each, from when it has taken too long
+    assert watch([1000.0, 2000.0], 3000) == [400, 1200, 2400]
+
+
+def test_a_line_on_which_a_picture_takes_a_tenth_of_a_second_is_noticed() -> None:
+    assert watch([100.0 * number for number in range(1, 20)], 700)[0] == 400
+
+
+def test_a_line_that_carries_all_pictures_is_not_slow() -> None:
+    assert not watch([50.0 * number for number in range(60)], 3000)
+
+
+def test_a_camera_that_takes_fewer_pictures_is_not_slow() -> None:
+    """Between them the line is idle."""
+    assert not watch([300.0 * number for number in range(10)], 3000, busy=False)
+
+
+def test_after_a_pause_of_the_computer_the_line_is_watched_again() -> None:
+    line = SlowLine()
+    for number in range(2):
+        line.holds_up(number, number * PERIOD_MS * MS, number * PERIOD_MS * MS)
+    looks_ms = [0, 50, 1050, 1100, 1400, 1450]
+    assert not any(line.is_too_slow(at * MS, at + 1, False) for at in looks_ms)
 
 
 def test_a_buffer_smaller_than_a_picture_is_said(tmp_path: Path) -> None:

@@ -139,11 +139,20 @@ def _ready_to_capture(guide: CalibrationGuide) -> bool:
 
 
 def _solve(guide: CalibrationGuide, operator: SimulatedOperator, progress: Progress) -> None:
-    """Takes the poses that a person would be asked for, then calibrates."""
-    if _another_helps(guide):
+    """Takes the pictures that a person would be asked for, then calibrates."""
+    if _should_retake(guide):
+        guide.append("retaken", {})
+    elif _another_helps(guide):
         guide.append("another_pose", {})
     else:
         tasks.calibrate(guide, progress)
+
+
+def _should_retake(guide: CalibrationGuide) -> bool:
+    """Whether the guide advises to take the newest picture again, and it was not done often."""
+    retaken = sum(capture.gone == "retaken" for capture in guide.state.captures)
+    advised = any(action.name == "retake" and action.primary for action in guide.view().actions)
+    return advised and retaken < ATTEMPTS
 
 
 def _another_helps(guide: CalibrationGuide) -> bool:

@@ -5,7 +5,8 @@ package of the system, and is loaded when the first camera is opened or searched
 
 Source:
     https://aravisproject.github.io/aravis, the reference of the classes ``ArvCamera``,
-    ``ArvDevice``, ``ArvStream`` and ``ArvBuffer``; all functions have existed since 0.8.0.
+    ``ArvDevice``, ``ArvStream`` and ``ArvBuffer``; all functions but the optional ones have existed
+    since 0.8.0.
 """
 
 import ctypes
@@ -111,6 +112,10 @@ _INFALLIBLE: dict[str, tuple[Any, tuple[Any, ...]]] = {
     "g_error_free": (None, (c_void_p,)),
 }
 """Functions that cannot fail: result and arguments."""
+_OPTIONAL: dict[str, tuple[Any, tuple[Any, ...]]] = {
+    "arv_stream_get_info_uint64_by_name": (c_uint64, (c_void_p, c_char_p)),
+}
+"""The same, of later versions; to be called only if ``Aravis.has`` them."""
 
 
 class AravisError(FeatureError):
@@ -134,6 +139,14 @@ class Aravis:
             extra = (POINTER(POINTER(_GError)),) if name in _FALLIBLE else ()
             function.argtypes = (*arguments, *extra)
             self._functions[name] = function
+        for name, (result, arguments) in _OPTIONAL.items():
+            if (function := getattr(library, name, None)) is not None:
+                function.restype, function.argtypes = result, arguments
+                self._functions[name] = function
+
+    def has(self, name: str) -> bool:
+        """Whether this version has the function."""
+        return name in self._functions
 
     def call(self, name: str, *arguments: Any) -> Any:
         """Calls a function by its name; texts go in and out as bytes.
@@ -141,7 +154,7 @@ class Aravis:
         Raises:
             AravisError: the function reported an error.
         """
-        if name in _INFALLIBLE:
+        if name not in _FALLIBLE:
             return self._functions[name](*arguments)
         error = POINTER(_GError)()
         result = self._functions[name](*arguments, byref(error))

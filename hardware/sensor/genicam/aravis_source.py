@@ -5,6 +5,7 @@ import time
 from typing import Any
 
 from app.messages.message import Text
+from hardware.clock import now_ns
 from hardware.errors import DeviceError
 from hardware.sensor.genicam.aravis import AravisError
 from hardware.sensor.genicam.camera import open_camera
@@ -72,13 +73,20 @@ class GenicamSource(CameraSource):
             self.require_answer()
             raise control_lost_error(self._title)
         with self._stream.take(_WAIT_S) as block:
+            is_slow = self._is_line_slow(self._stream, block is not None)
             if block is not None:
                 self._heard_s = time.monotonic()
                 self._compare_clocks()
-                return self.show(self._complete(self._stream, block))
+                return self.show(self._complete(self._stream, block), is_slow)
         if time.monotonic() - self._heard_s > _SILENT_S:
             self.require_answer()
-        return NoImage.SILENCE
+        return NoImage.LATE if is_slow else NoImage.SILENCE
+
+    def _is_line_slow(self, stream: CameraStream, has_arrived: bool) -> bool:
+        transferred_bytes = stream.transferred_bytes
+        return transferred_bytes is not None and self.line.is_too_slow(
+            now_ns(), transferred_bytes, has_arrived
+        )
 
     def _compare_clocks(self) -> None:
         """Right after a picture, when the camera is there: a lost one is noticed elsewhere."""

@@ -9,7 +9,7 @@ from app.messages.message import Text, message
 from hardware.errors import DeviceError
 from hardware.sensor.genicam.aravis import Aravis, AravisError, load_aravis
 from hardware.sensor.genicam.features import Quantity
-from hardware.sensor.genicam.gige_vision.control_register import is_controlled
+from hardware.sensor.genicam.gige_vision.control_register import read_control
 
 GIGE_VISION, USB3_VISION = "GigEVision", "USB3Vision"
 _NEVER_ADJUST = 0
@@ -189,17 +189,7 @@ def open_camera(title: Text, address: str | None, serial_number: str | None) -> 
         listed = _find(title, list_cameras(aravis), serial_number)
         address = listed.address if listed.protocol == GIGE_VISION else ""
         device_id = address or listed.device_id
-    try:
-        with _LISTING:
-            handle = aravis.call("arv_camera_new", device_id.encode())
-    except AravisError as error:
-        # a program may let no other read the camera's registers, which Aravis needs
-        if address and is_controlled(address):
-            raise in_use_error(title) from error
-        raise DeviceError(
-            message("no-camera-answers", title=title, reason=error),
-            message("check-camera-power-cable-network"),
-        ) from error
+    handle = _connect(title, aravis, device_id, address)
     camera = AravisCamera(aravis, handle, address or "")
     try:
         _require_usable(title, camera, serial_number)
@@ -207,6 +197,44 @@ def open_camera(title: Text, address: str | None, serial_number: str | None) -> 
         camera.close()
         raise
     return camera
+
+
+def _connect(title: Text, aravis: Aravis, device_id: str, address: str | None) -> int:
+    """The handle of a camera.
+
+    Aravis does not say why it cannot open one. A camera that is there, and obeys nobody, did not
+    answer in time, or was just given up by another program: it is opened again, once.
+    """
+    try:
+        return _new_handle(aravis, device_id)
+    except AravisError as error:
+        if absent := _absent_error(title, address, error):
+            raise absent from error
+    try:
+        return _new_handle(aravis, device_id)
+    except AravisError as error:
+        raise _absent_error(title, address, error) or DeviceError(
+            message("camera-answers-but-does-not-open", title=title, reason=error),
+            message("check-network-load-or-power"),
+        ) from error
+
+
+def _new_handle(aravis: Aravis, device_id: str) -> int:
+    with _LISTING:
+        handle: int = aravis.call("arv_camera_new", device_id.encode())
+        return handle
+
+
+def _absent_error(title: Text, address: str | None, error: AravisError) -> DeviceError | None:
+    """Why a camera could not be opened; None of one that answers and obeys nobody."""
+    control = read_control(address) if address else None
+    if control is None:
+        return DeviceError(
+            message("no-camera-answers", title=title, reason=error),
+            message("check-camera-power-cable-network"),
+        )
+    # a program may let no other read the camera's registers, which Aravis needs
+    return in_use_error(title) if control else None
 
 
 def _find(title: Text, listed: list[ListedCamera], serial_number: str | None) -> ListedCamera:

@@ -89,7 +89,7 @@ class CameraSource(ImageSource):
         self._exposures = SettingHistory(settings.exposure_us)
         self._laser = SettingHistory(not self.has_laser_switch)
         self._blocks = BlockCounter()
-        self._line = SlowLine()
+        self.line = SlowLine()
         self.times = PictureTimes(self._exposures, options.stamp_at, options.latency_us)
         self._whole_s = time.monotonic()
         self._incomplete = 0
@@ -130,8 +130,10 @@ class CameraSource(ImageSource):
         """Asks the camera; raises ``DeviceError`` if it is lost."""
         raise NotImplementedError
 
-    def show(self, picture: ArrivedPicture) -> GrabbedImage | NoImage:
+    def show(self, picture: ArrivedPicture, is_late: bool = False) -> GrabbedImage | NoImage:
         """The picture as ``grab`` returns it. An incomplete one is not shown, but counted.
+
+        ``is_late``: the line is known to be too slow.
 
         Raises:
             DeviceError: only incomplete ones have arrived for some time, or the pixel format is
@@ -153,7 +155,8 @@ class CameraSource(ImageSource):
         )
         self.stamps, self.stamp_at = self.times.stamps, self.times.stamp_at
         half_ns = round(exposure_us * 500)
-        late = self.stamps == "device" and self._line.holds_up(mid_ns + half_ns, picture.arrival_ns)
+        if self.stamps == "device":
+            is_late |= self.line.holds_up(number, mid_ns + half_ns, picture.arrival_ns)
         lit = self._laser.values_between(mid_ns - half_ns, mid_ns + half_ns)
         return GrabbedImage(
             image,
@@ -163,7 +166,7 @@ class CameraSource(ImageSource):
             full_scale=None if self._format is None else self._format.full_scale,
             pulse=None if self.free_running else number + 1,
             laser_on=lit == {True},
-            late=late,
+            late=is_late,
         )
 
     def _decode(self, picture: ArrivedPicture) -> GreyImage | None:

@@ -61,22 +61,18 @@ class PictureTimes:
         self.stamp_at = stamp_at
         self._exposures = exposures
         self._latency_us = latency_us
-        self._clock = DeviceClock()
-        self._is_compared = self._is_doubtful = False
+        self._by_arrival, self._by_reading = DeviceClock(), DeviceClock()
+        self._is_compared = False
         self._last_ns: int | None = None
 
     def compare(self, device_ns: int, host_ns: int) -> None:
         """Notes that a time of the camera's clock is a time of the host's.
 
-        From then on, the arrival of pictures does not matter; unless they seem to arrive before
-        their exposure, or long after it: then these are times of different clocks.
+        From then on, the arrival of a picture does not matter; unless it seems to arrive before its
+        exposure, or long after it: then these are times of different clocks, or not yet well known.
         """
-        if self._is_doubtful:
-            return
-        if not self._is_compared:
-            self._clock = DeviceClock()
-            self._is_compared = True
-        self._clock.observe(device_ns, host_ns)
+        self._is_compared = True
+        self._by_reading.observe(device_ns, host_ns)
 
     def middle(
         self, device_ns: int | None, arrival_ns: int, exposure_us: float | None
@@ -108,11 +104,10 @@ class PictureTimes:
 
     def _event_ns(self, device_ns: int, latest_ns: int) -> int:
         """Host time of a stamp, which was no later than ``latest_ns``."""
+        self._by_arrival.observe(device_ns, latest_ns)
+        by_arrival_ns = self._by_arrival.stamp(device_ns)
         if self._is_compared:
-            event_ns = self._clock.stamp(device_ns)
+            event_ns = self._by_reading.stamp(device_ns)
             if -_EARLY_NS < latest_ns - event_ns < _LONGEST_WAY_NS:
                 return event_ns
-            self._is_compared, self._is_doubtful = False, True
-            self._clock = DeviceClock()
-        self._clock.observe(device_ns, latest_ns)
-        return self._clock.stamp(device_ns)
+        return by_arrival_ns

@@ -18,6 +18,7 @@ _SUCCESS = 0
 _FEWEST_BUFFERS, _MOST_BUFFERS = 8, 64
 _BUFFER_BYTES = 256_000_000
 _OLDEST_ARRIVAL_NS = 2_000_000_000
+_STREAM_COUNT = "arv_stream_get_info_uint64_by_name"
 NO_IMAGE: tuple[Bytes, int, int, int, int] = (np.empty(0, np.uint8), 0, 0, 0, 0)
 """In place of the image of an incomplete block."""
 
@@ -78,6 +79,13 @@ class CameraStream:
             return np.empty(0, np.uint8), code, width_px, height_px, x.value
         held = (ctypes.c_uint8 * size.value).from_address(at)
         return np.frombuffer(memoryview(held), np.uint8), code, width_px, height_px, x.value
+
+    @property
+    def transferred_bytes(self) -> int | None:
+        """All that have arrived since the start; None of an Aravis that does not count them."""
+        if not self._handle or not self._aravis.has(_STREAM_COUNT):
+            return None
+        return int(self._aravis.call(_STREAM_COUNT, self._handle, b"n_transferred_bytes"))
 
     def close(self) -> None:
         """Ends the thread of Aravis, and frees the buffers; idempotent."""

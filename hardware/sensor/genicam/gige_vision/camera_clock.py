@@ -3,13 +3,15 @@
 The stamps of pictures are related to the host's time by their arrival at best, which hides how
 long the camera needed from the exposure to the first packet. A camera also keeps its present time
 in a register on command. The command's answer comes a fraction of a millisecond later, so the two
-clocks are known to each other without any such delay.
+clocks are known to each other without any such delay. On a busy computer, an answer may be noted
+much later: of such readings, the quickest counts.
 
 Source:
     AIA, GigE Vision 2.0, section 28.3 (time stamp registers).
 """
 
 import time
+from dataclasses import dataclass
 
 from hardware.clock import now_ns
 from hardware.sensor.genicam.aravis import AravisError
@@ -23,6 +25,22 @@ _PERIOD_NS, _FIRST_PERIOD_NS, _FIRST_READINGS = 1_000_000_000, 200_000_000, 25
 _TRIAL_S = 0.02
 _MOST_DIFFERENCE_NS = 5_000_000
 """By how much the clocks may differ over the trial."""
+_LONGER_NS = 2_000_000
+"""A command that took longer than the quickest one by more than this is given again."""
+_TRIES = 3
+
+
+@dataclass(frozen=True, slots=True)
+class _ClockReading:
+    """A time of the camera's clock, latched between the command and its answer."""
+
+    camera_ns: int
+    sent_ns: int
+    answered_ns: int
+
+    @property
+    def took_ns(self) -> int:
+        return self.answered_ns - self.sent_ns
 
 
 class CameraClock:
@@ -35,8 +53,7 @@ class CameraClock:
     def __init__(self, camera: AravisCamera) -> None:
         self._camera = camera
         self._read_ns = self._readings = 0
-        self._shortest_ns: int | None = None
-        self._ticks_hz = 0
+        self._quickest_ns = self._ticks_hz = 0
         self.works = camera.is_gige and self._is_running()
 
     def read(self) -> tuple[int, int] | None:
@@ -49,29 +66,36 @@ class CameraClock:
         if not self.works or now_ns() - self._read_ns < period_ns:
             return None
         self._readings += 1
-        return self._compare()
+        best = self._read_clock()
+        for _ in range(_TRIES - 1):
+            if best.took_ns <= self._quickest_ns + _LONGER_NS:
+                break
+            # the computer was busy, or the answer got lost: another one tells more
+            best = min(best, self._read_clock(), key=lambda reading: reading.took_ns)
+        # half of the quickest way to and fro passes between the command and its answer
+        return best.camera_ns, best.answered_ns - self._quickest_ns // 2
 
     def _is_running(self) -> bool:
         try:
             self._ticks_hz = self._camera.read_wide_register(TICK_FREQUENCY_REGISTER)
             if not self._ticks_hz:
                 return False
-            first_camera_ns, first_host_ns = self._compare()
+            first = self._read_clock()
             time.sleep(_TRIAL_S)
-            second_camera_ns, second_host_ns = self._compare()
+            second = self._read_clock()
         except AravisError:
             return False
         self._read_ns = 0
-        passed_ns = second_camera_ns - first_camera_ns
-        return abs(passed_ns - (second_host_ns - first_host_ns)) < _MOST_DIFFERENCE_NS
+        # a busy computer notes an answer late, but never before it came
+        least_ns = second.sent_ns - first.answered_ns - _MOST_DIFFERENCE_NS
+        most_ns = second.answered_ns - first.sent_ns + _MOST_DIFFERENCE_NS
+        return least_ns < second.camera_ns - first.camera_ns < most_ns
 
-    def _compare(self) -> tuple[int, int]:
+    def _read_clock(self) -> _ClockReading:
         sent_ns = now_ns()
         self._camera.write_register(LATCH_REGISTER, _LATCH)
-        answered_ns = now_ns()
+        self._read_ns = answered_ns = now_ns()
         ticks = self._camera.read_wide_register(TIMESTAMP_REGISTER)
-        took_ns = answered_ns - sent_ns
-        self._shortest_ns = min(took_ns, self._shortest_ns or took_ns)
-        self._read_ns = answered_ns
-        # half of the shortest way to and fro passes between the command and its answer
-        return ticks * 1_000_000_000 // self._ticks_hz, answered_ns - self._shortest_ns // 2
+        reading = _ClockReading(ticks * 1_000_000_000 // self._ticks_hz, sent_ns, answered_ns)
+        self._quickest_ns = min(reading.took_ns, self._quickest_ns or reading.took_ns)
+        return reading

@@ -37,13 +37,16 @@ class ControlRegister:
 
         A camera that refuses to answer is controlled by a program that lets no other read it.
         """
+        requests: set[int] = set()
         for _ in range(_TRIES):
             request = next(self._requests) % 0xFFFF + 1
+            requests.add(request)
             head = (_KEY, _ACKNOWLEDGE, _READ_REGISTER, 4, request, _CONTROL_REGISTER)
             try:
                 self._socket.send(struct.pack(">BBHHHI", *head))
                 while True:
-                    value = _value(self._socket.recv(64), request)
+                    # a slow camera answers the first request during the second try
+                    value = _value(self._socket.recv(64), requests)
                     if value is not None:
                         return value & _CONTROLLED
             except OSError:  # no answer in time, or the system knows that nobody is there
@@ -54,25 +57,25 @@ class ControlRegister:
         self._socket.close()
 
 
-def _value(answer: bytes, request: int) -> int | None:
-    """The value in the answer to a request; None of another packet."""
+def _value(answer: bytes, requests: set[int]) -> int | None:
+    """The value in the answer to one of the requests; None of another packet."""
     if len(answer) < 8:
         return None
     status, command, _, of = struct.unpack_from(">HHHH", answer)
-    if (command, of) != (_READ_REGISTER_ACK, request):
+    if command != _READ_REGISTER_ACK or of not in requests:
         return None
     if status != 0:  # the answer has no value
         return _EXCLUSIVE
     return int.from_bytes(answer[8:12], "big") if len(answer) >= 12 else None
 
 
-def is_controlled(address: str) -> bool:
-    """Whether a camera answers at an address, and obeys a program."""
+def read_control(address: str) -> int | None:
+    """The register of the camera at an address, as of ``ControlRegister.read``."""
     try:
         register = ControlRegister(address)
     except OSError:  # no IP address, or no network
-        return False
+        return None
     try:
-        return bool(register.read())
+        return register.read()
     finally:
         register.close()

@@ -14,12 +14,14 @@ from hardware.simulator.devices.gige_camera.registers import (
     CONTROL,
     DISCOVERY_BYTES,
     HEARTBEAT_TIMEOUT,
+    TIMESTAMP_CONTROL,
     RegisterMap,
 )
 
 Address = tuple[str, int]
 _EXCLUSIVE, _CONTROL_BITS = 0b01, 0b11
 _OTHER_PROGRAM: Address = ("another program", 0)
+_TIMESTAMP_CONTROL = TIMESTAMP_CONTROL.to_bytes(4, "big")
 _TICK_S = 0.05
 _LONGEST = 1500
 
@@ -63,6 +65,7 @@ class ControlServer:
             self._socket.close()
             raise
         self._socket.settimeout(_TICK_S)
+        self._latched = 0
         self._holder: Address | None = None
         self._heard_s = 0.0
         self._last: tuple[Address, int, bytes] | None = None
@@ -93,11 +96,23 @@ class ControlServer:
                 continue
             if not self._was_plugged or (request := gvcp.parse(datagram)) is None:
                 continue
+            if self._faults.unanswered:
+                self._faults.unanswered -= 1
+                continue
             with self._registers.lock:
                 answer = self._answer(request, sender)
             if answer is not None and request.wants_answer:
+                self._delay_answer(request)
                 with contextlib.suppress(OSError):
                     self._socket.sendto(answer, sender)
+
+    def _delay_answer(self, request: Request) -> None:
+        """Waits before the answer to the command that latches the clock, if that comes late."""
+        delays_s = self._faults.latch_delays_s
+        is_write = request.command == GvcpCommand.WRITE_REGISTER
+        if delays_s and is_write and request.payload.startswith(_TIMESTAMP_CONTROL):
+            time.sleep(delays_s[self._latched % len(delays_s)])
+            self._latched += 1
 
     def _watch(self) -> None:
         """Ends the control of a program that is silent, or that another one replaces."""

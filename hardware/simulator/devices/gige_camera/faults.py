@@ -19,9 +19,14 @@ class GigeFaults:
     """Another program has taken the camera, and lets no other read or write."""
     line_bytes_per_s: float | None = None
     """A line slower than the camera's own."""
+    unanswered: int = 0
+    """So many of the next requests get no answer."""
+    latch_delays_s: tuple[float, ...] = ()
+    """How late the camera answers that it has latched its clock, in turn."""
 
     def clear(self) -> None:
         """Everything works again."""
         self.unplugged = self.taken = False
         self.packet_drop_rate, self.lost_packets = 0.0, frozenset()
         self.resends, self.line_bytes_per_s = True, None
+        self.unanswered, self.latch_delays_s = 0, ()
