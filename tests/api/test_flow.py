@@ -3,7 +3,9 @@
 import json
 import math
 import time
+from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
+from contextlib import contextmanager
 from functools import partial
 from pathlib import Path
 from typing import Any
@@ -136,10 +138,13 @@ def test_the_simulated_operator_stops_on_command(touching: Server) -> None:
 
 def test_a_whole_calibration_by_the_simulated_operator(at_setup: Server, tmp_path: Path) -> None:
     server, http = at_setup, at_setup.http
-    server.do("run_simulation", all=True)
+    with first_picture_in_the_dark(server):
+        server.do("run_simulation", all=True)
     server.wait(lambda view: view["busy"] is None, PATIENCE_S)
     view = http.get("/api/flow").json()
     assert view["step"] == "review", view["findings"]
+    # the picture in which nothing is seen was taken again
+    assert min(pose["number"] for pose in view["picture"]["poses"]) > 1
 
     result = view["picture"]["result"]
     reported = "\n".join(f"{each['quality']}: {each['text']}" for each in view["findings"])
@@ -184,6 +189,21 @@ def test_a_whole_calibration_by_the_simulated_operator(at_setup: Server, tmp_pat
     assert_reported(http, f"/api/calibrations/{summary['id']}", folder)
     assert_looked_at_again(http, summary["id"], view["picture"])
     scan_with_it(http, server)
+
+
+@contextmanager
+def first_picture_in_the_dark(server: Server) -> Iterator[None]:
+    """What is begun within takes its first picture without light."""
+    images = server.data / "sessions" / server.flow()["session_id"] / "images"
+    server.simulation.lighting.room = 0.0
+    try:
+        yield
+        deadline = time.monotonic() + PATIENCE_S
+        while not list(images.glob("*.png")):
+            assert time.monotonic() < deadline
+            time.sleep(0.02)
+    finally:
+        server.simulation.lighting.room = 1.0
 
 
 def assert_looked_at_again(http: httpx.Client, name: str, reviewed: dict[str, Any]) -> None:

@@ -47,14 +47,6 @@ def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Server]:
     assert not server.sent.untranslated()
 
 
-def is_reviewed(server: Server, view: dict[str, Any]) -> bool:
-    """Whether there is a result. The simulated operator rests after a refusal, as of a picture that
-    the losses spoiled on a busy machine, and is started again."""
-    if view["busy"] is None and view["step"] != "review":
-        server.command("run_simulation", all=True)
-    return view["busy"] is None and view["step"] == "review"
-
-
 @pytest.fixture(scope="module")
 def calibrated(server: Server) -> Server:
     """On the block, by the simulated operator, from the first step to the accepted calibration."""
@@ -63,8 +55,9 @@ def calibrated(server: Server) -> Server:
     server.do("choose", field="object", id="simulated")
     server.do("confirm_setup")
     server.do("run_simulation", all=True)
-    server.wait(lambda view: is_reviewed(server, view), PATIENCE_S)
+    server.wait(lambda view: view["busy"] is None, PATIENCE_S)
     view = server.flow()
+    assert view["step"] == "review", view["findings"]
     result = view["picture"]["result"]
     # at half the size, block edges look soft: attention is called to that
     assert result["verdict"] in ("good", "attention"), view["findings"]

@@ -142,6 +142,7 @@ def _solve(guide: CalibrationGuide, operator: SimulatedOperator, progress: Progr
     """Takes the pictures that a person would be asked for, then calibrates."""
     if _should_retake(guide):
         guide.append("retaken", {})
+        _hold(guide, operator, progress)  # what the picture shows from here is not enough
     elif _another_helps(guide):
         guide.append("another_pose", {})
     else:
