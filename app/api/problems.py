@@ -76,6 +76,11 @@ async def _answer_access_denied(request: Request, error: Exception) -> Response:
 
 async def _answer_too_many(request: Request, error: Exception) -> Response:
     assert isinstance(error, TooManyAttemptsError)
+    return too_many_attempts(error)
+
+
+def too_many_attempts(error: TooManyAttemptsError) -> Response:
+    """The answer to passwords that come too fast."""
     wait_s = max(round(error.wait_s), 1)
     answer = problem(
         HTTPStatus.TOO_MANY_REQUESTS,

@@ -15,9 +15,11 @@ from app.formats.settings.toml_table import NonEmpty, SettingsPath, TomlTable, r
 from app.messages.message import message
 from app.settings.settings import Serving
 from app.settings.station_toml import read_tables
+from app.single_sign_on.settings import SignInSettings
 from app.supervision.broker_settings import BrokerSettings
 
 DEFAULT_FILE = "fleet.toml"
+ACCOUNTS_FILE = "fleet-accounts.db"
 SQLITE = "sqlite:///"
 StationId = Annotated[str, Field(pattern="^[a-z0-9-]{1,40}$")]
 
@@ -83,17 +85,29 @@ class StationPlaces(TomlTable):
         return found
 
 
-class FleetServerSettings(TomlTable):
+class FleetServerSettings(Serving):
     """``[server]`` of fleet.toml."""
 
     password_file: SettingsPath | None = None
     """Contains only the password of the page."""
-    tls_certificate: SettingsPath | None = None
-    tls_key: SettingsPath | None = None
+    accounts: SettingsPath | None = None
+    """The file with the people who signed in; by default ``fleet-accounts.db`` beside
+    ``fleet.toml``."""
 
-    def serving(self) -> Serving:
-        """How browsers reach the server."""
-        return Serving(tls_certificate=self.tls_certificate, tls_key=self.tls_key)
+    def password(self) -> str:
+        """The password of the page, empty if there is none.
+
+        Raises:
+            OperationError: its file cannot be read, or is empty.
+        """
+        if self.password_file is None:
+            return ""
+        remedy = message("fleet-name-page-password")
+        password = read_secret(self.password_file, "fleet-password", remedy)
+        if not password:
+            what = message("fleet-password-empty", file=self.password_file)
+            raise OperationError("fleet-password", what, remedy=remedy)
+        return password
 
 
 class FleetSettings(TomlTable):
@@ -103,6 +117,7 @@ class FleetSettings(TomlTable):
     server: FleetServerSettings = FleetServerSettings()
     stations: dict[StationId, StationPlaces] = Field(default_factory=dict)
     mqtt: BrokerSettings | None = None
+    sign_in: SignInSettings | None = None
 
     def list_stations(self) -> list[CollectedStation]:
         """The stations with their places, as the file lists them."""

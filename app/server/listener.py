@@ -39,7 +39,7 @@ PORT_REMEDIES: dict[int | None, str] = {
     errno.EACCES: "Choose a port from 1024 on with --port",
 }
 LOOPBACK = ("localhost", "127.0.0.1", "::1")
-ELSEWHERE = "Other machines reach it by its address, or by a name in hosts of station.toml."
+ELSEWHERE = "Other machines reach it by its address, or by a name in hosts of {file}."
 NETWORK_WORDS: dict[Network, list[str]] = {
     "here": [],
     "encrypted": [ELSEWHERE],
@@ -47,7 +47,7 @@ NETWORK_WORDS: dict[Network, list[str]] = {
     "open": [
         ELSEWHERE,
         "Nothing is encrypted: anyone on the network can read passwords. Set tls_certificate "
-        "and tls_key in station.toml, or put a proxy in front and name it in proxies.",
+        "and tls_key in {file}, or put a proxy in front and name it in proxies.",
     ],
 }
 
@@ -83,6 +83,11 @@ def network_exposure(host: str, serving: Serving) -> Network:
     if serving.tls_certificate is not None:
         return "encrypted"
     return "proxied" if serving.proxies else "open"
+
+
+def network_words(host: str, serving: Serving, file: str) -> list[str]:
+    """What the console says about that; ``file`` has the settings."""
+    return [line.format(file=file) for line in NETWORK_WORDS[network_exposure(host, serving)]]
 
 
 def local_address(host: str, listening: socket.socket, serving: Serving) -> str:

@@ -54,10 +54,13 @@ class Guard:
 
     Args:
         hosts: additional names by which browsers may reach the server.
+        file: the settings in which they are given.
     """
 
-    def __init__(self, app: ASGIApp, hosts: Collection[str] = ()) -> None:
-        self._app = app
+    def __init__(
+        self, app: ASGIApp, hosts: Collection[str] = (), file: str = "station.toml"
+    ) -> None:
+        self._app, self._file = app, file
         self._hosts = {*LOCAL_NAMES, *(host.lower().strip("[]") for host in hosts)}
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
@@ -80,7 +83,8 @@ class Guard:
         headers = Headers(scope=scope)
         host = headers.get("host", "").lower()
         if _name(host) not in self._hosts and not _is_address(_name(host)):
-            return message("station-does-answer-name-names-added", name=_name(host))
+            name = _name(host)
+            return message("station-does-answer-name-names-added", name=name, file=self._file)
         if scope["type"] == "http" and scope["method"] in SAFE_METHODS:
             return ""
         origin, site = headers.get("origin"), headers.get("sec-fetch-site", "none")

@@ -21,12 +21,12 @@ from app.monitoring.system_info import Network
 from app.security.console_code import new_code
 from app.server.listener import (
     LOCAL,
-    NETWORK_WORDS,
     OneLineFormatter,
     listen,
     local_address,
     make_server,
     network_exposure,
+    network_words,
     raise_file_limit,
 )
 from app.server.starting_page import (
@@ -265,7 +265,7 @@ def run(
     server.address = local_address(plan.host, listening, plan.serving)
     if plan.by_link:
         server.address += f"#code={code}"
-    server.first_words += NETWORK_WORDS[network]
+    server.first_words += network_words(plan.host, plan.serving, DEFAULT_FILE)
     server.open_browser = open_browser
 
     def ready(app: Starlette, seconds: float) -> None:

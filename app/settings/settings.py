@@ -51,7 +51,7 @@ def _check_network(proxy: str, info: ValidationInfo) -> str:
     except ValueError as error:
         raise OperationError(
             "settings-proxies",
-            f"{info.context}, [station]: proxies has {proxy!r}",
+            f"{info.context}: proxies has {proxy!r}",
             "it is no address",
             'Give the address from which the proxy connects, as "10.0.0.5" or "10.0.0.0/24"',
         ) from error
@@ -65,11 +65,12 @@ Proxies = Annotated[
 
 
 class Serving(TomlTable):
-    """How browsers reach the station."""
+    """How browsers reach the server."""
 
     tls_certificate: SettingsPath | None = None
     tls_key: SettingsPath | None = None
     proxies: Proxies = ()
+    hosts: Names = ()
 
     @model_validator(mode="after")
     def _check_certificate(self, info: ValidationInfo) -> Self:
@@ -78,7 +79,7 @@ class Serving(TomlTable):
         if len(files) == 1:
             raise OperationError(
                 "settings-tls",
-                f"{info.context}, [station]: {next(iter(files))} is given without the other",
+                f"{info.context}: {next(iter(files))} is given without the other",
                 "certificate and key belong together",
                 "Give both tls_certificate and tls_key, or neither",
             )
@@ -86,7 +87,7 @@ class Serving(TomlTable):
             if not file.is_file():
                 raise OperationError(
                     "settings-tls",
-                    f"{info.context}, [station]: {name} = {str(file)!r}",
+                    f"{info.context}: {name} = {str(file)!r}",
                     "there is no such file",
                     "Give the file in PEM format",
                 )
@@ -98,7 +99,6 @@ class StationTable(Serving):
 
     name: Annotated[NonEmpty, Field(max_length=60)] = "Crenel"
     data: SettingsPath = Field(default_factory=lambda: user_data_folder() / "station")
-    hosts: Names = ()
     address: Annotated[str, Field(max_length=200, pattern="^https?://[^/]")] = ""
     backups: SettingsPath | None = None
 

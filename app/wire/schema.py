@@ -289,7 +289,7 @@ class SignInState:
     """``first_start``: the console's code creates the administrator; ``by_code``: the code signs
     in; ``provider``: the name of the provider of accounts, empty if there is none, and
     ``provider_trouble``, why it cannot be used; ``sign_out_page``: where it ends its own
-    session."""
+    session; ``password_page``: where a browser asks for the password of the fleet's page."""
 
     station: str
     you: CurrentUser | None
@@ -298,6 +298,7 @@ class SignInState:
     provider: str = ""
     provider_trouble: Text = ""
     sign_out_page: str = ""
+    password_page: str = ""
 
 
 @dataclass(frozen=True)

@@ -107,7 +107,7 @@ def test_a_plain_address_is_answered(server: Server, host: str) -> None:
 def test_a_person_at_a_wrong_name_reads_plain_words(server: Server) -> None:
     answer = server.http.get("/", headers={"host": "evil.example", "accept": "text/html"})
     assert answer.status_code == 403
-    assert answer.text.startswith("This station does not respond to the name 'evil.example'.")
+    assert answer.text.startswith("This server does not respond to the name 'evil.example'.")
 
 
 def test_what_a_stranger_sends_is_small(server: Server) -> None:

@@ -118,7 +118,7 @@ def test_a_person_who_lost_the_groups_is_signed_out_and_stays_out(station: Stati
         station.provider.put("2", preferred_username="Berta", groups=["canteen"])
         refused = station.sign_in(second, "2")
         assert code_of(refused) == (401, "sign-in-no-group")
-        text = "Berta is in no group of Plant accounts that may use this station"
+        text = "Berta is in no group of Plant accounts that may sign in here"
         assert refused.json()["detail"] == text
         assert station.newest() == ("", f"{text}.")
         assert you(first) is None

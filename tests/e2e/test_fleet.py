@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator
 from datetime import timedelta
+from pathlib import Path
 
 import pytest
 from playwright.sync_api import Browser, Page, expect
@@ -12,6 +13,8 @@ pytest.importorskip("psycopg")
 from app.bench.fleet.invented import START, PlantedStep, invent_entries
 from app.fleet.catalogue.catalogue import FleetCatalogue
 from tests.fleet.test_server import running_fleet
+from tests.fleet.test_sign_in import write_settings
+from tests.single_sign_on.mock_provider import free_port, mock_provider
 
 pytestmark = pytest.mark.slow
 WRONG_SINCE = START + timedelta(days=120)
@@ -73,3 +76,31 @@ def test_calibrations_stand_side_by_side_in_german(page: Page) -> None:
     page.get_by_role("button", name="Kalibrierungen").click()
     expect(page.get_by_role("columnheader")).to_have_count(4)
     expect(page.get_by_role("row", name="point-uncertainty")).to_be_visible()
+
+
+def test_a_person_signs_in_with_the_provider_and_out_again(
+    browser: Browser, tmp_path: Path, pictures: Path
+) -> None:
+    port = free_port()
+    with mock_provider() as provider:
+        provider.register(f"http://127.0.0.1:{port}/sign-in")
+        provider.put("1", preferred_username="Anna", groups=["measuring-room"])
+        issuer = provider.issuer.replace("127.0.0.1", "localhost")
+        settings = write_settings(tmp_path, provider, issuer)
+        with running_fleet(settings, "--port", str(port)):
+            page = browser.new_context(viewport={"width": 1024, "height": 768}).new_page()
+            page.goto(f"http://127.0.0.1:{port}/?lang=en")
+            button = page.get_by_role("button", name="Sign in with Keycloak")
+            expect(page.get_by_role("link", name="With the password of this page")).to_be_visible()
+            page.screenshot(path=pictures / "fleet-sign-in.png")
+            button.click()
+            page.locator("input[name=sub]").first.fill("1")
+            page.get_by_role("button", name="Authorize").first.click()
+            expect(page.get_by_text("Anna")).to_be_visible(timeout=20_000)
+            expect(page.get_by_role("heading", name="room-1")).to_be_visible()
+            assert page.url == f"http://127.0.0.1:{port}/"
+            page.get_by_role("button", name="Sign out").click()
+            page.wait_for_url("**/end_session**")
+            page.get_by_role("button").first.click()
+            expect(button).to_be_visible()
+            page.context.close()

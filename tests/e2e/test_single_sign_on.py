@@ -94,7 +94,7 @@ def test_a_person_in_no_group_is_refused_in_one_sentence(
     sign_in(page, "2")
     refused = page.get_by_role("alert")
     expect(refused).to_contain_text(
-        "Ben is in no group of Keycloak that may use this station", timeout=20_000
+        "Ben is in no group of Keycloak that may sign in here", timeout=20_000
     )
     assert page.url == station.address
     page.screenshot(path=pictures / "sign-in-2-no-group.png")

@@ -9,7 +9,9 @@ from pathlib import Path
 
 import httpx
 import pytest
+from typer.testing import CliRunner
 
+from app.cli.main import cli
 from app.fleet.catalogue.catalogue import FleetCatalogue
 from app.store.store import Store
 from tests.fleet.postgres import PostgresServer
@@ -42,6 +44,14 @@ def running_fleet(settings: Path, *options: str) -> Iterator[httpx.Client]:
         finally:
             process.terminate()
             assert process.wait(DEADLINE_S) in (0, -15, 143)
+
+
+def refused_start(settings: Path, *options: str) -> str:
+    """The one line with which a start ends that these settings do not allow."""
+    refused = CliRunner().invoke(cli, ["fleet", "--config", str(settings), *options])
+    assert refused.exit_code == 1
+    assert refused.stderr.count("\n") == 1
+    return refused.stderr
 
 
 def until(ready: Callable[[], object]) -> None:
@@ -156,14 +166,6 @@ def test_a_password_is_required_of_every_request(store: Store, tmp_path: Path) -
         assert client.get("/", headers={"Authorization": "Basic %"}).status_code == 401
 
 
-def test_nobody_elsewhere_reads_it_without_a_password(tmp_path: Path) -> None:
+def test_nobody_elsewhere_reads_it_without_a_sign_in_or_a_password(tmp_path: Path) -> None:
     settings = write_settings(tmp_path, "sqlite:///catalogue.db", 60.0)
-    command = [sys.executable, "-c", "from app.cli.main import main; main()", "fleet"]
-    refused = subprocess.run(
-        [*command, "--config", str(settings), "--host", "0.0.0.0"],
-        capture_output=True,
-        text=True,
-        check=False,
-    )
-    assert refused.returncode == 1
-    assert "could read the catalogue" in refused.stderr
+    assert "could read the catalogue" in refused_start(settings, "--host", "0.0.0.0")

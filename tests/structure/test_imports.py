@@ -41,6 +41,7 @@ LAYERS: dict[str, set[str]] = {
     "app.fleet": {
         "app.archive",
         "app.settings",
+        "app.single_sign_on",
         "app.supervision",
         "app.formats",
         "app.metrology",

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 
 from fastapi import APIRouter, Request, Response
 
+from app.api.access.admission import admit_person
 from app.api.access.auth import begin_session
 from app.api.access.authorization import (
     address_of,
@@ -27,7 +28,7 @@ from app.security.authentication import AccessDeniedError
 from app.single_sign_on.errors import SignInError
 from app.single_sign_on.pending import LASTS_S, ProviderAnswer
 from app.single_sign_on.person import ProviderPerson
-from app.store.accounts import Account, Role
+from app.store.accounts import Account
 from app.wire.schema import ProviderPage, ProviderReply, SignInState
 
 if TYPE_CHECKING:
@@ -81,28 +82,14 @@ def _provider(context: Context) -> "Provider":
 
 
 def _admit(person: ProviderPerson, context: Context) -> Account:
-    """The account of a person, with the role of today's groups.
-
-    Raises:
-        OperationError: they are in no group with a role, or their name is not available.
-    """
-    provider = _provider(context)
-    accounts, issuer = context.store.accounts, provider.settings.issuer
-    before = accounts.find_subject(issuer, person.subject)
-    role = None if person.role is None else Role[person.role]
-    if before is not None and before.role is not role:
-        context.store.login_sessions.end_all(before.name)
-        context.lease.leave_all(before.name)
-    if role is None:
-        raise SignInError(
-            "no-group",
-            message("sign-in-no-group", person=person.name[:80], name=provider.name),
-            message("sign-in-ask-for-group"),
-        )
-    account = accounts.admit(issuer, person.subject, person.name, role)
-    if before is not None and before.name != account.name:
-        context.lease.leave_all(before.name)
-    return account
+    store = context.store
+    return admit_person(
+        person,
+        _provider(context).settings,
+        store.accounts,
+        store.login_sessions,
+        context.lease.leave_all,
+    )
 
 
 def _note_failure(error: OperationError, address: str, context: Context) -> AccessDeniedError:

@@ -1,16 +1,14 @@
 """The routes of the fleet's server; it only reads, and answers in JSON."""
 
 import asyncio
-import hmac
-from base64 import b64decode
-from collections.abc import AsyncIterator
-from contextlib import asynccontextmanager
+from collections.abc import AsyncIterator, Sequence
+from contextlib import asynccontextmanager, suppress
 from datetime import datetime
 from typing import Annotated
 
 from fastapi import FastAPI, Query, Request
 from starlette.middleware.base import RequestResponseEndpoint
-from starlette.responses import Response
+from starlette.responses import RedirectResponse, Response
 
 from app.api import problems
 from app.api.problems import NotFoundError
@@ -25,10 +23,14 @@ from app.fleet.catalogue.reading import (
     search,
     summarise_stations,
 )
+from app.fleet.fleet_settings import DEFAULT_FILE
 from app.fleet.questions import drift_of, find_affected
 from app.formats.json_document import SOFTWARE
 from app.messages.message import message
+from app.server.fleet.access import FleetAccess
 from app.server.fleet.service import FleetService
+from app.server.fleet.sign_in import PASSWORD_PAGE, answer_if_allowed, sign_in_router
+from app.server.middleware import Guard
 from app.wire.fleet import (
     CalibrationsInUse,
     DriftingStation,
@@ -45,22 +47,31 @@ from app.wire.json_response import json_response
 
 PAGE = "fleet.html"
 MOST = 50
-NO_ACCESS = {"WWW-Authenticate": 'Basic realm="Crenel fleet", charset="UTF-8"'}
 
 
-def build_fleet_app(service: FleetService, password: str = "") -> FastAPI:
+def build_fleet_app(
+    service: FleetService, access: FleetAccess, hosts: Sequence[str] = ()
+) -> FastAPI:
     """The application; it collects and listens from its start to its end.
 
     Args:
-        password: required of every request if not empty, by HTTP Basic with any user name.
+        hosts: additional names by which browsers may reach it.
     """
 
     @asynccontextmanager
     async def lifespan(app: FastAPI) -> AsyncIterator[None]:
         service.start()
+        watching = None
+        if access.people is not None:
+            watching = asyncio.create_task(access.people.watch_provider())
         try:
             yield
         finally:
+            if watching is not None and access.people is not None:
+                watching.cancel()
+                with suppress(asyncio.CancelledError):
+                    await watching
+                access.people.close()
             await service.close()
 
     app = FastAPI(
@@ -72,14 +83,14 @@ def build_fleet_app(service: FleetService, password: str = "") -> FastAPI:
         openapi_url=None,
     )
     problems.install(app)
+    app.include_router(sign_in_router(access))
     _add_routes(app, service)
 
     @app.middleware("http")
     async def check(request: Request, call_next: RequestResponseEndpoint) -> Response:
-        if password and not _is_allowed(request.headers.get("authorization", ""), password):
-            return Response("The password is missing or wrong.", 401, NO_ACCESS)
-        return await call_next(request)
+        return await answer_if_allowed(access, request, call_next)
 
+    app.add_middleware(Guard, hosts=hosts, file=DEFAULT_FILE)
     return app
 
 
@@ -157,6 +168,10 @@ def _add_routes(app: FastAPI, service: FleetService) -> None:
         answer = CalibrationsInUse(calibrations=[FleetRecord.model_validate(one) for one in found])
         return json_response(answer)
 
+    @app.get(PASSWORD_PAGE)
+    def after_password() -> Response:
+        return RedirectResponse("/", 303)
+
     @app.get("/{path:path}")
     async def page(path: str) -> Response:
         found = await asyncio.to_thread(file_response, path)
@@ -168,14 +183,3 @@ def _add_routes(app: FastAPI, service: FleetService) -> None:
 def _record_of(found: FoundRecord) -> FoundFleetRecord:
     record = FleetRecord.model_validate(found.entry).model_dump()
     return FoundFleetRecord(**{**record, "size_bytes": found.size_bytes, "key": found.key})
-
-
-def _is_allowed(header: str, password: str) -> bool:
-    scheme, _, encoded = header.partition(" ")
-    if scheme.lower() != "basic":
-        return False
-    try:
-        given = b64decode(encoded, validate=True).partition(b":")[2]
-    except ValueError:
-        return False
-    return hmac.compare_digest(given, password.encode())

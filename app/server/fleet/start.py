@@ -5,7 +5,6 @@ from pathlib import Path
 
 from app.errors import OperationError
 from app.fleet.catalogue.libraries import check_libraries
-from app.formats.settings.toml_table import read_secret
 from app.messages.message import message
 from app.server.listener import (
     LOOPBACK,
@@ -13,6 +12,7 @@ from app.server.listener import (
     listen,
     local_address,
     make_server,
+    network_words,
     raise_file_limit,
 )
 
@@ -24,28 +24,29 @@ def serve_fleet(config: Path | None, host: str, port: int, open_browser: bool) -
 
     Raises:
         OperationError: a library is missing, the settings are wrong, the port is in use, or other
-            machines could read the catalogue without a password.
+            machines could read the catalogue without a sign-in or a password.
     """
     check_libraries()
-    from app.fleet.fleet_settings import read_fleet_settings
+    from app.fleet.fleet_settings import ACCOUNTS_FILE, DEFAULT_FILE, read_fleet_settings
+    from app.server.fleet.access import open_access
     from app.server.fleet.application import build_fleet_app
     from app.server.fleet.service import FleetService
 
     settings = read_fleet_settings(config)
-    password = ""
-    if settings.server.password_file is not None:
-        remedy = message("fleet-name-page-password")
-        password = read_secret(settings.server.password_file, "fleet-password", remedy)
-    if host not in LOOPBACK and not password:
+    serving, password = settings.server, settings.server.password()
+    if host not in LOOPBACK and not password and settings.sign_in is None:
         raise OperationError(
             "fleet-open",
             message("fleet-open-to-all", host=host),
             remedy=message("fleet-set-password"),
         )
+    file = config or Path(DEFAULT_FILE)
+    accounts = serving.accounts or file.absolute().parent / ACCOUNTS_FILE
+    access = open_access(settings.sign_in, accounts, password)
+    server = make_server(build_fleet_app(FleetService(settings), access, serving.hosts), serving)
     raise_file_limit()
     listening = listen(host, port, PORTS_TRIED)
-    serving = settings.server.serving()
-    server = make_server(build_fleet_app(FleetService(settings), password), serving)
+    server.first_words += network_words(host, serving, file.name)
     console = logging.StreamHandler()
     console.setLevel(logging.WARNING)
     console.setFormatter(OneLineFormatter("%(asctime)s %(name)s: %(message)s"))

@@ -1,9 +1,15 @@
 import { useState } from "react";
-import type { FleetOverview } from "../api/wire";
+import { signOut } from "../api/session";
+import type { FleetOverview, SignInState } from "../api/wire";
+import { Entrance } from "../pages/EntrancePage";
 import { Chips } from "../parts/Chips";
 import { ChooseLanguage } from "../parts/ChooseLanguage";
+import control from "../parts/Control.module.css";
 import { Mark } from "../parts/icons";
+import { PressButton } from "../parts/PressButton";
+import { isolated } from "../state/isolated";
 import { t, useLanguage } from "../state/language";
+import { useLive } from "../state/store";
 import { useAnswer } from "./answers";
 import { CalibrationsTable } from "./CalibrationsTable";
 import { DriftView } from "./DriftView";
@@ -17,10 +23,29 @@ const READ_MS = 5000;
 /** All stations: what they do, what they recorded, and how their figures drift. */
 export function FleetPage() {
   const language = useLanguage();
+  const session = useLive((s) => s.session);
+  if (!session) return null;
+  if (session.provider && !session.you) return <FleetEntrance key={language} session={session} />;
+  return <Views key={language} session={session} />;
+}
+
+function FleetEntrance({ session }: { session: SignInState }) {
+  return (
+    <Entrance session={session}>
+      {session.password_page && (
+        <a className={control.button} href={session.password_page}>
+          {t("ui-fleet-with-the-password")}
+        </a>
+      )}
+    </Entrance>
+  );
+}
+
+function Views({ session }: { session: SignInState }) {
   const [view, setView] = useState<View>("stations");
   const { value: overview, failed } = useAnswer<FleetOverview>("/api/fleet/overview", READ_MS);
   return (
-    <div className={styles.frame} key={language}>
+    <div className={styles.frame}>
       <header className={styles.bar}>
         <Mark size="1.75em" />
         <h1 className={styles.title}>{t("ui-fleet")}</h1>
@@ -35,7 +60,15 @@ export function FleetPage() {
             { value: "calibrations", label: t("ui-fleet-calibrations") },
           ]}
         />
-        <div className={styles.language}>
+        <div className={styles.person}>
+          {session.you && (
+            <>
+              <span>{isolated(session.you.name)}</span>
+              <PressButton free kind="quiet" onPress={async () => void (await signOut())}>
+                {t("ui-sign-out")}
+              </PressButton>
+            </>
+          )}
           <ChooseLanguage id="fleet-language" />
         </div>
       </header>

@@ -1,6 +1,7 @@
 import { useEffect, useState } from "react";
 
-import { get } from "../api/http";
+import { get, Refused } from "../api/http";
+import { readSession } from "../api/session";
 import type { Quality } from "../api/types";
 import type { PlainId } from "../messages/text";
 
@@ -41,7 +42,11 @@ export function useAnswer<T>(path: string, every_ms = 0): { value: T | null; fai
           setValue(answer);
           setFailed(false);
         },
-        () => wanted && setFailed(true),
+        (error) => {
+          if (!wanted) return;
+          setFailed(true);
+          if (error instanceof Refused && error.problem.code === "signed-out") void readSession();
+        },
       );
     void read();
     const timer = every_ms > 0 ? setInterval(read, every_ms) : undefined;

@@ -359,6 +359,7 @@ ui-fleet-software = Software
 ui-fleet-symbol = Symbol
 ui-fleet-until = Bis
 ui-fleet-verdict = Ergebnis
+ui-fleet-with-the-password = Mit dem Passwort dieser Seite
 ui-fleet-words = Teil, Bediener, Kennung, Seriennummer
 ui-for = seit { $age }
 ui-for-information-without-a-limit = zur Information, ohne Grenzwert
@@ -776,7 +777,7 @@ ui-problems = { $n ->
     }
 ui-prometheus-reads = Prometheus liest { $address } mit einem eigenen Token, gesendet als Bearer.
 ui-provider-sets-role-and-password = Konto des Anbieters, der Rolle und Passwort festlegt
-ui-provider-trouble = { $trouble }. Melden Sie sich mit einem Konto dieser Station an.
+ui-provider-trouble = { $trouble }. Melden Sie sich auf anderem Weg an, oder versuchen Sie es später noch einmal.
 ui-put-datasheet-plate-sphere-into-folder = Das Datenblatt einer Platte oder Kugel, oder den digitalen Kalibrierschein (DCC) einer Kugel, in den Ordner „gauges“ des Datenordners legen. Das Datenblatt enthält Nennmaß, Kalibrierschein und Grenzwerte. Das Prüfnormal erscheint sofort hier.
 ui-put-length-standard-into-folder = Die Datei eines Kugelstabs, Maßstabs oder Stufenendmaßes in den Ordner gauges des Datenordners legen, zum Beispiel mit crenel certificate read. Sie erscheint hier sofort.
 ui-radius-error = Radiusabweichung

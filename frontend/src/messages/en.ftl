@@ -359,6 +359,7 @@ ui-fleet-software = Software
 ui-fleet-symbol = Symbol
 ui-fleet-until = Until
 ui-fleet-verdict = Result
+ui-fleet-with-the-password = With the password of this page
 ui-fleet-words = Part, operator, id, serial number
 ui-for = for { $age }
 ui-for-information-without-a-limit = for information, without a limit
@@ -776,7 +777,7 @@ ui-problems = { $n ->
     }
 ui-prometheus-reads = Prometheus reads { $address } with its own token, sent as a Bearer token.
 ui-provider-sets-role-and-password = Account of the provider, which sets role and password
-ui-provider-trouble = { $trouble }. Sign in with an account of this station.
+ui-provider-trouble = { $trouble }. Sign in in another way, or try again later.
 ui-put-datasheet-plate-sphere-into-folder = Put the file of a plate or sphere, or the digital certificate (DCC) of a sphere, into the folder gauges of the data folder. The file holds the nominal size, the certificate and the limits. The gauge appears here at once.
 ui-put-length-standard-into-folder = Put the file of a ball bar, scale bar or step gauge into the folder gauges of the data folder, for example with crenel certificate read. It appears here at once.
 ui-radius-error = Radius error

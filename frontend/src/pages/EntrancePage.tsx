@@ -14,6 +14,16 @@ import styles from "./EntrancePage.module.css";
 /** The page for users who are not signed in: one form for the way to sign in. */
 export function EntrancePage({ session }: { session: SignInState }) {
   return (
+    <Entrance session={session}>
+      {session.provider && <p className={styles.or}>{t("ui-or-with-an-account-of-this-station")}</p>}
+      <Way session={session} />
+    </Entrance>
+  );
+}
+
+/** The sign-in with a provider, if there is one, above other ways. */
+export function Entrance({ session, children }: { session: SignInState; children: ReactNode }) {
+  return (
     <main className={styles.page}>
       <div className={styles.card}>
         <div className={styles.brand}>
@@ -24,7 +34,7 @@ export function EntrancePage({ session }: { session: SignInState }) {
           </div>
         </div>
         {session.provider && <WithProvider session={session} />}
-        <Way session={session} />
+        {children}
         <EntranceMessage />
         <ChooseLanguage id="entrance-language" />
       </div>
@@ -32,7 +42,7 @@ export function EntrancePage({ session }: { session: SignInState }) {
   );
 }
 
-/** The button for accounts of the provider, or why it cannot be used now; above those of the station. */
+/** The button for accounts of the provider, and why it cannot be used now. */
 function WithProvider({ session }: { session: SignInState }) {
   return (
     <div className={styles.form}>
@@ -45,7 +55,6 @@ function WithProvider({ session }: { session: SignInState }) {
           <span>{t("ui-provider-trouble", { trouble: String(session.provider_trouble) })}</span>
         </p>
       )}
-      <p className={styles.or}>{t("ui-or-with-an-account-of-this-station")}</p>
     </div>
   );
 }

@@ -1,0 +1,137 @@
+"""The routes by which people sign in at the fleet's server, as at a station, and what happens to
+requests of others."""
+
+import asyncio
+from dataclasses import replace
+from http import HTTPStatus
+
+from fastapi import APIRouter, Request
+from starlette.middleware.base import RequestResponseEndpoint
+from starlette.responses import Response
+
+from app.api.access.auth import current_user
+from app.api.access.authorization import (
+    address_of,
+    own_address,
+    pending_cookie,
+    set_cookie,
+    set_pending_cookie,
+    token_of,
+)
+from app.api.access.provider import BACK
+from app.api.problems import NotFoundError, too_many_attempts
+from app.errors import OperationError
+from app.messages.message import message
+from app.security.authentication import AccessDeniedError, TooManyAttemptsError
+from app.server.fleet.access import FleetAccess, FleetPeople, log_refusal
+from app.single_sign_on.errors import SignInError
+from app.single_sign_on.pending import LASTS_S, ProviderAnswer
+from app.store.login_sessions import Principal
+from app.wire.json_response import problem
+from app.wire.schema import ProviderPage, ProviderReply, SignInState
+
+NO_ACCESS = {"WWW-Authenticate": 'Basic realm="Crenel fleet", charset="UTF-8"'}
+PASSWORD_PAGE = "/password"
+"""Here a browser asks for the page's password, and sends it from then on."""
+OPEN_PATHS = ("/api/session", "/api/session/provider", "/api/session/provider/answer")
+
+
+async def answer_if_allowed(
+    access: FleetAccess, request: Request, call_next: RequestResponseEndpoint
+) -> Response:
+    """The answer of the server, or the refusal of a request without a sign-in.
+
+    With a provider, the page itself is for everyone: it has the button for signing in.
+    """
+    if access.is_open:
+        return await call_next(request)
+    try:
+        by_password = access.knows_password(request)
+    except TooManyAttemptsError as error:
+        return too_many_attempts(error)
+    if by_password or await asyncio.to_thread(access.visitor, request) is not None:
+        return await call_next(request)
+    path = request.url.path
+    if access.people is None or (path == PASSWORD_PAGE and access.has_password):
+        return Response("The password is missing or wrong.", 401, NO_ACCESS)
+    if path in OPEN_PATHS or not path.startswith("/api/"):
+        return await call_next(request)
+    return problem(401, "signed-out", message("nobody-signed-here"), message("sign-go"))
+
+
+def sign_in_router(access: FleetAccess) -> APIRouter:
+    """The routes of the entrance page."""
+    router = APIRouter(prefix="/api/session")
+
+    @router.get("")
+    def session(request: Request) -> SignInState:
+        return _state(access, access.visitor(request), access.knows_password(request))
+
+    @router.post("/provider")
+    async def begin(request: Request, response: Response) -> ProviderPage:
+        people, address = _people(access), address_of(request)
+        access.check_attempts(address)
+        try:
+            page, cookie = await people.provider.begin(own_address(request, BACK))
+        except SignInError as error:
+            raise _refusal(access, error, address) from error
+        set_pending_cookie(response, request, cookie, LASTS_S)
+        return ProviderPage(page)
+
+    @router.post("/provider/answer")
+    async def finish(asked: ProviderReply, request: Request, response: Response) -> SignInState:
+        people, address = _people(access), address_of(request)
+        access.check_attempts(address)
+        answer = ProviderAnswer(asked.state, asked.code, asked.error)
+        try:
+            back, pending = own_address(request, BACK), pending_cookie(request)
+            person = await people.provider.finish(answer, pending, back)
+            device = request.headers.get("user-agent", "")
+            token = await asyncio.to_thread(people.admit, person, device)
+        except OperationError as error:
+            raise _refusal(access, error, address) from error
+        access.note_attempt(True, address)
+        set_pending_cookie(response, request, "", 0)
+        set_cookie(response, request, token, kiosk=False)
+        return _state(access, await asyncio.to_thread(people.sessions.principal, token))
+
+    @router.delete("")
+    async def sign_out(request: Request, response: Response) -> SignInState:
+        people = _people(access)
+        visitor = await asyncio.to_thread(access.visitor, request)
+        set_cookie(response, request, "", kiosk=False)
+        if visitor is None:
+            return _state(access)
+        await asyncio.to_thread(people.sessions.end, token_of(request))
+        page = await people.provider.sign_out_address(own_address(request, "/"))
+        return replace(_state(access), sign_out_page=page)
+
+    return router
+
+
+def _people(access: FleetAccess) -> FleetPeople:
+    if access.people is None:
+        raise NotFoundError(message("sign-in-no-provider"))
+    return access.people
+
+
+def _state(
+    access: FleetAccess, visitor: Principal | None = None, by_password: bool = False
+) -> SignInState:
+    """Who is signed in, or how to sign in; no provider: nobody has to."""
+    provider = None if access.people is None or by_password else access.people.provider
+    return SignInState(
+        "Fleet",
+        current_user(visitor),
+        first_start=False,
+        by_code=False,
+        provider="" if provider is None else provider.name,
+        provider_trouble="" if provider is None else provider.trouble,
+        password_page=PASSWORD_PAGE if access.has_password else "",
+    )
+
+
+def _refusal(access: FleetAccess, error: OperationError, address: str) -> AccessDeniedError:
+    access.note_attempt(False, address)
+    log_refusal(error, address)
+    return AccessDeniedError(HTTPStatus.UNAUTHORIZED, error.code, error.what, error.remedy)
