@@ -25,8 +25,9 @@ from app.cli.batch_options import (
     name_places,
 )
 from app.cli.bench import bench
-from app.cli.catalogue import catalogue, drift
 from app.cli.certificate import certificate
+from app.cli.fleet.catalogue import catalogue
+from app.cli.fleet.questions import drift
 from app.cli.performance import performance
 from app.cli.pictures import detect, extract
 from app.cli.scan import reconstruct, replay, study, sync

@@ -11,6 +11,7 @@ from app.fleet.catalogue.entry import CatalogueEntry
 from app.fleet.catalogue.reading import (
     FigurePoint,
     SearchQuery,
+    calibrations_of,
     figure_points,
     newest_calibration,
     read_record,
@@ -200,10 +201,6 @@ def _calibrations_of(connection: Connection, drift: StationDrift) -> dict[int, s
             RecordRow.kind != "scan",
         )
     ).all()
-    calibrations = connection.execute(
-        select(RecordRow.calibration_sha256, RecordRow.id).where(
-            RecordRow.station == drift.station, RecordRow.kind == "calibration"
-        )
-    )
-    by_hash = {row[0]: row[1] for row in calibrations if row[0]}
-    return {key: own or by_hash.get(sha256, "") for key, own, sha256 in tests}
+    known = calibrations_of(connection, drift.station)
+    named = {sha256: found.id for sha256, found in known.items()}
+    return {key: own or named.get(sha256, "") for key, own, sha256 in tests}

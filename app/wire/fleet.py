@@ -1,6 +1,7 @@
 """What the fleet's server answers; made of the catalogue's own records by their attributes."""
 
 from datetime import datetime
+from typing import Literal
 
 from pydantic import BaseModel, ConfigDict
 
@@ -27,13 +28,22 @@ class FleetStation(FleetAnswer):
     newest_at: datetime | None
 
 
+class NamedQuantity(FleetAnswer):
+    """A quantity of which the catalogue has values, in words."""
+
+    id: str
+    title: Text
+    unit: str
+    of_calibrations: bool
+
+
 class FleetOverview(FleetAnswer):
     """The catalogue as a whole; ``problem``: why it cannot be used now."""
 
     place: str
     stations: list[FleetStation]
     kinds: list[str]
-    quantities: list[str]
+    quantities: list[NamedQuantity]
     problem: Text
     looks_every_s: float
 
@@ -50,6 +60,7 @@ class RecordFigure(FleetAnswer):
 
     symbol: str
     quantity: str
+    title: Text
     value: float
     unit: str
     expanded_uncertainty: float | None
@@ -159,6 +170,73 @@ class CalibrationsInUse(FleetAnswer):
     calibrations: list[FleetRecord]
 
 
+class FleetCalibrationValue(FleetAnswer):
+    """A figure of one calibration."""
+
+    id: str
+    at: datetime
+    value: float
+
+
+class FleetCalibrationSpread(FleetAnswer):
+    """A figure of all calibrations of one sensor at one station, the oldest first."""
+
+    station: str
+    sensor_serial: str
+    unit: str
+    limit: float | None
+    values: list[FleetCalibrationValue]
+    median: float
+    standard_deviation: float | None
+
+
+class FleetSpread(FleetAnswer):
+    """A figure of all calibrations of all stations."""
+
+    quantity: str
+    spreads: list[FleetCalibrationSpread]
+
+
+class AgeingSlope(FleetAnswer):
+    """A change with hours or temperature, with its uncertainty at 95 %."""
+
+    value: float
+    expanded_uncertainty: float
+    values: int
+    groups: int
+    is_significant: bool
+
+
+class FleetAgeingPoint(FleetAnswer):
+    """A value by hours since the calibration in use, and K above its temperature; or by hours since
+    the first value, and °C."""
+
+    at: datetime
+    value: float
+    hours: float
+    temperature: float | None
+    group: str
+
+
+class FleetStationAgeing(FleetAnswer):
+    """How a figure of one station changes; ``since``: what its hours count from."""
+
+    station: str
+    unit: str
+    since: Literal["calibration", "first"]
+    points: list[FleetAgeingPoint]
+    left_out: int
+    per_1000_h: AgeingSlope | None
+    per_kelvin: AgeingSlope | None
+
+
+class FleetAgeing(FleetAnswer):
+    """How a figure of all stations changes."""
+
+    quantity: str
+    stations: list[FleetStationAgeing]
+
+
 FLEET_ANSWERS = (
     FleetOverview,
     StationsOnBroker,
@@ -166,4 +244,6 @@ FLEET_ANSWERS = (
     FleetRecord,
     FleetDrift,
     CalibrationsInUse,
+    FleetSpread,
+    FleetAgeing,
 )

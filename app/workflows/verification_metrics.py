@@ -9,6 +9,7 @@ import numpy as np
 
 from app.formats.datasheets.gauge import GaugeFile, VerificationLimits
 from app.formats.results.verification import (
+    FIGURE_TITLES,
     FigureName,
     FigurePart,
     JudgedBy,
@@ -26,20 +27,6 @@ from app.workflows.measure_gauge import GaugeFit
 ProbedGauge = ProbedPlane | ProbedSphere
 K = 2.0
 UNIFORM = float(np.sqrt(12.0))
-TITLES: dict[FigureName, Text] = {
-    "rms": message("scatter-points-rms"),
-    "form": message("form-cloud-95-points"),
-    "form_all": message("form-all-points-in-gate"),
-    "range_all": message("range-all-points-in-gate"),
-    "angle": message("angle-touched-plane"),
-    "offset": message("distance-touched-plane"),
-    "z_error": message("height-above-touched-plane-along-z"),
-    "radius_error": message("error-radius"),
-    "centre_error": message("distance-touched-centre"),
-    "angle_range": message("angle-between-clouds"),
-    "offset_range": message("distance-between-clouds"),
-    "centre_range": message("distance-between-clouds-centres"),
-}
 ANGLES: tuple[FigureName, ...] = ("angle", "angle_range")
 PLACES: tuple[FigureName, ...] = ("angle", "offset", "z_error", "centre_error")
 """Figures of where the gauge was found; they are judged by their measurement uncertainty."""
@@ -215,10 +202,10 @@ def _judge(
     standard = measured if by == "measurement" else test[name]
     limit: float | None = getattr(limits, name, None)
     decision = decide(value, limit, standard, rule, signed=name in SIGNED)
-    words = Judgement(TITLES[name], value, limit, standard, unit, decision, name in SIGNED)
+    words = Judgement(FIGURE_TITLES[name], value, limit, standard, unit, decision, name in SIGNED)
     return FigurePart(
         name=name,
-        title=TITLES[name],
+        title=FIGURE_TITLES[name],
         unit=unit,
         value=value,
         expanded_uncertainty=K * measured,

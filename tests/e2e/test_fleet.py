@@ -74,8 +74,22 @@ def test_a_drift_names_its_recordings(page: Page) -> None:
 def test_calibrations_stand_side_by_side_in_german(page: Page) -> None:
     page.get_by_role("button", name="Deutsch").click()
     page.get_by_role("button", name="Kalibrierungen").click()
-    expect(page.get_by_role("columnheader")).to_have_count(4)
-    expect(page.get_by_role("row", name="point-uncertainty")).to_be_visible()
+    newest = page.get_by_role("region", name="Neueste Kalibrierungen")
+    expect(newest.get_by_role("columnheader")).to_have_count(4)
+    expect(newest.get_by_role("row", name="Standardunsicherheit eines Punktes")).to_be_visible()
+    spread = page.get_by_role("region", name="Streuung aller Kalibrierungen")
+    expect(spread.get_by_role("row", name="room-2")).to_be_visible()
+    page.locator("select").select_option("laser-plane-offset")
+    expect(spread.get_by_role("img")).to_have_count(3)
+
+
+def test_ageing_is_drawn_against_hours_and_temperature(page: Page) -> None:
+    open_view(page, "Ageing")
+    expect(page.get_by_role("img")).to_have_count(3)
+    expect(page.get_by_text("Hours since the calibration in use").first).to_be_visible()
+    page.get_by_role("button", name="Temperature").click()
+    expect(page.get_by_text("Above the temperature").first).to_be_visible()
+    expect(page.get_by_text("(95 %)")).to_have_count(3)
 
 
 def test_a_person_signs_in_with_the_provider_and_out_again(

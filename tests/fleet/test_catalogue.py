@@ -169,7 +169,7 @@ def test_a_figure_over_time_and_stations(catalogue: FleetCatalogue) -> None:
         assert [one.value for one in only] == [3.0]
         since = figure_points(connection, "location-scan", since=START + timedelta(hours=2))
         assert [one.value for one in since] == [2.0, 3.0]
-        assert quantities(connection) == ["location-scan", "size-scan"]
+        assert quantities(connection) == {"location-scan": "µm", "size-scan": "µm"}
 
 
 def test_stations_with_their_counts(catalogue: FleetCatalogue) -> None:

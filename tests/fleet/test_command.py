@@ -11,6 +11,7 @@ from app.cli.main import cli
 from app.fleet.catalogue.catalogue import FleetCatalogue
 from app.store.store import Store
 from tests.fleet.records import add_every_kind
+from tests.fleet.test_ageing import ageing_station
 from tests.fleet.test_questions import ten_months
 
 SETTINGS = """
@@ -92,6 +93,11 @@ def test_the_questions_are_answered(config: Path) -> None:
     assert "Calibration of May" not in run(config, "drift", "arm-largest").stdout
     assert "1 values of 1 stations, 0 changes" in run(config, "drift", "arm-largest").stdout
     assert "choose one of arm-half-range" in run(config, "drift", "size").stderr
+    assert "Arm check: largest distance" in run(config, "drift", "arm-largest").stdout
+    spread = json.loads(run(config, "spread", "laser-plane-offset", "--json").stdout)
+    assert [len(one["values"]) for one in spread["sensors"]] == [1]
+    assert "Offset of the laser plane" in run(config, "spread", "laser-plane-offset").stdout
+    assert "choose one of" in run(config, "spread", "size").stderr
     alone = CliRunner().invoke(cli, ["drift", "arm-largest", "--config", str(config)])
     assert alone.stdout == run(config, "drift", "arm-largest").stdout
 
@@ -107,3 +113,17 @@ def test_a_planted_change_is_printed_with_its_recordings(tmp_path: Path) -> None
     assert printed.count("room-3/scan/") == 30
     (period,) = json.loads(run(path, "drift", "location-scan", "--json").stdout)["periods"]
     assert len(period["recordings"]) == 30
+
+
+def test_ageing_is_printed_for_each_station(tmp_path: Path) -> None:
+    path = tmp_path / "fleet.toml"
+    path.write_text('[catalogue]\ndatabase = "sqlite:///catalogue.db"\n')
+    with FleetCatalogue(f"sqlite:///{tmp_path}/catalogue.db") as catalogue:
+        catalogue.add(ageing_station("room-1", 6.0, 1.5))
+        catalogue.add(ageing_station("room-22", 0.0, 0.0))
+    printed = run(path, "ageing", "gauge-offset").stdout
+    assert "Gauge: Distance from the touched plane" in printed
+    assert "none shown" in printed
+    found = json.loads(run(path, "ageing", "gauge-offset", "--station", "room-1", "--json").stdout)
+    (aged,) = found["stations"]
+    assert abs(aged["per_1000_h"]["value"] - 6.0) < 2 * aged["per_1000_h"]["expanded_uncertainty"]

@@ -102,6 +102,15 @@ def test_it_collects_and_answers(store: Store, tmp_path: Path) -> None:
         assert not {one["key"] for one in second} & {one["key"] for one in first["records"]}
         detail = client.get("/api/fleet/records/room-1/tip_check/20260504-080000-dd44").json()
         assert detail["figures"][0]["value"] == -100.0
+        assert detail["figures"][0]["title"]["message_id"] == "fleet-tip-diameter-error"
+        known = {one["id"]: one for one in client.get("/api/fleet/overview").json()["quantities"]}
+        assert known["laser-plane-offset"]["of_calibrations"]
+        assert known["location-scan"]["unit"] == "µm"
+        (spread,) = client.get("/api/fleet/spread/laser-plane-offset").json()["spreads"]
+        assert (spread["station"], len(spread["values"])) == ("room-1", 1)
+        aged = client.get("/api/fleet/ageing/location-scan", params={"station": "room-3"}).json()
+        assert aged["stations"][0]["since"] == "calibration"
+        assert aged["stations"][0]["per_1000_h"]["groups"] == 10
         missing = client.get("/api/fleet/records/room-1/scan/none")
         assert (missing.status_code, missing.json()["code"]) == (404, "not-found")
         drift = client.get("/api/fleet/drift/location-scan").json()

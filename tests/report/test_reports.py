@@ -21,7 +21,11 @@ from app.formats.results.acceptance import ACCEPTANCE, Acceptance, ComparisonPar
 from app.formats.results.arm_checks import ARM_CHECK, TIP_CHECK, ArmCheckFile, TipCheckFile
 from app.formats.results.calibration import CalibrationFile, Input
 from app.formats.results.decision_rule import RulePart
-from app.formats.results.verification import VerificationFile, write_verification
+from app.formats.results.verification import (
+    FIGURE_TITLES,
+    VerificationFile,
+    write_verification,
+)
 from app.formats.session.arm_session import write_observations
 from app.messages.catalogue import renderer
 from app.messages.language_file import languages
@@ -41,7 +45,6 @@ from app.report.translation import translate_report
 from app.workflows.calibrate import calibrate_session
 from app.workflows.identify_arm import IdentificationProvenance, identify_folder
 from app.workflows.measure_gauge import MAP, MapFile, filters_of
-from app.workflows.verification_metrics import TITLES
 from hardware.simulator.session import SessionPlan, render_session
 from tests.datasheets import write_arm
 from tests.formats.builders import ARM
@@ -455,7 +458,7 @@ FACE_FACTOR = 1.08
 @pytest.mark.parametrize("language", languages())
 def test_the_longest_title_of_a_figure_fits_in_every_language(language: str) -> None:
     render = renderer(language)
-    widest = max(stringWidth(render(title), "Helvetica", 7.5) for title in TITLES.values())
+    widest = max(stringWidth(render(title), "Helvetica", 7.5) for title in FIGURE_TITLES.values())
     assert FACE_FACTOR * widest < LABELS - 8
 
 

@@ -5,6 +5,9 @@ from dataclasses import dataclass
 from datetime import datetime
 from typing import Literal, get_args
 
+from app.fleet.catalogue.quantities import title_of
+from app.messages.message import Text
+
 EntryKind = Literal[
     "calibration", "verification", "performance", "arm_check", "tip_check", "session", "scan"
 ]
@@ -50,6 +53,11 @@ class EntryFigure:
     limit: float | None = None
     """Of the absolute value."""
     decision: str = ""
+
+    @property
+    def title(self) -> Text:
+        """What it is, in words."""
+        return title_of(self.quantity)
 
 
 @dataclass(frozen=True, slots=True)

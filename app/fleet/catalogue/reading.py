@@ -71,6 +71,15 @@ class FigurePoint:
 
 
 @dataclass(frozen=True, slots=True)
+class CalibrationMoment:
+    """When a station accepted a calibration, and how warm it was."""
+
+    id: str
+    at: datetime
+    temperature_c: float | None
+
+
+@dataclass(frozen=True, slots=True)
 class KnownContent:
     """What the catalogue has of a record's folder."""
 
@@ -224,6 +233,22 @@ def newest_calibration(
     return None if row is None else _read_row(row).entry
 
 
+def calibrations_of(connection: Connection, station: str) -> dict[str, CalibrationMoment]:
+    """The calibrations of a station, each by its id and by the hash of its file."""
+    rows = connection.execute(
+        select(
+            RecordRow.calibration_sha256, RecordRow.id, RecordRow.at, RecordRow.temperature_c
+        ).where(RecordRow.station == station, RecordRow.kind == "calibration")
+    )
+    found = {}
+    for sha256, calibration_id, at, temperature_c in rows:
+        moment = CalibrationMoment(calibration_id, at, temperature_c)
+        found[moment.id] = moment
+        if sha256:
+            found[sha256] = moment
+    return found
+
+
 def list_contents(connection: Connection, station: str) -> dict[str, KnownContent]:
     """The contents of a station's records that are there, by the name of the folder."""
     found = connection.execute(
@@ -276,16 +301,17 @@ def figure_points(
     return sorted(found, key=lambda point: (point.at, point.station))[-limit:]
 
 
-def quantities(connection: Connection) -> list[str]:
-    """The quantities of which the catalogue has values, in order."""
-    found: list[str] = []
+def quantities(connection: Connection) -> dict[str, str]:
+    """The quantities of which the catalogue has values, in order, each with its unit."""
+    found: dict[str, str] = {}
+    following = select(FigureRow.quantity, FigureRow.unit).order_by(FigureRow.quantity).limit(1)
+    last = ""
     while True:  # from one to the next in the index: all rows would take seconds
-        last = found[-1] if found else ""
-        after = select(func.min(FigureRow.quantity)).where(FigureRow.quantity > last)
-        following = connection.scalar(after)
-        if following is None:
+        row = connection.execute(following.where(FigureRow.quantity > last)).one_or_none()
+        if row is None:
             return found
-        found.append(following)
+        last = row.quantity
+        found[last] = row.unit
 
 
 def summarise_stations(connection: Connection) -> list[StationSummary]:

@@ -22,7 +22,7 @@ from app.formats.json_document import (
 )
 from app.formats.results.calibration import Input, SerialNumbers
 from app.formats.results.decision_rule import FORMER_CHECK_RULE, RulePart
-from app.messages.message import Text
+from app.messages.message import Text, message
 
 Decision = Literal["pass", "fail", "uncertain", "none"]
 """By the record's ``rule``; ``none`` where there is no limit."""
@@ -43,6 +43,21 @@ FigureName = Literal[
     "offset_range",
     "centre_range",
 ]
+FIGURE_TITLES: dict[FigureName, Text] = {
+    "rms": message("scatter-points-rms"),
+    "form": message("form-cloud-95-points"),
+    "form_all": message("form-all-points-in-gate"),
+    "range_all": message("range-all-points-in-gate"),
+    "angle": message("angle-touched-plane"),
+    "offset": message("distance-touched-plane"),
+    "z_error": message("height-above-touched-plane-along-z"),
+    "radius_error": message("error-radius"),
+    "centre_error": message("distance-touched-centre"),
+    "angle_range": message("angle-between-clouds"),
+    "offset_range": message("distance-between-clouds"),
+    "centre_range": message("distance-between-clouds-centres"),
+}
+"""In plain words."""
 
 VERIFICATION, GAUGE, CONTACTS, STUDY = (
     "verification.json",

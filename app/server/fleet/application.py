@@ -13,7 +13,9 @@ from starlette.responses import RedirectResponse, Response
 from app.api import problems
 from app.api.problems import NotFoundError
 from app.api.static_files import file_response, page_response
+from app.fleet.ageing import ageing_of, spread_of
 from app.fleet.catalogue.entry import ENTRY_KINDS
+from app.fleet.catalogue.quantities import CALIBRATION_TITLES, title_of
 from app.fleet.catalogue.reading import (
     FoundRecord,
     SearchQuery,
@@ -35,11 +37,16 @@ from app.wire.fleet import (
     CalibrationsInUse,
     DriftingStation,
     DriftPeriod,
+    FleetAgeing,
+    FleetCalibrationSpread,
     FleetDrift,
     FleetOverview,
     FleetRecord,
+    FleetSpread,
     FleetStation,
+    FleetStationAgeing,
     FoundFleetRecord,
+    NamedQuantity,
     RecordsPage,
     StationsOnBroker,
 )
@@ -84,7 +91,9 @@ def build_fleet_app(
     )
     problems.install(app)
     app.include_router(sign_in_router(access))
-    _add_routes(app, service)
+    _add_lists(app, service)
+    _add_questions(app, service)
+    _add_pages(app)
 
     @app.middleware("http")
     async def check(request: Request, call_next: RequestResponseEndpoint) -> Response:
@@ -94,7 +103,7 @@ def build_fleet_app(
     return app
 
 
-def _add_routes(app: FastAPI, service: FleetService) -> None:
+def _add_lists(app: FastAPI, service: FleetService) -> None:
     @app.get("/api/fleet/overview")
     def overview() -> Response:
         catalogue = service.catalogue()
@@ -105,7 +114,15 @@ def _add_routes(app: FastAPI, service: FleetService) -> None:
             place=catalogue.place,
             stations=[FleetStation.model_validate(one) for one in stations],
             kinds=list(ENTRY_KINDS),
-            quantities=list(known),
+            quantities=[
+                NamedQuantity(
+                    id=one,
+                    title=title_of(one),
+                    unit=unit,
+                    of_calibrations=one in CALIBRATION_TITLES,
+                )
+                for one, unit in known.items()
+            ],
             problem=service.problem,
             looks_every_s=service.looks_every_s,
         )
@@ -149,6 +166,8 @@ def _add_routes(app: FastAPI, service: FleetService) -> None:
             raise NotFoundError(message("fleet-no-record", id=record_id))
         return json_response(FleetRecord.model_validate(found))
 
+
+def _add_questions(app: FastAPI, service: FleetService) -> None:
     @app.get("/api/fleet/drift/{quantity}")
     def drift(quantity: str, station: Annotated[list[str], Query()] = []) -> Response:  # noqa: B006
         with service.catalogue().reading() as connection:
@@ -168,6 +187,22 @@ def _add_routes(app: FastAPI, service: FleetService) -> None:
         answer = CalibrationsInUse(calibrations=[FleetRecord.model_validate(one) for one in found])
         return json_response(answer)
 
+    @app.get("/api/fleet/spread/{quantity}")
+    def spread(quantity: str, station: Annotated[list[str], Query()] = []) -> Response:  # noqa: B006
+        with service.catalogue().reading() as connection:
+            found = spread_of(connection, quantity, station)
+        spreads = [FleetCalibrationSpread.model_validate(one) for one in found]
+        return json_response(FleetSpread(quantity=quantity, spreads=spreads))
+
+    @app.get("/api/fleet/ageing/{quantity}")
+    def ageing(quantity: str, station: Annotated[list[str], Query()] = []) -> Response:  # noqa: B006
+        with service.catalogue().reading() as connection:
+            found = ageing_of(connection, quantity, station)
+        stations = [FleetStationAgeing.model_validate(one) for one in found]
+        return json_response(FleetAgeing(quantity=quantity, stations=stations))
+
+
+def _add_pages(app: FastAPI) -> None:
     @app.get(PASSWORD_PAGE)
     def after_password() -> Response:
         return RedirectResponse("/", 303)

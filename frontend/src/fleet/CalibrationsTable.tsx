@@ -1,26 +1,27 @@
 import type { CalibrationsInUse } from "../api/wire";
 import { figures, moment } from "../parts/format";
+import { measured } from "../parts/lengths";
 import { QualityMark } from "../parts/QualityMark";
 import { t } from "../state/language";
-import { qualityOf, useAnswer } from "./answers";
+import { decimalsOf, qualityOf, useAnswer } from "./answers";
 import styles from "./FleetPage.module.css";
 
 /** The newest calibration of every station and sensor, side by side. */
-export function CalibrationsTable() {
+export function CalibrationsTable({ names }: { names: Map<string, string> }) {
   const { value } = useAnswer<CalibrationsInUse>("/api/fleet/calibrations");
   if (!value) return null;
   const { calibrations } = value;
-  const quantities = [...new Set(calibrations.flatMap((one) => one.figures.map(({ quantity }) => quantity)))];
+  const titles = new Map(calibrations.flatMap((one) => one.figures.map(({ quantity, title }) => [quantity, title])));
   if (calibrations.length === 0) return <p className={styles.note}>{t("ui-no-data-yet")}</p>;
   return (
-    <section className={styles.scroll} aria-label={t("ui-fleet-calibrations")}>
+    <section className={styles.scroll} aria-label={t("ui-fleet-newest-calibrations")}>
       <table className={styles.table}>
         <thead>
           <tr>
             <th scope="col">{t("ui-fleet-quantity")}</th>
             {calibrations.map((one) => (
               <th key={`${one.station} ${one.sensor_serial}`} scope="col">
-                {one.station}
+                {names.get(one.station) ?? one.station}
                 <br />
                 {one.sensor_serial}
               </th>
@@ -44,13 +45,15 @@ export function CalibrationsTable() {
               </td>
             ))}
           </tr>
-          {quantities.map((quantity) => (
+          {[...titles].map(([quantity, title]) => (
             <tr key={quantity}>
-              <th scope="row">{quantity}</th>
+              <th scope="row">{title}</th>
               {calibrations.map((one) => {
                 const found = one.figures.find((figure) => figure.quantity === quantity);
                 return (
-                  <td key={`${one.station} ${one.id}`}>{found ? `${figures(found.value, 3)} ${found.unit}` : "–"}</td>
+                  <td key={`${one.station} ${one.id}`}>
+                    {found ? measured(found.value, found.unit, decimalsOf(found.unit)) : "–"}
+                  </td>
                 );
               })}
             </tr>

@@ -1,18 +1,9 @@
 import type { DriftPoint, DriftStep } from "../api/wire";
-import { figures, moment } from "../parts/format";
-import { qualityOf } from "./answers";
+import { moment } from "../parts/format";
+import { measured } from "../parts/lengths";
+import { decimalsOf, qualityOf } from "./answers";
 import styles from "./FleetPage.module.css";
-
-const WIDTH = 1000;
-const HEIGHT = 160;
-const EDGE = 10;
-
-interface Range {
-  from: number;
-  to: number;
-  low: number;
-  high: number;
-}
+import { Dot, HEIGHT, Plot, type Range, WIDTH } from "./Plot";
 
 /** A figure over time with its limit; bands are where a change happened (95 %). */
 export function DriftChart({
@@ -26,50 +17,34 @@ export function DriftChart({
   range: Range;
   label: string;
 }) {
-  const margin = 0.08 * Math.max(range.high - range.low, 1e-9);
-  const low = range.low - margin;
-  const high = range.high + margin;
-  const x = (at: string) =>
-    EDGE + ((WIDTH - 2 * EDGE) * (Date.parse(at) - range.from)) / Math.max(range.to - range.from, 1);
-  const y = (value: number) => HEIGHT - (HEIGHT * (value - low)) / (high - low);
   const limit = points.flatMap((one) => (one.limit === null ? [] : [one.limit]))[0];
   const unit = points[0]?.unit ?? "";
+  const day = (time: number) => moment(new Date(time).toISOString());
   return (
-    <figure className={styles.chart}>
-      <div className={styles.scale} aria-hidden="true">
-        <span>{`${figures(high, 1)} ${unit}`}</span>
-        <span>{figures(low, 1)}</span>
-      </div>
-      <svg viewBox={`0 0 ${WIDTH} ${HEIGHT}`} preserveAspectRatio="none" role="img" aria-label={label}>
-        {changes.map((one) => (
-          <rect
-            key={one.by}
-            className={styles.band}
-            x={x(one.earliest)}
-            width={Math.max(x(one.latest) - x(one.earliest), 3)}
-            y="0"
-            height={HEIGHT}
+    <Plot range={range} unit={unit} ends={[day(range.from), day(range.to)]} label={label}>
+      {({ x, y }) => (
+        <>
+          {changes.map((one) => {
+            const from = x(Date.parse(one.earliest));
+            const width = Math.max(x(Date.parse(one.latest)) - from, 3);
+            return <rect key={one.by} className={styles.band} x={from} width={width} y="0" height={HEIGHT} />;
+          })}
+          {limit !== undefined && <line className={styles.limit} x1="0" x2={WIDTH} y1={y(limit)} y2={y(limit)} />}
+          <polyline
+            className={styles.line}
+            points={points.map((one) => `${x(Date.parse(one.at))},${y(one.value)}`).join(" ")}
           />
-        ))}
-        {limit !== undefined && <line className={styles.limit} x1="0" x2={WIDTH} y1={y(limit)} y2={y(limit)} />}
-        <polyline className={styles.line} points={points.map((one) => `${x(one.at)},${y(one.value)}`).join(" ")} />
-        {points.map((one) => (
-          <circle
-            key={one.record_key}
-            className={styles.dot}
-            data-quality={qualityOf(one.decision)}
-            cx={x(one.at)}
-            cy={y(one.value)}
-            r="4"
-          >
-            <title>{`${moment(one.at)}: ${figures(one.value, 2)} ${one.unit}`}</title>
-          </circle>
-        ))}
-      </svg>
-      <figcaption className={styles.dates}>
-        <span>{moment(new Date(range.from).toISOString())}</span>
-        <span>{moment(new Date(range.to).toISOString())}</span>
-      </figcaption>
-    </figure>
+          {points.map((one) => (
+            <Dot
+              key={one.record_key}
+              x={x(Date.parse(one.at))}
+              y={y(one.value)}
+              quality={qualityOf(one.decision)}
+              title={`${moment(one.at)}: ${measured(one.value, unit, decimalsOf(unit))}`}
+            />
+          ))}
+        </>
+      )}
+    </Plot>
   );
 }

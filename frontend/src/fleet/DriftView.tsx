@@ -1,54 +1,44 @@
-import { useState } from "react";
 import type { DriftPeriod, FleetDrift, FleetOverview } from "../api/wire";
 import { figures, moment } from "../parts/format";
 import { QualityMark } from "../parts/QualityMark";
 import { t } from "../state/language";
 import { useAnswer } from "./answers";
+import { ChooseQuantity, quantityName, useQuantity } from "./ChooseQuantity";
 import { DriftChart } from "./DriftChart";
 import styles from "./FleetPage.module.css";
+import { rangeOf } from "./Plot";
 
 const FIRST = "location-scan";
 
 /** A figure of all stations over time, its changes, and the recordings that they affect. */
 export function DriftView({ overview }: { overview: FleetOverview }) {
   const { quantities } = overview;
-  const [quantity, setQuantity] = useState(quantities.includes(FIRST) ? FIRST : (quantities[0] ?? ""));
+  const [quantity, setQuantity] = useQuantity(quantities, FIRST);
   if (!quantity) return <p className={styles.note}>{t("ui-no-data-yet")}</p>;
   return (
     <section aria-label={t("ui-fleet-drift")}>
       <div className={styles.form}>
-        <label>
-          {t("ui-fleet-quantity")}
-          <select value={quantity} onChange={(event) => setQuantity(event.target.value)}>
-            {quantities.map((one) => (
-              <option key={one} value={one}>
-                {one}
-              </option>
-            ))}
-          </select>
-        </label>
+        <ChooseQuantity known={quantities} value={quantity} onChange={setQuantity} />
       </div>
-      <Charts key={quantity} quantity={quantity} names={new Map(overview.stations.map((one) => [one.id, one.name]))} />
+      <Charts key={quantity} quantity={quantity} overview={overview} />
     </section>
   );
 }
 
-function Charts({ quantity, names }: { quantity: string; names: Map<string, string> }) {
+function Charts({ quantity, overview }: { quantity: string; overview: FleetOverview }) {
   const { value } = useAnswer<FleetDrift>(`/api/fleet/drift/${encodeURIComponent(quantity)}`);
   if (!value) return null;
+  const names = new Map(overview.stations.map((one) => [one.id, one.name]));
   const points = value.stations.flatMap((one) => one.points);
-  const known = points.flatMap(({ value, limit }) => [value, ...(limit === null ? [] : [limit])]);
-  const times = points.map(({ at }) => Date.parse(at));
-  const range = {
-    from: Math.min(...times),
-    to: Math.max(...times),
-    low: Math.min(...known),
-    high: Math.max(...known),
-  };
+  const range = rangeOf(
+    points.map((one) => ({ x: Date.parse(one.at), y: one.value })),
+    points.flatMap(({ limit }) => (limit === null ? [] : [limit])),
+  );
+  const title = quantityName(overview.quantities, quantity);
   return value.stations.map((one) => (
     <article key={one.station} className={styles.drift}>
       <h2>{names.get(one.station) ?? one.station}</h2>
-      <DriftChart points={one.points} changes={one.changes} range={range} label={`${one.station} ${quantity}`} />
+      <DriftChart points={one.points} changes={one.changes} range={range} label={`${one.station}: ${title}`} />
       {value.periods
         .filter((period) => period.station === one.station)
         .map((period) => (

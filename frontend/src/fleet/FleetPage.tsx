@@ -10,14 +10,16 @@ import { PressButton } from "../parts/PressButton";
 import { isolated } from "../state/isolated";
 import { t, useLanguage } from "../state/language";
 import { useLive } from "../state/store";
+import { AgeingView } from "./AgeingView";
 import { useAnswer } from "./answers";
 import { CalibrationsTable } from "./CalibrationsTable";
 import { DriftView } from "./DriftView";
 import styles from "./FleetPage.module.css";
 import { RecordSearch } from "./RecordSearch";
+import { SpreadTable } from "./SpreadTable";
 import { StationList } from "./StationList";
 
-type View = "stations" | "records" | "drift" | "calibrations";
+type View = "stations" | "records" | "drift" | "calibrations" | "ageing";
 const READ_MS = 5000;
 
 /** All stations: what they do, what they recorded, and how their figures drift. */
@@ -58,6 +60,7 @@ function Views({ session }: { session: SignInState }) {
             { value: "records", label: t("ui-fleet-records") },
             { value: "drift", label: t("ui-fleet-drift") },
             { value: "calibrations", label: t("ui-fleet-calibrations") },
+            { value: "ageing", label: t("ui-fleet-ageing") },
           ]}
         />
         <div className={styles.person}>
@@ -81,7 +84,13 @@ function Views({ session }: { session: SignInState }) {
         {overview && view === "stations" && <StationList stations={overview.stations} place={overview.place} />}
         {overview && view === "records" && <RecordSearch overview={overview} />}
         {overview && view === "drift" && <DriftView overview={overview} />}
-        {overview && view === "calibrations" && <CalibrationsTable />}
+        {overview && view === "calibrations" && (
+          <>
+            <SpreadTable overview={overview} />
+            <CalibrationsTable names={new Map(overview.stations.map((one) => [one.id, one.name]))} />
+          </>
+        )}
+        {overview && view === "ageing" && <AgeingView overview={overview} />}
       </main>
     </div>
   );

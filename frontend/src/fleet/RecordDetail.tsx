@@ -1,8 +1,9 @@
 import type { FleetRecord, FoundFleetRecord } from "../api/wire";
 import { figures, moment } from "../parts/format";
+import { measured } from "../parts/lengths";
 import { QualityMark } from "../parts/QualityMark";
 import { t } from "../state/language";
-import { qualityOf, useAnswer } from "./answers";
+import { decimalsOf, qualityOf, useAnswer } from "./answers";
 import styles from "./FleetPage.module.css";
 import { kindName } from "./RecordSearch";
 
@@ -50,6 +51,7 @@ export function RecordDetail({ found, onBack }: { found: FoundFleetRecord; onBac
             <thead>
               <tr>
                 <th scope="col">{t("ui-fleet-symbol")}</th>
+                <th scope="col">{t("ui-fleet-quantity")}</th>
                 <th scope="col">{t("ui-value")}</th>
                 <th scope="col">{t("ui-fleet-expanded")}</th>
                 <th scope="col">{t("ui-limit")}</th>
@@ -59,10 +61,15 @@ export function RecordDetail({ found, onBack }: { found: FoundFleetRecord; onBac
             <tbody>
               {entry.figures.map((one) => (
                 <tr key={`${one.symbol} ${one.quantity}`}>
-                  <td>{one.symbol}</td>
-                  <td>{`${figures(one.value, 3)} ${one.unit}`}</td>
-                  <td>{one.expanded_uncertainty === null ? "–" : figures(one.expanded_uncertainty, 2)}</td>
-                  <td>{one.limit === null ? "–" : figures(one.limit, 1)}</td>
+                  <td>{one.symbol === one.quantity ? "" : one.symbol}</td>
+                  <td className={styles.wraps}>{one.title}</td>
+                  <td>{measured(one.value, one.unit, decimalsOf(one.unit))}</td>
+                  <td>
+                    {one.expanded_uncertainty === null
+                      ? "–"
+                      : measured(one.expanded_uncertainty, one.unit, decimalsOf(one.unit))}
+                  </td>
+                  <td>{one.limit === null ? "–" : measured(one.limit, one.unit, decimalsOf(one.unit))}</td>
                   <td>{one.decision && <QualityMark quality={qualityOf(one.decision)} size="1.1em" />}</td>
                 </tr>
               ))}

@@ -6,10 +6,10 @@ import type { Quality } from "../api/types";
 import type { PlainId } from "../messages/text";
 
 export const KINDS: Record<string, PlainId> = {
-  scan: "ui-scan",
+  scan: "ui-fleet-kind-scan",
   calibration: "ui-calibration",
   verification: "ui-verification",
-  performance: "ui-performance",
+  performance: "ui-fleet-kind-performance",
   arm_check: "ui-arm-check",
   tip_check: "ui-tip-check",
   session: "ui-fleet-session",
@@ -29,11 +29,17 @@ export function qualityOf(verdict: string): Quality {
   return QUALITIES[verdict] ?? "neutral";
 }
 
-/** The data at an address, read again at intervals; the last answer stays while there is none. */
+/** With how many decimals a unit is shown. */
+export function decimalsOf(unit: string): number {
+  return { mm: 3, px: 2 }[unit] ?? 1;
+}
+
+/** The data at an address, read again at intervals; the last answer stays while there is none. An empty address is not read. */
 export function useAnswer<T>(path: string, every_ms = 0): { value: T | null; failed: boolean } {
   const [value, setValue] = useState<T | null>(null);
   const [failed, setFailed] = useState(false);
   useEffect(() => {
+    if (!path) return;
     let wanted = true;
     const read = () =>
       get<T>(path).then(

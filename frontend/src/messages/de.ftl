@@ -324,22 +324,44 @@ ui-fleet-affected = { $n ->
     [one] Eine Aufnahme ist betroffen.
    *[other] { $n } Aufnahmen sind betroffen.
 }
+ui-fleet-against = Über
+ui-fleet-ageing = Alterung
+ui-fleet-all-calibrations = Alle Kalibrierungen jedes Sensors; die neueste ist blau und groß. Der Balken ist der Median ± eine Standardabweichung.
 ui-fleet-archived = Archiviert
 ui-fleet-back = Zurück zur Liste
 ui-fleet-calibrations = Kalibrierungen
 ui-fleet-changed = Änderung um { $size } ± { $uncertainty } { $unit } (k = 2) zwischen { $earliest } und { $latest } (95 %).
+ui-fleet-changes-by = { $since ->
+        [calibration] Ändert sich um { $slope } ± { $uncertainty } { $unit } (95 %), nach { $n } Werten mit { $groups } Kalibrierungen.
+       *[first] Ändert sich um { $slope } ± { $uncertainty } { $unit } (95 %), nach { $n } Werten von { $groups } Geräten.
+    }
 ui-fleet-collected = Gesammelt
+ui-fleet-count = Anzahl
 ui-fleet-drift = Drift
 ui-fleet-ended = Spätestens am { $when } wieder wie vorher.
 ui-fleet-expanded = U (k = 2)
 ui-fleet-explained = Nur die Prüfungen dieses Zeitraums verwendeten: { $calibrations }. Die Aufnahmen damit sind betroffen.
 ui-fleet-file = Datei
 ui-fleet-from = Gesammelt aus
+ui-fleet-hours = Stunden
+ui-fleet-hours-since-calibration = Stunden seit der verwendeten Kalibrierung
+ui-fleet-hours-since-first = Stunden seit dem ersten Wert des Geräts
 ui-fleet-kind = Art
+ui-fleet-kind-performance = Leistungsprüfung
+ui-fleet-kind-scan = Scan
 ui-fleet-label = Name
 ui-fleet-lasts = Sie dauert an.
+ui-fleet-left-out = Ausgelassen, weil ihre Kalibrierung nicht im Katalog ist: { $n }
+ui-fleet-median = Median
 ui-fleet-newest = Neuester Datensatz
+ui-fleet-newest-calibrations = Neueste Kalibrierungen
+ui-fleet-newest-value = Neueste
 ui-fleet-no-answer = Der Server der Flotte antwortet nicht, oder seine Datenbank ist jetzt nicht benutzbar. Die Stationen arbeiten weiter, und nichts geht verloren.
+ui-fleet-no-change-shown = { $since ->
+        [calibration] Keine Änderung erkennbar: { $slope } ± { $uncertainty } { $unit } (95 %), nach { $n } Werten mit { $groups } Kalibrierungen.
+       *[first] Keine Änderung erkennbar: { $slope } ± { $uncertainty } { $unit } (95 %), nach { $n } Werten von { $groups } Geräten.
+    }
+ui-fleet-no-slope = Zu wenige Werte für einen Trend.
 ui-fleet-not-collected = Am Broker, aber nicht in fleet.toml: es wird nichts gesammelt.
 ui-fleet-not-on-broker = Am Broker nicht gehört
 ui-fleet-nothing-found = Kein Datensatz gefunden.
@@ -356,7 +378,11 @@ ui-fleet-session = Andere Sitzung
 ui-fleet-since = Von
 ui-fleet-size = Umfang
 ui-fleet-software = Software
+ui-fleet-spread = Streuung aller Kalibrierungen
+ui-fleet-standard-deviation = Standardabweichung
 ui-fleet-symbol = Symbol
+ui-fleet-temperature-since-calibration = Über der Temperatur der verwendeten Kalibrierung
+ui-fleet-temperature-since-first = Temperatur
 ui-fleet-until = Bis
 ui-fleet-verdict = Ergebnis
 ui-fleet-with-the-password = Mit dem Passwort dieser Seite

@@ -324,22 +324,44 @@ ui-fleet-affected = { $n ->
     [one] One recording is affected.
    *[other] { $n } recordings are affected.
 }
+ui-fleet-against = Against
+ui-fleet-ageing = Ageing
+ui-fleet-all-calibrations = All calibrations of each sensor; the newest is blue and large. The bar is the median ± one standard deviation.
 ui-fleet-archived = Archived
 ui-fleet-back = Back to the list
 ui-fleet-calibrations = Calibrations
 ui-fleet-changed = Changed by { $size } ± { $uncertainty } { $unit } (k = 2) between { $earliest } and { $latest } (95 %).
+ui-fleet-changes-by = { $since ->
+        [calibration] Changes by { $slope } ± { $uncertainty } { $unit } (95 %), by { $n } values with { $groups } calibrations.
+       *[first] Changes by { $slope } ± { $uncertainty } { $unit } (95 %), by { $n } values of { $groups } devices.
+    }
 ui-fleet-collected = Collected
+ui-fleet-count = Number
 ui-fleet-drift = Drift
 ui-fleet-ended = Back to the level before by { $when }.
 ui-fleet-expanded = U (k = 2)
 ui-fleet-explained = Only the tests of this period used: { $calibrations }. The recordings with these are affected.
 ui-fleet-file = File
 ui-fleet-from = Collected from
+ui-fleet-hours = Hours
+ui-fleet-hours-since-calibration = Hours since the calibration in use
+ui-fleet-hours-since-first = Hours since the first value of the device
 ui-fleet-kind = Kind
+ui-fleet-kind-performance = Performance test
+ui-fleet-kind-scan = Scan
 ui-fleet-label = Name
 ui-fleet-lasts = It lasts.
+ui-fleet-left-out = Left out, because their calibration is not in the catalogue: { $n }
+ui-fleet-median = Median
 ui-fleet-newest = Newest record
+ui-fleet-newest-calibrations = Newest calibrations
+ui-fleet-newest-value = Newest
 ui-fleet-no-answer = The fleet's server does not answer, or its database cannot be used now. The stations go on, and nothing is lost.
+ui-fleet-no-change-shown = { $since ->
+        [calibration] No change is shown: { $slope } ± { $uncertainty } { $unit } (95 %), by { $n } values with { $groups } calibrations.
+       *[first] No change is shown: { $slope } ± { $uncertainty } { $unit } (95 %), by { $n } values of { $groups } devices.
+    }
+ui-fleet-no-slope = Too few values for a trend.
 ui-fleet-not-collected = On the broker, but not in fleet.toml: nothing is collected.
 ui-fleet-not-on-broker = Not heard on the broker
 ui-fleet-nothing-found = No record is found.
@@ -356,7 +378,11 @@ ui-fleet-session = Other session
 ui-fleet-since = From
 ui-fleet-size = Size
 ui-fleet-software = Software
+ui-fleet-spread = Spread of all calibrations
+ui-fleet-standard-deviation = Standard deviation
 ui-fleet-symbol = Symbol
+ui-fleet-temperature-since-calibration = Above the temperature of the calibration in use
+ui-fleet-temperature-since-first = Temperature
 ui-fleet-until = Until
 ui-fleet-verdict = Result
 ui-fleet-with-the-password = With the password of this page

@@ -1,6 +1,6 @@
 """``crenel catalogue``: the records of all stations, collected and found."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from contextlib import contextmanager
 from datetime import datetime
 from pathlib import Path
@@ -22,7 +22,6 @@ from app.console import (
 if TYPE_CHECKING:
     from app.fleet.catalogue.catalogue import FleetCatalogue
     from app.fleet.fleet_settings import FleetSettings
-    from app.fleet.questions import AffectedPeriod, StationDrift
 
 catalogue = typer.Typer(
     cls=FullHelpGroup,
@@ -48,7 +47,7 @@ def collect(
     """Add what the stations recorded since the last time."""
     from app.fleet.collection.collector import collect as collect_all
 
-    with _open_catalogue(config) as (settings, opened):
+    with open_catalogue(config) as (settings, opened):
         result = collect_all(opened, settings.list_stations(), complete)
     print(f"{result.new} records are new in {opened.place}.")
     for station, problem in result.problems.items():
@@ -65,7 +64,7 @@ def status(config: Config = None, as_json: AsJson = False) -> None:
 
     from app.fleet.catalogue.reading import summarise_stations
 
-    with _open_catalogue(config) as (_, opened), opened.reading() as connection:
+    with open_catalogue(config) as (_, opened), opened.reading() as connection:
         stations = summarise_stations(connection)
     if as_json:
         listed = [{**asdict(one), **_moments(one.collected_at, one.newest_at)} for one in stations]
@@ -78,8 +77,8 @@ def status(config: Config = None, as_json: AsJson = False) -> None:
             str(one.records),
             str(one.archived),
             f"{one.size_bytes / 1e9:.1f}",
-            _moment(one.newest_at),
-            _moment(one.collected_at),
+            format_moment(one.newest_at),
+            format_moment(one.collected_at),
             one.problem,
         )
         for one in stations
@@ -111,21 +110,21 @@ def search(
         text=text,
         station=station,
         kind=kind,
-        since=_parse_day(since),
-        until=_parse_day(until),
+        since=parse_day(since),
+        until=parse_day(until),
         limit=most,
     )
-    with _open_catalogue(config) as (_, opened), opened.reading() as connection:
+    with open_catalogue(config) as (_, opened), opened.reading() as connection:
         found = search_all(connection, query)
     if as_json:
-        print_json({"records": [_plain(one.entry) for one in found]})
+        print_json({"records": [plain_fields(one.entry) for one in found]})
         return
     rows = [
         (
             one.entry.station,
             one.entry.kind,
             one.entry.id,
-            _moment(one.entry.at),
+            format_moment(one.entry.at),
             one.entry.label,
             one.entry.verdict,
             one.entry.calibration_id,
@@ -151,20 +150,21 @@ def show(
     """Show a record with its results and its files."""
     from app.fleet.catalogue.reading import read_record
 
-    with _open_catalogue(config) as (_, opened), opened.reading() as connection:
+    with open_catalogue(config) as (_, opened), opened.reading() as connection:
         entry = read_record(connection, station, kind, record_id)
     if entry is None:
         fail(f"the catalogue has no {kind} {record_id} of {station}.")
     if as_json:
-        print_json(_plain(entry))
+        print_json(plain_fields(entry))
         return
-    fields = {name: value for name, value in _plain(entry).items() if value not in ("", None)}
+    fields = {name: value for name, value in plain_fields(entry).items() if value not in ("", None)}
     rows = [(name, str(value)) for name, value in fields.items() if not isinstance(value, list)]
     print_figures(f"{station}/{kind}/{record_id}", rows)
     if entry.figures:
         figures = [
             (
                 one.symbol,
+                one.title,
                 f"{one.value:g} {one.unit}",
                 "" if one.expanded_uncertainty is None else f"{one.expanded_uncertainty:g}",
                 "" if one.limit is None else f"{one.limit:g}",
@@ -172,95 +172,11 @@ def show(
             )
             for one in entry.figures
         ]
-        print_table("results", ("symbol", "value", "U (k = 2)", "limit", "decision"), figures)
+        print_table(
+            "results", ("symbol", "quantity", "value", "U (k = 2)", "limit", "decision"), figures
+        )
     files = [(file.path, str(file.bytes), file.sha256) for file in entry.files]
     print_table("files", ("file", "bytes", "SHA-256"), files)
-
-
-@catalogue.command()
-@report_errors
-def drift(
-    quantity: Annotated[
-        str, typer.Argument(help="As in the results of a record, for example location-scan.")
-    ],
-    station: Station = "",
-    since: Since = "",
-    until: Until = "",
-    config: Config = None,
-    as_json: AsJson = False,
-) -> None:
-    """Since when a figure changed, with its uncertainty, and which recordings are affected."""
-    from app.fleet.catalogue.reading import quantities
-    from app.fleet.questions import drift_of, find_affected
-
-    chosen = [station] if station else []
-    with _open_catalogue(config) as (_, opened), opened.reading() as connection:
-        known = quantities(connection)
-        if quantity not in known:
-            fail(f"there are no values of {quantity}; choose one of {', '.join(known) or 'none'}.")
-        drifts = drift_of(connection, quantity, chosen, _parse_day(since), _parse_day(until))
-        periods = [one for found in drifts for one in find_affected(connection, found)]
-    if as_json:
-        print_json({"quantity": quantity, "periods": [_plain(one) for one in periods]})
-        return
-    values = sum(len(found.points) for found in drifts)
-    print(f"{quantity}: {values} values of {len(drifts)} stations, {len(periods)} changes.")
-    for period in periods:
-        _print_period(period, drifts)
-
-
-def _print_period(period: "AffectedPeriod", drifts: "Sequence[StationDrift]") -> None:
-    change = period.change
-    unit = next(found.points[0].unit for found in drifts if found.station == period.station)
-    expanded = 2 * change.standard_uncertainty
-    lasts = "lasts" if period.ended is None else f"until {_moment(period.ended.by)}"
-    calibrations = ", ".join(period.calibration_ids)
-    rows = [
-        ("changed between", f"{_moment(change.after)} and {_moment(change.by)}"),
-        ("95 %", f"{_moment(change.earliest)} to {_moment(change.latest)}"),
-        ("from", f"{change.before_value:.2f} {unit} to {change.after_value:.2f} {unit}"),
-        ("by", f"{change.size:+.2f} ± {expanded:.2f} {unit} (k = 2)"),
-        ("ends", lasts),
-        ("calibrations", calibrations or "none that explains it"),
-        ("affected recordings", str(len(period.recordings))),
-        ("perhaps affected", str(len(period.possible))),
-    ]
-    print_figures(period.station, rows)
-    for doubt, recordings in (("", period.recordings), ("perhaps ", period.possible)):
-        for one in recordings:
-            print(f"{doubt}{one.station}/scan/{one.id}  {_moment(one.at)}  {one.label}")
-
-
-@catalogue.command()
-@report_errors
-def calibration(
-    text: Annotated[str, typer.Argument(help="Beginnings of words of the scan: its part.")],
-    station: Station = "",
-    config: Config = None,
-    as_json: AsJson = False,
-) -> None:
-    """Which calibration was in use when a part was scanned, and which is the newest."""
-    from app.fleet.questions import find_calibrations
-
-    with _open_catalogue(config) as (_, opened), opened.reading() as connection:
-        found = find_calibrations(connection, text, station)
-    if as_json:
-        print_json({"recordings": [_plain(one) for one in found]})
-        return
-    rows = [
-        (
-            f"{one.recording.station}/scan/{one.recording.id}",
-            one.recording.label,
-            _moment(one.recording.at),
-            one.recording.calibration_id,
-            "unknown" if one.calibration is None else _moment(one.calibration.at),
-            "" if one.calibration is None else one.calibration.verdict,
-            "" if one.newest is None else one.newest.id,
-        )
-        for one in found
-    ]
-    columns = ("recording", "label", "time", "calibration", "accepted", "verdict", "newest")
-    print_table(f"{len(found)} recordings", columns, rows)
 
 
 @catalogue.command()
@@ -272,14 +188,14 @@ def export(
     """Write the catalogue as Parquet files, for DuckDB and other programs."""
     from app.fleet.exports import export_parquet
 
-    with _open_catalogue(config) as (_, opened), opened.reading() as connection:
+    with open_catalogue(config) as (_, opened), opened.reading() as connection:
         rows = export_parquet(connection, folder)
     for name, number in rows.items():
         print(f"{folder / name}.parquet: {number} rows")
 
 
 @contextmanager
-def _open_catalogue(config: Path | None) -> "Iterator[tuple[FleetSettings, FleetCatalogue]]":
+def open_catalogue(config: Path | None) -> "Iterator[tuple[FleetSettings, FleetCatalogue]]":
     """The settings and their catalogue; raises ``OperationError``."""
     from app.fleet.catalogue.catalogue import FleetCatalogue
     from app.fleet.catalogue.libraries import check_libraries
@@ -292,7 +208,7 @@ def _open_catalogue(config: Path | None) -> "Iterator[tuple[FleetSettings, Fleet
         yield settings, opened
 
 
-def _plain(value: object) -> dict[str, object]:
+def plain_fields(value: object) -> dict[str, object]:
     """An entry, or an answer that contains some, as plain values."""
     from pydantic import TypeAdapter
 
@@ -300,7 +216,7 @@ def _plain(value: object) -> dict[str, object]:
     return fields
 
 
-def _parse_day(text: str) -> datetime | None:
+def parse_day(text: str) -> datetime | None:
     from app.timestamps import is_moment, parse_moment
 
     if not text:
@@ -310,9 +226,9 @@ def _parse_day(text: str) -> datetime | None:
     return parse_moment(text)
 
 
-def _moment(at: datetime | None) -> str:
+def format_moment(at: datetime | None) -> str:
     return "" if at is None else at.isoformat(" ", "minutes")
 
 
 def _moments(collected_at: datetime | None, newest_at: datetime | None) -> dict[str, str]:
-    return {"collected_at": _moment(collected_at), "newest_at": _moment(newest_at)}
+    return {"collected_at": format_moment(collected_at), "newest_at": format_moment(newest_at)}

@@ -1,0 +1,1 @@
+"""``crenel catalogue``: ``catalogue`` collects and finds records, ``questions`` answers."""

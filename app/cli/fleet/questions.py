@@ -1,0 +1,195 @@
+"""The questions that ``crenel catalogue`` answers: drift, ageing, spread, calibration of a part."""
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from app.cli.fleet.catalogue import (
+    Config,
+    Since,
+    Station,
+    Until,
+    catalogue,
+    format_moment,
+    open_catalogue,
+    parse_day,
+    plain_fields,
+)
+from app.console import AsJson, fail, print_figures, print_json, print_table, report_errors
+
+if TYPE_CHECKING:
+    from sqlalchemy import Connection
+
+    from app.fleet.questions import AffectedPeriod, StationDrift
+    from app.metrology.common_slope import CommonSlope
+
+Quantity = Annotated[
+    str, typer.Argument(help="As in the results of a record, for example location-scan.")
+]
+
+
+@catalogue.command()
+@report_errors
+def drift(
+    quantity: Quantity,
+    station: Station = "",
+    since: Since = "",
+    until: Until = "",
+    config: Config = None,
+    as_json: AsJson = False,
+) -> None:
+    """Since when a figure changed, with its uncertainty, and which recordings are affected."""
+    from app.fleet.catalogue.quantities import title_of
+    from app.fleet.questions import drift_of, find_affected
+
+    chosen = [station] if station else []
+    with open_catalogue(config) as (_, opened), opened.reading() as connection:
+        _check_quantity(connection, quantity)
+        drifts = drift_of(connection, quantity, chosen, parse_day(since), parse_day(until))
+        periods = [one for found in drifts for one in find_affected(connection, found)]
+    if as_json:
+        print_json({"quantity": quantity, "periods": [plain_fields(one) for one in periods]})
+        return
+    values = sum(len(found.points) for found in drifts)
+    print(title_of(quantity))
+    print(f"{quantity}: {values} values of {len(drifts)} stations, {len(periods)} changes.")
+    for period in periods:
+        _print_period(period, drifts)
+
+
+def _print_period(period: "AffectedPeriod", drifts: "Sequence[StationDrift]") -> None:
+    change = period.change
+    unit = next(found.points[0].unit for found in drifts if found.station == period.station)
+    expanded = 2 * change.standard_uncertainty
+    lasts = "lasts" if period.ended is None else f"until {format_moment(period.ended.by)}"
+    calibrations = ", ".join(period.calibration_ids)
+    rows = [
+        ("changed between", f"{format_moment(change.after)} and {format_moment(change.by)}"),
+        ("95 %", f"{format_moment(change.earliest)} to {format_moment(change.latest)}"),
+        ("from", f"{change.before_value:.2f} {unit} to {change.after_value:.2f} {unit}"),
+        ("by", f"{change.size:+.2f} ± {expanded:.2f} {unit} (k = 2)"),
+        ("ends", lasts),
+        ("calibrations", calibrations or "none that explains it"),
+        ("affected recordings", str(len(period.recordings))),
+        ("perhaps affected", str(len(period.possible))),
+    ]
+    print_figures(period.station, rows)
+    for doubt, recordings in (("", period.recordings), ("perhaps ", period.possible)):
+        for one in recordings:
+            print(f"{doubt}{one.station}/scan/{one.id}  {format_moment(one.at)}  {one.label}")
+
+
+@catalogue.command()
+@report_errors
+def calibration(
+    text: Annotated[str, typer.Argument(help="Beginnings of words of the scan: its part.")],
+    station: Station = "",
+    config: Config = None,
+    as_json: AsJson = False,
+) -> None:
+    """Which calibration was in use when a part was scanned, and which is the newest."""
+    from app.fleet.questions import find_calibrations
+
+    with open_catalogue(config) as (_, opened), opened.reading() as connection:
+        found = find_calibrations(connection, text, station)
+    if as_json:
+        print_json({"recordings": [plain_fields(one) for one in found]})
+        return
+    rows = [
+        (
+            f"{one.recording.station}/scan/{one.recording.id}",
+            one.recording.label,
+            format_moment(one.recording.at),
+            one.recording.calibration_id,
+            "unknown" if one.calibration is None else format_moment(one.calibration.at),
+            "" if one.calibration is None else one.calibration.verdict,
+            "" if one.newest is None else one.newest.id,
+        )
+        for one in found
+    ]
+    columns = ("recording", "label", "time", "calibration", "accepted", "verdict", "newest")
+    print_table(f"{len(found)} recordings", columns, rows)
+
+
+@catalogue.command()
+@report_errors
+def spread(
+    quantity: Quantity, station: Station = "", config: Config = None, as_json: AsJson = False
+) -> None:
+    """How much a figure differs between all calibrations of each sensor."""
+    from app.fleet.ageing import spread_of
+    from app.fleet.catalogue.quantities import title_of
+
+    with open_catalogue(config) as (_, opened), opened.reading() as connection:
+        _check_quantity(connection, quantity)
+        found = spread_of(connection, quantity, [station] if station else [])
+    if as_json:
+        print_json({"quantity": quantity, "sensors": [plain_fields(one) for one in found]})
+        return
+    rows = [
+        (
+            one.station,
+            one.sensor_serial,
+            str(len(one.values)),
+            f"{one.median:.4g} {one.unit}",
+            "" if one.standard_deviation is None else f"{one.standard_deviation:.2g} {one.unit}",
+            f"{one.values[-1].value:.4g} {one.unit}",
+            format_moment(one.values[-1].at),
+        )
+        for one in found
+    ]
+    columns = ("station", "sensor", "calibrations", "median", "standard deviation", "newest", "of")
+    print_table(str(title_of(quantity)), columns, rows)
+
+
+@catalogue.command()
+@report_errors
+def ageing(
+    quantity: Quantity,
+    station: Station = "",
+    since: Since = "",
+    until: Until = "",
+    config: Config = None,
+    as_json: AsJson = False,
+) -> None:
+    """How a figure changes with the hours since the calibration, and with the temperature."""
+    from app.fleet.ageing import ageing_of
+    from app.fleet.catalogue.quantities import title_of
+
+    chosen = [station] if station else []
+    with open_catalogue(config) as (_, opened), opened.reading() as connection:
+        _check_quantity(connection, quantity)
+        found = ageing_of(connection, quantity, chosen, parse_day(since), parse_day(until))
+    if as_json:
+        print_json({"quantity": quantity, "stations": [plain_fields(one) for one in found]})
+        return
+    rows = [
+        (
+            one.station,
+            str(len(one.points)),
+            str(one.left_out),
+            "the first value" if one.since == "first" else "the calibration",
+            _slope(one.per_1000_h, f"{one.unit}/1000 h"),
+            _slope(one.per_kelvin, f"{one.unit}/K"),
+        )
+        for one in found
+    ]
+    columns = ("station", "values", "left out", "hours since", "with hours", "with temperature")
+    print_table(f"{title_of(quantity)!s} (95 %)", columns, rows)
+
+
+def _slope(found: "CommonSlope | None", unit: str) -> str:
+    if found is None:
+        return "too few values"
+    text = f"{found.value:+.3g} ± {found.expanded_uncertainty:.2g} {unit}"
+    return text if found.is_significant else f"none shown ({text})"
+
+
+def _check_quantity(connection: "Connection", quantity: str) -> None:
+    """Ends the command if the catalogue has no such values."""
+    from app.fleet.catalogue.reading import quantities
+
+    known = quantities(connection)
+    if quantity not in known:
+        fail(f"there are no values of {quantity}; choose one of {', '.join(known) or 'none'}.")

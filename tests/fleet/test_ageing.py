@@ -1,0 +1,131 @@
+"""How figures change with hours and temperature, and how much calibrations differ, is found."""
+
+from dataclasses import replace
+from datetime import timedelta
+
+import numpy as np
+import pytest
+
+from app.fleet.ageing import StationAgeing, ageing_of, spread_of
+from app.fleet.catalogue.catalogue import FleetCatalogue
+from app.fleet.catalogue.entry import CatalogueEntry
+from tests.fleet.entries import START, entry_of, figure_of
+
+DAY = timedelta(days=1)
+PER_1000_H, PER_K = 6.0, 1.5
+
+
+def ageing_station(station: str, per_1000_h: float, per_k: float) -> list[CatalogueEntry]:
+    """Six calibrations, each with a level of its own, and a verification on each second day."""
+    rng = np.random.default_rng(len(station))
+    found = []
+    for number in range(6):
+        accepted = START + 30 * DAY * number
+        level, warm = float(rng.normal(30, 6)), 20.0 + float(rng.normal(0, 0.3))
+        used = f"cal-{number}"
+        found.append(
+            entry_of(
+                station=station,
+                kind="calibration",
+                id=used,
+                calibration_id=used,
+                at=accepted,
+                temperature_c=warm,
+                calibration_sha256=f"{number:064d}",
+                figures=(figure_of(20.0 + number, "point-uncertainty", limit=60.0),),
+            )
+        )
+        for day in range(1, 30, 2):
+            warmer = float(rng.normal(0, 1.0))
+            value = (
+                level + per_1000_h * day * 24 / 1000 + per_k * warmer + float(rng.normal(0, 0.5))
+            )
+            found.append(
+                entry_of(
+                    station=station,
+                    kind="verification",
+                    calibration_id=used,
+                    id=f"check-{number}-{day}",
+                    at=accepted + day * DAY,
+                    temperature_c=warm + warmer,
+                    figures=(figure_of(value, "gauge-offset"),),
+                )
+            )
+    return found
+
+
+def slopes_of(ageing: StationAgeing) -> tuple[float, float, float, float]:
+    hours, kelvin = ageing.per_1000_h, ageing.per_kelvin
+    assert hours is not None
+    assert kelvin is not None
+    return hours.value, hours.expanded_uncertainty, kelvin.value, kelvin.expanded_uncertainty
+
+
+def test_ageing_is_found_where_it_is_and_nowhere_else(
+    catalogue: FleetCatalogue,
+) -> None:
+    catalogue.add(ageing_station("room-1", PER_1000_H, PER_K))
+    catalogue.add(ageing_station("room-22", 0.0, 0.0))
+    with catalogue.reading() as connection:
+        aged, steady = ageing_of(connection, "gauge-offset")
+        (alone,) = ageing_of(connection, "gauge-offset", ["room-22"])
+        (later,) = ageing_of(connection, "gauge-offset", ["room-1"], START + 60 * DAY)
+    assert (aged.station, aged.since, aged.left_out) == ("room-1", "calibration", 0)
+    assert len(aged.points) == 90
+    assert aged.points[0].hours == pytest.approx(24.0)
+    per_1000_h, hours_u, per_k, kelvin_u = slopes_of(aged)
+    assert abs(per_1000_h - PER_1000_H) < 1.5 * hours_u < PER_1000_H
+    assert abs(per_k - PER_K) < 1.5 * kelvin_u < PER_K
+    assert steady.per_1000_h is not None
+    assert not steady.per_1000_h.is_significant
+    assert alone == steady
+    assert len(later.points) == 60
+
+
+def test_values_without_their_calibration_are_counted_and_left_out(
+    catalogue: FleetCatalogue,
+) -> None:
+    entries = ageing_station("room-1", PER_1000_H, PER_K)
+    unnamed = [
+        replace(one, calibration_id="", calibration_sha256=f"{int(one.calibration_id[4:]):064d}")
+        if one.kind == "verification"
+        else one
+        for one in entries
+    ]
+    catalogue.add([one for one in unnamed if one.id != "cal-5"])
+    with catalogue.reading() as connection:
+        (found,) = ageing_of(connection, "gauge-offset")
+    assert (len(found.points), found.left_out) == (75, 15)
+
+
+def test_figures_of_calibrations_count_from_the_first_one(catalogue: FleetCatalogue) -> None:
+    catalogue.add(ageing_station("room-1", PER_1000_H, PER_K))
+    with catalogue.reading() as connection:
+        (found,) = ageing_of(connection, "point-uncertainty")
+        (spread,) = spread_of(connection, "point-uncertainty")
+        assert spread_of(connection, "gauge-offset") == []
+    assert found.since == "first"
+    assert [one.hours for one in found.points] == [720.0 * number for number in range(6)]
+    assert found.per_1000_h is not None
+    assert found.per_1000_h.value == pytest.approx(1 / 0.72)
+    assert [one.value for one in spread.values] == [20.0, 21.0, 22.0, 23.0, 24.0, 25.0]
+    assert (spread.station, spread.sensor_serial, spread.limit) == ("room-1", "L-3", 60.0)
+    assert spread.median == 22.5
+    assert spread.standard_deviation == pytest.approx(1.8708, abs=1e-4)
+
+
+def test_each_sensor_of_a_station_is_listed(catalogue: FleetCatalogue) -> None:
+    first, second = (
+        entry_of(
+            number,
+            kind="calibration",
+            sensor_serial=f"L-{number}",
+            figures=(figure_of(20.0, "point-uncertainty"),),
+        )
+        for number in (1, 2)
+    )
+    catalogue.add([second, first])
+    with catalogue.reading() as connection:
+        found = spread_of(connection, "point-uncertainty")
+    assert [one.sensor_serial for one in found] == ["L-1", "L-2"]
+    assert [one.standard_deviation for one in found] == [None, None]
