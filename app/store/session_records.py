@@ -235,7 +235,8 @@ class PerformanceStore(SessionRecordStore[PerformanceRecord]):
     def newest_judged(self) -> PerformanceRecord | None:
         """The last test that was not cancelled."""
         return self._first(
-            "WHERE json_extract(figures, '$.result') <> 'cancelled'"
+            "WHERE CASE WHEN json_valid(figures) THEN json_extract(figures, '$.result') END"
+            " <> 'cancelled'"
             " ORDER BY ended_at DESC, rowid DESC"
         )
 

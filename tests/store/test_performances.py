@@ -50,17 +50,19 @@ def test_what_is_no_result_is_not_kept(tmp_path: Path) -> None:
     store.close()
 
 
-def test_a_row_that_cannot_be_read_hides_no_other(tmp_path: Path) -> None:
+@pytest.mark.parametrize("figures", [json.dumps({"result": "?"}), "none"])
+def test_a_row_that_cannot_be_read_hides_no_other(tmp_path: Path, figures: str) -> None:
     store = calibrated(tmp_path)
     close(store, "p1")
     close(store, "p2")
     store.close()
     with sqlite3.connect(tmp_path / "station.db") as database:
-        database.execute(
-            "UPDATE performance SET figures = ? WHERE id = 'p1'", (json.dumps({"result": "?"}),)
-        )
+        database.execute("UPDATE performance SET figures = ? WHERE id = 'p2'", (figures,))
     database.close()
     store = Store(tmp_path)
-    assert [one.id for one in store.performances.all()] == ["p2"]
-    assert store.performances.unreadable() == ["p1"]
+    assert [one.id for one in store.performances.all()] == ["p1"]
+    assert store.performances.unreadable() == ["p2"]
+    judged = store.performances.newest_judged()
+    assert judged is not None
+    assert judged.id == "p1"
     store.close()

@@ -127,13 +127,18 @@ def _check_service(
 ) -> tuple[list[str], list[str]]:
     """What is wrong with a station that runs, and what it has lost."""
     ids = {"scan_id": list(kept.scans), "calibration_id": [kept.calibration]}
-    ids |= {"record_id": [kept.calibration], "form": ["html"], "name": ["pose-1.png"]}
+    ids |= {
+        "record_id": [kept.calibration, kept.performance],
+        "form": ["html"],
+        "name": ["pose-1.png"],
+    }
+    ids |= {"performance_id": [kept.performance]}
     try:
         look = query_station(station, ids)
         row.note_stop(station.stop_s())
         lost = [
             f"{one} is not listed"
-            for one in (*kept.scans, kept.calibration)
+            for one in kept.records
             if one not in damage.affected_ids and not look.mentions(one)
         ]
         wrong = look.faults

@@ -2,6 +2,7 @@
 
 import os
 import random
+import re
 import shutil
 import sqlite3
 from collections.abc import Callable
@@ -141,7 +142,7 @@ def list_data_files(kept: FolderRecords) -> list[DataFile]:
     scan, flow = f"scans/{kept.scans[0]}", f"sessions/{kept.flow}"
     calibration = f"sessions/{kept.calibration}"
     return [
-        DataFile("station.db", r"station\.db", (*kept.scans, kept.calibration)),
+        DataFile("station.db", r"station\.db", kept.records),
         DataFile("station.lock"),
         DataFile("notifications.json", "notifications"),
         DataFile("scan_settings.json", "settings"),
@@ -151,6 +152,10 @@ def list_data_files(kept: FolderRecords) -> list[DataFile]:
         DataFile(f"{calibration}/calibration.json", r"calibration", (kept.calibration,)),
         DataFile(f"{calibration}/arm.json", r"arm\.json|calibration", (kept.calibration,)),
         DataFile(f"{flow}/probing.csv"),
+        *(
+            DataFile(f"performance/{kept.performance}/{name}")
+            for name in ("plan.json", "touches.csv")
+        ),
         DataFile(f"{scan}/scan.mcap", "recording"),
         DataFile(f"{scan}/cloud.ply"),
         DataFile("logs/station.jsonl"),
@@ -164,7 +169,7 @@ def file_damages(kept: FolderRecords) -> list[Damage]:
         def do(data: Path, rng: random.Random) -> None:
             DAMAGE_METHODS[way](data / place.path, rng)
 
-        kind = place.path.replace(kept.scans[0], "…").replace(kept.flow, "…")
+        kind = re.sub("|".join((kept.scans[0], kept.flow, kept.performance)), "…", place.path)
         harmless = (
             way == "some bytes turned"
             or (way == "gone" and "spare" in place.path)
@@ -247,10 +252,11 @@ def database_damages(kept: FolderRecords) -> list[Damage]:
     session = rf"{kept.flow}|journal"
 
     def row(name: str, kind: str, payload: str) -> Damage:
-        rows = [ROW.format(one, kind, payload) for one in (kept.flow, kept.verification)]
+        opened = (kept.flow, kept.verification, kept.open_performance)
+        rows = [ROW.format(one, kind, payload) for one in opened]
         return Damage(f"journal: {name}", _statement(*rows), session)
 
-    every = kept.calibration, *kept.scans
+    every = kept.records
     return [
         row("a row that is no JSON", "point_taken", "no JSON"),
         row("a row that is a list", "point_taken", "[1, 2]"),
@@ -291,6 +297,18 @@ def database_damages(kept: FolderRecords) -> list[Damage]:
             _statement("UPDATE calibration SET accepted_at = 'yesterday'"),
             "cannot be read",
             (kept.calibration,),
+        ),
+        *(
+            Damage(
+                f"performance test: {name}",
+                _statement(f"UPDATE performance SET figures = '{figures}'"),
+                "performance-cannot-read",
+                (kept.performance,),
+            )
+            for name, figures in (
+                ("figures that cannot be read", "none"),
+                ("figures of another kind", "[1e999]"),
+            )
         ),
         Damage("scan: a date that is none", _statement("UPDATE scan SET started_at = 'yesterday'")),
         Damage(

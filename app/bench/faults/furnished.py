@@ -10,6 +10,7 @@ from pathlib import Path
 from app.bench.faults.served import prepare
 from app.bench.faults.station import StationProcess
 from app.progress import Progress, no_progress
+from app.store.store import RECORD_FOLDERS
 
 SCANS = 2
 SCAN_S = 0.6
@@ -31,7 +32,7 @@ SETTINGS: dict[str, object] = {
     "record_pictures": False,
     "zones": [],
 }
-FOLDERS = ("arms", "objects", "sensors", "gauges", "sessions", "scans", "verifications")
+FOLDERS = ("arms", "objects", "sensors", "gauges", *RECORD_FOLDERS)
 
 
 @dataclass(frozen=True)
@@ -44,6 +45,14 @@ class FolderRecords:
     """The session of the calibration that is open."""
     verification: str
     """The one that is open."""
+    performance: str
+    """A test that was cancelled after some touches."""
+    open_performance: str
+
+    @property
+    def records(self) -> tuple[str, ...]:
+        """The ids of all that has ended."""
+        return (*self.scans, self.calibration, self.performance)
 
 
 def furnish(data: Path, progress: Progress = no_progress) -> FolderRecords:
@@ -64,6 +73,8 @@ def furnish(data: Path, progress: Progress = no_progress) -> FolderRecords:
         station.post("/api/settings", **SETTINGS).raise_for_status()
         station.post("/api/arm/start", purpose="check").raise_for_status()
         progress(SCANS / (SCANS + 2), "a folder to be damaged: sessions")
+        performance = _cancel_performance_test(station)
+        station.post("/api/performance/start").raise_for_status()
         station.post("/api/verify/start").raise_for_status()
         station.wait(lambda: station.ask("verify", "choose_gauge", id="plate"))
         station.post("/api/flow/start").raise_for_status()
@@ -78,6 +89,8 @@ def furnish(data: Path, progress: Progress = no_progress) -> FolderRecords:
             station.get("/api/calibrations")[0]["id"],
             station.get("/api/flow")["session_id"],
             station.get("/api/verify")["session_id"],
+            performance,
+            station.get("/api/performance")["session_id"],
         )
         station.end(signal.SIGTERM)
     for folder, name in SPARE.items():
@@ -85,3 +98,13 @@ def furnish(data: Path, progress: Progress = no_progress) -> FolderRecords:
     with closing(sqlite3.connect(data / "station.db")) as database:
         database.execute("PRAGMA wal_checkpoint(TRUNCATE)")
     return kept
+
+
+def _cancel_performance_test(station: StationProcess) -> str:
+    """Leaves a performance test of some touches behind, and returns its id."""
+    station.post("/api/performance/start").raise_for_status()
+    station.wait(lambda: station.ask("performance", "run_simulation", all=True))
+    station.wait(lambda: station.get("/api/performance")["progress"]["done"] > 1)
+    station.post("/api/stop").raise_for_status()
+    station.wait(lambda: station.ask("performance", "abandon", reason="other"))
+    return str(station.get("/api/performances")[0]["id"])

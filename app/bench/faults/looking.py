@@ -27,6 +27,7 @@ REQUESTS: tuple[tuple[str, Mapping[str, object]], ...] = (
     ("/api/flow/start", {}),
     ("/api/arm/start", {"purpose": "check"}),
     ("/api/verify/start", {}),
+    ("/api/performance/start", {}),
     ("/api/scan/start", {"name": "Afterwards"}),
     ("/api/scan/simulation", {"on": True}),
     ("/api/scan/stop", {}),
