@@ -17,8 +17,8 @@ from app.metrology.common_slope import CommonSlope, fit_common_slope
 if TYPE_CHECKING:
     from sqlalchemy.engine import Row
 
-MOST_VALUES = 2000
-"""Of a station; the newest ones count."""
+MOST_OF_STATION, MOST_VALUES, LEAST_OF_STATION = 2000, 20_000, 50
+"""The newest values count, of each station and in all."""
 HOUR_S = 3600.0
 OWN_HISTORY = ("calibration", "arm_check", "tip_check")
 """Kinds of records that do not depend on a calibration: their figures age since the first one."""
@@ -91,8 +91,10 @@ def spread_of(
 ) -> list[CalibrationSpread]:
     """A figure of all calibrations, by station and sensor."""
     found: dict[tuple[str, str], list[Row[Any]]] = {}
-    for station in stations or _all_stations(connection):
-        for row in _read_rows(connection, quantity, station, None, None):
+    chosen = stations or _all_stations(connection)
+    most = values_of_each(len(chosen))
+    for station in chosen:
+        for row in _read_rows(connection, quantity, station, None, None, most):
             if row.kind == "calibration":
                 found.setdefault((station, row.sensor_serial), []).append(row)
     return [
@@ -121,11 +123,24 @@ def ageing_of(
     from the first one of the device.
     """
     found = []
-    for station in stations or _all_stations(connection):
-        rows = _read_rows(connection, quantity, station, since, until)
+    chosen = stations or _all_stations(connection)
+    most = values_of_each(len(chosen))
+    for station in chosen:
+        rows = _read_rows(connection, quantity, station, since, until, most)
         if rows:
             found.append(_age(station, rows, calibrations_of(connection, station)))
     return found
+
+
+def values_of_each(stations: int) -> int:
+    """How many values of each of so many stations count, so that an answer stays small.
+
+    Example:
+        >>> [values_of_each(stations) for stations in (1, 100, 1000)]
+        [2000, 200, 50]
+    """
+    share = MOST_VALUES // max(stations, 1)
+    return max(min(MOST_OF_STATION, share), LEAST_OF_STATION)
 
 
 def _all_stations(connection: Connection) -> Sequence[str]:
@@ -138,6 +153,7 @@ def _read_rows(
     station: str,
     since: datetime | None,
     until: datetime | None,
+    most: int,
 ) -> "list[Row[Any]]":
     """The values of a station with their records, the oldest first."""
     wanted = (
@@ -161,7 +177,7 @@ def _read_rows(
         wanted = wanted.where(FigureRow.at >= since)
     if until is not None:
         wanted = wanted.where(FigureRow.at < until)
-    newest = wanted.order_by(FigureRow.at.desc()).limit(MOST_VALUES)
+    newest = wanted.order_by(FigureRow.at.desc()).limit(most)
     rows: list[Row[Any]] = [*connection.execute(newest)]
     return rows[::-1]
 
