@@ -1,4 +1,4 @@
-"""A server that is killed in every step of a calibration, a verification and a performance test."""
+"""A server that is killed in the steps of calibrations, verifications and performance tests."""
 
 from pathlib import Path
 
@@ -14,7 +14,10 @@ ALIKE = {
     *(("verify", step, count) for step, count in (("touch", 2), ("scan", 1))),
     *(("performance", step, 0) for step in ("artefact", "pattern", "location", "scan", "end")),
     *(("performance", *place) for place in (("pattern", 12), ("scan", 3), ("end", 2))),
-    *(("performance", "review", count) for count in (0, 1)),
+    *(("performance", *place) for place in (("temperatures", 0), ("review", 0), ("review", 1))),
+    *(("lengths", *place) for place in (("artefact", 0), ("lengths", 0), ("lengths", 4))),
+    *(("lengths", "lengths", count) for count in (13, 20)),
+    *(("lengths", "review", count) for count in (0, 1)),
 }
 """Places of the bench that are like others of their step or beside them, and left to it."""
 

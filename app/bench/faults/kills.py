@@ -1,5 +1,6 @@
 """Stations killed with SIGKILL in every state; what they have afterwards."""
 
+import json
 import random
 from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
@@ -36,7 +37,11 @@ KILL_POINTS: dict[str, tuple[KillPoint, ...]] = {
     "performance": (
         *(("artefact", 0), ("pattern", 0), ("pattern", 1), ("pattern", 12), ("location", 0)),
         *(("location", 7), ("scan", 0), ("scan", 1), ("scan", 3), ("end", 0), ("end", 2)),
-        *(("review", 0), ("review", 1)),
+        *(("temperatures", 0), ("review", 0), ("review", 1)),
+    ),
+    "lengths": (
+        *(("artefact", 0), ("lengths", 0), ("lengths", 1), ("lengths", 4), ("lengths", 13)),
+        *(("lengths", 20), ("temperatures", 0), ("review", 0), ("review", 1)),
     ),
 }
 """The steps in which it is killed, and after how many points, pictures, clouds or results."""
@@ -44,7 +49,11 @@ NAMES = {
     "flow": "kill -9 in a calibration",
     "verify": "kill -9 in a verification",
     "performance": "kill -9 in a performance test",
+    "lengths": "kill -9 in a test of lengths",
 }
+SHORT_GAUGE = "short"
+ROUTES = {"lengths": "performance"}
+"""Of the guides whose address is not their name."""
 
 
 def kill_scans(
@@ -155,12 +164,16 @@ def kill_guides(
 
     Args:
         data: a folder for the station's own, which is made.
-        flow: ``flow`` for a calibration, ``verify`` for a verification, ``performance``.
+        flow: ``flow`` for a calibration, ``verify`` for a verification, ``performance`` for the
+            one-sphere test, ``lengths`` for that of a step gauge with a single length.
         places: where, instead of in ``KILL_POINTS``.
     """
     row, before = FaultRow(NAMES[flow]), None
     if flow != "flow":
         prepare(data)
+    if flow == "lengths":
+        _add_short_gauge(data)
+    route = ROUTES.get(flow, flow)
     places = places or KILL_POINTS[flow]
     for number, place in enumerate([*places, None]):
         progress(number / len(places), f"{flow}: {place[0] if place else 'the end'}")
@@ -169,16 +182,27 @@ def kill_guides(
             if before is None:
                 _begin(station, flow)
             else:
-                wrong = "; ".join(differences(before, station.get(f"/api/{flow}")))
+                wrong = "; ".join(differences(before, station.get(f"/api/{route}")))
                 row.count_try(not wrong, bool(wrong), wrong)
                 row.note_stop(station.stop_s())
             if place is not None:
-                before = _advance(station, flow, place)
+                before = _advance(station, route, place)
                 station.kill()
     return row
 
 
+def _add_short_gauge(data: Path) -> None:
+    """A step gauge of a single length, whose test takes 42 touches."""
+    gauge = json.loads((data / "gauges" / "step-gauge.json").read_text())
+    short = {**gauge, "lengths": gauge["lengths"][-1:]}
+    (data / "gauges" / f"{SHORT_GAUGE}.json").write_text(json.dumps(short))
+
+
 def _begin(station: StationProcess, flow: str) -> None:
+    if flow == "lengths":
+        station.post("/api/performance/start", test="lengths").raise_for_status()
+        station.wait(lambda: station.ask("performance", "choose_gauge", id=SHORT_GAUGE))
+        return
     station.post(f"/api/{flow}/start").raise_for_status()
     if flow == "verify":
         station.wait(lambda: station.ask(flow, "choose_gauge", id="plate"))
@@ -216,7 +240,7 @@ def _list_items(view: View) -> set[Any]:
 
 
 def _list_performance_items(view: View) -> set[Any]:
-    """The same of a performance test: places of a step, scans, or the result."""
+    """The same of a performance test: places of a step, lengths, scans, or the result."""
     picture, step = view["picture"], view["step"]
     if step == "review":
         return {"result"} if picture["result"] else set()
@@ -224,6 +248,9 @@ def _list_performance_items(view: View) -> set[Any]:
         return {one["number"] for one in picture["articulations"] if one["state"] == "done"}
     if step == "location":  # its places are those of one articulation
         return set(range(view["progress"]["done"]))
+    if step == "lengths":
+        errors = picture["lengths"]["errors"] if picture["lengths"] else []
+        return {(one["place"], one["repeat"], one["length_mm"]) for one in errors}
     return {place["number"] for place in picture["places"] if place["state"] == "done"}
 
 
@@ -243,3 +270,5 @@ def differences(before: View, after: View) -> Iterator[str]:
         yield f"{before['step']}: resumed at {after['step']}"
     elif after["step"] == before["step"] and not _list_items(before) <= _list_items(after):
         yield f"{before['step']}: {len(_list_items(before) - _list_items(after))} are missing"
+    elif after["rev"] < before["rev"]:
+        yield f"{before['step']}: rows of the journal are missing"
