@@ -195,6 +195,7 @@ arm-speaks-version-protocol-driver-speaks = Der Messarm unter { $url } verwendet
 arm-stays-shows-nothing-errors = ein unbewegter Messarm zeigt nichts von seinen Fehlern
 arm-still = der Messarm war nicht in Ruhe
 arm-stretched-out = Der Arm ist durchgestreckt.
+arm-temperature = Temperatur des Arms
 arm-tip = Messarm und Tastkugel
 arm-url-cannot-be-opened = Die url { $url } des Messarms lässt sich nicht öffnen ({ $reason })
 arm-use-already = Dieser Messarm wird bereits verwendet.
@@ -217,6 +218,7 @@ arms-position-known-around-most-pictures = die Stellung des Messarms ist für di
 arms-zero = Abstand vom Nullpunkt des Messarms
 artefact-is-calibration-object = der Prüfkörper { $serial_number } ist das Objekt, mit dem der Sensor kalibriert wurde
 artefact-missing = der Plan nennt keinen Prüfkörper
+artefact-temperature = Temperatur des Prüfkörpers
 articulation-scanned-otherwise = Aufstellung { $position }, Stellung { $number }: Die Kamera blickte { $off } neben der gewünschten Richtung (höchstens { $most }).
 articulation-touched-otherwise = Aufstellung { $position }, Stellung { $number }: Der Taster wurde { $off } neben der gewünschten Richtung gehalten (höchstens { $most }).
 articulations-nearly-same = die Stellungen { $first } und { $second } sind fast gleich, { $apart } auseinander; nötig sind mindestens { $least }
@@ -1072,6 +1074,9 @@ errors-of-lengths-caption =
     { $count ->
         [one] { $count } Längenabweichung
        *[other] { $count } Längenabweichungen
+    } { $by ->
+        [scan] durch Scannen
+       *[touch] durch Antasten
     } über der Länge; die Aufstellungen nebeneinander. Gestrichelt: die größte zulässige Abweichung. Rot: darüber, mit der Nummer der Aufstellung.
 even-best-arm-points-still-scatter = selbst mit dem besten Armmodell streuen die Punkte noch um { $scatter }
 every-figure-keeps-limit = Alle Kenngrößen halten ihren Grenzwert ein.
@@ -1431,6 +1436,8 @@ performance-another-step =
         [location] Das gehört zu einem anderen Schritt; die Prüfung steht bei „Lage durch Antasten“.
         [scan] Das gehört zu einem anderen Schritt; die Prüfung steht bei „Fünf Scans“.
         [end] Das gehört zu einem anderen Schritt; die Prüfung steht bei „Nochmals antasten“.
+        [lengths] Das gehört zu einem anderen Schritt; die Prüfung steht bei „Längen“.
+        [temperatures] Das gehört zu einem anderen Schritt; die Prüfung steht bei „Temperaturen“.
        *[review] Das gehört zu einem anderen Schritt; die Prüfung steht bei „Ergebnis“.
     }
 performance-artefact-is-ready =
@@ -1463,11 +1470,13 @@ performance-cancelled-other = Vom Bediener abgebrochen.
 performance-cancelled-plan = Abgebrochen: Plan, Kalibrierung oder Einstellungen wurden geändert.
 performance-cannot-read = Der Eintrag der Leistungsprüfung { $one } ist nicht lesbar.
 performance-cap-below-a = Die Obergrenze B darf nicht kleiner als A sein.
+performance-change-temperatures = Temperaturen ändern
 performance-choose-artefact =
     { $test ->
         [lengths] Zuerst ein Längennormal wählen.
        *[other] Zuerst eine Kugel wählen.
     }
+performance-confirm-temperatures = Temperaturen bestätigen
 performance-confirmed-artefact = hat den Prüfkörper bestätigt
 performance-confirmed-step = hat einen Schritt bestätigt
 performance-correct-gauge = Die Datei im Ordner gauges berichtigen oder eine andere wählen.
@@ -1482,6 +1491,7 @@ performance-do-review =
         [lengths] Die Abweichungen aller Längen gegenüber der zulässigen.
        *[other] Maß, Form und Lage der Kugel durch Antasten, durch Scannen und aus beidem zusammen.
     }
+performance-do-temperatures = Messen Sie die Temperaturen von Prüfkörper und Arm noch einmal. Die vom Anfang sind eingetragen; ändern Sie, was sich geändert hat, und bestätigen Sie.
 performance-drop-scan = Scan verwerfen
 performance-dropped-scan = hat einen Scan der Kugel verworfen
 performance-dropping-scan = Der Scan wird verworfen
@@ -1509,6 +1519,11 @@ performance-leave-question = Diese Prüfung abbrechen? Sie bleibt erhalten und w
 performance-length-is-confirmed = Die letzte Länge ist mit der ersten Antastung der nächsten bestätigt; ihre Antastungen stehen fest.
 performance-lengths-done = Alle Längen sind gemessen. Weiter zum Ergebnis.
 performance-lengths-measured = { $done } von { $of } Längen
+performance-let-temperatures-settle =
+    { $when ->
+        [end] Sonst wird kein Wert entschieden. Wiederholen Sie die Prüfung, sobald die Temperaturen beständig sind.
+       *[begin] Sonst wird kein Wert entschieden. Lassen Sie Prüfkörper und Arm sich angleichen, und messen Sie noch einmal.
+    }
 performance-measuring-scan = Der Scan der Stellung { $articulation } wird ausgewertet
 performance-move-sphere = Die Kugel an ihre zweite Position in einem anderen Teil des Arbeitsraums setzen und befestigen. Dann oben antasten.
 performance-no-artefact =
@@ -1590,6 +1605,7 @@ performance-step-lengths = Längen
 performance-step-location = Lage durch Antasten
 performance-step-pattern = 25 Antastungen
 performance-step-scan = Fünf Scans
+performance-step-temperatures = Temperaturen
 performance-stylus-off-articulation = Der Taster ist { $off } neben der gewünschten Richtung (höchstens { $most }).
 performance-symbol = Symbol
 performance-temperature-not-stated = Die Temperatur des Prüfnormals wurde nicht angegeben: Größen und Längen gelten als bei 20 °C gemessen, und ihre Unsicherheit enthält die Temperatur nicht.
@@ -2070,7 +2086,11 @@ made-first-administrator = ersten Administrator angelegt
 made-simulated-hardware-demonstration = Mit simulierten Geräten erstellt: Demonstration.
 made-token-metrics = Token für Metriken angelegt
 length-beyond-reach = das Längennormal ist { $length } lang, der Arm reicht nur { $reach } weit
-length-standard-rocks = das Normal wackelt in Lage { $place }: Wiederholungen einer Länge streuen um { $scatter }, Antastungen um { $touches }
+length-standard-rocks =
+    { $of ->
+        [places] das Normal wackelt in Lage { $place }: Wiederholungen einer Länge streuen um { $scatter }, in den anderen Lagen um { $expected }
+       *[touches] das Normal wackelt in Lage { $place }: Wiederholungen einer Länge streuen um { $scatter }, Antastungen um { $expected }
+    }
 made-kiosk-link = Kiosk-Link angelegt
 make-backup-another-disk = Sicherung auf einem anderen Datenträger anlegen
 make-one-below-crenel-backup = Unten oder mit crenel backup eine anlegen.
@@ -2387,6 +2407,7 @@ one-used-each-lighting = je Beleuchtung wird eines verwendet
 one-value-expected-for = erwartet wird für { $label } ein Wert von 0 bis { $largest }
 one-who-loses-control-reads-why = wer die Bedienung abgibt, erfährt den Grund
 only-administrator = { $name } ist der einzige Administrator
+only-ball-bars-are-scanned = durch Scannen werden nur die Kugeln eines Kugelstabs gemessen, und dieses Normal hat keine
 only-corners-can-measured = nur { $found } seiner Ecken sind messbar
 only-edge-points-lie-edges = nur { $agreeing } der Kantenpunkte liegen auf seinen Kanten
 only-free-disk = nur { $free } sind auf dem Datenträger von { $folder } frei
@@ -2445,6 +2466,7 @@ patches-not-covered = die Scans decken die Flecken { $patches } der Kugel nicht 
 performance-articulation-largest = Einzelpunkt-Schwenkprüfung, größter Abstand
 performance-articulation-two-s = Einzelpunkt-Schwenkprüfung, zweifache Standardabweichung
 performance-beyond-limit = { $title }: { $value }, jenseits der Grenze von { $limit }; Unsicherheit des Prüfwerts { $uncertainty } (k = 2).
+performance-conditions-not-met = { $title }: { $value }; nicht entschieden, denn { $problem }.
 performance-dispersion-scan = Streuung der gescannten Kugel, 95 % aller Punkte
 performance-effective-diameter = wirksamer Durchmesser der Prüfkugel
 performance-fewer-lengths =
@@ -2456,6 +2478,7 @@ performance-form-both = Form, angetastet und gescannt zusammen
 performance-form-scan = Form der gescannten Kugel, 25 Stellen
 performance-form-touch = Form der angetasteten Kugel
 performance-gate = Auswahlbereich: { $shell } um die kalibrierte Kugel, Einfallswinkel bis { $incidence }, bis { $cone } vom Pol; vor der Prüfung festgelegt.
+performance-length-gate = Zählbereich der Scans: { $shell } um die kalibrierten Kugeln, Einfallswinkel bis { $incidence }, mehr als { $cone } von der Richtung des Stabs; alle Punkte darin zählen.
 performance-length-scan = Längenabweichung durch Scannen
 performance-length-touch = Längenabweichung durch Antasten
 performance-limits-broken = Ein Wert hält seine Grenze nicht ein.
@@ -2475,6 +2498,18 @@ performance-size-both = Größenabweichung, angetastet und gescannt zusammen
 performance-size-scan = Größenabweichung der gescannten Kugel, 25 Stellen
 performance-size-touch = Größenabweichung der angetasteten Kugel
 performance-status = Verfahren nach ISO 10360-12:2016, ISO 10360-8:2013 und ASME B89.4.22-2004, wie im Handbuch von Crenel beschrieben; eine Übereinstimmung mit diesen Normen wird nicht behauptet.
+performance-steadiness-unknown = Ob die Temperaturen beständig waren, ist nicht bekannt: Prüfkörper und Arm wurden nicht beide am Anfang und am Ende gemessen.
+performance-temperature-changed =
+    { $which ->
+        [arm] die Temperatur des Arms änderte sich während der Prüfung um { $change }, um mehr als { $most }
+       *[other] die Temperatur des Prüfkörpers änderte sich während der Prüfung um { $change }, um mehr als { $most }
+    }
+performance-temperature-far =
+    { $which ->
+        [arm] der Arm hatte { $celsius }, mehr als { $most } von 20 °C entfernt
+       *[other] der Prüfkörper hatte { $celsius }, mehr als { $most } von 20 °C entfernt
+    }
+performance-temperatures-steady = Die Temperaturen von Prüfkörper und Arm änderten sich um höchstens { $change } (Grenze { $most }) und blieben innerhalb von { $off } um 20 °C.
 performance-volumetric-largest = räumliche Länge, größte Abweichung
 performance-volumetric-two-rms = räumliche Länge, zweifacher quadratischer Mittelwert
 performance-within-limit = { $title }: { $value }, innerhalb der Grenze von { $limit }; Unsicherheit des Prüfwerts { $uncertainty } (k = 2).
@@ -2863,6 +2898,7 @@ scan-gauge-chosen-nothing-beside = Nur das gewählte Prüfnormal scannen, nichts
 scan-gauge-nothing-beside = Nur das Prüfnormal scannen, nichts daneben.
 scan-goes-when-back = Der Scan läuft weiter, sobald das Gerät wieder verbunden ist.
 scan-has = ein Scan enthält { $joints_topic } und { $image_topic } oder { $stripe_topic }
+scan-has-length-twice = mehr als ein Paar von Kugeln im Scan hat den Abstand { $length }; die beiden Kugeln dieser Länge einzeln scannen
 scan-more-clouds = Weitere Punktwolken scannen
 scan-more-sphere = Mehr von der Kugel scannen
 scan-needs = ein Scan benötigt { $needed }
@@ -2870,9 +2906,15 @@ scan-needs-name = Ein Scan braucht einen Namen
 scan-probe-share-arm-what-both = Scan und Taster verwenden denselben Messarm: Gemeinsame Abweichungen sind hier nicht zu erkennen.
 scan-running-already = es läuft bereits ein Scan
 scan-running-has-laser-stop-first = Ein Scan läuft und verwendet den Laser. Zuerst den Scan stoppen.
+scan-shows-little-of-sphere = der Scan zeigt zu wenig von einer Kugel am Ende von { $length }: nötig sind mindestens { $points } Punkte aus { $frames } Bildern, auf einer Kappe von 25° oder mehr in jeder Richtung
 scan-sphere-from-other-sides = scannen Sie sie von Seiten, die sich um 45° oder mehr unterscheiden
 scan-stopped = Der Scan wurde abgebrochen: { $error }
 scan-stopped-2 = der Scan wurde abgebrochen
+scan-without-length =
+    { $count ->
+        [one] der Scan zeigt eine Kugel statt zweier im Abstand von { $length }
+       *[other] von den { $count } Kugeln im Scan haben keine zwei den Abstand { $length }
+    }
 scanned-sphere-has-diameter = Die gescannte Kugel hat einen Durchmesser von { $diameter }
 scanning = Scan läuft
 scanning-cloud = Punktwolke { $number } wird gescannt
@@ -2964,7 +3006,7 @@ set-cloud-aside = Punktwolke ausgeschlossen
 set-exposure-picture = Belichtung nach dem Bild eingestellt
 set-exposure-so-stripe-bright-but = So belichten, dass die Laserlinie hell, aber nicht übersteuert ist.
 set-limit = Grenzwert festgelegt
-set-temperature = Temperatur des Normals eingegeben
+set-temperature = Temperaturen von Normal und Arm eingegeben
 set-machines-clock-let-kept-time = Uhr des Rechners stellen und von einem Zeitserver führen lassen.
 set-pose-aside = Pose ausgeschlossen
 set-sensor-back-calibrate-again = Einstellungen des Sensors wiederherstellen oder neu kalibrieren

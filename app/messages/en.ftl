@@ -195,6 +195,7 @@ arm-speaks-version-protocol-driver-speaks = The arm at { $url } uses version { $
 arm-stays-shows-nothing-errors = an arm that does not move reveals none of its errors
 arm-still = the arm was not held still
 arm-stretched-out = The arm is stretched out.
+arm-temperature = Temperature of the arm
 arm-tip = Arm and tip
 arm-url-cannot-be-opened = The arm's url { $url } cannot be opened ({ $reason })
 arm-use-already = This arm is already in use.
@@ -217,6 +218,7 @@ arms-position-known-around-most-pictures = the arm's position is unknown for mos
 arms-zero = Distance from the arm's origin
 artefact-is-calibration-object = the artefact { $serial_number } is the object that the sensor was calibrated with
 artefact-missing = the plan names no artefact
+artefact-temperature = Temperature of the artefact
 articulation-scanned-otherwise = Position { $position }, articulation { $number }: the camera looked from a direction { $off } away from the wanted one (at most { $most }).
 articulation-touched-otherwise = Position { $position }, articulation { $number }: the stylus was held { $off } away from the wanted direction (at most { $most }).
 articulations-nearly-same = the articulations { $first } and { $second } are nearly the same, { $apart } apart; at least { $least } are needed
@@ -1068,6 +1070,9 @@ errors-of-lengths-caption =
     { $count ->
         [one] { $count } error of length
        *[other] { $count } errors of length
+    } { $by ->
+        [scan] by scan
+       *[touch] by touch
     } over the length; places side by side. Dashed: the maximum permissible error. Red: beyond it, with the number of the place.
 even-best-arm-points-still-scatter = even with the best-fitting arm the points scatter by { $scatter }
 every-figure-keeps-limit = Every figure is within its limit.
@@ -1427,6 +1432,8 @@ performance-another-step =
         [location] This belongs to another step; the test is at 'Location by touch'.
         [scan] This belongs to another step; the test is at 'Five scans'.
         [end] This belongs to another step; the test is at 'Touch again'.
+        [lengths] This belongs to another step; the test is at 'Lengths'.
+        [temperatures] This belongs to another step; the test is at 'Temperatures'.
        *[review] This belongs to another step; the test is at 'Result'.
     }
 performance-artefact-is-ready =
@@ -1459,11 +1466,13 @@ performance-cancelled-other = Cancelled by the operator.
 performance-cancelled-plan = Cancelled: plan, calibration or settings were changed.
 performance-cannot-read = The entry of performance test { $one } cannot be read.
 performance-cap-below-a = The cap B of the limit must not be smaller than A.
+performance-change-temperatures = Change the temperatures
 performance-choose-artefact =
     { $test ->
         [lengths] Choose a length standard first.
        *[other] Choose a sphere first.
     }
+performance-confirm-temperatures = Confirm the temperatures
 performance-confirmed-artefact = confirmed the artefact
 performance-confirmed-step = confirmed a step
 performance-correct-gauge = Correct the file in the folder gauges, or choose another one.
@@ -1478,6 +1487,7 @@ performance-do-review =
         [lengths] The errors of all lengths against the permissible error.
        *[other] Size, form and location of the sphere by touch, by scan, and both together.
     }
+performance-do-temperatures = Measure the temperatures of artefact and arm once more. Those of the beginning are filled in; change what has changed, then confirm.
 performance-drop-scan = Discard the scan
 performance-dropped-scan = discarded a scan of the sphere
 performance-dropping-scan = Discarding the scan
@@ -1505,6 +1515,11 @@ performance-leave-question = Cancel this test? It is kept and listed with the re
 performance-length-is-confirmed = The last length is confirmed by the first touch of the next one; its touches stand.
 performance-lengths-done = All lengths are measured. Continue to the result.
 performance-lengths-measured = { $done } of { $of } lengths
+performance-let-temperatures-settle =
+    { $when ->
+        [end] Otherwise, no figure will be decided. Repeat the test once the temperatures are steady.
+       *[begin] Otherwise, no figure will be decided. Let artefact and arm settle, and measure again.
+    }
 performance-measuring-scan = Evaluating the scan of articulation { $articulation }
 performance-move-sphere = Move the sphere to its second position, in another part of the arm's reach, and fix it. Then touch its top.
 performance-no-artefact =
@@ -1586,6 +1601,7 @@ performance-step-lengths = Lengths
 performance-step-location = Location by touch
 performance-step-pattern = 25 touches
 performance-step-scan = Five scans
+performance-step-temperatures = Temperatures
 performance-stylus-off-articulation = The stylus is { $off } away from the wanted direction (at most { $most }).
 performance-symbol = Symbol
 performance-temperature-not-stated = The artefact's temperature was not stated: sizes and lengths are taken as at 20 °C, and their uncertainty does not contain the temperature.
@@ -2066,7 +2082,11 @@ made-first-administrator = created the first administrator
 made-simulated-hardware-demonstration = Made on simulated hardware: a demonstration.
 made-token-metrics = created a metrics token
 length-beyond-reach = the length standard is { $length } long, and the arm reaches { $reach } only
-length-standard-rocks = the standard rocks in place { $place }: repeats of a length scatter by { $scatter }, touches by { $touches }
+length-standard-rocks =
+    { $of ->
+        [places] the standard rocks in place { $place }: repeats of a length scatter by { $scatter }, in the other places by { $expected }
+       *[touches] the standard rocks in place { $place }: repeats of a length scatter by { $scatter }, touches by { $expected }
+    }
 made-kiosk-link = created a kiosk link
 make-backup-another-disk = Make the backup on another disk
 make-one-below-crenel-backup = Make a backup below, or with crenel backup.
@@ -2374,6 +2394,7 @@ one-used-each-lighting = one picture of each lighting is used
 one-value-expected-for = one value from 0 to { $largest } is expected for { $label }
 one-who-loses-control-reads-why = whoever loses control can read the reason
 only-administrator = { $name } is the only administrator
+only-ball-bars-are-scanned = only the spheres of a ball bar are measured by scan, and this standard has none
 only-corners-can-measured = only { $found } of its corners can be measured
 only-edge-points-lie-edges = only { $agreeing } of the edge points lie on its edges
 only-free-disk = only { $free } is free on the disk of { $folder }
@@ -2436,6 +2457,7 @@ patches-not-covered = the scans do not cover the patches { $patches } of the sph
 performance-articulation-largest = single-point articulation, largest distance
 performance-articulation-two-s = single-point articulation, twice the standard deviation
 performance-beyond-limit = { $title }: { $value }, beyond the limit of { $limit }; test value uncertainty { $uncertainty } (k = 2).
+performance-conditions-not-met = { $title }: { $value }; not decided, because { $problem }.
 performance-dispersion-scan = dispersion of the scanned sphere, 95 % of all points
 performance-effective-diameter = effective diameter of the master sphere
 performance-fewer-lengths =
@@ -2447,6 +2469,7 @@ performance-form-both = form, touched and scanned together
 performance-form-scan = form of the scanned sphere, 25 places
 performance-form-touch = form of the touched sphere
 performance-gate = Gate: { $shell } about the calibrated sphere, incidence up to { $incidence }, up to { $cone } from the pole; fixed before the test.
+performance-length-gate = Gate of the scans: { $shell } about the calibrated spheres, incidence up to { $incidence }, beyond { $cone } from the direction of the bar; all points within it count.
 performance-length-scan = error of length by scan
 performance-length-touch = error of length by touch
 performance-limits-broken = A figure breaks its limit.
@@ -2466,6 +2489,18 @@ performance-size-both = error of size, touched and scanned together
 performance-size-scan = error of size of the scanned sphere, 25 places
 performance-size-touch = error of size of the touched sphere
 performance-status = Procedure after ISO 10360-12:2016, ISO 10360-8:2013 and ASME B89.4.22-2004 as described in Crenel’s manual; no conformity with these standards is claimed.
+performance-steadiness-unknown = Whether the temperatures were steady is not known: artefact and arm were not both measured at the beginning and at the end.
+performance-temperature-changed =
+    { $which ->
+        [arm] the temperature of the arm changed by { $change } during the test, more than { $most }
+       *[other] the temperature of the artefact changed by { $change } during the test, more than { $most }
+    }
+performance-temperature-far =
+    { $which ->
+        [arm] the arm was at { $celsius }, more than { $most } from 20 °C
+       *[other] the artefact was at { $celsius }, more than { $most } from 20 °C
+    }
+performance-temperatures-steady = The temperatures of artefact and arm changed by { $change } at most (limit { $most }) and stayed within { $off } of 20 °C.
 performance-volumetric-largest = volumetric length, largest deviation
 performance-volumetric-two-rms = volumetric length, twice the rms
 performance-within-limit = { $title }: { $value }, within the limit of { $limit }; test value uncertainty { $uncertainty } (k = 2).
@@ -2854,6 +2889,7 @@ scan-gauge-chosen-nothing-beside = Scan the selected gauge, and nothing beside i
 scan-gauge-nothing-beside = Scan the gauge, and nothing beside it.
 scan-goes-when-back = The scan continues when it is back.
 scan-has = a scan has { $joints_topic } and { $image_topic } or { $stripe_topic }
+scan-has-length-twice = more than one pair of spheres in the scan is { $length } apart; scan the two spheres of this length by themselves
 scan-more-clouds = Scan more clouds
 scan-more-sphere = Scan more of the sphere
 scan-needs = a scan requires { $needed }
@@ -2861,9 +2897,15 @@ scan-needs-name = A scan needs a name
 scan-probe-share-arm-what-both = Scan and probe share the arm: errors common to both do not appear here.
 scan-running-already = a scan is already running
 scan-running-has-laser-stop-first = A scan is running and uses the laser. Stop it first.
+scan-shows-little-of-sphere = the scan shows too little of a sphere at an end of { $length }: at least { $points } points of { $frames } pictures are needed, on a cap of 25° or more in every direction
 scan-sphere-from-other-sides = scan it from sides that differ by 45° or more
 scan-stopped = The scan stopped: { $error }
 scan-stopped-2 = the scan stopped
+scan-without-length =
+    { $count ->
+        [one] the scan shows one sphere instead of two that are { $length } apart
+       *[other] of the { $count } spheres in the scan, no two are { $length } apart
+    }
 scanned-sphere-has-diameter = The scanned sphere has a diameter of { $diameter }
 scanning = Scanning
 scanning-cloud = Scanning cloud { $number }
@@ -2955,7 +2997,7 @@ set-cloud-aside = excluded a cloud
 set-exposure-picture = set the exposure by the picture
 set-exposure-so-stripe-bright-but = Set the exposure so that the stripe is bright but not clipped.
 set-limit = set the limit
-set-temperature = set the temperature of the artefact
+set-temperature = set the temperatures of artefact and arm
 set-machines-clock-let-kept-time = Set the machine's clock, and synchronise it with a time server.
 set-pose-aside = excluded a pose
 set-sensor-back-calibrate-again = restore the sensor's settings, or calibrate again

@@ -27,6 +27,7 @@ from app.guide.verify.guide import VerifyGuide
 from app.messages.message import Text, message
 from app.metrology.decision import GUARDED_95, DecisionRule
 from app.metrology.limits import LIMITS, Limits
+from app.metrology.performance.temperature import TEMPERATURE_LIMITS, TemperatureLimits
 from app.operations.calibration_in_use import (
     calibration_error,
     scan_calibration,
@@ -85,6 +86,8 @@ class StationParts:
     """Limits for a verification if its gauge has none."""
     rule: DecisionRule = GUARDED_95
     """By which everything is judged."""
+    temperature_limits: TemperatureLimits = TEMPERATURE_LIMITS
+    """How steady artefact and arm have to be in a performance test."""
     due: DueLimits = DUE
     """When checks are due again."""
     guest: str | None = None
@@ -215,6 +218,7 @@ def _build_context(parts: StationParts, store: Store) -> Context:
         store.folder,
         signing,
         parts.rule,
+        parts.temperature_limits,
     )
     guides = (guide, arm_guide, verify_guide, performance_guide)
     rig.arm.on_button = Buttons(

@@ -140,6 +140,7 @@ def _load_parts(settings: Settings, data: Path | None, file: Path) -> "StationPa
         limits=Limits(settings.limits.good_um, settings.limits.usable_um),
         verification=settings.verification,
         rule=settings.decision.decision_rule,
+        temperature_limits=settings.performance.temperature_limits,
         due=settings.due,
         trigger=_trigger_settings(settings),
         monitoring=_monitoring_settings(settings),

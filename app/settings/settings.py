@@ -33,6 +33,7 @@ from app.formats.settings.toml_table import (
 from app.guide.common.validity import DUE, DueLimits
 from app.metrology.decision import GUARDED_95, RULES, Bearer, DecisionRule
 from app.metrology.limits import LIMITS
+from app.metrology.performance.temperature import TemperatureLimits
 from app.single_sign_on.settings import SignInSettings
 from app.supervision.broker_settings import BrokerSettings
 
@@ -162,6 +163,17 @@ class DecisionTable(TomlTable):
         return replace(RULES[self.rule], bearer=self.bearer)
 
 
+class PerformanceTable(TomlTable):
+    """How steady artefact and arm have to be in a performance test."""
+
+    temperature_change_c: Limit = TemperatureLimits.change_c
+    temperature_from_20_c: Limit = TemperatureLimits.from_20_c
+
+    @property
+    def temperature_limits(self) -> TemperatureLimits:
+        return TemperatureLimits(self.temperature_change_c, self.temperature_from_20_c)
+
+
 class TemperatureTable(TomlTable):
     """The room's thermometer."""
 
@@ -191,6 +203,7 @@ class Settings(TomlTable):
     limits: LimitsTable = LimitsTable()
     verification: VerificationTable = VerificationTable()
     decision: DecisionTable = DecisionTable()
+    performance: PerformanceTable = PerformanceTable()
     due: DueLimits = DUE
     mqtt: BrokerSettings | None = None
     archive: ArchiveSettings | None = None

@@ -25,6 +25,7 @@ from app.formats.datasheets.sensor import read_sensor
 from app.formats.datasheets.target import read_certificate, read_object
 from app.formats.images import write_png
 from app.formats.json_document import Document
+from app.formats.performance.end_temperatures import read_end_temperatures
 from app.formats.performance.plan import read_plan
 from app.formats.performance.station_limits import read_station_limits
 from app.formats.recording.decoders import SCHEMAS
@@ -238,6 +239,7 @@ def test_a_length_standard_and_a_plan_of_a_performance_test_are_read(examples: P
     bar = read_length_standard(examples / "gauges/bar.json")
     assert bar.lengths[0].length_mm == 400.0123
     plan = read_plan(examples / "performance")
+    assert read_end_temperatures(examples / "performance").arm_c == 21.4
     assert plan.sphere is not None
     assert plan.sphere.diameter_mm == 24.9987
     limit = plan.limit("length-touch")

@@ -78,6 +78,14 @@ def check_record(station: Demo, page: Page) -> None:
     assert "two capital letters" in refused.json()["detail"]
 
 
+def set_temperatures(page: Page, artefact: float, arm: float) -> None:
+    """Types both, and sets them."""
+    page.get_by_label("Temperature of the artefact").fill(str(artefact))
+    page.get_by_label("Temperature of the arm").fill(str(arm))
+    page.get_by_role("button", name="Set", exact=True).click()
+    expect(page.get_by_role("button", name="Set", exact=True)).to_have_count(0)
+
+
 def export_from(visit: Visit) -> None:
     """Every file of a result; who issues the certificate is asked once."""
     page = visit.page
@@ -167,8 +175,10 @@ def test_the_length_test_from_start_to_errors(
     page.get_by_role("button", name="Set", exact=True).click()
     expect(page.get_by_role("button", name="Set", exact=True)).to_have_count(0)
     expect(page.get_by_text("The standard has only one length")).to_be_visible()
+    set_temperatures(page, artefact=20.4, arm=21.0)
     look_at_both_sizes(visit, "lengths-artefact")
-    page.get_by_role("button", name="Let the simulated operator do everything").click()
+    page.get_by_role("button", name="The standard is ready").click()
+    page.get_by_role("button", name="Let the simulated operator do it").click()
     visit.wait_until(
         "errors",
         "/api/performance",
@@ -177,12 +187,29 @@ def test_the_length_test_from_start_to_errors(
     expect(page.locator("svg [data-place='1'][data-state='done']")).to_have_count(2)
     look_at_both_sizes(visit, "lengths")
     visit.wait_until(
+        "temperatures",
+        "/api/performance",
+        lambda view: view["step"] == "temperatures" and view["busy"] is None,
+    )
+    # those of the beginning are filled in
+    expect(page.get_by_label("Temperature of the artefact")).to_have_value("20.4")
+    expect(page.get_by_label("Temperature of the arm")).to_have_value("21")
+    set_temperatures(page, artefact=22.4, arm=21.0)
+    expect(page.get_by_text("The temperature of the artefact changed by 2.0 °C")).to_be_visible()
+    look_at_both_sizes(visit, "lengths-temperatures")
+    page.get_by_role("button", name="Confirm the temperatures").click()
+    row = page.locator("tr[data-quantity='length-touch']")
+    expect(row.get_by_text("Uncertain")).to_be_visible()
+    page.get_by_role("button", name="Change the temperatures").click()
+    set_temperatures(page, artefact=20.8, arm=21.0)
+    page.get_by_role("button", name="Confirm the temperatures").click()
+    visit.wait_until(
         "review", "/api/performance", lambda view: view["picture"]["result"] is not None
     )
+    expect(page.get_by_text("changed by 0.4 °C at most")).to_be_visible()
     look_at_both_sizes(visit, "lengths-review")
     drawn = page.locator("circle[data-beyond]")
     expect(drawn).to_have_count(LENGTHS)
-    row = page.locator("tr[data-quantity='length-touch']")
     expect(row.get_by_text("± 260 µm")).to_be_visible()
     page.get_by_role("button", name="Finish the test").click()
     page.get_by_role("button", name="Open").first.click()

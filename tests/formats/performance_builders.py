@@ -14,6 +14,7 @@ from app.formats.performance.plan import (
     LimitPart,
     PlatePart,
     SpherePart,
+    TemperatureLimitsPart,
     length_feature,
     sphere_feature,
     sphere_features,
@@ -27,6 +28,7 @@ from app.formats.performance.results import (
     PerformanceFile,
     PerformanceVerdict,
     SphereMeasurement,
+    TemperaturesPart,
 )
 from app.formats.performance.symbols import TITLES, Quantity, editions, symbol_of
 from app.formats.results.calibration import Input, SerialNumbers
@@ -62,6 +64,13 @@ BAR = LengthStandardFile(
         LengthPart(length_mm=length, standard_uncertainty_um=0.4 + length / 2000)
         for length in (300.012, 600.018, 900.021, 1200.034, 1500.041)
     ),
+)
+TEMPERATURES = TemperaturesPart(
+    artefact_c=(20.2, 20.7),
+    artefact_sd_c=0.1,
+    arm_c=(21.3, 21.9),
+    limits=TemperatureLimitsPart(),
+    steady=True,
 )
 STATUS = "No conformity with these standards is claimed."
 
@@ -255,7 +264,14 @@ def lengths_result(folder: Path, seed: int = 5) -> PerformanceFile:
     errors = [point.error_um for point in points]
     found = figure("length-touch", errors, 2.3, 45.0, data)
     return written(
-        folder, "lengths", (found,), data, length=BAR, lengths=tuple(points), notes=("All kept.",)
+        folder,
+        "lengths",
+        (found,),
+        data,
+        length=BAR,
+        lengths=tuple(points),
+        notes=("All kept.",),
+        temperatures=TEMPERATURES,
     )
 
 

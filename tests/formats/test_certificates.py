@@ -341,6 +341,14 @@ def test_a_test_without_temperatures_says_so(tmp_path: Path) -> None:
     assert data.findtext("dcc:text/dcc:content", "", NAMES) == "not measured"
 
 
+def test_the_temperatures_of_artefact_and_arm_are_conditions(tmp_path: Path) -> None:
+    conditions = written(lengths_result(tmp_path)).findall(".//dcc:influenceCondition", NAMES)
+    names = [one.findtext("dcc:name/dcc:content", "", NAMES) for one in conditions]
+    assert names == ["Temperature", "Temperature of the artefact", "Temperature of the arm"]
+    kelvin = [value.text for value in conditions[2].findall(".//si:value", NAMES)]
+    assert kelvin == ["294.45", "295.05"]
+
+
 @pytest.mark.parametrize("issuer", [Issuer("", "DE"), Issuer("Lab", ""), Issuer("Lab", "Germany")])
 def test_an_issuer_without_name_or_country_is_refused(tmp_path: Path, issuer: Issuer) -> None:
     with pytest.raises(OperationError) as raised:

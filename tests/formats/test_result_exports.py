@@ -72,6 +72,11 @@ def test_csv_has_the_105_lengths(tmp_path: Path) -> None:
     rows = rows_of(tmp_path / "csv" / "lengths.csv")
     assert [float(row["error_um"]) for row in rows] == [one.error_um for one in document.lengths]
     assert len(rows) == 105
+    about = {row["name"]: row["value"] for row in rows_of(tmp_path / "csv" / "test.csv")}
+    assert (about["artefact_temperature_start_c"], about["artefact_temperature_end_c"]) == (
+        "20.2", "20.7",
+    )  # fmt: skip
+    assert (about["arm_temperature_end_c"], about["temperature_steady"]) == ("21.9", "true")
 
 
 @pytest.mark.parametrize("build", BUILDERS)

@@ -10,10 +10,11 @@ from app.errors import OperationError
 from app.formats.datasheets.length_standard import LengthPart, LengthStandardFile
 from app.formats.performance.plan import LimitPart
 from app.guide.common.guided_session import NO_PROVENANCE
+from app.guide.performance.entries import DatasheetLimit
 from app.guide.performance.length.sequence import LengthEnd, LengthSequence
 from app.guide.performance.length.so_far import check_touch, measure_so_far, touches_on_end
 from app.guide.performance.plan import build_plan, choose_lengths
-from app.guide.performance.state import DatasheetLimit, PerformanceState, apply_row
+from app.guide.performance.state import PerformanceState, apply_row
 from app.metrology.arm.kinematics import RobotArm, Tip
 from app.metrology.decision import SIMPLE
 from app.metrology.performance.pattern import pattern_directions

@@ -58,6 +58,9 @@ def test_a_report_names_every_figure_and_every_file(
     for one in document.inputs:
         assert one.sha256 in together
     assert "ISO 14253-1:2017" in text
+    if document.temperatures is not None:
+        assert "artefact 20.2 to 20.7 °C" in text
+        assert "arm 21.3 to 21.9 °C" in text
     assert "What the figures mean" in text
 
 

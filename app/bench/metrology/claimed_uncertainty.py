@@ -13,11 +13,13 @@ from numpy.typing import NDArray
 
 from app.bench.metrology.synthetic_arm import TIP
 from app.bench.metrology.synthetic_sphere import CENTRE, POLE, TouchGroup, sphere_plan, touch_groups
+from app.formats.performance.end_temperatures import EndTemperatures
 from app.formats.performance.plan import ARTICULATIONS, SpherePart, sphere_feature, sphere_scan
 from app.formats.performance.symbols import SPHERE_QUANTITIES, Quantity
 from app.metrology.arm.kinematics import RobotArm, Tip
 from app.metrology.performance.articulation import articulation_directions
 from app.metrology.performance.lengths import CalibratedLength, MeasuredLength
+from app.metrology.performance.temperature import TemperatureSpan, mean_temperature
 from app.metrology.transforms import Floats
 from app.progress import Progress, no_progress
 from app.workflows.performance.evaluate import sphere_certificate, sphere_uncertainty_um
@@ -41,6 +43,8 @@ POINTS, FRAMES = 3000, 40
 SEEN_DEG = 58.0
 LENGTH = CalibratedLength(500.0, 0.8, 11.5e-6, 1.0e-6)
 TEMPERATURE_C, TEMPERATURE_SD_C = 23.0, 0.1
+WARMER_C = 0.8
+"""By so much between beginning and end."""
 
 
 @dataclass(frozen=True)
@@ -141,7 +145,7 @@ def _measure(sphere: TrueSphere, seed: int) -> PositionResult:
         for group in groups
     }
     arm = RobotArm("Arm", "A-1", Tip(TIP.x_mm, TIP.y_mm, TIP.z_mm, TIP.diameter_mm))
-    data = _Scans(Path(), sphere_plan(SPHERE), arm, None, tips, styli, ())
+    data = _Scans(Path(), sphere_plan(SPHERE), arm, None, tips, styli, (), EndTemperatures())
     object.__setattr__(data, "clouds", clouds)
     return measure_position(data, SPHERE, 1)
 
@@ -172,14 +176,17 @@ def _cloud(
 
 
 def _length_row(tests: int, random: np.random.Generator) -> ClaimedRow:
-    """Errors of length by an arm without error, with the artefact at 23 °C."""
+    """Errors of length by an arm without error, while the artefact warms up."""
     off, stated = [], []
     for _ in range(tests):
         at_20_mm = LENGTH.length_mm + 1e-3 * LENGTH.standard_uncertainty_um * random.normal()
         expansion = LENGTH.expansion_per_c + LENGTH.expansion_sd_per_c * random.normal()
-        measured_c = TEMPERATURE_C + TEMPERATURE_SD_C * random.normal()
-        length_mm = at_20_mm * (1 + expansion * (TEMPERATURE_C - 20.0))
-        one = MeasuredLength(1, 1, LENGTH, length_mm, measured_c, TEMPERATURE_SD_C)
+        thermometer_c = TEMPERATURE_SD_C * random.normal()
+        begin_c, end_c = TEMPERATURE_C + thermometer_c, TEMPERATURE_C + WARMER_C + thermometer_c
+        artefact = mean_temperature(TemperatureSpan(begin_c, end_c), TEMPERATURE_SD_C)
+        then_c = TEMPERATURE_C + WARMER_C * random.random()
+        length_mm = at_20_mm * (1 + expansion * (then_c - 20.0))
+        one = MeasuredLength(1, 1, LENGTH, length_mm, artefact)
         off.append(one.error_um)
         stated.append(one.test_uncertainty_um)
     return ClaimedRow("length-touch", _rms(stated) / _rms(off))

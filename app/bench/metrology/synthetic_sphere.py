@@ -193,7 +193,7 @@ class SphereSession:
         """The sensor passes over the sphere, tilted as the articulation says."""
         faults = self.faults
         held = 1 if faults.second_like_first and number == 2 else number
-        R_arm_sensor = _orientation(held)
+        R_arm_sensor = scan_orientation(held)
         camera = true_camera()
         offset = np.array(faults.matrix_offset_mm)
         folder = self.folder / sphere_scan(1, number)
@@ -221,36 +221,53 @@ class SphereSession:
     def _stripe(self, camera: Camera, T_arm_sensor: Floats, radius: float) -> Stripe | None:
         """The lit points of the sphere that the camera sees, as pixels."""
         centre = (inverse(T_arm_sensor) @ np.append(CENTRE, 1.0))[:3]
-        circle = np.sqrt(max(radius**2 - centre[2] ** 2, 0.0))
-        if circle < 0.5:
-            return None
-        turn = np.linspace(0, 2 * np.pi, max(int(2 * np.pi * circle / 0.06), 8), endpoint=False)
-        outward = np.column_stack(
-            [circle * np.cos(turn), circle * np.sin(turn), np.full(len(turn), -centre[2])]
-        )
-        outward /= radius
-        points = centre + radius * outward
-        views = camera.centre_mm - points
-        views /= np.linalg.norm(views, axis=1)[:, None]
-        lit = np.einsum("ij,ij->i", outward, views) > np.cos(np.radians(70))
-        points, outward = points[lit], outward[lit]
-        if len(points) < 3:
-            return None
-        # within the laser plane, so that triangulation gives these very points
-        sideways = outward.copy()
-        sideways[:, 2] = 0.0
-        sideways /= np.linalg.norm(sideways, axis=1)[:, None]
-        off = self.faults.point_sd_mm * self._random.normal(size=len(points))
-        wrong = self._random.random(len(points)) < self.faults.outliers
-        off[wrong] += self._random.uniform(-0.5, 0.5, int(wrong.sum()))
-        points = points + off[:, None] * sideways
-        points = points * np.array([self.faults.scale, self.faults.scale, 1.0])
-        uv = project(camera, points)
-        count = len(uv)
-        return Stripe(uv[:, 0], uv[:, 1], np.full(count, 120.0), np.full(count, 0.05))
+        cut = cut_sphere(centre, radius)
+        return None if cut is None else stripe_of_points(camera, *cut, self.faults, self._random)
 
 
-def _orientation(number: int) -> Floats:
+def cut_sphere(centre_mm: Floats, radius_mm: float) -> tuple[Floats, Floats] | None:
+    """Points (N, 3) of a sphere in the laser plane, 0.06 mm apart, and its normals there, in the
+    sensor frame; None beside it."""
+    circle = np.sqrt(max(radius_mm**2 - centre_mm[2] ** 2, 0.0))
+    if circle < 0.5:
+        return None
+    turn = np.linspace(0, 2 * np.pi, max(int(2 * np.pi * circle / 0.06), 8), endpoint=False)
+    outward = np.column_stack(
+        [circle * np.cos(turn), circle * np.sin(turn), np.full(len(turn), -centre_mm[2])]
+    )
+    outward /= radius_mm
+    return centre_mm + radius_mm * outward, outward
+
+
+def stripe_of_points(
+    camera: Camera,
+    points: Floats,
+    outward: Floats,
+    faults: Faults,
+    random: np.random.Generator,
+) -> Stripe | None:
+    """The points (N, 3) that the camera sees at up to 70°, as pixels, with noise and faults."""
+    views = camera.centre_mm - points
+    views /= np.linalg.norm(views, axis=1)[:, None]
+    lit = np.einsum("ij,ij->i", outward, views) > np.cos(np.radians(70))
+    points, outward = points[lit], outward[lit]
+    if len(points) < 3:
+        return None
+    # within the laser plane, so that triangulation gives these very points
+    sideways = outward.copy()
+    sideways[:, 2] = 0.0
+    sideways /= np.linalg.norm(sideways, axis=1)[:, None]
+    off = faults.point_sd_mm * random.normal(size=len(points))
+    wrong = random.random(len(points)) < faults.outliers
+    off[wrong] += random.uniform(-0.5, 0.5, int(wrong.sum()))
+    points = points + off[:, None] * sideways
+    points = points * np.array([faults.scale, faults.scale, 1.0])
+    uv = project(camera, points)
+    count = len(uv)
+    return Stripe(uv[:, 0], uv[:, 1], np.full(count, 120.0), np.full(count, 0.05))
+
+
+def scan_orientation(number: int) -> Floats:
     """(3, 3) of the sensor: its camera above the sphere, and tilted by 40° to four sides."""
     away = true_camera().centre_mm
     up = Rotation.align_vectors([[0, 0, 1.0]], [away / np.linalg.norm(away)])[0]

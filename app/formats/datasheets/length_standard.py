@@ -6,6 +6,7 @@ from typing import Annotated, ClassVar, Literal
 from pydantic import Field
 
 from app.formats.json_document import Document, DocumentPart, NotNegative, Positive
+from app.metrology.performance.lengths import CalibratedLength
 
 
 class LengthPart(DocumentPart):
@@ -28,9 +29,22 @@ class LengthStandardFile(Document):
     kind: Literal["ball-bar", "step-gauge"] = "ball-bar"
     sphere_diameter_mm: Positive | None = None
     """Of a ball bar's spheres."""
+    sphere_form_um: NotNegative = 0.0
+    """Form deviation of each sphere."""
     expansion_per_c: NotNegative = 0.0
     expansion_sd_per_c: NotNegative = 0.0
     lengths: Annotated[tuple[LengthPart, ...], Field(min_length=1)]
+
+    def nominal(self, number: int) -> CalibratedLength:
+        """A length by its number, from 1, with what is known of the standard."""
+        part = self.lengths[number - 1]
+        return CalibratedLength(
+            part.length_mm,
+            part.standard_uncertainty_um,
+            self.expansion_per_c,
+            self.expansion_sd_per_c,
+            self.sphere_form_um,
+        )
 
 
 def read_length_standard(path: Path) -> LengthStandardFile:

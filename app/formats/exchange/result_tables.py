@@ -66,12 +66,30 @@ def _test(document: PerformanceFile) -> ResultTable:
         ("sensor_serial_number", serials.sensor),
         ("temperature_start_c", start),
         ("temperature_end_c", end),
+        *_temperatures(document),
         *_artefacts(document),
         ("software", f"{document.software.name} {document.software.version}"),
     ]
     notes = [*document.problems, *document.notes]
     rows += [(f"note_{number}", str(note)) for number, note in enumerate(notes, 1)]
     return ResultTable("test", ("name", "value"), tuple(rows))
+
+
+def _temperatures(document: PerformanceFile) -> list[tuple[Cell, ...]]:
+    """Of artefact and arm, if one was measured, and whether they were steady."""
+    part = document.temperatures
+    if part is None:
+        return []
+    rows: list[tuple[Cell, ...]] = []
+    for name, (start, end) in (("artefact", part.artefact_c), ("arm", part.arm_c)):
+        rows += [(f"{name}_temperature_start_c", start), (f"{name}_temperature_end_c", end)]
+    return [
+        *rows,
+        ("artefact_temperature_sd_c", part.artefact_sd_c),
+        ("temperature_change_limit_c", part.limits.change_c),
+        ("temperature_from_20_limit_c", part.limits.from_20_c),
+        ("temperature_steady", "" if part.steady is None else str(part.steady).lower()),
+    ]
 
 
 def _artefacts(document: PerformanceFile) -> list[tuple[Cell, ...]]:
@@ -184,7 +202,7 @@ def _offset(document: PerformanceFile) -> ResultTable:
 
 def _lengths(document: PerformanceFile) -> ResultTable:
     columns = (
-        "place", "repeat", "length_mm", "measured_mm", "error_um", "test_uncertainty_um",
+        "by", "place", "repeat", "length_mm", "measured_mm", "error_um", "test_uncertainty_um",
         "limit_um",
     )  # fmt: skip
     rows = tuple(tuple(getattr(one, column) for column in columns) for one in document.lengths)

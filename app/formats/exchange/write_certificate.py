@@ -202,14 +202,23 @@ def _artefacts(parent: ET.Element, document: PerformanceFile) -> None:
 
 def _conditions(parent: ET.Element, document: PerformanceFile) -> None:
     conditions = add(parent, _dcc("influenceConditions"))
-    one = add(conditions, _dcc("influenceCondition"), refType="basic_temperature")
-    _texts(one, "name", message("temperature"))
+    _condition(conditions, message("temperature"), document.temperature_c)
+    part = document.temperatures
+    if part is not None:
+        _condition(conditions, message("artefact-temperature"), part.artefact_c)
+        _condition(conditions, message("arm-temperature"), part.arm_c)
+
+
+def _condition(
+    parent: ET.Element, title: Text, readings_c: tuple[float | None, float | None]
+) -> None:
+    """A temperature at the beginning and at the end."""
+    one = add(parent, _dcc("influenceCondition"), refType="basic_temperature")
+    _texts(one, "name", title)
     data = add(one, _dcc("data"))
     names = (message("at-beginning"), message("at-end"))
     measured = [
-        (name, value)
-        for name, value in zip(names, document.temperature_c, strict=True)
-        if value is not None
+        (name, value) for name, value in zip(names, readings_c, strict=True) if value is not None
     ]
     for name, value in measured:
         quantity = add(data, _dcc("quantity"))

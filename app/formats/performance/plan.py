@@ -2,7 +2,8 @@
 
 The folder of a test, ``performance/<id>``, holds ``plan.json``, the ``arm.json`` and
 ``calibration.json`` in use, ``touches.csv`` (as ``probing.csv``; the feature names the touch's
-part of the test, see ``sphere_feature``), and ``<scan>/scan.mcap`` for every scan.
+part of the test, see ``sphere_feature``), ``<scan>/scan.mcap`` for every scan, and optionally
+``end_temperatures.json``.
 """
 
 from pathlib import Path
@@ -16,6 +17,7 @@ from app.formats.performance.symbols import DEFAULT_EDITION, Quantity
 from app.formats.results.decision_rule import RulePart
 from app.metrology.performance.gate import CONE_DEG, INCIDENCE_DEG, SHELL_MM, SphereGate
 from app.metrology.performance.permissible_error import PermissibleError
+from app.metrology.performance.temperature import TemperatureLimits
 
 PLAN, RESULT, TOUCHES = "plan.json", "performance.json", "touches.csv"
 ARTICULATIONS, LOCATION_TOUCHES, PATTERN_TOUCHES, END_TOUCHES = 5, 5, 25, 5
@@ -47,6 +49,17 @@ class GatePart(DocumentPart):
     @property
     def gate(self) -> SphereGate:
         return SphereGate(self.shell_mm, self.incidence_deg, self.cone_deg)
+
+
+class TemperatureLimitsPart(DocumentPart):
+    """How steady artefact and arm have to be for a decision."""
+
+    change_c: Positive = TemperatureLimits.change_c
+    from_20_c: Positive = TemperatureLimits.from_20_c
+
+    @property
+    def limits(self) -> TemperatureLimits:
+        return TemperatureLimits(self.change_c, self.from_20_c)
 
 
 class SpherePart(DocumentPart):
@@ -101,9 +114,13 @@ class PerformancePlan(Document):
     limits: tuple[LimitPart, ...] = ()
     rule: RulePart = RulePart()
     artefact_c: Number | None = None
-    """Temperature of the artefact during the test; None: not measured, taken as 20 °C."""
+    """Temperature of the artefact at the beginning; None: not measured. That at the end is in
+    ``end_temperatures.json``; without either, 20 °C."""
     temperature_sd_c: NotNegative = 0.0
     """Standard uncertainty of the artefact's temperature."""
+    arm_c: Number | None = None
+    """Temperature of the arm at the beginning; None: not measured."""
+    temperature_limits: TemperatureLimitsPart = TemperatureLimitsPart()
 
     def limit(self, quantity: Quantity) -> PermissibleError | None:
         """The limit of a quantity; None without one."""
@@ -153,6 +170,16 @@ def length_feature(place: int, repeat: int, length: int, end: int) -> str:
         'l2-1-3-0'
     """
     return f"l{place}-{repeat}-{length}-{end}"
+
+
+def length_scan(place: int, repeat: int, length: int = 0) -> str:
+    """The folder of a scan of a ball bar: of the whole bar, or of the spheres of one length.
+
+    Example:
+        >>> length_scan(2, 1), length_scan(2, 1, 3)
+        ('l2-1', 'l2-1-3')
+    """
+    return f"l{place}-{repeat}" + (f"-{length}" if length else "")
 
 
 def read_plan(folder: Path) -> PerformancePlan:

@@ -21,6 +21,7 @@ from app.formats.performance.plan import (
     Kind,
     PlatePart,
     SpherePart,
+    TemperatureLimitsPart,
 )
 from app.formats.performance.symbols import Quantity
 from app.formats.results.calibration import Input, SerialNumbers
@@ -114,6 +115,7 @@ class ImpliedOffsetPart(DocumentPart):
 class LengthPoint(DocumentPart):
     """One of the measured lengths."""
 
+    by: Literal["touch", "scan"] = "touch"
     place: int
     repeat: int
     length_mm: Positive
@@ -122,6 +124,18 @@ class LengthPoint(DocumentPart):
     test_uncertainty_um: NotNegative
     """Expanded, k = 2."""
     limit_um: Positive | None = None
+
+
+class TemperaturesPart(DocumentPart):
+    """Temperatures at the beginning and at the end; None where none was measured."""
+
+    artefact_c: tuple[Number | None, Number | None]
+    artefact_sd_c: NotNegative
+    """Standard uncertainty of a reading."""
+    arm_c: tuple[Number | None, Number | None]
+    limits: TemperatureLimitsPart
+    steady: bool | None = None
+    """Whether both kept the limits; None: not known."""
 
 
 class PerformanceVerdict(DocumentPart):
@@ -160,11 +174,13 @@ class PerformanceFile(Document):
     lengths: tuple[LengthPoint, ...] = ()
     verdict: PerformanceVerdict
     problems: tuple[Text, ...] = ()
-    """Why figures are missing, one sentence each."""
+    """Why figures are missing or not decided, one sentence each."""
     notes: tuple[Text, ...] = ()
     """Filters and what else should be known, one sentence each."""
     temperature_c: tuple[Number | None, Number | None] = (None, None)
-    """At the beginning and at the end."""
+    """Of the room, at the beginning and at the end."""
+    temperatures: TemperaturesPart | None = None
+    """Of artefact and arm; None if none was measured."""
     inputs: Annotated[tuple[Input, ...], Field(min_length=1)]
     software: Software
 

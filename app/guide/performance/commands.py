@@ -4,9 +4,10 @@ from app.guide.common.arguments import Args
 from app.guide.common.buttons import ButtonName
 from app.guide.common.commands import Act, Commands, record, simulation_acts
 from app.guide.performance import tasks
+from app.guide.performance.entries import SphereScan
 from app.guide.performance.guide import PerformanceGuide
 from app.guide.performance.simulated_operator import simulate
-from app.guide.performance.state import TOUCHING, SphereScan
+from app.guide.performance.state import TOUCHING
 from app.messages.message import message
 from app.station.jobs import Progress
 
@@ -81,6 +82,11 @@ def _drop_scan(guide: PerformanceGuide, args: Args, key: str | None) -> None:
     guide.start_job(message("performance-dropping-scan"), work)
 
 
+def _go_back(guide: PerformanceGuide, args: Args, key: str | None) -> None:
+    to = "temperatures" if guide.state.step == "review" else "artefact"
+    guide.append("went_back", {"to": to}, key)
+
+
 def _again(guide: PerformanceGuide, args: Args, key: str | None) -> None:
     tasks.abandon(guide, str(args.get("reason", "other")), None)
     guide.begin(key)
@@ -98,8 +104,8 @@ ACTS: dict[str, Act[PerformanceGuide]] = {
     "begin_scan": _begin_scan,
     "finish_scan": _finish_scan,
     "drop_scan": _drop_scan,
-    "confirm": record("step_confirmed"),
-    "back": record("went_back", to="artefact"),
+    "confirm": lambda guide, args, key: tasks.confirm(guide, key),
+    "back": _go_back,
     "accept": lambda guide, args, key: tasks.accept(guide, key),
     **simulation_acts(simulate),
     "abandon": lambda guide, args, key: tasks.abandon(guide, str(args.get("reason", "other")), key),

@@ -4,32 +4,23 @@ from collections.abc import Mapping
 from functools import partial
 
 from app.errors import sentence
-from app.findings import Finding
 from app.formats.datasheets.gauge import GaugeFile
-from app.formats.datasheets.length_standard import LengthStandardFile
 from app.formats.performance.plan import ARTICULATIONS
 from app.guide.common.datasheet_library import AnyGauge, Gauges
-from app.guide.common.flow import DECISION_QUALITY, device_findings, list_steps, strain_findings
-from app.guide.common.journal import error_from_payload
+from app.guide.common.flow import list_steps
 from app.guide.common.view import Action, LiveNumber, StepProgress
-from app.guide.performance.length.picture import (
-    last_error,
-    length_findings,
-    length_instruction,
-)
+from app.guide.performance.findings import list_findings
+from app.guide.performance.length.picture import last_error, length_instruction
 from app.guide.performance.live import PerformanceLive
 from app.guide.performance.picture import articulation_title, build_picture
 from app.guide.performance.rules import (
     RULES,
     change_reason,
     count_wanted,
-    missing_patches,
 )
 from app.guide.performance.state import TEST_STEPS, TOUCHING, PerformanceState
 from app.guide.performance.view import ArtefactOption, PerformanceView
 from app.messages.message import Text, join, message, quantity
-from app.metrology.performance.articulation import HELD_DEG
-from app.metrology.performance.lengths import LENGTHS
 
 TITLES = {
     "artefact": message("performance-step-artefact"),
@@ -38,6 +29,7 @@ TITLES = {
     "scan": message("performance-step-scan"),
     "end": message("performance-step-end"),
     "lengths": message("performance-step-lengths"),
+    "temperatures": message("performance-step-temperatures"),
     "review": message("result"),
 }
 CANCELLED = {
@@ -74,7 +66,7 @@ def build_view(state: PerformanceState, live: PerformanceLive) -> PerformanceVie
         picture=build_picture(state, live),
         number=_number(state, live) if running else None,
         progress=_progress(state) if running else None,
-        findings=_findings(state, live) if running else [],
+        findings=list_findings(state, live) if running else [],
         actions=_actions(state, live) if running else [],
         busy=live.busy,
     )
@@ -145,6 +137,8 @@ def _instruction(state: PerformanceState, live: PerformanceLive) -> Text:
         return message("performance-hold-sensor", number=state.articulation)
     if state.step == "end":
         return message("performance-do-end")
+    if state.step == "temperatures":
+        return message("performance-do-temperatures")
     if state.step == "review":
         return message("performance-do-review", test=state.test)
     return message("performance-do-artefact", test=state.test)
@@ -176,79 +170,6 @@ def _progress(state: PerformanceState) -> StepProgress | None:
     return None
 
 
-def _findings(state: PerformanceState, live: PerformanceLive) -> list[Finding]:
-    findings: list[Finding] = []
-    if live.trouble:
-        findings.append(live.trouble)
-    if reason := change_reason(state, live):
-        remedy = message("performance-set-is-invalid") if state.frozen else ""
-        findings.append(Finding("bad", reason, remedy))
-    findings += device_findings(live.arm_link, live.sensor_link)
-    if state.step == "artefact":
-        findings += _about_artefact(state, live)
-    if state.step in TOUCHING:
-        findings += strain_findings(live.strain)
-    if state.step == "lengths":
-        findings += length_findings(live.lengths)
-    if live.off_deg is not None and live.off_deg > HELD_DEG:
-        findings.append(_about_articulation(live.off_deg, state.step))
-    if state.step == "scan":
-        findings += _about_scans(state)
-    if state.step == "review":
-        findings += _about_result(state, live)
-    return findings
-
-
-def _about_artefact(state: PerformanceState, live: PerformanceLive) -> list[Finding]:
-    findings = list(live.gauges.findings)
-    if not live.gauges.known:
-        text = message("performance-no-artefact", test=state.test)
-        findings.append(Finding("attention", text, message("put-certificate-into-folder-gauges")))
-    if isinstance(live.artefact, LengthStandardFile) and len(live.artefact.lengths) < LENGTHS:
-        text = message("performance-fewer-lengths", count=len(live.artefact.lengths))
-        findings.append(Finding("attention", text))
-    remedy = message("performance-correct-gauge")
-    return findings + [Finding("bad", sentence(one), remedy) for one in live.artefact_problems]
-
-
-def _about_articulation(off_deg: float, step: str) -> Finding:
-    off, most = quantity(off_deg, "°"), quantity(HELD_DEG, "°")
-    if step == "location":
-        text = message("performance-stylus-off-articulation", off=off, most=most)
-    else:
-        text = message("performance-camera-off-articulation", off=off, most=most)
-    return Finding("attention", text, message("performance-turn-towards-articulation"))
-
-
-def _about_scans(state: PerformanceState) -> list[Finding]:
-    findings: list[Finding] = []
-    last = state.here[-1] if state.here else None
-    if last is not None and last.refused is not None and not last.aside:
-        error = error_from_payload(last.refused)
-        findings.append(Finding("attention", error.reason, sentence(error.remedy)))
-    missing = missing_patches(state)
-    if missing and any(scan.good for scan in state.here) and not state.articulation:
-        text = message("patches-not-covered", patches=", ".join(map(str, missing)))
-        remedy = message("performance-scan-missing")
-        findings.append(Finding("attention", sentence(text), remedy))
-    return findings
-
-
-def _about_result(state: PerformanceState, live: PerformanceLive) -> list[Finding]:
-    if state.failed is not None:
-        error = error_from_payload(state.failed)
-        return [error.finding("bad")]
-    if live.result is None:
-        return []
-    findings = [
-        Finding(DECISION_QUALITY[figure.decision], sentence(figure.reason))
-        for figure in live.result.figures
-        if figure.decision in ("fail", "uncertain") and figure.value is not None
-    ]
-    findings += [Finding("bad", sentence(text)) for text in live.result.problems]
-    return findings
-
-
 def _actions(state: PerformanceState, live: PerformanceLive) -> list[Action]:
     offer = partial(RULES.offer, state, live)
     leave = offer("abandon", message("leave"), confirm=message("performance-leave-question"))
@@ -273,13 +194,17 @@ def _actions(state: PerformanceState, live: PerformanceLive) -> list[Action]:
         ]
     if state.step == "scan":
         return [*_scan_actions(state, live), *simulation, leave]
+    if state.step == "temperatures":
+        label = message("performance-confirm-temperatures")
+        return [offer("confirm", label, primary=True), *simulation, leave]
     again = offer(
         "again",
         message("performance-repeat"),
         {"reason": "operating"},
         confirm=message("performance-repeat-question"),
     )
-    return [offer("accept", message("performance-accept"), primary=True), again, leave]
+    change = offer("back", message("performance-change-temperatures"))
+    return [offer("accept", message("performance-accept"), primary=True), change, again, leave]
 
 
 def _scan_actions(state: PerformanceState, live: PerformanceLive) -> list[Action]:

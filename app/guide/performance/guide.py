@@ -55,6 +55,7 @@ from app.guide.performance.view import ArtefactOption, PerformanceView
 from app.messages.message import Text, message
 from app.metrology.arm.kinematics import AnyArm
 from app.metrology.decision import GUARDED_95, DecisionRule
+from app.metrology.performance.temperature import TEMPERATURE_LIMITS, TemperatureLimits
 from app.metrology.transforms import Floats
 from app.timestamps import utc_now
 from app.workflows.performance.artefact_checks import list_problems
@@ -101,6 +102,7 @@ class PerformanceGuide(GaugeSession[PerformanceState, PerformanceLive, Performan
         data_folder: Path,
         signing: Provenance = NO_PROVENANCE,
         rule: DecisionRule = GUARDED_95,
+        temperature_limits: TemperatureLimits = TEMPERATURE_LIMITS,
     ) -> None:
         super().__init__(
             station,
@@ -114,6 +116,7 @@ class PerformanceGuide(GaugeSession[PerformanceState, PerformanceLive, Performan
             read_any_gauge,
         )
         self.performances = performances
+        self.temperature_limits = temperature_limits
         self._calibrated_with: tuple[str, CalibratedWith | OperationError | None] = ("", None)
         self._lengths: tuple[PerformanceState | None, LengthsSoFar | None] = (None, None)
         self._result: tuple[str, PerformanceFile | None] = ("", None)
@@ -147,6 +150,7 @@ class PerformanceGuide(GaugeSession[PerformanceState, PerformanceLive, Performan
             arm=self.arm(),
             places=self._live_places(),
             lengths=self.lengths(),
+            temperature_limits=self.temperature_limits,
             pattern_flat_deg=flat_pattern(self.centre_mm()),
             result=self.result(),
             arm_link=side.link(),
@@ -188,12 +192,13 @@ class PerformanceGuide(GaugeSession[PerformanceState, PerformanceLive, Performan
         """The plan as it would be frozen now; an artefact must be chosen."""
         artefact = self.artefact()
         assert artefact is not None
-        return build_plan(self.state, artefact, self.provenance, self.rule)
+        return build_plan(self.state, artefact, self.provenance, self.rule, self.temperature_limits)
 
     def result(self) -> PerformanceFile | None:
         """What the test found; None before it was evaluated, or if it cannot be read."""
         state = self.state
         if not state.result:
+            self._result = ("", None)
             return None
         if self._result[0] != state.session_id:
             try:

@@ -10,6 +10,7 @@ from app.guide.performance.length.so_far import LengthsSoFar
 from app.messages.message import Text
 from app.metrology.arm.kinematics import AnyArm
 from app.metrology.arm.strained_pose import Strain
+from app.metrology.performance.temperature import TemperatureLimits
 from app.metrology.transforms import Floats
 from app.station.devices.link_state import DeviceState
 
@@ -52,6 +53,8 @@ class PerformanceLive(SessionLive):
     places: Places | None
     lengths: LengthsSoFar | None
     """Of a length test, once its standard was confirmed."""
+    temperature_limits: TemperatureLimits
+    """How steady artefact and arm have to be."""
     pattern_flat_deg: Floats
     """(25, 2) of the patches, as ``Places.flat_deg``."""
     result: PerformanceFile | None

@@ -9,11 +9,12 @@ from app.formats.performance.symbols import (
     symbol_of,
 )
 from app.guide.common.journal import error_from_payload
+from app.guide.performance.entries import SphereScan
 from app.guide.performance.length.picture import lengths_picture
 from app.guide.performance.live import PerformanceLive
 from app.guide.performance.plan import QUANTITIES
 from app.guide.performance.rules import patch_totals
-from app.guide.performance.state import PerformanceState, SphereScan
+from app.guide.performance.state import PerformanceState
 from app.guide.performance.view import (
     ArticulationLine,
     ArticulationState,
@@ -39,7 +40,8 @@ def build_picture(state: PerformanceState, live: PerformanceLive) -> Performance
     places = live.places
     return PerformancePicture(
         limits=[_limit(state, one) for one in QUANTITIES[state.test]],
-        artefact_c=state.artefact_c,
+        artefact_c=state.temperatures.artefact_c,
+        arm_c=state.temperatures.arm_c,
         expanded_c=state.expanded_c,
         places=_places(live),
         tip_deg=places.tip_flat_deg if places is not None else None,

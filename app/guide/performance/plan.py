@@ -5,7 +5,12 @@ from typing import cast
 
 from app.formats.datasheets.gauge import GaugeFile
 from app.formats.datasheets.length_standard import LengthStandardFile
-from app.formats.performance.plan import LimitPart, PerformancePlan, SpherePart
+from app.formats.performance.plan import (
+    LimitPart,
+    PerformancePlan,
+    SpherePart,
+    TemperatureLimitsPart,
+)
 from app.formats.performance.symbols import SPHERE_QUANTITIES, Quantity
 from app.formats.results.decision_rule import RulePart
 from app.guide.common.datasheet_library import AnyGauge
@@ -13,6 +18,7 @@ from app.guide.common.guided_session import Provenance
 from app.guide.performance.state import PerformanceState, Test
 from app.metrology.decision import DecisionRule
 from app.metrology.performance.lengths import LENGTHS
+from app.metrology.performance.temperature import TEMPERATURE_LIMITS, TemperatureLimits
 
 QUANTITIES: Mapping[Test, tuple[Quantity, ...]] = {
     "sphere": SPHERE_QUANTITIES,
@@ -22,9 +28,13 @@ QUANTITIES: Mapping[Test, tuple[Quantity, ...]] = {
 
 
 def build_plan(
-    state: PerformanceState, artefact: AnyGauge, provenance: Provenance, rule: DecisionRule
+    state: PerformanceState,
+    artefact: AnyGauge,
+    provenance: Provenance,
+    rule: DecisionRule,
+    limits: TemperatureLimits = TEMPERATURE_LIMITS,
 ) -> PerformancePlan:
-    """The plan of the test; ``rule`` is the station's."""
+    """The plan of the test; ``rule`` and the ``limits`` of temperatures are the station's."""
     return PerformancePlan(
         id=state.session_id,
         kind=state.test,
@@ -37,8 +47,12 @@ def build_plan(
         positions=state.positions if state.test == "sphere" else 1,
         limits=tuple(one for one in limit_parts(state) if one.quantity in QUANTITIES[state.test]),
         rule=RulePart.of(rule),
-        artefact_c=state.artefact_c,
+        artefact_c=state.at_begin.artefact_c,
         temperature_sd_c=state.expanded_c / 2,
+        arm_c=state.at_begin.arm_c,
+        temperature_limits=TemperatureLimitsPart(
+            change_c=limits.change_c, from_20_c=limits.from_20_c
+        ),
     )
 
 

@@ -45,9 +45,12 @@ class LimitArguments(Arguments):
 
 
 class TemperatureArguments(Arguments):
-    """Of the artefact; missing: not measured. ``expanded_c`` is its uncertainty, k = 2."""
+    """``celsius`` of the artefact and ``arm_c`` of the arm, at the beginning or at the end, by the
+    step; missing: not measured. ``expanded_c`` is the uncertainty of the artefact's, k = 2; it is
+    given at the beginning."""
 
     celsius: Annotated[float, Field(ge=-20, le=60)] | None = None
+    arm_c: Annotated[float, Field(ge=-20, le=60)] | None = None
     expanded_c: Annotated[float, Field(ge=0, le=10)] = 0.0
 
 
@@ -151,6 +154,8 @@ def _redo(state: PerformanceState, live: PerformanceLive, args: Args) -> Text:
 def _confirm(state: PerformanceState, live: PerformanceLive, args: Args) -> Text:
     if state.step == "scan":
         return _confirm_scans(state)
+    if state.step == "temperatures":
+        return ""
     done, of = len(state.of_step), count_wanted(state)
     return "" if done >= of else message("performance-touches-missing", missing=of - done)
 
@@ -186,7 +191,12 @@ def _scanning(state: PerformanceState, live: PerformanceLive, args: Args) -> Tex
 
 
 def _back(state: PerformanceState, live: PerformanceLive, args: Args) -> Text:
-    return message("performance-no-way-back") if state.frozen else ""
+    going_back = state.frozen and state.step != "review"
+    return message("performance-no-way-back") if going_back else ""
+
+
+def _set_temperature(state: PerformanceState, live: PerformanceLive, args: Args) -> Text:
+    return "" if state.step == "temperatures" else _frozen(state, live, args)
 
 
 def _accept(state: PerformanceState, live: PerformanceLive, args: Args) -> Text:
@@ -213,7 +223,9 @@ RULES = CommandRules[PerformanceState, PerformanceLive](
         "set_positions": Command(("artefact",), _frozen, PositionsArguments),
         "set_limit": Command(("artefact", "pattern", "lengths"), _set_limit, LimitArguments),
         "set_temperature": Command(
-            ("artefact", "pattern", "lengths"), _frozen, TemperatureArguments
+            ("artefact", "pattern", "lengths", "temperatures"),
+            _set_temperature,
+            TemperatureArguments,
         ),
         "confirm_artefact": Command(("artefact",), _confirm_artefact),
         "touch": Command(TOUCHING, _touch),
@@ -222,8 +234,8 @@ RULES = CommandRules[PerformanceState, PerformanceLive](
         "begin_scan": Command(("scan",), _begin_scan, ArticulationArguments),
         "finish_scan": Command(("scan",), _scanning),
         "drop_scan": Command(("scan",), _scanning),
-        "confirm": Command((*TOUCHING, "scan"), _confirm),
-        "back": Command(("pattern", "lengths"), _back),
+        "confirm": Command((*TOUCHING, "scan", "temperatures"), _confirm),
+        "back": Command(("pattern", "lengths", "review"), _back),
         "accept": Command(("review",), _accept),
         "run_simulation": Command(STEPS[:-1], _simulation, OperatorArguments),
         "stop_simulation": Command(),

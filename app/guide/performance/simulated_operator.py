@@ -140,14 +140,16 @@ def _await_scanner(guide: PerformanceGuide) -> None:
         time.sleep(PAUSE_S)
 
 
-def _end(guide: PerformanceGuide, operator: SimulatedOperator, progress: Progress) -> None:
-    _touch(guide, operator, progress)
+def _confirm_temperatures(
+    guide: PerformanceGuide, operator: SimulatedOperator, progress: Progress
+) -> None:
+    _confirm(guide)
     if guide.state.step == "review":
         tasks.evaluate(guide, progress)
 
 
 def _confirm(guide: PerformanceGuide) -> None:
-    act_as_operator(guide, "confirm", lambda: guide.append("step_confirmed", {}))
+    act_as_operator(guide, "confirm", lambda: tasks.confirm(guide, None))
 
 
 STEPS: dict[str, StepWork[PerformanceGuide]] = {
@@ -155,6 +157,7 @@ STEPS: dict[str, StepWork[PerformanceGuide]] = {
     "pattern": _touch,
     "location": _touch,
     "scan": _scan,
-    "end": _end,
-    "lengths": _end,
+    "end": _touch,
+    "lengths": _touch,
+    "temperatures": _confirm_temperatures,
 }

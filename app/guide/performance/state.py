@@ -4,79 +4,32 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
 from typing import Any, Literal
 
-from app.formats.performance.plan import ARTICULATIONS, sphere_feature, sphere_scan
+from app.formats.performance.plan import ARTICULATIONS, sphere_feature
 from app.guide.common.journal import SIMULATION_NOTES, JournalEntry, reading_of
 from app.guide.gauge.state import Payload, apply_change, restore_touch, void_touch
+from app.guide.performance.entries import (
+    NOT_MEASURED,
+    DatasheetLimit,
+    SphereContact,
+    SphereScan,
+    Temperatures,
+)
 from app.guide.performance.length.sequence import LengthEnd, LengthSequence
+from app.metrology.performance.temperature import (
+    MeanTemperature,
+    TemperatureSpan,
+    mean_temperature,
+)
 
 Test = Literal["sphere", "lengths"]
 """The kinds of tests that are guided."""
-STEPS = ("artefact", "pattern", "location", "scan", "end", "lengths", "review")
+STEPS = ("artefact", "pattern", "location", "scan", "end", "lengths", "temperatures", "review")
 TEST_STEPS: Mapping[Test, tuple[str, ...]] = {
-    "sphere": ("artefact", "pattern", "location", "scan", "end", "review"),
-    "lengths": ("artefact", "lengths", "review"),
+    "sphere": ("artefact", "pattern", "location", "scan", "end", "temperatures", "review"),
+    "lengths": ("artefact", "lengths", "temperatures", "review"),
 }
 TOUCHING = ("pattern", "location", "end", "lengths")
 """Steps in which places are touched."""
-
-
-@dataclass(frozen=True)
-class DatasheetLimit:
-    """A maximum permissible error: ``A``, or ``A + L/K`` up to ``B``; in µm, ``K`` without unit."""
-
-    a_um: float
-    k: float | None = None
-    b_um: float | None = None
-
-
-@dataclass(frozen=True)
-class SphereContact:
-    """One touch of the sphere or the length standard."""
-
-    index: int
-    feature: str
-    """Its part of the test, as in the table of touches."""
-    place: int
-    """Which of the part's places it was at, from 0; on the end of a length, which touch."""
-    reading: tuple[float, ...]
-    """The arm's."""
-    voided: bool = False
-
-
-@dataclass(frozen=True)
-class SphereScan:
-    """One scan of the sphere in an articulation."""
-
-    number: int
-    """Of all scans of the test."""
-    position: int
-    articulation: int
-    at: str
-    """When it was begun."""
-    ended: bool = False
-    points: int = 0
-    """Of the sphere, within the gate."""
-    patches: tuple[tuple[int, int], ...] = ()
-    """Points and frames of each of the 25; empty until it is measured."""
-    refused: Payload | None = None
-    """Why it is of no use."""
-    aside: str = ""
-    """Why it does not count: dropped while it was scanned, or repeated; empty if it counts."""
-
-    @property
-    def name(self) -> str:
-        """Of its folder."""
-        return sphere_scan(self.position, self.articulation)
-
-    @property
-    def waiting(self) -> bool:
-        """Whether it is still to be measured."""
-        return self.ended and not self.patches and self.refused is None and not self.aside
-
-    @property
-    def good(self) -> bool:
-        """Whether it counts."""
-        return bool(self.patches) and not self.aside
 
 
 @dataclass(frozen=True)
@@ -100,10 +53,11 @@ class PerformanceState:
     """Touches of lengths that are confirmed: they are not taken back any more."""
     limits: Mapping[str, DatasheetLimit] = field(default_factory=dict)
     """Maximum permissible errors by the quantity."""
-    artefact_c: float | None = None
-    """Temperature of the artefact; None: not measured."""
+    at_begin: Temperatures = NOT_MEASURED
+    at_end: Temperatures | None = None
+    """None until they are set or confirmed at the end."""
     expanded_c: float = 0.0
-    """Its uncertainty, k = 2."""
+    """Uncertainty of the artefact's temperature, k = 2."""
     plan_sha256: str = ""
     """Of the plan's file, from the first touch on."""
     setup: Payload = field(default_factory=dict)
@@ -123,6 +77,19 @@ class PerformanceState:
     def frozen(self) -> bool:
         """Whether the plan stands."""
         return bool(self.plan_sha256)
+
+    @property
+    def temperatures(self) -> Temperatures:
+        """Those that are asked for now: at the end, first those of the beginning."""
+        return self.at_begin if self.step == "artefact" else self.at_end or self.at_begin
+
+    @property
+    def artefact(self) -> MeanTemperature | None:
+        """Of the artefact, as far as it is known; None: not measured."""
+        end_c = None if self.at_end is None else self.at_end.artefact_c
+        return mean_temperature(
+            TemperatureSpan(self.at_begin.artefact_c, end_c), self.expanded_c / 2
+        )
 
     @property
     def counted(self) -> tuple[SphereContact, ...]:
@@ -223,6 +190,19 @@ def _set_limit(state: PerformanceState, payload: Payload) -> PerformanceState:
     return replace(state, limits=limits)
 
 
+def _set_temperature(state: PerformanceState, payload: Payload) -> PerformanceState:
+    """Rows of earlier versions have the artefact's alone."""
+    found = Temperatures(payload["celsius"], payload.get("arm_c"))
+    if state.step == "temperatures":
+        return replace(state, at_end=found)
+    return replace(state, at_begin=found, expanded_c=payload["expanded_c"])
+
+
+def _go_back(state: PerformanceState, payload: Payload) -> PerformanceState:
+    """A result that was computed is computed again."""
+    return replace(state, step=payload["to"], result="", failed=None)
+
+
 def _freeze(state: PerformanceState, payload: Payload) -> PerformanceState:
     return replace(state, plan_sha256=payload["plan_sha256"], setup=payload["setup"])
 
@@ -267,6 +247,9 @@ def _confirm(state: PerformanceState, payload: Payload) -> PerformanceState:
     if state.step == "artefact" and state.test == "lengths":
         sequence = LengthSequence(payload["lengths"], payload["touches_each"])
         state = replace(state, sequence=sequence)
+    if state.step == "temperatures":
+        at_end = Temperatures(payload["artefact_c"], payload["arm_c"])
+        state = replace(state, at_end=at_end, result="", failed=None)
     return replace(state, step=steps[steps.index(state.step) + 1], undone=())
 
 
@@ -275,9 +258,7 @@ CHANGES: dict[str, Callable[[PerformanceState, Payload], PerformanceState]] = {
     "gauge_chosen": lambda state, payload: replace(state, gauge=payload["id"]),
     "positions_set": lambda state, payload: replace(state, positions=payload["number"]),
     "limit_set": _set_limit,
-    "temperature_set": lambda state, payload: replace(
-        state, artefact_c=payload["celsius"], expanded_c=payload["expanded_c"]
-    ),
+    "temperature_set": _set_temperature,
     "plan_frozen": _freeze,
     "touched": _add_touch,
     "touch_voided": void_touch,
@@ -292,7 +273,7 @@ CHANGES: dict[str, Callable[[PerformanceState, Payload], PerformanceState]] = {
         state, payload["number"], refused=payload["refused"]
     ),
     "step_confirmed": _confirm,
-    "went_back": lambda state, payload: replace(state, step=payload["to"]),
+    "went_back": _go_back,
     "evaluated": lambda state, payload: replace(state, result=payload["result"], failed=None),
     "evaluation_failed": lambda state, payload: replace(state, failed=payload["refused"]),
     **dict.fromkeys(SIMULATION_NOTES, lambda state, payload: state),

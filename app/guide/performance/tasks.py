@@ -7,18 +7,19 @@ from datetime import UTC, datetime
 from app.errors import OperationError
 from app.formats.atomic_write import sync_file, sync_folder
 from app.formats.io_errors import convert_io_errors
+from app.formats.performance.end_temperatures import END_TEMPERATURES, EndTemperatures
 from app.formats.performance.plan import RESULT
 from app.formats.performance.station_limits import write_station_limits
 from app.guide.common.arguments import Args
 from app.guide.common.flow import DECISION_QUALITY
 from app.guide.common.journal import error_payload
+from app.guide.performance.entries import SphereScan
 from app.guide.performance.flow import CANCELLED
 from app.guide.performance.guide import PerformanceGuide
 from app.guide.performance.length.so_far import touches_on_end
 from app.guide.performance.picture import aside_lines, run_text
 from app.guide.performance.places import POLE
 from app.guide.performance.plan import limit_parts
-from app.guide.performance.state import SphereScan
 from app.messages.message import message
 from app.metrology.performance.gate import gate_sphere
 from app.metrology.performance.pattern import pattern_directions, scan_patches
@@ -36,8 +37,12 @@ def set_limit(guide: PerformanceGuide, args: Args, key: str | None) -> None:
 
 
 def set_temperature(guide: PerformanceGuide, args: Args, key: str | None) -> None:
-    """The artefact's temperature, measured before the first touch."""
-    payload = {"celsius": args.get("celsius"), "expanded_c": args.get("expanded_c", 0.0)}
+    """Temperatures of artefact and arm: before the first touch, or at the end."""
+    payload = {
+        "celsius": args.get("celsius"),
+        "arm_c": args.get("arm_c"),
+        "expanded_c": args.get("expanded_c", 0.0),
+    }
     guide.append("temperature_set", payload, key)
 
 
@@ -48,6 +53,16 @@ def confirm_artefact(guide: PerformanceGuide, key: str | None) -> None:
     payload: dict[str, object] = {}
     if standard is not None:
         payload = {"lengths": len(standard.lengths), "touches_each": touches_on_end(standard)}
+    guide.append("step_confirmed", payload, key)
+
+
+def confirm(guide: PerformanceGuide, key: str | None) -> None:
+    """Ends a step; at the end of the test, the temperatures that are shown are those measured."""
+    payload: dict[str, object] = {}
+    if guide.state.step == "temperatures":
+        found = guide.state.temperatures
+        payload = {"artefact_c": found.artefact_c, "arm_c": found.arm_c}
+        EndTemperatures.model_validate(payload).write(guide.folder / END_TEMPERATURES)
     guide.append("step_confirmed", payload, key)
 
 

@@ -157,8 +157,12 @@ class PerformancePicture:
 
     limits: Sequence[PerformanceLimitLine]
     artefact_c: float | None
-    """Temperature of the artefact, with its uncertainty (k = 2); None: not measured."""
+    """Temperature of the artefact at the beginning, at the end of the test that at its end; None:
+    not measured."""
+    arm_c: float | None
+    """The same of the arm."""
     expanded_c: float
+    """Uncertainty of the artefact's temperature, k = 2."""
     places: Sequence[PlaceMark]
     tip_deg: tuple[float, float] | None
     patches: Sequence[PatchMark]

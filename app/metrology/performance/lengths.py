@@ -2,15 +2,21 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Literal
 
 import numpy as np
 
+from app.metrology.performance.temperature import MeanTemperature
 from app.metrology.transforms import Floats
 
 LENGTHS, PLACES, REPEATS = 5, 7, 3
 MOST_PLACES_OUTSIDE = 5
 """So many of the 35 may have one of their three values outside, and are measured again."""
-REFERENCE_C = 20.0
+
+
+LENGTH_BY_FORM = {"touch": 0.35, "scan": 0.27}
+"""What a form of 1 µm of both spheres makes of the distance of their centres, by four touches all
+around, or by a scan of caps of 40° (of 60°: 0.09). Simulated on spheres with 5 to 8 lobes."""
 
 
 @dataclass(frozen=True)
@@ -23,6 +29,8 @@ class CalibratedLength:
     expansion_per_c: float
     """Coefficient of thermal expansion."""
     expansion_sd_per_c: float = 0.0
+    sphere_form_um: float = 0.0
+    """Form deviation of the spheres at its ends."""
 
 
 @dataclass(frozen=True)
@@ -33,9 +41,9 @@ class MeasuredLength:
     repeat: int
     nominal: CalibratedLength
     measured_mm: float
-    temperature_c: float | None = None
-    """Of the artefact; None: taken as 20 °C."""
-    temperature_sd_c: float = 0.0
+    artefact: MeanTemperature | None = None
+    """Its temperature; None: taken as 20 °C."""
+    by: Literal["touch", "scan"] = "touch"
 
     @property
     def error_um(self) -> float:
@@ -44,25 +52,29 @@ class MeasuredLength:
         Source:
             ISO 10360-2 and -12: E = L_measured - L_calibrated, expansion corrected.
         """
-        off_c = 0.0 if self.temperature_c is None else self.temperature_c - REFERENCE_C
+        off_c = 0.0 if self.artefact is None else self.artefact.off_c
         at_20_mm = self.measured_mm / (1 + self.nominal.expansion_per_c * off_c)
         return 1e3 * (at_20_mm - self.nominal.length_mm)
 
     @property
     def test_uncertainty_um(self) -> float:
-        """Test value uncertainty, k = 1: of the certificate and the temperature, not the arm's.
+        """Test value uncertainty, k = 1: of the certificate and the temperature with its
+        change during the test, not the arm's.
 
         Source:
-            ISO/TS 23165: u² = u_cal² + (L ΔT u_α)² + (L α u_T)².
+            ISO/TS 23165: u² = u_cal² + (L ΔT u_α)² + (L α u_T)², and what the form of the spheres
+            makes of the distance of their centres.
         """
         nominal = self.nominal
-        off_c = 0.0 if self.temperature_c is None else self.temperature_c - REFERENCE_C
+        off_c = 0.0 if self.artefact is None else self.artefact.off_c
+        sd_c = 0.0 if self.artefact is None else self.artefact.sd_c
         length_um = 1e3 * nominal.length_mm
         return float(
             np.sqrt(
                 nominal.standard_uncertainty_um**2
                 + (length_um * off_c * nominal.expansion_sd_per_c) ** 2
-                + (length_um * nominal.expansion_per_c * self.temperature_sd_c) ** 2
+                + (length_um * nominal.expansion_per_c * sd_c) ** 2
+                + (LENGTH_BY_FORM[self.by] * nominal.sphere_form_um) ** 2
             )
         )
 

@@ -18,7 +18,7 @@ from app.report.content import (
     Verdict,
     signatures,
 )
-from app.report.contents.performance_figures import bar_pictures, lengths_figure, limits_figure
+from app.report.contents.performance_figures import bar_pictures, lengths_pictures, limits_figure
 from app.report.contents.performance_tables import (
     figures_table,
     gate_texts,
@@ -82,9 +82,11 @@ def _findings(document: PerformanceFile) -> list[ReportFinding[Text]]:
 
 
 def _conditions(document: PerformanceFile) -> list[Section[Text]]:
-    """The gate and the filters of a test with scans, and what each position had."""
+    """The gate and the filters of a test with scans, and what each position had; the gate of
+    scanned lengths is among the notes."""
     blocks: list[Block[Text]] = []
-    if any(one.quantity.endswith(("-scan", "-both")) for one in document.figures):
+    by_scan = [one for one in document.figures if one.quantity.endswith(("-scan", "-both"))]
+    if by_scan and document.kind != "lengths":
         blocks += [TextBlock(text) for text in gate_texts(document.gate)]
     if document.spheres:
         blocks.append(positions_table(document))
@@ -107,7 +109,7 @@ def _pictures(document: PerformanceFile) -> list[Section[Text]]:
         ),
         (
             message("errors-of-lengths"),
-            [lengths_figure(document.lengths)] if document.lengths else [],
+            lengths_pictures(document.lengths),
             1,
         ),
         (message("seats-and-placements"), bar_pictures(document), 2),

@@ -47,6 +47,12 @@ def limits_figure(figures: Sequence[PerformanceFigure]) -> tuple[Figure[Text], T
     return draw_limits(limited, LABELS, "MPE"), message("performance-values-against-limits")
 
 
+def lengths_pictures(lengths: Sequence[LengthPoint]) -> list[tuple[Figure[Text], Text]]:
+    """Those by touch and those by scan, as far as there are."""
+    groups = ([one for one in lengths if one.by == by] for by in ("touch", "scan"))
+    return [lengths_figure(group) for group in groups if group]
+
+
 def lengths_figure(lengths: Sequence[LengthPoint]) -> tuple[Figure[Text], Text]:
     """The errors of all lengths over the length, with the band of the permissible error."""
     figure = Figure[Text](520, 196, message("errors-of-lengths"))
@@ -83,7 +89,7 @@ def lengths_figure(lengths: Sequence[LengthPoint]) -> tuple[Figure[Text], Text]:
     for length in sorted({one.length_mm for one in lengths}):
         x, _ = at(length, 0.0)
         figure.label((x, top + height + 12), quantity(length, "mm"), 7, SOFT, "middle")
-    return figure, message("errors-of-lengths-caption", count=len(lengths))
+    return figure, message("errors-of-lengths-caption", count=len(lengths), by=lengths[0].by)
 
 
 def bar_pictures(document: PerformanceFile) -> list[tuple[Figure[Text], Text]]:

@@ -41,7 +41,8 @@ def test_facts(document: PerformanceFile) -> list[tuple[Text, Text]]:
         (message("operator-2"), document.operator or UNKNOWN),
         (message("begun"), format_moment(document.started_at)),
         (message("performance-ended"), format_moment(document.ended_at)),
-        (message("temperature"), _temperatures(document)),
+        (message("temperature"), _temperatures(document.temperature_c)),
+        *_artefact_temperatures(document),
         (message("arm-4"), message("serial-number", serial_number=serials.arm or UNKNOWN)),
         (message("sensor-2"), message("serial-number", serial_number=serials.sensor or UNKNOWN)),
         (message("performance-editions"), join([*document.standards]) or UNKNOWN),
@@ -50,11 +51,22 @@ def test_facts(document: PerformanceFile) -> list[tuple[Text, Text]]:
     ]
 
 
-def _temperatures(document: PerformanceFile) -> Text:
-    start, end = document.temperature_c
+def _temperatures(readings_c: tuple[float | None, float | None]) -> Text:
+    start, end = readings_c
     if start is None or end is None:
         return temperature(start if start is not None else end)
     return message("from-to", low=quantity(start, "", 1), high=quantity(end, "°C", 1))
+
+
+def _artefact_temperatures(document: PerformanceFile) -> list[tuple[Text, Text]]:
+    """Of artefact and arm, if one was measured."""
+    part = document.temperatures
+    if part is None:
+        return []
+    return [
+        (message("artefact-temperature"), _temperatures(part.artefact_c)),
+        (message("arm-temperature"), _temperatures(part.arm_c)),
+    ]
 
 
 def _artefacts(document: PerformanceFile) -> list[tuple[Text, Text]]:

@@ -19,14 +19,13 @@ from app.formats.performance.plan import (
 from app.formats.performance.results import (
     ImpliedOffsetPart,
     LengthPoint,
-    PerformanceFigure,
     PerformanceFile,
     SphereMeasurement,
 )
 from app.formats.performance.symbols import SPHERE_QUANTITIES, Quantity, editions
 from app.formats.results.calibration import SerialNumbers
 from app.messages.message import Text, message, quantity
-from app.metrology.performance.lengths import LENGTHS, REFERENCE_C
+from app.metrology.performance.lengths import LENGTHS
 from app.metrology.performance.location import estimate_offset
 from app.metrology.performance.sphere import least_squares_sphere
 from app.metrology.performance.value_uncertainty import (
@@ -48,6 +47,13 @@ from app.workflows.performance.sphere_test import (
     measure_position,
     problems_of,
     worst,
+)
+from app.workflows.performance.temperature_checks import (
+    arm_span,
+    artefact_span,
+    find_unsteady,
+    temperature_notes,
+    temperatures_part,
 )
 
 
@@ -74,7 +80,11 @@ def evaluate_performance(folder: Path, ended_at: str = "") -> PerformanceFile:
     plan = read_plan(folder)
     data = read_measured_data(folder, _features(plan))
     problems = artefact_problems(plan, data.calibration, data.arm)
-    figures, parts = _measure(data, problems)
+    measured, parts = _measure(data, problems)
+    artefact, arm = artefact_span(plan, data.end), arm_span(plan, data.end)
+    unsteady = find_unsteady(artefact, arm, plan.temperature_limits.limits)
+    why = unsteady[0] if unsteady else ""
+    figures = tuple(judge_figure(plan, one, why) for one in measured)
     serials = SerialNumbers() if data.calibration is None else data.calibration.serial_numbers
     status = "" if plan.standards_at_hand else message("performance-status")
     return PerformanceFile(
@@ -96,8 +106,9 @@ def evaluate_performance(folder: Path, ended_at: str = "") -> PerformanceFile:
         rule=plan.rule,
         figures=figures,
         verdict=judge_all(figures),
-        problems=tuple(problems),
-        notes=(*_notes(plan), *parts.notes),
+        problems=(*problems, *unsteady),
+        notes=(*_notes(plan), *parts.notes, *temperature_notes(plan, data.end)),
+        temperatures=temperatures_part(plan, data.end),
         inputs=data.inputs,
         software=SOFTWARE,
         spheres=parts.spheres,
@@ -121,17 +132,15 @@ def _features(plan: PerformancePlan) -> list[str]:
     return contact_features() if plan.kind == "contact" else []
 
 
-def _measure(
-    data: MeasuredData, problems: list[Text]
-) -> tuple[tuple[PerformanceFigure, ...], _Parts]:
-    """The figures, and further fields of the result. ``problems`` may grow."""
+def _measure(data: MeasuredData, problems: list[Text]) -> tuple[list[Measured], _Parts]:
+    """The quantities, and further fields of the result. ``problems`` may grow."""
     plan, parts = data.plan, _Parts()
     if plan.kind == "sphere":
         measured, parts = _measure_sphere(data, problems)
     elif plan.kind == "lengths":
-        measured, lengths, rocking = measure_lengths(data)
-        problems += rocking
-        parts = _Parts(lengths=tuple(LengthPoint.model_validate(one) for one in lengths))
+        found = measure_lengths(data)
+        measured, parts = list(found.measured), _Parts(lengths=found.points, notes=found.notes)
+        problems += found.problems
     elif plan.kind == "plane":
         measured = measure_plane(data)
     else:
@@ -142,14 +151,15 @@ def _measure(
             Measured(one.quantity, None, problem=one.problem or refused, data=one.data)
             for one in measured
         ]
-    return tuple(judge_figure(plan, one) for one in measured), parts
+    return measured, parts
 
 
 def _measure_sphere(data: MeasuredData, problems: list[Text]) -> tuple[list[Measured], _Parts]:
     plan = data.plan
     assert plan.sphere is not None, "a plan of this kind has a sphere"
     certificate = sphere_certificate(plan.sphere)
-    off_c = 0.0 if plan.artefact_c is None else plan.artefact_c - REFERENCE_C
+    heat = data.artefact
+    off_c, sd_c = (0.0, 0.0) if heat is None else (heat.off_c, heat.sd_c)
     results = [measure_position(data, plan.sphere, i + 1) for i in range(plan.positions)]
     for result in results:
         bring_sizes_to_20(result, plan.sphere, off_c)
@@ -169,7 +179,7 @@ def _measure_sphere(data: MeasuredData, problems: list[Text]) -> tuple[list[Meas
             of,
             worst(results, of),
             tuple(None if of not in one.values_mm else 1e3 * one.values_mm[of] for one in results),
-            sphere_uncertainty_um(of, certificate, moved_um, plan.temperature_sd_c, off_c),
+            sphere_uncertainty_um(of, certificate, moved_um, sd_c, off_c),
             problems_of(results, of),
             tuple(name for one in results for name in one.data.get(of, ())),
         )
@@ -275,14 +285,6 @@ def _notes(plan: PerformancePlan) -> tuple[Text, ...]:
             notes.append(message("performance-one-position"))
     if plan.length is not None and len(plan.length.lengths) < LENGTHS:
         notes.append(message("performance-fewer-lengths", count=len(plan.length.lengths)))
-    if plan.kind in ("sphere", "lengths"):
-        notes.append(_temperature_note(plan))
     if plan.kind == "plane":
         notes.append(message("performance-plane-is-addition"))
     return tuple(notes)
-
-
-def _temperature_note(plan: PerformancePlan) -> Text:
-    if plan.artefact_c is None:
-        return message("performance-temperature-not-stated")
-    return message("performance-brought-to-20", celsius=quantity(plan.artefact_c, "°C", 1))

@@ -27,8 +27,14 @@ class Measured:
     """At which a limit that grows with the length applies."""
 
 
-def judge_figure(plan: PerformancePlan, measured: Measured) -> PerformanceFigure:
-    """A figure with its decision by the plan's rule."""
+def judge_figure(
+    plan: PerformancePlan, measured: Measured, unsteady: Text = ""
+) -> PerformanceFigure:
+    """A figure with its decision by the plan's rule.
+
+    Args:
+        unsteady: why nothing is decided, as the temperature was not steady; empty if it was.
+    """
     symbol = symbol_of(plan.edition, measured.quantity)
     title = TITLES[measured.quantity]
     permissible = plan.limit(measured.quantity)
@@ -41,7 +47,7 @@ def judge_figure(plan: PerformancePlan, measured: Measured) -> PerformanceFigure
         judged = decide(
             value, limit, measured.test_sd_um or 0.0, plan.rule.rule, signed=symbol.signed
         )
-    decision = judged
+    decision = "uncertain" if unsteady and judged != "none" else judged
     expanded = None if measured.test_sd_um is None else K * measured.test_sd_um
     return PerformanceFigure(
         quantity=measured.quantity,
@@ -52,7 +58,7 @@ def judge_figure(plan: PerformancePlan, measured: Measured) -> PerformanceFigure
         test_uncertainty=expanded,
         limit=limit,
         decision=decision,
-        reason=_reason(title, value, limit, expanded, decision, measured.problem),
+        reason=_reason(title, value, limit, expanded, decision, measured.problem or unsteady),
         problem=measured.problem,
         data=measured.data,
     )
@@ -88,6 +94,8 @@ def _reason(
         "limit": quantity(limit, "µm", 1),
         "uncertainty": quantity(expanded or 0.0, "µm", 1),
     }
+    if problem:
+        return message("performance-conditions-not-met", title=title, value=size, problem=problem)
     if decision == "pass":
         return message("performance-within-limit", **known)
     if decision == "fail":

@@ -1,15 +1,19 @@
 """Errors of length by touch or scan: ball bars and step gauges in seven places."""
 
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from math import isfinite
+from typing import Literal
 
 import numpy as np
 
 from app.errors import OperationError
 from app.formats.datasheets.length_standard import LengthStandardFile
 from app.formats.performance.plan import PerformancePlan, length_feature
-from app.formats.performance.symbols import Quantity
+from app.formats.performance.results import LengthPoint
 from app.messages.message import Text, message, quantity
 from app.metrology.arm.kinematics import tip_of
+from app.metrology.performance.bar_spheres import BAR_CONE_DEG
 from app.metrology.performance.length_scatter import (
     find_rocking_places,
     sphere_touch_scatter_um,
@@ -17,15 +21,16 @@ from app.metrology.performance.length_scatter import (
 from app.metrology.performance.lengths import (
     PLACES,
     REPEATS,
-    CalibratedLength,
     MeasuredLength,
     length_of_bar_mm,
     summarise_lengths,
 )
 from app.metrology.performance.sphere import sphere_centre
+from app.metrology.performance.temperature import MeanTemperature
 from app.metrology.transforms import Floats
 from app.workflows.performance.judge import K, Measured
 from app.workflows.performance.measured_data import MeasuredData
+from app.workflows.performance.scanned_lengths import has_length_scans, measure_scanned_lengths
 
 LEAST_TOUCHES = 4
 """On a sphere of a bar."""
@@ -43,59 +48,110 @@ def length_features(plan: PerformancePlan) -> list[str]:
     ]
 
 
-def measure_lengths(
-    data: MeasuredData,
-) -> tuple[list[Measured], list[dict[str, object]], list[Text]]:
-    """The worst error of length by touch, every single one, and why none is stated."""
+@dataclass(frozen=True)
+class LengthResult:
+    """What a length test gave."""
+
+    measured: tuple[Measured, ...]
+    """The worst error by touch, and that by scan."""
+    points: tuple[LengthPoint, ...]
+    """Every single error."""
+    problems: tuple[Text, ...]
+    """Why no figure is stated."""
+    notes: tuple[Text, ...] = ()
+
+
+def measure_lengths(data: MeasuredData) -> LengthResult:
+    """The errors of length by touch and by scan, as far as a folder has them.
+
+    Raises:
+        OperationError: a sphere has too few touches, or a scan cannot be rebuilt.
+    """
     standard = data.plan.length
     assert standard is not None, "a plan of this kind has lengths"
-    tip_mm = tip_of(data.arm).diameter_mm
-    values, names = lengths_by_touch(
-        standard, data.tips_mm, tip_mm, data.plan.artefact_c, data.plan.temperature_sd_c
-    )
-    of: Quantity = "length-touch"
+    tip_mm = tip_of(data.arm).diameter_mm if data.tips_mm else 0.0
+    touched, names = lengths_by_touch(standard, data.tips_mm, tip_mm, data.artefact)
+    scanned = measure_scanned_lengths(data) if has_length_scans(data) else None
+    measured: list[Measured] = []
+    problems: list[Text] = []
+    if touched or scanned is None or data.plan.limit("length-touch") is not None:
+        problem: Text = "" if touched else message("no-lengths-measured")
+        measured.append(_worst(data, "length-touch", touched, names, problem))
+        problems += rocking_problems(standard, touched, data.tips_mm, tip_mm)
+    values = list(touched)
+    if scanned is not None:
+        problem = scanned.problems[0] if scanned.problems else ""
+        measured.append(_worst(data, "length-scan", scanned.values, scanned.scans, problem))
+        problems += rocking_problems(standard, scanned.values)
+        values += scanned.values
+    points = tuple(_point(data, one) for one in values)
+    notes = () if scanned is None else (_gate_note(data),)
+    return LengthResult(tuple(measured), points, tuple(problems), notes)
+
+
+def _worst(
+    data: MeasuredData,
+    of: Literal["length-touch", "length-scan"],
+    values: Sequence[MeasuredLength],
+    names: Sequence[str],
+    problem: Text,
+) -> Measured:
+    """The error that is worst against its limit; a problem keeps it from being stated."""
     if not values:
-        return [Measured(of, None, problem=message("no-lengths-measured"))], [], []
-    permissible = data.plan.limit(of)
-    limits = [
-        np.inf if permissible is None else permissible.at(one.nominal.length_mm) for one in values
-    ]
-    summary = summarise_lengths(values, limits)
-    measured = Measured(
+        return Measured(of, None, problem=problem, data=tuple(names))
+    summary = summarise_lengths(values, [_limit_um(data, one) for one in values])
+    return Measured(
         of,
         summary.worst.error_um,
         tuple(one.error_um for one in values),
         summary.worst.test_uncertainty_um,
-        data=tuple(names),
-        length_mm=summary.worst.nominal.length_mm,
+        problem,
+        tuple(names),
+        summary.worst.nominal.length_mm,
     )
-    points: list[dict[str, object]] = [
-        {
-            "place": one.place,
-            "repeat": one.repeat,
-            "length_mm": one.nominal.length_mm,
-            "measured_mm": one.measured_mm,
-            "error_um": one.error_um,
-            "test_uncertainty_um": K * one.test_uncertainty_um,
-            "limit_um": None if not np.isfinite(limit) else limit,
-        }
-        for one, limit in zip(values, limits, strict=True)
-    ]
-    return [measured], points, rocking_problems(standard, values, data.tips_mm, tip_mm)
+
+
+def _gate_note(data: MeasuredData) -> Text:
+    """Which points of a scan take part."""
+    return message(
+        "performance-length-gate",
+        shell=quantity(data.plan.gate.shell_mm, "mm", 1),
+        incidence=quantity(data.plan.gate.incidence_deg, "°"),
+        cone=quantity(BAR_CONE_DEG, "°"),
+    )
+
+
+def _limit_um(data: MeasuredData, one: MeasuredLength) -> float:
+    """The maximum permissible error of a length; infinite without one."""
+    permissible = data.plan.limit("length-scan" if one.by == "scan" else "length-touch")
+    return float("inf") if permissible is None else permissible.at(one.nominal.length_mm)
+
+
+def _point(data: MeasuredData, one: MeasuredLength) -> LengthPoint:
+    limit_um = _limit_um(data, one)
+    return LengthPoint(
+        by=one.by,
+        place=one.place,
+        repeat=one.repeat,
+        length_mm=one.nominal.length_mm,
+        measured_mm=one.measured_mm,
+        error_um=one.error_um,
+        test_uncertainty_um=K * one.test_uncertainty_um,
+        limit_um=limit_um if isfinite(limit_um) else None,
+    )
 
 
 def lengths_by_touch(
     standard: LengthStandardFile,
     tips_mm: Mapping[str, Floats],
     tip_diameter_mm: float,
-    artefact_c: float | None = None,
-    temperature_sd_c: float = 0.0,
+    artefact: MeanTemperature | None = None,
 ) -> tuple[list[MeasuredLength], list[str]]:
     """The lengths both of whose ends were touched, and the groups of these touches.
 
     Args:
         tips_mm: tip centres (N, 3) by the feature of the touches.
-        artefact_c: temperature of the standard; None: taken as 20 °C.
+        artefact: temperature of the standard; None: taken as 20 °C.
 
     Raises:
         OperationError: a sphere has too few touches.
@@ -104,21 +160,13 @@ def lengths_by_touch(
     names: list[str] = []
     for place in range(1, PLACES + 1):
         for repeat in range(1, REPEATS + 1):
-            for number, part in enumerate(standard.lengths, 1):
+            for number in range(1, len(standard.lengths) + 1):
                 ends = [length_feature(place, repeat, number, end) for end in (0, 1)]
                 if not all(name in tips_mm for name in ends):
                     continue
                 a, b = (end_mm(standard, tips_mm[name], tip_diameter_mm) for name in ends)
-                nominal = CalibratedLength(
-                    part.length_mm,
-                    part.standard_uncertainty_um,
-                    standard.expansion_per_c,
-                    standard.expansion_sd_per_c,
-                )
-                length_mm = length_of_bar_mm(a, b)
-                values.append(
-                    MeasuredLength(place, repeat, nominal, length_mm, artefact_c, temperature_sd_c)
-                )
+                length_mm, nominal = length_of_bar_mm(a, b), standard.nominal(number)
+                values.append(MeasuredLength(place, repeat, nominal, length_mm, artefact))
                 names += ends
     return values, names
 
@@ -145,12 +193,13 @@ def end_mm(standard: LengthStandardFile, tips_mm: Floats, tip_diameter_mm: float
 def rocking_problems(
     standard: LengthStandardFile,
     values: Sequence[MeasuredLength],
-    tips_mm: Mapping[str, Floats],
-    tip_diameter_mm: float,
+    tips_mm: Mapping[str, Floats] | None = None,
+    tip_diameter_mm: float = 0.0,
 ) -> list[Text]:
-    """Each place in which the repeats scatter far more than the touches: the standard rocks."""
+    """Each place in which the repeats scatter far more than the touches, or without these than in
+    the other places: the standard rocks."""
     touches_um: float | None = None
-    if standard.sphere_diameter_mm is not None:
+    if standard.sphere_diameter_mm is not None and tips_mm is not None:
         reach_mm = (standard.sphere_diameter_mm + tip_diameter_mm) / 2
         touches_um = sphere_touch_scatter_um(tips_mm, reach_mm)
     return [
@@ -158,7 +207,8 @@ def rocking_problems(
             "length-standard-rocks",
             place=one.place,
             scatter=quantity(one.scatter_um, "µm"),
-            touches=quantity(one.expected_um, "µm", 1),
+            expected=quantity(one.expected_um, "µm", 1),
+            of="places" if touches_um is None else "touches",
         )
         for one in find_rocking_places(values, touches_um)
     ]

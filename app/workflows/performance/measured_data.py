@@ -11,13 +11,20 @@ from app.errors import OperationError
 from app.formats.clouds.points import Points
 from app.formats.datasheets.arm import read_any_arm
 from app.formats.json_document import file_sha256
+from app.formats.performance.end_temperatures import (
+    END_TEMPERATURES,
+    EndTemperatures,
+    read_end_temperatures,
+)
 from app.formats.performance.plan import PLAN, TOUCHES, PerformancePlan, read_plan
 from app.formats.results.calibration import CALIBRATION, Calibration, Input, read_calibration
 from app.formats.session.calibration_session import ARM, read_contacts
 from app.messages.message import message
 from app.metrology.arm.kinematics import AnyArm, tip_centres
 from app.metrology.performance.articulation import stylus_directions
+from app.metrology.performance.temperature import MeanTemperature, mean_temperature
 from app.metrology.transforms import Floats
+from app.workflows.performance.temperature_checks import artefact_span
 from app.workflows.reconstruct import reconstruct_into
 
 RECORDING = "scan.mcap"
@@ -46,6 +53,13 @@ class MeasuredData:
     styli: Mapping[str, Floats]
     """Unit directions (N, 3) from the tip to the wrist by the feature of the touches."""
     inputs: tuple[Input, ...]
+    end: EndTemperatures
+
+    @property
+    def artefact(self) -> MeanTemperature | None:
+        """Temperature of the artefact over the test; None: not measured."""
+        span = artefact_span(self.plan, self.end)
+        return mean_temperature(span, self.plan.temperature_sd_c)
 
     def has_scan(self, name: str) -> bool:
         """Whether a scan of this name was recorded."""
@@ -83,7 +97,8 @@ def read_measured_data(folder: Path, features: Sequence[str]) -> MeasuredData:
         directions = stylus_directions(arm, contacts.arm_readings)
         for name in dict.fromkeys(contacts.features):
             tips[name], styli[name] = centres[names == name], directions[names == name]
-    return MeasuredData(folder, plan, arm, calibration, tips, styli, _inputs(folder))
+    end = read_end_temperatures(folder)
+    return MeasuredData(folder, plan, arm, calibration, tips, styli, _inputs(folder), end)
 
 
 def read_scan(recording: Path, calibration: Calibration, arm: AnyArm) -> ScanCloud:
@@ -113,7 +128,7 @@ def read_scan(recording: Path, calibration: Calibration, arm: AnyArm) -> ScanClo
 
 def _inputs(folder: Path) -> tuple[Input, ...]:
     """Every file that figures follow from, by its hash."""
-    names = [PLAN, ARM, CALIBRATION, TOUCHES]
+    names = [PLAN, ARM, CALIBRATION, TOUCHES, END_TEMPERATURES]
     names += sorted(path.relative_to(folder).as_posix() for path in folder.glob(f"*/{RECORDING}"))
     return tuple(
         Input(file=name, sha256=file_sha256(folder / name))

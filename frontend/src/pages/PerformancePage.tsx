@@ -19,6 +19,7 @@ import { PerformanceCard } from "../performance/PerformanceCard";
 import { PerformanceRow } from "../performance/PerformanceRow";
 import { ResultTable } from "../performance/ResultTable";
 import { SphereMap } from "../performance/SphereMap";
+import { Temperatures } from "../performance/Temperatures";
 import { t } from "../state/language";
 import { go, useDetail } from "../state/router";
 import { getState, useLive } from "../state/store";
@@ -48,6 +49,12 @@ function Picture({ view }: { view: PerformanceView }) {
       </ResultTable>
     ) : (
       <EmptyState title="" text="" />
+    );
+  if (step === "temperatures")
+    return (
+      <div className={styles.temperatures}>
+        <Temperatures picture={picture} end />
+      </div>
     );
   if (picture.lengths) return <Lengths lengths={picture.lengths} />;
   return (
@@ -140,7 +147,7 @@ function Record({ id }: { id: string }) {
         ) : (
           file && (
             <ResultTable result={displayed(file)}>
-              {file.length && file.lengths && <LengthErrors errors={file.lengths} limits={limitsOf(file)} />}
+              <LengthsOfRecord lengths={file.lengths ?? []} />
             </ResultTable>
           )
         )
@@ -165,9 +172,25 @@ function Record({ id }: { id: string }) {
   );
 }
 
+type LengthPoints = NonNullable<PerformanceFile["lengths"]>;
+
+/** The errors by touch and those by scan, as far as there are. */
+function LengthsOfRecord({ lengths }: { lengths: LengthPoints }) {
+  const scanned = lengths.filter(({ by }) => by === "scan");
+  const touched = lengths.filter(({ by }) => by !== "scan");
+  return (
+    <>
+      {touched.length > 0 && <LengthErrors errors={touched} limits={limitsOf(touched)} />}
+      {scanned.length > 0 && (
+        <LengthErrors errors={scanned} limits={limitsOf(scanned)} title={t("ui-errors-of-length-by-scan")} />
+      )}
+    </>
+  );
+}
+
 /** The lengths of the standard, with the limits that they were judged by. */
-function limitsOf(file: PerformanceFile) {
-  const limits = new Map(file.lengths?.map(({ length_mm, limit_um }) => [length_mm, limit_um ?? null]));
+function limitsOf(lengths: LengthPoints) {
+  const limits = new Map(lengths.map(({ length_mm, limit_um }) => [length_mm, limit_um ?? null]));
   return [...limits]
     .map(([length_mm, limit_um]) => ({ length_mm, limit_um }))
     .sort((a, b) => a.length_mm - b.length_mm);

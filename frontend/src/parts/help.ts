@@ -27,6 +27,7 @@ export const HELP: Readonly<Record<string, readonly PlainId[]>> = {
   "performance/scan": ["ui-performance-help-scan", "ui-performance-help-patches"],
   "performance/end": ["ui-performance-help-end"],
   "performance/lengths": ["ui-performance-help-touch", "ui-performance-help-length"],
+  "performance/temperatures": ["ui-performance-help-temperatures"],
   "performance/review": ["ui-performance-help-review"],
   "arm/seat": ["ui-seat-cone-three-balls-which-tip", "ui-the-arms-main-button-begins"],
   "arm/swing": ["ui-leave-tip-seat-turn-every-joint", "ui-the-arms-main-button-ends-it"],

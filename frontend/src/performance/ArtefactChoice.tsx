@@ -6,9 +6,9 @@ import { EmptyState } from "../parts/EmptyState";
 import { t } from "../state/language";
 import { GaugeDrawing } from "../verify/GaugeDrawing";
 import styles from "./ArtefactChoice.module.css";
-import { ArtefactTemperature } from "./ArtefactTemperature";
 import { CertificateUpload } from "./CertificateUpload";
 import { Limits } from "./Limits";
+import { Temperatures } from "./Temperatures";
 
 /** The sphere and its number of positions, or the length standard; and the limits by the datasheet. */
 export function ArtefactChoice({ view }: { view: PerformanceView }) {
@@ -49,7 +49,7 @@ export function ArtefactChoice({ view }: { view: PerformanceView }) {
           />
         </section>
       )}
-      <ArtefactTemperature celsius={view.picture.artefact_c} expanded={view.picture.expanded_c} />
+      <Temperatures picture={view.picture} />
       <Limits limits={view.picture.limits} />
     </div>
   );

@@ -15,6 +15,7 @@ interface LengthErrorsProps {
   errors: readonly LengthError[];
   /** The lengths of the standard with their permissible errors. */
   limits: readonly { length_mm: number; limit_um?: number | null }[];
+  title?: string;
 }
 
 const WIDTH = 600;
@@ -28,7 +29,7 @@ const PLACES = 7;
 const APART = 5;
 
 /** The errors of length over the length, with the band of the permissible error. */
-export function LengthErrors({ errors, limits }: LengthErrorsProps) {
+export function LengthErrors({ errors, limits, title = t("ui-errors-of-length") }: LengthErrorsProps) {
   const longest = Math.max(...limits.map(({ length_mm }) => length_mm), 1);
   const band = limits.filter((one): one is { length_mm: number; limit_um: number } => typeof one.limit_um === "number");
   const largest = errors.reduce((most, { error_um }) => Math.max(most, Math.abs(error_um)), 0);
@@ -36,7 +37,6 @@ export function LengthErrors({ errors, limits }: LengthErrorsProps) {
   const x = (length: number) => LEFT + 30 + ((WIDTH - LEFT - RIGHT - 56) * length) / longest;
   const y = (error: number) => TOP + (HEIGHT - TOP - BOTTOM) * (0.5 - error / (2 * top));
   const edge = (sign: number) => band.map(({ length_mm, limit_um }) => `${x(length_mm)},${y(sign * limit_um)}`);
-  const title = t("ui-errors-of-length");
   return (
     <figure className={styles.errors}>
       <figcaption className={styles.title}>

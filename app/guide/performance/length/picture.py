@@ -4,8 +4,9 @@ from app.errors import sentence
 from app.findings import Finding
 from app.formats.performance.plan import LimitPart
 from app.guide.common.view import LiveNumber
+from app.guide.performance.entries import DatasheetLimit
 from app.guide.performance.length.so_far import LengthsSoFar
-from app.guide.performance.state import DatasheetLimit, PerformanceState
+from app.guide.performance.state import PerformanceState
 from app.guide.performance.view import (
     LengthErrorMark,
     LengthLimitMark,

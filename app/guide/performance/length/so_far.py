@@ -62,7 +62,7 @@ def measure_so_far(
     if not tips_mm:
         return LengthsSoFar(standard, reach, places_mm, (), (), None)
     tip_mm = tip_of(arm).diameter_mm
-    values, _ = lengths_by_touch(standard, tips_mm, tip_mm)
+    values, _ = lengths_by_touch(standard, tips_mm, tip_mm, state.artefact)
     rocking = rocking_problems(standard, values, tips_mm, tip_mm)
     off_deg = _off_direction_deg(state, tips_mm, places_mm)
     return LengthsSoFar(standard, reach, places_mm, tuple(values), tuple(rocking), off_deg)

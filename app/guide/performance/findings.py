@@ -1,0 +1,107 @@
+"""What is wrong in a performance test, or should be known by its operator. Pure."""
+
+from app.errors import sentence
+from app.findings import Finding
+from app.formats.datasheets.length_standard import LengthStandardFile
+from app.guide.common.flow import DECISION_QUALITY, device_findings, strain_findings
+from app.guide.common.journal import error_from_payload
+from app.guide.performance.entries import Temperatures
+from app.guide.performance.length.picture import length_findings
+from app.guide.performance.live import PerformanceLive
+from app.guide.performance.rules import change_reason, missing_patches
+from app.guide.performance.state import TOUCHING, PerformanceState
+from app.messages.message import message, quantity
+from app.metrology.performance.articulation import HELD_DEG
+from app.metrology.performance.lengths import LENGTHS
+from app.metrology.performance.temperature import TemperatureSpan
+from app.workflows.performance.temperature_checks import find_unsteady
+
+
+def list_findings(state: PerformanceState, live: PerformanceLive) -> list[Finding]:
+    """Everything of a running test, the worst trouble first."""
+    findings: list[Finding] = []
+    if live.trouble:
+        findings.append(live.trouble)
+    if reason := change_reason(state, live):
+        remedy = message("performance-set-is-invalid") if state.frozen else ""
+        findings.append(Finding("bad", reason, remedy))
+    findings += device_findings(live.arm_link, live.sensor_link)
+    if state.step == "artefact":
+        findings += _about_artefact(state, live)
+    if state.step in TOUCHING:
+        findings += strain_findings(live.strain)
+    if state.step in ("artefact", "temperatures"):
+        findings += _about_temperatures(state, live)
+    if state.step == "lengths":
+        findings += length_findings(live.lengths)
+    if live.off_deg is not None and live.off_deg > HELD_DEG:
+        findings.append(_about_articulation(live.off_deg, state.step))
+    if state.step == "scan":
+        findings += _about_scans(state)
+    if state.step == "review":
+        findings += _about_result(state, live)
+    return findings
+
+
+def _about_artefact(state: PerformanceState, live: PerformanceLive) -> list[Finding]:
+    findings = list(live.gauges.findings)
+    if not live.gauges.known:
+        text = message("performance-no-artefact", test=state.test)
+        findings.append(Finding("attention", text, message("put-certificate-into-folder-gauges")))
+    if isinstance(live.artefact, LengthStandardFile) and len(live.artefact.lengths) < LENGTHS:
+        text = message("performance-fewer-lengths", count=len(live.artefact.lengths))
+        findings.append(Finding("attention", text))
+    remedy = message("performance-correct-gauge")
+    return findings + [Finding("bad", sentence(one), remedy) for one in live.artefact_problems]
+
+
+def _about_temperatures(state: PerformanceState, live: PerformanceLive) -> list[Finding]:
+    """Why nothing will be decided; at the beginning the test can still wait."""
+    begin, end, when = state.at_begin, Temperatures(), "begin"
+    if state.step == "temperatures":
+        end, when = state.temperatures, "end"
+    unsteady = find_unsteady(
+        TemperatureSpan(begin.artefact_c, end.artefact_c),
+        TemperatureSpan(begin.arm_c, end.arm_c),
+        live.temperature_limits,
+    )
+    remedy = message("performance-let-temperatures-settle", when=when)
+    return [Finding("attention", sentence(one), remedy) for one in unsteady]
+
+
+def _about_articulation(off_deg: float, step: str) -> Finding:
+    off, most = quantity(off_deg, "°"), quantity(HELD_DEG, "°")
+    if step == "location":
+        text = message("performance-stylus-off-articulation", off=off, most=most)
+    else:
+        text = message("performance-camera-off-articulation", off=off, most=most)
+    return Finding("attention", text, message("performance-turn-towards-articulation"))
+
+
+def _about_scans(state: PerformanceState) -> list[Finding]:
+    findings: list[Finding] = []
+    last = state.here[-1] if state.here else None
+    if last is not None and last.refused is not None and not last.aside:
+        error = error_from_payload(last.refused)
+        findings.append(Finding("attention", error.reason, sentence(error.remedy)))
+    missing = missing_patches(state)
+    if missing and any(scan.good for scan in state.here) and not state.articulation:
+        text = message("patches-not-covered", patches=", ".join(map(str, missing)))
+        remedy = message("performance-scan-missing")
+        findings.append(Finding("attention", sentence(text), remedy))
+    return findings
+
+
+def _about_result(state: PerformanceState, live: PerformanceLive) -> list[Finding]:
+    if state.failed is not None:
+        error = error_from_payload(state.failed)
+        return [error.finding("bad")]
+    if live.result is None:
+        return []
+    findings = [
+        Finding(DECISION_QUALITY[figure.decision], sentence(figure.reason))
+        for figure in live.result.figures
+        if figure.decision in ("fail", "uncertain") and figure.value is not None
+    ]
+    findings += [Finding("bad", sentence(text)) for text in live.result.problems]
+    return findings

@@ -1,0 +1,124 @@
+"""Lengths of a ball bar by scan: the distance of the centres of two scanned spheres."""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from itertools import combinations
+
+import numpy as np
+
+from app.formats.datasheets.length_standard import LengthStandardFile
+from app.formats.performance.plan import length_scan
+from app.messages.message import Text, message, quantity
+from app.metrology.performance.bar_spheres import (
+    LEAST_FRAMES,
+    LEAST_POINTS,
+    find_spheres,
+    measure_sphere,
+)
+from app.metrology.performance.lengths import PLACES, REPEATS, MeasuredLength, length_of_bar_mm
+from app.metrology.transforms import Floats
+from app.workflows.performance.measured_data import MeasuredData, ScanCloud
+
+OTHER_LENGTH_MM = 2.0
+"""Two spheres whose distance differs by more are not those of a length."""
+
+
+@dataclass(frozen=True)
+class ScannedLengths:
+    """The lengths by scan, and why some are missing."""
+
+    values: tuple[MeasuredLength, ...]
+    scans: tuple[str, ...]
+    """From which they were computed."""
+    problems: tuple[Text, ...]
+
+
+def has_length_scans(data: MeasuredData) -> bool:
+    """Whether a bar was scanned."""
+    return any(data.has_scan(name) for name, _, _, _ in _scans(data.plan.length))
+
+
+def measure_scanned_lengths(data: MeasuredData) -> ScannedLengths:
+    """Every length of the scans of a test: one scan of the whole bar in each place and repeat, or
+    one for each length.
+
+    Raises:
+        OperationError: a scan cannot be rebuilt, or the folder has no calibration.
+    """
+    standard = data.plan.length
+    assert standard is not None, "a plan of this kind has lengths"
+    if standard.sphere_diameter_mm is None:
+        return ScannedLengths((), (), (message("only-ball-bars-are-scanned"),))
+    values: list[MeasuredLength] = []
+    names: list[str] = []
+    problems: list[Text] = []
+    for name, place, repeat, numbers in _scans(standard):
+        if not data.has_scan(name):
+            continue
+        names.append(name)
+        if len(numbers) > 1:  # a scan of one length stands for it
+            numbers = [n for n in numbers if not data.has_scan(length_scan(place, repeat, n))]
+        cloud = data.scan(name)
+        centres = find_spheres(cloud.points_mm, cloud.views, standard.sphere_diameter_mm)
+        for number in numbers:
+            found = _measure_length(data, standard, cloud, centres, number)
+            if isinstance(found, float):
+                nominal = standard.nominal(number)
+                values.append(MeasuredLength(place, repeat, nominal, found, data.artefact, "scan"))
+            else:
+                problems.append(message("titled-text", title=name, text=found))
+    return ScannedLengths(tuple(values), tuple(names), tuple(problems))
+
+
+def _scans(
+    standard: LengthStandardFile | None,
+) -> Iterator[tuple[str, int, int, Sequence[int]]]:
+    """Names of scans with their place, repeat and the numbers of the lengths that they show."""
+    count = 0 if standard is None else len(standard.lengths)
+    for place in range(1, PLACES + 1):
+        for repeat in range(1, REPEATS + 1):
+            yield length_scan(place, repeat), place, repeat, range(1, count + 1)
+            for number in range(1, count + 1):
+                one = range(number, number + 1)
+                yield length_scan(place, repeat, number), place, repeat, one
+
+
+def _measure_length(
+    data: MeasuredData,
+    standard: LengthStandardFile,
+    cloud: ScanCloud,
+    centres_mm: Floats,
+    number: int,
+) -> float | Text:
+    """A length in mm, or why the scan does not show it."""
+    nominal_mm = standard.lengths[number - 1].length_mm
+    size = quantity(nominal_mm, "mm")
+    pairs = [
+        (a, b)
+        for a, b in combinations(centres_mm, 2)
+        if abs(length_of_bar_mm(a, b) - nominal_mm) <= OTHER_LENGTH_MM
+    ]
+    if not pairs:
+        return message("scan-without-length", length=size, count=len(centres_mm))
+    if len(pairs) > 1:
+        return message("scan-has-length-twice", length=size)
+    (first, second) = pairs[0]
+    diameter_mm = standard.sphere_diameter_mm or 0.0
+    along = np.asarray(second - first) / np.linalg.norm(second - first)
+    ends = [
+        measure_sphere(
+            cloud.points_mm,
+            cloud.views,
+            cloud.frame,
+            diameter_mm,
+            start,
+            along,
+            data.plan.gate.gate,
+        )
+        for start in (first, second)
+    ]
+    if not all(one.is_covered for one in ends):
+        return message(
+            "scan-shows-little-of-sphere", length=size, points=LEAST_POINTS, frames=LEAST_FRAMES
+        )
+    return length_of_bar_mm(ends[0].centre_mm, ends[1].centre_mm)

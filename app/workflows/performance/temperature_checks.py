@@ -1,0 +1,92 @@
+"""Whether artefact and arm kept their temperature in a test, and what is said of it."""
+
+from app.formats.performance.end_temperatures import EndTemperatures
+from app.formats.performance.plan import PerformancePlan
+from app.formats.performance.results import TemperaturesPart
+from app.messages.message import Text, message, quantity
+from app.metrology.performance.temperature import TemperatureLimits, TemperatureSpan
+
+
+def find_unsteady(
+    artefact: TemperatureSpan, arm: TemperatureSpan, limits: TemperatureLimits
+) -> list[Text]:
+    """Why temperatures were not steady; empty if they were, as far as they are known."""
+    found: list[Text] = []
+    for which, span in (("artefact", artefact), ("arm", arm)):
+        if span.is_change_too_large(limits):
+            found.append(
+                message(
+                    "performance-temperature-changed",
+                    which=which,
+                    change=quantity(abs(span.change_c or 0.0), "°C", 1),
+                    most=quantity(limits.change_c, "°C", 1),
+                )
+            )
+        if span.is_too_far(limits):
+            found.append(
+                message(
+                    "performance-temperature-far",
+                    which=which,
+                    celsius=quantity(span.farthest_c or 0.0, "°C", 1),
+                    most=quantity(limits.from_20_c, "°C", 1),
+                )
+            )
+    return found
+
+
+def artefact_span(plan: PerformancePlan, end: EndTemperatures) -> TemperatureSpan:
+    """Of the artefact."""
+    return TemperatureSpan(plan.artefact_c, end.artefact_c)
+
+
+def arm_span(plan: PerformancePlan, end: EndTemperatures) -> TemperatureSpan:
+    """Of the arm."""
+    return TemperatureSpan(plan.arm_c, end.arm_c)
+
+
+def temperatures_part(plan: PerformancePlan, end: EndTemperatures) -> TemperaturesPart | None:
+    """The readings and whether they were steady; None if none was taken."""
+    artefact, arm = artefact_span(plan, end), arm_span(plan, end)
+    known = len(artefact.known_c) + len(arm.known_c)
+    if not known:
+        return None
+    unsteady = bool(find_unsteady(artefact, arm, plan.temperature_limits.limits))
+    return TemperaturesPart(
+        artefact_c=(artefact.begin_c, artefact.end_c),
+        arm_c=(arm.begin_c, arm.end_c),
+        artefact_sd_c=plan.temperature_sd_c,
+        limits=plan.temperature_limits,
+        steady=False if unsteady else True if known == 4 else None,
+    )
+
+
+def temperature_notes(plan: PerformancePlan, end: EndTemperatures) -> list[Text]:
+    """What should be known of the temperatures, one sentence each; what they mean for sizes and
+    lengths comes last."""
+    artefact, arm = artefact_span(plan, end), arm_span(plan, end)
+    part, notes = temperatures_part(plan, end), list[Text]()
+    if part is not None and part.steady is None:
+        notes.append(message("performance-steadiness-unknown"))
+    if part is not None and part.steady:
+        largest_c = max(abs(span.change_c or 0.0) for span in (artefact, arm))
+        notes.append(
+            message(
+                "performance-temperatures-steady",
+                change=quantity(largest_c, "°C", 1),
+                most=quantity(plan.temperature_limits.change_c, "°C", 1),
+                off=quantity(plan.temperature_limits.from_20_c, "°C", 1),
+            )
+        )
+    if plan.kind in ("sphere", "lengths"):
+        notes.append(_correction_note(artefact))
+    return notes
+
+
+def _correction_note(artefact: TemperatureSpan) -> Text:
+    if not artefact.known_c:
+        return message("performance-temperature-not-stated")
+    low, high = artefact.known_c[0], artefact.known_c[-1]
+    celsius: Text = quantity(low, "°C", 1)
+    if low != high:
+        celsius = message("from-to", low=quantity(low, "", 1), high=quantity(high, "°C", 1))
+    return message("performance-brought-to-20", celsius=celsius)

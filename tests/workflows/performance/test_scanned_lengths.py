@@ -1,0 +1,144 @@
+"""Lengths of ball bars by scan, on recordings of synthetic bars."""
+
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from app.bench.metrology.synthetic_arm import PoseArm
+from app.bench.metrology.synthetic_bar import NO_FAULTS, write_bar_scan
+from app.bench.metrology.synthetic_sphere import CENTRE, Faults, write_calibration
+from app.errors import OperationError
+from app.formats.datasheets.length_standard import LengthPart, LengthStandardFile
+from app.formats.exchange.result_tables import result_tables
+from app.formats.performance.plan import PLAN, LimitPart, PerformancePlan, length_scan
+from app.formats.performance.results import PerformanceFile
+from app.report.reports import render_report
+from app.workflows.performance.evaluate import evaluate_performance, write_performance
+from tests.cli.test_cli import crenel
+from tests.report.test_reports import text_of
+
+DIAMETER_MM = 20.0
+ALONG = np.array([0.8, 0.5, np.sqrt(1 - 0.89)])
+LIMITS = (LimitPart(quantity="length-scan", a_um=30.0, k=10.0, b_um=60.0),)
+
+
+def bar(*lengths_mm: float, **fields: object) -> LengthStandardFile:
+    return LengthStandardFile.model_validate(
+        {
+            "name": "Ball bar",
+            "serial_number": "BB-1",
+            "sphere_diameter_mm": DIAMETER_MM,
+            "lengths": [
+                LengthPart(length_mm=one, standard_uncertainty_um=0.5) for one in lengths_mm
+            ],
+            **fields,
+        }
+    )
+
+
+def spheres_at(*places_mm: float) -> list[np.ndarray]:
+    """Centres along the bar."""
+    return [CENTRE + (place - places_mm[-1] / 2) * ALONG for place in places_mm]
+
+
+def bar_test(
+    folder: Path,
+    standard: LengthStandardFile,
+    scans: Mapping[str, Sequence[np.ndarray]],
+    faults: Faults = NO_FAULTS,
+) -> Path:
+    """The folder of a test in which the bar is scanned alone."""
+    folder.mkdir()
+    PerformancePlan(
+        id="t",
+        kind="lengths",
+        started_at="2026-11-26T10:00:00+00:00",
+        length=standard,
+        limits=LIMITS,
+    ).write(folder / PLAN)
+    PoseArm().write(folder / "arm.json")
+    write_calibration(folder / "calibration.json")
+    for number, (name, centres) in enumerate(scans.items()):
+        write_bar_scan(folder / name, centres, DIAMETER_MM, faults=faults, seed=number)
+    return folder
+
+
+def errors_um(result: PerformanceFile) -> dict[float, float]:
+    return {one.length_mm: one.error_um for one in result.lengths}
+
+
+def test_the_lengths_of_a_scanned_bar_are_the_distances_of_its_spheres(tmp_path: Path) -> None:
+    # 60 µm longer than it is calibrated
+    scans = {length_scan(1, 1): spheres_at(0.0, 40.06, 100.06)}
+    folder = bar_test(tmp_path / "t", bar(40.0, 60.0, 100.0), scans)
+    result = evaluate_performance(folder)
+    assert errors_um(result) == pytest.approx({40.0: 60.0, 60.0: 0.0, 100.0: 60.0}, abs=0.2)
+    assert {one.by for one in result.lengths} == {"scan"}
+    (figure,) = result.figures
+    assert figure.symbol == "E_Uni:ODS.AArm"
+    assert figure.value == pytest.approx(60.0, abs=0.2)
+    assert (figure.limit, figure.decision) == (34.0, "fail")
+    assert figure.data == ("l1-1",)
+    assert any("30° from the direction of the bar" in str(note) for note in result.notes)
+    assert f"{length_scan(1, 1)}/scan.mcap" in {one.file for one in result.inputs}
+
+
+def test_noise_scatters_the_lengths_and_form_and_temperature_are_their_uncertainty(
+    tmp_path: Path,
+) -> None:
+    standard = bar(80.0, sphere_form_um=1.0, expansion_per_c=11.5e-6)
+    scans = {length_scan(1, repeat): spheres_at(0.0, 80.0) for repeat in (1, 2)}
+    noisy = Faults(point_sd_mm=0.02, matrix_offset_mm=(0.05, -0.03, 0.02))
+    folder = bar_test(tmp_path / "t", standard, scans, noisy)
+    result = write_performance(folder)
+    assert [one.repeat for one in result.lengths] == [1, 2]
+    # the probe matrix shifts both spheres, seen from the same side, by the same
+    assert all(abs(one.error_um) < 4 for one in result.lengths)
+    assert result.figures[0].decision == "pass"
+    assert result.lengths[0].test_uncertainty_um > 2 * 0.5
+    table = next(one for one in result_tables(result) if one.name == "lengths")
+    assert [row[0] for row in table.rows] == ["scan", "scan"]
+    text = text_of(render_report(folder, ".pdf"))
+    assert "2 errors of length by scan over the length" in text
+    assert "E_Uni:ODS.AArm" in crenel("performance", "evaluate", folder).stdout
+
+
+def test_a_length_that_a_scan_shows_twice_is_scanned_by_itself(tmp_path: Path) -> None:
+    scans = {length_scan(1, 1): spheres_at(0.0, 40.0, 80.0)}
+    folder = bar_test(tmp_path / "t", bar(40.0, 80.0), scans)
+    twice = evaluate_performance(folder)
+    assert twice.figures[0].value is None
+    assert "more than one pair" in str(twice.figures[0].problem)
+    assert errors_um(twice) == pytest.approx({80.0: 0.0}, abs=0.2)
+    alone = folder / length_scan(1, 1, 1)
+    write_bar_scan(alone, spheres_at(0.0, 40.05, 80.0)[:2], DIAMETER_MM)
+    result = evaluate_performance(folder)
+    assert errors_um(result) == pytest.approx({40.0: 50.0, 80.0: 0.0}, abs=0.2)
+    assert result.figures[0].value is not None
+
+
+@pytest.mark.parametrize(
+    ("standard", "centres", "said"),
+    [
+        (bar(70.0), spheres_at(0.0, 40.0), "no two are 70 mm apart"),
+        (bar(70.0), spheres_at(0.0), "one sphere instead of two"),
+        (bar(40.0, sphere_diameter_mm=None), spheres_at(0.0, 40.0), "only the spheres of a ball"),
+    ],
+    ids=["another length", "one sphere", "no spheres"],
+)
+def test_scans_that_do_not_show_a_length_are_named(
+    tmp_path: Path, standard: LengthStandardFile, centres: list[np.ndarray], said: str
+) -> None:
+    folder = bar_test(tmp_path / "t", standard, {length_scan(1, 1): centres})
+    (figure,) = evaluate_performance(folder).figures
+    assert figure.value is None
+    assert said in str(figure.problem)
+
+
+def test_a_scan_without_a_calibration_is_refused(tmp_path: Path) -> None:
+    folder = bar_test(tmp_path / "t", bar(40.0), {length_scan(1, 1): spheres_at(0.0, 40.0)})
+    (folder / "calibration.json").unlink()
+    with pytest.raises(OperationError, match=r"calibration\.json is missing"):
+        evaluate_performance(folder)
