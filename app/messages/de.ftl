@@ -1521,8 +1521,8 @@ performance-lengths-done = Alle Längen sind gemessen. Weiter zum Ergebnis.
 performance-lengths-measured = { $done } von { $of } Längen
 performance-let-temperatures-settle =
     { $when ->
-        [end] Sonst wird kein Wert entschieden. Wiederholen Sie die Prüfung, sobald die Temperaturen beständig sind.
-       *[begin] Sonst wird kein Wert entschieden. Lassen Sie Prüfkörper und Arm sich angleichen, und messen Sie noch einmal.
+        [end] So wird kein Wert entschieden. Wiederholen Sie die Prüfung, sobald die Temperaturen beständig sind.
+       *[begin] So wird kein Wert entschieden. Lassen Sie Prüfkörper und Arm sich angleichen, und messen Sie noch einmal.
     }
 performance-measuring-scan = Der Scan der Stellung { $articulation } wird ausgewertet
 performance-move-sphere = Die Kugel an ihre zweite Position in einem anderen Teil des Arbeitsraums setzen und befestigen. Dann oben antasten.

@@ -1517,8 +1517,8 @@ performance-lengths-done = All lengths are measured. Continue to the result.
 performance-lengths-measured = { $done } of { $of } lengths
 performance-let-temperatures-settle =
     { $when ->
-        [end] Otherwise, no figure will be decided. Repeat the test once the temperatures are steady.
-       *[begin] Otherwise, no figure will be decided. Let artefact and arm settle, and measure again.
+        [end] No figure will be decided. Repeat the test once the temperatures are steady.
+       *[begin] No figure will be decided. Let artefact and arm settle, and measure again.
     }
 performance-measuring-scan = Evaluating the scan of articulation { $articulation }
 performance-move-sphere = Move the sphere to its second position, in another part of the arm's reach, and fix it. Then touch its top.

@@ -80,8 +80,8 @@ def check_record(station: Demo, page: Page) -> None:
 
 def set_temperatures(page: Page, artefact: float, arm: float) -> None:
     """Types both, and sets them."""
-    page.get_by_label("Temperature of the artefact").fill(str(artefact))
-    page.get_by_label("Temperature of the arm").fill(str(arm))
+    page.get_by_label("Temperature of the artefact").fill(f"{artefact:g}")
+    page.get_by_label("Temperature of the arm").fill(f"{arm:g}")
     page.get_by_role("button", name="Set", exact=True).click()
     expect(page.get_by_role("button", name="Set", exact=True)).to_have_count(0)
 
@@ -178,6 +178,7 @@ def test_the_length_test_from_start_to_errors(
     set_temperatures(page, artefact=20.4, arm=21.0)
     look_at_both_sizes(visit, "lengths-artefact")
     page.get_by_role("button", name="The standard is ready").click()
+    expect(page.get_by_role("button", name="Take the point")).to_be_visible()
     page.get_by_role("button", name="Let the simulated operator do it").click()
     visit.wait_until(
         "errors",

@@ -30,7 +30,7 @@ export function PerformanceCard({ view }: { view: PerformanceView }) {
     <SessionCard
       guide="performance"
       view={view}
-      actions={actions}
+      actions={asks && leaving ? [] : actions}
       number={result ? <Verdict result={result.result} text={result.text} /> : undefined}
       findings={newFindings(view.findings, view.actions, result ? [asSent(result).text] : [])}
     >
