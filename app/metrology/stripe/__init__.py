@@ -20,7 +20,7 @@ computation is in C (``app/native/c/stripe``), one call per frame, in this order
 
 All this happens at one scale. ``find_stripe`` tries others where the image itself does not show one
 long narrow line: several rows made one (``reduce.c``, ``scales.py``) for wide and speckled lines,
-rows between the rows for lines of a pixel.
+rows between the rows for lines of a pixel. ``bands.py`` looks beside bright bands with sharp edges.
 
 ``pipeline.c`` reads top to bottom. If the core of the line is clipped (``clipped.h``), or
 flat below full scale (``plateau.c``), only its flanks show its position:
@@ -37,7 +37,8 @@ flat below full scale (``plateau.c``), only its flanks show its position:
 ``smoothing`` smooths the points along the line if the operator chooses so.
 """
 
-from app.metrology.stripe.extraction import FoundLine, extract_stripe, find_stripe
+from app.metrology.stripe.extraction import extract_stripe, find_stripe
+from app.metrology.stripe.found_line import FoundLine
 from app.metrology.stripe.points import Stripe, concatenate_stripes, empty_stripe
 from app.metrology.stripe.settings import (
     AUTOMATIC,

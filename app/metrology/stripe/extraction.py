@@ -1,7 +1,5 @@
-"""Stripe extraction from an image: checks, the call into C, and its result."""
+"""Stripe extraction from an image: checks, and the scale that shows the line best."""
 
-import math
-from dataclasses import dataclass
 from typing import cast
 
 import cv2
@@ -11,50 +9,24 @@ from numpy.typing import NDArray
 from app.errors import OperationError
 from app.messages.message import message
 from app.metrology.image import Image
-from app.metrology.stripe.points import Stripe, empty_stripe, stripe_from_points
-from app.metrology.stripe.scales import (
-    FULL,
-    THIN_FACTOR,
-    Scale,
-    height_at,
-    reduce_mask,
-    reduce_rows,
-    rows_to_fill,
-    scale_of,
-    wide_factors,
-)
-from app.metrology.stripe.settings import AUTOMATIC, StripeSettings, check_settings
+from app.metrology.stripe.bands import is_beam_beside, is_wide, measure_pieces, paint_over
+from app.metrology.stripe.found_line import CERTAIN_SIGMA_ROWS, THIN_SIGMA_ROWS_BROKEN, FoundLine
+from app.metrology.stripe.one_scale import EXTRACT, extract_at
+from app.metrology.stripe.points import Stripe, empty_stripe
+from app.metrology.stripe.scales import THIN_FACTOR, wide_factors
+from app.metrology.stripe.settings import AUTOMATIC, StripeSettings
 from app.metrology.stripe.smoothing import smooth_stripe
-from app.metrology.stripe.workspace import (
-    LEAST_ROWS,
-    PER_FULL_WIDTH,
-    Fields,
-    acquire_workspace,
-    release_workspace,
-)
-from app.native.arguments import U8, U16, Function, Record
-from app.native.library import CRENEL
 
-EXTRACT = {
-    U8: Function(CRENEL, "extract_8", Record(Fields), returns=int),
-    U16: Function(CRENEL, "extract_16", Record(Fields), returns=int),
-}
-
-CERTAIN_LENGTH, CERTAIN_LENGTH_CLIPPED = 0.35, 0.6
-"""A line so long, in shares of the image's width, is looked for at no other scale."""
-THIN_SIGMA_ROWS, THIN_SIGMA_ROWS_BROKEN, CERTAIN_SIGMA_ROWS = 0.8, 1.2, 5.0
-"""A thinner line, or a thinner one that is not long, is looked for between the rows, too; one at
-least so wide at coarser scales."""
-WIDEST_LINE = 1 / 8
-"""A line is at most so wide at half height, in shares of the image's height."""
+WIDEST_LINE, WIDEST_CORE = 1 / 8, 1 / 5
+"""A line at half height, and its clipped core, are at most so wide, in shares of the image's
+height."""
 CLEARLY_BETTER, BETTER = 1.05, 1.02
 """A coarser scale is chosen if it shows this much more of the line; the latter of a wide line. The
 finer one measures a line that is no bell more exactly."""
+MOSTLY = 0.5
+"""The share of its points that lie on bands that are no beam, from which on it is no line."""
 THIN_AS_GOOD = 0.85
 """Rows between the rows are if they show this much: a thin line is less high there."""
-UNRESOLVED_PX, UNRESOLVED_SIGMA_ROWS = 12**-0.5, 1.2
-"""The standard deviation of a point of a line that is thinner than a pixel, as it may lie anywhere
-in the pixel; the width that such a line has between the rows."""
 
 
 def extract_stripe(
@@ -102,7 +74,7 @@ def find_stripe(
     axis: str = "u",
     where: NDArray[np.bool_] | None = None,
     settings: StripeSettings = AUTOMATIC,
-) -> "FoundLine":
+) -> FoundLine:
     """The laser stripe in an image, with its width and the scale at which it was found.
 
     Arguments and errors are those of ``extract_stripe``.
@@ -113,57 +85,11 @@ def find_stripe(
     return found
 
 
-def smooth_as_set(found: "FoundLine", settings: StripeSettings) -> Stripe:
+def smooth_as_set(found: FoundLine, settings: StripeSettings) -> Stripe:
     """The stripe that was found, smoothed along itself if the settings say so."""
     if settings.smoothing_px == 0:
         return found.stripe
     return smooth_stripe(found.stripe, settings.smoothing_px, found.saturated)
-
-
-@dataclass(slots=True)
-class FoundLine:
-    """A stripe, and how much of a line it is.
-
-    ``evidence``: length of the line, in shares of the image's width, times its height in grey
-    levels; 0 if it does not stand out of the image. ``length``: that of one piece which shows as
-    much. ``scale``: how many rows of the image were made one. ``sigma_rows``: the usual width
-    there, as a standard deviation; 0 if the line is clipped. ``saturated``: the grey level from
-    which on the line counts as clipped.
-    """
-
-    stripe: Stripe
-    evidence: float = 0.0
-    length: float = 0.0
-    scale: Scale = FULL
-    sigma_rows: float = 0.0
-    saturated: float = math.inf
-
-    @property
-    def factor(self) -> float:
-        """Rows of the image that were made one."""
-        return self.scale.factor
-
-    @property
-    def width_px(self) -> float:
-        """Its usual width at half height in pixels of the image; 0 if it is clipped."""
-        return self.sigma_rows * self.factor / PER_FULL_WIDTH
-
-    @property
-    def is_long(self) -> bool:
-        """Whether it is one long line."""
-        long = CERTAIN_LENGTH if self.sigma_rows else CERTAIN_LENGTH_CLIPPED
-        return self.evidence > 0 and self.length >= long
-
-    @property
-    def is_certain(self) -> bool:
-        """Whether it is one long line, of a width that no other scale would show better."""
-        return self.is_long and not self.is_thin and self.sigma_rows < CERTAIN_SIGMA_ROWS
-
-    @property
-    def is_thin(self) -> bool:
-        """Whether rows between the rows would show more of it."""
-        thin = THIN_SIGMA_ROWS if self.is_long else THIN_SIGMA_ROWS_BROKEN
-        return self.factor == 1 and 0 < self.sigma_rows < thin
 
 
 def extract_whole(
@@ -179,97 +105,65 @@ def extract_whole(
         grey, where: (H, W) from ``orient_image``, ``orient_mask``.
         first: what the image shows at full scale, if that is known already.
     """
-    best = first or _extract_at(grey, axis, where, settings, 1.0)
+    best = _best_scale(grey, axis, where, settings, first)
+    return without_bands(grey, best, where, settings)
+
+
+def without_bands(
+    grey: Image, found: FoundLine, where: NDArray[np.bool_] | None, settings: StripeSettings
+) -> FoundLine:
+    """The line that was found, or the one beside it, if that is a beam and the former a band.
+
+    What the operator says of the line, or of its place, overrides that.
+    """
+    if not is_wide(found) or _is_specified(where, settings):
+        return found
+    pieces = measure_pieces(grey, found)
+    bands = [piece for piece in pieces if piece.is_band]
+    if not bands:
+        return found
+    other = _best_scale(paint_over(grey, bands), found.stripe.axis, None, settings)
+    if is_beam_beside(grey, other, bands):
+        return other
+    none = sum(len(piece.columns) for piece in bands if piece.is_no_beam)
+    if none >= MOSTLY * len(found.stripe.u):
+        return FoundLine(empty_stripe(found.stripe.axis))
+    return found
+
+
+def _is_specified(where: NDArray[np.bool_] | None, settings: StripeSettings) -> bool:
+    """Whether the operator says what the line is like, or where it is."""
+    return where is not None or settings != StripeSettings(
+        min_run=settings.min_run, smoothing_px=settings.smoothing_px
+    )
+
+
+def _best_scale(
+    grey: Image,
+    axis: str,
+    where: NDArray[np.bool_] | None,
+    settings: StripeSettings,
+    first: FoundLine | None = None,
+) -> FoundLine:
+    """The stripe at the scale that shows most of a line."""
+    best = first or extract_at(grey, axis, where, settings, 1.0)
     if best.is_certain:
         return best
     for factor in () if best.is_thin else wide_factors(grey.shape[0]):
-        found = _extract_at(grey, axis, where, settings, factor)
-        is_line = found.width_px < WIDEST_LINE * grey.shape[0]
+        found = extract_at(grey, axis, where, settings, factor)
+        is_line = max(found.width_px / WIDEST_LINE, found.core_px / WIDEST_CORE) < grey.shape[0]
         enough = CLEARLY_BETTER if best.sigma_rows < CERTAIN_SIGMA_ROWS else BETTER
         if is_line and found.evidence > enough * best.evidence:
             best = found
         if found.is_certain:
             break
     if best.is_thin or not best.is_long:
-        found = _extract_at(grey, axis, where, settings, THIN_FACTOR)
+        found = extract_at(grey, axis, where, settings, THIN_FACTOR)
         enough = THIN_AS_GOOD if best.is_thin else CLEARLY_BETTER
         is_thin = 0 < found.sigma_rows * THIN_FACTOR < THIN_SIGMA_ROWS_BROKEN
         if is_thin and found.evidence > enough * best.evidence:
             best = found
     return best
-
-
-def _extract_at(
-    grey: Image,
-    axis: str,
-    where: NDArray[np.bool_] | None,
-    settings: StripeSettings,
-    factor: float,
-) -> FoundLine:
-    """The stripe in a complete image at one scale."""
-    parts, allowed = whole_image(grey, factor), reduce_mask(where, factor)
-    return extract_parts(grey, axis, parts, allowed, settings, scale=scale_of(grey, factor))
-
-
-def extract_parts(
-    grey: Image,
-    axis: str,
-    parts: NDArray[np.int64],
-    where: NDArray[np.bool_] | None,
-    settings: StripeSettings,
-    known: NDArray[np.float32] | None = None,
-    scale: Scale = FULL,
-) -> FoundLine:
-    """The stripe in parts of an image that is already oriented, at one scale.
-
-    Args:
-        grey: (H, W) with the stripe across its columns, from ``orient_image``.
-        parts: (n, 4) first row and the one after the last, first column and the one after the
-            last, of each part of the reduced image.
-        where: (H / factor, W) pixels of the reduced image in which the stripe may lie; None:
-            anywhere.
-        known: (4,) the three terms of the noise and the usual width (a standard deviation, px)
-            from earlier frames at this scale; zeros are filled in.
-        scale: how many rows of the image are made one.
-    """
-    check_settings(settings)
-    if grey.shape[0] <= LEAST_ROWS or grey.shape[1] < settings.min_run:
-        return FoundLine(empty_stripe(axis))
-    image, kind, factor = grey, grey.dtype, scale.factor
-    if factor != 1:
-        kind, settings = U16, scale.settings(settings)
-    known = np.zeros(4, dtype=np.float32) if known is None else known
-    rows = height_at(grey.shape[0], factor)
-    workspace = acquire_workspace(rows, grey.shape[1], kind)
-    try:
-        if factor != 1:
-            filled = rows_to_fill(parts, rows, float(known[3]), clipped=False)
-            image = reduce_rows(grey, scale, filled, workspace.reduced)
-        workspace.set_frame(image, parts, where, known)
-        workspace.set_settings(settings, scale.climb_rows)
-        count = EXTRACT[image.dtype](workspace.fields)
-        if factor > 1 and workspace.fields.is_clipped:
-            more = rows_to_fill(parts, rows, 0, clipped=True)
-            if (more[:, :2] != filled[:, :2]).any():
-                reduce_rows(grey, scale, more, workspace.reduced)
-                count = EXTRACT[image.dtype](workspace.fields)
-        points = workspace.points[:, :count].copy()
-        evidence, length = workspace.fields.evidence, workspace.fields.length
-        saturated = workspace.fields.saturated / scale.gain
-    finally:
-        release_workspace(workspace)
-    if factor != 1:
-        points[1] = scale.across_px(points[1])
-        points[2] /= scale.gain
-        unresolved = factor < 1 and known[3] < UNRESOLVED_SIGMA_ROWS
-        points[3] = np.hypot(points[3] * factor, UNRESOLVED_PX if unresolved else 0)
-    stripe = stripe_from_points(points, axis)
-    return FoundLine(stripe, evidence / scale.gain, length, scale, float(known[3]), saturated)
-
-
-def whole_image(grey: Image, factor: float = 1.0) -> NDArray[np.int64]:
-    """(1, 4) the part that is the complete image with ``factor`` rows made one."""
-    return np.array([[0, height_at(grey.shape[0], factor), 0, grey.shape[1]]])
 
 
 def orient_image(image: Image, axis: str) -> Image:

@@ -6,14 +6,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.metrology.image import Image
+from app.metrology.stripe.bands import is_wide
 from app.metrology.stripe.extraction import (
-    FoundLine,
-    extract_parts,
     extract_whole,
     orient_image,
     orient_mask,
     smooth_as_set,
+    without_bands,
 )
+from app.metrology.stripe.found_line import FoundLine
+from app.metrology.stripe.one_scale import extract_parts
 from app.metrology.stripe.points import Stripe
 from app.metrology.stripe.scales import FULL, follow_scale, height_at, reduce_mask, rows_at
 from app.metrology.stripe.settings import AUTOMATIC, StripeSettings
@@ -28,6 +30,8 @@ LOST_POINTS = 16
 """A block has lost the stripe if it shows this many fewer points than in the previous frame."""
 NOISE_FRAMES = 8
 """Number of frames after which the noise, the usual width and the scale are estimated again."""
+BAND_FRAMES = 64
+"""Number of frames after which a wide line is compared with what else is in the image again."""
 
 _plan_parts = Function(
     CRENEL,
@@ -93,10 +97,11 @@ class StripeTracker:
             self._forget()
         whole = np.zeros(len(self._counts), dtype=np.bool_)
         is_first, is_turn = self._turn == 0, self._turn % NOISE_FRAMES == 0
+        may_be_band = self._turn % BAND_FRAMES == 0
         if is_turn:
             self._known[:] = 0
         self._turn += 1
-        before = self._counts
+        before, across = self._counts, self._across
         parts = self._parts(whole)
         found = self._extract(parts, grey)
         lost = self._counts < before - LOST_POINTS
@@ -106,13 +111,26 @@ class StripeTracker:
             found = self._extract(self._parts(whole), grey)
         if is_turn and not (found.is_certain if is_first else found.is_long):
             found = self._try_scales(grey, found)
+        elif is_wide(found) and (may_be_band or self._jumped(across)):
+            found = self._take(without_bands(grey, found, self._allowed, self._settings), found)
         return smooth_as_set(found, self._settings)
 
     def _try_scales(self, grey: Image, found: FoundLine) -> FoundLine:
         """What the image shows at the best scale, which is kept for the frames to come."""
         whole = found if found.factor == 1 else None
         best = extract_whole(grey, self._axis, self._allowed, self._settings, whole)
-        if best.factor == found.factor:
+        is_same = best.factor == found.factor != 1
+        return found if is_same else self._take(best, found)
+
+    def _jumped(self, before: NDArray[np.float64]) -> bool:
+        """Whether the stripe lies elsewhere than at its places across in the image before."""
+        if not len(before) or not len(self._across):
+            return False
+        return abs(float(self._across.mean() - before.mean())) > self._margin_px
+
+    def _take(self, best: FoundLine, found: FoundLine) -> FoundLine:
+        """The better line, which is followed from now on; what was found if that has no points."""
+        if best is found or not len(best.stripe.u):
             return found
         self._scale = best.scale
         self._reduced = reduce_mask(self._allowed, best.factor)

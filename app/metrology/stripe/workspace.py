@@ -55,7 +55,7 @@ class Fields(ctypes.Structure):
         *((name, ctypes.c_void_p) for name in ("blocks", "profiles", "fits", "peaks")),
         *((name, ctypes.c_void_p) for name in ("points", "scratch", "pieces", "clutter", "levels")),
         ("clipped", ctypes.c_void_p),
-        *((name, ctypes.c_double) for name in ("evidence", "length", "saturated")),
+        *((name, ctypes.c_double) for name in ("evidence", "length", "saturated", "core_rows")),
         ("is_clipped", ctypes.c_int64),
     )
 

@@ -14,6 +14,7 @@ enum {
     RUNS = 6,           /* clipped runs kept in a column */
     NARROWEST_CORE = 5, /* widths of a clipped core in px */
     WIDEST_CORE = 64,
+    HALO_CORE = 8,      /* one so wide shows a position by itself */
     FLANK = 11,         /* pixels looked at beside the core on each side */
     BACKGROUND_PX = 13, /* those further out that show the background */
     FEWEST_COLUMNS = 40 /* that the flanks' shared shape needs */

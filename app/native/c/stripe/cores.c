@@ -11,7 +11,11 @@ enum {
 };
 /* Rows by which a track may climb from one column to the next; the share of its columns that are
  * clipped; widths of its cores, in shares of the usual one. */
-static const double TRACK_CLIMB = 4.0, DENSE_TRACK = 0.7, NARROW_CORE = 0.45, WIDE_CORE = 2.2;
+static const double TRACK_CLIMB = 4.0, RAGGED = 0.15, DENSE_TRACK = 0.7, NARROW_CORE = 0.45, WIDE_CORE = 2.2;
+
+/* Rows by which the middle of a core so wide may climb from one column to the next: its edges are
+ * as ragged as the light that the surface scatters. */
+static double core_climb(double rows) { return TRACK_CLIMB + RAGGED * rows; }
 
 /* The run before this one that it follows, or -1: the nearest of the last columns that has one. */
 static int64_t run_before(const Clipped *c, int64_t column, double middle)
@@ -21,7 +25,8 @@ static int64_t run_before(const Clipped *c, int64_t column, double middle)
         int64_t found = -1, begin = (column - back) * RUNS;
         for (int64_t r = begin; r < begin + c->runs[column - back]; r++) {
             double climb = fabs(middle - 0.5 * (c->run_first[r] + c->run_last[r]));
-            if (climb <= TRACK_CLIMB * (double)back && climb < nearest) {
+            double most = core_climb(c->run_last[r] - c->run_first[r] + 1) * (double)back;
+            if (climb <= most && climb < nearest) {
                 nearest = climb;
                 found = r;
             }

@@ -17,6 +17,11 @@ static const float MOST_SHIFT = 0.3f;
 /* Backgrounds on both sides that differ by more than this factor are two brightnesses of the
  * surface: the flank on the brighter one reaches further. */
 static const double UNEVEN = 1.5;
+/* The variance of the middle of two edges, each anywhere in its pixel. */
+static const double EDGE_VARIANCE = 1.0 / 24;
+/* How far the middle of a wide core is off, as a standard deviation in shares of its width, where
+ * its flanks do not fit: the light that the surface scatters is not the same on both sides. */
+static const double CORE_ERROR = 0.1;
 /* A fit's chi squared that is no chance, in its standard deviations. */
 static const float UNLIKELY = 5.0f;
 
@@ -119,22 +124,43 @@ static double half_fall(const Flanks *flanks)
     return root > 0 ? 2 * half / max_f64(slope + sqrt(root), 0.02) : half / max_f64(slope, 0.02);
 }
 
-/* Keeps the columns whose flanks fit, with the variances of their middles. */
+/* Whether the signal ends within a pixel on both sides of a core, so that no pixel shows a flank;
+ * fills by how much the middle of the light lies below the core's. */
+static bool ends_steeply(const Clipped *c, int64_t column, float *shift)
+{
+    const float *signal = c->signal + column / LANES * LANES * 2 * FLANK + column % LANES;
+    float part[2];
+    for (int side = 0; side < 2; side++) {
+        const float highest = c->top[side][column] / c->top[0][column];
+        const float *next = signal + side * FLANK * LANES;
+        if (next[0] == UNSEEN || fabsf(next[LANES]) >= LOWEST * highest)
+            return false;
+        part[side] = max_f32(next[0] / highest, 0);
+    }
+    *shift = 0.5f * (part[1] - part[0]);
+    return true;
+}
+
+/* Keeps the columns whose flanks fit or are steep, or whose core is wide, with the variances of their middles. */
 static void keep_fitted(Clipped *c, const Flanks *flanks)
 {
     double decay_px = 1 / max_f64(flanks->slope, 0.02);
     c->flanks = 0;
     for (int64_t i = 0; i < c->cores; i++) {
         float free = max_f32(c->count[i] - 2, 1), misfit = c->misfit[i];
-        float most = max_f32(2 * MOST_SHIFT * c->half[i], 1);
-        if (!isfinite(c->variance[i]) || fabsf(c->shift[i]) >= most)
+        float most = max_f32(2 * MOST_SHIFT * c->half[i], 1), shift = c->shift[i];
+        const bool fits = isfinite(c->variance[i]) && fabsf(shift) < most;
+        const bool steep = !fits && ends_steeply(c, i, &shift);
+        const bool by_core = !fits && !steep;
+        if (by_core && 2 * c->half[i] < HALO_CORE)
             continue;
+        const double off = CORE_ERROR * 2 * c->half[i];
         bool worse = misfit > 1 + UNLIKELY * sqrtf(2 / free);
         int64_t n = c->flanks++;
         c->flank_column[n] = c->column[i];
-        c->centre[n] = 0.5 * (c->first[i] + c->last[i]) + c->shift[i];
-        c->by_noise[n] = c->variance[i] * (worse ? misfit : 1);
-        c->by_surface[n] = uneven_variance(c, i, decay_px);
+        c->centre[n] = 0.5 * (c->first[i] + c->last[i]) + (by_core ? 0 : shift);
+        c->by_noise[n] = fits ? c->variance[i] * (worse ? misfit : 1) : EDGE_VARIANCE;
+        c->by_surface[n] = fits ? uneven_variance(c, i, decay_px) : by_core ? off * off : 0;
     }
 }
 

@@ -23,23 +23,25 @@ static lanes median_away(lanes *values)
     return values[BACKGROUND_PX / 2];
 }
 
-/* Keeps the cores that lie in the picture and shine clearly over both backgrounds. */
+/* Keeps the cores that lie in the picture and shine clearly over both backgrounds; wide ones, whose
+ * surroundings are lit by the line itself, anyway. */
 static void keep_bright(Clipped *c, int64_t height, double saturated)
 {
     int64_t n = 0;
     for (int64_t i = 0; i < c->cores; i++) {
         float above = (float)saturated - c->background[0][i];
         float below = (float)saturated - c->background[1][i];
+        const bool dim = min_f32(above, below) <= LEAST_TOP * (float)saturated;
         if (c->first[i] < NEAREST_PX || c->last[i] + NEAREST_PX >= height ||
-            min_f32(above, below) <= LEAST_TOP * (float)saturated)
+            (dim && c->last[i] - c->first[i] + 1 < HALO_CORE))
             continue;
         c->column[n] = c->column[i];
         c->first[n] = c->first[i];
         c->last[n] = c->last[i];
         c->background[0][n] = c->background[0][i];
         c->background[1][n] = c->background[1][i];
-        c->top[0][n] = above;
-        c->top[1][n++] = below;
+        c->top[0][n] = dim ? UNSEEN : above;
+        c->top[1][n++] = dim ? UNSEEN : below;
     }
     c->cores = n;
 }
@@ -85,7 +87,7 @@ static void OF(read_signals)(Clipped *c, const PIXEL *pixels, int64_t height, do
                 float signal = UNSEEN;
                 if (i < c->cores) {
                     int64_t row = side ? c->last[i] + out : c->first[i] - out;
-                    if (row >= 0 && row < height) {
+                    if (c->top[0][i] != UNSEEN && row >= 0 && row < height) {
                         float level = (float)pixels[row * c->width + c->column[i]];
                         if (level < (float)saturated)
                             signal = (level - c->background[side][i]) / c->top[0][i];
@@ -102,7 +104,11 @@ static bool OF(read_flanks)(Clipped *c, const PIXEL *pixels, int64_t height, dou
 {
     OF(read_backgrounds)(c, pixels, height);
     keep_bright(c, height, saturated);
-    if (c->cores >= FEWEST_COLUMNS)
-        OF(read_signals)(c, pixels, height, saturated);
-    return c->cores >= FEWEST_COLUMNS;
+    if (c->cores < FEWEST_COLUMNS)
+        return false;
+    OF(read_signals)(c, pixels, height, saturated);
+    for (int64_t i = 0; i < c->cores; i++)
+        if (c->top[0][i] == UNSEEN)
+            c->top[0][i] = c->top[1][i] = 1;
+    return true;
 }

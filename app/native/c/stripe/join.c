@@ -51,7 +51,8 @@ static int64_t merge(Clipped *c, PointTable peaks, int64_t n)
 /* Keeps those of the merged points that lie in runs; of their flanks, too. Returns how many. */
 static int64_t keep_runs(Clipped *c, int64_t found, int64_t n, int64_t shortest)
 {
-    int64_t kept = keep_long_runs(c->along, c->across, NULL, found, shortest, STEEPEST, c->kept);
+    int64_t kept = keep_long_runs(c->along, c->across, NULL, found, shortest,
+                                  core_climb(c->core_width), c->kept);
     c->flanks = 0;
     for (int64_t i = 0; i < kept; i++) {
         int64_t j = c->source[c->kept[i]] - n, to = c->flanks;

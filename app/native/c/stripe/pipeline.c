@@ -220,6 +220,8 @@ static int64_t OF(place_by_flanks)(Workspace *work, Clipped *clipped, double rea
         found = OF(fit_beside)(work, clipped, read, threshold, saturated);
     if (clipped->cores == 0)
         return finish(work, found, saturated);
+    work->core_rows = clipped->core_width;
+    work->climb = max_f64(work->climb, core_climb(clipped->core_width));
     clipped->flanks = 0;
     if (OF(read_flanks)(clipped, work->pixels, work->height, saturated))
         fit_flanks(clipped, saturated, read);
@@ -233,6 +235,7 @@ static int64_t OF(place_points)(Workspace *work, double read, double threshold, 
 {
     int64_t chosen, found = 0;
     work->is_clipped = false;
+    work->core_rows = 0;
     if (!overexposed) {
         chosen = list_chosen(work, NULL, 0);
         found = OF(fit_peaks)(work, chosen, read, threshold, saturated, work->known);

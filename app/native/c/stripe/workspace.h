@@ -97,6 +97,7 @@ typedef struct {
     /* results: how much of a line the points are, and how long, see evidence.c */
     double evidence, length;
     double saturated; /* the level from which on pixels count as clipped */
+    double core_rows; /* usual width of the line's clipped core; 0 where it has none */
     int64_t is_clipped; /* some points lie where the line is clipped, and have no peak */
 } Workspace;
 
