@@ -1,4 +1,4 @@
-"""Bright bands that are no laser line: windows, lamps, the edges of sheets, polished metal.
+"""Bright bands that are no laser line: windows, lamps, the edges of paper, polished metal.
 
 A beam of light fades towards its sides, and a lens and the surface spread it further: where it is
 clipped, its flanks still take a good share of its width. The edges of a thing that shines, or is

@@ -111,7 +111,7 @@ class StripeTracker:
             found = self._extract(self._parts(whole), grey)
         if is_turn and not (found.is_certain if is_first else found.is_long):
             found = self._try_scales(grey, found)
-        elif is_wide(found) and (may_be_band or self._jumped(across)):
+        elif is_wide(found) and (may_be_band or self._lies_elsewhere(across)):
             found = self._take(without_bands(grey, found, self._allowed, self._settings), found)
         return smooth_as_set(found, self._settings)
 
@@ -122,7 +122,7 @@ class StripeTracker:
         is_same = best.factor == found.factor != 1
         return found if is_same else self._take(best, found)
 
-    def _jumped(self, before: NDArray[np.float64]) -> bool:
+    def _lies_elsewhere(self, before: NDArray[np.float64]) -> bool:
         """Whether the stripe lies elsewhere than at its places across in the image before."""
         if not len(before) or not len(self._across):
             return False
