@@ -114,7 +114,7 @@ class ResultStore:
             return
         for part in Path(self.settings.url).glob(f".*{PART}"):
             target = part.name.removesuffix(PART).rpartition(".")[0]
-            if Path(target).stem.rpartition("-")[2] in keys:
+            if target.rpartition("-")[2].partition(".")[0] in keys:
                 with suppress(OSError):
                     part.unlink()
 

@@ -49,6 +49,7 @@ class CloudFormat(StrEnum):
     XYZ = "xyz"
     LAS = "las"
     LAZ = "laz"
+    COPC = "copc"
 
 
 @dataclass
@@ -96,6 +97,7 @@ def rebuild(
     """
     from app.batch.rebuild import plan_rebuild
     from app.batch.results import ResultStore
+    from app.formats.clouds.files import COPC
 
     found, keys = open_places(places, config)
     results = ResultStore(output_settings(output, keys, found))
@@ -105,7 +107,7 @@ def rebuild(
             found,
             selection_of(period, station, taken_with),
             results.settings,
-            f".{cloud_format.value}",
+            COPC if cloud_format is CloudFormat.COPC else f".{cloud_format.value}",
             choose_calibrations(calibration, arm, found),
             progress,
         )

@@ -67,7 +67,9 @@ def reconstruct(
     arm: Annotated[Path, typer.Option(help="The arm's arm.json.")],
     output: Annotated[
         Path,
-        typer.Option("-o", "--output", help="Output file: .ply, .pcd, .e57, .xyz, .las or .laz."),
+        typer.Option(
+            "-o", "--output", help="Output file: .ply, .pcd, .e57, .xyz, .las, .laz or .copc.laz."
+        ),
     ] = Path("cloud.ply"),
     delay_ms: Annotated[
         float | None,

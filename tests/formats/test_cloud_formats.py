@@ -13,7 +13,14 @@ from hypothesis import strategies as st
 
 from app.errors import OperationError
 from app.formats.clouds import pcd
-from app.formats.clouds.files import CHUNK_POINTS, POINT, SUFFIXES, cloud_writer, read_cloud
+from app.formats.clouds.files import (
+    CHUNK_POINTS,
+    COPC,
+    POINT,
+    SUFFIXES,
+    cloud_writer,
+    read_cloud,
+)
 from app.formats.clouds.xyz import XyzSink
 from app.metrology.sensor.camera import project
 from app.metrology.sensor.triangulation import scan_points, sensor_points
@@ -212,9 +219,11 @@ def test_a_library_that_is_missing_is_named(
     assert not list(tmp_path.iterdir())
 
 
-@pytest.mark.parametrize("suffix", SUFFIXES)
+@pytest.mark.parametrize("suffix", [*SUFFIXES, COPC])
 def test_a_full_disk_leaves_nothing(tmp_path: Path, suffix: str) -> None:
     """In a process whose files may not grow beyond 200 kB."""
+    if suffix == COPC:
+        pytest.importorskip("copclib")
     script = f"""
 import resource, signal, sys
 import numpy as np

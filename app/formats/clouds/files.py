@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from app.errors import OperationError
 from app.formats.atomic_write import atomic_file, atomic_path
+from app.formats.clouds.copc import CopcSink
 from app.formats.clouds.e57 import E57Sink, read_e57
 from app.formats.clouds.las import LasSink, read_las
 from app.formats.clouds.pcd import PcdSink, read_pcd
@@ -22,6 +23,8 @@ from app.messages.message import message, rounded
 from app.metrology.transforms import Floats
 
 SUFFIXES = (".ply", ".pcd", ".e57", ".xyz", ".las", ".laz")
+COPC = ".copc.laz"
+"""End of the name of a LAZ that has an octree."""
 CHUNK_POINTS = 1 << 16
 """Minimum number of points passed to a format at a time."""
 FARTHEST_MM = 1e7
@@ -88,9 +91,10 @@ def cloud_writer(path: Path) -> Iterator[CloudWriter]:
             installed, the format cannot hold a point, or the file cannot be written.
     """
     suffix = check_suffix(path)
-    if suffix == ".e57":
+    is_octree = path.name.lower().endswith(COPC)
+    if suffix == ".e57" or is_octree:
         with atomic_path(path) as part:
-            sink = E57Sink(path, part)
+            sink = CopcSink(path, part) if is_octree else E57Sink(path, part)
             try:
                 writer = CloudWriter(sink)
                 yield writer

@@ -6,15 +6,17 @@ Coordinates are whole tenths of a µm, in mm as everywhere; ``frame`` and
 
 from pathlib import Path
 from types import ModuleType
-from typing import BinaryIO
+from typing import Any, BinaryIO
 
 import numpy as np
+from numpy.typing import NDArray
 
 from app.errors import OperationError
 from app.formats.clouds.optional_library import call_library, load_library
-from app.formats.clouds.points import Cloud, Points, cloud_from_columns
+from app.formats.clouds.points import POINT, Cloud, Points, cloud_from_columns
 from app.formats.clouds.rows import format_error, truncation_error
 from app.formats.file_names import display_path
+from app.formats.open_file import open_file
 
 STEP_MM = 1e-4
 FARTHEST_MM = STEP_MM * (2**31 - 1)
@@ -23,34 +25,37 @@ LARGEST_HEADER, RECORD_HEADER, EXTENDED_HEADER = 375, 54, 60
 """Bytes, by the standard: of the file, of a variable length record, of an extended one."""
 
 
-class LasSink:
-    """Appends points to an open file, compressed (LAZ) or not."""
+class LasLayout:
+    """How points are packed: header, record and extra dimensions.
 
-    def __init__(self, path: Path, file: BinaryIO) -> None:
-        laspy = _load_laspy(path)
-        self._path = path
-        self._laspy = laspy
-        header = laspy.LasHeader(point_format=6, version="1.4")
+    Raises:
+        OperationError: laspy is not installed.
+    """
+
+    identifiers = "arm frame, mm", "crenel"
+    """Of the system and the software."""
+
+    def __init__(self, path: Path) -> None:
+        self._path, self._laspy = path, _load_laspy(path)
+        header = self._laspy.LasHeader(point_format=6, version="1.4")
         header.scales, header.offsets = np.full(3, STEP_MM), np.zeros(3)
-        header.system_identifier, header.generating_software = "arm frame, mm", "crenel"
+        header.system_identifier, header.generating_software = self.identifiers
         header.add_extra_dims(
             [
-                laspy.ExtraBytesParams("frame", np.uint32, "number in the recording"),
-                laspy.ExtraBytesParams("uncertainty_um", np.float32, "k = 1, of the stripe"),
+                self._laspy.ExtraBytesParams("frame", np.uint32, "number in the recording"),
+                self._laspy.ExtraBytesParams("uncertainty_um", np.float32, "k = 1, of the stripe"),
             ]
         )
         self._header = header
-        compressed = path.suffix.lower() == ".laz"
-        self._writer = laspy.open(
-            file,
-            mode="w",
-            header=header,
-            closefd=False,
-            do_compress=compressed,
-            laz_backend=laspy.LazBackend.LazrsParallel if compressed else None,
-        )
 
-    def write(self, points: Points) -> None:
+    @property
+    def dtype(self) -> "np.dtype[np.void]":
+        """Of a packed point."""
+        found: np.dtype[np.void] = self._header.point_format.dtype()
+        return found
+
+    def record(self, points: Points) -> Any:
+        """Points as laspy writes them; raises ``OperationError`` for one that is too far away."""
         record = self._laspy.ScaleAwarePointRecord.zeros(len(points), header=self._header)
         for axis, name in zip("xyz", "XYZ", strict=True):
             farthest = float(np.abs(points[axis]).max(initial=0.0))
@@ -65,6 +70,50 @@ class LasSink:
         record["intensity"] = np.rint(points["intensity"]).clip(0, 65535).astype(np.uint16)
         record["frame"] = points["frame"].astype(np.uint32)
         record["uncertainty_um"] = points["uncertainty_um"]
+        return record
+
+    def pack(self, points: Points) -> NDArray[np.void]:
+        """Points (N,) of ``dtype``; raises ``OperationError`` as ``record``."""
+        packed: NDArray[np.void] = self.record(points).array
+        return packed
+
+    def open_writer(self, file: BinaryIO, compressed: bool) -> Any:
+        """A writer of laspy to an open file."""
+        return self._laspy.open(
+            file,
+            mode="w",
+            header=self._header,
+            closefd=False,
+            do_compress=compressed,
+            laz_backend=self._laspy.LazBackend.LazrsParallel if compressed else None,
+        )
+
+    def write_example(self, path: Path) -> None:
+        """A compressed file of one point, which other readers of these point formats accept."""
+        self._header.global_encoding.wkt = True
+        with open(path, "xb") as file, self.open_writer(file, True) as writer:
+            writer.write_points(self.record(np.zeros(1, POINT)))
+
+    def count_points(self, path: Path) -> int:
+        """How many points a file has by its header; 0 if that is not whole."""
+        try:
+            with open_file(path) as file, self._laspy.open(file, closefd=False) as reader:
+                return int(reader.header.point_count)
+        except OSError:
+            raise
+        except Exception:  # both libraries and the Rust behind them raise their own
+            return 0
+
+
+class LasSink:
+    """Appends points to an open file, compressed (LAZ) or not."""
+
+    def __init__(self, path: Path, file: BinaryIO) -> None:
+        self._path, self._layout = path, LasLayout(path)
+        self._writer = self._layout.open_writer(file, path.suffix.lower() == ".laz")
+
+    def write(self, points: Points) -> None:
+        record = self._layout.record(points)
         call_library(self._path, "LazrsError", lambda: self._writer.write_points(record))
 
     def finish(self) -> None:

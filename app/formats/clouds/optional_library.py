@@ -1,4 +1,4 @@
-"""Libraries for some cloud formats, which come with the extra ``clouds``."""
+"""Libraries for some cloud formats, which come with the extras ``clouds`` and ``copc``."""
 
 import importlib
 from collections.abc import Callable
@@ -12,8 +12,12 @@ from app.formats.file_names import display_path
 T = TypeVar("T")
 
 
-def load_library(path: Path, name: str) -> ModuleType:
-    """The library that a format needs; raises ``OperationError`` where it is not installed."""
+def load_library(path: Path, name: str, extra: str = "clouds") -> ModuleType:
+    """The library that a format needs; raises ``OperationError`` where it is not installed.
+
+    Args:
+        extra: of this package, with which it comes.
+    """
     try:
         return importlib.import_module(name)
     except ImportError as error:
@@ -22,7 +26,7 @@ def load_library(path: Path, name: str) -> ModuleType:
             display_path(path),
             f"{path.suffix.upper().lstrip('.')} files require the package {name}, "
             "which is not installed",
-            "Install it with: pip install 'crenel[clouds]'; or use PLY, PCD or XYZ",
+            f"Install it with: pip install 'crenel[{extra}]'; or use PLY, PCD or XYZ",
         ) from error
 
 
