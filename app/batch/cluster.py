@@ -134,7 +134,7 @@ def _load_dask() -> Any:
             message("batch-install-dask"),
         ) from error
     # what it logs of workers and schedulers that are lost is its own matter
-    for name in ("distributed", "tornado", "asyncio"):
+    for name in ("distributed", "distributed.client", "tornado", "tornado.application", "asyncio"):
         logging.getLogger(name).setLevel(logging.CRITICAL)
     return distributed
 

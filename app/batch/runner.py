@@ -2,7 +2,7 @@
 
 import asyncio
 import time
-from collections import deque
+from collections import Counter, deque
 from collections.abc import Callable, Sequence
 from contextlib import suppress
 from queue import Empty, SimpleQueue
@@ -24,8 +24,11 @@ GATHER_S = 60.0
 FIRST_PAUSE_S, LONGEST_PAUSE_S = 1.0, 30.0
 """After a store that cannot be reached; each further time doubles it."""
 
+MOST_TRIES = 4
+"""Of a task whose store fails it and can be reached all the same."""
+
 TakeOutcome = Callable[[Task, Outcome], None]
-"""Called with what became of each task: ``done`` or ``refused``."""
+"""Called with what became of each task: it is done, or its outcome has the refusal."""
 
 
 class Runner:
@@ -52,6 +55,9 @@ class Runner:
         self._pause_s = 0.0
         self._next_s = 0.0
         self._away_since_s: float | None = None
+        self._failures: Counter[str] = Counter()
+        self.tries = 0
+        """Tasks that were given to the scheduler; those that were given again count again."""
 
     def run(self, tasks: Sequence[Task]) -> None:
         """Returns when each has been taken.
@@ -95,6 +101,7 @@ class Runner:
             future = client.submit(
                 perform_on_worker, task, SOFTWARE.version, self._cluster.threads, key=key
             )
+            self.tries += 1
             self._running[key] = future, task
             future.add_done_callback(self._ended.put)
 
@@ -117,6 +124,9 @@ class Runner:
         elif outcome.state == "away":
             self._waiting.append(task)
             self._note_away(outcome)
+        elif outcome.state == "again" and self._failures[task.key] < MOST_TRIES - 1:
+            self._failures[task.key] += 1
+            self._waiting.append(task)
         else:
             self._note_back()
             self._take(task, outcome)

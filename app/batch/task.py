@@ -31,6 +31,11 @@ STOPPING = {
 """Codes of errors that all other tasks would meet, too."""
 
 
+PASSING = {"archive-away", "archive-differs"}
+"""Codes of errors that may have passed by the time at which the place is looked at: connections
+that are cut, and files that came incomplete."""
+
+
 @dataclass(frozen=True)
 class Desk:
     """What a worker provides for a task."""
@@ -135,8 +140,9 @@ class Refusal:
 class Outcome:
     """What became of a task."""
 
-    state: Literal["done", "refused", "away", "stop"]
-    """``away``: a place cannot be reached now; ``stop``: all others would fail, too."""
+    state: Literal["done", "refused", "again", "away", "stop"]
+    """``again``: it may succeed if it is tried again; ``away``: a place cannot be reached now;
+    ``stop``: all others would fail, too."""
     result: Mapping[str, Any] = field(default_factory=dict)
     refusal: Refusal | None = None
     seconds: float = 0.0
@@ -192,4 +198,6 @@ def _try(task: Task, scratch: Path, threads: int, is_ending: Callable[[], bool])
     is_away = refusal.code == "archive-ended" or not all(
         place.is_there() for place in task.depends_on
     )
-    return Outcome("away" if is_away else "refused", refusal=refusal)
+    if is_away:
+        return Outcome("away", refusal=refusal)
+    return Outcome("again" if refusal.code in PASSING else "refused", refusal=refusal)

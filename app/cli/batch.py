@@ -58,6 +58,8 @@ class Tally:
 
     done: list["tuple[Task, Outcome]"] = field(default_factory=list)
     refused: list["tuple[str, Refusal]"] = field(default_factory=list)
+    tries: int = 0
+    """How often one was given to a scheduler."""
 
     def take(self, task: "Task", outcome: "Outcome") -> None:
         """Called with each that has ended."""
@@ -118,6 +120,7 @@ def rebuild(
         print_json(
             {
                 "made": len(tally.done),
+                "tries": tally.tries,
                 "already_there": known,
                 "of_other_devices": plan.left_out,
                 "refused": {name: refusal.error().line for name, refusal in tally.refused},
@@ -163,7 +166,9 @@ def do_missing(
                 if not as_json:
                     _say(f"Dask's dashboard: {cluster.client.dashboard_link}")
                 with progress_bar(f"{len(missing)} recordings", not as_json) as progress:
-                    Runner(cluster, kind, tally.take, progress, _say).run(list(missing.values()))
+                    runner = Runner(cluster, kind, tally.take, progress, _say)
+                    runner.run(list(missing.values()))
+                    tally.tries = runner.tries
         ended = True
     finally:
         if missing and (ended or scheduler is None):  # others' workers may still be writing

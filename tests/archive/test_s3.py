@@ -18,10 +18,10 @@ from app.archive.archive_settings import ArchiveSettings
 from app.archive.pace import full_speed
 from app.archive.remote_store import open_store
 from app.archive.store_errors import StoreError
+from app.bench.fleet.s3_server import BUCKET, CuttingProxy, S3Server
 from app.errors import OperationError
 from app.store.store import Store
 from tests.archive.filled import add_scan, archive_of, check_whole, content_of, lists_of
-from tests.archive.s3 import BUCKET, CuttingProxy, S3Server
 
 pytestmark = pytest.mark.slow
 LARGE = 6 << 20

@@ -13,9 +13,11 @@ import numpy as np
 import typer
 
 from app.console import report_errors
+from app.server.composition import StationParts
 from app.server.demo import ROBOT, station_parts, write_datasheets
 from app.server.listener import listen
 from app.server.startup import Plan, run
+from app.settings.station_toml import DEFAULT_FILE, read_settings
 from app.store.store import Store
 from hardware.simulator.station import (
     SECOND_SERIAL_NUMBER,
@@ -25,6 +27,8 @@ from hardware.simulator.station import (
 )
 
 CONFIG = SimulationConfig(pace=4.0)
+SMALL = SimulationConfig(width_px=320, height_px=256, frames_hz=10.0, rate_hz=250.0)
+"""Costs so little that several stations share a machine."""
 HOST = "127.0.0.1"
 
 
@@ -81,9 +85,9 @@ def accept_truth(
     store.calibrations.accept(name, f"True {name}", file, figures, None, sensor=sensor)
 
 
-def prepare(data: Path) -> None:
+def prepare(data: Path, config: SimulationConfig = CONFIG) -> None:
     """Makes a data folder of a station whose sensor is calibrated."""
-    with SimulatedStation(CONFIG) as simulation:
+    with SimulatedStation(config) as simulation:
         write_datasheets(simulation, data)
         store = Store(data)
         try:
@@ -92,17 +96,25 @@ def prepare(data: Path) -> None:
             store.close()
 
 
+def _parts_with_archive(simulation: SimulatedStation, data: Path) -> StationParts:
+    """The parts of the demonstration, with the archive of the data folder's station.toml."""
+    parts, file = station_parts(simulation, data), data / DEFAULT_FILE
+    archive = read_settings(file).archive if file.exists() else None
+    return replace(parts, monitoring=replace(parts.monitoring, archive=archive))
+
+
 @report_errors
 def serve(
     data: Path,
     robot: Annotated[bool, typer.Option("--robot", help="A robot carries the sensor.")] = False,
+    small: Annotated[bool, typer.Option("--small", help="Few and small pictures.")] = False,
 ) -> None:
     """Until SIGINT or SIGTERM."""
-    config = replace(ROBOT, pace=CONFIG.pace) if robot else CONFIG
+    config = replace(ROBOT, pace=CONFIG.pace) if robot else SMALL if small else CONFIG
     with ExitStack() as devices:
         plan = Plan(
             "Bench",
-            lambda: station_parts(devices.enter_context(SimulatedStation(config)), data),
+            lambda: _parts_with_archive(devices.enter_context(SimulatedStation(config)), data),
             HOST,
             by_link=True,
         )

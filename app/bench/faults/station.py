@@ -8,7 +8,7 @@ import subprocess
 import sys
 import time
 import uuid
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -32,13 +32,14 @@ class StationProcess:
         data: Path,
         environment: Mapping[str, str] | None = None,
         user: int | None = None,
+        options: Sequence[str] = (),
     ) -> None:
         data.parent.mkdir(parents=True, exist_ok=True)
         self._data = data
         self._output = data.with_name(f"{data.name}-{uuid.uuid4().hex[:6]}.txt")
         with self._output.open("w") as output:
             self._process = subprocess.Popen(
-                [sys.executable, "-m", "app.bench.faults.served", str(data)],
+                [sys.executable, "-m", "app.bench.faults.served", str(data), *options],
                 env={**os.environ, **(environment or {})},
                 stdin=subprocess.DEVNULL,
                 stdout=output,
@@ -144,7 +145,8 @@ class StationProcess:
         """Starts a scan by the simulated operator, once the station allows it."""
         self.wait(lambda: self.get("/api/scan")["state"] == "idle")
         self.wait(lambda: self.post("/api/scan/start", name=name).status_code == 200)
-        self.post("/api/scan/simulation", on=True).raise_for_status()
+        # the sweep of the scan before may still be ending
+        self.wait(lambda: self.post("/api/scan/simulation", on=True).is_success)
 
     def stop_s(self) -> float:
         """How long Stop takes to be answered, in s."""

@@ -15,7 +15,8 @@ from types import TracebackType
 from typing import Any, Self
 from urllib.request import Request, urlopen
 
-import boto3
+from app.bench.station.subprocess_station import stuck_error
+from app.errors import OperationError
 
 BINARY = shutil.which("moto_server") or shutil.which(
     "moto_server", path=str(Path(sys.executable).parent)
@@ -26,18 +27,33 @@ PLAIN = {"Content-Type": "text/plain"}
 
 
 class S3Server:
-    """Runs until the block is left."""
+    """Runs until the block is left.
+
+    Raises:
+        OperationError: moto is not installed, or its server does not start.
+    """
 
     def __enter__(self) -> Self:
+        if BINARY is None:
+            raise OperationError(
+                "bench-moto",
+                "This needs moto, an S3-compatible server",
+                remedy="Install it with: pip install 'moto[server]'",
+            )
+        import boto3  # comes with moto
+
         with socket.create_server(("127.0.0.1", 0)) as free:
             self.port = free.getsockname()[1]
-        assert BINARY is not None
         self._process = subprocess.Popen(
             [BINARY, "-H", "127.0.0.1", "-p", f"{self.port}"],
             stdout=subprocess.DEVNULL,
             stderr=subprocess.DEVNULL,
         )
-        self._wait()
+        try:
+            self._wait()
+        except OperationError:
+            self._process.kill()
+            raise
         self.client: Any = boto3.client(
             "s3",
             endpoint_url=self.url,
@@ -59,6 +75,7 @@ class S3Server:
 
     @property
     def url(self) -> str:
+        """Its endpoint."""
         return f"http://127.0.0.1:{self.port}"
 
     def check_keys(self, checks: bool) -> None:
@@ -67,14 +84,19 @@ class S3Server:
         address = f"{self.url}/moto-api/reset-auth"
         urlopen(Request(address, data=count, headers=PLAIN, method="POST")).close()
 
-    def content(self, prefix: str) -> dict[str, bytes]:
-        """All objects whose keys begin with the prefix, by the rest of their keys."""
+    def names(self, prefix: str) -> list[str]:
+        """The keys of all objects that begin with the prefix, without it."""
         pages = self.client.get_paginator("list_objects_v2").paginate(Bucket=BUCKET, Prefix=prefix)
         keys = [one["Key"] for page in pages for one in page.get("Contents", ())]
-        return {
-            key.removeprefix(prefix): self.client.get_object(Bucket=BUCKET, Key=key)["Body"].read()
-            for key in keys
-        }
+        return [str(key).removeprefix(prefix) for key in keys]
+
+    def read(self, key: str) -> bytes:
+        """The content of an object."""
+        return bytes(self.client.get_object(Bucket=BUCKET, Key=key)["Body"].read())
+
+    def content(self, prefix: str) -> dict[str, bytes]:
+        """All objects whose keys begin with the prefix, by the rest of their keys."""
+        return {name: self.read(prefix + name) for name in self.names(prefix)}
 
     def _wait(self) -> None:
         deadline_s = time.monotonic() + DEADLINE_S
@@ -82,7 +104,7 @@ class S3Server:
             with contextlib.suppress(OSError), socket.create_connection(("127.0.0.1", self.port)):
                 return
             time.sleep(0.05)
-        raise AssertionError("the S3 server does not answer")
+        raise stuck_error("the S3 server does not answer", DEADLINE_S)
 
 
 class CuttingProxy:
@@ -104,6 +126,7 @@ class CuttingProxy:
         self._left = most if most == float("inf") else self._random.uniform(0, most)
 
     def close(self) -> None:
+        """Takes no more connections, and cuts those that are open."""
         with contextlib.suppress(OSError):
             self._listening.shutdown(socket.SHUT_RDWR)
         self._listening.close()
@@ -116,7 +139,11 @@ class CuttingProxy:
                 if self._left <= 0:
                     near.close()
                     continue
-                far = socket.create_connection(("127.0.0.1", self._target))
+                try:
+                    far = socket.create_connection(("127.0.0.1", self._target))
+                except OSError:  # the next connection may be taken again
+                    near.close()
+                    continue
                 with self._lock:
                     self._open |= {near, far}
                 for source, sink in ((near, far), (far, near)):
