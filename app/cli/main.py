@@ -24,10 +24,10 @@ from app.cli.batch_options import (
     Workers,
     name_places,
 )
+from app.cli.batch_verifications import drift
 from app.cli.bench import bench
 from app.cli.certificate import certificate
 from app.cli.fleet.catalogue import catalogue
-from app.cli.fleet.questions import drift
 from app.cli.performance import performance
 from app.cli.pictures import detect, extract
 from app.cli.scan import reconstruct, replay, study, sync
@@ -248,6 +248,7 @@ cli.command()(detect)
 cli.command()(reconstruct)
 cli.command()(rebuild)
 cli.command()(drift)
+catalogue.command()(drift)
 cli.command()(sync)
 cli.command()(study)
 cli.command()(replay)

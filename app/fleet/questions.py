@@ -4,7 +4,6 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from datetime import datetime
 
-import numpy as np
 from sqlalchemy import Connection, select
 
 from app.fleet.catalogue.entry import CatalogueEntry
@@ -19,28 +18,12 @@ from app.fleet.catalogue.reading import (
     search,
 )
 from app.fleet.catalogue.tables import RecordRow
-from app.metrology.change_points import MOST_VALUES, ChangePoint, find_changes
-
-
-@dataclass(frozen=True, slots=True)
-class DriftChange:
-    """A change of a figure of one station."""
-
-    after: datetime
-    """It happened behind this value, most probably, and not behind ``by``."""
-    by: datetime
-    earliest: datetime
-    """The same with a probability of 95 %."""
-    latest: datetime
-    before_value: float
-    after_value: float
-    standard_uncertainty: float
-    """Of the difference of both, k = 1."""
-
-    @property
-    def size(self) -> float:
-        """By how much the figure changed."""
-        return self.after_value - self.before_value
+from app.metrology.dated_changes import (
+    ChangedPeriod,
+    DriftChange,
+    find_dated_changes,
+    find_periods,
+)
 
 
 @dataclass(frozen=True, slots=True)
@@ -88,20 +71,19 @@ def drift_of(
 ) -> list[StationDrift]:
     """A figure of each station with its change points, by station.
 
-    Of a station with more than ``MOST_VALUES`` values, the newest ones count.
+    Of a station with very many values, the newest ones count.
     """
     points: dict[str, list[FigurePoint]] = {}
     for point in figure_points(connection, quantity, stations, since, until):
         points.setdefault(point.station, []).append(point)
     return [
-        StationDrift(station, tuple(its), _find_changes(its[-MOST_VALUES:]))
+        StationDrift(
+            station,
+            tuple(its),
+            find_dated_changes([one.at for one in its], [one.value for one in its]),
+        )
         for station, its in sorted(points.items())
     ]
-
-
-def _find_changes(points: Sequence[FigurePoint]) -> tuple[DriftChange, ...]:
-    values = np.array([point.value for point in points])
-    return tuple(_describe_change(points, one) for one in find_changes(values))
 
 
 def find_affected(connection: Connection, drift: StationDrift) -> list[AffectedPeriod]:
@@ -111,15 +93,7 @@ def find_affected(connection: Connection, drift: StationDrift) -> list[AffectedP
     that no test outside used, the recordings with these are the affected ones, exactly; otherwise
     they are named by time.
     """
-    found = []
-    changes = list(drift.changes)
-    while changes:
-        change = changes.pop(0)
-        ended = None
-        if changes and _leads_back(change, changes[0]):
-            ended = changes.pop(0)
-        found.append(_describe_period(connection, drift, change, ended))
-    return found
+    return [_describe_period(connection, drift, one) for one in find_periods(drift.changes)]
 
 
 def find_calibrations(
@@ -136,58 +110,19 @@ def find_calibrations(
     return found
 
 
-def _describe_change(points: Sequence[FigurePoint], found: ChangePoint) -> DriftChange:
-    return DriftChange(
-        after=points[found.index - 1].at,
-        by=points[found.index].at,
-        earliest=points[found.first_index - 1].at,
-        latest=points[found.last_index].at,
-        before_value=found.before,
-        after_value=found.after,
-        standard_uncertainty=found.standard_uncertainty,
-    )
-
-
-def _leads_back(change: DriftChange, following: DriftChange) -> bool:
-    """Whether a change undoes most of the one before."""
-    return abs(following.after_value - change.before_value) < abs(change.size) / 2
-
-
 def _describe_period(
-    connection: Connection, drift: StationDrift, change: DriftChange, ended: DriftChange | None
+    connection: Connection, drift: StationDrift, period: ChangedPeriod
 ) -> AffectedPeriod:
-    station = drift.station
-    calibration_ids = _explaining_calibrations(connection, drift, change, ended)
-    if calibration_ids:
+    station, change, ended = drift.station, period.change, period.ended
+    used = _calibrations_of(connection, drift)
+    tests = ((point.at, used.get(point.record_key, "")) for point in drift.points)
+    if calibration_ids := period.explaining_calibrations(tests):
         exact = tuple(read_scans(connection, station, calibration_ids=calibration_ids))
         return AffectedPeriod(station, change, ended, calibration_ids, exact, ())
-    until = None if ended is None else ended.latest
-    scans = read_scans(connection, station, change.earliest, until)
-    sure = tuple(one for one in scans if _is_surely_within(one.at, change, ended))
-    rest = tuple(one for one in scans if not _is_surely_within(one.at, change, ended))
+    scans = read_scans(connection, station, change.earliest, period.until)
+    sure = tuple(one for one in scans if period.surely_contains(one.at))
+    rest = tuple(one for one in scans if not period.surely_contains(one.at))
     return AffectedPeriod(station, change, ended, (), sure, rest)
-
-
-def _is_surely_within(at: datetime, change: DriftChange, ended: DriftChange | None) -> bool:
-    return at >= change.latest and (ended is None or at <= ended.earliest)
-
-
-def _explaining_calibrations(
-    connection: Connection, drift: StationDrift, change: DriftChange, ended: DriftChange | None
-) -> tuple[str, ...]:
-    """The calibrations of the tests that are surely within a period, if no test that is surely
-    outside used one of them."""
-    used = _calibrations_of(connection, drift)
-    inside, outside = set(), set()
-    for point in drift.points:
-        calibration_id = used.get(point.record_key, "")
-        if _is_surely_within(point.at, change, ended):
-            inside.add(calibration_id)
-        elif point.at <= change.earliest or (ended is not None and point.at >= ended.latest):
-            outside.add(calibration_id)
-    if "" in inside or inside & outside:
-        return ()
-    return tuple(sorted(inside))
 
 
 def _calibrations_of(connection: Connection, drift: StationDrift) -> dict[int, str]:

@@ -31,33 +31,56 @@ OTHER = "20260601-080000-calibration"
 VERIFIED = ("v1", "v2")
 
 
-def add_verification(store: Store, record_id: str, taken_at: str) -> Path:
-    """Two clouds of one plane, 20 µm apart."""
+def add_verification(
+    store: Store,
+    record_id: str,
+    taken_at: str,
+    offset_mm: float = 0.0,
+    calibration: str = CALIBRATION,
+    clouds: int = 2,
+) -> Path:
+    """Clouds of one plane, 20 µm apart.
+
+    Args:
+        offset_mm: of the plane, along its normal.
+        calibration: the session whose calibration is verified.
+    """
     folder = store.folder / "verifications" / record_id
-    for number in (1, 2):
+    for number in range(1, clouds + 1):
         (folder / f"cloud-{number}").mkdir(parents=True)
-        scan_a_plane(folder / f"cloud-{number}" / "scan.mcap", 0.02 * number)
-    session = store.folder / "sessions" / CALIBRATION
+        scan_a_plane(folder / f"cloud-{number}" / "scan.mcap", 0.02 * number + offset_mm)
+    session = store.folder / "sessions" / calibration
     for name in ("calibration.json", "arm.json"):
         (folder / name).write_bytes((session / name).read_bytes())
     GaugeFile(shape="plane").write(folder / "gauge.json")
     (cloud,) = RECORD["clouds"]
-    clouds = [
+    parts = [
         {**cloud, "name": f"Cloud {number}", "recording": f"cloud-{number}/scan.mcap"}
         | {"taken_at": taken_at}
-        for number in (1, 2)
+        for number in range(1, clouds + 1)
     ]
     known = {
         **RECORD,
         "id": record_id,
         "gauge": {"shape": "plane", "name": "Plate"},
-        "calibration": {**RECORD["calibration"], "id": CALIBRATION},
-        "clouds": clouds,
+        "calibration": {**RECORD["calibration"], "id": calibration},
+        "clouds": parts,
     }
     VerificationFile.model_validate(known).write(folder / "verification.json")
     store.journal.begin_session(record_id, "verification")
     store.journal.end_session(record_id)
     return folder
+
+
+def add_calibration(store: Store, session_id: str) -> None:
+    """Another one, with another laser plane, of the same devices."""
+    sessions = store.folder / "sessions"
+    (sessions / session_id).mkdir()
+    for name in ("calibration.json", "arm.json"):
+        content = (sessions / CALIBRATION / name).read_text()
+        (sessions / session_id / name).write_text(content.replace("0.25", "0.35"))
+    store.journal.begin_session(session_id, "calibration")
+    store.journal.end_session(session_id)
 
 
 @pytest.fixture
@@ -68,13 +91,7 @@ def archive(tmp_path: Path) -> Path:
     store = fill_station(tmp_path / "data", [])
     for number, record_id in enumerate(VERIFIED, 5):
         add_verification(store, record_id, f"2026-0{number}-21T10:16:00Z")
-    sessions = store.folder / "sessions"
-    (sessions / OTHER).mkdir()
-    for name in ("calibration.json", "arm.json"):
-        content = (sessions / CALIBRATION / name).read_text()
-        (sessions / OTHER / name).write_text(content.replace("0.25", "0.35"))
-    store.journal.begin_session(OTHER, "calibration")
-    store.journal.end_session(OTHER)
+    add_calibration(store, OTHER)
     archive_of(store, str(place)).run()
     store.close()
     return place
@@ -132,6 +149,26 @@ def test_an_archive_that_is_lost_midway_gives_no_partial_study(
     archive.rename(tmp_path / "away")
     assert perform(tasks[0], tmp_path, 1).state == "away"
     assert results.keys() == set()
+
+
+def test_a_file_that_comes_incomplete_is_tried_again(archive: Path, tmp_path: Path) -> None:
+    tasks, results = plan(archive, tmp_path, "own")
+    path = archive / tasks[0].record.files["cloud-1/scan.mcap"].name
+    whole = path.read_bytes()
+    path.write_bytes(whole[:-1])
+    assert perform(tasks[0], tmp_path, 1).state == "again"
+    assert results.keys() == set()
+    path.write_bytes(whole)
+    assert perform(tasks[0], tmp_path, 1).state == "done"
+
+
+@pytest.mark.slow
+def test_a_damaged_file_is_refused_in_the_end(archive: Path, tmp_path: Path) -> None:
+    (path,) = archive.glob("verifications/v1/*/cloud-1/scan.mcap")
+    path.write_bytes(path.read_bytes()[:-1])
+    found = run("verify", "plane", archive, "--workers", 1, "-o", "out", cwd=tmp_path, status=1)
+    assert found["made"] == 1
+    assert list(found["refused"]) == ["room-2/v1"]
 
 
 @pytest.mark.slow

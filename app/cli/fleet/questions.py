@@ -1,6 +1,5 @@
-"""The questions that ``crenel catalogue`` answers: drift, ageing, spread, calibration of a part."""
+"""The questions that ``crenel catalogue`` answers: ageing, spread, calibration of a part."""
 
-from collections.abc import Sequence
 from typing import TYPE_CHECKING, Annotated
 
 import typer
@@ -16,68 +15,16 @@ from app.cli.fleet.catalogue import (
     parse_day,
     plain_fields,
 )
-from app.console import AsJson, fail, print_figures, print_json, print_table, report_errors
+from app.console import AsJson, fail, print_json, print_table, report_errors
 
 if TYPE_CHECKING:
     from sqlalchemy import Connection
 
-    from app.fleet.questions import AffectedPeriod, StationDrift
     from app.metrology.common_slope import CommonSlope
 
 Quantity = Annotated[
     str, typer.Argument(help="As in the results of a record, for example location-scan.")
 ]
-
-
-@catalogue.command()
-@report_errors
-def drift(
-    quantity: Quantity,
-    station: Station = "",
-    since: Since = "",
-    until: Until = "",
-    config: Config = None,
-    as_json: AsJson = False,
-) -> None:
-    """Since when a figure changed, with its uncertainty, and which recordings are affected."""
-    from app.fleet.catalogue.quantities import title_of
-    from app.fleet.questions import drift_of, find_affected
-
-    chosen = [station] if station else []
-    with open_catalogue(config) as (_, opened), opened.reading() as connection:
-        _check_quantity(connection, quantity)
-        drifts = drift_of(connection, quantity, chosen, parse_day(since), parse_day(until))
-        periods = [one for found in drifts for one in find_affected(connection, found)]
-    if as_json:
-        print_json({"quantity": quantity, "periods": [plain_fields(one) for one in periods]})
-        return
-    values = sum(len(found.points) for found in drifts)
-    print(title_of(quantity))
-    print(f"{quantity}: {values} values of {len(drifts)} stations, {len(periods)} changes.")
-    for period in periods:
-        _print_period(period, drifts)
-
-
-def _print_period(period: "AffectedPeriod", drifts: "Sequence[StationDrift]") -> None:
-    change = period.change
-    unit = next(found.points[0].unit for found in drifts if found.station == period.station)
-    expanded = 2 * change.standard_uncertainty
-    lasts = "lasts" if period.ended is None else f"until {format_moment(period.ended.by)}"
-    calibrations = ", ".join(period.calibration_ids)
-    rows = [
-        ("changed between", f"{format_moment(change.after)} and {format_moment(change.by)}"),
-        ("95 %", f"{format_moment(change.earliest)} to {format_moment(change.latest)}"),
-        ("from", f"{change.before_value:.2f} {unit} to {change.after_value:.2f} {unit}"),
-        ("by", f"{change.size:+.2f} ± {expanded:.2f} {unit} (k = 2)"),
-        ("ends", lasts),
-        ("calibrations", calibrations or "none that explains it"),
-        ("affected recordings", str(len(period.recordings))),
-        ("perhaps affected", str(len(period.possible))),
-    ]
-    print_figures(period.station, rows)
-    for doubt, recordings in (("", period.recordings), ("perhaps ", period.possible)):
-        for one in recordings:
-            print(f"{doubt}{one.station}/scan/{one.id}  {format_moment(one.at)}  {one.label}")
 
 
 @catalogue.command()
@@ -122,7 +69,7 @@ def spread(
     from app.fleet.catalogue.quantities import title_of
 
     with open_catalogue(config) as (_, opened), opened.reading() as connection:
-        _check_quantity(connection, quantity)
+        check_quantity(connection, quantity)
         found = spread_of(connection, quantity, [station] if station else [])
     if as_json:
         print_json({"quantity": quantity, "sensors": [plain_fields(one) for one in found]})
@@ -159,7 +106,7 @@ def ageing(
 
     chosen = [station] if station else []
     with open_catalogue(config) as (_, opened), opened.reading() as connection:
-        _check_quantity(connection, quantity)
+        check_quantity(connection, quantity)
         found = ageing_of(connection, quantity, chosen, parse_day(since), parse_day(until))
     if as_json:
         print_json({"quantity": quantity, "stations": [plain_fields(one) for one in found]})
@@ -186,7 +133,7 @@ def _slope(found: "CommonSlope | None", unit: str) -> str:
     return text if found.is_significant else f"none shown ({text})"
 
 
-def _check_quantity(connection: "Connection", quantity: str) -> None:
+def check_quantity(connection: "Connection", quantity: str) -> None:
     """Ends the command if the catalogue has no such values."""
     from app.fleet.catalogue.reading import quantities
 
