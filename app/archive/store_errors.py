@@ -9,8 +9,8 @@ from app.messages.message import message
 
 FULL = (errno.ENOSPC, errno.EDQUOT)
 FULL_WORDS = ("quota", "storagefull", "insufficientstorage", "insufficient storage", "(507)")
-"""In what S3-compatible stores answer when a bucket is full; S3 itself has no such error. The number
-stands in brackets there; without them, it may be part of an address."""
+"""In what S3-compatible stores answer when a bucket is full; S3 itself has no such error. The
+number stands in brackets there; without them, it may be part of an address."""
 FORBIDDEN_NAMES = {"NoCredentialsError", "PartialCredentialsError", "CredentialRetrievalError"}
 """Errors of the S3 library that are no ``PermissionError``."""
 OF_FILES = {

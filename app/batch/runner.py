@@ -24,8 +24,10 @@ GATHER_S = 60.0
 FIRST_PAUSE_S, LONGEST_PAUSE_S = 1.0, 30.0
 """After a store that cannot be reached; each further time doubles it."""
 
-MOST_TRIES = 4
+MOST_TRIES = 6
 """Of a task whose store fails it and can be reached all the same."""
+FIRST_RETRY_S = 0.5
+"""After which it is tried again; the next times after twice as long each."""
 
 TakeOutcome = Callable[[Task, Outcome], None]
 """Called with what became of each task: it is done, or its outcome has the refusal."""
@@ -56,6 +58,8 @@ class Runner:
         self._next_s = 0.0
         self._away_since_s: float | None = None
         self._failures: Counter[str] = Counter()
+        self._delayed: list[tuple[float, Task]] = []
+        """When each is tried again, on the monotonic clock."""
         self.tries = 0
         """Tasks that were given to the scheduler; those that were given again count again."""
 
@@ -70,7 +74,7 @@ class Runner:
         total = sum(task.size_bytes for task in self._waiting)
         done = taken = 0
         try:
-            while self._waiting or self._running:
+            while self._waiting or self._running or self._delayed:
                 self._check_connection()
                 self._submit()
                 task = self._take_next()
@@ -94,6 +98,9 @@ class Runner:
     def _submit(self) -> None:
         if time.monotonic() < self._next_s:
             return
+        now_s = time.monotonic()
+        self._waiting.extend(task for due_s, task in self._delayed if due_s <= now_s)
+        self._delayed = [(due_s, task) for due_s, task in self._delayed if due_s > now_s]
         client = self._cluster.client
         while self._waiting and len(self._running) < WINDOW:
             task = self._waiting.popleft()
@@ -125,8 +132,9 @@ class Runner:
             self._waiting.append(task)
             self._note_away(outcome)
         elif outcome.state == "again" and self._failures[task.key] < MOST_TRIES - 1:
+            retry_s = FIRST_RETRY_S * 2 ** self._failures[task.key]
             self._failures[task.key] += 1
-            self._waiting.append(task)
+            self._delayed.append((time.monotonic() + retry_s, task))
         else:
             self._note_back()
             self._take(task, outcome)
