@@ -63,7 +63,7 @@ def _page_under_way(context: Context) -> Page | None:
     """The page of a guided session that is in progress."""
     running: dict[Page, bool] = {
         "calibrate": context.guide.running,
-        "arm": context.arm_guide.running,
+        "arm": context.arm_guide.running and context.arm_guide.state.step != "result",
         "verify": context.verify_guide.running,
         "performance": context.performance_guide.running,
     }

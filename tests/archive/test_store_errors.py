@@ -13,7 +13,7 @@ from app.archive.store_errors import StoreError, convert_store_errors
         ("An error occurred (QuotaExceeded) when calling PutObject", "archive-full"),
     ],
 )
-def test_a_full_store_is_told_from_a_number_in_an_address(text: str, code: str) -> None:
+def test_a_number_in_an_address_is_no_full_store(text: str, code: str) -> None:
     with pytest.raises(StoreError) as refused, convert_store_errors("s3://clouds"):
         raise OSError(text)
     assert refused.value.code == code
