@@ -75,9 +75,9 @@ class SimulatedOperator(Protocol):
         """Touches an end (0 or 1) of a length of the step gauge, which is set up about a middle
         (3,) along a direction (3,), and presses the primary button; arm frame."""
 
-    def scan_sphere(self, seen_from: Sequence[float]) -> bool:
+    def scan_sphere(self, seen_from: Sequence[float], slowness: float = 1.0) -> bool:
         """Passes the sensor over the sphere on the table, which it sees from a direction (3,),
-        arm frame."""
+        arm frame; by ``slowness`` slower than usual."""
 
     def swing_in_seat(self) -> bool:
         """Swings the arm about the tip, which stays where it is."""

@@ -96,12 +96,15 @@ def _scan(guide: PerformanceGuide, operator: SimulatedOperator, progress: Progre
         if not guide.simulation_running or not _scan_one(guide, operator, articulation, progress):
             return
         attempts = attempts + 1 if guide.state.articulation == articulation else 0
-    for _ in range(ARTICULATIONS):
+    for repeat in range(ARTICULATIONS):
         missing = missing_patches(guide.state)
         if not missing or guide.state.articulation:
             break
         again = _sees_best(guide, missing[0])
-        if not guide.simulation_running or not _scan_one(guide, operator, again, progress):
+        slowness = 2.0 + repeat  # a pass at the usual speed had too few pictures of the place
+        if not guide.simulation_running or not _scan_one(
+            guide, operator, again, progress, slowness
+        ):
             return
     _confirm(guide)
 
@@ -113,7 +116,11 @@ def _sees_best(guide: PerformanceGuide, patch: int) -> int:
 
 
 def _scan_one(
-    guide: PerformanceGuide, operator: SimulatedOperator, articulation: int, progress: Progress
+    guide: PerformanceGuide,
+    operator: SimulatedOperator,
+    articulation: int,
+    progress: Progress,
+    slowness: float = 1.0,
 ) -> bool:
     """One scan from its begin to its measure; False when it was stopped."""
     _await_scanner(guide)
@@ -122,7 +129,7 @@ def _scan_one(
         guide, "begin_scan", lambda: tasks.begin_scan(guide, articulation, None)
     ):
         return False
-    whole = operator.scan_sphere(direction.tolist())
+    whole = operator.scan_sphere(direction.tolist(), slowness)
     with guide.lock:
         if guide.state.open_scan is None:
             return False

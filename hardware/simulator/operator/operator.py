@@ -325,9 +325,12 @@ class ScriptedOperator:
             return True
         return False
 
-    def scan_sphere(self, seen_from: Sequence[float]) -> bool:
+    def scan_sphere(self, seen_from: Sequence[float], slowness: float = 1.0) -> bool:
         """Passes the sensor over the sphere on the table so that it sees it from a direction
         (3,), arm frame; False when cancelled.
+
+        Args:
+            slowness: by how much slower than usual.
 
         Raises UnreachableError where the arm cannot hold the sensor like that.
         """
@@ -344,7 +347,7 @@ class ScriptedOperator:
                     to_start = self.planner.path_to(poses[0], 50.0)
                     plan_path(self._arm, poses, to_start.q_rad[-1], SPHERE_PASS_S)
                     self._executor.play(to_start, 0.0, 0.3)
-                    seconds = SPHERE_PASS_S * self.planner.pace
+                    seconds = SPHERE_PASS_S * slowness * self.planner.pace
                     self._executor.play(self.planner.path_through(poses, seconds), 0.3, 0.65)
                     back = self.planner.path_through(poses[::-1], seconds)
                     self._executor.play(back, 0.65, 1.0)
