@@ -137,7 +137,7 @@ def pictures() -> Path:
 @pytest.fixture(scope="session")
 def screenshots(request: pytest.FixtureRequest, pictures: Path) -> Path | None:
     """Where every view of a long visit is left for people to look at; None without the option
-    ``--screenshots``, since drawing them takes half of such a test."""
+    ``--screenshots``, since drawing them takes long."""
     return pictures if request.config.getoption("screenshots") else None
 
 

@@ -11,24 +11,18 @@ from playwright.sync_api import Browser, Page, expect
 from app.store.accounts import Role
 from app.store.store import Store
 from tests.e2e.conftest import Demo
-from tests.single_sign_on.mock_provider import MockProvider, free_port, mock_provider
+from tests.single_sign_on.mock_provider import SIGN_IN, MockProvider, free_port, mock_provider
 
 pytestmark = pytest.mark.slow
 
 PASSWORD = "three unrelated words"
-STATION = """
+STATION = (
+    """
 [station]
 data = "data"
-
-[sign_in]
-name = "Keycloak"
-issuer = "{issuer}"
-client_id = "{client}"
-client_secret_file = "secret"
-
-[sign_in.roles]
-"measuring-room" = "operator"
 """
+    + SIGN_IN
+)
 
 
 @pytest.fixture(scope="module")

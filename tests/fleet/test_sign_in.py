@@ -14,6 +14,7 @@ from app.store.accounts import Role
 from tests.fleet.entries import entry_of
 from tests.fleet.test_server import refused_start, running_fleet
 from tests.single_sign_on.mock_provider import (
+    SIGN_IN,
     MockProvider,
     answer_of,
     mock_provider,
@@ -23,22 +24,16 @@ from tests.single_sign_on.mock_provider import (
 HOST = "10.9.8.7:8100"
 """By which browsers reach the server: the provider knows only this address."""
 PASSWORD = ("anyone", "a page's password")
-SETTINGS = """
+SETTINGS = (
+    """
 [catalogue]
 database = "sqlite:///catalogue.db"
 
 [server]
 password_file = "password"
-
-[sign_in]
-name = "Keycloak"
-issuer = "{issuer}"
-client_id = "{client}"
-client_secret_file = "secret"
-
-[sign_in.roles]
-"measuring-room" = "operator"
 """
+    + SIGN_IN
+)
 
 
 AWAY = MockProvider("http://127.0.0.1:9", "crenel-fleet", "secret")

@@ -22,6 +22,20 @@ BACK = "http://127.0.0.1:9/sign-in"
 ROLES = {"sensor-viewers": "viewer", "sensor-operators": "operator", "sensor-admins": "admin"}
 
 
+SIGN_IN = """
+[sign_in]
+name = "Keycloak"
+issuer = "{issuer}"
+client_id = "{client}"
+client_secret_file = "secret"
+
+[sign_in.roles]
+"measuring-room" = "operator"
+"""
+"""For a settings file, with the issuer and the client's id to be filled in; the file ``secret`` is
+beside it."""
+
+
 @dataclass
 class MockProvider:
     """A running provider, and one client that is registered there."""
