@@ -9,7 +9,7 @@ from app.metrology.stripe import StripeTracker, extract_stripe
 from app.metrology.transforms import Floats
 from tests.metrology.test_stripe_lines import HEIGHT, WIDTH, beam, expose, room, shares
 
-U = np.arange(WIDTH)
+U = np.arange(WIDTH, dtype=np.float64)
 
 
 def band(light: Floats, width_px: float, level: float, tilt: float = 0.05) -> Floats:
