@@ -2,6 +2,9 @@
 
 from datetime import UTC, datetime
 
+LATEST_NS = 253_402_214_400 * 10**9
+"""The last day that a date can have, in ns since 1970; file systems know later ones."""
+
 
 def utc_now() -> str:
     """ISO 8601 in UTC, to the millisecond."""
@@ -9,9 +12,16 @@ def utc_now() -> str:
 
 
 def parse_moment(text: str) -> datetime:
-    """The time in a record, in UTC unless stated otherwise; raises ``ValueError``."""
+    """The time in a record, in UTC unless stated otherwise; raises ``ValueError``, also for one
+    that has no date in UTC."""
     found = datetime.fromisoformat(text)
-    return found if found.tzinfo is not None else found.replace(tzinfo=UTC)
+    if found.tzinfo is None:
+        return found.replace(tzinfo=UTC)
+    try:
+        found.astimezone(UTC)
+    except OverflowError as error:
+        raise ValueError(f"{text} has no date in UTC") from error
+    return found
 
 
 def is_moment(text: object) -> bool:
@@ -20,3 +30,13 @@ def is_moment(text: object) -> bool:
         return isinstance(text, str) and bool(parse_moment(text))
     except ValueError:
         return False
+
+
+def clamp_ns(file_ns: int) -> int:
+    """The time of a file in ns since 1970; one outside the calendar is the nearest within it."""
+    return min(max(file_ns, 0), LATEST_NS)
+
+
+def moment_of_ns(file_ns: int) -> datetime:
+    """The same as a moment in UTC."""
+    return datetime.fromtimestamp(clamp_ns(file_ns) / 1e9, UTC)

@@ -16,7 +16,7 @@ from app.archive.pace import Pace
 from app.archive.planning import Retention, StationRecord, plan_copies, plan_removals
 from app.archive.records import RecordLists, list_away, list_records, stamps_in
 from app.archive.remote_store import RemoteStore, open_store
-from app.archive.store_errors import SourceError, store_error
+from app.archive.store_errors import DamagedCopyError, SourceError, store_error
 from app.archive.transfer import (
     archive_record,
     download_file,
@@ -93,7 +93,8 @@ class Archive:
 
         Raises:
             OperationError: the archive cannot be used now; what was copied before stays. The first
-                record that itself cannot be read is reported after all others are copied.
+                record that itself cannot be read, or copied under its name, is reported after all
+                others are copied.
         """
         with archive_lock(self.data):
             self._clean_up()
@@ -101,13 +102,13 @@ class Archive:
             waiting = plan_copies(list_records(self.data, self._lists, self._now()))
             total = sum(one.size_bytes for one in waiting)
             done, copied = 0, 0
-            first: SourceError | None = None
+            first: SourceError | DamagedCopyError | None = None
             for record in waiting:
                 progress(done / max(total, 1), record.id)
                 try:
                     write_note(self.data, archive_record(record, self.store, self.pace))
                     copied += 1
-                except SourceError as error:
+                except (SourceError, DamagedCopyError) as error:
                     log.warning("%s is not archived yet: %s", record.id, error.line)
                     first = first or error
                 done += record.size_bytes

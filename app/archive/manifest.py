@@ -12,10 +12,13 @@ from app.errors import OperationError
 from app.formats.io_errors import error_from_validation
 from app.formats.json_document import Document, DocumentPart
 from app.messages.message import message
+from app.timestamps import LATEST_NS, parse_moment
 
 Kind = Literal["sessions", "scans", "verifications", "performance"]
 """The folder of the data folder in which a record is."""
 MANIFEST = "manifest.json"
+MOST_BYTES = 2**53
+"""More than any disk has; every database represents it exactly."""
 SHORT = 16
 """Hexadecimal digits that name a content."""
 
@@ -33,6 +36,12 @@ def _check_id(record_id: str) -> str:
     return _check_inside(record_id)
 
 
+def _check_moment(text: str) -> str:
+    parse_moment(text)
+    return text
+
+
+Moment = Annotated[str, AfterValidator(_check_moment)]
 InnerPath = Annotated[str, Field(min_length=1, max_length=400), AfterValidator(_check_inside)]
 RecordId = Annotated[str, Field(min_length=1, max_length=200), AfterValidator(_check_id)]
 Sha256 = Annotated[str, Field(pattern="^[0-9a-f]{64}$")]
@@ -42,9 +51,9 @@ class ArchivedFile(DocumentPart):
     """One file of a record; its path is relative to the record's folder."""
 
     path: InnerPath
-    bytes: Annotated[int, Field(ge=0)]
+    bytes: Annotated[int, Field(ge=0, le=MOST_BYTES)]
     sha256: Sha256
-    mtime_ns: Annotated[int, Field(ge=0)]
+    mtime_ns: Annotated[int, Field(ge=0, le=LATEST_NS)]
     """When it was last changed on the station, since 1970."""
 
 
@@ -58,7 +67,7 @@ class Manifest(Document):
     id: RecordId
     content: Annotated[str, Field(pattern="^[0-9a-f]{16}$")]
     """Of the files' hashes: another content is another folder in the archive."""
-    archived_at: str
+    archived_at: Moment
     label: str | None = None
     """Of a scan, what the operator calls it; None in older manifests and of other records."""
     files: tuple[ArchivedFile, ...]
@@ -82,6 +91,7 @@ class Manifest(Document):
         """
         try:
             fields = json.loads(content)
+            json.dumps(fields, ensure_ascii=False).encode()  # fails for half of a character
         except (ValueError, RecursionError):
             fields = None
         if not isinstance(fields, dict):

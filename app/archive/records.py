@@ -4,7 +4,7 @@ import os
 from collections.abc import Iterator, Set
 from contextlib import contextmanager, suppress
 from dataclasses import dataclass
-from datetime import UTC, datetime, timedelta
+from datetime import datetime, timedelta
 from pathlib import Path
 from typing import get_args
 
@@ -17,6 +17,7 @@ from app.store.database import Database
 from app.store.journal import JournalStore
 from app.store.scans import ScanStore
 from app.store.session_records import VerificationStore
+from app.timestamps import clamp_ns, moment_of_ns
 
 KINDS: tuple[Kind, ...] = get_args(Kind)
 PART = ".part"
@@ -113,7 +114,7 @@ def stamps_in(folder: Path) -> tuple[FileStamp, ...] | None:
                     return None
                 if not path.is_dir():
                     relative = path.relative_to(folder).as_posix()
-                    found.append(FileStamp(relative, state.st_size, state.st_mtime_ns))
+                    found.append(FileStamp(relative, state.st_size, clamp_ns(state.st_mtime_ns)))
     except OSError:
         return None
     return tuple(sorted(found, key=lambda stamp: stamp.path))
@@ -162,11 +163,11 @@ def _is_written(stamps: tuple[FileStamp, ...]) -> bool:
 
 
 def _newest_change(folder: Path, stamps: tuple[FileStamp, ...] | None) -> datetime:
-    times = [stamp.mtime_ns / 1e9 for stamp in stamps or ()]
-    if not times:
+    times_ns = [stamp.mtime_ns for stamp in stamps or ()]
+    if not times_ns:
         with suppress(OSError):
-            times = [folder.stat().st_mtime]
-    return datetime.fromtimestamp(max(times, default=0.0), UTC)
+            times_ns = [folder.stat().st_mtime_ns]
+    return moment_of_ns(max(times_ns, default=0))
 
 
 def _raise(error: OSError) -> None:

@@ -6,11 +6,12 @@ import os
 from asyncio import AbstractEventLoop
 from collections.abc import Iterable, Iterator
 from contextlib import closing, suppress
+from io import BufferedReader
 from pathlib import Path
 from typing import Any, Protocol
 
 from app.archive.archive_settings import ArchiveSettings
-from app.archive.store_errors import convert_store_errors
+from app.archive.store_errors import convert_foreign_kinds, convert_store_errors
 from app.errors import OperationError
 from app.formats.atomic_write import atomic_file, ensure_folder
 from app.formats.open_file import open_file
@@ -59,34 +60,40 @@ class FolderStore:
         with convert_store_errors(self._place):
             if not self._root.is_dir():
                 raise FileNotFoundError(errno.ENOENT, os.strerror(errno.ENOENT), self._place)
-            ensure_folder(path.parent)
+            with convert_foreign_kinds(name):
+                ensure_folder(path.parent)
             # an OperationError of the disk says "full" or "forbidden" for this file: it is the
             # archive's, as the pieces raise their own
-            with atomic_file(path) as file:
+            with convert_foreign_kinds(name), atomic_file(path) as file:
                 for piece in pieces:
                     file.write(piece)
 
     def read(self, name: str) -> Iterator[bytes]:
-        with convert_store_errors(self._place), open_file(self._root / name) as file:
+        with convert_store_errors(self._place), self._open(name) as file:
             with suppress(AttributeError):  # so that the disk is read, not the cache
                 os.posix_fadvise(file.fileno(), 0, 0, os.POSIX_FADV_DONTNEED)
             while piece := file.read(PIECE_BYTES):
                 yield piece
 
     def read_start(self, name: str, count: int) -> bytes:
-        with convert_store_errors(self._place), open_file(self._root / name) as file:
+        with convert_store_errors(self._place), self._open(name) as file:
             return file.read(count)
+
+    def _open(self, name: str) -> BufferedReader:
+        with convert_foreign_kinds(name):
+            return open_file(self._root / name)
 
     def size(self, name: str) -> int | None:
         with convert_store_errors(self._place):
             if not self._root.is_dir():
                 raise FileNotFoundError(errno.ENOENT, os.strerror(errno.ENOENT), self._place)
-            with suppress(FileNotFoundError, NotADirectoryError):
+            with suppress(FileNotFoundError, NotADirectoryError), convert_foreign_kinds(name):
                 return (self._root / name).stat().st_size
         return None
 
     def names(self, folder: str) -> list[str]:
-        with convert_store_errors(self._place), suppress(FileNotFoundError):
+        missing = FileNotFoundError, NotADirectoryError
+        with convert_store_errors(self._place), suppress(*missing):
             return sorted(path.name for path in (self._root / folder).iterdir())
         return []
 

@@ -21,6 +21,8 @@ OF_FILES = {
     "folder-missing": "archive-missing",
     "file-missing": "archive-missing",
 }
+FOREIGN_KINDS = (errno.EISDIR, errno.ENXIO, errno.ELOOP, errno.ENOTDIR, errno.EEXIST)
+CODES_OF_FOREIGN_KINDS = ("output-not-a-file", "file-not-ordinary", "file-is-no-folder")
 LONGEST_REASON = 300
 
 
@@ -41,6 +43,35 @@ def convert_store_errors(place: str) -> Iterator[None]:
     except Exception as error:  # the libraries have errors of many families
         reason = getattr(error, "strerror", None) or str(error) or type(error).__name__
         raise store_error(_code_of(error), place, str(reason)) from error
+
+
+class DamagedCopyError(StoreError):
+    """What the archive has under a name is not what was written there. Other records are not
+    concerned."""
+
+    def __init__(self, name: str) -> None:
+        super().__init__(
+            "archive-differs",
+            message("archive-copy-differs", name=name),
+            message("archive-loses-data"),
+            message("archive-check-disk"),
+        )
+
+
+@contextmanager
+def convert_foreign_kinds(name: str) -> Iterator[None]:
+    """Turns the errors for a folder, a pipe or a loop of links under the name of a file into a
+    ``DamagedCopyError``."""
+    try:
+        yield
+    except OSError as error:
+        if error.errno in FOREIGN_KINDS:
+            raise DamagedCopyError(name) from error
+        raise
+    except OperationError as error:
+        if error.code in CODES_OF_FOREIGN_KINDS and not isinstance(error, SourceError):
+            raise DamagedCopyError(name) from error
+        raise
 
 
 class SourceError(OperationError):

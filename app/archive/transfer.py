@@ -10,16 +10,18 @@ from collections.abc import Iterator
 from contextlib import closing
 from pathlib import Path
 
+from pydantic import ValidationError
+
 from app.archive.manifest import MANIFEST, ArchivedFile, ArchiveNote, Manifest, content_name
 from app.archive.pace import Pace
 from app.archive.planning import FileStamp, StationRecord
 from app.archive.records import stamps_in
 from app.archive.remote_store import PIECE_BYTES, RemoteStore
-from app.archive.store_errors import SourceError, StoreError
+from app.archive.store_errors import DamagedCopyError, SourceError, StoreError
 from app.errors import OperationError
 from app.formats.file_names import display_path
 from app.formats.io_errors import error_from_os
-from app.formats.open_file import open_file
+from app.formats.open_file import LARGEST_DOCUMENT, open_file
 from app.messages.message import message
 from app.timestamps import utc_now
 
@@ -57,7 +59,7 @@ def archive_record(record: StationRecord, store: RemoteStore, pace: Pace) -> Arc
     content = manifest.text().encode()
     store.write(f"{manifest.folder}/{MANIFEST}", [content], len(content))
     if b"".join(store.read(f"{manifest.folder}/{MANIFEST}")) != content:
-        raise _differs(f"{manifest.folder}/{MANIFEST}")
+        raise DamagedCopyError(f"{manifest.folder}/{MANIFEST}")
     return _note(manifest, manifest.archived_at)
 
 
@@ -79,16 +81,21 @@ def find_difference(manifest: Manifest, store: RemoteStore, pace: Pace) -> str |
 
 
 def read_manifest(store: RemoteStore, folder: str) -> Manifest | None:
-    """The manifest of a folder in the archive; None if it has none or a damaged one."""
+    """The manifest of a folder in the archive; None if it has none, or one that is damaged or of
+    another folder."""
     name = f"{folder}/{MANIFEST}"
-    if store.size(name) is None:
-        return None
     try:
-        return Manifest.parse(b"".join(store.read(name)), name)
+        size = store.size(name)
+        if size is None or size > LARGEST_DOCUMENT:
+            return None
+        found = Manifest.parse(b"".join(store.read(name)), name)
+    except DamagedCopyError:
+        return None
     except StoreError:
         raise
     except OperationError:
         return None
+    return found if found.folder == folder else None
 
 
 def newest_manifest(store: RemoteStore, kind: str, record_id: str) -> Manifest | None:
@@ -114,7 +121,7 @@ def download_file(
             found.update(piece)
             writing.write(piece)
     if found.hexdigest() != file.sha256:
-        raise _differs(name)
+        raise DamagedCopyError(name)
 
 
 def hash_files(record: StationRecord, pace: Pace) -> tuple[ArchivedFile, ...]:
@@ -127,15 +134,20 @@ def hash_files(record: StationRecord, pace: Pace) -> tuple[ArchivedFile, ...]:
 
 
 def _hash_file(folder: Path, stamp: FileStamp, pace: Pace) -> ArchivedFile:
+    if stamp.path == MANIFEST:
+        raise _name_error(folder / stamp.path)
     found, count = hashlib.sha256(), 0
     for piece in _pieces(folder / stamp.path, pace):
         found.update(piece)
         count += len(piece)
     if count != stamp.bytes:
         raise _change_error(folder / stamp.path)
-    return ArchivedFile(
-        path=stamp.path, bytes=count, sha256=found.hexdigest(), mtime_ns=stamp.mtime_ns
-    )
+    try:
+        return ArchivedFile(
+            path=stamp.path, bytes=count, sha256=found.hexdigest(), mtime_ns=stamp.mtime_ns
+        )
+    except ValidationError as error:
+        raise _name_error(folder / stamp.path) from error
 
 
 def _pieces(path: Path, pace: Pace) -> Iterator[bytes]:
@@ -151,11 +163,11 @@ def _pieces(path: Path, pace: Pace) -> Iterator[bytes]:
 
 def _copy_file(folder: Path, file: ArchivedFile, name: str, store: RemoteStore, pace: Pace) -> None:
     """Writes one file unless the archive has it, and reads it back."""
-    if store.size(name) == file.bytes and _holds(store, name, file, pace):
+    if _holds(store, name, file, pace):
         return
     store.write(name, _pieces_as_hashed(folder / file.path, file, pace), file.bytes)
     if not _holds(store, name, file, pace):
-        raise _differs(name)
+        raise DamagedCopyError(name)
 
 
 def _pieces_as_hashed(path: Path, file: ArchivedFile, pace: Pace) -> Iterator[bytes]:
@@ -170,12 +182,15 @@ def _pieces_as_hashed(path: Path, file: ArchivedFile, pace: Pace) -> Iterator[by
 
 def _holds(store: RemoteStore, name: str, file: ArchivedFile, pace: Pace) -> bool:
     """Whether a file in the archive has the content, by reading it."""
-    if store.size(name) != file.bytes:
-        return False
     found = hashlib.sha256()
-    for piece in store.read(name):
-        pace.take(len(piece))
-        found.update(piece)
+    try:
+        if store.size(name) != file.bytes:
+            return False
+        for piece in store.read(name):
+            pace.take(len(piece))
+            found.update(piece)
+    except DamagedCopyError:
+        return False
     return found.hexdigest() == file.sha256
 
 
@@ -184,18 +199,17 @@ def _note(manifest: Manifest, archived_at: str) -> ArchiveNote:
     return ArchiveNote(**{**fields, "archived_at": archived_at}, verified_at=utc_now())
 
 
+def _name_error(path: Path) -> SourceError:
+    return SourceError(
+        "archive-name",
+        message("archive-cannot-hold-name", path=display_path(path)),
+        remedy=message("rename"),
+    )
+
+
 def _change_error(path: Path) -> SourceError:
     return SourceError(
         "archive-changed",
         message("archive-record-changes", path=display_path(path)),
         remedy=message("archive-tried-again"),
-    )
-
-
-def _differs(name: str) -> StoreError:
-    return StoreError(
-        "archive-differs",
-        message("archive-copy-differs", name=name),
-        message("archive-loses-data"),
-        message("archive-check-disk"),
     )

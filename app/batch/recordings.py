@@ -24,7 +24,7 @@ from app.formats.recording.reader import (
 )
 from app.formats.recording.topics import sensor_values
 from app.progress import Progress, no_progress
-from app.timestamps import is_moment, parse_moment
+from app.timestamps import is_moment, moment_of_ns, parse_moment
 
 RECORDING = "scan.mcap"
 READERS = 16
@@ -77,7 +77,7 @@ class ScanRecording:
 
 def completion_time(file: RecordFile) -> datetime:
     """When a file was last written."""
-    return datetime.fromtimestamp(file.mtime_ns / 1e9, UTC)
+    return moment_of_ns(file.mtime_ns)
 
 
 def find_records(

@@ -65,8 +65,8 @@ def check_output_path(path: Path, sources: Iterable[Path] = ()) -> Path:
             before it starts.
     """
     with convert_io_errors(path):
-        target = path.resolve()
-        if any(target == source.resolve() for source in sources):
+        target = Path(os.path.realpath(path))  # resolve fails for a loop of links
+        if any(target == Path(os.path.realpath(source)) for source in sources):
             raise OperationError(
                 "output-is-source",
                 display_path(path),

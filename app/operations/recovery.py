@@ -7,7 +7,6 @@ import shutil
 import threading
 import time
 from collections.abc import Callable, Iterator
-from datetime import UTC, datetime
 from pathlib import Path
 
 from app.archive.records import is_in_archive_only
@@ -34,7 +33,7 @@ from app.station.scan.scanner import Scanner
 from app.station.scan.storage import CLOUD, RECORDING, ScanFolders
 from app.store.scans import ScanRecord
 from app.store.store import Store
-from app.timestamps import is_moment
+from app.timestamps import is_moment, moment_of_ns
 from app.workflows.reconstruct import reconstruct_cloud
 
 log = logging.getLogger(__name__)
@@ -257,7 +256,7 @@ def _scan_record(folder: Path, metadata: dict[str, str]) -> ScanRecord:
     """The record of a scan, from the metadata of its recording and from its folder."""
     began = metadata.get(SCAN_STARTED, "")
     if not is_moment(began):
-        began = datetime.fromtimestamp(folder.stat().st_mtime, UTC).isoformat(timespec="seconds")
+        began = moment_of_ns(folder.stat().st_mtime_ns).isoformat(timespec="seconds")
     return ScanRecord(
         id=folder.name,
         name=metadata.get(SCAN_NAME, "")[:LONGEST_NAME] or folder.name,

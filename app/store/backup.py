@@ -115,8 +115,8 @@ def check_data_folder(data: Path) -> None:
 
 def _check(data: Path, output: Path) -> None:
     check_data_folder(data)
-    inside = output.resolve().is_relative_to(data)
-    if inside and not output.resolve().is_relative_to(data / "backups"):
+    place = Path(os.path.realpath(output))  # resolve fails for a loop of links
+    if place.is_relative_to(data) and not place.is_relative_to(data / "backups"):
         raise OperationError(
             "output-inside",
             message("folder-inside-data-folder", folder=output),

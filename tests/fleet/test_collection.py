@@ -299,3 +299,19 @@ class StoppingPlace:
             if number == self._after:
                 self._server.stop()
             yield record
+
+
+def test_a_place_that_fails_in_any_way_does_not_stop_the_others(
+    store: Store, own: FleetCatalogue
+) -> None:
+    add_every_kind(store)
+
+    class Failing(FolderPlace):
+        def list_new(
+            self, known: Mapping[str, KnownContent], complete: bool = False
+        ) -> Iterator[SourceRecord]:
+            raise ZeroDivisionError
+
+    result = collect_from(own, Failing(store.folder), FolderPlace(store.folder))
+    assert result.new == 7
+    assert result.problems["room-1"].code == "failed"

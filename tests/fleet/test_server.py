@@ -122,7 +122,13 @@ def test_it_collects_and_answers(store: Store, tmp_path: Path) -> None:
         assert client.get("/api/fleet/stations").json() == {"broker": False, "stations": []}
         assert "text/html" in client.get("/").headers["content-type"]
         assert client.get("/api/other").status_code == 404
-        assert client.get("/api/fleet/records", params={"since": "soon"}).status_code == 422
+        for wrong in (
+            {"since": "soon"},
+            {"until": "0001-01-01T00:00:00+14:00"},
+            {"before": "9999-12-31T23:59:59-14:00"},
+            {"before": "2026-05-01T00:00:00Z", "before_key": str(2**63)},
+        ):
+            assert client.get("/api/fleet/records", params=wrong).status_code == 422, wrong
 
 
 def test_the_database_is_lost_and_comes_back(

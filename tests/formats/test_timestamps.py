@@ -13,6 +13,6 @@ def test_a_moment_without_a_zone_is_in_utc() -> None:
     assert is_moment(utc_now())
 
 
-@pytest.mark.parametrize("text", ["yesterday", "", "2026-13-01", 7, None])
+@pytest.mark.parametrize("text", ["yesterday", "", "2026-13-01", "0001-01-01T00:00+14:00", 7, None])
 def test_what_is_no_moment(text: object) -> None:
     assert not is_moment(text)

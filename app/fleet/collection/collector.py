@@ -12,6 +12,7 @@ from app.fleet.catalogue.entry import CatalogueEntry
 from app.fleet.catalogue.reading import list_contents
 from app.fleet.collection.documents import read_entries
 from app.fleet.collection.places import RecordPlace
+from app.messages.message import message
 
 log = logging.getLogger(__name__)
 AT_ONCE = 50
@@ -104,6 +105,10 @@ def _collect_station(catalogue: FleetCatalogue, station: CollectedStation, compl
             raise
         except OperationError as error:
             first = first or error
+        except Exception as error:  # of this place only
+            log.exception("%s cannot be collected", place.name)
+            why = type(error).__name__
+            first = first or OperationError("failed", message("program-failed"), why)
     new += catalogue.add(waiting)
     if first is not None:
         raise CollectionError(new, first)

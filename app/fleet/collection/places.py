@@ -21,7 +21,7 @@ from app.archive.transfer import download_file, hash_files, newest_manifest
 from app.fleet.catalogue.reading import KnownContent
 from app.fleet.collection.documents import DOCUMENTS, HEAD_BYTES, HEADS
 from app.messages.message import message
-from app.timestamps import parse_moment
+from app.timestamps import moment_of_ns, parse_moment
 
 log = logging.getLogger(__name__)
 RECENT = timedelta(days=7)
@@ -164,7 +164,7 @@ def _record_of(manifest: Manifest) -> SourceRecord:
         manifest.id,
         manifest.content,
         manifest.label,
-        datetime.fromtimestamp(newest_ns / 1e9, UTC),
+        moment_of_ns(newest_ns),
         archived_at,
         archived_at,
         manifest.files,

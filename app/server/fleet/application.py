@@ -3,10 +3,11 @@
 import asyncio
 from collections.abc import AsyncIterator, Sequence
 from contextlib import asynccontextmanager, suppress
-from datetime import datetime
+from datetime import UTC, datetime
 from typing import Annotated
 
 from fastapi import FastAPI, Query, Request
+from pydantic import AfterValidator
 from starlette.middleware.base import RequestResponseEndpoint
 from starlette.responses import RedirectResponse, Response
 
@@ -54,6 +55,18 @@ from app.wire.json_response import json_response
 
 PAGE = "fleet.html"
 MOST = 50
+MOST_KEYS = 2**53
+
+
+def _check_date(moment: datetime) -> datetime:
+    try:
+        return moment.astimezone(UTC)
+    except (OverflowError, ValueError) as error:
+        raise ValueError(message("value-must-be-date")) from error
+
+
+QueryMoment = Annotated[datetime, AfterValidator(_check_date)]
+"""A moment that has a date in UTC, too."""
 
 
 def build_fleet_app(
@@ -139,10 +152,10 @@ def _add_lists(app: FastAPI, service: FleetService) -> None:
         text: Annotated[str, Query(max_length=200)] = "",
         station: Annotated[str, Query(max_length=40)] = "",
         kind: Annotated[str, Query(max_length=40)] = "",
-        since: datetime | None = None,
-        until: datetime | None = None,
-        before: datetime | None = None,
-        before_key: int = 0,
+        since: QueryMoment | None = None,
+        until: QueryMoment | None = None,
+        before: QueryMoment | None = None,
+        before_key: Annotated[int, Query(ge=0, le=MOST_KEYS)] = 0,
     ) -> Response:
         query = SearchQuery(
             text=text,

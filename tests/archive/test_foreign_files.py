@@ -1,0 +1,105 @@
+"""Foreign names, times and files in a record or in its archive: each concerns that record only."""
+
+import json
+import os
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+from app.archive.archive import Archive
+from app.archive.records import list_away
+from app.archive.remote_store import FolderStore
+from app.archive.transfer import newest_manifest
+from app.errors import OperationError
+from app.store.store import Store
+from tests.archive.filled import LATER, add_scan, archive_of, check_whole, content_of
+
+
+@pytest.mark.parametrize(
+    "name", [b"Pr\xfcf.txt", b"\xfc/inner", b"a\\b", b"manifest.json", b"/".join([b"d" * 90] * 5)]
+)
+def test_a_file_name_that_no_manifest_can_hold_keeps_no_other_record_from_the_archive(
+    store: Store, place: Path, name: bytes
+) -> None:
+    path = add_scan(store, "one", 1000) / os.fsdecode(name)
+    path.parent.mkdir(parents=True, exist_ok=True)
+    path.write_text("the operator's")
+    add_scan(store, "two", 1000)
+    with pytest.raises(OperationError) as refused:
+        archive_of(store, str(place)).run()
+    assert refused.value.code == "archive-name"
+    assert refused.value.line.isprintable()
+    assert [one.id for one in check_whole(content_of(place))] == ["two"]
+
+
+@pytest.mark.parametrize("time_s", [-1e6, 1e13], ids=["before 1970", "year 300000"])
+def test_a_file_time_outside_the_calendar_is_the_nearest_in_it(
+    store: Store, place: Path, time_s: float
+) -> None:
+    os.utime(add_scan(store, "one", 1000) / "cloud.ply", (time_s, time_s))
+    archive = archive_of(store, str(place))
+    assert (archive.run(), archive.run()) == (1, 0)
+
+
+@pytest.mark.parametrize("foreign", [os.mkfifo, os.mkdir])
+@pytest.mark.parametrize("name", ["scan.mcap", "manifest.json"])
+def test_what_is_no_file_in_the_archive_keeps_no_other_record_from_it(
+    store: Store, place: Path, name: str, foreign: Callable[[Path], None]
+) -> None:
+    add_scan(store, "one", 1000)
+    archive = archive_of(store, str(place), later=LATER, rules={"keep_days": 1})
+    (folder,) = copies_of(archive_of(store, str(place)), place)
+    (folder / name).unlink()
+    foreign(folder / name)
+    add_scan(store, "two", 1000)
+    archive.run()
+    with pytest.raises(OperationError) as refused:
+        archive.run()
+    assert refused.value.code == "archive-differs"
+    assert [note.id for note in list_away(store.folder)] == ["two"]
+    assert (store.folder / "scans" / "one").exists()
+    with pytest.raises(OperationError):
+        archive.fetch("scans", "three")
+
+
+@pytest.mark.parametrize("name", ["scan.mcap", "manifest.json"])
+def test_a_link_to_itself_in_the_archive_is_replaced(store: Store, place: Path, name: str) -> None:
+    add_scan(store, "one", 1000)
+    (folder,) = copies_of(archive_of(store, str(place)), place)
+    (folder / name).unlink()
+    (folder / name).symlink_to(name)
+    assert archive_of(store, str(place)).verify()
+    assert archive_of(store, str(place)).run() == 1
+    assert archive_of(store, str(place)).verify() == []
+
+
+def copies_of(archive: Archive, place: Path) -> list[Path]:
+    """The folders of the archive's records after a run."""
+    archive.run()
+    return [path.parent for path in place.rglob("manifest.json")]
+
+
+@pytest.mark.parametrize(
+    "damage",
+    [
+        {"archived_at": "yesterday"},
+        {"archived_at": "0001-01-01T00:00:00+14:00"},
+        {"label": "\ud800"},
+        {"id": "another"},
+        {"files": [{"path": "a", "bytes": 10**30, "sha256": "0" * 64, "mtime_ns": 1}]},
+        {"files": [{"path": "a", "bytes": 1, "sha256": "0" * 64, "mtime_ns": 10**30}]},
+    ],
+    ids=lambda damage: ascii(damage)[:30],
+)
+def test_a_manifest_that_says_nothing_usable_is_none(
+    store: Store, place: Path, damage: dict[str, object]
+) -> None:
+    add_scan(store, "one", 1000)
+    (folder,) = copies_of(archive_of(store, str(place)), place)
+    manifest = folder / "manifest.json"
+    changed = json.loads(manifest.read_text()) | damage
+    manifest.write_text(json.dumps(changed))
+    assert newest_manifest(FolderStore(place), "scans", "one") is None
+    os.truncate(manifest, 1 << 42)
+    assert newest_manifest(FolderStore(place), "scans", "one") is None
