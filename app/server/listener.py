@@ -17,6 +17,7 @@ from app.errors import OperationError
 from app.formats.file_names import escape_unprintable
 from app.formats.io_errors import convert_io_errors
 from app.formats.open_file import read_bounded
+from app.monitoring.log_text import RepeatFilter
 from app.monitoring.system_info import Network
 from app.server.connections import BoundedWebSocket, http_protocol, make_space
 from app.settings.settings import Serving
@@ -115,6 +116,16 @@ class OneLineFormatter(logging.Formatter):
             plain.msg += f" {repeated!s}"
         plain.exc_info = plain.exc_text = plain.stack_info = None
         return super().format(plain)
+
+
+def log_to_console() -> None:
+    """Writes warnings and errors to the console from now on, equal ones a few times only: clients
+    without an account can cause any number of them."""
+    console = logging.StreamHandler()
+    console.setLevel(logging.WARNING)  # the rest is in the log of the Health page
+    console.setFormatter(OneLineFormatter("%(asctime)s %(name)s: %(message)s"))
+    console.addFilter(RepeatFilter())
+    logging.getLogger().addHandler(console)
 
 
 def make_server(app: ASGIApp, serving: Serving = LOCAL) -> "StationServer":

@@ -3,7 +3,6 @@
 Heavy modules are imported only in the steps, which run while the page is already available.
 """
 
-import logging
 import socket
 import tempfile
 from collections.abc import Callable
@@ -16,14 +15,13 @@ from typing import TYPE_CHECKING
 from starlette.applications import Starlette
 
 from app.errors import OperationError
-from app.monitoring.log_text import RepeatFilter
 from app.monitoring.system_info import Network
 from app.security.console_code import new_code
 from app.server.listener import (
     LOCAL,
-    OneLineFormatter,
     listen,
     local_address,
+    log_to_console,
     make_server,
     network_exposure,
     network_words,
@@ -258,11 +256,7 @@ def run(
     station = _StationLoader(plan, network, code)
     starting = StartingApp(plan.name, station.steps(), station.building(), station.hosts)
     server = make_server(starting, plan.serving)
-    console = logging.StreamHandler()
-    console.setLevel(logging.WARNING)  # the rest is in the log of the Health page
-    console.setFormatter(OneLineFormatter("%(asctime)s %(name)s: %(message)s"))
-    console.addFilter(RepeatFilter())
-    logging.getLogger().addHandler(console)
+    log_to_console()
     server.address = local_address(plan.host, listening, plan.serving)
     if plan.by_link:
         server.address += f"#code={code}"

@@ -1,5 +1,6 @@
 """``crenel fleet`` as a process: it collects, answers, and survives the loss of its database."""
 
+import socket
 import subprocess
 import sys
 import time
@@ -179,6 +180,11 @@ def test_a_password_is_required_of_every_request(store: Store, tmp_path: Path) -
             assert client.get(path, auth=("anyone", "wrong")).status_code == 401
             assert client.get(path, auth=("anyone", "a page's password")).is_success
         assert client.get("/", headers={"Authorization": "Basic %"}).status_code == 401
+        for _ in range(50):
+            with socket.create_connection((client.base_url.host, client.base_url.port)) as stranger:
+                stranger.sendall(b"no request\r\n\r\n")
+                assert b" 400 " in stranger.recv(100)
+    assert 0 < (tmp_path / "fleet.log").read_bytes().count(b"Invalid HTTP request") <= 4
 
 
 def test_nobody_elsewhere_reads_it_without_a_sign_in_or_a_password(tmp_path: Path) -> None:

@@ -6,9 +6,8 @@ from contextlib import asynccontextmanager, suppress
 from datetime import UTC, datetime
 from typing import Annotated
 
-from fastapi import FastAPI, Query, Request
+from fastapi import FastAPI, Query
 from pydantic import AfterValidator
-from starlette.middleware.base import RequestResponseEndpoint
 from starlette.responses import RedirectResponse, Response
 
 from app.api import problems
@@ -32,7 +31,7 @@ from app.formats.json_document import SOFTWARE
 from app.messages.message import message
 from app.server.fleet.access import FleetAccess
 from app.server.fleet.service import FleetService
-from app.server.fleet.sign_in import PASSWORD_PAGE, answer_if_allowed, sign_in_router
+from app.server.fleet.sign_in import PASSWORD_PAGE, AccessCheck, sign_in_router
 from app.server.middleware import Guard
 from app.wire.fleet import (
     CalibrationsInUse,
@@ -108,10 +107,7 @@ def build_fleet_app(
     _add_questions(app, service)
     _add_pages(app)
 
-    @app.middleware("http")
-    async def check(request: Request, call_next: RequestResponseEndpoint) -> Response:
-        return await answer_if_allowed(access, request, call_next)
-
+    app.add_middleware(AccessCheck, access=access)
     app.add_middleware(Guard, hosts=hosts, file=DEFAULT_FILE)
     return app
 

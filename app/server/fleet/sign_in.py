@@ -6,8 +6,9 @@ from dataclasses import replace
 from http import HTTPStatus
 
 from fastapi import APIRouter, Request
-from starlette.middleware.base import RequestResponseEndpoint
+from starlette.requests import HTTPConnection
 from starlette.responses import Response
+from starlette.types import ASGIApp, Receive, Scope, Send
 
 from app.api.access.auth import current_user
 from app.api.access.authorization import (
@@ -36,26 +37,35 @@ PASSWORD_PAGE = "/password"
 OPEN_PATHS = ("/api/session", "/api/session/provider", "/api/session/provider/answer")
 
 
-async def answer_if_allowed(
-    access: FleetAccess, request: Request, call_next: RequestResponseEndpoint
-) -> Response:
-    """The answer of the server, or the refusal of a request without a sign-in.
+class AccessCheck:
+    """ASGI middleware that refuses requests without a sign-in.
 
     With a provider, the page itself is for everyone: it has the button for signing in.
     """
-    if access.is_open:
-        return await call_next(request)
+
+    def __init__(self, app: ASGIApp, access: FleetAccess) -> None:
+        self._app, self._access = app, access
+
+    async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
+        refusal = None
+        if scope["type"] == "http" and not self._access.is_open:
+            refusal = await _refusal_of(self._access, HTTPConnection(scope))
+        await (refusal or self._app)(scope, receive, send)
+
+
+async def _refusal_of(access: FleetAccess, connection: HTTPConnection) -> Response | None:
+    """The answer to a request that is not allowed; None if it is."""
     try:
-        by_password = access.knows_password(request)
+        by_password = access.knows_password(connection)
     except TooManyAttemptsError as error:
         return too_many_attempts(error)
-    if by_password or await asyncio.to_thread(access.visitor, request) is not None:
-        return await call_next(request)
-    path = request.url.path
+    if by_password or await asyncio.to_thread(access.visitor, connection) is not None:
+        return None
+    path = connection.url.path
     if access.people is None or (path == PASSWORD_PAGE and access.has_password):
         return Response("The password is missing or wrong.", 401, NO_ACCESS)
     if path in OPEN_PATHS or not path.startswith("/api/"):
-        return await call_next(request)
+        return None
     return problem(401, "signed-out", message("nobody-signed-here"), message("sign-go"))
 
 
@@ -74,7 +84,7 @@ def sign_in_router(access: FleetAccess) -> APIRouter:
         try:
             page, cookie = await people.provider.begin(own_address(request, BACK))
         except SignInError as error:
-            raise _refusal(access, error, address) from error
+            raise _noted_refusal(access, error, address) from error
         set_pending_cookie(response, request, cookie, LASTS_S)
         return ProviderPage(page)
 
@@ -89,7 +99,7 @@ def sign_in_router(access: FleetAccess) -> APIRouter:
             device = request.headers.get("user-agent", "")
             token = await asyncio.to_thread(people.admit, person, device)
         except OperationError as error:
-            raise _refusal(access, error, address) from error
+            raise _noted_refusal(access, error, address) from error
         access.note_attempt(True, address)
         set_pending_cookie(response, request, "", 0)
         set_cookie(response, request, token, kiosk=False)
@@ -131,7 +141,7 @@ def _state(
     )
 
 
-def _refusal(access: FleetAccess, error: OperationError, address: str) -> AccessDeniedError:
+def _noted_refusal(access: FleetAccess, error: OperationError, address: str) -> AccessDeniedError:
     access.note_attempt(False, address)
     log_refusal(error, address)
     return AccessDeniedError(HTTPStatus.UNAUTHORIZED, error.code, error.what, error.remedy)

@@ -1,6 +1,5 @@
 """Starts the fleet's server."""
 
-import logging
 from pathlib import Path
 
 from app.errors import OperationError
@@ -8,9 +7,9 @@ from app.fleet.catalogue.libraries import check_libraries
 from app.messages.message import message
 from app.server.listener import (
     LOOPBACK,
-    OneLineFormatter,
     listen,
     local_address,
+    log_to_console,
     make_server,
     network_words,
     raise_file_limit,
@@ -47,10 +46,7 @@ def serve_fleet(config: Path | None, host: str, port: int, open_browser: bool) -
     raise_file_limit()
     listening = listen(host, port, PORTS_TRIED)
     server.first_words += network_words(host, serving, file.name)
-    console = logging.StreamHandler()
-    console.setLevel(logging.WARNING)
-    console.setFormatter(OneLineFormatter("%(asctime)s %(name)s: %(message)s"))
-    logging.getLogger().addHandler(console)
+    log_to_console()
     server.address = local_address(host, listening, serving)
     server.open_browser = open_browser
     try:
