@@ -10,7 +10,7 @@ from pydantic import AfterValidator, Field, ValidationError
 
 from app.errors import OperationError
 from app.formats.io_errors import error_from_validation
-from app.formats.json_document import Document, DocumentPart
+from app.formats.json_document import Document, DocumentPart, is_valid_unicode
 from app.messages.message import message
 from app.timestamps import LATEST_NS, parse_moment
 
@@ -91,10 +91,9 @@ class Manifest(Document):
         """
         try:
             fields = json.loads(content)
-            json.dumps(fields, ensure_ascii=False).encode()  # fails for half of a character
         except (ValueError, RecursionError):
             fields = None
-        if not isinstance(fields, dict):
+        if not isinstance(fields, dict) or not is_valid_unicode(fields):
             raise OperationError("archive-manifest", message("archive-manifest-damaged", name=name))
         cls._check_format(Path(name), fields)
         try:

@@ -171,16 +171,23 @@ def _read_object(path: Path) -> dict[str, Any]:
     return fields
 
 
-def _check_characters(path: Path, fields: object) -> None:
+def is_valid_unicode(plain: object) -> bool:
+    """Whether plain values of JSON have no half of a character, which nothing can store."""
     try:
-        json.dumps(fields, ensure_ascii=False).encode()
-    except UnicodeEncodeError as error:
+        json.dumps(plain, ensure_ascii=False).encode()
+    except UnicodeEncodeError:
+        return False
+    return True
+
+
+def _check_characters(path: Path, fields: object) -> None:
+    if not is_valid_unicode(fields):
         raise OperationError(
             "file-not-text",
             display_path(path),
             message("text-has-half-character"),
             message("save-utf-8"),
-        ) from error
+        )
 
 
 def read_text(path: Path) -> str:

@@ -10,6 +10,7 @@ from typing import Any
 
 import httpx
 
+from app.formats.json_document import is_valid_unicode
 from app.messages.message import message
 from app.single_sign_on.errors import ProviderAwayError
 from app.single_sign_on.settings import is_encrypted_or_local
@@ -83,7 +84,10 @@ class ProviderConnection:
                 client.stream(method, address, **options) as answer,
             ):
                 return answer.status_code, _json_object(await _read(answer))
-        except (httpx.HTTPError, httpx.InvalidURL, TimeoutError, OSError) as error:
+        except (
+            *(httpx.HTTPError, httpx.InvalidURL, TimeoutError, OSError),
+            ValueError,  # of a host name that cannot be encoded
+        ) as error:
             raise self.away_error(error) from error
 
     def away_error(self, error: BaseException) -> ProviderAwayError:
@@ -123,9 +127,10 @@ async def _read(answer: httpx.Response) -> bytes:
 def _json_object(raw: bytes) -> dict[str, Any] | None:
     try:
         document = json.loads(raw)
+        usable = isinstance(document, dict) and is_valid_unicode(document)
     except (ValueError, RecursionError):
         return None
-    return document if isinstance(document, dict) else None
+    return document if usable else None
 
 
 def _causes(error: BaseException | None) -> Iterator[BaseException]:

@@ -226,10 +226,10 @@ class Provider:
         }
         auth: tuple[str, str] | None = None
         client_id, secret = self.settings.client_id, self.settings.client_secret()
-        methods = metadata.get("token_endpoint_auth_methods_supported", ["client_secret_basic"])
+        methods = metadata.get("token_endpoint_auth_methods_supported")
         if secret is None:
             form["client_id"] = client_id
-        elif "client_secret_basic" in methods:
+        elif not isinstance(methods, list) or "client_secret_basic" in methods:
             # RFC 6749, section 2.3.1: both are encoded like a form
             auth = quote(client_id, safe=""), quote(secret, safe="")
         else:

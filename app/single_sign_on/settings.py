@@ -91,7 +91,8 @@ def is_encrypted_or_local(address: str) -> bool:
     try:
         parts = urlsplit(address)
         local = parts.scheme == "http" and parts.hostname in LOOPBACK
-        return bool(parts.hostname) and (parts.scheme == "https" or local)
+        usable = bool(parts.hostname) and parts.port != 0  # raises for a larger one than there is
+        return usable and (parts.scheme == "https" or local)
     except ValueError:
         return False
 

@@ -56,7 +56,7 @@ class AuditLog:
         english = str(act)[:LONGEST], str(outcome)[:LONGEST]
         data = encode_data(act), encode_data(outcome)
         with self._lock:
-            self._waiting.append((utc_now(), who, address, *english, *data))
+            self._waiting.append(tuple(map(_storable, (utc_now(), who, address, *english, *data))))
             try:
                 with self._database.transaction() as connection:
                     connection.executemany(INSERT, self._waiting)
@@ -79,6 +79,11 @@ class AuditLog:
         )
         found = (one for one in map(_entry, rows) if not wanted or _has(one, wanted, render))
         return list(islice(found, count))
+
+
+def _storable(text: str | None) -> str | None:
+    """The text with halves of characters escaped: one row must not hold up all others."""
+    return None if text is None else text.encode("utf-8", "backslashreplace").decode()
 
 
 def _has(entry: AuditEntry, wanted: Sequence[str], render: Render) -> bool:

@@ -16,7 +16,7 @@ from pathlib import Path
 from typing import Any
 from urllib.parse import parse_qs, urlencode, urlsplit
 
-from joserfc import jwt
+from joserfc import jws
 from joserfc.jwk import RSAKey
 
 from app.single_sign_on.pending import ProviderAnswer, base64url
@@ -134,7 +134,8 @@ class OwnProvider:
         claims = {key: value for key, value in claims.items() if value is not None}
         header = {"alg": "RS256", "kid": "first", **self.header}
         if header["alg"] == "RS256":
-            return jwt.encode(header, claims, self.key, ["RS256"])
+            payload = json.dumps(claims).encode()  # any text, as its escape
+            return jws.serialize_compact(header, payload, self.key, ["RS256"])
         parts = [base64url(json.dumps(part).encode()) for part in (header, claims)]
         signature = b""
         if header["alg"].startswith("HS"):  # with the public key as if it were a shared secret

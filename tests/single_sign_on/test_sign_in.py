@@ -74,6 +74,8 @@ def test_a_person_signs_in(own: OwnProvider, tmp_path: Path) -> None:
         ({"sub": 7}, "foreign"),
         ({"at_hash": "of another token"}, "foreign"),
         ({"at_hash": 7}, "foreign"),
+        ({"sub": "\ud800"}, "foreign"),
+        ({"groups": ["\ud800"]}, "foreign"),
         ({"exp": None}, "clock"),
         ({"exp": "soon"}, "clock"),
         ({"preferred_username": None}, "no-name"),
@@ -137,6 +139,29 @@ def test_a_token_that_anyone_could_make_is_refused(
 def test_what_is_no_token_is_refused(own: OwnProvider, tmp_path: Path, token: str) -> None:
     own.token_answer = 200, {"access_token": "one", "id_token": token}
     assert failure_of(Provider(own.settings(tmp_path)), own) == "sign-in-signature"
+
+
+@pytest.mark.parametrize(
+    "metadata",
+    [
+        {"token_endpoint": "http://127.0.0.1:99999/"},
+        {"token_endpoint": "https://xn--a/"},
+        {"jwks_uri": "http://127.0.0.1:1/\ud800"},
+        {"authorization_endpoint": "https://["},
+    ],
+    ids=ascii,
+)
+def test_addresses_that_are_none_are_refused(
+    own: OwnProvider, tmp_path: Path, metadata: dict[str, object]
+) -> None:
+    own.metadata = metadata
+    assert failure_of(Provider(own.settings(tmp_path)), own).startswith("sign-in-provider-")
+
+
+def test_an_error_that_is_no_text_is_refused(own: OwnProvider, tmp_path: Path) -> None:
+    own.metadata = {"token_endpoint_auth_methods_supported": 7}
+    own.token_answer = 400, {"error": "\ud800"}
+    assert failure_of(Provider(own.settings(tmp_path)), own) == "sign-in-provider-unusable"
 
 
 def test_new_keys_of_the_provider_are_fetched(own: OwnProvider, tmp_path: Path) -> None:

@@ -127,6 +127,12 @@ def test_the_audit_log_is_searched_by_words(store: Store) -> None:
     assert len(store.audit.newest(2, "10.0.0")) == 2
 
 
+def test_half_of_a_character_holds_up_no_other_entry_of_the_audit_log(store: Store) -> None:
+    store.audit.note("\udcfc", "10.0.0.1", "signed in", "\ud800")
+    store.audit.note("Anna", "10.0.0.1", "pressed Stop")
+    assert [entry.who for entry in store.audit.newest(2)] == ["Anna", "\\udcfc"]
+
+
 def test_the_audit_log_is_searched_in_the_readers_language_too(store: Store) -> None:
     act, why = message("account-has-no-name"), message("password-has-characters", count=3)
     store.audit.note("Anna", "10.0.0.1", "pressed Stop")

@@ -84,7 +84,7 @@ def sign_in_router(access: FleetAccess) -> APIRouter:
         try:
             page, cookie = await people.provider.begin(own_address(request, BACK))
         except SignInError as error:
-            raise _noted_refusal(access, error, address) from error
+            raise _note_refusal(access, error, address) from error
         set_pending_cookie(response, request, cookie, LASTS_S)
         return ProviderPage(page)
 
@@ -99,7 +99,7 @@ def sign_in_router(access: FleetAccess) -> APIRouter:
             device = request.headers.get("user-agent", "")
             token = await asyncio.to_thread(people.admit, person, device)
         except OperationError as error:
-            raise _noted_refusal(access, error, address) from error
+            raise _note_refusal(access, error, address) from error
         access.note_attempt(True, address)
         set_pending_cookie(response, request, "", 0)
         set_cookie(response, request, token, kiosk=False)
@@ -141,7 +141,7 @@ def _state(
     )
 
 
-def _noted_refusal(access: FleetAccess, error: OperationError, address: str) -> AccessDeniedError:
+def _note_refusal(access: FleetAccess, error: OperationError, address: str) -> AccessDeniedError:
     access.note_attempt(False, address)
     log_refusal(error, address)
     return AccessDeniedError(HTTPStatus.UNAUTHORIZED, error.code, error.what, error.remedy)
