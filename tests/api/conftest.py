@@ -94,7 +94,7 @@ class Server:
             time.sleep(0.05)
 
 
-QUICK = SimulationConfig(pace=3.0)
+QUICK = SimulationConfig(pace=4.0, width_px=960, height_px=768)
 
 
 @contextmanager

@@ -24,12 +24,13 @@ CONTEXT.set_forkserver_preload(
 
 def _serve(pipe: Connection, data: Path, calibrated: bool) -> None:
     """In the process: the demonstration, with a fast simulated operator."""
+    from app.bench.faults.served import HALF
     from app.server.application import build_app
     from app.server.demo import station_parts
     from app.server.listener import make_server
-    from hardware.simulator.station import SimulatedStation, SimulationConfig
+    from hardware.simulator.station import SimulatedStation
 
-    with SimulatedStation(SimulationConfig(pace=4.0)) as simulation, socket.socket() as listening:
+    with SimulatedStation(HALF) as simulation, socket.socket() as listening:
         listening.bind(("127.0.0.1", 0))
         listening.listen()
         app = build_app(station_parts(simulation, data))

@@ -8,7 +8,8 @@ from typing import Any
 import pytest
 
 from app.bench.faults.calls import compile_library, preload_environment
-from app.bench.faults.served import prepare
+from app.bench.faults.kills import HALF_SIZE
+from app.bench.faults.served import HALF, prepare
 from app.bench.faults.station import StationProcess
 from app.errors import OperationError
 from tests.api.traced import Trace
@@ -58,7 +59,8 @@ class Traced:
 @contextmanager
 def traced(library: Path, data: Path) -> Iterator[Traced]:
     log = data.with_name("calls.txt")
-    with StationProcess(data, preload_environment(data, library, LOG=log)) as station:
+    environment = preload_environment(data, library, LOG=log)
+    with StationProcess(data, environment, options=HALF_SIZE) as station:
         yield Traced(station.enter(), log, data)
 
 
@@ -104,7 +106,7 @@ def picture_names(session: Path, number: int) -> list[str]:
 
 def test_scans_and_backups(library: Path, tmp_path: Path) -> None:
     data = tmp_path / "data"
-    prepare(data)
+    prepare(data, HALF)
     with traced(library, data) as bench:
         station = bench.station
         station.begin_scan("Bracket")
@@ -125,7 +127,7 @@ def test_scans_and_backups(library: Path, tmp_path: Path) -> None:
 
 def test_clouds_and_acceptance_of_a_verification(library: Path, tmp_path: Path) -> None:
     data = tmp_path / "data"
-    prepare(data)
+    prepare(data, HALF)
     reported: dict[int, str] = {}
     with traced(library, data) as bench:
         station = bench.station

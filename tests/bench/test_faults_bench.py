@@ -3,6 +3,7 @@
 import pytest
 
 from app.bench.faults.devices import FAILURES, run, table
+from app.bench.faults.served import HALF
 
 pytestmark = pytest.mark.slow
 
@@ -10,7 +11,7 @@ STEPS = ("devices", "setup", "touch", "capture", "review", "scan")
 
 
 def test_failing_devices_are_reported_and_come_back_and_nothing_is_lost() -> None:
-    found = run()
+    found = run(config=HALF)
     assert [(row.step, row.failure) for row in found] == [
         (step, failure.name) for step in STEPS for failure in FAILURES
     ]

@@ -18,7 +18,10 @@ pytestmark = pytest.mark.slow
 def robot(tmp_path: Path) -> Iterator[Demo]:
     """The demonstration with a robot, four times as quick."""
     data = tmp_path / "data"
-    running = Demo(data, [sys.executable, "-m", "app.bench.faults.served", str(data), "--robot"])
+    running = Demo(
+        data,
+        [sys.executable, "-m", "app.bench.faults.served", str(data), "--width", "960", "--robot"],
+    )
     yield running
     running.end()
 

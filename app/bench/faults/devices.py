@@ -19,6 +19,7 @@ import httpx
 from websockets.sync.client import connect
 from websockets.sync.connection import Connection
 
+from app.bench.faults.served import CONFIG
 from app.bench.station.subprocess_station import (
     GUEST,
     PATIENCE_S,
@@ -113,11 +114,13 @@ def table(rows: list[DeviceFaultRow]) -> list[tuple[str, ...]]:
     ]
 
 
-def run(progress: Progress = no_progress) -> list[DeviceFaultRow]:
+def run(
+    progress: Progress = no_progress, config: SimulationConfig = CONFIG
+) -> list[DeviceFaultRow]:
     """Every failure in every step; a refusal where the station does not go on."""
     with (
         tempfile.TemporaryDirectory(prefix="crenel-bench-") as folder,
-        SimulatedStation(SimulationConfig(pace=4.0)) as simulation,
+        SimulatedStation(config) as simulation,
     ):
         parts = replace(station_parts(simulation, Path(folder)), guest=GUEST)
         with convert_connection_errors(), serve_in_thread(parts) as (station, port):

@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from app.bench.faults.row import FaultRow
-from app.bench.faults.served import prepare
+from app.bench.faults.served import HALF, prepare
 from app.bench.faults.station import StationProcess, View
 from app.errors import OperationError
 from app.formats.recording.reader import open_recording
@@ -24,6 +24,8 @@ LOST_S = 0.5
 """So much of a scan may be lost at most."""
 SETTLED = ("what-recorded-kept", "no-points-can-made")
 """Notes of a scan whose cloud is made or cannot be made."""
+HALF_SIZE = ("--width", str(HALF.width_px))
+"""Of the pictures while a guide is killed: what is kept does not depend on it."""
 KillPoint = tuple[str, int]
 KILL_POINTS: dict[str, tuple[KillPoint, ...]] = {
     "flow": (
@@ -170,14 +172,14 @@ def kill_guides(
     """
     row, before = FaultRow(NAMES[flow]), None
     if flow != "flow":
-        prepare(data)
+        prepare(data, HALF)
     if flow == "lengths":
         _add_short_gauge(data)
     route = ROUTES.get(flow, flow)
     places = places or KILL_POINTS[flow]
     for number, place in enumerate([*places, None]):
         progress(number / len(places), f"{flow}: {place[0] if place else 'the end'}")
-        with StationProcess(data) as station:
+        with StationProcess(data, options=HALF_SIZE) as station:
             station.enter()
             if before is None:
                 _begin(station, flow)

@@ -27,6 +27,8 @@ from hardware.simulator.station import (
 )
 
 CONFIG = SimulationConfig(pace=4.0)
+HALF = replace(CONFIG, width_px=640, height_px=512)
+"""Drawn four times as fast; enough for points and scans, and for calibrations if need be."""
 SMALL = SimulationConfig(width_px=320, height_px=256, frames_hz=10.0, rate_hz=250.0)
 """Costs so little that several stations share a machine."""
 HOST = "127.0.0.1"
@@ -108,9 +110,13 @@ def serve(
     data: Path,
     robot: Annotated[bool, typer.Option("--robot", help="A robot carries the sensor.")] = False,
     small: Annotated[bool, typer.Option("--small", help="Few and small pictures.")] = False,
+    width_px: Annotated[int, typer.Option("--width", help="Of the pictures, in px.")] = 1280,
 ) -> None:
     """Until SIGINT or SIGTERM."""
-    config = replace(ROBOT, pace=CONFIG.pace) if robot else SMALL if small else CONFIG
+    sized = replace(CONFIG, width_px=width_px, height_px=width_px * 4 // 5)
+    config = SMALL if small else sized
+    if robot:
+        config = replace(config, arm=ROBOT.arm, robot=ROBOT.robot)
     with ExitStack() as devices:
         plan = Plan(
             "Bench",
