@@ -1,12 +1,11 @@
-import type { FocusEvent, FormEvent } from "react";
-
-import { sendCommand } from "../api/guideCommands";
+import { sendCommand, setValue } from "../api/guideCommands";
 import type { Artefact } from "../api/wire";
 import styles from "../parts/Field.module.css";
 import { unitOf } from "../parts/lengths";
 import { PressButton } from "../parts/PressButton";
 import { Segments } from "../parts/Segments";
 import { UnitInput } from "../parts/UnitInput";
+import { useFieldForm } from "../parts/useFieldForm";
 import { useLengthField } from "../parts/useLengthField";
 import { t } from "../state/language";
 
@@ -55,23 +54,14 @@ function Size({ kind, artefact, disabled }: SizeProps) {
   const size = useLengthField(artefact.size_mm, "mm");
   const uncertainty = useLengthField(artefact.standard_uncertainty_mm * 1000, "µm");
   const set = () =>
-    sendCommand("arm", "choose_artefact", {
+    setValue("arm", "choose_artefact", {
       kind,
       size_mm: size.value,
       standard_uncertainty_mm: kind === "bar" ? (uncertainty.value ?? 0) / 1000 : 0,
     });
-  const submit = (event: FormEvent) => {
-    event.preventDefault();
-    if (valid) void set();
-  };
-  const changed = size.changed || uncertainty.changed;
-  const valid = size.valid && uncertainty.valid;
-  // what stands in the field counts, whichever button is pressed next
-  const leave = ({ currentTarget, relatedTarget }: FocusEvent) => {
-    if (changed && valid && !currentTarget.contains(relatedTarget)) void set();
-  };
+  const { changed, valid, form } = useFieldForm([size, uncertainty], set);
   return (
-    <form className={styles.field} onSubmit={submit} onBlur={leave}>
+    <form className={styles.field} {...form}>
       <label className={styles.label} htmlFor="artefact-size">
         {t(SIZE[kind])}
       </label>

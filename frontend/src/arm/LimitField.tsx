@@ -1,23 +1,19 @@
-import type { FormEvent } from "react";
-
-import { sendCommand } from "../api/guideCommands";
+import { setValue } from "../api/guideCommands";
 import styles from "../parts/Field.module.css";
 import { unitOf } from "../parts/lengths";
 import { PressButton } from "../parts/PressButton";
 import { UnitInput } from "../parts/UnitInput";
+import { useFieldForm } from "../parts/useFieldForm";
 import { useLengthField } from "../parts/useLengthField";
 import { t } from "../state/language";
 
 /** The largest (max − min)/2 that the operator accepts; stored for the next checks. */
 export function LimitField({ limit_um, tip }: { limit_um: number | null; tip: boolean }) {
   const limit = useLengthField(limit_um, "µm");
-  const set = () => sendCommand("arm", "set_limit", { limit_um: limit.value });
-  const submit = (event: FormEvent) => {
-    event.preventDefault();
-    if (limit.valid) void set();
-  };
+  const set = () => setValue("arm", "set_limit", { limit_um: limit.value });
+  const { changed, valid, form } = useFieldForm([limit], set);
   return (
-    <form className={styles.field} onSubmit={submit}>
+    <form className={styles.field} {...form}>
       <label className={styles.label} htmlFor="arm-limit">
         {tip ? t("ui-limit-diameter-error-scatter") : t("ui-limit-max-min-2-axis")}
       </label>
@@ -29,8 +25,8 @@ export function LimitField({ limit_um, tip }: { limit_um: number | null; tip: bo
           placeholder={t("ui-none")}
           onText={limit.setText}
         />
-        {limit.changed && (
-          <PressButton onPress={set} disabled={!limit.valid}>
+        {changed && (
+          <PressButton onPress={set} disabled={!valid}>
             {t("ui-set")}
           </PressButton>
         )}

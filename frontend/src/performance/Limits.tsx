@@ -1,10 +1,11 @@
-import { type FormEvent, useId } from "react";
+import { useId } from "react";
 
-import { sendCommand } from "../api/guideCommands";
+import { setValue } from "../api/guideCommands";
 import type { PerformanceLimitLine } from "../api/wire";
 import { unitOf } from "../parts/lengths";
 import { PressButton } from "../parts/PressButton";
 import { UnitInput } from "../parts/UnitInput";
+import { useFieldForm } from "../parts/useFieldForm";
 import { useLengthField } from "../parts/useLengthField";
 import { t } from "../state/language";
 import styles from "./ArtefactChoice.module.css";
@@ -28,20 +29,15 @@ function Limit({ limit }: { limit: PerformanceLimitLine }) {
   const a = useLengthField(limit.a_um, "µm");
   const k = useLengthField(limit.k, "");
   const b = useLengthField(limit.b_um, "µm");
-  const fields = [a, k, b];
-  const valid = fields.every((field) => field.valid);
   const set = () => {
     const grows = limit.grows && a.value !== null ? { k: k.value, b_um: b.value } : {};
-    return sendCommand("performance", "set_limit", { quantity: limit.quantity, a_um: a.value, ...grows });
+    return setValue("performance", "set_limit", { quantity: limit.quantity, a_um: a.value, ...grows });
   };
-  const submit = (event: FormEvent) => {
-    event.preventDefault();
-    if (valid) void set();
-  };
+  const { changed, valid, form } = useFieldForm([a, k, b], set);
   const id = useId();
   return (
     <li>
-      <form className={styles.limit} onSubmit={submit}>
+      <form className={styles.limit} {...form}>
         <label htmlFor={id} className={styles.what}>
           <span className={styles.title}>{limit.title}</span>
           <span className={styles.symbol}>{limit.symbol}</span>
@@ -56,7 +52,7 @@ function Limit({ limit }: { limit: PerformanceLimitLine }) {
         ) : (
           <UnitInput id={id} unit={unitOf("µm")} value={a.text} placeholder={t("ui-none")} onText={a.setText} />
         )}
-        {fields.some((field) => field.changed) && (
+        {changed && (
           <PressButton onPress={set} disabled={!valid}>
             {t("ui-set")}
           </PressButton>

@@ -1,9 +1,10 @@
-import { type FormEvent, type ReactNode, useId } from "react";
+import { type ReactNode, useId } from "react";
 
-import { sendCommand } from "../api/guideCommands";
+import { setValue } from "../api/guideCommands";
 import type { PerformancePicture } from "../api/wire";
 import { PressButton } from "../parts/PressButton";
 import { UnitInput } from "../parts/UnitInput";
+import { useFieldForm } from "../parts/useFieldForm";
 import { useLengthField } from "../parts/useLengthField";
 import { t } from "../state/language";
 import styles from "./ArtefactChoice.module.css";
@@ -20,22 +21,18 @@ export function Temperatures({ picture: { artefact_c, arm_c, expanded_c }, end =
   const uncertainty = useLengthField(artefact_c === null ? null : expanded_c, "°C");
   const arm = useLengthField(arm_c, "°C");
   const fields = [artefact, arm, ...(end ? [] : [uncertainty])];
-  const valid = fields.every((field) => field.valid);
   const set = () =>
-    sendCommand("performance", "set_temperature", {
+    setValue("performance", "set_temperature", {
       celsius: artefact.value,
       arm_c: arm.value,
       expanded_c: artefact.value === null ? 0 : (uncertainty.value ?? 0),
     });
-  const submit = (event: FormEvent) => {
-    event.preventDefault();
-    if (valid) void set();
-  };
+  const { changed, valid, form } = useFieldForm(fields, set);
   return (
     <section>
       <h3 className={styles.heading}>{end ? t("ui-temperatures-at-the-end") : t("ui-temperatures")}</h3>
       <p className={styles.text}>{end ? t("ui-temperatures-at-the-end-why") : t("ui-temperatures-why")}</p>
-      <form className={styles.limits} onSubmit={submit}>
+      <form className={styles.limits} {...form}>
         <Row title={t("ui-temperature-of-the-artefact")}>
           {(id) => (
             <>
@@ -52,7 +49,7 @@ export function Temperatures({ picture: { artefact_c, arm_c, expanded_c }, end =
         <Row title={t("ui-temperature-of-the-arm")}>
           {(id) => <Degrees id={id} field={arm} placeholder={t("ui-none")} />}
         </Row>
-        {fields.some((field) => field.changed) && (
+        {changed && (
           <div className={styles.limit}>
             <PressButton onPress={set} disabled={!valid}>
               {t("ui-set")}

@@ -1,4 +1,4 @@
-import { type FormEvent, type ReactNode, useId } from "react";
+import { type ReactNode, useId } from "react";
 
 import { changeSettings } from "../api/settingsCommands";
 import type { StationSettings } from "../api/wire";
@@ -6,6 +6,7 @@ import fields from "../parts/Field.module.css";
 import { unitOf } from "../parts/lengths";
 import { PressButton } from "../parts/PressButton";
 import { UnitInput } from "../parts/UnitInput";
+import { useFieldForm } from "../parts/useFieldForm";
 import { useLengthField } from "../parts/useLengthField";
 import { t } from "../state/language";
 
@@ -30,12 +31,9 @@ export function NumberSetting(props: NumberSettingProps) {
   const set = async () => {
     await changeSettings({ [name]: field.value });
   };
-  const submit = (event: FormEvent) => {
-    event.preventDefault();
-    if (field.valid) void set();
-  };
+  const { changed, valid, form } = useFieldForm([field], set);
   return (
-    <form className={fields.field} onSubmit={submit}>
+    <form className={fields.field} {...form}>
       <label className={fields.label} htmlFor={id}>
         {label}
       </label>
@@ -49,8 +47,8 @@ export function NumberSetting(props: NumberSettingProps) {
           aria-describedby={`${id}-help`}
           onText={field.setText}
         />
-        {field.changed ? (
-          <PressButton onPress={set} disabled={!field.valid}>
+        {changed ? (
+          <PressButton onPress={set} disabled={!valid}>
             {t("ui-set")}
           </PressButton>
         ) : (
