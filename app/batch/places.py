@@ -14,6 +14,7 @@ from app.archive.records import stamps_in
 from app.archive.remote_store import RemoteStore, open_store
 from app.archive.transfer import newest_manifest
 from app.errors import OperationError
+from app.formats.file_names import check_name
 from app.formats.io_errors import convert_io_errors
 from app.formats.open_file import open_file
 from app.messages.message import message
@@ -190,7 +191,12 @@ def settings_for(url: str, keys: ArchiveSettings | None = None) -> ArchiveSettin
 
     Args:
         keys: of the store; None: what its library finds.
+
+    Raises:
+        OperationError: a name in the address is not valid Unicode.
     """
+    for name in Path(url).parts:
+        check_name(Path(name))
     fields = {"url": url if REMOTE in url else str(Path(url).absolute())}
     context = Path.cwd() / "station.toml"
     made = ArchiveSettings.model_validate(fields, context=context)

@@ -11,6 +11,7 @@ from pathlib import Path
 
 from app.archive.manifest import Kind
 from app.archive.remote_store import RemoteStore
+from app.archive.store_errors import DamagedCopyError
 from app.batch.period import ALWAYS, Period
 from app.batch.places import Place, PlaceRecord, RecordFile
 from app.errors import OperationError
@@ -121,9 +122,11 @@ def _read_if_chosen(
     file = record.files.get(RECORDING)
     if file is None or not may_be_within(selection.period, file) or _is_written(file):
         return None
-    start = BytesIO(store.read_start(file.name, LARGEST_PREAMBLE))
+    start = BytesIO()
+    with suppress(DamagedCopyError):  # who works on it says what is wrong
+        start = BytesIO(store.read_start(file.name, LARGEST_PREAMBLE))
     metadata: dict[str, str] = {}
-    with suppress(OperationError):  # who works on it says what is wrong
+    with suppress(OperationError):
         metadata = read_station_metadata(Path(file.name), start)
     found = ScanRecording(record.id, file, metadata)
     ids = set(found.calibration_ids.values())

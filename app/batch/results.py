@@ -11,13 +11,14 @@ from typing import Any, ClassVar
 
 from app.archive.archive_settings import ArchiveSettings
 from app.archive.remote_store import PIECE_BYTES, open_store
+from app.archive.store_errors import DamagedCopyError
 from app.batch.calibrations import BySensor
 from app.batch.task import Desk
 from app.errors import OperationError
 from app.formats.atomic_write import ensure_folder
 from app.formats.io_errors import convert_io_errors
 from app.formats.json_document import Document, DocumentPart, Software
-from app.formats.open_file import open_file
+from app.formats.open_file import LARGEST_DOCUMENT, open_file
 from app.messages.message import Text, message
 
 SHORT_KEY = 16
@@ -78,11 +79,12 @@ class ResultStore:
     def read(self, stem: str) -> dict[str, Any] | None:
         """The fields of a result's document; None if there is no whole one."""
         name = stem + DOCUMENT
-        if self._store.size(name) is None:
-            return None
         try:
+            size = self._store.size(name)
+            if size is None or size > LARGEST_DOCUMENT:
+                return None
             fields = json.loads(b"".join(self._store.read(name)))
-        except (ValueError, RecursionError):
+        except (DamagedCopyError, ValueError, RecursionError):
             return None
         return fields if isinstance(fields, dict) else None
 

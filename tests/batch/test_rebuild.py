@@ -161,6 +161,26 @@ def test_nothing_is_written_into_what_is_read(archive: Path, tmp_path: Path) -> 
     assert not (archive / "clouds").exists()
 
 
+def test_what_is_no_file_in_an_archive_is_named_and_the_rest_is_made(
+    archive: Path, tmp_path: Path
+) -> None:
+    recording = next(archive.glob("scans/one/*/scan.mcap"))
+    recording.unlink()
+    os.mkfifo(recording)
+    results = ResultStore(settings_for(str(tmp_path / "clouds")))
+    results.prepare()
+    made = plan_rebuild(find_places([str(archive)]), Selection(), results.settings, ".ply")
+    assert (len(made.tasks), len(made.refused)) == (2, 1)
+    os.mkfifo(tmp_path / "clouds" / "one.json")
+    assert results.read("one") is None
+
+
+def test_a_name_of_an_address_that_is_no_text_is_refused(archive: Path) -> None:
+    archive.rename(archive.with_name("room-\udcfc"))
+    with pytest.raises(OperationError, match="is not UTF-8"):
+        find_places([str(archive.parent)])
+
+
 def test_an_address_without_records_is_refused(tmp_path: Path) -> None:
     with pytest.raises(OperationError, match="is no archive"):
         find_places([str(tmp_path)])
