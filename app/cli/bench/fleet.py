@@ -1,0 +1,77 @@
+"""Benches of a fleet: the catalogue, and the rebuilding of many recordings."""
+
+from functools import partial
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from app.cli.bench.group import Shown, bench, measure
+from app.console import (
+    AsJson,
+    report_errors,
+)
+
+
+@bench.command()
+@report_errors
+def catalogue(
+    rows: Annotated[int, typer.Option(min=10_000, help="Rows of all tables.")] = 1_000_000,
+    database: Annotated[
+        str, typer.Option(help="Address of an empty catalogue; by default a file of SQLite.")
+    ] = "",
+    as_json: AsJson = False,
+) -> None:
+    """Store invented records of 100 stations in a catalogue, and measure its questions."""
+    from app.fleet.catalogue.libraries import check_libraries
+
+    check_libraries()
+    from app.bench.fleet.catalogue import COLUMNS, run, table
+
+    shown = Shown("Storing", "The catalogue of 100 stations")
+    measure(shown, as_json, partial(run, rows, database), COLUMNS, table)
+
+
+@bench.command()
+@report_errors
+def batch(
+    recordings: Annotated[int, typer.Option(min=2, help="Of all stations together.")] = 200,
+    disk: Annotated[
+        Path, typer.Option(help="Folder on the disk that is measured.", file_okay=False)
+    ] = Path(),
+    lost: Annotated[
+        bool,
+        typer.Option(
+            "--lost",
+            help="Instead, let stations record into an S3-compatible store (package moto), and "
+            "rebuild while a worker, the scheduler and the store are lost.",
+        ),
+    ] = False,
+    stations: Annotated[int, typer.Option(min=1, max=50, help="With --lost.")] = 3,
+    seconds: Annotated[
+        float, typer.Option(min=0.1, help="With --lost, of each recording; otherwise 5.")
+    ] = 5.0,
+    away: Annotated[
+        float, typer.Option(min=0.0, metavar="S", help="With --lost: the store is away so long.")
+    ] = 60.0,
+    as_json: AsJson = False,
+) -> None:
+    """Rebuild copies of a simulated recording by one and two workers, in memory and on a disk."""
+    if lost:
+        _batch_lost(recordings, disk, stations, seconds, away, as_json)
+        return
+    from app.bench.fleet.batch import COLUMNS, run, table
+
+    shown = Shown("Rebuilding", "Many recordings of 5 s", "runs")
+    measure(shown, as_json, partial(run, recordings, disk), COLUMNS, table)
+
+
+def _batch_lost(
+    recordings: int, disk: Path, stations: int, seconds: float, away_s: float, as_json: bool
+) -> None:
+    """Prints what became of recordings while everything was lost once."""
+    from app.bench.fleet.lost import COLUMNS, LossPlan, run, table
+
+    plan = LossPlan(stations, recordings, seconds, away_s)
+    shown = Shown("Losing", "Recordings while a worker, the scheduler and the store are lost")
+    measure(shown, as_json, partial(run, plan, disk), COLUMNS, table)
