@@ -11,6 +11,7 @@ from tempfile import TemporaryDirectory
 from typing import TYPE_CHECKING
 
 from app.bench.fleet.invented import START, invent_entries
+from app.fleet.ageing import ageing_of, spread_of
 from app.fleet.catalogue.catalogue import FleetCatalogue
 from app.fleet.catalogue.entry import CatalogueEntry
 from app.fleet.catalogue.reading import (
@@ -29,7 +30,6 @@ if TYPE_CHECKING:
 
 AT_ONCE = 2000
 ROUNDS = 5
-STATIONS = 100
 COLUMNS: Sequence[Text] = ("question", "answers", "median, ms", "longest, ms")
 
 
@@ -61,8 +61,8 @@ class CatalogueFigures:
         return 1e6 * self.store_s / max(self.rows, 1)
 
 
-def run(rows: int, url: str, progress: Progress) -> CatalogueFigures:
-    """Stores at least so many rows, then asks.
+def run(rows: int, stations: int, url: str, progress: Progress) -> CatalogueFigures:
+    """Stores at least so many rows of so many stations, then asks.
 
     Args:
         url: of an empty catalogue; empty: a new file of SQLite, removed at the end.
@@ -70,11 +70,11 @@ def run(rows: int, url: str, progress: Progress) -> CatalogueFigures:
     with TemporaryDirectory(prefix="crenel-bench-") as folder:
         file = Path(folder) / "catalogue.db"
         with FleetCatalogue(url or f"sqlite:///{file}") as catalogue:
-            found = _fill(catalogue, rows, progress)
+            found = _fill(catalogue, rows, stations, progress)
             if not url:
                 found.bytes = sum(one.stat().st_size for one in Path(folder).iterdir())
             with catalogue.reading() as connection:
-                for name, ask in _questions(found.records).items():
+                for name, ask in _questions(found.records, stations).items():
                     found.questions.append(_time(name, ask, connection))
     return found
 
@@ -91,9 +91,11 @@ def table(found: CatalogueFigures) -> list[Sequence[Text]]:
     return rows
 
 
-def _fill(catalogue: FleetCatalogue, rows: int, progress: Progress) -> CatalogueFigures:
+def _fill(
+    catalogue: FleetCatalogue, rows: int, stations: int, progress: Progress
+) -> CatalogueFigures:
     found = CatalogueFigures()
-    entries = invent_entries(STATIONS, rows)
+    entries = invent_entries(stations, rows)
     while found.rows < rows:
         some = list(islice(entries, AT_ONCE))
         began_s = time.perf_counter()
@@ -109,12 +111,12 @@ def _count_rows(entry: CatalogueEntry) -> int:
     return 1 + len(entry.files) + len(entry.figures) + len(entry.words)
 
 
-def _questions(records: int) -> "dict[str, Callable[[Connection], int]]":
+def _questions(records: int, stations: int) -> "dict[str, Callable[[Connection], int]]":
     """Each with the number of its answers."""
-    own = records // STATIONS
+    own = records // stations
     middle = START + timedelta(minutes=26) * (own // 2)
-    number = min(7 + 20 * STATIONS, records - 1)
-    sample = next(islice(invent_entries(STATIONS, records), number, None))
+    number = min(7 + 20 * stations, records - 1)
+    sample = next(islice(invent_entries(stations, records), number, None))
 
     def finder(**query: object) -> "Callable[[Connection], int]":
         wanted = SearchQuery(**query)  # type: ignore[arg-type]
@@ -137,6 +139,15 @@ def _questions(records: int) -> "dict[str, Callable[[Connection], int]]":
         ),
         "a symbol of all stations, a year": lambda connection: len(
             figure_points(connection, "location-scan", since=middle)
+        ),
+        "calibrations of every sensor": lambda connection: sum(
+            len(sensor.values) for sensor in spread_of(connection, "point-uncertainty")
+        ),
+        "ageing of a gauge's offset at one station": lambda connection: sum(
+            len(station.points) for station in ageing_of(connection, "gauge-offset", ["room-7"])
+        ),
+        "ageing of a gauge's offset at all stations": lambda connection: sum(
+            len(station.points) for station in ageing_of(connection, "gauge-offset")
         ),
         "which quantities there are": lambda connection: len(quantities(connection)),
         "all stations with their counts": lambda connection: len(summarise_stations(connection)),

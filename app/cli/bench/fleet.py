@@ -7,29 +7,27 @@ from typing import Annotated
 import typer
 
 from app.cli.bench.group import Shown, bench, measure
-from app.console import (
-    AsJson,
-    report_errors,
-)
+from app.console import AsJson, report_errors
 
 
 @bench.command()
 @report_errors
 def catalogue(
     rows: Annotated[int, typer.Option(min=10_000, help="Rows of all tables.")] = 1_000_000,
+    stations: Annotated[int, typer.Option(min=10, help="Number of invented stations.")] = 100,
     database: Annotated[
         str, typer.Option(help="Address of an empty catalogue; by default a file of SQLite.")
     ] = "",
     as_json: AsJson = False,
 ) -> None:
-    """Store invented records of 100 stations in a catalogue, and measure its questions."""
+    """Store invented records of many stations in a catalogue, and measure its questions."""
     from app.fleet.catalogue.libraries import check_libraries
 
     check_libraries()
     from app.bench.fleet.catalogue import COLUMNS, run, table
 
-    shown = Shown("Storing", "The catalogue of 100 stations")
-    measure(shown, as_json, partial(run, rows, database), COLUMNS, table)
+    shown = Shown("Storing", f"The catalogue of {stations} stations")
+    measure(shown, as_json, partial(run, rows, stations, database), COLUMNS, table)
 
 
 @bench.command()

@@ -6,12 +6,7 @@ from typing import Any, TypeVar
 
 import typer
 
-from app.console import (
-    FullHelpGroup,
-    print_json,
-    print_table,
-    progress_bar,
-)
+from app.console import FullHelpGroup, print_json, print_table, progress_bar
 from app.messages.message import Text
 from app.progress import Progress
 

@@ -7,11 +7,7 @@ from typing import Annotated
 import typer
 
 from app.cli.bench.group import Shown, bench, measure
-from app.console import (
-    AsJson,
-    progress_bar,
-    report_errors,
-)
+from app.console import AsJson, progress_bar, report_errors
 
 
 @bench.command()
