@@ -13,7 +13,7 @@ from app.errors import OperationError
 from app.formats.atomic_write import write_atomically
 from app.formats.file_names import display_path
 from app.formats.io_errors import convert_io_errors, error_from_validation
-from app.formats.open_file import open_file, read_bounded
+from app.formats.open_file import LARGEST_DOCUMENT, open_file, read_bounded
 from app.messages.message import message
 from app.messages.stored import RENDERED, SUFFIX, restore_texts
 
@@ -24,6 +24,8 @@ _NUMBERS = re.compile(r"\[\n\s+([-+.eE\d,\s]+?)\n\s+\]")
 _HALF = re.compile(r"\\u[dD][89a-fA-F]")
 """An escape that may be half of a character."""
 LARGEST = 1e9
+BLOCK_BYTES, MOST_PACKED = 512, 100
+"""Unit of ``st_blocks``, and how much file systems compress at most."""
 
 
 def _as_number(value: object) -> object:
@@ -209,3 +211,17 @@ def file_sha256(path: Path) -> str:
     """The file's SHA-256 in hexadecimal; raises ``OperationError`` where it cannot be read."""
     with convert_io_errors(path), open_file(path) as file:
         return hashlib.file_digest(file, "sha256").hexdigest()
+
+
+def has_sha256(path: Path, sha256: str) -> bool:
+    """Whether a file has this SHA-256.
+
+    A large file that takes almost no disk space has been extended since, and would take hours to
+    read; raises ``OperationError`` where it cannot be read.
+    """
+    with convert_io_errors(path):
+        state = path.stat()
+    on_disk = state.st_blocks * BLOCK_BYTES * MOST_PACKED
+    if state.st_size > LARGEST_DOCUMENT and on_disk < state.st_size:
+        return False
+    return file_sha256(path) == sha256

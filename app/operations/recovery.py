@@ -14,7 +14,7 @@ from app.errors import OperationError, sentence
 from app.formats.atomic_write import sync_file, sync_folder
 from app.formats.datasheets.arm import read_any_arm
 from app.formats.io_errors import convert_io_errors
-from app.formats.json_document import file_sha256, read_text
+from app.formats.json_document import has_sha256, read_text
 from app.formats.performance.plan import RESULT
 from app.formats.recording.reader import (
     SCAN_CALIBRATION,
@@ -71,7 +71,7 @@ class Recovery:
         self._scans = store.folder / "scans"
         self._folders = ScanFolders(self._scans)
         self._errors: dict[str, OperationError] = {}
-        self._hashed: dict[tuple[Path, int], str] = {}
+        self._hashed: dict[tuple[Path, int, str], bool] = {}
         self._not_before_s = 0.0
         self._ending = threading.Event()
         self._thread: threading.Thread | None = None
@@ -244,12 +244,12 @@ class Recovery:
         """Whether an incomplete recording was accepted as such, for example after a killed
         process."""
         try:
-            key = path, path.stat().st_size
+            key = path, path.stat().st_size, sha256
             if key not in self._hashed:
-                self._hashed[key] = file_sha256(path)
-        except OSError:
+                self._hashed[key] = has_sha256(path, sha256)
+        except (OSError, OperationError):
             return False
-        return self._hashed[key] == sha256
+        return self._hashed[key]
 
 
 def _scan_record(folder: Path, metadata: dict[str, str]) -> ScanRecord:

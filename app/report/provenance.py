@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Literal
 
-from app.formats.json_document import file_sha256
+from app.formats.json_document import file_sha256, has_sha256
 from app.formats.results.calibration import Input
 from app.messages.message import Message, Text, message, word
 from app.report.content import Block, Findings, ReportFinding, ReportTable, Section, TextBlock
@@ -47,4 +47,4 @@ def _state(folder: Path, one: Input) -> FileState:
     path = folder / one.file
     if not path.is_file():
         return "missing"
-    return "unchanged" if file_sha256(path) == one.sha256 else "changed"
+    return "unchanged" if has_sha256(path, one.sha256) else "changed"

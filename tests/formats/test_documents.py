@@ -1,8 +1,10 @@
 """arm.json, object.json, sensor.json, nominals and calibrations: read back, and refused."""
 
 import json
+import os
 from contextlib import suppress
 from dataclasses import replace
+from hashlib import sha256
 from pathlib import Path
 from typing import Any
 
@@ -16,7 +18,7 @@ from app.formats.datasheets.arm import read_arm
 from app.formats.datasheets.gauge_nominal import read_nominal
 from app.formats.datasheets.sensor import SensorDatasheet, read_sensor
 from app.formats.datasheets.target import read_object
-from app.formats.json_document import Document
+from app.formats.json_document import Document, has_sha256
 from app.formats.results.calibration import (
     CalibrationFile,
     FindingPart,
@@ -360,3 +362,14 @@ def test_any_probe_matrix_reads_back(tmp_path: Path, turn: list[float], move: li
     T = rigid(rotation_from_vector(np.array(turn)), np.array(move))
     edit_json(path, lambda fields: fields.update(probe_matrix=T.tolist()))
     np.testing.assert_array_equal(read_calibration(path).T_flange_sensor, T)
+
+
+def test_the_hash_of_a_file_that_was_extended_is_not_computed(tmp_path: Path) -> None:
+    path = tmp_path / "scan.mcap"
+    path.write_bytes(b"recorded")
+    assert has_sha256(path, sha256(b"recorded").hexdigest())
+    assert not has_sha256(path, "0" * 64)
+    os.truncate(path, 1 << 42)
+    assert not has_sha256(path, sha256(b"recorded").hexdigest())
+    with pytest.raises(OperationError):
+        has_sha256(tmp_path / "none", "0" * 64)
