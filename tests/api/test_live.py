@@ -93,7 +93,7 @@ def test_the_next_picture_waits_for_the_last_to_be_acknowledged(server: Server) 
         socket.send(json.dumps({"type": "preview", "on": True}))
         first = picture(socket, 10.0)
         assert first is not None
-        assert first["width_px"] == 1280
+        assert first["width_px"] == server.simulation.config.width_px
         assert picture(socket, 1.0) is None
         socket.send(json.dumps({"type": "preview_ack", "seq": first["seq"]}))
         second = picture(socket, 10.0)
