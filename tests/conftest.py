@@ -1,6 +1,7 @@
 """Fixtures that all tests share."""
 
 from collections.abc import Iterator
+from itertools import groupby
 from pathlib import Path
 
 import pytest
@@ -10,6 +11,8 @@ import app  # noqa: F401  # sets the numerical libraries' threads before numpy i
 from app.native.library import CRENEL
 
 SHARED = Path(__file__).resolve().parents[2] / "shared"
+WAITING = {"hardware", "station"}
+"""Folders of tests that mostly wait for devices."""
 
 settings.register_profile("usual", deadline=None)
 settings.register_profile("long", max_examples=5_000, deadline=None)
@@ -23,6 +26,19 @@ def pytest_addoption(parser: pytest.Parser) -> None:
         action="store_true",
         help="leave a screenshot of every view of the browser tests in test-output/e2e",
     )
+
+
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    """Spreads the files whose tests mostly wait over all others: the workers share processors."""
+    files = [list(tests) for _, tests in groupby(items, lambda item: item.path)]
+    waiting = [tests for tests in files if tests[0].path.parent.name in WAITING]
+    others = [tests for tests in files if tests[0].path.parent.name not in WAITING]
+    placed = [
+        ((number + 0.5) / len(group), tests)
+        for group in (waiting, others)
+        for number, tests in enumerate(group)
+    ]
+    items[:] = [test for _, tests in sorted(placed, key=lambda one: one[0]) for test in tests]
 
 
 @pytest.fixture(scope="session")

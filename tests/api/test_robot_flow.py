@@ -12,6 +12,7 @@ import pytest
 from app.formats.clouds.files import read_cloud
 from app.formats.datasheets.arm import read_any_arm
 from app.formats.results.calibration import read_calibration
+from app.metrology.robust import sigma_from_median
 from app.metrology.transforms import Floats
 from app.server.demo import ROBOT
 from app.workflows.reconstruct import reconstruct_points
@@ -96,7 +97,9 @@ def test_a_scan_is_rebuilt_to_the_same_points(calibrated: Server, tmp_path: Path
     assert len(on_plate_um) > 1000
     expanded_um = 2 * stated_um(session)
     assert abs(np.median(on_plate_um)) < 1.5 * expanded_um
-    assert np.std(on_plate_um) < 1.5 * expanded_um
+    # not the standard deviation: points at the plate's rim, while the sensor arrives, are few
+    away_um = np.abs(on_plate_um - np.median(on_plate_um))
+    assert sigma_from_median(away_um) < 1.5 * expanded_um
 
 
 def test_a_verification_needs_no_touches(calibrated: Server) -> None:

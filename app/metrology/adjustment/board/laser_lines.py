@@ -10,6 +10,7 @@ from app.errors import OperationError
 from app.messages.message import message, quantity
 from app.metrology.adjustment.board.bundle import Bundle
 from app.metrology.adjustment.board.observations import BoardView, intersect_surface
+from app.metrology.adjustment.board.straight_line import mask_straight_piece
 from app.metrology.adjustment.board.surface import around_pattern
 from app.metrology.adjustment.core.gauss_newton import AdjustmentResult
 from app.metrology.adjustment.core.observations import AdjustmentProblem
@@ -80,7 +81,7 @@ def fit_laser_lines(
     _refuse_parallel([found.cameras[p].rotation[:, 2] for p in enough], plane)
     off = _offsets(in_cam, enough, plane)
     usual = median(np.abs(off[enough]))
-    if usual > max(OFF_MM, OFF_FLATNESSES * views[0].board.flatness_mm):
+    if usual > _least_off_mm(views[0].board.flatness_mm):
         raise OperationError(
             "lines-contradict",
             message(
@@ -108,6 +109,11 @@ def refuse_few_lines(lines: int, pictures: int) -> None:
         message("plane-needs-lines", fewest=FEWEST_LINES),
         message("let-line-cross-board-in-more-pictures", more=FEWEST_LINES - lines),
     )
+
+
+def _least_off_mm(flatness_mm: float) -> float:
+    """Distances that contradict nothing."""
+    return max(OFF_MM, OFF_FLATNESSES * flatness_mm)
 
 
 def _is_minority(far: Sequence[int], seen: Sequence[int]) -> bool:
@@ -144,7 +150,7 @@ def _find_contradictions(
         free = max(2 * len(agreeing) - 3, 1)
         square = float(np.sum((_off_plane(through, plane)[0] / USUAL_SCATTER) ** 2))
         usual = float(USUAL_SCATTER[0] * np.sqrt(square / free))
-        limit = max(OFF_MM, OFF_FLATNESSES * flatness_mm, OFF_TIMES * usual)
+        limit = max(_least_off_mm(flatness_mm), OFF_TIMES * usual)
         agreeing = [p for p in seen if abs(float(off[p])) <= limit]
         if set(agreeing) == before:
             break
@@ -170,10 +176,11 @@ def _prediction_factors(
 
 
 def _line_points(view: BoardView, found: Bundle, pose: int) -> Floats:
-    """(N, 3) points of a view's line on the surface, in the camera frame."""
+    """(N, 3) points of the straight piece of a view's line on the surface, in the camera frame."""
     camera = found.cameras[pose]
     points = intersect_surface(view.board, camera, found.coordinates, view.stripe.uv_px)
     points = points[around_pattern(view.board, points)]
+    points = points[mask_straight_piece(points, _least_off_mm(view.board.flatness_mm))]
     return np.asarray(points @ camera.rotation.T + camera.translation_mm)
 
 
