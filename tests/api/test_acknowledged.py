@@ -8,8 +8,7 @@ from typing import Any
 import pytest
 
 from app.bench.faults.calls import compile_library, preload_environment
-from app.bench.faults.kills import HALF_SIZE
-from app.bench.faults.served import HALF, prepare
+from app.bench.faults.served import HALF, HALF_SIZE, prepare
 from app.bench.faults.station import StationProcess
 from app.errors import OperationError
 from tests.api.traced import Trace

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 from playwright.sync_api import APIResponse, Browser, FilePayload, Page, expect
 
-from app.bench.faults.served import HALF, prepare
+from app.bench.faults.served import HALF, HALF_SIZE, prepare
 from app.formats.performance.plan import read_plan
 from app.formats.performance.results import read_performance
 from tests.e2e.conftest import Demo
@@ -33,9 +33,7 @@ def station(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Demo]:
     gauge = json.loads((data / "gauges" / "step-gauge.json").read_text())
     short = {**gauge, "name": "Short gauge", "lengths": gauge["lengths"][-1:]}
     (data / "gauges" / "short.json").write_text(json.dumps(short))
-    running = Demo(
-        data, (sys.executable, "-m", "app.bench.faults.served", str(data), "--width", "640")
-    )
+    running = Demo(data, (sys.executable, "-m", "app.bench.faults.served", str(data), *HALF_SIZE))
     yield running
     running.end()
 

@@ -1,12 +1,9 @@
 """The one-sphere test at two positions of the sphere."""
 
-import json
 from collections.abc import Mapping
 
 from app.formats.performance.plan import sphere_features
-from app.guide.common.journal import fold
-from app.guide.performance.state import PerformanceState, apply_row
-from tests.guide.builders import FakeRow
+from tests.guide.test_performance_temperatures import state_after
 
 ARTICULATIONS = 5
 Row = tuple[str, Mapping[str, object]]
@@ -30,11 +27,6 @@ def at_position(position: int) -> list[Row]:
         if not feature.startswith(f"p{position}-location") or feature.endswith("5"):
             rows.append(CONFIRM)
     return rows
-
-
-def state_after(*rows: Row) -> PerformanceState:
-    journal = [FakeRow(i + 1, kind, json.loads(json.dumps(p))) for i, (kind, p) in enumerate(rows)]
-    return fold(journal, PerformanceState(), apply_row)
 
 
 def test_the_second_position_follows_the_first() -> None:

@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from app.bench.faults.row import FaultRow
-from app.bench.faults.served import HALF, prepare
+from app.bench.faults.served import HALF, HALF_SIZE, prepare
 from app.bench.faults.station import StationProcess, View
 from app.errors import OperationError
 from app.formats.recording.reader import open_recording
@@ -24,8 +24,6 @@ LOST_S = 0.5
 """So much of a scan may be lost at most."""
 SETTLED = ("what-recorded-kept", "no-points-can-made")
 """Notes of a scan whose cloud is made or cannot be made."""
-HALF_SIZE = ("--width", str(HALF.width_px))
-"""Of the pictures while a guide is killed: what is kept does not depend on it."""
 KillPoint = tuple[str, int]
 KILL_POINTS: dict[str, tuple[KillPoint, ...]] = {
     "flow": (
@@ -179,6 +177,7 @@ def kill_guides(
     places = places or KILL_POINTS[flow]
     for number, place in enumerate([*places, None]):
         progress(number / len(places), f"{flow}: {place[0] if place else 'the end'}")
+        # what is kept does not depend on the pictures' size
         with StationProcess(data, options=HALF_SIZE) as station:
             station.enter()
             if before is None:

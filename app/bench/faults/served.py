@@ -29,6 +29,8 @@ from hardware.simulator.station import (
 CONFIG = SimulationConfig(pace=4.0)
 HALF = replace(CONFIG, width_px=640, height_px=512)
 """Drawn four times as fast; enough for points and scans, and for calibrations if need be."""
+HALF_SIZE = ("--width", str(HALF.width_px))
+"""The options of the command for it."""
 SMALL = SimulationConfig(width_px=320, height_px=256, frames_hz=10.0, rate_hz=250.0)
 """Costs so little that several stations share a machine."""
 HOST = "127.0.0.1"
