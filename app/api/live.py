@@ -6,7 +6,6 @@ topic, so that a slow tab delays nobody.
 
 import asyncio
 import contextlib
-import logging
 import time
 
 from fastapi import APIRouter, WebSocket
@@ -33,9 +32,6 @@ from app.wire.live_messages import (
 )
 
 router = APIRouter()
-log = logging.getLogger(__name__)
-UNSENT: set[str] = set()
-"""Topics that could not be sent; each is logged once."""
 BEAT_S = 1.0
 POLICY_VIOLATION = 1008
 LONGEST_REQUEST = 1024
@@ -116,15 +112,9 @@ class _Tab:
 
     async def _topic(self, name: str, value: object) -> None:
         """Omits a topic that cannot be sent; the others continue."""
-        message = {"type": "topic", "name": name, "value": value}
-        try:
-            text = encode_json(message).decode()
-        except (ValueError, TypeError, RecursionError):
-            if name not in UNSENT:  # a topic may occur many times per second
-                UNSENT.add(name)
-                log.exception("the topic %s cannot be sent", name)
-            return
-        await self._socket.send_text(text)
+        text = self._context.topic_texts.of(name, value)
+        if text is not None:
+            await self._socket.send_text(text)
 
     async def _text(self, message: object) -> None:
         await self._socket.send_text(encode_json(message).decode())

@@ -14,7 +14,8 @@ from app.archive.archive_settings import ArchiveSettings
 from app.archive.store_errors import convert_foreign_kinds, convert_store_errors
 from app.errors import OperationError
 from app.formats.atomic_write import atomic_file, ensure_folder
-from app.formats.open_file import open_file
+from app.formats.io_errors import error_from_os
+from app.formats.open_file import LARGEST_DOCUMENT, open_file
 from app.messages.message import message
 
 log = logging.getLogger(__name__)
@@ -47,6 +48,18 @@ class RemoteStore(Protocol):
 
     def names(self, folder: str) -> list[str]:
         """The names in a folder, sorted; empty if there is none."""
+
+
+def read_document(store: RemoteStore, name: str) -> bytes:
+    """A small file, however long what is there under its name.
+
+    Raises:
+        OperationError: it is longer than any document, or it cannot be read.
+    """
+    content = store.read_start(name, LARGEST_DOCUMENT + 1)
+    if len(content) > LARGEST_DOCUMENT:
+        raise error_from_os(OSError(errno.EOVERFLOW, os.strerror(errno.EOVERFLOW)), Path(name))
+    return content
 
 
 class FolderStore:

@@ -58,6 +58,11 @@ class DamagedCopyError(StoreError):
         )
 
 
+def is_of_whole_place(error: OperationError) -> bool:
+    """Whether it concerns the store, and not one of its files alone."""
+    return isinstance(error, StoreError) and not isinstance(error, DamagedCopyError)
+
+
 @contextmanager
 def convert_foreign_kinds(name: str) -> Iterator[None]:
     """Turns the errors for a folder, a pipe or a loop of links under the name of a file into a

@@ -16,12 +16,12 @@ from app.archive.manifest import MANIFEST, ArchivedFile, ArchiveNote, Manifest, 
 from app.archive.pace import Pace
 from app.archive.planning import FileStamp, StationRecord
 from app.archive.records import stamps_in
-from app.archive.remote_store import PIECE_BYTES, RemoteStore
+from app.archive.remote_store import PIECE_BYTES, RemoteStore, read_document
 from app.archive.store_errors import DamagedCopyError, SourceError, StoreError
 from app.errors import OperationError
 from app.formats.file_names import display_path
 from app.formats.io_errors import error_from_os
-from app.formats.open_file import LARGEST_DOCUMENT, open_file
+from app.formats.open_file import open_file
 from app.messages.message import message
 from app.timestamps import utc_now
 
@@ -85,10 +85,9 @@ def read_manifest(store: RemoteStore, folder: str) -> Manifest | None:
     another folder."""
     name = f"{folder}/{MANIFEST}"
     try:
-        size = store.size(name)
-        if size is None or size > LARGEST_DOCUMENT:
+        if store.size(name) is None:
             return None
-        found = Manifest.parse(b"".join(store.read(name)), name)
+        found = Manifest.parse(read_document(store, name), name)
     except DamagedCopyError:
         return None
     except StoreError:

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
-from app.archive.remote_store import RemoteStore
+from app.archive.remote_store import RemoteStore, read_document
 from app.batch.places import Place
 from app.batch.recordings import ScanRecording
 from app.errors import OperationError
@@ -114,13 +114,13 @@ def read_files(place: Place, calibration_id: str, store: RemoteStore) -> Calibra
     """A calibration of a place; None if it has none with this id.
 
     Raises:
-        OperationError: the place cannot be read.
+        OperationError: the place cannot be read, or a file is longer than any document.
     """
     record = place.record("sessions", calibration_id, store)
     if record is None or not {ARM, CALIBRATION} <= record.files.keys():
         return None
     calibration, arm = (
-        b"".join(store.read(record.files[name].name)) for name in (CALIBRATION, ARM)
+        read_document(store, record.files[name].name) for name in (CALIBRATION, ARM)
     )
     return CalibrationFiles(calibration_id, calibration, arm)
 

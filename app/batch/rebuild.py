@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from app.archive.archive_settings import ArchiveSettings
-from app.archive.store_errors import StoreError
+from app.archive.store_errors import is_of_whole_place
 from app.batch.calibrations import BySensor, CalibrationFinder, GivenCalibrations
 from app.batch.places import Dependency, Place
 from app.batch.recordings import RECORDING, ScanRecording, Selection, find_recordings
@@ -119,9 +119,9 @@ def plan_rebuild(
         try:
             calibrations = given if given is not None else finder.of_recording(recording)
             digest = recording.file.digest()
-        except StoreError:
-            raise
         except OperationError as error:
+            if is_of_whole_place(error):
+                raise
             refused.append((name, Refusal.of(error)))
             continue
         key = key_of("rebuild", digest, calibrations, suffix)

@@ -10,15 +10,15 @@ from pathlib import Path
 from typing import Any, ClassVar
 
 from app.archive.archive_settings import ArchiveSettings
-from app.archive.remote_store import PIECE_BYTES, open_store
-from app.archive.store_errors import DamagedCopyError
+from app.archive.remote_store import PIECE_BYTES, open_store, read_document
+from app.archive.store_errors import is_of_whole_place
 from app.batch.calibrations import BySensor
 from app.batch.task import Desk
 from app.errors import OperationError
 from app.formats.atomic_write import ensure_folder
 from app.formats.io_errors import convert_io_errors
 from app.formats.json_document import Document, DocumentPart, Software
-from app.formats.open_file import LARGEST_DOCUMENT, open_file
+from app.formats.open_file import open_file
 from app.messages.message import Text, message
 
 SHORT_KEY = 16
@@ -80,11 +80,14 @@ class ResultStore:
         """The fields of a result's document; None if there is no whole one."""
         name = stem + DOCUMENT
         try:
-            size = self._store.size(name)
-            if size is None or size > LARGEST_DOCUMENT:
+            if self._store.size(name) is None:
                 return None
-            fields = json.loads(b"".join(self._store.read(name)))
-        except (DamagedCopyError, ValueError, RecursionError):
+            fields = json.loads(read_document(self._store, name))
+        except (ValueError, RecursionError):
+            return None
+        except OperationError as error:
+            if is_of_whole_place(error):
+                raise
             return None
         return fields if isinstance(fields, dict) else None
 

@@ -11,8 +11,8 @@ from tempfile import TemporaryDirectory
 from typing import Any, Literal
 
 from app.archive.archive_settings import ArchiveSettings
-from app.archive.remote_store import RemoteStore
-from app.archive.store_errors import StoreError
+from app.archive.remote_store import RemoteStore, read_document
+from app.archive.store_errors import is_of_whole_place
 from app.batch.calibrations import ARM, CALIBRATION, CalibrationFiles, read_files
 from app.batch.places import Dependency, Place, PlaceRecord
 from app.batch.recordings import Selection, find_records
@@ -106,12 +106,13 @@ def plan_verifications(
                     continue
                 known, own = found
                 if rebuilt_with == "all" and every is None:
-                    every = _calibrations_of(place, store)
+                    every, unreadable = _calibrations_of(place, store)
+                    refused += unreadable
                 sources = _sources(rebuilt_with, own, every or [])
                 key = _key_of(record, sources)
-            except StoreError:
-                raise
             except OperationError as error:
+                if is_of_whole_place(error):
+                    raise
                 refused.append((f"{place.station}/{record.id}", Refusal.of(error)))
                 continue
             taken_at = known.clouds[0].taken_at
@@ -136,7 +137,7 @@ def _read_if_chosen(
     if not {VERIFICATION, CALIBRATION, ARM} <= record.files.keys():
         return None
     content = {
-        name: b"".join(store.read(record.files[name].name))
+        name: read_document(store, record.files[name].name)
         for name in (VERIFICATION, CALIBRATION, ARM)
     }
     with TemporaryDirectory(prefix="crenel-") as folder:
@@ -155,10 +156,25 @@ def _read_if_chosen(
     return known, own
 
 
-def _calibrations_of(place: Place, store: RemoteStore) -> list[CalibrationFiles]:
-    """All calibrations of a station; those of other devices are left out by the study itself."""
-    found = (read_files(place, one, store) for one in place.ids("sessions", store))
-    return [one for one in found if one is not None]
+def _calibrations_of(
+    place: Place, store: RemoteStore
+) -> tuple[list[CalibrationFiles], list[tuple[str, Refusal]]]:
+    """All calibrations of a station, and those that cannot be read; those of other devices are left
+    out by the study itself."""
+    found: list[CalibrationFiles] = []
+    refused: list[tuple[str, Refusal]] = []
+    for one in place.ids("sessions", store):
+        try:
+            files = read_files(place, one, store)
+            if files is not None:
+                with TemporaryDirectory(prefix="crenel-") as folder:
+                    files.read(Path(folder))
+                found.append(files)
+        except OperationError as error:
+            if is_of_whole_place(error):
+                raise
+            refused.append((f"{place.station}/{one}", Refusal.of(error)))
+    return found, refused
 
 
 def _key_of(record: PlaceRecord, sources: Iterable[CalibrationFiles]) -> str:

@@ -30,6 +30,7 @@ from app.station.view3d.scene import Scene
 from app.station.view3d.view_controller import ViewController
 from app.store.store import Store
 from app.wire.schema import ScanStatus, StationInfo
+from app.wire.topic_texts import TopicTexts
 
 if TYPE_CHECKING:
     from app.single_sign_on.provider import Provider
@@ -64,6 +65,7 @@ class Context:
     due: DueLimits = DUE
     provider: "Provider | None" = None
     """Of the plant's accounts."""
+    topic_texts: TopicTexts = field(default_factory=TopicTexts)
     printer: asyncio.Lock = field(default_factory=asyncio.Lock)
     """Reports are made one at a time: many at once would delay Stop."""
 

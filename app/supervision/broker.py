@@ -186,10 +186,9 @@ class Broker:
         while True:
             await inbox.wait()
             left_bytes = READ_BYTES
-            while left_bytes > 0 and (heard := inbox.take()):
-                for one in heard:
-                    left_bytes -= len(one.payload)
-                    await self._handle(client, one)
+            while left_bytes > 0 and (heard := inbox.take()) is not None:
+                left_bytes -= len(heard.payload)
+                await self._handle(client, heard)
                 await asyncio.sleep(0)
             self.on_message()
             await asyncio.sleep(READ_PAUSE_S)

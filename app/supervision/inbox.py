@@ -2,12 +2,12 @@
 
 import asyncio
 import time
-from collections import Counter, OrderedDict, deque
+from collections import Counter, OrderedDict
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Literal
 
-from app.supervision.messages import EVENTS_STORED, parse_topic
+from app.supervision.messages import parse_topic
 
 DropReason = Literal["long", "strange", "often", "crowded"]
 """long: over the limit; strange: not a message of a station; often: more of one topic than can be
@@ -55,19 +55,12 @@ class ReceivedMessage:
     retained: bool
 
 
-class _TopicQueue:
-    """The latest message of one topic; for events, the last few."""
+@dataclass(slots=True)
+class _Waiting:
+    """The latest message of one topic, and how many came since the topic was last read."""
 
-    def __init__(self, kind: str) -> None:
-        self.messages: deque[ReceivedMessage] = deque(
-            maxlen=EVENTS_STORED if kind == "event" else 1
-        )
-        self.came = 0
-
-    @property
-    def size(self) -> int:
-        """In bytes."""
-        return sum(len(message.payload) for message in self.messages)
+    latest: ReceivedMessage
+    came: int = 0
 
 
 class Inbox:
@@ -78,8 +71,8 @@ class Inbox:
 
     def __init__(self, prefix: str, unread: Unread, is_known: Callable[[str], bool]) -> None:
         self._prefix, self._unread, self._is_known = prefix, unread, is_known
-        self._known: OrderedDict[tuple[str, str], _TopicQueue] = OrderedDict()
-        self._unknown: OrderedDict[tuple[str, str], _TopicQueue] = OrderedDict()
+        self._known: OrderedDict[tuple[str, str], _Waiting] = OrderedDict()
+        self._unknown: OrderedDict[tuple[str, str], _Waiting] = OrderedDict()
         self._unknown_bytes = 0
         self._filled = asyncio.Event()
 
@@ -97,35 +90,37 @@ class Inbox:
             self._unread.add("long")
             return
         lane = self._known if self._is_known(parts[0]) else self._unknown
-        waiting = lane.setdefault(parts, _TopicQueue(parts[1]))
-        before = waiting.size
-        waiting.messages.append(ReceivedMessage(*parts, payload, retained))
+        received = ReceivedMessage(*parts, payload, retained)
+        waiting = lane.setdefault(parts, _Waiting(received))
+        if lane is self._unknown:
+            before = len(waiting.latest.payload) if waiting.came else 0
+            self._unknown_bytes += len(payload) - before
+        waiting.latest = received
         waiting.came += 1
         if waiting.came > TOLERATED:
             self._unread.add("often")
-        if lane is self._unknown:
-            self._unknown_bytes += waiting.size - before
-            self._evict()
+        self._evict()
         self._filled.set()
 
     def _evict(self) -> None:
         while len(self._unknown) > MOST_UNKNOWN or self._unknown_bytes > MOST_UNKNOWN_BYTES:
-            self._unread.add("crowded", len(self._take_next(self._unknown)))
+            self._take_next(self._unknown)
+            self._unread.add("crowded")
 
     async def wait(self) -> None:
         """Waits for a message."""
         await self._filled.wait()
 
-    def take(self) -> list[ReceivedMessage]:
-        """The waiting messages of the next topic, oldest first; empty if there are none."""
+    def take(self) -> ReceivedMessage | None:
+        """The latest message of the next topic; None if none waits."""
         lane = self._known or self._unknown
         if not lane:
             self._filled.clear()
-            return []
+            return None
         return self._take_next(lane)
 
-    def _take_next(self, lane: OrderedDict[tuple[str, str], _TopicQueue]) -> list[ReceivedMessage]:
+    def _take_next(self, lane: OrderedDict[tuple[str, str], _Waiting]) -> ReceivedMessage:
         _, waiting = lane.popitem(last=False)
         if lane is self._unknown:
-            self._unknown_bytes -= waiting.size
-        return list(waiting.messages)
+            self._unknown_bytes -= len(waiting.latest.payload)
+        return waiting.latest

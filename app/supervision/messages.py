@@ -18,8 +18,6 @@ from app.supervision.message_data import MessageData
 BEAT_S = 1.0
 """A station publishes its report at least this often, changed or not."""
 LONGEST_ID = 40
-EVENTS_STORED = 6
-"""Maximum number kept of one station."""
 ID = re.compile(r"[a-z0-9-]{1,40}")
 MOST_DEVICES, MOST_ALARMS = 9, 12
 """Maximum number in one report; others are omitted."""

@@ -4,14 +4,14 @@ import math
 import time
 from collections import OrderedDict
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from typing import Annotated, Literal
 
 from pydantic import BaseModel, ConfigDict, PlainSerializer, ValidationError
 
 from app.supervision.inbox import Unread
 from app.supervision.message_data import readable
-from app.supervision.messages import EVENTS_STORED, KINDS, Presence, StationEvent, StationReport
+from app.supervision.messages import KINDS, Presence, StationEvent, StationReport
 
 LOST_AFTER_S = 3.5
 """Without a report for three beats, so that one late message causes no alarm."""
@@ -63,7 +63,10 @@ class _TrackedStation:
     presence: Literal["online", "off", "lost"] = "online"
     instance: str = ""
     report: StationReport | None = None
-    events: list[StationEvent] = field(default_factory=list)
+    """Of its alarms, the worst alone: two hundred stations may have sent the longest ones."""
+    alarms: int = 0
+    event: StationEvent | None = None
+    """The newest one."""
 
 
 class Fleet:
@@ -149,13 +152,14 @@ class Fleet:
             if message.state == "online" and not retained:
                 known.known_s = self._clock()
         elif isinstance(message, StationReport):
-            known.name, known.report = message.name, message
+            known.name, known.report = message.name, _shorten_report(message)
+            known.alarms = len(message.alarms)
             if not retained:
                 known.heard_s = self._clock()
                 known.first_s = known.heard_s if known.first_s is None else known.first_s
                 known.presence, known.instance = "online", message.instance
         elif isinstance(message, StationEvent) and not retained:
-            known.events = [*known.events, message][-EVENTS_STORED:]
+            known.event = message
 
     def stations(self) -> tuple[RemoteStation, ...]:
         """All stations by name; those that have been heard for a while come before new ones."""
@@ -169,9 +173,9 @@ class Fleet:
             name=known.name,
             state=self._state(known, silent_s),
             silent_s=silent_s,
-            report=_shorten_report(known.report),
-            alarms=len(known.report.alarms) if known.report else 0,
-            events=tuple(known.events[-1:]),
+            report=known.report,
+            alarms=known.alarms,
+            events=() if known.event is None else (known.event,),
         )
 
     def _state(self, known: _TrackedStation, silent_s: float | None) -> State:
@@ -200,8 +204,8 @@ def _list_rank(known: _TrackedStation) -> tuple[int, str]:
     return -(standing + (heard_s > -math.inf)), known.name.lower()
 
 
-def _shorten_report(report: StationReport | None) -> StationReport | None:
-    if report is None or len(report.alarms) < 2:
+def _shorten_report(report: StationReport) -> StationReport:
+    if len(report.alarms) < 2:
         return report
     worst = min(report.alarms, key=lambda alarm: alarm.quality != "bad")
     return report.model_copy(update={"alarms": (worst,)})

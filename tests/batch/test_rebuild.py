@@ -21,6 +21,7 @@ from app.batch.task import perform
 from app.errors import OperationError
 from app.formats.clouds.files import read_cloud
 from app.formats.datasheets.arm import read_any_arm
+from app.formats.open_file import LARGEST_DOCUMENT
 from app.formats.results.calibration import read_calibration
 from app.workflows.reconstruct import reconstruct_cloud
 from tests.batch.filled import CALIBRATION, fill_archive, fill_station
@@ -173,6 +174,17 @@ def test_what_is_no_file_in_an_archive_is_named_and_the_rest_is_made(
     assert (len(made.tasks), len(made.refused)) == (2, 1)
     os.mkfifo(tmp_path / "clouds" / "one.json")
     assert results.read("one") is None
+
+
+def test_recordings_whose_calibration_is_no_document_are_named(
+    archive: Path, tmp_path: Path
+) -> None:
+    calibration = next(archive.glob(f"sessions/{CALIBRATION}/*/calibration.json"))
+    os.truncate(calibration, LARGEST_DOCUMENT + 1)
+    output = settings_for(str(tmp_path / "clouds"))
+    made = plan_rebuild(find_places([str(archive)]), Selection(), output, ".ply")
+    assert made.tasks == []
+    assert [refusal.code for _, refusal in made.refused] == ["file-too-large"] * len(SCANS)
 
 
 def test_a_name_of_an_address_that_is_no_text_is_refused(archive: Path) -> None:

@@ -1,6 +1,8 @@
 """``crenel verify`` and ``crenel study`` over archives and data folders."""
 
 import csv
+import os
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
@@ -19,6 +21,7 @@ from app.batch.verifications import (
     table_text,
 )
 from app.formats.datasheets.gauge import GaugeFile
+from app.formats.open_file import LARGEST_DOCUMENT
 from app.formats.results.verification import VerificationFile
 from app.store.store import Store
 from tests.archive.filled import archive_of
@@ -140,6 +143,44 @@ def test_a_study_takes_all_calibrations_of_the_station(archive: Path, tmp_path: 
 def test_verifications_are_chosen_by_their_calibration(archive: Path, tmp_path: Path) -> None:
     other = Selection(taken_with=frozenset({OTHER}))
     assert plan(archive, tmp_path, "own", other)[0] == []
+
+
+def replace_by_a_long_file(path: Path) -> None:
+    os.truncate(path, LARGEST_DOCUMENT + 1)
+
+
+def replace_by_a_pipe(path: Path) -> None:
+    path.unlink()
+    os.mkfifo(path)
+
+
+def replace_by_text(path: Path) -> None:
+    path.write_text("no calibration")
+
+
+DAMAGES = (replace_by_a_long_file, replace_by_a_pipe, replace_by_text)
+
+
+@pytest.mark.parametrize("damage", DAMAGES)
+def test_a_study_names_a_calibration_that_is_damaged_and_takes_the_others(
+    archive: Path, tmp_path: Path, damage: Callable[[Path], None]
+) -> None:
+    damage(next(archive.glob(f"sessions/{OTHER}/*/calibration.json")))
+    output = settings_for(str(tmp_path / "out"))
+    tasks, refused = plan_verifications(find_places([str(archive)]), Selection(), output, "all")
+    assert [name for name, _ in refused] == [f"room-2/{OTHER}"]
+    assert [[one.id for one in task.sources] for task in tasks] == [[CALIBRATION]] * 2
+
+
+@pytest.mark.parametrize("damage", DAMAGES)
+def test_a_damaged_verification_is_named_and_the_other_is_measured(
+    archive: Path, tmp_path: Path, damage: Callable[[Path], None]
+) -> None:
+    damage(next(archive.glob("verifications/v1/*/verification.json")))
+    output = settings_for(str(tmp_path / "out"))
+    tasks, refused = plan_verifications(find_places([str(archive)]), Selection(), output, "own")
+    assert [name for name, _ in refused] == ["room-2/v1"]
+    assert [task.record.id for task in tasks] == ["v2"]
 
 
 def test_an_archive_that_is_lost_midway_gives_no_partial_study(

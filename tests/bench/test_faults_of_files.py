@@ -1,10 +1,13 @@
-"""A station with damaged files, on a full disk, and flooded: short forms of the bench."""
+"""Short forms of the bench: a station with damaged files, on a full disk, flooded, and on a hostile
+broker."""
 
 from pathlib import Path
 
 import pytest
 
 from app.bench.faults import damage, disk, floods
+from app.bench.faults.broker import hostile_broker
+from app.bench.faults.broker.mosquitto import BINARY
 from app.bench.faults.furnished import FolderRecords, furnish
 from app.bench.faults.row import FaultRow, table
 
@@ -42,3 +45,11 @@ def test_no_flood_is_answered_by_a_fault(tmp_path: Path) -> None:
         assert row.tries, row.kind
         assert row.survived == row.tries, table([row])
         assert row.stop_s >= 0, "Stop was never answered"
+
+
+@pytest.mark.skipif(BINARY is None, reason="mosquitto is not installed")
+def test_what_strangers_publish_hides_no_station_and_holds_up_no_stop(tmp_path: Path) -> None:
+    rows = hostile_broker.run(tmp_path / "data", seconds=8.0, floods=("200 stations",), settled_s=0)
+    (row,) = rows
+    assert_survived(row)
+    assert row.stop_s >= 0, "Stop was never answered"

@@ -17,12 +17,12 @@ import pytest
 from jsonschema import Draft202012Validator
 from playwright.sync_api import Browser, Page, expect
 
+from app.bench.faults.broker.mosquitto import BINARY, Mosquitto
 from app.formats.recording.decoders import StripeRecord
 from app.formats.recording.reader import open_recording
 from app.store.store import Store
 from app.supervision.messages import schema
 from tests.e2e.conftest import ROOT, Demo, wait_in_page
-from tests.supervision.mosquitto import BINARY, Mosquitto
 
 pytestmark = pytest.mark.slow
 

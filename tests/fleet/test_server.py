@@ -12,13 +12,13 @@ import httpx
 import pytest
 from typer.testing import CliRunner
 
+from app.bench.faults.broker.mosquitto import BINARY, Mosquitto
 from app.cli.main import cli
 from app.fleet.catalogue.catalogue import FleetCatalogue
 from app.store.store import Store
 from tests.fleet.postgres import PostgresServer
 from tests.fleet.records import add_every_kind, add_recorded_scan
 from tests.fleet.test_questions import ten_months
-from tests.supervision.mosquitto import BINARY, Mosquitto
 
 pytestmark = pytest.mark.slow
 DEADLINE_S = 90.0

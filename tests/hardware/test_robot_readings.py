@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import example, given
 from hypothesis import strategies as st
 
 from hardware.arm.robots.readings import RobotReading, StreamJudge, WrappingCounter
@@ -134,6 +134,7 @@ def test_edges_of_buttons_follow_their_sample() -> None:
     st.integers(0, 1 << 40),
     st.lists(st.floats(-0.49, 0.49), max_size=20),
 )
+@example(modulus=3, start=0, turns=[0.375])
 def test_a_counter_goes_on_beyond_its_largest_value(
     modulus: int, start: int, turns: list[float]
 ) -> None:

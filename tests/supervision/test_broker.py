@@ -15,12 +15,13 @@ import aiomqtt
 import pytest
 from jsonschema import Draft202012Validator
 
+from app.bench.faults.broker.mosquitto import PASSWORD, USER, Mosquitto
+from app.bench.faults.broker.usual_messages import make_event, make_report
 from app.supervision.broker import Broker
 from app.supervision.broker_settings import BrokerSettings
 from app.supervision.messages import new_instance, parse_topic, schema
 from app.supervision.remote_stations import Fleet, RemoteStation
-from tests.supervision.mosquitto import PASSWORD, USER, Mosquitto
-from tests.supervision.publishing import make_event, make_report, publish
+from tests.supervision.publishing import publish
 
 pytestmark = pytest.mark.slow
 

@@ -4,6 +4,7 @@ import json
 
 from pydantic import BaseModel
 
+from app.bench.faults.broker.usual_messages import DEVICE, make_event, make_report
 from app.supervision.messages import (
     MOST_ALARMS,
     MOST_DEVICES,
@@ -12,7 +13,7 @@ from app.supervision.messages import (
     station_id,
 )
 from app.supervision.remote_stations import LOST_AFTER_S, MOST_STATIONS, Fleet
-from tests.supervision.publishing import DEVICE, SENSORS, make_event, make_report
+from tests.supervision.publishing import SENSORS
 
 
 class Clock:

@@ -10,10 +10,10 @@ from collections.abc import Iterator
 import aiomqtt
 import pytest
 
+from app.bench.faults.broker.mosquitto import Mosquitto
+from app.bench.faults.broker.usual_messages import make_report
 from app.supervision.bounded_client import LONGEST_PAYLOAD, BoundedClient, MessageHandler
 from app.supervision.remote_stations import MOST_STATIONS
-from tests.supervision.mosquitto import Mosquitto
-from tests.supervision.publishing import make_report
 from tests.supervision.test_broker import PATIENCE_S, Watch, station, watching
 
 pytestmark = pytest.mark.slow

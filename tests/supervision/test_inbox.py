@@ -8,7 +8,6 @@ from app.supervision.inbox import (
     Inbox,
     Unread,
 )
-from app.supervision.messages import EVENTS_STORED
 
 
 def made() -> tuple[Inbox, Unread]:
@@ -18,8 +17,8 @@ def made() -> tuple[Inbox, Unread]:
 
 def drained(inbox: Inbox) -> list[tuple[str, bytes]]:
     found = []
-    while heard := inbox.take():
-        found += [(one.station, one.payload) for one in heard]
+    while (heard := inbox.take()) is not None:
+        found.append((heard.station, heard.payload))
     return found
 
 
@@ -32,13 +31,6 @@ def test_the_latest_of_a_topic_wins_and_known_stations_come_first() -> None:
     assert drained(inbox) == [("known-1", b"9"), ("new", b"9")]
     assert unread.counts == {}
     assert drained(inbox) == []
-
-
-def test_events_are_not_overtaken_at_once() -> None:
-    inbox, _ = made()
-    for number in range(EVENTS_STORED + 2):
-        inbox.put("crenel/known-1/event", b"%d" % number, False)
-    assert [payload for _, payload in drained(inbox)] == [b"2", b"3", b"4", b"5", b"6", b"7"]
 
 
 def test_a_flood_of_one_topic_is_counted() -> None:

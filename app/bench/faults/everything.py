@@ -7,6 +7,7 @@ from functools import partial
 from pathlib import Path
 
 from app.bench.faults import damage, disk, floods, kills
+from app.bench.faults.broker import hostile_broker
 from app.bench.faults.calls import UNAVAILABLE
 from app.bench.faults.row import FaultRow
 from app.bench.station.subprocess_station import convert_connection_errors
@@ -49,6 +50,7 @@ KINDS = (
     FaultKind("disk", lambda data, seed, report: [disk.run(data, seed=seed, progress=report)]),
     FaultKind("damage", lambda data, seed, report: [damage.run(data, seed=seed, progress=report)]),
     FaultKind("floods", lambda data, seed, report: floods.run(data, progress=report)),
+    FaultKind("broker", lambda data, seed, report: hostile_broker.run(data, progress=report)),
 )
 
 

@@ -100,11 +100,14 @@ def prepare(data: Path, config: SimulationConfig = CONFIG) -> None:
             store.close()
 
 
-def _parts_with_archive(simulation: SimulatedStation, data: Path) -> StationParts:
-    """The parts of the demonstration, with the archive of the data folder's station.toml."""
+def _parts_with_settings(simulation: SimulatedStation, data: Path) -> StationParts:
+    """The parts of the demonstration, with archive and broker of the data folder's station.toml."""
     parts, file = station_parts(simulation, data), data / DEFAULT_FILE
-    archive = read_settings(file).archive if file.exists() else None
-    return replace(parts, monitoring=replace(parts.monitoring, archive=archive))
+    if not file.exists():
+        return parts
+    settings = read_settings(file)
+    monitoring = replace(parts.monitoring, archive=settings.archive, mqtt=settings.mqtt)
+    return replace(parts, monitoring=monitoring)
 
 
 @report_errors
@@ -122,7 +125,7 @@ def serve(
     with ExitStack() as devices:
         plan = Plan(
             "Bench",
-            lambda: _parts_with_archive(devices.enter_context(SimulatedStation(config)), data),
+            lambda: _parts_with_settings(devices.enter_context(SimulatedStation(config)), data),
             HOST,
             by_link=True,
         )

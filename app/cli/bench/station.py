@@ -80,7 +80,7 @@ def viewers(
 def faults(
     only: Annotated[
         list[str] | None,
-        typer.Option(help="Only kills, disk, damage, floods or devices. Repeatable."),
+        typer.Option(help="Only kills, disk, damage, floods, broker or devices. Repeatable."),
     ] = None,
     seed: Annotated[int, typer.Option(help="Seed of the random tests.")] = 0,
     as_json: AsJson = False,

@@ -168,5 +168,5 @@ class WrappingCounter:
             self._last = value
         else:
             step = (value - self._last) % self._modulus
-            self._last += step - self._modulus if step >= self._modulus // 2 else step
+            self._last += step - self._modulus if 2 * step >= self._modulus else step
         return self._last

@@ -1,4 +1,4 @@
-"""A real broker, Debian's mosquitto, on a free port of this machine."""
+"""A real broker, Debian's mosquitto, on a free port of this machine; for tests, too."""
 
 import getpass
 import shutil
@@ -9,7 +9,10 @@ from pathlib import Path
 from types import TracebackType
 from typing import Self
 
+from app.bench.station.subprocess_station import stuck_error
+
 BINARY = shutil.which("mosquitto") or shutil.which("mosquitto", path="/usr/sbin:/usr/local/sbin")
+START_S = 10.0
 USER, PASSWORD = "station", "a broker's password"
 
 
@@ -35,20 +38,24 @@ class Mosquitto:
         self.start()
 
     def start(self) -> None:
-        assert BINARY is not None
+        """Starts it, also again on its port; raises ``OperationError`` if it does not."""
         self._process = subprocess.Popen(
-            [BINARY, "-c", str(self._config)], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL
+            [BINARY or "mosquitto", "-c", str(self._config)],
+            stdout=subprocess.DEVNULL,
+            stderr=subprocess.DEVNULL,
         )
-        deadline = time.monotonic() + 10.0
+        deadline_s = time.monotonic() + START_S
         while True:
             with socket.socket() as trying:
                 trying.settimeout(0.5)
                 if trying.connect_ex(("127.0.0.1", self.port)) == 0:
                     return
-            assert time.monotonic() < deadline, "the broker did not start"
+            if time.monotonic() > deadline_s:
+                raise stuck_error("the broker does not start", START_S)
             time.sleep(0.05)
 
     def kill(self) -> None:
+        """Ends it as the kernel does; idempotent."""
         if self._process is not None:
             self._process.kill()
             self._process.wait()
