@@ -29,7 +29,6 @@ from app.console import (
     report_errors,
     warn,
 )
-from app.formats.datasheets.gauge import Shape
 
 if TYPE_CHECKING:
     from app.batch.drift import GaugeDrift, GaugeQuantity
@@ -37,6 +36,7 @@ if TYPE_CHECKING:
     from app.batch.results import ResultStore
     from app.batch.verifications import VerificationTask
     from app.fleet.questions import AffectedPeriod
+    from app.formats.datasheets.gauge import Shape
     from app.metrology.dated_changes import DriftChange
 
 TABLE = "table.csv"
@@ -49,7 +49,7 @@ def measure_places(
     places: Sequence[str],
     calibrations: Sequence[str],
     arm: Path | None,
-    shape: Shape | None,
+    shape: "Shape | None",
     options: BatchOptions,
 ) -> None:
     """Measures the clouds of all chosen verifications, prints the table and writes it.
@@ -97,7 +97,7 @@ def measure_verifications(
     places: Sequence[str],
     calibrations: Sequence[str],
     arm: Path | None,
-    shape: Shape | None,
+    shape: "Shape | None",
     options: BatchOptions,
 ) -> MeasuredVerifications:
     """Measures the clouds of all chosen verifications that have no result yet.
