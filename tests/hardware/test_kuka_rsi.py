@@ -147,6 +147,7 @@ def test_what_is_no_rsi_counts_as_corrupt(robot: UdpRobot, packet: bytes) -> Non
         (lambda data: data.replace(b"RIst", b"RSol"), "have no RIst"),
         (lambda data: data.replace(b' A="10.0000"', b""), "have no RIst"),
         (lambda data: data.replace(b"350.0000", b"nan"), "no numbers"),
+        (lambda data: data.replace(b"350.0000", b"1e300"), "impossibly large"),
         (lambda data: data.replace(b"350.0000", b"up"), "no numbers"),
         (lambda data: data.replace(b"<IPOC>4", b"<IPOC>3"), "has jumped"),
         (lambda data: data.replace(b"<IPOC>4", b"<IPOC>5"), "has jumped"),

@@ -87,7 +87,7 @@ def test_a_pause_of_the_controller_is_a_gap() -> None:
     assert (len(listener.samples), listener.health.lost) == (2, 1999)
 
 
-@pytest.mark.parametrize("value", [math.nan, math.inf, -math.inf])
+@pytest.mark.parametrize("value", [math.nan, math.inf, -math.inf, 1e300])
 def test_numbers_are_required(value: float) -> None:
     listener = Listener()
     with pytest.raises(DeviceError, match="no numbers"):

@@ -164,6 +164,7 @@ def test_a_changed_tool_is_an_error_and_opening_takes_the_new_one(
         (16, np.inf, "no numbers"),
         (40, np.nan, "no numbers"),
         (4, np.nan, "no numbers"),
+        (40, 1e300, "impossibly large"),
         (4, 1e7, "clock of the arm"),
         (4, 1.0, "clock of the arm"),
     ],

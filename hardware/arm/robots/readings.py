@@ -23,6 +23,8 @@ _REORDERED = 16
 _JUMP_NS = 3_000_000_000
 """A clock or a count that gains more than this from one reading to the next has been set."""
 _UNIT_TOLERANCE = 1e-3
+_LARGEST = 1e15
+"""No quantity of an arm is larger, in whatever unit."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -138,8 +140,9 @@ class StreamJudge:
 
 
 def require_finite(address: str, values: Iterable[float]) -> None:
-    """Raises ``DeviceError`` if one of a controller's values is no number or infinite."""
-    if not all(isfinite(value) for value in values):
+    """Raises ``DeviceError`` if one of a controller's values is no number, infinite, or so large
+    that its square is."""
+    if not all(isfinite(value) and abs(value) <= _LARGEST for value in values):
         raise DeviceError(
             message("robot-sends-no-numbers", address=address), message("restart-robot-controller")
         )
