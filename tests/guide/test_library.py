@@ -1,10 +1,12 @@
 """What the station knows: what can be chosen, and what is said of all else."""
 
 import json
+from dataclasses import replace
 from pathlib import Path
 
 from app.formats.datasheets.sensor import SensorDatasheet
-from app.guide.calibration.session_datasheets import best_guess
+from app.guide.calibration.live import ConnectedArm
+from app.guide.calibration.session_datasheets import best_guess, guess_for_connected
 from app.guide.calibration.state import CalibrationState
 from app.guide.common.datasheet_library import DatasheetLibrary, read_library
 from app.metrology.targets.chessboard import Chessboard
@@ -45,6 +47,29 @@ def test_the_only_block_is_guessed_beside_chessboards(tmp_path: Path, block: Cre
 def test_of_several_chessboards_none_is_guessed(tmp_path: Path) -> None:
     library = library_with(tmp_path, one=BOARD, two=BOARD)
     assert "object" not in best_guess(library, CalibrationState(), None, None)
+
+
+ROBOT = ConnectedArm("R-1", 6, "pose")
+
+
+def test_an_arm_that_connects_late_has_its_own_choices(tmp_path: Path, block: Crenellated) -> None:
+    """The session began with what an arm with joints would use."""
+    library = library_with(tmp_path, block=block, board=BOARD)
+    begun = CalibrationState(choices=best_guess(library, CalibrationState(), None, None))
+    assert begun.choices["object"] == "block"
+    assert guess_for_connected(library, begun, ROBOT, None) == {"object": "board"}
+    assert guess_for_connected(library, begun, replace(ROBOT, reports="joints"), None) == {}
+    chosen = CalibrationState(choices={"object": "board"})
+    assert guess_for_connected(library, chosen, replace(ROBOT, reports="joints"), None) == {}
+    assert guess_for_connected(library, CalibrationState(), ROBOT, None) == {"object": "board"}
+
+
+def test_a_robot_is_guessed_no_block_that_was_chosen_last(
+    tmp_path: Path, block: Crenellated
+) -> None:
+    library = library_with(tmp_path, block=block, one=BOARD, two=BOARD)
+    before = CalibrationState(choices={"object": "block"})
+    assert "object" not in best_guess(library, before, ROBOT, None)
 
 
 def test_a_sensor_of_raw_pictures_is_not_chosen_on_a_station(tmp_path: Path) -> None:

@@ -93,6 +93,9 @@ MOVED = np.array([0.01, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0])
 FAR = np.array([1400.0, 0.0, 300.0, 0.0, 0.0, 0.0, 1.0])
 
 
+EAST = np.array([1.0, 0, 0, 0, 0, 0, 0])
+
+
 @pytest.mark.parametrize(
     ("wrong", "kind"),
     [
@@ -134,3 +137,71 @@ def test_a_fast_robot_passes() -> None:
     judge: PosePlausibilityFilter[PoseSample] = PosePlausibilityFilter()
     path = [sample(4 * i, HERE + [8.0 * i, 0, 0, 0, 0, 0, 0]) for i in range(100)]  # 2 m/s
     assert len(judge.filter(path)) == 100
+
+
+NOISE_MM, PERIOD_MS = 0.001, 4
+
+
+def noisy_poses(count: int, first: int = 0) -> list[PoseSample]:
+    """Of an arm at rest whose encoders show noise."""
+    rng = np.random.default_rng(first + 1)
+    noise = np.zeros((count, 7))
+    noise[:, :3] = rng.normal(0.0, NOISE_MM, (count, 3))
+    return [sample(PERIOD_MS * (first + i), HERE + noise[i]) for i in range(count)]
+
+
+def repeated(pose: PoseSample, count: int, first: int) -> list[PoseSample]:
+    again = np.array(pose.reading)
+    return [sample(PERIOD_MS * (first + i), again) for i in range(count)]
+
+
+def test_a_pose_that_is_sent_again_and_again_is_held_back_from_its_first_repetition() -> None:
+    judge: PosePlausibilityFilter[PoseSample] = PosePlausibilityFilter()
+    honest = noisy_poses(400)
+    assert judge.filter(honest) == honest
+    frozen = repeated(honest[-1], 250, 400)
+    assert judge.filter(frozen[:20]) == []
+    assert judge.judged_ns == honest[-1].stamp_ns, "the first of them wait"
+    assert judge.filter(frozen[20:]) == []
+    assert judge.rejected_count == len(frozen)
+    assert judge.newest is not None
+    assert judge.newest.kind == "frozen"
+    assert "old pose" in str(judge.newest.error.why)
+    # it may have moved in the meantime
+    later = noisy_poses(100, 650)
+    moved = [
+        sample(PERIOD_MS * (650 + i), np.array(one.reading) + 90.0 * EAST)
+        for i, one in enumerate(later)
+    ]
+    assert judge.filter(moved) == moved
+
+
+def test_a_few_equal_poses_are_late_but_not_lost() -> None:
+    judge: PosePlausibilityFilter[PoseSample] = PosePlausibilityFilter()
+    honest = noisy_poses(400)
+    judge.filter(honest)
+    twice = repeated(honest[-1], 3, 400)
+    assert judge.filter(twice) == []
+    after = noisy_poses(1, 403)
+    assert judge.filter(after) == [*twice, *after]
+    assert judge.rejected_count == 0
+    # such an arm is believed from now on
+    assert len(judge.filter(repeated(after[0], 250, 404))) == 250
+
+
+def test_poses_that_wait_at_the_end_are_released() -> None:
+    judge: PosePlausibilityFilter[PoseSample] = PosePlausibilityFilter()
+    honest = noisy_poses(400)
+    judge.filter(honest)
+    twice = repeated(honest[-1], 3, 400)
+    judge.filter(twice)
+    assert judge.release() == twice
+
+
+def test_an_arm_that_reports_commanded_poses_may_rest() -> None:
+    """Its poses are equal at rest, and turn back nowhere while it moves."""
+    judge: PosePlausibilityFilter[PoseSample] = PosePlausibilityFilter()
+    path = [sample(PERIOD_MS * i, HERE + 0.2 * i * EAST) for i in range(1000)]
+    resting = repeated(path[-1], 1000, 1000)
+    back = [sample(PERIOD_MS * (2000 + i), HERE + 0.2 * (999 - i) * EAST) for i in range(1000)]
+    assert len(judge.filter([*path, *resting, *back])) == 3000

@@ -102,12 +102,16 @@ class PoseReader:
         pairs = zip(stamps_ns.tolist(), poses.tolist(), strict=True)
         good = self._judge.filter([_PoseReading(*pair) for pair in pairs])
         self._first = self._first or self._judge.newest
-        kept = np.array([one.reading for one in good]).reshape(len(good), POSE_SIZE)
-        return np.array([one.stamp_ns for one in good], dtype=np.int64), kept
+        return _arrays(good)
 
     def last_readings(self) -> tuple[Stamps, Floats]:
-        """None: poses are judged at once."""
-        return np.zeros(0, dtype=np.int64), np.zeros((0, POSE_SIZE))
+        """The poses that still waited for their judgement."""
+        return _arrays(self._judge.release())
 
     def refuse_another_arm(self) -> None:
         """Poses have no limits by which another robot would show."""
+
+
+def _arrays(readings: list[_PoseReading]) -> tuple[Stamps, Floats]:
+    kept = np.array([one.reading for one in readings]).reshape(len(readings), POSE_SIZE)
+    return np.array([one.stamp_ns for one in readings], dtype=np.int64), kept

@@ -16,7 +16,12 @@ from app.guide.calibration.poses.advice import Advice, remaining
 from app.guide.calibration.poses.advice import from_payload as advice_from
 from app.guide.calibration.poses.detection import DetectionCache
 from app.guide.calibration.rules import RULES
-from app.guide.calibration.session_datasheets import CHOOSING, SessionDatasheets, best_guess
+from app.guide.calibration.session_datasheets import (
+    CHOOSING,
+    SessionDatasheets,
+    best_guess,
+    guess_for_connected,
+)
 from app.guide.calibration.session_folder import SessionFolder
 from app.guide.calibration.state import DEVICE, FIELDS, CalibrationState, apply_row
 from app.guide.common.flow import Flow
@@ -229,6 +234,13 @@ class CalibrationGuide(GuidedSession[CalibrationState, CalibrationLive, FlowView
             SessionFolder(self._sessions / session_id).keep_datasheets(library, choices)
         state = CalibrationState(session_id=session_id, choices=choices)
         self.begin_session(state, {"choices": choices, "step": step}, key)
+
+    def choose_for_connected(self) -> None:
+        """Chooses again what cannot belong to the devices that are connected by now."""
+        library = self.datasheets.library(True)
+        better = guess_for_connected(library, self.state, self._arm_info(), self._sensor_info())
+        for field, found in better.items():
+            self.append("chosen", {"field": field, "id": found})
 
     # -- changes -------------------------------------------------------------
 

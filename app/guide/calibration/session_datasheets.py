@@ -76,11 +76,18 @@ def best_guess(
         if arm is None or entry.datasheet.reading_kind == arm.reports
     }
     sensors = {entry.id: entry.datasheet.serial_number for entry in library.sensors.values()}
-    usual = Chessboard if arm is not None and arm.reports == "pose" else Crenellated
-    targets = [entry.id for entry in library.objects.values() if isinstance(entry.datasheet, usual)]
+    by_pose = arm is not None and arm.reports == "pose"
+    objects = {
+        entry.id: ""
+        for entry in library.objects.values()
+        if isinstance(entry.datasheet, Chessboard) or not by_pose
+    }
+    blocks = [
+        entry.id for entry in library.objects.values() if isinstance(entry.datasheet, Crenellated)
+    ]
     for field, known, serial in (
         ("arm", arms, arm.serial_number if arm else None),
-        ("object", dict.fromkeys(library.objects, ""), None),
+        ("object", objects, None),
         ("sensor", sensors, sensor.serial_number if sensor else None),
     ):
         connected = [entry for entry, number in known.items() if serial and number == serial]
@@ -91,6 +98,25 @@ def best_guess(
             guess[field] = last
         elif len(known) == 1:
             guess[field] = next(iter(known))
-        elif field == "object" and len(targets) == 1:
-            guess[field] = targets[0]
+        elif field == "object" and len(blocks) == 1 and not by_pose:
+            guess[field] = blocks[0]
     return guess
+
+
+def guess_for_connected(
+    library: DatasheetLibrary,
+    state: CalibrationState,
+    arm: ConnectedArm | None,
+    sensor: ConnectedSensor | None,
+) -> dict[str, str]:
+    """Better choices for those that the session began with before the devices were connected: where
+    nothing is chosen, and where it cannot belong to the connected arm."""
+    guess = best_guess(library, state, arm, sensor)
+    by_pose = arm is not None and arm.reports == "pose"
+    chosen = library.objects.get(state.choices.get("object", ""))
+    is_fitting = {
+        "arm": guess.get("arm") == state.choices.get("arm"),
+        "object": chosen is not None and (isinstance(chosen.datasheet, Chessboard) or not by_pose),
+        "sensor": library.has("sensor", state.choices.get("sensor", "")),
+    }
+    return {field: found for field, found in guess.items() if not is_fitting[field]}

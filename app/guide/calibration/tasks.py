@@ -28,6 +28,8 @@ def confirm(guide: CalibrationGuide, name: str, key: str | None) -> None:
         if name == "confirm_setup":
             guide.folder.keep_datasheets(guide.datasheets.library(True), guide.state.choices)
         guide.append(CONFIRMATIONS[name], {}, key)
+        if name == "confirm_devices":
+            guide.choose_for_connected()
         arm = guide.datasheets.selection(guide.state).arm
         if name == "confirm_setup" and arm is not None and arm.tip is None:
             guide.append("touch_confirmed", {})

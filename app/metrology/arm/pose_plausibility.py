@@ -1,8 +1,9 @@
 """Judges the poses that an arm reports: plausible poses pass, all others are held back.
 
-A pose is impossible if it is not a number, if its quaternion is not a rotation, or if no arm moves
-that far since the previous pose. Poses that stay at a new place are accepted there: the arm's
-software has changed its frame or tool, and the user is warned.
+A pose is impossible if it is not a number, if its quaternion is not a rotation, if no arm moves
+that far since the previous pose, or if it repeats although it cannot (``PoseNoise``). Poses that
+stay at a new place are accepted there: the arm's software has changed its frame or tool, and the
+user is warned.
 """
 
 import math
@@ -15,6 +16,7 @@ import numpy as np
 
 from app.errors import OperationError
 from app.messages.message import message, quantity
+from app.metrology.arm.pose_noise import PoseNoise
 from app.metrology.transforms import Floats
 
 FASTEST_MM_S, FASTEST_RAD_S = 10_000.0, 20.0
@@ -26,7 +28,7 @@ SETTLED = 5
 """So many poses in a row at a new place are no fault of the transmission."""
 REMEMBERED = 4096
 
-ImplausiblePoseKind = Literal["number", "quaternion", "jump", "moved-frame"]
+ImplausiblePoseKind = Literal["number", "quaternion", "jump", "moved-frame", "frozen"]
 
 
 class PoseReading(Protocol):
@@ -60,6 +62,13 @@ class ImplausiblePose:
                 message("nothing-taken-such-reading"),
                 message("check-arm-software-and-network"),
             )
+        if self.kind == "frozen":
+            return OperationError(
+                "pose-implausible",
+                message("pose-repeats"),
+                message("poses-equal-to-last-digit"),
+                message("check-arm-software-and-network"),
+            )
         step, turn = quantity(self.step_mm, "mm", 1), quantity(math.degrees(self.step_rad), "°", 1)
         return OperationError(
             "pose-implausible",
@@ -75,13 +84,19 @@ P = TypeVar("P", bound=PoseReading)
 
 
 class PosePlausibilityFilter(Generic[P]):
-    """Lets plausible poses pass at once and holds the others back."""
+    """Lets plausible poses pass at once and holds the others back.
+
+    Only one that repeats, of an arm whose poses otherwise never do, waits until it is known whether
+    the arm is frozen.
+    """
 
     def __init__(self) -> None:
         self.rejected_count = 0
         self.newest: ImplausiblePose | None = None
         self.judged_ns: int | None = None
-        """Poses up to this one are judged."""
+        """Poses up to this one are judged, and none of them waits."""
+        self._noise = PoseNoise()
+        self._pending: list[P] = []
         self._last: tuple[int, Floats] | None = None
         self._elsewhere: list[tuple[int, Floats]] = []
         """Poses held back one after the other that agree among themselves."""
@@ -99,17 +114,42 @@ class PosePlausibilityFilter(Generic[P]):
 
     def filter(self, readings: Sequence[P]) -> list[P]:
         """The plausible ones of new poses, oldest first."""
-        good = []
+        good: list[P] = []
         for reading in readings:
-            wrong = self._find_fault(reading.stamp_ns, np.array(reading.reading))
+            pose = np.array(reading.reading)
+            was_frozen = self._noise.frozen
+            may_be_frozen = self._noise.take(reading.stamp_ns, pose)
+            if self._noise.frozen:
+                self._reject_frozen(reading)
+                continue
+            if was_frozen:  # where it was in the meantime is unknown
+                self.forget_place()
+            wrong = self._find_fault(reading.stamp_ns, pose)
+            if wrong is None and may_be_frozen:
+                self._pending.append(reading)
+                continue
+            good += self.release()
             if wrong is None:
                 good.append(reading)
             else:
-                self.rejected_count += 1
-                self.newest = wrong
-                self._rejected.append(wrong)
+                self._reject(wrong)
             self.judged_ns = reading.stamp_ns
         return good
+
+    def release(self) -> list[P]:
+        """The poses that wait, as nothing more comes, or a pose that shows them to be good."""
+        released, self._pending = self._pending, []
+        return released
+
+    def _reject_frozen(self, newest: P) -> None:
+        for reading in (*self.release(), newest):
+            self._reject(ImplausiblePose("frozen", reading.stamp_ns))
+        self.judged_ns = newest.stamp_ns
+
+    def _reject(self, wrong: ImplausiblePose) -> None:
+        self.rejected_count += 1
+        self.newest = wrong
+        self._rejected.append(wrong)
 
     def _find_fault(self, stamp_ns: int, pose: Floats) -> ImplausiblePose | None:
         if not np.isfinite(pose).all():

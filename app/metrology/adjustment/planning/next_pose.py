@@ -171,9 +171,7 @@ def next_poses(
         total = float(np.sqrt(np.mean(np.einsum("gik,kl,gil->g", volume, covariance, volume))))
         camera, _ = place_sensor(found, T_obj_cam)
         seen = outline(camera, item)
-        advice.append(
-            PoseAdvice(T_obj_cam, reading, 1e3 * total, seen, _is_complete(camera, item))
-        )
+        advice.append(PoseAdvice(T_obj_cam, reading, 1e3 * total, seen, _is_complete(camera, item)))
     return sorted(advice, key=lambda one: (not one.is_complete, one.total_um))
 
 
