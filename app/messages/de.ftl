@@ -1462,9 +1462,16 @@ performance-articulations-missing =
        *[other] { $missing } Stellungen sind noch nicht gescannt.
     }
 performance-aside-note = { $title }: { $reason }
-performance-began-scan = hat einen Scan der Kugel begonnen
+performance-bar-run = Lage { $place }, Scan { $repeat } des Stabs
+performance-bar-scan = Scan { $repeat }
+performance-bar-scan-done = Scan { $repeat } des Stabs in Lage { $place } ist übernommen.
+performance-bar-scan-name = Leistungsprüfung, Lage { $place }, Scan { $repeat }
+performance-bar-scan-of-length = Scan { $repeat }, die Kugeln von { $length }
+performance-bar-was-moved = Der Stab wurde seither in einer anderen Lage angetastet: Die Scans der Lage davor gelten.
+performance-began-scan = hat einen Scan des Prüfkörpers begonnen
 performance-begin-scan = Scan beginnen
 performance-brought-to-20 = Größen und Längen sind auf 20 °C bezogen; das Prüfnormal hatte { $celsius }.
+performance-by-touch-alone = Die Längen dieses Tests werden nur durch Antasten gemessen.
 performance-camera-off-articulation = Die Kamera blickt { $off } neben der gewünschten Richtung (höchstens { $most }).
 performance-cancelled-device = Abgebrochen: Ein Gerät ist ausgefallen.
 performance-cancelled-moved = Abgebrochen: Prüfkörper oder Arm hat sich bewegt.
@@ -1496,14 +1503,14 @@ performance-do-review =
     }
 performance-do-temperatures = Messen Sie die Temperaturen von Prüfkörper und Arm noch einmal. Die vom Anfang sind eingetragen; ändern Sie, was sich geändert hat, und bestätigen Sie.
 performance-drop-scan = Scan verwerfen
-performance-dropped-scan = hat einen Scan der Kugel verworfen
+performance-dropped-scan = hat einen Scan des Prüfkörpers verworfen
 performance-dropping-scan = Der Scan wird verworfen
 performance-editions = Normen
 performance-end-scan = Scan beenden
 performance-ended = Beendet
 performance-evaluating = Die Kenngrößen werden berechnet
 performance-finish-scan-first = Zuerst den laufenden Scan beenden oder verwerfen.
-performance-finished-scan = hat einen Scan der Kugel beendet
+performance-finished-scan = hat einen Scan des Prüfkörpers beendet
 performance-fix-standard = Mit Längen eines wackelnden Normals lässt sich nichts entscheiden. Das Normal befestigen und die Prüfung wiederholen.
 performance-gate-points = Punkte eines Scans nehmen teil, wenn sie höchstens { $shell } von der Oberfläche der kalibrierten Kugel und höchstens { $cone } von ihrem Pol ({ $pole }) entfernt liegen und der Sensor diese Oberfläche unter höchstens { $incidence } zu ihrer Normalen sieht. Alle diese Punkte zählen; keiner wird wegen seines Residuums entfernt.
 performance-go-on = Weiter
@@ -1519,7 +1526,8 @@ performance-is-closed = Diese Prüfung ist abgeschlossen. Eine neue beginnen.
 performance-is-evaluated = Die Kenngrößen werden noch berechnet.
 performance-last-error = Abweichung der letzten Länge, { $length }
 performance-leave-question = Diese Prüfung abbrechen? Sie bleibt erhalten und wird mit dem Grund aufgeführt.
-performance-length-is-confirmed = Die letzte Länge ist mit der ersten Antastung der nächsten bestätigt; ihre Antastungen stehen fest.
+performance-length-is-confirmed = Die letzte Länge ist mit der ersten Antastung der nächsten oder mit dem ersten Scan bestätigt; ihre Antastungen stehen fest.
+performance-lengths-and-scans = { $done } von { $of } Längen angetastet, { $scanned } von { $scans } Scans
 performance-lengths-done = Alle Längen sind gemessen. Weiter zum Ergebnis.
 performance-lengths-measured = { $done } von { $of } Längen
 performance-let-temperatures-settle =
@@ -1527,6 +1535,7 @@ performance-let-temperatures-settle =
         [end] So wird kein Wert entschieden. Wiederholen Sie die Prüfung, sobald die Temperaturen beständig sind.
        *[begin] So wird kein Wert entschieden. Lassen Sie Prüfkörper und Arm sich angleichen, und messen Sie noch einmal.
     }
+performance-measuring-bar-scan = Der Scan des Stabs wird ausgewertet: { $scan }
 performance-measuring-scan = Der Scan der Stellung { $articulation } wird ausgewertet
 performance-move-sphere = Die Kugel an ihre zweite Position in einem anderen Teil des Arbeitsraums setzen und befestigen. Dann oben antasten.
 performance-no-artefact =
@@ -1540,6 +1549,7 @@ performance-no-way-back = Das Angetastete gilt: Nach der ersten Antastung geht d
 performance-nothing-to-test = Es gibt nichts zu prüfen
 performance-off-direction = Das Normal liegt { $angle } neben der gezeichneten Richtung.
 performance-other-calibration = Seit Beginn der Prüfung wurde die verwendete Kalibrierung gewechselt.
+performance-pass-over-spheres = Den Laserstreifen langsam über jede Kugel des Stabs führen, von Seiten quer zum Stab, dann den Scan beenden.
 performance-pass-slowly = Die Laserlinie langsam über die ganze Kugel führen, dann den Scan beenden.
 performance-patches =
     { $count ->
@@ -1576,23 +1586,31 @@ performance-run = Position { $position }, Scan der Stellung { $articulation }
 performance-run-dropped = Während des Scannens verworfen.
 performance-run-repeated = Vom Bediener wiederholt.
 performance-scan-again = Diese Stellung nochmals scannen, langsam über die ganze Kugel
+performance-scan-bar = Das Normal so liegen lassen und den ganzen Stab scannen, { $repeat } von { $of }: alle seine Kugeln, von Seiten quer zum Stab.
+performance-scan-bar-again = Den Stab noch einmal scannen, langsam über jede Kugel
+performance-scan-bar-first = Zuerst den Stab in dieser Lage scannen.
 performance-scan-done = Stellung { $articulation } ist gescannt.
 performance-scan-is-measured = Der letzte Scan wird noch ausgewertet.
+performance-scan-length-alone = Zwei Paare von Kugeln haben den Abstand { $length }. Das Normal so liegen lassen und nur die beiden Kugeln dieser Länge scannen.
 performance-scan-missing = Die Stellung, auf deren Seite sie liegen, nochmals scannen.
 performance-scan-name = Leistungsprüfung, Stellung { $articulation }
 performance-scan-shows = { $patches } von 25 Feldern, { $points } Punkte
 performance-scan-too-small = Der Scan deckt nur { $count } der 25 Felder der Kugel ab
+performance-scanned-length = { $length } (Abweichung { $error })
 performance-scans-done = { $done } von { $of } Stellungen
+performance-set-by-scan = hat Antasten oder Scannen gewählt
 performance-set-is-invalid = Das Gemessene gehört zum alten Stand und ist als Prüfung ungültig. Neu beginnen; die Daten bleiben erhalten.
 performance-set-positions = hat die Zahl der Positionen gewählt
 performance-set-standard-up = Das Normal wie gezeichnet aufstellen: { $place }. Befestigen. { $text }
 performance-settings-changed = Die Einstellungen für Scans wurden nach der ersten Antastung dieser Prüfung geändert.
 performance-simulation-scans = Der simulierte Bediener scannt Stellung { $articulation }
+performance-simulation-scans-bar = Der simulierte Bediener scannt den Stab in Lage { $place }, Scan { $repeat }
 performance-simulation-touches =
     { $test ->
         [lengths] Der simulierte Bediener tastet das Stufenendmaß an: { $done } von { $of }
        *[other] Der simulierte Bediener tastet die Kugel an: { $done } von { $of }
     }
+performance-sphere-is-scanned = Ein Test an einer Kugel hat immer Scans.
 performance-sphere-touched-there = Die Kugel wurde dort schon angetastet; diese Antastung wurde nicht übernommen
 performance-standard-lengths =
     { $kind ->
@@ -1620,6 +1638,7 @@ performance-test =
        *[sphere] Leistungsprüfung: eine Kugel
     }
 performance-test-under-way-go-where-stands = Eine Leistungsprüfung läuft. Beim aktuellen Schritt fortfahren.
+performance-touch-bar-first = Zuerst alle Längen dieser Lage antasten.
 performance-touch-ends-of-length = Das andere Ende der genannten Länge antasten
 performance-touch-length =
     Länge { $length }, Wiederholung { $repeat } von { $of }: { $kind ->

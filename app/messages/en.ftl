@@ -1458,9 +1458,16 @@ performance-articulations-missing =
        *[other] { $missing } articulations are not scanned yet.
     }
 performance-aside-note = { $title }: { $reason }
-performance-began-scan = began a scan of the sphere
+performance-bar-run = Place { $place }, scan { $repeat } of the bar
+performance-bar-scan = Scan { $repeat }
+performance-bar-scan-done = Scan { $repeat } of the bar in place { $place } is accepted.
+performance-bar-scan-name = Performance test, place { $place }, scan { $repeat }
+performance-bar-scan-of-length = Scan { $repeat }, the spheres of { $length }
+performance-bar-was-moved = The bar was touched in another place since: the scans of the place before stand.
+performance-began-scan = began a scan of the artefact
 performance-begin-scan = Begin the scan
 performance-brought-to-20 = Sizes and lengths are brought to 20 °C; the artefact was at { $celsius }.
+performance-by-touch-alone = The lengths of this test are measured by touch alone.
 performance-camera-off-articulation = The camera looks from a direction { $off } away from the wanted one (at most { $most }).
 performance-cancelled-device = Cancelled: a device failed.
 performance-cancelled-moved = Cancelled: the artefact or the arm moved.
@@ -1492,14 +1499,14 @@ performance-do-review =
     }
 performance-do-temperatures = Measure the temperatures of artefact and arm once more. Those of the beginning are filled in; change what has changed, then confirm.
 performance-drop-scan = Discard the scan
-performance-dropped-scan = discarded a scan of the sphere
+performance-dropped-scan = discarded a scan of the artefact
 performance-dropping-scan = Discarding the scan
 performance-editions = Standards
 performance-end-scan = End the scan
 performance-ended = Ended
 performance-evaluating = Calculating the figures
 performance-finish-scan-first = End or discard the running scan first.
-performance-finished-scan = ended a scan of the sphere
+performance-finished-scan = ended a scan of the artefact
 performance-fix-standard = Nothing can be decided by lengths of a standard that rocks. Fix it and repeat the test.
 performance-gate-points = Points of a scan take part if they lie within { $shell } of the surface of the calibrated sphere and within { $cone } of its pole ({ $pole }), and if the sensor sees that surface at no more than { $incidence } from its normal. All these points count; none is removed by its residual.
 performance-go-on = Continue
@@ -1515,7 +1522,8 @@ performance-is-closed = This test is closed. Begin a new one.
 performance-is-evaluated = The figures are still being calculated.
 performance-last-error = Error of the last length, { $length }
 performance-leave-question = Cancel this test? It is kept and listed with the reason.
-performance-length-is-confirmed = The last length is confirmed by the first touch of the next one; its touches stand.
+performance-length-is-confirmed = The last length is confirmed by the first touch of the next one or by the first scan; its touches stand.
+performance-lengths-and-scans = { $done } of { $of } lengths touched, { $scanned } of { $scans } scans
 performance-lengths-done = All lengths are measured. Continue to the result.
 performance-lengths-measured = { $done } of { $of } lengths
 performance-let-temperatures-settle =
@@ -1523,6 +1531,7 @@ performance-let-temperatures-settle =
         [end] No figure will be decided. Repeat the test once the temperatures are steady.
        *[begin] No figure will be decided. Let artefact and arm settle, and measure again.
     }
+performance-measuring-bar-scan = Evaluating the scan of the bar: { $scan }
 performance-measuring-scan = Evaluating the scan of articulation { $articulation }
 performance-move-sphere = Move the sphere to its second position, in another part of the arm's reach, and fix it. Then touch its top.
 performance-no-artefact =
@@ -1536,6 +1545,7 @@ performance-no-way-back = What was touched stands: the test does not go back aft
 performance-nothing-to-test = There is nothing to test
 performance-off-direction = The standard lies { $angle } off the drawn direction.
 performance-other-calibration = The calibration in use has changed since the test began.
+performance-pass-over-spheres = Move the stripe slowly over every sphere of the bar, from sides across the bar, then end the scan.
 performance-pass-slowly = Move the stripe slowly over the whole sphere, then end the scan.
 performance-patches =
     { $count ->
@@ -1572,23 +1582,31 @@ performance-run = Position { $position }, scan of articulation { $articulation }
 performance-run-dropped = Discarded by the operator while it was scanned.
 performance-run-repeated = Repeated by the operator.
 performance-scan-again = Scan this articulation again, slowly over the whole sphere
+performance-scan-bar = Leave the standard as it is and scan the whole bar, { $repeat } of { $of }: all its spheres, from sides across the bar.
+performance-scan-bar-again = Scan the bar again, slowly over every sphere
+performance-scan-bar-first = Scan the bar in this place first.
 performance-scan-done = Articulation { $articulation } is scanned.
 performance-scan-is-measured = The last scan is still being evaluated.
+performance-scan-length-alone = Two pairs of spheres are { $length } apart. Leave the standard as it is and scan only the two spheres of this length.
 performance-scan-missing = Scan the articulation on whose side they lie again.
 performance-scan-name = Performance test, articulation { $articulation }
 performance-scan-shows = { $patches } of 25 patches, { $points } points
 performance-scan-too-small = The scan covers only { $count } of the sphere's 25 patches
+performance-scanned-length = { $length } (error { $error })
 performance-scans-done = { $done } of { $of } articulations
+performance-set-by-scan = chose touch or scan
 performance-set-is-invalid = What was measured belongs to the old state and is invalid as a test. Begin again; the data are kept.
 performance-set-positions = chose how many positions
 performance-set-standard-up = Set the standard up as drawn: { $place }. Fix it. { $text }
 performance-settings-changed = The settings for scans were changed after the first touch of this test.
 performance-simulation-scans = The simulated operator scans articulation { $articulation }
+performance-simulation-scans-bar = The simulated operator scans the bar in place { $place }, scan { $repeat }
 performance-simulation-touches =
     { $test ->
         [lengths] The simulated operator touches the step gauge: { $done } of { $of }
        *[other] The simulated operator touches the sphere: { $done } of { $of }
     }
+performance-sphere-is-scanned = A test on one sphere always has scans.
 performance-sphere-touched-there = The sphere was touched near there already; this touch was not taken
 performance-standard-lengths =
     { $kind ->
@@ -1616,6 +1634,7 @@ performance-test =
        *[sphere] Performance test: one sphere
     }
 performance-test-under-way-go-where-stands = A performance test is in progress. Continue where it stopped.
+performance-touch-bar-first = Touch all lengths of this place first.
 performance-touch-ends-of-length = Touch the other end of the length that is named
 performance-touch-length =
     Length { $length }, repeat { $repeat } of { $of }: { $kind ->

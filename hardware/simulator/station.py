@@ -26,6 +26,7 @@ from hardware.simulator.devices.ports import DevicePort, PtyPort, TcpPort
 from hardware.simulator.devices.rtde_server import RobotState, RtdeServer
 from hardware.simulator.operator.holding import SensorMount
 from hardware.simulator.operator.operator import GAUGE_SD_MM, ScriptedOperator
+from hardware.simulator.operator.swinging import BAR_MM, SPHERE_MM
 from hardware.simulator.rendering.line_sensor import LineSensor
 from hardware.simulator.rendering.noise import RawImage
 from hardware.simulator.rendering.render import Renderer
@@ -41,6 +42,7 @@ from hardware.simulator.rendering.triggered_sensor import TriggeredSensor
 from hardware.simulator.scene.datasheets import (
     JsonObject,
     arm_datasheet,
+    ball_bar_datasheet,
     block_datasheet,
     board_datasheet,
     plane_nominal,
@@ -53,7 +55,7 @@ from hardware.simulator.scene.random_scenes import (
     draw_true_board,
 )
 from hardware.simulator.scene.tabletop import build_table_scene
-from hardware.simulator.scene.world import GaugeSphere
+from hardware.simulator.scene.world import GaugeSphere, SimulatedScene
 from hardware.simulator.session import ground_truth
 
 __all__ = ["SimulatedStation", "SimulationConfig"]
@@ -110,6 +112,7 @@ class SimulatedStation:
             self._scene,
             SensorMount(self._rig.optics, self._rig.light_plane, self._rig.T_flange_sensor),
             self._press,
+            self._show,
             self.config.contact_sd_mm,
             self.config.pace,
             self.config.seed,
@@ -287,6 +290,7 @@ class SimulatedStation:
             "sensor.json": sensor_datasheet(rig.optics, rig.light_plane),
             "plate.nominal.json": plane_nominal(plate[:3, 3], plate[:3, 2]),
             "sphere.nominal.json": sphere_nominal(sphere[:3, 3], ball),
+            "ball-bar.json": ball_bar_datasheet(BAR_MM, SPHERE_MM, GAUGE_SD_MM),
             "step-gauge.json": step_gauge_datasheet(self.operator.step_gauge, GAUGE_SD_MM),
         }
 
@@ -345,6 +349,11 @@ class SimulatedStation:
     def _press(self, button: Button, pressed: bool, at_ns: int) -> None:
         if self._device is not None:
             self._device.press(button, pressed, at_ns)
+
+    def _show(self, scene: SimulatedScene) -> None:
+        self.shared_renderer.show(scene)
+        if self._second_renderer is not None:
+            self._second_renderer.show(scene)
 
     def _renderer(self) -> Renderer:
         rig = self._rig

@@ -27,7 +27,12 @@ def test_block_and_board_stand_side_by_side(tmp_path: Path) -> None:
     assert read_arm(tmp_path / "arms/simulated.json").name == simulation.config.arm.name
     assert read_sensor(tmp_path / "sensors/simulated.json").width_px == 640
     gauges = {path.name for path in (tmp_path / "gauges").iterdir()}
-    assert gauges == {"plate.nominal.json", "sphere.nominal.json", "step-gauge.json"}
+    assert gauges == {
+        "plate.nominal.json",
+        "sphere.nominal.json",
+        "step-gauge.json",
+        "ball-bar.json",
+    }
 
 
 def test_a_folder_that_cannot_be_written_is_refused_with_the_option_for_another(

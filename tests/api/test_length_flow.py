@@ -20,6 +20,7 @@ from app.station.jobs import Jobs
 from app.station.scan.scanner import Scanner
 from app.station.view3d.scene import Scene
 from app.store.store import Store
+from app.workflows.performance.evaluate import evaluate_performance
 from tests.api.calibrated import use_truth
 from tests.api.conftest import Server
 from tests.api.test_performance_flow import Desk, View, refusal
@@ -106,7 +107,10 @@ def test_lengths_count_in_their_order_and_survive_a_killed_server(
     desk: LengthDesk, tmp_path: Path
 ) -> None:
     server, view = desk.server, desk.start()
-    assert (view["test"], [gauge["id"] for gauge in view["gauges"]]) == ("lengths", ["step-gauge"])
+    ids = [gauge["id"] for gauge in view["gauges"]]
+    assert (view["test"], ids) == ("lengths", ["ball-bar", "step-gauge"])
+    desk.do("choose_gauge", id="step-gauge")
+    assert "spheres of a ball bar" in refusal(desk.command("set_by_scan", by_scan=True))
     assert "cap B" in refusal(
         desk.command("set_limit", quantity="length-touch", a_um=90.0, k=10.0, b_um=80.0)
     )
@@ -115,7 +119,13 @@ def test_lengths_count_in_their_order_and_survive_a_killed_server(
     view = desk.do("confirm_artefact")
     picture = view["picture"]["lengths"]
     assert [place["state"] for place in picture["places"]] == ["now", *["todo"] * 6]
-    assert [limit["limit_um"] for limit in picture["limits"]] == [100, 112.5, 120, 120, 120]
+    assert [limit["limit_um"] for limit in picture["touched"]["limits"]] == [
+        100,
+        112.5,
+        120,
+        120,
+        120,
+    ]
     view = desk.touch_end(100.0, 0)
     assert view["frozen"]
     plan = read_plan(server.data / "performance" / view["session_id"])
@@ -125,11 +135,11 @@ def test_lengths_count_in_their_order_and_survive_a_killed_server(
     view = desk.touch_end(225.0, 1)  # another face than that of the length
     assert any("225 mm instead of 100 mm" in english(f["text"]) for f in view["findings"])
     view = desk.touch_end(100.0, 1)
-    (error,) = view["picture"]["lengths"]["errors"]
+    (error,) = view["picture"]["lengths"]["touched"]["errors"]
     assert (error["place"], error["length_mm"], error["limit_um"]) == (1, 100.0, 100.0)
     assert abs(error["error_um"]) < 1000
-    assert not desk.do("undo")["picture"]["lengths"]["errors"]
-    assert desk.do("redo")["picture"]["lengths"]["errors"] == [error]
+    assert not desk.do("undo")["picture"]["lengths"]["touched"]["errors"]
+    assert desk.do("redo")["picture"]["lengths"]["touched"]["errors"] == [error]
     desk.touch_end(225.0, 0)  # confirms the length before
     desk.do("undo")
     assert "confirmed" in refusal(desk.command("undo"))
@@ -151,6 +161,75 @@ def test_lengths_count_in_their_order_and_survive_a_killed_server(
     assert (plan.kind, limit.a_um, limit.k, limit.b_um) == ("lengths", 90.0, 10.0, 120.0)
     assert plan.length is not None
     assert np.allclose([one.length_mm for one in plan.length.lengths], [100, 225, 350, 475, 600])
+
+
+def test_a_bar_is_scanned_in_its_place_and_a_scan_that_is_cut_short_is_repeated(
+    desk: LengthDesk, tmp_path: Path
+) -> None:
+    server, _ = desk.server, desk.start()
+    desk.do("choose_gauge", id="ball-bar")
+    view = desk.do("set_by_scan", by_scan=True)
+    assert (view["by_scan"], view["why_no_scans"]) == (True, "")
+    assert [one["quantity"] for one in view["picture"]["limits"]] == ["length-touch", "length-scan"]
+    desk.do("set_limit", quantity="length-scan", a_um=500.0, k=10.0)
+    view = desk.do("confirm_artefact")
+    assert "Touch all lengths" in refusal(desk.command("begin_scan"))
+    desk.do("run_simulation")
+    desk.wait(lambda view: scan_states(view).count("done") == 1, 180.0)
+    guide = server.context.performance_guide
+    desk.wait(lambda view: guide.state.open_scan is not None)
+    shutil.copytree(server.data, left := tmp_path / "left")  # as if it was killed now
+    with reopened(server, left) as other:
+        other.end_lost_scan()
+        assert len([scan for scan in other.state.bar_scans if scan.good]) == 1
+        assert other.state.touches == guide.state.touches
+    server.http.post("/api/stop").raise_for_status()
+    desk.wait(lambda view: view["busy"] is None)
+    view = desk.view()
+    assert view["frozen"]
+    assert [line["state"] for line in view["picture"]["lengths"]["scans"]] == [
+        "done",
+        "now",
+        "todo",
+    ]
+    assert "confirmed" in refusal(desk.command("undo"))
+    assert "Scan the bar" in refusal(desk.command("touch"))
+    assert "Scan the bar" in refusal(desk.command("confirm"))
+    session = server.data / "performance" / view["session_id"]
+    assert read_plan(session).by_scan
+
+    # a scan that shows no sphere is refused, and says why
+    desk.do("begin_scan")
+    desk.do("finish_scan")
+    desk.wait(lambda view: view["busy"] is None)
+    view = desk.view()
+    assert [line["state"] for line in view["picture"]["lengths"]["scans"]][:2] == [
+        "done",
+        "refused",
+    ]
+
+    desk.do("run_simulation")
+    view = desk.wait(lambda view: view["picture"]["lengths"]["places"][0]["state"] == "done", 120.0)
+    server.http.post("/api/stop").raise_for_status()
+    view = desk.wait(lambda view: view["busy"] is None)
+    lengths = view["picture"]["lengths"]
+    assert (lengths["places"][0]["scanned"], lengths["places"][1]["state"]) == (3, "now")
+    errors = lengths["scanned"]["errors"]
+    assert [(one["place"], one["repeat"]) for one in errors] == [(1, 1), (1, 2), (1, 3)]
+    assert all(abs(one["error_um"]) < 500 and one["limit_um"] == 530 for one in errors)
+    shutil.copytree(server.data, left := tmp_path / "again")
+    with reopened(server, left) as other:
+        assert other.state == guide.state
+    # the figures of the folder are those that were shown
+    found = evaluate_performance(session)
+    scanned = [one for one in found.lengths if one.by == "scan"]
+    assert [one.error_um for one in scanned] == pytest.approx([one["error_um"] for one in errors])
+
+
+def scan_states(view: View) -> list[str]:
+    """Of the scans of the present place."""
+    lengths = view["picture"]["lengths"] or {"scans": []}
+    return [one["state"] for one in lengths["scans"]]
 
 
 @pytest.mark.parametrize(

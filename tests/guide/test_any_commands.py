@@ -59,6 +59,16 @@ ENDS: Rows = [
     ("touched", {"feature": feature, "place": 0, "reading": q})
     for feature, q in zip(("l1-1-1-0", "l1-1-1-1", "l1-1-2-0", "l1-1-2-1"), Q_RAD, strict=True)
 ]
+SCANNED: Rows = [
+    ("started", {**LENGTHS, "gauge": "bar", "by_scan": True}),
+    ("step_confirmed", {"lengths": 1, "touches_each": 1, "by_scan": True}),
+    *(
+        ("touched", {"feature": f"l1-{repeat}-1-{end}", "place": 0, "reading": Q_RAD[0]})
+        for repeat in (1, 2, 3)
+        for end in (0, 1)
+    ),
+]
+BAR_SCAN = ("scan_begun", {"place": 1, "repeat": 1, "length": 0})
 PLAN_FROZEN = ("plan_frozen", {"plan_sha256": "0" * 64, "setup": {}})
 PATTERN: Rows = [
     *[("started", TEST), ("step_confirmed", {})],
@@ -119,6 +129,9 @@ AT: dict[str, list[Rows]] = {
         [*PATTERN, *[("step_confirmed", {})] * 4],
         [("started", LENGTHS)],
         [("started", LENGTHS), CONFIRMED, *ENDS, PLAN_FROZEN],
+        SCANNED,
+        [*SCANNED, BAR_SCAN, ("scan_ended", {"number": 1})],
+        [*SCANNED, BAR_SCAN],
     ],
 }
 FOLDERS = {"verify": "verifications", "performance": "performance"}
@@ -139,6 +152,7 @@ LIKELY = st.sampled_from(
 FIELDS = (
     *("field", "id", "face", "index", "number", "to", "all", "limit_um", "kind", "size_mm"),
     *("quantity", "a_um", "k", "b_um", "articulation", "reason"),
+    *("repeat", "by_scan"),
 )
 ARGS = st.one_of(
     st.dictionaries(st.sampled_from(FIELDS), st.one_of(LIKELY, ANYTHING), max_size=3),
@@ -153,6 +167,14 @@ STEPS = {
     "kind": "step-gauge",
     "name": "Steps",
     "lengths": [{"length_mm": mm, "standard_uncertainty_um": 1} for mm in (100, 300)],
+}
+
+
+BAR = {
+    **STEPS,
+    "kind": "ball-bar",
+    "sphere_diameter_mm": 25,
+    "lengths": [{"length_mm": 300, "standard_uncertainty_um": 1}],
 }
 
 
@@ -289,6 +311,7 @@ def template(simulation: SimulatedStation, tmp_path_factory: pytest.TempPathFact
     (data / "gauges" / "plate.json").write_text(json.dumps(PLATE))
     (data / "gauges" / "ball.json").write_text(json.dumps(BALL))
     (data / "gauges" / "steps.json").write_text(json.dumps(STEPS))
+    (data / "gauges" / "bar.json").write_text(json.dumps(BAR))
     close_context(context)
     context.store.close()
     context.monitoring.close()

@@ -45,7 +45,9 @@ def test_the_camera_is_compared_with_the_articulation_that_is_scanned(
 ) -> None:
     write_calibration(tmp_path / "calibration.json")
     calibration = read_calibration(tmp_path / "calibration.json")
-    first = SphereScan(1, 1, 1, "", ended=True, patches=((100, 10),))
+    first = SphereScan(
+        number=1, at="", position=1, articulation=1, ended=True, patches=((100, 10),)
+    )
     state = PerformanceState(step="scan", scans=(first,))
     wanted = directions_of_articulations(CENTRE)[1]
     camera = calibration.camera.centre_mm

@@ -106,6 +106,8 @@ class PerformancePlan(Document):
     sphere: SpherePart | None = None
     length: LengthStandardFile | None = None
     plate: PlatePart | None = None
+    by_scan: bool = False
+    """A test of lengths has scans of the ball bar in every place, too."""
     positions: Annotated[int, Field(ge=1, le=2)] = 1
     """Positions of the sphere within the reach; the standard takes two."""
     seats: Annotated[int, Field(ge=0, le=3)] = 0

@@ -24,6 +24,7 @@ AUDIT_LABELS = {
     "void_touch": message("removed-point"),
     "confirm_touch": message("confirmed-touches"),
     "set_positions": message("performance-set-positions"),
+    "set_by_scan": message("performance-set-by-scan"),
     "confirm_artefact": message("performance-confirmed-artefact"),
     "confirm": message("performance-confirmed-step"),
     "begin_scan": message("performance-began-scan"),

@@ -75,6 +75,19 @@ class SimulatedOperator(Protocol):
         """Touches an end (0 or 1) of a length of the step gauge, which is set up about a middle
         (3,) along a direction (3,), and presses the primary button; arm frame."""
 
+    def touch_bar(
+        self, middle_mm: Sequence[float], along: Sequence[float], end: int, touch: int
+    ) -> bool:
+        """Touches the sphere at an end (0 or 1) of the ball bar, which is set up about a middle
+        (3,) along a direction (3,), at one of four places, and presses the primary button; arm
+        frame."""
+
+    def scan_bar(
+        self, middle_mm: Sequence[float], along: Sequence[float], slowness: float = 1.0
+    ) -> bool:
+        """Passes the sensor over both spheres of the ball bar, which is set up likewise; by
+        ``slowness`` slower than usual."""
+
     def scan_sphere(self, seen_from: Sequence[float], slowness: float = 1.0) -> bool:
         """Passes the sensor over the sphere on the table, which it sees from a direction (3,),
         arm frame; by ``slowness`` slower than usual."""

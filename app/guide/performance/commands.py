@@ -4,8 +4,9 @@ from app.guide.common.arguments import Args
 from app.guide.common.buttons import ButtonName
 from app.guide.common.commands import Act, Commands, record, simulation_acts
 from app.guide.performance import tasks
-from app.guide.performance.entries import SphereScan
+from app.guide.performance.entries import AnyScan
 from app.guide.performance.guide import PerformanceGuide
+from app.guide.performance.length.scan_rules import find_bar_pass
 from app.guide.performance.simulated_operator import simulate
 from app.guide.performance.state import TOUCHING
 from app.messages.message import message
@@ -15,10 +16,10 @@ from app.station.jobs import Progress
 def button_command(guide: PerformanceGuide, button: ButtonName) -> str:
     """The arm's buttons: primary takes a touch, begins and ends a scan; undo takes back."""
     state = guide.state
+    if state.in_scan and button == "primary":
+        return "begin_scan" if state.open_scan is None else "finish_scan"
     if state.step in TOUCHING:
         return {"primary": "touch", "undo": "undo"}.get(button, "")
-    if state.step == "scan" and button == "primary":
-        return "begin_scan" if state.open_scan is None else "finish_scan"
     return ""
 
 
@@ -57,6 +58,10 @@ def _change_touches(kind: str, index: int, guide: PerformanceGuide, key: str | N
 
 
 def _begin_scan(guide: PerformanceGuide, args: Args, key: str | None) -> None:
+    of = find_bar_pass(guide.state, args) if guide.state.test == "lengths" else None
+    if of is not None:
+        tasks.begin_bar_scan(guide, of, key)
+        return
     wanted = args.get("articulation")
     tasks.begin_scan(guide, wanted if isinstance(wanted, int) else guide.state.articulation, key)
 
@@ -65,12 +70,12 @@ def _finish_scan(guide: PerformanceGuide, args: Args, key: str | None) -> None:
     _measure(guide, tasks.end_scan(guide, "scan_ended", key))
 
 
-def _measure(guide: PerformanceGuide, scan: SphereScan) -> None:
+def _measure(guide: PerformanceGuide, scan: AnyScan) -> None:
     def work(progress: Progress) -> None:
         guide.station.scanner.stop()
         tasks.measure_scan(guide, scan, progress)
 
-    guide.start_job(message("performance-measuring-scan", articulation=scan.articulation), work)
+    guide.start_job(tasks.measuring_text(guide, scan), work)
 
 
 def _drop_scan(guide: PerformanceGuide, args: Args, key: str | None) -> None:
@@ -95,6 +100,7 @@ def _again(guide: PerformanceGuide, args: Args, key: str | None) -> None:
 ACTS: dict[str, Act[PerformanceGuide]] = {
     "choose_gauge": record("gauge_chosen", "id"),
     "set_positions": record("positions_set", "number"),
+    "set_by_scan": record("by_scan_set", "by_scan"),
     "set_limit": tasks.set_limit,
     "set_temperature": tasks.set_temperature,
     "confirm_artefact": lambda guide, args, key: tasks.confirm_artefact(guide, key),

@@ -1,8 +1,10 @@
 """What is entered, touched and scanned in a performance test, as its journal has it."""
 
-from dataclasses import dataclass
+from abc import ABC, abstractmethod
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
 
-from app.formats.performance.plan import sphere_scan
+from app.formats.performance.plan import length_scan, sphere_scan
 from app.guide.gauge.state import Payload
 
 
@@ -40,37 +42,126 @@ class SphereContact:
     voided: bool = False
 
 
-@dataclass(frozen=True)
-class SphereScan:
-    """One scan of the sphere in an articulation."""
+@dataclass(frozen=True, kw_only=True)
+class _TestScan(ABC):
+    """What all scans of a test have."""
 
     number: int
     """Of all scans of the test."""
-    position: int
-    articulation: int
     at: str
     """When it was begun."""
     ended: bool = False
-    points: int = 0
-    """Of the sphere, within the gate."""
-    patches: tuple[tuple[int, int], ...] = ()
-    """Points and frames of each of the 25; empty until it is measured."""
     refused: Payload | None = None
     """Why it is of no use."""
     aside: str = ""
     """Why it does not count: dropped while it was scanned, or repeated; empty if it counts."""
 
     @property
+    @abstractmethod
     def name(self) -> str:
         """Of its folder."""
-        return sphere_scan(self.position, self.articulation)
+
+    @property
+    @abstractmethod
+    def measured(self) -> bool:
+        """Whether it was found to be of use."""
 
     @property
     def waiting(self) -> bool:
         """Whether it is still to be measured."""
-        return self.ended and not self.patches and self.refused is None and not self.aside
+        return self.ended and not self.measured and self.refused is None and not self.aside
 
     @property
     def good(self) -> bool:
         """Whether it counts."""
-        return bool(self.patches) and not self.aside
+        return self.measured and not self.aside
+
+
+@dataclass(frozen=True, kw_only=True)
+class SphereScan(_TestScan):
+    """One scan of the sphere in an articulation."""
+
+    position: int
+    articulation: int
+    points: int = 0
+    """Of the sphere, within the gate."""
+    patches: tuple[tuple[int, int], ...] = ()
+    """Points and frames of each of the 25; empty until it is measured."""
+
+    @property
+    def name(self) -> str:
+        return sphere_scan(self.position, self.articulation)
+
+    @property
+    def measured(self) -> bool:
+        return bool(self.patches)
+
+
+@dataclass(frozen=True)
+class BarPass:
+    """What a scan of a ball bar is to show; numbers from 1."""
+
+    place: int
+    repeat: int
+    length: int = 0
+    """The one whose two spheres are scanned by themselves; 0: the whole bar."""
+
+    @property
+    def name(self) -> str:
+        """Of the folder of its scan."""
+        return length_scan(self.place, self.repeat, self.length)
+
+
+@dataclass(frozen=True, kw_only=True)
+class BarScan(_TestScan):
+    """One scan of a ball bar in one of its places."""
+
+    of: BarPass
+    lengths_mm: tuple[tuple[int, float], ...] = ()
+    """The lengths that it shows, by their numbers; as they are at the bar's temperature."""
+    alone: tuple[int, ...] = ()
+    """The lengths that need a scan of their two spheres by themselves."""
+
+    @property
+    def name(self) -> str:
+        return self.of.name
+
+    @property
+    def measured(self) -> bool:
+        return bool(self.lengths_mm or self.alone)
+
+
+AnyScan = SphereScan | BarScan
+
+
+def scan_from_row(payload: Payload, number: int, position: int) -> AnyScan:
+    """The scan that a row begins: of a ball bar, or of the sphere at its present position."""
+    if "place" in payload:
+        of = BarPass(payload["place"], payload["repeat"], payload["length"])
+        return BarScan(number=number, at=payload["at"], of=of)
+    return SphereScan(
+        number=number,
+        at=payload["at"],
+        position=position,
+        articulation=payload["articulation"],
+    )
+
+
+def add_scan(scans: tuple[AnyScan, ...], scan: AnyScan) -> tuple[AnyScan, ...]:
+    """With one more; a good one of the same is repeated by it."""
+    before = (
+        replace(one, aside="repeated") if one.good and one.name == scan.name else one
+        for one in scans
+    )
+    return (*before, scan)
+
+
+def values_from_row(payload: Payload) -> Mapping[str, object]:
+    """What a row says that a scan shows, by the scan's fields."""
+    if "patches" in payload:
+        patches = tuple((int(points), int(frames)) for points, frames in payload["patches"])
+        return {"points": payload["points"], "patches": patches}
+    return {
+        "lengths_mm": tuple((int(number), float(mm)) for number, mm in payload["lengths"]),
+        "alone": tuple(int(number) for number in payload["alone"]),
+    }

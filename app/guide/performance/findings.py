@@ -7,6 +7,7 @@ from app.guide.common.flow import DECISION_QUALITY, device_findings, strain_find
 from app.guide.common.journal import error_from_payload
 from app.guide.performance.entries import Temperatures
 from app.guide.performance.length.picture import length_findings
+from app.guide.performance.length.scan_lines import bar_scan_findings
 from app.guide.performance.live import PerformanceLive
 from app.guide.performance.rules import change_reason, missing_patches
 from app.guide.performance.state import TOUCHING, PerformanceState
@@ -34,6 +35,7 @@ def list_findings(state: PerformanceState, live: PerformanceLive) -> list[Findin
         findings += _about_temperatures(state, live)
     if state.step == "lengths":
         findings += length_findings(live.lengths)
+        findings += bar_scan_findings(state)
     if live.off_deg is not None and live.off_deg > HELD_DEG:
         findings.append(_about_articulation(live.off_deg, state.step))
     if state.step == "scan":

@@ -10,9 +10,14 @@ from app.guide.common.datasheet_library import AnyGauge, Gauges
 from app.guide.common.flow import list_steps
 from app.guide.common.view import Action, LiveNumber, StepProgress
 from app.guide.performance.findings import list_findings
-from app.guide.performance.length.picture import last_error, length_instruction
+from app.guide.performance.length.picture import (
+    last_error,
+    length_instruction,
+    length_progress,
+)
 from app.guide.performance.live import PerformanceLive
 from app.guide.performance.picture import articulation_title, build_picture
+from app.guide.performance.plan import measures_by_scan, why_no_scans
 from app.guide.performance.rules import (
     RULES,
     change_reason,
@@ -55,6 +60,8 @@ def build_view(state: PerformanceState, live: PerformanceLive) -> PerformanceVie
         gauges=gauge_options(live.gauges, live.obstacles),
         gauge=state.gauge,
         positions=state.positions,
+        by_scan=measures_by_scan(state, live.artefact),
+        why_no_scans=sentence(why_no_scans(live.artefact)),
         position=state.position,
         frozen=state.frozen,
         steps=list_steps(
@@ -113,8 +120,8 @@ def _size(gauge: AnyGauge) -> Text:
 def _title(state: PerformanceState) -> Text:
     if state.step in ("location", "scan") and state.articulation:
         return articulation_title(state.articulation)
-    if state.end is not None:
-        return message("performance-place-title", number=state.end.place)
+    if state.place:
+        return message("performance-place-title", number=state.place)
     return TITLES[state.step]
 
 
@@ -148,7 +155,7 @@ def _instruction(state: PerformanceState, live: PerformanceLive) -> Text:
 
 
 def _number(state: PerformanceState, live: PerformanceLive) -> LiveNumber | None:
-    if state.step == "scan" and state.open_scan is not None:
+    if state.open_scan is not None:
         return LiveNumber(message("points-5"), float(live.scan_points), "", 0)
     if state.step == "lengths":
         return last_error(live.lengths)
@@ -157,9 +164,7 @@ def _number(state: PerformanceState, live: PerformanceLive) -> LiveNumber | None
 
 def _progress(state: PerformanceState) -> StepProgress | None:
     if state.step == "lengths" and state.sequence is not None:
-        done = len(state.of_step) // state.sequence.of_measurement
-        of = state.sequence.measurements
-        return StepProgress(done, of, message("performance-lengths-measured", done=done, of=of))
+        return length_progress(state, state.sequence)
     if state.step in TOUCHING:
         done, of = len(state.of_step), count_wanted(state)
         return StepProgress(done, of, message("touches", done=done, of=of))
@@ -177,6 +182,8 @@ def _actions(state: PerformanceState, live: PerformanceLive) -> list[Action]:
         again = offer("again", message("begin-again"), {"reason": "plan"}, primary=True)
         return [again, leave]
     simulation = RULES.offer_simulation(state, live, whole=state.step == "artefact")
+    if state.due is not None:
+        return [*_bar_scan_actions(state, live), *simulation, leave]
     if state.step == "artefact":
         label = message("performance-artefact-is-ready", test=state.test)
         return [offer("confirm_artefact", label, primary=True), *simulation, leave]
@@ -205,6 +212,16 @@ def _actions(state: PerformanceState, live: PerformanceLive) -> list[Action]:
     )
     change = offer("back", message("performance-change-temperatures"))
     return [offer("accept", message("performance-accept"), primary=True), change, again, leave]
+
+
+def _bar_scan_actions(state: PerformanceState, live: PerformanceLive) -> list[Action]:
+    """The touches before the first scan of a place can still be taken back."""
+    offer = partial(RULES.offer, state, live)
+    if state.open_scan is not None:
+        return _scan_actions(state, live)
+    begin = offer("begin_scan", message("performance-begin-scan"), primary=True)
+    undone = len(state.counted) > state.confirmed
+    return [begin, *([offer("undo", message("undo"))] if undone else [])]
 
 
 def _scan_actions(state: PerformanceState, live: PerformanceLive) -> list[Action]:

@@ -8,8 +8,10 @@ from typing import Any, Protocol
 import numpy as np
 
 from app.errors import OperationError
+from app.formats.atomic_write import sync_file, sync_folder
 from app.formats.datasheets.gauge import GaugeFile
 from app.formats.datasheets.length_standard import LengthStandardFile
+from app.formats.io_errors import convert_io_errors
 from app.formats.json_document import file_sha256
 from app.formats.performance.plan import PLAN, TOUCHES, PerformancePlan
 from app.formats.performance.results import PerformanceFile, read_performance
@@ -36,6 +38,7 @@ from app.guide.performance.artefacts import (
     read_calibrated_with,
     read_test_gauges,
 )
+from app.guide.performance.entries import AnyScan
 from app.guide.performance.flow import build_view, gauge_options
 from app.guide.performance.length.so_far import LengthsSoFar, check_touch, measure_so_far
 from app.guide.performance.live import PerformanceLive, Places
@@ -59,6 +62,7 @@ from app.metrology.performance.temperature import TEMPERATURE_LIMITS, Temperatur
 from app.metrology.transforms import Floats
 from app.timestamps import utc_now
 from app.workflows.performance.artefact_checks import list_problems
+from app.workflows.performance.measured_data import RECORDING, ScanCloud, read_scan
 
 KIND = "performance"
 FLOW = Flow(KIND, KIND, PerformanceState(), apply_row, build_view, RULES)
@@ -137,7 +141,7 @@ class PerformanceGuide(GaugeSession[PerformanceState, PerformanceLive, Performan
         side, active = station.rig.arm, self.active()
         stillness = side.stillness()
         gauges, artefact = self.gauges(), self.artefact()
-        blocked = station.scanner.why_not() if state.step == "scan" else None
+        blocked = station.scanner.why_not() if state.in_scan or state.whole_place else None
         return PerformanceLive(
             active_id=active.id if active else "",
             active_name=active.name if active else "",
@@ -323,6 +327,7 @@ class PerformanceGuide(GaugeSession[PerformanceState, PerformanceLive, Performan
             **self.first_payload(message("performance-nothing-to-test"), usable),
             "test": test,
             "positions": self.state.positions,
+            "by_scan": self.state.by_scan,
             "limits": {
                 one.quantity: {"a_um": one.a_um, "k": one.k, "b_um": one.b_um}
                 for one in read_station_limits(self.data_folder)
@@ -374,6 +379,20 @@ class PerformanceGuide(GaugeSession[PerformanceState, PerformanceLive, Performan
         """Brings the test's table of touches up to date."""
         counted = self.state.counted
         self.write_touches(TOUCHES, [touch.feature for touch in counted], counted)
+
+    # -- scans ---------------------------------------------------------------
+
+    def read_cloud(self, scan: AnyScan, arm: AnyArm) -> ScanCloud:
+        """A scan, rebuilt from its recording with the session's calibration.
+
+        Raises:
+            OperationError: it cannot be rebuilt.
+        """
+        path = self.folder / scan.name / RECORDING
+        with convert_io_errors(path):  # a killed process left it in memory alone
+            sync_file(path)
+            sync_folder(path.parent)
+        return read_scan(path, self.calibration(), arm)
 
     # -- what waits ----------------------------------------------------------
 

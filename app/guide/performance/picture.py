@@ -9,10 +9,10 @@ from app.formats.performance.symbols import (
     symbol_of,
 )
 from app.guide.common.journal import error_from_payload
-from app.guide.performance.entries import SphereScan
+from app.guide.performance.entries import AnyScan, BarScan
 from app.guide.performance.length.picture import lengths_picture
 from app.guide.performance.live import PerformanceLive
-from app.guide.performance.plan import QUANTITIES
+from app.guide.performance.plan import QUANTITIES, quantities_of
 from app.guide.performance.rules import patch_totals
 from app.guide.performance.state import PerformanceState
 from app.guide.performance.view import (
@@ -39,7 +39,7 @@ def build_picture(state: PerformanceState, live: PerformanceLive) -> Performance
     """The picture."""
     places = live.places
     return PerformancePicture(
-        limits=[_limit(state, one) for one in QUANTITIES[state.test]],
+        limits=[_limit(state, one) for one in quantities_of(state, live.artefact)],
         artefact_c=state.temperatures.artefact_c,
         arm_c=state.temperatures.arm_c,
         expanded_c=state.expanded_c,
@@ -138,8 +138,10 @@ def _scan_line(state: PerformanceState, number: int) -> ArticulationLine:
     return ArticulationLine(number, title, "done", text)
 
 
-def run_text(scan: SphereScan) -> Text:
+def run_text(scan: AnyScan) -> Text:
     """A scan that was measured, in a sentence."""
+    if isinstance(scan, BarScan):
+        return message("performance-bar-scan-done", place=scan.of.place, repeat=scan.of.repeat)
     return message("performance-scan-done", articulation=scan.articulation)
 
 
@@ -147,12 +149,18 @@ def aside_lines(state: PerformanceState) -> list[RunLine]:
     """The scans that do not count, and why."""
     lines = []
     for scan in state.scans:
-        title = message("performance-run", position=scan.position, articulation=scan.articulation)
+        title = _run_title(scan)
         if scan.aside:
             lines.append(RunLine(title, RUN_REASONS[scan.aside]))
         elif scan.refused is not None:
             lines.append(RunLine(title, error_from_payload(scan.refused).reason))
     return lines
+
+
+def _run_title(scan: AnyScan) -> Text:
+    if isinstance(scan, BarScan):
+        return message("performance-bar-run", place=scan.of.place, repeat=scan.of.repeat)
+    return message("performance-run", position=scan.position, articulation=scan.articulation)
 
 
 def result_view(found: PerformanceFile) -> PerformanceResultView:

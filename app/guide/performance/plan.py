@@ -16,15 +16,36 @@ from app.formats.results.decision_rule import RulePart
 from app.guide.common.datasheet_library import AnyGauge
 from app.guide.common.guided_session import Provenance
 from app.guide.performance.state import PerformanceState, Test
+from app.messages.message import Text, message
 from app.metrology.decision import DecisionRule
 from app.metrology.performance.lengths import LENGTHS
 from app.metrology.performance.temperature import TEMPERATURE_LIMITS, TemperatureLimits
 
 QUANTITIES: Mapping[Test, tuple[Quantity, ...]] = {
     "sphere": SPHERE_QUANTITIES,
-    "lengths": ("length-touch",),
+    "lengths": ("length-touch", "length-scan"),
 }
 """What each test measures."""
+
+
+def quantities_of(state: PerformanceState, artefact: AnyGauge | None) -> tuple[Quantity, ...]:
+    """What a test measures, with its artefact."""
+    found = QUANTITIES[state.test]
+    if state.test == "lengths" and not measures_by_scan(state, artefact):
+        return tuple(one for one in found if one != "length-scan")
+    return found
+
+
+def measures_by_scan(state: PerformanceState, artefact: AnyGauge | None) -> bool:
+    """Whether lengths are measured by scan, too: as it was chosen, of a standard with spheres."""
+    return state.by_scan and not why_no_scans(artefact)
+
+
+def why_no_scans(artefact: AnyGauge | None) -> Text:
+    """Why the lengths of a standard cannot be scanned; empty if they can."""
+    if isinstance(artefact, LengthStandardFile) and artefact.sphere_diameter_mm is None:
+        return message("only-ball-bars-are-scanned")
+    return ""
 
 
 def build_plan(
@@ -35,6 +56,7 @@ def build_plan(
     limits: TemperatureLimits = TEMPERATURE_LIMITS,
 ) -> PerformancePlan:
     """The plan of the test; ``rule`` and the ``limits`` of temperatures are the station's."""
+    measured = quantities_of(state, artefact)
     return PerformancePlan(
         id=state.session_id,
         kind=state.test,
@@ -44,8 +66,9 @@ def build_plan(
         started_at=state.started_at,
         sphere=sphere_part(state.gauge, artefact) if isinstance(artefact, GaugeFile) else None,
         length=artefact if isinstance(artefact, LengthStandardFile) else None,
+        by_scan=state.test == "lengths" and measures_by_scan(state, artefact),
         positions=state.positions if state.test == "sphere" else 1,
-        limits=tuple(one for one in limit_parts(state) if one.quantity in QUANTITIES[state.test]),
+        limits=tuple(one for one in limit_parts(state) if one.quantity in measured),
         rule=RulePart.of(rule),
         artefact_c=state.at_begin.artefact_c,
         temperature_sd_c=state.expanded_c / 2,

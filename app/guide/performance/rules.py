@@ -7,17 +7,22 @@ from typing import Annotated, Literal
 
 from pydantic import Field
 
+from app.errors import sentence
 from app.formats.performance.plan import ARTICULATIONS, LOCATION_TOUCHES, PATTERN_TOUCHES
 from app.formats.performance.symbols import Quantity
 from app.guide.common.arguments import Args, Arguments, IdArguments, OperatorArguments
 from app.guide.common.journal import error_from_payload
 from app.guide.common.rules import Command, CommandRules, no_simulation_reason
+from app.guide.performance.length.scan_rules import BAR_SCANS_MOST, bar_pass_reason
 from app.guide.performance.live import PerformanceLive
+from app.guide.performance.plan import why_no_scans
 from app.guide.performance.state import STEPS, TOUCHING, PerformanceState
 from app.messages.message import Text, message
+from app.metrology.performance.lengths import REPEATS
 from app.workflows.performance.sphere_test import LEAST_FRAMES, LEAST_POINTS
 
 SCANS_MOST = 60
+"""Of a sphere."""
 Reason = Literal["moved", "operating", "device", "plan", "other"]
 WANTED = {
     "pattern": PATTERN_TOUCHES,
@@ -54,8 +59,18 @@ class TemperatureArguments(Arguments):
     expanded_c: Annotated[float, Field(ge=0, le=10)] = 0.0
 
 
-class ArticulationArguments(Arguments):
+class ByScanArguments(Arguments):
+    """``by_scan``: whether the lengths of a ball bar are measured by scan, too."""
+
+    by_scan: bool
+
+
+class ScanArguments(Arguments):
+    """Which scan is repeated, by the ``articulation`` of the sensor over a sphere or by the
+    ``repeat`` of a ball bar's present place; missing: the next one."""
+
     articulation: Annotated[int, Field(ge=1, le=ARTICULATIONS)] | None = None
+    repeat: Annotated[int, Field(ge=1, le=REPEATS)] | None = None
 
 
 class ReasonArguments(Arguments):
@@ -116,6 +131,13 @@ def _set_limit(state: PerformanceState, live: PerformanceLive, args: Args) -> Te
     return _frozen(state, live, args)
 
 
+def _set_by_scan(state: PerformanceState, live: PerformanceLive, args: Args) -> Text:
+    if state.test != "lengths":
+        return message("performance-sphere-is-scanned")
+    why_not = why_no_scans(live.artefact) if args.get("by_scan") else ""
+    return _frozen(state, live, args) or sentence(why_not)
+
+
 def _choose(state: PerformanceState, live: PerformanceLive, args: Args) -> Text:
     chosen = args.get("id")
     if not isinstance(chosen, str) or chosen not in live.gauges.known:
@@ -134,6 +156,8 @@ def _touch(state: PerformanceState, live: PerformanceLive, args: Args) -> Text:
         return message("arm-2", text=live.arm_link.text)
     if live.arm is not None and live.arm.tip is None:
         return message("arm-without-tip-touches-nothing", name=live.arm.name)
+    if state.due is not None:
+        return message("performance-scan-bar-first")
     if len(state.of_step) >= count_wanted(state):
         return message("performance-all-touched")
     return "" if live.still else message("hold-arm-still-2")
@@ -156,6 +180,8 @@ def _confirm(state: PerformanceState, live: PerformanceLive, args: Args) -> Text
         return _confirm_scans(state)
     if state.step == "temperatures":
         return ""
+    if state.due is not None:
+        return message("performance-scan-bar-first")
     done, of = len(state.of_step), count_wanted(state)
     return "" if done >= of else message("performance-touches-missing", missing=of - done)
 
@@ -179,8 +205,11 @@ def _begin_scan(state: PerformanceState, live: PerformanceLive, args: Args) -> T
         return message("performance-finish-scan-first")
     if any(scan.waiting for scan in state.scans):
         return message("performance-scan-is-measured")
-    if len(state.scans) >= SCANS_MOST:
-        return message("clouds-enough", clouds_most=SCANS_MOST)
+    most = SCANS_MOST if state.test == "sphere" else BAR_SCANS_MOST
+    if len(state.scans) >= most:
+        return message("clouds-enough", clouds_most=most)
+    if state.test == "lengths":
+        return bar_pass_reason(state, args) or live.scan_why_not
     if args.get("articulation") is None and not state.articulation:
         return message("performance-all-scanned")
     return live.scan_why_not
@@ -221,6 +250,7 @@ RULES = CommandRules[PerformanceState, PerformanceLive](
     {
         "choose_gauge": Command(("artefact",), _choose, IdArguments),
         "set_positions": Command(("artefact",), _frozen, PositionsArguments),
+        "set_by_scan": Command(("artefact",), _set_by_scan, ByScanArguments),
         "set_limit": Command(("artefact", "pattern", "lengths"), _set_limit, LimitArguments),
         "set_temperature": Command(
             ("artefact", "pattern", "lengths", "temperatures"),
@@ -231,9 +261,9 @@ RULES = CommandRules[PerformanceState, PerformanceLive](
         "touch": Command(TOUCHING, _touch),
         "undo": Command(TOUCHING, _undo),
         "redo": Command(TOUCHING, _redo),
-        "begin_scan": Command(("scan",), _begin_scan, ArticulationArguments),
-        "finish_scan": Command(("scan",), _scanning),
-        "drop_scan": Command(("scan",), _scanning),
+        "begin_scan": Command(("scan", "lengths"), _begin_scan, ScanArguments),
+        "finish_scan": Command(("scan", "lengths"), _scanning),
+        "drop_scan": Command(("scan", "lengths"), _scanning),
         "confirm": Command((*TOUCHING, "scan", "temperatures"), _confirm),
         "back": Command(("pattern", "lengths", "review"), _back),
         "accept": Command(("review",), _accept),

@@ -15,7 +15,9 @@ from app.guide.common.simulation import (
     work_on_steps,
 )
 from app.guide.performance import tasks
+from app.guide.performance.entries import BarPass
 from app.guide.performance.guide import PerformanceGuide
+from app.guide.performance.length.so_far import LengthsSoFar
 from app.guide.performance.places import POLE, directions_of_articulations
 from app.guide.performance.rules import count_wanted, missing_patches
 from app.messages.message import message
@@ -40,34 +42,13 @@ def _confirm_artefact(
 
 
 def _touch(guide: PerformanceGuide, operator: SimulatedOperator, progress: Progress) -> None:
-    of, touch_next = count_wanted(guide.state), _touch_next
-    if guide.state.step == "lengths":
-        touch_next = _touch_next_end
+    of = count_wanted(guide.state)
     while (done := len(guide.state.of_step)) < of:
-        text = message(
-            "performance-simulation-touches", done=done + 1, of=of, test=guide.state.test
-        )
+        text = message("performance-simulation-touches", done=done + 1, of=of, test="sphere")
         progress(text, done / of)
-        if not guide.simulation_running or not touch_next(guide, operator):
+        if not guide.simulation_running or not _touch_next(guide, operator):
             return
     _confirm(guide)
-
-
-def _touch_next_end(guide: PerformanceGuide, operator: SimulatedOperator) -> bool:
-    with guide.lock:
-        end, so_far, number = guide.state.end, guide.lengths(), len(guide.state.of_step)
-    assert end is not None
-    assert so_far is not None
-    first, last = so_far.places_mm[end.place - 1]
-    length_mm = so_far.standard.lengths[end.length - 1].length_mm
-    return touch_until_taken(
-        guide,
-        lambda attempt: operator.touch_length(
-            ((first + last) / 2).tolist(), (last - first).tolist(), length_mm, end.end
-        ),
-        lambda: len(guide.state.touches),
-        message("hands-touch-declined-times", index=number + 1, attempts=ATTEMPTS),
-    )
 
 
 def _touch_next(guide: PerformanceGuide, operator: SimulatedOperator) -> bool:
@@ -86,6 +67,76 @@ def _touch_next(guide: PerformanceGuide, operator: SimulatedOperator) -> bool:
         lambda: len(guide.state.touches),
         message("hands-touch-declined-times", index=place + 1, attempts=ATTEMPTS),
     )
+
+
+def _measure_lengths(
+    guide: PerformanceGuide, operator: SimulatedOperator, progress: Progress
+) -> None:
+    """Touches the lengths, and scans the bar in each place after its touches."""
+    of, refused = count_wanted(guide.state), 0
+    while (due := guide.state.due) is not None or len(guide.state.of_step) < of:
+        done = len(guide.state.of_step)
+        if not guide.simulation_running or refused == SCAN_ATTEMPTS:
+            return
+        if due is None:
+            text = message("performance-simulation-touches", done=done + 1, of=of, test="lengths")
+            progress(text, done / of)
+            if not _touch_next_end(guide, operator):
+                return
+            continue
+        text = message("performance-simulation-scans-bar", place=due.place, repeat=due.repeat)
+        progress(text, done / of)
+        if not _scan_bar(guide, operator, due, progress, 1.0 + refused):
+            return
+        refused = refused + 1 if guide.state.due == due else 0
+    _confirm(guide)
+
+
+def _touch_next_end(guide: PerformanceGuide, operator: SimulatedOperator) -> bool:
+    with guide.lock:
+        state, so_far = guide.state, guide.lengths()
+    end, number = state.end, len(state.of_step)
+    assert end is not None
+    assert so_far is not None
+    middle, along = _pose_of_standard(so_far, end.place)
+    standard, touch = so_far.standard, len(state.of(end.feature))
+    length_mm = standard.lengths[end.length - 1].length_mm
+
+    def touch_end(attempt: int) -> bool:
+        if standard.sphere_diameter_mm is None:
+            return operator.touch_length(middle, along, length_mm, end.end)
+        return operator.touch_bar(middle, along, end.end, touch)
+
+    return touch_until_taken(
+        guide,
+        touch_end,
+        lambda: len(guide.state.touches),
+        message("hands-touch-declined-times", index=number + 1, attempts=ATTEMPTS),
+    )
+
+
+def _pose_of_standard(so_far: LengthsSoFar, place: int) -> tuple[list[float], list[float]]:
+    """Middle (3,) and direction (3,) of the standard in a place, as it is drawn."""
+    first, last = so_far.places_mm[place - 1]
+    return ((first + last) / 2).tolist(), (last - first).tolist()
+
+
+def _scan_bar(
+    guide: PerformanceGuide,
+    operator: SimulatedOperator,
+    due: BarPass,
+    progress: Progress,
+    slowness: float,
+) -> bool:
+    """One scan of the bar from its begin to its measure; False when it was stopped."""
+    _await_scanner(guide)
+    so_far = guide.lengths()
+    assert so_far is not None
+    middle, along = _pose_of_standard(so_far, due.place)
+    if not act_as_operator(guide, "begin_scan", lambda: tasks.begin_bar_scan(guide, due, None)):
+        return False
+    whole = operator.scan_bar(middle, along, slowness)
+    return _finish_scan(guide, whole, progress)
 
 
 def _scan(guide: PerformanceGuide, operator: SimulatedOperator, progress: Progress) -> None:
@@ -130,6 +181,12 @@ def _scan_one(
     ):
         return False
     whole = operator.scan_sphere(direction.tolist(), slowness)
+    return _finish_scan(guide, whole, progress)
+
+
+def _finish_scan(guide: PerformanceGuide, whole: bool, progress: Progress) -> bool:
+    """Ends and measures the scan that was made, or drops one that is not whole; False when it was
+    stopped."""
     with guide.lock:
         if guide.state.open_scan is None:
             return False
@@ -165,6 +222,6 @@ STEPS: dict[str, StepWork[PerformanceGuide]] = {
     "location": _touch,
     "scan": _scan,
     "end": _touch,
-    "lengths": _touch,
+    "lengths": _measure_lengths,
     "temperatures": _confirm_temperatures,
 }

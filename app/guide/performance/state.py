@@ -9,11 +9,18 @@ from app.guide.common.journal import SIMULATION_NOTES, JournalEntry, reading_of
 from app.guide.gauge.state import Payload, apply_change, restore_touch, void_touch
 from app.guide.performance.entries import (
     NOT_MEASURED,
+    AnyScan,
+    BarPass,
+    BarScan,
     DatasheetLimit,
     SphereContact,
     SphereScan,
     Temperatures,
+    add_scan,
+    scan_from_row,
+    values_from_row,
 )
+from app.guide.performance.length.passes import next_pass, whole_place
 from app.guide.performance.length.sequence import LengthEnd, LengthSequence
 from app.metrology.performance.temperature import (
     MeanTemperature,
@@ -47,6 +54,8 @@ class PerformanceState:
     """Of the data folder's gauges, by the name of its file."""
     positions: int = 1
     position: int = 1
+    by_scan: bool = False
+    """Whether the lengths of a ball bar are measured by scan, too."""
     sequence: LengthSequence | None = None
     """Of the touches of a length test, from the choice of the standard on."""
     confirmed: int = 0
@@ -65,7 +74,7 @@ class PerformanceState:
     touches: tuple[SphereContact, ...] = ()
     undone: tuple[int, ...] = ()
     """Touches that were taken back since the last one was taken; they can be put back."""
-    scans: tuple[SphereScan, ...] = ()
+    scans: tuple[AnyScan, ...] = ()
     result: str = ""
     """Of the evaluation; empty until it was evaluated."""
     failed: Payload | None = None
@@ -110,10 +119,36 @@ class PerformanceState:
 
     @property
     def end(self) -> LengthEnd | None:
-        """The end of a length that is touched next; None without any."""
-        if self.step != "lengths" or self.sequence is None:
+        """The end of a length that is touched next; None without any, and while a scan is due."""
+        if self.step != "lengths" or self.sequence is None or self.due is not None:
             return None
         return self.sequence.end_at(len(self.counted))
+
+    @property
+    def whole_place(self) -> int:
+        """The place of a bar that was touched last, if it has all its touches; else 0."""
+        if self.step != "lengths" or self.sequence is None:
+            return 0
+        return whole_place(self.sequence, len(self.counted))
+
+    @property
+    def due(self) -> BarPass | None:
+        """The scan of a bar that is to be made next in its present place; None without any."""
+        if self.sequence is None or not self.sequence.by_scan or not self.whole_place:
+            return None
+        return next_pass(self.whole_place, self.bar_scans)
+
+    @property
+    def place(self) -> int:
+        """Of a length standard now, from 1; 0 without any, and once all is done."""
+        if self.due is not None:
+            return self.due.place
+        return 0 if self.end is None else self.end.place
+
+    @property
+    def in_scan(self) -> bool:
+        """Whether scans are made now, not touches."""
+        return self.step == "scan" or self.due is not None
 
     @property
     def feature(self) -> str:
@@ -141,7 +176,16 @@ class PerformanceState:
     @property
     def here(self) -> tuple[SphereScan, ...]:
         """Scans of the present position, those set aside, too."""
-        return tuple(scan for scan in self.scans if scan.position == self.position)
+        return tuple(
+            scan
+            for scan in self.scans
+            if isinstance(scan, SphereScan) and scan.position == self.position
+        )
+
+    @property
+    def bar_scans(self) -> tuple[BarScan, ...]:
+        """Scans of a ball bar, those set aside, too."""
+        return tuple(scan for scan in self.scans if isinstance(scan, BarScan))
 
     def scan_of(self, articulation: int) -> SphereScan | None:
         """The scan that counts of an articulation at the present position."""
@@ -149,7 +193,7 @@ class PerformanceState:
         return found[-1] if found else None
 
     @property
-    def open_scan(self) -> SphereScan | None:
+    def open_scan(self) -> AnyScan | None:
         """The one that is under way."""
         last = self.scans[-1] if self.scans else None
         return last if last is not None and not last.ended and not last.aside else None
@@ -171,6 +215,7 @@ def _start(state: PerformanceState, payload: Payload) -> PerformanceState:
         calibration_id=payload["calibration_id"],
         gauge=payload["gauge"],
         positions=payload["positions"],
+        by_scan=payload.get("by_scan", False),
         limits={name: _limit_of(limit) for name, limit in payload["limits"].items()},
         started_at=payload["at"],
     )
@@ -219,15 +264,14 @@ def _add_touch(state: PerformanceState, payload: Payload) -> PerformanceState:
 
 
 def _begin_scan(state: PerformanceState, payload: Payload) -> PerformanceState:
-    number = payload["articulation"]
-    before = tuple(
-        replace(one, aside="repeated")
-        if one.good and one.position == state.position and one.articulation == number
-        else one
-        for one in state.scans
+    """A scan of a bar confirms the touches before it."""
+    scan = scan_from_row(payload, len(state.scans) + 1, state.position)
+    confirmed = len(state.counted) if isinstance(scan, BarScan) else 0
+    return replace(
+        state,
+        scans=add_scan(state.scans, scan),
+        confirmed=max(state.confirmed, confirmed),
     )
-    scan = SphereScan(len(state.scans) + 1, state.position, number, payload["at"])
-    return replace(state, scans=(*before, scan))
 
 
 def _change_scan(state: PerformanceState, number: int, **changes: Any) -> PerformanceState:
@@ -235,17 +279,14 @@ def _change_scan(state: PerformanceState, number: int, **changes: Any) -> Perfor
     return replace(state, scans=scans)
 
 
-def _keep_patches(state: PerformanceState, payload: Payload) -> PerformanceState:
-    patches = tuple((int(points), int(frames)) for points, frames in payload["patches"])
-    return _change_scan(state, payload["number"], points=payload["points"], patches=patches)
-
-
 def _confirm(state: PerformanceState, payload: Payload) -> PerformanceState:
     if state.step == "end" and state.position < state.positions:
         return replace(state, step="pattern", position=state.position + 1, undone=())
     steps = TEST_STEPS[state.test]
     if state.step == "artefact" and state.test == "lengths":
-        sequence = LengthSequence(payload["lengths"], payload["touches_each"])
+        sequence = LengthSequence(
+            payload["lengths"], payload["touches_each"], payload.get("by_scan", False)
+        )
         state = replace(state, sequence=sequence)
     if state.step == "temperatures":
         at_end = Temperatures(payload["artefact_c"], payload["arm_c"])
@@ -257,6 +298,7 @@ CHANGES: dict[str, Callable[[PerformanceState, Payload], PerformanceState]] = {
     "started": _start,
     "gauge_chosen": lambda state, payload: replace(state, gauge=payload["id"]),
     "positions_set": lambda state, payload: replace(state, positions=payload["number"]),
+    "by_scan_set": lambda state, payload: replace(state, by_scan=payload["by_scan"]),
     "limit_set": _set_limit,
     "temperature_set": _set_temperature,
     "plan_frozen": _freeze,
@@ -268,7 +310,9 @@ CHANGES: dict[str, Callable[[PerformanceState, Payload], PerformanceState]] = {
     "scan_dropped": lambda state, payload: _change_scan(
         state, payload["number"], ended=True, aside="dropped"
     ),
-    "scan_measured": _keep_patches,
+    "scan_measured": lambda state, payload: _change_scan(
+        state, payload["number"], **values_from_row(payload)
+    ),
     "scan_refused": lambda state, payload: _change_scan(
         state, payload["number"], refused=payload["refused"]
     ),

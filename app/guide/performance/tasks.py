@@ -5,27 +5,27 @@ from collections.abc import Mapping
 from datetime import UTC, datetime
 
 from app.errors import OperationError
-from app.formats.atomic_write import sync_file, sync_folder
 from app.formats.io_errors import convert_io_errors
 from app.formats.performance.end_temperatures import END_TEMPERATURES, EndTemperatures
-from app.formats.performance.plan import RESULT
+from app.formats.performance.plan import RESULT, sphere_scan
 from app.formats.performance.station_limits import write_station_limits
 from app.guide.common.arguments import Args
 from app.guide.common.flow import DECISION_QUALITY
 from app.guide.common.journal import error_payload
-from app.guide.performance.entries import SphereScan
+from app.guide.performance.entries import AnyScan, BarPass, BarScan, SphereScan
 from app.guide.performance.flow import CANCELLED
 from app.guide.performance.guide import PerformanceGuide
+from app.guide.performance.length.measure import measure_bar_scan
+from app.guide.performance.length.scan_lines import pass_title
 from app.guide.performance.length.so_far import touches_on_end
 from app.guide.performance.picture import aside_lines, run_text
 from app.guide.performance.places import POLE
-from app.guide.performance.plan import limit_parts
-from app.messages.message import message
+from app.guide.performance.plan import limit_parts, measures_by_scan
+from app.messages.message import Text, message
 from app.metrology.performance.gate import gate_sphere
 from app.metrology.performance.pattern import pattern_directions, scan_patches
 from app.station.jobs import Progress
 from app.workflows.performance.evaluate import evaluate_performance
-from app.workflows.performance.measured_data import RECORDING, read_scan
 from app.workflows.performance.sphere_test import LEAST_FRAMES, LEAST_PATCHES, LEAST_POINTS
 
 
@@ -52,7 +52,11 @@ def confirm_artefact(guide: PerformanceGuide, key: str | None) -> None:
     standard = guide.standard()
     payload: dict[str, object] = {}
     if standard is not None:
-        payload = {"lengths": len(standard.lengths), "touches_each": touches_on_end(standard)}
+        payload = {
+            "lengths": len(standard.lengths),
+            "touches_each": touches_on_end(standard),
+            "by_scan": measures_by_scan(guide.state, standard),
+        }
     guide.append("step_confirmed", payload, key)
 
 
@@ -72,19 +76,34 @@ def begin_scan(guide: PerformanceGuide, articulation: int, key: str | None) -> N
     Raises:
         OperationError: it cannot start.
     """
-    state = guide.state
-    name = SphereScan(0, state.position, articulation, "").name
+    name = sphere_scan(guide.state.position, articulation)
+    title = message("performance-scan-name", articulation=articulation)
+    _record(guide, name, title)
+    guide.append("scan_begun", {"articulation": articulation}, key)
+
+
+def begin_bar_scan(guide: PerformanceGuide, of: BarPass, key: str | None) -> None:
+    """Starts a scan of a ball bar in its present place; an earlier one of it is kept aside.
+
+    Raises:
+        OperationError: it cannot start.
+    """
+    title = message("performance-bar-scan-name", place=of.place, repeat=of.repeat)
+    _record(guide, of.name, title)
+    payload = {"place": of.place, "repeat": of.repeat, "length": of.length}
+    guide.append("scan_begun", payload, key)
+
+
+def _record(guide: PerformanceGuide, name: str, title: Text) -> None:
     folder = guide.folder / name
     if folder.exists():
         number = 1 + sum(1 for _ in guide.folder.glob(f"{name}-aside-*"))
         with convert_io_errors(folder):
             shutil.move(folder, guide.folder / f"{name}-aside-{number}")
-    title = message("performance-scan-name", articulation=articulation)
     guide.station.scanner.start(str(title), folder)
-    guide.append("scan_begun", {"articulation": articulation}, key)
 
 
-def end_scan(guide: PerformanceGuide, kind: str, key: str | None) -> SphereScan:
+def end_scan(guide: PerformanceGuide, kind: str, key: str | None) -> AnyScan:
     """Ends the scan that runs, as ``scan_ended`` or ``scan_dropped``."""
     scan = guide.state.open_scan
     assert scan is not None
@@ -92,35 +111,41 @@ def end_scan(guide: PerformanceGuide, kind: str, key: str | None) -> SphereScan:
     return scan
 
 
-def measure_scan(guide: PerformanceGuide, scan: SphereScan, progress: Progress) -> None:
-    """Rebuilds a scan from its recording and counts its patches; a refusal is kept, too."""
-    progress(message("performance-measuring-scan", articulation=scan.articulation), 0.5)
+def measuring_text(guide: PerformanceGuide, scan: AnyScan) -> Text:
+    """Said while a scan is measured."""
+    if isinstance(scan, BarScan):
+        return message("performance-measuring-bar-scan", scan=pass_title(scan.of, guide.lengths()))
+    return message("performance-measuring-scan", articulation=scan.articulation)
+
+
+def measure_scan(guide: PerformanceGuide, scan: AnyScan, progress: Progress) -> None:
+    """Rebuilds a scan from its recording and measures its patches or lengths; a refusal is kept,
+    too."""
+    progress(measuring_text(guide, scan), 0.5)
     folder = guide.folder / scan.name
     try:
-        points, patches = _patches_of(guide, scan)
+        if isinstance(scan, BarScan):
+            measured = measure_bar_scan(guide, scan)
+        else:
+            measured = _patches_of(guide, scan)
     except OperationError as error:
         guide.append("scan_refused", {"number": scan.number, "refused": error_payload(error)})
         guide.station.bus.event("refused", error.text, "attention")
     else:
-        payload = {"number": scan.number, "points": points, "patches": patches}
-        guide.append("scan_measured", payload)
+        guide.append("scan_measured", {"number": scan.number, **measured})
         guide.station.bus.event("step_done", run_text(scan), "good")
     scan_id = f"{guide.folder.name}-{folder.name}"
     guide.station.scanner.forget(scan_id)
     guide.station.scene.close_scan(scan_id)
 
 
-def _patches_of(guide: PerformanceGuide, scan: SphereScan) -> tuple[int, list[list[int]]]:
+def _patches_of(guide: PerformanceGuide, scan: SphereScan) -> Mapping[str, object]:
     """Points of the sphere in a scan, and points and frames of each patch."""
-    path = guide.folder / scan.name / RECORDING
     with guide.lock:
         arm, gauge, centre = guide.arm(), guide.gauge(), guide.centre_mm()
     if arm is None or gauge is None or gauge.radius_mm is None or centre is None:
         raise OperationError("datasheets-unreadable", message("sessions-gauge-arm-cannot-read-any"))
-    with convert_io_errors(path):  # a killed process left it in memory alone
-        sync_file(path)
-        sync_folder(path.parent)
-    cloud = read_scan(path, guide.calibration(), arm)
+    cloud = guide.read_cloud(scan, arm)
     gate = guide.plan().gate.gate
     found = gate_sphere(cloud.points_mm, cloud.views, 2 * gauge.radius_mm, POLE, centre, gate)
     patches = scan_patches(
@@ -137,7 +162,8 @@ def _patches_of(guide: PerformanceGuide, scan: SphereScan) -> tuple[int, list[li
             remedy=message("performance-scan-again"),
         )
     counts = zip(patches.points.tolist(), patches.frames.tolist(), strict=True)
-    return int(found.inside.sum()), [list(count) for count in counts]
+    patched = [list(count) for count in counts]
+    return {"points": int(found.inside.sum()), "patches": patched}
 
 
 def evaluate(guide: PerformanceGuide, progress: Progress) -> None:

@@ -77,7 +77,10 @@ class LengthPlaceMark:
     state: PlaceProgress
     done: int
     of: int
-    """Lengths that are measured there."""
+    """Lengths that are touched there."""
+    scanned: int
+    scans: int
+    """Of the whole standard there."""
     ends_mm: Sequence[tuple[float, float, float]]
     """Of the standard, arm frame."""
 
@@ -102,6 +105,24 @@ class LengthLimitMark:
 
 
 @dataclass(frozen=True)
+class LengthErrorsPicture:
+    """The errors of length by touch, or those by scan."""
+
+    limits: Sequence[LengthLimitMark]
+    errors: Sequence[LengthErrorMark]
+
+
+@dataclass(frozen=True)
+class BarScanLine(ArticulationLine):
+    """A scan of a ball bar in its present place; its number is that of the repeat."""
+
+    place: int
+    length: int
+    """The one whose spheres are scanned by themselves; 0: the whole bar."""
+    repeatable: bool
+
+
+@dataclass(frozen=True)
 class LengthsPicture:
     """What is drawn of a length test."""
 
@@ -109,8 +130,11 @@ class LengthsPicture:
     shoulder_mm: float
     """Height of the arm's shoulder over its base."""
     places: Sequence[LengthPlaceMark]
-    limits: Sequence[LengthLimitMark]
-    errors: Sequence[LengthErrorMark]
+    touched: LengthErrorsPicture
+    scanned: LengthErrorsPicture | None
+    """None: the lengths are measured by touch alone."""
+    scans: Sequence[BarScanLine]
+    """Of the present place, once it is scanned."""
 
 
 @dataclass(frozen=True)
@@ -183,6 +207,10 @@ class PerformanceView(SessionView):
     gauges: Sequence[ArtefactOption]
     gauge: str
     positions: int
+    by_scan: bool
+    """Whether lengths are measured by scan, too."""
+    why_no_scans: Text
+    """Why the chosen standard cannot be scanned; empty if it can."""
     position: int
     frozen: bool
     """Whether the plan stands: limits and sphere can no longer be changed."""

@@ -71,7 +71,8 @@ def measure_lengths(data: MeasuredData) -> LengthResult:
     assert standard is not None, "a plan of this kind has lengths"
     tip_mm = tip_of(data.arm).diameter_mm if data.tips_mm else 0.0
     touched, names = lengths_by_touch(standard, data.tips_mm, tip_mm, data.artefact)
-    scanned = measure_scanned_lengths(data) if has_length_scans(data) else None
+    by_scan = data.plan.by_scan or has_length_scans(data)
+    scanned = measure_scanned_lengths(data) if by_scan else None
     measured: list[Measured] = []
     problems: list[Text] = []
     if touched or scanned is None or data.plan.limit("length-touch") is not None:
@@ -80,7 +81,8 @@ def measure_lengths(data: MeasuredData) -> LengthResult:
         problems += rocking_problems(standard, touched, data.tips_mm, tip_mm)
     values = list(touched)
     if scanned is not None:
-        problem = scanned.problems[0] if scanned.problems else ""
+        missing: Text = "" if scanned.values else message("no-lengths-measured")
+        problem = scanned.problems[0] if scanned.problems else missing
         measured.append(_worst(data, "length-scan", scanned.values, scanned.scans, problem))
         problems += rocking_problems(standard, scanned.values)
         values += scanned.values

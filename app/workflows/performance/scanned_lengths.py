@@ -15,12 +15,26 @@ from app.metrology.performance.bar_spheres import (
     find_spheres,
     measure_sphere,
 )
+from app.metrology.performance.gate import SphereGate
 from app.metrology.performance.lengths import PLACES, REPEATS, MeasuredLength, length_of_bar_mm
 from app.metrology.transforms import Floats
 from app.workflows.performance.measured_data import MeasuredData, ScanCloud
 
 OTHER_LENGTH_MM = 2.0
 """Two spheres whose distance differs by more are not those of a length."""
+
+
+@dataclass(frozen=True)
+class LengthInScan:
+    """A length of the standard in one scan."""
+
+    number: int
+    """Of the standard's lengths, from 1."""
+    measured_mm: float | None
+    problem: Text = ""
+    """Why the scan does not show it."""
+    is_ambiguous: bool = False
+    """Whether more than one pair of spheres is so far apart: it needs a scan of its own."""
 
 
 @dataclass(frozen=True)
@@ -58,16 +72,30 @@ def measure_scanned_lengths(data: MeasuredData) -> ScannedLengths:
         names.append(name)
         if len(numbers) > 1:  # a scan of one length stands for it
             numbers = [n for n in numbers if not data.has_scan(length_scan(place, repeat, n))]
-        cloud = data.scan(name)
-        centres = find_spheres(cloud.points_mm, cloud.views, standard.sphere_diameter_mm)
-        for number in numbers:
-            found = _measure_length(data, standard, cloud, centres, number)
-            if isinstance(found, float):
-                nominal = standard.nominal(number)
-                values.append(MeasuredLength(place, repeat, nominal, found, data.artefact, "scan"))
-            else:
-                problems.append(message("titled-text", title=name, text=found))
+        for one in lengths_in_scan(standard, data.scan(name), data.plan.gate.gate, numbers):
+            if one.measured_mm is None:
+                problems.append(message("titled-text", title=name, text=one.problem))
+                continue
+            nominal = standard.nominal(one.number)
+            values.append(
+                MeasuredLength(place, repeat, nominal, one.measured_mm, data.artefact, "scan")
+            )
     return ScannedLengths(tuple(values), tuple(names), tuple(problems))
+
+
+def lengths_in_scan(
+    standard: LengthStandardFile, cloud: ScanCloud, gate: SphereGate, numbers: Sequence[int]
+) -> list[LengthInScan]:
+    """The lengths that one scan of a ball bar is to show, each with its value or why it has none.
+
+    Args:
+        numbers: of the lengths, from 1.
+    """
+    if standard.sphere_diameter_mm is None:
+        text = message("only-ball-bars-are-scanned")
+        return [LengthInScan(number, None, text) for number in numbers]
+    centres = find_spheres(cloud.points_mm, cloud.views, standard.sphere_diameter_mm)
+    return [_measure_length(standard, cloud, gate, centres, number) for number in numbers]
 
 
 def _scans(
@@ -84,13 +112,12 @@ def _scans(
 
 
 def _measure_length(
-    data: MeasuredData,
     standard: LengthStandardFile,
     cloud: ScanCloud,
+    gate: SphereGate,
     centres_mm: Floats,
     number: int,
-) -> float | Text:
-    """A length in mm, or why the scan does not show it."""
+) -> LengthInScan:
     nominal_mm = standard.lengths[number - 1].length_mm
     size = quantity(nominal_mm, "mm")
     pairs = [
@@ -99,9 +126,11 @@ def _measure_length(
         if abs(length_of_bar_mm(a, b) - nominal_mm) <= OTHER_LENGTH_MM
     ]
     if not pairs:
-        return message("scan-without-length", length=size, count=len(centres_mm))
+        text = message("scan-without-length", length=size, count=len(centres_mm))
+        return LengthInScan(number, None, text)
     if len(pairs) > 1:
-        return message("scan-has-length-twice", length=size)
+        text = message("scan-has-length-twice", length=size)
+        return LengthInScan(number, None, text, is_ambiguous=True)
     (first, second) = pairs[0]
     diameter_mm = standard.sphere_diameter_mm or 0.0
     along = np.asarray(second - first) / np.linalg.norm(second - first)
@@ -113,12 +142,13 @@ def _measure_length(
             diameter_mm,
             start,
             along,
-            data.plan.gate.gate,
+            gate,
         )
         for start in (first, second)
     ]
     if not all(one.is_covered for one in ends):
-        return message(
+        text = message(
             "scan-shows-little-of-sphere", length=size, points=LEAST_POINTS, frames=LEAST_FRAMES
         )
-    return length_of_bar_mm(ends[0].centre_mm, ends[1].centre_mm)
+        return LengthInScan(number, None, text)
+    return LengthInScan(number, length_of_bar_mm(ends[0].centre_mm, ends[1].centre_mm))

@@ -1,6 +1,6 @@
 import { useState } from "react";
 
-import { startPerformance } from "../api/guideCommands";
+import { sendCommand, startPerformance } from "../api/guideCommands";
 import type { LengthsPicture, PerformanceFile, PerformanceSummary, PerformanceView } from "../api/wire";
 import { Layout } from "../frame/Layout";
 import { Chips } from "../parts/Chips";
@@ -56,7 +56,7 @@ function Picture({ view }: { view: PerformanceView }) {
         <Temperatures picture={picture} end />
       </div>
     );
-  if (picture.lengths) return <Lengths lengths={picture.lengths} />;
+  if (picture.lengths) return <Lengths lengths={picture.lengths} busy={view.busy !== null} />;
   return (
     <div className={styles.step}>
       <SphereMap picture={picture} />
@@ -64,23 +64,46 @@ function Picture({ view }: { view: PerformanceView }) {
         <ArticulationList
           label={t("ui-articulations")}
           lines={picture.articulations}
-          repeatable={step === "scan" && view.busy === null}
+          onRepeat={
+            step === "scan" && view.busy === null
+              ? (articulation) => void sendCommand("performance", "begin_scan", { articulation })
+              : undefined
+          }
         />
       )}
     </div>
   );
 }
 
-function Lengths({ lengths }: { lengths: LengthsPicture }) {
+function Lengths({ lengths, busy }: { lengths: LengthsPicture; busy: boolean }) {
+  const scanning = lengths.scans.some(({ state }) => state === "scanning");
+  const [first] = lengths.scans;
+  const scans = first && t("ui-scans-of-the-bar-in-place", { place: first.place });
   return (
     <div className={styles.step}>
       <div className={styles.drawings}>
         <LengthPlaces lengths={lengths} />
+        {scans && (
+          <section className={styles.scans}>
+            <h3 className={styles.name}>{scans}</h3>
+            <ArticulationList
+              label={scans}
+              done="ui-scan-accepted"
+              lines={lengths.scans}
+              onRepeat={
+                busy || scanning ? undefined : (repeat) => void sendCommand("performance", "begin_scan", { repeat })
+              }
+            />
+          </section>
+        )}
         <LengthErrors {...lengths} />
       </div>
       <ArticulationList
         label={t("ui-places")}
-        lines={lengths.places.map((place) => ({ ...place, text: t("ui-lengths-done-of", place) }))}
+        lines={lengths.places.map((place) => ({
+          ...place,
+          text: place.scans > 0 ? t("ui-lengths-and-scans-done-of", place) : t("ui-lengths-done-of", place),
+        }))}
       />
     </div>
   );
@@ -179,13 +202,14 @@ function LengthsOfRecord({ lengths }: { lengths: LengthPoints }) {
   const scanned = lengths.filter(({ by }) => by === "scan");
   const touched = lengths.filter(({ by }) => by !== "scan");
   return (
-    <>
-      {touched.length > 0 && <LengthErrors errors={touched} limits={limitsOf(touched)} />}
-      {scanned.length > 0 && (
-        <LengthErrors errors={scanned} limits={limitsOf(scanned)} title={t("ui-errors-of-length-by-scan")} />
-      )}
-    </>
+    (touched.length > 0 || scanned.length > 0) && (
+      <LengthErrors touched={errorsOf(touched)} scanned={errorsOf(scanned)} />
+    )
   );
+}
+
+function errorsOf(errors: LengthPoints) {
+  return errors.length > 0 ? { errors, limits: limitsOf(errors) } : null;
 }
 
 /** The lengths of the standard, with the limits that they were judged by. */

@@ -49,8 +49,37 @@ export function ArtefactChoice({ view }: { view: PerformanceView }) {
           />
         </section>
       )}
+      {!sphere && <ByScanChoice view={view} />}
       <Temperatures picture={view.picture} />
       <Limits limits={view.picture.limits} />
     </div>
+  );
+}
+
+/** Lengths by touch alone, or by scan, too; of a standard without spheres, why not. */
+function ByScanChoice({ view }: { view: PerformanceView }) {
+  const title = t("ui-how-lengths-are-measured");
+  return (
+    <section>
+      <h3 className={styles.heading}>{title}</h3>
+      {view.why_no_scans ? (
+        <p className={styles.text}>
+          {t("ui-by-touch")}. {view.why_no_scans}
+        </p>
+      ) : (
+        <>
+          <p className={styles.text}>{t("ui-by-scan-takes-three-scans")}</p>
+          <Chips
+            label={title}
+            options={[
+              { value: 0, label: t("ui-by-touch") },
+              { value: 1, label: t("ui-by-touch-and-by-scan") },
+            ]}
+            value={view.by_scan ? 1 : 0}
+            onChange={(value) => void sendCommand("performance", "set_by_scan", { by_scan: value === 1 })}
+          />
+        </>
+      )}
+    </section>
   );
 }

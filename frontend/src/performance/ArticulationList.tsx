@@ -1,43 +1,46 @@
-import { sendCommand } from "../api/guideCommands";
 import type { ArticulationLine } from "../api/wire";
 import type { PlainId } from "../messages/text";
 import { PressButton } from "../parts/PressButton";
 import { t } from "../state/language";
 import styles from "./ArticulationList.module.css";
 
-const STATES: Record<ArticulationLine["state"], PlainId> = {
+const STATES: Record<Exclude<ArticulationLine["state"], "done">, PlainId> = {
   todo: "ui-to-do",
   now: "ui-now",
   scanning: "ui-being-scanned",
   measuring: "ui-being-measured",
-  done: "ui-done",
   refused: "ui-unusable",
 };
 
 interface ArticulationListProps {
   label: string;
-  lines: ArticulationLine[];
+  /** What is said of a line that is done. */
+  done?: PlainId;
+  lines: readonly Line[];
+  /** Called to scan again what a line is of; without it, nothing is repeated. */
+  onRepeat?: ((number: number) => void) | undefined;
+}
+
+interface Line extends ArticulationLine {
+  /** Whether it can be scanned again; missing: once it is done. */
   repeatable?: boolean;
 }
 
-/** The five articulations of a step, or the seven places: what is done, and what each has shown. */
-export function ArticulationList({ label, lines, repeatable = false }: ArticulationListProps) {
+/** The five articulations of a step, the seven places, or the scans in one: what is done, and what each has shown. */
+export function ArticulationList({ label, done = "ui-done", lines, onRepeat }: ArticulationListProps) {
   return (
     <ol className={styles.list} aria-label={label}>
-      {lines.map(({ number, title, state, text }) => (
-        <li key={number} className={styles.row} data-state={state}>
+      {lines.map(({ number, title, state, text, repeatable = state === "done" }) => (
+        <li key={`${number} ${title}`} className={styles.row} data-state={state}>
           <span className={styles.number}>{number}</span>
           <div className={styles.what}>
             <p className={styles.name}>
-              {title} <span className={styles.state}>{t(STATES[state])}</span>
+              {title} <span className={styles.state}>{t(state === "done" ? done : STATES[state])}</span>
             </p>
             {text && <p className={styles.detail}>{text}</p>}
           </div>
-          {repeatable && state === "done" && (
-            <PressButton
-              kind="quiet"
-              onPress={() => sendCommand("performance", "begin_scan", { articulation: number })}
-            >
+          {onRepeat && repeatable && (
+            <PressButton kind="quiet" onPress={() => onRepeat(number)}>
               {t("ui-scan-again")}
             </PressButton>
           )}

@@ -11,11 +11,20 @@ interface LengthError {
   limit_um?: number | null;
 }
 
-interface LengthErrorsProps {
+interface Limit {
+  length_mm: number;
+  limit_um?: number | null;
+}
+
+/** Errors of length with the lengths of the standard and their permissible errors. */
+interface Errors {
   errors: readonly LengthError[];
-  /** The lengths of the standard with their permissible errors. */
-  limits: readonly { length_mm: number; limit_um?: number | null }[];
-  title?: string;
+  limits: readonly Limit[];
+}
+
+interface LengthErrorsProps {
+  touched?: Errors | null;
+  scanned?: Errors | null;
 }
 
 const WIDTH = 600;
@@ -25,41 +34,57 @@ const RIGHT = 24;
 const TOP = 12;
 const BOTTOM = 34;
 const PLACES = 7;
-/** Between the places of one length, so that equal errors are seen apart. */
+/** Between the places of one length, so that equal errors are seen apart; and if those by scan are drawn beside those by
+ * touch, with both to their side of the length. */
 const APART = 5;
+const APART_BESIDE = 3.5;
+const ASIDE = 13;
+/** Half the width of a limit of a single length. */
+const ONLY = 24;
+const NONE: Errors = { errors: [], limits: [] };
 
-/** The errors of length over the length, with the band of the permissible error. */
-export function LengthErrors({ errors, limits, title = t("ui-errors-of-length") }: LengthErrorsProps) {
-  const longest = Math.max(...limits.map(({ length_mm }) => length_mm), 1);
-  const band = limits.filter((one): one is { length_mm: number; limit_um: number } => typeof one.limit_um === "number");
-  const largest = errors.reduce((most, { error_um }) => Math.max(most, Math.abs(error_um)), 0);
-  const top = 1.15 * Math.max(largest, ...band.map(({ limit_um }) => limit_um), 1);
+/** The errors of length over the length, by touch as dots and by scan as rings: the band is the
+ * permissible error by touch, or the only one; dashed lines are that by scan beside it. */
+export function LengthErrors({ touched, scanned }: LengthErrorsProps) {
+  const both = Boolean(touched && scanned);
+  const main = touched ?? scanned ?? NONE;
+  const beside = both && scanned ? scanned : NONE;
+  const all = [...main.errors, ...beside.errors];
+  const band = known(main.limits);
+  const dashed = known(beside.limits);
+  const longest = Math.max(...main.limits.map(({ length_mm }) => length_mm), 1);
+  const top = 1.15 * Math.max(largest(all), ...[...band, ...dashed].map(({ limit_um }) => limit_um), 1);
   const x = (length: number) => LEFT + 30 + ((WIDTH - LEFT - RIGHT - 56) * length) / longest;
   const y = (error: number) => TOP + (HEIGHT - TOP - BOTTOM) * (0.5 - error / (2 * top));
-  const edge = (sign: number) => band.map(({ length_mm, limit_um }) => `${x(length_mm)},${y(sign * limit_um)}`);
+  const apart = both ? APART_BESIDE : APART;
+  const aside = both ? ([-ASIDE, ASIDE] as const) : ([0, 0] as const);
+  const edge = (sign: number, limits: KnownLimit[]) =>
+    limits.length === 1 && limits[0]
+      ? [-ONLY, ONLY].map((off) => `${x(limits[0]?.length_mm ?? 0) + off},${y(sign * (limits[0]?.limit_um ?? 0))}`)
+      : limits.map(({ length_mm, limit_um }) => `${x(length_mm)},${y(sign * limit_um)}`);
+  const title = t(touched ? "ui-errors-of-length" : "ui-errors-of-length-by-scan");
   return (
     <figure className={styles.errors}>
       <figcaption className={styles.title}>
         {title}
-        <span className={styles.words}>
-          {errors.length > 0
-            ? t("ui-lengths-largest-error", { count: errors.length, value: measured(largest, "µm", 1) })
-            : t("ui-no-length-yet")}
-          {band.length > 0 && ` · ${t("ui-band-is-permissible-error")}`}
-        </span>
+        {both ? (
+          <Key touched={main} scanned={beside} />
+        ) : (
+          <span className={styles.words}>
+            {counted(main.errors)}
+            {band.length > 0 && ` · ${t("ui-band-is-permissible-error")}`}
+          </span>
+        )}
       </figcaption>
       <svg className={styles.plot} viewBox={`0 0 ${WIDTH} ${HEIGHT}`} role="img" aria-label={title}>
         <rect className={styles.frame} x={LEFT} y={TOP} width={WIDTH - LEFT - RIGHT} height={HEIGHT - TOP - BOTTOM} />
-        {band.length > 1 && <polygon className={styles.band} points={[...edge(1), ...edge(-1).reverse()].join(" ")} />}
-        {band.length === 1 && band[0] && (
-          <line
-            className={styles.only}
-            x1={x(band[0].length_mm)}
-            x2={x(band[0].length_mm)}
-            y1={y(band[0].limit_um)}
-            y2={y(-band[0].limit_um)}
-          />
+        {band.length > 0 && (
+          <polygon className={styles.band} points={[...edge(1, band), ...edge(-1, band).reverse()].join(" ")} />
         )}
+        {dashed.length > 0 &&
+          [1, -1].map((sign) => (
+            <polyline key={sign} className={styles.dashed} points={edge(sign, dashed).join(" ")} />
+          ))}
         <line className={styles.zero} x1={LEFT} x2={WIDTH - RIGHT} y1={y(0)} y2={y(0)} />
         {[top / 1.15, 0, -top / 1.15].map((value) => (
           <text key={value} className={styles.scale} x={LEFT - 8} y={y(value)}>
@@ -69,7 +94,7 @@ export function LengthErrors({ errors, limits, title = t("ui-errors-of-length") 
         <text className={styles.unit} x={LEFT - 8} y={HEIGHT - 12}>
           {unitOf("µm")}
         </text>
-        {limits.map(({ length_mm }) => (
+        {main.limits.map(({ length_mm }) => (
           <text key={length_mm} className={styles.length} x={x(length_mm)} y={HEIGHT - 12}>
             {figures(inUnit(length_mm, "mm"), unitOf("mm") === "mm" ? 0 : 1)}
           </text>
@@ -77,25 +102,67 @@ export function LengthErrors({ errors, limits, title = t("ui-errors-of-length") 
         <text className={styles.length} x={WIDTH - RIGHT + 8} y={HEIGHT - 12}>
           {unitOf("mm")}
         </text>
-        {errors.map((one) => (
-          <circle
-            key={`${one.place}-${one.repeat}-${one.length_mm}`}
-            className={styles.error}
-            data-beyond={typeof one.limit_um === "number" && Math.abs(one.error_um) > one.limit_um}
-            cx={x(one.length_mm) + APART * (one.place - (PLACES + 1) / 2)}
-            cy={y(one.error_um)}
-            r={3}
-          >
-            <title>
-              {t("ui-length-error-of", {
-                place: one.place,
-                repeat: one.repeat,
-                error: signedLength(one.error_um, "µm", 1),
-              })}
-            </title>
-          </circle>
-        ))}
+        {([0, 1] as const).map((k) =>
+          (k === 0 ? main : beside).errors.map((one) => (
+            <circle
+              key={`${k} ${one.place}-${one.repeat}-${one.length_mm}`}
+              className={styles.error}
+              data-by={k === 0 && touched ? "touch" : "scan"}
+              data-beyond={typeof one.limit_um === "number" && Math.abs(one.error_um) > one.limit_um}
+              cx={x(one.length_mm) + aside[k] + apart * (one.place - (PLACES + 1) / 2)}
+              cy={y(one.error_um)}
+              r={3}
+            >
+              <title>
+                {t(k === 0 && touched ? "ui-length-error-of" : "ui-length-error-by-scan-of", {
+                  place: one.place,
+                  repeat: one.repeat,
+                  error: signedLength(one.error_um, "µm", 1),
+                })}
+              </title>
+            </circle>
+          )),
+        )}
       </svg>
     </figure>
   );
+}
+
+/** What is drawn how, with how many lengths and their largest error. */
+function Key({ touched, scanned }: { touched: Errors; scanned: Errors }) {
+  return (
+    <span className={styles.key}>
+      <span className={styles.words}>
+        <Dot by="touch" /> {t("ui-by-touch")}: {counted(touched.errors)}
+        {known(touched.limits).length > 0 && ` · ${t("ui-band-is-permissible-error")}`}
+      </span>
+      <span className={styles.words}>
+        <Dot by="scan" /> {t("ui-by-scan")}: {counted(scanned.errors)}
+        {known(scanned.limits).length > 0 && ` · ${t("ui-dashed-is-permissible-error")}`}
+      </span>
+    </span>
+  );
+}
+
+function Dot({ by }: { by: "touch" | "scan" }) {
+  return (
+    <svg className={styles.dot} viewBox="0 0 10 10" aria-hidden="true">
+      <circle className={styles.error} data-by={by} cx={5} cy={5} r={3} />
+    </svg>
+  );
+}
+
+type KnownLimit = { length_mm: number; limit_um: number };
+
+function known(limits: readonly Limit[]): KnownLimit[] {
+  return limits.filter((one): one is KnownLimit => typeof one.limit_um === "number");
+}
+
+function largest(errors: readonly LengthError[]) {
+  return errors.reduce((most, { error_um }) => Math.max(most, Math.abs(error_um)), 0);
+}
+
+function counted(errors: readonly LengthError[]) {
+  if (errors.length === 0) return t("ui-no-length-yet");
+  return t("ui-lengths-largest-error", { count: errors.length, value: measured(largest(errors), "µm", 1) });
 }

@@ -12,7 +12,7 @@ const FROM_THE_SIDE: Projection = ([x, , z]) => [x, z];
 
 /** The seven places of the standard within the arm's reach, from above and from the side. */
 export function LengthPlaces({ lengths }: { lengths: LengthsPicture }) {
-  const { reach_mm: reach, shoulder_mm: shoulder, places } = lengths;
+  const { reach_mm: reach, shoulder_mm: shoulder, places, scanned } = lengths;
   const edge = 0.08 * reach;
   return (
     <figure className={styles.places}>
@@ -37,8 +37,8 @@ export function LengthPlaces({ lengths }: { lengths: LengthsPicture }) {
       </div>
       <figcaption className={styles.caption}>
         <span className={keys.key}>
-          <i data-key="next" /> {t("ui-place-next")} <i data-key="done" /> {t("ui-place-done")} <i data-key="todo" />{" "}
-          {t("ui-to-do")}
+          <i data-key="next" /> {t("ui-place-next")} <i data-key="done" /> {t(scanned ? "ui-done" : "ui-place-done")}{" "}
+          <i data-key="todo" /> {t("ui-to-do")}
         </span>
       </figcaption>
     </figure>

@@ -37,7 +37,7 @@ function Limit({ limit }: { limit: PerformanceLimitLine }) {
   const id = useId();
   return (
     <li>
-      <form className={styles.limit} {...form}>
+      <form className={styles.limit} aria-label={limit.grows ? limit.title : undefined} {...form}>
         <label htmlFor={id} className={styles.what}>
           <span className={styles.title}>{limit.title}</span>
           <span className={styles.symbol}>{limit.symbol}</span>

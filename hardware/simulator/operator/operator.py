@@ -25,6 +25,7 @@ from hardware.simulator.operator.contact import (
 )
 from hardware.simulator.operator.holding import SensorMount, sensor_over_block, sensor_over_board
 from hardware.simulator.operator.moving import MoveExecutor, OperatorState
+from hardware.simulator.operator.on_bar import path_onto_bar, view_directions
 from hardware.simulator.operator.on_face import path_onto_face
 from hardware.simulator.operator.on_sphere import PASS_S as SPHERE_PASS_S
 from hardware.simulator.operator.on_sphere import path_onto_place, plan_view
@@ -43,6 +44,7 @@ from hardware.simulator.operator.swinging import (
     seat_centre,
     swing_path,
 )
+from hardware.simulator.scene.ball_bar import bar_ends, with_bar
 from hardware.simulator.scene.step_gauge import StepGauge, draw_true_step_gauge, gauge_start_mm
 from hardware.simulator.scene.world import Board, Box, CrenellatedBlock, GaugeSphere, SimulatedScene
 
@@ -67,6 +69,7 @@ class ScriptedOperator:
 
     Args:
         press: called with a button, whether it goes down, and when.
+        show: called with the scene when something was set up or put away.
         pace: 1 is an operator's speed; 2 is twice as fast.
     """
 
@@ -77,11 +80,12 @@ class ScriptedOperator:
         scene: SimulatedScene,
         sight: SensorMount,
         press: Callable[[Button, bool, int], None],
+        show: Callable[[SimulatedScene], None],
         contact_sd_mm: float = 0.006,
         pace: float = 1.0,
         seed: int = 0,
     ) -> None:
-        self._arm, self._scene = arm, scene
+        self._arm, self._scene, self._show = arm, scene, show
         self._sensor_mount, self._T_sensor_flange = sight, np.linalg.inv(sight.T_flange_sensor)
         self._contact_sd_mm = contact_sd_mm
         self._rng = np.random.default_rng(seed)
@@ -93,6 +97,8 @@ class ScriptedOperator:
         self._true_gauge = draw_true_step_gauge(
             self.step_gauge, GAUGE_SD_MM, np.random.default_rng(seed)
         )
+        off = np.random.default_rng([seed, 1]).normal(0.0, GAUGE_SD_MM)
+        self._true_bar_mm = BAR_MM + float(off)
         block = scene.find_object("block")
         assert isinstance(block.shape, CrenellatedBlock)
         self.faces = reachable_faces(block.shape, arm.tip_diameter_mm / 2)
@@ -325,6 +331,49 @@ class ScriptedOperator:
             return True
         return False
 
+    def touch_bar(
+        self, middle_mm: Sequence[float], along: Sequence[float], end: int, touch: int
+    ) -> bool:
+        """Touches the sphere at an end (0 or 1) of the ball bar at one of four places, from
+        0, and presses the primary button; False when cancelled.
+
+        Args:
+            middle_mm: (3,) of the bar where it is set up, arm frame.
+            along: (3,) its direction, arm frame.
+
+        Raises UnreachableError where the arm cannot get there.
+        """
+        ends = bar_ends(np.asarray(middle_mm), np.asarray(along), self._true_bar_mm)
+        with self._executor.move("touching the ball bar"):
+            gap_mm = SPHERE_MM / 2 + self.planner.gap_mm()
+            self._tap(lambda q: path_onto_bar(self._arm, ends, end, touch, gap_mm, q, self._rng))
+            return True
+        return False
+
+    def scan_bar(
+        self, middle_mm: Sequence[float], along: Sequence[float], slowness: float = 1.0
+    ) -> bool:
+        """Passes the sensor over both spheres of the ball bar, which is set up as of ``touch_bar``;
+        False when cancelled.
+
+        Args:
+            slowness: by how much slower than usual.
+
+        Raises UnreachableError where the arm cannot hold the sensor over a sphere.
+        """
+        direction = _unit(along)
+        ends = bar_ends(np.asarray(middle_mm), direction, self._true_bar_mm)
+        with self._executor.move("scanning the ball bar"):
+            self._show(with_bar(self._scene, ends, SPHERE_MM))
+            try:
+                for begin, centre in zip((0.0, 0.5), ends, strict=True):
+                    T, views = translation(*centre.tolist()), view_directions(centre, direction)
+                    self._pass_over(T, SPHERE_MM / 2, views, slowness, (begin, begin + 0.5))
+            finally:
+                self._show(self._scene)
+            return True
+        return False
+
     def scan_sphere(self, seen_from: Sequence[float], slowness: float = 1.0) -> bool:
         """Passes the sensor over the sphere on the table so that it sees it from a direction
         (3,), arm frame; False when cancelled.
@@ -339,21 +388,37 @@ class ScriptedOperator:
         assert isinstance(shape, GaugeSphere)
         with self._executor.move("scanning the sphere"):
             direction = thing.T_arm_obj[:3, :3].T @ _unit(seen_from)
-            camera = self._sensor_mount.optics.centre_mm
-            sweeps = plan_view(shape.radius_mm, direction, camera)
-            for sweep in sweeps:
-                poses = sweep_poses(thing.T_arm_obj, sweep) @ self._T_sensor_flange
-                with suppress(UnreachableError):
-                    to_start = self.planner.path_to(poses[0], 50.0)
-                    plan_path(self._arm, poses, to_start.q_rad[-1], SPHERE_PASS_S)
-                    self._executor.play(to_start, 0.0, 0.3)
-                    seconds = SPHERE_PASS_S * slowness * self.planner.pace
-                    self._executor.play(self.planner.path_through(poses, seconds), 0.3, 0.65)
-                    back = self.planner.path_through(poses[::-1], seconds)
-                    self._executor.play(back, 0.65, 1.0)
-                    return True
-            raise UnreachableError("the arm cannot hold the sensor over the sphere like that")
+            self._pass_over(thing.T_arm_obj, shape.radius_mm, [direction], slowness, (0.0, 1.0))
+            return True
         return False
+
+    def _pass_over(
+        self,
+        T_arm_ball: Floats,
+        radius_mm: float,
+        seen_from: Sequence[Floats],
+        slowness: float,
+        progress: tuple[float, float],
+    ) -> None:
+        """There and back over a ball, seen from the first direction (3,), in its frame, in which
+        the arm can hold the sensor.
+
+        Raises UnreachableError where it cannot in any.
+        """
+        begin, end = progress
+        camera = self._sensor_mount.optics.centre_mm
+        for sweep in (one for view in seen_from for one in plan_view(radius_mm, view, camera)):
+            poses = sweep_poses(T_arm_ball, sweep) @ self._T_sensor_flange
+            with suppress(UnreachableError):
+                to_start = self.planner.path_to(poses[0], 50.0)
+                plan_path(self._arm, poses, to_start.q_rad[-1], SPHERE_PASS_S)
+                there, back = (begin + share * (end - begin) for share in (0.3, 0.65))
+                self._executor.play(to_start, begin, there)
+                seconds = SPHERE_PASS_S * slowness * self.planner.pace
+                self._executor.play(self.planner.path_through(poses, seconds), there, back)
+                self._executor.play(self.planner.path_through(poses[::-1], seconds), back, end)
+                return
+        raise UnreachableError("the arm cannot hold the sensor over the sphere like that")
 
     def _forget_contact(self) -> None:
         self._last_contact = None

@@ -73,6 +73,12 @@ class Renderer:
         self._room: tuple[Floats, int, Image] | None = None
         self._stripe: tuple[Floats, Image, int, int] | None = None
 
+    def show(self, scene: SimulatedScene) -> None:
+        """Takes pictures of another scene from now on."""
+        self.scene = scene
+        self._kinds, self._rows = shape_rows(scene)
+        self._cast = self._room = self._stripe = None
+
     def _allocate(self, height: int, width: int) -> None:
         self._pool = np.empty(POOL + width, dtype=np.float32)
         self._rng.standard_normal(out=self._pool[:POOL], dtype=np.float32)

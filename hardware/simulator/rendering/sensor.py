@@ -20,6 +20,7 @@ from hardware.interfaces import Frame, LinkHealth, SensorInfo, SensorReading
 from hardware.simulator.devices.kinematics import Floats
 from hardware.simulator.rendering.noise import Detector, RawImage
 from hardware.simulator.rendering.render import QUICK, SMEARED, Renderer
+from hardware.simulator.scene.world import SimulatedScene
 
 EXPOSURE_RANGE_US = (50.0, 20_000.0)
 READOUT_NS = 3_000_000
@@ -81,6 +82,13 @@ class SharedRenderer:
         with self._lock:
             if self._renderer is None:
                 self._renderer = self._make()
+
+    def show(self, scene: SimulatedScene) -> None:
+        """Something was set up or put away."""
+        with self._lock:
+            if self._renderer is not None:
+                self._renderer.show(scene)
+                self._last = None
 
     @property
     def detector(self) -> Detector:

@@ -183,6 +183,25 @@ def step_gauge_datasheet(certificate: StepGauge, standard_uncertainty_mm: float)
     }
 
 
+def ball_bar_datasheet(
+    length_mm: float, diameter_mm: float, standard_uncertainty_mm: float
+) -> JsonObject:
+    """The file of a length standard as the ball bar's certificate has it."""
+    return {
+        "format": "crenel/length-standard",
+        "version": 1,
+        "kind": "ball-bar",
+        "name": "Simulated ball bar",
+        "serial_number": "TWIN-L2",
+        "certificate": "simulated",
+        "sphere_diameter_mm": diameter_mm,
+        "sphere_form_um": 1.0,
+        "lengths": [
+            {"length_mm": length_mm, "standard_uncertainty_um": 1e3 * standard_uncertainty_mm}
+        ],
+    }
+
+
 def write_document(path: Path, document: JsonObject) -> None:
     """Writes one document as JSON."""
     path.write_text(json.dumps(document, indent=1) + "\n", encoding="utf-8")

@@ -12,7 +12,7 @@ from app.bench.metrology.synthetic_sphere import CENTRE, Faults, write_calibrati
 from app.errors import OperationError
 from app.formats.datasheets.length_standard import LengthPart, LengthStandardFile
 from app.formats.exchange.result_tables import result_tables
-from app.formats.performance.plan import PLAN, LimitPart, PerformancePlan, length_scan
+from app.formats.performance.plan import PLAN, LimitPart, PerformancePlan, length_scan, read_plan
 from app.formats.performance.results import PerformanceFile
 from app.report.reports import render_report
 from app.workflows.performance.evaluate import evaluate_performance, write_performance
@@ -135,6 +135,16 @@ def test_scans_that_do_not_show_a_length_are_named(
     (figure,) = evaluate_performance(folder).figures
     assert figure.value is None
     assert said in str(figure.problem)
+
+
+def test_a_plan_with_scans_has_no_figure_by_scan_without_them(tmp_path: Path) -> None:
+    folder = bar_test(tmp_path / "t", bar(40.0), {})
+    read_plan(folder).model_copy(update={"by_scan": True}).write(folder / PLAN)
+    by_scan = next(
+        one for one in evaluate_performance(folder).figures if one.quantity == "length-scan"
+    )
+    assert by_scan.value is None
+    assert "no length was measured" in str(by_scan.problem)
 
 
 def test_a_scan_without_a_calibration_is_refused(tmp_path: Path) -> None:

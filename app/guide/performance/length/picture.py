@@ -1,36 +1,53 @@
 """What is drawn and said of a length test. Pure."""
 
+from collections.abc import Sequence
+
 from app.errors import sentence
 from app.findings import Finding
-from app.formats.performance.plan import LimitPart
-from app.guide.common.view import LiveNumber
+from app.guide.common.view import LiveNumber, StepProgress
 from app.guide.performance.entries import DatasheetLimit
+from app.guide.performance.length.scan_lines import scan_instruction, scan_lines, whole_scans
+from app.guide.performance.length.sequence import LengthSequence
 from app.guide.performance.length.so_far import LengthsSoFar
 from app.guide.performance.state import PerformanceState
 from app.guide.performance.view import (
     LengthErrorMark,
+    LengthErrorsPicture,
     LengthLimitMark,
     LengthPlaceMark,
     LengthsPicture,
     PlaceProgress,
 )
 from app.messages.message import Text, message, quantity
-from app.metrology.performance.lengths import PLACES, REPEATS
+from app.metrology.performance.lengths import PLACES, REPEATS, MeasuredLength
 from app.metrology.performance.permissible_error import PermissibleError
 
 
 def lengths_picture(state: PerformanceState, so_far: LengthsSoFar) -> LengthsPicture:
     """The places, and the errors of length over the length."""
-    limit = _permissible(state.limits.get("length-touch"))
-    lengths = [one.length_mm for one in so_far.standard.lengths]
-
-    def limit_um(length_mm: float) -> float | None:
-        return None if limit is None else limit.at(length_mm)
-
+    by_scan = state.sequence is not None and state.sequence.by_scan
     return LengthsPicture(
         reach_mm=so_far.reach.radius_mm,
         shoulder_mm=float(so_far.reach.shoulder_mm[2]),
         places=[_place(state, so_far, number) for number in range(1, PLACES + 1)],
+        touched=_errors(so_far, so_far.values, state.limits.get("length-touch")),
+        scanned=_errors(so_far, so_far.scanned, state.limits.get("length-scan"))
+        if by_scan
+        else None,
+        scans=scan_lines(state, so_far) if by_scan else [],
+    )
+
+
+def _errors(
+    so_far: LengthsSoFar, values: Sequence[MeasuredLength], entered: DatasheetLimit | None
+) -> LengthErrorsPicture:
+    limit = _permissible(entered)
+
+    def limit_um(length_mm: float) -> float | None:
+        return None if limit is None else limit.at(length_mm)
+
+    lengths = [one.length_mm for one in so_far.standard.lengths]
+    return LengthErrorsPicture(
         limits=[LengthLimitMark(length, limit_um(length)) for length in lengths],
         errors=[
             LengthErrorMark(
@@ -40,15 +57,13 @@ def lengths_picture(state: PerformanceState, so_far: LengthsSoFar) -> LengthsPic
                 one.error_um,
                 limit_um(one.nominal.length_mm),
             )
-            for one in so_far.values
+            for one in values
         ],
     )
 
 
 def _permissible(limit: DatasheetLimit | None) -> PermissibleError | None:
-    if limit is None:
-        return None
-    return LimitPart(quantity="length-touch", a_um=limit.a_um, k=limit.k, b_um=limit.b_um).error
+    return None if limit is None else PermissibleError(limit.a_um, limit.k, limit.b_um)
 
 
 def place_title(number: int) -> Text:
@@ -60,17 +75,21 @@ def _place(state: PerformanceState, so_far: LengthsSoFar, number: int) -> Length
     sequence = state.sequence
     of = REPEATS * len(so_far.standard.lengths)
     done = sum(one.place == number for one in so_far.values)
+    scans = REPEATS if sequence is not None and sequence.by_scan else 0
+    scanned = sum(scan.good and scan.of.place == number for scan in whole_scans(state))
     shown: PlaceProgress = "todo"
-    if sequence is not None and done >= of:
-        shown = "done"
-    elif state.end is not None and state.end.place == number:
+    if state.place == number:
         shown = "now"
+    elif sequence is not None and done >= of:
+        shown = "done"
     ends = [(float(x), float(y), float(z)) for x, y, z in so_far.places_mm[number - 1]]
-    return LengthPlaceMark(number, place_title(number), shown, done, of, ends)
+    return LengthPlaceMark(number, place_title(number), shown, done, of, scanned, scans, ends)
 
 
 def length_instruction(state: PerformanceState, so_far: LengthsSoFar | None) -> Text:
-    """What to touch next."""
+    """What to touch or scan next."""
+    if state.due is not None:
+        return scan_instruction(state, state.due, so_far)
     end, sequence = state.end, state.sequence
     if end is None or sequence is None or so_far is None:
         return message("performance-lengths-done")
@@ -90,11 +109,23 @@ def length_instruction(state: PerformanceState, so_far: LengthsSoFar | None) -> 
     return what
 
 
+def length_progress(state: PerformanceState, sequence: LengthSequence) -> StepProgress:
+    """How many lengths are touched, and how many scans of the whole bar are done."""
+    done, of = len(state.of_step) // sequence.of_measurement, sequence.measurements
+    if not sequence.by_scan:
+        return StepProgress(done, of, message("performance-lengths-measured", done=done, of=of))
+    scanned, scans = sum(scan.good for scan in whole_scans(state)), sequence.scans
+    text = message("performance-lengths-and-scans", done=done, of=of, scanned=scanned, scans=scans)
+    return StepProgress(done + scanned, of + scans, text)
+
+
 def last_error(so_far: LengthsSoFar | None) -> LiveNumber | None:
     """The error of the length that was measured last."""
     if so_far is None or not so_far.values:
         return None
     last = so_far.values[-1]
+    if so_far.scanned and so_far.scanned[-1].place == last.place:  # scans follow the touches
+        last = so_far.scanned[-1]
     title = message("performance-last-error", length=quantity(last.nominal.length_mm, "mm", 1))
     return LiveNumber(title, last.error_um, "µm", 1)
 

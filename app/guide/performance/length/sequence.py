@@ -29,6 +29,13 @@ class LengthSequence:
     """Of the standard."""
     touches_each: int
     """On each end."""
+    by_scan: bool = False
+    """Whether each place takes scans of the whole bar after its touches."""
+
+    @property
+    def scans(self) -> int:
+        """Of the whole bar, in the whole test."""
+        return PLACES * REPEATS if self.by_scan else 0
 
     @property
     def measurements(self) -> int:

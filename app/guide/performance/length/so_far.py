@@ -7,6 +7,7 @@ import numpy as np
 
 from app.errors import OperationError
 from app.formats.datasheets.length_standard import LengthStandardFile
+from app.guide.performance.entries import BarPass
 from app.guide.performance.length.sequence import LengthEnd
 from app.guide.performance.state import PerformanceState
 from app.messages.message import Text, message, quantity
@@ -40,6 +41,8 @@ class LengthsSoFar:
     """(7, 2, 3) proposed places of the standard's ends, arm frame."""
     values: tuple[MeasuredLength, ...]
     """Of the lengths both of whose ends are touched."""
+    scanned: tuple[MeasuredLength, ...]
+    """Of the scans that count."""
     rocking: tuple[Text, ...]
     """The places in which the standard rocks."""
     off_deg: float | None
@@ -60,12 +63,30 @@ def measure_so_far(
     places_mm = propose_places(reach, max(one.length_mm for one in standard.lengths))
     tips_mm = whole_ends(state, arm)
     if not tips_mm:
-        return LengthsSoFar(standard, reach, places_mm, (), (), None)
+        return LengthsSoFar(standard, reach, places_mm, (), (), (), None)
     tip_mm = tip_of(arm).diameter_mm
     values, _ = lengths_by_touch(standard, tips_mm, tip_mm, state.artefact)
+    scanned = _lengths_by_scan(state, standard)
     rocking = rocking_problems(standard, values, tips_mm, tip_mm)
+    rocking += [one for one in rocking_problems(standard, scanned) if one not in rocking]
     off_deg = _off_direction_deg(state, tips_mm, places_mm)
-    return LengthsSoFar(standard, reach, places_mm, tuple(values), tuple(rocking), off_deg)
+    return LengthsSoFar(
+        standard, reach, places_mm, tuple(values), tuple(scanned), tuple(rocking), off_deg
+    )
+
+
+def _lengths_by_scan(state: PerformanceState, standard: LengthStandardFile) -> list[MeasuredLength]:
+    """Of each place and repeat; the scan of a single length stands for it, as in the evaluation."""
+    good = [scan for scan in state.bar_scans if scan.good]
+    alone = {scan.of for scan in good if scan.of.length}
+    return [
+        MeasuredLength(
+            scan.of.place, scan.of.repeat, standard.nominal(number), mm, state.artefact, "scan"
+        )
+        for scan in good
+        for number, mm in scan.lengths_mm
+        if scan.of.length or BarPass(scan.of.place, scan.of.repeat, number) not in alone
+    ]
 
 
 def whole_ends(state: PerformanceState, arm: AnyArm) -> Mapping[str, Floats]:
@@ -135,14 +156,14 @@ def _check_length(
 def _off_direction_deg(
     state: PerformanceState, tips_mm: Mapping[str, Floats], places_mm: Floats
 ) -> float | None:
-    end = state.end
-    if end is None:
+    place = state.place
+    if not place:
         return None
-    ends = [LengthEnd(end.place, 1, 1, which).feature for which in (0, 1)]
+    ends = [LengthEnd(place, 1, 1, which).feature for which in (0, 1)]
     if not all(name in tips_mm for name in ends):
         return None
     first, second = (tips_mm[name].mean(axis=0) for name in ends)
-    found, drawn = second - first, places_mm[end.place - 1, 1] - places_mm[end.place - 1, 0]
+    found, drawn = second - first, places_mm[place - 1, 1] - places_mm[place - 1, 0]
     cosine = abs(float(found @ drawn)) / float(np.linalg.norm(found) * np.linalg.norm(drawn))
     off_deg = float(np.degrees(np.arccos(min(cosine, 1.0))))
     return off_deg if off_deg > DIRECTION_DEG else None
