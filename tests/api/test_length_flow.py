@@ -187,11 +187,7 @@ def test_a_bar_is_scanned_in_its_place_and_a_scan_that_is_cut_short_is_repeated(
     desk.wait(lambda view: view["busy"] is None)
     view = desk.view()
     assert view["frozen"]
-    assert [line["state"] for line in view["picture"]["lengths"]["scans"]] == [
-        "done",
-        "now",
-        "todo",
-    ]
+    assert scan_states(view) == ["done", "now", "todo"]
     assert "confirmed" in refusal(desk.command("undo"))
     assert "Scan the bar" in refusal(desk.command("touch"))
     assert "Scan the bar" in refusal(desk.command("confirm"))
@@ -203,10 +199,7 @@ def test_a_bar_is_scanned_in_its_place_and_a_scan_that_is_cut_short_is_repeated(
     desk.do("finish_scan")
     desk.wait(lambda view: view["busy"] is None)
     view = desk.view()
-    assert [line["state"] for line in view["picture"]["lengths"]["scans"]][:2] == [
-        "done",
-        "refused",
-    ]
+    assert scan_states(view)[:2] == ["done", "refused"]
 
     desk.do("run_simulation")
     view = desk.wait(lambda view: view["picture"]["lengths"]["places"][0]["state"] == "done", 120.0)

@@ -169,7 +169,12 @@ def test_the_length_test_from_start_to_errors(
     page.get_by_role("button", name="Lengths", exact=True).click()
     look_at_both_sizes(visit, "lengths-before")
     page.get_by_role("button", name="Start the test").click()
+    page.get_by_role("radio", name="Simulated ball bar").click()
+    page.get_by_role("button", name="By touch and by scan").click()
+    expect(page.get_by_role("form", name="error of length by scan")).to_be_visible()
+    look_at_both_sizes(visit, "lengths-by-scan")
     page.get_by_role("radio", name="Short gauge").click()
+    expect(page.get_by_text("Only the spheres of a ball bar are measured by scan")).to_be_visible()
     for letter, value in (("A", "200"), ("K", "10"), ("B", "400")):
         page.get_by_label(letter, exact=True).fill(value)
     page.get_by_role("button", name="Set", exact=True).click()
@@ -183,7 +188,9 @@ def test_the_length_test_from_start_to_errors(
     visit.wait_until(
         "errors",
         "/api/performance",
-        lambda view: view["step"] == "lengths" and len(view["picture"]["lengths"]["errors"]) >= 7,
+        lambda view: (
+            view["step"] == "lengths" and len(view["picture"]["lengths"]["touched"]["errors"]) >= 7
+        ),
     )
     expect(page.locator("svg [data-place='1'][data-state='done']")).to_have_count(2)
     look_at_both_sizes(visit, "lengths")

@@ -250,8 +250,12 @@ def _list_performance_items(view: View) -> set[Any]:
     if step == "location":  # its places are those of one articulation
         return set(range(view["progress"]["done"]))
     if step == "lengths":
-        errors = picture["lengths"]["errors"] if picture["lengths"] else []
-        return {(one["place"], one["repeat"], one["length_mm"]) for one in errors}
+        lengths = picture["lengths"] or {"touched": None, "scanned": None}
+        return {
+            (way, one["place"], one["repeat"], one["length_mm"])
+            for way in ("touched", "scanned")
+            for one in (lengths[way] or {"errors": []})["errors"]
+        }
     return {place["number"] for place in picture["places"] if place["state"] == "done"}
 
 

@@ -38,7 +38,7 @@ const PLACES = 7;
  * touch, with both to their side of the length. */
 const APART = 5;
 const APART_BESIDE = 3.5;
-const ASIDE = 13;
+const ASIDE = 12;
 /** Half the width of a limit of a single length. */
 const ONLY = 24;
 const NONE: Errors = { errors: [], limits: [] };
