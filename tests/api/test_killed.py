@@ -18,6 +18,7 @@ ALIKE = {
     *(("lengths", *place) for place in (("artefact", 0), ("lengths", 0), ("lengths", 4))),
     *(("lengths", "lengths", count) for count in (13, 20)),
     *(("lengths", "review", count) for count in (0, 1)),
+    *(("scanned-lengths", *place) for place in (("artefact", 0), ("lengths", 1), ("lengths", 7))),
 }
 """Places of the bench that are like others of their step or beside them, and left to it."""
 

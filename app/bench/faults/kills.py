@@ -43,6 +43,10 @@ KILL_POINTS: dict[str, tuple[KillPoint, ...]] = {
         *(("artefact", 0), ("lengths", 0), ("lengths", 1), ("lengths", 4), ("lengths", 13)),
         *(("lengths", 20), ("temperatures", 0), ("review", 0), ("review", 1)),
     ),
+    "scanned-lengths": (
+        *(("artefact", 0), ("lengths", 1), ("lengths", 3), ("lengths", 4), ("lengths", 5)),
+        ("lengths", 7),
+    ),
 }
 """The steps in which it is killed, and after how many points, pictures, clouds or results."""
 NAMES = {
@@ -50,9 +54,10 @@ NAMES = {
     "verify": "kill -9 in a verification",
     "performance": "kill -9 in a performance test",
     "lengths": "kill -9 in a test of lengths",
+    "scanned-lengths": "kill -9 in a test of lengths by scan",
 }
 SHORT_GAUGE = "short"
-ROUTES = {"lengths": "performance"}
+ROUTES = {"lengths": "performance", "scanned-lengths": "performance"}
 """Of the guides whose address is not their name."""
 
 
@@ -165,7 +170,8 @@ def kill_guides(
     Args:
         data: a folder for the station's own, which is made.
         flow: ``flow`` for a calibration, ``verify`` for a verification, ``performance`` for the
-            one-sphere test, ``lengths`` for that of a step gauge with a single length.
+            one-sphere test, ``lengths`` for that of a step gauge with a single length,
+            ``scanned-lengths`` for the first places of a ball bar by touch and by scan.
         places: where, instead of in ``KILL_POINTS``.
     """
     row, before = FaultRow(NAMES[flow]), None
@@ -203,6 +209,11 @@ def _begin(station: StationProcess, flow: str) -> None:
     if flow == "lengths":
         station.post("/api/performance/start", test="lengths").raise_for_status()
         station.wait(lambda: station.ask("performance", "choose_gauge", id=SHORT_GAUGE))
+        return
+    if flow == "scanned-lengths":
+        station.post("/api/performance/start", test="lengths").raise_for_status()
+        station.wait(lambda: station.ask("performance", "choose_gauge", id="ball-bar"))
+        station.wait(lambda: station.ask("performance", "set_by_scan", by_scan=True))
         return
     station.post(f"/api/{flow}/start").raise_for_status()
     if flow == "verify":
