@@ -2,8 +2,10 @@
 
 import asyncio
 import itertools
+import threading
 import time
 from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from typing import Literal
 
 import aiomqtt
@@ -22,7 +24,7 @@ from app.supervision.remote_stations import MOST_STATIONS
 
 PREFIX = "crenel"
 HONEST = "honest"
-"""A station that publishes a usual report every second beside each flood."""
+"""A station that publishes usual reports beside the floods."""
 INSTANCE = "1"
 STATES: tuple[Literal["online", "off", "lost"], ...] = ("online", "off", "lost")
 LONG_TEXT = "W\u0301" * 190
@@ -135,9 +137,7 @@ def publish(names: list[str], port: int, seconds: float) -> int:
 
 async def _publish_all(names: list[str], port: int, seconds: float) -> int:
     until_s = time.monotonic() + seconds
-    honest = asyncio.create_task(_publish_honest(port, until_s))
     sent = await asyncio.gather(*(_publish_one(name, port, until_s) for name in names))
-    await honest
     return sum(sent)
 
 
@@ -156,8 +156,21 @@ async def _publish_one(name: str, port: int, until_s: float) -> int:
     return sent
 
 
-async def _publish_honest(port: int, until_s: float) -> None:
+@contextmanager
+def honest_station(port: int) -> Iterator[None]:
+    """A station that publishes a usual report twice a second from a thread."""
+    ended = threading.Event()
+    thread = threading.Thread(target=lambda: asyncio.run(_publish_honest(port, ended)))
+    thread.start()
+    try:
+        yield
+    finally:
+        ended.set()
+        thread.join()
+
+
+async def _publish_honest(port: int, ended: threading.Event) -> None:
     async with aiomqtt.Client("127.0.0.1", port, timeout=PUBLISH_S) as client:
-        while time.monotonic() < until_s:
+        while not ended.is_set():
             await client.publish(_topic(HONEST), _encode(make_report(HONEST, INSTANCE)))
             await asyncio.sleep(PAUSE_S)
