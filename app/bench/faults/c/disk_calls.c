@@ -26,6 +26,7 @@
 #define REAL(name) ((__typeof__(&name))real(#name, &name##_found))
 #define FILES 65536
 #define HEAD 160
+#define LINE (HEAD + 512)
 
 enum { LEFT, FULL_FOR, SO_FAR, NUMBERS };
 
@@ -74,16 +75,32 @@ static int is_full(const char *path) {
     return 1;
 }
 
-static void note(const char *call, int file, const char *text, size_t length) {
-    if (log_file < 0 || !text) return;
-    char line[HEAD + 512];
+static int put_line(char *line, const char *call, int file, const char *text, size_t length) {
     int at = snprintf(line, 64, "%s\t%d\t", call, file);
-    for (size_t k = 0; k < length && at < (int)sizeof line - 1; k++)
+    for (size_t k = 0; k < length && at < LINE - 1; k++)
         line[at++] = (unsigned char)text[k] < ' ' ? ' ' : text[k];
     line[at++] = '\n';
+    return at;
+}
+
+static void append(const char *lines, int length) {
     int kept = errno;
-    if (syscall(SYS_write, log_file, line, at) < 0) log_file = -1;
+    if (syscall(SYS_write, log_file, lines, length) < 0) log_file = -1;
     errno = kept;
+}
+
+static void note(const char *call, int file, const char *text, size_t length) {
+    if (log_file < 0 || !text) return;
+    char line[LINE];
+    append(line, put_line(line, call, file, text, length));
+}
+
+/* Both names at once, so that no line of another thread comes between them. */
+static void note_renaming(const char *from, const char *to) {
+    if (log_file < 0) return;
+    char lines[2 * LINE];
+    int at = put_line(lines, "from", -1, from, strlen(from));
+    append(lines, at + put_line(lines + at, "rename", -1, to, strlen(to)));
 }
 
 static void note_path(const char *call, int file, const char *path) {
@@ -183,10 +200,7 @@ SEEN int mkdir(const char *path, mode_t mode) {
 SEEN int rename(const char *from, const char *to) {
     if (is_full(to)) return -1;
     int done = REAL(rename)(from, to);
-    if (!done && is_ours(to)) {
-        note_path("from", -1, from);
-        note_path("rename", -1, to);
-    }
+    if (!done && is_ours(from) && is_ours(to)) note_renaming(from, to);
     return done;
 }
 
