@@ -7,7 +7,7 @@ from app.guide.arm.guide import ArmGuide
 from app.guide.arm.rules import SEATS_WANTED, touches_wanted
 from app.guide.arm.state import Kind, Purpose
 from app.guide.common.simulated_operator import SimulatedOperator
-from app.guide.common.simulation import act_as_operator
+from app.guide.common.simulation import ATTEMPTS, act_as_operator, touch_until_taken
 from app.messages.message import message
 from app.station.jobs import Progress
 
@@ -80,10 +80,20 @@ def _take_sphere(guide: ArmGuide, operator: SimulatedOperator, progress: Progres
     of = touches_wanted(guide.state)
     for index in range(of):
         progress(message("simulation-touches-sphere"), index / of)
-        if not guide.simulation_running or not operator.touch_ball(ball, index):
+        if not guide.simulation_running or not _touch(guide, operator, ball, index):
             return
     time.sleep(SETTLE_S)
     _finish(guide)
+
+
+def _touch(guide: ArmGuide, operator: SimulatedOperator, ball: int, index: int) -> bool:
+    """One place of the sphere; False when the operator was stopped."""
+    return touch_until_taken(
+        guide,
+        lambda attempt: operator.touch_ball(ball, index),
+        lambda: len(guide.state.seats[-1].q_rad),
+        message("hands-touch-declined-times", index=index + 1, attempts=ATTEMPTS),
+    )
 
 
 def _begin(guide: ArmGuide) -> bool:
