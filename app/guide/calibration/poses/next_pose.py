@@ -102,12 +102,8 @@ def _choose_pose(so_far: _SoFar) -> PoseAdvice | None:
     offered = next_poses(so_far.adjusted, so_far.arm, so_far.item, so_far.readings)
     if not offered:
         return None
-    newest, best = _newest(so_far.adjusted), offered[0]
-    good = [
-        one
-        for one in offered
-        if one.is_complete == best.is_complete and one.total_um <= NEARLY * best.total_um
-    ]
+    newest = _newest(so_far.adjusted)
+    good = [one for one in offered if one.total_um <= NEARLY * offered[0].total_um]
     return min(good, key=lambda one: _rotation_angle_rad(one.T_obj_cam, newest))
 
 

@@ -126,8 +126,6 @@ class PoseAdvice:
     total_um: float  # of a point, k = 1, after this pose
     outline_px: tuple[PixelSegment, ...]
     """The object's edges as the picture would show them, end to end."""
-    is_complete: bool
-    """Whether the picture shows the whole object."""
 
 
 def next_poses(
@@ -150,8 +148,7 @@ def next_poses(
         seeing: noise of the predicted images; None: the usual one.
 
     Returns:
-        Advice with the standard uncertainty of a point after each pose, k = 1, µm. Poses that
-        show the whole object come before those that cut it, which are easily refused.
+        Advice with the standard uncertainty of a point after each pose, k = 1, µm.
     """
     seeing = seeing or ObservationNoise(bin_size=BIN_SIZE)
     reference = pose_scene(found.state, found.problem, found.layout, 0)
@@ -170,15 +167,8 @@ def next_poses(
         covariance = _covariance_after(found, moves, rows_of) + by_sizes
         total = float(np.sqrt(np.mean(np.einsum("gik,kl,gil->g", volume, covariance, volume))))
         camera, _ = place_sensor(found, T_obj_cam)
-        seen = outline(camera, item)
-        advice.append(PoseAdvice(T_obj_cam, reading, 1e3 * total, seen, _is_complete(camera, item)))
-    return sorted(advice, key=lambda one: (not one.is_complete, one.total_um))
-
-
-def _is_complete(camera: Camera, item: CalibrationTarget) -> bool:
-    if isinstance(item, Crenellated):
-        return visible_share(camera, item) == 1.0
-    return is_fully_visible(camera, item)
+        advice.append(PoseAdvice(T_obj_cam, reading, 1e3 * total, outline(camera, item)))
+    return sorted(advice, key=lambda one: one.total_um)
 
 
 def _predict_rows(

@@ -103,6 +103,8 @@ def align_camera_to_edges(
         None if too few edges show, or the block is not in front of the camera.
     """
     for radius in (reach_px, max(0.6 * reach_px, 2.0)):
+        if not block_ahead(frame, camera):
+            return None
         at = place_stations(frame, camera, 2 * _SPACING_PX, radius + 2)
         offset, slope = search_edges(smooth, at, radius)
         met = np.isfinite(offset)

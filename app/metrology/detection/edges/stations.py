@@ -13,6 +13,9 @@ from app.native.library import CRENEL
 
 # Faces seen at a flatter angle than this, as sines, may be hidden or visible.
 _EDGE_ON = 0.004
+_LONGEST_PICTURES = 4.0
+"""An edge that appears longer than so many pictures has its stations farther apart: the hypotheses
+of a search may place the camera almost on the block."""
 
 _measure_clearance = Function(
     CRENEL,
@@ -100,7 +103,9 @@ def place_stations(
     ends = near[: len(first)]
     length = np.hypot(ends[:, 2] - ends[:, 0], ends[:, 3] - ends[:, 1])
     usable = length - 2 * margin_px
-    count = np.where(usable > 0, np.maximum(np.rint(usable / spacing_px), 1), 0).astype(np.int64)
+    most = _LONGEST_PICTURES * (camera.width_px + camera.height_px) / spacing_px
+    count = np.clip(np.rint(usable / spacing_px), 1, most)
+    count = np.where(usable > 0, count, 0).astype(np.int64)
     part = np.repeat(np.arange(len(count)), count)
     within = np.arange(count.sum()) - np.repeat(np.cumsum(count) - count, count)
     share = (margin_px + (within + 0.5) * (usable / np.maximum(count, 1))[part]) / length[part]
