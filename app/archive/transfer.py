@@ -17,7 +17,7 @@ from app.archive.pace import Pace
 from app.archive.planning import FileStamp, StationRecord
 from app.archive.records import stamps_in
 from app.archive.remote_store import PIECE_BYTES, RemoteStore, read_document
-from app.archive.store_errors import DamagedCopyError, SourceError, StoreError
+from app.archive.store_errors import DamagedCopyError, SourceError, is_of_whole_place
 from app.errors import OperationError
 from app.formats.file_names import display_path
 from app.formats.io_errors import error_from_os
@@ -88,11 +88,9 @@ def read_manifest(store: RemoteStore, folder: str) -> Manifest | None:
         if store.size(name) is None:
             return None
         found = Manifest.parse(read_document(store, name), name)
-    except DamagedCopyError:
-        return None
-    except StoreError:
-        raise
-    except OperationError:
+    except OperationError as error:
+        if is_of_whole_place(error):
+            raise
         return None
     return found if found.folder == folder else None
 

@@ -206,14 +206,13 @@ def _add_short_gauge(data: Path) -> None:
 
 
 def _begin(station: StationProcess, flow: str) -> None:
-    if flow == "lengths":
+    if flow in ("lengths", "scanned-lengths"):
+        by_scan = flow == "scanned-lengths"
+        gauge = "ball-bar" if by_scan else SHORT_GAUGE
         station.post("/api/performance/start", test="lengths").raise_for_status()
-        station.wait(lambda: station.ask("performance", "choose_gauge", id=SHORT_GAUGE))
-        return
-    if flow == "scanned-lengths":
-        station.post("/api/performance/start", test="lengths").raise_for_status()
-        station.wait(lambda: station.ask("performance", "choose_gauge", id="ball-bar"))
-        station.wait(lambda: station.ask("performance", "set_by_scan", by_scan=True))
+        station.wait(lambda: station.ask("performance", "choose_gauge", id=gauge))
+        if by_scan:
+            station.wait(lambda: station.ask("performance", "set_by_scan", by_scan=True))
         return
     station.post(f"/api/{flow}/start").raise_for_status()
     if flow == "verify":

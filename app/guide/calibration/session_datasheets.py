@@ -13,6 +13,7 @@ from app.guide.common.datasheet_library import DatasheetLibrary, FolderContent, 
 from app.metrology.limits import Limits
 from app.metrology.targets.chessboard import Chessboard
 from app.metrology.targets.crenellated_block import Crenellated
+from app.metrology.targets.target import CalibrationTarget
 
 CHOOSING = ("devices", "setup")
 TARGET_SHARE = 0.3
@@ -76,18 +77,15 @@ def best_guess(
         if arm is None or entry.datasheet.reading_kind == arm.reports
     }
     sensors = {entry.id: entry.datasheet.serial_number for entry in library.sensors.values()}
-    by_pose = arm is not None and arm.reports == "pose"
-    objects = {
-        entry.id: ""
+    fitting = {
+        entry.id: entry.datasheet
         for entry in library.objects.values()
-        if isinstance(entry.datasheet, Chessboard) or not by_pose
+        if _can_use(arm, entry.datasheet)
     }
-    blocks = [
-        entry.id for entry in library.objects.values() if isinstance(entry.datasheet, Crenellated)
-    ]
+    blocks = [one for one, target in fitting.items() if isinstance(target, Crenellated)]
     for field, known, serial in (
         ("arm", arms, arm.serial_number if arm else None),
-        ("object", objects, None),
+        ("object", dict.fromkeys(fitting, ""), None),
         ("sensor", sensors, sensor.serial_number if sensor else None),
     ):
         connected = [entry for entry, number in known.items() if serial and number == serial]
@@ -98,7 +96,7 @@ def best_guess(
             guess[field] = last
         elif len(known) == 1:
             guess[field] = next(iter(known))
-        elif field == "object" and len(blocks) == 1 and not by_pose:
+        elif field == "object" and len(blocks) == 1:
             guess[field] = blocks[0]
     return guess
 
@@ -112,11 +110,15 @@ def guess_for_connected(
     """Better choices for those that the session began with before the devices were connected: where
     nothing is chosen, and where it cannot belong to the connected arm."""
     guess = best_guess(library, state, arm, sensor)
-    by_pose = arm is not None and arm.reports == "pose"
     chosen = library.objects.get(state.choices.get("object", ""))
     is_fitting = {
         "arm": guess.get("arm") == state.choices.get("arm"),
-        "object": chosen is not None and (isinstance(chosen.datasheet, Chessboard) or not by_pose),
+        "object": chosen is not None and _can_use(arm, chosen.datasheet),
         "sensor": library.has("sensor", state.choices.get("sensor", "")),
     }
     return {field: found for field, found in guess.items() if not is_fitting[field]}
+
+
+def _can_use(arm: ConnectedArm | None, target: CalibrationTarget) -> bool:
+    """An arm that reports poses touches nothing, and needs a chessboard."""
+    return arm is None or arm.reports != "pose" or isinstance(target, Chessboard)
