@@ -17,6 +17,7 @@ from argon2 import PasswordHasher
 from fastapi import FastAPI
 from pydantic_core import to_jsonable_python
 
+from app.bench.faults.served import HALF
 from app.operations.context import Context
 from app.operations.services import MonitoringSettings
 from app.server.application import build_app
@@ -28,6 +29,8 @@ from hardware.simulator.station import SimulatedStation, SimulationConfig
 from tests.entering import cookie, enter
 from tests.sent_texts import TextCollector
 
+LOOK_S = 0.15
+"""How often a test looks whether a view is as wanted: each look costs station and test time."""
 QUICK_HASHER = PasswordHasher(time_cost=1, memory_cost=64)
 """As good in all but what it costs to guess."""
 
@@ -91,16 +94,13 @@ class Server:
         deadline = time.monotonic() + timeout_s
         while not ready(view := self.flow()):
             assert time.monotonic() < deadline, view
-            time.sleep(0.05)
-
-
-QUICK = SimulationConfig(pace=4.0, width_px=960, height_px=768)
+            time.sleep(LOOK_S)
 
 
 @contextmanager
 def running_server(
     data: Path,
-    config: SimulationConfig = QUICK,
+    config: SimulationConfig = HALF,
     monitoring: MonitoringSettings | None = None,
     sign_in: SignInSettings | None = None,
 ) -> Iterator[Server]:
@@ -136,9 +136,15 @@ def running_server(
 
 
 @pytest.fixture(scope="module")
-def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Server]:
-    """Ended with its module: a station takes much of a core, also while nobody asks it anything."""
-    with running_server(tmp_path_factory.mktemp("station")) as server:
+def server(
+    request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory
+) -> Iterator[Server]:
+    """Ended with its module: a station takes much of a core, also while nobody asks it anything.
+
+    A module may say by ``STATION`` what is simulated.
+    """
+    config: SimulationConfig = getattr(request.module, "STATION", HALF)
+    with running_server(tmp_path_factory.mktemp("station"), config) as server:
         yield server
     # every language has all that it sent
     assert not server.sent.untranslated()

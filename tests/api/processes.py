@@ -18,7 +18,12 @@ PATIENCE_S = 200.0
 # what the server imports is imported once, and each process begins with it
 CONTEXT = multiprocessing.get_context("forkserver")
 CONTEXT.set_forkserver_preload(
-    ["app.server.application", "app.server.demo", "hardware.simulator.station"]
+    [
+        "app.server.application",
+        "app.server.demo",
+        "hardware.simulator.station",
+        "app.bench.faults.served",
+    ]
 )
 
 

@@ -1,5 +1,6 @@
 """What is acknowledged is on the disk before: the calls of a station's process, traced."""
 
+import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
@@ -12,6 +13,9 @@ from app.bench.faults.served import HALF, HALF_SIZE, prepare
 from app.bench.faults.station import StationProcess
 from app.errors import OperationError
 from tests.api.traced import Trace
+
+LOOK_S = 0.01
+"""Short, so that hardly more than the first answer which has something is later than it."""
 
 pytestmark = [pytest.mark.timeout(300), pytest.mark.slow]
 
@@ -79,6 +83,7 @@ def test_points_pictures_and_an_acceptance(library: Path, tmp_path: Path) -> Non
                 break
             if view["busy"] is None:
                 station.ask("flow", "run_simulation", all=True)
+            time.sleep(LOOK_S)
         body = {"name": "accept", "args": {}, "rev": view["rev"], "key": "accepted"}
         accepted, _ = bench.ask("POST", "/api/flow/command", **body)
     (session,) = (data / "sessions").iterdir()
@@ -140,6 +145,7 @@ def test_clouds_and_acceptance_of_a_verification(library: Path, tmp_path: Path) 
                 break
             if view["busy"] is None:
                 station.ask("verify", "run_simulation", all=True)
+            time.sleep(LOOK_S)
         body = {"name": "accept", "args": {}, "rev": view["rev"], "key": "accepted"}
         accepted, _ = bench.ask("POST", "/api/verify/command", **body)
     trace, marks = bench.trace(), [*reported.values()]

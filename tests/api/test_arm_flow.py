@@ -15,7 +15,7 @@ from app.formats.session.arm_session import read_observations
 from app.formats.session.pose_columns import joint_columns
 from app.metrology.arm.identification.articulation import ArticulationLimits
 from app.workflows.check_articulation import check_table
-from tests.api.conftest import Server, run_command
+from tests.api.conftest import LOOK_S, Server, run_command
 from tests.metrology.arm_sessions import volumetric_error_um
 from tests.sent_texts import english
 from tests.simulated_robots import Tracker, built, measure, postures
@@ -42,7 +42,7 @@ def wait(server: Server, ready: Callable[[View], bool], timeout_s: float = 240.0
     deadline = time.monotonic() + timeout_s
     while not ready(view := view_of(server)):
         assert time.monotonic() < deadline, view
-        time.sleep(0.05)
+        time.sleep(LOOK_S)
     return view
 
 

@@ -14,7 +14,7 @@ from app.api.monitoring.support import context_redactor
 from app.formats.datasheets.sensor import read_sensor
 from app.settings.station_toml import read_settings
 from app.station.setup.trials import DeviceTrials
-from tests.api.conftest import Server, running_server
+from tests.api.conftest import LOOK_S, Server, running_server
 
 pytestmark = pytest.mark.slow
 
@@ -44,7 +44,7 @@ def wait_for(read: Callable[[], Any], ready: Callable[[Any], bool]) -> Any:
     deadline = time.monotonic() + 30.0
     while not ready(value := read()):
         assert time.monotonic() < deadline, value
-        time.sleep(0.05)
+        time.sleep(LOOK_S)
     return value
 
 

@@ -19,10 +19,12 @@ from app.report.reports import render_report
 from app.workflows.calibrate import calibrate_session
 from hardware.clock import now_ns
 from hardware.interfaces import Button
-from tests.api.conftest import Server, is_enabled
+from hardware.simulator.station import SimulationConfig
+from tests.api.conftest import LOOK_S, Server, is_enabled
 
 pytestmark = pytest.mark.slow
 
+STATION = SimulationConfig(pace=4.0, width_px=960, height_px=768)
 # A whole calibration by the simulated operator, on a machine with other work.
 PATIENCE_S = 240.0
 
@@ -279,7 +281,7 @@ def scan_with_it(http: httpx.Client, server: Server) -> None:
     deadline = time.monotonic() + 10
     while not (scans := http.get("/api/scans").json()):
         assert time.monotonic() < deadline
-        time.sleep(0.05)
+        time.sleep(LOOK_S)
     assert scans[0]["name"] == "Shell"
     assert scans[0]["points"] >= 1000
     cloud = http.get(f"/api/scans/{scans[0]['id']}/cloud.ply").content

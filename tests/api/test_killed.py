@@ -6,6 +6,7 @@ import pytest
 
 from app.bench.faults import kills
 from app.bench.faults.row import FaultRow, table
+from tests.api.forked_station import ForkedStation
 
 pytestmark = pytest.mark.slow
 
@@ -33,9 +34,9 @@ def assert_kept(row: FaultRow) -> None:
 @pytest.mark.timeout(900)
 def test_kills_in_every_step_lose_nothing(tmp_path: Path, flow: str) -> None:
     places = tuple(place for place in kills.KILL_POINTS[flow] if (flow, *place) not in ALIKE)
-    assert_kept(kills.kill_guides(tmp_path / "data", flow, places))
+    assert_kept(kills.kill_guides(tmp_path / "data", flow, places, start=ForkedStation))
 
 
 @pytest.mark.timeout(300)
 def test_kills_in_scans_lose_nothing(tmp_path: Path) -> None:
-    assert_kept(kills.kill_scans(tmp_path / "data", kills=3))
+    assert_kept(kills.kill_scans(tmp_path / "data", kills=3, start=ForkedStation))

@@ -22,7 +22,7 @@ from app.station.view3d.scene import Scene
 from app.store.store import Store
 from app.workflows.performance.evaluate import evaluate_performance
 from tests.api.calibrated import use_truth
-from tests.api.conftest import Server
+from tests.api.conftest import LOOK_S, Server
 from tests.api.test_performance_flow import Desk, View, refusal
 from tests.sent_texts import english
 
@@ -63,7 +63,7 @@ class LengthDesk(Desk):
             while time.monotonic() < deadline:
                 if len(guide.state.touches) > before:
                     return self.view()
-                time.sleep(0.05)
+                time.sleep(LOOK_S)
             texts = [english(finding["text"]) for finding in self.view()["findings"]]
             if guide.declined > declined and any("not taken" in text for text in texts):
                 return self.view()

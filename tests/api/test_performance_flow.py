@@ -14,7 +14,7 @@ from app.formats.datasheets.gauge import read_gauge
 from app.guide.performance.places import POLE
 from app.metrology.performance.pattern import RIM_DEG, pattern_directions
 from tests.api.calibrated import use_truth
-from tests.api.conftest import Server, run_command
+from tests.api.conftest import LOOK_S, Server, run_command
 from tests.formats.certificates import DIAMETER, FORM, certificate, quantity, real
 from tests.sent_texts import english
 
@@ -45,7 +45,7 @@ class Desk:
         deadline = time.monotonic() + timeout_s
         while not ready(view := self.view()):
             assert time.monotonic() < deadline, view
-            time.sleep(0.05)
+            time.sleep(LOOK_S)
         return view
 
     def start(self) -> View:
@@ -67,7 +67,7 @@ class Desk:
                 view = self.view()
                 if view["progress"]["done"] > before:
                     return view
-                time.sleep(0.05)
+                time.sleep(LOOK_S)
         raise AssertionError(view["findings"])
 
     def list(self) -> list[dict[str, Any]]:

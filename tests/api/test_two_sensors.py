@@ -16,7 +16,7 @@ from app.operations.home import build_home
 from app.operations.status_report import build_report
 from app.station.operator_settings import StationSettings
 from hardware.simulator.station import SimulationConfig
-from tests.api.conftest import Server, running_server
+from tests.api.conftest import LOOK_S, Server, running_server
 
 pytestmark = pytest.mark.slow
 
@@ -38,7 +38,7 @@ def until(condition: Callable[[], object], timeout_s: float = 60.0) -> None:
     deadline = time.monotonic() + timeout_s
     while not condition():
         assert time.monotonic() < deadline
-        time.sleep(0.05)
+        time.sleep(LOOK_S)
 
 
 def select(station: Server, name: str) -> int:

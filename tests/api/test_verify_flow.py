@@ -30,7 +30,7 @@ from app.workflows.measure_gauge import filters_of
 from hardware.clock import now_ns
 from hardware.interfaces import Button
 from tests.api.calibrated import use_truth
-from tests.api.conftest import Server, run_command
+from tests.api.conftest import LOOK_S, Server, run_command
 from tests.sent_texts import english
 
 pytestmark = pytest.mark.slow
@@ -68,7 +68,7 @@ class Desk:
         deadline = time.monotonic() + timeout_s
         while not ready(view := self.view()):
             assert time.monotonic() < deadline, view
-            time.sleep(0.05)
+            time.sleep(LOOK_S)
         return view
 
     def start(self, gauge: str) -> View:

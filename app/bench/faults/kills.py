@@ -62,12 +62,17 @@ ROUTES = {"lengths": "performance", "scanned-lengths": "performance"}
 
 
 def kill_scans(
-    data: Path, kills: int = SCANS, seed: int = 0, progress: Progress = no_progress
+    data: Path,
+    kills: int = SCANS,
+    seed: int = 0,
+    progress: Progress = no_progress,
+    start: type[StationProcess] = StationProcess,
 ) -> FaultRow:
     """Kills at any moment of scans; each is listed, with its cloud, at the next start.
 
     Args:
         data: a folder for the station's own, which is made.
+        start: how a station's process is started.
     """
     prepare(data)
     row, rng = FaultRow("kill -9 in a scan"), random.Random(seed)
@@ -75,7 +80,7 @@ def kill_scans(
     losses_s = []
     for number in range(kills + 1):
         progress(number / (kills + 1), f"kill {number} of {kills} in scans")
-        with StationProcess(data) as station:
+        with start(data) as station:
             station.enter()
             if killed is not None:
                 losses_s.append(_settle(station, killed, data, row))
@@ -164,6 +169,7 @@ def kill_guides(
     flow: str,
     places: tuple[KillPoint, ...] | None = None,
     progress: Progress = no_progress,
+    start: type[StationProcess] = StationProcess,
 ) -> FaultRow:
     """Kills in every step of a guide; nothing that was shown is lost.
 
@@ -173,6 +179,7 @@ def kill_guides(
             one-sphere test, ``lengths`` for that of a step gauge with a single length,
             ``scanned-lengths`` for the first places of a ball bar by touch and by scan.
         places: where, instead of in ``KILL_POINTS``.
+        start: how a station's process is started.
     """
     row, before = FaultRow(NAMES[flow]), None
     if flow != "flow":
@@ -184,7 +191,7 @@ def kill_guides(
     for number, place in enumerate([*places, None]):
         progress(number / len(places), f"{flow}: {place[0] if place else 'the end'}")
         # what is kept does not depend on the pictures' size
-        with StationProcess(data, options=HALF_SIZE) as station:
+        with start(data, options=HALF_SIZE) as station:
             station.enter()
             if before is None:
                 _begin(station, flow)

@@ -10,7 +10,7 @@ import time
 import uuid
 from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
-from typing import Any
+from typing import Any, Protocol
 
 import httpx
 from websockets.sync.client import ClientConnection, connect
@@ -20,8 +20,19 @@ from app.errors import OperationError
 
 View = dict[str, Any]
 LINK = re.compile(r"(http://\S+)#code=(\w+)")
-LOOK_S, END_S = 0.03, 20.0
+LOOK_S, END_S = 0.08, 20.0
 ENDED = "ended"
+
+
+class LaunchedProcess(Protocol):
+    """A process as ``subprocess.Popen`` has it."""
+
+    @property
+    def pid(self) -> int: ...
+    def poll(self) -> int | None: ...
+    def wait(self, timeout: float | None = None) -> int: ...
+    def send_signal(self, sig: int) -> None: ...
+    def kill(self) -> None: ...
 
 
 class StationProcess:
@@ -37,16 +48,25 @@ class StationProcess:
         data.parent.mkdir(parents=True, exist_ok=True)
         self._data = data
         self._output = data.with_name(f"{data.name}-{uuid.uuid4().hex[:6]}.txt")
-        with self._output.open("w") as output:
-            self._process = subprocess.Popen(
-                [sys.executable, "-m", "app.bench.faults.served", str(data), *options],
-                env={**os.environ, **(environment or {})},
+        self._process = self._launch(self._output, environment or {}, user, [str(data), *options])
+        self.http = httpx.Client(timeout=30.0)
+
+    def _launch(
+        self,
+        output: Path,
+        environment: Mapping[str, str],
+        user: int | None,
+        arguments: Sequence[str],
+    ) -> LaunchedProcess:
+        with output.open("w") as console:
+            return subprocess.Popen(
+                [sys.executable, "-m", "app.bench.faults.served", *arguments],
+                env={**os.environ, **environment},
                 stdin=subprocess.DEVNULL,
-                stdout=output,
+                stdout=console,
                 stderr=subprocess.STDOUT,
                 user=user,
             )
-        self.http = httpx.Client(timeout=30.0)
 
     def __enter__(self) -> "StationProcess":
         return self

@@ -19,7 +19,7 @@ from hardware.simulator.devices.device_thread import ThreadedDevice
 
 Floats = NDArray[np.float64]
 
-BATCH_S = 0.002
+BATCH_S = 0.005
 WAITING_BYTES = 65_536
 """What a client that does not read may leave waiting; the controller then skips packages."""
 CATCH_UP_NS = 500_000_000
