@@ -41,7 +41,9 @@ def course(seed: int) -> Floats:
     return np.asarray(rows)
 
 
-def beam(rows: Floats, width_px: float, height: Floats | float, power: float = 2) -> Floats:
+def beam(
+    rows: Floats, width_px: Floats | float, height: Floats | float, power: float = 2
+) -> Floats:
     """(H, W) light of a line: a bell, or flatter with a higher power."""
     half = width_px / 2 / np.log(2) ** (1 / power)
     off = np.abs(np.arange(HEIGHT)[:, None] - rows) / half
@@ -145,6 +147,17 @@ def test_clutter_does_not_make_the_width() -> None:
     on, beside = shares(extract_stripe(expose(light, 5)), rows, 20)
     assert on > 0.95
     assert beside < 0.005
+
+
+@pytest.mark.parametrize("there_px", [2.3, 16.0])
+def test_a_line_of_another_width_for_a_few_columns_goes_on_there(there_px: float) -> None:
+    """As rough surfaces and compression make it; not at its end, where it may be anything."""
+    rows = 300 + 0.2 * np.arange(WIDTH)
+    width_px = np.full(WIDTH, 6.0)
+    width_px[400:424] = width_px[:40] = there_px
+    stripe = extract_stripe(expose(20 + beam(rows, width_px, 120), 0))
+    assert set(range(400, 424)) <= set(stripe.u.astype(int))
+    assert not set(range(36)) & set(stripe.u.astype(int))
 
 
 def test_a_reflection_in_a_gap_of_the_line_is_none() -> None:

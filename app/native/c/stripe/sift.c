@@ -3,6 +3,10 @@
 /* Widths, in shares of the picture's usual one, beyond which a peak is no stripe, and the least
  * standard deviation in px. */
 static const double NARROW = 0.45, WIDE = 2.2, LEAST_SIGMA_PX = 0.5;
+/* How much further off a width may be where the line goes on on both sides, and over so many
+ * columns: rough surfaces and compression change it for a few. */
+static const double BETWEEN = 1.5;
+enum { LONGEST_BETWEEN = 48 };
 /* The misfit from which on a point is less certain. */
 static const float MISFIT = 3;
 /* Widths are counted in cells of an eighth of an octave; those of one line lie in so many. */
@@ -41,12 +45,12 @@ static void add_piece(const Workspace *work, int64_t begin, int64_t n, float sat
     }
 }
 
-/* Whether fit i continues the piece that fit i - 1 belongs to. */
-static bool continues(const Workspace *work, int64_t i)
+/* Whether fit i continues the piece that an earlier fit belongs to. */
+static bool follows(const Workspace *work, int64_t before, int64_t i)
 {
     const float *centre = work->fits + CENTRE * work->padded;
-    const int32_t gap = work->columns[i] - work->columns[i - 1];
-    const double rise = work->rows[i] - work->rows[i - 1] + (double)centre[i] - centre[i - 1];
+    const int32_t gap = work->columns[i] - work->columns[before];
+    const double rise = work->rows[i] - work->rows[before] + (double)centre[i] - centre[before];
     return run_goes_on(gap, rise, work->climb);
 }
 
@@ -59,7 +63,7 @@ static double usual_sigma(const Workspace *work, int64_t n, float saturated)
     for (int64_t i = 0, begin = 0; i < n; i++) {
         if (became[i] != PEAK) {
             begin = i + 1;
-        } else if (i + 1 == n || became[i + 1] != PEAK || !continues(work, i + 1)) {
+        } else if (i + 1 == n || became[i + 1] != PEAK || !follows(work, i, i + 1)) {
             add_piece(work, begin, i + 1 - begin, saturated, light, moment);
             begin = i + 1;
         }
@@ -79,36 +83,75 @@ static double usual_sigma(const Workspace *work, int64_t n, float saturated)
     return usual;
 }
 
+/* The widths between which a peak is a stripe, as standard deviations; the wider ones that it may
+ * have where the line goes on on both sides. */
+typedef struct {
+    double narrowest, widest, narrowest_between, widest_between, least_height;
+} Limits;
+
+static Limits limits_of(const Workspace *work, double usual, double threshold)
+{
+    Limits limits = {work->narrowest_px, work->widest_px, work->narrowest_px, work->widest_px,
+                     threshold};
+    if (isnan(work->narrowest_px)) {
+        limits.narrowest = max_f64(NARROW * usual, LEAST_SIGMA_PX);
+        limits.narrowest_between = max_f64(limits.narrowest / BETWEEN, LEAST_SIGMA_PX);
+    }
+    if (isnan(work->widest_px)) {
+        limits.widest = max_f64(WIDE * usual, limits.narrowest);
+        limits.widest_between = BETWEEN * limits.widest;
+    }
+    return limits;
+}
+
+/* Whether fit i is as wide and high as the line, or as it may be between two pieces of it. */
+static bool is_stripe(const Workspace *work, const Limits *limits, int64_t i, bool between)
+{
+    const double sigma = work->fits[SIGMA * work->padded + i];
+    return work->fits[BECAME * work->padded + i] == PEAK &&
+           work->fits[AMPLITUDE * work->padded + i] >= limits->least_height &&
+           sigma > (between ? limits->narrowest_between : limits->narrowest) &&
+           sigma < (between ? limits->widest_between : limits->widest);
+}
+
+/* Adds fit i to the table of peaks, as its row `kept`. */
+static void keep_peak(Workspace *work, int64_t i, int64_t kept)
+{
+    const float *fit = work->fits + i;
+    const int64_t padded = work->padded, width = work->width;
+    const float free = max_f32(fit[PIXELS * padded] - 4, 1), chi2 = fit[CHI2 * padded];
+    work->peaks[ALONG * width + kept] = work->columns[i];
+    work->peaks[ACROSS * width + kept] = work->rows[i] + (double)fit[CENTRE * padded];
+    work->peaks[HEIGHT * width + kept] = fit[AMPLITUDE * padded];
+    work->peaks[BROAD * width + kept] = fit[SIGMA * padded];
+    work->peaks[UNSURE * width + kept] =
+        fit[VARIANCE * padded] * (chi2 > MISFIT * free ? chi2 / free : 1);
+}
+
 /* Fills the table of peaks with those of n fits that may be a stripe; returns how many. */
 static int64_t sift(Workspace *work, int64_t n, double threshold, float saturated)
 {
     const double usual = usual_sigma(work, n, saturated);
     if (usual == 0)
         return 0;
-    const double narrowest =
-        isnan(work->narrowest_px) ? max_f64(NARROW * usual, LEAST_SIGMA_PX) : work->narrowest_px;
-    const double widest =
-        isnan(work->widest_px) ? max_f64(WIDE * usual, narrowest) : work->widest_px;
-    const float *fit[FIT_ROWS];
-    double *peak[PEAK_ROWS];
-    for (int row = 0; row < FIT_ROWS; row++)
-        fit[row] = work->fits + row * work->padded;
-    for (int row = 0; row < PEAK_ROWS; row++)
-        peak[row] = work->peaks + row * work->width;
-    int64_t kept = 0;
+    const Limits limits = limits_of(work, usual, threshold);
+    /* the last fit on which the line goes on, -1 for none, and the last that is as wide as it */
+    int64_t kept = 0, before = -1, sure = -1;
     for (int64_t i = 0; i < n; i++) {
-        const double sigma = fit[SIGMA][i];
-        if (fit[BECAME][i] != PEAK || !(narrowest < sigma && sigma < widest))
+        if (!is_stripe(work, &limits, i, true))
             continue;
-        if (fit[AMPLITUDE][i] < threshold)
-            continue;
-        const float free = max_f32(fit[PIXELS][i] - 4, 1), chi2 = fit[CHI2][i];
-        peak[ALONG][kept] = work->columns[i];
-        peak[ACROSS][kept] = work->rows[i] + (double)fit[CENTRE][i];
-        peak[HEIGHT][kept] = fit[AMPLITUDE][i];
-        peak[BROAD][kept] = sigma;
-        peak[UNSURE][kept] = fit[VARIANCE][i] * (chi2 > MISFIT * free ? chi2 / free : 1);
-        kept++;
+        const bool goes_on = before >= 0 && follows(work, before, i);
+        const bool is_sure = is_stripe(work, &limits, i, false);
+        for (int64_t k = sure + 1; is_sure && goes_on && k < i; k++)
+            if (is_stripe(work, &limits, k, true))
+                keep_peak(work, k, kept++);
+        if (is_sure) {
+            keep_peak(work, i, kept++);
+            sure = i;
+        }
+        before = is_sure || (goes_on && work->columns[i] - work->columns[sure] <= LONGEST_BETWEEN)
+                     ? i
+                     : -1;
     }
     return kept;
 }
