@@ -152,7 +152,7 @@ def test_clutter_does_not_make_the_width() -> None:
 @pytest.mark.parametrize("there_px", [2.3, 16.0])
 def test_a_line_of_another_width_for_a_few_columns_goes_on_there(there_px: float) -> None:
     """As rough surfaces and compression make it; not at its end, where it may be anything."""
-    rows = 300 + 0.2 * np.arange(WIDTH)
+    rows = np.linspace(300.0, 490.0, WIDTH)
     width_px = np.full(WIDTH, 6.0)
     width_px[400:424] = width_px[:40] = there_px
     stripe = extract_stripe(expose(20 + beam(rows, width_px, 120), 0))
