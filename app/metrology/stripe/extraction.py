@@ -149,7 +149,12 @@ def _best_scale(
     best = first or extract_at(grey, axis, where, settings, 1.0)
     if best.is_certain:
         return best
-    for factor in () if best.is_thin else wide_factors(grey.shape[0]):
+    looks_thin = best.is_thin
+    if looks_thin:
+        best = _between_rows(grey, axis, where, settings, best, THIN_AS_GOOD)
+        if best.evidence:
+            return best  # else it was the noise on the flat top of a wide line
+    for factor in wide_factors(grey.shape[0]):
         found = extract_at(grey, axis, where, settings, factor)
         is_line = max(found.width_px / WIDEST_LINE, found.core_px / WIDEST_CORE) < grey.shape[0]
         enough = CLEARLY_BETTER if best.sigma_rows < CERTAIN_SIGMA_ROWS else BETTER
@@ -157,13 +162,24 @@ def _best_scale(
             best = found
         if found.is_certain:
             break
-    if best.is_thin or not best.is_long:
-        found = extract_at(grey, axis, where, settings, THIN_FACTOR)
-        enough = THIN_AS_GOOD if best.is_thin else CLEARLY_BETTER
-        is_thin = 0 < found.sigma_rows * THIN_FACTOR < THIN_SIGMA_ROWS_BROKEN
-        if is_thin and found.evidence > enough * best.evidence:
-            best = found
+    if not looks_thin and not best.is_long:
+        best = _between_rows(grey, axis, where, settings, best, CLEARLY_BETTER)
     return best
+
+
+def _between_rows(
+    grey: Image,
+    axis: str,
+    where: NDArray[np.bool_] | None,
+    settings: StripeSettings,
+    best: FoundLine,
+    enough: float,
+) -> FoundLine:
+    """The line of hardly a pixel between the rows, if that shows so many times as much as ``best``
+    does; otherwise ``best``."""
+    found = extract_at(grey, axis, where, settings, THIN_FACTOR)
+    is_thin = 0 < found.sigma_rows * THIN_FACTOR < THIN_SIGMA_ROWS_BROKEN
+    return found if is_thin and found.evidence > enough * best.evidence else best
 
 
 def orient_image(image: Image, axis: str) -> Image:
