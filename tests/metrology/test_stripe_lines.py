@@ -227,10 +227,10 @@ def test_the_uncertainty_of_a_flat_top_is_what_it_scatters_by(
 @pytest.mark.parametrize("seed", range(12))
 @pytest.mark.parametrize("slope", [0.0, 1.0, -3.0])
 def test_the_noise_on_a_flat_top_with_sharp_edges_is_no_thin_line(slope: float, seed: int) -> None:
-    rows = HEIGHT / 2 + slope * (np.arange(WIDTH) - WIDTH / 2)
+    rows = np.asarray(HEIGHT / 2 + slope * (np.arange(float(WIDTH)) - WIDTH / 2), np.float64)
     rows[(rows < 40) | (rows > HEIGHT - 40)] = np.nan
-    light = cv2.GaussianBlur(beam(rows, 40, 120, 60), (0, 0), 1.5)
-    on, beside = shares(extract_stripe(expose(20 + np.nan_to_num(light), seed)), rows, 40)
+    light = np.nan_to_num(cv2.GaussianBlur(beam(rows, 40, 120, 60), (0, 0), 1.5))
+    on, beside = shares(extract_stripe(expose(np.asarray(20 + light, np.float64), seed)), rows, 40)
     assert on > 0.9
     assert beside == 0
 
