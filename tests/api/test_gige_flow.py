@@ -144,6 +144,8 @@ def losses(server: Server) -> dict[str, Any]:
 
 def test_a_slow_line_shows_by_late_pictures_and_by_those_it_loses(server: Server) -> None:
     with camera_faults(server) as faults, server.context.bus.subscribe() as subscription:
+        # what the tests before made it lose is said for a while
+        until(lambda: not server.context.rig.sensor.link().losing)
         before = server.context.rig.sensor.link().lost
         faults.line_bytes_per_s = SLOW_BYTES_PER_S
         until(lambda: server.context.rig.sensor.link().losing)
