@@ -19,14 +19,14 @@ class StripeSettings:
 
     ``threshold``: grey levels by which the stripe exceeds its surroundings (otherwise four standard
     deviations of the noise). ``min_width_px``, ``max_width_px``: its width at half height
-    (otherwise 0.45 and 2.2 times the usual one). ``min_run``: number of points of a piece, which is
-    always more than a round spot of its width would show. ``choice``: which of several peaks of a
-    column is the stripe. ``continuity``: the one whose piece of line is the brightest on average,
-    where pieces of less than 40 points count by the square of their length; ``strength``: the
-    brightest; ``first`` and ``last``: the uppermost and the lowest (axis v: leftmost and rightmost)
-    that belongs to a piece. ``smoothing_px``: standard deviation of the Gaussian by which points
-    are smoothed along the line; structures of period λ keep exp(-2 (π smoothing_px / λ)²) of their
-    height.
+    (otherwise 0.45 and 2.2 times the usual one; 0.3 and 3.3 times where the line goes on on both
+    sides, over at most 48 columns). ``min_run``: number of points of a piece, which is always more
+    than a round spot of its width would show. ``choice``: which of several peaks of a column is the
+    stripe. ``continuity``: the one whose piece of line is the brightest on average, where pieces of
+    less than 40 points count by the square of their length; ``strength``: the brightest; ``first``
+    and ``last``: the uppermost and the lowest (axis v: leftmost and rightmost) that belongs to a
+    piece. ``smoothing_px``: standard deviation of the Gaussian by which points are smoothed along
+    the line; structures of period λ keep exp(-2 (π smoothing_px / λ)²) of their height.
     """
 
     threshold: float | None = None
