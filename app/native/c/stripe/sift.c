@@ -83,35 +83,29 @@ static double usual_sigma(const Workspace *work, int64_t n, float saturated)
     return usual;
 }
 
-/* The widths between which a peak is a stripe, as standard deviations; the wider ones that it may
- * have where the line goes on on both sides. */
+/* What a peak of a stripe has: widths between these, as standard deviations, and a height. */
 typedef struct {
-    double narrowest, widest, narrowest_between, widest_between, least_height;
+    double narrowest, widest, least_height;
 } Limits;
 
-static Limits limits_of(const Workspace *work, double usual, double threshold)
+/* The limits by the usual width, or as set; `slack`: how much further off widths may be. */
+static Limits limits_of(const Workspace *work, double usual, double threshold, double slack)
 {
-    Limits limits = {work->narrowest_px, work->widest_px, work->narrowest_px, work->widest_px,
-                     threshold};
-    if (isnan(work->narrowest_px)) {
-        limits.narrowest = max_f64(NARROW * usual, LEAST_SIGMA_PX);
-        limits.narrowest_between = max_f64(limits.narrowest / BETWEEN, LEAST_SIGMA_PX);
-    }
-    if (isnan(work->widest_px)) {
-        limits.widest = max_f64(WIDE * usual, limits.narrowest);
-        limits.widest_between = BETWEEN * limits.widest;
-    }
+    Limits limits = {work->narrowest_px, work->widest_px, threshold};
+    if (isnan(limits.narrowest))
+        limits.narrowest = max_f64(NARROW * usual / slack, LEAST_SIGMA_PX);
+    if (isnan(limits.widest))
+        limits.widest = max_f64(WIDE * usual * slack, limits.narrowest);
     return limits;
 }
 
-/* Whether fit i is as wide and high as the line, or as it may be between two pieces of it. */
-static bool is_stripe(const Workspace *work, const Limits *limits, int64_t i, bool between)
+/* Whether fit i is within limits. */
+static bool fits_limits(const Workspace *work, const Limits *limits, int64_t i)
 {
     const double sigma = work->fits[SIGMA * work->padded + i];
     return work->fits[BECAME * work->padded + i] == PEAK &&
            work->fits[AMPLITUDE * work->padded + i] >= limits->least_height &&
-           sigma > (between ? limits->narrowest_between : limits->narrowest) &&
-           sigma < (between ? limits->widest_between : limits->widest);
+           sigma > limits->narrowest && sigma < limits->widest;
 }
 
 /* Adds fit i to the table of peaks, as its row `kept`. */
@@ -134,24 +128,25 @@ static int64_t sift(Workspace *work, int64_t n, double threshold, float saturate
     const double usual = usual_sigma(work, n, saturated);
     if (usual == 0)
         return 0;
-    const Limits limits = limits_of(work, usual, threshold);
+    const Limits usually = limits_of(work, usual, threshold, 1);
+    const Limits between = limits_of(work, usual, threshold, BETWEEN);
     /* the last fit on which the line goes on, -1 for none, and the last that is as wide as it */
     int64_t kept = 0, before = -1, sure = -1;
     for (int64_t i = 0; i < n; i++) {
-        if (!is_stripe(work, &limits, i, true))
+        if (!fits_limits(work, &between, i))
             continue;
         const bool goes_on = before >= 0 && follows(work, before, i);
-        const bool is_sure = is_stripe(work, &limits, i, false);
-        for (int64_t k = sure + 1; is_sure && goes_on && k < i; k++)
-            if (is_stripe(work, &limits, k, true))
-                keep_peak(work, k, kept++);
-        if (is_sure) {
+        if (fits_limits(work, &usually, i)) {
+            for (int64_t k = goes_on ? sure + 1 : i; k < i; k++)
+                if (fits_limits(work, &between, k))
+                    keep_peak(work, k, kept++);
             keep_peak(work, i, kept++);
-            sure = i;
+            before = sure = i;
+        } else {
+            const bool is_near =
+                goes_on && work->columns[i] - work->columns[sure] <= LONGEST_BETWEEN;
+            before = is_near ? i : -1;
         }
-        before = is_sure || (goes_on && work->columns[i] - work->columns[sure] <= LONGEST_BETWEEN)
-                     ? i
-                     : -1;
     }
     return kept;
 }
