@@ -8,7 +8,7 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeVar
 from unittest.mock import patch
 
 import httpx
@@ -29,10 +29,20 @@ from hardware.simulator.station import SimulatedStation, SimulationConfig
 from tests.entering import cookie, enter
 from tests.sent_texts import TextCollector
 
+T = TypeVar("T")
 LOOK_S = 0.15
 """How often a test looks whether a view is as wanted: each look costs station and test time."""
 QUICK_HASHER = PasswordHasher(time_cost=1, memory_cost=64)
 """As good in all but what it costs to guess."""
+
+
+def wait_for(read: Callable[[], T], ready: Callable[[T], object], timeout_s: float = 30.0) -> T:
+    """What is read, once it is as wanted."""
+    deadline = time.monotonic() + timeout_s
+    while not ready(value := read()):
+        assert time.monotonic() < deadline, value
+        time.sleep(LOOK_S)
+    return value
 
 
 def run_command(command: Callable[[], httpx.Response]) -> dict[str, Any]:
@@ -91,10 +101,7 @@ class Server:
 
     def wait(self, ready: Callable[[dict[str, Any]], bool], timeout_s: float = 90.0) -> None:
         """Until the flow's view is as wanted."""
-        deadline = time.monotonic() + timeout_s
-        while not ready(view := self.flow()):
-            assert time.monotonic() < deadline, view
-            time.sleep(LOOK_S)
+        wait_for(self.flow, ready, timeout_s)
 
 
 @contextmanager

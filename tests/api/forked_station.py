@@ -17,15 +17,11 @@ class ForkedStation(StationProcess):
     """A station as the bench starts it, but for the time that the imports take."""
 
     def _launch(
-        self,
-        output: Path,
-        environment: Mapping[str, str],
-        user: int | None,
-        arguments: Sequence[str],
+        self, arguments: Sequence[str], environment: Mapping[str, str], user: int | None
     ) -> "ForkedProcess":
         if environment or user is not None:
             raise ValueError("a forked station has the environment and the user of the tests")
-        return ForkedProcess(output, arguments)
+        return ForkedProcess(self._output, arguments)
 
 
 class ForkedProcess:

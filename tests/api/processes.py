@@ -17,14 +17,7 @@ from tests.entering import enter
 PATIENCE_S = 200.0
 # what the server imports is imported once, and each process begins with it
 CONTEXT = multiprocessing.get_context("forkserver")
-CONTEXT.set_forkserver_preload(
-    [
-        "app.server.application",
-        "app.server.demo",
-        "hardware.simulator.station",
-        "app.bench.faults.served",
-    ]
-)
+CONTEXT.set_forkserver_preload(["app.server.application", "app.bench.faults.served"])
 
 
 def _serve(pipe: Connection, data: Path, calibrated: bool) -> None:

@@ -1,6 +1,5 @@
 """The arm's own flows on the simulated station: the daily check, and the identification."""
 
-import time
 import uuid
 from collections.abc import Callable
 from typing import Any
@@ -15,7 +14,7 @@ from app.formats.session.arm_session import read_observations
 from app.formats.session.pose_columns import joint_columns
 from app.metrology.arm.identification.articulation import ArticulationLimits
 from app.workflows.check_articulation import check_table
-from tests.api.conftest import LOOK_S, Server, run_command
+from tests.api.conftest import Server, run_command, wait_for
 from tests.metrology.arm_sessions import volumetric_error_um
 from tests.sent_texts import english
 from tests.simulated_robots import Tracker, built, measure, postures
@@ -39,11 +38,7 @@ def do(server: Server, name: str, **args: object) -> View:
 
 
 def wait(server: Server, ready: Callable[[View], bool], timeout_s: float = 240.0) -> View:
-    deadline = time.monotonic() + timeout_s
-    while not ready(view := view_of(server)):
-        assert time.monotonic() < deadline, view
-        time.sleep(LOOK_S)
-    return view
+    return wait_for(lambda: view_of(server), ready, timeout_s)
 
 
 @pytest.fixture

@@ -1,7 +1,6 @@
 """Finding, trying and choosing devices of a running station."""
 
-import time
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from http import HTTPStatus
 from pathlib import Path
 from typing import Any
@@ -14,7 +13,7 @@ from app.api.monitoring.support import context_redactor
 from app.formats.datasheets.sensor import read_sensor
 from app.settings.station_toml import read_settings
 from app.station.setup.trials import DeviceTrials
-from tests.api.conftest import LOOK_S, Server, running_server
+from tests.api.conftest import Server, running_server, wait_for
 
 pytestmark = pytest.mark.slow
 
@@ -38,14 +37,6 @@ def station(server: Server) -> Iterator[Server]:
     server.http.delete("/api/devices/trial").raise_for_status()
     for kind in ("arm", "sensor"):
         server.http.post("/api/devices/remove", json={"kind": kind}).raise_for_status()
-
-
-def wait_for(read: Callable[[], Any], ready: Callable[[Any], bool]) -> Any:
-    deadline = time.monotonic() + 30.0
-    while not ready(value := read()):
-        assert time.monotonic() < deadline, value
-        time.sleep(LOOK_S)
-    return value
 
 
 def view(server: Server) -> dict[str, Any]:
@@ -230,10 +221,10 @@ def test_a_trial_ends_by_itself(
         inside = setup.trials._trial
         assert inside is not None
         assert inside.sensor is not None
-        wait_for(
-            setup.trials.view if looks else lambda: inside.ended,
-            lambda one: one.state == "ended" if looks else bool(one),
-        )
+        if looks:
+            wait_for(setup.trials.view, lambda one: one is not None and one.state == "ended")
+        else:
+            wait_for(lambda: inside.ended, bool)
         ended = setup.trials.view()
         assert ended is not None
         assert words in str(ended.text)

@@ -20,7 +20,7 @@ from app.workflows.calibrate import calibrate_session
 from hardware.clock import now_ns
 from hardware.interfaces import Button
 from hardware.simulator.station import SimulationConfig
-from tests.api.conftest import LOOK_S, Server, is_enabled
+from tests.api.conftest import Server, is_enabled, wait_for
 
 pytestmark = pytest.mark.slow
 
@@ -278,10 +278,7 @@ def scan_with_it(http: httpx.Client, server: Server) -> None:
     assert http.post("/api/stop").status_code == 204
     devices = http.post("/api/laser/off").json()
     assert devices["laser_on"] is False
-    deadline = time.monotonic() + 10
-    while not (scans := http.get("/api/scans").json()):
-        assert time.monotonic() < deadline
-        time.sleep(LOOK_S)
+    scans = wait_for(lambda: http.get("/api/scans").json(), bool, 10.0)
     assert scans[0]["name"] == "Shell"
     assert scans[0]["points"] >= 1000
     cloud = http.get(f"/api/scans/{scans[0]['id']}/cloud.ply").content

@@ -14,7 +14,7 @@ from app.formats.datasheets.gauge import read_gauge
 from app.guide.performance.places import POLE
 from app.metrology.performance.pattern import RIM_DEG, pattern_directions
 from tests.api.calibrated import use_truth
-from tests.api.conftest import LOOK_S, Server, run_command
+from tests.api.conftest import LOOK_S, Server, run_command, wait_for
 from tests.formats.certificates import DIAMETER, FORM, certificate, quantity, real
 from tests.sent_texts import english
 
@@ -42,11 +42,7 @@ class Desk:
         return run_command(lambda: self.command(name, **args))
 
     def wait(self, ready: Callable[[View], bool], timeout_s: float = 60.0) -> View:
-        deadline = time.monotonic() + timeout_s
-        while not ready(view := self.view()):
-            assert time.monotonic() < deadline, view
-            time.sleep(LOOK_S)
-        return view
+        return wait_for(self.view, ready, timeout_s)
 
     def start(self) -> View:
         self.wait(lambda view: view["busy"] is None)

@@ -1,6 +1,5 @@
 """A station with two sensors, from its address: chosen, scanned with, listed, rebuilt."""
 
-import time
 from collections.abc import Callable, Iterator
 
 import numpy as np
@@ -16,7 +15,7 @@ from app.operations.home import build_home
 from app.operations.status_report import build_report
 from app.station.operator_settings import StationSettings
 from hardware.simulator.station import SimulationConfig
-from tests.api.conftest import LOOK_S, Server, running_server
+from tests.api.conftest import Server, running_server, wait_for
 
 pytestmark = pytest.mark.slow
 
@@ -35,10 +34,7 @@ def station(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Server]:
 
 
 def until(condition: Callable[[], object], timeout_s: float = 60.0) -> None:
-    deadline = time.monotonic() + timeout_s
-    while not condition():
-        assert time.monotonic() < deadline
-        time.sleep(LOOK_S)
+    wait_for(condition, bool, timeout_s)
 
 
 def select(station: Server, name: str) -> int:

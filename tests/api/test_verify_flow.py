@@ -30,7 +30,7 @@ from app.workflows.measure_gauge import filters_of
 from hardware.clock import now_ns
 from hardware.interfaces import Button
 from tests.api.calibrated import use_truth
-from tests.api.conftest import LOOK_S, Server, run_command
+from tests.api.conftest import Server, run_command, wait_for
 from tests.sent_texts import english
 
 pytestmark = pytest.mark.slow
@@ -65,11 +65,7 @@ class Desk:
         return run_command(lambda: self.command(name, **args))
 
     def wait(self, ready: Callable[[View], bool], timeout_s: float = 60.0) -> View:
-        deadline = time.monotonic() + timeout_s
-        while not ready(view := self.view()):
-            assert time.monotonic() < deadline, view
-            time.sleep(LOOK_S)
-        return view
+        return wait_for(self.view, ready, timeout_s)
 
     def start(self, gauge: str) -> View:
         self.wait(lambda view: view["busy"] is None)

@@ -48,17 +48,13 @@ class StationProcess:
         data.parent.mkdir(parents=True, exist_ok=True)
         self._data = data
         self._output = data.with_name(f"{data.name}-{uuid.uuid4().hex[:6]}.txt")
-        self._process = self._launch(self._output, environment or {}, user, [str(data), *options])
+        self._process = self._launch([str(data), *options], environment or {}, user)
         self.http = httpx.Client(timeout=30.0)
 
     def _launch(
-        self,
-        output: Path,
-        environment: Mapping[str, str],
-        user: int | None,
-        arguments: Sequence[str],
+        self, arguments: Sequence[str], environment: Mapping[str, str], user: int | None
     ) -> LaunchedProcess:
-        with output.open("w") as console:
+        with self._output.open("w") as console:
             return subprocess.Popen(
                 [sys.executable, "-m", "app.bench.faults.served", *arguments],
                 env={**os.environ, **environment},
