@@ -22,7 +22,7 @@ from hardware.simulator.devices.arm_packets import (
     reading_packet,
     sample_payload,
 )
-from hardware.simulator.devices.device_thread import ThreadedDevice
+from hardware.simulator.devices.device_thread import BATCH_S, ThreadedDevice
 from hardware.simulator.devices.motion import Motion
 from hardware.simulator.devices.ports import DevicePort
 from hardware.simulator.devices.trigger_pulses import RATES_HZ, TriggerPulses
@@ -31,8 +31,6 @@ Floats = NDArray[np.float64]
 SETTING = 1
 """The number of tool and coordinate system of the poses."""
 BUTTON_BIT = {Button.PRIMARY: 1, Button.UNDO: 2, Button.BACK: 4}
-BATCH_S = 0.005
-"""Samples leave in batches as often as this, each with its own time."""
 CATCH_UP_NS = 500_000_000
 """A device that was not scheduled for longer than this loses what it should have taken."""
 

@@ -2,6 +2,9 @@
 
 import threading
 
+BATCH_S = 0.005
+"""Samples leave a device in batches as often as this, each with its own time."""
+
 
 class ThreadedDevice:
     """A device whose ``_run`` is a thread's until ``_stopping`` is set.

@@ -15,11 +15,10 @@ from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
 from hardware.clock import now_ns
-from hardware.simulator.devices.device_thread import ThreadedDevice
+from hardware.simulator.devices.device_thread import BATCH_S, ThreadedDevice
 
 Floats = NDArray[np.float64]
 
-BATCH_S = 0.005
 WAITING_BYTES = 65_536
 """What a client that does not read may leave waiting; the controller then skips packages."""
 CATCH_UP_NS = 500_000_000
