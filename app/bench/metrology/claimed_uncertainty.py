@@ -20,11 +20,12 @@ from app.metrology.arm.kinematics import RobotArm, Tip
 from app.metrology.performance.articulation import articulation_directions
 from app.metrology.performance.lengths import CalibratedLength, MeasuredLength
 from app.metrology.performance.temperature import TemperatureSpan, mean_temperature
+from app.metrology.performance.value_uncertainty import LOBES, deviations_of_lobes
 from app.metrology.transforms import Floats
 from app.progress import Progress, no_progress
-from app.workflows.performance.evaluate import sphere_certificate, sphere_uncertainty_um
 from app.workflows.performance.measured_data import MeasuredData, ScanCloud
 from app.workflows.performance.sphere_test import PositionResult, measure_position
+from app.workflows.performance.sphere_uncertainty import sphere_certificate, sphere_uncertainty_um
 
 SPHERE = SpherePart(
     name="Sphere",
@@ -36,8 +37,6 @@ SPHERE = SpherePart(
 TOUCH_SD_MM, POINT_SD_MM = 0.003, 0.008
 DRIFT_SD_MM = 0.003
 """Along each axis, over the whole test."""
-LOBES = (5, 9)
-"""Of the sphere's form, around an axis of its own."""
 POINTS, FRAMES = 3000, 40
 """Of a scan."""
 SEEN_DEG = 58.0
@@ -70,12 +69,8 @@ class TrueSphere:
 
     def deviations_mm(self, outward: Floats) -> Floats:
         """(N,) of its surface in directions (N, 3) from the calibrated one."""
-        axis = np.array(self.axis)
-        across = np.cross(axis, np.eye(3)[int(np.argmin(np.abs(axis)))])
-        across /= np.linalg.norm(across)
-        turn = np.arctan2(outward @ np.cross(axis, across), outward @ across)
-        off = 0.5 * self.form_mm * np.sin(self.lobes * turn + self.phase_rad)
-        return np.asarray(self.radius_off_mm + off)
+        off = deviations_of_lobes(outward, np.array(self.axis), self.lobes, self.phase_rad)
+        return np.asarray(self.radius_off_mm + self.form_mm * off)
 
 
 def coverage_rows(tests: int, progress: Progress = no_progress) -> list[ClaimedRow]:
@@ -92,7 +87,8 @@ def coverage_rows(tests: int, progress: Progress = no_progress) -> list[ClaimedR
         moved_um = 1e3 * float(np.linalg.norm(sphere.drift_mm))
         for of in SPHERE_QUANTITIES:
             off[of].append(1e3 * (found.values_mm[of] - perfect.values_mm[of]))
-            stated[of].append(sphere_uncertainty_um(of, certificate, moved_um))
+            effect_um = found.form_effects_um.get(of)
+            stated[of].append(sphere_uncertainty_um(of, certificate, moved_um, effect_um))
     rows = [ClaimedRow(of, _rms(stated[of]) / _rms(off[of])) for of in SPHERE_QUANTITIES]
     return [*rows, _length_row(tests, random)]
 

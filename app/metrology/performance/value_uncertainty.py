@@ -3,10 +3,13 @@
 ISO 14253-5 keeps the two apart: what the arm or scanner scatters is what the test measures.
 """
 
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from typing import Literal
 
 import numpy as np
+
+from app.metrology.transforms import Floats
 
 DIAMETER_BY_FORM = 2 * 0.33 / (2 * np.sqrt(2.0))
 """What a lobed form of 1 µm makes of a diameter: its deviations have the standard deviation
@@ -19,6 +22,12 @@ CENTRES_BY_DRIFT = {"touch": 0.13, "scan": 0.13, "both": 0.5}
 the time, ``0.4 * 1.12 / sqrt(12)``; from touches to scans the sphere moves by most of it."""
 FORM_BY_DRIFT = 0.25
 """The same of the form of touches and scans together."""
+LOBES = (5, 9)
+"""Of the form of a ground sphere, around any axis: from the first to before the second."""
+DRAWS, DRAWS_OF_FEW = 100, 300
+FEW_POINTS = 1000
+MOST_POINTS = 50_000
+"""Of a scan; what a form changes in the dispersion of more points is smaller still."""
 
 
 @dataclass(frozen=True)
@@ -84,3 +93,80 @@ def form_of_both_uncertainty_um(sphere: SphereCertificate, moved_um: float) -> f
 def plane_uncertainty_um(flatness_um: float, flatness_sd_um: float) -> float:
     """Of the form of a plane, k = 1."""
     return float(np.hypot(flatness_um / 2, flatness_sd_um))
+
+
+def deviations_of_lobes(outward: Floats, axis: Floats, lobes: int, phase_rad: float) -> Floats:
+    """Deviations (N,) of a lobed sphere with a form of 1 in unit directions (N, 3) from its centre.
+
+    Example:
+        >>> around = np.array([[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]])
+        >>> deviations_of_lobes(around, np.array([0.0, 0.0, 1.0]), 6, np.pi / 2).round(3).tolist()
+        [-0.5, 0.5]
+    """
+    across = np.cross(axis, np.eye(3)[int(np.argmin(np.abs(axis)))])
+    across /= np.linalg.norm(across)
+    turn = np.arctan2(outward @ np.cross(axis, across), outward @ across)
+    return np.asarray(0.5 * np.sin(lobes * turn + phase_rad))
+
+
+@dataclass(frozen=True)
+class SphereDrift:
+    """A sphere that moves during the test."""
+
+    moved_mm: Floats
+    """(3,) from the beginning of the test to its end."""
+    when: Floats
+    """(N,) time of each point, of a test that takes 1."""
+
+
+def form_effect_um(
+    sphere: SphereCertificate,
+    points_mm: Floats,
+    centre_mm: Floats,
+    figure: Callable[[Floats], float],
+    drift: SphereDrift | None = None,
+) -> float:
+    """Test value uncertainty of a figure of form, k = 1: what a sphere that its certificate
+    allows, and that drifts, changes in it.
+
+    Lobed forms with the certificate's size, from 5 to 8 lobes about any axis, are added to the
+    points, and the drift is taken off them; what a least-squares sphere takes of these is left
+    out. Where the figure is hardly larger than the certified form, it may be that form; the share
+    that it has in the square of the figure counts, too.
+
+    Args:
+        points_mm: (N, 3) on the sphere, N > 4.
+        centre_mm: (3,) of their least-squares sphere.
+        figure: of the points' deviations from that sphere, (N,) in mm; returns mm.
+
+    Source:
+        JCGM 101, propagation by drawing. The half form of ISO/TS 23165 is its bound for few
+        points.
+    """
+    step = -(-len(points_mm) // MOST_POINTS)
+    away = points_mm[::step] - centre_mm
+    distance = np.linalg.norm(away, axis=1)
+    outward, off_mm = away / distance[:, None], distance - distance.mean()
+    fitted, _ = np.linalg.qr(np.column_stack([outward, np.ones(len(outward))]))
+
+    def changed_um(added_mm: Floats) -> float:
+        return 1e3 * figure(off_mm + added_mm - fitted @ (fitted.T @ added_mm)) - found_um
+
+    found_um = 1e3 * figure(off_mm)
+    by_form = [changed_um(form_mm) for form_mm in _draw_forms_mm(sphere, outward)]
+    share = found_um - np.sqrt(max(found_um**2 - sphere.form_um**2, 0.0))
+    by_drift = 0.0
+    if drift is not None:
+        by_drift = changed_um(-drift.when[::step] * (outward @ drift.moved_mm))
+    return float(np.sqrt(np.mean(np.square(by_form)) + share**2 + by_drift**2))
+
+
+def _draw_forms_mm(sphere: SphereCertificate, outward: Floats) -> Iterator[Floats]:
+    """Deviations (N,) of spheres that the certificate allows."""
+    random = np.random.default_rng(0)
+    for _ in range(DRAWS_OF_FEW if len(outward) <= FEW_POINTS else DRAWS):
+        axis = random.normal(size=3)
+        axis /= np.linalg.norm(axis)
+        lobes, phase_rad = int(random.integers(*LOBES)), random.uniform(0, 2 * np.pi)
+        form_um = sphere.form_um + sphere.form_sd_um * random.normal()
+        yield 1e-3 * form_um * deviations_of_lobes(outward, axis, lobes, phase_rad)

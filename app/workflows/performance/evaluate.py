@@ -12,7 +12,6 @@ from app.formats.json_document import SOFTWARE
 from app.formats.performance.plan import (
     RESULT,
     PerformancePlan,
-    SpherePart,
     read_plan,
     sphere_features,
 )
@@ -22,19 +21,13 @@ from app.formats.performance.results import (
     PerformanceFile,
     SphereMeasurement,
 )
-from app.formats.performance.symbols import SPHERE_QUANTITIES, Quantity, editions
+from app.formats.performance.symbols import SPHERE_QUANTITIES, editions
 from app.formats.results.calibration import SerialNumbers
 from app.messages.message import Text, message, quantity
 from app.metrology.performance.lengths import LENGTHS
 from app.metrology.performance.location import estimate_offset
 from app.metrology.performance.sphere import least_squares_sphere
-from app.metrology.performance.value_uncertainty import (
-    SphereCertificate,
-    form_of_both_uncertainty_um,
-    form_uncertainty_um,
-    location_uncertainty_um,
-    size_uncertainty_um,
-)
+from app.metrology.performance.value_uncertainty import form_uncertainty_um, size_uncertainty_um
 from app.workflows.performance.artefact_checks import artefact_problems
 from app.workflows.performance.contact_test import contact_features, measure_contact_test
 from app.workflows.performance.judge import K, Measured, judge_all, judge_figure
@@ -44,10 +37,12 @@ from app.workflows.performance.plane_test import measure_plane
 from app.workflows.performance.sphere_test import (
     PositionResult,
     bring_sizes_to_20,
+    largest_form_effect,
     measure_position,
     problems_of,
     worst,
 )
+from app.workflows.performance.sphere_uncertainty import sphere_certificate, sphere_uncertainty_um
 from app.workflows.performance.temperature_checks import (
     arm_span,
     artefact_span,
@@ -179,7 +174,9 @@ def _measure_sphere(data: MeasuredData, problems: list[Text]) -> tuple[list[Meas
             of,
             worst(results, of),
             tuple(None if of not in one.values_mm else 1e3 * one.values_mm[of] for one in results),
-            sphere_uncertainty_um(of, certificate, moved_um, sd_c, off_c),
+            sphere_uncertainty_um(
+                of, certificate, moved_um, largest_form_effect(results, of), sd_c, off_c
+            ),
             problems_of(results, of),
             tuple(name for one in results for name in one.data.get(of, ())),
         )
@@ -200,44 +197,6 @@ def _least_drift_um(data: MeasuredData) -> float:
     scatter_um = 1e3 * float(np.sqrt(np.sum(off**2) / (len(tips) - 4)))
     # of a centre by five touches, in the worst direction, against one by 25
     return 2 * 1.25 * scatter_um
-
-
-def sphere_certificate(sphere: SpherePart) -> SphereCertificate:
-    """What the certificate of a plan's sphere says."""
-    return SphereCertificate(
-        sphere.diameter_mm,
-        sphere.diameter_sd_um,
-        sphere.form_um,
-        sphere.form_sd_um,
-        sphere.expansion_per_c,
-        sphere.expansion_sd_per_c,
-    )
-
-
-def sphere_uncertainty_um(
-    of: Quantity,
-    sphere: SphereCertificate,
-    moved_um: float,
-    temperature_sd_c: float = 0.0,
-    off_c: float = 0.0,
-) -> float:
-    """Test value uncertainty of a quantity of the one-sphere test, k = 1.
-
-    Args:
-        moved_um: of the sphere, between the first touches and the last.
-        off_c: temperature of the sphere minus 20 °C.
-    """
-    if of.startswith("size"):
-        return size_uncertainty_um(sphere, temperature_sd_c, off_c)
-    if of == "location-touch":
-        return location_uncertainty_um(sphere, moved_um, "touch")
-    if of == "location-scan":
-        return location_uncertainty_um(sphere, moved_um, "scan")
-    if of == "location-both":
-        return location_uncertainty_um(sphere, moved_um, "both")
-    if of == "form-both":
-        return form_of_both_uncertainty_um(sphere, moved_um)
-    return form_uncertainty_um(sphere)
 
 
 def _offset(results: Sequence[PositionResult]) -> ImpliedOffsetPart | None:

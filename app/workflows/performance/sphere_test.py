@@ -35,12 +35,16 @@ from app.metrology.performance.sphere import (
     least_squares_sphere,
     sphere_centre,
 )
+from app.metrology.performance.value_uncertainty import SphereDrift, form_effect_um
 from app.metrology.transforms import Floats
 from app.workflows.performance.articulation_checks import articulation_notes, articulations_alike
 from app.workflows.performance.measured_data import MeasuredData, ScanCloud
+from app.workflows.performance.sphere_uncertainty import sphere_certificate
 
 LEAST_POINTS, LEAST_FRAMES = 20, 2
 """Of a patch that counts as covered."""
+SCANS_TAKE = 0.4
+"""Of the time of a test, from the first scan to the last."""
 LEAST_PATCHES = 6
 """Of an articulation, which sees only a part of the sphere."""
 
@@ -61,8 +65,14 @@ class PositionResult:
     """(A, 3, 3) of the sensor in them."""
     notes: list[Text] = field(default_factory=list)
     """Articulations that were not held as wanted."""
-    moved_um: float = 0.0
-    """Movement of the sphere between the first touches and the last; 0 if not touched again."""
+    form_effects_um: dict[Quantity, float] = field(default_factory=dict)
+    """What the form of the sphere makes of forms and dispersion, k = 1."""
+    moved_mm: Floats = field(default_factory=lambda: np.zeros(3))
+    """(3,) of the sphere, between the first touches and the last; 0 if not touched again."""
+
+    @property
+    def moved_um(self) -> float:
+        return 1e3 * float(np.linalg.norm(self.moved_mm))
 
     def measurement(self) -> SphereMeasurement:
         return SphereMeasurement.model_validate({"position": self.position, **self.details})
@@ -117,6 +127,10 @@ def _measure_pattern(
     tip_mm = tip_of(data.arm).diameter_mm
     result.note("size-touch", found.diameter_mm - tip_mm - sphere.diameter_mm, name)
     result.note("form-touch", found.form_mm, name)
+    certificate = sphere_certificate(sphere)
+    result.form_effects_um["form-touch"] = form_effect_um(
+        certificate, tips, found.centre_mm, np.ptp
+    )
     result.details["touched_centre_mm"] = found.centre_mm.tolist()
     inward = tips - found.centre_mm
     distances = np.linalg.norm(inward, axis=1)
@@ -182,7 +196,7 @@ def _measure_drift(data: MeasuredData, position: int, result: PositionResult) ->
     found = least_squares_sphere(first)
     begin, end = found.centre_mm, sphere_centre(last, found.diameter_mm)
     result.details["end_centre_mm"] = end.tolist()
-    result.moved_um = 1e3 * float(np.linalg.norm(end - begin))
+    result.moved_mm = end - begin
     result.details["moved_um"] = result.moved_um
 
 
@@ -234,6 +248,14 @@ def _measure_scans(
     of_25 = least_squares_sphere(represented)
     result.note("size-scan", of_25.diameter_mm - sphere.diameter_mm, *names)
     result.note("form-scan", of_25.form_mm, *names)
+    certificate = sphere_certificate(sphere)
+    drift = SphereDrift(result.moved_mm, _times_of_scans(inside))
+    result.form_effects_um |= {
+        "form-scan": form_effect_um(certificate, represented, of_25.centre_mm, np.ptp),
+        "dispersion-scan": form_effect_um(
+            certificate, points, found.centre_mm, dispersion_mm, drift
+        ),
+    }
     off_mm = np.linalg.norm(represented - of_25.centre_mm, axis=1) - of_25.diameter_mm / 2
     result.details["patches"] = _patch_parts(patches, 1e3 * off_mm)
     return of_25.centre_mm, represented
@@ -341,6 +363,12 @@ def _number_frames(clouds: Sequence[ScanCloud]) -> np.ndarray:
     return np.concatenate(numbers)
 
 
+def _times_of_scans(clouds: Sequence[ScanCloud]) -> Floats:
+    """When each point was taken, of a test that takes 1."""
+    times = np.linspace(0.0, SCANS_TAKE, len(clouds))
+    return np.repeat(times, [len(cloud.points_mm) for cloud in clouds])
+
+
 MOST_FREE = 20_000
 
 
@@ -354,6 +382,13 @@ def worst(results: Sequence[PositionResult], of: Quantity) -> float | None:
     values = [result.values_mm.get(of) for result in results]
     known = [value for value in values if value is not None]
     return 1e3 * max(known, key=abs) if len(known) == len(values) and known else None
+
+
+def largest_form_effect(results: Sequence[PositionResult], of: Quantity) -> float | None:
+    """What the sphere's form makes of a quantity in µm, k = 1; None if that is unknown."""
+    return max(
+        (one.form_effects_um[of] for one in results if of in one.form_effects_um), default=None
+    )
 
 
 def problems_of(results: Sequence[PositionResult], of: Quantity) -> Text:

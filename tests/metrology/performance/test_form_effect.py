@@ -1,0 +1,92 @@
+"""What the certified form of a sphere makes of a figure, against spheres that have such a form."""
+
+from collections.abc import Callable
+
+import numpy as np
+import pytest
+
+from app.metrology.performance.pattern import RIM_DEG, pattern_directions
+from app.metrology.performance.sphere import dispersion_mm, least_squares_sphere
+from app.metrology.performance.value_uncertainty import (
+    LOBES,
+    SphereCertificate,
+    deviations_of_lobes,
+    form_effect_um,
+    form_uncertainty_um,
+)
+from app.metrology.transforms import Floats
+
+RADIUS_MM, FORM_UM = 12.5, 1.0
+SPHERE = SphereCertificate(2 * RADIUS_MM, 0.5, FORM_UM)
+POLE = np.array([0.0, 0.0, 1.0])
+TESTS = 50
+
+
+def scan_directions() -> Floats:
+    """(1500, 3) over a hemisphere."""
+    random = np.random.default_rng(3)
+    along = random.normal(size=(1500, 3))
+    along[:, 2] = np.abs(along[:, 2])
+    return np.asarray(along / np.linalg.norm(along, axis=1, keepdims=True))
+
+
+def form_of(deviations_mm: Floats) -> float:
+    return float(np.ptp(deviations_mm))
+
+
+def measure(
+    outward: Floats, off_mm: Floats, figure: Callable[[Floats], float]
+) -> tuple[float, float]:
+    """The figure and its stated uncertainty, both in µm."""
+    points = outward * (RADIUS_MM + off_mm)[:, None]
+    found = least_squares_sphere(points)
+    distances = np.linalg.norm(points - found.centre_mm, axis=1)
+    return 1e3 * figure(distances), form_effect_um(SPHERE, points, found.centre_mm, figure)
+
+
+@pytest.mark.parametrize("noise_um", [0.5, 3.0, 10.0])
+@pytest.mark.parametrize(
+    ("outward", "figure"),
+    [
+        pytest.param(pattern_directions(POLE, RIM_DEG), form_of, id="form of 25 touches"),
+        pytest.param(scan_directions(), dispersion_mm, id="dispersion of a scan"),
+    ],
+)
+def test_the_stated_effect_is_what_spheres_of_that_form_show(
+    outward: Floats, figure: Callable[[Floats], float], noise_um: float
+) -> None:
+    random = np.random.default_rng(5)
+    changed, stated = [], []
+    for _ in range(TESTS):
+        noise_mm = 1e-3 * noise_um * random.normal(size=len(outward))
+        axis = random.normal(size=3)
+        axis /= np.linalg.norm(axis)
+        phase_rad = random.uniform(0, 2 * np.pi)
+        form = FORM_UM * deviations_of_lobes(outward, axis, int(random.integers(*LOBES)), phase_rad)
+        perfect_um, _ = measure(outward, noise_mm, figure)
+        lobed_um, effect_um = measure(outward, noise_mm + 1e-3 * form, figure)
+        changed.append(lobed_um - perfect_um)
+        stated.append(effect_um)
+    ratio = np.sqrt(np.mean(np.square(stated)) / np.mean(np.square(changed)))
+    assert 0.8 < ratio < 1.25
+
+
+def test_where_nothing_but_the_form_is_seen_the_whole_of_it_counts() -> None:
+    outward = scan_directions()
+    form_mm = 1e-3 * FORM_UM * deviations_of_lobes(outward, POLE, 6, 0.4)
+    found_um, effect_um = measure(outward, form_mm, dispersion_mm)
+    assert 0.9 * FORM_UM < found_um < effect_um < 1.3 * FORM_UM
+
+
+def test_a_noisy_scanner_hides_the_form_of_the_sphere() -> None:
+    outward = scan_directions()
+    noise_mm = 0.02 * np.random.default_rng(6).normal(size=len(outward))
+    _, effect_um = measure(outward, noise_mm, dispersion_mm)
+    assert effect_um < 0.7 * form_uncertainty_um(SPHERE)
+
+
+def test_a_sphere_without_form_has_no_effect() -> None:
+    outward = scan_directions()
+    points = outward * RADIUS_MM
+    perfect = SphereCertificate(2 * RADIUS_MM, 0.5, 0.0)
+    assert form_effect_um(perfect, points, np.zeros(3), dispersion_mm) == 0.0
