@@ -1,6 +1,7 @@
 """What the detector adds: shot and read noise, speckle, and the limits of its numbers."""
 
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import Any
 
 import cv2
@@ -48,21 +49,31 @@ def empty_image(height: int, width: int, detector: Detector) -> RawImage:
     return np.zeros((height, width), dtype=np.uint16)
 
 
-def speckle_tile(detector: Detector, rng: np.random.Generator) -> Image:
-    """(512, 512) of mean 1, seamless: intensities of summed independent speckle fields."""
+def speckle_tile(detector: Detector, seed: int) -> Image:
+    """(512, 512) of mean 1, seamless, not to be written to: intensities of summed independent
+    speckle fields."""
     if detector.speckle_contrast <= 0:
         return np.ones((TILE, TILE), dtype=np.float32)
     looks = max(1, round(1 / detector.speckle_contrast**2))
-    sigma = detector.speckle_px
-    reach = int(np.ceil(4 * sigma))
+    return _sum_speckle_fields(looks, detector.speckle_px, seed)
+
+
+@lru_cache(maxsize=4)
+def _sum_speckle_fields(looks: int, sigma_px: float, seed: int) -> Image:
+    rng = np.random.default_rng(seed)
+    reach = int(np.ceil(4 * sigma_px))
+    size = (2 * reach + 1, 2 * reach + 1)
     inside = slice(reach, reach + TILE)
-    tile = np.zeros((TILE, TILE), dtype=np.float32)
+    field = np.empty((TILE, TILE, 2), dtype=np.float32)  # real, imaginary
+    squares = np.zeros_like(field)
     for _ in range(looks):
-        field = rng.standard_normal((TILE, TILE, 2), dtype=np.float32)  # real, imaginary
+        rng.standard_normal(dtype=np.float32, out=field)
         wide = cv2.copyMakeBorder(field, reach, reach, reach, reach, cv2.BORDER_WRAP)
-        smooth = cv2.GaussianBlur(wide, (2 * reach + 1, 2 * reach + 1), sigma)[inside, inside]
-        tile += np.sum(smooth**2, axis=2)
-    return np.asarray(tile / tile.mean(), dtype=np.float32)
+        cv2.accumulateSquare(cv2.GaussianBlur(wide, size, sigma_px)[inside, inside], squares)
+    tile: Image = squares.sum(axis=2)
+    tile /= tile.mean()
+    tile.flags.writeable = False  # it is shared
+    return tile
 
 
 def grain_tile(rng: np.random.Generator) -> Image:

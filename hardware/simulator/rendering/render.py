@@ -64,7 +64,7 @@ class Renderer:
         self._rng = np.random.default_rng(seed)
         self._kinds, self._rows = shape_rows(scene)
         self._grain = grain_tile(np.random.default_rng(seed + 1))
-        self._speckle = speckle_tile(detector, np.random.default_rng(seed + 2))
+        self._speckle = speckle_tile(detector, seed + 2)
         self._lines = sight_lines(optics)
         corner = float(np.arctan(np.linalg.norm(self._lines, axis=2).max()))
         self._view_rad = max(corner, light_plane.half_angle_rad) + SPARE_RAD
