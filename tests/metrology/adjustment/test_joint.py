@@ -11,9 +11,10 @@ import pytest
 from app.errors import OperationError
 from app.formats.session.calibration_session import read_session
 from app.metrology.adjustment.block.calibrate import BlockCalibration, calibrate_block
+from app.metrology.adjustment.block.predicted_view import is_whole_block_visible
 from app.metrology.adjustment.block.problem import BlockInputs
 from app.metrology.adjustment.core.observations import FailedPose
-from app.metrology.adjustment.planning.next_pose import next_poses, pose_delta
+from app.metrology.adjustment.planning.next_pose import next_poses, place_sensor, pose_delta
 from app.metrology.adjustment.planning.next_touches import next_touches
 from app.metrology.limits import Limits
 from app.metrology.sensor.triangulation import sensor_points
@@ -157,6 +158,9 @@ def test_the_advised_pose_helps_more_than_the_same_again(
     advice = next_poses(one.adjustment, inputs.arm, inputs.block, inputs.q_rad[:1])
     assert advice[0].total_um < advice[-1].total_um <= one.uncertainty.total_um * 1.02
     assert advice[0].total_um < 0.9 * one.uncertainty.total_um
+    for pose in advice:
+        camera, _ = place_sensor(one.adjustment, pose.T_obj_cam)
+        assert is_whole_block_visible(camera, inputs.block)
     move = pose_delta(advice[0].T_obj_cam, advice[-1].T_obj_cam, inputs.block)
     assert "°" in str(move.words)
     none = pose_delta(advice[0].T_obj_cam, advice[0].T_obj_cam, inputs.block)

@@ -12,8 +12,8 @@ import numpy as np
 from app.messages.message import Text, join, message, quantity
 from app.metrology.adjustment.block.predicted_view import (
     ObservationNoise,
+    is_whole_block_visible,
     predict_view,
-    visible_share,
 )
 from app.metrology.adjustment.board.observations import BoardView
 from app.metrology.adjustment.board.predicted_view import is_fully_visible, predict_board_view
@@ -46,8 +46,8 @@ from app.metrology.transforms import (
 TILTS_DEG = (-20.0, 0.0, 20.0)
 TURNS_DEG = (-30.0, 0.0, 30.0)
 HEIGHTS_MM = (-8.0, 0.0, 8.0)
-# Minimum share of a block in the picture, and minimum number of stripe points on each level.
-FRAMED, STRIPE_POINTS = 0.85, 40
+# Minimum number of stripe points on each level of a block.
+STRIPE_POINTS = 40
 # Number of points merged into one when a picture is predicted.
 BIN_SIZE = 4
 # Number of joints with which an arm can hold the sensor at any pose.
@@ -177,7 +177,7 @@ def _predict_rows(
     """Noise of the picture from a hold; None if the picture would be unusable."""
     camera, plane = place_sensor(found, T_obj_cam)
     if isinstance(item, Crenellated):
-        if visible_share(camera, item) < FRAMED:
+        if not is_whole_block_visible(camera, item):
             return None
         block = predict_view(camera, plane, item, seeing)
         on_each = (int(np.sum(block.level == name)) for name in ("crest", "floor"))
