@@ -4,7 +4,7 @@ import re
 from pathlib import Path
 
 import pytest
-from playwright.sync_api import Browser, expect
+from playwright.sync_api import Browser, Route, expect
 
 from tests.e2e.conftest import Demo
 
@@ -33,4 +33,23 @@ def test_the_reference_lists_every_route_for_whoever_is_signed_in(
     expect(shape.get_by_text("rev", exact=True)).to_be_visible()
     page.set_viewport_size({"width": 820, "height": 1180})
     page.screenshot(path=pictures / "reference-type-tablet.png")
+    page.close()
+
+
+def test_who_is_quicker_than_his_sign_in_sees_the_page_once_he_is_signed_in(
+    demo: Demo, browser: Browser
+) -> None:
+    page = browser.new_page(viewport={"width": 1280, "height": 800})
+    signing_in: list[Route] = []
+    refused: list[str] = []
+    page.on("response", lambda one: refused.append(one.url) if one.status == 401 else None)
+    page.route("**/api/session/code", lambda route: signing_in.append(route))
+    page.goto(demo.link, wait_until="commit")
+    page.get_by_role("link", name="Health").click()
+    page.get_by_role("link", name="Records").click()
+    page.wait_for_timeout(500)
+    assert len(signing_in) == 1
+    signing_in[0].continue_()
+    expect(page.get_by_text("Accepted calibrations appear")).to_be_visible()
+    assert not refused
     page.close()

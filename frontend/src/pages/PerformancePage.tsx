@@ -24,10 +24,10 @@ import { t } from "../state/language";
 import { go, useDetail } from "../state/router";
 import { getState, useLive } from "../state/store";
 import { useList } from "../state/useList";
+import { useRead } from "../state/useRead";
 import { Verdict } from "../verify/BigVerdict";
 import { GaugeDrawing } from "../verify/GaugeDrawing";
 import { StartCard } from "../verify/StartCard";
-import { useFile } from "../verify/useFile";
 import styles from "./PerformancePage.module.css";
 
 /** Arm and scanner against their datasheet: the guided test on a sphere, and the tests before. */
@@ -161,7 +161,7 @@ function Before() {
 }
 
 function Record({ id }: { id: string }) {
-  const { file, failed } = useFile<PerformanceFile>(`/api/performances/${id}`);
+  const { value: file, failed } = useRead<PerformanceFile>(`/api/performances/${id}`);
   return (
     <Layout
       picture={

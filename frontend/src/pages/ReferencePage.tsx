@@ -1,10 +1,10 @@
-import { createContext, useContext, useEffect, useState } from "react";
+import { createContext, useContext } from "react";
 
-import { get } from "../api/http";
 import { Banners } from "../frame/Banners";
 import health from "../health/Health.module.css";
 import { bodySchema, type OpenApi, type Route, routesByGroup, type Schema, typeText } from "../reference/openapi";
 import { t } from "../state/language";
+import { useRead } from "../state/useRead";
 import records from "./RecordsPage.module.css";
 import styles from "./ReferencePage.module.css";
 
@@ -13,10 +13,7 @@ const DataTypes = createContext<ReadonlySet<string>>(new Set());
 
 /** The station's HTTP interface, for people who write programs for it. */
 export function ReferencePage() {
-  const [description, setDescription] = useState<OpenApi | null>(null);
-  useEffect(() => {
-    get<OpenApi>("/api/openapi.json").then(setDescription, () => undefined); // a lost connection has its own banner
-  }, []);
+  const { value: description } = useRead<OpenApi>("/api/openapi.json"); // a lost connection has its own banner
   return (
     <main className={records.page}>
       {description && <Reference description={description} />}

@@ -12,6 +12,7 @@ import { asSent } from "../state/localized";
 import { go } from "../state/router";
 import { setState, useLive } from "../state/store";
 import { useList } from "../state/useList";
+import { useRead } from "../state/useRead";
 import { BigVerdict } from "../verify/BigVerdict";
 import { CloudsView } from "../verify/CloudsView";
 import { GaugeChoice } from "../verify/GaugeChoice";
@@ -21,7 +22,6 @@ import { RecordView } from "../verify/RecordView";
 import { ResultTabs } from "../verify/ResultTabs";
 import { StartCard } from "../verify/StartCard";
 import { TouchView } from "../verify/TouchView";
-import { useFile } from "../verify/useFile";
 import { VerifyCard } from "../verify/VerifyCard";
 import { displayedOf } from "../verify/verification";
 
@@ -45,7 +45,7 @@ function Records({ opened, running }: { opened: string | null; running: boolean 
   const grown = useLive((s) => s.verify?.session_id ?? "");
   const { list } = useList<VerificationSummary>("/api/verifications", `${grown} ${running}`);
   const summary = list?.find(({ id }) => id === opened) ?? list?.[0];
-  const { file, failed } = useFile<VerificationFile>(summary ? `/api/verifications/${summary.id}` : "");
+  const { value: file, failed } = useRead<VerificationFile>(summary ? `/api/verifications/${summary.id}` : "");
   const active = useLive((s) => s.home?.calibration ?? null);
   if (list && !summary) return <First calibrated={active !== null} />;
   const current = summary && summary.id === list?.[0]?.id && summary.calibration_id === active?.id;

@@ -5,16 +5,16 @@ import { quantity } from "../messages/text";
 import { Chips } from "../parts/Chips";
 import { lengthFigures, measured } from "../parts/lengths";
 import { t } from "../state/language";
+import { useRead } from "../state/useRead";
 import { DEVIATION_CSS, deviationColour, deviationScale } from "./colours";
 import styles from "./DeviationMap.module.css";
-import { useFile } from "./useFile";
 
 /** Deviations of a cloud from the fitted shape, seen from outside. */
 export function DeviationMap({ clouds, shape }: { clouds: CloudLine[]; shape: "plane" | "sphere" }) {
   const [chosen, setChosen] = useState<number | null>(null);
   const last = clouds[clouds.length - 1];
   const cloud = clouds.find(({ number }) => number === chosen) ?? last;
-  const { file, failed } = useFile<MapFile>(cloud?.map_url ?? "");
+  const { value: file, failed } = useRead<MapFile>(cloud?.map_url ?? "");
   if (!cloud) return <p className={styles.note}>{t("ui-map-appears-after-first-cloud")}</p>;
   return (
     <div className={styles.view}>
