@@ -27,7 +27,7 @@ from app.guide.performance.view import (
     RunLine,
 )
 from app.messages.message import Text, message
-from app.workflows.performance.sphere_test import LEAST_FRAMES, LEAST_POINTS
+from app.workflows.performance.sphere_scans import LEAST_FRAMES, LEAST_POINTS
 
 RUN_REASONS = {
     "dropped": message("performance-run-dropped"),

@@ -19,7 +19,7 @@ from app.guide.performance.plan import why_no_scans
 from app.guide.performance.state import STEPS, TOUCHING, PerformanceState
 from app.messages.message import Text, message
 from app.metrology.performance.lengths import REPEATS
-from app.workflows.performance.sphere_test import LEAST_FRAMES, LEAST_POINTS
+from app.workflows.performance.sphere_scans import LEAST_FRAMES, LEAST_POINTS
 
 SCANS_MOST = 60
 """Of a sphere."""

@@ -26,7 +26,7 @@ from app.metrology.performance.gate import gate_sphere
 from app.metrology.performance.pattern import pattern_directions, scan_patches
 from app.station.jobs import Progress
 from app.workflows.performance.evaluate import evaluate_performance
-from app.workflows.performance.sphere_test import LEAST_FRAMES, LEAST_PATCHES, LEAST_POINTS
+from app.workflows.performance.sphere_scans import LEAST_FRAMES, LEAST_PATCHES, LEAST_POINTS
 
 
 def set_limit(guide: PerformanceGuide, args: Args, key: str | None) -> None:

@@ -34,14 +34,14 @@ from app.workflows.performance.judge import K, Measured, judge_all, judge_figure
 from app.workflows.performance.length_test import length_features, measure_lengths
 from app.workflows.performance.measured_data import MeasuredData, read_measured_data
 from app.workflows.performance.plane_test import measure_plane
-from app.workflows.performance.sphere_test import (
+from app.workflows.performance.sphere_position import (
     PositionResult,
     bring_sizes_to_20,
     largest_form_effect,
-    measure_position,
     problems_of,
     worst,
 )
+from app.workflows.performance.sphere_test import measure_position
 from app.workflows.performance.sphere_uncertainty import sphere_certificate, sphere_uncertainty_um
 from app.workflows.performance.temperature_checks import (
     arm_span,

@@ -1,0 +1,86 @@
+"""What one position of the sphere gave in the one-sphere test."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from app.formats.performance.plan import SpherePart
+from app.formats.performance.results import SphereMeasurement
+from app.formats.performance.symbols import Quantity
+from app.messages.message import Text, message
+from app.metrology.transforms import Floats
+
+
+@dataclass
+class PositionResult:
+    """What one position of the sphere gave."""
+
+    position: int
+    values_mm: dict[Quantity, float] = field(default_factory=dict)
+    problems: dict[Quantity, Text] = field(default_factory=dict)
+    data: dict[Quantity, tuple[str, ...]] = field(default_factory=dict)
+    details: dict[str, object] = field(default_factory=dict)
+    """Fields of ``SphereMeasurement``."""
+    centres_mm: Floats | None = None
+    """(A, 3) of the articulations by scan."""
+    R_arm_sensor: Floats | None = None
+    """(A, 3, 3) of the sensor in them."""
+    notes: list[Text] = field(default_factory=list)
+    """Articulations that were not held as wanted."""
+    form_effects_um: dict[Quantity, float] = field(default_factory=dict)
+    """What the form of the sphere makes of forms and dispersion, k = 1."""
+    moved_mm: Floats = field(default_factory=lambda: np.zeros(3))
+    """(3,) of the sphere, between the first touches and the last; 0 if not touched again."""
+
+    @property
+    def moved_um(self) -> float:
+        return 1e3 * float(np.linalg.norm(self.moved_mm))
+
+    def measurement(self) -> SphereMeasurement:
+        return SphereMeasurement.model_validate({"position": self.position, **self.details})
+
+    def note(self, quantity: Quantity, value_mm: float, *data: str) -> None:
+        self.values_mm[quantity], self.data[quantity] = value_mm, data
+
+    def refuse(self, problem: Text, *quantities: Quantity) -> None:
+        for one in quantities:
+            self.problems.setdefault(one, problem)
+
+
+def bring_sizes_to_20(result: PositionResult, sphere: SpherePart, off_c: float) -> None:
+    """Errors of size with the sphere at 20 °C.
+
+    Args:
+        off_c: its temperature in the test minus 20 °C.
+    """
+    growth = 1 + sphere.expansion_per_c * off_c
+    for of, error_mm in result.values_mm.items():
+        if of.startswith("size"):
+            at_20_mm = (error_mm + sphere.diameter_mm) / growth
+            result.values_mm[of] = at_20_mm - sphere.diameter_mm
+
+
+def worst(results: Sequence[PositionResult], of: Quantity) -> float | None:
+    """The value of larger magnitude in µm; None unless every position has one."""
+    values = [result.values_mm.get(of) for result in results]
+    known = [value for value in values if value is not None]
+    return 1e3 * max(known, key=abs) if len(known) == len(values) and known else None
+
+
+def largest_form_effect(results: Sequence[PositionResult], of: Quantity) -> float | None:
+    """What the sphere's form makes of a quantity in µm, k = 1; None if that is unknown."""
+    return max(
+        (one.form_effects_um[of] for one in results if of in one.form_effects_um), default=None
+    )
+
+
+def problems_of(results: Sequence[PositionResult], of: Quantity) -> Text:
+    """Why a quantity cannot be stated; empty if it can."""
+    found: Mapping[int, Text] = {
+        one.position: one.problems[of] for one in results if of in one.problems
+    }
+    if not found:
+        return ""
+    position, text = next(iter(found.items()))
+    return text if len(results) == 1 else message("at-position", position=position, text=text)
