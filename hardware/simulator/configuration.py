@@ -70,7 +70,8 @@ class SimulationConfig:
     detector: Detector = field(default_factory=Detector)
     light: Light = field(default_factory=Light)
     delivers: frozenset[Delivery] = frozenset({"picture"})
-    """Pictures, lines that the camera finds itself, or both; a triggered camera: pictures."""
+    """Pictures, lines that the camera finds itself, or both; a triggered camera: pictures; a GigE
+    camera: pictures, or both."""
     second_sensor: bool = False
     """A second sensor of the same kind sits beside the first one, and measures the same place."""
     triggered: bool = False

@@ -5,6 +5,7 @@ Its arm speaks real bytes at ``arm_url``, its sensor is a driver like any other,
 """
 
 from dataclasses import replace
+from functools import partial
 
 import numpy as np
 from numpy.typing import NDArray
@@ -27,7 +28,7 @@ from hardware.simulator.devices.rtde_server import RobotState, RtdeServer
 from hardware.simulator.operator.holding import SensorMount
 from hardware.simulator.operator.operator import GAUGE_SD_MM, ScriptedOperator
 from hardware.simulator.operator.swinging import BAR_MM, SPHERE_MM
-from hardware.simulator.rendering.line_sensor import LineSensor
+from hardware.simulator.rendering.line_sensor import LineSensor, rows_of
 from hardware.simulator.rendering.noise import RawImage
 from hardware.simulator.rendering.render import Renderer
 from hardware.simulator.rendering.sensor import (
@@ -317,6 +318,7 @@ class SimulatedStation:
 
     def _make_gige(self) -> GigeCamera:
         config, optics = self.config, self._rig.optics
+        finds_lines = "line" in config.delivers
         return GigeCamera(
             CameraIdentity(
                 config.camera_address,
@@ -324,11 +326,13 @@ class SimulatedStation:
                 optics.width_px,
                 optics.height_px,
                 config.frames_hz,
+                1 if finds_lines else None,
             ),
             self.shared_renderer.expose if config.laser_switch else self._expose_with_laser,
             config.detector.bits,
             seed=config.seed,
             has_power=lambda: not self.camera_faults.lost,
+            find_rows=partial(rows_of, detector=config.detector) if finds_lines else None,
         )
 
     def _expose_with_laser(self, mid_ns: int, exposure_us: float, _: float) -> RawImage:

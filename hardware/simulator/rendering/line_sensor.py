@@ -5,11 +5,12 @@ the station's own extraction.
 """
 
 import numpy as np
+from numpy.typing import NDArray
 
 from app.messages.message import message
 from hardware.errors import DeviceError
 from hardware.interfaces import Delivery, Frame, Line, SensorInfo, SensorReading
-from hardware.simulator.rendering.noise import Detector
+from hardware.simulator.rendering.noise import Detector, RawImage
 from hardware.simulator.rendering.sensor import SharedRenderer, SimulatedSensor
 
 REACH_PX = 5
@@ -86,6 +87,14 @@ def find_line(frame: Frame, detector: Detector) -> Line:
         frame.laser_on,
         frame.pulse,
     )
+
+
+def rows_of(image: RawImage, detector: Detector) -> NDArray[np.float64]:
+    """(W,) the row of the line in each column of an image (H, W); NaN without a line."""
+    line = find_line(Frame(0, 0, image, 1.0, laser_on=True), detector)
+    rows = np.full(image.shape[1], np.nan)
+    rows[line.u.astype(int)] = line.v
+    return rows
 
 
 def _first_delivery(info: SensorInfo) -> Delivery:

@@ -17,6 +17,12 @@ from hardware.simulator.devices.gige_camera.faults import GigeFaults
 from hardware.simulator.devices.gige_camera.gvcp import PORT
 from hardware.simulator.devices.gige_camera.gvsp import LAST_BLOCK_ID, OVERHEAD, PictureBlock
 from hardware.simulator.devices.gige_camera.pixels import RawImage, bytes_per_px, encode
+from hardware.simulator.devices.gige_camera.profile_features import (
+    EXTRACTION,
+    PICTURE,
+    SOURCE,
+)
+from hardware.simulator.devices.gige_camera.profiles import FindRows, ProfileBuffer
 from hardware.simulator.devices.gige_camera.registers import (
     CAPABILITY,
     PACKET_SIZE,
@@ -58,6 +64,7 @@ class GigeCamera:
         delay_ms: from the end of an exposure to its first packet, at least.
         first_block_id: of each acquisition.
         has_power: False: as unplugged.
+        find_rows: finds the laser line, in a camera that also sends profiles.
     """
 
     def __init__(
@@ -69,6 +76,7 @@ class GigeCamera:
         first_block_id: int = 1,
         seed: int = 0,
         has_power: Callable[[], bool] = lambda: True,
+        find_rows: FindRows | None = None,
     ) -> None:
         self._has_power = has_power
         self.identity, self.faults = identity, GigeFaults()
@@ -76,6 +84,7 @@ class GigeCamera:
         self._delay_ns, self._first_block_id = round(1e6 * delay_ms), first_block_id
         self._seed = seed
         self._registers = RegisterMap(identity)
+        self._profiles = None if find_rows is None else ProfileBuffer(self._registers, find_rows)
         self.laser = LaserLine(self._registers, LASER_LINE)
         self._born_ns = now_ns()
         self.blocks = 0
@@ -171,6 +180,10 @@ class GigeCamera:
             at("AcquisitionStop"): lambda _: self._stop_pictures(),
             at("TriggerSoftware"): lambda _: self._trigger_by_software(),
         }
+        if self._profiles is not None:
+            registers.before_read[at("Width", EXTRACTION)] = lambda: registers.integer(
+                "Width", SOURCE
+            )
         switches = [("LineMode", 1), ("LineSource", 1), ("UserOutputValue", 0)]
         for name, index in [*switches, ("UserOutputValue", 1)]:
             registers.after_write[at(name, index)] = lambda _: self.laser.note()
@@ -190,8 +203,9 @@ class GigeCamera:
 
     def _payload_bytes(self) -> int:
         registers = self._registers
-        pixels = registers.integer("Width") * registers.integer("Height")
-        return pixels * bytes_per_px(registers.integer("PixelFormat"))
+        index = EXTRACTION if registers.sends_profiles else PICTURE
+        _, _, width_px, height_px = registers.region(index)
+        return width_px * height_px * bytes_per_px(registers.integer("PixelFormat", index))
 
     def _open_stream(self, port: int) -> None:
         assert self._sender is not None
@@ -207,6 +221,8 @@ class GigeCamera:
     def _start_pictures(self) -> None:
         if self._exposures is not None and not self._registers.is_acquiring:
             self._registers.is_acquiring = True
+            if self._profiles is not None:
+                self._profiles.clear()
             self._exposures.start()
 
     def _stop_pictures(self) -> None:
@@ -223,21 +239,33 @@ class GigeCamera:
         registers, sender = self._registers, self._sender
         if sender is None or not registers.is_acquiring or not self.is_plugged:
             return
-        x, y, width_px, height_px = region = (
-            registers.integer("OffsetX"),
-            registers.integer("OffsetY"),
-            registers.integer("Width"),
-            registers.integer("Height"),
-        )
-        code = registers.integer("PixelFormat")
+        index = EXTRACTION if registers.sends_profiles else PICTURE
+        data = self._data(image)
+        if data is None:
+            return
         self.blocks += 1
-        number = self._first_block_id - 1 + exposure.number - 1
+        number = self._first_block_id - 1 + self._number(exposure) - 1
         block = PictureBlock(
             number % LAST_BLOCK_ID + 1,
             self._ticks(exposure.start_ns),
-            code,
-            region,
-            encode(image[y : y + height_px, x : x + width_px], self._image_bits, code),
+            registers.integer("PixelFormat", index),
+            registers.region(index),
+            data,
             max(registers.number(PACKET_SIZE) & _SIZE_BITS, OVERHEAD + 540),
         )
         sender.submit(block, exposure.end_ns + self._delay_ns)
+
+    def _data(self, image: RawImage) -> bytes | None:
+        """What is sent of an image; None of a profile whose buffer is not full."""
+        registers = self._registers
+        if self._profiles is not None and registers.sends_profiles:
+            return self._profiles.add(image)
+        x, y, width_px, height_px = registers.region()
+        part = image[y : y + height_px, x : x + width_px]
+        return encode(part, self._image_bits, registers.integer("PixelFormat"))
+
+    def _number(self, exposure: TakenExposure) -> int:
+        """Of the block that an exposure completes, from 1."""
+        registers = self._registers
+        profiles = registers.integer("Height", EXTRACTION) if registers.sends_profiles else 1
+        return -(-exposure.number // profiles)

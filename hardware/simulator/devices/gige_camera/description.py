@@ -8,7 +8,7 @@ from collections.abc import Iterable, Mapping
 from itertools import groupby
 from xml.sax.saxutils import quoteattr
 
-from hardware.simulator.devices.gige_camera.features import Feature
+from hardware.simulator.devices.gige_camera.feature import Feature
 
 _HEAD = """<?xml version="1.0" encoding="UTF-8"?>
 <RegisterDescription ModelName="SimulatedGigeCamera" VendorName="Crenel"
@@ -90,6 +90,10 @@ def _lock(feature: Feature) -> str:
     return "<pIsLocked>TLParamsLocked</pIsLocked>" if feature.locked else ""
 
 
+def _access(feature: Feature) -> str:
+    return "" if feature.writable else "<ImposedAccessMode>RO</ImposedAccessMode>"
+
+
 def _value(feature: Feature) -> str:
     """A selector has its value in the client alone."""
     return f"<pValue>{feature.name}Register</pValue>"
@@ -109,11 +113,10 @@ def _integer(feature: Feature) -> str:
         )
     else:
         limits += f"<Max>{feature.most:.0f}</Max>"
-    access = "" if feature.writable else "<ImposedAccessMode>RO</ImposedAccessMode>"
     return formula + _node(
         "Integer",
         feature.name,
-        access,
+        _access(feature),
         _lock(feature),
         _value(feature),
         limits,
@@ -123,8 +126,11 @@ def _integer(feature: Feature) -> str:
 
 
 def _float(feature: Feature) -> str:
-    limits = f"<Min>{feature.least:g}</Min><Max>{feature.most:g}</Max><Unit>{feature.unit}</Unit>"
-    return _node("Float", feature.name, _lock(feature), _value(feature), limits)
+    limits = f"<Min>{feature.least:g}</Min><Max>{feature.most:g}</Max>"
+    unit = f"<Unit>{feature.unit}</Unit>" if feature.unit else ""
+    return _node(
+        "Float", feature.name, _access(feature), _lock(feature), _value(feature), limits, unit
+    )
 
 
 def _enumeration(feature: Feature) -> str:
@@ -132,12 +138,12 @@ def _enumeration(feature: Feature) -> str:
         f'<EnumEntry Name="{name}" NameSpace="Standard"><Value>{value}</Value></EnumEntry>'
         for name, value in feature.entries.items()
     )
-    return _node("Enumeration", feature.name, _lock(feature), entries, _value(feature))
+    parts = _access(feature), _lock(feature), entries, _value(feature)
+    return _node("Enumeration", feature.name, *parts)
 
 
 def _boolean(feature: Feature) -> str:
-    access = "" if feature.writable else "<ImposedAccessMode>RO</ImposedAccessMode>"
-    return _node("Boolean", feature.name, access, _value(feature))
+    return _node("Boolean", feature.name, _access(feature), _lock(feature), _value(feature))
 
 
 def _command(feature: Feature) -> str:

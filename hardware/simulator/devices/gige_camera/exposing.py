@@ -196,4 +196,6 @@ class ExposureLoop:
         limited = self._registers.integer("AcquisitionFrameRateEnable")
         exposure_us = self._registers.real("ExposureTime")
         rate_hz = 1e6 / exposure_us
+        if self._registers.sends_profiles:
+            return min(rate_hz, self._registers.real("AcquisitionLineRate"))
         return min(rate_hz, self._registers.real("AcquisitionFrameRate")) if limited else rate_hz

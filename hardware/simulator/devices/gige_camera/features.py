@@ -4,13 +4,10 @@ Source:
     EMVA, GenICam Standard Features Naming Convention (SFNC) 2.7.
 """
 
-from collections.abc import Mapping
-from dataclasses import dataclass, field
-from typing import Literal
-
+from hardware.simulator.devices.gige_camera.feature import Feature
 from hardware.simulator.devices.gige_camera.pixels import CODES
+from hardware.simulator.devices.gige_camera.profile_features import profile_features
 
-Kind = Literal["integer", "float", "enumeration", "boolean", "command"]
 BASE = 0x10000
 """Address of the first feature; those below belong to the standard."""
 _SLOT = 8
@@ -22,45 +19,23 @@ EXPOSURE_RANGE_US = (50.0, 20_000.0)
 MOST_HZ = 200.0
 
 
-@dataclass(frozen=True)
-class Feature:
-    """One feature, or one for each entry of its selector."""
-
-    name: str
-    kind: Kind
-    category: str
-    value: float = 0
-    """At power-on."""
-    least: float = 0
-    most: float = 1
-    step: int = 1
-    limit: str = ""
-    """A formula for the largest value, of the names of other features."""
-    unit: str = ""
-    entries: Mapping[str, int] = field(default_factory=dict)
-    writable: bool = True
-    locked: bool = False
-    """Not to be changed while pictures are taken."""
-    selector: str = ""
-    values: tuple[float, ...] = ()
-    """At power-on, one for each entry of the selector."""
-
-    @property
-    def initial(self) -> tuple[float, ...]:
-        """At power-on: one value, or one for each entry of the selector."""
-        return self.values or (self.value,)
-
-
-def camera_features(width_px: int, height_px: int, rate_hz: float) -> dict[int, Feature]:
+def camera_features(
+    width_px: int, height_px: int, rate_hz: float, fewest_profiles: int | None = None
+) -> dict[int, Feature]:
     """All features of a camera by address, with the whole sensor as the region.
 
     A feature with a selector takes ``_SLOT`` bytes for each of its entries.
+
+    Args:
+        fewest_profiles: the least height of a buffer with profiles; None of a camera without them.
     """
     ordered = [
         *_picture_features(width_px, height_px),
         *_acquisition_features(rate_hz),
         *_line_features(),
     ]
+    if fewest_profiles is not None:
+        ordered = profile_features(ordered, fewest_profiles)
     placed, address = {}, BASE
     for feature in ordered:
         placed[address] = feature

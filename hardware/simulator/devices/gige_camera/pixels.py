@@ -1,4 +1,4 @@
-"""Grey pictures as the bytes of a pixel format.
+"""Grey pictures and rows of profiles as the bytes of a pixel format.
 
 Source:
     EMVA, GenICam Pixel Format Naming Convention (PFNC) 2.4.
@@ -12,6 +12,10 @@ RawImage = NDArray[np.uint8] | NDArray[np.uint16]
 CODES = {"Mono8": 0x01080001, "Mono10": 0x01100003, "Mono12": 0x01100005, "Mono16": 0x01100007}
 """The formats of the camera, and their values."""
 _BITS = {"Mono8": 8, "Mono10": 10, "Mono12": 12, "Mono16": 16}
+
+
+ROWS_CODE = 0x011000B8
+"""The value of Coord3D_C16, the format of profiles."""
 
 
 def bytes_per_px(code: int) -> int:

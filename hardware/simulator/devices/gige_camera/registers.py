@@ -11,8 +11,11 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 from hardware.simulator.devices.gige_camera.description import describe
-from hardware.simulator.devices.gige_camera.features import BASE, Feature, camera_features
+from hardware.simulator.devices.gige_camera.feature import Feature
+from hardware.simulator.devices.gige_camera.features import BASE, camera_features
 from hardware.simulator.devices.gige_camera.gvcp import RefusalError, Status
+from hardware.simulator.devices.gige_camera.pixels import ROWS_CODE
+from hardware.simulator.devices.gige_camera.profile_features import EXTRACTION, PROFILES
 
 MANUFACTURER, MODEL, VERSION = "Crenel", "Simulated GigE camera", "1"
 DESCRIPTION_AT = 0x100000
@@ -61,13 +64,18 @@ class CameraIdentity:
     height_px: int
     rate_hz: float
     """Pictures per second at power-on."""
+    fewest_profiles: int | None = None
+    """How many profiles it puts at least into a buffer; None of a camera that sends pictures
+    alone."""
 
 
 class RegisterMap:
     """Reads and writes the camera's memory; any thread may use it."""
 
     def __init__(self, identity: CameraIdentity) -> None:
-        self._features = camera_features(identity.width_px, identity.height_px, identity.rate_hz)
+        self._features = camera_features(
+            identity.width_px, identity.height_px, identity.rate_hz, identity.fewest_profiles
+        )
         self._addresses = {feature.name: at for at, feature in self._features.items()}
         self.lock = threading.RLock()
         self.is_acquiring = False
@@ -131,6 +139,22 @@ class RegisterMap:
         """The value of a feature that is not a float."""
         return self.number(self.address_of(name, index))
 
+    def has(self, name: str) -> bool:
+        """Whether the camera has a feature."""
+        return name in self._addresses
+
+    @property
+    def sends_profiles(self) -> bool:
+        """Whether the camera is set to profiles."""
+        return self.has("DeviceScanType") and self.integer("DeviceScanType") == PROFILES
+
+    def region(self, index: int = 0) -> tuple[int, int, int, int]:
+        """Offsets x and y, width and height in px of an entry of ``RegionSelector``."""
+        x, y, width_px, height_px = (
+            self.integer(name, index) for name in ("OffsetX", "OffsetY", "Width", "Height")
+        )
+        return x, y, width_px, height_px
+
     def real(self, name: str) -> float:
         """The value of a float."""
         return float(struct.unpack(">d", self.read(self.address_of(name), 8))[0])
@@ -153,7 +177,7 @@ class RegisterMap:
 
     def _check_feature(self, address: int, data: bytes) -> None:
         """Raises ``RefusalError`` unless this is a value that the feature may have now."""
-        feature = self._feature_at(address)
+        feature, index = self._feature_at(address)
         if not feature.writable:
             raise RefusalError(Status.WRITE_PROTECT)
         if feature.locked and self.is_acquiring:
@@ -166,24 +190,27 @@ class RegisterMap:
             value = int.from_bytes(data, "big")
         if feature.kind == "enumeration":
             allowed = value in feature.entries.values()
+            if feature.name == "PixelFormat":  # rows are those of profiles alone
+                allowed &= (value == ROWS_CODE) == (index == EXTRACTION)
         else:
-            allowed = feature.least <= value <= self._most(feature)
+            allowed = feature.least <= value <= self._most(feature, index)
             allowed &= feature.kind != "integer" or value % feature.step == 0
         if not allowed:
             raise RefusalError(Status.INVALID_PARAMETER)
 
-    def _feature_at(self, address: int) -> Feature:
+    def _feature_at(self, address: int) -> tuple[Feature, int]:
+        """A feature, and which entry of its selector this is."""
         for at, feature in self._features.items():
             size = len(_encode(feature, 0))
             if address in range(at, at + size * len(feature.initial), size):
-                return feature
+                return feature, (address - at) // size
         raise RefusalError(Status.INVALID_ADDRESS)
 
-    def _most(self, feature: Feature) -> float:
+    def _most(self, feature: Feature, index: int) -> float:
         if not feature.limit:
             return feature.most
         whole, part = feature.limit.split(" - ")
-        return self.integer(whole) - self.integer(part)
+        return self.integer(whole) - self.integer(part, index)
 
 
 def _encode(feature: Feature, value: float) -> bytes:
