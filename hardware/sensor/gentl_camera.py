@@ -37,12 +37,9 @@ from hardware.sensor.genicam.camera_source import ArrivedPicture, CameraSource
 from hardware.sensor.genicam.features import FeatureError
 from hardware.sensor.genicam.node_map import NodeMapCamera
 from hardware.sensor.genicam.pixel_formats import FORMATS
-from hardware.sensor.genicam.settings import (
-    CameraOptions,
-    settings_refusal_error,
-    switch_laser,
-    unknown_format_error,
-)
+from hardware.sensor.genicam.profiles.profile_points import COORDINATES, Brightness
+from hardware.sensor.genicam.settings import ProfileOptions, switch_laser
+from hardware.sensor.genicam.setup.refusals import settings_refusal_error, unknown_format_error
 from hardware.sensor.grabbing import GrabbingSensor
 from hardware.sensor.grey import require_colour
 from hardware.sensor.image_source import EndOfRecordingError, GrabbedImage, NoImage
@@ -57,7 +54,7 @@ _READABLE = (3, 4)
 """RO and RW of the access modes of GenApi."""
 
 
-class GentlOptions(CameraOptions):
+class GentlOptions(ProfileOptions):
     """Options of the driver in station.toml."""
 
     producer: str | None = Field(default=None, min_length=1)
@@ -150,8 +147,16 @@ class GentlSource(CameraSource):
         features = GentlFeatures(self._camera.remote_device.node_map)
         self.set_up(features)
         self._camera.num_buffers = _BUFFERS
-        self._camera.start()
+        self.start_stream()
+
+    def start_stream(self) -> None:
+        with _refusals():
+            self._camera.start()
         self._heard_s = time.monotonic()
+
+    def stop_stream(self) -> None:
+        with _refusals():
+            self._camera.stop()
 
     def grab(self) -> GrabbedImage | NoImage:
         if self._stop.is_set():
@@ -200,23 +205,36 @@ class GentlSource(CameraSource):
             self._harvester.reset()
 
     def _complete(self, buffer: Any, arrival_ns: int) -> ArrivedPicture:
-        """The first component that is an image; incomplete buffers do not come here."""
-        component = buffer.payload.components[0]
-        pixel_format = FORMATS.get(component.data_format)
-        if pixel_format is None:
-            raise unknown_format_error(self._title, component.data_format)
+        """The component with the rows of a profile, else the first one; incomplete buffers do not
+        come here."""
+        components = list(buffer.payload.components)
+        rows = [one for one in components if one.data_format in COORDINATES]
+        component = rows[0] if rows else components[0]
+        raw = np.frombuffer(buffer.module.raw_buffer, np.uint8)
+        others = [one for one in components if rows and one.data_format in FORMATS]
         return ArrivedPicture(
             block_id=int(buffer.module.frame_id),
             whole=True,
             arrival_ns=arrival_ns,
             device_ns=_stamp_ns(buffer.module),
             exposure_us=None,
-            data=np.frombuffer(buffer.module.raw_buffer, np.uint8, offset=component.data_offset),
-            code=pixel_format.code,
+            data=raw[component.data_offset :],
+            code=self._code(component.data_format),
             width_px=int(component.width),
             height_px=int(component.height),
             padding=int(component.x_padding),
+            brightness=Brightness(raw[others[0].data_offset :], FORMATS[others[0].data_format].code)
+            if others
+            else None,
         )
+
+    def _code(self, name: str) -> int:
+        """The value of a pixel format in PFNC; raises ``DeviceError`` if it is not understood."""
+        if name in COORDINATES:
+            return COORDINATES[name][0]
+        if name in FORMATS:
+            return FORMATS[name].code
+        raise unknown_format_error(self._title, name)
 
 
 def find_producers(producer: str | None) -> list[Path]:

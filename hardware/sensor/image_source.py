@@ -11,7 +11,8 @@ from numpy.typing import NDArray
 
 from app.messages.message import Text, message
 from hardware.clock import now_ns
-from hardware.interfaces import StampKind
+from hardware.errors import DeviceError
+from hardware.interfaces import Delivery, StampKind
 
 GreyImage = NDArray[np.uint8] | NDArray[np.uint16]
 StampAt = Literal["exposure-start", "mid-exposure", "exposure-end", "frame-end"]
@@ -25,10 +26,23 @@ class EndOfRecordingError(Exception):
 
 
 @dataclass(frozen=True, slots=True)
-class GrabbedImage:
-    """A grey (height, width) image, the middle of its exposure, and what its camera states."""
+class LinePoints:
+    """The laser line in a picture that stayed in the camera, as of ``Line``."""
 
-    image: GreyImage
+    u: NDArray[np.float64]
+    v: NDArray[np.float64]
+    intensity: NDArray[np.float64]
+    sigma_px: NDArray[np.float64]
+    size_px: tuple[int, int]
+    """Width and height of the picture."""
+
+
+@dataclass(frozen=True, slots=True)
+class GrabbedImage:
+    """A grey (height, width) image or the line in it, the middle of its exposure, and what its
+    camera states."""
+
+    image: GreyImage | LinePoints
     mid_exposure_ns: int
     exposure_us: float
     sequence: int | None = None
@@ -78,6 +92,8 @@ class ImageSource(ABC):
     """What to do if the device is open and sends nothing."""
     loss_remedy: Text = ""
     """As of ``SensorInfo``."""
+    delivers: frozenset[Delivery] = frozenset({"picture"})
+    """As of ``SensorInfo``; known when the source is open."""
     size_px: tuple[int, int] | None = None
     """Width and height; None if they are unknown until the first picture. Required of a camera
     that waits for a trigger."""
@@ -94,6 +110,17 @@ class ImageSource(ABC):
     def set_exposure_us(self, exposure_us: float) -> None:
         """Called only if the exposure range is not a point, with a value within it."""
         raise NotImplementedError(f"{self.name} has a fixed exposure")
+
+    def set_delivery(self, delivery: Delivery) -> DeviceError | None:
+        """Sends this from now on; called only with what it delivers, between two ``grab``.
+
+        Returns:
+            Why it goes on as before; None if it sends what is wanted.
+
+        Raises:
+            DeviceError: the source is lost.
+        """
+        raise NotImplementedError(f"{self.name} sends {delivery}s alone")
 
     def set_laser(self, on: bool) -> None:
         """Switches the laser; called only if there is a switch. Raises ``DeviceError``."""

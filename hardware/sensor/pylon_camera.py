@@ -34,7 +34,8 @@ from hardware.sensor.genicam.camera import in_use_error, no_camera_error
 from hardware.sensor.genicam.camera_source import ArrivedPicture, CameraSource
 from hardware.sensor.genicam.features import FeatureError
 from hardware.sensor.genicam.node_map import NodeMapCamera
-from hardware.sensor.genicam.settings import CameraOptions, settings_refusal_error, switch_laser
+from hardware.sensor.genicam.settings import CameraOptions, switch_laser
+from hardware.sensor.genicam.setup.refusals import settings_refusal_error
 from hardware.sensor.grabbing import GrabbingSensor
 from hardware.sensor.grey import require_colour
 from hardware.sensor.image_source import EndOfRecordingError, GrabbedImage, NoImage

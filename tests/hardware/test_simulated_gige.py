@@ -79,9 +79,12 @@ def make_driver(**more: object) -> SensorDriver:
 
 class GigeBench(SensorBench):
     def __init__(self) -> None:
-        self.camera = make_camera(NEAR_THE_LAST)
+        self.camera = self.make_camera(NEAR_THE_LAST)
         self.camera.start()
         self._driver = make_driver()
+
+    def make_camera(self, first_block_id: int = 1) -> GigeCamera:
+        return make_camera(first_block_id)
 
     def driver(self) -> SensorDriver:
         return self._driver
@@ -94,7 +97,7 @@ class GigeBench(SensorBench):
 
     def lossy_driver(self, resent: bool) -> tuple[SensorDriver, set[int]]:
         self.camera.stop()
-        self.camera = make_camera()
+        self.camera = self.make_camera()
         self.camera.faults.resends = resent
         self.camera.faults.lost_packets = frozenset((block, 2) for block in LOST_BLOCKS)
         self.camera.start()

@@ -6,6 +6,9 @@ seen at the pause before a start: the last frame before it and the first one aft
 counts, unless one of the two was lost; then the pulses are started once more. From then on, a
 frame's pulse gives its time by the arm's own clock, however late the frame arrives.
 
+A camera that is stopped to change between pictures and lines misses triggers meanwhile: where its
+count has a gap at the change, the pulses are started once more.
+
 A camera that misses triggers without counting them is noticed by the arrival of its frames, whose
 median over ``JUDGED`` frames shifts by a whole period.
 """
@@ -51,6 +54,7 @@ class PulsePairing:
         self._pulses: deque[tuple[int, int]] = deque(maxlen=STORED_PULSES)
         self._frames: deque[tuple[int, int]] = deque(maxlen=STORED_FRAMES)
         self._offset: int | None = None
+        self._last: tuple[type[object], int] | None = None
         self._late_ns: deque[int] = deque(maxlen=JUDGED)
         self._usual_late_ns: float | None = None
         self._needs_start = False
@@ -88,6 +92,11 @@ class PulsePairing:
         if frame.pulse is None:
             return frame
         with self._changed:
+            if self._was_stopped(type(frame), frame.pulse):
+                self._forget()
+                self._frames.clear()
+                self._needs_start = True
+            self._last = type(frame), frame.pulse
             self._frames.append((frame.pulse, frame.mid_exposure_ns))
             if self._offset is None:
                 self._find_offset()
@@ -102,6 +111,13 @@ class PulsePairing:
                 self._needs_start = True
                 return None
         return replace(frame, mid_exposure_ns=middle_ns)
+
+    def _was_stopped(self, kind: type[object], pulse: int) -> bool:
+        """Whether the camera changed between pictures and lines, and may have missed triggers."""
+        if self._last is None:
+            return False
+        last_kind, last_pulse = self._last
+        return kind is not last_kind and pulse != last_pulse + 1
 
     def _forget(self) -> None:
         self._late_ns.clear()

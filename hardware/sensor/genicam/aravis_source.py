@@ -13,11 +13,8 @@ from hardware.sensor.genicam.camera_source import ArrivedPicture, CameraSource
 from hardware.sensor.genicam.gige_vision.camera_clock import CameraClock
 from hardware.sensor.genicam.gige_vision.receive_buffer import receive_buffer_remedy
 from hardware.sensor.genicam.link import CameraLink, control_lost_error
-from hardware.sensor.genicam.settings import (
-    GenicamOptions,
-    settings_refusal_error,
-    switch_laser,
-)
+from hardware.sensor.genicam.settings import GenicamOptions, switch_laser
+from hardware.sensor.genicam.setup.refusals import settings_refusal_error
 from hardware.sensor.genicam.stream import NO_IMAGE, CameraStream, StreamBlock
 from hardware.sensor.image_source import EndOfRecordingError, GrabbedImage, NoImage
 
@@ -59,11 +56,20 @@ class GenicamSource(CameraSource):
                 self._ticks_hz = camera.integer("GevTimestampTickFrequency") or self._ticks_hz
             self._parser = camera.call("create_chunk_parser")
         self._clock = CameraClock(camera)
-        self._stream = CameraStream(camera)
         if camera.is_gige:
             self.loss_remedy = receive_buffer_remedy(camera.call("get_payload"))
-        camera.call("start_acquisition")
+        self.start_stream()
+
+    def start_stream(self) -> None:
+        self._stream = CameraStream(self.camera)
+        self.camera.call("start_acquisition")
         self._heard_s = time.monotonic()
+
+    def stop_stream(self) -> None:
+        self.camera.call("stop_acquisition")
+        if self._stream is not None:
+            self._stream.close()
+            self._stream = None
 
     def grab(self) -> GrabbedImage | NoImage:
         if self._stop.is_set():

@@ -28,10 +28,16 @@ class BlockCounter:
 
     def __init__(self) -> None:
         self._last: int | None = None
-        self._count = 0
+        self._count = -1
         self._long = False
         self._stamped: deque[tuple[int, int]] = deque(maxlen=_KEPT)
         """Number and stamp of the last pictures that had both."""
+
+    def restart(self) -> None:
+        """The camera was stopped, and counts from the beginning: its next picture follows the last
+        one."""
+        self._last = None
+        self._stamped.clear()
 
     def count(self, block_id: int, whole: bool = True, stamp_ns: int | None = None) -> int | None:
         """The number of a picture, from 0 at the first one; None of a repeated or late one.
@@ -60,7 +66,7 @@ class BlockCounter:
         """By how much the count rises; None if it does not."""
         last = self._last
         if last is None:
-            return 0
+            return 1
         if self._long:
             return None if block_id == last else max(block_id - last, 1)
         step = (block_id - last) % _WRAP

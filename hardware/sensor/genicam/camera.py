@@ -97,6 +97,18 @@ class AravisCamera:
     def switch(self, feature: str, on: bool) -> None:
         self.call("set_boolean", feature.encode(), on)
 
+    def is_on(self, feature: str) -> bool:
+        return bool(self.call("get_boolean", feature.encode()))
+
+    def set_integer(self, feature: str, value: int) -> None:
+        self.call("set_integer", feature.encode(), value)
+
+    def real(self, feature: str) -> float:
+        return float(self.call("get_float", feature.encode()))
+
+    def set_real(self, feature: str, value: float) -> None:
+        self.call("set_float", feature.encode(), value)
+
     def offers(self, quantity: Quantity) -> bool:
         return bool(self.call(f"is_{quantity}_available"))
 

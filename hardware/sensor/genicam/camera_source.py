@@ -9,26 +9,41 @@ from dataclasses import dataclass
 from app.messages.message import Text, join, message
 from hardware.clock import now_ns
 from hardware.errors import DeviceError
+from hardware.interfaces import Delivery
 from hardware.sensor.genicam.block_ids import BlockCounter
 from hardware.sensor.genicam.features import FeatureCamera, FeatureError
 from hardware.sensor.genicam.picture_times import PictureTimes, SettingHistory
 from hardware.sensor.genicam.pixel_formats import Bytes, PixelFormat, decode, format_of
+from hardware.sensor.genicam.profiles.profile_points import (
+    COORDINATE_CODES,
+    Brightness,
+    ProfileFormat,
+    line_points,
+)
+from hardware.sensor.genicam.profiles.scan_type import offers_profiles, set_pictures, set_profiles
 from hardware.sensor.genicam.settings import (
     CameraOptions,
+    ProfileOptions,
     apply_options,
-    settings_refusal_error,
     switch_laser,
-    unknown_format_error,
 )
+from hardware.sensor.genicam.setup.refusals import settings_refusal_error, unknown_format_error
 from hardware.sensor.genicam.slow_line import SlowLine
 from hardware.sensor.grey import to_grey
-from hardware.sensor.image_source import GrabbedImage, GreyImage, ImageSource, NoImage
+from hardware.sensor.image_source import (
+    GrabbedImage,
+    GreyImage,
+    ImageSource,
+    LinePoints,
+    NoImage,
+)
 
 _INCOMPLETE_S = 2.0
 _FEWEST_INCOMPLETE = 10
 _LONGEST_GAPS = 3
 _QUEUE_S = 0.4
 _QUEUE_BYTES = 128_000_000
+_QUEUE_LINES = 1024
 
 
 @dataclass(frozen=True, slots=True)
@@ -50,12 +65,15 @@ class ArrivedPicture:
     height_px: int
     padding: int
     """Bytes after each line."""
+    brightness: Brightness | None = None
+    """Of the line, beside a profile."""
 
 
 class CameraSource(ImageSource):
-    """Settings, exposure, laser and pictures of an open camera. Raises ``DeviceError``.
+    """Settings, exposure, laser, pictures and lines of an open camera. Raises ``DeviceError``.
 
-    A subclass opens the camera, calls ``set_up``, and passes what arrives to ``show``.
+    A subclass opens the camera, calls ``set_up``, and passes what arrives to ``show``. One whose
+    options are ``ProfileOptions`` also has ``stop_stream`` and ``start_stream``.
 
     Args:
         title: the camera in words, for errors.
@@ -73,6 +91,7 @@ class CameraSource(ImageSource):
         """Sets the options in an open camera; raises ``FeatureError``, too."""
         options = self._options
         self._features = camera
+        profiles = isinstance(options, ProfileOptions) and offers_profiles(camera)
         settings = apply_options(self._title, camera, options)
         self.exposure_range_us = settings.exposure_range_us
         self.has_laser_switch = options.laser_line is not None
@@ -80,12 +99,15 @@ class CameraSource(ImageSource):
         self.stamps, self.stamp_at = "device", options.stamp_at
         if settings.rate_hz and self.free_running:
             self.longest_gap_s = _LONGEST_GAPS / settings.rate_hz
-        width_px, height_px = settings.size_px
+        self._settings = settings
+        _, _, width_px, height_px = settings.region
         fewest = self.queue_length
         most = max(fewest, _QUEUE_BYTES // (2 * width_px * height_px))
         self.queue_length = min(max(fewest, math.ceil(_QUEUE_S * (settings.rate_hz or 0))), most)
         is_raw = (options.bayer or settings.pixel_format.bayer) is not None
         self.size_px = (width_px // 2, height_px // 2) if is_raw else (width_px, height_px)
+        if profiles and not is_raw:
+            self.delivers = frozenset({"picture", "line"})
         self._exposures = SettingHistory(settings.exposure_us)
         self._laser = SettingHistory(not self.has_laser_switch)
         self._blocks = BlockCounter()
@@ -94,6 +116,8 @@ class CameraSource(ImageSource):
         self._whole_s = time.monotonic()
         self._incomplete = 0
         self._format: PixelFormat | None = None
+        self._profile: ProfileFormat | None = None
+        self._restarts = 0
 
     @contextmanager
     def opening(self) -> Iterator[None]:
@@ -126,6 +150,47 @@ class CameraSource(ImageSource):
         if on:
             self._laser.change(now_ns(), True)
 
+    def set_delivery(self, delivery: Delivery) -> DeviceError | None:
+        if (delivery == "line") == (self._profile is not None):
+            return None
+        try:
+            self.stop_stream()
+            refusal = self._change(delivery)
+            self._blocks.restart()
+            self._restarts += 1
+            self.line, self._whole_s, self._incomplete = SlowLine(), time.monotonic(), 0
+            self.start_stream()
+        except FeatureError as error:
+            self.require_answer()
+            raise settings_refusal_error(self._title, error) from error
+        return refusal
+
+    def _change(self, delivery: Delivery) -> DeviceError | None:
+        """Sets the camera, which is stopped; returns why it does not send lines."""
+        options = self._options
+        assert isinstance(options, ProfileOptions)
+        setup = self._title, self._features, options, self._settings, self._exposures.latest
+        refusal = None
+        if delivery == "line":
+            try:
+                self._profile = set_profiles(*setup)
+                self.queue_length = max(self.queue_length, _QUEUE_LINES)
+                return None
+            except DeviceError as error:
+                self.require_answer()
+                refusal = error
+        set_pictures(*setup)
+        self._profile = None
+        return refusal
+
+    def stop_stream(self) -> None:
+        """Ends the acquisition, and forgets what has not been taken; raises ``FeatureError``."""
+        raise NotImplementedError
+
+    def start_stream(self) -> None:
+        """Begins an acquisition with the present settings; raises ``FeatureError``."""
+        raise NotImplementedError
+
     def require_answer(self) -> None:
         """Asks the camera; raises ``DeviceError`` if it is lost."""
         raise NotImplementedError
@@ -147,7 +212,7 @@ class CameraSource(ImageSource):
         self._incomplete, self._whole_s = 0, time.monotonic()
         if number is None:
             return NoImage.SILENCE
-        image = self._decode(picture)
+        image = self._decode(picture) if self._profile is None else self._points(picture)
         if image is None:
             return NoImage.DAMAGED
         mid_ns, exposure_us = self.times.middle(
@@ -164,7 +229,8 @@ class CameraSource(ImageSource):
             exposure_us,
             sequence=number,
             full_scale=None if self._format is None else self._format.full_scale,
-            pulse=None if self.free_running else number + 1,
+            # triggers between two acquisitions are not counted: a gap shows that some are missing
+            pulse=None if self.free_running else number + 1 + self._restarts,
             laser_on=lit == {True},
             late=is_late,
         )
@@ -180,6 +246,14 @@ class CameraSource(ImageSource):
             return None
         options = self._options
         return to_grey(raw, height_px, options.laser_colour, options.bayer or self._format.bayer)
+
+    def _points(self, picture: ArrivedPicture) -> LinePoints | None:
+        assert self._profile is not None
+        if picture.code not in COORDINATE_CODES:
+            raise unknown_format_error(self._title, f"0x{picture.code:08X}")
+        if (picture.width_px, picture.height_px) != (self._profile.size_px[0], 1):
+            return None
+        return line_points(picture.data, picture.code, self._profile, picture.brightness)
 
     def _note_incomplete(self) -> None:
         self._incomplete += 1

@@ -31,6 +31,18 @@ class FeatureCamera(Protocol):
     def switch(self, feature: str, on: bool) -> None:
         """Sets a boolean."""
 
+    def is_on(self, feature: str) -> bool:
+        """The present value of a boolean."""
+
+    def set_integer(self, feature: str, value: int) -> None:
+        """Sets an integer."""
+
+    def real(self, feature: str) -> float:
+        """The present value of a float."""
+
+    def set_real(self, feature: str, value: float) -> None:
+        """Sets a float; the camera may round."""
+
     def offers(self, quantity: Quantity) -> bool:
         """Whether the camera has a quantity, under the name of SFNC or an older one."""
 

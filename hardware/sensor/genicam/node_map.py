@@ -55,6 +55,18 @@ class NodeMapCamera(ABC):
         if self.value(feature) != on:
             self.set_value(feature, on)
 
+    def is_on(self, feature: str) -> bool:
+        return bool(self.value(feature))
+
+    def set_integer(self, feature: str, value: int) -> None:
+        self.set_value(feature, value)
+
+    def real(self, feature: str) -> float:
+        return float(self.value(feature))
+
+    def set_real(self, feature: str, value: float) -> None:
+        self.set_value(feature, value)
+
     def offers(self, quantity: Quantity) -> bool:
         return any(self.has(name) for name in _NAMES[quantity])
 

@@ -4,26 +4,29 @@ What a camera can do is asked of the camera. A value that it does not offer is a
 replaced by another one.
 """
 
-from collections.abc import Iterator, Sequence
-from contextlib import contextmanager, suppress
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Annotated, Literal
 
 from pydantic import Field, PositiveFloat
 
-from app.messages.message import Text, message
-from hardware.errors import DeviceError
+from app.messages.message import Text
 from hardware.options import Options
-from hardware.sensor.genicam.features import FeatureCamera, FeatureError, Quantity
-from hardware.sensor.genicam.pixel_formats import FORMATS, PixelFormat
-from hardware.sensor.grey import BayerPattern, LaserColour, require_colour
+from hardware.sensor.genicam.features import FeatureCamera, Quantity
+from hardware.sensor.genicam.pixel_formats import PixelFormat
+from hardware.sensor.genicam.setup.picture_format import (
+    select_intensity,
+    set_pixel_format,
+    set_region,
+)
+from hardware.sensor.genicam.setup.refusals import not_offered_error, refusals, require_offered
+from hardware.sensor.grey import BayerPattern, LaserColour
 from hardware.sensor.image_source import StampAt
 
 LONGEST_EXPOSURE_US = 500_000.0
 """Longer exposures are not offered: they would look like a lost camera."""
 _TOLERANCE = 0.02
-_INTENSITY = "Intensity"
-_TRIGGERS = ("FrameStart", "ExposureStart", "AcquisitionStart")
+_TRIGGERS = ("FrameStart", "ExposureStart", "AcquisitionStart", "LineStart")
 """What an edge may start, as the cameras name it; the first one that the camera has is used."""
 
 
@@ -48,7 +51,16 @@ class CameraOptions(Options):
     bayer: BayerPattern | None = None
 
 
-class GenicamOptions(CameraOptions):
+class ProfileOptions(CameraOptions):
+    """Further options of the drivers that read profile cameras."""
+
+    line_rows: Literal["region", "sensor"] = "region"
+    line_offset_px: float = Field(default=0.0, ge=-16_384, le=16_384)
+    line_sigma_px: PositiveFloat | None = None
+    line_rate_hz: PositiveFloat | None = None
+
+
+class GenicamOptions(ProfileOptions):
     """Options of the driver in station.toml."""
 
     address: str | None = Field(default=None, min_length=1)
@@ -61,8 +73,8 @@ class CameraSettings:
     """What the camera is set to."""
 
     pixel_format: PixelFormat
-    size_px: tuple[int, int]
-    """Width and height of the camera's pictures."""
+    region: tuple[int, int, int, int]
+    """Offsets x and y, width and height of the camera's pictures, in px."""
     exposure_us: float
     exposure_range_us: tuple[float, float]
     rate_hz: float | None
@@ -74,13 +86,15 @@ def apply_options(title: Text, camera: FeatureCamera, options: CameraOptions) ->
     Raises:
         DeviceError: the camera does not offer what the options ask for.
     """
-    with _refusals(title):
+    with refusals(title):
         if "Continuous" in camera.choices("AcquisitionMode"):
             camera.choose("AcquisitionMode", "Continuous")
         camera.clear_triggers()
-        _select_intensity(camera)
-        pixel_format = _set_pixel_format(title, camera, options)
-        _set_region(title, camera, options.region)
+        select_intensity(camera)
+        pixel_format = set_pixel_format(
+            title, camera, options.pixel_format, options.bayer, options.laser_colour
+        )
+        set_region(title, camera, options.region)
         if isinstance(options, GenicamOptions) and options.packet_size is not None:
             camera.set_packet_size(options.packet_size)
         exposure_us, exposure_range_us = _set_exposure(title, camera, options)
@@ -89,98 +103,15 @@ def apply_options(title: Text, camera: FeatureCamera, options: CameraOptions) ->
             _set_number(title, camera, "rate_hz", "frame_rate", options.rate_hz)
         rate_hz = camera.quantity("frame_rate") if camera.offers("frame_rate") else None
         if options.trigger is not None:
-            _set_trigger(title, camera, options.trigger, options.trigger_edge)
+            set_trigger(title, camera, options.trigger, options.trigger_edge)
             if options.rate_hz is None and camera.has("AcquisitionFrameRateEnable"):
                 camera.switch("AcquisitionFrameRateEnable", False)
         if options.laser_line is not None:
             _route_laser(title, camera, options.laser_line)
         chunks = options.chunks if isinstance(options, GenicamOptions) else ()
         _enable_chunks(title, camera, chunks)
-        _, _, width_px, height_px = camera.region()
-    return CameraSettings(
-        pixel_format, (width_px, height_px), exposure_us, exposure_range_us, rate_hz or None
-    )
-
-
-@contextmanager
-def _refusals(title: Text) -> Iterator[None]:
-    try:
-        yield
-    except FeatureError as error:
-        raise settings_refusal_error(title, error) from error
-
-
-def settings_refusal_error(title: Text, error: FeatureError) -> DeviceError:
-    """The error of a camera that refuses what is set or asked."""
-    return DeviceError(
-        message("camera-refused-settings", title=title, reason=error),
-        message("check-options-or-restart-camera"),
-    )
-
-
-def _require(title: Text, key: str, value: str, offered: list[str]) -> None:
-    if value not in offered:
-        raise _not_offered(title, key, value, ", ".join(offered) or "–")
-
-
-def _not_offered(title: Text, key: str, value: str, given: str) -> DeviceError:
-    return DeviceError(
-        message("camera-cannot-do", title=title, key=key, value=value, given=given),
-        message("correct-sensor-take-out", key=key),
-    )
-
-
-def _select_intensity(camera: FeatureCamera) -> None:
-    """Of the components of a 3D camera, lets the grey picture alone be sent."""
-    components = camera.choices("ComponentSelector")
-    if _INTENSITY not in components:
-        return
-    for component in sorted(components, key=lambda name: name == _INTENSITY):
-        camera.choose("ComponentSelector", component)
-        with suppress(FeatureError):  # what cannot be switched stays as it is
-            camera.switch("ComponentEnable", component == _INTENSITY)
-
-
-def _set_pixel_format(title: Text, camera: FeatureCamera, options: CameraOptions) -> PixelFormat:
-    """The format of the options; else the present one, if it is understood; else the best known."""
-    offered = camera.choices("PixelFormat")
-    wanted = options.pixel_format
-    if wanted is not None:
-        _require(title, "pixel_format", wanted, offered)
-    else:
-        present = camera.choice("PixelFormat")
-        order = list(FORMATS)
-        known = sorted((name for name in offered if name in FORMATS), key=order.index)
-        wanted = present if present in FORMATS or not known else known[0]
-    if wanted not in FORMATS:
-        raise unknown_format_error(title, wanted)
-    camera.choose("PixelFormat", wanted)
-    pixel_format = FORMATS[wanted]
-    require_colour(options.bayer or pixel_format.bayer, options.laser_colour)
-    return pixel_format
-
-
-def unknown_format_error(title: Text, name: str) -> DeviceError:
-    """The error of a pixel format that the driver does not understand."""
-    return DeviceError(
-        message("pixel-format-unknown", title=title, name=name),
-        message("pixel-formats-are", names=", ".join(FORMATS)),
-    )
-
-
-def _set_region(title: Text, camera: FeatureCamera, region: list[int] | None) -> None:
-    """Sets the region of interest, without one the whole sensor."""
-    width_px, height_px = camera.sensor_size()
-    wanted = (0, 0, width_px, height_px) if region is None else tuple(region)
-    x, y, width, height = wanted
-    if x + width > width_px or y + height > height_px:
-        raise _not_offered(title, "region", str(region), f"[0, 0, {width_px}, {height_px}]")
-    # a camera limits each offset by the present size, and each size by the present offset
-    camera.set_region(0, 0, width, height)
-    camera.set_region(x, y, width, height)
-    found = camera.region()
-    if region is not None and found != wanted:
-        raise _not_offered(title, "region", str(region), str(list(found)))
+        region = camera.region()
+    return CameraSettings(pixel_format, region, exposure_us, exposure_range_us, rate_hz or None)
 
 
 def _set_exposure(
@@ -189,7 +120,7 @@ def _set_exposure(
     """Sets a fixed exposure; returns it in µs, and the range that the operator may set."""
     if not camera.offers("exposure_time"):
         if options.exposure_us is not None:
-            raise _not_offered(title, "exposure_us", f"{options.exposure_us:g}", "–")
+            raise not_offered_error(title, "exposure_us", f"{options.exposure_us:g}", "–")
         return 0.0, (0.0, 0.0)
     if "Off" in camera.choices("ExposureAuto"):
         camera.choose("ExposureAuto", "Off")
@@ -204,7 +135,9 @@ def _set_exposure(
         least, most = options.exposure_range_us
         if not shortest <= least <= most <= longest:
             given = f"[{shortest:g}, {longest:g}]"
-            raise _not_offered(title, "exposure_range_us", str(options.exposure_range_us), given)
+            raise not_offered_error(
+                title, "exposure_range_us", str(options.exposure_range_us), given
+            )
         shortest, longest = least, most
     if not shortest <= exposure_us <= longest:
         exposure_us = min(max(exposure_us, shortest), longest)
@@ -216,7 +149,7 @@ def _set_exposure(
 def _set_gain(title: Text, camera: FeatureCamera, gain_db: float | None) -> None:
     if not camera.offers("gain"):
         if gain_db is not None:
-            raise _not_offered(title, "gain_db", f"{gain_db:g}", "–")
+            raise not_offered_error(title, "gain_db", f"{gain_db:g}", "–")
         return
     if "Off" in camera.choices("GainAuto"):
         camera.choose("GainAuto", "Off")
@@ -229,46 +162,44 @@ def _set_number(
 ) -> None:
     """Sets a quantity that the camera may round; one outside its range is an error."""
     if quantity == "frame_rate" and not camera.offers(quantity):
-        raise _not_offered(title, key, f"{value:g}", "–")
+        raise not_offered_error(title, key, f"{value:g}", "–")
     least, most = camera.bounds(quantity)
     if not least * (1 - _TOLERANCE) <= value <= most * (1 + _TOLERANCE):
-        raise _not_offered(title, key, f"{value:g}", f"{least:g} … {most:g}")
+        raise not_offered_error(title, key, f"{value:g}", f"{least:g} … {most:g}")
     camera.set_quantity(quantity, value)
     found = camera.quantity(quantity)
     if abs(found - value) > max(_TOLERANCE * abs(value), 0.1):
-        raise _not_offered(title, key, f"{value:g}", f"{found:g}")
+        raise not_offered_error(title, key, f"{value:g}", f"{found:g}")
 
 
-def _set_trigger(title: Text, camera: FeatureCamera, source: str, edge: str) -> None:
-    """One picture at each edge of a line."""
+def set_trigger(title: Text, camera: FeatureCamera, source: str, edge: str) -> None:
+    """One picture, or profile, at each edge of a line."""
     starts = camera.choices("TriggerSelector")
     if starts:
-        known = [
-            name for name in ("FrameStart", "ExposureStart", "AcquisitionStart") if name in starts
-        ]
+        known = [name for name in _TRIGGERS if name in starts]
         if not known:
-            raise _not_offered(title, "trigger", source, ", ".join(starts))
+            raise not_offered_error(title, "trigger", source, ", ".join(starts))
         camera.choose("TriggerSelector", known[0])
-    _require(title, "trigger", source, camera.choices("TriggerSource"))
+    require_offered(title, "trigger", source, camera.choices("TriggerSource"))
     camera.choose("TriggerSource", source)
     activation = f"{edge.capitalize()}Edge"
     if camera.has("TriggerActivation"):
-        _require(title, "trigger_edge", activation, camera.choices("TriggerActivation"))
+        require_offered(title, "trigger_edge", activation, camera.choices("TriggerActivation"))
         camera.choose("TriggerActivation", activation)
     elif edge != "rising":
-        raise _not_offered(title, "trigger_edge", edge, "rising")
+        raise not_offered_error(title, "trigger_edge", edge, "rising")
     camera.choose("TriggerMode", "On")
 
 
 def _route_laser(title: Text, camera: FeatureCamera, line: str) -> None:
     """Connects an output line with a user output, which ``switch_laser`` sets."""
-    _require(title, "laser_line", line, camera.choices("LineSelector"))
+    require_offered(title, "laser_line", line, camera.choices("LineSelector"))
     camera.choose("LineSelector", line)
     if "Output" in camera.choices("LineMode"):
         camera.choose("LineMode", "Output")
     outputs = [name for name in camera.choices("LineSource") if name.startswith("UserOutput")]
     if not outputs:
-        raise _not_offered(title, "laser_line", line, ", ".join(camera.choices("LineSource")))
+        raise not_offered_error(title, "laser_line", line, ", ".join(camera.choices("LineSource")))
     own_number = [name for name in outputs if name[-1] == line[-1]]
     output = (own_number or outputs)[0]
     camera.choose("LineSource", output)
@@ -286,11 +217,11 @@ def _enable_chunks(title: Text, camera: FeatureCamera, names: Sequence[str]) -> 
     """Lets the camera append data to each picture."""
     if not camera.has("ChunkModeActive"):
         if names:
-            raise _not_offered(title, "chunks", ", ".join(names), "–")
+            raise not_offered_error(title, "chunks", ", ".join(names), "–")
         return
     camera.switch("ChunkModeActive", bool(names))
     offered = camera.choices("ChunkSelector") if names else []
     for name in names:
-        _require(title, "chunks", name, offered)
+        require_offered(title, "chunks", name, offered)
         camera.choose("ChunkSelector", name)
         camera.switch("ChunkEnable", True)

@@ -17,6 +17,8 @@ from hardware.sensor.genicam.pixel_formats import Bytes
 _SUCCESS = 0
 _FEWEST_BUFFERS, _MOST_BUFFERS = 8, 64
 _BUFFER_BYTES = 256_000_000
+_SMALL_BYTES, _SMALL_BUFFERS = 65_536, 512
+"""A block no larger than the first is a profile; they come far more often than pictures."""
 _OLDEST_ARRIVAL_NS = 2_000_000_000
 _STREAM_COUNT = "arv_stream_get_info_uint64_by_name"
 NO_IMAGE: tuple[Bytes, int, int, int, int] = (np.empty(0, np.uint8), 0, 0, 0, 0)
@@ -48,7 +50,8 @@ class CameraStream:
         if not self._handle:
             raise AravisError("the camera has no stream")
         payload = camera.call("get_payload")
-        count = min(max(_BUFFER_BYTES // max(payload, 1), _FEWEST_BUFFERS), _MOST_BUFFERS)
+        most = _SMALL_BUFFERS if payload <= _SMALL_BYTES else _MOST_BUFFERS
+        count = min(max(_BUFFER_BYTES // max(payload, 1), _FEWEST_BUFFERS), most)
         for _ in range(count):
             self._push(self._aravis.call("arv_buffer_new_allocate", payload))
 

@@ -1,0 +1,1 @@
+"""Profiles: the rows of the laser line, which a camera finds by itself."""

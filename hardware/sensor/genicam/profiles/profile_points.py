@@ -1,0 +1,131 @@
+"""The points of the laser line in one profile: the row that a camera states for each column.
+
+Source:
+    EMVA, GenICam Standard Features Naming Convention (SFNC) 2.7, chapter 3D Scan Control; Pixel
+    Format Naming Convention (PFNC) 2.4 with its list of 32-bit values.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from hardware.sensor.genicam.pixel_formats import Bytes
+from hardware.sensor.image_source import LinePoints
+
+COORDINATES: dict[str, tuple[int, str]] = {
+    "Coord3D_C16": (0x011000B8, "<u2"),
+    "Coord3D_C32f": (0x012000BF, "<f4"),
+    "Coord3D_C8": (0x010800B1, "<u1"),
+}
+"""The pixel formats of rows, the preferred one first: their values in PFNC, their numbers."""
+COORDINATE_CODES = frozenset(code for code, _ in COORDINATES.values())
+_NUMBERS = dict(COORDINATES.values())
+_BRIGHTNESS: dict[int, str] = {
+    0x01080001: "<u1",
+    0x01100003: "<u2",
+    0x01100005: "<u2",
+    0x01100007: "<u2",
+}
+"""The pixel formats of brightness: Mono8, Mono10, Mono12, Mono16."""
+
+INTENSITY = 128.0
+"""Of each point, in grey levels, if the camera sends no brightness: neither dark nor clipped, and
+the same everywhere, so that nobody takes it for a measured one."""
+UNKNOWN_SIGMA_PX = 0.5
+"""Of profiles with too few points to measure their scatter."""
+FLOAT_SIGMA_PX = 0.01
+"""The least of rows that are floats, whose steps are not known."""
+_FEWEST_DIFFERENCES = 30
+_SD_PER_MAD = 1.4826
+_THIRD_DIFFERENCE = np.sqrt(1 + 9 + 9 + 1)
+"""Its standard deviation, in that of independent rows."""
+
+
+@dataclass(frozen=True, slots=True)
+class ProfileFormat:
+    """What the numbers of a profile mean: row = number × scale + offset, in the picture."""
+
+    scale_px: float
+    offset_px: float
+    invalid: float | None
+    """The number of a column without a point; None if the camera marks none."""
+    size_px: tuple[int, int]
+    """Width and height of the picture."""
+    sigma_px: float | None
+    """Standard deviation of a row, if it is known."""
+
+
+@dataclass(frozen=True, slots=True)
+class Brightness:
+    """The brightness of the line in each column, as it arrived with the rows."""
+
+    data: Bytes
+    code: int
+    """The value of its pixel format in PFNC."""
+
+
+def line_points(
+    data: Bytes, code: int, profile: ProfileFormat, brightness: Brightness | None = None
+) -> LinePoints | None:
+    """The points of one profile.
+
+    Columns whose number is the invalid one, no number, or a row outside the picture have no point.
+
+    Args:
+        data: (n,) bytes of the rows, one for each column of the picture.
+        code: the value of their pixel format in PFNC, one of ``COORDINATE_CODES``.
+
+    Returns:
+        None if there are too few bytes.
+    """
+    kind = np.dtype(_NUMBERS[code])
+    width_px, height_px = profile.size_px
+    if data.size < width_px * kind.itemsize:
+        return None
+    numbers = data[: width_px * kind.itemsize].view(kind).astype(np.float64)
+    rows = numbers * profile.scale_px + profile.offset_px
+    with np.errstate(invalid="ignore"):
+        valid = (rows >= -0.5) & (rows < height_px - 0.5)
+    if profile.invalid is not None:
+        valid &= numbers != profile.invalid
+    u, v = np.flatnonzero(valid).astype(np.float64), rows[valid]
+    sigma_px = profile.sigma_px
+    if sigma_px is None:
+        step_px = 0.0 if kind.kind == "f" else abs(profile.scale_px)
+        sigma_px = estimate_sigma_px(u, v, step_px)
+    intensity = _intensity(brightness, width_px)[valid]
+    return LinePoints(u, v, intensity, np.full(len(u), sigma_px), profile.size_px)
+
+
+def estimate_sigma_px(u: NDArray[np.float64], v: NDArray[np.float64], step_px: float) -> float:
+    """Standard deviation of the rows of one profile, from how they scatter about their neighbours.
+
+    It is that of rows that are independent of their neighbours. What neighbours have in common is
+    not seen, such as the speckle of the laser or a smoothing in the camera: then it is too small.
+    It is robust: steps, and a third of the columns without sense, do not matter much.
+
+    Args:
+        u, v: (N,) columns in their order, and rows.
+        step_px: between adjacent numbers of the camera; 0 of floats.
+
+    Returns:
+        No less than the deviation by rounding to steps; ``UNKNOWN_SIGMA_PX`` if too few columns
+        stand side by side.
+    """
+    third = np.diff(v, 3)[u[3:] - u[:-3] == 3]
+    if len(third) < _FEWEST_DIFFERENCES:
+        return UNKNOWN_SIGMA_PX
+    deviation_px = float(np.median(np.abs(third - np.median(third))))
+    least_px = step_px / np.sqrt(12) if step_px else FLOAT_SIGMA_PX
+    return max(_SD_PER_MAD * deviation_px / float(_THIRD_DIFFERENCE), float(least_px))
+
+
+def _intensity(brightness: Brightness | None, width_px: int) -> NDArray[np.float64]:
+    """(width,) grey levels; ``INTENSITY`` if they did not arrive in a format that is understood."""
+    kind = None if brightness is None else _BRIGHTNESS.get(brightness.code)
+    if brightness is not None and kind is not None:
+        size = width_px * np.dtype(kind).itemsize
+        if brightness.data.size >= size:
+            return brightness.data[:size].view(kind).astype(np.float64)
+    return np.full(width_px, INTENSITY)

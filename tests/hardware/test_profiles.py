@@ -1,0 +1,282 @@
+"""Lines from a camera that finds them itself: real sockets, read through Aravis.
+
+The camera is ours, with the features of real profile cameras; Aravis and the driver do not know it.
+"""
+
+import time
+from collections.abc import Iterator
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+
+from hardware.errors import DeviceError
+from hardware.interfaces import DeliversLines, Delivery, Frame, Line, SensorDriver, SensorReading
+from hardware.sensor.genicam.driver import from_options
+from hardware.sensor.grabbing import GrabbingSensor
+from hardware.simulator.devices.gige_camera.camera import GigeCamera
+from hardware.simulator.devices.gige_camera.pixels import RawImage
+from hardware.simulator.devices.gige_camera.profile_features import SCALE_PX
+from hardware.simulator.devices.gige_camera.registers import CameraIdentity
+from hardware.simulator.rendering.line_sensor import find_line, rows_of
+from hardware.simulator.rendering.noise import Detector
+from tests.hardware.conformance import (
+    LONG_S,
+    SensorBench,
+    SensorConformance,
+    next_frame,
+    next_reading,
+    read_until_delivery,
+    read_until_lost,
+)
+from tests.hardware.fake_cameras import ADDRESS, port_for_this_test
+from tests.hardware.test_genicam import require_aravis
+from tests.hardware.test_simulated_gige import GigeBench
+
+WIDTH, HEIGHT = 320, 240
+DELAY_MS = 5.0
+DETECTOR = Detector()
+LINE_AND_PICTURE: tuple[Delivery, Delivery] = ("line", "picture")
+DARK = range(100, 120)
+"""Columns without a line."""
+
+
+@pytest.fixture(autouse=True)
+def port() -> Iterator[None]:
+    require_aravis()
+    with port_for_this_test():
+        yield
+
+
+def row_in(columns: NDArray[np.floating]) -> NDArray[np.float64]:
+    """Where the line is in each column: a slope with a step."""
+    return np.asarray(60.0 + 0.3 * columns + 20.0 * (columns > WIDTH // 2))
+
+
+def picture(mid_ns: int, exposure_us: float, laser_share: float) -> RawImage:
+    """A line on a dark ground, which lies still; the exposure is its brightness."""
+    columns, rows = np.arange(float(WIDTH)), np.arange(HEIGHT)[:, None]
+    peak = min(0.03 * exposure_us, 240.0) * laser_share
+    light = peak * np.exp(-0.5 * ((rows - row_in(columns)) / 1.7) ** 2)
+    light[:, DARK] = 0.0
+    image: RawImage = np.rint(DETECTOR.dark_dn + light).clip(0, 255).astype(np.uint8)
+    return image
+
+
+def make_camera(first_block_id: int = 1, fewest_profiles: int = 1) -> GigeCamera:
+    return GigeCamera(
+        CameraIdentity(ADDRESS, "SIM-1", WIDTH, HEIGHT, 50.0, fewest_profiles),
+        picture,
+        delay_ms=DELAY_MS,
+        first_block_id=first_block_id,
+        find_rows=lambda image: rows_of(image, DETECTOR),
+    )
+
+
+@pytest.fixture
+def camera() -> Iterator[GigeCamera]:
+    made = make_camera()
+    made.start()
+    yield made
+    made.stop()
+
+
+def make_driver(**more: object) -> GrabbingSensor:
+    driver = from_options({"address": ADDRESS, "laser_line": "Line2", **more})
+    assert isinstance(driver, DeliversLines)
+    return driver
+
+
+class ProfileBench(GigeBench):
+    def make_camera(self, first_block_id: int = 1) -> GigeCamera:
+        return make_camera(first_block_id)
+
+
+class TestSimulatedProfileCamera(SensorConformance):
+    @pytest.fixture
+    def bench(self, port: None) -> Iterator[SensorBench]:
+        bench = ProfileBench()
+        yield bench
+        bench.end()
+
+
+def open_lit(driver: GrabbingSensor) -> None:
+    driver.open()
+    driver.set_laser(True)
+
+
+def next_line(driver: SensorDriver) -> Line:
+    reading = next_reading(driver)
+    assert isinstance(reading, Line)
+    return reading
+
+
+def lit_line(driver: GrabbingSensor) -> Line:
+    """The next line that was exposed with the laser on."""
+    driver.set_delivery("line")
+    read_until_delivery(driver, "line")
+    while not (line := next_line(driver)).laser_on:
+        pass
+    return line
+
+
+def test_a_line_is_the_one_in_the_picture(camera: GigeCamera) -> None:
+    driver = make_driver(exposure_us=5000.0)
+    open_lit(driver)
+    while not (frame := next_frame(driver)).laser_on:
+        pass
+    line = lit_line(driver)
+    driver.close()
+    wanted = find_line(frame, DETECTOR)
+    np.testing.assert_array_equal(line.u, wanted.u)
+    np.testing.assert_allclose(line.v, wanted.v, atol=SCALE_PX / 2)
+    assert not set(DARK) & set(line.u.astype(int))
+    assert len(line.u) == WIDTH - len(DARK)
+    assert (line.width_px, line.height_px) == (WIDTH, HEIGHT)
+    assert line.exposure_us == 5000.0
+    assert np.ptp(line.intensity) == 0
+
+
+@pytest.mark.parametrize("rows", ["region", "sensor"])
+def test_a_region_s_corner_is_the_lines_zero(camera: GigeCamera, rows: str) -> None:
+    """This camera counts rows from the region's first one on."""
+    x, y, width, height = region = [16, 40, 240, 128]
+    driver = make_driver(exposure_us=5000.0, region=region, line_rows=rows, line_offset_px=0.25)
+    open_lit(driver)
+    line = lit_line(driver)
+    driver.set_delivery("picture")
+    frame = read_until_delivery(driver, "picture")
+    driver.close()
+    assert isinstance(frame, Frame)
+    assert frame.image.shape == (height, width)
+    assert (line.width_px, line.height_px) == (width, height)
+    away_px = line.v - (row_in(line.u + x) - y)
+    expected_px = 0.25 if rows == "region" else 0.25 - y
+    np.testing.assert_allclose(away_px, expected_px, atol=0.1)
+    assert line.v.min() >= -0.5
+    assert line.v.max() < height - 0.5
+
+
+def test_changing_to_and_fro_loses_no_count(camera: GigeCamera) -> None:
+    driver = make_driver(exposure_us=5000.0)
+    open_lit(driver)
+    last: SensorReading = next_frame(driver)
+    for _ in range(5):
+        for delivery in LINE_AND_PICTURE:
+            driver.set_delivery(delivery)
+            first = read_until_delivery(driver, delivery)
+            second = next_reading(driver)
+            assert second.sequence == first.sequence + 1 > last.sequence
+            assert second.mid_exposure_ns > first.mid_exposure_ns > last.mid_exposure_ns
+            assert second.laser_on
+            last = second
+    assert driver.health.lost == driver.health.corrupt == 0
+    assert last.sequence < driver.health.received + 64
+    driver.close()
+
+
+def test_the_exposure_is_kept_when_it_changes(camera: GigeCamera) -> None:
+    driver = make_driver(exposure_us=5000.0)
+    open_lit(driver)
+    changes: list[tuple[Delivery, float]] = [("line", 7e3), ("picture", 4e3), ("line", 4e3)]
+    for delivery, exposure_us in changes:
+        driver.set_delivery(delivery)
+        driver.set_exposure_us(exposure_us)
+        deadline = time.monotonic() + LONG_S
+        while read_until_delivery(driver, delivery).exposure_us != exposure_us:
+            assert time.monotonic() < deadline
+    driver.close()
+
+
+def test_lines_come_at_a_rate_of_their_own(camera: GigeCamera) -> None:
+    driver = make_driver(exposure_us=1000.0, rate_hz=20.0, line_rate_hz=100.0)
+    open_lit(driver)
+    driver.set_delivery("line")
+    read_until_delivery(driver, "line")
+    times_ns = [next_line(driver).mid_exposure_ns for _ in range(20)]
+    driver.close()
+    assert np.median(np.diff(times_ns)) == pytest.approx(10e6, rel=0.2)
+
+
+def test_a_camera_of_many_profiles_a_buffer_goes_on_with_pictures() -> None:
+    camera = make_camera(fewest_profiles=8)
+    camera.start()
+    driver = make_driver()
+    try:
+        assert driver.open().delivers == {"picture", "line"}
+        with pytest.raises(DeviceError, match="64 profiles into one buffer") as caught:
+            driver.set_delivery("line")
+        assert caught.value.remedy
+        for _ in range(3):
+            next_frame(driver)
+        assert driver.health.lost == 0
+    finally:
+        driver.close()
+        camera.stop()
+
+
+def test_lost_lines_are_counted() -> None:
+    camera = make_camera()
+    camera.faults.resends = False
+    camera.start()
+    driver = make_driver()
+    try:
+        driver.open()
+        driver.set_delivery("line")
+        first = read_until_delivery(driver, "line")
+        camera.faults.lost_packets = frozenset((block, 1) for block in range(1, 2000, 3))
+        lines = [next_line(driver) for _ in range(20)]
+        gaps = lines[-1].sequence - first.sequence - len(lines)
+        assert gaps >= 5
+        assert driver.health.lost >= gaps
+    finally:
+        driver.close()
+        camera.stop()
+
+
+def test_a_camera_without_profiles_sends_pictures_alone() -> None:
+    camera = GigeCamera(CameraIdentity(ADDRESS, "SIM-1", WIDTH, HEIGHT, 50.0), picture)
+    camera.start()
+    driver = make_driver()
+    try:
+        assert driver.open().delivers == {"picture"}
+        driver.set_delivery("picture")
+        with pytest.raises(DeviceError, match="pictures alone"):
+            driver.set_delivery("line")
+        next_frame(driver)
+    finally:
+        driver.close()
+        camera.stop()
+    with pytest.raises(DeviceError, match="not open"):
+        driver.set_delivery("picture")
+
+
+def test_a_triggered_camera_numbers_its_lines_by_pulses(camera: GigeCamera) -> None:
+    driver = make_driver(trigger="Line1", exposure_us=1000.0)
+    driver.open()
+    for delivery in LINE_AND_PICTURE[::-1]:
+        driver.set_delivery(delivery)
+        pulses = []
+        for _ in range(4):
+            time.sleep(0.05)
+            camera.trigger(time.monotonic_ns())
+            reading = read_until_delivery(driver, delivery)
+            assert reading.pulse is not None
+            pulses.append(reading.pulse)
+        assert np.diff(pulses).tolist() == [1, 1, 1]
+    assert pulses[0] > 5
+    assert driver.health.lost == 0
+    driver.close()
+
+
+def test_the_camera_is_lost_while_it_sends_lines(camera: GigeCamera) -> None:
+    driver = make_driver()
+    open_lit(driver)
+    driver.set_delivery("line")
+    read_until_delivery(driver, "line")
+    camera.faults.unplugged = True
+    read_until_lost(lambda: driver.read(0.2))
+    with pytest.raises(DeviceError):
+        driver.set_delivery("picture")
+    camera.faults.unplugged = False
+    driver.close()
