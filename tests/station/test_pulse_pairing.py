@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from app.station.pulses.pulse_pairing import PulsePairing
-from hardware.interfaces import Frame
+from hardware.interfaces import Frame, Line
 
 MS = 1_000_000
 PERIOD_NS = 40 * MS
@@ -159,3 +159,42 @@ def test_a_delay_shifts_the_exposure() -> None:
 def test_a_camera_without_a_count_keeps_its_stamps() -> None:
     frame = Frame(1, 5, IMAGE, EXPOSURE_US, True)
     assert PulsePairing().pair(frame) is frame
+
+
+def as_line(frame: Frame) -> Line:
+    """A line of the same exposure."""
+    none = np.empty(0)
+    return Line(
+        frame.sequence,
+        frame.mid_exposure_ns,
+        none,
+        none,
+        none,
+        none,
+        2,
+        2,
+        frame.exposure_us,
+        frame.laser_on,
+        frame.pulse,
+    )
+
+
+@pytest.mark.parametrize("missed", [0, 3])
+def test_a_camera_that_missed_triggers_between_pictures_and_lines_is_paired_again(
+    missed: int,
+) -> None:
+    """``missed`` triggers come during the change; the camera does not count them, it leaves one
+    gap."""
+    camera, pairing = Camera(first=10, seed=1), PulsePairing()
+    run_train(pairing, camera, 10**9, 20)
+    assert run_train(pairing, camera, 5 * 10**9, 40)
+    camera.count += 1 if missed else 0
+    pulse_ns = 5 * 10**9 + (40 + missed) * PERIOD_NS
+    pairing.note_pulse(41 + missed, pulse_ns)
+    frame = camera.expose(pulse_ns, keep=True)
+    assert frame is not None
+    paired = pairing.pair(as_line(frame))
+    assert pairing.needs_start == (missed > 0)
+    assert (paired is None) == (missed > 0)
+    assert run_train(pairing, camera, 20 * 10**9, 40)
+    assert pairing.is_paired
