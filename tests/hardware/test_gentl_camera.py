@@ -70,6 +70,16 @@ def test_a_camera_is_chosen_by_its_serial_number(producer: Path) -> None:
         from_options({"producer": str(producer), "serial_number": "4711"}).open()
 
 
+def test_a_camera_of_calibrated_points_sends_pictures_alone(producer: Path) -> None:
+    """Viky's points are in millimetres (CalibratedABC_Grid)."""
+    driver = from_options({"producer": str(producer)})
+    assert driver.open().delivers == {"picture"}
+    with pytest.raises(DeviceError, match="pictures alone"):
+        driver.set_delivery("line")
+    next_frame(driver)
+    driver.close()
+
+
 def test_a_region_is_a_part_of_the_sensor(producer: Path) -> None:
     driver = from_options({"producer": str(producer), "region": [0, 0, 300, 200]})
     info = driver.open()

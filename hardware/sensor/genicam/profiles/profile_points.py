@@ -37,9 +37,13 @@ UNKNOWN_SIGMA_PX = 0.5
 FLOAT_SIGMA_PX = 0.01
 """The least of rows that are floats, whose steps are not known."""
 _FEWEST_DIFFERENCES = 30
-_SD_PER_MAD = 1.4826
+_APART = 4
+"""Columns between those that are compared: speckle moves adjacent columns together."""
 _THIRD_DIFFERENCE = np.sqrt(1 + 9 + 9 + 1)
 """Its standard deviation, in that of independent rows."""
+_SMALLER_HALF = 0.3247
+"""The mean of the smaller half of the sizes of normal deviates, in standard deviations. Unlike the
+median, it is not bound to the steps of the camera."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -99,11 +103,12 @@ def line_points(
 
 
 def estimate_sigma_px(u: NDArray[np.float64], v: NDArray[np.float64], step_px: float) -> float:
-    """Standard deviation of the rows of one profile, from how they scatter about their neighbours.
+    """Standard deviation of the rows of one profile, from their scatter along the profile.
 
-    It is that of rows that are independent of their neighbours. What neighbours have in common is
-    not seen, such as the speckle of the laser or a smoothing in the camera: then it is too small.
-    It is robust: steps, and a third of the columns without sense, do not matter much.
+    The scatter is that of third differences between columns 4 px apart: a line that is smooth over
+    12 px counts with its noise alone. Edges and columns without sense do not matter as long as they
+    are fewer than half. What more than 4 columns have in common is not seen, such as coarse speckle
+    or a smoothing in the camera: then the deviation is larger than this.
 
     Args:
         u, v: (N,) columns in their order, and rows.
@@ -113,12 +118,17 @@ def estimate_sigma_px(u: NDArray[np.float64], v: NDArray[np.float64], step_px: f
         No less than the deviation by rounding to steps; ``UNKNOWN_SIGMA_PX`` if too few columns
         stand side by side.
     """
-    third = np.diff(v, 3)[u[3:] - u[:-3] == 3]
-    if len(third) < _FEWEST_DIFFERENCES:
+    reach = 3 * _APART
+    if len(v) < reach + _FEWEST_DIFFERENCES:
         return UNKNOWN_SIGMA_PX
-    deviation_px = float(np.median(np.abs(third - np.median(third))))
-    least_px = step_px / np.sqrt(12) if step_px else FLOAT_SIGMA_PX
-    return max(_SD_PER_MAD * deviation_px / float(_THIRD_DIFFERENCE), float(least_px))
+    first, second, third, fourth = (v[k * _APART : len(v) - reach + k * _APART] for k in range(4))
+    differences = fourth - 3 * third + 3 * second - first
+    sizes = np.sort(np.abs(differences[u[reach:] - u[:-reach] == reach]))
+    if len(sizes) < _FEWEST_DIFFERENCES:
+        return UNKNOWN_SIGMA_PX
+    scatter_px = float(sizes[: len(sizes) // 2].mean() / _SMALLER_HALF / _THIRD_DIFFERENCE)
+    least_px = step_px / float(np.sqrt(12)) if step_px else FLOAT_SIGMA_PX
+    return max(scatter_px, least_px)
 
 
 def _intensity(brightness: Brightness | None, width_px: int) -> NDArray[np.float64]:
