@@ -36,8 +36,12 @@ from hardware.sensor.genicam.camera import in_use_error, no_camera_error
 from hardware.sensor.genicam.camera_source import ArrivedPicture, CameraSource
 from hardware.sensor.genicam.features import FeatureError
 from hardware.sensor.genicam.node_map import NodeMapCamera
-from hardware.sensor.genicam.pixel_formats import FORMATS
-from hardware.sensor.genicam.profiles.profile_points import COORDINATES, Brightness
+from hardware.sensor.genicam.pixel_formats import FORMATS, Bytes
+from hardware.sensor.genicam.profiles.profile_points import (
+    COORDINATES,
+    ArrivedImage,
+    choose_image,
+)
 from hardware.sensor.genicam.settings import ProfileOptions, switch_laser
 from hardware.sensor.genicam.setup.refusals import settings_refusal_error, unknown_format_error
 from hardware.sensor.grabbing import GrabbingSensor
@@ -205,36 +209,34 @@ class GentlSource(CameraSource):
             self._harvester.reset()
 
     def _complete(self, buffer: Any, arrival_ns: int) -> ArrivedPicture:
-        """The component with the rows of a profile, else the first one; incomplete buffers do not
-        come here."""
-        components = list(buffer.payload.components)
-        rows = [one for one in components if one.data_format in COORDINATES]
-        component = rows[0] if rows else components[0]
+        """The rows of a profile, else the first component; incomplete buffers do not come here."""
         raw = np.frombuffer(buffer.module.raw_buffer, np.uint8)
-        others = [one for one in components if rows and one.data_format in FORMATS]
+        components = buffer.payload.components
+        image, brightness = choose_image([_image(one, raw) for one in components])
+        if not image.code:
+            raise unknown_format_error(self._title, components[0].data_format)
         return ArrivedPicture(
             block_id=int(buffer.module.frame_id),
             whole=True,
             arrival_ns=arrival_ns,
             device_ns=_stamp_ns(buffer.module),
             exposure_us=None,
-            data=raw[component.data_offset :],
-            code=self._code(component.data_format),
-            width_px=int(component.width),
-            height_px=int(component.height),
-            padding=int(component.x_padding),
-            brightness=Brightness(raw[others[0].data_offset :], FORMATS[others[0].data_format].code)
-            if others
-            else None,
+            image=image,
+            brightness=brightness,
         )
 
-    def _code(self, name: str) -> int:
-        """The value of a pixel format in PFNC; raises ``DeviceError`` if it is not understood."""
-        if name in COORDINATES:
-            return COORDINATES[name][0]
-        if name in FORMATS:
-            return FORMATS[name].code
-        raise unknown_format_error(self._title, name)
+
+def _image(component: Any, raw: Bytes) -> ArrivedImage:
+    """A component in the bytes of its buffer; its code is 0 if it is not understood."""
+    name = component.data_format
+    code, _ = COORDINATES.get(name, (FORMATS[name].code if name in FORMATS else 0, ""))
+    return ArrivedImage(
+        raw[component.data_offset :],
+        code,
+        int(component.width),
+        int(component.height),
+        int(component.x_padding),
+    )
 
 
 def find_producers(producer: str | None) -> list[Path]:

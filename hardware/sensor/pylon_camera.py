@@ -34,6 +34,7 @@ from hardware.sensor.genicam.camera import in_use_error, no_camera_error
 from hardware.sensor.genicam.camera_source import ArrivedPicture, CameraSource
 from hardware.sensor.genicam.features import FeatureError
 from hardware.sensor.genicam.node_map import NodeMapCamera
+from hardware.sensor.genicam.profiles.profile_points import NO_IMAGE, ArrivedImage
 from hardware.sensor.genicam.settings import CameraOptions, switch_laser
 from hardware.sensor.genicam.setup.refusals import settings_refusal_error
 from hardware.sensor.grabbing import GrabbingSensor
@@ -194,12 +195,18 @@ class PylonSource(CameraSource):
             arrival_ns=arrival_ns,
             device_ns=ticks * 1_000_000_000 // self._ticks_hz or None,
             exposure_us=None,
-            data=np.frombuffer(result.GetBuffer(), np.uint8) if whole else np.empty(0, np.uint8),
-            code=int(result.PixelType) if whole else 0,
-            width_px=int(result.Width) if whole else 0,
-            height_px=int(result.Height) if whole else 0,
-            padding=int(result.PaddingX) if whole else 0,
+            image=_image(result) if whole else NO_IMAGE,
         )
+
+
+def _image(result: Any) -> ArrivedImage:
+    return ArrivedImage(
+        np.frombuffer(result.GetBuffer(), np.uint8),
+        int(result.PixelType),
+        int(result.Width),
+        int(result.Height),
+        int(result.PaddingX),
+    )
 
 
 @contextmanager

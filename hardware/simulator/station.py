@@ -28,7 +28,7 @@ from hardware.simulator.devices.rtde_server import RobotState, RtdeServer
 from hardware.simulator.operator.holding import SensorMount
 from hardware.simulator.operator.operator import GAUGE_SD_MM, ScriptedOperator
 from hardware.simulator.operator.swinging import BAR_MM, SPHERE_MM
-from hardware.simulator.rendering.line_sensor import LineSensor, rows_of
+from hardware.simulator.rendering.line_sensor import LineSensor, find_profile
 from hardware.simulator.rendering.noise import RawImage
 from hardware.simulator.rendering.render import Renderer
 from hardware.simulator.rendering.sensor import (
@@ -332,7 +332,7 @@ class SimulatedStation:
             config.detector.bits,
             seed=config.seed,
             has_power=lambda: not self.camera_faults.lost,
-            find_rows=partial(rows_of, detector=config.detector) if finds_lines else None,
+            find_line=partial(find_profile, detector=config.detector) if finds_lines else None,
         )
 
     def _expose_with_laser(self, mid_ns: int, exposure_us: float, _: float) -> RawImage:

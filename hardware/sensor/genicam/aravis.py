@@ -118,8 +118,23 @@ _INFALLIBLE: dict[str, tuple[Any, tuple[Any, ...]]] = {
 """Functions that cannot fail: result and arguments."""
 _OPTIONAL: dict[str, tuple[Any, tuple[Any, ...]]] = {
     "arv_stream_get_info_uint64_by_name": (c_uint64, (c_void_p, c_char_p)),
+    "arv_buffer_get_n_parts": (c_uint, (c_void_p,)),
+    "arv_buffer_get_part_data": (c_void_p, (c_void_p, c_uint, POINTER(c_size_t))),
+    "arv_buffer_get_part_pixel_format": (c_uint32, (c_void_p, c_uint)),
+    "arv_buffer_get_part_width": (c_int, (c_void_p, c_uint)),
+    "arv_buffer_get_part_height": (c_int, (c_void_p, c_uint)),
+    "arv_buffer_get_part_padding": (None, (c_void_p, c_uint, POINTER(c_int), POINTER(c_int))),
 }
-"""The same, of later versions; to be called only if ``Aravis.has`` them."""
+"""Functions of later versions that cannot fail; to be called only if ``Aravis.has`` them."""
+_OPTIONAL_FALLIBLE: dict[str, tuple[Any, tuple[Any, ...]]] = {
+    "arv_camera_gv_is_multipart_supported": (c_int, (c_void_p,)),
+    "arv_camera_gv_set_multipart": (None, (c_void_p, c_int)),
+}
+"""Those that can."""
+
+
+def _can_fail(name: str) -> bool:
+    return name in _FALLIBLE or name in _OPTIONAL_FALLIBLE
 
 
 class AravisError(FeatureError):
@@ -137,16 +152,15 @@ class Aravis:
 
     def __init__(self, library: ctypes.CDLL) -> None:
         self._functions: dict[str, Any] = {}
-        for name, (result, arguments) in (_FALLIBLE | _INFALLIBLE).items():
+        required = _FALLIBLE | _INFALLIBLE
+        for name, (result, arguments) in (required | _OPTIONAL | _OPTIONAL_FALLIBLE).items():
+            if name not in required and not hasattr(library, name):
+                continue
             function = getattr(library, name)
             function.restype = result
-            extra = (POINTER(POINTER(_GError)),) if name in _FALLIBLE else ()
+            extra = (POINTER(POINTER(_GError)),) if _can_fail(name) else ()
             function.argtypes = (*arguments, *extra)
             self._functions[name] = function
-        for name, (result, arguments) in _OPTIONAL.items():
-            if (function := getattr(library, name, None)) is not None:
-                function.restype, function.argtypes = result, arguments
-                self._functions[name] = function
 
     def has(self, name: str) -> bool:
         """Whether this version has the function."""
@@ -158,7 +172,7 @@ class Aravis:
         Raises:
             AravisError: the function reported an error.
         """
-        if name not in _FALLIBLE:
+        if not _can_fail(name):
             return self._functions[name](*arguments)
         error = POINTER(_GError)()
         result = self._functions[name](*arguments, byref(error))

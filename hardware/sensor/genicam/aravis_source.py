@@ -13,9 +13,10 @@ from hardware.sensor.genicam.camera_source import ArrivedPicture, CameraSource
 from hardware.sensor.genicam.gige_vision.camera_clock import CameraClock
 from hardware.sensor.genicam.gige_vision.receive_buffer import receive_buffer_remedy
 from hardware.sensor.genicam.link import CameraLink, control_lost_error
+from hardware.sensor.genicam.profiles.profile_points import NO_IMAGE, choose_image
 from hardware.sensor.genicam.settings import GenicamOptions, switch_laser
 from hardware.sensor.genicam.setup.refusals import settings_refusal_error
-from hardware.sensor.genicam.stream import NO_IMAGE, CameraStream, StreamBlock
+from hardware.sensor.genicam.stream import CameraStream, StreamBlock
 from hardware.sensor.image_source import EndOfRecordingError, GrabbedImage, NoImage
 
 _WAIT_S = 0.1
@@ -141,19 +142,16 @@ class GenicamSource(CameraSource):
 
     def _complete(self, stream: CameraStream, block: StreamBlock) -> ArrivedPicture:
         # of an incomplete block, not even the format may be known
-        image = stream.image(block) if block.whole else NO_IMAGE
-        data, code, width_px, height_px, padding = image
+        images = stream.images(block) if block.whole else [NO_IMAGE]
+        image, brightness = choose_image(images)
         return ArrivedPicture(
             block_id=block.block_id,
             whole=block.whole,
             arrival_ns=block.arrival_ns,
             device_ns=self._device_ns(block),
             exposure_us=self._exposure_us(block),
-            data=data,
-            code=code,
-            width_px=width_px,
-            height_px=height_px,
-            padding=padding,
+            image=image,
+            brightness=brightness,
         )
 
     def _exposure_us(self, block: StreamBlock) -> float | None:

@@ -144,6 +144,13 @@ class AravisCamera:
             self._call_open("arv_gv_device_set_packet_size_adjustment", self.device, _NEVER_ADJUST)
             self.call("gv_set_packet_size", size)
 
+    def send_parts(self, on: bool) -> bool:
+        possible = self.is_gige and self.aravis.has("arv_camera_gv_set_multipart")
+        if not possible or not self.call("gv_is_multipart_supported"):
+            return False
+        self.call("gv_set_multipart", on)
+        return on
+
     @property
     def has_control(self) -> bool:
         """False if another program controls the camera, as far as Aravis knows."""

@@ -13,9 +13,10 @@ from hardware.interfaces import Delivery
 from hardware.sensor.genicam.block_ids import BlockCounter
 from hardware.sensor.genicam.features import FeatureCamera, FeatureError
 from hardware.sensor.genicam.picture_times import PictureTimes, SettingHistory
-from hardware.sensor.genicam.pixel_formats import Bytes, PixelFormat, decode, format_of
+from hardware.sensor.genicam.pixel_formats import PixelFormat, decode, format_of
 from hardware.sensor.genicam.profiles.profile_points import (
     COORDINATE_CODES,
+    ArrivedImage,
     Brightness,
     ProfileFormat,
     line_points,
@@ -58,13 +59,7 @@ class ArrivedPicture:
     """The camera's stamp; None if it does not stamp its pictures."""
     exposure_us: float | None
     """As the camera states it with the picture; None if it does not."""
-    data: Bytes
-    code: int
-    """The value of its pixel format in PFNC."""
-    width_px: int
-    height_px: int
-    padding: int
-    """Bytes after each line."""
+    image: ArrivedImage
     brightness: Brightness | None = None
     """Of the line, beside a profile."""
 
@@ -212,7 +207,11 @@ class CameraSource(ImageSource):
         self._incomplete, self._whole_s = 0, time.monotonic()
         if number is None:
             return NoImage.SILENCE
-        image = self._decode(picture) if self._profile is None else self._points(picture)
+        image: GreyImage | LinePoints | None
+        if self._profile is None:
+            image = self._decode(picture.image)
+        else:
+            image = self._points(picture.image, picture.brightness)
         if image is None:
             return NoImage.DAMAGED
         mid_ns, exposure_us = self.times.middle(
@@ -235,25 +234,25 @@ class CameraSource(ImageSource):
             late=is_late,
         )
 
-    def _decode(self, picture: ArrivedPicture) -> GreyImage | None:
-        if self._format is None or self._format.code != picture.code:
-            self._format = format_of(picture.code)
+    def _decode(self, image: ArrivedImage) -> GreyImage | None:
+        data, code, width_px, height_px, padding = image
+        if self._format is None or self._format.code != code:
+            self._format = format_of(code)
             if self._format is None:
-                raise unknown_format_error(self._title, f"0x{picture.code:08X}")
-        width_px, height_px = picture.width_px, picture.height_px
-        raw = decode(picture.data, self._format, width_px, height_px, picture.padding)
+                raise unknown_format_error(self._title, f"0x{code:08X}")
+        raw = decode(data, self._format, width_px, height_px, padding)
         if raw is None:
             return None
         options = self._options
         return to_grey(raw, height_px, options.laser_colour, options.bayer or self._format.bayer)
 
-    def _points(self, picture: ArrivedPicture) -> LinePoints | None:
+    def _points(self, rows: ArrivedImage, brightness: Brightness | None) -> LinePoints | None:
         assert self._profile is not None
-        if picture.code not in COORDINATE_CODES:
-            raise unknown_format_error(self._title, f"0x{picture.code:08X}")
-        if (picture.width_px, picture.height_px) != (self._profile.size_px[0], 1):
+        if rows.code not in COORDINATE_CODES:
+            raise unknown_format_error(self._title, f"0x{rows.code:08X}")
+        if (rows.width_px, rows.height_px) != (self._profile.size_px[0], 1):
             return None
-        return line_points(picture.data, picture.code, self._profile, picture.brightness)
+        return line_points(rows.data, rows.code, self._profile, brightness)
 
     def _note_incomplete(self) -> None:
         self._incomplete += 1

@@ -69,3 +69,9 @@ class FeatureCamera(Protocol):
 
     def set_packet_size(self, size: int) -> None:
         """Sets the bytes per packet of GigE Vision; without effect on other cameras."""
+
+    def send_parts(self, on: bool) -> bool:
+        """Lets a buffer have several components or not; returns whether it now may.
+
+        False, too, of a camera or a library of which that is not known.
+        """

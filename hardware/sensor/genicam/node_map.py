@@ -120,6 +120,9 @@ class NodeMapCamera(ABC):
         if self.has("GevSCPSPacketSize"):
             self.set_value("GevSCPSPacketSize", size)
 
+    def send_parts(self, on: bool) -> bool:
+        return False
+
     def _name(self, quantity: Quantity) -> str:
         names = _NAMES[quantity]
         return next((name for name in names if self.has(name)), names[0])

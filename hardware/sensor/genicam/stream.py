@@ -13,6 +13,7 @@ from hardware.clock import now_ns
 from hardware.sensor.genicam.aravis import AravisError
 from hardware.sensor.genicam.camera import AravisCamera
 from hardware.sensor.genicam.pixel_formats import Bytes
+from hardware.sensor.genicam.profiles.profile_points import ArrivedImage
 
 _SUCCESS = 0
 _FEWEST_BUFFERS, _MOST_BUFFERS = 8, 64
@@ -21,8 +22,6 @@ _SMALL_BYTES, _SMALL_BUFFERS = 65_536, 512
 """A block no larger than the first is a profile; they come far more often than pictures."""
 _OLDEST_ARRIVAL_NS = 2_000_000_000
 _STREAM_COUNT = "arv_stream_get_info_uint64_by_name"
-NO_IMAGE: tuple[Bytes, int, int, int, int] = (np.empty(0, np.uint8), 0, 0, 0, 0)
-"""In place of the image of an incomplete block."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -69,8 +68,26 @@ class CameraStream:
         finally:
             self._push(handle)
 
-    def image(self, block: StreamBlock) -> tuple[Bytes, int, int, int, int]:
-        """The bytes of a block's image, not copied; its PFNC value, width, height and padding."""
+    def images(self, block: StreamBlock) -> list[ArrivedImage]:
+        """The image of a block, or all its parts; the bytes are not copied."""
+        call, parts = self._aravis.call, 1
+        if self._aravis.has("arv_buffer_get_n_parts"):
+            parts = call("arv_buffer_get_n_parts", block.handle)
+        if parts <= 1:
+            return [self._image(block)]
+        return [self._part(block, number) for number in range(parts)]
+
+    def _part(self, block: StreamBlock, number: int) -> ArrivedImage:
+        size, x, y = c_size_t(), c_int(), c_int()
+        at = self._aravis.call("arv_buffer_get_part_data", block.handle, number, byref(size))
+        self._aravis.call("arv_buffer_get_part_padding", block.handle, number, byref(x), byref(y))
+        code, width_px, height_px = (
+            self._aravis.call(f"arv_buffer_get_part_{name}", block.handle, number)
+            for name in ("pixel_format", "width", "height")
+        )
+        return ArrivedImage(_bytes_at(at, size.value), code, width_px, height_px, x.value)
+
+    def _image(self, block: StreamBlock) -> ArrivedImage:
         size, x, y = c_size_t(), c_int(), c_int()
         at = self._aravis.call("arv_buffer_get_image_data", block.handle, byref(size))
         self._aravis.call("arv_buffer_get_image_padding", block.handle, byref(x), byref(y))
@@ -78,10 +95,7 @@ class CameraStream:
             self._aravis.call(f"arv_buffer_get_image_{name}", block.handle)
             for name in ("pixel_format", "width", "height")
         )
-        if not at or not size.value:
-            return np.empty(0, np.uint8), code, width_px, height_px, x.value
-        held = (ctypes.c_uint8 * size.value).from_address(at)
-        return np.frombuffer(memoryview(held), np.uint8), code, width_px, height_px, x.value
+        return ArrivedImage(_bytes_at(at, size.value), code, width_px, height_px, x.value)
 
     @property
     def transferred_bytes(self) -> int | None:
@@ -114,3 +128,11 @@ class CameraStream:
             device_ns if device_ns not in (0, system_ns) else None,
             handle,
         )
+
+
+def _bytes_at(at: int | None, size: int) -> Bytes:
+    """Memory of Aravis, not copied."""
+    if not at or not size:
+        return np.empty(0, np.uint8)
+    held = (ctypes.c_uint8 * size).from_address(at)
+    return np.frombuffer(memoryview(held), np.uint8)

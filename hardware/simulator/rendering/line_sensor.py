@@ -89,12 +89,17 @@ def find_line(frame: Frame, detector: Detector) -> Line:
     )
 
 
-def rows_of(image: RawImage, detector: Detector) -> NDArray[np.float64]:
-    """(W,) the row of the line in each column of an image (H, W); NaN without a line."""
+def find_profile(
+    image: RawImage, detector: Detector
+) -> tuple[NDArray[np.float64], NDArray[np.uint8]]:
+    """(W,) the row of the line in each column of an image (H, W), NaN without a line; and (W,) its
+    brightness in 8-bit digits."""
     line = find_line(Frame(0, 0, image, 1.0, laser_on=True), detector)
-    rows = np.full(image.shape[1], np.nan)
+    rows, brightness = np.full(image.shape[1], np.nan), np.zeros(image.shape[1], np.uint8)
     rows[line.u.astype(int)] = line.v
-    return rows
+    grey = line.intensity / 2.0 ** (detector.bits - 8)
+    brightness[line.u.astype(int)] = np.rint(grey).clip(0, 255).astype(np.uint8)
+    return rows, brightness
 
 
 def _first_delivery(info: SensorInfo) -> Delivery:

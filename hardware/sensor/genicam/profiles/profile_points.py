@@ -5,7 +5,9 @@ Source:
     Format Naming Convention (PFNC) 2.4 with its list of 32-bit values.
 """
 
+from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -67,6 +69,31 @@ class Brightness:
     data: Bytes
     code: int
     """The value of its pixel format in PFNC."""
+
+
+class ArrivedImage(NamedTuple):
+    """One image of a buffer; its bytes need to be valid only until the next one."""
+
+    data: Bytes
+    code: int
+    """The value of its pixel format in PFNC."""
+    width_px: int
+    height_px: int
+    padding: int
+    """Bytes after each line."""
+
+
+NO_IMAGE = ArrivedImage(np.empty(0, np.uint8), 0, 0, 0, 0)
+"""In place of the image of an incomplete buffer."""
+
+
+def choose_image(images: Sequence[ArrivedImage]) -> tuple[ArrivedImage, Brightness | None]:
+    """Of the images of a buffer the rows, and the brightness beside them; or the first one."""
+    for image in images:
+        if image.code in COORDINATE_CODES:
+            beside = [one for one in images if one.code in _BRIGHTNESS]
+            return image, Brightness(beside[0].data, beside[0].code) if beside else None
+    return images[0], None
 
 
 def line_points(

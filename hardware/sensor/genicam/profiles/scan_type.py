@@ -37,8 +37,9 @@ SCAN_TYPE, PICTURES, PROFILES = "DeviceScanType", "Areascan", "Linescan3D"
 REGION, PICTURE_REGION, EXTRACTION = "RegionSelector", "Region0", "Scan3dExtraction1"
 OUTPUT_MODE, UNCALIBRATED = "Scan3dOutputMode", "UncalibratedC"
 SCALE = "Scan3dCoordinateScale"
-ROWS = ("Range", "Disparity")
-"""The components with the rows; the first one that the camera has is used."""
+ROWS, BRIGHTNESS = ("Range", "Disparity"), ("Reflectance", "Intensity")
+"""The components with the rows, and with the brightness of the line; of each, the first one that
+the camera has is used."""
 
 
 def offers_profiles(camera: FeatureCamera) -> bool:
@@ -136,6 +137,7 @@ def _choose_if_offered(camera: FeatureCamera, feature: str, value: str) -> None:
 
 
 def _show_pictures(camera: FeatureCamera) -> None:
+    camera.send_parts(False)
     _choose(camera, SCAN_TYPE, PICTURES)
     _choose_if_offered(camera, REGION, PICTURE_REGION)
 
@@ -155,14 +157,18 @@ def _select_extraction(camera: FeatureCamera) -> None:
 
 
 def _set_output(camera: FeatureCamera) -> None:
-    """Rows in pixels of the sensor, from the top down."""
+    """Rows in pixels of the sensor, from the top down, and their brightness if it can come with
+    them in one buffer."""
     _choose(camera, OUTPUT_MODE, UNCALIBRATED)
     _choose_if_offered(camera, "Scan3dDistanceUnit", "Pixel")
     _choose_if_offered(camera, "RangeAxis", "Standard")
     offered = camera.choices("ComponentSelector")
     rows = [name for name in ROWS if name in offered][:1]
     if rows:
-        select_components(camera, rows)
+        beside = [name for name in BRIGHTNESS if name in offered][:1]
+        wanted = [*rows, *beside] if beside and camera.send_parts(True) else rows
+        select_components(camera, wanted)
+        camera.choose("ComponentSelector", rows[0])
 
 
 def _coordinates(camera: FeatureCamera) -> str | None:

@@ -16,13 +16,14 @@ from hardware.simulator.devices.gige_camera.exposing import ExposureLoop, LaserL
 from hardware.simulator.devices.gige_camera.faults import GigeFaults
 from hardware.simulator.devices.gige_camera.gvcp import PORT
 from hardware.simulator.devices.gige_camera.gvsp import LAST_BLOCK_ID, OVERHEAD, PictureBlock
+from hardware.simulator.devices.gige_camera.gvsp_parts import IMAGE_2D, BlockPart, PartsBlock
 from hardware.simulator.devices.gige_camera.pixels import RawImage, bytes_per_px, encode
 from hardware.simulator.devices.gige_camera.profile_features import (
     EXTRACTION,
     PICTURE,
     SOURCE,
 )
-from hardware.simulator.devices.gige_camera.profiles import FindRows, ProfileBuffer
+from hardware.simulator.devices.gige_camera.profiles import FindLine, ProfileBuffer
 from hardware.simulator.devices.gige_camera.registers import (
     CAPABILITY,
     PACKET_SIZE,
@@ -36,7 +37,7 @@ from hardware.simulator.devices.gige_camera.registers import (
     RegisterMap,
     capability,
 )
-from hardware.simulator.devices.gige_camera.stream import StreamSender
+from hardware.simulator.devices.gige_camera.stream import Block, StreamSender
 
 LASER_LINE = "Line2"
 """The output that the laser is connected to."""
@@ -64,7 +65,7 @@ class GigeCamera:
         delay_ms: from the end of an exposure to its first packet, at least.
         first_block_id: of each acquisition.
         has_power: False: as unplugged.
-        find_rows: finds the laser line, in a camera that also sends profiles.
+        find_line: finds the laser line, in a camera that also sends profiles.
     """
 
     def __init__(
@@ -76,7 +77,7 @@ class GigeCamera:
         first_block_id: int = 1,
         seed: int = 0,
         has_power: Callable[[], bool] = lambda: True,
-        find_rows: FindRows | None = None,
+        find_line: FindLine | None = None,
     ) -> None:
         self._has_power = has_power
         self.identity, self.faults = identity, GigeFaults()
@@ -84,7 +85,7 @@ class GigeCamera:
         self._delay_ns, self._first_block_id = round(1e6 * delay_ms), first_block_id
         self._seed = seed
         self._registers = RegisterMap(identity)
-        self._profiles = None if find_rows is None else ProfileBuffer(self._registers, find_rows)
+        self._profiles = None if find_line is None else ProfileBuffer(self._registers, find_line)
         self.laser = LaserLine(self._registers, LASER_LINE)
         self._born_ns = now_ns()
         self.blocks = 0
@@ -205,7 +206,10 @@ class GigeCamera:
         registers = self._registers
         index = EXTRACTION if registers.sends_profiles else PICTURE
         _, _, width_px, height_px = registers.region(index)
-        return width_px * height_px * bytes_per_px(registers.integer("PixelFormat", index))
+        per_px = bytes_per_px(registers.integer("PixelFormat", index))
+        if registers.sends_profiles and self._profiles is not None:
+            per_px += self._profiles.sends_brightness
+        return width_px * height_px * per_px
 
     def _open_stream(self, port: int) -> None:
         assert self._sender is not None
@@ -239,30 +243,31 @@ class GigeCamera:
         registers, sender = self._registers, self._sender
         if sender is None or not registers.is_acquiring or not self.is_plugged:
             return
-        index = EXTRACTION if registers.sends_profiles else PICTURE
-        data = self._data(image)
-        if data is None:
+        parts = self._parts(image)
+        if not parts:
             return
         self.blocks += 1
         number = self._first_block_id - 1 + self._number(exposure) - 1
-        block = PictureBlock(
-            number % LAST_BLOCK_ID + 1,
-            self._ticks(exposure.start_ns),
-            registers.integer("PixelFormat", index),
-            registers.region(index),
-            data,
-            max(registers.number(PACKET_SIZE) & _SIZE_BITS, OVERHEAD + 540),
-        )
+        index = EXTRACTION if registers.sends_profiles else PICTURE
+        ticks, region = self._ticks(exposure.start_ns), registers.region(index)
+        size = max(registers.number(PACKET_SIZE) & _SIZE_BITS, OVERHEAD + 540)
+        block: Block
+        if len(parts) == 1:
+            block_id, code = number % LAST_BLOCK_ID + 1, parts[0].pixel_format
+            block = PictureBlock(block_id, ticks, code, region, parts[0].data, size)
+        else:
+            block = PartsBlock(number + 1, ticks, region, parts, size)
         sender.submit(block, exposure.end_ns + self._delay_ns)
 
-    def _data(self, image: RawImage) -> bytes | None:
+    def _parts(self, image: RawImage) -> tuple[BlockPart, ...] | None:
         """What is sent of an image; None of a profile whose buffer is not full."""
         registers = self._registers
         if self._profiles is not None and registers.sends_profiles:
             return self._profiles.add(image)
         x, y, width_px, height_px = registers.region()
+        code = registers.integer("PixelFormat")
         part = image[y : y + height_px, x : x + width_px]
-        return encode(part, self._image_bits, registers.integer("PixelFormat"))
+        return (BlockPart(IMAGE_2D, code, encode(part, self._image_bits, code)),)
 
     def _number(self, exposure: TakenExposure) -> int:
         """Of the block that an exposure completes, from 1."""

@@ -107,6 +107,9 @@ def resend_range(payload: bytes) -> tuple[int, int, int]:
     """Block id, first and last packet of PACKETRESEND; raises ``RefusalError``."""
     if len(payload) < 12:
         raise RefusalError(Status.INVALID_PARAMETER)
+    if len(payload) == 20:  # of a block id of 64 bits
+        first, last, block_id = struct.unpack_from(">IIQ", payload, 4)
+        return block_id, first, last
     _, block_id, first, last = struct.unpack_from(">HHII", payload)
     return block_id, first & 0xFFFFFF, last & 0xFFFFFF
 

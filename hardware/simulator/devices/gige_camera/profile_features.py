@@ -20,6 +20,8 @@ PICTURES, PROFILES = 0, 1
 """Of ``DeviceScanType``."""
 PICTURE, SOURCE, EXTRACTION = 0, 1, 2
 """Of ``RegionSelector``."""
+REFLECTANCE = 2
+"""Of ``ComponentSelector``."""
 UNCALIBRATED, CALIBRATED = 0, 1
 """Of ``Scan3dOutputMode``."""
 STANDARD, REVERSED = 0, 1
@@ -69,17 +71,18 @@ def _choice(
 
 def _selectors() -> list[Feature]:
     group = "ImageFormatControl"
+    components = {"Intensity": 0, "Range": 1, "Reflectance": REFLECTANCE}
     regions = {"Region0": PICTURE, "Region1": SOURCE, "Scan3dExtraction1": EXTRACTION}
     return [
         _choice("DeviceScanType", "DeviceControl", {"Areascan": PICTURES, "Linescan3D": PROFILES}),
         _choice("RegionSelector", group, regions, locked=False),
-        _choice("ComponentSelector", group, {"Intensity": 0, "Range": 1}, locked=False),
+        _choice("ComponentSelector", group, components, locked=False),
         Feature(
             "ComponentEnable",
             "boolean",
             group,
             selector="ComponentSelector",
-            values=(1, 1),
+            values=(1, 1, 0),
             locked=True,
         ),
         Feature("AcquisitionLineRate", "float", "AcquisitionControl", 50.0, 0.1, MOST_LINES_HZ),

@@ -37,6 +37,8 @@ STREAM_PORT, PACKET_SIZE, PACKET_DELAY, STREAM_ADDRESS, SOURCE_PORT = (
     0x0D18,
     0x0D1C,
 )
+STREAM_CAPABILITY, STREAM_CONFIGURATION, MULTIPART = 0x0D20, 0x0D24, 0x40
+"""Whether blocks may have several parts, and whether they have; of GigE Vision 2.1."""
 _WRITABLE = {
     0x00E8: 16,
     HEARTBEAT_TIMEOUT: 4,
@@ -46,6 +48,7 @@ _WRITABLE = {
     PACKET_SIZE: 4,
     PACKET_DELAY: 4,
     STREAM_ADDRESS: 4,
+    STREAM_CONFIGURATION: 4,
 }
 """Registers of the standard that a client may write, with their bytes."""
 HEARTBEAT_TIMEOUT_MS = 3000
@@ -246,6 +249,7 @@ def _bootstrap(identity: CameraIdentity, description_bytes: int) -> bytearray:
     put(HEARTBEAT_TIMEOUT, HEARTBEAT_TIMEOUT_MS)
     put(TICK_FREQUENCY, TICKS_PER_S >> 32, TICKS_PER_S & 0xFFFFFFFF)
     put(PACKET_SIZE, FIRST_PACKET_SIZE)
+    put(STREAM_CAPABILITY, 0 if identity.fewest_profiles is None else MULTIPART)
     return memory
 
 

@@ -15,6 +15,9 @@ from hardware.simulator.devices.gige_camera.gvsp import (
     probe_packet,
     unavailable_packet,
 )
+from hardware.simulator.devices.gige_camera.gvsp_parts import PartsBlock
+
+Block = PictureBlock | PartsBlock
 
 LINE_BYTES_PER_S = 118e6
 """What Gigabit Ethernet carries."""
@@ -37,8 +40,8 @@ class StreamSender:
         self.port = int(self._socket.getsockname()[1])
         """The one that packets come from."""
         self._receiver: tuple[str, int] | None = None
-        self._waiting: deque[tuple[int, PictureBlock]] = deque()
-        self._kept: deque[PictureBlock] = deque(maxlen=_KEPT_BLOCKS)
+        self._waiting: deque[tuple[int, Block]] = deque()
+        self._kept: deque[Block] = deque(maxlen=_KEPT_BLOCKS)
         self._line_free_s = 0.0
         self._changed = threading.Condition()
         self._stopping = False
@@ -65,7 +68,7 @@ class StreamSender:
             if not port:
                 self.clear()
 
-    def submit(self, block: PictureBlock, due_ns: int) -> None:
+    def submit(self, block: Block, due_ns: int) -> None:
         """Sends a block from a host time on, or loses it if too many wait."""
         with self._changed:
             if len(self._waiting) >= _WAITING_BLOCKS:
@@ -102,7 +105,7 @@ class StreamSender:
                 lost = (block.block_id, number) in self._faults.lost_packets
                 self._send_over_line(packet, lost)
 
-    def _next(self) -> PictureBlock | None:
+    def _next(self) -> Block | None:
         """The next block, when it is due; None at the end."""
         with self._changed:
             while not self._stopping:
