@@ -253,7 +253,11 @@ class AnswersWhileSilent(Protocol):
 
 @runtime_checkable
 class DeliversLines(Protocol):
-    """A camera that can be switched between pictures and lines."""
+    """A camera that can be switched between pictures and lines.
+
+    A driver of several cameras may have this method for one that cannot; ``SensorInfo.delivers``
+    decides.
+    """
 
     def set_delivery(self, delivery: Delivery) -> None:
         """Sends this from one of the next exposures on; idempotent, from any thread.

@@ -11,7 +11,7 @@ installed with ``pip install "crenel[gentl]"``. In station.toml::
 
 The other options are those of ``genicam`` (``hardware/sensor/genicam/driver.py``) without
 ``address``, ``packet_size`` and ``chunks``. Of a camera that sends several components, the
-intensity is taken; depth and profiles (Scan3D) are not read.
+intensity is taken, and of a profile camera that is asked for lines, the rows.
 
 Source:
     EMVA, GenTL 1.6; the documentation of Harvesters 1.4.

@@ -10,8 +10,8 @@ station.toml::
     address = "192.168.1.30"     # optional, of a GigE Vision camera
 
 The other options are those of ``genicam`` (``hardware/sensor/genicam/driver.py``) without
-``chunks``. A loss of the camera is noticed when the library notices it: on a network after its
-heartbeat, about 3 s.
+``chunks`` and those of lines. A loss of the camera is noticed when the library notices it: on a
+network after its heartbeat, about 3 s.
 
 Source:
     Basler, pylon C++ API reference: ``CInstantCamera``, ``CGrabResultData``.

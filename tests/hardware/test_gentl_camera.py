@@ -1,6 +1,7 @@
 """The gentl driver on Viky, the simulated camera in EMVA's own package."""
 
 import builtins
+import threading
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -10,7 +11,15 @@ import pytest
 
 from hardware.errors import DeviceError
 from hardware.interfaces import SensorDriver
-from hardware.sensor.gentl_camera import PRODUCER_PATH, find_producers, from_options
+from hardware.sensor.gentl_camera import (
+    PRODUCER_PATH,
+    GentlFeatures,
+    GentlOptions,
+    GentlSource,
+    find_producers,
+    from_options,
+)
+from hardware.sensor.image_source import GrabbedImage
 from tests.hardware.conformance import (
     SensorBench,
     SensorConformance,
@@ -85,6 +94,25 @@ def test_a_region_is_a_part_of_the_sensor(producer: Path) -> None:
     info = driver.open()
     assert next_frame(driver).image.shape == (info.height_px, info.width_px) == (200, 300)
     driver.close()
+
+
+def test_a_stopped_camera_starts_again_with_larger_buffers(producer: Path) -> None:
+    """As it is when a camera changes between pictures and lines."""
+    options = GentlOptions(producer=str(producer), region=[0, 0, 300, 200])
+    source = GentlSource("camera", options, threading.Event())
+    features = GentlFeatures(source._camera.remote_device.node_map)
+    try:
+        for width in (400, 200):
+            assert isinstance(source.grab(), GrabbedImage)
+            source.stop_stream()
+            features.set_region(0, 0, width, 200)
+            source.start_stream()
+            while not isinstance(grabbed := source.grab(), GrabbedImage):
+                pass
+            assert isinstance(grabbed.image, np.ndarray)
+            assert grabbed.image.shape == (200, width)
+    finally:
+        source.release()
 
 
 def test_what_the_camera_cannot_do_is_said(producer: Path) -> None:

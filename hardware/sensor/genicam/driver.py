@@ -21,6 +21,10 @@ In station.toml::
     chunks = ["ExposureTime"]    # optional: data that the camera appends to each picture
     laser_colour = "red"         # required of a colour camera: red, green or blue
     bayer = "RGGB"               # optional: raw pictures in a format that does not say so
+    line_rows = "region"         # optional, of lines: what rows count from, or "sensor"
+    line_offset_px = 0.0         # optional: added to the rows of lines
+    line_sigma_px = 0.06         # optional: standard deviation of a row; else it is measured
+    line_rate_hz = 500.0         # optional: lines per second; else as the camera is set
 
 The whole sensor, a fixed exposure and gain, and no trigger are set whenever the options do not
 say otherwise. Of a raw colour format (BayerRG8 and its like) the pixels of the laser's colour
@@ -35,6 +39,11 @@ of a GigE Vision camera is read every second if it can be latched, so that it do
 late pictures arrive. Else the arrivals relate the clocks, and the minimum delay from
 the stamped event to the first packet cannot be seen from here; set it as ``latency_us``. A camera
 that does not stamp its pictures gets the times of their arrival.
+
+Lines: a camera that finds the laser line itself sends it if asked (``set_delivery``), in the output
+mode ``UncalibratedC`` of SFNC alone, one profile in each buffer
+(``hardware/sensor/genicam/profiles``). A line refers to the picture of the region. The camera is
+stopped to be changed; the count goes on.
 
 Trigger: the camera is silent by right, and is asked whether it is there. ``Frame.pulse`` counts its
 exposures from 1.

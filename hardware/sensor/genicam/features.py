@@ -34,6 +34,9 @@ class FeatureCamera(Protocol):
     def is_on(self, feature: str) -> bool:
         """The present value of a boolean."""
 
+    def integer(self, feature: str) -> int:
+        """The present value of an integer."""
+
     def set_integer(self, feature: str, value: int) -> None:
         """Sets an integer."""
 

@@ -58,6 +58,9 @@ class NodeMapCamera(ABC):
     def is_on(self, feature: str) -> bool:
         return bool(self.value(feature))
 
+    def integer(self, feature: str) -> int:
+        return int(self.value(feature))
+
     def set_integer(self, feature: str, value: int) -> None:
         self.set_value(feature, value)
 

@@ -13,7 +13,7 @@ from hardware.clock import now_ns
 from hardware.sensor.genicam.aravis import AravisError
 from hardware.sensor.genicam.camera import AravisCamera
 from hardware.sensor.genicam.pixel_formats import Bytes
-from hardware.sensor.genicam.profiles.profile_points import ArrivedImage
+from hardware.sensor.genicam.profiles.profile_points import NO_IMAGE, ArrivedImage
 
 _SUCCESS = 0
 _FEWEST_BUFFERS, _MOST_BUFFERS = 8, 64
@@ -70,12 +70,12 @@ class CameraStream:
 
     def images(self, block: StreamBlock) -> list[ArrivedImage]:
         """The image of a block, or all its parts; the bytes are not copied."""
-        call, parts = self._aravis.call, 1
+        parts = 0
         if self._aravis.has("arv_buffer_get_n_parts"):
-            parts = call("arv_buffer_get_n_parts", block.handle)
-        if parts <= 1:
-            return [self._image(block)]
-        return [self._part(block, number) for number in range(parts)]
+            parts = self._aravis.call("arv_buffer_get_n_parts", block.handle)
+        if parts <= 1 and (image := self._image(block)).data.size:
+            return [image]
+        return [self._part(block, number) for number in range(parts)] or [NO_IMAGE]
 
     def _part(self, block: StreamBlock, number: int) -> ArrivedImage:
         size, x, y = c_size_t(), c_int(), c_int()

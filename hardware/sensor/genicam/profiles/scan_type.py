@@ -181,7 +181,8 @@ def _set_one_profile(title: Text, camera: FeatureCamera, width_px: int) -> None:
     """Each profile needs a time of its own, so each buffer has one."""
     with suppress(FeatureError):
         camera.set_integer("Height", 1)
-    _, _, width, height = camera.region()
+    # the region of what is sent may have no offsets
+    width, height = camera.integer("Width"), camera.integer("Height")
     if height != 1:
         raise DeviceError(
             message("camera-sends-several-profiles", title=title, count=height),
