@@ -110,3 +110,12 @@ def test_a_whole_picture_may_have_the_number_zero() -> None:
     """USB3 Vision counts from 0."""
     counter = BlockCounter()
     assert [counter.count(0), counter.count(1, whole=False), counter.count(2)] == [0, 1, 2]
+
+
+def test_pictures_follow_one_another_over_a_stop_of_the_camera() -> None:
+    counter = BlockCounter()
+    assert [counter.count(block_id) for block_id in (70_000, 70_002)] == [0, 2]
+    counter.restart()
+    assert [counter.count(block_id) for block_id in (1, 2, 4)] == [3, 4, 6]
+    counter.restart()
+    assert [counter.count(block_id) for block_id in (65_535, 1)] == [7, 8]

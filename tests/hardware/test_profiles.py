@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from hardware.errors import DeviceError
 from hardware.interfaces import DeliversLines, Delivery, Frame, Line, SensorDriver, SensorReading
 from hardware.sensor.genicam.driver import from_options
+from hardware.sensor.genicam.profiles.profile_points import INTENSITY
 from hardware.sensor.grabbing import GrabbingSensor
 from hardware.simulator.devices.gige_camera.camera import GigeCamera
 from hardware.simulator.devices.gige_camera.pixels import RawImage
@@ -63,9 +64,11 @@ def picture(mid_ns: int, exposure_us: float, laser_share: float) -> RawImage:
     return image
 
 
-def make_camera(first_block_id: int = 1, fewest_profiles: int = 1) -> GigeCamera:
+def make_camera(
+    first_block_id: int = 1, fewest_profiles: int = 1, sends_parts: bool = True
+) -> GigeCamera:
     return GigeCamera(
-        CameraIdentity(ADDRESS, "SIM-1", WIDTH, HEIGHT, 50.0, fewest_profiles),
+        CameraIdentity(ADDRESS, "SIM-1", WIDTH, HEIGHT, 50.0, fewest_profiles, sends_parts),
         picture,
         delay_ms=DELAY_MS,
         first_block_id=first_block_id,
@@ -136,6 +139,39 @@ def test_a_line_is_the_one_in_the_picture(camera: GigeCamera) -> None:
     assert line.exposure_us == 5000.0
     np.testing.assert_array_equal(line.intensity, np.rint(wanted.intensity))
     assert np.ptp(line.intensity) > 0
+
+
+def test_a_camera_of_one_component_gives_lines_of_one_intensity() -> None:
+    camera = make_camera(sends_parts=False)
+    camera.start()
+    driver = make_driver(exposure_us=5000.0)
+    try:
+        open_lit(driver)
+        line = lit_line(driver)
+    finally:
+        driver.close()
+        camera.stop()
+    assert set(line.intensity) == {INTENSITY}
+    np.testing.assert_allclose(line.v, row_in(line.u), atol=0.1)
+
+
+def test_a_stated_deviation_counts_and_otherwise_the_scatter_of_the_line(
+    camera: GigeCamera,
+) -> None:
+    """This picture has no noise. The errors of the line's centre are periodic along the line, and
+    their differences overstate them."""
+    driver = make_driver(exposure_us=5000.0, line_sigma_px=0.3)
+    open_lit(driver)
+    assert set(lit_line(driver).sigma_px) == {0.3}
+    driver.close()
+    driver = make_driver(exposure_us=5000.0)
+    open_lit(driver)
+    line = lit_line(driver)
+    driver.close()
+    (sigma_px,) = set(line.sigma_px)
+    assert sigma_px >= SCALE_PX / np.sqrt(12)
+    true_px = np.std(line.v - row_in(line.u))
+    assert true_px < sigma_px < 3 * true_px
 
 
 @pytest.mark.parametrize("rows", ["region", "sensor"])

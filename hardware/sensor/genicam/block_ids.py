@@ -36,7 +36,7 @@ class BlockCounter:
     def restart(self) -> None:
         """The camera was stopped, and counts from the beginning: its next picture follows the last
         one."""
-        self._last = None
+        self._last, self._long = None, False
         self._stamped.clear()
 
     def count(self, block_id: int, whole: bool = True, stamp_ns: int | None = None) -> int | None:

@@ -70,6 +70,8 @@ class CameraIdentity:
     fewest_profiles: int | None = None
     """How many profiles it puts at least into a buffer; None of a camera that sends pictures
     alone."""
+    sends_parts: bool = True
+    """Whether a buffer with profiles may also have their brightness."""
 
 
 class RegisterMap:
@@ -249,7 +251,8 @@ def _bootstrap(identity: CameraIdentity, description_bytes: int) -> bytearray:
     put(HEARTBEAT_TIMEOUT, HEARTBEAT_TIMEOUT_MS)
     put(TICK_FREQUENCY, TICKS_PER_S >> 32, TICKS_PER_S & 0xFFFFFFFF)
     put(PACKET_SIZE, FIRST_PACKET_SIZE)
-    put(STREAM_CAPABILITY, 0 if identity.fewest_profiles is None else MULTIPART)
+    if identity.fewest_profiles is not None and identity.sends_parts:
+        put(STREAM_CAPABILITY, MULTIPART)
     return memory
 
 
