@@ -14,7 +14,7 @@ from hardware.interfaces import Button, SensorDriver, SensorInfo
 from hardware.registry import sensor_driver
 from hardware.simulator.configuration import SimulationConfig, build_rig, model_frame
 from hardware.simulator.devices.arm_device import ArmDevice, ArmFaults, Encoders
-from hardware.simulator.devices.gige_camera.camera import LASER_LINE, GigeCamera
+from hardware.simulator.devices.gige_camera.camera import LASER_LINE, TRIGGER_LINE, GigeCamera
 from hardware.simulator.devices.gige_camera.registers import CameraIdentity
 from hardware.simulator.devices.kinematics import (
     Floats,
@@ -214,6 +214,8 @@ class SimulatedStation:
         }
         if self.config.laser_switch:
             options["laser_line"] = LASER_LINE
+        if self.config.triggered:
+            options["trigger"] = TRIGGER_LINE
         return options
 
     def sensor(self) -> SensorDriver:
@@ -346,6 +348,8 @@ class SimulatedStation:
     def _trigger(self, stamp_ns: int) -> None:
         for sensor in tuple(self._triggered.values()):
             sensor.trigger(stamp_ns)
+        if self._gige is not None:
+            self._gige.trigger(stamp_ns)
 
     def _controller_poses(self, q_rad: Floats) -> Floats:
         return flange_poses(self._rig.nominal_arm, q_rad)

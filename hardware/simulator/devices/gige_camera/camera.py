@@ -39,8 +39,8 @@ from hardware.simulator.devices.gige_camera.registers import (
 )
 from hardware.simulator.devices.gige_camera.stream import Block, StreamSender
 
-LASER_LINE = "Line2"
-"""The output that the laser is connected to."""
+LASER_LINE, TRIGGER_LINE = "Line2", "Line1"
+"""The output that the laser is connected to, and the input for the arm's pulses."""
 DELAY_MS = 60.0
 """From the end of an exposure to its first packet."""
 DRIFT = 30e-6

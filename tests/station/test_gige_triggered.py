@@ -1,0 +1,88 @@
+"""A camera that the arm triggers, and that changes between pictures and lines: over GigE Vision."""
+
+import threading
+import time
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from app.station.bus import Bus
+from app.station.devices.rig import Rig
+from app.station.pulses.pulse_trigger import TriggerSettings
+from hardware.interfaces import Frame, Line, SensorDriver, SensorReading
+from hardware.registry import arm_driver
+from hardware.simulator.station import SimulatedStation
+from tests.hardware.fake_cameras import port_for_this_test
+from tests.hardware.test_genicam import require_aravis
+from tests.station.conftest import until
+from tests.station.test_gige_lines import BOTH
+from tests.station.test_on_simulation import CONFIG
+
+pytestmark = pytest.mark.slow
+
+RATE_HZ = 20.0
+
+
+def test_pulses_and_lines_are_paired_exactly_after_each_change(
+    bus: Bus, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The camera misses pulses while it is stopped for the change, and does not count them."""
+    require_aravis()
+    camera_times_ns: dict[int, int] = {}
+    """By the camera's own clock, which is good to a few ms: by sequence."""
+
+    def make_sensor() -> SensorDriver:
+        driver = simulation.sensor()
+        read = driver.read
+
+        def read_and_note(timeout_s: float) -> SensorReading | None:
+            reading = read(timeout_s)
+            if reading is not None:
+                camera_times_ns[reading.sequence] = reading.mid_exposure_ns
+            return reading
+
+        monkeypatch.setattr(driver, "read", read_and_note)
+        return driver
+
+    config = replace(CONFIG, delivers=BOTH, camera="gige", triggered=True, rate_hz=200.0)
+    with port_for_this_test(), SimulatedStation(config) as simulation:
+        rig = Rig(
+            bus,
+            lambda: arm_driver("serial-encoder", {"url": simulation.arm_url}),
+            make_sensor,
+            tmp_path,
+            TriggerSettings(RATE_HZ),
+        )
+        rig.start()
+        try:
+            until(lambda: rig.sensor.is_paired, 60)
+            for lines, kind in ((True, Line), (False, Frame)):
+                rig.sensor.want_lines(lines)
+                until(lambda kind=kind: isinstance(rig.sensor.frames.newest, kind), 60)  # type: ignore[misc]
+                mover = threading.Thread(target=simulation.operator.hold_over, args=("board", 1))
+                mover.start()
+                readings = collect_readings(rig, 40)
+                simulation.operator.cancel()
+                mover.join()
+                assert all(isinstance(one, kind) for one in readings)
+                stamps = np.array([one.mid_exposure_ns for one in readings])
+                pulses = np.array([one.pulse for one in readings])
+                off_ns = stamps - stamps[0] - (pulses - pulses[0]) * 1e9 / RATE_HZ
+                assert np.abs(off_ns).max() < 0.5e6
+                late_ns = stamps - np.array([camera_times_ns[one.sequence] for one in readings])
+                assert np.abs(late_ns).max() < 0.25e9 / RATE_HZ
+        finally:
+            rig.stop()
+
+
+def collect_readings(rig: Rig, count: int) -> list[SensorReading]:
+    tap = rig.sensor.frames.tap(count)
+    readings: list[SensorReading] = []
+    deadline = time.monotonic() + 60
+    while len(readings) < count:
+        assert time.monotonic() < deadline, f"only {len(readings)}"
+        readings += tap.get(count, 0.2)
+    rig.sensor.frames.untap(tap)
+    return readings
