@@ -2111,6 +2111,7 @@ made-first-administrator = ersten Administrator angelegt
 made-simulated-hardware-demonstration = Mit simulierten Geräten erstellt: Demonstration.
 made-token-metrics = Token für Metriken angelegt
 length-beyond-reach = das Längennormal ist { $length } lang, der Arm reicht nur { $reach } weit
+lengths-are-missing = nur { $count } von { $wanted } Längen wurden gemessen: jede an { $places } Orten, { $repeats }-mal
 length-standard-rocks =
     { $of ->
         [places] das Normal wackelt in Lage { $place }: Wiederholungen einer Länge streuen um { $scatter }, in den anderen Lagen um { $expected }
@@ -2496,8 +2497,8 @@ performance-dispersion-scan = Streuung der gescannten Kugel, 95 % aller Punkte
 performance-effective-diameter = wirksamer Durchmesser der Prüfkugel
 performance-fewer-lengths =
     { $count ->
-        [one] Das Normal hat nur eine Länge; das Verfahren verlangt fünf.
-       *[other] Das Normal hat nur { $count } Längen; das Verfahren verlangt fünf.
+        [one] das Normal hat nur eine Länge, und das Verfahren verlangt fünf
+       *[other] das Normal hat nur { $count } Längen, und das Verfahren verlangt fünf
     }
 performance-form-both = Form, angetastet und gescannt zusammen
 performance-form-scan = Form der gescannten Kugel, 25 Stellen
@@ -2537,6 +2538,16 @@ performance-temperature-far =
 performance-temperatures-steady = Die Temperaturen von Prüfkörper und Arm änderten sich um höchstens { $change } (Grenze { $most }) und blieben innerhalb von { $off } um 20 °C.
 performance-volumetric-largest = räumliche Länge, größte Abweichung
 performance-volumetric-two-rms = räumliche Länge, zweifacher quadratischer Mittelwert
+performance-plane-gate =
+    { $count ->
+        [one] Es zählen Punkte über der Platte, mindestens { $rim } innerhalb ihres Umrisses und höchstens { $shell } von ihrer Ebene; ein Punkt der Scans zählt nicht. Keiner wird wegen seines Residuums entfernt.
+       *[other] Es zählen Punkte über der Platte, mindestens { $rim } innerhalb ihres Umrisses und höchstens { $shell } von ihrer Ebene; { $count } Punkte der Scans zählen nicht. Keiner wird wegen seines Residuums entfernt.
+    }
+performance-touches-taken-back =
+    { $count ->
+        [one] Eine Antastung wurde vom Bediener zurückgenommen.
+       *[other] { $count } Antastungen wurden vom Bediener zurückgenommen.
+    }
 performance-within-limit = { $title }: { $value }, innerhalb der Grenze von { $limit }; Unsicherheit des Prüfwerts { $uncertainty } (k = 2).
 permission-denied = Zugriff verweigert
 pick-more-way-round-fit-plane = Mehr vom Umfang auswählen oder eine Ebene einpassen
@@ -2604,6 +2615,7 @@ plane-needs-lines = die Laserebene braucht Linien in mindestens { $fewest } Bild
 plane-needs-lines-in-some = Für diese Pose genügt das. In mindestens { $fewest } anderen Bildern muss die Laserlinie über die Tafel verlaufen.
 plane-swept-straight-across-angle = Gerade überfahrene Ebene: Winkel
 plane-through-cameras-centre-gives-no = eine Ebene durch den Mittelpunkt der Kamera ergibt keine Tiefe
+plate-in-one-orientation = die Platte wurde nicht in { $count } Ausrichtungen gescannt
 plate-scan-too-narrow = der Scan { $name } deckt einen Streifen schmaler als 50 mm ab
 plate-was-not-scanned = die Platte wurde nicht gescannt
 plug-right-arm-correct-arm-joint = Richtigen Messarm anschließen oder [arm] joint_count berichtigen.
@@ -3100,6 +3112,7 @@ sphere-known-diameter-clamped-firmly-within = Eine Kugel mit bekanntem Durchmess
 sphere-known-to = Ø { $diameter }, Standardunsicherheit { $known } (k = 1)
 sphere-named = Kugel { $name }
 sphere-of-unknown-uncertainty = Ø { $diameter }, Unsicherheit nicht angegeben
+sphere-not-touched-again = die Kugel wurde am Ende nicht noch einmal angetastet, sodass nicht bekannt ist, ob sie oder der Arm sich bewegt hat
 sphere-or-arm-moved = Kugel oder Arm haben sich während der Prüfung um { $moved } bewegt; die Grenze ist { $limit }
 sphere-too-small = die Kugel hat einen Durchmesser von { $diameter }; nötig sind mindestens { $least }
 sphere-was-not-scanned = die Kugel wurde nicht gescannt
@@ -3493,6 +3506,7 @@ touches-agree = Übereinstimmung der Antastpunkte
 touches-disagree-up-tip-sphere-loose = Die Antastpunkte weichen um bis zu { $scatter } voneinander ab: Tastkugel oder Kugel ist locker, oder der Messarm ist gerutscht.
 touches-lie-too-near-together-one = Die Antastpunkte liegen zu nah beieinander oder auf einem Ring um die Kugel
 touches-lie-within-one-line = Die Antastpunkte liegen innerhalb von { $width } um eine Gerade
+touches-miss-places = keine Antastung liegt nahe den Stellen { $places } der Kugel
 touches-missing-of-pattern = nur { $count } der { $needed } Antastungen wurden genommen
 touches-on-face = { $count } { $where }
 touches-over-all-faces = { $total } weitere auf allen Flächen, davon { $most } { $where },

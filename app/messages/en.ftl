@@ -2107,6 +2107,7 @@ made-first-administrator = created the first administrator
 made-simulated-hardware-demonstration = Made on simulated hardware: a demonstration.
 made-token-metrics = created a metrics token
 length-beyond-reach = the length standard is { $length } long, and the arm reaches { $reach } only
+lengths-are-missing = only { $count } of { $wanted } lengths were measured: each in { $places } places, { $repeats } times
 length-standard-rocks =
     { $of ->
         [places] the standard rocks in place { $place }: repeats of a length scatter by { $scatter }, in the other places by { $expected }
@@ -2487,8 +2488,8 @@ performance-dispersion-scan = dispersion of the scanned sphere, 95 % of all poin
 performance-effective-diameter = effective diameter of the master sphere
 performance-fewer-lengths =
     { $count ->
-        [one] The standard has only one length; the procedure takes five.
-       *[other] The standard has only { $count } lengths; the procedure takes five.
+        [one] the standard has only one length, and the procedure takes five
+       *[other] the standard has only { $count } lengths, and the procedure takes five
     }
 performance-form-both = form, touched and scanned together
 performance-form-scan = form of the scanned sphere, 25 places
@@ -2528,6 +2529,16 @@ performance-temperature-far =
 performance-temperatures-steady = The temperatures of artefact and arm changed by { $change } at most (limit { $most }) and stayed within { $off } of 20 °C.
 performance-volumetric-largest = volumetric length, largest deviation
 performance-volumetric-two-rms = volumetric length, twice the rms
+performance-plane-gate =
+    { $count ->
+        [one] Points take part that lie over the plate, at least { $rim } within its outline and within { $shell } of its plane; one point of the scans does not. None is removed by its residual.
+       *[other] Points take part that lie over the plate, at least { $rim } within its outline and within { $shell } of its plane; { $count } points of the scans do not. None is removed by its residual.
+    }
+performance-touches-taken-back =
+    { $count ->
+        [one] One touch was taken back by the operator.
+       *[other] { $count } touches were taken back by the operator.
+    }
 performance-within-limit = { $title }: { $value }, within the limit of { $limit }; test value uncertainty { $uncertainty } (k = 2).
 permission-denied = permission denied
 pick-more-way-round-fit-plane = Select more of its circumference, or fit a plane
@@ -2595,6 +2606,7 @@ plane-needs-lines = the laser plane requires lines in at least { $fewest } pictu
 plane-needs-lines-in-some = That is sufficient for this pose. The laser line must cross the board in at least { $fewest } other pictures.
 plane-swept-straight-across-angle = Plane scanned in one straight pass: angle
 plane-through-cameras-centre-gives-no = a plane through the camera's centre gives no depth
+plate-in-one-orientation = the plate was not scanned in { $count } orientations
 plate-scan-too-narrow = the scan { $name } covers a strip narrower than 50 mm
 plate-was-not-scanned = the plate was not scanned
 plug-right-arm-correct-arm-joint = Connect the right arm, or correct [arm] joint_count.
@@ -3087,6 +3099,7 @@ sphere-known-diameter-clamped-firmly-within = A sphere of known diameter, clampe
 sphere-known-to = Ø { $diameter }, uncertainty { $known } (k = 1)
 sphere-named = sphere { $name }
 sphere-of-unknown-uncertainty = Ø { $diameter }, uncertainty not stated
+sphere-not-touched-again = the sphere was not touched again at the end, so that it is not known whether it or the arm moved
 sphere-or-arm-moved = sphere or arm moved by { $moved } during the test; the limit is { $limit }
 sphere-too-small = the sphere has a diameter of { $diameter }; { $least } or more is needed
 sphere-was-not-scanned = the sphere was not scanned
@@ -3471,6 +3484,7 @@ touches-agree = Agreement of contact points
 touches-disagree-up-tip-sphere-loose = The contact points disagree by up to { $scatter }: the tip or the sphere is loose, or the arm slipped.
 touches-lie-too-near-together-one = The contact points are too close together, or on one ring around the sphere
 touches-lie-within-one-line = The contact points lie within { $width } of one line
+touches-miss-places = no touch lies near the places { $places } of the sphere
 touches-missing-of-pattern = only { $count } of the { $needed } touches were taken
 touches-on-face = { $count } { $where }
 touches-over-all-faces = { $total } more over all faces, { $most } of them { $where },

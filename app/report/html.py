@@ -66,7 +66,7 @@ th { border-bottom: 1px solid #12161b; font-size: 8.5pt; font-weight: 600; color
 tr { break-inside: avoid; }
 .n { text-align: right; padding: 1.2mm 0 1.2mm 3mm; }
 .tight { font-size: 8pt; }
-.tight td:nth-child(2) { word-break: break-all; }
+.tight td:nth-child(2) { overflow-wrap: anywhere; }
 .findings { list-style: none; margin: 0; padding: 0; }
 .findings li { display: grid; grid-template-columns: 22mm 1fr; gap: 3mm; padding: 1.2mm 0;
   border-bottom: 1px solid #dde1e7; break-inside: avoid; }

@@ -52,7 +52,7 @@ def _about_artefact(state: PerformanceState, live: PerformanceLive) -> list[Find
         findings.append(Finding("attention", text, message("put-certificate-into-folder-gauges")))
     if isinstance(live.artefact, LengthStandardFile) and len(live.artefact.lengths) < LENGTHS:
         text = message("performance-fewer-lengths", count=len(live.artefact.lengths))
-        findings.append(Finding("attention", text))
+        findings.append(Finding("attention", sentence(text)))
     remedy = message("performance-correct-gauge")
     return findings + [Finding("bad", sentence(one), remedy) for one in live.artefact_problems]
 

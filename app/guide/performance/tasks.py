@@ -177,6 +177,8 @@ def evaluate(guide: PerformanceGuide, progress: Progress) -> None:
             message("performance-aside-note", title=line.title, reason=line.reason)
             for line in aside_lines(state)
         ]
+        if voided := sum(touch.voided for touch in state.touches):
+            asides.append(message("performance-touches-taken-back", count=voided))
         temperatures = (
             provenance.celsius_near(state.started_at),
             provenance.celsius_near(ended_at),

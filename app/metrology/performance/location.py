@@ -48,7 +48,9 @@ def location_error_mm(centres_mm: Floats) -> float:
     return smallest_enclosing_sphere(centres_mm).diameter_mm
 
 
-def estimate_offset(centres_mm: Floats, R_arm_sensor: Floats) -> ImpliedOffset:
+def estimate_offset(
+    centres_mm: Floats, R_arm_sensor: Floats, arm_sd_mm: float = 0.0
+) -> ImpliedOffset:
     """The constant offset in the sensor's frame that moves the centres apart like this.
 
     A probe matrix whose translation is wrong by ``d`` moves every point by ``-R_arm_sensor d``:
@@ -58,6 +60,8 @@ def estimate_offset(centres_mm: Floats, R_arm_sensor: Floats) -> ImpliedOffset:
     Args:
         centres_mm: (N, 3) measured centres, N >= 3.
         R_arm_sensor: (N, 3, 3) mean orientation of the sensor in each articulation.
+        arm_sd_mm: standard deviation along an axis by which the arm alone moves a centre from
+            articulation to articulation; the residuals of few centres can hide it.
 
     Raises:
         OperationError: ``articulations-alike``: the orientations do not separate the offset from
@@ -80,7 +84,7 @@ def estimate_offset(centres_mm: Floats, R_arm_sensor: Floats) -> ImpliedOffset:
     offset = np.asarray(-found[3:], dtype=np.float64)
     residuals = centres_mm.ravel() - A @ found
     freedom = max(3 * count - 6, 1)
-    scatter = float(residuals @ residuals) / freedom
+    scatter = max(float(residuals @ residuals) / freedom, arm_sd_mm**2)
     covariance = np.asarray(np.linalg.inv(A.T @ A)[3:, 3:] * scatter, dtype=np.float64)
     corrected = centres_mm - np.einsum("nij,j->ni", R_arm_sensor, found[3:])
     return ImpliedOffset(offset, covariance, location_error_mm(corrected))

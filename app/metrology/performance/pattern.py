@@ -15,6 +15,8 @@ RIM_DEG = 85.0
 """Where the stylus' shaft would touch at 90°."""
 PATCH_DEG = 8.0
 """Half-angle of a patch; patches do not overlap, the least spacing is 22.5°."""
+MISSED_DEG = 15.0
+"""A place without a touch within this was missed."""
 CATCH_DEG = 12.0
 """A touch belongs to the nearest free place within this."""
 
@@ -64,6 +66,19 @@ def assign_touches(touches_mm: Floats, centre_mm: Floats, directions: Floats) ->
         if free[nearest] and row[nearest] <= CATCH_DEG:
             found[i], free[nearest] = nearest, False
     return found
+
+
+def find_missed_places(touches_mm: Floats, centre_mm: Floats, directions: Floats) -> list[int]:
+    """Indices of the places near which there is no touch.
+
+    Args:
+        touches_mm: (N, 3) contact points or tip centres.
+        centre_mm: (3,) of the sphere.
+        directions: (P, 3).
+    """
+    nearness = directions @ _unit(touches_mm - centre_mm).T
+    missed = nearness.max(axis=1) < np.cos(np.radians(MISSED_DEG))
+    return [int(i) for i in np.flatnonzero(missed)]
 
 
 @dataclass(frozen=True)

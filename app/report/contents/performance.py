@@ -82,11 +82,11 @@ def _findings(document: PerformanceFile) -> list[ReportFinding[Text]]:
 
 
 def _conditions(document: PerformanceFile) -> list[Section[Text]]:
-    """The gate and the filters of a test with scans, and what each position had; the gate of
-    scanned lengths is among the notes."""
+    """The gate and the filters of a sphere's scans, and what each position had; the gates of
+    lengths and plates are among the notes."""
     blocks: list[Block[Text]] = []
     by_scan = [one for one in document.figures if one.quantity.endswith(("-scan", "-both"))]
-    if by_scan and document.kind != "lengths":
+    if by_scan and document.kind == "sphere":
         blocks += [TextBlock(text) for text in gate_texts(document.gate)]
     if document.spheres:
         blocks.append(positions_table(document))

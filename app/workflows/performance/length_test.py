@@ -76,12 +76,12 @@ def measure_lengths(data: MeasuredData) -> LengthResult:
     measured: list[Measured] = []
     problems: list[Text] = []
     if touched or scanned is None or data.plan.limit("length-touch") is not None:
-        problem: Text = "" if touched else message("no-lengths-measured")
+        problem = _find_missing(standard, touched)
         measured.append(_worst(data, "length-touch", touched, names, problem))
         problems += rocking_problems(standard, touched, data.tips_mm, tip_mm)
     values = list(touched)
     if scanned is not None:
-        missing: Text = "" if scanned.values else message("no-lengths-measured")
+        missing = _find_missing(standard, scanned.values)
         problem = scanned.problems[0] if scanned.problems else missing
         measured.append(_worst(data, "length-scan", scanned.values, scanned.scans, problem))
         problems += rocking_problems(standard, scanned.values)
@@ -110,6 +110,18 @@ def _worst(
         problem,
         tuple(names),
         summary.worst.nominal.length_mm,
+    )
+
+
+def _find_missing(standard: LengthStandardFile, values: Sequence[MeasuredLength]) -> Text:
+    """Why there are too few lengths for a figure; empty if all were measured."""
+    if not values:
+        return message("no-lengths-measured")
+    wanted = PLACES * REPEATS * len(standard.lengths)
+    if len(values) >= wanted:
+        return ""
+    return message(
+        "lengths-are-missing", count=len(values), wanted=wanted, places=PLACES, repeats=REPEATS
     )
 
 

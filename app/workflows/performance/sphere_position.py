@@ -26,6 +26,8 @@ class PositionResult:
     """(A, 3) of the articulations by scan."""
     R_arm_sensor: Floats | None = None
     """(A, 3, 3) of the sensor in them."""
+    tactile_sd_mm: float = 0.0
+    """Standard deviation along an axis of the centres by touch in the articulations."""
     notes: list[Text] = field(default_factory=list)
     """Articulations that were not held as wanted."""
     form_effects_um: dict[Quantity, float] = field(default_factory=dict)

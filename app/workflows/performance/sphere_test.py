@@ -1,7 +1,5 @@
 """The one-sphere test: size, form, dispersion and location of one sphere, by touch and by scan."""
 
-from collections.abc import Sequence
-
 import numpy as np
 
 from app.errors import OperationError
@@ -12,11 +10,17 @@ from app.formats.performance.plan import (
     SpherePart,
     sphere_feature,
 )
+from app.formats.performance.symbols import Quantity
 from app.messages.message import message
 from app.metrology.arm.kinematics import tip_of
 from app.metrology.performance.articulation import mean_direction
 from app.metrology.performance.location import location_error_mm
-from app.metrology.performance.pattern import RIM_DEG, assign_touches, pattern_directions
+from app.metrology.performance.pattern import (
+    RIM_DEG,
+    assign_touches,
+    find_missed_places,
+    pattern_directions,
+)
 from app.metrology.performance.sphere import least_squares_sphere, sphere_centre
 from app.metrology.performance.value_uncertainty import form_effect_um
 from app.metrology.transforms import Floats
@@ -25,6 +29,14 @@ from app.workflows.performance.measured_data import MeasuredData
 from app.workflows.performance.sphere_position import PositionResult
 from app.workflows.performance.sphere_scans import directions_to_hold, measure_scans, scans_of
 from app.workflows.performance.sphere_uncertainty import sphere_certificate
+
+_OF_PATTERN: tuple[Quantity, ...] = (
+    "size-touch",
+    "form-touch",
+    "size-both",
+    "form-both",
+    "location-both",
+)
 
 
 def measure_position(data: MeasuredData, sphere: SpherePart, position: int) -> PositionResult:
@@ -50,9 +62,13 @@ def _measure_pattern(
     tips = data.tips_mm.get(name, np.zeros((0, 3)))
     if len(tips) < PATTERN_TOUCHES:
         text = message("touches-missing-of-pattern", count=len(tips), needed=PATTERN_TOUCHES)
-        result.refuse(text, "size-touch", "form-touch", "size-both", "form-both", "location-both")
+        result.refuse(text, *_OF_PATTERN)
         return None
     found = least_squares_sphere(tips)
+    if missed := find_missed_places(tips, found.centre_mm, _places(data)):
+        text = message("touches-miss-places", places=", ".join(str(i + 1) for i in missed))
+        result.refuse(text, *_OF_PATTERN)
+        return None
     tip_mm = tip_of(data.arm).diameter_mm
     result.note("size-touch", found.diameter_mm - tip_mm - sphere.diameter_mm, name)
     result.note("form-touch", found.form_mm, name)
@@ -65,16 +81,20 @@ def _measure_pattern(
     distances = np.linalg.norm(inward, axis=1)
     inward /= distances[:, None]
     result.details["touch_deviations_um"] = _by_place(
-        tips, found.centre_mm, 1e3 * (distances - found.diameter_mm / 2), data.plan.gate.pole
+        tips, found.centre_mm, 1e3 * (distances - found.diameter_mm / 2), _places(data)
     )
     return found.centre_mm, tips - inward * tip_mm / 2
 
 
+def _places(data: MeasuredData) -> Floats:
+    """(25, 3) directions in which the sphere is to be touched."""
+    return pattern_directions(np.array(data.plan.gate.pole), RIM_DEG)
+
+
 def _by_place(
-    tips_mm: Floats, centre_mm: Floats, off_um: Floats, pole: Sequence[float]
+    tips_mm: Floats, centre_mm: Floats, off_um: Floats, directions: Floats
 ) -> list[float | None]:
     """The deviations of touches by their places in the pattern; None where there was none."""
-    directions = pattern_directions(np.array(pole), RIM_DEG)
     places = assign_touches(tips_mm, centre_mm, directions)
     found: list[float | None] = [None] * len(directions)
     for place, off in zip(places.tolist(), off_um.tolist(), strict=True):
@@ -97,6 +117,7 @@ def _measure_tactile_location(data: MeasuredData, position: int, result: Positio
         result.refuse(error.text, "location-touch")
         return
     result.details["tactile_centres_mm"] = centres.tolist()
+    result.tactile_sd_mm = float(np.sqrt(np.mean(np.var(centres, axis=0, ddof=1))))
     directions = np.array([mean_direction(data.styli[name]) for name in names])
     result.details["stylus_directions"] = directions.tolist()
     wanted = directions_to_hold(data, centres)

@@ -66,3 +66,11 @@ def test_articulations_from_one_side_tell_nothing() -> None:
     with pytest.raises(OperationError) as caught:
         estimate_offset(centres(R, np.zeros(3), 0.005), R)
     assert caught.value.code == "articulations-alike"
+
+
+def test_what_the_arm_itself_scatters_is_not_blamed_on_the_probe_matrix() -> None:
+    R, offset = articulations(60), np.array([-0.011, 0.0, 0.0])
+    off = centres(R, offset, 0.002)
+    assert estimate_offset(off, R).is_significant
+    assert not estimate_offset(off, R, arm_sd_mm=0.012).is_significant
+    assert estimate_offset(centres(R, 10 * offset, 0.002), R, arm_sd_mm=0.012).is_significant

@@ -138,7 +138,10 @@ def test_no_length_is_stated_of_a_standard_that_rocks(tmp_path: Path) -> None:
 
 def test_lengths_in_some_places_are_what_there_is(tmp_path: Path) -> None:
     folder = write_test(tmp_path / "t", "lengths", length_groups(1.0, range(1, 3)), ())
-    assert len(evaluate_performance(folder).lengths) == 30
+    some = evaluate_performance(folder)
+    assert len(some.lengths) == 30
+    assert (some.figures[0].value, some.verdict.result) == (None, "uncertain")
+    assert "only 30 of 105 lengths were measured" in str(some.figures[0].problem)
     (folder / TOUCHES).unlink()
     assert evaluate_performance(folder).figures[0].value is None
 

@@ -1,5 +1,6 @@
 """The one-sphere test on touches and recordings with planted faults."""
 
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -229,3 +230,43 @@ def test_a_wrong_link_shows_in_the_location(tmp_path: Path) -> None:
     assert size is not None
     assert location > 10
     assert abs(size) < location
+
+
+def change_touches(folder: Path, change: Callable[[list[str]], list[str]]) -> None:
+    """Writes the touches with other rows."""
+    path = folder / TOUCHES
+    head, *rows = path.read_text().splitlines()
+    path.write_text("\n".join([head, *change(rows)]) + "\n")
+
+
+def test_a_sphere_that_was_not_touched_again_is_not_decided(tmp_path: Path) -> None:
+    session = SphereSession(tmp_path / "t", Faults(articulations=0, touch_sd_mm=0.003))
+    session.limits = (LimitPart(quantity="form-touch", a_um=30.0),)
+    folder = session.write()
+    change_touches(folder, lambda rows: [row for row in rows if "p1-end" not in row])
+    result = evaluate_performance(folder)
+    figure = next(one for one in result.figures if one.quantity == "form-touch")
+    assert figure.value == pytest.approx(11, abs=8)
+    assert (figure.decision, result.verdict.result) == ("uncertain", "uncertain")
+    assert "not touched again at the end" in str(figure.reason)
+
+
+def test_touches_on_too_few_places_give_no_size_and_no_form(tmp_path: Path) -> None:
+    folder = with_faults(tmp_path / "t", articulations=0, **QUIET)
+
+    def crowd(rows: list[str]) -> list[str]:
+        pattern = [row for row in rows if "p1-pattern" in row]
+        others = [row for row in rows if "p1-pattern" not in row]
+        return [pattern[i // 2] for i in range(25)] + others
+
+    change_touches(folder, crowd)
+    result = evaluate_performance(folder)
+    assert values(result)["size-touch"] is values(result)["form-touch"] is None
+    assert "no touch lies near the places 14, 15" in str(problem(result, "size-touch"))
+
+
+def test_a_sphere_that_stands_still_is_not_said_to_have_moved(tmp_path: Path) -> None:
+    for seed in range(12):
+        faults = Faults(articulations=0, touch_sd_mm=0.01, seed=seed)
+        result = evaluate_performance(SphereSession(tmp_path / str(seed), faults).write())
+        assert not result.problems, seed

@@ -1,0 +1,55 @@
+"""Which points of a scan are the plate's: none is left out because it lies off the plane."""
+
+import numpy as np
+import pytest
+
+from app.metrology.performance.plane import least_squares_plane
+from app.metrology.transforms import Floats
+from app.workflows.performance.plane_test import find_on_plate
+
+SHELL_MM = 10.0
+SIDE_MM = 100.0
+
+
+def plate(count: int, noise_mm: float, seed: int = 0) -> Floats:
+    """(N, 3) points of a tilted square plate."""
+    random = np.random.default_rng(seed)
+    flat = np.column_stack(
+        [random.uniform(0, SIDE_MM, (count, 2)), noise_mm * random.normal(size=count)]
+    )
+    return tilt(flat)
+
+
+def tilt(points: Floats) -> Floats:
+    turn = np.radians(30.0)
+    R = np.array([[1, 0, 0], [0, np.cos(turn), -np.sin(turn)], [0, np.sin(turn), np.cos(turn)]])
+    return np.asarray(points @ R.T + np.array([400.0, -50.0, 120.0]))
+
+
+def test_outliers_over_the_plate_count() -> None:
+    points = plate(20_000, 0.01)
+    normal = tilt(np.array([[0.0, 0, 1]])) - tilt(np.zeros((1, 3)))
+    off = np.zeros(len(points))
+    off[::10] = np.where(np.arange(len(off[::10])) % 2, 8.0, -8.0)
+    spoilt = points + off[:, None] * normal
+    kept = find_on_plate(spoilt, SHELL_MM)
+    assert kept[off != 0].mean() > 0.93
+    assert least_squares_plane(spoilt[kept]).dispersion_mm > 7.0
+
+
+def test_the_table_beside_the_plate_does_not_count() -> None:
+    random = np.random.default_rng(2)
+    beside = random.uniform(-60, SIDE_MM + 60, (30_000, 2))
+    beside = beside[((beside < -1) | (beside > SIDE_MM + 1)).any(axis=1)]
+    table = tilt(np.column_stack([beside, np.full(len(beside), -8.0)]))
+    points = np.concatenate([plate(60_000, 0.01), table])
+    kept = find_on_plate(points, SHELL_MM)
+    assert not kept[60_000:].any()
+    assert kept[:60_000].mean() > 0.9
+    assert least_squares_plane(points[kept]).dispersion_mm == pytest.approx(0.0392, rel=0.05)
+
+
+def test_what_is_higher_than_the_shell_is_not_the_plate() -> None:
+    clamp = tilt(np.column_stack([np.full((500, 2), 50.0), np.linspace(11.0, 30.0, 500)]))
+    kept = find_on_plate(np.concatenate([plate(5000, 0.01), clamp]), SHELL_MM)
+    assert not kept[5000:].any()
