@@ -20,10 +20,11 @@ from app.formats.performance.results import (
     LengthPoint,
     PerformanceFile,
     SphereMeasurement,
+    read_performance,
 )
 from app.formats.performance.symbols import SPHERE_QUANTITIES, editions
 from app.formats.results.calibration import SerialNumbers
-from app.messages.message import Text, message, quantity
+from app.messages.message import Message, Text, message, quantity
 from app.metrology.performance.lengths import LENGTHS
 from app.metrology.performance.location import estimate_offset
 from app.metrology.performance.sphere import least_squares_sphere
@@ -51,6 +52,8 @@ from app.workflows.performance.temperature_checks import (
     temperatures_part,
 )
 
+STATION_NOTES = ("performance-aside-note", "performance-touches-taken-back")
+"""Notes that the files of a test do not tell."""
 MOVED_BY_SCATTER = 3.8
 """Of 997 in 1000 spheres that stand still, the centres by 25 and by 5 touches are closer together
 than so many standard deviations of a touch: simulated."""
@@ -120,10 +123,25 @@ def evaluate_performance(folder: Path, ended_at: str = "") -> PerformanceFile:
 
 
 def write_performance(folder: Path) -> PerformanceFile:
-    """Evaluates and writes the result; raises ``OperationError``."""
-    result = evaluate_performance(folder)
+    """Evaluates and writes the result; raises ``OperationError``.
+
+    What only the station knew, and an earlier result has, is kept: when the test ended, the
+    temperatures of the station, and which scans and touches do not count.
+    """
+    if not (folder / RESULT).is_file():
+        result = evaluate_performance(folder)
+    else:
+        before = read_performance(folder)
+        result = evaluate_performance(folder, before.ended_at)
+        notes = [note for note in before.notes if _is_from_station(note)]
+        kept = {"notes": (*result.notes, *notes), "temperature_c": before.temperature_c}
+        result = result.model_copy(update=kept)
     result.write(folder / RESULT)
     return result
+
+
+def _is_from_station(note: Text) -> bool:
+    return isinstance(note, Message) and note.message_id in STATION_NOTES
 
 
 def _features(plan: PerformancePlan) -> list[str]:

@@ -9,9 +9,9 @@ import pytest
 
 from app.bench.metrology.synthetic_sphere import SPHERE, Faults, SphereSession
 from app.errors import OperationError
-from app.formats.performance.plan import PLAN, TOUCHES, LimitPart, read_plan, sphere_scan
+from app.formats.performance.plan import PLAN, RESULT, TOUCHES, LimitPart, read_plan, sphere_scan
 from app.formats.performance.results import PerformanceFile, read_performance
-from app.messages.message import Text
+from app.messages.message import Text, message
 from app.workflows.performance.evaluate import evaluate_performance, write_performance
 
 QUIET = {"touch_sd_mm": 0.003, "point_sd_mm": 0.008}
@@ -270,3 +270,15 @@ def test_a_sphere_that_stands_still_is_not_said_to_have_moved(tmp_path: Path) ->
         faults = Faults(articulations=0, touch_sd_mm=0.01, seed=seed)
         result = evaluate_performance(SphereSession(tmp_path / str(seed), faults).write())
         assert not result.problems, seed
+
+
+def test_a_new_evaluation_keeps_what_only_the_station_knew(tmp_path: Path) -> None:
+    folder = with_faults(tmp_path / "t", articulations=0, touch_sd_mm=0.003)
+    first = write_performance(folder)
+    taken_back = message("performance-touches-taken-back", count=3)
+    known = {"ended_at": "2026-11-20T10:00:00Z", "temperature_c": (21.4, 21.6)}
+    first.model_copy(update={**known, "notes": (*first.notes, taken_back)}).write(folder / RESULT)
+    again = write_performance(folder)
+    assert (again.ended_at, again.temperature_c) == tuple(known.values())
+    assert again.notes == (*first.notes, taken_back)
+    assert read_performance(folder) == again
