@@ -76,9 +76,9 @@ function Row({ figure }: { figure: PerformanceFigureLine }) {
         {figure.problem && <span className={styles.problem}>{figure.problem}</span>}
       </th>
       <td>
-        {value === null ? "–" : signed ? signedLength(value, "µm") : measured(value, "µm")}
+        {value === null ? "–" : signed ? signedLength(value, "µm", 1) : measured(value, "µm", 1)}
         {value !== null && test_uncertainty !== null && (
-          <span className={styles.symbol}>± {measured(test_uncertainty, "µm")}</span>
+          <span className={styles.symbol}>U = {measured(test_uncertainty, "µm", 1)}</span>
         )}
       </td>
       <td>{limit === null ? "–" : `${signed ? "± " : ""}${measured(limit, "µm")}`}</td>
