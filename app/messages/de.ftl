@@ -2402,7 +2402,7 @@ off = { $title } ist aus
 offset-m = Versatz, µm
 offset-not-separable = ein Fehler der Tastermatrix lässt sich nicht von der Lage der Kugel trennen
 offset-not-significant = Die Lageabweichung bedeutet keinen Fehler der Tastermatrix: { $size } lassen sich nicht vom Zufall unterscheiden, { $left } blieben.
-offset-worth-calibrating = Die Lageabweichung bedeutet, dass die Tastermatrix um { $size } falsch ist; nach Berichtigung blieben { $left }. Neu zu kalibrieren würde helfen.
+offset-worth-calibrating = Die Lageabweichung bedeutet, dass die Tastermatrix um { $size } falsch ist, oder der Maßstab des Sensors, was hier gleich aussieht; nach Berichtigung blieben { $left }. Neu zu kalibrieren würde helfen.
 old-after-days-due = Sie ist { $ago } alt; Frist { $limit }. Sie ist fällig.
 old-due-after-days = { $text }, { $ago } alt; Frist { $limit }.
 old-password-wrong = Das alte Passwort ist falsch.
@@ -2492,6 +2492,13 @@ patches-not-covered = die Scans decken die Flecken { $patches } der Kugel nicht 
 performance-articulation-largest = Einzelpunkt-Schwenkprüfung, größter Abstand
 performance-articulation-two-s = Einzelpunkt-Schwenkprüfung, zweifache Standardabweichung
 performance-beyond-limit = { $title }: { $value }, jenseits der Grenze von { $limit }; Unsicherheit des Prüfwerts { $uncertainty } (k = 2).
+performance-cause-arm = Die angetasteten Mittelpunkte liegen { $apart } auseinander, die Streuung der Antastungen erklärt { $usual }: Glieder oder Winkelgeber des Arms weichen je nach Haltung ab.
+performance-cause-outliers = { $share } der Punkte der Scans liegen weit neben der Kugel: Reflexe oder Ausreißer des Sensors.
+performance-cause-tip =
+    { $way ->
+        [large] Die angetastete Kugel ist { $size } zu groß: Der Taster ist größer als angegeben.
+       *[small] Die angetastete Kugel ist { $size } zu klein: Der Taster ist abgenutzt oder kleiner als angegeben.
+    }
 performance-conditions-not-met = { $title }: { $value }; nicht entschieden, denn { $problem }.
 performance-dispersion-scan = Streuung der gescannten Kugel, 95 % aller Punkte
 performance-effective-diameter = wirksamer Durchmesser der Prüfkugel

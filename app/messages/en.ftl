@@ -2398,7 +2398,7 @@ off = The { $title } is off
 offset-m = Offset, µm
 offset-not-separable = an error of the probe matrix cannot be separated from the position of the sphere
 offset-not-significant = The location error does not imply an error of the probe matrix: { $size } does not differ from chance, { $left } would remain.
-offset-worth-calibrating = The location error implies that the probe matrix is off by { $size }; corrected for it, { $left } would remain. Calibrating again would help.
+offset-worth-calibrating = The location error implies that the probe matrix is off by { $size }, or the scale of the sensor, which looks the same here; corrected for it, { $left } would remain. Calibrating again would help.
 old-after-days-due = It is { $ago } old; due after { $limit }.
 old-due-after-days = { $text }, { $ago } old; due after { $limit }.
 old-password-wrong = The old password is wrong.
@@ -2483,6 +2483,13 @@ patches-not-covered = the scans do not cover the patches { $patches } of the sph
 performance-articulation-largest = single-point articulation, largest distance
 performance-articulation-two-s = single-point articulation, twice the standard deviation
 performance-beyond-limit = { $title }: { $value }, beyond the limit of { $limit }; test value uncertainty { $uncertainty } (k = 2).
+performance-cause-arm = The centres by touch lie { $apart } apart, and the scatter of the touches explains { $usual }: links or encoders of the arm err with its posture.
+performance-cause-outliers = { $share } of the points of the scans lie far off the sphere: reflections, or outliers of the sensor.
+performance-cause-tip =
+    { $way ->
+        [large] The touched sphere is { $size } too large: the tip is larger than stated.
+       *[small] The touched sphere is { $size } too small: the tip is worn, or smaller than stated.
+    }
 performance-conditions-not-met = { $title }: { $value }; not decided, because { $problem }.
 performance-dispersion-scan = dispersion of the scanned sphere, 95 % of all points
 performance-effective-diameter = effective diameter of the master sphere

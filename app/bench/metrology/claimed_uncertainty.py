@@ -24,9 +24,12 @@ from app.metrology.performance.value_uncertainty import LOBES, deviations_of_lob
 from app.metrology.transforms import Floats
 from app.progress import Progress, no_progress
 from app.workflows.performance.measured_data import MeasuredData, ScanCloud
-from app.workflows.performance.sphere_position import PositionResult
+from app.workflows.performance.sphere_position import (
+    PositionResult,
+    sphere_certificate,
+    sphere_uncertainty_um,
+)
 from app.workflows.performance.sphere_test import measure_position
-from app.workflows.performance.sphere_uncertainty import sphere_certificate, sphere_uncertainty_um
 
 SPHERE = SpherePart(
     name="Sphere",

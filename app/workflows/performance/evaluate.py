@@ -1,6 +1,5 @@
 """Evaluates the folder of a performance test and writes ``performance.json``."""
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 from datetime import UTC, datetime
 from pathlib import Path
@@ -26,10 +25,11 @@ from app.formats.performance.symbols import SPHERE_QUANTITIES, editions
 from app.formats.results.calibration import SerialNumbers
 from app.messages.message import Message, Text, message, quantity
 from app.metrology.performance.lengths import LENGTHS
-from app.metrology.performance.location import estimate_offset
+from app.metrology.performance.location import ImpliedOffset, estimate_offset
 from app.metrology.performance.sphere import least_squares_sphere
 from app.metrology.performance.value_uncertainty import form_uncertainty_um, size_uncertainty_um
 from app.workflows.performance.artefact_checks import artefact_problems
+from app.workflows.performance.causes import name_causes
 from app.workflows.performance.contact_test import contact_features, measure_contact_test
 from app.workflows.performance.judge import K, Measured, judge_all, judge_figure
 from app.workflows.performance.length_test import length_features, measure_lengths
@@ -40,10 +40,11 @@ from app.workflows.performance.sphere_position import (
     bring_sizes_to_20,
     largest_form_effect,
     problems_of,
+    sphere_certificate,
+    sphere_uncertainty_um,
     worst,
 )
 from app.workflows.performance.sphere_test import measure_position
-from app.workflows.performance.sphere_uncertainty import sphere_certificate, sphere_uncertainty_um
 from app.workflows.performance.temperature_checks import (
     arm_span,
     artefact_span,
@@ -210,10 +211,15 @@ def _measure_sphere(data: MeasuredData, problems: list[Text]) -> tuple[list[Meas
         for of in SPHERE_QUANTITIES
     ]
     spheres = tuple(result.measurement() for result in results)
-    notes = tuple(note for result in results for note in result.notes)
+    offset = _find_offset(results[0])
+    notes = [note for result in results for note in result.notes]
+    if not problems:
+        size_um = size_uncertainty_um(certificate, sd_c, off_c)
+        notes += name_causes(results[0], size_um)
     moved_known = all("moved_um" in result.details for result in results)
     undecided = () if moved_known else (message("sphere-not-touched-again"),)
-    return measured, _Parts(spheres, _offset(results), notes=notes, undecided=undecided)
+    part = None if offset is None else _offset_part(offset)
+    return measured, _Parts(spheres, part, notes=tuple(notes), undecided=undecided)
 
 
 def _fewer_lengths(plan: PerformancePlan) -> tuple[Text, ...]:
@@ -233,15 +239,17 @@ def _least_drift_um(data: MeasuredData) -> float:
     return MOVED_BY_SCATTER * scatter_um
 
 
-def _offset(results: Sequence[PositionResult]) -> ImpliedOffsetPart | None:
-    """The probe matrix's error that the first position's location error implies."""
-    first = results[0]
-    if first.centres_mm is None or first.R_arm_sensor is None:
+def _find_offset(result: PositionResult) -> ImpliedOffset | None:
+    """The probe matrix's error that the location error of a position implies."""
+    if result.centres_mm is None or result.R_arm_sensor is None:
         return None
     try:
-        found = estimate_offset(first.centres_mm, first.R_arm_sensor, first.tactile_sd_mm)
+        return estimate_offset(result.centres_mm, result.R_arm_sensor, result.tactile_sd_mm)
     except OperationError:
         return None
+
+
+def _offset_part(found: ImpliedOffset) -> ImpliedOffsetPart:
     x, y, z = (float(value) for value in found.offset_mm)
     sx, sy, sz = (float(value) for value in np.sqrt(np.diag(found.covariance)))
     known = {

@@ -1,4 +1,4 @@
-"""What one position of the sphere gave in the one-sphere test."""
+"""What one position of the sphere gave in the one-sphere test, and its test value uncertainty."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
@@ -9,6 +9,13 @@ from app.formats.performance.plan import SpherePart
 from app.formats.performance.results import SphereMeasurement
 from app.formats.performance.symbols import Quantity
 from app.messages.message import Text, message
+from app.metrology.performance.value_uncertainty import (
+    SphereCertificate,
+    form_of_both_uncertainty_um,
+    form_uncertainty_um,
+    location_uncertainty_um,
+    size_uncertainty_um,
+)
 from app.metrology.transforms import Floats
 
 
@@ -26,6 +33,10 @@ class PositionResult:
     """(A, 3) of the articulations by scan."""
     R_arm_sensor: Floats | None = None
     """(A, 3, 3) of the sensor in them."""
+    touch_sd_mm: float = 0.0
+    """Standard deviation of a touch about the sphere of the 25; 0 without these."""
+    outlier_share: float = 0.0
+    """Of the points of the scans."""
     tactile_sd_mm: float = 0.0
     """Standard deviation along an axis of the centres by touch in the articulations."""
     notes: list[Text] = field(default_factory=list)
@@ -86,3 +97,44 @@ def problems_of(results: Sequence[PositionResult], of: Quantity) -> Text:
         return ""
     position, text = next(iter(found.items()))
     return text if len(results) == 1 else message("at-position", position=position, text=text)
+
+
+def sphere_certificate(sphere: SpherePart) -> SphereCertificate:
+    """What the certificate of a plan's sphere says."""
+    return SphereCertificate(
+        sphere.diameter_mm,
+        sphere.diameter_sd_um,
+        sphere.form_um,
+        sphere.form_sd_um,
+        sphere.expansion_per_c,
+        sphere.expansion_sd_per_c,
+    )
+
+
+def sphere_uncertainty_um(
+    of: Quantity,
+    sphere: SphereCertificate,
+    moved_um: float,
+    form_effect_um: float | None = None,
+    temperature_sd_c: float = 0.0,
+    off_c: float = 0.0,
+) -> float:
+    """Test value uncertainty of a quantity of the one-sphere test, k = 1.
+
+    Args:
+        moved_um: of the sphere, between the first touches and the last.
+        form_effect_um: what its form makes of this form or dispersion; None if that is unknown,
+            which makes it the half form of ISO/TS 23165.
+        off_c: temperature of the sphere minus 20 °C.
+    """
+    if of.startswith("size"):
+        return size_uncertainty_um(sphere, temperature_sd_c, off_c)
+    if of == "location-touch":
+        return location_uncertainty_um(sphere, moved_um, "touch")
+    if of == "location-scan":
+        return location_uncertainty_um(sphere, moved_um, "scan")
+    if of == "location-both":
+        return location_uncertainty_um(sphere, moved_um, "both")
+    if of == "form-both":
+        return form_of_both_uncertainty_um(sphere, moved_um)
+    return form_uncertainty_um(sphere) if form_effect_um is None else form_effect_um

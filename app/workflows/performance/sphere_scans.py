@@ -28,8 +28,7 @@ from app.metrology.performance.value_uncertainty import SphereDrift, form_effect
 from app.metrology.transforms import Floats
 from app.workflows.performance.articulation_checks import articulation_notes, articulations_alike
 from app.workflows.performance.measured_data import MeasuredData, ScanCloud
-from app.workflows.performance.sphere_position import PositionResult
-from app.workflows.performance.sphere_uncertainty import sphere_certificate
+from app.workflows.performance.sphere_position import PositionResult, sphere_certificate
 
 LEAST_POINTS, LEAST_FRAMES = 20, 2
 """Of a patch that counts as covered."""
@@ -37,6 +36,7 @@ LEAST_PATCHES = 6
 """Of an articulation, which sees only a part of the sphere."""
 SCANS_TAKE = 0.4
 """Of the time of a test, from the first scan to the last."""
+OUTLIER_SD = 3.5
 MOST_FREE = 20_000
 """Points for the dispersion about a free centre, which costs hundreds of passes."""
 
@@ -84,6 +84,7 @@ def measure_scans(
     distances = np.linalg.norm(points - found.centre_mm, axis=1)
     result.note("size-all-scan", found.diameter_mm - sphere.diameter_mm, *names)
     result.note("dispersion-scan", dispersion_mm(distances), *names)
+    result.outlier_share = _outlier_share(distances)
     free_um = 1e3 * free_dispersion_mm(_thin_points(points), found.centre_mm)
     result.details["free_dispersion_um"] = free_um
     represented = representative_points(patches, found.centre_mm, directions)
@@ -195,6 +196,12 @@ def _number_frames(clouds: Sequence[ScanCloud]) -> np.ndarray:
         numbers.append(cloud.frame + first)
         first += int(cloud.frame.max(initial=0)) + 1
     return np.concatenate(numbers)
+
+
+def _outlier_share(distances_mm: Floats) -> float:
+    """Of points further from the median than noise ever is, for a normal distribution 0.05 %."""
+    off = np.abs(distances_mm - np.median(distances_mm))
+    return float(np.mean(off > OUTLIER_SD * 1.4826 * np.median(off)))
 
 
 def _times_of_scans(clouds: Sequence[ScanCloud]) -> Floats:

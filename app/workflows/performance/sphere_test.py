@@ -26,9 +26,8 @@ from app.metrology.performance.value_uncertainty import form_effect_um
 from app.metrology.transforms import Floats
 from app.workflows.performance.articulation_checks import articulation_notes, articulations_alike
 from app.workflows.performance.measured_data import MeasuredData
-from app.workflows.performance.sphere_position import PositionResult
+from app.workflows.performance.sphere_position import PositionResult, sphere_certificate
 from app.workflows.performance.sphere_scans import directions_to_hold, measure_scans, scans_of
-from app.workflows.performance.sphere_uncertainty import sphere_certificate
 
 _OF_PATTERN: tuple[Quantity, ...] = (
     "size-touch",
@@ -72,6 +71,8 @@ def _measure_pattern(
     tip_mm = tip_of(data.arm).diameter_mm
     result.note("size-touch", found.diameter_mm - tip_mm - sphere.diameter_mm, name)
     result.note("form-touch", found.form_mm, name)
+    off_mm = np.linalg.norm(tips - found.centre_mm, axis=1) - found.diameter_mm / 2
+    result.touch_sd_mm = float(np.sqrt(np.sum(off_mm**2) / (len(tips) - 4)))
     certificate = sphere_certificate(sphere)
     result.form_effects_um["form-touch"] = form_effect_um(
         certificate, tips, found.centre_mm, np.ptp

@@ -11,7 +11,7 @@ from app.bench.metrology.synthetic_sphere import SPHERE, Faults, SphereSession
 from app.errors import OperationError
 from app.formats.performance.plan import PLAN, RESULT, TOUCHES, LimitPart, read_plan, sphere_scan
 from app.formats.performance.results import PerformanceFile, read_performance
-from app.messages.message import Text, message
+from app.messages.message import Message, Text, message
 from app.workflows.performance.evaluate import evaluate_performance, write_performance
 
 QUIET = {"touch_sd_mm": 0.003, "point_sd_mm": 0.008}
@@ -282,3 +282,26 @@ def test_a_new_evaluation_keeps_what_only_the_station_knew(tmp_path: Path) -> No
     assert (again.ended_at, again.temperature_c) == tuple(known.values())
     assert again.notes == (*first.notes, taken_back)
     assert read_performance(folder) == again
+
+
+@pytest.mark.parametrize(
+    ("faults", "joints", "said"),
+    [
+        ({"tip_excess_mm": -0.03, "articulations": 0}, False, "the tip is worn, or smaller"),
+        ({"tip_excess_mm": 0.03, "articulations": 0}, False, "the tip is larger than stated"),
+        ({"link_mm": 0.3, "articulations": 0}, True, "links or encoders of the arm"),
+        ({"outliers": 0.04}, False, "of the points of the scans lie far off the sphere"),
+        ({}, False, ""),
+    ],
+)
+def test_the_error_that_the_figures_show_is_named(
+    tmp_path: Path, faults: dict[str, Any], joints: bool, said: str
+) -> None:
+    session = SphereSession(tmp_path / "t", Faults(**{**QUIET, **faults}), joints=joints)
+    causes = [
+        note
+        for note in evaluate_performance(session.write()).notes
+        if isinstance(note, Message) and note.message_id.startswith("performance-cause")
+    ]
+    assert len(causes) == bool(said)
+    assert all(said in str(cause) for cause in causes)
