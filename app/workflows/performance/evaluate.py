@@ -6,7 +6,7 @@ from pathlib import Path
 
 import numpy as np
 
-from app.errors import OperationError
+from app.errors import OperationError, sentence
 from app.formats.json_document import SOFTWARE
 from app.formats.performance.plan import (
     RESULT,
@@ -112,7 +112,7 @@ def evaluate_performance(folder: Path, ended_at: str = "") -> PerformanceFile:
         rule=plan.rule,
         figures=figures,
         verdict=judge_all(figures),
-        problems=(*problems, *undecided),
+        problems=tuple(sentence(text) for text in (*problems, *undecided)),
         notes=(*_notes(plan), *parts.notes, *temperature_notes(plan, data.end)),
         temperatures=temperatures_part(plan, data.end),
         inputs=data.inputs,
