@@ -17,11 +17,36 @@ from app.metrology.sensor.camera import Camera
 from app.metrology.sensor.laser_plane import LaserPlane
 from app.metrology.sensor.triangulation import scan_points
 from app.metrology.stripe import Stripe
-from app.metrology.transforms import Floats, apply
+from app.metrology.transforms import Floats
 
 RATE_WINDOW_S = 1.0
 DISTANCE_AGE_S = 0.5
-Show = Callable[[Points], None]
+
+
+@dataclass(frozen=True, eq=False)
+class NewPoints:
+    """Points of some frames of a scan, as they come."""
+
+    records: Points
+    """(N,) arm frame."""
+    frames: NDArray[np.int64]
+    """(K,) numbers in the scan, ascending."""
+    cameras_mm: Floats
+    """(K, 3) where the camera was, arm frame."""
+
+    @property
+    def points_mm(self) -> Floats:
+        """(N, 3) arm frame."""
+        return np.column_stack([self.records[axis] for axis in "xyz"])
+
+    @property
+    def views(self) -> Floats:
+        """(N, 3) unit directions from the points to the camera."""
+        away = self.cameras_mm[np.searchsorted(self.frames, self.records["frame"])] - self.points_mm
+        return np.asarray(away / np.linalg.norm(away, axis=1)[:, None])
+
+
+Show = Callable[[NewPoints], None]
 
 
 @dataclass(frozen=True)
@@ -101,8 +126,10 @@ class PointMaker:
         records = pack_points(points, intensity, spread, np.repeat(numbers, count))
         cloud.append(records)
         self._count_points(len(points))
-        self._note_distance(points[len(points) - count[-1] :], T_arm_sensor[-1])
-        self._show(records)
+        centre_mm = self._calibration.camera.centre_mm
+        cameras_mm = T_arm_sensor[:, :3, :3] @ centre_mm + T_arm_sensor[:, :3, 3]
+        self._note_distance(points[len(points) - count[-1] :], cameras_mm[-1])
+        self._show(NewPoints(records, numbers, cameras_mm))
 
     def _count_points(self, count: int) -> None:
         now = time.monotonic()
@@ -110,9 +137,8 @@ class PointMaker:
         while self._made and now - self._made[0][0] > RATE_WINDOW_S:
             self._made.popleft()
 
-    def _note_distance(self, stripe_mm: Floats, T_arm_sensor: Floats) -> None:
-        """Of the last frame's points (N, 3) of the arm frame."""
-        camera_mm = apply(T_arm_sensor, self._calibration.camera.centre_mm[None])[0]
+    def _note_distance(self, stripe_mm: Floats, camera_mm: Floats) -> None:
+        """Of the last frame's points (N, 3) from its camera (3,), arm frame."""
         distances = np.linalg.norm(stripe_mm - camera_mm, axis=1)
         distances = distances[np.isfinite(distances)]
         if len(distances):

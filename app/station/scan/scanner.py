@@ -17,7 +17,7 @@ from app.station.devices.rig import Rig
 from app.station.devices.sensor_device import StationSensor
 from app.station.scan.messages import end_reason, scan_findings, start_error
 from app.station.scan.pipeline import ScanPipeline
-from app.station.scan.points import ScanCalibration
+from app.station.scan.points import NewPoints, ScanCalibration, Show
 from app.station.scan.sources import ScanSensor
 from app.station.scan.state import NO_SCAN, ScanLoad, ScanResult, ScanState, State
 from app.station.scan.storage import ScanFolders, make_scan_folder, recording_size
@@ -166,12 +166,14 @@ class Scanner:
             found = {name: one.calibration for name, one in self._calibrations.items()}
             return self.trouble or start_error(found, self._rig)
 
-    def start(self, name: Text, into: Path | None = None) -> str:
+    def start(self, name: Text, into: Path | None = None, watch: Show | None = None) -> str:
         """Starts a scan with all sensors and switches their lasers on; its id.
 
         Args:
             into: a new folder of the caller's to record in, not among the scans; of several
                 sensors, the selected one alone is then recorded, as the only one.
+            watch: is given all points as they come, on the thread that makes them, which must not
+                wait for it.
 
         Raises:
             OperationError: no valid calibration for these devices, a device lost, another
@@ -196,7 +198,7 @@ class Scanner:
                     self._rig.arm,
                     sensors,
                     folder,
-                    self._scene.add_points,
+                    self._show_to(watch),
                     self._settings,
                     {SCAN_NAME: str(name), SCAN_STARTED: started_at},
                 )
@@ -283,6 +285,16 @@ class Scanner:
             pictures=scan.pipeline.pictures[0],
             findings=scan_findings(scan.pipeline, self._rig, running),
         )
+
+    def _show_to(self, watch: Show | None) -> Show:
+        """To the display, and to whoever watches."""
+
+        def show(new: NewPoints) -> None:
+            self._scene.add_points(new.records)
+            if watch is not None:
+                watch(new)
+
+        return show
 
     def _choose_delivery(self, settings: ScanSettings) -> None:
         """A sensor that can deliver lines does, unless its pictures are to be recorded."""
