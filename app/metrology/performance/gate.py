@@ -40,6 +40,30 @@ class GatedSphere:
     """(3,) of the calibrated sphere, by which the gate was placed."""
 
 
+def within_gate(
+    points_mm: Floats,
+    views: Floats,
+    diameter_mm: float,
+    pole: Floats,
+    centre_mm: Floats,
+    gate: SphereGate,
+) -> NDArray[np.bool_]:
+    """Which points (N,) are within the gate about a sphere whose centre (3,) is known.
+
+    Args:
+        points_mm, views, diameter_mm, pole: as of ``gate_sphere``.
+    """
+    axis = np.asarray(pole) / np.linalg.norm(pole)
+    away = points_mm - centre_mm
+    distance = np.linalg.norm(away, axis=1)
+    with np.errstate(invalid="ignore", divide="ignore"):
+        outward = away / distance[:, None]
+    inside = np.abs(distance - diameter_mm / 2) <= gate.shell_mm
+    inside &= np.einsum("ij,ij->i", outward, views) >= np.cos(np.radians(gate.incidence_deg))
+    inside &= outward @ axis >= np.cos(np.radians(gate.cone_deg))
+    return np.asarray(inside)
+
+
 def gate_sphere(
     points_mm: Floats,
     views: Floats,
@@ -61,15 +85,8 @@ def gate_sphere(
         start_mm: (3,) about where its centre is, within half a radius.
     """
     centre, inside = np.asarray(start_mm), np.zeros(len(points_mm), dtype=np.bool_)
-    axis = np.asarray(pole) / np.linalg.norm(pole)
     for _ in range(ROUNDS):
-        away = points_mm - centre
-        distance = np.linalg.norm(away, axis=1)
-        with np.errstate(invalid="ignore", divide="ignore"):
-            outward = away / distance[:, None]
-        now = np.abs(distance - diameter_mm / 2) <= gate.shell_mm
-        now &= np.einsum("ij,ij->i", outward, views) >= np.cos(np.radians(gate.incidence_deg))
-        now &= outward @ axis >= np.cos(np.radians(gate.cone_deg))
+        now = within_gate(points_mm, views, diameter_mm, pole, centre, gate)
         if now.sum() < 4 or np.array_equal(now, inside):
             break
         inside = now

@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.metrology.fitting.cylinder import perpendicular_axes
+from app.metrology.performance.gate import SphereGate, within_gate
 from app.metrology.transforms import Floats
 
 RINGS = ((0.0, 1, 0.0), (22.5, 4, 0.0), (45.0, 8, 22.5), (67.5, 4, 45.0), (90.0, 8, 22.5))
@@ -93,6 +94,12 @@ class Patches:
     """(25,) mean distance from the centre; NaN of a patch without points."""
 
 
+def within_patches(points_mm: Floats, centre_mm: Floats, directions: Floats) -> NDArray[np.bool_]:
+    """(N, 25) whether each point (N, 3) is within ``PATCH_DEG`` of each direction (25, 3)."""
+    outward = _unit(points_mm - centre_mm)
+    return np.asarray(outward @ directions.T >= np.cos(np.radians(PATCH_DEG)))
+
+
 def scan_patches(
     points_mm: Floats, frame: NDArray[np.int64], centre_mm: Floats, directions: Floats
 ) -> Patches:
@@ -104,14 +111,66 @@ def scan_patches(
         centre_mm: (3,) centre of the least-squares sphere of all points.
         directions: (25, 3).
     """
-    away = points_mm - centre_mm
-    distances = np.linalg.norm(away, axis=1)
-    within = (away / distances[:, None]) @ directions.T >= np.cos(np.radians(PATCH_DEG))
+    distances = np.linalg.norm(points_mm - centre_mm, axis=1)
+    within = within_patches(points_mm, centre_mm, directions)
     counts = within.sum(axis=0)
     frames = np.array([len(np.unique(frame[patch])) for patch in within.T], dtype=np.int64)
     with np.errstate(invalid="ignore", divide="ignore"):
         radii = (within * distances[:, None]).sum(axis=0) / counts
     return Patches(counts.astype(np.int64), frames, np.asarray(radii))
+
+
+class PatchCoverage:
+    """Counts points and frames of the patches while a scan runs, about a centre that is known.
+
+    The counts are those of ``scan_patches`` of all points within the gate, about this centre.
+    """
+
+    def __init__(
+        self, centre_mm: Floats, diameter_mm: float, pole: Floats, gate: SphereGate
+    ) -> None:
+        """Of no points so far.
+
+        Args:
+            centre_mm: (3,) of the sphere, by its touches.
+            diameter_mm: calibrated.
+            pole: (3,) away from the holder.
+        """
+        self._centre_mm, self._diameter_mm, self._pole = centre_mm, diameter_mm, pole
+        self._gate = gate
+        self._directions = pattern_directions(pole)
+        self._points = np.zeros(len(self._directions), dtype=np.int64)
+        self._frames: list[set[int]] = [set() for _ in self._directions]
+        self.points_inside = 0
+        """Of the sphere, within the gate."""
+
+    @property
+    def points(self) -> NDArray[np.int64]:
+        """(25,) number of points of each patch."""
+        return self._points.copy()
+
+    @property
+    def frames(self) -> NDArray[np.int64]:
+        """(25,) number of frames of each patch."""
+        return np.array([len(frames) for frames in self._frames], dtype=np.int64)
+
+    def add(self, points_mm: Floats, views: Floats, frame: NDArray[np.integer]) -> None:
+        """Counts points of new frames; of one frame, they may come in parts.
+
+        Args:
+            points_mm: (N, 3), arm frame.
+            views: (N, 3) unit directions from each point to the camera.
+            frame: (N,) frame number of each point.
+        """
+        inside = within_gate(
+            points_mm, views, self._diameter_mm, self._pole, self._centre_mm, self._gate
+        )
+        self.points_inside += int(inside.sum())
+        within = within_patches(points_mm[inside], self._centre_mm, self._directions)
+        self._points += within.sum(axis=0)
+        frame = frame[inside]
+        for patch in np.flatnonzero(within.any(axis=0)):
+            self._frames[patch].update(np.unique(frame[within[:, patch]]).tolist())
 
 
 def representative_points(patches: Patches, centre_mm: Floats, directions: Floats) -> Floats:
