@@ -5,13 +5,14 @@ import json
 import time
 import uuid
 from collections.abc import Callable, Iterator
+from itertools import pairwise
 from typing import Any
 
 import httpx
 import pytest
 
 from app.formats.datasheets.gauge import read_gauge
-from app.guide.performance.places import POLE
+from app.guide.performance.sphere.places import POLE
 from app.metrology.performance.pattern import RIM_DEG, pattern_directions
 from tests.api.calibrated import use_truth
 from tests.api.conftest import LOOK_S, Server, run_command, wait_for
@@ -121,6 +122,53 @@ def test_stop_ends_the_simulated_operator(desk: Desk) -> None:
     desk.server.http.post("/api/stop").raise_for_status()
     done = desk.wait(lambda view: view["busy"] is None)["progress"]["done"]
     assert done < len(DIRECTIONS)
+
+
+def counts_of(view: View) -> list[tuple[int, int]]:
+    """Points and frames of each patch that is drawn."""
+    return [(patch["points"], patch["frames"]) for patch in view["picture"]["patches"]]
+
+
+def is_in(state: str, articulation: int) -> Callable[[View], bool]:
+    return lambda view: view["picture"]["articulations"][articulation - 1]["state"] == state
+
+
+def watch_scan(desk: Desk, articulation: int) -> list[View]:
+    """The different views of a scan while it runs, of the simulated operator."""
+    views = [desk.wait(is_in("scanning", articulation))]
+    while is_in("scanning", articulation)(view := desk.view()):
+        if counts_of(view) != counts_of(views[-1]):
+            views.append(view)
+        time.sleep(LOOK_S)
+    return views
+
+
+def test_the_coverage_grows_while_a_scan_runs(desk: Desk) -> None:
+    desk.start()
+    desk.do("confirm_artefact")
+    for place in range(5):
+        desk.touch(place)
+    guide = desk.server.context.performance_guide
+    for _ in ("pattern", "location"):  # five touches find the sphere; the others take minutes
+        guide.append("step_confirmed", {})
+    assert counts_of(desk.view()) == [(0, 0)] * 25
+    desk.do("run_simulation")
+    views = watch_scan(desk, 1)
+    growing = [counts_of(view) for view in views]
+    assert len(growing) > 3
+    for before, after in pairwise(growing):
+        assert all(
+            new[0] >= old[0] and new[1] >= old[1] for old, new in zip(before, after, strict=True)
+        )
+    covered = [[patch["covered"] for patch in view["picture"]["patches"]] for view in views]
+    assert sum(covered[0]) < sum(covered[-1])
+    assert "25 patches" in english(views[-1]["picture"]["articulations"][0]["text"])
+    # the evaluation finds about the same, and the next scan adds to what it found
+    found = counts_of(desk.wait(is_in("done", 1)))
+    drawn, measured = (sum(points for points, _ in each) for each in (growing[-1], found))
+    assert 0.5 * measured < drawn < 1.1 * measured  # the last look may have been too early for all
+    for view in watch_scan(desk, 2):
+        assert all(new >= old for old, new in zip(found, counts_of(view), strict=True))
 
 
 def test_a_cancelled_test_is_listed_with_its_reason(desk: Desk) -> None:

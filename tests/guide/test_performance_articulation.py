@@ -11,7 +11,7 @@ from app.bench.metrology.synthetic_sphere import CENTRE, write_calibration
 from app.formats.datasheets.arm import read_any_arm
 from app.formats.results.calibration import read_calibration
 from app.guide.performance.entries import SphereScan
-from app.guide.performance.places import directions_of_articulations, off_articulation_deg
+from app.guide.performance.sphere.places import directions_of_articulations, off_articulation_deg
 from app.guide.performance.state import PerformanceState
 from app.metrology.arm.kinematics import AnyArm
 from app.metrology.arm.reported_poses import pose_from_transform

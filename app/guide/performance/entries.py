@@ -69,7 +69,12 @@ class _TestScan(ABC):
     @property
     def waiting(self) -> bool:
         """Whether it is still to be measured."""
-        return self.ended and not self.measured and self.refused is None and not self.aside
+        return self.ended and not self.judged
+
+    @property
+    def judged(self) -> bool:
+        """Whether it is known if it counts."""
+        return self.measured or self.refused is not None or bool(self.aside)
 
     @property
     def good(self) -> bool:

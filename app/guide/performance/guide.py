@@ -42,7 +42,10 @@ from app.guide.performance.entries import AnyScan
 from app.guide.performance.flow import build_view, gauge_options
 from app.guide.performance.length.so_far import LengthsSoFar, check_touch, measure_so_far
 from app.guide.performance.live import PerformanceLive, Places
-from app.guide.performance.places import (
+from app.guide.performance.plan import build_plan, choose_lengths, sphere_part
+from app.guide.performance.rules import RULES
+from app.guide.performance.sphere.coverage import LiveCoverage
+from app.guide.performance.sphere.places import (
     PartPlaces,
     find_touched_place,
     flat_pattern,
@@ -51,8 +54,6 @@ from app.guide.performance.places import (
     places_of,
     sphere_centre_of,
 )
-from app.guide.performance.plan import build_plan, choose_lengths, sphere_part
-from app.guide.performance.rules import RULES
 from app.guide.performance.state import PerformanceState, Test, apply_row
 from app.guide.performance.view import ArtefactOption, PerformanceView
 from app.messages.message import Text, message
@@ -121,6 +122,7 @@ class PerformanceGuide(GaugeSession[PerformanceState, PerformanceLive, Performan
         )
         self.performances = performances
         self.temperature_limits = temperature_limits
+        self.coverage = LiveCoverage()
         self._calibrated_with: tuple[str, CalibratedWith | OperationError | None] = ("", None)
         self._lengths: tuple[PerformanceState | None, LengthsSoFar | None] = (None, None)
         self._result: tuple[str, PerformanceFile | None] = ("", None)
@@ -164,6 +166,7 @@ class PerformanceGuide(GaugeSession[PerformanceState, PerformanceLive, Performan
             off_deg=self._off_deg(),
             scan_why_not=blocked.text if blocked else "",
             scan_points=station.scanner.state().points if state.open_scan else 0,
+            seen=self.coverage.counts(state),
             has_simulation=station.simulated_operator is not None,
             simulation_running=self.simulation_running,
             busy=self.busy,

@@ -30,6 +30,16 @@ class Places:
     """Where the tip is; None before the centre is known."""
 
 
+@dataclass(frozen=True)
+class SeenPatches:
+    """What a scan of the sphere has seen so far, about the centre that the touches gave."""
+
+    points: int
+    """Of the sphere, within the gate."""
+    patches: tuple[tuple[int, int], ...]
+    """Points and frames of each of the 25."""
+
+
 @dataclass(frozen=True, eq=False)
 class PerformanceLive(SessionLive):
     """The station as the performance test sees it."""
@@ -67,3 +77,5 @@ class PerformanceLive(SessionLive):
     """Angle of stylus or camera from the direction of the present articulation; None of none."""
     scan_why_not: Text
     scan_points: int
+    seen: SeenPatches | None
+    """By the scan that is under way or waits to be measured; None without one."""

@@ -9,9 +9,9 @@ from app.formats.performance.symbols import (
     symbol_of,
 )
 from app.guide.common.journal import error_from_payload
-from app.guide.performance.entries import AnyScan, BarScan
+from app.guide.performance.entries import AnyScan, BarScan, SphereScan
 from app.guide.performance.length.picture import lengths_picture
-from app.guide.performance.live import PerformanceLive
+from app.guide.performance.live import PerformanceLive, SeenPatches
 from app.guide.performance.plan import QUANTITIES, quantities_of
 from app.guide.performance.rules import patch_totals
 from app.guide.performance.state import PerformanceState
@@ -46,7 +46,7 @@ def build_picture(state: PerformanceState, live: PerformanceLive) -> Performance
         places=_places(live),
         tip_deg=places.tip_flat_deg if places is not None else None,
         patches=_patches(state, live) if state.step == "scan" else [],
-        articulations=_articulations(state) if state.step in ("location", "scan") else [],
+        articulations=_articulations(state, live) if state.step in ("location", "scan") else [],
         lengths=lengths_picture(state, live.lengths) if live.lengths is not None else None,
         result=result_view(live.result) if state.step == "review" and live.result else None,
         aside=aside_lines(state),
@@ -83,7 +83,11 @@ def _places(live: PerformanceLive) -> list[PlaceMark]:
 
 
 def _patches(state: PerformanceState, live: PerformanceLive) -> list[PatchMark]:
-    flat = live.pattern_flat_deg.tolist()
+    """Of the scans that count, and of the one that runs."""
+    flat, totals = live.pattern_flat_deg.tolist(), patch_totals(state)
+    if live.seen is not None:
+        pairs = zip(totals, live.seen.patches, strict=True)
+        totals = [(known[0] + new[0], known[1] + new[1]) for known, new in pairs]
     return [
         PatchMark(
             i + 1,
@@ -91,17 +95,18 @@ def _patches(state: PerformanceState, live: PerformanceLive) -> list[PatchMark]:
             round(away, 1),
             points,
             frames,
+            round(min(points / LEAST_POINTS, frames / LEAST_FRAMES, 1.0), 2),
             points >= LEAST_POINTS and frames >= LEAST_FRAMES,
         )
-        for i, ((right, away), (points, frames)) in enumerate(
-            zip(flat, patch_totals(state), strict=True)
-        )
+        for i, ((right, away), (points, frames)) in enumerate(zip(flat, totals, strict=True))
     ]
 
 
-def _articulations(state: PerformanceState) -> list[ArticulationLine]:
-    line = _touch_line if state.step == "location" else _scan_line
-    return [line(state, number) for number in range(1, ARTICULATIONS + 1)]
+def _articulations(state: PerformanceState, live: PerformanceLive) -> list[ArticulationLine]:
+    numbers = range(1, ARTICULATIONS + 1)
+    if state.step == "location":
+        return [_touch_line(state, number) for number in numbers]
+    return [_scan_line(state, live, number) for number in numbers]
 
 
 def articulation_title(number: int) -> Text:
@@ -120,7 +125,7 @@ def _touch_line(state: PerformanceState, number: int) -> ArticulationLine:
     return ArticulationLine(number, articulation_title(number), shown, text)
 
 
-def _scan_line(state: PerformanceState, number: int) -> ArticulationLine:
+def _scan_line(state: PerformanceState, live: PerformanceLive, number: int) -> ArticulationLine:
     title = articulation_title(number)
     found = [one for one in state.here if one.articulation == number and not one.aside]
     last = found[-1] if found else None
@@ -128,14 +133,19 @@ def _scan_line(state: PerformanceState, number: int) -> ArticulationLine:
         shown: ArticulationState = "now" if number == state.articulation else "todo"
         return ArticulationLine(number, title, shown, "")
     if not last.ended:
-        return ArticulationLine(number, title, "scanning", "")
+        return ArticulationLine(number, title, "scanning", _coverage_text(live.seen))
     if last.refused is not None:
         return ArticulationLine(number, title, "refused", error_from_payload(last.refused).reason)
     if last.waiting:
-        return ArticulationLine(number, title, "measuring", "")
-    seen = sum(p >= LEAST_POINTS and f >= LEAST_FRAMES for p, f in last.patches)
-    text = message("performance-scan-shows", points=last.points, patches=seen)
-    return ArticulationLine(number, title, "done", text)
+        return ArticulationLine(number, title, "measuring", _coverage_text(live.seen))
+    return ArticulationLine(number, title, "done", _coverage_text(last))
+
+
+def _coverage_text(of: SphereScan | SeenPatches | None) -> Text:
+    if of is None:
+        return ""
+    covered = sum(p >= LEAST_POINTS and f >= LEAST_FRAMES for p, f in of.patches)
+    return message("performance-scan-shows", points=of.points, patches=covered)
 
 
 def run_text(scan: AnyScan) -> Text:

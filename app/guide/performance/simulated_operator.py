@@ -18,8 +18,8 @@ from app.guide.performance import tasks
 from app.guide.performance.entries import BarPass
 from app.guide.performance.guide import PerformanceGuide
 from app.guide.performance.length.so_far import LengthsSoFar
-from app.guide.performance.places import POLE, directions_of_articulations
 from app.guide.performance.rules import count_wanted, missing_patches
+from app.guide.performance.sphere.places import POLE, directions_of_articulations
 from app.messages.message import message
 from app.metrology.performance.pattern import pattern_directions
 from app.station.jobs import Progress

@@ -19,12 +19,13 @@ from app.guide.performance.length.measure import measure_bar_scan
 from app.guide.performance.length.scan_lines import pass_title
 from app.guide.performance.length.so_far import touches_on_end
 from app.guide.performance.picture import aside_lines, run_text
-from app.guide.performance.places import POLE
 from app.guide.performance.plan import limit_parts, measures_by_scan
+from app.guide.performance.sphere.places import POLE
 from app.messages.message import Text, message
 from app.metrology.performance.gate import gate_sphere
-from app.metrology.performance.pattern import pattern_directions, scan_patches
+from app.metrology.performance.pattern import PatchCoverage, pattern_directions, scan_patches
 from app.station.jobs import Progress
+from app.station.scan.points import Show
 from app.workflows.performance.evaluate import evaluate_performance
 from app.workflows.performance.sphere_scans import LEAST_FRAMES, LEAST_PATCHES, LEAST_POINTS
 
@@ -78,8 +79,17 @@ def begin_scan(guide: PerformanceGuide, articulation: int, key: str | None) -> N
     """
     name = sphere_scan(guide.state.position, articulation)
     title = message("performance-scan-name", articulation=articulation)
-    _record(guide, name, title)
+    number = len(guide.state.scans) + 1
+    _record(guide, name, title, guide.coverage.begin(number, _empty_coverage(guide)))
     guide.append("scan_begun", {"articulation": articulation}, key)
+
+
+def _empty_coverage(guide: PerformanceGuide) -> PatchCoverage | None:
+    """About the touched sphere; None if its centre is not known."""
+    gauge, centre = guide.gauge(), guide.centre_mm()
+    if gauge is None or gauge.radius_mm is None or centre is None:
+        return None
+    return PatchCoverage(centre, 2 * gauge.radius_mm, POLE, guide.plan().gate.gate)
 
 
 def begin_bar_scan(guide: PerformanceGuide, of: BarPass, key: str | None) -> None:
@@ -94,13 +104,13 @@ def begin_bar_scan(guide: PerformanceGuide, of: BarPass, key: str | None) -> Non
     guide.append("scan_begun", payload, key)
 
 
-def _record(guide: PerformanceGuide, name: str, title: Text) -> None:
+def _record(guide: PerformanceGuide, name: str, title: Text, watch: Show | None = None) -> None:
     folder = guide.folder / name
     if folder.exists():
         number = 1 + sum(1 for _ in guide.folder.glob(f"{name}-aside-*"))
         with convert_io_errors(folder):
             shutil.move(folder, guide.folder / f"{name}-aside-{number}")
-    guide.station.scanner.start(str(title), folder)
+    guide.station.scanner.start(str(title), folder, watch)
 
 
 def end_scan(guide: PerformanceGuide, kind: str, key: str | None) -> AnyScan:

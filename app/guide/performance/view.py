@@ -47,13 +47,16 @@ class PlaceMark:
 
 @dataclass(frozen=True)
 class PatchMark:
-    """One of the 25 patches of the scans, where a ``PlaceMark`` would be."""
+    """One of the 25 patches of the scans, where a ``PlaceMark`` would be. The scan that runs
+    counts, too."""
 
     number: int
     right_deg: float
     away_deg: float
     points: int
     frames: int
+    share: float
+    """Of the points and frames that it needs, up to 1."""
     covered: bool
 
 

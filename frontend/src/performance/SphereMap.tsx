@@ -5,10 +5,13 @@ import styles from "./SphereMap.module.css";
 
 const RINGS_DEG = [22.5, 45, 67.5, 90];
 const PATCH_DEG = 8;
+/** So many missing patches are named in words, too. */
+const FEW = 8;
 
 /** The sphere as seen from above, the arm at the bottom: places to touch, or patches to scan. */
 export function SphereMap({ picture }: { picture: PerformancePicture }) {
   const { places, patches, tip_deg } = picture;
+  const missing = patches.filter(({ covered }) => !covered).map(({ number }) => number);
   return (
     <figure className={styles.map}>
       <svg className={styles.drawing} viewBox="-118 -118 236 236" role="img" aria-label={t("ui-sphere-from-above")}>
@@ -39,7 +42,15 @@ export function SphereMap({ picture }: { picture: PerformancePicture }) {
         )}
         {patches.length > 0 && (
           <span className={keys.key}>
-            <i data-key="covered" /> {t("ui-patch-covered")} <i data-key="open" /> {t("ui-patch-open")}
+            <i data-key="covered" /> {t("ui-patch-covered")} <i data-key="partly" /> {t("ui-patch-partly")}{" "}
+            <i data-key="open" /> {t("ui-patch-open")}
+          </span>
+        )}
+        {missing.length > 0 && (
+          <span className={styles.missing} data-missing={missing.length}>
+            {missing.length > FEW
+              ? t("ui-patches-missing-many", { count: missing.length })
+              : t("ui-patches-missing", { count: missing.length, patches: missing.join(", ") })}
           </span>
         )}
       </figcaption>
@@ -52,6 +63,17 @@ function Patch({ patch }: { patch: PatchMark }) {
   return (
     <g className={styles.patch} data-state={state} data-patch={patch.number}>
       <circle cx={patch.right_deg} cy={-patch.away_deg} r={PATCH_DEG} />
+      {state === "partly" && (
+        <circle
+          className={styles.share}
+          cx={patch.right_deg}
+          cy={-patch.away_deg}
+          r={PATCH_DEG}
+          pathLength={1}
+          transform={`rotate(-90 ${patch.right_deg} ${-patch.away_deg})`}
+          style={{ strokeDasharray: `${patch.share} 1` }}
+        />
+      )}
       <text x={patch.right_deg} y={-patch.away_deg}>
         {patch.number}
       </text>

@@ -1,0 +1,1 @@
+"""The guided one-sphere test: its places, and what a scan covers while it runs."""

@@ -1,0 +1,81 @@
+"""What a running scan of the sphere covers: from nothing at each scan, until it is judged."""
+
+import numpy as np
+
+from app.formats.clouds.points import pack_points
+from app.guide.performance.entries import BarPass, BarScan, SphereScan
+from app.guide.performance.live import SeenPatches
+from app.guide.performance.sphere.coverage import LiveCoverage
+from app.guide.performance.sphere.places import POLE
+from app.guide.performance.state import PerformanceState
+from app.metrology.performance.gate import SphereGate
+from app.metrology.performance.pattern import PatchCoverage, pattern_directions
+from app.station.scan.points import NewPoints
+
+CENTRE = np.array([300.0, 0.0, 100.0])
+RADIUS_MM = 12.5
+COUNTED = ((30, 3),) * 25
+
+
+def empty() -> PatchCoverage:
+    return PatchCoverage(CENTRE, 2 * RADIUS_MM, POLE, SphereGate())
+
+
+def points_of(patch: int, frame: int) -> NewPoints:
+    """Ten points in the middle of a patch, by its index, seen from straight above it."""
+    outward = pattern_directions(POLE)[patch]
+    points = np.tile(CENTRE + RADIUS_MM * outward, (10, 1))
+    records = pack_points(points, np.ones(10), np.ones(10), frame)
+    return NewPoints(records, np.array([frame]), (CENTRE + 200.0 * outward)[None])
+
+
+def scanning(**changes: object) -> PerformanceState:
+    scan = SphereScan(number=1, at="", position=1, articulation=1, **changes)  # type: ignore[arg-type]
+    return PerformanceState(step="scan", scans=(scan,))
+
+
+def seen_patches(seen: SeenPatches | None) -> dict[int, tuple[int, int]]:
+    assert seen is not None
+    return {patch: counts for patch, counts in enumerate(seen.patches) if counts != (0, 0)}
+
+
+def test_points_and_frames_grow_until_the_scan_is_judged() -> None:
+    coverage = LiveCoverage()
+    watch = coverage.begin(1, empty())
+    assert watch is not None
+    assert seen_patches(coverage.counts(scanning())) == {}
+    watch(points_of(3, frame=0))
+    assert seen_patches(coverage.counts(scanning())) == {3: (10, 1)}
+    watch(points_of(3, frame=1))
+    watch(points_of(7, frame=1))
+    seen = coverage.counts(scanning(ended=True))  # it waits to be measured
+    assert seen_patches(seen) == {3: (20, 2), 7: (10, 1)}
+    assert seen is not None
+    assert seen.points == 30
+    assert coverage.counts(scanning(ended=True, patches=COUNTED)) is None
+    assert coverage.counts(scanning(ended=True, refused={})) is None
+    assert coverage.counts(scanning(ended=True, aside="dropped")) is None
+
+
+def test_a_scan_begins_without_the_points_of_the_one_before() -> None:
+    coverage = LiveCoverage()
+    first = coverage.begin(1, empty())
+    assert first is not None
+    first(points_of(3, frame=0))
+    second = coverage.begin(2, empty())
+    assert second is not None
+    first(points_of(4, frame=1))  # late
+    assert coverage.counts(scanning()) is None
+    scan = SphereScan(number=2, at="", position=1, articulation=2)
+    both = PerformanceState(step="scan", scans=(*scanning(aside="dropped").scans, scan))
+    assert seen_patches(coverage.counts(both)) == {}
+
+
+def test_without_a_touched_centre_or_a_sphere_nothing_is_shown() -> None:
+    coverage = LiveCoverage()
+    assert coverage.begin(1, None) is None
+    assert coverage.counts(scanning()) is None
+    coverage.begin(1, empty())
+    assert coverage.counts(PerformanceState()) is None
+    bar = BarScan(number=1, at="", of=BarPass(1, 1))
+    assert coverage.counts(PerformanceState(step="lengths", scans=(bar,))) is None
