@@ -60,14 +60,17 @@ def read(
     if kind is ArtefactKind.SPHERE:
         found = read_sphere_certificate(file, diameter, form)
         part: SpherePart | LengthStandardFile = found.sphere
-        document, rows = found.gauge, _sphere_rows(found.sphere)
+        document, rows, spheres_known = found.gauge, _sphere_rows(found.sphere), True
     else:
         bar = kind is ArtefactKind.BALL_BAR
         standard = read_length_certificate(file, "ball-bar" if bar else "step-gauge", length)
         part = document = standard
         rows = _length_rows(standard)
-        if not as_json:
-            warn(message("expansion-not-read"))
+        spheres_known = not bar or standard.sphere_diameter_mm is not None
+    if not as_json:
+        warn(message("expansion-not-read"))
+        if not spheres_known:
+            warn(message("sphere-diameter-not-read"))
     if output is not None:
         document.write(check_output_path(output, [file]))
     if as_json:

@@ -266,6 +266,7 @@ bar-named = Kugelstab { $name }
 bar-not-placed = der Kugelstab wurde in { $count } von { $needed } Lagen gemessen
 bar-position-arm-json-ends-lie = Kugelstab { $name }, Lage { $position }: Nach arm.json liegen seine Enden { $measured } auseinander, angegeben sind { $length }
 bar-position-has-ends = { $path }: Kugelstab { $bar }, Lage { $position } hat die Enden { $ends }
+bar-without-sphere-diameter = die Datei des Kugelstabs nennt keinen Durchmesser seiner Kugeln: sphere_diameter_mm eintragen
 bars-by-number = { $title }, nach Nummer. Gestrichelt: die größte zulässige Abweichung.
 bars-end = Stabende { $value }
 bars-lengths-points-scatter-without-them = mit den Längen der Kugelstäbe streuen die Punkte um { $scatter }, ohne sie um { $without }
@@ -1093,6 +1094,7 @@ everything-grows-metre-aluminium = Mit der Temperatur dehnt sich alles aus, ein 
 exceed-limit-m = { $half_range } überschreiten den Grenzwert von { $limit }.
 expanded-uncertainty-note = U = { $expanded_uncertainty }, k = 2
 expansion-not-read = der Ausdehnungskoeffizient des Kalibrierscheins wird nicht gelesen: expansion_per_c in der Datei eintragen
+sphere-diameter-not-read = der Kalibrierschein nennt keinen Durchmesser der Kugeln oder mehrere: sphere_diameter_mm in der Datei eintragen
 expected = erwartet wird { $wanted }
 expected-by-datasheet-and-expanded-uncertainty = laut Datenblatt { $expected }; U = { $expanded_uncertainty }, k = 2
 exposure-set-lasers-line = Die Belichtung lässt sich nicht an die Laserlinie anpassen
@@ -1472,6 +1474,7 @@ performance-bar-was-moved = Der Stab wurde seither in einer anderen Lage angetas
 performance-began-scan = hat einen Scan des Prüfkörpers begonnen
 performance-begin-scan = Scan beginnen
 performance-brought-to-20 = Größen und Längen sind auf 20 °C bezogen; das Prüfnormal hatte { $celsius }.
+performance-not-brought-to-20 = Das Prüfnormal hatte { $celsius }. Sein Ausdehnungskoeffizient ist nicht angegeben: Größen und Längen sind nicht auf 20 °C bezogen.
 performance-by-touch-alone = Die Längen dieses Tests werden nur durch Antasten gemessen.
 performance-camera-off-articulation = Die Kamera blickt { $off } neben der gewünschten Richtung (höchstens { $most }).
 performance-cancelled-device = Abgebrochen: Ein Gerät ist ausgefallen.
@@ -2449,6 +2452,7 @@ operation-not-permitted = der Vorgang ist nicht erlaubt
 operator-2 = Bediener
 origin-mm = Ursprung, mm
 other-files = die anderen Dateien gehören zu { $device } { $known }
+other-bar-measured = Lage { $placement } ergab eine Länge von { $measured }, die nächste Länge des Kalibrierscheins ist { $certified }: Es ist ein anderer Kugelstab, oder eine Länge oder ein Durchmesser ist falsch eingetragen
 other-machines-reach-encrypted = Andere Rechner erreichen die Station, verschlüsselt.
 other-machines-reach-nothing-encrypted = Andere Rechner erreichen die Station, unverschlüsselt.
 other-machines-reach-proxy = Andere Rechner erreichen die Station über einen Proxy.
@@ -2502,6 +2506,7 @@ performance-cause-tip =
 performance-conditions-not-met = { $title }: { $value }; nicht entschieden, denn { $problem }.
 performance-dispersion-scan = Streuung der gescannten Kugel, 95 % aller Punkte
 performance-effective-diameter = wirksamer Durchmesser der Prüfkugel
+performance-expansion-unknown = der Prüfkörper { $name } hatte { $celsius }, mehr als { $most } von 20 °C entfernt, und sein Kalibrierschein enthält keinen Ausdehnungskoeffizienten: expansion_per_c und dessen Standardunsicherheit expansion_sd_per_c in der Datei des Prüfkörpers eintragen (dehnt er sich nicht aus: 0 und eine Unsicherheit über 0)
 performance-fewer-lengths =
     { $count ->
         [one] das Normal hat nur eine Länge, und das Verfahren verlangt fünf
@@ -2536,6 +2541,11 @@ performance-temperature-changed =
     { $which ->
         [arm] die Temperatur des Arms änderte sich während der Prüfung um { $change }, um mehr als { $most }
        *[other] die Temperatur des Prüfkörpers änderte sich während der Prüfung um { $change }, um mehr als { $most }
+    }
+plan-without-artefact =
+    { $which ->
+        [sphere] der Plan nennt keine Prüfkugel
+       *[bar] der Plan nennt keinen Kugelstab
     }
 performance-temperature-far =
     { $which ->

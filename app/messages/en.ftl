@@ -266,6 +266,7 @@ bar-named = bar { $name }
 bar-not-placed = the bar was measured in { $count } of { $needed } placements
 bar-position-arm-json-ends-lie = bar { $name }, position { $position }: according to arm.json its ends are { $measured } apart, but its stated length is { $length }
 bar-position-has-ends = { $path }: bar { $bar }, position { $position } has the ends { $ends }
+bar-without-sphere-diameter = the file of the ball bar states no diameter of its spheres: enter sphere_diameter_mm
 bars-by-number = { $title }, by number. Dashed: the maximum permissible error.
 bars-end = end { $value } of the bar
 bars-lengths-points-scatter-without-them = with the bars' lengths the points scatter by { $scatter }, without them by { $without }
@@ -1089,6 +1090,7 @@ everything-grows-metre-aluminium = Everything expands with it: one metre of alum
 exceed-limit-m = { $half_range } exceeds the limit of { $limit }.
 expanded-uncertainty-note = U = { $expanded_uncertainty }, k = 2
 expansion-not-read = the certificate's coefficient of expansion is not read: enter expansion_per_c in the file
+sphere-diameter-not-read = the certificate states no diameter of the spheres, or several: enter sphere_diameter_mm in the file
 expected = { $wanted } is expected
 expected-by-datasheet-and-expanded-uncertainty = datasheet: { $expected }; U = { $expanded_uncertainty }, k = 2
 exposure-set-lasers-line = The exposure cannot be adjusted to the laser line
@@ -1468,6 +1470,7 @@ performance-bar-was-moved = The bar was touched in another place since: the scan
 performance-began-scan = began a scan of the artefact
 performance-begin-scan = Begin the scan
 performance-brought-to-20 = Sizes and lengths are brought to 20 °C; the artefact was at { $celsius }.
+performance-not-brought-to-20 = The artefact was at { $celsius }. Its coefficient of expansion is not stated: sizes and lengths are not brought to 20 °C.
 performance-by-touch-alone = The lengths of this test are measured by touch alone.
 performance-camera-off-articulation = The camera looks from a direction { $off } away from the wanted one (at most { $most }).
 performance-cancelled-device = Cancelled: a device failed.
@@ -2436,6 +2439,7 @@ operation-not-permitted = the operation is not permitted
 operator-2 = Operator
 origin-mm = Origin, mm
 other-files = the other files belong to { $device } { $known }
+other-bar-measured = placement { $placement } measured a length of { $measured }, and the nearest length of the certificate is { $certified }: this is another ball bar, or a length or diameter is mistyped
 other-machines-reach-encrypted = Other machines reach the station over an encrypted connection.
 other-machines-reach-nothing-encrypted = Other machines reach the station without encryption.
 other-machines-reach-proxy = Other machines reach the station through a proxy.
@@ -2493,6 +2497,7 @@ performance-cause-tip =
 performance-conditions-not-met = { $title }: { $value }; not decided, because { $problem }.
 performance-dispersion-scan = dispersion of the scanned sphere, 95 % of all points
 performance-effective-diameter = effective diameter of the master sphere
+performance-expansion-unknown = the artefact { $name } was at { $celsius }, more than { $most } from 20 °C, and its certificate has no coefficient of expansion: enter expansion_per_c and its standard uncertainty expansion_sd_per_c in the file of the artefact (if it does not expand: 0, and an uncertainty above 0)
 performance-fewer-lengths =
     { $count ->
         [one] the standard has only one length, and the procedure takes five
@@ -2527,6 +2532,11 @@ performance-temperature-changed =
     { $which ->
         [arm] the temperature of the arm changed by { $change } during the test, more than { $most }
        *[other] the temperature of the artefact changed by { $change } during the test, more than { $most }
+    }
+plan-without-artefact =
+    { $which ->
+        [sphere] the plan names no master sphere
+       *[bar] the plan names no ball bar
     }
 performance-temperature-far =
     { $which ->

@@ -244,6 +244,21 @@ def test_a_standard_that_cannot_serve_is_listed_with_the_reason(
     assert said in refusal(desk.command("choose_gauge", id=offered["id"]))
 
 
+def test_a_standard_without_coefficient_is_named_away_from_20_degrees(desk: LengthDesk) -> None:
+    desk.start()
+    unknown = desk.add(f"made-{uuid.uuid4().hex[:6]}", expansion_sd_per_c=0.0)
+
+    def is_named(name: str, celsius: float) -> bool:
+        desk.do("choose_gauge", id=name)
+        desk.do("set_temperature", celsius=celsius, expanded_c=0.4)
+        said = [english(finding["text"]) for finding in desk.view()["findings"]]
+        return any("no coefficient of expansion" in text for text in said)
+
+    assert is_named(unknown["id"], 20.3)
+    assert not is_named(unknown["id"], 20.1)
+    assert not is_named("step-gauge", 22.0)  # its zero has an uncertainty
+
+
 def test_a_one_sphere_test_does_not_offer_standards(desk: LengthDesk) -> None:
     assert {gauge["id"] for gauge in Desk.start(desk)["gauges"]} == {"sphere"}
     assert desk.view()["test"] == "sphere"

@@ -53,6 +53,7 @@ def test_a_certificate_is_read(tmp_path: Path) -> None:
     code, said = run("certificate", "read", str(path), "-o", str(gauge))
     assert code == 0, said
     assert "25.00120 mm ± 0.60 µm" in said
+    assert "expansion_per_c" in said
     assert read_gauge(gauge).certificate == "4711-2026"
     code, said = run("certificate", "read", str(path), "--json")
     assert json.loads(said)["diameter_mm"] == 25.0012
@@ -74,4 +75,24 @@ def test_the_certificate_of_a_ball_bar_is_read(tmp_path: Path) -> None:
     assert code == 0, said
     assert "600.01800 mm ± 1.20 µm" in said
     assert "expansion_per_c" in said
+    assert "sphere_diameter_mm" in said
     assert read_length_standard(bar).lengths[0].standard_uncertainty_um == pytest.approx(0.6)
+
+
+@pytest.mark.parametrize(
+    ("kind", "diameter_mm", "is_warned"),
+    [("ball-bar", "20.0004", False), ("ball-bar", "", True), ("step-gauge", "", False)],
+)
+def test_a_ball_bar_read_without_sphere_diameter_is_warned_of(
+    tmp_path: Path, kind: str, diameter_mm: str, is_warned: bool
+) -> None:
+    path = tmp_path / "bar.xml"
+    known = expanded("0.0012")
+    parts = [quantity("Length", real("600.018", "\\milli\\metre", known))]
+    if diameter_mm:
+        parts.append(quantity("Diameter", real(diameter_mm, "\\milli\\metre", known)))
+    path.write_text(certificate(*parts), encoding="utf-8")
+    code, said = run("certificate", "read", str(path), "--kind", kind)
+    assert code == 0, said
+    assert ("sphere_diameter_mm" in said) == is_warned
+    assert "expansion_per_c" in said

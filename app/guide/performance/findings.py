@@ -15,7 +15,7 @@ from app.messages.message import message, quantity
 from app.metrology.performance.articulation import HELD_DEG
 from app.metrology.performance.lengths import LENGTHS
 from app.metrology.performance.temperature import TemperatureSpan
-from app.workflows.performance.temperature_checks import find_unsteady
+from app.workflows.performance.temperature_checks import find_unsteady, unknown_expansion
 
 
 def list_findings(state: PerformanceState, live: PerformanceLive) -> list[Finding]:
@@ -68,7 +68,13 @@ def _about_temperatures(state: PerformanceState, live: PerformanceLive) -> list[
         live.temperature_limits,
     )
     remedy = message("performance-let-temperatures-settle", when=when)
-    return [Finding("attention", sentence(one), remedy) for one in unsteady]
+    findings = [Finding("attention", sentence(one), remedy) for one in unsteady]
+    if live.artefact is not None:
+        span = TemperatureSpan(begin.artefact_c, end.artefact_c)
+        name = live.artefact.name or state.gauge
+        if unknown := unknown_expansion(live.artefact, name, span):
+            findings.append(Finding("attention", sentence(unknown)))
+    return findings
 
 
 def _about_articulation(off_deg: float, step: str) -> Finding:

@@ -47,21 +47,25 @@ class VolumetricLength:
 
 
 def effective_diameter(
-    spheres_mm: Sequence[Floats], tip_diameter_mm: float, calibrated_mm: float
+    spheres_mm: Sequence[Floats],
+    tip_diameter_mm: float,
+    calibrated_mm: float,
+    growth: float = 1.0,
 ) -> EffectiveDiameter:
     """The effective diameter test.
 
     Args:
         spheres_mm: tip centres (N, 3) of each measurement of the master sphere.
-        tip_diameter_mm, calibrated_mm: of the tip and of the sphere.
+        tip_diameter_mm, calibrated_mm: of the tip and of the sphere, this at 20 °C.
+        growth: diameter of the sphere in the test over that at 20 °C.
 
     Source:
         ASME B89.4.22-2004: three measurements near the middle of the arm's extension.
     """
-    errors_um = [
-        1e3 * (least_squares_sphere(points).diameter_mm - tip_diameter_mm - calibrated_mm)
-        for points in spheres_mm
+    measured_mm = [
+        least_squares_sphere(points).diameter_mm - tip_diameter_mm for points in spheres_mm
     ]
+    errors_um = [1e3 * (one / growth - calibrated_mm) for one in measured_mm]
     sd = float(np.std(errors_um, ddof=1)) if len(errors_um) > 1 else 0.0
     return EffectiveDiameter(tuple(errors_um), float(np.mean(errors_um)), sd)
 
@@ -93,8 +97,25 @@ def volumetric_length(deviations_um: Sequence[float]) -> VolumetricLength:
         ASME B89.4.22-2004: twenty placements of a ball bar.
     """
     values = np.asarray(deviations_um, dtype=np.float64)
-    return VolumetricLength(
-        tuple(values.tolist()),
-        float(np.max(np.abs(values))),
-        2 * float(np.sqrt(np.mean(values**2))),
-    )
+    largest_um = float(np.max(np.abs(values)))
+    return VolumetricLength(tuple(values.tolist()), largest_um, _two_rms(values))
+
+
+def two_rms_uncertainty_um(deviations_um: Floats, sds_um: Floats) -> float:
+    """Test value uncertainty of 2 RMS, k = 1.
+
+    Args:
+        deviations_um: (N,) of the placements.
+        sds_um: (N,) standard uncertainties of the certified lengths at their temperature. It is
+            the same bar in every placement: all of them are off together.
+
+    Example:
+        >>> two_rms_uncertainty_um(np.array([3.0, 3.0]), np.array([0.5, 0.5]))
+        1.0
+    """
+    changed_um = [_two_rms(deviations_um + sign * sds_um) for sign in (-1, 1)]
+    return max(abs(one - _two_rms(deviations_um)) for one in changed_um)
+
+
+def _two_rms(values: Floats) -> float:
+    return 2 * float(np.sqrt(np.mean(values**2)))

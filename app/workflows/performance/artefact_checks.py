@@ -17,7 +17,9 @@ LEAST_DIAMETER_MM = 10.0
 def artefact_problems(
     plan: PerformancePlan, calibration: Calibration | None, arm: AnyArm | None = None
 ) -> list[Text]:
-    """Why the artefact of a plan cannot serve; empty if it can.
+    """Why no figure of a plan can be stated by its artefact; empty if they can.
+
+    The contact test has several artefacts: ``problems_of_artefact`` says it of each.
 
     Args:
         arm: by which lengths are measured.
@@ -25,6 +27,22 @@ def artefact_problems(
     artefact = plan.sphere or plan.length or plan.plate
     if artefact is None:
         return [message("artefact-missing")]
+    if plan.kind == "contact":
+        return []
+    return problems_of_artefact(artefact, plan, calibration, arm)
+
+
+def problems_of_artefact(
+    artefact: Artefact,
+    plan: PerformancePlan,
+    calibration: Calibration | None,
+    arm: AnyArm | None = None,
+) -> list[Text]:
+    """Why one artefact of a plan cannot serve; empty if it can.
+
+    Args:
+        arm: whose reach a length must not exceed; None if that is not checked.
+    """
     own = None if calibration is None else calibration.serial_numbers.object
     return list_problems(artefact, plan.started_at[:10], own or "", arm)
 

@@ -2,7 +2,8 @@
 
 import numpy as np
 
-from app.messages.message import Text, message
+from app.formats.datasheets.length_standard import LengthStandardFile
+from app.messages.message import Text, message, quantity
 from app.metrology.arm.kinematics import tip_of
 from app.metrology.performance.contact_tests import (
     PLACEMENTS,
@@ -12,15 +13,21 @@ from app.metrology.performance.contact_tests import (
     SPHERES,
     effective_diameter,
     seat_articulation,
+    two_rms_uncertainty_um,
     volumetric_length,
 )
-from app.metrology.performance.lengths import length_of_bar_mm
+from app.metrology.performance.lengths import MeasuredLength, length_of_bar_mm
 from app.metrology.performance.sphere import sphere_centre
-from app.metrology.performance.value_uncertainty import SphereCertificate, size_uncertainty_um
-from app.workflows.performance.judge import Measured
+from app.metrology.performance.value_uncertainty import size_uncertainty_um
+from app.metrology.transforms import Floats
+from app.workflows.performance.artefact_checks import problems_of_artefact
+from app.workflows.performance.judge import Measured, refuse
 from app.workflows.performance.measured_data import MeasuredData
+from app.workflows.performance.sphere_position import sphere_certificate
 
 LEAST_BAR_TOUCHES = 4
+OTHER_BAR_MM, OTHER_BAR_SHARE = 2.0, 0.005
+"""A length that differs by more than both is that of another bar: no arm is so far off."""
 
 
 def diameter_feature(number: int) -> str:
@@ -47,23 +54,47 @@ def contact_features() -> list[str]:
     ]
 
 
-def measure_contact_test(data: MeasuredData) -> list[Measured]:
-    """Every figure that the touches allow."""
-    return [*_measure_diameter(data), *_measure_seats(data), *_measure_volume(data)]
+def measure_contact_test(data: MeasuredData) -> tuple[list[Measured], list[Text]]:
+    """Every figure that the touches allow, and why sphere or bar cannot serve, by their names.
+
+    Only the figures of an artefact that cannot serve are without a value.
+    """
+    plan, calibration = data.plan, data.calibration
+    # the reach is not checked: a bar across the arm's column may be longer, and it was touched
+    of_sphere, of_bar = (
+        [] if one is None else problems_of_artefact(one, plan, calibration)
+        for one in (plan.sphere, plan.length)
+    )
+    measured = [
+        refuse(_measure_diameter(data), of_sphere),
+        *_measure_seats(data),
+        *(refuse(one, of_bar) for one in _measure_volume(data)),
+    ]
+    named: list[Text] = [
+        message("titled-text", title=artefact.name, text=problem)
+        for artefact, problems in ((plan.sphere, of_sphere), (plan.length, of_bar))
+        if artefact is not None
+        for problem in problems
+    ]
+    return measured, named
 
 
-def _measure_diameter(data: MeasuredData) -> list[Measured]:
+def _measure_diameter(data: MeasuredData) -> Measured:
     sphere = data.plan.sphere
+    if sphere is None:
+        problem = message("plan-without-artefact", which="sphere")
+        return Measured("effective-diameter", None, problem=problem)
     names = [diameter_feature(i + 1) for i in range(SPHERES)]
     groups = [data.tips_mm.get(name, np.zeros((0, 3))) for name in names]
-    if sphere is None or any(len(tips) < SPHERE_POINTS for tips in groups):
-        missing = message("master-sphere-not-measured", count=SPHERES, points=SPHERE_POINTS)
-        return [Measured("effective-diameter", None, problem=missing)]
-    found = effective_diameter(groups, tip_of(data.arm).diameter_mm, sphere.diameter_mm)
-    certificate = SphereCertificate(sphere.diameter_mm, sphere.diameter_sd_um, sphere.form_um)
-    sd_um = size_uncertainty_um(certificate)
+    if any(len(tips) < SPHERE_POINTS for tips in groups):
+        problem = message("master-sphere-not-measured", count=SPHERES, points=SPHERE_POINTS)
+        return Measured("effective-diameter", None, problem=problem)
+    off_c, sd_c = (0.0, 0.0) if data.artefact is None else (data.artefact.off_c, data.artefact.sd_c)
+    growth = 1 + sphere.expansion_per_c * off_c
+    found = effective_diameter(groups, tip_of(data.arm).diameter_mm, sphere.diameter_mm, growth)
+    sd_um = size_uncertainty_um(sphere_certificate(sphere), sd_c, off_c)
     mean, each = found.mean_error_um, found.errors_um
-    return [Measured("effective-diameter", mean, each, sd_um, "", tuple(names))]
+    return Measured("effective-diameter", mean, each, sd_um, "", tuple(names))
 
 
 def _measure_seats(data: MeasuredData) -> list[Measured]:
@@ -87,29 +118,64 @@ def _measure_seats(data: MeasuredData) -> list[Measured]:
 
 def _measure_volume(data: MeasuredData) -> list[Measured]:
     standard = data.plan.length
-    deviations: list[float] = []
+    if standard is None:
+        return _without_volume(message("plan-without-artefact", which="bar"))
+    if standard.sphere_diameter_mm is None:
+        return _without_volume(message("bar-without-sphere-diameter"))
+    lengths, names = _measure_bar(data, standard, standard.sphere_diameter_mm)
+    if other := _find_other_bar(lengths):
+        return _without_volume(other)
+    if len(lengths) < PLACEMENTS:
+        return _without_volume(message("bar-not-placed", count=len(lengths), needed=PLACEMENTS))
+    deviations_um = np.array([one.error_um for one in lengths])
+    sds_um = np.array([one.test_uncertainty_um for one in lengths])
+    found = volumetric_length(deviations_um.tolist())
+    of_largest_um = float(sds_um[np.argmax(np.abs(deviations_um))])
+    of_rms_um = two_rms_uncertainty_um(deviations_um, sds_um)
+    largest_um, each = found.largest_um, found.deviations_um
+    return [
+        Measured("volumetric-largest", largest_um, each, of_largest_um, "", tuple(names)),
+        Measured("volumetric-two-rms", found.two_rms_um, (), of_rms_um, "", tuple(names)),
+    ]
+
+
+def _without_volume(problem: Text) -> list[Measured]:
+    return [
+        Measured("volumetric-largest", None, problem=problem),
+        Measured("volumetric-two-rms", None, problem=problem),
+    ]
+
+
+def _measure_bar(
+    data: MeasuredData, standard: LengthStandardFile, sphere_diameter_mm: float
+) -> tuple[list[MeasuredLength], list[str]]:
+    """The length in each placement both of whose ends were touched, beside the certified length
+    that is nearest; and the groups of these touches."""
+    diameter_mm = sphere_diameter_mm + tip_of(data.arm).diameter_mm
+    lengths: list[MeasuredLength] = []
     names: list[str] = []
     for placement in range(1, PLACEMENTS + 1):
         ends = [bar_feature(placement, end) for end in (0, 1)]
-        groups = [data.tips_mm.get(name, np.zeros((0, 3))) for name in ends]
-        if standard is None or any(len(tips) < LEAST_BAR_TOUCHES for tips in groups):
+        groups: list[Floats] = [data.tips_mm.get(name, np.zeros((0, 3))) for name in ends]
+        if any(len(tips) < LEAST_BAR_TOUCHES for tips in groups):
             continue
-        diameter = (standard.sphere_diameter_mm or 0.0) + tip_of(data.arm).diameter_mm
-        length = length_of_bar_mm(*(sphere_centre(tips, diameter) for tips in groups))
-        nearest = min(standard.lengths, key=lambda part: abs(part.length_mm - length))
-        deviations.append(1e3 * (length - nearest.length_mm))
+        length_mm = length_of_bar_mm(*(sphere_centre(tips, diameter_mm) for tips in groups))
+        away_mm = [abs(part.length_mm - length_mm) for part in standard.lengths]
+        nominal = standard.nominal(away_mm.index(min(away_mm)) + 1)
+        lengths.append(MeasuredLength(placement, 1, nominal, length_mm, data.artefact))
         names += ends
-    if len(deviations) < PLACEMENTS or standard is None:
-        problem = message("bar-not-placed", count=len(deviations), needed=PLACEMENTS)
-        return [
-            Measured("volumetric-largest", None, problem=problem),
-            Measured("volumetric-two-rms", None, problem=problem),
-        ]
-    found = volumetric_length(deviations)
-    sd_um = max(part.standard_uncertainty_um for part in standard.lengths)
-    return [
-        Measured(
-            "volumetric-largest", found.largest_um, found.deviations_um, sd_um, "", tuple(names)
-        ),
-        Measured("volumetric-two-rms", found.two_rms_um, (), sd_um, "", tuple(names)),
-    ]
+    return lengths, names
+
+
+def _find_other_bar(lengths: list[MeasuredLength]) -> Text:
+    """The first length that is none of the certificate's; empty if all are."""
+    for one in lengths:
+        certified_mm = one.nominal.length_mm
+        if abs(one.error_um) > 1e3 * max(OTHER_BAR_MM, OTHER_BAR_SHARE * certified_mm):
+            return message(
+                "other-bar-measured",
+                placement=one.place,
+                measured=quantity(one.measured_mm, "mm", 1),
+                certified=quantity(certified_mm, "mm", 1),
+            )
+    return ""

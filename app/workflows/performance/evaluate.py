@@ -31,7 +31,7 @@ from app.metrology.performance.value_uncertainty import form_uncertainty_um, siz
 from app.workflows.performance.artefact_checks import artefact_problems
 from app.workflows.performance.causes import name_causes
 from app.workflows.performance.contact_test import contact_features, measure_contact_test
-from app.workflows.performance.judge import K, Measured, judge_all, judge_figure
+from app.workflows.performance.judge import K, Measured, judge_all, judge_figure, refuse
 from app.workflows.performance.length_test import length_features, measure_lengths
 from app.workflows.performance.measured_data import MeasuredData, read_measured_data
 from app.workflows.performance.plane_test import measure_plane
@@ -51,6 +51,7 @@ from app.workflows.performance.temperature_checks import (
     find_unsteady,
     temperature_notes,
     temperatures_part,
+    unknown_expansions,
 )
 
 STATION_NOTES = ("performance-aside-note", "performance-touches-taken-back")
@@ -90,7 +91,11 @@ def evaluate_performance(folder: Path, ended_at: str = "") -> PerformanceFile:
     unsteady = find_unsteady(artefact, arm, plan.temperature_limits.limits)
     undecided = (*unsteady, *parts.undecided)
     why = undecided[0] if undecided else ""
-    figures = tuple(judge_figure(plan, one, why) for one in measured)
+    unknown = unknown_expansions(plan, artefact)
+    still_open = dict.fromkeys(unknown.values())
+    figures = tuple(
+        judge_figure(plan, one, why or unknown.get(one.quantity, "")) for one in measured
+    )
     serials = SerialNumbers() if data.calibration is None else data.calibration.serial_numbers
     status = "" if plan.standards_at_hand else message("performance-status")
     return PerformanceFile(
@@ -112,7 +117,7 @@ def evaluate_performance(folder: Path, ended_at: str = "") -> PerformanceFile:
         rule=plan.rule,
         figures=figures,
         verdict=judge_all(figures),
-        problems=tuple(sentence(text) for text in (*problems, *undecided)),
+        problems=tuple(sentence(text) for text in (*problems, *undecided, *still_open)),
         notes=(*_notes(plan), *parts.notes, *temperature_notes(plan, data.end)),
         temperatures=temperatures_part(plan, data.end),
         inputs=data.inputs,
@@ -166,15 +171,11 @@ def _measure(data: MeasuredData, problems: list[Text]) -> tuple[list[Measured], 
     elif plan.kind == "plane":
         plane = measure_plane(data)
         measured, parts = list(plane.measured), _Parts(notes=plane.notes, undecided=plane.undecided)
-    else:
-        measured = measure_contact_test(data)
-    if problems:
-        refused = problems[0]
-        measured = [
-            Measured(one.quantity, None, problem=one.problem or refused, data=one.data)
-            for one in measured
-        ]
-    return measured, parts
+    else:  # of several artefacts, each refuses its own figures
+        measured, of_artefacts = measure_contact_test(data)
+        problems += of_artefacts
+        return measured, parts
+    return [refuse(one, problems) for one in measured], parts
 
 
 def _measure_sphere(data: MeasuredData, problems: list[Text]) -> tuple[list[Measured], _Parts]:

@@ -27,13 +27,26 @@ class Measured:
     """At which a limit that grows with the length applies."""
 
 
+def refuse(measured: Measured, problems: Sequence[Text]) -> Measured:
+    """A quantity without its value if its artefact cannot serve.
+
+    Args:
+        problems: of the artefact; empty if it can.
+    """
+    if not problems:
+        return measured
+    problem = measured.problem or problems[0]
+    return Measured(measured.quantity, None, problem=problem, data=measured.data)
+
+
 def judge_figure(
-    plan: PerformancePlan, measured: Measured, unsteady: Text = ""
+    plan: PerformancePlan, measured: Measured, why_open: Text = ""
 ) -> PerformanceFigure:
     """A figure with its decision by the plan's rule.
 
     Args:
-        unsteady: why nothing is decided, as the temperature was not steady; empty if it was.
+        why_open: why it is not decided, as the temperature was not steady or the artefact's
+            expansion is unknown; empty if it is decided.
     """
     symbol = symbol_of(plan.edition, measured.quantity)
     title = TITLES[measured.quantity]
@@ -47,7 +60,7 @@ def judge_figure(
         judged = decide(
             value, limit, measured.test_sd_um or 0.0, plan.rule.rule, signed=symbol.signed
         )
-    decision = "uncertain" if unsteady and judged != "none" else judged
+    decision = "uncertain" if why_open and judged != "none" else judged
     expanded = None if measured.test_sd_um is None else K * measured.test_sd_um
     return PerformanceFigure(
         quantity=measured.quantity,
@@ -58,7 +71,7 @@ def judge_figure(
         test_uncertainty=expanded,
         limit=limit,
         decision=decision,
-        reason=_reason(title, value, limit, expanded, decision, measured.problem or unsteady),
+        reason=_reason(title, value, limit, expanded, decision, measured.problem or why_open),
         problem=measured.problem,
         data=measured.data,
     )

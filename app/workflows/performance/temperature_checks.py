@@ -1,10 +1,31 @@
-"""Whether artefact and arm kept their temperature in a test, and what is said of it."""
+"""Whether artefact and arm kept their temperature in a test, whether the artefact's expansion is
+known, and what is said of it."""
 
+from app.formats.datasheets.gauge import GaugeFile
+from app.formats.datasheets.length_standard import LengthStandardFile
 from app.formats.performance.end_temperatures import EndTemperatures
-from app.formats.performance.plan import PerformancePlan
+from app.formats.performance.plan import PerformancePlan, SpherePart
 from app.formats.performance.results import TemperaturesPart
+from app.formats.performance.symbols import Quantity
 from app.messages.message import Text, message, quantity
-from app.metrology.performance.temperature import TemperatureLimits, TemperatureSpan
+from app.metrology.performance.temperature import (
+    REFERENCE_C,
+    ROUNDING_C,
+    TemperatureLimits,
+    TemperatureSpan,
+)
+
+Expanding = SpherePart | GaugeFile | LengthStandardFile
+UNKNOWN_FROM_20_C = 0.2
+"""So far from 20 °C an unknown expansion is neglected: 2.3 µm of a metre of steel."""
+BY_SPHERE: tuple[Quantity, ...] = (
+    "size-touch", "size-scan", "size-all-scan", "size-both", "effective-diameter",
+)  # fmt: skip
+"""What is compared with the diameter of the sphere. Forms and locations do not expand with it."""
+BY_LENGTHS: tuple[Quantity, ...] = (
+    "length-touch", "length-scan", "volumetric-largest", "volumetric-two-rms",
+)  # fmt: skip
+"""What is compared with the lengths of a standard."""
 
 
 def find_unsteady(
@@ -31,6 +52,45 @@ def find_unsteady(
                     most=quantity(limits.from_20_c, "°C", 1),
                 )
             )
+    return found
+
+
+def is_expansion_known(artefact: Expanding) -> bool:
+    """Whether a coefficient is stated; a true zero has an uncertainty."""
+    return artefact.expansion_per_c > 0 or artefact.expansion_sd_per_c > 0
+
+
+def unknown_expansion(artefact: Expanding, name: str, span: TemperatureSpan) -> Text:
+    """Why the size of an artefact is not known at its temperature; empty if it is.
+
+    Args:
+        name: of the artefact.
+        span: its temperatures.
+    """
+    farthest_c = span.farthest_c
+    if is_expansion_known(artefact) or farthest_c is None:
+        return ""
+    if abs(farthest_c - REFERENCE_C) <= UNKNOWN_FROM_20_C + ROUNDING_C:
+        return ""
+    return message(
+        "performance-expansion-unknown",
+        name=name,
+        celsius=quantity(farthest_c, "°C", 1),
+        most=quantity(UNKNOWN_FROM_20_C, "°C", 1),
+    )
+
+
+def unknown_expansions(plan: PerformancePlan, span: TemperatureSpan) -> dict[Quantity, Text]:
+    """The quantities that are not decided, as their artefact has no coefficient, each with why.
+
+    Args:
+        span: temperatures of the artefact.
+    """
+    found: dict[Quantity, Text] = {}
+    for artefact, quantities in ((plan.sphere, BY_SPHERE), (plan.length, BY_LENGTHS)):
+        why = "" if artefact is None else unknown_expansion(artefact, artefact.name, span)
+        if why:
+            found |= dict.fromkeys(quantities, why)
     return found
 
 
@@ -77,16 +137,19 @@ def temperature_notes(plan: PerformancePlan, end: EndTemperatures) -> list[Text]
                 off=quantity(plan.temperature_limits.from_20_c, "°C", 1),
             )
         )
-    if plan.kind in ("sphere", "lengths"):
-        notes.append(_correction_note(artefact))
+    if plan.kind != "plane":
+        known = [one for one in (plan.sphere, plan.length) if one and is_expansion_known(one)]
+        notes.append(_correction_note(artefact, corrected=bool(known)))
     return notes
 
 
-def _correction_note(artefact: TemperatureSpan) -> Text:
+def _correction_note(artefact: TemperatureSpan, corrected: bool) -> Text:
     if not artefact.known_c:
         return message("performance-temperature-not-stated")
     low, high = artefact.known_c[0], artefact.known_c[-1]
     celsius: Text = quantity(low, "°C", 1)
     if low != high:
         celsius = message("from-to", low=quantity(low, "", 1), high=quantity(high, "°C", 1))
+    if not corrected:
+        return message("performance-not-brought-to-20", celsius=celsius)
     return message("performance-brought-to-20", celsius=celsius)

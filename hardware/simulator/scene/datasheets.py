@@ -16,6 +16,8 @@ from hardware.simulator.scene.world import Board, CrenellatedBlock, GaugeSphere
 
 JsonObject = dict[str, object]
 
+NO_EXPANSION: JsonObject = {"expansion_per_c": 0.0, "expansion_sd_per_c": 1e-8}
+"""The simulated gauges keep their size at any temperature: a true zero has an uncertainty."""
 BOARD_FLATNESS_MM = 0.005
 """By how much the maker of a chessboard says that it may bend."""
 
@@ -164,6 +166,7 @@ def sphere_nominal(centre_mm: Floats, ball: GaugeSphere) -> JsonObject:
         "certificate": "simulated",
         "standard_uncertainty_um": 0.3,
         "form_um": 1.0,
+        **NO_EXPANSION,
     }
 
 
@@ -176,6 +179,7 @@ def step_gauge_datasheet(certificate: StepGauge, standard_uncertainty_mm: float)
         "name": "Simulated step gauge",
         "serial_number": "TWIN-L1",
         "certificate": "simulated",
+        **NO_EXPANSION,
         "lengths": [
             {"length_mm": length, "standard_uncertainty_um": 1e3 * standard_uncertainty_mm}
             for length in certificate.lengths_mm
@@ -196,6 +200,7 @@ def ball_bar_datasheet(
         "certificate": "simulated",
         "sphere_diameter_mm": diameter_mm,
         "sphere_form_um": 1.0,
+        **NO_EXPANSION,
         "lengths": [
             {"length_mm": length_mm, "standard_uncertainty_um": 1e3 * standard_uncertainty_mm}
         ],

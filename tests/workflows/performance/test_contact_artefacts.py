@@ -1,0 +1,213 @@
+"""The contact test on spheres and bars that cannot serve, or are not at 20 °C."""
+
+from collections.abc import Mapping
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from app.bench.metrology.synthetic_sphere import SPHERE
+from app.formats.datasheets.length_standard import LengthPart
+from app.formats.performance.plan import PLAN, LimitPart, read_plan
+from app.formats.performance.results import PerformanceFigure, PerformanceFile
+from app.formats.performance.symbols import Quantity
+from app.workflows.performance.evaluate import evaluate_performance
+from tests.cli.test_cli import crenel
+from tests.workflows.performance.test_contacts import BAR, contact_groups, length_groups, write_test
+
+BY_SPHERE: tuple[Quantity, ...] = ("effective-diameter",)
+BY_SEATS: tuple[Quantity, ...] = ("articulation-largest", "articulation-two-s")
+BY_BAR: tuple[Quantity, ...] = ("volumetric-largest", "volumetric-two-rms")
+LIMITS = tuple(LimitPart(quantity=one, a_um=500.0) for one in (*BY_SPHERE, *BY_SEATS, *BY_BAR))
+STEEL = {"expansion_per_c": 11.5e-6, "expansion_sd_per_c": 1e-6}
+Changes = Mapping[str, object]
+
+
+@pytest.fixture
+def folder(tmp_path: Path) -> Path:
+    """A complete contact test, whose limits are kept."""
+    return write_test(tmp_path / "t", "contact", contact_groups(0.02), LIMITS)
+
+
+def evaluated(
+    folder: Path,
+    sphere: Changes | None = None,
+    bar: Changes | None = None,
+    without: str = "",
+    **plan: object,
+) -> PerformanceFile:
+    """The result with these fields of sphere, bar and plan, and without an artefact."""
+    changes = {
+        "sphere": SPHERE.model_copy(update=sphere or {}),
+        "length": BAR.model_copy(update=bar or {}),
+        **plan,
+    }
+    if without:
+        changes[without] = None
+    changed = read_plan(folder).model_copy(update=changes)
+    (folder / PLAN).unlink()
+    changed.write(folder / PLAN)
+    return evaluate_performance(folder)
+
+
+def figures(result: PerformanceFile) -> dict[Quantity, PerformanceFigure]:
+    return {one.quantity: one for one in result.figures}
+
+
+def test_artefacts_that_can_serve_decide_every_figure(folder: Path) -> None:
+    result = evaluated(folder)
+    assert [one.decision for one in result.figures] == ["pass"] * 5
+    assert not result.problems
+
+
+@pytest.mark.parametrize(
+    ("changes", "said"),
+    [
+        ({"valid_until": "2020-01-31"}, "valid until 2020-01-31"),
+        ({"valid_until": "soon"}, "soon"),
+        (
+            {"lengths": (LengthPart(length_mm=400.0, standard_uncertainty_um=0.0),)},
+            "states no uncertainty",
+        ),
+    ],
+)
+def test_a_bar_that_cannot_serve_states_no_volume(
+    folder: Path, changes: Changes, said: str
+) -> None:
+    result = evaluated(folder, bar=changes)
+    found = figures(result)
+    for one in BY_BAR:
+        assert found[one].value is None
+        assert found[one].values == ()
+        assert found[one].data
+        assert said in str(found[one].problem)
+    for one in (*BY_SPHERE, *BY_SEATS):
+        assert found[one].decision == "pass"
+    (problem,) = result.problems
+    assert str(problem).startswith("Ball bar: ")
+    assert said in str(problem)
+    assert result.verdict.result == "uncertain"
+    assert said in crenel("performance", "evaluate", folder).stderr
+
+
+@pytest.mark.parametrize(
+    ("changes", "said"),
+    [
+        ({"valid_until": "2020-01-31"}, "valid until 2020-01-31"),
+        ({"diameter_sd_um": 0.0}, "states no uncertainty"),
+    ],
+)
+def test_a_sphere_that_cannot_serve_states_no_diameter(
+    folder: Path, changes: Changes, said: str
+) -> None:
+    result = evaluated(folder, sphere=changes)
+    found = figures(result)
+    assert found["effective-diameter"].value is None
+    assert said in str(found["effective-diameter"].problem)
+    for one in (*BY_SEATS, *BY_BAR):
+        assert found[one].decision == "pass"
+    (problem,) = result.problems
+    assert said in str(problem)
+
+
+def test_a_plan_with_one_artefact_states_the_figures_of_it(folder: Path) -> None:
+    without_bar = figures(evaluated(folder, without="length"))
+    assert without_bar["effective-diameter"].decision == "pass"
+    for one in BY_BAR:
+        assert "names no ball bar" in str(without_bar[one].problem)
+    without_sphere = figures(evaluated(folder, without="sphere"))
+    assert "names no master sphere" in str(without_sphere["effective-diameter"].problem)
+    assert without_sphere["volumetric-largest"].decision == "pass"
+
+
+def test_diameter_and_lengths_are_brought_to_20_degrees(folder: Path) -> None:
+    cold = evaluated(folder, sphere=STEEL, bar=STEEL)
+    assert "temperature was not stated" in str(cold.notes[-1])
+    warm = evaluated(folder, sphere=STEEL, bar=STEEL, artefact_c=24.0, temperature_sd_c=0.5)
+    assert "brought to 20 °C" in str(warm.notes[-1])
+    before, after = figures(cold), figures(warm)
+
+    def expected_um(of: Quantity, size_mm: float, times: float = 1.0) -> float:
+        size_um, stated_um = 1e3 * size_mm, before[of].test_uncertainty
+        assert stated_um is not None
+        by_heat = np.array([size_um * 11.5e-6 * 0.5, size_um * 1e-6 * 4.0])
+        return float(np.hypot(stated_um, 2 * times * np.linalg.norm(by_heat)))
+
+    shrunk_um = 1e3 * 25.0 * 11.5e-6 * 4.0
+    diameters = after["effective-diameter"].values
+    for warm_um, cold_um in zip(diameters, before["effective-diameter"].values, strict=True):
+        assert warm_um is not None
+        assert cold_um is not None
+        assert warm_um == pytest.approx(cold_um - shrunk_um, abs=0.01)
+    assert after["effective-diameter"].test_uncertainty == pytest.approx(
+        expected_um("effective-diameter", 25.0), rel=1e-6
+    )
+    shrunk_um = 1e3 * 400.0 * 11.5e-6 * 4.0
+    lengths = after["volumetric-largest"].values
+    for warm_um, cold_um in zip(lengths, before["volumetric-largest"].values, strict=True):
+        assert warm_um is not None
+        assert cold_um is not None
+        assert warm_um == pytest.approx(cold_um - shrunk_um, abs=0.01)
+    assert after["volumetric-largest"].test_uncertainty == pytest.approx(
+        expected_um("volumetric-largest", 400.0), rel=1e-6
+    )
+    assert after["volumetric-two-rms"].value == pytest.approx(60 - 2 * shrunk_um, abs=0.5) or (
+        after["volumetric-two-rms"].value == pytest.approx(2 * shrunk_um - 60, abs=0.5)
+    )
+    # twice the RMS changes by twice what the bar is off in every placement
+    assert after["volumetric-two-rms"].test_uncertainty == pytest.approx(
+        expected_um("volumetric-two-rms", 400.0, times=2.0), rel=1e-3
+    )
+
+
+def test_a_bar_without_sphere_diameter_states_no_volume(folder: Path) -> None:
+    found = figures(evaluated(folder, bar={"sphere_diameter_mm": None}))
+    for one in BY_BAR:
+        assert found[one].value is None
+        assert "sphere_diameter_mm" in str(found[one].problem)
+    assert found["effective-diameter"].decision == "pass"
+
+
+@pytest.mark.parametrize(("certified_mm", "is_other"), [(401.9, False), (402.2, True)])
+def test_a_length_that_is_none_of_the_certificate_is_that_of_another_bar(
+    folder: Path, certified_mm: float, is_other: bool
+) -> None:
+    lengths = tuple(
+        LengthPart(length_mm=one, standard_uncertainty_um=0.5) for one in (600.0, certified_mm)
+    )
+    found = figures(evaluated(folder, bar={"lengths": lengths}))
+    for one in BY_BAR:
+        assert (found[one].value is None) == is_other
+    if is_other:
+        assert "length of 400.0 mm" in str(found["volumetric-largest"].problem)
+        assert "certificate is 402.2 mm" in str(found["volumetric-largest"].problem)
+
+
+def test_five_lengths_are_asked_of_the_test_of_lengths_alone(folder: Path, tmp_path: Path) -> None:
+    one_length = {"lengths": BAR.lengths[2:3]}
+    contact = evaluated(folder, bar=one_length)
+    said = (*contact.notes, *contact.problems)
+    assert not any("five" in str(text) for text in said)
+    assert figures(contact)["volumetric-largest"].decision == "pass"
+    groups = [one for one in length_groups(1.0) if one[0].split("-")[2] == "1"]
+    lengths = write_test(tmp_path / "l", "lengths", groups, ())
+    result = evaluated(lengths, bar={"lengths": BAR.lengths[:1]}, without="sphere")
+    assert any("five" in str(text) for text in result.problems)
+
+
+def test_a_figure_whose_artefact_has_no_coefficient_is_not_decided(folder: Path) -> None:
+    result = evaluated(folder, sphere=STEEL, artefact_c=20.0 + 0.3)
+    found = figures(result)
+    for one in BY_BAR:
+        assert found[one].value is not None
+        assert found[one].decision == "uncertain"
+        assert "Ball bar was at 20.3 °C" in str(found[one].reason)
+        assert "expansion_sd_per_c" in str(found[one].reason)
+    for one in (*BY_SPHERE, *BY_SEATS):
+        assert found[one].decision == "pass"
+    (problem,) = result.problems
+    assert "no coefficient of expansion" in str(problem)
+    both = evaluated(folder, artefact_c=20.3)
+    assert figures(both)["effective-diameter"].decision == "uncertain"
+    assert len(both.problems) == 2
+    assert "are not brought to 20 °C" in str(both.notes[-1])
