@@ -4,19 +4,20 @@ With one calibration for all, a change is one of sensor, mount, arm or gauge: th
 a station used one after the other no longer appear in it.
 """
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from datetime import datetime
 from typing import Any
 
-from app.batch.period import LATEST, Period
+from app.batch.period import EARLIEST, LATEST, Period
 from app.batch.places import Place
 from app.batch.recordings import ScanRecording, Selection, find_recordings
 from app.batch.verifications import VerificationTask
 from app.errors import OperationError
 from app.formats.datasheets.gauge import Shape
 from app.messages.message import message
-from app.metrology.dated_changes import ChangedPeriod, find_dated_changes, find_periods
+from app.metrology.dated_changes import ChangedPeriod
+from app.metrology.figure_history import FigureHistory, find_history
 from app.progress import Progress, no_progress
 from app.timestamps import parse_moment
 
@@ -57,7 +58,7 @@ class DatedFigure:
 
 @dataclass(frozen=True)
 class AffectedScans:
-    """What was scanned while a figure differed from that before."""
+    """What was scanned while a figure differed from the level that is taken as right."""
 
     period: ChangedPeriod
     calibration_ids: tuple[str, ...]
@@ -74,6 +75,7 @@ class GaugeDrift:
 
     station: str
     figures: tuple[DatedFigure, ...]
+    history: FigureHistory
     affected: tuple[AffectedScans, ...]
 
 
@@ -127,32 +129,44 @@ def find_drifts(
     places: Sequence[Place],
     figures: Mapping[str, Sequence[DatedFigure]],
     progress: Progress = no_progress,
+    right_since: datetime | None = None,
 ) -> list[GaugeDrift]:
     """The changes of each station's figures, and the scans that they affect.
+
+    Args:
+        right_since: as of ``find_history``.
 
     Raises:
         OperationError: a place cannot be read.
     """
-    return [
-        GaugeDrift(station, tuple(its), tuple(_find_affected(places, station, its, progress)))
-        for station, its in sorted(figures.items())
-    ]
+    found = []
+    for station, its in sorted(figures.items()):
+        history = find_history(
+            [one.at for one in its],
+            [one.value for one in its],
+            [one.calibration_id for one in its],
+            right_since,
+        )
+        affected = tuple(
+            _find_affected(places, station, its, one, progress) for one in history.periods
+        )
+        found.append(GaugeDrift(station, tuple(its), history, affected))
+    return found
 
 
 def _find_affected(
-    places: Sequence[Place], station: str, figures: Sequence[DatedFigure], progress: Progress
-) -> Iterator[AffectedScans]:
-    changes = find_dated_changes([one.at for one in figures], [one.value for one in figures])
-    tests = [(one.at, one.calibration_id) for one in figures]
+    places: Sequence[Place],
+    station: str,
+    figures: Sequence[DatedFigure],
+    period: ChangedPeriod,
+    progress: Progress,
+) -> AffectedScans:
     stations = frozenset({station})
-    for period in find_periods(changes):
-        if ids := period.explaining_calibrations(tests):
-            chosen = Selection(stations=stations, taken_with=frozenset(ids))
-            scans = tuple(find_recordings(places, chosen, progress))
-            yield AffectedScans(period, ids, scans, ())
-            continue
-        within = Period(period.change.earliest, period.until or LATEST)
-        scans = tuple(find_recordings(places, Selection(within, stations), progress))
-        sure = tuple(one for one in scans if period.surely_contains(one.started_at))
-        rest = tuple(one for one in scans if not period.surely_contains(one.started_at))
-        yield AffectedScans(period, (), sure, rest)
+    if ids := period.explaining_calibrations((one.at, one.calibration_id) for one in figures):
+        chosen = Selection(stations=stations, taken_with=frozenset(ids))
+        return AffectedScans(period, ids, tuple(find_recordings(places, chosen, progress)), ())
+    within = Period(period.since or EARLIEST, period.until or LATEST)
+    scans = tuple(find_recordings(places, Selection(within, stations), progress))
+    sure = tuple(one for one in scans if period.surely_contains(one.started_at))
+    rest = tuple(one for one in scans if not period.surely_contains(one.started_at))
+    return AffectedScans(period, (), sure, rest)

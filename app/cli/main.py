@@ -24,9 +24,9 @@ from app.cli.batch_options import (
     Workers,
     name_places,
 )
-from app.cli.batch_verifications import drift
 from app.cli.bench import bench
 from app.cli.certificate import certificate
+from app.cli.drift import drift
 from app.cli.fleet.catalogue import catalogue
 from app.cli.performance import performance
 from app.cli.pictures import detect, extract

@@ -18,12 +18,8 @@ from app.fleet.catalogue.reading import (
     search,
 )
 from app.fleet.catalogue.tables import RecordRow
-from app.metrology.dated_changes import (
-    ChangedPeriod,
-    DriftChange,
-    find_dated_changes,
-    find_periods,
-)
+from app.metrology.dated_changes import ChangedPeriod, DriftChange, DriftLevel
+from app.metrology.figure_history import FigureHistory, find_history
 
 
 @dataclass(frozen=True, slots=True)
@@ -32,17 +28,32 @@ class StationDrift:
 
     station: str
     points: tuple[FigurePoint, ...]
-    changes: tuple[DriftChange, ...]
+    calibration_ids: tuple[str, ...]
+    """Of each point; empty if unknown."""
+    history: FigureHistory
+
+    @property
+    def changes(self) -> tuple[DriftChange, ...]:
+        """Of the figure."""
+        return self.history.changes
 
 
 @dataclass(frozen=True, slots=True)
 class AffectedPeriod:
-    """A stretch of time in which a figure differed from that before, and what was scanned in it."""
+    """A stretch of time in which a figure differed from the level that is taken as right, and what
+    was scanned in it."""
 
     station: str
-    change: DriftChange
+    change: DriftChange | None
+    """None: it differed from the first value on."""
     ended: DriftChange | None
     """None: it lasts."""
+    levels: tuple[DriftLevel, ...]
+    """In it, one after the other."""
+    right_value: float
+    size: float
+    """By how much the level differed most."""
+    standard_uncertainty: float
     calibration_ids: tuple[str, ...]
     """Calibrations that the tests in it used, and no test outside; empty if none explains it."""
     recordings: tuple[CatalogueEntry, ...]
@@ -68,32 +79,31 @@ def drift_of(
     stations: Sequence[str] = (),
     since: datetime | None = None,
     until: datetime | None = None,
+    right_since: datetime | None = None,
 ) -> list[StationDrift]:
     """A figure of each station with its change points, by station.
 
     Of a station with very many values, the newest ones count.
+
+    Args:
+        right_since: as of ``find_history``.
     """
     points: dict[str, list[FigurePoint]] = {}
     for point in figure_points(connection, quantity, stations, since, until):
         points.setdefault(point.station, []).append(point)
     return [
-        StationDrift(
-            station,
-            tuple(its),
-            find_dated_changes([one.at for one in its], [one.value for one in its]),
-        )
+        _describe_station(connection, station, its, right_since)
         for station, its in sorted(points.items())
     ]
 
 
 def find_affected(connection: Connection, drift: StationDrift) -> list[AffectedPeriod]:
-    """What was scanned while the figure differed from that before the first change.
+    """What was scanned while the figure differed from the level that is taken as right.
 
-    A change back to the level before ends a period. If the tests of the period used calibrations
-    that no test outside used, the recordings with these are the affected ones, exactly; otherwise
-    they are named by time.
+    If the tests of a period used calibrations that no test outside used, the recordings with these
+    are the affected ones, exactly; otherwise they are named by time.
     """
-    return [_describe_period(connection, drift, one) for one in find_periods(drift.changes)]
+    return [_describe_period(connection, drift, one) for one in drift.history.periods]
 
 
 def find_calibrations(
@@ -110,32 +120,59 @@ def find_calibrations(
     return found
 
 
+def _describe_station(
+    connection: Connection,
+    station: str,
+    points: Sequence[FigurePoint],
+    right_since: datetime | None,
+) -> StationDrift:
+    known = _calibrations_of(connection, station, points)
+    used = tuple(known.get(one.record_key, "") for one in points)
+    times, values = [one.at for one in points], [one.value for one in points]
+    history = find_history(times, values, used, right_since)
+    return StationDrift(station, tuple(points), used, history)
+
+
 def _describe_period(
     connection: Connection, drift: StationDrift, period: ChangedPeriod
 ) -> AffectedPeriod:
-    station, change, ended = drift.station, period.change, period.ended
-    used = _calibrations_of(connection, drift)
-    tests = ((point.at, used.get(point.record_key, "")) for point in drift.points)
-    if calibration_ids := period.explaining_calibrations(tests):
-        exact = tuple(read_scans(connection, station, calibration_ids=calibration_ids))
-        return AffectedPeriod(station, change, ended, calibration_ids, exact, ())
-    scans = read_scans(connection, station, change.earliest, period.until)
-    sure = tuple(one for one in scans if period.surely_contains(one.at))
-    rest = tuple(one for one in scans if not period.surely_contains(one.at))
-    return AffectedPeriod(station, change, ended, (), sure, rest)
+    station = drift.station
+    tests = zip((point.at for point in drift.points), drift.calibration_ids, strict=True)
+    calibration_ids = period.explaining_calibrations(tests)
+    if calibration_ids:
+        sure = read_scans(connection, station, calibration_ids=calibration_ids)
+        rest = []
+    else:
+        scans = read_scans(connection, station, period.since, period.until)
+        sure = [one for one in scans if period.surely_contains(one.at)]
+        rest = [one for one in scans if not period.surely_contains(one.at)]
+    return AffectedPeriod(
+        station,
+        period.change,
+        period.ended,
+        period.levels,
+        period.right_value,
+        period.size,
+        period.standard_uncertainty,
+        calibration_ids,
+        tuple(sure),
+        tuple(rest),
+    )
 
 
-def _calibrations_of(connection: Connection, drift: StationDrift) -> dict[int, str]:
+def _calibrations_of(
+    connection: Connection, station: str, points: Sequence[FigurePoint]
+) -> dict[int, str]:
     """The calibration of each test by its record's key; by the file's hash where a test does not
     name it."""
     tests = connection.execute(
         select(RecordRow.key, RecordRow.calibration_id, RecordRow.calibration_sha256).where(
-            RecordRow.station == drift.station,
-            RecordRow.at >= drift.points[0].at,
-            RecordRow.at <= drift.points[-1].at,
+            RecordRow.station == station,
+            RecordRow.at >= points[0].at,
+            RecordRow.at <= points[-1].at,
             RecordRow.kind != "scan",
         )
     ).all()
-    known = calibrations_of(connection, drift.station)
+    known = calibrations_of(connection, station)
     named = {sha256: found.id for sha256, found in known.items()}
     return {key: own or named.get(sha256, "") for key, own, sha256 in tests}

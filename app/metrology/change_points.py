@@ -4,18 +4,23 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
+from scipy.stats import t as student_t
 
 from app.metrology.robust import sigma_from_median
 from app.metrology.transforms import Floats
 
 LEAST_VALUES = 3
 """Of a segment: fewer may be outliers."""
+STEADY_VALUES = 80
+"""Fewer do not tell their own scatter well enough: the penalty is that of so many."""
 MOST_VALUES = 4000
 CONFIDENCE = 0.95
 PENALTY = 4.0
 """Per change, times the variance and the logarithm of the number of values: a change has a place
 and a new mean, and is one of many possible ones (modified Bayes information criterion)."""
 OUTLIER_SD = 4.0
+STANDING_OUT_SHARE = 0.01
+"""Of series with normal scatter: so many have a value that stands out by chance."""
 
 
 @dataclass(frozen=True)
@@ -70,11 +75,9 @@ def find_changes(values: Floats, least_sd: float = 0.0) -> list[ChangePoint]:
         raise ValueError(f"{n} values, more than {MOST_VALUES}")
     if n < 2 * LEAST_VALUES:
         return []
-    sd = scatter_sd(values, least_sd)
-    if sd == 0.0:
-        sd = max(float(np.ptp(values)), 1.0) * 1e-9
-    series = _Series(_replace_outliers(values, sd) / sd)
-    bounds = [0, *_partition(series, PENALTY * np.log(n)), n]
+    sd = working_sd(values, least_sd)
+    series = _Series(replace_outliers(values, sd) / sd)
+    bounds = [0, *_partition(series, PENALTY * np.log(max(n, STEADY_VALUES))), n]
     return [
         _describe(series, sd, begin, index, end)
         for begin, index, end in zip(bounds, bounds[1:], bounds[2:], strict=False)
@@ -94,6 +97,43 @@ def scatter_sd(values: Floats, least_sd: float = 0.0) -> float:
     return max(sigma_from_median(differences) / math.sqrt(2.0), least_sd)
 
 
+def working_sd(values: Floats, least_sd: float = 0.0) -> float:
+    """As ``scatter_sd``, but never 0: for most values alike, a small part of their range."""
+    return scatter_sd(values, least_sd) or max(float(np.ptp(values)), 1.0) * 1e-9
+
+
+def find_standing_out(values: Floats, means: Floats, sd: float) -> list[int]:
+    """The indices of single values that lie far from the mean of their segment.
+
+    Args:
+        values, means: (n,)
+        sd: their scatter.
+
+    Example:
+        >>> find_standing_out(np.array([1.0, 1.2, 9.0, 0.9]), np.ones(4), 0.2)
+        [2]
+    """
+    freedom = max(len(values) / 2.0, 2.0)  # a scatter from a median is as sure as that of a half
+    most = float(student_t.isf(STANDING_OUT_SHARE / 2 / len(values), freedom))
+    return [int(one) for one in np.flatnonzero(np.abs(values - means) > most * sd)]
+
+
+def replace_outliers(values: Floats, sd: float) -> Floats:
+    """The values, one or two outliers together replaced by the median of five neighbours.
+
+    Args:
+        values: (n,) in the order of time, at least three.
+        sd: their scatter.
+
+    Example:
+        >>> replace_outliers(np.array([1.0, 1.1, 9.0, 0.9, 1.0]), 0.1).tolist()
+        [1.0, 1.1, 1.0, 0.9, 1.0]
+    """
+    padded = np.pad(values, 2, mode="reflect")
+    medians = np.median(np.lib.stride_tricks.sliding_window_view(padded, 5), axis=1)
+    return np.where(np.abs(values - medians) > OUTLIER_SD * sd, medians, values)
+
+
 class _Series:
     """Sums, by which the cost of any segment is known at once; values in units of their scatter."""
 
@@ -111,13 +151,6 @@ class _Series:
 
     def cost(self, begin: int, end: int) -> float:
         return float(self.costs(np.array([begin]), end)[0])
-
-
-def _replace_outliers(values: Floats, sd: float) -> Floats:
-    """The values, single outliers replaced by the median of five neighbours."""
-    padded = np.pad(values, 2, mode="reflect")
-    medians = np.median(np.lib.stride_tricks.sliding_window_view(padded, 5), axis=1)
-    return np.where(np.abs(values - medians) > OUTLIER_SD * sd, medians, values)
 
 
 def _partition(series: _Series, penalty: float) -> list[int]:

@@ -1,12 +1,9 @@
-"""Changes of a figure between dated tests: when, by how much, by which calibrations."""
+"""Changes of a figure between dated tests, and the periods in which it differed from a level that
+is taken as right."""
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable
 from dataclasses import dataclass
 from datetime import datetime
-
-import numpy as np
-
-from app.metrology.change_points import MOST_VALUES, ChangePoint, find_changes
 
 
 @dataclass(frozen=True, slots=True)
@@ -31,12 +28,43 @@ class DriftChange:
 
 
 @dataclass(frozen=True, slots=True)
-class ChangedPeriod:
-    """A stretch of time in which a figure differed from that before."""
+class DriftLevel:
+    """The mean of a figure between two changes."""
 
-    change: DriftChange
-    ended: DriftChange | None = None
+    since: datetime
+    """Of its first value, as ``until`` of its last one."""
+    until: datetime
+    value: float
+    values: int
+
+
+@dataclass(frozen=True, slots=True)
+class ChangedPeriod:
+    """A stretch of time in which a figure differed from the level that is taken as right."""
+
+    change: DriftChange | None
+    """None: it differed from the first value on."""
+    ended: DriftChange | None
     """None: it lasts."""
+    levels: tuple[DriftLevel, ...]
+    """In it, one after the other; never empty."""
+    right_value: float
+
+    @property
+    def size(self) -> float:
+        """By how much the level differed most."""
+        return max((one.value - self.right_value for one in self.levels), key=abs)
+
+    @property
+    def standard_uncertainty(self) -> float:
+        """Of the difference at its beginning, or else at its end, k = 1."""
+        known = self.change or self.ended
+        return 0.0 if known is None else known.standard_uncertainty
+
+    @property
+    def since(self) -> datetime | None:
+        """The first moment that may be in it; None: no value bounds it."""
+        return None if self.change is None else self.change.earliest
 
     @property
     def until(self) -> datetime | None:
@@ -45,12 +73,14 @@ class ChangedPeriod:
 
     def surely_contains(self, at: datetime) -> bool:
         """Whether a moment is within both 95 % bounds."""
+        begun = self.levels[0].since if self.change is None else self.change.latest
         ended = self.ended is not None and at > self.ended.earliest
-        return at >= self.change.latest and not ended
+        return at >= begun and not ended
 
     def surely_excludes(self, at: datetime) -> bool:
         """Whether a moment is outside both 95 % bounds."""
-        return at <= self.change.earliest or (self.until is not None and at >= self.until)
+        before = self.since is not None and at <= self.since
+        return before or (self.until is not None and at >= self.until)
 
     def explaining_calibrations(self, tests: Iterable[tuple[datetime, str]]) -> tuple[str, ...]:
         """The calibrations of the tests that are surely within, if no test that is surely outside
@@ -68,47 +98,3 @@ class ChangedPeriod:
         if "" in inside or inside & outside:
             return ()
         return tuple(sorted(inside))
-
-
-def find_dated_changes(
-    times: Sequence[datetime], values: Sequence[float]
-) -> tuple[DriftChange, ...]:
-    """The changes of a figure, of the newest ``MOST_VALUES`` values.
-
-    Args:
-        times: of the values, in order.
-
-    Example:
-        >>> days = [datetime(2026, 5, day) for day in range(1, 13)]
-        >>> (found,) = find_dated_changes(days, [1.0, 1.1, 0.9] * 2 + [5.0, 5.1, 4.9] * 2)
-        >>> found.after.day, found.by.day, round(found.size, 2)
-        (6, 7, 4.0)
-    """
-    times, values = times[-MOST_VALUES:], values[-MOST_VALUES:]
-    return tuple(_describe_change(times, one) for one in find_changes(np.array(values)))
-
-
-def find_periods(changes: Sequence[DriftChange]) -> Iterator[ChangedPeriod]:
-    """A change with the one behind it, if that leads back to the level before."""
-    left = list(changes)
-    while left:
-        change = left.pop(0)
-        back = bool(left) and _leads_back(change, left[0])
-        yield ChangedPeriod(change, left.pop(0) if back else None)
-
-
-def _describe_change(times: Sequence[datetime], found: ChangePoint) -> DriftChange:
-    return DriftChange(
-        after=times[found.index - 1],
-        by=times[found.index],
-        earliest=times[found.first_index - 1],
-        latest=times[found.last_index],
-        before_value=found.before,
-        after_value=found.after,
-        standard_uncertainty=found.standard_uncertainty,
-    )
-
-
-def _leads_back(change: DriftChange, following: DriftChange) -> bool:
-    """Whether a change undoes most of the one before."""
-    return abs(following.after_value - change.before_value) < abs(change.size) / 2

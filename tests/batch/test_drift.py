@@ -117,7 +117,7 @@ def test_a_sensor_that_moved_is_found_with_one_calibration_for_all(tmp_path: Pat
     (drift,) = measure(place, tmp_path, CALIBRATION)
     assert (drift.station, len(drift.figures)) == ("room-2", len(DAYS))
     (found,) = drift.affected
-    assert abs(found.period.change.size) == pytest.approx(50, rel=0.1)
+    assert abs(found.period.size) == pytest.approx(50, rel=0.1)
     assert found.period.ended is None
     assert found.calibration_ids == ()
     # the last verification before was at noon of day 4, and the scan of day 5 in the morning

@@ -63,6 +63,7 @@ def test_a_wrong_calibration_of_a_month_names_its_recordings_and_none_else(
     assert period.calibration_ids == ("cal-4",)
     assert [one.id for one in period.recordings] == [f"scan-{day}" for day in range(120, 150)]
     assert period.possible == ()
+    assert period.change is not None
     assert period.ended is not None
     assert day_of(period.change.earliest) < 120 <= day_of(period.change.latest)
     assert day_of(period.ended.earliest) < 150 <= day_of(period.ended.latest)
@@ -98,6 +99,7 @@ def test_a_planted_month_is_found_among_invented_stations(seed: int, tmp_path: o
             found = [one for drift in drifts for one in find_affected(connection, drift)]
     (period,) = found
     assert period.station == "room-2"
+    assert period.change is not None
     assert period.change.earliest <= begin <= period.change.latest
     assert period.ended is not None
     assert period.ended.earliest <= end <= period.ended.latest

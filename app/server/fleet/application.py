@@ -29,6 +29,7 @@ from app.fleet.fleet_settings import DEFAULT_FILE
 from app.fleet.questions import drift_of, find_affected
 from app.formats.json_document import SOFTWARE
 from app.messages.message import message
+from app.metrology.change_points import LEAST_VALUES
 from app.server.fleet.access import FleetAccess
 from app.server.fleet.service import FleetService
 from app.server.fleet.sign_in import PASSWORD_PAGE, AccessCheck, sign_in_router
@@ -178,12 +179,17 @@ def _add_lists(app: FastAPI, service: FleetService) -> None:
 
 def _add_questions(app: FastAPI, service: FleetService) -> None:
     @app.get("/api/fleet/drift/{quantity}")
-    def drift(quantity: str, station: Annotated[list[str], Query()] = []) -> Response:  # noqa: B006
+    def drift(
+        quantity: str,
+        station: Annotated[list[str], Query()] = [],  # noqa: B006
+        right_since: QueryMoment | None = None,
+    ) -> Response:
         with service.catalogue().reading() as connection:
-            found = drift_of(connection, quantity, station)
+            found = drift_of(connection, quantity, station, right_since=right_since)
             periods = [one for its in found for one in find_affected(connection, its)]
         answer = FleetDrift(
             quantity=quantity,
+            least_values=LEAST_VALUES,
             stations=[DriftingStation.model_validate(one) for one in found],
             periods=[DriftPeriod.model_validate(one) for one in periods],
         )
