@@ -9,7 +9,12 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.stats import t as student_t
 
-from app.metrology.change_points import LEAST_VALUES, replace_outliers, scatter_sd
+from app.metrology.change_points import (
+    LEAST_VALUES,
+    find_changes,
+    replace_outliers,
+    scatter_sd,
+)
 from app.metrology.robust import sigma_from_median
 from app.metrology.transforms import Floats
 
@@ -52,7 +57,7 @@ def find_calibration_levels(
     """The own error of each calibration, from the values that were measured with it.
 
     Calibrations outside keep their level, and so does a step that all calibrations from one on have
-    in common: neither is an ordinary error.
+    in common, or a change while one is in use: none of these is an ordinary error.
 
     Args:
         values: (n,) in the order of time.
@@ -82,6 +87,7 @@ def find_calibration_levels(
     counts = np.bincount(of_value[known], minlength=len(names))
     levels = np.bincount(of_value[known], plain[known], len(names)) / counts
     within = _scatter_within(plain[known], of_value[known], levels, counts)
+    _choose_parts(plain[known], of_value[known], levels, counts, within)
     sides = _find_sides(levels)
     residuals = levels - _by_side(levels, sides, np.median)
     freedom = len(levels) - int(sides[-1]) - 1
@@ -143,6 +149,24 @@ def _scatter_within(values: Floats, of_value: Ints, levels: Floats, counts: Ints
         return 0.0
     shrunk = np.sqrt(1.0 - 1.0 / counts[of_value][several])
     return sigma_from_median(np.abs(values - levels[of_value])[several] / shrunk)
+
+
+def _choose_parts(
+    values: Floats, of_value: Ints, levels: Floats, counts: Ints, within: float
+) -> None:
+    """Of a calibration while whose use the figure changed, the part nearest to the other
+    calibrations is taken for its level: ``levels`` and ``counts`` become those of this part."""
+    middle = float(np.median(levels))
+    indices: dict[int, list[int]] = {}
+    for change in find_changes(values - levels[of_value], within):
+        span = of_value[change.first_index - 1 : change.last_index + 1]
+        if (span == span[0]).all():
+            indices.setdefault(int(span[0]), []).append(change.index)
+    for calibration, places in indices.items():
+        own = np.flatnonzero(of_value == calibration)
+        parts = [values[part] for part in np.split(own, np.searchsorted(own, places))]
+        nearest = min(parts, key=lambda part: abs(float(part.mean()) - middle))
+        levels[calibration], counts[calibration] = nearest.mean(), len(nearest)
 
 
 def _find_sides(levels: Floats) -> Ints:

@@ -19,6 +19,9 @@ PENALTY = 4.0
 """Per change, times the variance and the logarithm of the number of values: a change has a place
 and a new mean, and is one of many possible ones (modified Bayes information criterion)."""
 OUTLIER_SD = 4.0
+CORRELATED = 1.645
+"""Standard deviations of a correlation without cause: with more, values are taken as correlated."""
+MOST_CORRELATION = 0.95
 STANDING_OUT_SHARE = 0.01
 """Of series with normal scatter: so many have a value that stands out by chance."""
 
@@ -48,7 +51,8 @@ def find_changes(values: Floats, least_sd: float = 0.0) -> list[ChangePoint]:
     """When the mean of a series changed: none, one or several times.
 
     Args:
-        values: (n,) in the order of time, at most ``MOST_VALUES``, with independent scatter.
+        values: (n,) in the order of time, at most ``MOST_VALUES``. Scatter that is visibly
+            correlated from each value to the next counts with the variance that its means have.
         least_sd: standard deviation that a value has by its own uncertainty, at the least.
 
     Returns:
@@ -77,7 +81,14 @@ def find_changes(values: Floats, least_sd: float = 0.0) -> list[ChangePoint]:
         return []
     sd = working_sd(values, least_sd)
     series = _Series(replace_outliers(values, sd) / sd)
-    bounds = [0, *_partition(series, PENALTY * np.log(max(n, STEADY_VALUES))), n]
+    penalty = PENALTY * np.log(max(n, STEADY_VALUES))
+    places = _partition(series, penalty)
+    widening = 1.0
+    while places and (wider := variance_widening(series.values, places)) > widening:
+        widening = wider
+        places = _partition(series, penalty * widening)
+    series, sd = _Series(series.values / math.sqrt(widening)), sd * math.sqrt(widening)
+    bounds = [0, *places, n]
     return [
         _describe(series, sd, begin, index, end)
         for begin, index, end in zip(bounds, bounds[1:], bounds[2:], strict=False)
@@ -100,6 +111,36 @@ def scatter_sd(values: Floats, least_sd: float = 0.0) -> float:
 def working_sd(values: Floats, least_sd: float = 0.0) -> float:
     """As ``scatter_sd``, but never 0: for most values alike, a small part of their range."""
     return scatter_sd(values, least_sd) or max(float(np.ptp(values)), 1.0) * 1e-9
+
+
+def variance_widening(values: Floats, places: list[int]) -> float:
+    """By how much the variance of a mean is larger than that of independent values, because each
+    value is similar to the one before; 1 if no such similarity shows.
+
+    Args:
+        values: (n,) without outliers.
+        places: the first indices behind each change.
+
+    Source:
+        First-order autoregression: for example Priestley, Spectral Analysis and Time Series; the
+        bias of the correlation after removing means is of the order of 1 / n for each.
+
+    Example:
+        >>> variance_widening(np.array([1.0, -1.0] * 10), [])
+        1.0
+        >>> round(variance_widening(np.sin(np.arange(40) / 3.0), []), 1)
+        39.0
+    """
+    count, segments = len(values), len(places) + 1
+    residuals = np.concatenate([one - one.mean() for one in np.split(values, places)])
+    variance = float(residuals @ residuals)
+    if variance == 0.0:
+        return 1.0
+    correlation = float(residuals[1:] @ residuals[:-1]) / variance + segments / count
+    if correlation * math.sqrt(count) < CORRELATED:
+        return 1.0
+    correlation = min(correlation, MOST_CORRELATION)
+    return (1.0 + correlation) / (1.0 - correlation)
 
 
 def find_standing_out(values: Floats, means: Floats, sd: float) -> list[int]:

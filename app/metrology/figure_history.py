@@ -16,6 +16,7 @@ from app.metrology.change_points import (
     find_changes,
     find_standing_out,
     replace_outliers,
+    variance_widening,
     working_sd,
 )
 from app.metrology.dated_changes import ChangedPeriod, DriftChange, DriftLevel
@@ -153,6 +154,8 @@ class _Segments:
         self._found = find_changes(self._values, least_sd)
         self._bounds = [0, *(one.index for one in self._found), len(values)]
         plain = replace_outliers(self._values, self._sd)
+        widening = variance_widening(plain, self._bounds[1:-1])
+        self._mean_sd = self._sd * float(np.sqrt(widening))
         self._means = [float(plain[a:b].mean()) for a, b in pairwise(self._bounds)]
 
     def levels(self) -> tuple[DriftLevel, ...]:
@@ -206,7 +209,7 @@ class _Segments:
         """Of the difference of two levels, k = 1; of those that share a calibration, its error is
         none."""
         spans = [slice(self._bounds[n], self._bounds[n + 1]) for n in (one, other)]
-        variance = self._sd**2 * sum(1.0 / (span.stop - span.start) for span in spans)
+        variance = self._mean_sd**2 * sum(1.0 / (span.stop - span.start) for span in spans)
         used = [set(self._calibrations[span]) for span in spans]
         if not used[0] & used[1]:
             variance += self._spread_sd**2 * sum(1.0 / len(its) for its in used)

@@ -113,6 +113,26 @@ def test_a_planted_change_is_printed_with_its_recordings(tmp_path: Path) -> None
     assert printed.count("room-3/scan/") == 30
     (period,) = json.loads(run(path, "drift", "location-scan", "--json").stdout)["periods"]
     assert len(period["recordings"]) == 30
+    assert "has 3 values or more" in printed
+    assert "90 of 100 values: the first level" in printed
+    chosen = run(path, "drift", "location-scan", "--right-since", "2025-05-10").stdout
+    assert "10 of 100 values: chosen" in chosen
+    assert chosen.count("room-3/scan/") == 270
+
+
+def test_values_that_stand_out_are_printed_and_name_no_recording(tmp_path: Path) -> None:
+    path = tmp_path / "fleet.toml"
+    path.write_text('[catalogue]\ndatabase = "sqlite:///catalogue.db"\n')
+    with FleetCatalogue(f"sqlite:///{tmp_path}/catalogue.db") as catalogue:
+        catalogue.add(ten_months((121, 126), by_calibration=True))
+        catalogue.add(ten_months((0, 30), by_calibration=True, station="room-4"))
+    printed = run(path, "drift", "location-scan").stdout
+    assert printed.count("stands out") == 2
+    assert printed.count("too few for a period") == 1
+    assert "room-3/scan/" not in printed
+    assert "differed from" in printed
+    assert "90 of 100 values: that of most values" in printed
+    assert printed.count("room-4/scan/") == 30
 
 
 def test_ageing_is_printed_for_each_station(tmp_path: Path) -> None:

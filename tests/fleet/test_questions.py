@@ -1,5 +1,6 @@
 """A wrong calibration is found with its dates and its recordings, and no other recording."""
 
+from collections.abc import Sequence
 from datetime import datetime, timedelta
 
 import numpy as np
@@ -16,10 +17,13 @@ DAY = timedelta(days=1)
 
 
 def ten_months(
-    wrong: tuple[int, int], by_calibration: bool, station: str = "room-3"
+    wrong: tuple[int, int],
+    by_calibration: bool,
+    station: str = "room-3",
+    more_um: Sequence[float] = (0.0,) * 10,
 ) -> list[CatalogueEntry]:
     """A station with two tests a week, scans every day, and a calibration every thirty days; of the
-    days ``wrong``, the location error is 12 µm larger."""
+    days ``wrong``, the location error is 12 µm larger, and that of each month by ``more_um``."""
     rng = np.random.default_rng(7)
     found = []
     for day in range(300):
@@ -36,6 +40,7 @@ def ten_months(
         found.append(entry_of(**{**about, "id": f"scan-{day}", "label": f"Part {4700 + day}"}))  # type: ignore[arg-type]
         if day % 3 == 1:
             value = 28.0 + float(rng.normal(0, 2.0)) + (12.0 if wrong[0] <= day < wrong[1] else 0.0)
+            value += more_um[month]
             found.append(
                 entry_of(
                     kind="performance",
@@ -85,6 +90,49 @@ def test_a_change_that_no_calibration_explains_is_bounded_by_time(
     assert sure <= affected
     assert affected <= sure | possible
     assert len(possible) <= 14
+
+
+def test_two_wrong_calibrations_one_after_the_other_name_their_recordings_and_none_else(
+    catalogue: FleetCatalogue,
+) -> None:
+    more_um = [0.0, 0.0, 0.0, 12.0, 6.0, 0.0, 0.0, 0.0, 0.0, 0.0]
+    catalogue.add(ten_months((0, 0), by_calibration=True, more_um=more_um))
+    with catalogue.reading() as connection:
+        (drift,) = drift_of(connection, "location-scan")
+        (period,) = find_affected(connection, drift)
+    assert period.calibration_ids == ("cal-3", "cal-4")
+    assert [one.id for one in period.recordings] == [f"scan-{day}" for day in range(90, 150)]
+    assert period.ended is not None
+
+
+@pytest.mark.parametrize("by_calibration", [True, False])
+def test_a_wrong_first_month_names_its_recordings_unless_it_is_taken_as_right(
+    catalogue: FleetCatalogue, by_calibration: bool
+) -> None:
+    catalogue.add(ten_months((0, 30), by_calibration))
+    with catalogue.reading() as connection:
+        (drift,) = drift_of(connection, "location-scan")
+        (period,) = find_affected(connection, drift)
+        (chosen,) = drift_of(connection, "location-scan", right_since=START)
+        (later,) = find_affected(connection, chosen)
+    assert drift.history.right is not None
+    assert drift.history.right.because == "most"
+    assert period.change is None
+    first = {f"scan-{day}" for day in range(30)}
+    sure = {one.id for one in period.recordings}
+    assert sure <= first <= sure | {one.id for one in period.possible}
+    assert not by_calibration or sure == first
+    assert not first & {one.id for one in later.recordings}
+    assert len(later.recordings) >= 265
+
+
+def test_own_errors_of_calibrations_name_no_recording(catalogue: FleetCatalogue) -> None:
+    for seed in range(1, 6):
+        own_um = np.random.default_rng(seed).normal(0, 3.0, 10).tolist()
+        catalogue.add(ten_months((0, 0), True, f"room-{seed}", own_um))
+    with catalogue.reading() as connection:
+        for drift in drift_of(connection, "location-scan"):
+            assert find_affected(connection, drift) == [], drift.station
 
 
 @pytest.mark.parametrize("seed", [1, 2, 3])

@@ -64,6 +64,28 @@ def batch(
     measure(shown, as_json, partial(run, recordings, disk), COLUMNS, table)
 
 
+@bench.command()
+@report_errors
+def drift(
+    repeats: Annotated[int, typer.Option(min=10, help="Simulated stations of each case.")] = 1000,
+    series: Annotated[
+        bool, typer.Option("--series", help="Instead, look for changes where there are none.")
+    ] = False,
+    as_json: AsJson = False,
+) -> None:
+    """Look how often drift accuses healthy recordings, and finds wrong calibrations."""
+    from app.bench.fleet import drift as drifts
+
+    if series:
+        columns, rows = drifts.SERIES_COLUMNS, drifts.table_of_series
+        shown = Shown("Simulating", "Series without a change, in which one is found", "series")
+        measure(shown, as_json, partial(drifts.run_series, repeats), columns, rows)
+        return
+    shown = Shown("Simulating", "Ten calibrations, one a month", "cases")
+    run = partial(drifts.run_months, repeats)
+    measure(shown, as_json, run, drifts.MONTH_COLUMNS, drifts.table_of_months)
+
+
 def _batch_lost(
     recordings: int, disk: Path, stations: int, seconds: float, away_s: float, as_json: bool
 ) -> None:

@@ -1,23 +1,24 @@
-import type { DriftPoint, DriftStep } from "../api/wire";
+import type { DriftHistory, DriftPoint } from "../api/wire";
 import { moment } from "../parts/format";
 import { measured } from "../parts/lengths";
 import { decimalsOf, qualityOf } from "./answers";
 import styles from "./FleetPage.module.css";
 import { Dot, HEIGHT, Plot, type Range, WIDTH } from "./Plot";
 
-/** A figure over time with its limit; bands are where a change happened (95 %). */
+/** A figure over time with its limit; bands are where a change happened (95 %), the line is the level that is taken as right. */
 export function DriftChart({
   points,
-  changes,
+  history,
   range,
   label,
 }: {
   points: DriftPoint[];
-  changes: DriftStep[];
+  history: DriftHistory;
   range: Range;
   label: string;
 }) {
   const limit = points.flatMap((one) => (one.limit === null ? [] : [one.limit]))[0];
+  const { changes, right } = history;
   const unit = points[0]?.unit ?? "";
   const day = (time: number) => moment(new Date(time).toISOString());
   return (
@@ -30,6 +31,9 @@ export function DriftChart({
             return <rect key={one.by} className={styles.band} x={from} width={width} y="0" height={HEIGHT} />;
           })}
           {limit !== undefined && <line className={styles.limit} x1="0" x2={WIDTH} y1={y(limit)} y2={y(limit)} />}
+          {right && changes.length > 0 && (
+            <line className={styles.rightLevel} x1="0" x2={WIDTH} y1={y(right.value)} y2={y(right.value)} />
+          )}
           <polyline
             className={styles.line}
             points={points.map((one) => `${x(Date.parse(one.at))},${y(one.value)}`).join(" ")}

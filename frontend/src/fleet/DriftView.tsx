@@ -1,12 +1,13 @@
-import type { DriftPeriod, FleetDrift, FleetOverview } from "../api/wire";
-import { figures, moment } from "../parts/format";
-import { QualityMark } from "../parts/QualityMark";
+import { useState } from "react";
+import type { FleetDrift, FleetOverview } from "../api/wire";
 import { t } from "../state/language";
 import { useAnswer } from "./answers";
 import { ChooseQuantity, quantityName, useQuantity } from "./ChooseQuantity";
+import { AffectedPeriod, DriftNotes } from "./DriftAnswer";
 import { DriftChart } from "./DriftChart";
 import styles from "./FleetPage.module.css";
-import { rangeOf } from "./Plot";
+import { type Range, rangeOf } from "./Plot";
+import { RightLevel } from "./RightLevel";
 
 const FIRST = "location-scan";
 
@@ -26,7 +27,7 @@ export function DriftView({ overview }: { overview: FleetOverview }) {
 }
 
 function Charts({ quantity, overview }: { quantity: string; overview: FleetOverview }) {
-  const { value } = useAnswer<FleetDrift>(`/api/fleet/drift/${encodeURIComponent(quantity)}`);
+  const { value } = useAnswer<FleetDrift>(addressOf(quantity));
   if (!value) return null;
   const names = new Map(overview.stations.map((one) => [one.id, one.name]));
   const points = value.stations.flatMap((one) => one.points);
@@ -34,48 +35,49 @@ function Charts({ quantity, overview }: { quantity: string; overview: FleetOverv
     points.map((one) => ({ x: Date.parse(one.at), y: one.value })),
     points.flatMap(({ limit }) => (limit === null ? [] : [limit])),
   );
-  const title = quantityName(overview.quantities, quantity);
-  return value.stations.map((one) => (
-    <article key={one.station} className={styles.drift}>
-      <h2>{names.get(one.station) ?? one.station}</h2>
-      <DriftChart points={one.points} changes={one.changes} range={range} label={`${one.station}: ${title}`} />
-      {value.periods
-        .filter((period) => period.station === one.station)
-        .map((period) => (
-          <Affected key={period.change.by} period={period} unit={one.points[0]?.unit ?? ""} />
-        ))}
-    </article>
-  ));
+  return (
+    <>
+      <p className={styles.note}>{t("ui-fleet-least-values", { n: value.least_values })}</p>
+      {value.stations.map(({ station }) => (
+        <StationCard
+          key={station}
+          station={station}
+          name={names.get(station) ?? station}
+          title={quantityName(overview.quantities, quantity)}
+          drift={value}
+          range={range}
+        />
+      ))}
+    </>
+  );
 }
 
-function Affected({ period, unit }: { period: DriftPeriod; unit: string }) {
-  const { change, ended, calibration_ids, recordings, possible } = period;
-  const size = change.after_value - change.before_value;
+/** The figure of one station; another level than the proposed one can be taken as right. */
+function StationCard(card: { station: string; name: string; title: string; drift: FleetDrift; range: Range }) {
+  const { station, name, title, drift, range } = card;
+  const [since, setSince] = useState("");
+  const { value: chosen } = useAnswer<FleetDrift>(since && addressOf(drift.quantity, { station, right_since: since }));
+  const { stations, periods } = (since && chosen) || drift;
+  const found = stations.find((one) => one.station === station);
+  if (!found) return null;
+  const { points, history } = found;
+  const unit = points[0]?.unit ?? "";
   return (
-    <div className={styles.affected}>
-      <p>
-        <QualityMark quality="attention" size="1.1em" />{" "}
-        {t("ui-fleet-changed", {
-          size: `${size > 0 ? "+" : ""}${figures(size, 1)}`,
-          uncertainty: figures(2 * change.standard_uncertainty, 1),
-          unit,
-          earliest: moment(change.earliest),
-          latest: moment(change.latest),
-        })}{" "}
-        {ended ? t("ui-fleet-ended", { when: moment(ended.by) }) : t("ui-fleet-lasts")}
-      </p>
-      {calibration_ids.length > 0 && <p>{t("ui-fleet-explained", { calibrations: calibration_ids.join(", ") })}</p>}
-      <details>
-        <summary>
-          {t("ui-fleet-affected", { n: recordings.length })}
-          {possible.length > 0 && ` ${t("ui-fleet-possible", { n: possible.length })}`}
-        </summary>
-        <ul className={styles.recordings}>
-          {[...recordings, ...possible].map((one) => (
-            <li key={one.id}>{`${moment(one.at)} · ${one.label || one.id}`}</li>
-          ))}
-        </ul>
-      </details>
-    </div>
+    <article className={styles.drift}>
+      <h2>{name}</h2>
+      <DriftChart points={points} history={history} range={range} label={`${station}: ${title}`} />
+      {history.levels.length > 1 && <RightLevel history={history} unit={unit} since={since} onChange={setSince} />}
+      <DriftNotes history={history} least={drift.least_values} unit={unit} />
+      {periods
+        .filter((period) => period.station === station)
+        .map((period) => (
+          <AffectedPeriod key={period.levels[0]?.since} period={period} unit={unit} />
+        ))}
+    </article>
   );
+}
+
+function addressOf(quantity: string, query: Record<string, string> = {}): string {
+  const asked = new URLSearchParams(query).toString();
+  return `/api/fleet/drift/${encodeURIComponent(quantity)}${asked && `?${asked}`}`;
 }

@@ -343,8 +343,10 @@ ui-fleet-changes-by = { $since ->
     }
 ui-fleet-collected = Gesammelt
 ui-fleet-count = Anzahl
+ui-fleet-differed = Weicht vom ersten Wert an, { $since }, um { $size } ± { $uncertainty } { $unit } (k = 2) ab.
+ui-fleet-doubtful = Vielleicht falsch, weit von den anderen Kalibrierungen, aber nicht sicher: { $calibrations }
 ui-fleet-drift = Drift
-ui-fleet-ended = Spätestens am { $when } wieder wie vorher.
+ui-fleet-ended = Spätestens am { $when } wieder auf dem richtigen Niveau.
 ui-fleet-expanded = U (k = 2)
 ui-fleet-explained = Nur die Prüfungen dieses Zeitraums verwendeten: { $calibrations }. Die Aufnahmen damit sind betroffen.
 ui-fleet-file = Datei
@@ -357,7 +359,12 @@ ui-fleet-kind-performance = Leistungsprüfung
 ui-fleet-kind-scan = Scan
 ui-fleet-label = Name
 ui-fleet-lasts = Sie dauert an.
+ui-fleet-least-values = Ein Zeitraum, in dem eine Größe abweicht, wird ab { $n } Prüfungen gefunden.
 ui-fleet-left-out = Ausgelassen, weil ihre Kalibrierung nicht im Katalog ist: { $n }
+ui-fleet-level = { $n ->
+    [one] { $value } ab { $since } (ein Wert)
+   *[other] { $value } ab { $since } ({ $n } Werte)
+}
 ui-fleet-median = Median
 ui-fleet-newest = Neuester Datensatz
 ui-fleet-newest-calibrations = Neueste Kalibrierungen
@@ -373,6 +380,11 @@ ui-fleet-not-on-broker = Am Broker nicht gehört
 ui-fleet-nothing-found = Kein Datensatz gefunden.
 ui-fleet-object = Prüfkörper
 ui-fleet-only-on-station = Nur auf der Station
+ui-fleet-own-errors = Die eigenen Fehler von { $n } Kalibrierungen haben eine Standardabweichung von { $deviation }; Änderungen, die sie erklären, gelten nicht.
+ui-fleet-own-errors-unknown = { $n ->
+    [one] Eine Kalibrierung zeigt nicht, wie weit Kalibrierungen voneinander abweichen: Eine Änderung kann ein gewöhnlicher Fehler einer Kalibrierung sein.
+   *[other] { $n } Kalibrierungen mit so wenigen Prüfungen zeigen nicht, wie weit Kalibrierungen voneinander abweichen: Eine Änderung kann ein gewöhnlicher Fehler einer Kalibrierung sein.
+}
 ui-fleet-place = Katalog: { $place }
 ui-fleet-possible = { $n ->
     [one] Eine weitere ist vielleicht betroffen.
@@ -380,15 +392,27 @@ ui-fleet-possible = { $n ->
 }
 ui-fleet-quantity = Größe
 ui-fleet-records = Datensätze
+ui-fleet-right = { $because ->
+    [most] Gilt als richtig: { $value }, seit { $since }, weil { $n } von { $total } Werten so sind. Die Werte allein zeigen nicht, welches Niveau richtig ist.
+    [chosen] Gilt als richtig, wie gewählt: { $value }, seit { $since }; { $n } von { $total } Werten sind so.
+   *[first] Gilt als richtig: { $value }, seit { $since }, weil es das erste Niveau ist; { $n } von { $total } Werten sind so. Die Werte allein zeigen nicht, welches Niveau richtig ist.
+}
+ui-fleet-right-level = Richtiges Niveau
+ui-fleet-right-proposed = Wie vorgeschlagen
 ui-fleet-session = Andere Sitzung
 ui-fleet-since = Von
 ui-fleet-size = Umfang
 ui-fleet-software = Software
 ui-fleet-spread = Streuung aller Kalibrierungen
 ui-fleet-standard-deviation = Standardabweichung
+ui-fleet-standing-out = { $n ->
+    [one] Ein Wert sticht heraus. Weniger als { $least } zusammen sind für einen Zeitraum zu wenige.
+   *[other] { $n } Werte stechen heraus. Weniger als { $least } zusammen sind für einen Zeitraum zu wenige.
+}
 ui-fleet-symbol = Symbol
 ui-fleet-temperature-since-calibration = Über der Temperatur der verwendeten Kalibrierung
 ui-fleet-temperature-since-first = Temperatur
+ui-fleet-then = Dann { $value } ab { $since }.
 ui-fleet-until = Bis
 ui-fleet-verdict = Ergebnis
 ui-fleet-with-the-password = Mit dem Passwort dieser Seite

@@ -343,8 +343,10 @@ ui-fleet-changes-by = { $since ->
     }
 ui-fleet-collected = Collected
 ui-fleet-count = Number
+ui-fleet-differed = Differs by { $size } ± { $uncertainty } { $unit } (k = 2) from the first value on, { $since }.
+ui-fleet-doubtful = Perhaps wrong, far from the other calibrations but not surely: { $calibrations }
 ui-fleet-drift = Drift
-ui-fleet-ended = Back to the level before by { $when }.
+ui-fleet-ended = Back to the right level by { $when }.
 ui-fleet-expanded = U (k = 2)
 ui-fleet-explained = Only the tests of this period used: { $calibrations }. The recordings with these are affected.
 ui-fleet-file = File
@@ -357,7 +359,12 @@ ui-fleet-kind-performance = Performance test
 ui-fleet-kind-scan = Scan
 ui-fleet-label = Name
 ui-fleet-lasts = It lasts.
+ui-fleet-least-values = A period in which a figure differs is found if it has { $n } tests or more.
 ui-fleet-left-out = Left out, because their calibration is not in the catalogue: { $n }
+ui-fleet-level = { $n ->
+    [one] { $value } from { $since } (one value)
+   *[other] { $value } from { $since } ({ $n } values)
+}
 ui-fleet-median = Median
 ui-fleet-newest = Newest record
 ui-fleet-newest-calibrations = Newest calibrations
@@ -373,6 +380,11 @@ ui-fleet-not-on-broker = Not heard on the broker
 ui-fleet-nothing-found = No record is found.
 ui-fleet-object = Artefact
 ui-fleet-only-on-station = Only on the station
+ui-fleet-own-errors = The own errors of { $n } calibrations have a standard deviation of { $deviation }; changes that they explain are none.
+ui-fleet-own-errors-unknown = { $n ->
+    [one] One calibration does not tell how far calibrations differ: a change may be an ordinary error of a calibration.
+   *[other] { $n } calibrations with so few tests do not tell how far calibrations differ: a change may be an ordinary error of a calibration.
+}
 ui-fleet-place = Catalogue: { $place }
 ui-fleet-possible = { $n ->
     [one] One more is perhaps affected.
@@ -380,15 +392,27 @@ ui-fleet-possible = { $n ->
 }
 ui-fleet-quantity = Quantity
 ui-fleet-records = Records
+ui-fleet-right = { $because ->
+    [most] Taken as right: { $value }, since { $since }, because { $n } of { $total } values have it. The values alone do not tell which level is right.
+    [chosen] Taken as right, as chosen: { $value }, since { $since }; { $n } of { $total } values have it.
+   *[first] Taken as right: { $value }, since { $since }, because it is the first level; { $n } of { $total } values have it. The values alone do not tell which level is right.
+}
+ui-fleet-right-level = Level taken as right
+ui-fleet-right-proposed = As proposed
 ui-fleet-session = Other session
 ui-fleet-since = From
 ui-fleet-size = Size
 ui-fleet-software = Software
 ui-fleet-spread = Spread of all calibrations
 ui-fleet-standard-deviation = Standard deviation
+ui-fleet-standing-out = { $n ->
+    [one] One value stands out. Fewer than { $least } together are too few for a period.
+   *[other] { $n } values stand out. Fewer than { $least } together are too few for a period.
+}
 ui-fleet-symbol = Symbol
 ui-fleet-temperature-since-calibration = Above the temperature of the calibration in use
 ui-fleet-temperature-since-first = Temperature
+ui-fleet-then = Then { $value } from { $since }.
 ui-fleet-until = Until
 ui-fleet-verdict = Result
 ui-fleet-with-the-password = With the password of this page

@@ -1,0 +1,181 @@
+"""How often *Drift* accuses a healthy recording, and how often it finds a wrong calibration."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from datetime import UTC, datetime, timedelta
+
+import numpy as np
+
+from app.metrology.change_points import find_changes
+from app.metrology.figure_history import FigureHistory, find_history
+from app.metrology.transforms import Floats
+from app.progress import Progress, no_progress
+
+START = datetime(2026, 1, 1, tzinfo=UTC)
+MONTHS, MONTH_DAYS = 10, 30
+SCATTER_UM = 2.0
+SEED = 1
+CORRELATION = 0.4
+Levels = tuple[float, ...]
+
+
+@dataclass(frozen=True)
+class MonthsCase:
+    """A station with one calibration a month, some of them wrong."""
+
+    wrong_um: Levels
+    """Of each month; 0 is right."""
+    spread_um: float
+    """Standard deviation of the own errors of all calibrations."""
+    every_days: int
+    """Between two tests."""
+
+
+@dataclass(frozen=True)
+class MonthsResult:
+    """In which share of the simulated stations something was named."""
+
+    case: MonthsCase
+    found: float | None
+    """All wrong months are in periods; None if none is wrong."""
+    doubtful: float | None
+    """All wrong months are in periods, or called perhaps wrong."""
+    accused: float
+    """A month that is not wrong is in a period."""
+
+
+@dataclass(frozen=True)
+class FalseChanges:
+    """In which share of the series without a change one was found."""
+
+    values: int
+    independent: float
+    correlated: float
+    """Each value has ``CORRELATION`` of the one before."""
+
+
+CASES = (
+    *(MonthsCase((0.0,) * MONTHS, spread, 3) for spread in (0.0, 3.0)),
+    *(MonthsCase((0.0,) * 4 + (um,) + (0.0,) * 5, 0.0, 3) for um in (6.0, 12.0)),
+    MonthsCase((12.0,) + (0.0,) * 9, 0.0, 3),
+    MonthsCase((0.0,) * 3 + (12.0, 6.0) + (0.0,) * 5, 0.0, 3),
+    MonthsCase((0.0,) * 5 + (12.0,) * 5, 0.0, 3),
+    *(MonthsCase((0.0,) * 4 + (um,) + (0.0,) * 5, 3.0, 3) for um in (14.0, 24.0, 30.0)),
+    MonthsCase((0.0,) * 5 + (20.0,) * 5, 3.0, 3),
+    *(MonthsCase((0.0,) * 4 + (12.0,) + (0.0,) * 5, 0.0, days) for days in (10, 15)),
+)
+COUNTS = (6, 8, 12, 20, 30, 60, 100)
+
+
+MONTH_COLUMNS = (
+    "own errors, µm",
+    "months wrong",
+    "by, µm",
+    "a test every",
+    "found, %",
+    "or perhaps wrong, %",
+    "healthy accused, %",
+)
+SERIES_COLUMNS = ("values", "independent, %", "correlated, %")
+
+
+def run_months(
+    repeats: int, progress: Progress = no_progress, cases: Sequence[MonthsCase] = CASES
+) -> list[MonthsResult]:
+    """Simulates stations of each case, and looks at what is named."""
+    found = []
+    for number, case in enumerate(cases):
+        found.append(_measure_months(case, repeats))
+        progress((number + 1) / len(cases), "")
+    return found
+
+
+def run_series(
+    repeats: int, progress: Progress = no_progress, counts: Sequence[int] = COUNTS
+) -> list[FalseChanges]:
+    """Looks for changes in series that have none."""
+    rng = np.random.default_rng(SEED)
+    found = []
+    for number, count in enumerate(counts):
+        independent = _share_changed([rng.normal(size=count) for _ in range(repeats)])
+        correlated = _share_changed([_draw_correlated(rng, count) for _ in range(repeats)])
+        found.append(FalseChanges(count, independent, correlated))
+        progress((number + 1) / len(counts), "")
+    return found
+
+
+def table_of_months(results: Sequence[MonthsResult]) -> list[tuple[str, ...]]:
+    """A row for each case."""
+    rows: list[tuple[str, ...]] = []
+    for one in results:
+        wrong = [(str(month + 1), um) for month, um in enumerate(one.case.wrong_um) if um]
+        rows.append(
+            (
+                f"{one.case.spread_um:g}",
+                ", ".join(month for month, _ in wrong) or "none",
+                ", ".join(dict.fromkeys(f"{um:g}" for _, um in wrong)) or "–",
+                f"{one.case.every_days} days",
+                _percent(one.found),
+                _percent(one.doubtful),
+                _percent(one.accused),
+            )
+        )
+    return rows
+
+
+def table_of_series(results: Sequence[FalseChanges]) -> list[tuple[str, ...]]:
+    """A row for each number of values."""
+    return [
+        (str(one.values), _percent(one.independent), _percent(one.correlated)) for one in results
+    ]
+
+
+def simulate_months(case: MonthsCase, rng: np.random.Generator) -> FigureHistory:
+    """The history of one station."""
+    days = range(1, MONTHS * MONTH_DAYS, case.every_days)
+    levels = np.array(case.wrong_um) + case.spread_um * rng.normal(size=MONTHS)
+    months = [day // MONTH_DAYS for day in days]
+    values = 28.0 + levels[months] + SCATTER_UM * rng.normal(size=len(months))
+    times = [START + timedelta(days=day) for day in days]
+    return find_history(times, values.tolist(), [f"cal-{month}" for month in months])
+
+
+def list_named_months(history: FigureHistory) -> set[int]:
+    """The months with a day that is surely in a period."""
+    return {
+        day // MONTH_DAYS
+        for period in history.periods
+        for day in range(MONTHS * MONTH_DAYS)
+        if period.surely_contains(START + timedelta(days=day))
+    }
+
+
+def _measure_months(case: MonthsCase, repeats: int) -> MonthsResult:
+    rng = np.random.default_rng(SEED)
+    wrong = {month for month, um in enumerate(case.wrong_um) if um}
+    found = doubtful = accused = 0
+    for _ in range(repeats):
+        history = simulate_months(case, rng)
+        named = list_named_months(history)
+        perhaps = {int(one.removeprefix("cal-")) for one in history.spread.doubtful}
+        found += wrong <= named
+        doubtful += wrong <= named | perhaps
+        accused += bool(named - wrong)
+    if not wrong:
+        return MonthsResult(case, None, None, accused / repeats)
+    return MonthsResult(case, found / repeats, doubtful / repeats, accused / repeats)
+
+
+def _share_changed(series: Sequence[Floats]) -> float:
+    return sum(bool(find_changes(one)) for one in series) / len(series)
+
+
+def _draw_correlated(rng: np.random.Generator, count: int) -> Floats:
+    values = rng.normal(size=count)
+    for index in range(1, count):
+        values[index] += CORRELATION * values[index - 1]
+    return values
+
+
+def _percent(share: float | None) -> str:
+    return "–" if share is None else f"{100 * share:.1f}"

@@ -1,0 +1,82 @@
+import type { DriftHistory, DriftPeriod } from "../api/wire";
+import { figures, moment } from "../parts/format";
+import { measured } from "../parts/lengths";
+import { QualityMark } from "../parts/QualityMark";
+import { t } from "../state/language";
+import { decimalsOf } from "./answers";
+import styles from "./FleetPage.module.css";
+
+/** What the values of a station are too few, or not sure enough, for. */
+export function DriftNotes({ history, least, unit }: { history: DriftHistory; least: number; unit: string }) {
+  const { levels, standing_out, spread } = history;
+  const value = (one: number) => measured(one, unit, decimalsOf(unit));
+  return (
+    <>
+      {levels.length > 1 && spread.calibrations > 1 && (
+        <p className={styles.note}>
+          {spread.standard_deviation === null
+            ? t("ui-fleet-own-errors-unknown", { n: spread.calibrations })
+            : t("ui-fleet-own-errors", { n: spread.calibrations, deviation: value(spread.standard_deviation) })}
+        </p>
+      )}
+      {spread.doubtful.length > 0 && (
+        <p>
+          <QualityMark quality="attention" size="1.1em" />{" "}
+          {t("ui-fleet-doubtful", { calibrations: spread.doubtful.join(", ") })}
+        </p>
+      )}
+      {standing_out.length > 0 && (
+        <div>
+          <p>{t("ui-fleet-standing-out", { n: standing_out.length, least })}</p>
+          <ul className={styles.recordings}>
+            {standing_out.map((one) => (
+              <li key={one.at}>{[moment(one.at), value(one.value), one.calibration_id].filter(Boolean).join(" · ")}</li>
+            ))}
+          </ul>
+        </div>
+      )}
+    </>
+  );
+}
+
+/** A stretch of time in which the figure differed from the right level, and its recordings. */
+export function AffectedPeriod({ period, unit }: { period: DriftPeriod; unit: string }) {
+  const { ended, levels, calibration_ids, recordings, possible } = period;
+  return (
+    <div className={styles.affected}>
+      <p>
+        <QualityMark quality="attention" size="1.1em" /> {beginning(period, unit)}{" "}
+        {levels
+          .slice(1)
+          .map((one) =>
+            t("ui-fleet-then", { value: measured(one.value, unit, decimalsOf(unit)), since: moment(one.since) }),
+          )
+          .join(" ")}{" "}
+        {ended ? t("ui-fleet-ended", { when: moment(ended.by) }) : t("ui-fleet-lasts")}
+      </p>
+      {calibration_ids.length > 0 && <p>{t("ui-fleet-explained", { calibrations: calibration_ids.join(", ") })}</p>}
+      <details>
+        <summary>
+          {t("ui-fleet-affected", { n: recordings.length })}
+          {possible.length > 0 && ` ${t("ui-fleet-possible", { n: possible.length })}`}
+        </summary>
+        <ul className={styles.recordings}>
+          {[...recordings, ...possible].map((one) => (
+            <li key={one.id}>{`${moment(one.at)} · ${one.label || one.id}`}</li>
+          ))}
+        </ul>
+      </details>
+    </div>
+  );
+}
+
+function beginning({ change, levels, right_value, standard_uncertainty }: DriftPeriod, unit: string): string {
+  const size = (levels[0]?.value ?? right_value) - right_value;
+  const by = {
+    size: `${size > 0 ? "+" : ""}${figures(size, 1)}`,
+    uncertainty: figures(2 * standard_uncertainty, 1),
+    unit,
+  };
+  if (!change) return t("ui-fleet-differed", { ...by, since: moment(levels[0]?.since ?? "") });
+  return t("ui-fleet-changed", { ...by, earliest: moment(change.earliest), latest: moment(change.latest) });
+}
