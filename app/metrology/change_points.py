@@ -22,7 +22,7 @@ OUTLIER_SD = 4.0
 CORRELATED = 1.645
 """Standard deviations of a correlation without cause: with more, values are taken as correlated."""
 MOST_CORRELATION = 0.95
-STANDING_OUT_SHARE = 0.01
+STANDING_OUT_SHARE = 0.05
 """Of series with normal scatter: so many have a value that stands out by chance."""
 
 

@@ -69,14 +69,22 @@ def test_a_drift_names_its_recordings(page: Page) -> None:
     expect(changed).to_have_count(1)
     page.locator("summary").click()
     expect(page.locator("details li").first).to_be_visible()
+    expect(page.get_by_text("because it is the first level")).to_be_visible()
+    page.get_by_label("Level taken as right").select_option(index=2)
+    expect(page.get_by_text("Taken as right, as chosen")).to_be_visible()
+    expect(page.get_by_text("from the first value on")).to_be_visible()
 
 
-def test_calibrations_stand_side_by_side_in_german(page: Page) -> None:
+def test_calibrations_stand_in_frames_in_german(page: Page) -> None:
     page.get_by_role("button", name="Deutsch").click()
     page.get_by_role("button", name="Kalibrierungen").click()
     newest = page.get_by_role("region", name="Neueste Kalibrierungen")
-    expect(newest.get_by_role("columnheader")).to_have_count(4)
-    expect(newest.get_by_role("row", name="Standardunsicherheit eines Punktes")).to_be_visible()
+    expect(newest.get_by_role("row")).to_have_count(4)
+    title = newest.get_by_role("columnheader", name="Standardunsicherheit eines Punktes")
+    expect(title).to_be_visible()
+    for width in (1280, 1024):
+        page.set_viewport_size({"width": width, "height": 800})
+        assert page.evaluate("document.documentElement.scrollWidth") == width
     spread = page.get_by_role("region", name="Streuung aller Kalibrierungen")
     expect(spread.get_by_role("row", name="room-2")).to_be_visible()
     page.locator("select").select_option("laser-plane-offset")

@@ -2,11 +2,12 @@ import type { CalibrationsInUse } from "../api/wire";
 import { figures, moment } from "../parts/format";
 import { measured } from "../parts/lengths";
 import { QualityMark } from "../parts/QualityMark";
+import { isolated } from "../state/isolated";
 import { t } from "../state/language";
 import { decimalsOf, qualityOf, useAnswer } from "./answers";
 import styles from "./FleetPage.module.css";
 
-/** The newest calibration of every station and sensor, side by side. */
+/** The newest calibration of every station and sensor, one in each row. */
 export function CalibrationsTable({ names }: { names: Map<string, string> }) {
   const { value } = useAnswer<CalibrationsInUse>("/api/fleet/calibrations");
   if (!value) return null;
@@ -18,42 +19,30 @@ export function CalibrationsTable({ names }: { names: Map<string, string> }) {
       <table className={styles.table}>
         <thead>
           <tr>
-            <th scope="col">{t("ui-fleet-quantity")}</th>
-            {calibrations.map((one) => (
-              <th key={`${one.station} ${one.sensor_serial}`} scope="col">
-                {names.get(one.station) ?? one.station}
-                <br />
-                {one.sensor_serial}
+            <th scope="col">{t("ui-station")}</th>
+            <th scope="col">{t("ui-sensor")}</th>
+            <th scope="col">{t("ui-time")}</th>
+            <th scope="col">{t("ui-temperature")}</th>
+            {[...titles].map(([quantity, title]) => (
+              <th key={quantity} scope="col" className={styles.wraps}>
+                {title}
               </th>
             ))}
           </tr>
         </thead>
         <tbody>
-          <tr>
-            <th scope="row">{t("ui-time")}</th>
-            {calibrations.map((one) => (
-              <td key={`${one.station} ${one.id}`}>
+          {calibrations.map((one) => (
+            <tr key={`${one.station} ${one.id}`}>
+              <th scope="row">{isolated(names.get(one.station) ?? one.station)}</th>
+              <td>{one.sensor_serial}</td>
+              <td>
                 {one.verdict && <QualityMark quality={qualityOf(one.verdict)} size="1em" />} {moment(one.at)}
               </td>
-            ))}
-          </tr>
-          <tr>
-            <th scope="row">{t("ui-temperature")}</th>
-            {calibrations.map((one) => (
-              <td key={`${one.station} ${one.id}`}>
-                {one.temperature_c === null ? "–" : `${figures(one.temperature_c, 1)} °C`}
-              </td>
-            ))}
-          </tr>
-          {[...titles].map(([quantity, title]) => (
-            <tr key={quantity}>
-              <th scope="row">{title}</th>
-              {calibrations.map((one) => {
+              <td>{one.temperature_c === null ? "–" : `${figures(one.temperature_c, 1)} °C`}</td>
+              {[...titles.keys()].map((quantity) => {
                 const found = one.figures.find((figure) => figure.quantity === quantity);
                 return (
-                  <td key={`${one.station} ${one.id}`}>
-                    {found ? measured(found.value, found.unit, decimalsOf(found.unit)) : "–"}
-                  </td>
+                  <td key={quantity}>{found ? measured(found.value, found.unit, decimalsOf(found.unit)) : "–"}</td>
                 );
               })}
             </tr>

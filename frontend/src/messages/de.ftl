@@ -380,7 +380,7 @@ ui-fleet-not-on-broker = Am Broker nicht gehört
 ui-fleet-nothing-found = Kein Datensatz gefunden.
 ui-fleet-object = Prüfkörper
 ui-fleet-only-on-station = Nur auf der Station
-ui-fleet-own-errors = Die eigenen Fehler von { $n } Kalibrierungen haben eine Standardabweichung von { $deviation }; Änderungen, die sie erklären, gelten nicht.
+ui-fleet-own-errors = Die eigenen Fehler von { $n } Kalibrierungen haben eine Standardabweichung von { $deviation }; Änderungen, die sie erklären, zählen nicht.
 ui-fleet-own-errors-unknown = { $n ->
     [one] Eine Kalibrierung zeigt nicht, wie weit Kalibrierungen voneinander abweichen: Eine Änderung kann ein gewöhnlicher Fehler einer Kalibrierung sein.
    *[other] { $n } Kalibrierungen mit so wenigen Prüfungen zeigen nicht, wie weit Kalibrierungen voneinander abweichen: Eine Änderung kann ein gewöhnlicher Fehler einer Kalibrierung sein.

@@ -380,7 +380,7 @@ ui-fleet-not-on-broker = Not heard on the broker
 ui-fleet-nothing-found = No record is found.
 ui-fleet-object = Artefact
 ui-fleet-only-on-station = Only on the station
-ui-fleet-own-errors = The own errors of { $n } calibrations have a standard deviation of { $deviation }; changes that they explain are none.
+ui-fleet-own-errors = The own errors of { $n } calibrations have a standard deviation of { $deviation }; changes that these explain do not count.
 ui-fleet-own-errors-unknown = { $n ->
     [one] One calibration does not tell how far calibrations differ: a change may be an ordinary error of a calibration.
    *[other] { $n } calibrations with so few tests do not tell how far calibrations differ: a change may be an ordinary error of a calibration.
