@@ -85,6 +85,7 @@ def _print_history(station: str, history: "FigureHistory", unit: str) -> None:
     if history.periods and history.right is not None:
         total = sum(one.values for one in history.levels)
         rows.append(("taken as right", _describe_right(history.right, total, unit)))
+    if history.periods and history.spread.calibrations > 1:
         rows.append(("spread of calibrations", _describe_spread(history.spread, unit)))
     if history.spread.doubtful:
         names = ", ".join(history.spread.doubtful)
@@ -111,10 +112,10 @@ def _describe_right(right: "RightLevel", total: int, unit: str) -> str:
 def _describe_spread(spread: "OwnErrorSpread", unit: str) -> str:
     if spread.standard_deviation is None:
         return (
-            f"not known of {spread.calibrations} with so few values: a change may be an ordinary "
-            "error of a calibration"
+            f"not known, by {spread.calibrations} calibrations with so few tests: a change may be "
+            "an ordinary error of a calibration"
         )
-    return f"{spread.standard_deviation:.2f} {unit} (k = 1), of {spread.calibrations}"
+    return f"{spread.standard_deviation:.2f} {unit} (k = 1), by {spread.calibrations} calibrations"
 
 
 def _print_period(

@@ -38,8 +38,8 @@ class MonthsResult:
     case: MonthsCase
     found: float | None
     """All wrong months are in periods; None if none is wrong."""
-    doubtful: float | None
-    """All wrong months are in periods, or called perhaps wrong."""
+    noted: float | None
+    """All wrong months are in periods, or called perhaps wrong, or have a value that stands out."""
     accused: float
     """A month that is not wrong is in a period."""
 
@@ -73,7 +73,7 @@ MONTH_COLUMNS = (
     "by, µm",
     "a test every",
     "found, %",
-    "or perhaps wrong, %",
+    "or noted, %",
     "healthy accused, %",
 )
 SERIES_COLUMNS = ("values", "independent, %", "correlated, %")
@@ -116,7 +116,7 @@ def table_of_months(results: Sequence[MonthsResult]) -> list[tuple[str, ...]]:
                 ", ".join(dict.fromkeys(f"{um:g}" for _, um in wrong)) or "–",
                 f"{one.case.every_days} days",
                 _percent(one.found),
-                _percent(one.doubtful),
+                _percent(one.noted),
                 _percent(one.accused),
             )
         )
@@ -153,17 +153,19 @@ def list_named_months(history: FigureHistory) -> set[int]:
 def _measure_months(case: MonthsCase, repeats: int) -> MonthsResult:
     rng = np.random.default_rng(SEED)
     wrong = {month for month, um in enumerate(case.wrong_um) if um}
-    found = doubtful = accused = 0
+    found = noted = accused = 0
     for _ in range(repeats):
         history = simulate_months(case, rng)
         named = list_named_months(history)
-        perhaps = {int(one.removeprefix("cal-")) for one in history.spread.doubtful}
+        noticed = {one.calibration_id for one in history.standing_out}
+        noticed.update(history.spread.doubtful)
+        perhaps = {int(one.removeprefix("cal-")) for one in noticed}
         found += wrong <= named
-        doubtful += wrong <= named | perhaps
+        noted += wrong <= named | perhaps
         accused += bool(named - wrong)
     if not wrong:
         return MonthsResult(case, None, None, accused / repeats)
-    return MonthsResult(case, found / repeats, doubtful / repeats, accused / repeats)
+    return MonthsResult(case, found / repeats, noted / repeats, accused / repeats)
 
 
 def _share_changed(series: Sequence[Floats]) -> float:
