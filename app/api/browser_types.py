@@ -22,6 +22,7 @@ from app.messages.message import Message, MessageList, Quantity
 from app.messages.stored import SUFFIX
 from app.station.preview.preview import PreviewHeader
 from app.wire.fleet import FLEET_ANSWERS
+from app.wire.fleet_drift import FleetDrift
 from app.wire.live_messages import BeatMessage, EventMessage, HelloMessage, LiveRequest, Topics
 from app.wire.schema import Problem, ProblemMessages, RecordedCalibration
 from app.workflows.measure_gauge import MapFile
@@ -41,6 +42,7 @@ BESIDE_ROUTES: tuple[Any, ...] = (
     Problem,
     RecordedCalibration,
     *FLEET_ANSWERS,
+    FleetDrift,
 )
 """Models that are sent and are not the declared answer of a route of the station."""
 FILES: tuple[Any, ...] = (VerificationFile, PerformanceFile, MapFile)

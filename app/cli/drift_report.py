@@ -87,9 +87,15 @@ def _print_history(station: str, history: "FigureHistory", unit: str) -> None:
         rows.append(("taken as right", _describe_right(history.right, total, unit)))
     if history.periods and history.spread.calibrations > 1:
         rows.append(("spread of calibrations", _describe_spread(history.spread, unit)))
-    if history.spread.doubtful:
-        names = ", ".join(history.spread.doubtful)
-        rows.append(("perhaps wrong", f"{names}: far from the others, but not surely"))
+    rows += [
+        (
+            "perhaps wrong",
+            f"{one.calibration_id}, by {one.size:+.2f} {unit}, tests from "
+            f"{format_moment(one.since)} to {format_moment(one.until)}: far from the other "
+            "calibrations, but not surely",
+        )
+        for one in history.spread.doubtful
+    ]
     rows += [
         (
             "stands out",

@@ -47,8 +47,8 @@ class CalibrationLevels:
     calibrations: int
     outside: tuple[str, ...]
     """Calibrations further from the others than their errors explain."""
-    doubtful: tuple[str, ...]
-    """Calibrations that are far from the others, but not surely outside."""
+    doubtful: dict[str, float]
+    """Calibrations that are far from the others, but not surely outside; and how far."""
 
 
 def find_calibration_levels(
@@ -105,7 +105,7 @@ def find_calibration_levels(
         float(np.sqrt(max(spread, 0.0))),
         len(names),
         tuple(names[one] for one in outside),
-        tuple(names[one] for one in doubtful),
+        {names[one]: float(errors[one]) for one in doubtful},
     )
 
 

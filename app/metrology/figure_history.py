@@ -52,14 +52,25 @@ class StandingOut:
 
 
 @dataclass(frozen=True, slots=True)
+class DoubtfulCalibration:
+    """A calibration that lies far from the others, but not surely further than they spread."""
+
+    calibration_id: str
+    size: float
+    """Of its own error."""
+    since: datetime
+    """The first test with it, as ``until`` the last one."""
+    until: datetime
+
+
+@dataclass(frozen=True, slots=True)
 class OwnErrorSpread:
     """How far the calibrations of one station lie from each other."""
 
     calibrations: int
     standard_deviation: float | None
     """Of their own errors, k = 1; None: too few calibrations, or tests of each, tell."""
-    doubtful: tuple[str, ...]
-    """Calibrations that lie far from the others, but not surely further than they spread."""
+    doubtful: tuple[DoubtfulCalibration, ...]
 
 
 @dataclass(frozen=True, slots=True)
@@ -109,11 +120,7 @@ def find_history(
     used = calibrations[-MOST_VALUES:] or [""] * len(values)
     series = np.array(values, dtype=np.float64)
     found = find_calibration_levels(series, used)
-    number = len({one for one in used if one})
-    if found is None:
-        spread = OwnErrorSpread(number, None, ())
-    else:
-        spread = OwnErrorSpread(number, found.spread_sd, found.doubtful)
+    spread = _describe_spread(times, used, found)
     if len(series) < LEAST_VALUES:
         return FigureHistory((), (), None, (), (), spread)
     segments = _Segments(times, series, used, found)
@@ -133,6 +140,19 @@ def find_history(
         segments.standing_out(),
         spread,
     )
+
+
+def _describe_spread(
+    times: Sequence[datetime], calibrations: Sequence[str], found: CalibrationLevels | None
+) -> OwnErrorSpread:
+    number = len({one for one in calibrations if one})
+    if found is None:
+        return OwnErrorSpread(number, None, ())
+    doubtful = []
+    for name, size in found.doubtful.items():
+        tests = [at for at, used in zip(times, calibrations, strict=True) if used == name]
+        doubtful.append(DoubtfulCalibration(name, size, tests[0], tests[-1]))
+    return OwnErrorSpread(number, found.spread_sd, tuple(doubtful))
 
 
 class _Segments:

@@ -87,6 +87,21 @@ def test_a_calibration_well_outside_the_spread_is_found_with_its_dates() -> None
     assert named >= 28
 
 
+def test_a_calibration_at_the_edge_of_the_spread_is_called_perhaps_wrong_with_its_dates() -> None:
+    noted = 0
+    for seed in range(30):
+        errors = np.random.default_rng(seed).normal(0, 3.0, 12)
+        errors[4] = 15.0
+        found = history(*errors, seed=seed)
+        for one in found.spread.doubtful:
+            if one.calibration_id == "cal-4":
+                assert abs(one.size - 15.0) < 9.0
+                assert START + DAY * 120 <= one.since < one.until < START + DAY * 150
+        names = {one.calibration_id for one in found.spread.doubtful}
+        noted += "cal-4" in names or months_of(found) == [[4]]
+    assert noted >= 20
+
+
 def test_a_change_while_a_calibration_is_in_use_needs_no_spread() -> None:
     errors = np.random.default_rng(3).normal(0, 3.0, 12)
     rng = np.random.default_rng(4)

@@ -158,7 +158,7 @@ def _measure_months(case: MonthsCase, repeats: int) -> MonthsResult:
         history = simulate_months(case, rng)
         named = list_named_months(history)
         noticed = {one.calibration_id for one in history.standing_out}
-        noticed.update(history.spread.doubtful)
+        noticed.update(one.calibration_id for one in history.spread.doubtful)
         perhaps = {int(one.removeprefix("cal-")) for one in noticed}
         found += wrong <= named
         noted += wrong <= named | perhaps

@@ -36,11 +36,8 @@ from app.server.fleet.sign_in import PASSWORD_PAGE, AccessCheck, sign_in_router
 from app.server.middleware import Guard
 from app.wire.fleet import (
     CalibrationsInUse,
-    DriftingStation,
-    DriftPeriod,
     FleetAgeing,
     FleetCalibrationSpread,
-    FleetDrift,
     FleetOverview,
     FleetRecord,
     FleetSpread,
@@ -51,6 +48,7 @@ from app.wire.fleet import (
     RecordsPage,
     StationsOnBroker,
 )
+from app.wire.fleet_drift import DriftingStation, DriftPeriod, FleetDrift
 from app.wire.json_response import json_response
 
 PAGE = "fleet.html"

@@ -19,12 +19,17 @@ export function DriftNotes({ history, least, unit }: { history: DriftHistory; le
             : t("ui-fleet-own-errors", { n: spread.calibrations, deviation: value(spread.standard_deviation) })}
         </p>
       )}
-      {spread.doubtful.length > 0 && (
-        <p>
+      {spread.doubtful.map(({ calibration_id, size, since, until }) => (
+        <p key={calibration_id}>
           <QualityMark quality="attention" size="1.1em" />{" "}
-          {t("ui-fleet-doubtful", { calibrations: spread.doubtful.join(", ") })}
+          {t("ui-fleet-doubtful", {
+            calibration: calibration_id,
+            size: `${signed(size)} ${unit}`,
+            since: moment(since),
+            until: moment(until),
+          })}
         </p>
-      )}
+      ))}
       {standing_out.length > 0 && (
         <div>
           <p>{t("ui-fleet-standing-out", { n: standing_out.length, least })}</p>
@@ -73,10 +78,14 @@ export function AffectedPeriod({ period, unit }: { period: DriftPeriod; unit: st
 function beginning({ change, levels, right_value, standard_uncertainty }: DriftPeriod, unit: string): string {
   const size = (levels[0]?.value ?? right_value) - right_value;
   const by = {
-    size: `${size > 0 ? "+" : ""}${figures(size, 1)}`,
+    size: signed(size),
     uncertainty: figures(2 * standard_uncertainty, 1),
     unit,
   };
   if (!change) return t("ui-fleet-differed", { ...by, since: moment(levels[0]?.since ?? "") });
   return t("ui-fleet-changed", { ...by, earliest: moment(change.earliest), latest: moment(change.latest) });
+}
+
+function signed(size: number): string {
+  return `${size > 0 ? "+" : ""}${figures(size, 1)}`;
 }

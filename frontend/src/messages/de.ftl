@@ -344,7 +344,7 @@ ui-fleet-changes-by = { $since ->
 ui-fleet-collected = Gesammelt
 ui-fleet-count = Anzahl
 ui-fleet-differed = Weicht vom ersten Wert an, { $since }, um { $size } ± { $uncertainty } { $unit } (k = 2) ab.
-ui-fleet-doubtful = Vielleicht falsch, weit von den anderen Kalibrierungen, aber nicht sicher: { $calibrations }
+ui-fleet-doubtful = Vielleicht falsch: { $calibration }, um { $size }, geprüft von { $since } bis { $until }. Sie liegt weit von den anderen Kalibrierungen, aber nicht sicher weiter, als diese streuen.
 ui-fleet-drift = Drift
 ui-fleet-ended = Spätestens am { $when } wieder auf dem richtigen Niveau.
 ui-fleet-expanded = U (k = 2)

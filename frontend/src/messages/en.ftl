@@ -344,7 +344,7 @@ ui-fleet-changes-by = { $since ->
 ui-fleet-collected = Collected
 ui-fleet-count = Number
 ui-fleet-differed = Differs by { $size } ± { $uncertainty } { $unit } (k = 2) from the first value on, { $since }.
-ui-fleet-doubtful = Perhaps wrong, far from the other calibrations but not surely: { $calibrations }
+ui-fleet-doubtful = Perhaps wrong: { $calibration }, by { $size }, tested from { $since } to { $until }. It is far from the other calibrations, but not surely further than they spread.
 ui-fleet-drift = Drift
 ui-fleet-ended = Back to the right level by { $when }.
 ui-fleet-expanded = U (k = 2)
