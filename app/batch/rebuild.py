@@ -59,6 +59,7 @@ class RebuildTask:
         cloud = self.stem + self.suffix
         with results.file(cloud, desk) as target:
             made = reconstruct_cloud(path, sensors, arm, target, desk.report, threads=desk.threads)
+            cloud_bytes = target.stat().st_size
         document = RebuiltCloud(
             key=self.key,
             station=self.recording.station,
@@ -68,6 +69,7 @@ class RebuildTask:
             calibrations=describe_files(self.calibrations),
             software=SOFTWARE,
             cloud=cloud,
+            cloud_bytes=cloud_bytes,
             points=made.points,
             frames=made.frames,
             frames_without_stripe=made.frames_without_stripe,

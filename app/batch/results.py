@@ -1,10 +1,12 @@
 """Where results are kept: a folder or a store, each under a name with the key of its task.
 
-A result is whole exactly when its document is there: that is written last, at once.
+A result is whole exactly when its document is there, which is written last, at once, and the cloud
+that it names has the size that it states.
 """
 
 import json
 from collections.abc import Iterator, Mapping, Sequence, Set
+from concurrent.futures import ThreadPoolExecutor
 from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import Any, ClassVar
@@ -13,6 +15,7 @@ from app.archive.archive_settings import ArchiveSettings
 from app.archive.remote_store import PIECE_BYTES, open_store, read_document
 from app.archive.store_errors import is_of_whole_place
 from app.batch.calibrations import BySensor
+from app.batch.recordings import READERS
 from app.batch.task import Desk
 from app.errors import OperationError
 from app.formats.atomic_write import ensure_folder
@@ -48,6 +51,8 @@ class RebuiltCloud(Document):
     software: Software
     cloud: str
     """Name of its file, beside the document."""
+    cloud_bytes: int
+    """Its size: a cloud that was cut off or removed since is made again."""
     points: int
     frames: int
     frames_without_stripe: int
@@ -71,25 +76,34 @@ class ResultStore:
             with convert_io_errors(folder):
                 ensure_folder(folder)
 
-    def keys(self) -> set[str]:
-        """The shortened keys of all results that are there; raises ``OperationError``."""
+    def whole_keys(self, wanted: Set[str]) -> set[str]:
+        """Which of these shortened keys have a whole result; raises ``OperationError``."""
         names = (name for name in self._store.names("") if name.endswith(DOCUMENT))
-        return {name.removesuffix(DOCUMENT).rpartition("-")[2] for name in names}
+        stems = [name.removesuffix(DOCUMENT) for name in names]
+        there = [stem for stem in stems if _key_in(stem) in wanted]
+        with ThreadPoolExecutor(READERS, "read-results") as pool:
+            read = pool.map(self.read, there)
+            return {_key_in(stem) for stem, fields in zip(there, read, strict=True) if fields}
 
     def read(self, stem: str) -> dict[str, Any] | None:
-        """The fields of a result's document; None if there is no whole one."""
+        """The fields of a result's document; None if there is no whole result."""
         name = stem + DOCUMENT
         try:
             if self._store.size(name) is None:
                 return None
             fields = json.loads(read_document(self._store, name))
+            return fields if isinstance(fields, dict) and self._has_cloud(fields) else None
         except (ValueError, RecursionError):
             return None
         except OperationError as error:
             if is_of_whole_place(error):
                 raise
             return None
-        return fields if isinstance(fields, dict) else None
+
+    def _has_cloud(self, fields: Mapping[str, Any]) -> bool:
+        """Whether the cloud is there as its document states it; results without one have it."""
+        cloud = fields.get("cloud")
+        return cloud is None or self._store.size(str(cloud)) == fields.get("cloud_bytes", -1)
 
     def write(self, stem: str, document: Document) -> Mapping[str, Any]:
         """Keeps a result's document; returns its fields."""
@@ -141,6 +155,10 @@ def describe_files(calibrations: BySensor) -> tuple[UsedFiles, ...]:
         )
         for sensor, one in calibrations.items()
     )
+
+
+def _key_in(stem: str) -> str:
+    return stem.rpartition("-")[2]
 
 
 def stem_of(station: str, record: str, key: str) -> str:

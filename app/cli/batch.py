@@ -157,8 +157,9 @@ def do_missing(
     from app.batch.results import SHORT_KEY
     from app.batch.runner import Runner
 
-    there = results.keys()
-    missing = {task.key[:SHORT_KEY]: task for task in tasks if task.key[:SHORT_KEY] not in there}
+    wanted = {task.key[:SHORT_KEY]: task for task in tasks}
+    there = results.whole_keys(wanted.keys())
+    missing = {key: task for key, task in wanted.items() if key not in there}
     ended = not missing
     try:
         if missing:

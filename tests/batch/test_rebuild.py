@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from fsspec.implementations.memory import MemoryFileSystem
 
 pytest.importorskip("distributed")
 
@@ -106,7 +107,7 @@ def test_recordings_are_chosen_by_period_station_and_calibration(
 def test_another_calibration_or_format_is_another_result(archive: Path, tmp_path: Path) -> None:
     tasks, results = plan(archive, tmp_path / "out")
     assert perform(tasks[0], tmp_path, 1).state == "done"
-    assert results.keys() == {tasks[0].key[:16]}
+    assert results.whole_keys({task.key[:16] for task in tasks}) == {tasks[0].key[:16]}
     calibration = tmp_path / "data/sessions" / CALIBRATION / "calibration.json"
     calibration.write_text(calibration.read_text().replace("0.25", "0.35"))
     given = tmp_path / "given"
@@ -117,6 +118,42 @@ def test_another_calibration_or_format_is_another_result(archive: Path, tmp_path
     assert document.stem.rpartition("-")[2] not in {task.key[:16] for task in tasks}
     (cloud,), (before,) = given.glob("*.ply"), (tmp_path / "out").glob("*.ply")
     assert abs(read_cloud(cloud).points_mm - read_cloud(before).points_mm).max() > 0.01
+
+
+@pytest.mark.parametrize("damage", ["cloud removed", "cloud cut off", "document cut off"])
+def test_a_result_that_is_damaged_later_is_made_again(
+    damage: str, archive: Path, tmp_path: Path
+) -> None:
+    tasks, results = plan(archive, tmp_path / "out")
+    for task in tasks:
+        assert perform(task, tmp_path, 1).state == "done"
+    before = {path: path.read_bytes() for path in (tmp_path / "out").iterdir()}
+    cloud, document = (tmp_path / f"out/{tasks[1].stem}{end}" for end in (".ply", ".json"))
+    if damage == "cloud removed":
+        cloud.unlink()
+    else:
+        damaged = cloud if damage == "cloud cut off" else document
+        os.truncate(damaged, damaged.stat().st_size - 10)
+    keys = [task.key[:16] for task in tasks]
+    assert results.whole_keys(set(keys)) == {keys[0], keys[2]}
+    made = run("rebuild", archive, "-o", "out", "--workers", 1, cwd=tmp_path)
+    assert (made["made"], made["already_there"]) == (1, 2)
+    assert {path: path.read_bytes() for path in (tmp_path / "out").iterdir()} == before
+
+
+def test_a_cloud_that_a_store_lost_is_made_again(archive: Path, tmp_path: Path) -> None:
+    files = MemoryFileSystem()
+    results = ResultStore(settings_for("memory://lost-clouds"))
+    tasks = plan_rebuild(find_places([str(archive)]), Selection(), results.settings, ".ply").tasks
+    assert perform(tasks[0], tmp_path, 1).state == "done"
+    assert results.read(tasks[0].stem) is not None
+    cloud = f"/lost-clouds/{tasks[0].stem}.ply"
+    files.pipe_file(cloud, files.cat_file(cloud)[:-1])
+    assert results.read(tasks[0].stem) is None
+    files.rm_file(cloud)
+    assert results.read(tasks[0].stem) is None
+    assert perform(tasks[0], tmp_path, 1).state == "done"
+    assert files.size(cloud) == results.read(tasks[0].stem)["cloud_bytes"]  # type: ignore[index]
 
 
 def test_recordings_of_other_devices_are_left_out(archive: Path, tmp_path: Path) -> None:
