@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import Any, Protocol
 
 from app.archive.archive_settings import ArchiveSettings
-from app.archive.store_errors import convert_foreign_kinds, convert_store_errors
+from app.archive.store_errors import StorePurpose, convert_foreign_kinds, convert_store_errors
 from app.errors import OperationError
 from app.formats.atomic_write import atomic_file, ensure_folder
 from app.formats.io_errors import error_from_os
@@ -49,6 +49,9 @@ class RemoteStore(Protocol):
     def names(self, folder: str) -> list[str]:
         """The names in a folder, sorted; empty if there is none."""
 
+    def remove(self, name: str) -> None:
+        """Removes a file, if it is there."""
+
 
 def read_document(store: RemoteStore, name: str) -> bytes:
     """A small file, however long what is there under its name.
@@ -65,12 +68,12 @@ def read_document(store: RemoteStore, name: str) -> bytes:
 class FolderStore:
     """A folder that exists: of another disk, or the mount of a network drive."""
 
-    def __init__(self, root: Path) -> None:
-        self._root, self._place = root, str(root)
+    def __init__(self, root: Path, purpose: StorePurpose = "archive") -> None:
+        self._root, self._place, self._purpose = root, str(root), purpose
 
     def write(self, name: str, pieces: Iterable[bytes], size: int) -> None:
         path = self._root / name
-        with convert_store_errors(self._place):
+        with convert_store_errors(self._place, self._purpose):
             if not self._root.is_dir():
                 raise FileNotFoundError(errno.ENOENT, os.strerror(errno.ENOENT), self._place)
             with convert_foreign_kinds(name):
@@ -82,14 +85,14 @@ class FolderStore:
                     file.write(piece)
 
     def read(self, name: str) -> Iterator[bytes]:
-        with convert_store_errors(self._place), self._open(name) as file:
+        with convert_store_errors(self._place, self._purpose), self._open(name) as file:
             with suppress(AttributeError):  # so that the disk is read, not the cache
                 os.posix_fadvise(file.fileno(), 0, 0, os.POSIX_FADV_DONTNEED)
             while piece := file.read(PIECE_BYTES):
                 yield piece
 
     def read_start(self, name: str, count: int) -> bytes:
-        with convert_store_errors(self._place), self._open(name) as file:
+        with convert_store_errors(self._place, self._purpose), self._open(name) as file:
             return file.read(count)
 
     def _open(self, name: str) -> BufferedReader:
@@ -97,7 +100,7 @@ class FolderStore:
             return open_file(self._root / name)
 
     def size(self, name: str) -> int | None:
-        with convert_store_errors(self._place):
+        with convert_store_errors(self._place, self._purpose):
             if not self._root.is_dir():
                 raise FileNotFoundError(errno.ENOENT, os.strerror(errno.ENOENT), self._place)
             with suppress(FileNotFoundError, NotADirectoryError), convert_foreign_kinds(name):
@@ -106,9 +109,13 @@ class FolderStore:
 
     def names(self, folder: str) -> list[str]:
         missing = FileNotFoundError, NotADirectoryError
-        with convert_store_errors(self._place), suppress(*missing):
+        with convert_store_errors(self._place, self._purpose), suppress(*missing):
             return sorted(path.name for path in (self._root / folder).iterdir())
         return []
+
+    def remove(self, name: str) -> None:
+        with convert_store_errors(self._place, self._purpose):
+            (self._root / name).unlink(missing_ok=True)
 
 
 class FsspecStore:
@@ -118,8 +125,8 @@ class FsspecStore:
     gets its name only by ``commit``; on S3, this completes the multipart upload.
     """
 
-    def __init__(self, settings: ArchiveSettings) -> None:
-        self._settings, self._place = settings, settings.place
+    def __init__(self, settings: ArchiveSettings, purpose: StorePurpose = "archive") -> None:
+        self._settings, self._place, self._purpose = settings, settings.place, purpose
         self._opened: tuple[Any, str] | None = None
 
     def _at(self, name: str) -> tuple[Any, str]:
@@ -130,7 +137,7 @@ class FsspecStore:
         return files, f"{root.rstrip('/')}/{name}"
 
     def write(self, name: str, pieces: Iterable[bytes], size: int) -> None:
-        with convert_store_errors(self._place):
+        with convert_store_errors(self._place, self._purpose):
             files, path = self._at(name)
             if not self._settings.url.startswith(OBJECT_STORES):
                 files.makedirs(path.rpartition("/")[0], exist_ok=True)
@@ -150,19 +157,19 @@ class FsspecStore:
                 raise
 
     def read(self, name: str) -> Iterator[bytes]:
-        with convert_store_errors(self._place):
+        with convert_store_errors(self._place, self._purpose):
             files, path = self._at(name)
             with closing(files.open(path, "rb", block_size=PART_BYTES)) as file:
                 while piece := file.read(PIECE_BYTES):
                     yield piece
 
     def read_start(self, name: str, count: int) -> bytes:
-        with convert_store_errors(self._place):
+        with convert_store_errors(self._place, self._purpose):
             files, path = self._at(name)
             return bytes(files.cat_file(path, start=0, end=count))
 
     def size(self, name: str) -> int | None:
-        with convert_store_errors(self._place):
+        with convert_store_errors(self._place, self._purpose):
             files, path = self._at(name)
             try:
                 return int(files.info(path)["size"])
@@ -170,7 +177,7 @@ class FsspecStore:
                 return None
 
     def names(self, folder: str) -> list[str]:
-        with convert_store_errors(self._place):
+        with convert_store_errors(self._place, self._purpose):
             files, path = self._at(folder)
             try:
                 found = files.ls(path, detail=False, refresh=True)
@@ -178,10 +185,21 @@ class FsspecStore:
                 return []
             return sorted({str(path).rstrip("/").rpartition("/")[2] for path in found} - {""})
 
+    def remove(self, name: str) -> None:
+        with convert_store_errors(self._place, self._purpose), suppress(FileNotFoundError):
+            files, path = self._at(name)
+            files.rm_file(path)
 
-def open_store(settings: ArchiveSettings) -> RemoteStore:
-    """The store of the settings; it is not reached yet."""
-    return FolderStore(Path(settings.url)) if settings.is_folder else FsspecStore(settings)
+
+def open_store(settings: ArchiveSettings, purpose: StorePurpose = "archive") -> RemoteStore:
+    """The store of the settings; it is not reached yet.
+
+    Args:
+        purpose: for which it is opened; errors say what to do accordingly.
+    """
+    if settings.is_folder:
+        return FolderStore(Path(settings.url), purpose)
+    return FsspecStore(settings, purpose)
 
 
 def _open_filesystem(settings: ArchiveSettings) -> tuple[Any, str]:

@@ -1,11 +1,12 @@
 """What is wrong with an archive, in words that say what to do."""
 
 import errno
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
+from typing import Literal
 
 from app.errors import OperationError
-from app.messages.message import message
+from app.messages.message import Text, message
 
 FULL = (errno.ENOSPC, errno.EDQUOT)
 FULL_WORDS = ("quota", "storagefull", "insufficientstorage", "insufficient storage", "(507)")
@@ -25,24 +26,30 @@ FOREIGN_KINDS = (errno.EISDIR, errno.ENXIO, errno.ELOOP, errno.ENOTDIR, errno.EE
 CODES_OF_FOREIGN_KINDS = ("output-not-a-file", "file-not-ordinary", "file-is-no-folder")
 LONGEST_REASON = 300
 
+StorePurpose = Literal["archive", "records", "results"]
+"""A station's own archive, which it tries again by itself; an archive that is only read; or the
+place where results are written."""
+StoreTexts = Mapping[str, tuple[Text, Text]]
+"""By the code: what is wrong, and the remedy."""
+
 
 class StoreError(OperationError):
     """The archive cannot do what it was asked for; the station tries again later."""
 
 
 @contextmanager
-def convert_store_errors(place: str) -> Iterator[None]:
+def convert_store_errors(place: str, purpose: StorePurpose = "archive") -> Iterator[None]:
     """Turns whatever a store's library raises into a ``StoreError``; refusals of the station's own
     files and a store's own refusals pass."""
     try:
         yield
     except OperationError as error:
         if error.code in OF_FILES and not isinstance(error, SourceError):
-            raise store_error(OF_FILES[error.code], place, str(error.why)) from error
+            raise store_error(OF_FILES[error.code], place, str(error.why), purpose) from error
         raise
     except Exception as error:  # the libraries have errors of many families
         reason = getattr(error, "strerror", None) or str(error) or type(error).__name__
-        raise store_error(_code_of(error), place, str(reason)) from error
+        raise store_error(_code_of(error), place, str(reason), purpose) from error
 
 
 class DamagedCopyError(StoreError):
@@ -83,9 +90,16 @@ class SourceError(OperationError):
     """A file of the station cannot be read or has changed: no fault of the archive."""
 
 
-def store_error(code: str, place: str, reason: str) -> StoreError:
+def store_error(
+    code: str, place: str, reason: str, purpose: StorePurpose = "archive"
+) -> StoreError:
     """The error for one of the four ways in which a store fails."""
-    what, remedy = {
+    what, remedy = TEXTS[purpose](place)[code]
+    return StoreError(code, what, " ".join(reason.split())[:LONGEST_REASON], remedy)
+
+
+def _archive_texts(place: str) -> StoreTexts:
+    return {
         "archive-full": (message("archive-full", place=place), message("archive-make-room")),
         "archive-forbidden": (
             message("archive-forbidden", place=place),
@@ -93,8 +107,41 @@ def store_error(code: str, place: str, reason: str) -> StoreError:
         ),
         "archive-missing": (message("archive-missing", place=place), message("archive-check-url")),
         "archive-away": (message("archive-away", place=place), message("archive-check-network")),
-    }[code]
-    return StoreError(code, what, " ".join(reason.split())[:LONGEST_REASON], remedy)
+    }
+
+
+def _records_texts(place: str) -> StoreTexts:
+    return {
+        "archive-full": (message("archive-full", place=place), message("store-make-room")),
+        "archive-forbidden": (
+            message("archive-forbidden", place=place),
+            message("store-check-access"),
+        ),
+        "archive-missing": (
+            message("archive-missing", place=place),
+            message("store-check-address"),
+        ),
+        "archive-away": (message("archive-away", place=place), message("store-check-network")),
+    }
+
+
+def _results_texts(place: str) -> StoreTexts:
+    return {
+        "archive-full": (message("output-full", place=place), message("output-make-room")),
+        "archive-forbidden": (
+            message("output-forbidden", place=place),
+            message("output-check-access"),
+        ),
+        "archive-missing": (message("output-missing", place=place), message("output-create")),
+        "archive-away": (message("output-away", place=place), message("store-check-network")),
+    }
+
+
+TEXTS: Mapping[StorePurpose, Callable[[str], StoreTexts]] = {
+    "archive": _archive_texts,
+    "records": _records_texts,
+    "results": _results_texts,
+}
 
 
 def _code_of(error: Exception) -> str:

@@ -96,7 +96,7 @@ class Place:
 
     def store(self) -> RemoteStore:
         """Opens it."""
-        return open_store(self.settings)
+        return open_store(self.settings, "records")
 
     def ids(self, kind: Kind, store: RemoteStore) -> list[str]:
         """The names of the records of a kind; raises ``OperationError``."""
@@ -174,7 +174,7 @@ def find_places(given: Sequence[str], keys: ArchiveSettings | None = None) -> li
 
 def _places_at(url: str, keys: ArchiveSettings | None) -> Iterator[Place]:
     settings = settings_for(url, keys)
-    store = open_store(settings)
+    store = open_store(settings, "records")
     if store.size(MARKER) is not None:
         yield Place(settings, True)
         return

@@ -26,6 +26,7 @@ from app.messages.message import Text, message
 
 SHORT_KEY = 16
 DOCUMENT, PART = ".json", ".part"
+PROBE, PROBE_TEXT = ".crenel-probe", b"Crenel tried to write here.\n"
 
 
 class UsedFiles(DocumentPart):
@@ -67,14 +68,21 @@ class ResultStore:
 
     def __init__(self, settings: ArchiveSettings) -> None:
         self.settings = settings
-        self._store = open_store(settings)
+        self._store = open_store(settings, "results")
 
     def prepare(self) -> None:
-        """Creates the folder of a store that is a folder; raises ``OperationError``."""
+        """Creates the folder of a store that is a folder, and writes a file there and removes it.
+
+        Raises:
+            OperationError: results cannot be written there.
+        """
         if self.settings.is_folder:
             folder = Path(self.settings.url)
             with convert_io_errors(folder):
                 ensure_folder(folder)
+        self._store.write(PROBE, [PROBE_TEXT], len(PROBE_TEXT))
+        with suppress(OperationError):  # some stores let files be written, but not removed
+            self._store.remove(PROBE)
 
     def whole_keys(self, wanted: Set[str]) -> set[str]:
         """Which of these shortened keys have a whole result; raises ``OperationError``."""

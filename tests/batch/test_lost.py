@@ -5,6 +5,7 @@ from dataclasses import replace
 from pathlib import Path
 
 import pytest
+from typer.testing import CliRunner
 
 pytest.importorskip("distributed")
 pytest.importorskip("moto")
@@ -16,10 +17,12 @@ from app.archive.pace import full_speed
 from app.batch.places import find_places, settings_for
 from app.batch.rebuild import plan_rebuild
 from app.batch.recordings import Selection
+from app.batch.results import ResultStore
 from app.batch.task import perform
 from app.bench.fleet.losses import CLOUDS, rebuild_with_losses
 from app.bench.fleet.result_count import MadeScan, ResultCount, count_results
 from app.bench.fleet.s3_server import BUCKET, CuttingProxy, S3Server
+from app.cli.main import cli
 from tests.archive.filled import lists_of
 from tests.batch.filled import CALIBRATION, fill_station
 
@@ -27,16 +30,21 @@ pytestmark = pytest.mark.slow
 SCANS = tuple(f"scan-{number}" for number in range(10))
 
 
-def fill_store(data: Path, server: S3Server) -> None:
-    """An archive in the S3 store, of a station with scans."""
-    (data.parent / "secret").write_text("secret\n")
+def s3_settings(folder: Path, server: S3Server) -> ArchiveSettings:
+    """An archive in the S3 store, with its secret in the folder."""
     given = {
         "url": f"s3://{BUCKET}/room-2",
         "endpoint": server.url,
         "access_key": "key",
         "secret_file": "secret",
     }
-    settings = ArchiveSettings.model_validate(given, context=data.parent / "station.toml")
+    return ArchiveSettings.model_validate(given, context=folder / "station.toml")
+
+
+def fill_store(data: Path, server: S3Server) -> None:
+    """An archive in the S3 store, of a station with scans."""
+    (data.parent / "secret").write_text("secret\n")
+    settings = s3_settings(data.parent, server)
     store = fill_station(data, SCANS, 100)
     try:
         Archive(settings, data, lists_of(store), full_speed()).run()
@@ -65,6 +73,26 @@ def test_every_result_is_there_once_whatever_is_lost(tmp_path: Path) -> None:
     assert counted == ResultCount(results=len(SCANS), doubled=0, missing=0, differing=0)
     assert ran.printed["refused"] == {}
     assert "is lost; the work goes on" in ran.said
+
+
+def test_a_bucket_that_is_missing_is_named_before_anything_is_done(tmp_path: Path) -> None:
+    fill_station(tmp_path / "data", SCANS[:1]).close()
+    (tmp_path / "secret").write_text("secret\n")
+    with S3Server() as server:
+        (tmp_path / "station.toml").write_text(
+            f'[archive]\nurl = "s3://{BUCKET}/room-2"\nendpoint = "{server.url}"\n'
+            'access_key = "key"\nsecret_file = "secret"\n'
+        )
+        options = ("--config", tmp_path / "station.toml", "--workers", "1", "-o")
+        command = ["rebuild", str(tmp_path / "data"), *map(str, options)]
+        refused = CliRunner().invoke(cli, [*command, "s3://no-such/out"])
+        assert refused.exit_code == 1
+        (line,) = refused.stderr.splitlines()
+        assert line.startswith("crenel: The output s3://no-such/out is not there: ")
+        assert line.endswith("Create the folder or the bucket, or name another output with -o.")
+        output = ResultStore(settings_for(f"s3://{BUCKET}/out", s3_settings(tmp_path, server)))
+        output.prepare()
+        assert server.names("out") == []
 
 
 def made_scans(tmp_path: Path, scans: Sequence[str] = SCANS) -> list[MadeScan]:

@@ -199,6 +199,21 @@ def test_nothing_is_written_into_what_is_read(archive: Path, tmp_path: Path) -> 
     assert not (archive / "clouds").exists()
 
 
+def test_an_output_that_cannot_be_written_is_refused_at_once(tmp_path: Path) -> None:
+    (tmp_path / "file").write_text("no folder")
+    for place in ("file", "file/below"):
+        with pytest.raises(OperationError, match="file"):
+            ResultStore(settings_for(str(tmp_path / place))).prepare()
+    ResultStore(settings_for(str(tmp_path / "new"))).prepare()
+    assert list((tmp_path / "new").iterdir()) == []
+
+
+def test_an_address_that_was_given_is_not_looked_for_in_settings(tmp_path: Path) -> None:
+    with pytest.raises(OperationError, match="is not there") as refused:
+        find_places([str(tmp_path / "none")])
+    assert str(refused.value.remedy) == "Mount its disk, or correct its address"
+
+
 def test_what_is_no_file_in_an_archive_is_named_and_the_rest_is_made(
     archive: Path, tmp_path: Path
 ) -> None:

@@ -72,13 +72,14 @@ class ArchivePlace:
 
     def __init__(self, settings: ArchiveSettings, store: RemoteStore | None = None) -> None:
         self.name = settings.place
-        self._store = store or open_store(settings)
+        self._store = store or open_store(settings, "records")
 
     def list_new(
         self, known: Mapping[str, KnownContent], complete: bool = False
     ) -> Iterator[SourceRecord]:
         if self._store.size(MARKER) is None:
-            raise store_error("archive-missing", self.name, str(message("fleet-no-marker")))
+            why = str(message("fleet-no-marker"))
+            raise store_error("archive-missing", self.name, why, "records")
         now = datetime.now(UTC)
         for kind in KINDS:
             for record_id in self._store.names(kind):
