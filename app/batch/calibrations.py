@@ -7,6 +7,7 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 
 from app.archive.remote_store import RemoteStore, read_document
+from app.batch.patience import Patience
 from app.batch.places import Place
 from app.batch.recordings import ScanRecording
 from app.errors import OperationError
@@ -72,8 +73,8 @@ BySensor = Mapping[str, CalibrationFiles]
 class CalibrationFinder:
     """Looks up calibrations in places by their ids, and remembers what it found."""
 
-    def __init__(self, places: Sequence[Place]) -> None:
-        self._stores = [(place, place.store()) for place in places]
+    def __init__(self, places: Sequence[Place], patience: Patience | None = None) -> None:
+        self._stores = [(place, place.store(patience)) for place in places]
         self._known: dict[tuple[str, str], CalibrationFiles | None] = {}
 
     def find(self, calibration_id: str, first: Place | None = None) -> CalibrationFiles | None:

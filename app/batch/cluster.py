@@ -8,6 +8,7 @@ from contextlib import suppress
 from tempfile import TemporaryDirectory
 from typing import TYPE_CHECKING, Any, Protocol
 
+from app.batch.patience import GIVE_UP_S
 from app.errors import OperationError
 from app.messages.message import Text, message, quantity
 
@@ -16,8 +17,6 @@ if TYPE_CHECKING:
 
 CONNECT_S = 5.0
 CLOSE_S = 5.0
-GIVE_UP_S = 3600.0
-"""A scheduler or a store that does not answer for so long is given up."""
 PAUSE_S = 1.0
 
 

@@ -13,6 +13,7 @@ from app.archive.planning import FileStamp
 from app.archive.records import stamps_in
 from app.archive.remote_store import RemoteStore, open_store
 from app.archive.transfer import newest_manifest
+from app.batch.patience import Patience, open_patiently
 from app.errors import OperationError
 from app.formats.file_names import check_name
 from app.formats.io_errors import convert_io_errors
@@ -94,9 +95,9 @@ class Place:
         """Itself, for what reads it."""
         return Dependency(self.settings, MARKER if self.is_archive else DATABASE)
 
-    def store(self) -> RemoteStore:
-        """Opens it."""
-        return open_store(self.settings, "records")
+    def store(self, patience: Patience | None = None) -> RemoteStore:
+        """Opens it; with a patience, it is waited for while it cannot be reached."""
+        return open_patiently(self.settings, "records", patience)
 
     def ids(self, kind: Kind, store: RemoteStore) -> list[str]:
         """The names of the records of a kind; raises ``OperationError``."""
@@ -149,19 +150,22 @@ def _stamp(file: ArchivedFile) -> FileStamp:
     return FileStamp(file.path, file.bytes, file.mtime_ns)
 
 
-def find_places(given: Sequence[str], keys: ArchiveSettings | None = None) -> list[Place]:
+def find_places(
+    given: Sequence[str], keys: ArchiveSettings | None = None, patience: Patience | None = None
+) -> list[Place]:
     """The stations at addresses: an archive, a data folder, or what has several archives in it.
 
     Args:
         given: folders, or addresses of fsspec such as ``s3://bucket``.
         keys: whose endpoint and keys open all of them.
+        patience: with which it is waited for stores that cannot be reached.
 
     Raises:
         OperationError: one cannot be read, or has no archive and no data folder.
     """
     found = []
     for url in given:
-        inside = list(_places_at(url, keys))
+        inside = list(_places_at(url, keys, patience))
         if not inside:
             raise OperationError(
                 "no-records",
@@ -172,9 +176,11 @@ def find_places(given: Sequence[str], keys: ArchiveSettings | None = None) -> li
     return found
 
 
-def _places_at(url: str, keys: ArchiveSettings | None) -> Iterator[Place]:
+def _places_at(
+    url: str, keys: ArchiveSettings | None, patience: Patience | None
+) -> Iterator[Place]:
     settings = settings_for(url, keys)
-    store = open_store(settings, "records")
+    store = open_patiently(settings, "records", patience)
     if store.size(MARKER) is not None:
         yield Place(settings, True)
         return

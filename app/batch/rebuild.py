@@ -8,6 +8,7 @@ from typing import Any
 from app.archive.archive_settings import ArchiveSettings
 from app.archive.store_errors import is_of_whole_place
 from app.batch.calibrations import BySensor, CalibrationFinder, GivenCalibrations
+from app.batch.patience import Patience
 from app.batch.places import Dependency, Place
 from app.batch.recordings import RECORDING, ScanRecording, Selection, find_recordings
 from app.batch.results import RebuiltCloud, ResultStore, describe_files, stem_of
@@ -98,22 +99,24 @@ def plan_rebuild(
     suffix: str,
     given: BySensor | None = None,
     progress: Progress = no_progress,
+    patience: Patience | None = None,
 ) -> RebuildPlan:
     """The recordings that are chosen, each with the calibrations for it.
 
     Args:
         output: where the clouds go.
         given: calibrations for all; None: those with which each recording was taken.
+        patience: with which it is waited for stores that cannot be reached.
 
     Raises:
         OperationError: a place cannot be read, or a given calibration is damaged.
     """
-    finder = CalibrationFinder(places)
+    finder = CalibrationFinder(places, patience)
     tasks: list[RebuildTask] = []
     refused: list[tuple[str, Refusal]] = []
     left_out = 0
     checked = GivenCalibrations(given) if given is not None else None
-    for recording in find_recordings(places, selection, progress):
+    for recording in find_recordings(places, selection, progress, patience):
         if checked is not None and not checked.belong_to(recording):
             left_out += 1
             continue

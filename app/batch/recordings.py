@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
-from contextlib import suppress
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass
 from datetime import UTC, datetime, timedelta
 from functools import partial
@@ -12,6 +12,7 @@ from pathlib import Path
 from app.archive.manifest import Kind
 from app.archive.remote_store import RemoteStore
 from app.archive.store_errors import DamagedCopyError
+from app.batch.patience import Patience
 from app.batch.period import ALWAYS, Period
 from app.batch.places import Place, PlaceRecord, RecordFile
 from app.errors import OperationError
@@ -82,33 +83,54 @@ def completion_time(file: RecordFile) -> datetime:
 
 
 def find_records(
-    place: Place, kind: Kind, progress: Progress = no_progress
+    place: Place, kind: Kind, progress: Progress = no_progress, patience: Patience | None = None
 ) -> Iterator[tuple[PlaceRecord, RemoteStore]]:
     """All whole records of a kind, with the store that they are read from.
+
+    Args:
+        patience: with which it is waited for a store that cannot be reached.
 
     Raises:
         OperationError: the place cannot be read.
     """
-    store = place.store()
+    store = place.store(patience)
     ids = place.ids(kind, store)
-    with ThreadPoolExecutor(READERS, "find-records") as pool:
+    with _readers("find-records", patience) as pool:
         for number, record in enumerate(pool.map(lambda one: place.record(kind, one, store), ids)):
             progress(number / len(ids), place.station)
             if record is not None:
                 yield record, store
 
 
+@contextmanager
+def _readers(name: str, patience: Patience | None) -> Iterator[ThreadPoolExecutor]:
+    """Threads that look at records; they wait for no store when this ends with an error."""
+    with ThreadPoolExecutor(READERS, name) as pool:
+        try:
+            yield pool
+        except BaseException:
+            if patience is not None:
+                patience.end()
+            raise
+
+
 def find_recordings(
-    places: Sequence[Place], selection: Selection, progress: Progress = no_progress
+    places: Sequence[Place],
+    selection: Selection,
+    progress: Progress = no_progress,
+    patience: Patience | None = None,
 ) -> Iterator[ScanRecording]:
     """The chosen recordings of scans, station after station, in the order of their names.
+
+    Args:
+        patience: with which it is waited for stores that cannot be reached.
 
     Raises:
         OperationError: a place cannot be read, or a recording is none.
     """
     for place in selection.places(places):
-        with ThreadPoolExecutor(READERS, "find-recordings") as pool:
-            records = find_records(place, "scans", progress)
+        with _readers("find-recordings", patience) as pool:
+            records = find_records(place, "scans", progress, patience)
             read = partial(_read_if_chosen, selection=selection)
             for found in pool.map(read, records):
                 if found is not None:

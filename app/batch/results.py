@@ -12,9 +12,10 @@ from pathlib import Path
 from typing import Any, ClassVar
 
 from app.archive.archive_settings import ArchiveSettings
-from app.archive.remote_store import PIECE_BYTES, open_store, read_document
+from app.archive.remote_store import PIECE_BYTES, read_document
 from app.archive.store_errors import is_of_whole_place
 from app.batch.calibrations import BySensor
+from app.batch.patience import Patience, open_patiently
 from app.batch.recordings import READERS
 from app.batch.task import Desk
 from app.errors import OperationError
@@ -64,11 +65,15 @@ class RebuiltCloud(Document):
 
 
 class ResultStore:
-    """The results of one kind of task."""
+    """The results of one kind of task.
 
-    def __init__(self, settings: ArchiveSettings) -> None:
+    Args:
+        patience: with which it is waited for a store that cannot be reached; None: it fails.
+    """
+
+    def __init__(self, settings: ArchiveSettings, patience: Patience | None = None) -> None:
         self.settings = settings
-        self._store = open_store(settings, "results")
+        self._store = open_patiently(settings, "results", patience)
 
     def prepare(self) -> None:
         """Creates the folder of a store that is a folder, and writes a file there and removes it.

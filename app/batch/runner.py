@@ -8,7 +8,8 @@ from contextlib import suppress
 from queue import Empty, SimpleQueue
 from typing import TYPE_CHECKING
 
-from app.batch.cluster import GIVE_UP_S, Cluster
+from app.batch.cluster import Cluster
+from app.batch.patience import Patience
 from app.batch.task import Outcome, Refusal, Task, perform_on_worker
 from app.formats.json_document import SOFTWARE
 from app.messages.message import Text, message
@@ -21,8 +22,6 @@ WINDOW = 500
 """Tasks that the scheduler has at a time: however many there are, it stays small."""
 LOOK_S = 0.5
 GATHER_S = 60.0
-FIRST_PAUSE_S, LONGEST_PAUSE_S = 1.0, 30.0
-"""After a store that cannot be reached; each further time doubles it."""
 
 MOST_TRIES = 6
 """Of a task whose store fails it and can be reached all the same."""
@@ -51,12 +50,10 @@ class Runner:
     ) -> None:
         self._cluster, self._kind, self._take = cluster, kind, take
         self._progress, self._say = progress, say
+        self._patience = Patience(say)
         self._waiting: deque[Task] = deque()
         self._running: dict[str, tuple[Future[Outcome], Task]] = {}
         self._ended: SimpleQueue[Future[Outcome]] = SimpleQueue()
-        self._pause_s = 0.0
-        self._next_s = 0.0
-        self._away_since_s: float | None = None
         self._failures: Counter[str] = Counter()
         self._delayed: list[tuple[float, Task]] = []
         """When each is tried again, on the monotonic clock."""
@@ -96,7 +93,7 @@ class Runner:
         self._cluster.reconnect(self._say)
 
     def _submit(self) -> None:
-        if time.monotonic() < self._next_s:
+        if time.monotonic() < self._patience.next_s:
             return
         now_s = time.monotonic()
         self._waiting.extend(task for due_s, task in self._delayed if due_s <= now_s)
@@ -130,33 +127,17 @@ class Runner:
             raise outcome.refusal.error()
         elif outcome.state == "away":
             self._waiting.append(task)
-            self._note_away(outcome)
+            assert outcome.refusal is not None
+            self._patience.note_away(outcome.refusal.error())
         elif outcome.state == "again" and self._failures[task.key] < MOST_TRIES - 1:
             retry_s = FIRST_RETRY_S * 2 ** self._failures[task.key]
             self._failures[task.key] += 1
             self._delayed.append((time.monotonic() + retry_s, task))
         else:
-            self._note_back()
+            self._patience.note_back()
             self._take(task, outcome)
             return task
         return None
-
-    def _note_away(self, outcome: Outcome) -> None:
-        assert outcome.refusal is not None
-        now_s = time.monotonic()
-        if self._away_since_s is None:
-            self._away_since_s = now_s
-            self._say(message("batch-store-away", why=outcome.refusal.what))
-        elif now_s - self._away_since_s > GIVE_UP_S:
-            raise outcome.refusal.error()
-        if now_s >= self._next_s:  # those that were under way fail together
-            self._pause_s = min(max(2 * self._pause_s, FIRST_PAUSE_S), LONGEST_PAUSE_S)
-            self._next_s = now_s + self._pause_s
-
-    def _note_back(self) -> None:
-        if self._away_since_s is not None:
-            self._say(message("batch-store-back"))
-        self._away_since_s, self._pause_s, self._next_s = None, 0.0, 0.0
 
 
 def _outcome_of(future: "Future[Outcome]") -> Outcome | None:

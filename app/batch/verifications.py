@@ -14,6 +14,7 @@ from app.archive.archive_settings import ArchiveSettings
 from app.archive.remote_store import RemoteStore, read_document
 from app.archive.store_errors import is_of_whole_place
 from app.batch.calibrations import ARM, CALIBRATION, CalibrationFiles, read_files
+from app.batch.patience import Patience
 from app.batch.places import Dependency, Place, PlaceRecord
 from app.batch.recordings import Selection, find_records
 from app.batch.results import ResultStore, stem_of
@@ -86,11 +87,13 @@ def plan_verifications(
     rebuilt_with: With | tuple[CalibrationFiles, ...],
     shape: Shape | None = None,
     progress: Progress = no_progress,
+    patience: Patience | None = None,
 ) -> tuple[list[VerificationTask], list[tuple[str, Refusal]]]:
     """The chosen verifications, and those that cannot be read.
 
     Args:
         shape: of the gauge; None: any.
+        patience: with which it is waited for stores that cannot be reached.
 
     Raises:
         OperationError: a place cannot be read.
@@ -99,7 +102,7 @@ def plan_verifications(
     refused: list[tuple[str, Refusal]] = []
     for place in selection.places(places):
         every: list[CalibrationFiles] | None = None
-        for record, store in find_records(place, "verifications", progress):
+        for record, store in find_records(place, "verifications", progress, patience):
             try:
                 found = _read_if_chosen(record, store, selection, shape)
                 if found is None:

@@ -31,6 +31,7 @@ if TYPE_CHECKING:
     from app.archive.archive_settings import ArchiveSettings
     from app.batch.calibrations import BySensor
     from app.batch.cluster import Cluster
+    from app.batch.patience import Patience
     from app.batch.places import Place
     from app.batch.recordings import Selection
     from app.batch.results import ResultStore
@@ -97,12 +98,14 @@ def rebuild(
 
     What is in the output already is not made again: start it again after any interruption.
     """
+    from app.batch.patience import Patience
     from app.batch.rebuild import plan_rebuild
     from app.batch.results import ResultStore
     from app.formats.clouds.files import COPC
 
-    found, keys = open_places(places, config)
-    results = ResultStore(output_settings(output, keys, found))
+    patience = Patience(say)
+    found, keys = open_places(places, config, patience)
+    results = ResultStore(output_settings(output, keys, found), patience)
     results.prepare()
     with progress_bar("Looking for recordings", not as_json) as progress:
         plan = plan_rebuild(
@@ -110,8 +113,9 @@ def rebuild(
             selection_of(period, station, taken_with),
             results.settings,
             COPC if cloud_format is CloudFormat.COPC else f".{cloud_format.value}",
-            choose_calibrations(calibration, arm, found),
+            choose_calibrations(calibration, arm, found, patience),
             progress,
+            patience,
         )
     tally = Tally(refused=plan.refused)
     known = do_missing("rebuild", plan.tasks, results, workers, scheduler, tally, as_json)
@@ -165,9 +169,9 @@ def do_missing(
         if missing:
             with open_cluster(len(missing), workers, scheduler) as cluster:
                 if not as_json:
-                    _say(f"Dask's dashboard: {cluster.client.dashboard_link}")
+                    say(f"Dask's dashboard: {cluster.client.dashboard_link}")
                 with progress_bar(f"{len(missing)} recordings", not as_json) as progress:
-                    runner = Runner(cluster, kind, tally.take, progress, _say)
+                    runner = Runner(cluster, kind, tally.take, progress, say)
                     runner.run(list(missing.values()))
                     tally.tries = runner.tries
         ended = True
@@ -202,7 +206,7 @@ def open_cluster(most: int, workers: int | None, scheduler: str | None) -> "Iter
 
 
 def open_places(
-    given: Sequence[str] | None, config: Path | None
+    given: Sequence[str] | None, config: Path | None, patience: "Patience"
 ) -> "tuple[list[Place], ArchiveSettings | None]":
     """The places of the command line, by default the archive of ``station.toml``, and the settings
     whose endpoint and keys are used for all."""
@@ -216,7 +220,7 @@ def open_places(
         raise OperationError(
             "no-archive", message("archive-not-set"), remedy=message("archive-write-table")
         )
-    return find_places(given or [keys.url if keys is not None else ""], keys), keys
+    return find_places(given or [keys.url if keys is not None else ""], keys, patience), keys
 
 
 def output_settings(
@@ -246,7 +250,7 @@ def selection_of(
 
 
 def choose_calibrations(
-    given: Sequence[str] | None, arm: Path | None, places: "Sequence[Place]"
+    given: Sequence[str] | None, arm: Path | None, places: "Sequence[Place]", patience: "Patience"
 ) -> "BySensor | None":
     """The calibrations of the command line by their sensors; None: those of each recording."""
     from app.batch.calibrations import CalibrationFinder, choose_calibration
@@ -255,10 +259,11 @@ def choose_calibrations(
         if arm is not None:
             raise typer.BadParameter("needs --calibration, too", param_hint="'--arm'")
         return None
-    finder = CalibrationFinder(places)
+    finder = CalibrationFinder(places, patience)
     named = paths_by_sensor(given)
     return {name: choose_calibration(str(path), arm, finder) for name, path in named.items()}
 
 
-def _say(text: Text) -> None:
+def say(text: Text) -> None:
+    """A line for the operator, while the work goes on."""
     print("crenel:", str(text), file=sys.stderr)

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import typer
 
-from app.cli.batch import Tally, do_missing, open_places, output_settings, selection_of
+from app.cli.batch import Tally, do_missing, open_places, output_settings, say, selection_of
 from app.cli.batch_options import BatchOptions
 from app.console import print_json, print_table, progress_bar
 
@@ -85,15 +85,17 @@ def measure_verifications(
         kind: as of ``measure_places``, or ``drift``: with the calibration that was verified.
     """
     from app.batch.calibrations import CalibrationFinder, choose_calibration
+    from app.batch.patience import Patience
     from app.batch.results import ResultStore
     from app.batch.verifications import plan_verifications
 
     if arm is not None and not calibrations:
         raise typer.BadParameter("needs a calibration, too", param_hint="'--arm'")
-    found, keys = open_places(places, options.config)
-    results = ResultStore(output_settings(options.output, keys, found))
+    patience = Patience(say)
+    found, keys = open_places(places, options.config, patience)
+    results = ResultStore(output_settings(options.output, keys, found), patience)
     results.prepare()
-    finder = CalibrationFinder(found)
+    finder = CalibrationFinder(found, patience)
     given = tuple(choose_calibration(one, arm, finder) for one in calibrations)
     with progress_bar("Looking for verifications", not options.as_json) as progress:
         tasks, refused = plan_verifications(
@@ -103,6 +105,7 @@ def measure_verifications(
             given or ("all" if kind == "study" else "own"),
             shape,
             progress,
+            patience,
         )
     tally = Tally(refused=refused)
     known = do_missing(

@@ -14,6 +14,7 @@ pytest.importorskip("s3fs")
 from app.archive.archive import Archive
 from app.archive.archive_settings import ArchiveSettings
 from app.archive.pace import full_speed
+from app.batch.patience import Patience
 from app.batch.places import find_places, settings_for
 from app.batch.rebuild import plan_rebuild
 from app.batch.recordings import Selection
@@ -23,6 +24,7 @@ from app.bench.fleet.losses import CLOUDS, rebuild_with_losses
 from app.bench.fleet.result_count import MadeScan, ResultCount, count_results
 from app.bench.fleet.s3_server import BUCKET, CuttingProxy, S3Server
 from app.cli.main import cli
+from app.messages.message import Text
 from tests.archive.filled import lists_of
 from tests.batch.filled import CALIBRATION, fill_station
 
@@ -93,6 +95,30 @@ def test_a_bucket_that_is_missing_is_named_before_anything_is_done(tmp_path: Pat
         output = ResultStore(settings_for(f"s3://{BUCKET}/out", s3_settings(tmp_path, server)))
         output.prepare()
         assert server.names("out") == []
+
+
+def test_planning_waits_for_a_store_that_is_away(tmp_path: Path) -> None:
+    with S3Server() as server:
+        fill_store(tmp_path / "data", server)
+        proxy = CuttingProxy(server.port, 1)  # takes nothing yet
+        settings = s3_settings(tmp_path, server)
+        settings = settings.model_copy(update={"endpoint": f"http://127.0.0.1:{proxy.port}"})
+        said: list[str] = []
+
+        def note(text: Text) -> None:
+            said.append(str(text))
+            proxy.restore(float("inf"))
+
+        patience = Patience(note)
+        try:
+            places = find_places([settings.url], settings, patience)
+            output = settings_for(str(tmp_path / "out"))
+            planned = plan_rebuild(places, Selection(), output, ".ply", patience=patience)
+        finally:
+            proxy.close()
+    assert len(planned.tasks) == len(SCANS)
+    assert len(said) == 2
+    assert "cannot be reached" in said[0]
 
 
 def made_scans(tmp_path: Path, scans: Sequence[str] = SCANS) -> list[MadeScan]:
