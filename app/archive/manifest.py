@@ -70,6 +70,8 @@ class Manifest(Document):
     archived_at: Moment
     label: str | None = None
     """Of a scan, what the operator calls it; None in older manifests and of other records."""
+    calibration_id: str | None = None
+    """Of a scan, the calibration in use; None as for ``label``."""
     files: tuple[ArchivedFile, ...]
 
     @property

@@ -39,6 +39,8 @@ class StationRecord:
     note: ArchiveNote | None = None
     label: str | None = None
     """Of a scan, its name in the list of scans."""
+    calibration_id: str | None = None
+    """Of a scan, by the list of scans: recordings of earlier versions do not state it."""
 
     @property
     def size_bytes(self) -> int:

@@ -96,6 +96,7 @@ def list_records(data: Path, lists: RecordLists, now: datetime) -> list[StationR
                     stamps or (),
                     note,
                     None if scan is None else str(scan.name),
+                    None if scan is None else scan.calibration_id,
                 )
             )
     return found

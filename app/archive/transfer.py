@@ -45,6 +45,7 @@ def archive_record(record: StationRecord, store: RemoteStore, pace: Pace) -> Arc
         content=content_name(files),
         archived_at=utc_now(),
         label=record.label,
+        calibration_id=record.calibration_id,
         files=files,
     )
     present = read_manifest(store, manifest.folder)

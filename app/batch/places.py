@@ -13,6 +13,7 @@ from app.archive.planning import FileStamp
 from app.archive.records import stamps_in
 from app.archive.remote_store import RemoteStore, open_store
 from app.archive.transfer import newest_manifest
+from app.batch.listed_scans import ListedScan, read_listed_scans
 from app.batch.patience import Patience, open_patiently
 from app.errors import OperationError
 from app.formats.file_names import check_name
@@ -76,6 +77,8 @@ class PlaceRecord:
     kind: Kind
     id: str
     files: dict[str, RecordFile]
+    listed: ListedScan | None = None
+    """What the station listed of a scan, where the archive knows it."""
 
 
 @dataclass(frozen=True)
@@ -109,25 +112,30 @@ class Place:
         Raises:
             OperationError: the place cannot be read.
         """
-        found = (
-            self._files_in_archive(kind, record_id, store)
-            if self.is_archive
-            else self._files_in_folder(kind, record_id)
-        )
+        if self.is_archive:
+            return self._record_in_archive(kind, record_id, store)
+        found = self._files_in_folder(kind, record_id)
         return PlaceRecord(self, kind, record_id, found) if found else None
 
-    def _files_in_archive(
+    def scan_list(self) -> dict[str, ListedScan]:
+        """The list of scans of a data folder, by id; an archive states them with each record."""
+        return {} if self.is_archive else read_listed_scans(Path(self.settings.url) / DATABASE)
+
+    def _record_in_archive(
         self, kind: Kind, record_id: str, store: RemoteStore
-    ) -> dict[str, RecordFile]:
+    ) -> PlaceRecord | None:
         manifest = newest_manifest(store, kind, record_id)
-        if manifest is None:
-            return {}
-        return {
+        if manifest is None or not manifest.files:
+            return None
+        files = {
             file.path: RecordFile(
                 self, f"{manifest.folder}/{file.path}", file.bytes, file.mtime_ns, file.sha256
             )
             for file in manifest.files
         }
+        label, calibration_id = manifest.label, manifest.calibration_id or ""
+        listed = None if label is None else ListedScan(label, calibration_id=calibration_id)
+        return PlaceRecord(self, kind, record_id, files, listed)
 
     def _files_in_folder(self, kind: Kind, record_id: str) -> dict[str, RecordFile]:
         data = Path(self.settings.url)

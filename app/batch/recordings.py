@@ -1,6 +1,6 @@
 """Chooses recordings of scans: by period, station and the calibration that they were taken with."""
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence, Set
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import contextmanager, suppress
 from dataclasses import dataclass
@@ -12,6 +12,7 @@ from pathlib import Path
 from app.archive.manifest import Kind
 from app.archive.remote_store import RemoteStore
 from app.archive.store_errors import DamagedCopyError
+from app.batch.listed_scans import ListedScan
 from app.batch.patience import Patience
 from app.batch.period import ALWAYS, Period
 from app.batch.places import Place, PlaceRecord, RecordFile
@@ -21,6 +22,7 @@ from app.formats.recording.raw import MAGIC
 from app.formats.recording.reader import (
     LARGEST_PREAMBLE,
     SCAN_CALIBRATION,
+    SCAN_NAME,
     SCAN_STARTED,
     read_station_metadata,
 )
@@ -44,6 +46,10 @@ class Selection:
     """Empty: all."""
     taken_with: frozenset[str] = frozenset()
     """Ids of calibrations; empty: all."""
+    records: frozenset[str] = frozenset()
+    """Ids of scans; empty: all."""
+    labels: frozenset[str] = frozenset()
+    """Of scans; empty: all."""
 
     def places(self, places: Sequence[Place]) -> list[Place]:
         """Those of the chosen stations."""
@@ -58,6 +64,8 @@ class ScanRecording:
     file: RecordFile
     metadata: Mapping[str, str]
     """Of the station, as the recording states them."""
+    listed: ListedScan | None = None
+    """What the station listed of it, where that is known."""
 
     @property
     def station(self) -> str:
@@ -67,14 +75,21 @@ class ScanRecording:
     @property
     def started_at(self) -> datetime:
         """When it began; else when its file was completed."""
-        started = self.metadata.get(SCAN_STARTED, "")
+        started = self.metadata.get(SCAN_STARTED) or (self.listed.started_at if self.listed else "")
         return parse_moment(started) if is_moment(started) else completion_time(self.file)
 
     @property
     def calibration_ids(self) -> dict[str, str]:
         """Of the calibration in use, by the sensor's name; empty of the only one."""
         stated = sensor_values(self.metadata, SCAN_CALIBRATION)
+        if not any(stated.values()) and self.listed is not None and self.listed.calibration_id:
+            return {"": self.listed.calibration_id}  # an earlier version recorded it
         return {name: one for name, one in stated.items() if name} or stated
+
+    @property
+    def label(self) -> str:
+        """What the operator calls it; empty if that is not known."""
+        return self.listed.name if self.listed else self.metadata.get(SCAN_NAME, "")
 
 
 def completion_time(file: RecordFile) -> datetime:
@@ -83,18 +98,23 @@ def completion_time(file: RecordFile) -> datetime:
 
 
 def find_records(
-    place: Place, kind: Kind, progress: Progress = no_progress, patience: Patience | None = None
+    place: Place,
+    kind: Kind,
+    progress: Progress = no_progress,
+    patience: Patience | None = None,
+    wanted: Set[str] = frozenset(),
 ) -> Iterator[tuple[PlaceRecord, RemoteStore]]:
     """All whole records of a kind, with the store that they are read from.
 
     Args:
         patience: with which it is waited for a store that cannot be reached.
+        wanted: only records of these ids; empty: all.
 
     Raises:
         OperationError: the place cannot be read.
     """
     store = place.store(patience)
-    ids = place.ids(kind, store)
+    ids = [one for one in place.ids(kind, store) if not wanted or one in wanted]
     with _readers("find-records", patience) as pool:
         for number, record in enumerate(pool.map(lambda one: place.record(kind, one, store), ids)):
             progress(number / len(ids), place.station)
@@ -130,15 +150,16 @@ def find_recordings(
     """
     for place in selection.places(places):
         with _readers("find-recordings", patience) as pool:
-            records = find_records(place, "scans", progress, patience)
-            read = partial(_read_if_chosen, selection=selection)
+            records = find_records(place, "scans", progress, patience, selection.records)
+            listed = place.scan_list()
+            read = partial(_read_if_chosen, selection=selection, listed=listed)
             for found in pool.map(read, records):
                 if found is not None:
                     yield found
 
 
 def _read_if_chosen(
-    one: tuple[PlaceRecord, RemoteStore], selection: Selection
+    one: tuple[PlaceRecord, RemoteStore], selection: Selection, listed: Mapping[str, ListedScan]
 ) -> ScanRecording | None:
     record, store = one
     file = record.files.get(RECORDING)
@@ -150,9 +171,11 @@ def _read_if_chosen(
     metadata: dict[str, str] = {}
     with suppress(OperationError):
         metadata = read_station_metadata(Path(file.name), start)
-    found = ScanRecording(record.id, file, metadata)
+    found = ScanRecording(record.id, file, metadata, listed.get(record.id) or record.listed)
     ids = set(found.calibration_ids.values())
     if selection.taken_with and not ids & selection.taken_with:
+        return None
+    if selection.labels and found.label not in selection.labels:
         return None
     return found if selection.period.contains(found.started_at) else None
 

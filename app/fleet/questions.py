@@ -115,7 +115,9 @@ def find_calibrations(
     for scan in search(connection, query):
         entry = scan.entry
         used = read_record(connection, entry.station, "calibration", entry.calibration_id)
-        newest = newest_calibration(connection, entry.station, entry.sensor_serial)
+        # recordings of earlier versions do not state their sensor
+        sensor = entry.sensor_serial or ("" if used is None else used.sensor_serial)
+        newest = newest_calibration(connection, entry.station, sensor)
         found.append(CalibrationOfScan(entry, used, newest))
     return found
 

@@ -222,7 +222,7 @@ def _read_scan(of: RecordFolder) -> CatalogueEntry:
         label=of.plain.label or about.get(SCAN_NAME, ""),
         arm_serial=about.get(ARM_SERIAL, ""),
         sensor_serial=about.get(SENSOR_SERIAL, ""),
-        calibration_id=about.get(SCAN_CALIBRATION, ""),
+        calibration_id=about.get(SCAN_CALIBRATION) or of.record.calibration_id,
         points=_count_points(of.folder / CLOUD),
     )
 

@@ -45,6 +45,8 @@ class SourceRecord:
     current_at: datetime
     archived_at: datetime | None
     files: tuple[ArchivedFile, ...]
+    calibration_id: str = ""
+    """Of a scan, where the place knows it: recordings of earlier versions do not state it."""
 
 
 class RecordPlace(Protocol):
@@ -154,6 +156,7 @@ class FolderPlace:
             now,
             None if note is None else parse_moment(note.archived_at),
             files,
+            record.calibration_id or "",
         )
 
 
@@ -169,6 +172,7 @@ def _record_of(manifest: Manifest) -> SourceRecord:
         archived_at,
         archived_at,
         manifest.files,
+        manifest.calibration_id or "",
     )
 
 
