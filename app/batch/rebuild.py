@@ -90,6 +90,8 @@ class RebuildPlan:
     """Recordings that cannot be rebuilt, by name."""
     left_out: int
     """Recordings of another arm or sensor than the given calibration's."""
+    found: list[ScanRecording]
+    """All that are chosen, whatever becomes of them."""
 
 
 def plan_rebuild(
@@ -114,9 +116,11 @@ def plan_rebuild(
     finder = CalibrationFinder(places, patience)
     tasks: list[RebuildTask] = []
     refused: list[tuple[str, Refusal]] = []
+    found: list[ScanRecording] = []
     left_out = 0
     checked = GivenCalibrations(given) if given is not None else None
     for recording in find_recordings(places, selection, progress, patience):
+        found.append(recording)
         if checked is not None and not checked.belong_to(recording):
             left_out += 1
             continue
@@ -131,7 +135,7 @@ def plan_rebuild(
             continue
         key = key_of("rebuild", digest, calibrations, suffix)
         tasks.append(RebuildTask(key, recording, digest, calibrations, output, suffix))
-    return RebuildPlan(tasks, refused, left_out)
+    return RebuildPlan(tasks, refused, left_out, found)
 
 
 def key_of(kind: str, digest: str, calibrations: BySensor, *more: str) -> str:

@@ -4,7 +4,7 @@ with the calibration that was verified, with a given one, or with all of the sta
 import csv
 import hashlib
 import io
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from tempfile import TemporaryDirectory
@@ -139,13 +139,7 @@ def _read_if_chosen(
     """An accepted verification with the calibration that it verified."""
     if not {VERIFICATION, CALIBRATION, ARM} <= record.files.keys():
         return None
-    content = {
-        name: read_document(store, record.files[name].name)
-        for name in (VERIFICATION, CALIBRATION, ARM)
-    }
-    with TemporaryDirectory(prefix="crenel-") as folder:
-        (Path(folder) / VERIFICATION).write_bytes(content[VERIFICATION])
-        known = read_verification(Path(folder))
+    known = _read_verification(record, store)
     taken_at = known.clouds[0].taken_at if known.clouds else ""
     chosen = (
         is_moment(taken_at)
@@ -155,8 +149,34 @@ def _read_if_chosen(
     )
     if not chosen:
         return None
-    own = CalibrationFiles(known.calibration.id, content[CALIBRATION], content[ARM])
-    return known, own
+    calibration, arm = (
+        read_document(store, record.files[name].name) for name in (CALIBRATION, ARM)
+    )
+    return known, CalibrationFiles(known.calibration.id, calibration, arm)
+
+
+def _read_verification(record: PlaceRecord, store: RemoteStore) -> VerificationFile:
+    content = read_document(store, record.files[VERIFICATION].name)
+    with TemporaryDirectory(prefix="crenel-") as folder:
+        (Path(folder) / VERIFICATION).write_bytes(content)
+        return read_verification(Path(folder))
+
+
+def list_shapes(places: Sequence[Place], patience: Patience | None = None) -> Iterator[Shape]:
+    """The gauge's shape of each accepted verification that can be read.
+
+    Raises:
+        OperationError: a place cannot be read.
+    """
+    for place in places:
+        for record, store in find_records(place, "verifications", patience=patience):
+            if VERIFICATION not in record.files:
+                continue
+            try:
+                yield _read_verification(record, store).gauge.shape
+            except OperationError as error:
+                if is_of_whole_place(error):
+                    raise
 
 
 def _calibrations_of(

@@ -15,14 +15,17 @@ from app.cli.batch_options import (
     ArmFile,
     Config,
     EachCalibration,
+    Label,
     Output,
     PeriodOption,
     Places,
+    Record,
     Scheduler,
     Station,
     TakenWith,
     Workers,
 )
+from app.cli.choice import check_found, check_stations, count_scans, count_words
 from app.cli.scan import paths_by_sensor
 from app.console import AsJson, fail, print_json, progress_bar, report_errors, warn
 from app.messages.message import Text
@@ -74,7 +77,9 @@ class Tally:
         for name, refusal in self.refused[:MOST_SHOWN]:
             warn(f"{name}: {refusal.error().line}")
         if self.refused:
-            fail(f"{len(self.refused)} recordings were refused; the results of all others stay.")
+            refused = count_words(len(self.refused), "recording")
+            were = "was" if len(self.refused) == 1 else "were"
+            fail(f"{refused} {were} refused; the results of all others stay.")
 
 
 @report_errors
@@ -87,6 +92,8 @@ def rebuild(
     period: PeriodOption = None,
     station: Station = None,
     taken_with: TakenWith = None,
+    record: Record = None,
+    label: Label = None,
     calibration: EachCalibration = None,
     arm: ArmFile = None,
     workers: Workers = None,
@@ -107,19 +114,23 @@ def rebuild(
     found, keys = open_places(places, config, patience)
     results = ResultStore(output_settings(output, keys, found), patience)
     results.prepare()
+    selection = selection_of(found, period, station, taken_with, record, label)
     with progress_bar("Looking for recordings", not as_json) as progress:
         plan = plan_rebuild(
             found,
-            selection_of(period, station, taken_with),
+            selection,
             results.settings,
             COPC if cloud_format is CloudFormat.COPC else f".{cloud_format.value}",
             choose_calibrations(calibration, arm, found, patience),
             progress,
             patience,
         )
+        check_found(selection, found, plan.found, patience, progress)
     tally = Tally(refused=plan.refused)
     known = do_missing("rebuild", plan.tasks, results, workers, scheduler, tally, as_json)
     points = sum(int(outcome.result.get("points", 0)) for _, outcome in tally.done)
+    if not plan.found:
+        say(f"No recording is chosen; the places have {count_words(count_scans(found), 'scan')}.")
     if as_json:
         print_json(
             {
@@ -135,8 +146,9 @@ def rebuild(
     else:
         others = f", {plan.left_out} of other devices left out" if plan.left_out else ""
         print(
-            f"{len(tally.done)} clouds with {points} points made, {known} were there already"
-            f"{others}. They are in {results.settings.place}."
+            f"{count_words(len(tally.done), 'cloud')} with {points} points made, "
+            f"{known} {'was' if known == 1 else 'were'} there already{others}. "
+            f"They are in {results.settings.place}."
         )
     tally.end()
 
@@ -170,7 +182,7 @@ def do_missing(
             with open_cluster(len(missing), workers, scheduler) as cluster:
                 if not as_json:
                     say(f"Dask's dashboard: {cluster.client.dashboard_link}")
-                with progress_bar(f"{len(missing)} recordings", not as_json) as progress:
+                with progress_bar(count_words(len(missing), "recording"), not as_json) as progress:
                     runner = Runner(cluster, kind, tally.take, progress, say)
                     runner.run(list(missing.values()))
                     tally.tries = runner.tries
@@ -236,16 +248,24 @@ def output_settings(
 
 
 def selection_of(
-    period: str | None, stations: Sequence[str] | None, taken_with: Sequence[str] | None
+    places: "Sequence[Place]",
+    period: str | None,
+    stations: Sequence[str] | None,
+    taken_with: Sequence[str] | None,
+    records: Sequence[str] | None = None,
+    labels: Sequence[str] | None = None,
 ) -> "Selection":
-    """The choice among the records."""
+    """The choice among the records; ends the command for a station that no place is of."""
     from app.batch.period import ALWAYS, parse_period
     from app.batch.recordings import Selection
 
+    check_stations(stations or (), [place.station for place in places], "in these places")
     return Selection(
         parse_period(period) if period is not None else ALWAYS,
         frozenset(stations or ()),
         frozenset(taken_with or ()),
+        frozenset(records or ()),
+        frozenset(labels or ()),
     )
 
 

@@ -35,6 +35,14 @@ TakenWith = Annotated[
     list[str] | None,
     typer.Option("--taken-with", metavar="ID", help="Only what was taken with this calibration."),
 ]
+Record = Annotated[
+    list[str] | None,
+    typer.Option("--record", metavar="ID", help="Only this scan, by its id; repeatable."),
+]
+Label = Annotated[
+    list[str] | None,
+    typer.Option("--label", help="Only scans of exactly this name, as the part's; repeatable."),
+]
 EachCalibration = Annotated[
     list[str] | None,
     typer.Option(

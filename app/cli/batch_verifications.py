@@ -10,6 +10,7 @@ import typer
 
 from app.cli.batch import Tally, do_missing, open_places, output_settings, say, selection_of
 from app.cli.batch_options import BatchOptions
+from app.cli.choice import count_words, fail_without_verifications
 from app.console import print_json, print_table, progress_bar
 
 if TYPE_CHECKING:
@@ -53,8 +54,10 @@ def measure_places(
             }
         )
     else:
-        print_table(f"{len(done.documents)} verifications", COLUMNS, rows[:MOST_ROWS])
-        print(f"{len(rows)} rows are in {done.results.settings.place.rstrip('/')}/{TABLE}")
+        print_table(count_words(len(done.documents), "verification"), COLUMNS, rows[:MOST_ROWS])
+        place = done.results.settings.place.rstrip("/")
+        are = "is" if len(rows) == 1 else "are"
+        print(f"{count_words(len(rows), 'row')} {are} in {place}/{TABLE}")
     done.tally.end()
 
 
@@ -97,16 +100,19 @@ def measure_verifications(
     results.prepare()
     finder = CalibrationFinder(found, patience)
     given = tuple(choose_calibration(one, arm, finder) for one in calibrations)
+    selection = selection_of(found, options.period, options.station, options.taken_with)
     with progress_bar("Looking for verifications", not options.as_json) as progress:
         tasks, refused = plan_verifications(
             found,
-            selection_of(options.period, options.station, options.taken_with),
+            selection,
             results.settings,
             given or ("all" if kind == "study" else "own"),
             shape,
             progress,
             patience,
         )
+    if not (tasks or refused) and kind != "drift":
+        fail_without_verifications(found, shape, patience)
     tally = Tally(refused=refused)
     known = do_missing(
         kind, tasks, results, options.workers, options.scheduler, tally, options.as_json

@@ -109,6 +109,7 @@ def _show_known(
         from app.fleet.questions import drift_of, find_affected
 
         check_quantity(connection, quantity)
+        check_catalogue_stations(connection, stations)
         drifts = drift_of(connection, quantity, stations, *span, right_since)
         periods = [one for found in drifts for one in find_affected(connection, found)]
     if as_json:

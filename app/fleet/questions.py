@@ -1,7 +1,7 @@
 """What the catalogue answers: since when a figure drifts, and which recordings are affected."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from datetime import datetime
 
 from sqlalchemy import Connection, select
@@ -109,10 +109,14 @@ def find_affected(connection: Connection, drift: StationDrift) -> list[AffectedP
 def find_calibrations(
     connection: Connection, text: str, station: str = "", limit: int = 50
 ) -> list[CalibrationOfScan]:
-    """The calibration in use when a part was scanned, of each scan that is found by ``text``."""
-    query = SearchQuery(text=text, station=station, kind="scan", limit=limit)
+    """The calibration in use when a part was scanned, of each scan that is found by ``text``.
+
+    Scans that have these words count alone; if there are none, those with words that begin so.
+    """
+    query = SearchQuery(text=text, station=station, kind="scan", limit=limit, whole_words=True)
+    scans = search(connection, query) or search(connection, replace(query, whole_words=False))
     found = []
-    for scan in search(connection, query):
+    for scan in scans:
         entry = scan.entry
         used = read_record(connection, entry.station, "calibration", entry.calibration_id)
         # recordings of earlier versions do not state their sensor

@@ -6,6 +6,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 import pytest
+from typer.testing import CliRunner
 
 pytest.importorskip("distributed")
 
@@ -20,6 +21,7 @@ from app.batch.verifications import (
     table_of,
     table_text,
 )
+from app.cli.main import cli
 from app.formats.datasheets.gauge import GaugeFile
 from app.formats.open_file import LARGEST_DOCUMENT
 from app.formats.results.verification import VerificationFile
@@ -218,7 +220,10 @@ def test_the_commands_print_and_keep_the_table(archive: Path, tmp_path: Path) ->
     found = run("verify", "plane", archive, *args, "--period", "2026-05", cwd=tmp_path)
     assert (found["made"], len(found["rows"])) == (1, 2)
     assert (tmp_path / "out/table.csv").read_text().count("\n") == 3
-    assert run("verify", "sphere", archive, *args, cwd=tmp_path)["rows"] == []
+    for words in (("verify", "sphere"), ("study", "--period", "2027")):
+        none = CliRunner().invoke(cli, [*words, str(archive), "-o", str(tmp_path / "out")])
+        assert none.exit_code == 1
+        assert "is chosen. The places have 2 on a plane." in none.stderr
     studied = run("study", archive, "data", *args, cwd=tmp_path)
     # the records are the same in the archive and in the data folder: each has one result
     assert (studied["made"], len(studied["rows"])) == (2, 8)

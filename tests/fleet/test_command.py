@@ -135,6 +135,40 @@ def test_values_that_stand_out_are_printed_and_name_no_recording(tmp_path: Path)
     assert printed.count("room-4/scan/") == 30
 
 
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        (("search", "--kind", "perfromance"), "no kind perfromance; choose one of calibration,"),
+        (("show", "room-1", "scn", "x"), "no kind scn; choose one of calibration,"),
+        (("search", "--station", "room-99"), "There are: room-1, room-2."),
+        (("calibration", "4711", "--station", "room-99"), "no station room-99 in the catalogue"),
+        (("drift", "arm-largest", "--station", "room-99"), "no station room-99 in the catalogue"),
+        (("spread", "arm-largest", "--station", "room-99"), "no station room-99 in the catalogue"),
+        (("ageing", "arm-largest", "--station", "room-99"), "no station room-99 in the catalogue"),
+    ],
+)
+def test_what_is_misspelt_is_named(config: Path, words: tuple[str, ...], said: str) -> None:
+    run(config, "collect")
+    refused = run(config, *words)
+    assert refused.exit_code == 1
+    assert said in refused.stderr
+    assert refused.stderr.count("\n") == 1
+
+
+def test_nothing_found_is_said(config: Path) -> None:
+    assert "no values of size: the catalogue has no results" in run(config, "spread", "size").stderr
+    run(config, "collect")
+    assert run(config, "search", "--since", "2031-01-01").stdout == "No record is found.\n"
+    assert run(config, "search", "4711", "--kind", "performance").stdout == "No record is found.\n"
+    assert run(config, "calibration", "4999").stdout == "No scan is found.\n"
+    one = run(config, "search", "housing", "--kind", "scan").stdout
+    assert "1 record" in one
+    assert "1 records" not in one
+    backwards = run(config, "search", "--since", "2026-05-04", "--until", "2026-05-01")
+    assert backwards.exit_code == 1
+    assert backwards.stderr == "crenel: --until 2026-05-01 is not after --since 2026-05-04.\n"
+
+
 def test_ageing_is_printed_for_each_station(tmp_path: Path) -> None:
     path = tmp_path / "fleet.toml"
     path.write_text('[catalogue]\ndatabase = "sqlite:///catalogue.db"\n')

@@ -177,6 +177,22 @@ def test_a_test_that_names_no_calibration_is_assigned_by_the_hash_of_its_file(
     assert period.calibration_ids == ("cal-4",)
 
 
+def test_a_part_with_a_longer_number_is_not_the_one_that_is_asked_for(
+    catalogue: FleetCatalogue,
+) -> None:
+    named = {"a": "Housing 4711", "b": "Housing 471152", "c": "4711-B", "d": "Cover 471152"}
+    catalogue.add([entry_of(id=one, label=label) for one, label in named.items()])
+
+    def found(text: str) -> list[str]:
+        with catalogue.reading() as connection:
+            return sorted(one.recording.id for one in find_calibrations(connection, text))
+
+    assert found("4711") == ["a", "c"]
+    assert found("housing 4711") == ["a"]
+    assert found("4711 hous") == ["a", "b"]
+    assert found("47115") == ["b", "d"]
+
+
 def test_the_calibration_in_use_when_a_part_was_scanned(catalogue: FleetCatalogue) -> None:
     catalogue.add(ten_months((0, 0), by_calibration=True))
     with catalogue.reading() as connection:

@@ -1,6 +1,6 @@
 """``crenel catalogue``: the records of all stations, collected and found."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from datetime import datetime
 from pathlib import Path
@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from app.cli.choice import check_stations, count_words
 from app.console import (
     AsJson,
     FullHelpGroup,
@@ -20,6 +21,8 @@ from app.console import (
 )
 
 if TYPE_CHECKING:
+    from sqlalchemy import Connection
+
     from app.fleet.catalogue.catalogue import FleetCatalogue
     from app.fleet.fleet_settings import FleetSettings
 
@@ -49,7 +52,8 @@ def collect(
 
     with open_catalogue(config) as (settings, opened):
         result = collect_all(opened, settings.list_stations(), complete)
-    print(f"{result.new} records are new in {opened.place}.")
+    are = "is" if result.new == 1 else "are"
+    print(f"{count_words(result.new, 'record')} {are} new in {opened.place}.")
     for station, problem in result.problems.items():
         warn(f"{station}: {problem.line}")
     if result.problems:
@@ -106,18 +110,17 @@ def search(
     from app.fleet.catalogue.reading import SearchQuery
     from app.fleet.catalogue.reading import search as search_all
 
-    query = SearchQuery(
-        text=text,
-        station=station,
-        kind=kind,
-        since=parse_day(since),
-        until=parse_day(until),
-        limit=most,
-    )
+    check_kind(kind)
+    first, last = parse_days(since, until)
+    query = SearchQuery(text=text, station=station, kind=kind, since=first, until=last, limit=most)
     with open_catalogue(config) as (_, opened), opened.reading() as connection:
+        check_catalogue_stations(connection, [station] if station else [])
         found = search_all(connection, query)
     if as_json:
         print_json({"records": [plain_fields(one.entry) for one in found]})
+        return
+    if not found:
+        print("No record is found.")
         return
     rows = [
         (
@@ -132,7 +135,7 @@ def search(
         for one in found
     ]
     print_table(
-        f"{len(found)} records",
+        count_words(len(found), "record"),
         ("station", "kind", "id", "time", "label", "verdict", "calibration"),
         rows,
     )
@@ -150,7 +153,9 @@ def show(
     """Show a record with its results and its files."""
     from app.fleet.catalogue.reading import read_record
 
+    check_kind(kind)
     with open_catalogue(config) as (_, opened), opened.reading() as connection:
+        check_catalogue_stations(connection, [station])
         entry = read_record(connection, station, kind, record_id)
     if entry is None:
         fail(f"the catalogue has no {kind} {record_id} of {station}.")
@@ -191,7 +196,7 @@ def export(
     with open_catalogue(config) as (_, opened), opened.reading() as connection:
         rows = export_parquet(connection, folder)
     for name, number in rows.items():
-        print(f"{folder / name}.parquet: {number} rows")
+        print(f"{folder / name}.parquet: {count_words(number, 'row')}")
 
 
 @contextmanager
@@ -224,6 +229,31 @@ def parse_day(text: str) -> datetime | None:
     if not is_moment(text):
         raise typer.BadParameter(f"{text}: give a day or a moment, as 2026-05-04")
     return parse_moment(text)
+
+
+def parse_days(since: str, until: str) -> tuple[datetime | None, datetime | None]:
+    """Both ends of a period; ends the command if there is nothing between them."""
+    first, last = parse_day(since), parse_day(until)
+    if first is not None and last is not None and first >= last:
+        fail(f"--until {until} is not after --since {since}.")
+    return first, last
+
+
+def check_kind(kind: str) -> None:
+    """Ends the command for what is no kind of records; empty is every kind."""
+    from app.fleet.catalogue.entry import ENTRY_KINDS
+
+    if kind and kind not in ENTRY_KINDS:
+        fail(f"there is no kind {kind}; choose one of {', '.join(ENTRY_KINDS)}.")
+
+
+def check_catalogue_stations(connection: "Connection", stations: Sequence[str]) -> None:
+    """Ends the command if the catalogue has no such station."""
+    from app.fleet.catalogue.reading import summarise_stations
+
+    if stations:
+        there = [one.id for one in summarise_stations(connection)]
+        check_stations(stations, there, "in the catalogue")
 
 
 def format_moment(at: datetime | None) -> str:

@@ -4,15 +4,17 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from app.cli.choice import count_words
 from app.cli.fleet.catalogue import (
     Config,
     Since,
     Station,
     Until,
     catalogue,
+    check_catalogue_stations,
     format_moment,
     open_catalogue,
-    parse_day,
+    parse_days,
     plain_fields,
 )
 from app.console import AsJson, fail, print_json, print_table, report_errors
@@ -30,7 +32,7 @@ Quantity = Annotated[
 @catalogue.command()
 @report_errors
 def calibration(
-    text: Annotated[str, typer.Argument(help="Beginnings of words of the scan: its part.")],
+    text: Annotated[str, typer.Argument(help="Words of the scan, or their beginnings: its part.")],
     station: Station = "",
     config: Config = None,
     as_json: AsJson = False,
@@ -39,9 +41,13 @@ def calibration(
     from app.fleet.questions import find_calibrations
 
     with open_catalogue(config) as (_, opened), opened.reading() as connection:
+        check_catalogue_stations(connection, [station] if station else [])
         found = find_calibrations(connection, text, station)
     if as_json:
         print_json({"recordings": [plain_fields(one) for one in found]})
+        return
+    if not found:
+        print("No scan is found.")
         return
     rows = [
         (
@@ -56,7 +62,7 @@ def calibration(
         for one in found
     ]
     columns = ("recording", "label", "time", "calibration", "accepted", "verdict", "newest")
-    print_table(f"{len(found)} recordings", columns, rows)
+    print_table(count_words(len(found), "recording"), columns, rows)
 
 
 @catalogue.command()
@@ -70,6 +76,7 @@ def spread(
 
     with open_catalogue(config) as (_, opened), opened.reading() as connection:
         check_quantity(connection, quantity)
+        check_catalogue_stations(connection, [station] if station else [])
         found = spread_of(connection, quantity, [station] if station else [])
     if as_json:
         print_json({"quantity": quantity, "sensors": [plain_fields(one) for one in found]})
@@ -107,7 +114,8 @@ def ageing(
     chosen = [station] if station else []
     with open_catalogue(config) as (_, opened), opened.reading() as connection:
         check_quantity(connection, quantity)
-        found = ageing_of(connection, quantity, chosen, parse_day(since), parse_day(until))
+        check_catalogue_stations(connection, chosen)
+        found = ageing_of(connection, quantity, chosen, *parse_days(since, until))
     if as_json:
         print_json({"quantity": quantity, "stations": [plain_fields(one) for one in found]})
         return
@@ -139,4 +147,6 @@ def check_quantity(connection: "Connection", quantity: str) -> None:
 
     known = quantities(connection)
     if quantity not in known:
-        fail(f"there are no values of {quantity}; choose one of {', '.join(known) or 'none'}.")
+        if not known:
+            fail(f"there are no values of {quantity}: the catalogue has no results yet.")
+        fail(f"there are no values of {quantity}; choose one of {', '.join(known)}.")

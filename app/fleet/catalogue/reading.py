@@ -34,6 +34,8 @@ class SearchQuery:
 
     text: str = ""
     """Beginnings of words of label, id, operator or serial numbers, all of them."""
+    whole_words: bool = False
+    """The words of ``text`` are whole ones, and no beginnings."""
     station: str = ""
     kind: str = ""
     verdict: str = ""
@@ -112,21 +114,24 @@ def search(connection: Connection, query: SearchQuery) -> list[FoundRecord]:
         wanted = wanted.where(or_(RecordRow.at < at, and_(RecordRow.at == at, RecordRow.key < key)))
     wanted = wanted.order_by(RecordRow.at.desc(), RecordRow.key.desc())
     terms = sorted(split_words(query.text))
-    counts = {term: _count_to(connection, term) for term in terms}
+    matches = {term: _matches(term, query.whole_words) for term in terms}
+    counts = {term: _count_to(connection, matches[term]) for term in terms}
     rarest = min(terms, key=lambda term: counts[term], default="")
     if not terms or counts[rarest] > RARE:
         for term in terms:
-            with_term = select(WordRow.record_key).where(_begins(term))
+            with_term = select(WordRow.record_key).where(matches[term])
             wanted = wanted.where(RecordRow.key.in_(with_term))
         return [_read_row(row) for row in connection.execute(wanted.limit(query.limit))]
-    keys = connection.scalars(select(WordRow.record_key).where(_begins(rarest))).all()
+    keys = connection.scalars(select(WordRow.record_key).where(matches[rarest])).all()
     rows = connection.execute(wanted.where(RecordRow.key.in_(keys)))
     # the other words of so few records are compared here
-    found = (one for one in map(_read_row, rows) if _has_words(one.entry, terms))
+    found = (one for one in map(_read_row, rows) if _has_words(one.entry, terms, query.whole_words))
     return list(islice(found, query.limit))
 
 
-def _has_words(entry: CatalogueEntry, terms: Sequence[str]) -> bool:
+def _has_words(entry: CatalogueEntry, terms: Sequence[str], whole: bool) -> bool:
+    if whole:
+        return entry.words.issuperset(terms)
     return all(any(word.startswith(term) for word in entry.words) for term in terms)
 
 
@@ -348,13 +353,15 @@ def _add_filters(wanted: Select[Any], query: SearchQuery) -> Select[Any]:
     return wanted
 
 
-def _begins(term: str) -> Any:
+def _matches(term: str, whole: bool) -> Any:
+    if whole:
+        return WordRow.word == term
     return and_(WordRow.word >= term, WordRow.word < term + BEHIND)
 
 
-def _count_to(connection: Connection, term: str) -> int:
-    """How many records have a word that begins so, up to one more than ``RARE``."""
-    some = select(WordRow.record_key).where(_begins(term)).limit(RARE + 1).subquery()
+def _count_to(connection: Connection, matches: Any) -> int:
+    """How many records have such a word, up to one more than ``RARE``."""
+    some = select(WordRow.record_key).where(matches).limit(RARE + 1).subquery()
     return connection.scalar(select(func.count()).select_from(some)) or 0
 
 
