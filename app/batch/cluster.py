@@ -18,6 +18,9 @@ if TYPE_CHECKING:
 CONNECT_S = 5.0
 CLOSE_S = 5.0
 PAUSE_S = 1.0
+SECURE_SCHEMES = ("tls", "wss")
+SCHEMES = ("tcp", "ws", *SECURE_SCHEMES)
+"""Of the addresses of schedulers."""
 
 
 class Cluster(Protocol):
@@ -81,11 +84,13 @@ class RemoteScheduler:
         threads: of one task.
 
     Raises:
-        OperationError: Dask is not installed, or the scheduler does not answer.
+        OperationError: Dask is not installed, the address is none, or the scheduler does not
+            answer.
     """
 
     def __init__(self, address: str, threads: int = 1) -> None:
         self._dask, self._address, self.threads = _load_dask(), address, threads
+        _check_address(address)
         try:
             self.client: Client = self._connect()
         except (OSError, ValueError) as error:
@@ -136,6 +141,30 @@ def _load_dask() -> Any:
     for name in ("distributed", "distributed.client", "tornado", "tornado.application", "asyncio"):
         logging.getLogger(name).setLevel(logging.CRITICAL)
     return distributed
+
+
+def _check_address(address: str) -> None:
+    """Raises ``OperationError`` for an address with which a client of Dask cannot be made: what is
+    left of such a client ends with a traceback."""
+    from distributed.comm.addressing import parse_address, parse_host_port
+    from distributed.security import Security
+
+    why: Text = ""
+    try:
+        scheme, place = parse_address(address)
+        parse_host_port(place)
+    except ValueError as error:
+        scheme, why = "", str(error)
+    security = Security().get_connection_args("client")
+    if scheme in SECURE_SCHEMES and security.get("ssl_context") is None:
+        why = message("batch-no-certificates")
+    if why or scheme not in SCHEMES:
+        raise OperationError(
+            "no-scheduler",
+            message("batch-no-address", address=repr(address)),
+            why,
+            message("batch-give-address"),
+        )
 
 
 def _scheduler_error(address: str) -> OperationError:

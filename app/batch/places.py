@@ -2,6 +2,7 @@
 
 import hashlib
 from collections.abc import Iterator, Sequence
+from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path, PurePosixPath
 
@@ -12,6 +13,7 @@ from app.archive.notes import read_note
 from app.archive.planning import FileStamp
 from app.archive.records import stamps_in
 from app.archive.remote_store import RemoteStore, open_store
+from app.archive.store_errors import DamagedCopyError
 from app.archive.transfer import newest_manifest
 from app.batch.listed_scans import ListedScan, read_listed_scans
 from app.batch.patience import Patience, open_patiently
@@ -196,7 +198,10 @@ def _places_at(
         yield Place(settings, False)
         return
     for name in store.names(""):
-        if store.size(f"{name}/{MARKER}") is not None:
+        marker = None
+        with suppress(DamagedCopyError):  # a file beside the archives
+            marker = store.size(f"{name}/{MARKER}")
+        if marker is not None:
             yield Place(settings_for(f"{settings.url.rstrip('/')}/{name}", keys), True)
 
 

@@ -246,6 +246,11 @@ def test_a_name_of_an_address_that_is_no_text_is_refused(archive: Path) -> None:
         find_places([str(archive.parent)])
 
 
+def test_a_file_beside_archives_is_no_hindrance(archive: Path) -> None:
+    (archive.parent / "a-file").write_text("notes")
+    assert [place.station for place in find_places([str(archive.parent)])] == ["room-2"]
+
+
 def test_an_address_without_records_is_refused(tmp_path: Path) -> None:
     with pytest.raises(OperationError, match="is no archive"):
         find_places([str(tmp_path)])
