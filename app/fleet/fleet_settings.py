@@ -19,6 +19,7 @@ from app.single_sign_on.settings import SignInSettings
 from app.supervision.broker_settings import BrokerSettings
 
 DEFAULT_FILE = "fleet.toml"
+DOCUMENT = "docs/fleet.md"
 ACCOUNTS_FILE = "fleet-accounts.db"
 SQLITE = "sqlite:///"
 StationId = Annotated[str, Field(pattern="^[a-z0-9-]{1,40}$")]
@@ -140,4 +141,4 @@ def read_fleet_settings(path: Path | None) -> FleetSettings:
             message("fleet-settings-missing", path=path),
             remedy=message("fleet-write-settings"),
         )
-    return read_tables(path, FleetSettings)
+    return read_tables(path, FleetSettings, DOCUMENT)

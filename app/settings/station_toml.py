@@ -14,6 +14,9 @@ from app.settings.settings import Settings
 
 Tables = TypeVar("Tables", bound=BaseModel)
 DEFAULT_FILE = "station.toml"
+DOCUMENT = "docs/formats.md"
+TABLE_NAME = "[key]"
+"""Pydantic's word for the name of a table that anyone may choose."""
 WORDS = {
     "string_type": "it must be text in quotes",
     "is_instance_of": "it must be text in quotes",
@@ -50,8 +53,11 @@ def read_settings(path: Path | None) -> Settings:
     return read_tables(path, Settings)
 
 
-def read_tables(path: Path, model: type[Tables]) -> Tables:
+def read_tables(path: Path, model: type[Tables], document: str = DOCUMENT) -> Tables:
     """Reads a file of settings, whose path is the context of the validation.
+
+    Args:
+        document: shows its tables and keys.
 
     Raises:
         OperationError: as ``read_settings``, for a file that is there.
@@ -63,17 +69,23 @@ def read_tables(path: Path, model: type[Tables]) -> Tables:
     except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
         raise OperationError("settings-not-toml", str(path), f"it is not TOML: {error}") from error
     except ValidationError as error:
-        raise _invalid(path, error) from error
+        raise _invalid(path, error, document) from error
 
 
-def _invalid(path: Path, error: ValidationError) -> OperationError:
+def _invalid(path: Path, error: ValidationError, document: str) -> OperationError:
     first = error.errors(include_url=False)[0]
     place = [str(part) for part in first["loc"]]
+    if place[-1] == TABLE_NAME:
+        what = f"{path}: the name of the table [{'.'.join(place[:-1])}]"
+        why = f"it is not as {document} shows"
+        if first["type"] == "string_pattern_mismatch":
+            why = PATTERN_WORDS["station"]
+        return OperationError("settings-key-invalid", what, why, "Rename it")
     table = f"[{place[0]}]"
     key = ".".join(place[1:])
     named = f"{path}, {table}: {key}" if key else f"{path}: the table {table}"
     if first["type"] == "missing":
-        remedy = "Add it as docs/formats.md shows"
+        remedy = f"Add it as {document} shows"
         return OperationError("settings-key-missing", f"{named} is missing", remedy=remedy)
     if first["type"] == "extra_forbidden":
         return OperationError(

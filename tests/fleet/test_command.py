@@ -68,6 +68,11 @@ def test_a_station_is_collected_searched_and_shown(config: Path) -> None:
     ("text", "said"),
     [
         ("[stations.room-1]\ndata = 'data'\n", "[catalogue] is missing"),
+        ("[catalogue]\n", "database is missing. Add it as docs/fleet.md shows."),
+        (
+            "[catalogue]\ndatabase = 'sqlite:///a.db'\n[stations.Room_2]\ndata = 'data'\n",
+            "the name of the table [stations.Room_2]: it must be lower-case letters",
+        ),
         ("[catalogue]\ndatabase = 'nonsense'\n", "nonsense is no address of a catalogue"),
         ("[catalogue]\ndatabase = 'sqlite:///a.db'\n[stations.a]\n", "neither an archive nor"),
         ("[catalogue]\ndatabase = 'postgresql://u@127.0.0.1:1/a'\n", "cannot be used now"),
