@@ -1,7 +1,7 @@
 """What is asked for and is not there ends a command with what there is instead."""
 
 from collections import Counter
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Sequence, Set
 from typing import TYPE_CHECKING, NoReturn
 
 from app.console import fail
@@ -73,14 +73,17 @@ def check_found(
     wider = Selection(selection.period, selection.stations)
     there = list(find_recordings(places, wider, progress, patience))
     chosen = "of these stations and this period"
-    if records:
-        names = name_some(one.id for one in there)
-        fail(f"no scan {chosen} has the id {_join(records)}. {names}")
-    if labels:
-        names = name_some(one.label for one in there if one.label)
-        fail(f"no scan {chosen} has the label {_join(labels)}. {names}")
-    names = name_some(one for scan in there for one in scan.calibration_ids.values() if one)
-    fail(f"no scan {chosen} was taken with {_join(calibrations)}. {names}")
+    _check_names(f"no scan {chosen} has the id", records, {one.id for one in there})
+    _check_names(f"no scan {chosen} has the label", labels, {one.label for one in there} - {""})
+    used = {one for scan in there for one in scan.calibration_ids.values()} - {""}
+    _check_names(f"no scan {chosen} was taken with", calibrations, used)
+    asked = _join(records | labels | calibrations)
+    fail(f"the options exclude one another: none of the scans that they leave is of {asked}.")
+
+
+def _check_names(what: str, asked: Set[str], there: Set[str]) -> None:
+    if missing := asked - there:
+        fail(f"{what} {_join(missing)}. {name_some(there)}")
 
 
 def count_scans(places: "Sequence[Place]") -> int:

@@ -74,6 +74,7 @@ def test_the_cloud_of_one_part_with_a_calibration_of_today(archive: Path, tmp_pa
         (("--record", "four"), "has the id four. There are: one, three, two."),
         (("--label", "471"), "has the label 471. There are: 4711, 47112, three."),
         (("--label", "4711", "--label", "4799"), "has the label 4799. There are: 4711"),
+        (("--record", "one", "--label", "47112"), "none of the scans that they leave is of 47112"),
         (("--record", "one", "--period", "2027"), "this period has the id one. There is none."),
     ],
 )
