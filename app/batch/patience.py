@@ -42,7 +42,7 @@ class Patience:
             now_s = time.monotonic()
             if self._away_since_s is None:
                 self._away_since_s = now_s
-                why = join([error.what, error.why], ": ")
+                why = join([error.what, str(error.why).rstrip(".")], ": ")
                 self._say(message("batch-store-away", why=why))
             elif now_s - self._away_since_s > GIVE_UP_S:
                 raise error

@@ -116,3 +116,32 @@ def test_a_plan_is_complete_although_the_store_was_away(
         [],
     )
     assert inner.failures == 0
+
+
+class TwoIsAway(FolderStore):
+    """Has all records but one."""
+
+    def size(self, name: str) -> int | None:
+        if name.startswith("scans/two/"):
+            raise store_error("archive-away", "s3://plant", "the cable is out", "records")
+        return super().size(name)
+
+
+def test_an_interruption_ends_the_waiting_of_all_threads(
+    tmp_path: Path, said: list[Text], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    fill_archive(tmp_path / "room-2", tmp_path / "data", SCANS)
+    inner = TwoIsAway(tmp_path / "room-2", "records")
+    monkeypatch.setattr(module, "open_store", lambda settings, purpose: inner)
+    places = find_places([str(tmp_path / "room-2")])
+
+    def interrupt(share: float, text: Text) -> None:
+        while not said:
+            time.sleep(0.01)
+        raise KeyboardInterrupt
+
+    patience = Patience(said.append)
+    output = settings_for(str(tmp_path / "out"))
+    with pytest.raises(KeyboardInterrupt):
+        plan_rebuild(places, Selection(), output, ".ply", None, interrupt, patience)
+    assert not [one for one in threading.enumerate() if one.name.startswith("find-record")]
