@@ -202,3 +202,13 @@ def test_the_calibration_in_use_when_a_part_was_scanned(catalogue: FleetCatalogu
     assert (used.recording.id, used.calibration.id) == ("scan-11", "cal-0")
     assert used.newest is not None
     assert used.newest.id == "cal-9"
+
+
+def test_a_calibration_that_becomes_known_later_is_added(catalogue: FleetCatalogue) -> None:
+    catalogue.add([entry_of(id="cal", kind="calibration"), entry_of(id="a", calibration_id="")])
+    catalogue.add([entry_of(id="a", calibration_id="cal")])
+    catalogue.add([entry_of(id="a", calibration_id="")])
+    with catalogue.reading() as connection:
+        (found,) = find_calibrations(connection, "a")
+    assert found.recording.calibration_id == "cal"
+    assert found.calibration is not None

@@ -151,6 +151,8 @@ def _note_again(connection: Connection, known: "Row[Any]", entry: CatalogueEntry
             _forget_words(connection, known)
             _insert_words(connection, [(known.key, entry)])
             found["label"] = entry.label
+    if entry.calibration_id and not known.calibration_id:  # an earlier look did not find it
+        found["calibration_id"] = entry.calibration_id
     if entry.archived_at is not None and known.archived_at is None:
         found |= {"archived_at": entry.archived_at, "place": entry.place}
     if found:
