@@ -16,7 +16,14 @@ from app.cli.drift_report import (
     print_measured,
     print_summary,
 )
-from app.cli.fleet.catalogue import Since, Until, open_catalogue, parse_day, plain_fields
+from app.cli.fleet.catalogue import (
+    Since,
+    Until,
+    check_catalogue_stations,
+    open_catalogue,
+    parse_day,
+    plain_fields,
+)
 from app.cli.fleet.questions import Quantity, check_quantity
 from app.console import AsJson, print_json, progress_bar, report_errors, warn
 
