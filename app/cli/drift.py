@@ -9,13 +9,6 @@ import typer
 
 from app.cli.batch_options import ArmFile, BatchOptions, Scheduler, Station, Workers
 from app.cli.batch_verifications import measure_verifications
-from app.cli.drift_report import (
-    fields_of_history,
-    fields_of_measured,
-    print_known,
-    print_measured,
-    print_summary,
-)
 from app.cli.fleet.catalogue import (
     Since,
     Until,
@@ -23,6 +16,13 @@ from app.cli.fleet.catalogue import (
     open_catalogue,
     parse_day,
     plain_fields,
+)
+from app.cli.fleet.drift_report import (
+    fields_of_history,
+    fields_of_measured,
+    print_known,
+    print_measured,
+    print_summary,
 )
 from app.cli.fleet.questions import Quantity, check_quantity
 from app.console import AsJson, print_json, progress_bar, report_errors, warn
