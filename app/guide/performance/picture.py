@@ -49,7 +49,6 @@ def build_picture(state: PerformanceState, live: PerformanceLive) -> Performance
         articulations=_articulations(state, live) if state.step in ("location", "scan") else [],
         lengths=lengths_picture(state, live.lengths) if live.lengths is not None else None,
         result=result_view(live.result) if state.step == "review" and live.result else None,
-        aside=aside_lines(state),
     )
 
 

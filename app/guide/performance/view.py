@@ -196,7 +196,6 @@ class PerformancePicture:
     articulations: Sequence[ArticulationLine]
     lengths: LengthsPicture | None
     result: PerformanceResultView | None
-    aside: Sequence[RunLine]
 
 
 @dataclass(frozen=True)

@@ -933,7 +933,6 @@ ui-scanning-is-not-possible-now = Scannen ist jetzt nicht möglich
 ui-scans = Scans
 ui-scans-of-the-bar-in-place = Scans des Stabs in Lage { $place }
 ui-scans-short-bright-metal-long-dark = Für Scans. Kurz auf blankem Metall, lang auf dunklen Teilen; eine lange Belichtung führt zu Unschärfe.
-ui-scans-that-do-not-count = Scans, die nicht zählen
 ui-search-again = Noch einmal suchen
 ui-search-text = Suchtext
 ui-searching = Suche läuft …

@@ -933,7 +933,6 @@ ui-scanning-is-not-possible-now = Scanning is not possible now
 ui-scans = Scans
 ui-scans-of-the-bar-in-place = Scans of the bar in place { $place }
 ui-scans-short-bright-metal-long-dark = For scans. Use a short exposure on bright metal, a long one on dark parts. A long exposure blurs the line.
-ui-scans-that-do-not-count = Scans that do not count
 ui-search-again = Search again
 ui-search-text = Search text
 ui-searching = Searching…

@@ -44,9 +44,7 @@ function Picture({ view }: { view: PerformanceView }) {
   if (step === "artefact") return <ArtefactChoice view={view} />;
   if (step === "review")
     return picture.result ? (
-      <ResultTable result={picture.result} aside={picture.aside}>
-        {picture.lengths && <LengthErrors {...picture.lengths} />}
-      </ResultTable>
+      <ResultTable result={picture.result}>{picture.lengths && <LengthErrors {...picture.lengths} />}</ResultTable>
     ) : (
       <EmptyState title="" text="" />
     );

@@ -2,9 +2,13 @@ import type { LengthPlaceMark, LengthsPicture } from "../api/wire";
 import { t } from "../state/language";
 import styles from "./LengthPlaces.module.css";
 import keys from "./MapKey.module.css";
+import { type Point, placeLabels } from "./placeLabels";
 
 /** A point of the arm's frame on the drawing: to the right, and up. */
-type Projection = (point: readonly [number, number, number]) => [number, number];
+type Projection = (point: readonly [number, number, number]) => Point;
+
+/** Least distance of two numbers' middles, in hundredths of the reach. */
+const LABEL_APART = 11;
 
 /* Away from the arm is up in the one, and to the right in the other. */
 const FROM_ABOVE: Projection = ([x, y]) => [-y, x];
@@ -61,6 +65,7 @@ function View({ title, box: [left, bottom, width, height], centre, reach, places
   /* what is done now is drawn over the others */
   const ordered = [...places].sort((a, b) => Number(a.state === "now") - Number(b.state === "now"));
   const unit = reach / 100;
+  const lines = ordered.map((place) => ({ place, line: projectEnds(place, project) }));
   return (
     <svg
       className={styles.view}
@@ -77,23 +82,31 @@ function View({ title, box: [left, bottom, width, height], centre, reach, places
         </>
       )}
       <circle className={styles.base} cx={centre[0]} cy={-centre[1]} r={4 * unit} />
-      {ordered.map((place) => (
-        <Standard key={place.number} place={place} project={project} unit={unit} />
+      {placeLabels(lines, LABEL_APART * unit).map((drawn) => (
+        <Standard key={drawn.place.number} {...drawn} unit={unit} />
       ))}
     </svg>
   );
 }
 
-function Standard({ place, project, unit }: { place: LengthPlaceMark; project: Projection; unit: number }) {
-  const [[x1, y1], [x2, y2]] = place.ends_mm.map((end) => project(end as [number, number, number])) as [
-    [number, number],
-    [number, number],
-  ];
+function projectEnds(place: LengthPlaceMark, project: Projection): readonly [Point, Point] {
+  const [from, to] = place.ends_mm as [[number, number, number], [number, number, number]];
+  return [project(from), project(to)];
+}
+
+interface StandardProps {
+  place: LengthPlaceMark;
+  line: readonly [Point, Point];
+  label: Point;
+  unit: number;
+}
+
+function Standard({ place, line: [[x1, y1], [x2, y2]], label: [x, y], unit }: StandardProps) {
   return (
     <g className={styles.standard} data-state={place.state} data-place={place.number}>
       <line x1={x1} y1={-y1} x2={x2} y2={-y2} strokeWidth={(place.state === "now" ? 3.5 : 2) * unit} />
-      <circle cx={x2} cy={-y2} r={5 * unit} />
-      <text x={x2} y={-y2} fontSize={6.5 * unit}>
+      <circle cx={x} cy={-y} r={5 * unit} />
+      <text x={x} y={-y} fontSize={6.5 * unit}>
         {place.number}
       </text>
     </g>

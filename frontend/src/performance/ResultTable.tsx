@@ -1,6 +1,6 @@
 import type { ReactNode } from "react";
 
-import type { PerformanceFigureLine, PerformanceResultView, RunLine } from "../api/wire";
+import type { PerformanceFigureLine, PerformanceResultView } from "../api/wire";
 import { measured, signedLength } from "../parts/lengths";
 import { QualityMark } from "../parts/QualityMark";
 import { t } from "../state/language";
@@ -9,13 +9,12 @@ import styles from "./ResultTable.module.css";
 
 interface ResultTableProps {
   result: Pick<PerformanceResultView, "figures" | "offset" | "status" | "problems" | "notes">;
-  aside?: RunLine[];
   /** What is drawn of it, below the figures. */
   children?: ReactNode;
 }
 
 /** Every symbol in words with its value, its limit and the decision; what else should be known. */
-export function ResultTable({ result, aside = [], children }: ResultTableProps) {
+export function ResultTable({ result, children }: ResultTableProps) {
   return (
     <div className={styles.result}>
       {result.status && <p className={styles.status}>{result.status}</p>}
@@ -44,16 +43,6 @@ export function ResultTable({ result, aside = [], children }: ResultTableProps) 
         <section className={styles.section}>
           <h3>{t("ui-implied-probe-matrix-error")}</h3>
           <p>{result.offset}</p>
-        </section>
-      )}
-      {aside.length > 0 && (
-        <section className={styles.section}>
-          <h3>{t("ui-scans-that-do-not-count")}</h3>
-          {aside.map(({ title, reason }, i) => (
-            <p key={i}>
-              {title}: {reason}
-            </p>
-          ))}
         </section>
       )}
       {result.notes.map((note) => (
