@@ -10,8 +10,9 @@ import pytest
 
 from app.errors import OperationError
 from app.formats.session.calibration_session import read_session
+from app.guide.calibration.poses.next_pose import NEARLY, pick_pose
 from app.metrology.adjustment.block.calibrate import BlockCalibration, calibrate_block
-from app.metrology.adjustment.block.predicted_view import is_whole_block_visible
+from app.metrology.adjustment.block.predicted_view import visible_share
 from app.metrology.adjustment.block.problem import BlockInputs
 from app.metrology.adjustment.core.observations import FailedPose
 from app.metrology.adjustment.planning.next_pose import next_poses, place_sensor, pose_delta
@@ -160,7 +161,13 @@ def test_the_advised_pose_helps_more_than_the_same_again(
     assert advice[0].total_um < 0.9 * one.uncertainty.total_um
     for pose in advice:
         camera, _ = place_sensor(one.adjustment, pose.T_obj_cam)
-        assert is_whole_block_visible(camera, inputs.block)
+        assert pose.shows_all == (visible_share(camera, inputs.block) == 1.0)
+    assert {pose.shows_all for pose in advice} == {True, False}
+    picked = pick_pose(advice, advice[-1].T_obj_cam)
+    assert picked.shows_all
+    assert picked.total_um <= NEARLY * advice[0].total_um
+    cut_off = [replace(pose, shows_all=False) for pose in advice]
+    assert pick_pose(cut_off, advice[-1].T_obj_cam).total_um <= NEARLY * advice[0].total_um
     move = pose_delta(advice[0].T_obj_cam, advice[-1].T_obj_cam, inputs.block)
     assert "°" in str(move.words)
     none = pose_delta(advice[0].T_obj_cam, advice[0].T_obj_cam, inputs.block)

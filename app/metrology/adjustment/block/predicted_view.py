@@ -63,8 +63,8 @@ def predict_view(
     return BlockView(block, tuple(_join_parts(edges)), (), stripe, level)
 
 
-def is_whole_block_visible(camera: Camera, block: Crenellated) -> bool:
-    """Whether the block's eight outer corners lie in the picture."""
+def visible_share(camera: Camera, block: Crenellated) -> float:
+    """Share of the block's eight outer corners that lie in the picture."""
     box = np.array(
         [
             [x, y, z]
@@ -73,7 +73,7 @@ def is_whole_block_visible(camera: Camera, block: Crenellated) -> bool:
             for z in (block.floor_z_mm, block.crest_z_mm)
         ]
     )
-    return bool(inside(camera, project(camera, box), 0.0).all())
+    return float(np.mean(inside(camera, project(camera, box), 0.0)))
 
 
 def _predict_edge(

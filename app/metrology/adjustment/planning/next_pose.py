@@ -12,8 +12,8 @@ import numpy as np
 from app.messages.message import Text, join, message, quantity
 from app.metrology.adjustment.block.predicted_view import (
     ObservationNoise,
-    is_whole_block_visible,
     predict_view,
+    visible_share,
 )
 from app.metrology.adjustment.board.observations import BoardView
 from app.metrology.adjustment.board.predicted_view import is_fully_visible, predict_board_view
@@ -46,8 +46,8 @@ from app.metrology.transforms import (
 TILTS_DEG = (-20.0, 0.0, 20.0)
 TURNS_DEG = (-30.0, 0.0, 30.0)
 HEIGHTS_MM = (-8.0, 0.0, 8.0)
-# Minimum number of stripe points on each level of a block.
-STRIPE_POINTS = 40
+# Minimum share of a block in the picture, and minimum number of stripe points on each level.
+FRAMED, STRIPE_POINTS = 0.85, 40
 # Number of points merged into one when a picture is predicted.
 BIN_SIZE = 4
 # Number of joints with which an arm can hold the sensor at any pose.
@@ -126,6 +126,8 @@ class PoseAdvice:
     total_um: float  # of a point, k = 1, after this pose
     outline_px: tuple[PixelSegment, ...]
     """The object's edges as the picture would show them, end to end."""
+    shows_all: bool
+    """Whether all of the object is in the picture."""
 
 
 def next_poses(
@@ -167,7 +169,9 @@ def next_poses(
         covariance = _covariance_after(found, moves, rows_of) + by_sizes
         total = float(np.sqrt(np.mean(np.einsum("gik,kl,gil->g", volume, covariance, volume))))
         camera, _ = place_sensor(found, T_obj_cam)
-        advice.append(PoseAdvice(T_obj_cam, reading, 1e3 * total, outline(camera, item)))
+        shows_all = not isinstance(item, Crenellated) or visible_share(camera, item) == 1.0
+        edges = outline(camera, item)
+        advice.append(PoseAdvice(T_obj_cam, reading, 1e3 * total, edges, shows_all))
     return sorted(advice, key=lambda one: one.total_um)
 
 
@@ -177,7 +181,7 @@ def _predict_rows(
     """Noise of the picture from a hold; None if the picture would be unusable."""
     camera, plane = place_sensor(found, T_obj_cam)
     if isinstance(item, Crenellated):
-        if not is_whole_block_visible(camera, item):
+        if visible_share(camera, item) < FRAMED:
             return None
         block = predict_view(camera, plane, item, seeing)
         on_each = (int(np.sum(block.level == name)) for name in ("crest", "floor"))
