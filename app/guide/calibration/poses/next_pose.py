@@ -1,6 +1,6 @@
 """Computes which pose would help most next."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
@@ -102,20 +102,9 @@ def _choose_pose(so_far: _SoFar) -> PoseAdvice | None:
     offered = next_poses(so_far.adjusted, so_far.arm, so_far.item, so_far.readings)
     if not offered:
         return None
-    return pick_pose(offered, _newest(so_far.adjusted))
-
-
-def pick_pose(offered: Sequence[PoseAdvice], T_obj_cam_newest: Floats) -> PoseAdvice:
-    """Of the poses that help nearly as much as the first one: one that shows the whole object, if
-    there is any, and of these the one with the least turn from the newest pose.
-
-    Args:
-        offered: the most helpful first.
-        T_obj_cam_newest: (4, 4).
-    """
+    newest = _newest(so_far.adjusted)
     good = [one for one in offered if one.total_um <= NEARLY * offered[0].total_um]
-    whole = [one for one in good if one.shows_all]
-    return min(whole or good, key=lambda one: _rotation_angle_rad(one.T_obj_cam, T_obj_cam_newest))
+    return min(good, key=lambda one: _rotation_angle_rad(one.T_obj_cam, newest))
 
 
 def _newest(found: AdjustmentResult) -> Floats:

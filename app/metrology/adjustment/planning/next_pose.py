@@ -126,8 +126,6 @@ class PoseAdvice:
     total_um: float  # of a point, k = 1, after this pose
     outline_px: tuple[PixelSegment, ...]
     """The object's edges as the picture would show them, end to end."""
-    shows_all: bool
-    """Whether all of the object is in the picture."""
 
 
 def next_poses(
@@ -169,9 +167,7 @@ def next_poses(
         covariance = _covariance_after(found, moves, rows_of) + by_sizes
         total = float(np.sqrt(np.mean(np.einsum("gik,kl,gil->g", volume, covariance, volume))))
         camera, _ = place_sensor(found, T_obj_cam)
-        shows_all = not isinstance(item, Crenellated) or visible_share(camera, item) == 1.0
-        edges = outline(camera, item)
-        advice.append(PoseAdvice(T_obj_cam, reading, 1e3 * total, edges, shows_all))
+        advice.append(PoseAdvice(T_obj_cam, reading, 1e3 * total, outline(camera, item)))
     return sorted(advice, key=lambda one: one.total_um)
 
 
