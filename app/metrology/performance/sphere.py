@@ -22,6 +22,8 @@ class SphereOfPoints:
     diameter_mm: float
     form_mm: float
     """Largest minus smallest distance from the centre."""
+    scatter_mm: float
+    """Standard deviation of a point along the radius; 0 of four points."""
     cofactor: Floats
     """(4, 4) of centre and radius, for independent radial noise of 1."""
 
@@ -55,8 +57,13 @@ def least_squares_sphere(points_mm: Floats) -> SphereOfPoints:
         if np.max(np.abs(change)) < 1e-13 * max(radius, 1.0):
             break
     distance = np.linalg.norm(points - centre, axis=1)
+    squares = float(np.sum((distance - radius) ** 2))
     return SphereOfPoints(
-        centre + origin, 2 * radius, float(np.ptp(distance)), np.linalg.inv(J.T @ J)
+        centre + origin,
+        2 * radius,
+        float(np.ptp(distance)),
+        float(np.sqrt(squares / (len(points) - 4))) if len(points) > 4 else 0.0,
+        np.linalg.inv(J.T @ J),
     )
 
 

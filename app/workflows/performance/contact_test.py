@@ -89,7 +89,7 @@ def _measure_diameter(data: MeasuredData) -> Measured:
     if any(len(tips) < SPHERE_POINTS for tips in groups):
         problem = message("master-sphere-not-measured", count=SPHERES, points=SPHERE_POINTS)
         return Measured("effective-diameter", None, problem=problem)
-    off_c, sd_c = (0.0, 0.0) if data.artefact is None else (data.artefact.off_c, data.artefact.sd_c)
+    off_c, sd_c = data.off_20_c
     growth = 1 + sphere.expansion_per_c * off_c
     found = effective_diameter(groups, tip_of(data.arm).diameter_mm, sphere.diameter_mm, growth)
     sd_um = size_uncertainty_um(sphere_certificate(sphere), sd_c, off_c)

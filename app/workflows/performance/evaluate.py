@@ -182,8 +182,7 @@ def _measure_sphere(data: MeasuredData, problems: list[Text]) -> tuple[list[Meas
     plan = data.plan
     assert plan.sphere is not None, "a plan of this kind has a sphere"
     certificate = sphere_certificate(plan.sphere)
-    heat = data.artefact
-    off_c, sd_c = (0.0, 0.0) if heat is None else (heat.off_c, heat.sd_c)
+    off_c, sd_c = data.off_20_c
     results = [measure_position(data, plan.sphere, i + 1) for i in range(plan.positions)]
     for result in results:
         bring_sizes_to_20(result, plan.sphere, off_c)
@@ -234,10 +233,7 @@ def _least_drift_um(data: MeasuredData) -> float:
     tips = data.tips_mm.get("p1-pattern")
     if tips is None or len(tips) < 5:
         return 0.0
-    found = least_squares_sphere(tips)
-    off = np.linalg.norm(tips - found.centre_mm, axis=1) - found.diameter_mm / 2
-    scatter_um = 1e3 * float(np.sqrt(np.sum(off**2) / (len(tips) - 4)))
-    return MOVED_BY_SCATTER * scatter_um
+    return MOVED_BY_SCATTER * 1e3 * least_squares_sphere(tips).scatter_mm
 
 
 def _find_offset(result: PositionResult) -> ImpliedOffset | None:

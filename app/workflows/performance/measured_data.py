@@ -61,6 +61,12 @@ class MeasuredData:
         span = artefact_span(self.plan, self.end)
         return mean_temperature(span, self.plan.temperature_sd_c)
 
+    @property
+    def off_20_c(self) -> tuple[float, float]:
+        """By how much it was away from 20 °C, and the standard uncertainty; 0 if not measured."""
+        artefact = self.artefact
+        return (0.0, 0.0) if artefact is None else (artefact.off_c, artefact.sd_c)
+
     def has_scan(self, name: str) -> bool:
         """Whether a scan of this name was recorded."""
         return (self.folder / name / RECORDING).is_file()
@@ -74,6 +80,11 @@ class MeasuredData:
         if self.calibration is None:
             raise OperationError("file-missing", message("scans-need-a-calibration"))
         return read_scan(self.folder / name / RECORDING, self.calibration, self.arm)
+
+
+def thin_points(points: Floats, most: int) -> Floats:
+    """Evenly chosen ones of points (N, k), hardly more than ``most``."""
+    return points[:: max(1, len(points) // most)]
 
 
 def read_measured_data(folder: Path, features: Sequence[str]) -> MeasuredData:

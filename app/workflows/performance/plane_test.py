@@ -12,7 +12,7 @@ from app.metrology.performance.plane import least_squares_plane
 from app.metrology.performance.value_uncertainty import plane_uncertainty_um
 from app.metrology.transforms import Floats
 from app.workflows.performance.judge import Measured
-from app.workflows.performance.measured_data import MeasuredData
+from app.workflows.performance.measured_data import MeasuredData, thin_points
 
 ORIENTATIONS = 2
 LEAST_WIDTH_MM = 50.0
@@ -90,9 +90,10 @@ def find_on_plate(points_mm: Floats, shell_mm: float) -> NDArray[np.bool_]:
     """
     near = _near_plane(points_mm)
     centre = points_mm[near].mean(axis=0)
-    _, _, axes = np.linalg.svd(_thin(points_mm[near] - centre), full_matrices=False)
+    some = thin_points(points_mm[near], MOST_OUTLINE_POINTS)
+    _, _, axes = np.linalg.svd(some - centre, full_matrices=False)
     across = (points_mm - centre) @ axes.T
-    sides = ConvexHull(_thin(across[near, :2])).equations
+    sides = ConvexHull((some - centre) @ axes[:2].T).equations
     within = np.ones(len(points_mm), dtype=np.bool_)
     for a, b, offset in sides:
         within &= a * across[:, 0] + b * across[:, 1] + offset <= -RIM_MM
@@ -123,12 +124,8 @@ def _width_mm(points_mm: Floats) -> float:
     if len(points_mm) < 3:
         return 0.0
     away = points_mm - points_mm.mean(axis=0)
-    _, _, axes = np.linalg.svd(_thin(away), full_matrices=False)
+    _, _, axes = np.linalg.svd(thin_points(away, MOST_OUTLINE_POINTS), full_matrices=False)
     return float(np.ptp(away @ axes[1]))
-
-
-def _thin(points: Floats) -> Floats:
-    return points[:: max(1, len(points) // MOST_OUTLINE_POINTS)]
 
 
 def _no_value(problem: Text, scanned: tuple[str, ...] = ()) -> PlaneResult:

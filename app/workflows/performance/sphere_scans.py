@@ -27,7 +27,7 @@ from app.metrology.performance.sphere import (
 from app.metrology.performance.value_uncertainty import SphereDrift, form_effect_um
 from app.metrology.transforms import Floats
 from app.workflows.performance.articulation_checks import articulation_notes, articulations_alike
-from app.workflows.performance.measured_data import MeasuredData, ScanCloud
+from app.workflows.performance.measured_data import MeasuredData, ScanCloud, thin_points
 from app.workflows.performance.sphere_position import PositionResult, sphere_certificate
 
 LEAST_POINTS, LEAST_FRAMES = 20, 2
@@ -85,7 +85,7 @@ def measure_scans(
     result.note("size-all-scan", found.diameter_mm - sphere.diameter_mm, *names)
     result.note("dispersion-scan", dispersion_mm(distances), *names)
     result.outlier_share = _outlier_share(distances)
-    free_um = 1e3 * free_dispersion_mm(_thin_points(points), found.centre_mm)
+    free_um = 1e3 * free_dispersion_mm(thin_points(points, MOST_FREE), found.centre_mm)
     result.details["free_dispersion_um"] = free_um
     represented = representative_points(patches, found.centre_mm, directions)
     of_25 = least_squares_sphere(represented)
@@ -208,8 +208,3 @@ def _times_of_scans(clouds: Sequence[ScanCloud]) -> Floats:
     """When each point was taken, of a test that takes 1."""
     times = np.linspace(0.0, SCANS_TAKE, len(clouds))
     return np.repeat(times, [len(cloud.points_mm) for cloud in clouds])
-
-
-def _thin_points(points: Floats) -> Floats:
-    """Points enough for the dispersion about a free centre, which costs hundreds of passes."""
-    return points[:: max(1, len(points) // MOST_FREE)]

@@ -64,15 +64,15 @@ def _measure_pattern(
         result.refuse(text, *_OF_PATTERN)
         return None
     found = least_squares_sphere(tips)
-    if missed := find_missed_places(tips, found.centre_mm, _places(data)):
+    directions = pattern_directions(np.array(data.plan.gate.pole), RIM_DEG)
+    if missed := find_missed_places(tips, found.centre_mm, directions):
         text = message("touches-miss-places", places=", ".join(str(i + 1) for i in missed))
         result.refuse(text, *_OF_PATTERN)
         return None
     tip_mm = tip_of(data.arm).diameter_mm
     result.note("size-touch", found.diameter_mm - tip_mm - sphere.diameter_mm, name)
     result.note("form-touch", found.form_mm, name)
-    off_mm = np.linalg.norm(tips - found.centre_mm, axis=1) - found.diameter_mm / 2
-    result.touch_sd_mm = float(np.sqrt(np.sum(off_mm**2) / (len(tips) - 4)))
+    result.touch_sd_mm = found.scatter_mm
     certificate = sphere_certificate(sphere)
     result.form_effects_um["form-touch"] = form_effect_um(
         certificate, tips, found.centre_mm, np.ptp
@@ -82,14 +82,9 @@ def _measure_pattern(
     distances = np.linalg.norm(inward, axis=1)
     inward /= distances[:, None]
     result.details["touch_deviations_um"] = _by_place(
-        tips, found.centre_mm, 1e3 * (distances - found.diameter_mm / 2), _places(data)
+        tips, found.centre_mm, 1e3 * (distances - found.diameter_mm / 2), directions
     )
     return found.centre_mm, tips - inward * tip_mm / 2
-
-
-def _places(data: MeasuredData) -> Floats:
-    """(25, 3) directions in which the sphere is to be touched."""
-    return pattern_directions(np.array(data.plan.gate.pole), RIM_DEG)
 
 
 def _by_place(

@@ -138,8 +138,8 @@ def temperature_notes(plan: PerformancePlan, end: EndTemperatures) -> list[Text]
             )
         )
     if plan.kind != "plane":
-        known = [one for one in (plan.sphere, plan.length) if one and is_expansion_known(one)]
-        notes.append(_correction_note(artefact, corrected=bool(known)))
+        known = any(one and is_expansion_known(one) for one in (plan.sphere, plan.length))
+        notes.append(_correction_note(artefact, corrected=known))
     return notes
 
 

@@ -120,6 +120,14 @@ def test_a_plan_with_one_artefact_states_the_figures_of_it(folder: Path) -> None
     assert without_sphere["volumetric-largest"].decision == "pass"
 
 
+def require_shrunk(warm: PerformanceFigure, cold: PerformanceFigure, shrunk_um: float) -> None:
+    """Every single value is so much smaller when it is brought to 20 °C."""
+    for warm_um, cold_um in zip(warm.values, cold.values, strict=True):
+        assert warm_um is not None
+        assert cold_um is not None
+        assert warm_um == pytest.approx(cold_um - shrunk_um, abs=0.01)
+
+
 def test_diameter_and_lengths_are_brought_to_20_degrees(folder: Path) -> None:
     cold = evaluated(folder, sphere=STEEL, bar=STEEL)
     assert "temperature was not stated" in str(cold.notes[-1])
@@ -134,20 +142,12 @@ def test_diameter_and_lengths_are_brought_to_20_degrees(folder: Path) -> None:
         return float(np.hypot(stated_um, 2 * times * np.linalg.norm(by_heat)))
 
     shrunk_um = 1e3 * 25.0 * 11.5e-6 * 4.0
-    diameters = after["effective-diameter"].values
-    for warm_um, cold_um in zip(diameters, before["effective-diameter"].values, strict=True):
-        assert warm_um is not None
-        assert cold_um is not None
-        assert warm_um == pytest.approx(cold_um - shrunk_um, abs=0.01)
+    require_shrunk(after["effective-diameter"], before["effective-diameter"], shrunk_um)
     assert after["effective-diameter"].test_uncertainty == pytest.approx(
         expected_um("effective-diameter", 25.0), rel=1e-6
     )
     shrunk_um = 1e3 * 400.0 * 11.5e-6 * 4.0
-    lengths = after["volumetric-largest"].values
-    for warm_um, cold_um in zip(lengths, before["volumetric-largest"].values, strict=True):
-        assert warm_um is not None
-        assert cold_um is not None
-        assert warm_um == pytest.approx(cold_um - shrunk_um, abs=0.01)
+    require_shrunk(after["volumetric-largest"], before["volumetric-largest"], shrunk_um)
     assert after["volumetric-largest"].test_uncertainty == pytest.approx(
         expected_um("volumetric-largest", 400.0), rel=1e-6
     )
