@@ -24,7 +24,6 @@ from app.guide.performance.view import (
     PerformancePicture,
     PerformanceResultView,
     PlaceMark,
-    RunLine,
 )
 from app.messages.message import Text, message
 from app.workflows.performance.sphere_scans import LEAST_FRAMES, LEAST_POINTS
@@ -154,16 +153,19 @@ def run_text(scan: AnyScan) -> Text:
     return message("performance-scan-done", articulation=scan.articulation)
 
 
-def aside_lines(state: PerformanceState) -> list[RunLine]:
+def aside_notes(state: PerformanceState) -> list[Text]:
     """The scans that do not count, and why."""
-    lines = []
+    notes: list[Text] = []
     for scan in state.scans:
-        title = _run_title(scan)
         if scan.aside:
-            lines.append(RunLine(title, RUN_REASONS[scan.aside]))
+            reason: Text = RUN_REASONS[scan.aside]
         elif scan.refused is not None:
-            lines.append(RunLine(title, error_from_payload(scan.refused).reason))
-    return lines
+            reason = error_from_payload(scan.refused).reason
+        else:
+            continue
+        title = _run_title(scan)
+        notes.append(message("performance-aside-note", title=title, reason=reason))
+    return notes
 
 
 def _run_title(scan: AnyScan) -> Text:

@@ -18,7 +18,7 @@ from app.guide.performance.guide import PerformanceGuide
 from app.guide.performance.length.measure import measure_bar_scan
 from app.guide.performance.length.scan_lines import pass_title
 from app.guide.performance.length.so_far import touches_on_end
-from app.guide.performance.picture import aside_lines, run_text
+from app.guide.performance.picture import aside_notes, run_text
 from app.guide.performance.plan import limit_parts, measures_by_scan
 from app.guide.performance.sphere.places import POLE
 from app.messages.message import Text, message
@@ -183,18 +183,15 @@ def evaluate(guide: PerformanceGuide, progress: Progress) -> None:
     ended_at = datetime.now(UTC).isoformat(timespec="seconds").replace("+00:00", "Z")
     try:
         found = evaluate_performance(guide.folder, ended_at)
-        asides = [
-            message("performance-aside-note", title=line.title, reason=line.reason)
-            for line in aside_lines(state)
-        ]
+        notes = aside_notes(state)
         if voided := sum(touch.voided for touch in state.touches):
-            asides.append(message("performance-touches-taken-back", count=voided))
+            notes.append(message("performance-touches-taken-back", count=voided))
         temperatures = (
             provenance.celsius_near(state.started_at),
             provenance.celsius_near(ended_at),
         )
         result = found.model_copy(
-            update={"notes": (*found.notes, *asides), "temperature_c": temperatures}
+            update={"notes": (*found.notes, *notes), "temperature_c": temperatures}
         )
         result.write(guide.folder / RESULT)
     except OperationError as error:

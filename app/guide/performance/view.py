@@ -157,14 +157,6 @@ class PerformanceFigureLine:
 
 
 @dataclass(frozen=True)
-class RunLine:
-    """A scan that does not count, and why."""
-
-    title: Text
-    reason: Text
-
-
-@dataclass(frozen=True)
 class PerformanceResultView:
     """What the test found."""
 
