@@ -1,7 +1,7 @@
 """What is wrong with an archive, in words that say what to do."""
 
 import errno
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from typing import Literal
 
@@ -29,8 +29,6 @@ LONGEST_REASON = 300
 StorePurpose = Literal["archive", "records", "results"]
 """A station's own archive, which it tries again by itself; an archive that is only read; or the
 place where results are written."""
-StoreTexts = Mapping[str, tuple[Text, Text]]
-"""By the code: what is wrong, and the remedy."""
 
 
 class StoreError(OperationError):
@@ -94,53 +92,48 @@ def store_error(
     code: str, place: str, reason: str, purpose: StorePurpose = "archive"
 ) -> StoreError:
     """The error for one of the four ways in which a store fails."""
-    what, remedy = TEXTS[purpose](place)[code]
-    return StoreError(code, what, " ".join(reason.split())[:LONGEST_REASON], remedy)
+    about = _about_output if purpose == "results" else _about_archive
+    why = " ".join(reason.split())[:LONGEST_REASON]
+    return StoreError(code, about(place)[code], why, REMEDIES[purpose][code])
 
 
-def _archive_texts(place: str) -> StoreTexts:
+def _about_archive(place: str) -> Mapping[str, Text]:
     return {
-        "archive-full": (message("archive-full", place=place), message("archive-make-room")),
-        "archive-forbidden": (
-            message("archive-forbidden", place=place),
-            message("archive-check-keys"),
-        ),
-        "archive-missing": (message("archive-missing", place=place), message("archive-check-url")),
-        "archive-away": (message("archive-away", place=place), message("archive-check-network")),
+        "archive-full": message("archive-full", place=place),
+        "archive-forbidden": message("archive-forbidden", place=place),
+        "archive-missing": message("archive-missing", place=place),
+        "archive-away": message("archive-away", place=place),
     }
 
 
-def _records_texts(place: str) -> StoreTexts:
+def _about_output(place: str) -> Mapping[str, Text]:
     return {
-        "archive-full": (message("archive-full", place=place), message("store-make-room")),
-        "archive-forbidden": (
-            message("archive-forbidden", place=place),
-            message("store-check-access"),
-        ),
-        "archive-missing": (
-            message("archive-missing", place=place),
-            message("store-check-address"),
-        ),
-        "archive-away": (message("archive-away", place=place), message("store-check-network")),
+        "archive-full": message("output-full", place=place),
+        "archive-forbidden": message("output-forbidden", place=place),
+        "archive-missing": message("output-missing", place=place),
+        "archive-away": message("output-away", place=place),
     }
 
 
-def _results_texts(place: str) -> StoreTexts:
-    return {
-        "archive-full": (message("output-full", place=place), message("output-make-room")),
-        "archive-forbidden": (
-            message("output-forbidden", place=place),
-            message("output-check-access"),
-        ),
-        "archive-missing": (message("output-missing", place=place), message("output-create")),
-        "archive-away": (message("output-away", place=place), message("store-check-network")),
-    }
-
-
-TEXTS: Mapping[StorePurpose, Callable[[str], StoreTexts]] = {
-    "archive": _archive_texts,
-    "records": _records_texts,
-    "results": _results_texts,
+REMEDIES: Mapping[StorePurpose, Mapping[str, Text]] = {
+    "archive": {
+        "archive-full": message("archive-make-room"),
+        "archive-forbidden": message("archive-check-keys"),
+        "archive-missing": message("archive-check-url"),
+        "archive-away": message("archive-check-network"),
+    },
+    "records": {
+        "archive-full": message("store-make-room"),
+        "archive-forbidden": message("store-check-access"),
+        "archive-missing": message("store-check-address"),
+        "archive-away": message("store-check-network"),
+    },
+    "results": {
+        "archive-full": message("output-make-room"),
+        "archive-forbidden": message("output-check-access"),
+        "archive-missing": message("output-create"),
+        "archive-away": message("store-check-network"),
+    },
 }
 
 
