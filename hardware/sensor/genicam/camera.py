@@ -85,7 +85,8 @@ class AravisCamera:
         return (self.call("get_string", feature.encode()) or b"").decode("utf-8", "replace")
 
     def choose(self, feature: str, value: str) -> None:
-        self.call("set_string", feature.encode(), value.encode())
+        if self.choice(feature) != value:  # what is fixed cannot be set to what it is
+            self.call("set_string", feature.encode(), value.encode())
 
     def choices(self, feature: str) -> list[str]:
         with self._lock:

@@ -23,7 +23,7 @@ class FeatureCamera(Protocol):
         """The present value of an enumeration."""
 
     def choose(self, feature: str, value: str) -> None:
-        """Sets an enumeration."""
+        """Sets an enumeration, unless it has the value."""
 
     def choices(self, feature: str) -> list[str]:
         """The values that an enumeration offers now; none if the camera does not have it."""

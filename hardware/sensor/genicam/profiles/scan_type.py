@@ -51,7 +51,7 @@ def offers_profiles(camera: FeatureCamera) -> bool:
     if not {PICTURES, PROFILES} <= set(camera.choices(SCAN_TYPE)):
         return False
     try:
-        _choose(camera, SCAN_TYPE, PROFILES)
+        camera.choose(SCAN_TYPE, PROFILES)
         _select_extraction(camera)
         if UNCALIBRATED not in camera.choices(OUTPUT_MODE):
             return False
@@ -81,7 +81,7 @@ def set_profiles(
         DeviceError: the camera does not do that; it may be half set.
     """
     with refusals(title):
-        _choose(camera, SCAN_TYPE, PROFILES)
+        camera.choose(SCAN_TYPE, PROFILES)
         source = _select_source(camera)
         if source is not None:
             set_region(title, camera, list(pictures.region))
@@ -95,13 +95,13 @@ def set_profiles(
                 ", ".join(COORDINATES),
                 ", ".join(camera.choices("PixelFormat")),
             )
-        _choose(camera, "PixelFormat", pixel_format)
+        camera.choose("PixelFormat", pixel_format)
         _set_one_profile(title, camera, pictures.region[2])
         profile = _read_format(camera, options, pictures.region)
         if options.line_rate_hz is not None:
             _set_rate(camera, options.line_rate_hz)
         if source is not None:  # the exposure is that of the region on the sensor
-            _choose(camera, REGION, source)
+            camera.choose(REGION, source)
         _set_exposure_and_trigger(title, camera, options, exposure_us)
     return profile
 
@@ -120,25 +120,19 @@ def set_pictures(
     with refusals(title):
         _show_pictures(camera)
         select_intensity(camera)
-        _choose(camera, "PixelFormat", pictures.pixel_format.name)
+        camera.choose("PixelFormat", pictures.pixel_format.name)
         set_region(title, camera, list(pictures.region))
         _set_exposure_and_trigger(title, camera, options, exposure_us)
 
 
-def _choose(camera: FeatureCamera, feature: str, value: str) -> None:
-    """Sets an enumeration, unless it has the value: what is fixed cannot be set to what it is."""
-    if camera.choice(feature) != value:
-        camera.choose(feature, value)
-
-
 def _choose_if_offered(camera: FeatureCamera, feature: str, value: str) -> None:
     if value in camera.choices(feature):
-        _choose(camera, feature, value)
+        camera.choose(feature, value)
 
 
 def _show_pictures(camera: FeatureCamera) -> None:
     camera.send_parts(False)
-    _choose(camera, SCAN_TYPE, PICTURES)
+    camera.choose(SCAN_TYPE, PICTURES)
     _choose_if_offered(camera, REGION, PICTURE_REGION)
 
 
@@ -147,7 +141,7 @@ def _select_source(camera: FeatureCamera) -> str | None:
     if EXTRACTION not in camera.choices(REGION):
         return None
     source = camera.choice("Scan3dExtractionSource")
-    _choose(camera, REGION, source)
+    camera.choose(REGION, source)
     return source
 
 
@@ -159,7 +153,7 @@ def _select_extraction(camera: FeatureCamera) -> None:
 def _set_output(camera: FeatureCamera) -> None:
     """Rows in pixels of the sensor, from the top down, and their brightness if it can come with
     them in one buffer."""
-    _choose(camera, OUTPUT_MODE, UNCALIBRATED)
+    camera.choose(OUTPUT_MODE, UNCALIBRATED)
     _choose_if_offered(camera, "Scan3dDistanceUnit", "Pixel")
     _choose_if_offered(camera, "RangeAxis", "Standard")
     offered = camera.choices("ComponentSelector")
