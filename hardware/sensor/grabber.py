@@ -102,6 +102,7 @@ class Grabber(threading.Thread):
         self.join(_JOIN_S)
 
     def run(self) -> None:
+        lost: DeviceError | None = None
         try:
             while not self._stop_asked.is_set():
                 self._apply_settings()
@@ -114,17 +115,15 @@ class Grabber(threading.Thread):
                 elif picture is NoImage.LATE:
                     self._health.late += 1
         except EndOfRecordingError:
-            self._finish(None)
+            pass
         except DeviceError as error:
-            self._finish(error)
+            lost = error
         except cv2.error as error:
-            self._finish(
-                DeviceError(
-                    message("device-failed", title=self._title, error=error), message("open-again")
-                )
+            lost = DeviceError(
+                message("device-failed", title=self._title, error=error), message("open-again")
             )
         finally:
-            self._finish(self._error)
+            self._finish(lost)
             self.source.release()
 
     def _apply_settings(self) -> None:
