@@ -12,7 +12,6 @@ from numpy.typing import NDArray
 
 from hardware.errors import DeviceError
 from hardware.interfaces import DeliversLines, Delivery, Frame, Line, SensorDriver, SensorReading
-from hardware.sensor.genicam.driver import from_options
 from hardware.sensor.genicam.profiles.profile_points import INTENSITY
 from hardware.sensor.grabbing import GrabbingSensor
 from hardware.simulator.devices.gige_camera.camera import GigeCamera
@@ -32,7 +31,8 @@ from tests.hardware.conformance import (
 )
 from tests.hardware.fake_cameras import ADDRESS, port_for_this_test
 from tests.hardware.test_genicam import require_aravis
-from tests.hardware.test_simulated_gige import GigeBench
+from tests.hardware.test_simulated_gige import GigeBench, serve
+from tests.hardware.test_simulated_gige import make_driver as make_gige_driver
 
 WIDTH, HEIGHT = 320, 240
 DELAY_MS = 5.0
@@ -78,14 +78,12 @@ def make_camera(
 
 @pytest.fixture
 def camera() -> Iterator[GigeCamera]:
-    made = make_camera()
-    made.start()
-    yield made
-    made.stop()
+    with serve(make_camera()) as made:
+        yield made
 
 
 def make_driver(**more: object) -> GrabbingSensor:
-    driver = from_options({"address": ADDRESS, "laser_line": "Line2", **more})
+    driver = make_gige_driver(**more)
     assert isinstance(driver, DeliversLines)
     return driver
 

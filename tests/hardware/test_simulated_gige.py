@@ -8,6 +8,7 @@ import subprocess
 import time
 from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
+from contextlib import contextmanager
 from dataclasses import replace
 
 import numpy as np
@@ -17,6 +18,7 @@ from hardware.clock import now_ns
 from hardware.errors import DeviceError
 from hardware.interfaces import SensorDriver
 from hardware.sensor.genicam.driver import from_options
+from hardware.sensor.grabbing import GrabbingSensor
 from hardware.simulator.devices.gige_camera.camera import GigeCamera
 from hardware.simulator.devices.gige_camera.gvcp import PORT
 from hardware.simulator.devices.gige_camera.pixels import RawImage
@@ -64,15 +66,23 @@ def make_camera(first_block_id: int = 1) -> GigeCamera:
     return GigeCamera(identity, picture, delay_ms=DELAY_MS, first_block_id=first_block_id)
 
 
+@contextmanager
+def serve(camera: GigeCamera) -> Iterator[GigeCamera]:
+    """A camera that is plugged in."""
+    camera.start()
+    try:
+        yield camera
+    finally:
+        camera.stop()
+
+
 @pytest.fixture
 def camera() -> Iterator[GigeCamera]:
-    made = make_camera()
-    made.start()
-    yield made
-    made.stop()
+    with serve(make_camera()) as made:
+        yield made
 
 
-def make_driver(**more: object) -> SensorDriver:
+def make_driver(**more: object) -> GrabbingSensor:
     options = {"address": ADDRESS, "laser_line": "Line2"}
     return from_options(options | more)
 

@@ -22,6 +22,7 @@ from hardware.interfaces import (
     JointSample,
     LinkHealth,
     SensorInfo,
+    SensorReading,
 )
 
 RATE_HZ = 500.0
@@ -206,6 +207,18 @@ def rig(bench: Bench, bus: Bus, tmp_path: Path) -> Iterator[Rig]:
     rig.start()
     yield rig
     rig.stop()
+
+
+def collect_readings(rig: Rig, count: int) -> list[SensorReading]:
+    """So many pictures or lines of the sensor, as they come."""
+    tap = rig.sensor.frames.tap(count)
+    readings: list[SensorReading] = []
+    deadline = time.monotonic() + 60
+    while len(readings) < count:
+        assert time.monotonic() < deadline, f"only {len(readings)}"
+        readings += tap.get(count, 0.2)
+    rig.sensor.frames.untap(tap)
+    return readings
 
 
 def until(condition: Callable[[], object], timeout_s: float = 10.0) -> None:

@@ -1,7 +1,6 @@
 """A camera that the arm triggers, and that changes between pictures and lines: over GigE Vision."""
 
 import threading
-import time
 from dataclasses import replace
 from pathlib import Path
 
@@ -16,7 +15,7 @@ from hardware.registry import arm_driver
 from hardware.simulator.station import SimulatedStation
 from tests.hardware.fake_cameras import port_for_this_test
 from tests.hardware.test_genicam import require_aravis
-from tests.station.conftest import until
+from tests.station.conftest import collect_readings, until
 from tests.station.test_gige_lines import BOTH
 from tests.station.test_on_simulation import CONFIG
 
@@ -75,14 +74,3 @@ def test_pulses_and_lines_are_paired_exactly_after_each_change(
                 assert np.abs(late_ns).max() < 0.25e9 / RATE_HZ
         finally:
             rig.stop()
-
-
-def collect_readings(rig: Rig, count: int) -> list[SensorReading]:
-    tap = rig.sensor.frames.tap(count)
-    readings: list[SensorReading] = []
-    deadline = time.monotonic() + 60
-    while len(readings) < count:
-        assert time.monotonic() < deadline, f"only {len(readings)}"
-        readings += tap.get(count, 0.2)
-    rig.sensor.frames.untap(tap)
-    return readings

@@ -16,7 +16,7 @@ from app.station.pulses.pulse_trigger import TriggerSettings
 from hardware.interfaces import Frame
 from hardware.registry import arm_driver
 from hardware.simulator.station import SimulatedStation, SimulationConfig
-from tests.station.conftest import until
+from tests.station.conftest import collect_readings, until
 
 RATE_HZ = 20.0
 CONFIG = SimulationConfig(
@@ -47,14 +47,7 @@ def rig(simulation: SimulatedStation, tmp_path: Path) -> Iterator[Rig]:
 
 
 def collect(rig: Rig, count: int) -> list[Frame]:
-    tap = rig.sensor.frames.tap(count)
-    frames: list[Frame] = []
-    deadline = time.monotonic() + 60
-    while len(frames) < count:
-        assert time.monotonic() < deadline, f"only {len(frames)} frames"
-        frames += [one for one in tap.get(count, 0.2) if isinstance(one, Frame)]
-    rig.sensor.frames.untap(tap)
-    return frames
+    return [one for one in collect_readings(rig, count) if isinstance(one, Frame)]
 
 
 def test_arm_and_frames_are_paired_exactly(simulation: SimulatedStation, rig: Rig) -> None:
