@@ -1,6 +1,7 @@
 """Opens the catalogue's database, SQLite or PostgreSQL, and brings it to the present version."""
 
 import sqlite3
+import time
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
@@ -19,6 +20,7 @@ FIRST_REVISION, LAST_REVISION = "0001", "0003"
 WRITERS_LOCK = 0x6372656E
 """PostgreSQL's advisory lock of whoever writes."""
 WAIT_S = 10
+PAUSE_S = 0.01
 
 
 class CatalogueError(OperationError):
@@ -159,10 +161,24 @@ def _migrate(engine: "Engine") -> None:
 def _prepare_sqlite(connection: sqlite3.Connection, record: object) -> None:
     """Transactions are begun by ``_begin``, so that migrations are within one, too."""
     connection.isolation_level = None
-    connection.execute("PRAGMA journal_mode = WAL")
+    _use_write_ahead_log(connection)
     connection.execute("PRAGMA synchronous = NORMAL")
     connection.execute("PRAGMA foreign_keys = ON")
     connection.execute("PRAGMA cache_size = -65536")
+
+
+def _use_write_ahead_log(connection: sqlite3.Connection) -> None:
+    """Waits while another connection does the same: SQLite's own timeout does not cover this."""
+    end_s = time.monotonic() + WAIT_S
+    while True:
+        try:
+            connection.execute("PRAGMA journal_mode = WAL")
+        except sqlite3.OperationalError as error:
+            if error.sqlite_errorcode != sqlite3.SQLITE_BUSY or time.monotonic() > end_s:
+                raise
+            time.sleep(PAUSE_S)
+        else:
+            return
 
 
 def _begin(connection: "Connection") -> None:
