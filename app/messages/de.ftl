@@ -1447,20 +1447,28 @@ performance-all-touched = Alle Stellen dieses Schritts sind angetastet. Weiter.
 performance-another-length = Diese Antastung ergibt eine Länge von { $found } statt { $wanted }; sie wurde nicht übernommen
 performance-another-step =
     { $step ->
-        [artefact] Das gehört zu einem anderen Schritt; die Prüfung steht bei „Kugel und Grenzwerte“.
+        [artefact] Das gehört zu einem anderen Schritt; die Prüfung steht bei „Prüfkörper und Grenzwerte“.
         [pattern] Das gehört zu einem anderen Schritt; die Prüfung steht bei „25 Antastungen“.
         [location] Das gehört zu einem anderen Schritt; die Prüfung steht bei „Lage durch Antasten“.
         [scan] Das gehört zu einem anderen Schritt; die Prüfung steht bei „Fünf Scans“.
         [end] Das gehört zu einem anderen Schritt; die Prüfung steht bei „Nochmals antasten“.
         [lengths] Das gehört zu einem anderen Schritt; die Prüfung steht bei „Längen“.
+        [plate] Das gehört zu einem anderen Schritt; die Prüfung steht bei „Zwei Scans“.
+        [diameter] Das gehört zu einem anderen Schritt; die Prüfung steht bei „Meisterkugel“.
+        [seats] Das gehört zu einem anderen Schritt; die Prüfung steht bei „Drei Aufnahmen“.
+        [bar] Das gehört zu einem anderen Schritt; die Prüfung steht bei „Kugelstab“.
         [temperatures] Das gehört zu einem anderen Schritt; die Prüfung steht bei „Temperaturen“.
        *[review] Das gehört zu einem anderen Schritt; die Prüfung steht bei „Ergebnis“.
     }
+performance-arm-hardly-turned = Der Arm steht wie bei einer früheren Antastung in dieser Aufnahme: Er drehte sich um { $turned }, nötig sind { $least }. Diese Antastung wurde nicht übernommen
 performance-artefact-is-ready =
     { $test ->
         [lengths] Das Normal ist bereit
+        [plane] Die Platte liegt fest
+        [contact] Die Prüfkörper sind bereit
        *[other] Die Kugel ist fest
     }
+performance-articulate-arm = Den Ellbogen bewegen oder das Handgelenk drehen und noch einmal antasten
 performance-articulation =
     { $number ->
         [1] Von oben
@@ -1475,6 +1483,7 @@ performance-articulations-missing =
        *[other] { $missing } Stellungen sind noch nicht gescannt.
     }
 performance-aside-note = { $title }: { $reason }
+performance-bar-of-contact-test = Nur die Antastprüfung hat neben der Kugel einen Kugelstab.
 performance-bar-run = Lage { $place }, Scan { $repeat } des Stabs
 performance-bar-scan = Scan { $repeat }
 performance-bar-scan-done = Scan { $repeat } des Stabs in Lage { $place } ist übernommen.
@@ -1498,21 +1507,45 @@ performance-change-temperatures = Temperaturen ändern
 performance-choose-artefact =
     { $test ->
         [lengths] Zuerst ein Längennormal wählen.
+        [plane] Zuerst eine Platte wählen.
+        [contact] Zuerst eine Kugel oder einen Kugelstab wählen.
        *[other] Zuerst eine Kugel wählen.
+    }
+performance-chose-bar = hat den Kugelstab gewählt
+performance-clamp-seat =
+    { $number ->
+        [1] Die Aufnahme nahe der Schulter festklemmen, bei höchstens einem Fünftel der Reichweite.
+        [2] Die Aufnahme etwa bei halber Reichweite festklemmen.
+       *[other] Die Aufnahme bei vier Fünfteln der Reichweite oder weiter festklemmen.
     }
 performance-confirm-temperatures = Temperaturen bestätigen
 performance-confirmed-artefact = hat den Prüfkörper bestätigt
 performance-confirmed-step = hat einen Schritt bestätigt
+performance-contact-title =
+    { $step ->
+        [diameter] Kugel, Messung { $number }
+        [seats] { $number ->
+            [1] Nahe Aufnahme
+            [2] Mittlere Aufnahme
+           *[other] Ferne Aufnahme
+        }
+       *[bar] Lage { $number }
+    }
 performance-correct-gauge = Die Datei im Ordner gauges berichtigen oder eine andere wählen.
+performance-diameter-error = Abweichung des Durchmessers { $error }
 performance-do-artefact =
     { $test ->
         [lengths] Das Längennormal wählen. Sollen die Längen beurteilt werden, A, K und B aus dem Datenblatt eintragen.
+        [plane] Die Platte wählen und in den Arbeitsraum des Arms legen. Soll ihre Form beurteilt werden, den Grenzwert eintragen.
+        [contact] Meisterkugel und Kugelstab wählen und die Kugel in der Mitte der Reichweite befestigen. Was nicht vorhanden ist, entfällt. Sollen Grenzwerte beurteilt werden, sie aus dem Datenblatt eintragen.
        *[other] Die Prüfkugel wählen und im Arbeitsraum des Arms befestigen. Sollen Grenzwerte beurteilt werden, sie aus dem Datenblatt eintragen.
     }
 performance-do-end = Die Kugel noch fünfmal antasten: Das zeigt, ob sie sich bewegt hat.
 performance-do-review =
     { $test ->
         [lengths] Die Abweichungen aller Längen gegenüber der zulässigen.
+        [plane] Die Form der gescannten Platte: die schmalste Schicht, die 95 % aller Punkte enthält, in der schlechteren Ausrichtung.
+        [contact] Wirksamer Durchmesser, Einzelpunkt-Wiederholbarkeit und räumliche Länge.
        *[other] Maß, Form und Lage der Kugel durch Antasten, durch Scannen und aus beidem zusammen.
     }
 performance-do-temperatures = Messen Sie die Temperaturen von Prüfkörper und Arm noch einmal. Die vom Anfang sind eingetragen; ändern Sie, was sich geändert hat, und bestätigen Sie.
@@ -1550,11 +1583,15 @@ performance-let-temperatures-settle =
        *[begin] So wird kein Wert entschieden. Lassen Sie Prüfkörper und Arm sich angleichen, und messen Sie noch einmal.
     }
 performance-measuring-bar-scan = Der Scan des Stabs wird ausgewertet: { $scan }
+performance-measuring-plate-scan = Der Scan der Platte in Ausrichtung { $number } wird ausgewertet
 performance-measuring-scan = Der Scan der Stellung { $articulation } wird ausgewertet
+performance-move-seat = Die Aufnahme zuerst an ihrer nächsten Stelle festklemmen
 performance-move-sphere = Die Kugel an ihre zweite Position in einem anderen Teil des Arbeitsraums setzen und befestigen. Dann oben antasten.
 performance-no-artefact =
     { $test ->
         [lengths] Im Ordner gauges ist noch kein Längennormal.
+        [plane] Im Ordner gauges ist noch keine Platte.
+        [contact] Im Ordner gauges ist noch weder eine Kugel noch ein Kugelstab.
        *[other] Im Ordner gauges ist noch keine Kugel.
     }
 performance-no-free-place = Diese Antastung liegt nicht nahe einer noch freien Stelle und wurde nicht übernommen
@@ -1562,7 +1599,15 @@ performance-no-scan-runs = Es läuft kein Scan.
 performance-no-way-back = Das Angetastete gilt: Nach der ersten Antastung geht die Prüfung nicht zurück.
 performance-nothing-to-test = Es gibt nichts zu prüfen
 performance-off-direction = Das Normal liegt { $angle } neben der gezeichneten Richtung.
+performance-only-lengths-have-choice = Nur bei der Längenprüfung kann gewählt werden, ob auch gescannt wird.
+performance-orientation =
+    { $number ->
+        [1] Laserlinie unter 45°
+       *[other] Laserlinie um 90° gedreht
+    }
+performance-orientation-missing = Die Platte ist noch nicht in beiden Ausrichtungen gescannt.
 performance-other-calibration = Seit Beginn der Prüfung wurde die verwendete Kalibrierung gewechselt.
+performance-pass-over-plate = Die Laserlinie langsam in Streifen nebeneinander, die sich überlappen, über die Platte führen, dann den Scan beenden.
 performance-pass-over-spheres = Den Laserstreifen langsam über jede Kugel des Stabs führen, von Seiten quer zum Stab, dann den Scan beenden.
 performance-pass-slowly = Die Laserlinie langsam über die ganze Kugel führen, dann den Scan beenden.
 performance-patches =
@@ -1580,9 +1625,17 @@ performance-place =
         [6] 45° geneigt, vom Arm weg, rechts
        *[other] Raumdiagonale
     }
+performance-place-bar = Den Stab wie in Lage { $number } gezeichnet aufstellen und festklemmen.
 performance-place-title = Lage { $number } von 7
 performance-plan-changed = Der Plan dieser Prüfung wurde nach der ersten Antastung geändert.
 performance-plan-is-frozen = Prüfkörper und Grenzwerte stehen seit der ersten Antastung fest.
+performance-plate-form = Form { $form }
+performance-plate-run = Platte, Ausrichtung { $number }
+performance-plate-scan-done = Die Platte ist in Ausrichtung { $number } gescannt.
+performance-plate-scan-name = Leistungsprüfung, Platte, Ausrichtung { $number }
+performance-plate-scanned = Die Platte ist in beiden Ausrichtungen gescannt.
+performance-plate-scans-done = { $done } von { $of } Ausrichtungen
+performance-plate-width = { $width } breit
 performance-put-back = Antastung zurückholen
 performance-repeat = Prüfung wiederholen
 performance-repeat-question = Die Prüfung wiederholen? Dieser Durchgang bleibt erhalten und wird als wiederholt aufgeführt.
@@ -1599,6 +1652,7 @@ performance-rule =
 performance-run = Position { $position }, Scan der Stellung { $articulation }
 performance-run-dropped = Während des Scannens verworfen.
 performance-run-repeated = Vom Bediener wiederholt.
+performance-same-seat = Die Tastkugel ist nur { $away } von einer früheren Aufnahme entfernt; diese Antastung wurde nicht übernommen
 performance-scan-again = Diese Stellung nochmals scannen, langsam über die ganze Kugel
 performance-scan-bar = Das Normal so liegen lassen und den ganzen Stab scannen, { $repeat } von { $of }: alle seine Kugeln, von Seiten quer zum Stab.
 performance-scan-bar-again = Den Stab noch einmal scannen, langsam über jede Kugel
@@ -1608,23 +1662,34 @@ performance-scan-is-measured = Der letzte Scan wird noch ausgewertet.
 performance-scan-length-alone = Zwei Paare von Kugeln haben den Abstand { $length }. Das Normal so liegen lassen und nur die beiden Kugeln dieser Länge scannen.
 performance-scan-missing = Die Stellung, auf deren Seite sie liegen, nochmals scannen.
 performance-scan-name = Leistungsprüfung, Stellung { $articulation }
+performance-scan-plate =
+    { $number ->
+        [1] Den Sensor so drehen, dass die Laserlinie etwa 45° zu den Kanten der Platte oder zu den Achsen des Arms liegt. Den Scan beginnen. Von da an stehen Platte und Grenzwert fest.
+       *[other] Den Sensor um seine Blickrichtung drehen, bis die Laserlinie quer zu ihrer Richtung im ersten Scan liegt. Den Scan beginnen.
+    }
+performance-scan-plate-again = Diese Ausrichtung noch einmal scannen
 performance-scan-shows = { $patches } von 25 Feldern, { $points } Punkte
 performance-scan-too-small = Der Scan deckt nur { $count } der 25 Felder der Kugel ab
 performance-scanned-length = { $length } (Abweichung { $error })
 performance-scans-done = { $done } von { $of } Stellungen
+performance-seat-largest = größter Abstand { $largest }
+performance-seat-not-far = Die ferne Aufnahme steht bei { $share } % der Reichweite; die Norm verlangt mindestens { $least } %.
+performance-seat-not-near = Die nahe Aufnahme steht bei { $share } % der Reichweite; die Norm verlangt höchstens { $most } %.
+performance-seat-share = bei { $share } % der Reichweite
 performance-set-by-scan = hat Antasten oder Scannen gewählt
 performance-set-is-invalid = Das Gemessene gehört zum alten Stand und ist als Prüfung ungültig. Neu beginnen; die Daten bleiben erhalten.
 performance-set-positions = hat die Zahl der Positionen gewählt
 performance-set-standard-up = Das Normal wie gezeichnet aufstellen: { $place }. Befestigen. { $text }
 performance-settings-changed = Die Einstellungen für Scans wurden nach der ersten Antastung dieser Prüfung geändert.
+performance-simulation-contacts = Der simulierte Bediener tastet an: { $done } von { $of }
 performance-simulation-scans = Der simulierte Bediener scannt Stellung { $articulation }
 performance-simulation-scans-bar = Der simulierte Bediener scannt den Stab in Lage { $place }, Scan { $repeat }
+performance-simulation-scans-plate = Der simulierte Bediener scannt die Platte in Ausrichtung { $number }
 performance-simulation-touches =
     { $test ->
         [lengths] Der simulierte Bediener tastet das Stufenendmaß an: { $done } von { $of }
        *[other] Der simulierte Bediener tastet die Kugel an: { $done } von { $of }
     }
-performance-sphere-is-scanned = Ein Test an einer Kugel hat immer Scans.
 performance-sphere-touched-there = Die Kugel wurde dort schon angetastet; diese Antastung wurde nicht übernommen
 performance-standard-lengths =
     { $kind ->
@@ -1635,11 +1700,15 @@ performance-standard-lengths =
        *[other] { $count } Längen, { $shortest } bis { $longest }
     }
 performance-step-artefact = Prüfkörper und Grenzwerte
+performance-step-bar = Kugelstab
+performance-step-diameter = Meisterkugel
 performance-step-end = Nochmals antasten
 performance-step-lengths = Längen
 performance-step-location = Lage durch Antasten
 performance-step-pattern = 25 Antastungen
+performance-step-plate = Zwei Scans
 performance-step-scan = Fünf Scans
+performance-step-seats = Drei Aufnahmen
 performance-step-temperatures = Temperaturen
 performance-stylus-off-articulation = Der Taster ist { $off } neben der gewünschten Richtung (höchstens { $most }).
 performance-symbol = Symbol
@@ -1652,6 +1721,10 @@ performance-test =
        *[sphere] Leistungsprüfung: eine Kugel
     }
 performance-test-under-way-go-where-stands = Eine Leistungsprüfung läuft. Beim aktuellen Schritt fortfahren.
+performance-touch-bar = Die { $end ->
+        [1] erste
+       *[other] zweite
+    } Kugel des Stabs an { $touches } Stellen rundum antasten.
 performance-touch-bar-first = Zuerst alle Längen dieser Lage antasten.
 performance-touch-ends-of-length = Das andere Ende der genannten Länge antasten
 performance-touch-length =
@@ -1673,12 +1746,18 @@ performance-touch-location =
         [4] Den Taster etwa 45° neigen, das Handgelenk auf der Seite des Arms. Die fünf markierten Stellen antasten, ohne den Taster zu drehen.
        *[other] Den Taster etwa 45° neigen, das Handgelenk vom Arm aus gesehen links. Die fünf markierten Stellen antasten, ohne den Taster zu drehen.
     }
+performance-touch-master = Die Kugel ganz oben und an acht Stellen rundum antasten: Messung { $number } von { $of }.
+performance-touch-off-seat = Die Tastkugel ist { $off } von den Antastungen davor entfernt: Sie sitzt nicht in der Aufnahme. Diese Antastung wurde nicht übernommen
+performance-touch-off-sphere = Diese Antastung liegt { $off } neben der Kugel, die vorher angetastet wurde; sie wurde nicht übernommen
 performance-touch-pattern = Die markierten Stellen in beliebiger Reihenfolge antasten, das Handgelenk dabei frei drehen. Die nächste freie ist hervorgehoben.
 performance-touch-place = Stelle { $number } der Zeichnung antasten
+performance-touch-same-sphere = Dieselbe Kugel antasten, oder ihre Antastungen zurücknehmen und neu beginnen
+performance-touch-seat = Die Tastkugel in die Aufnahme setzen und { $count } Punkte nehmen. Dazwischen den Ellbogen bewegen und das Handgelenk drehen, zu beiden Seiten.
 performance-touch-sphere-elsewhere = Die Antastungen über die Kugel verteilen
 performance-touch-taken =
     { $test ->
         [lengths] Antastung { $count } der Längen
+        [contact] Antastung { $count } dieses Schritts
        *[other] Antastung { $count } an der Kugel
     }
 performance-touch-top-first = Die Kugel zuerst ganz oben antasten; daraus folgen die anderen Stellen. Von da an stehen Kugel und Grenzwerte fest.
@@ -1687,6 +1766,7 @@ performance-touches-missing =
         [one] Eine Antastung fehlt.
        *[other] { $missing } Antastungen fehlen.
     }
+performance-turn-sensor = Den Sensor um seine Blickrichtung drehen und diese Ausrichtung noch einmal scannen
 performance-turn-standard = Die sieben Lagen decken den Raum des Arms nur ab, wenn das Normal etwa wie gezeichnet liegt.
 performance-turn-towards-articulation = Drehen Sie das Handgelenk, bis diese Meldung verschwindet; anders genommene Punkte werden im Ergebnis vermerkt
 performance-valid-until = Kalibrierschein gültig bis { $until }
@@ -1699,6 +1779,9 @@ places-of-hemisphere =
     } mit dem Abstand von der Ausgleichskugel in µm, blau außen, orange innen, höchstens { $largest }. Die Kreise liegen 22,5°, 45°, 67,5° und 90° vom Pol.
 plate = Ebenes Normal
 plate-by-certificate = eben auf { $flatness }
+plate-orientations-alike = der Sensor wurde zwischen den beiden Ausrichtungen nur um { $turn } gedreht; nötig sind { $least }
+plate-scan-too-few-points = der Scan hat nur { $count } Punkte; nötig sind { $least }
+plate-too-narrow = die Platte ist { $width } breit; nötig sind { $least }
 point-judged-with-guard =
     Für ein Merkmal, das durch einen einzelnen gescannten Punkt gegeben ist, beträgt der Schutzabstand { $guard } ({ $guard_mm }): { $bearer ->
         [supplier] Es ist nur konform, wenn der Punkt um mehr als diesen innerhalb der Toleranz liegt.
@@ -2643,7 +2726,7 @@ plane-needs-lines-in-some = Für diese Pose genügt das. In mindestens { $fewest
 plane-swept-straight-across-angle = Gerade überfahrene Ebene: Winkel
 plane-through-cameras-centre-gives-no = eine Ebene durch den Mittelpunkt der Kamera ergibt keine Tiefe
 plate-in-one-orientation = die Platte wurde nicht in { $count } Ausrichtungen gescannt
-plate-scan-too-narrow = der Scan { $name } deckt einen Streifen schmaler als 50 mm ab
+plate-scan-too-narrow = der Scan zeigt nur einen { $width } breiten Streifen der Platte; nötig sind { $least }
 plate-was-not-scanned = die Platte wurde nicht gescannt
 plug-right-arm-correct-arm-joint = Richtigen Messarm anschließen oder [arm] joint_count berichtigen.
 plus-minus = ± { $uncertainty }
@@ -2968,6 +3051,7 @@ scan-more-clouds = Weitere Punktwolken scannen
 scan-more-sphere = Mehr von der Kugel scannen
 scan-needs = ein Scan benötigt { $needed }
 scan-needs-name = Ein Scan braucht einen Namen
+scan-plate-in-strips = Die Platte noch einmal scannen, in Streifen nebeneinander
 scan-probe-share-arm-what-both = Scan und Taster verwenden denselben Messarm: Gemeinsame Abweichungen sind hier nicht zu erkennen.
 scan-running-already = es läuft bereits ein Scan
 scan-running-has-laser-stop-first = Ein Scan läuft und verwendet den Laser. Zuerst den Scan stoppen.

@@ -1443,20 +1443,28 @@ performance-all-touched = All places of this step are touched. Continue.
 performance-another-length = This touch makes the length { $found } instead of { $wanted }; it was not taken
 performance-another-step =
     { $step ->
-        [artefact] This belongs to another step; the test is at 'Sphere and limits'.
+        [artefact] This belongs to another step; the test is at 'Artefact and limits'.
         [pattern] This belongs to another step; the test is at '25 touches'.
         [location] This belongs to another step; the test is at 'Location by touch'.
         [scan] This belongs to another step; the test is at 'Five scans'.
         [end] This belongs to another step; the test is at 'Touch again'.
         [lengths] This belongs to another step; the test is at 'Lengths'.
+        [plate] This belongs to another step; the test is at 'Two scans'.
+        [diameter] This belongs to another step; the test is at 'Master sphere'.
+        [seats] This belongs to another step; the test is at 'Three seats'.
+        [bar] This belongs to another step; the test is at 'Ball bar'.
         [temperatures] This belongs to another step; the test is at 'Temperatures'.
        *[review] This belongs to another step; the test is at 'Result'.
     }
+performance-arm-hardly-turned = The arm is held as for an earlier touch in this seat: it turned by { $turned }, and { $least } are needed. This touch was not taken
 performance-artefact-is-ready =
     { $test ->
         [lengths] The standard is ready
+        [plane] The plate lies still
+        [contact] The artefacts are ready
        *[other] The sphere is fixed
     }
+performance-articulate-arm = Move the elbow or turn the wrist, and touch again
 performance-articulation =
     { $number ->
         [1] From above
@@ -1471,6 +1479,7 @@ performance-articulations-missing =
        *[other] { $missing } articulations are not scanned yet.
     }
 performance-aside-note = { $title }: { $reason }
+performance-bar-of-contact-test = Only the contact test has a ball bar beside its sphere.
 performance-bar-run = Place { $place }, scan { $repeat } of the bar
 performance-bar-scan = Scan { $repeat }
 performance-bar-scan-done = Scan { $repeat } of the bar in place { $place } is accepted.
@@ -1494,21 +1503,45 @@ performance-change-temperatures = Change the temperatures
 performance-choose-artefact =
     { $test ->
         [lengths] Choose a length standard first.
+        [plane] Choose a plate first.
+        [contact] Choose a sphere or a ball bar first.
        *[other] Choose a sphere first.
+    }
+performance-chose-bar = chose the ball bar
+performance-clamp-seat =
+    { $number ->
+        [1] Clamp the seat near the shoulder, at no more than a fifth of the reach.
+        [2] Clamp the seat at about half the reach.
+       *[other] Clamp the seat at four fifths of the reach or farther.
     }
 performance-confirm-temperatures = Confirm the temperatures
 performance-confirmed-artefact = confirmed the artefact
 performance-confirmed-step = confirmed a step
+performance-contact-title =
+    { $step ->
+        [diameter] Sphere, measurement { $number }
+        [seats] { $number ->
+            [1] Near seat
+            [2] Middle seat
+           *[other] Far seat
+        }
+       *[bar] Placement { $number }
+    }
 performance-correct-gauge = Correct the file in the folder gauges, or choose another one.
+performance-diameter-error = error of the diameter { $error }
 performance-do-artefact =
     { $test ->
         [lengths] Choose the length standard. Enter A, K and B from the datasheet if the lengths are to be judged.
+        [plane] Choose the plate and lay it within the arm's reach. Enter the limit if its form is to be judged.
+        [contact] Choose the master sphere and the ball bar, and fix the sphere in the middle of the arm's reach. What is not at hand is left out. Enter the limits from the datasheet if they are to be judged.
        *[other] Choose the test sphere and fix it within the arm's reach. Enter the limits from the datasheet if they are to be judged.
     }
 performance-do-end = Touch the sphere five more times: they show whether it has moved.
 performance-do-review =
     { $test ->
         [lengths] The errors of all lengths against the permissible error.
+        [plane] The form of the plate by scan: the narrowest slab that holds 95 % of all points, in the worse orientation.
+        [contact] Effective diameter, single-point articulation and volumetric length.
        *[other] Size, form and location of the sphere by touch, by scan, and both together.
     }
 performance-do-temperatures = Measure the temperatures of artefact and arm once more. Those of the beginning are filled in; change what has changed, then confirm.
@@ -1546,11 +1579,15 @@ performance-let-temperatures-settle =
        *[begin] No figure will be decided. Let artefact and arm settle, and measure again.
     }
 performance-measuring-bar-scan = Evaluating the scan of the bar: { $scan }
+performance-measuring-plate-scan = Evaluating the scan of the plate in orientation { $number }
 performance-measuring-scan = Evaluating the scan of articulation { $articulation }
+performance-move-seat = Clamp the seat in its next place first
 performance-move-sphere = Move the sphere to its second position, in another part of the arm's reach, and fix it. Then touch its top.
 performance-no-artefact =
     { $test ->
         [lengths] There is no length standard in the folder gauges yet.
+        [plane] There is no plate in the folder gauges yet.
+        [contact] There is neither a sphere nor a ball bar in the folder gauges yet.
        *[other] There is no sphere in the folder gauges yet.
     }
 performance-no-free-place = This touch is not near a place that is still free; it was not taken
@@ -1558,7 +1595,15 @@ performance-no-scan-runs = No scan is running.
 performance-no-way-back = What was touched stands: the test does not go back after its first touch.
 performance-nothing-to-test = There is nothing to test
 performance-off-direction = The standard lies { $angle } off the drawn direction.
+performance-only-lengths-have-choice = Only the test of lengths can be done by touch alone or by scan, too.
+performance-orientation =
+    { $number ->
+        [1] Stripe at 45°
+       *[other] Stripe turned by 90°
+    }
+performance-orientation-missing = The plate is not scanned in both orientations yet.
 performance-other-calibration = The calibration in use has changed since the test began.
+performance-pass-over-plate = Move the stripe slowly over the plate in strips side by side that overlap, then end the scan.
 performance-pass-over-spheres = Move the stripe slowly over every sphere of the bar, from sides across the bar, then end the scan.
 performance-pass-slowly = Move the stripe slowly over the whole sphere, then end the scan.
 performance-patches =
@@ -1576,9 +1621,17 @@ performance-place =
         [6] inclined by 45°, away from the arm, on the right
        *[other] diagonal through the volume
     }
+performance-place-bar = Set the bar up as placement { $number } is drawn, and clamp it.
 performance-place-title = Place { $number } of 7
 performance-plan-changed = The plan of this test was changed after its first touch.
 performance-plan-is-frozen = Artefact and limits are fixed since the first touch.
+performance-plate-form = form { $form }
+performance-plate-run = Plate, orientation { $number }
+performance-plate-scan-done = The plate is scanned in orientation { $number }.
+performance-plate-scan-name = Performance test, plate, orientation { $number }
+performance-plate-scanned = The plate is scanned in both orientations.
+performance-plate-scans-done = { $done } of { $of } orientations
+performance-plate-width = { $width } wide
 performance-put-back = Put the touch back
 performance-repeat = Repeat the test
 performance-repeat-question = Repeat the test? This run is kept and listed as repeated.
@@ -1595,6 +1648,7 @@ performance-rule =
 performance-run = Position { $position }, scan of articulation { $articulation }
 performance-run-dropped = Discarded by the operator while it was scanned.
 performance-run-repeated = Repeated by the operator.
+performance-same-seat = The tip is only { $away } away from an earlier seat; this touch was not taken
 performance-scan-again = Scan this articulation again, slowly over the whole sphere
 performance-scan-bar = Leave the standard as it is and scan the whole bar, { $repeat } of { $of }: all its spheres, from sides across the bar.
 performance-scan-bar-again = Scan the bar again, slowly over every sphere
@@ -1604,23 +1658,34 @@ performance-scan-is-measured = The last scan is still being evaluated.
 performance-scan-length-alone = Two pairs of spheres are { $length } apart. Leave the standard as it is and scan only the two spheres of this length.
 performance-scan-missing = Scan the articulation on whose side they lie again.
 performance-scan-name = Performance test, articulation { $articulation }
+performance-scan-plate =
+    { $number ->
+        [1] Turn the sensor so that the stripe lies at about 45° to the edges of the plate or to the axes of the arm. Begin the scan. From here on, plate and limit are fixed.
+       *[other] Turn the sensor about its line of sight, so that the stripe lies across its direction in the first scan. Begin the scan.
+    }
+performance-scan-plate-again = Scan this orientation again
 performance-scan-shows = { $patches } of 25 patches, { $points } points
 performance-scan-too-small = The scan covers only { $count } of the sphere's 25 patches
 performance-scanned-length = { $length } (error { $error })
 performance-scans-done = { $done } of { $of } articulations
+performance-seat-largest = largest distance { $largest }
+performance-seat-not-far = The far seat stands at { $share } % of the reach; the standard asks for at least { $least } %.
+performance-seat-not-near = The near seat stands at { $share } % of the reach; the standard asks for at most { $most } %.
+performance-seat-share = at { $share } % of the reach
 performance-set-by-scan = chose touch or scan
 performance-set-is-invalid = What was measured belongs to the old state and is invalid as a test. Begin again; the data are kept.
 performance-set-positions = chose how many positions
 performance-set-standard-up = Set the standard up as drawn: { $place }. Fix it. { $text }
 performance-settings-changed = The settings for scans were changed after the first touch of this test.
+performance-simulation-contacts = The simulated operator touches { $done } of { $of }
 performance-simulation-scans = The simulated operator scans articulation { $articulation }
 performance-simulation-scans-bar = The simulated operator scans the bar in place { $place }, scan { $repeat }
+performance-simulation-scans-plate = The simulated operator scans the plate in orientation { $number }
 performance-simulation-touches =
     { $test ->
         [lengths] The simulated operator touches the step gauge: { $done } of { $of }
        *[other] The simulated operator touches the sphere: { $done } of { $of }
     }
-performance-sphere-is-scanned = A test on one sphere always has scans.
 performance-sphere-touched-there = The sphere was touched near there already; this touch was not taken
 performance-standard-lengths =
     { $kind ->
@@ -1631,11 +1696,15 @@ performance-standard-lengths =
        *[other] { $count } lengths, { $shortest } to { $longest }
     }
 performance-step-artefact = Artefact and limits
+performance-step-bar = Ball bar
+performance-step-diameter = Master sphere
 performance-step-end = Touch again
 performance-step-lengths = Lengths
 performance-step-location = Location by touch
 performance-step-pattern = 25 touches
+performance-step-plate = Two scans
 performance-step-scan = Five scans
+performance-step-seats = Three seats
 performance-step-temperatures = Temperatures
 performance-stylus-off-articulation = The stylus is { $off } away from the wanted direction (at most { $most }).
 performance-symbol = Symbol
@@ -1648,6 +1717,10 @@ performance-test =
        *[sphere] Performance test: one sphere
     }
 performance-test-under-way-go-where-stands = A performance test is in progress. Continue where it stopped.
+performance-touch-bar = Touch the { $end ->
+        [1] first
+       *[other] second
+    } sphere of the bar at { $touches } places all around.
 performance-touch-bar-first = Touch all lengths of this place first.
 performance-touch-ends-of-length = Touch the other end of the length that is named
 performance-touch-length =
@@ -1669,12 +1742,18 @@ performance-touch-location =
         [4] Tilt the stylus by about 45°, wrist on the side of the arm. Touch the five marked places without turning the stylus.
        *[other] Tilt the stylus by about 45°, wrist on the left as seen from the arm. Touch the five marked places without turning the stylus.
     }
+performance-touch-master = Touch the sphere at its top and at eight places around it: measurement { $number } of { $of }.
+performance-touch-off-seat = The tip is { $off } away from the touches before: it is not in the seat. This touch was not taken
+performance-touch-off-sphere = This touch lies { $off } off the sphere that was touched before; it was not taken
 performance-touch-pattern = Touch the marked places in any order, with the wrist turned freely. The nearest free one is highlighted.
 performance-touch-place = Touch place { $number } of the drawing
+performance-touch-same-sphere = Touch the same sphere, or take its touches back and begin again
+performance-touch-seat = Put the tip into the seat and take { $count } touches. Between the touches move the elbow and turn the wrist, over both sides.
 performance-touch-sphere-elsewhere = Spread the touches over the sphere
 performance-touch-taken =
     { $test ->
         [lengths] Touch { $count } of the lengths
+        [contact] Touch { $count } of this step
        *[other] Touch { $count } on the sphere
     }
 performance-touch-top-first = Touch the top of the sphere first; the other places follow from it. From here on, sphere and limits are fixed.
@@ -1683,6 +1762,7 @@ performance-touches-missing =
         [one] One touch is missing.
        *[other] { $missing } touches are missing.
     }
+performance-turn-sensor = Turn the sensor about its line of sight and scan this orientation again
 performance-turn-standard = The seven places only cover the arm's volume if the standard lies about as drawn.
 performance-turn-towards-articulation = Turn the wrist until this message disappears; points taken otherwise are noted in the result
 performance-valid-until = certificate valid until { $until }
@@ -1695,6 +1775,9 @@ places-of-hemisphere =
     } with the distance from the least-squares sphere in µm, blue outward, orange inward, at most { $largest }. The circles lie at 22.5°, 45°, 67.5° and 90° from the pole.
 plate = Flat artefact
 plate-by-certificate = flat to { $flatness }
+plate-orientations-alike = the sensor was turned by only { $turn } between the two orientations; { $least } are needed
+plate-scan-too-few-points = the scan has only { $count } points; { $least } are needed
+plate-too-narrow = the plate is { $width } wide; { $least } are needed
 point-judged-with-guard =
     For a feature given by a single scanned point, the guard band is { $guard } ({ $guard_mm }): { $bearer ->
         [supplier] the feature conforms only if the point lies inside its tolerance by more.
@@ -2634,7 +2717,7 @@ plane-needs-lines-in-some = That is sufficient for this pose. The laser line mus
 plane-swept-straight-across-angle = Plane scanned in one straight pass: angle
 plane-through-cameras-centre-gives-no = a plane through the camera's centre gives no depth
 plate-in-one-orientation = the plate was not scanned in { $count } orientations
-plate-scan-too-narrow = the scan { $name } covers a strip narrower than 50 mm
+plate-scan-too-narrow = the scan shows a strip of the plate only { $width } wide; { $least } are needed
 plate-was-not-scanned = the plate was not scanned
 plug-right-arm-correct-arm-joint = Connect the right arm, or correct [arm] joint_count.
 plus-minus = ± { $uncertainty }
@@ -2959,6 +3042,7 @@ scan-more-clouds = Scan more clouds
 scan-more-sphere = Scan more of the sphere
 scan-needs = a scan requires { $needed }
 scan-needs-name = A scan needs a name
+scan-plate-in-strips = Scan the plate again, in strips side by side
 scan-probe-share-arm-what-both = Scan and probe share the arm: errors common to both do not appear here.
 scan-running-already = a scan is already running
 scan-running-has-laser-stop-first = A scan is running and uses the laser. Stop it first.

@@ -44,7 +44,7 @@ class ArmStart(RequestBody):
 
 
 class PerformanceStart(RequestBody):
-    test: Literal["sphere", "lengths"] = "sphere"
+    test: Literal["sphere", "lengths", "plane", "contact"] = "sphere"
 
 
 class ScanStart(RequestBody):

@@ -25,8 +25,9 @@ from hardware.simulator.devices.kinematics import (
 from hardware.simulator.devices.motion import Motion
 from hardware.simulator.devices.ports import DevicePort, PtyPort, TcpPort
 from hardware.simulator.devices.rtde_server import RobotState, RtdeServer
+from hardware.simulator.operator.gauge_operator import GAUGE_SD_MM
 from hardware.simulator.operator.holding import SensorMount
-from hardware.simulator.operator.operator import GAUGE_SD_MM, ScriptedOperator
+from hardware.simulator.operator.operator import ScriptedOperator
 from hardware.simulator.operator.swinging import BAR_MM, SPHERE_MM
 from hardware.simulator.rendering.line_sensor import LineSensor, find_profile
 from hardware.simulator.rendering.noise import RawImage
@@ -46,17 +47,19 @@ from hardware.simulator.scene.datasheets import (
     ball_bar_datasheet,
     block_datasheet,
     board_datasheet,
+    flat_plate_datasheet,
     plane_nominal,
     robot_datasheet,
     sensor_datasheet,
     sphere_nominal,
     step_gauge_datasheet,
 )
+from hardware.simulator.scene.flat_plate import SIDE_MM
 from hardware.simulator.scene.random_scenes import (
     draw_true_board,
 )
 from hardware.simulator.scene.tabletop import build_table_scene
-from hardware.simulator.scene.world import GaugeSphere, SimulatedScene
+from hardware.simulator.scene.world import Box, GaugeSphere, SimulatedScene
 from hardware.simulator.session import ground_truth
 
 __all__ = ["SimulatedStation", "SimulationConfig"]
@@ -282,6 +285,9 @@ class SimulatedStation:
             arm_document = robot_datasheet(arm) if poses else arm_datasheet(arm)
         ball = self._scene.find_object("sphere").shape
         assert isinstance(ball, GaugeSphere)
+        small = self._scene.find_object("plate").shape
+        assert isinstance(small, Box)
+        width_mm = min(2 * small.high_mm[0], 2 * small.high_mm[1])
         plate, sphere = (
             np.linalg.inv(self._correction) @ self._scene.find_object(name).T_arm_obj
             for name in ("plate", "sphere")
@@ -291,7 +297,8 @@ class SimulatedStation:
             "object.json": block_datasheet(rig.certificate, self.config.certificate_sd_mm),
             "chessboard.json": board_datasheet(self.config.board, self.config.certificate_sd_mm),
             "sensor.json": sensor_datasheet(rig.optics, rig.light_plane),
-            "plate.nominal.json": plane_nominal(plate[:3, 3], plate[:3, 2]),
+            "plate.nominal.json": plane_nominal(plate[:3, 3], plate[:3, 2], width_mm),
+            "surface-plate.nominal.json": flat_plate_datasheet(SIDE_MM),
             "sphere.nominal.json": sphere_nominal(sphere[:3, 3], ball),
             "ball-bar.json": ball_bar_datasheet(BAR_MM, SPHERE_MM, GAUGE_SD_MM),
             "step-gauge.json": step_gauge_datasheet(self.operator.step_gauge, GAUGE_SD_MM),

@@ -19,6 +19,7 @@ pytestmark = pytest.mark.slow
 
 SIZES = {"desktop": (1280, 800), "tablet": (820, 1180)}
 STEPS = ("pattern", "location", "scan", "end", "review")
+CONTACT = ("diameter", "seats", "temperatures")
 WAIT_MS = 30_000
 FIGURES = 11
 LENGTHS = 7 * 3
@@ -228,5 +229,123 @@ def test_the_length_test_from_start_to_errors(
         page.get_by_role("link", name="Report", exact=True).click()
     report = opened.value
     expect(report.get_by_role("img", name="Errors of length")).to_be_visible()
+    assert not visit.faults
+    page.close()
+
+
+def begin_test(station: Demo, page: Page, kind: str) -> None:
+    """From Home to the choice of the artefact."""
+    page.goto(station.link)
+    page.get_by_role("link", name="Performance").click()
+    page.get_by_role("button", name=kind, exact=True).click()
+    page.get_by_role("button", name="Start the test").click()
+
+
+def wait_for_result(visit: Visit) -> None:
+    visit.wait_until(
+        "result",
+        "/api/performance",
+        lambda view: view["step"] == "review" and view["picture"]["result"] is not None,
+    )
+
+
+def test_the_plane_test_from_start_to_form(
+    station: Demo, browser: Browser, screenshots: Path | None
+) -> None:
+    page = browser.new_page(viewport={"width": 1280, "height": 800})
+    page.set_default_timeout(WAIT_MS)
+    visit = Visit(page, screenshots)
+    begin_test(station, page, "Plane")
+    small = page.get_by_role("radio", name="Simulated gauge plate")
+    expect(small).to_have_attribute("aria-disabled", "true")
+    expect(page.get_by_text("The plate is 40 mm wide; 50 mm are needed")).to_be_visible()
+    expect(page.get_by_role("radio", name="Simulated flat plate")).to_be_checked()
+    page.get_by_label("form of the scanned plane").fill("300")
+    page.get_by_role("button", name="Set", exact=True).click()
+    expect(page.get_by_role("button", name="Set", exact=True)).to_have_count(0)
+    look_at_both_sizes(visit, "plane-artefact")
+    page.get_by_role("button", name="The plate lies still").click()
+    expect(page.get_by_text("at about 45° to the edges")).to_be_visible()
+    page.get_by_role("button", name="Let the simulated operator do it").click()
+    visit.wait_until(
+        "second orientation",
+        "/api/performance",
+        lambda view: view["picture"]["articulations"][0]["state"] == "done",
+    )
+    look_at_both_sizes(visit, "plane-scan")
+    visit.wait_until(
+        "temperatures", "/api/performance", lambda view: view["step"] == "temperatures"
+    )
+    page.get_by_role("button", name="Confirm the temperatures").click()
+    wait_for_result(visit)
+    row = page.locator("tr[data-quantity='plane-scan']")
+    expect(row.get_by_text("Pass")).to_be_visible()
+    look_at_both_sizes(visit, "plane-review")
+    page.get_by_role("button", name="Finish the test").click()
+    page.get_by_role("button", name="Open").first.click()
+    expect(page.get_by_text("Simulated flat plate ·")).to_be_visible()
+    (newest, *_) = page.request.get(f"{station.address.rstrip('/')}/api/performances").json()
+    found = read_performance(station.data / "performance" / newest["id"])
+    (figure,) = found.figures
+    assert 10 < (figure.value or 0.0) < 300
+    assert len(figure.values) == 2
+    assert not visit.faults
+    page.close()
+
+
+def test_the_contact_tests_from_start_to_figures(
+    station: Demo, browser: Browser, screenshots: Path | None
+) -> None:
+    page = browser.new_page(viewport={"width": 1280, "height": 800})
+    page.set_default_timeout(WAIT_MS)
+    visit = Visit(page, screenshots)
+    begin_test(station, page, "Contact tests")
+    page.get_by_role("radio", name="Without a sphere").click()
+    expect(page.get_by_label("effective diameter")).to_have_count(0)
+    expect(page.get_by_label("volumetric length, largest")).to_be_visible()
+    look_at_both_sizes(visit, "contact-artefact")
+    page.get_by_role("button", name="The artefacts are ready").click()
+    expect(page.get_by_text("Clamp the seat near the shoulder")).to_be_visible()
+    page.get_by_role("button", name="Let the simulated operator do it").click()
+    visit.wait_until(
+        "bar", "/api/performance", lambda view: view["step"] == "bar" and view["busy"] is None
+    )
+    page.get_by_role("button", name="Let the simulated operator do it").click()
+    visit.wait_until(
+        "placements",
+        "/api/performance",
+        lambda view: view["picture"]["contact"]["lines"][1]["text"],
+    )
+    look_at_both_sizes(visit, "contact-placements")
+    page.get_by_role("button", name="Stop the simulated operator").click()
+    page.get_by_role("button", name="Cancel the test").click()
+    page.get_by_role("button", name="Operating error").click()
+    begin_test(station, page, "Contact tests")
+    page.get_by_role("radio", name="Simulated gauge sphere").click()
+    page.get_by_role("radio", name="Without a ball bar").click()
+    page.get_by_role("button", name="Let the simulated operator do everything").click()
+    for number, step in enumerate(CONTACT):
+        visit.wait_until(
+            step,
+            "/api/performance",
+            lambda view, number=number: view["step"] in (*CONTACT[number:], "review"),  # type: ignore[misc]
+        )
+        look_at_both_sizes(visit, f"contact-{step}")
+    wait_for_result(visit)
+    look_at_both_sizes(visit, "contact-review")
+    page.get_by_role("button", name="Finish the test").click()
+    newest, cancelled, *_ = page.request.get(
+        f"{station.address.rstrip('/')}/api/performances"
+    ).json()
+    assert cancelled["result"] == "cancelled"
+    folder = station.data / "performance" / newest["id"]
+    plan, found = read_plan(folder), read_performance(folder)
+    assert plan.edition == "B89.4.22"
+    assert plan.sphere is not None
+    assert plan.length is None
+    values = {figure.quantity: figure.value for figure in found.figures}
+    assert abs(values["effective-diameter"] or 1e3) < 100
+    assert 5 < (values["articulation-largest"] or 0.0) < 500
+    assert values["volumetric-largest"] is None
     assert not visit.faults
     page.close()

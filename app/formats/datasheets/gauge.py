@@ -78,6 +78,8 @@ class GaugeFile(Document):
     """Standard uncertainty of ``form_um``, k = 1."""
     valid_until: Annotated[str, Field(max_length=40)] = ""
     """The certificate's, an ISO 8601 date; empty: not stated."""
+    width_mm: Positive | None = None
+    """Of a plate, its narrower side; None: not stated."""
     expansion_per_c: NotNegative = 0.0
     """Coefficient of thermal expansion; 0: not stated."""
     expansion_sd_per_c: NotNegative = 0.0

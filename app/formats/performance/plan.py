@@ -21,6 +21,8 @@ from app.metrology.performance.temperature import TemperatureLimits
 
 PLAN, RESULT, TOUCHES = "plan.json", "performance.json", "touches.csv"
 ARTICULATIONS, LOCATION_TOUCHES, PATTERN_TOUCHES, END_TOUCHES = 5, 5, 25, 5
+ORIENTATIONS = 2
+"""In which a plate is scanned."""
 Kind = Literal["sphere", "lengths", "plane", "contact"]
 
 
@@ -85,6 +87,8 @@ class PlatePart(DocumentPart):
     serial_number: str = ""
     certificate: str = ""
     valid_until: str = ""
+    width_mm: Positive | None = None
+    """Its narrower side; None: not stated."""
     flatness_um: NotNegative
     flatness_sd_um: NotNegative = 0.0
 
@@ -182,6 +186,16 @@ def length_scan(place: int, repeat: int, length: int = 0) -> str:
         ('l2-1', 'l2-1-3')
     """
     return f"l{place}-{repeat}" + (f"-{length}" if length else "")
+
+
+def plane_scan(orientation: int) -> str:
+    """The folder of a scan of the plate.
+
+    Example:
+        >>> plane_scan(1)
+        'plane-1'
+    """
+    return f"plane-{orientation}"
 
 
 def read_plan(folder: Path) -> PerformancePlan:

@@ -37,7 +37,7 @@ Quantity = Literal[
 ]
 """What is measured, whatever a standard calls it."""
 SPHERE_QUANTITIES: tuple[SphereQuantity, ...] = get_args(SphereQuantity)
-DEFAULT_EDITION = "2016"
+DEFAULT_EDITION, CONTACT_EDITION = "2016", "B89.4.22"
 
 TITLES: dict[Quantity, Text] = {
     "size-touch": message("performance-size-touch"),

@@ -23,6 +23,7 @@ AUDIT_LABELS = {
     "void_point": message("removed-point"),
     "void_touch": message("removed-point"),
     "confirm_touch": message("confirmed-touches"),
+    "choose_bar": message("performance-chose-bar"),
     "set_positions": message("performance-set-positions"),
     "set_by_scan": message("performance-set-by-scan"),
     "confirm_artefact": message("performance-confirmed-artefact"),

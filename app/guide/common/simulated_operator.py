@@ -92,6 +92,14 @@ class SimulatedOperator(Protocol):
         """Passes the sensor over the sphere on the table, which it sees from a direction (3,),
         arm frame; by ``slowness`` slower than usual."""
 
+    def scan_plate(self, orientation: int) -> bool:
+        """Sets a flat plate up and passes the sensor over it in strips, in its first or second
+        ``orientation``."""
+
+    def touch_seat(self, centre_mm: Sequence[float], number: int) -> bool:
+        """Puts the tip into a seat at a place (3,), arm frame, with the arm articulated in the
+        ``number``-th way, and presses the primary button."""
+
     def swing_in_seat(self) -> bool:
         """Swings the arm about the tip, which stays where it is."""
 

@@ -17,7 +17,12 @@ from app.formats.open_file import read_bounded
 from app.formats.results.calibration import CALIBRATION, Calibration, read_calibration
 from app.formats.results.verification import GAUGE
 from app.formats.session.calibration_session import ARM, contact_readings, write_contacts
-from app.guide.common.datasheet_library import CERTIFICATE_ENDING, FolderContent, Gauges
+from app.guide.common.datasheet_library import (
+    CERTIFICATE_ENDING,
+    DatasheetEntry,
+    FolderContent,
+    Gauges,
+)
 from app.guide.common.flow import Flow, View
 from app.guide.common.guided_session import GuidedSession, Provenance, StationServices
 from app.guide.common.journal import Calibrations, Journal, StoredCalibration
@@ -113,9 +118,11 @@ class GaugeSession(GuidedSession[State, Live, View], Generic[State, Live, View, 
         return self._session_copies[1:]
 
     def _read_copies(self) -> tuple[Gauge | None, AnyArm | None]:
-        """Gauge and arm of a session; None, both, if one of them cannot be read."""
+        """Gauge and arm of a session; None, both, if one of them cannot be read. A session may be
+        without a gauge."""
         try:
-            return self._read_one(self.folder / GAUGE), read_any_arm(self.folder / ARM)
+            gauge = self._read_one(self.folder / GAUGE) if self.state.gauge else None
+            return gauge, read_any_arm(self.folder / ARM)
         except OperationError:
             return None, None
 
@@ -127,17 +134,21 @@ class GaugeSession(GuidedSession[State, Live, View], Generic[State, Live, View, 
         """
         active = self.active()
         assert active is not None
-        entry = self.gauges().known[self.state.gauge]
         sources = [(active.file.parent / ARM, ARM), (active.file, CALIBRATION)]
-        if entry.path.suffix != CERTIFICATE_ENDING:
-            sources.append((entry.path, GAUGE))
         with convert_io_errors(self.folder):
             ensure_folder(self.folder)
-            if entry.path.suffix == CERTIFICATE_ENDING:
-                entry.datasheet.write(self.folder / GAUGE)
+            for name, entry in self.gauge_entries().items():
+                if entry.path.suffix == CERTIFICATE_ENDING:
+                    entry.datasheet.write(self.folder / name)
+                else:
+                    sources.append((entry.path, name))
             for source, name in sources:
                 write_atomically(self.folder / name, read_bounded(source))
         self._session_copies = ("", None, None)
+
+    def gauge_entries(self) -> Mapping[str, DatasheetEntry[Gauge]]:
+        """The gauges that the session is done on, by the names of their copies."""
+        return {GAUGE: self.gauges().known[self.state.gauge]}
 
     def active(self) -> StoredCalibration | None:
         """The calibration in use of the selected sensor."""

@@ -7,6 +7,7 @@ from app.guide.performance import tasks
 from app.guide.performance.entries import AnyScan
 from app.guide.performance.guide import PerformanceGuide
 from app.guide.performance.length.scan_rules import find_bar_pass
+from app.guide.performance.plane.scans import orientation_of
 from app.guide.performance.simulated_operator import simulate
 from app.guide.performance.state import TOUCHING
 from app.messages.message import message
@@ -62,6 +63,9 @@ def _begin_scan(guide: PerformanceGuide, args: Args, key: str | None) -> None:
     if of is not None:
         tasks.begin_bar_scan(guide, of, key)
         return
+    if guide.state.test == "plane":
+        tasks.begin_plate_scan(guide, orientation_of(guide.state, args), key)
+        return
     wanted = args.get("articulation")
     tasks.begin_scan(guide, wanted if isinstance(wanted, int) else guide.state.articulation, key)
 
@@ -99,6 +103,7 @@ def _again(guide: PerformanceGuide, args: Args, key: str | None) -> None:
 
 ACTS: dict[str, Act[PerformanceGuide]] = {
     "choose_gauge": record("gauge_chosen", "id"),
+    "choose_bar": record("bar_chosen", "id"),
     "set_positions": record("positions_set", "number"),
     "set_by_scan": record("by_scan_set", "by_scan"),
     "set_limit": tasks.set_limit,

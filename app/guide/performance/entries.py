@@ -4,7 +4,7 @@ from abc import ABC, abstractmethod
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
-from app.formats.performance.plan import length_scan, sphere_scan
+from app.formats.performance.plan import length_scan, plane_scan, sphere_scan
 from app.guide.gauge.state import Payload
 
 
@@ -136,14 +136,40 @@ class BarScan(_TestScan):
         return bool(self.lengths_mm or self.alone)
 
 
-AnyScan = SphereScan | BarScan
+@dataclass(frozen=True, kw_only=True)
+class PlateScan(_TestScan):
+    """One scan of a plate in an orientation."""
+
+    orientation: int
+    """From 1."""
+    points: int = 0
+    """Of the plate; 0 until it is measured."""
+    width_mm: float = 0.0
+    """Of the part that it shows, in its narrower direction."""
+    dispersion_um: float = 0.0
+    """``E_Form.Pla.D95%`` by this scan."""
+    turn_deg: float | None = None
+    """Of the sensor since the scan of the other orientation; None before there is one."""
+
+    @property
+    def name(self) -> str:
+        return plane_scan(self.orientation)
+
+    @property
+    def measured(self) -> bool:
+        return self.points > 0
+
+
+AnyScan = SphereScan | BarScan | PlateScan
 
 
 def scan_from_row(payload: Payload, number: int, position: int) -> AnyScan:
-    """The scan that a row begins: of a ball bar, or of the sphere at its present position."""
+    """The scan that a row begins: of a ball bar, a plate, or the sphere at its present position."""
     if "place" in payload:
         of = BarPass(payload["place"], payload["repeat"], payload["length"])
         return BarScan(number=number, at=payload["at"], of=of)
+    if "orientation" in payload:
+        return PlateScan(number=number, at=payload["at"], orientation=payload["orientation"])
     return SphereScan(
         number=number,
         at=payload["at"],
@@ -166,6 +192,8 @@ def values_from_row(payload: Payload) -> Mapping[str, object]:
     if "patches" in payload:
         patches = tuple((int(points), int(frames)) for points, frames in payload["patches"])
         return {"points": payload["points"], "patches": patches}
+    if "dispersion_um" in payload:
+        return {name: payload[name] for name in ("points", "width_mm", "dispersion_um", "turn_deg")}
     return {
         "lengths_mm": tuple((int(number), float(mm)) for number, mm in payload["lengths"]),
         "alone": tuple(int(number) for number in payload["alone"]),

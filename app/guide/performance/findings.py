@@ -5,10 +5,12 @@ from app.findings import Finding
 from app.formats.datasheets.length_standard import LengthStandardFile
 from app.guide.common.flow import DECISION_QUALITY, device_findings, strain_findings
 from app.guide.common.journal import error_from_payload
+from app.guide.performance.contact.picture import contact_findings
 from app.guide.performance.entries import Temperatures
 from app.guide.performance.length.picture import length_findings
 from app.guide.performance.length.scan_lines import bar_scan_findings
 from app.guide.performance.live import PerformanceLive
+from app.guide.performance.plane.scans import plate_findings
 from app.guide.performance.rules import change_reason, missing_patches
 from app.guide.performance.state import TOUCHING, PerformanceState
 from app.messages.message import message, quantity
@@ -36,6 +38,9 @@ def list_findings(state: PerformanceState, live: PerformanceLive) -> list[Findin
     if state.step == "lengths":
         findings += length_findings(live.lengths)
         findings += bar_scan_findings(state)
+    findings += contact_findings(state, live.contact)
+    if state.step == "plate":
+        findings += plate_findings(state)
     if live.off_deg is not None and live.off_deg > HELD_DEG:
         findings.append(_about_articulation(live.off_deg, state.step))
     if state.step == "scan":
@@ -47,11 +52,12 @@ def list_findings(state: PerformanceState, live: PerformanceLive) -> list[Findin
 
 def _about_artefact(state: PerformanceState, live: PerformanceLive) -> list[Finding]:
     findings = list(live.gauges.findings)
-    if not live.gauges.known:
+    if not live.gauges.known and not live.bars.known:
         text = message("performance-no-artefact", test=state.test)
         findings.append(Finding("attention", text, message("put-certificate-into-folder-gauges")))
-    if isinstance(live.artefact, LengthStandardFile) and len(live.artefact.lengths) < LENGTHS:
-        text = message("performance-fewer-lengths", count=len(live.artefact.lengths))
+    standard = live.artefact if state.test == "lengths" else None
+    if isinstance(standard, LengthStandardFile) and len(standard.lengths) < LENGTHS:
+        text = message("performance-fewer-lengths", count=len(standard.lengths))
         findings.append(Finding("attention", sentence(text)))
     remedy = message("performance-correct-gauge")
     return findings + [Finding("bad", sentence(one), remedy) for one in live.artefact_problems]
@@ -69,10 +75,9 @@ def _about_temperatures(state: PerformanceState, live: PerformanceLive) -> list[
     )
     remedy = message("performance-let-temperatures-settle", when=when)
     findings = [Finding("attention", sentence(one), remedy) for one in unsteady]
-    if live.artefact is not None:
+    for artefact in live.artefacts if state.test != "plane" else ():
         span = TemperatureSpan(begin.artefact_c, end.artefact_c)
-        name = live.artefact.name or state.gauge
-        if unknown := unknown_expansion(live.artefact, name, span):
+        if unknown := unknown_expansion(artefact, artefact.name or state.gauge, span):
             findings.append(Finding("attention", sentence(unknown)))
     return findings
 

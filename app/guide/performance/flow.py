@@ -5,10 +5,17 @@ from functools import partial
 
 from app.errors import sentence
 from app.formats.datasheets.gauge import GaugeFile
-from app.formats.performance.plan import ARTICULATIONS
+from app.formats.performance.plan import ARTICULATIONS, ORIENTATIONS
 from app.guide.common.datasheet_library import AnyGauge, Gauges
 from app.guide.common.flow import list_steps
 from app.guide.common.view import Action, LiveNumber, StepProgress
+from app.guide.performance.contact.picture import (
+    contact_instruction,
+    contact_number,
+    contact_progress,
+    contact_title,
+)
+from app.guide.performance.contact.sequence import group_of
 from app.guide.performance.findings import list_findings
 from app.guide.performance.length.picture import (
     last_error,
@@ -18,12 +25,14 @@ from app.guide.performance.length.picture import (
 from app.guide.performance.live import PerformanceLive
 from app.guide.performance.picture import articulation_title, build_picture
 from app.guide.performance.plan import measures_by_scan, why_no_scans
+from app.guide.performance.plane.scans import orientation_title, plate_instruction
 from app.guide.performance.rules import (
     RULES,
     change_reason,
     count_wanted,
 )
-from app.guide.performance.state import TEST_STEPS, TOUCHING, PerformanceState
+from app.guide.performance.sphere.instructions import sphere_instruction
+from app.guide.performance.state import CONTACT_STEPS, SCANNING, TOUCHING, PerformanceState
 from app.guide.performance.view import ArtefactOption, PerformanceView
 from app.messages.message import Text, join, message, quantity
 
@@ -34,6 +43,10 @@ TITLES = {
     "scan": message("performance-step-scan"),
     "end": message("performance-step-end"),
     "lengths": message("performance-step-lengths"),
+    "plate": message("performance-step-plate"),
+    "diameter": message("performance-step-diameter"),
+    "seats": message("performance-step-seats"),
+    "bar": message("performance-step-bar"),
     "temperatures": message("performance-step-temperatures"),
     "review": message("result"),
 }
@@ -59,14 +72,14 @@ def build_view(state: PerformanceState, live: PerformanceLive) -> PerformanceVie
         calibration=live.active_name if state.calibration_id == live.active_id else "",
         gauges=gauge_options(live.gauges, live.obstacles),
         gauge=state.gauge,
+        bars=gauge_options(live.bars, live.obstacles),
+        bar=state.bar,
         positions=state.positions,
         by_scan=measures_by_scan(state, live.artefact),
         why_no_scans=sentence(why_no_scans(live.artefact)),
         position=state.position,
         frozen=state.frozen,
-        steps=list_steps(
-            {step: TITLES[step] for step in TEST_STEPS[state.test]}, state.step, state.reached
-        ),
+        steps=list_steps({step: TITLES[step] for step in state.steps}, state.step, state.reached),
         step=state.step,
         title=_title(state),
         instruction=_instruction(state, live),
@@ -80,7 +93,7 @@ def build_view(state: PerformanceState, live: PerformanceLive) -> PerformanceVie
 
 
 def gauge_options(gauges: Gauges[AnyGauge], obstacles: Mapping[str, Text]) -> list[ArtefactOption]:
-    """The spheres or length standards, then the certificates that describe none."""
+    """The spheres, plates or length standards, then the certificates that describe none."""
     known = [
         ArtefactOption(
             entry.id,
@@ -105,6 +118,8 @@ def _detail(gauge: AnyGauge) -> Text:
 
 
 def _size(gauge: AnyGauge) -> Text:
+    if isinstance(gauge, GaugeFile) and gauge.shape == "plane":
+        return message("plate-by-certificate", flatness=quantity(gauge.form_um, "µm", 1))
     if isinstance(gauge, GaugeFile):
         return message("sphere-2", diameter=quantity(2 * (gauge.radius_mm or 0.0), "mm", 3))
     lengths = [one.length_mm for one in gauge.lengths]
@@ -120,6 +135,10 @@ def _size(gauge: AnyGauge) -> Text:
 def _title(state: PerformanceState) -> Text:
     if state.step in ("location", "scan") and state.articulation:
         return articulation_title(state.articulation)
+    if state.step == "plate" and state.orientation:
+        return orientation_title(state.orientation)
+    if state.step in CONTACT_STEPS and state.feature:
+        return contact_title(state.step, group_of(state.step, len(state.of_step)) + 1)
     if state.place:
         return message("performance-place-title", number=state.place)
     return TITLES[state.step]
@@ -128,27 +147,17 @@ def _title(state: PerformanceState) -> Text:
 def _instruction(state: PerformanceState, live: PerformanceLive) -> Text:
     if state.step == "lengths":
         return length_instruction(state, live.lengths)
-    if state.step == "pattern":
-        if not state.of_step:
-            if state.position > 1:
-                return message("performance-move-sphere")
-            return message("performance-touch-top-first")
-        return message("performance-touch-pattern")
-    if state.step == "location":
-        return message("performance-touch-location", number=state.articulation)
-    if state.step == "scan":
-        if state.open_scan is not None:
-            return message("performance-pass-slowly")
-        if not state.articulation:
-            return message("performance-all-scanned")
-        return message("performance-hold-sensor", number=state.articulation)
-    if state.step == "end":
-        return message("performance-do-end")
+    if state.step == "plate":
+        return plate_instruction(state)
+    if state.step in CONTACT_STEPS:
+        return contact_instruction(state)
     if state.step == "temperatures":
         return message("performance-do-temperatures")
     if state.step == "review":
         return message("performance-do-review", test=state.test)
-    return message("performance-do-artefact", test=state.test)
+    if state.step == "artefact":
+        return message("performance-do-artefact", test=state.test)
+    return sphere_instruction(state)
 
 
 # -- the card ------------------------------------------------------------------
@@ -159,12 +168,18 @@ def _number(state: PerformanceState, live: PerformanceLive) -> LiveNumber | None
         return LiveNumber(message("points-5"), float(live.scan_points), "", 0)
     if state.step == "lengths":
         return last_error(live.lengths)
-    return None
+    return contact_number(state, live.contact)
 
 
 def _progress(state: PerformanceState) -> StepProgress | None:
     if state.step == "lengths" and state.sequence is not None:
         return length_progress(state, state.sequence)
+    if state.step in CONTACT_STEPS:
+        return contact_progress(state)
+    if state.step == "plate":
+        done = sum(scan.good for scan in state.plate_scans)
+        text = message("performance-plate-scans-done", done=done, of=ORIENTATIONS)
+        return StepProgress(done, ORIENTATIONS, text)
     if state.step in TOUCHING:
         done, of = len(state.of_step), count_wanted(state)
         return StepProgress(done, of, message("touches", done=done, of=of))
@@ -199,8 +214,9 @@ def _actions(state: PerformanceState, live: PerformanceLive) -> list[Action]:
             *back,
             leave,
         ]
-    if state.step == "scan":
-        return [*_scan_actions(state, live), *simulation, leave]
+    if state.step in SCANNING:
+        back = [offer("back", message("back"))] if not state.frozen else []
+        return [*_scan_actions(state, live), *simulation, *back, leave]
     if state.step == "temperatures":
         label = message("performance-confirm-temperatures")
         return [offer("confirm", label, primary=True), *simulation, leave]
@@ -231,9 +247,14 @@ def _scan_actions(state: PerformanceState, live: PerformanceLive) -> list[Action
             offer("finish_scan", message("performance-end-scan"), primary=True),
             offer("drop_scan", message("performance-drop-scan")),
         ]
-    if state.articulation:
+    if state.orientation if state.step == "plate" else state.articulation:
         begin = offer("begin_scan", message("performance-begin-scan"), primary=True)
         return [begin, offer("confirm", message("performance-go-on"))]
+    go_on = offer("confirm", message("performance-go-on"), primary=True)
+    if state.step == "plate":
+        numbers = range(1, ORIENTATIONS + 1)
+        label = message("performance-scan-plate-again")
+        return [go_on, *(offer("begin_scan", label, {"orientation": one}) for one in numbers)]
     repeats = [
         offer(
             "begin_scan",
@@ -242,4 +263,4 @@ def _scan_actions(state: PerformanceState, live: PerformanceLive) -> list[Action
         )
         for number in range(1, ARTICULATIONS + 1)
     ]
-    return [offer("confirm", message("performance-go-on"), primary=True), *repeats]
+    return [go_on, *repeats]

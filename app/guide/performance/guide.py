@@ -9,15 +9,12 @@ import numpy as np
 
 from app.errors import OperationError
 from app.formats.atomic_write import sync_file, sync_folder
-from app.formats.datasheets.gauge import GaugeFile
-from app.formats.datasheets.length_standard import LengthStandardFile
 from app.formats.io_errors import convert_io_errors
 from app.formats.json_document import file_sha256
-from app.formats.performance.plan import PLAN, TOUCHES, PerformancePlan
+from app.formats.performance.plan import PLAN, TOUCHES, Kind, PerformancePlan
 from app.formats.performance.results import PerformanceFile, read_performance
 from app.formats.performance.station_limits import read_station_limits
 from app.formats.results.calibration import Calibration
-from app.guide.common.datasheet_library import AnyGauge, Gauges, read_any_gauge
 from app.guide.common.flow import Flow
 from app.guide.common.guided_session import (
     NO_PROVENANCE,
@@ -31,18 +28,16 @@ from app.guide.common.journal import (
     JournalEntry,
 )
 from app.guide.gauge.certificates import store_certificate
-from app.guide.gauge.session import GaugeServices, GaugeSession
-from app.guide.performance.artefacts import (
-    CalibratedWith,
-    gauges_of_test,
-    read_calibrated_with,
-    read_test_gauges,
-)
+from app.guide.gauge.session import GaugeServices
+from app.guide.performance.artefacts.gauges import bars_of, gauges_of_test
+from app.guide.performance.artefacts.session import ArtefactSession
+from app.guide.performance.contact.so_far import ContactSoFar, measure_contact_so_far
+from app.guide.performance.contact.touches import check_contact
 from app.guide.performance.entries import AnyScan
 from app.guide.performance.flow import build_view, gauge_options
 from app.guide.performance.length.so_far import LengthsSoFar, check_touch, measure_so_far
 from app.guide.performance.live import PerformanceLive, Places
-from app.guide.performance.plan import build_plan, choose_lengths, sphere_part
+from app.guide.performance.plan import build_plan
 from app.guide.performance.rules import RULES
 from app.guide.performance.sphere.coverage import LiveCoverage
 from app.guide.performance.sphere.places import (
@@ -54,15 +49,13 @@ from app.guide.performance.sphere.places import (
     places_of,
     sphere_centre_of,
 )
-from app.guide.performance.state import PerformanceState, Test, apply_row
+from app.guide.performance.state import PerformanceState, apply_row
 from app.guide.performance.view import ArtefactOption, PerformanceView
-from app.messages.message import Text, message
+from app.messages.message import message
 from app.metrology.arm.kinematics import AnyArm
 from app.metrology.decision import GUARDED_95, DecisionRule
 from app.metrology.performance.temperature import TEMPERATURE_LIMITS, TemperatureLimits
 from app.metrology.transforms import Floats
-from app.timestamps import utc_now
-from app.workflows.performance.artefact_checks import list_problems
 from app.workflows.performance.measured_data import RECORDING, ScanCloud, read_scan
 
 KIND = "performance"
@@ -93,7 +86,7 @@ class Performances(Protocol):
     ) -> JournalEntry: ...
 
 
-class PerformanceGuide(GaugeSession[PerformanceState, PerformanceLive, PerformanceView, AnyGauge]):
+class PerformanceGuide(ArtefactSession[PerformanceLive, PerformanceView]):
     """The latest performance test."""
 
     station: PerformanceServices
@@ -109,22 +102,12 @@ class PerformanceGuide(GaugeSession[PerformanceState, PerformanceLive, Performan
         rule: DecisionRule = GUARDED_95,
         temperature_limits: TemperatureLimits = TEMPERATURE_LIMITS,
     ) -> None:
-        super().__init__(
-            station,
-            journal,
-            FLOW,
-            calibrations,
-            data_folder,
-            signing,
-            rule,
-            read_test_gauges,
-            read_any_gauge,
-        )
+        super().__init__(station, journal, FLOW, calibrations, data_folder, signing, rule)
         self.performances = performances
         self.temperature_limits = temperature_limits
         self.coverage = LiveCoverage()
-        self._calibrated_with: tuple[str, CalibratedWith | OperationError | None] = ("", None)
         self._lengths: tuple[PerformanceState | None, LengthsSoFar | None] = (None, None)
+        self._contact: tuple[PerformanceState | None, ContactSoFar | None] = (None, None)
         self._result: tuple[str, PerformanceFile | None] = ("", None)
         self._calibration: tuple[str, Calibration | None] = ("", None)
         self._centre: tuple[PerformanceState | None, Floats | None] = (None, None)
@@ -142,20 +125,29 @@ class PerformanceGuide(GaugeSession[PerformanceState, PerformanceLive, Performan
         station, state = self.station, self.state
         side, active = station.rig.arm, self.active()
         stillness = side.stillness()
-        gauges, artefact = self.gauges(), self.artefact()
+        gauges, bars, artefacts = self.gauges(), self.bars(), self.artefacts()
         blocked = station.scanner.why_not() if state.in_scan or state.whole_place else None
         return PerformanceLive(
             active_id=active.id if active else "",
             active_name=active.name if active else "",
             gauges=gauges,
-            artefact=artefact,
-            artefact_problems=self._problems_of(state.gauge, artefact) if artefact else (),
-            obstacles=self._obstacles(gauges),
+            bars=bars,
+            artefacts=tuple(artefacts.values()),
+            artefact_problems=tuple(
+                problem
+                for name, artefact in artefacts.items()
+                for problem in self.problems_of(name, artefact, state.test)
+            ),
+            obstacles={
+                **self.obstacles_of(gauges, state.test),
+                **self.obstacles_of(bars, state.test),
+            },
             setup_now=station.scan_setup(),
             plan_changed=self.running and state.frozen and self._is_plan_changed(),
             arm=self.arm(),
             places=self._live_places(),
             lengths=self.lengths(),
+            contact=self.contact(),
             temperature_limits=self.temperature_limits,
             pattern_flat_deg=flat_pattern(self.centre_mm()),
             result=self.result(),
@@ -173,33 +165,16 @@ class PerformanceGuide(GaugeSession[PerformanceState, PerformanceLive, Performan
             trouble=self._trouble,
         )
 
-    def gauges(self) -> Gauges[AnyGauge]:
-        """The data folder's spheres or length standards, by the kind of the test."""
-        return gauges_of_test(super().gauges(), self.state.test)
-
-    def artefact(self) -> AnyGauge | None:
-        """The chosen sphere or standard, the session's own copy once it was confirmed."""
-        return self.gauge() or self.standard()
-
-    def gauge(self) -> GaugeFile | None:
-        """The sphere of a one-sphere test."""
-        found = self.datasheets()[0]
-        return found if isinstance(found, GaugeFile) else None
-
-    def standard(self) -> LengthStandardFile | None:
-        """The standard of a length test, with the lengths that are measured."""
-        found = self.datasheets()[0]
-        return choose_lengths(found) if isinstance(found, LengthStandardFile) else None
-
-    def arm(self) -> AnyArm | None:
-        """The session's own copy, once the sphere was confirmed."""
-        return self.datasheets()[1]
-
     def plan(self) -> PerformancePlan:
         """The plan as it would be frozen now; an artefact must be chosen."""
-        artefact = self.artefact()
-        assert artefact is not None
-        return build_plan(self.state, artefact, self.provenance, self.rule, self.temperature_limits)
+        return build_plan(
+            self.state,
+            self.gauge() or self.standard(),
+            self.provenance,
+            self.rule,
+            self.temperature_limits,
+            self.bar(),
+        )
 
     def result(self) -> PerformanceFile | None:
         """What the test found; None before it was evaluated, or if it cannot be read."""
@@ -263,26 +238,16 @@ class PerformanceGuide(GaugeSession[PerformanceState, PerformanceLive, Performan
             self._lengths = (self.state, measure_so_far(self.state, standard, arm))
         return self._lengths[1]
 
-    def _problems_of(self, name: str, gauge: AnyGauge) -> tuple[Text, ...]:
-        """Why a gauge cannot serve in this test, or in one that would begin now."""
-        active = self.active()
-        if active is None:
-            return ()
-        if self._calibrated_with[0] != active.id:
-            self._calibrated_with = (active.id, read_calibrated_with(active.file))
-        known = self._calibrated_with[1]
-        if not isinstance(known, CalibratedWith):
-            return (known.text,) if known is not None else ()
-        part = sphere_part(name, gauge) if isinstance(gauge, GaugeFile) else gauge
-        day = (self.state.started_at if self.running else utc_now())[:10]
-        return tuple(list_problems(part, day, known.object_serial, known.arm))
-
-    def _obstacles(self, gauges: Gauges[AnyGauge]) -> dict[str, Text]:
-        """Of the gauges that cannot serve, why."""
-        found = {
-            name: self._problems_of(name, entry.datasheet) for name, entry in gauges.known.items()
-        }
-        return {name: problems[0] for name, problems in found.items() if problems}
+    def contact(self) -> ContactSoFar | None:
+        """What is known of a contact test; None of another, and before its artefacts were
+        confirmed. Computed once for each state."""
+        arm = self.arm()
+        if self.state.test != "contact" or arm is None:
+            return None
+        if self._contact[0] is not self.state:
+            found = measure_contact_so_far(self.state, self.gauge(), self.bar(), arm)
+            self._contact = (self.state, found)
+        return self._contact[1]
 
     def add_certificate(self, name: str, text: str) -> ArtefactOption:
         """Puts a sphere's digital certificate into the folder of gauges; what it is worth.
@@ -294,8 +259,8 @@ class PerformanceGuide(GaugeSession[PerformanceState, PerformanceLive, Performan
             added = store_certificate(self.data_folder, name, text)
             self._gauges.forget()
             self.refresh()
-            gauges = gauges_of_test(super().gauges(), "sphere")
-            options = gauge_options(gauges, self._obstacles(gauges))
+            gauges = gauges_of_test(self.all_gauges(), "sphere")
+            options = gauge_options(gauges, self.obstacles_of(gauges, "sphere"))
             return next(one for one in options if one.id == added)
 
     def _is_plan_changed(self) -> bool:
@@ -306,7 +271,7 @@ class PerformanceGuide(GaugeSession[PerformanceState, PerformanceLive, Performan
 
     # -- sessions ------------------------------------------------------------
 
-    def start_test(self, test: Test) -> PerformanceView:
+    def start_test(self, test: Kind) -> PerformanceView:
         """Begins a test of a kind; an open one is resumed instead.
 
         Raises:
@@ -322,13 +287,13 @@ class PerformanceGuide(GaugeSession[PerformanceState, PerformanceLive, Performan
         of the last."""
         self._begin(self.state.test, key)
 
-    def _begin(self, test: Test, key: str | None) -> None:
-        gauges = gauges_of_test(super().gauges(), test)
-        obstacles = self._obstacles(gauges)
-        usable = [name for name in gauges.known if name not in obstacles]
+    def _begin(self, test: Kind, key: str | None) -> None:
+        usable = self.usable_of(gauges_of_test(self.all_gauges(), test), test)
+        bars = self.usable_of(bars_of(self.all_gauges()), test) if test == "contact" else [""]
         payload = {
             **self.first_payload(message("performance-nothing-to-test"), usable),
             "test": test,
+            "bar": self.state.bar if self.state.bar in bars else next(iter(bars), ""),
             "positions": self.state.positions,
             "by_scan": self.state.by_scan,
             "limits": {
@@ -359,6 +324,8 @@ class PerformanceGuide(GaugeSession[PerformanceState, PerformanceLive, Performan
         self.keep_touches()
 
     def _place_of(self, arm: AnyArm, reading: Floats) -> int:
+        if self.state.test == "contact":
+            return check_contact(self.state, self.gauge(), self.bar(), arm, reading)
         standard = self.standard()
         if standard is not None:
             return check_touch(self.state, standard, arm, reading)

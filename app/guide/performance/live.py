@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from app.formats.performance.results import PerformanceFile
 from app.guide.common.datasheet_library import AnyGauge, Gauges
 from app.guide.common.rules import SessionLive
+from app.guide.performance.contact.so_far import ContactSoFar
 from app.guide.performance.length.so_far import LengthsSoFar
 from app.messages.message import Text
 from app.metrology.arm.kinematics import AnyArm
@@ -48,11 +49,13 @@ class PerformanceLive(SessionLive):
     """The calibration in use; empty without one."""
     active_name: str
     gauges: Gauges[AnyGauge]
-    """The spheres or the length standards among the data folder's gauges."""
-    artefact: AnyGauge | None
-    """The chosen one."""
+    """The spheres, plates or length standards among the data folder's gauges."""
+    bars: Gauges[AnyGauge]
+    """The ball bars of a contact test."""
+    artefacts: tuple[AnyGauge, ...]
+    """The chosen ones."""
     artefact_problems: tuple[Text, ...]
-    """Why it cannot serve."""
+    """Why they cannot serve."""
     obstacles: Mapping[str, Text]
     """Of the gauges that cannot serve, why, by their id."""
     setup_now: Mapping[str, object]
@@ -63,6 +66,8 @@ class PerformanceLive(SessionLive):
     places: Places | None
     lengths: LengthsSoFar | None
     """Of a length test, once its standard was confirmed."""
+    contact: ContactSoFar | None
+    """Of a contact test, once its artefacts were confirmed."""
     temperature_limits: TemperatureLimits
     """How steady artefact and arm have to be."""
     pattern_flat_deg: Floats
@@ -79,3 +84,8 @@ class PerformanceLive(SessionLive):
     scan_points: int
     seen: SeenPatches | None
     """By the scan that is under way or waits to be measured; None without one."""
+
+    @property
+    def artefact(self) -> AnyGauge | None:
+        """The chosen one; of a contact test the sphere if it has both; None: none is chosen."""
+        return next(iter(self.artefacts), None)

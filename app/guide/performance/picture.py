@@ -3,18 +3,19 @@
 from app.formats.performance.plan import ARTICULATIONS, LOCATION_TOUCHES, sphere_feature
 from app.formats.performance.results import PerformanceFile
 from app.formats.performance.symbols import (
-    DEFAULT_EDITION,
     TITLES,
     Quantity,
     symbol_of,
 )
 from app.guide.common.journal import error_from_payload
-from app.guide.performance.entries import AnyScan, BarScan, SphereScan
+from app.guide.performance.contact.picture import contact_picture
+from app.guide.performance.entries import AnyScan, BarScan, PlateScan, SphereScan
 from app.guide.performance.length.picture import lengths_picture
 from app.guide.performance.live import PerformanceLive, SeenPatches
-from app.guide.performance.plan import QUANTITIES, quantities_of
+from app.guide.performance.plan import QUANTITIES, edition_of, quantities_of
+from app.guide.performance.plane.scans import plate_lines
 from app.guide.performance.rules import patch_totals
-from app.guide.performance.state import PerformanceState
+from app.guide.performance.state import CONTACT_STEPS, PerformanceState
 from app.guide.performance.view import (
     ArticulationLine,
     ArticulationState,
@@ -45,14 +46,17 @@ def build_picture(state: PerformanceState, live: PerformanceLive) -> Performance
         places=_places(live),
         tip_deg=places.tip_flat_deg if places is not None else None,
         patches=_patches(state, live) if state.step == "scan" else [],
-        articulations=_articulations(state, live) if state.step in ("location", "scan") else [],
+        articulations=_articulations(state, live),
         lengths=lengths_picture(state, live.lengths) if live.lengths is not None else None,
+        contact=contact_picture(state, live.contact)
+        if live.contact is not None and state.step in CONTACT_STEPS
+        else None,
         result=result_view(live.result) if state.step == "review" and live.result else None,
     )
 
 
 def _limit(state: PerformanceState, of: Quantity) -> PerformanceLimitLine:
-    symbol = symbol_of(DEFAULT_EDITION, of).symbol
+    symbol = symbol_of(edition_of(state.test), of).symbol
     limit = state.limits.get(of)
     return PerformanceLimitLine(
         of,
@@ -102,8 +106,12 @@ def _patches(state: PerformanceState, live: PerformanceLive) -> list[PatchMark]:
 
 def _articulations(state: PerformanceState, live: PerformanceLive) -> list[ArticulationLine]:
     numbers = range(1, ARTICULATIONS + 1)
+    if state.step == "plate":
+        return plate_lines(state)
     if state.step == "location":
         return [_touch_line(state, number) for number in numbers]
+    if state.step != "scan":
+        return []
     return [_scan_line(state, live, number) for number in numbers]
 
 
@@ -150,6 +158,8 @@ def run_text(scan: AnyScan) -> Text:
     """A scan that was measured, in a sentence."""
     if isinstance(scan, BarScan):
         return message("performance-bar-scan-done", place=scan.of.place, repeat=scan.of.repeat)
+    if isinstance(scan, PlateScan):
+        return message("performance-plate-scan-done", number=scan.orientation)
     return message("performance-scan-done", articulation=scan.articulation)
 
 
@@ -171,6 +181,8 @@ def aside_notes(state: PerformanceState) -> list[Text]:
 def _run_title(scan: AnyScan) -> Text:
     if isinstance(scan, BarScan):
         return message("performance-bar-run", place=scan.of.place, repeat=scan.of.repeat)
+    if isinstance(scan, PlateScan):
+        return message("performance-plate-run", number=scan.orientation)
     return message("performance-run", position=scan.position, articulation=scan.articulation)
 
 

@@ -6,31 +6,55 @@ from typing import cast
 from app.formats.datasheets.gauge import GaugeFile
 from app.formats.datasheets.length_standard import LengthStandardFile
 from app.formats.performance.plan import (
+    Kind,
     LimitPart,
     PerformancePlan,
+    PlatePart,
     SpherePart,
     TemperatureLimitsPart,
 )
-from app.formats.performance.symbols import SPHERE_QUANTITIES, Quantity
+from app.formats.performance.symbols import (
+    CONTACT_EDITION,
+    DEFAULT_EDITION,
+    SPHERE_QUANTITIES,
+    Quantity,
+)
 from app.formats.results.decision_rule import RulePart
 from app.guide.common.datasheet_library import AnyGauge
 from app.guide.common.guided_session import Provenance
-from app.guide.performance.state import PerformanceState, Test
+from app.guide.performance.state import PerformanceState
 from app.messages.message import Text, message
 from app.metrology.decision import DecisionRule
+from app.metrology.performance.contact_tests import SEATS
 from app.metrology.performance.lengths import LENGTHS
 from app.metrology.performance.temperature import TEMPERATURE_LIMITS, TemperatureLimits
 
-QUANTITIES: Mapping[Test, tuple[Quantity, ...]] = {
+QUANTITIES: Mapping[Kind, tuple[Quantity, ...]] = {
     "sphere": SPHERE_QUANTITIES,
     "lengths": ("length-touch", "length-scan"),
+    "plane": ("plane-scan",),
+    "contact": (
+        "effective-diameter",
+        "articulation-largest",
+        "articulation-two-s",
+        "volumetric-largest",
+        "volumetric-two-rms",
+    ),
 }
 """What each test measures."""
+
+
+def edition_of(test: Kind) -> str:
+    """The edition of the standards that a test follows."""
+    return CONTACT_EDITION if test == "contact" else DEFAULT_EDITION
 
 
 def quantities_of(state: PerformanceState, artefact: AnyGauge | None) -> tuple[Quantity, ...]:
     """What a test measures, with its artefact."""
     found = QUANTITIES[state.test]
+    if state.test == "contact":
+        left_out = {"effective": not state.gauge, "volumetric": not state.bar}
+        return tuple(one for one in found if not left_out.get(one.partition("-")[0], False))
     if state.test == "lengths" and not measures_by_scan(state, artefact):
         return tuple(one for one in found if one != "length-scan")
     return found
@@ -50,12 +74,19 @@ def why_no_scans(artefact: AnyGauge | None) -> Text:
 
 def build_plan(
     state: PerformanceState,
-    artefact: AnyGauge,
+    artefact: AnyGauge | None,
     provenance: Provenance,
     rule: DecisionRule,
     limits: TemperatureLimits = TEMPERATURE_LIMITS,
+    bar: LengthStandardFile | None = None,
 ) -> PerformancePlan:
-    """The plan of the test; ``rule`` and the ``limits`` of temperatures are the station's."""
+    """The plan of the test; ``rule`` and the ``limits`` of temperatures are the station's.
+
+    Args:
+        artefact: None only in a contact test that is done without a sphere.
+        bar: of a contact test; None if it is done without one.
+    """
+    gauge = artefact if isinstance(artefact, GaugeFile) else None
     measured = quantities_of(state, artefact)
     return PerformancePlan(
         id=state.session_id,
@@ -64,8 +95,11 @@ def build_plan(
         operator=provenance.operator(),
         simulated=provenance.is_simulated(),
         started_at=state.started_at,
-        sphere=sphere_part(state.gauge, artefact) if isinstance(artefact, GaugeFile) else None,
-        length=artefact if isinstance(artefact, LengthStandardFile) else None,
+        edition=edition_of(state.test),
+        sphere=sphere_part(state.gauge, gauge) if gauge and gauge.shape == "sphere" else None,
+        plate=plate_part(state.gauge, gauge) if gauge and gauge.shape == "plane" else None,
+        length=artefact if isinstance(artefact, LengthStandardFile) else bar,
+        seats=SEATS if state.test == "contact" else 0,
         by_scan=state.test == "lengths" and measures_by_scan(state, artefact),
         positions=state.positions if state.test == "sphere" else 1,
         limits=tuple(one for one in limit_parts(state) if one.quantity in measured),
@@ -93,6 +127,19 @@ def sphere_part(name: str, gauge: GaugeFile) -> SpherePart:
         form_sd_um=gauge.form_sd_um,
         expansion_per_c=gauge.expansion_per_c,
         expansion_sd_per_c=gauge.expansion_sd_per_c,
+    )
+
+
+def plate_part(name: str, gauge: GaugeFile) -> PlatePart:
+    """The plate as a plan has it."""
+    return PlatePart(
+        name=gauge.name or name,
+        serial_number=gauge.serial_number,
+        certificate=gauge.certificate,
+        valid_until=gauge.valid_until,
+        width_mm=gauge.width_mm,
+        flatness_um=gauge.form_um,
+        flatness_sd_um=gauge.standard_uncertainty_um or gauge.form_sd_um,
     )
 
 

@@ -8,15 +8,28 @@ from typing import Annotated, Literal
 from pydantic import Field
 
 from app.errors import sentence
-from app.formats.performance.plan import ARTICULATIONS, LOCATION_TOUCHES, PATTERN_TOUCHES
+from app.formats.performance.plan import (
+    ARTICULATIONS,
+    LOCATION_TOUCHES,
+    ORIENTATIONS,
+    PATTERN_TOUCHES,
+)
 from app.formats.performance.symbols import Quantity
 from app.guide.common.arguments import Args, Arguments, IdArguments, OperatorArguments
+from app.guide.common.datasheet_library import AnyGauge, Gauges
 from app.guide.common.journal import error_from_payload
 from app.guide.common.rules import Command, CommandRules, no_simulation_reason
+from app.guide.performance.contact.sequence import touches_of
 from app.guide.performance.length.scan_rules import BAR_SCANS_MOST, bar_pass_reason
 from app.guide.performance.live import PerformanceLive
 from app.guide.performance.plan import why_no_scans
-from app.guide.performance.state import STEPS, TOUCHING, PerformanceState
+from app.guide.performance.state import (
+    CONTACT_STEPS,
+    SCANNING,
+    STEPS,
+    TOUCHING,
+    PerformanceState,
+)
 from app.messages.message import Text, message
 from app.metrology.performance.lengths import REPEATS
 from app.workflows.performance.sphere_scans import LEAST_FRAMES, LEAST_POINTS
@@ -30,6 +43,10 @@ WANTED = {
     "end": LOCATION_TOUCHES,
 }
 """Touches of a step of the one-sphere test."""
+FIRST_STEPS = ("pattern", "lengths", "plate", *CONTACT_STEPS)
+"""Those that can follow the choice of the artefact, until whose first touch or scan it can be
+changed."""
+BEFORE_FREEZING = ("artefact", *FIRST_STEPS)
 MOST_UM = 100_000
 ALWAYS = ("stop_simulation", "abandon", "again", "finish_scan", "drop_scan")
 """What can be done although the plan stands no more."""
@@ -66,10 +83,12 @@ class ByScanArguments(Arguments):
 
 
 class ScanArguments(Arguments):
-    """Which scan is repeated, by the ``articulation`` of the sensor over a sphere or by the
-    ``repeat`` of a ball bar's present place; missing: the next one."""
+    """Which scan is repeated, by the ``articulation`` of the sensor over a sphere, its
+    ``orientation`` over a plate or the ``repeat`` of a ball bar's present place; missing: the next
+    one."""
 
     articulation: Annotated[int, Field(ge=1, le=ARTICULATIONS)] | None = None
+    orientation: Annotated[int, Field(ge=1, le=ORIENTATIONS)] | None = None
     repeat: Annotated[int, Field(ge=1, le=REPEATS)] | None = None
 
 
@@ -81,6 +100,8 @@ def count_wanted(state: PerformanceState) -> int:
     """Touches of the present step."""
     if state.step == "lengths":
         return 0 if state.sequence is None else state.sequence.touches
+    if state.step in CONTACT_STEPS:
+        return touches_of(state.step)
     return WANTED[state.step]
 
 
@@ -92,7 +113,8 @@ def change_reason(state: PerformanceState, live: PerformanceLive) -> Text:
         return message("performance-other-calibration")
     if live.plan_changed:
         return message("performance-plan-changed")
-    if live.artefact is None and state.step not in ("artefact", "review"):
+    wanted = bool(state.gauge) + bool(state.bar)
+    if len(live.artefacts) < wanted and state.step not in ("artefact", "review"):
         return message("sessions-gauge-arm-cannot-read-any")
     if state.frozen and state.setup != live.setup_now:
         return message("performance-settings-changed")
@@ -133,16 +155,31 @@ def _set_limit(state: PerformanceState, live: PerformanceLive, args: Args) -> Te
 
 def _set_by_scan(state: PerformanceState, live: PerformanceLive, args: Args) -> Text:
     if state.test != "lengths":
-        return message("performance-sphere-is-scanned")
+        return message("performance-only-lengths-have-choice")
     why_not = why_no_scans(live.artefact) if args.get("by_scan") else ""
     return _frozen(state, live, args) or sentence(why_not)
 
 
 def _choose(state: PerformanceState, live: PerformanceLive, args: Args) -> Text:
+    return _frozen(state, live, args) or _choice_reason(state, live, live.gauges, args)
+
+
+def _choose_bar(state: PerformanceState, live: PerformanceLive, args: Args) -> Text:
+    if state.test != "contact":
+        return message("performance-bar-of-contact-test")
+    return _frozen(state, live, args) or _choice_reason(state, live, live.bars, args)
+
+
+def _choice_reason(
+    state: PerformanceState, live: PerformanceLive, gauges: Gauges[AnyGauge], args: Args
+) -> Text:
+    """Why a gauge cannot be chosen; a contact test may be done without one."""
     chosen = args.get("id")
-    if not isinstance(chosen, str) or chosen not in live.gauges.known:
-        return _frozen(state, live, args) or message("there-no-such-gauge")
-    return _frozen(state, live, args) or live.obstacles.get(chosen, "")
+    if chosen == "" and state.test == "contact":
+        return ""
+    if not isinstance(chosen, str) or chosen not in gauges.known:
+        return message("there-no-such-gauge")
+    return live.obstacles.get(chosen, "")
 
 
 def _confirm_artefact(state: PerformanceState, live: PerformanceLive, args: Args) -> Text:
@@ -178,6 +215,10 @@ def _redo(state: PerformanceState, live: PerformanceLive, args: Args) -> Text:
 def _confirm(state: PerformanceState, live: PerformanceLive, args: Args) -> Text:
     if state.step == "scan":
         return _confirm_scans(state)
+    if state.step == "plate":
+        return _scans_reason(state) or (
+            message("performance-orientation-missing") if state.orientation else ""
+        )
     if state.step == "temperatures":
         return ""
     if state.due is not None:
@@ -186,11 +227,18 @@ def _confirm(state: PerformanceState, live: PerformanceLive, args: Args) -> Text
     return "" if done >= of else message("performance-touches-missing", missing=of - done)
 
 
-def _confirm_scans(state: PerformanceState) -> Text:
+def _scans_reason(state: PerformanceState) -> Text:
+    """Said while a scan runs or is measured."""
     if state.open_scan is not None:
         return message("performance-finish-scan-first")
     if any(scan.waiting for scan in state.scans):
         return message("performance-scan-is-measured")
+    return ""
+
+
+def _confirm_scans(state: PerformanceState) -> Text:
+    if reason := _scans_reason(state):
+        return reason
     if state.articulation:
         left = sum(state.scan_of(i + 1) is None for i in range(ARTICULATIONS))
         return message("performance-articulations-missing", missing=left)
@@ -201,15 +249,16 @@ def _confirm_scans(state: PerformanceState) -> Text:
 
 
 def _begin_scan(state: PerformanceState, live: PerformanceLive, args: Args) -> Text:
-    if state.open_scan is not None:
-        return message("performance-finish-scan-first")
-    if any(scan.waiting for scan in state.scans):
-        return message("performance-scan-is-measured")
-    most = SCANS_MOST if state.test == "sphere" else BAR_SCANS_MOST
+    if reason := _scans_reason(state):
+        return reason
+    most = BAR_SCANS_MOST if state.test == "lengths" else SCANS_MOST
     if len(state.scans) >= most:
         return message("clouds-enough", clouds_most=most)
     if state.test == "lengths":
         return bar_pass_reason(state, args) or live.scan_why_not
+    if state.test == "plane":
+        done = args.get("orientation") is None and not state.orientation
+        return message("performance-plate-scanned") if done else live.scan_why_not
     if args.get("articulation") is None and not state.articulation:
         return message("performance-all-scanned")
     return live.scan_why_not
@@ -249,11 +298,12 @@ def _check_plan(state: PerformanceState, live: PerformanceLive, name: str) -> Te
 RULES = CommandRules[PerformanceState, PerformanceLive](
     {
         "choose_gauge": Command(("artefact",), _choose, IdArguments),
+        "choose_bar": Command(("artefact",), _choose_bar, IdArguments),
         "set_positions": Command(("artefact",), _frozen, PositionsArguments),
         "set_by_scan": Command(("artefact",), _set_by_scan, ByScanArguments),
-        "set_limit": Command(("artefact", "pattern", "lengths"), _set_limit, LimitArguments),
+        "set_limit": Command(BEFORE_FREEZING, _set_limit, LimitArguments),
         "set_temperature": Command(
-            ("artefact", "pattern", "lengths", "temperatures"),
+            (*BEFORE_FREEZING, "temperatures"),
             _set_temperature,
             TemperatureArguments,
         ),
@@ -261,11 +311,11 @@ RULES = CommandRules[PerformanceState, PerformanceLive](
         "touch": Command(TOUCHING, _touch),
         "undo": Command(TOUCHING, _undo),
         "redo": Command(TOUCHING, _redo),
-        "begin_scan": Command(("scan", "lengths"), _begin_scan, ScanArguments),
-        "finish_scan": Command(("scan", "lengths"), _scanning),
-        "drop_scan": Command(("scan", "lengths"), _scanning),
-        "confirm": Command((*TOUCHING, "scan", "temperatures"), _confirm),
-        "back": Command(("pattern", "lengths", "review"), _back),
+        "begin_scan": Command((*SCANNING, "lengths"), _begin_scan, ScanArguments),
+        "finish_scan": Command((*SCANNING, "lengths"), _scanning),
+        "drop_scan": Command((*SCANNING, "lengths"), _scanning),
+        "confirm": Command((*TOUCHING, *SCANNING, "temperatures"), _confirm),
+        "back": Command((*FIRST_STEPS, "review"), _back),
         "accept": Command(("review",), _accept),
         "run_simulation": Command(STEPS[:-1], _simulation, OperatorArguments),
         "stop_simulation": Command(),

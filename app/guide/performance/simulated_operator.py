@@ -4,7 +4,7 @@ import time
 
 import numpy as np
 
-from app.formats.performance.plan import ARTICULATIONS
+from app.formats.performance.plan import ARTICULATIONS, ORIENTATIONS
 from app.guide.common.simulated_operator import SimulatedOperator
 from app.guide.common.simulation import (
     ATTEMPTS,
@@ -15,11 +15,13 @@ from app.guide.common.simulation import (
     work_on_steps,
 )
 from app.guide.performance import tasks
+from app.guide.performance.contact.simulated_touches import touch_contact
 from app.guide.performance.entries import BarPass
 from app.guide.performance.guide import PerformanceGuide
 from app.guide.performance.length.so_far import LengthsSoFar
 from app.guide.performance.rules import count_wanted, missing_patches
 from app.guide.performance.sphere.places import POLE, directions_of_articulations
+from app.guide.performance.state import CONTACT_STEPS
 from app.messages.message import message
 from app.metrology.performance.pattern import pattern_directions
 from app.station.jobs import Progress
@@ -139,6 +141,22 @@ def _scan_bar(
     return _finish_scan(guide, whole, progress)
 
 
+def _scan_plate(guide: PerformanceGuide, operator: SimulatedOperator, progress: Progress) -> None:
+    refused = 0
+    while (orientation := guide.state.orientation) and refused < SCAN_ATTEMPTS:
+        text = message("performance-simulation-scans-plate", number=orientation)
+        progress(text, (orientation - 1) / ORIENTATIONS)
+        _await_scanner(guide)
+        if not act_as_operator(
+            guide, "begin_scan", lambda: tasks.begin_plate_scan(guide, orientation, None)
+        ):
+            return
+        if not _finish_scan(guide, operator.scan_plate(orientation), progress):
+            return
+        refused = refused + 1 if guide.state.orientation == orientation else 0
+    _confirm(guide)
+
+
 def _scan(guide: PerformanceGuide, operator: SimulatedOperator, progress: Progress) -> None:
     attempts = 0
     while (articulation := guide.state.articulation) and attempts < SCAN_ATTEMPTS:
@@ -223,5 +241,7 @@ STEPS: dict[str, StepWork[PerformanceGuide]] = {
     "scan": _scan,
     "end": _touch,
     "lengths": _measure_lengths,
+    "plate": _scan_plate,
+    **dict.fromkeys(CONTACT_STEPS, touch_contact),
     "temperatures": _confirm_temperatures,
 }

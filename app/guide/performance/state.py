@@ -2,17 +2,19 @@
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
-from typing import Any, Literal
+from typing import Any
 
-from app.formats.performance.plan import ARTICULATIONS, sphere_feature
+from app.formats.performance.plan import ARTICULATIONS, ORIENTATIONS, Kind, sphere_feature
 from app.guide.common.journal import SIMULATION_NOTES, JournalEntry, reading_of
 from app.guide.gauge.state import Payload, apply_change, restore_touch, void_touch
+from app.guide.performance.contact.sequence import features_of, next_feature
 from app.guide.performance.entries import (
     NOT_MEASURED,
     AnyScan,
     BarPass,
     BarScan,
     DatasheetLimit,
+    PlateScan,
     SphereContact,
     SphereScan,
     Temperatures,
@@ -28,15 +30,22 @@ from app.metrology.performance.temperature import (
     mean_temperature,
 )
 
-Test = Literal["sphere", "lengths"]
-"""The kinds of tests that are guided."""
-STEPS = ("artefact", "pattern", "location", "scan", "end", "lengths", "temperatures", "review")
-TEST_STEPS: Mapping[Test, tuple[str, ...]] = {
+CONTACT_STEPS = ("diameter", "seats", "bar")
+STEPS = (
+    *("artefact", "pattern", "location", "scan", "end", "lengths", "plate"),
+    *CONTACT_STEPS,
+    *("temperatures", "review"),
+)
+TEST_STEPS: Mapping[Kind, tuple[str, ...]] = {
     "sphere": ("artefact", "pattern", "location", "scan", "end", "temperatures", "review"),
     "lengths": ("artefact", "lengths", "temperatures", "review"),
+    "plane": ("artefact", "plate", "temperatures", "review"),
+    "contact": ("artefact", *CONTACT_STEPS, "temperatures", "review"),
 }
-TOUCHING = ("pattern", "location", "end", "lengths")
+TOUCHING = ("pattern", "location", "end", "lengths", *CONTACT_STEPS)
 """Steps in which places are touched."""
+SCANNING = ("scan", "plate")
+"""Steps in which only scans are made."""
 
 
 @dataclass(frozen=True)
@@ -45,13 +54,16 @@ class PerformanceState:
 
     session_id: str = ""
     rev: int = 0
-    test: Test = "sphere"
+    test: Kind = "sphere"
     started_at: str = ""
     calibration_id: str = ""
     step: str = "artefact"
     reached: str = "artefact"
     gauge: str = ""
-    """Of the data folder's gauges, by the name of its file."""
+    """Of the data folder's gauges, by the name of its file; of the contact test the sphere, empty
+    if it is done without one."""
+    bar: str = ""
+    """Of the contact test; empty if it is done without one."""
     positions: int = 1
     position: int = 1
     by_scan: bool = False
@@ -86,6 +98,15 @@ class PerformanceState:
     def frozen(self) -> bool:
         """Whether the plan stands."""
         return bool(self.plan_sha256)
+
+    @property
+    def steps(self) -> tuple[str, ...]:
+        """Of this test; the contact test has none of an artefact that it is done without."""
+        steps = TEST_STEPS[self.test]
+        if self.test != "contact":
+            return steps
+        left_out = {"diameter": not self.gauge, "bar": not self.bar}
+        return tuple(step for step in steps if not left_out.get(step, False))
 
     @property
     def temperatures(self) -> Temperatures:
@@ -148,13 +169,15 @@ class PerformanceState:
     @property
     def in_scan(self) -> bool:
         """Whether scans are made now, not touches."""
-        return self.step == "scan" or self.due is not None
+        return self.step in SCANNING or self.due is not None
 
     @property
     def feature(self) -> str:
         """The part of the test that is touched now; empty while none is."""
         if self.step == "lengths":
             return self.end.feature if self.end is not None else ""
+        if self.step in CONTACT_STEPS:
+            return next_feature(self.step, len(self.of_step))
         if self.step == "location" and self.articulation:
             return sphere_feature(self.position, "location", self.articulation)
         if self.step == "pattern":
@@ -166,6 +189,9 @@ class PerformanceState:
         """Touches of the present step, in their order."""
         if self.step == "lengths":
             return self.counted
+        if self.step in CONTACT_STEPS:
+            parts = set(features_of(self.step))
+            return tuple(touch for touch in self.counted if touch.feature in parts)
         start = f"p{self.position}-{self.step}"
         return tuple(touch for touch in self.counted if touch.feature.startswith(start))
 
@@ -186,6 +212,18 @@ class PerformanceState:
     def bar_scans(self) -> tuple[BarScan, ...]:
         """Scans of a ball bar, those set aside, too."""
         return tuple(scan for scan in self.scans if isinstance(scan, BarScan))
+
+    @property
+    def plate_scans(self) -> tuple[PlateScan, ...]:
+        """Scans of the plate, those set aside, too."""
+        return tuple(scan for scan in self.scans if isinstance(scan, PlateScan))
+
+    @property
+    def orientation(self) -> int:
+        """In which the plate is scanned next, from 1; 0 once it is scanned in all."""
+        done = {scan.orientation for scan in self.plate_scans if scan.good}
+        left = (number for number in range(1, ORIENTATIONS + 1) if number not in done)
+        return next(left, 0)
 
     def scan_of(self, articulation: int) -> SphereScan | None:
         """The scan that counts of an articulation at the present position."""
@@ -214,6 +252,7 @@ def _start(state: PerformanceState, payload: Payload) -> PerformanceState:
         test=payload.get("test", "sphere"),
         calibration_id=payload["calibration_id"],
         gauge=payload["gauge"],
+        bar=payload.get("bar", ""),
         positions=payload["positions"],
         by_scan=payload.get("by_scan", False),
         limits={name: _limit_of(limit) for name, limit in payload["limits"].items()},
@@ -282,7 +321,7 @@ def _change_scan(state: PerformanceState, number: int, **changes: Any) -> Perfor
 def _confirm(state: PerformanceState, payload: Payload) -> PerformanceState:
     if state.step == "end" and state.position < state.positions:
         return replace(state, step="pattern", position=state.position + 1, undone=())
-    steps = TEST_STEPS[state.test]
+    steps = state.steps
     if state.step == "artefact" and state.test == "lengths":
         sequence = LengthSequence(
             payload["lengths"], payload["touches_each"], payload.get("by_scan", False)
@@ -297,6 +336,7 @@ def _confirm(state: PerformanceState, payload: Payload) -> PerformanceState:
 CHANGES: dict[str, Callable[[PerformanceState, Payload], PerformanceState]] = {
     "started": _start,
     "gauge_chosen": lambda state, payload: replace(state, gauge=payload["id"]),
+    "bar_chosen": lambda state, payload: replace(state, bar=payload["id"]),
     "positions_set": lambda state, payload: replace(state, positions=payload["number"]),
     "by_scan_set": lambda state, payload: replace(state, by_scan=payload["by_scan"]),
     "limit_set": _set_limit,

@@ -7,12 +7,12 @@ from datetime import UTC, datetime
 from app.errors import OperationError
 from app.formats.io_errors import convert_io_errors
 from app.formats.performance.end_temperatures import END_TEMPERATURES, EndTemperatures
-from app.formats.performance.plan import RESULT, sphere_scan
+from app.formats.performance.plan import RESULT, plane_scan, sphere_scan
 from app.formats.performance.station_limits import write_station_limits
 from app.guide.common.arguments import Args
 from app.guide.common.flow import DECISION_QUALITY
 from app.guide.common.journal import error_payload
-from app.guide.performance.entries import AnyScan, BarPass, BarScan, SphereScan
+from app.guide.performance.entries import AnyScan, BarPass, BarScan, PlateScan, SphereScan
 from app.guide.performance.flow import CANCELLED
 from app.guide.performance.guide import PerformanceGuide
 from app.guide.performance.length.measure import measure_bar_scan
@@ -20,6 +20,7 @@ from app.guide.performance.length.scan_lines import pass_title
 from app.guide.performance.length.so_far import touches_on_end
 from app.guide.performance.picture import aside_notes, run_text
 from app.guide.performance.plan import limit_parts, measures_by_scan
+from app.guide.performance.plane.scans import measure_plate
 from app.guide.performance.sphere.places import POLE
 from app.messages.message import Text, message
 from app.metrology.performance.gate import gate_sphere
@@ -27,6 +28,7 @@ from app.metrology.performance.pattern import PatchCoverage, pattern_directions,
 from app.station.jobs import Progress
 from app.station.scan.points import Show
 from app.workflows.performance.evaluate import evaluate_performance
+from app.workflows.performance.plane_test import measure_plate_scan
 from app.workflows.performance.sphere_scans import LEAST_FRAMES, LEAST_PATCHES, LEAST_POINTS
 
 
@@ -50,7 +52,7 @@ def set_temperature(guide: PerformanceGuide, args: Args, key: str | None) -> Non
 def confirm_artefact(guide: PerformanceGuide, key: str | None) -> None:
     """From here on the test uses its own copies of artefact, arm and calibration."""
     guide.keep_datasheets()
-    standard = guide.standard()
+    standard = guide.standard() if guide.state.test == "lengths" else None
     payload: dict[str, object] = {}
     if standard is not None:
         payload = {
@@ -59,6 +61,20 @@ def confirm_artefact(guide: PerformanceGuide, key: str | None) -> None:
             "by_scan": measures_by_scan(guide.state, standard),
         }
     guide.append("step_confirmed", payload, key)
+
+
+def begin_plate_scan(guide: PerformanceGuide, orientation: int, key: str | None) -> None:
+    """Starts the scan of the plate in an orientation; an earlier one of it is kept aside. The first
+    scan of the test freezes its plan.
+
+    Raises:
+        OperationError: it cannot start.
+    """
+    if not guide.state.frozen:
+        guide.freeze()
+    title = message("performance-plate-scan-name", number=orientation)
+    _record(guide, plane_scan(orientation), title)
+    guide.append("scan_begun", {"orientation": orientation}, key)
 
 
 def confirm(guide: PerformanceGuide, key: str | None) -> None:
@@ -125,6 +141,8 @@ def measuring_text(guide: PerformanceGuide, scan: AnyScan) -> Text:
     """Said while a scan is measured."""
     if isinstance(scan, BarScan):
         return message("performance-measuring-bar-scan", scan=pass_title(scan.of, guide.lengths()))
+    if isinstance(scan, PlateScan):
+        return message("performance-measuring-plate-scan", number=scan.orientation)
     return message("performance-measuring-scan", articulation=scan.articulation)
 
 
@@ -136,6 +154,8 @@ def measure_scan(guide: PerformanceGuide, scan: AnyScan, progress: Progress) -> 
     try:
         if isinstance(scan, BarScan):
             measured = measure_bar_scan(guide, scan)
+        elif isinstance(scan, PlateScan):
+            measured = _plate_in(guide, scan)
         else:
             measured = _patches_of(guide, scan)
     except OperationError as error:
@@ -174,6 +194,18 @@ def _patches_of(guide: PerformanceGuide, scan: SphereScan) -> Mapping[str, objec
     counts = zip(patches.points.tolist(), patches.frames.tolist(), strict=True)
     patched = [list(count) for count in counts]
     return {"points": int(found.inside.sum()), "patches": patched}
+
+
+def _plate_in(guide: PerformanceGuide, scan: PlateScan) -> Mapping[str, object]:
+    """What a scan of the plate shows, beside the good scan of the other orientation."""
+    with guide.lock:
+        arm, scans = guide.arm(), guide.state.plate_scans
+    if arm is None:
+        raise OperationError("datasheets-unreadable", message("sessions-gauge-arm-cannot-read-any"))
+    shell_mm = guide.plan().gate.shell_mm
+    others = [one for one in scans if one.good and one.orientation != scan.orientation]
+    other = measure_plate_scan(guide.read_cloud(others[-1], arm), shell_mm) if others else None
+    return measure_plate(guide.read_cloud(scan, arm), shell_mm, other)
 
 
 def evaluate(guide: PerformanceGuide, progress: Progress) -> None:
@@ -228,12 +260,12 @@ def _close(
     text: object,
     key: str | None,
 ) -> None:
-    state, artefact = guide.state, guide.artefact()
+    state, artefacts = guide.state, guide.artefacts()
     figures = {
         "kind": state.test,
         "result": result,
         "text": text,
-        "artefact": (artefact.name if artefact else "") or state.gauge,
+        "artefact": ", ".join(one.name or name for name, one in artefacts.items()) or state.gauge,
         "operator": guide.provenance.operator(),
     }
     guide.keep(

@@ -4,6 +4,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Literal
 
+from app.formats.performance.plan import Kind
 from app.guide.common.view import ChoiceOption, SessionView
 from app.messages.message import Text
 from app.metrology.decision import Decision
@@ -15,7 +16,7 @@ ArticulationState = Literal["todo", "now", "scanning", "measuring", "done", "ref
 
 @dataclass(frozen=True)
 class ArtefactOption(ChoiceOption):
-    """A sphere or length standard, or a certificate that describes none."""
+    """A sphere, plate or length standard, or a certificate that describes none."""
 
     why_not: Text
     """Why it cannot be chosen; empty if it can."""
@@ -72,20 +73,26 @@ class ArticulationLine:
 
 
 @dataclass(frozen=True)
-class LengthPlaceMark:
-    """One of the seven places of a length standard, as it is proposed."""
+class StandardMark:
+    """A place of a length standard or a seat, as it is proposed."""
 
     number: int
-    title: Text
     state: PlaceProgress
+    ends_mm: Sequence[tuple[float, float, float]]
+    """Of the standard, arm frame; of a seat both are its centre."""
+
+
+@dataclass(frozen=True)
+class LengthPlaceMark(StandardMark):
+    """One of the seven places of a length standard."""
+
+    title: Text
     done: int
     of: int
     """Lengths that are touched there."""
     scanned: int
     scans: int
     """Of the whole standard there."""
-    ends_mm: Sequence[tuple[float, float, float]]
-    """Of the standard, arm frame."""
 
 
 @dataclass(frozen=True)
@@ -141,6 +148,19 @@ class LengthsPicture:
 
 
 @dataclass(frozen=True)
+class ContactPicture:
+    """What is drawn of a contact test in its present step."""
+
+    reach_mm: float
+    shoulder_mm: float
+    """Height of the arm's shoulder over its base."""
+    places: Sequence[StandardMark]
+    """Of seats or bar; none of the sphere."""
+    lines: Sequence[ArticulationLine]
+    """The measurements of the sphere, the seats or the placements."""
+
+
+@dataclass(frozen=True)
 class PerformanceFigureLine:
     """One symbol with its value and its limit."""
 
@@ -187,6 +207,7 @@ class PerformancePicture:
     patches: Sequence[PatchMark]
     articulations: Sequence[ArticulationLine]
     lengths: LengthsPicture | None
+    contact: ContactPicture | None
     result: PerformanceResultView | None
 
 
@@ -194,12 +215,17 @@ class PerformancePicture:
 class PerformanceView(SessionView):
     """The whole state of the performance test."""
 
-    test: Literal["sphere", "lengths"]
+    test: Kind
     calibration_id: str
     calibration: str
     """Name of the calibration with which it is scanned."""
     gauges: Sequence[ArtefactOption]
     gauge: str
+    """The chosen one; of a contact test empty if it is done without a sphere."""
+    bars: Sequence[ArtefactOption]
+    """Of a contact test."""
+    bar: str
+    """The chosen one; empty if the test is done without."""
     positions: int
     by_scan: bool
     """Whether lengths are measured by scan, too."""

@@ -1,11 +1,11 @@
-"""Where a length standard is set up: seven places within an arm's reach."""
+"""Where a length standard is set up: seven places within an arm's reach, or twenty placements."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
 from app.metrology.arm.kinematics import AnyArm, Arm
-from app.metrology.performance.lengths import PLACES
 from app.metrology.transforms import Floats
 
 USUAL_REACH_MM, USUAL_SHOULDER_MM = 1200.0, 300.0
@@ -17,7 +17,9 @@ CLEAR_MM = 60.0
 BAR_POINTS = 9
 NEAR, MIDDLE, FAR = 0.4, 0.5, 0.65
 """Distance of a standard's middle from the shoulder as a share of the reach."""
-WANTED: tuple[tuple[float, float, tuple[float, float, float]], ...] = (
+Wanted = Sequence[tuple[float, float, tuple[float, float, float]]]
+"""Bearing in degrees, distance, and direction seen from there: away from the arm, left, up."""
+SEVEN: Wanted = (
     (0.0, MIDDLE, (1.0, 0.0, 0.0)),
     (50.0, NEAR, (0.0, 1.0, 0.0)),
     (-50.0, FAR, (0.0, 1.0, 0.0)),
@@ -26,9 +28,23 @@ WANTED: tuple[tuple[float, float, tuple[float, float, float]], ...] = (
     (-35.0, MIDDLE, (1.0, 0.0, 1.0)),
     (0.0, MIDDLE, (1.0, 1.0, 1.0)),
 )
-"""Bearing in degrees, distance, and direction seen from there: away from the arm, to the left, up.
+"""Source: ISO 10360-2 and -12 ask for seven positions over the octants of the volume."""
+TWENTY: Wanted = (
+    *((bearing, NEAR, (0.0, 1.0, 0.0)) for bearing in (-60.0, 0.0, 60.0)),
+    *((bearing, MIDDLE, (1.0, 0.0, 0.0)) for bearing in (-60.0, -20.0, 20.0, 60.0)),
+    *((bearing, MIDDLE, (0.0, 0.0, 1.0)) for bearing in (-45.0, 0.0, 45.0)),
+    *((bearing, MIDDLE, (1.0, 0.0, 1.0)) for bearing in (-30.0, 30.0)),
+    *((bearing, MIDDLE, (0.0, 1.0, 1.0)) for bearing in (-70.0, 0.0, 70.0)),
+    *((bearing, FAR, (0.0, 1.0, 0.0)) for bearing in (-50.0, 0.0, 50.0)),
+    (-20.0, MIDDLE, (1.0, 1.0, 1.0)),
+    (20.0, MIDDLE, (1.0, -1.0, 1.0)),
+)
+"""Of the volumetric test of ASME B89.4.22: near, middle and far, in every direction. The placements
+are choices of this program."""
 
-Source: ISO 10360-2 and -12 ask for seven positions over the octants of the volume."""
+
+SEAT_SHARES = (0.2, 0.5, 0.8)
+"""Of the reach: at most, between, and at least. Source: ASME B89.4.22-2004, by QIF 3.0."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -52,19 +68,20 @@ def arm_reach(arm: AnyArm) -> ArmReach:
     return ArmReach(np.array([0.0, 0.0, first.d_mm]), radius_mm, known=True)
 
 
-def propose_places(reach: ArmReach, bar_mm: float) -> Floats:
-    """Seven placements (7, 2, 3) mm of a standard's ends, arm frame.
+def propose_places(reach: ArmReach, bar_mm: float, wanted: Wanted = SEVEN) -> Floats:
+    """Placements (P, 2, 3) mm of a standard's ends, arm frame.
 
-    Horizontal away from the arm, crosswise near on the left and far on the right, vertical, two
-    inclined by 45°, and the diagonal of the volume: each as near to where it is wanted as it has
-    all of the standard within the reach, above the table, and beside the arm's column.
+    The seven are: horizontal away from the arm, crosswise near on the left and far on the right,
+    vertical, two inclined by 45°, and the diagonal of the volume. Each is as near to where it is
+    wanted as it has all of the standard within the reach, above the table, and beside the arm's
+    column.
 
     Args:
         bar_mm: length of the standard.
     """
     along = np.linspace(-0.5, 0.5, BAR_POINTS)[:, None]
     places = []
-    for bearing_deg, share, seen in WANTED:
+    for bearing_deg, share, seen in wanted:
         turn = np.radians(bearing_deg)
         R = np.array(
             [[np.cos(turn), -np.sin(turn), 0], [np.sin(turn), np.cos(turn), 0], [0, 0, 1.0]]
@@ -74,8 +91,22 @@ def propose_places(reach: ArmReach, bar_mm: float) -> Floats:
         bars = middles[:, None] + along * bar_mm * direction
         best = middles[int(np.argmin(_misfit_mm(reach, bars, middles)))]
         places.append([best - 0.5 * bar_mm * direction, best + 0.5 * bar_mm * direction])
-    assert len(places) == PLACES
     return np.array(places)
+
+
+def propose_seats(reach: ArmReach) -> Floats:
+    """(3, 3) mm of the seats of ASME B89.4.22, near, in the middle and far: straight ahead, over
+    the table, as far from the shoulder as the standard asks for."""
+    z = 2 * CLEAR_MM
+    down = reach.shoulder_mm[2] - z
+    away = np.array(SEAT_SHARES) * reach.radius_mm
+    ahead = np.sqrt(np.maximum(away**2 - down**2, (0.5 * away) ** 2))
+    return np.column_stack([reach.shoulder_mm[0] + ahead, np.zeros(3), np.full(3, z)])
+
+
+def reach_share(reach: ArmReach, place_mm: Floats) -> float:
+    """Distance of a place (3,) from the shoulder as a share of the reach."""
+    return float(np.linalg.norm(place_mm - reach.shoulder_mm)) / reach.radius_mm
 
 
 def _middles(reach: ArmReach, R: Floats, share: float) -> Floats:

@@ -12,6 +12,8 @@ from app.metrology.performance.length_places import arm_reach
 Artefact = SpherePart | LengthStandardFile | PlatePart
 LEAST_DIAMETER_MM = 10.0
 """ISO 10360-5 and -8."""
+LEAST_WIDTH_MM = 50.0
+"""Of a plate, and of what a scan shows of it; a choice of this program."""
 
 
 def artefact_problems(
@@ -66,8 +68,7 @@ def list_problems(artefact: Artefact, day: str, own: str, arm: AnyArm | None = N
     if isinstance(artefact, SpherePart):
         problems += _sphere_problems(artefact)
     elif isinstance(artefact, PlatePart):
-        if artefact.flatness_um == 0 == artefact.flatness_sd_um:
-            problems.append(message("certificate-without-uncertainty"))
+        problems += _plate_problems(artefact)
     else:
         problems += _length_problems(artefact, arm)
     return problems
@@ -84,6 +85,21 @@ def _length_problems(standard: LengthStandardFile, arm: AnyArm | None) -> list[T
                 "length-beyond-reach",
                 length=quantity(longest_mm, "mm"),
                 reach=quantity(reach.radius_mm, "mm"),
+            )
+        )
+    return problems
+
+
+def _plate_problems(plate: PlatePart) -> list[Text]:
+    problems: list[Text] = []
+    if plate.flatness_um == 0 == plate.flatness_sd_um:
+        problems.append(message("certificate-without-uncertainty"))
+    if plate.width_mm is not None and plate.width_mm < LEAST_WIDTH_MM:
+        problems.append(
+            message(
+                "plate-too-narrow",
+                width=quantity(plate.width_mm, "mm"),
+                least=quantity(LEAST_WIDTH_MM, "mm"),
             )
         )
     return problems

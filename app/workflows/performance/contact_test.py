@@ -1,5 +1,7 @@
 """The contact tests of ASME B89.4.22: effective diameter, articulation in seats, volume."""
 
+from collections.abc import Mapping
+
 import numpy as np
 
 from app.formats.datasheets.length_standard import LengthStandardFile
@@ -16,8 +18,10 @@ from app.metrology.performance.contact_tests import (
     two_rms_uncertainty_um,
     volumetric_length,
 )
+from app.metrology.performance.length_places import SEAT_SHARES, arm_reach, reach_share
 from app.metrology.performance.lengths import MeasuredLength, length_of_bar_mm
 from app.metrology.performance.sphere import sphere_centre
+from app.metrology.performance.temperature import MeanTemperature
 from app.metrology.performance.value_uncertainty import size_uncertainty_um
 from app.metrology.transforms import Floats
 from app.workflows.performance.artefact_checks import problems_of_artefact
@@ -26,6 +30,8 @@ from app.workflows.performance.measured_data import MeasuredData
 from app.workflows.performance.sphere_position import sphere_certificate
 
 LEAST_BAR_TOUCHES = 4
+OFF_SHARE = 0.05
+"""By how much a seat may be off the distance that the standard asks for, of the reach."""
 OTHER_BAR_MM, OTHER_BAR_SHARE = 2.0, 0.005
 """A length that differs by more than both is that of another bar: no arm is so far off."""
 
@@ -79,6 +85,37 @@ def measure_contact_test(data: MeasuredData) -> tuple[list[Measured], list[Text]
     return measured, named
 
 
+def seat_problem(number: int, share: float) -> Text:
+    """Why a seat stands too far or too near; empty if it stands well.
+
+    Args:
+        number: of the seat, from 1.
+        share: its distance from the shoulder as a share of the arm's reach.
+    """
+    near, _, far = SEAT_SHARES
+    percent = round(100 * share)
+    if number == 1 and share > near + OFF_SHARE:
+        return message("performance-seat-not-near", share=percent, most=round(100 * near))
+    if number == SEATS and share < far - OFF_SHARE:
+        return message("performance-seat-not-far", share=percent, least=round(100 * far))
+    return ""
+
+
+def seat_notes(data: MeasuredData) -> tuple[Text, ...]:
+    """Seats that do not stand where the standard asks for them; nothing is said of an arm whose
+    reach is not known."""
+    reach = arm_reach(data.arm)
+    if not reach.known:
+        return ()
+    groups = ((i + 1, data.tips_mm.get(seat_feature(i + 1))) for i in range(SEATS))
+    found = (
+        seat_problem(number, reach_share(reach, tips.mean(axis=0)))
+        for number, tips in groups
+        if tips is not None
+    )
+    return tuple(text for text in found if text)
+
+
 def _measure_diameter(data: MeasuredData) -> Measured:
     sphere = data.plan.sphere
     if sphere is None:
@@ -122,7 +159,9 @@ def _measure_volume(data: MeasuredData) -> list[Measured]:
         return _without_volume(message("plan-without-artefact", which="bar"))
     if standard.sphere_diameter_mm is None:
         return _without_volume(message("bar-without-sphere-diameter"))
-    lengths, names = _measure_bar(data, standard, standard.sphere_diameter_mm)
+    lengths, names = bar_lengths(
+        data.tips_mm, standard, tip_of(data.arm).diameter_mm, data.artefact
+    )
     if other := _find_other_bar(lengths):
         return _without_volume(other)
     if len(lengths) < PLACEMENTS:
@@ -146,23 +185,33 @@ def _without_volume(problem: Text) -> list[Measured]:
     ]
 
 
-def _measure_bar(
-    data: MeasuredData, standard: LengthStandardFile, sphere_diameter_mm: float
+def bar_lengths(
+    tips_mm: Mapping[str, Floats],
+    standard: LengthStandardFile,
+    tip_diameter_mm: float,
+    artefact: MeanTemperature | None,
 ) -> tuple[list[MeasuredLength], list[str]]:
     """The length in each placement both of whose ends were touched, beside the certified length
-    that is nearest; and the groups of these touches."""
-    diameter_mm = sphere_diameter_mm + tip_of(data.arm).diameter_mm
+    that is nearest; and the groups of these touches.
+
+    Args:
+        tips_mm: tip centres (N, 3) by the feature of the touches.
+        standard: a bar with spheres.
+        artefact: temperature of the bar; None: not measured.
+    """
+    assert standard.sphere_diameter_mm is not None, "a bar has spheres"
+    diameter_mm = standard.sphere_diameter_mm + tip_diameter_mm
     lengths: list[MeasuredLength] = []
     names: list[str] = []
     for placement in range(1, PLACEMENTS + 1):
         ends = [bar_feature(placement, end) for end in (0, 1)]
-        groups: list[Floats] = [data.tips_mm.get(name, np.zeros((0, 3))) for name in ends]
+        groups: list[Floats] = [tips_mm.get(name, np.zeros((0, 3))) for name in ends]
         if any(len(tips) < LEAST_BAR_TOUCHES for tips in groups):
             continue
         length_mm = length_of_bar_mm(*(sphere_centre(tips, diameter_mm) for tips in groups))
         away_mm = [abs(part.length_mm - length_mm) for part in standard.lengths]
         nominal = standard.nominal(away_mm.index(min(away_mm)) + 1)
-        lengths.append(MeasuredLength(placement, 1, nominal, length_mm, data.artefact))
+        lengths.append(MeasuredLength(placement, 1, nominal, length_mm, artefact))
         names += ends
     return lengths, names
 

@@ -30,7 +30,11 @@ from app.metrology.performance.sphere import least_squares_sphere
 from app.metrology.performance.value_uncertainty import form_uncertainty_um, size_uncertainty_um
 from app.workflows.performance.artefact_checks import artefact_problems
 from app.workflows.performance.causes import name_causes
-from app.workflows.performance.contact_test import contact_features, measure_contact_test
+from app.workflows.performance.contact_test import (
+    contact_features,
+    measure_contact_test,
+    seat_notes,
+)
 from app.workflows.performance.judge import K, Measured, judge_all, judge_figure, refuse
 from app.workflows.performance.length_test import length_features, measure_lengths
 from app.workflows.performance.measured_data import MeasuredData, read_measured_data
@@ -174,7 +178,7 @@ def _measure(data: MeasuredData, problems: list[Text]) -> tuple[list[Measured], 
     else:  # of several artefacts, each refuses its own figures
         measured, of_artefacts = measure_contact_test(data)
         problems += of_artefacts
-        return measured, parts
+        return measured, _Parts(notes=seat_notes(data))
     return [refuse(one, problems) for one in measured], parts
 
 

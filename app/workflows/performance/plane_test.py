@@ -1,5 +1,6 @@
 """Form of a scanned plane."""
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
@@ -7,15 +8,18 @@ from numpy.typing import NDArray
 from scipy.spatial import ConvexHull
 
 from app.errors import OperationError
+from app.formats.performance.plan import ORIENTATIONS, plane_scan
 from app.messages.message import Text, message, quantity
 from app.metrology.performance.plane import least_squares_plane
 from app.metrology.performance.value_uncertainty import plane_uncertainty_um
-from app.metrology.transforms import Floats
+from app.metrology.transforms import Floats, vector_from_rotation
+from app.workflows.performance.artefact_checks import LEAST_WIDTH_MM
 from app.workflows.performance.judge import Measured
-from app.workflows.performance.measured_data import MeasuredData, thin_points
+from app.workflows.performance.measured_data import MeasuredData, ScanCloud, thin_points
 
-ORIENTATIONS = 2
-LEAST_WIDTH_MM = 50.0
+LEAST_TURN_DEG = 30.0
+"""Of the sensor between the two orientations; a choice of this program."""
+LEAST_POINTS = 1000
 NEAR_MM = 2.0
 """Points within this of the plane that holds most of them tell where the plate is, and how far it
 reaches."""
@@ -35,14 +39,58 @@ class PlaneResult:
     """Why a value that is stated is not decided."""
 
 
-def plane_scan(orientation: int) -> str:
-    """The folder of a scan of the plate.
+@dataclass(frozen=True, eq=False)
+class ScannedPlate:
+    """What one scan shows of the plate."""
 
-    Example:
-        >>> plane_scan(1)
-        'plane-1'
+    dispersion_um: float
+    """Width of the narrowest slab along its plane that holds 95 % of all points."""
+    width_mm: float
+    """Of the scanned part, in its narrower direction."""
+    points: int
+    outside: int
+    """Points that are not the plate's."""
+    R_arm_sensor: Floats  # (3, 3), as of ``ScanCloud``
+
+
+def measure_plate_scan(cloud: ScanCloud, shell_mm: float) -> ScannedPlate:
+    """Measures a scan of the plate by all points over it.
+
+    Raises:
+        OperationError: it shows too little of a plate.
     """
-    return f"plane-{orientation}"
+    points = cloud.points_mm
+    if len(points) < LEAST_POINTS:
+        raise OperationError(
+            "cloud-too-small",
+            message("plate-scan-too-few-points", count=len(points), least=LEAST_POINTS),
+            remedy=message("scan-plate-in-strips"),
+        )
+    kept = find_on_plate(points, shell_mm)
+    width_mm = _width_mm(points[kept])
+    if width_mm < LEAST_WIDTH_MM:
+        raise OperationError(
+            "cloud-too-small",
+            message(
+                "plate-scan-too-narrow",
+                width=quantity(width_mm, "mm"),
+                least=quantity(LEAST_WIDTH_MM, "mm"),
+            ),
+            remedy=message("scan-plate-in-strips"),
+        )
+    return ScannedPlate(
+        1e3 * least_squares_plane(points[kept]).dispersion_mm,
+        width_mm,
+        int(kept.sum()),
+        int((~kept).sum()),
+        cloud.R_arm_sensor,
+    )
+
+
+def turn_between_deg(first: ScannedPlate, second: ScannedPlate) -> float:
+    """By how much the sensor was turned from one scan to the other."""
+    between = first.R_arm_sensor.T @ second.R_arm_sensor
+    return float(np.degrees(np.linalg.norm(vector_from_rotation(between))))
 
 
 def measure_plane(data: MeasuredData) -> PlaneResult:
@@ -57,26 +105,38 @@ def measure_plane(data: MeasuredData) -> PlaneResult:
     scanned = tuple(name for name in names if data.has_scan(name))
     if not scanned:
         return _no_value(message("plate-was-not-scanned"))
-    values, outside = [], 0
+    plates: list[ScannedPlate] = []
     for name in scanned:
-        points = data.scan(name).points_mm
-        kept = find_on_plate(points, shell_mm)
-        if _width_mm(points[kept]) < LEAST_WIDTH_MM:
-            return _no_value(message("plate-scan-too-narrow", name=name), scanned)
-        outside += int((~kept).sum())
-        values.append(1e3 * least_squares_plane(points[kept]).dispersion_mm)
+        try:
+            plates.append(measure_plate_scan(data.scan(name), shell_mm))
+        except OperationError as error:
+            if error.code != "cloud-too-small":
+                raise
+            return _no_value(message("titled-text", title=name, text=error.what), scanned)
+    values = tuple(one.dispersion_um for one in plates)
+    outside = sum(one.outside for one in plates)
     uncertainty_um = plane_uncertainty_um(plate.flatness_um, plate.flatness_sd_um)
-    measured = Measured("plane-scan", max(values), tuple(values), uncertainty_um, "", scanned)
+    measured = Measured("plane-scan", max(values), values, uncertainty_um, "", scanned)
     gate = message(
         "performance-plane-gate",
         shell=quantity(shell_mm, "mm", 1),
         rim=quantity(RIM_MM, "mm", 1),
         count=outside,
     )
-    undecided: tuple[Text, ...] = ()
-    if len(scanned) < ORIENTATIONS:
-        undecided = (message("plate-in-one-orientation", count=ORIENTATIONS),)
+    undecided = tuple(_why_undecided(plates))
     return PlaneResult((measured,), (gate,), undecided)
+
+
+def _why_undecided(plates: list[ScannedPlate]) -> Iterator[Text]:
+    """Why a value of these scans is stated and not decided."""
+    if len(plates) < ORIENTATIONS:
+        yield message("plate-in-one-orientation", count=ORIENTATIONS)
+    elif (turn_deg := turn_between_deg(*plates)) < LEAST_TURN_DEG:
+        yield message(
+            "plate-orientations-alike",
+            turn=quantity(turn_deg, "°"),
+            least=quantity(LEAST_TURN_DEG, "°"),
+        )
 
 
 def find_on_plate(points_mm: Floats, shell_mm: float) -> NDArray[np.bool_]:

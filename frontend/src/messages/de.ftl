@@ -172,9 +172,13 @@ ui-connection-lost-reconnecting = Verbindung unterbrochen, wird wiederhergestell
 ui-console-runs-crenel-displays-link-open = Die Konsole, in der Crenel läuft, zeigt einen Link an. Diesen öffnen oder den Teil nach code= eingeben.
 ui-console-runs-crenel-states-reason-remedy = Die Konsole, in der Crenel läuft, nennt Grund und Abhilfe. Diese Seite läuft weiter, sobald die Station neu gestartet ist.
 ui-contact = Antastpunkt
+ui-contact-about = Die Antastprüfungen nach ASME B89.4.22: wirksamer Durchmesser an einer Meisterkugel, drei Aufnahmen und ein Kugelstab in zwanzig Lagen. 217 Antastungen, von Hand etwa 40 Minuten.
+ui-contact-needs = Eine kalibrierte Meisterkugel, eine kegelige Aufnahme, die sich an drei Stellen festklemmen lässt, und ein Kugelstab mit Kalibrierschein. Kugel oder Stab können entfallen.
 ui-contact-points-few-pictures-calibrated-sensor = Mit Antastpunkten und wenigen Bildern zum kalibrierten Sensor
 ui-contact-points-from-above = Antastpunkte von oben
 ui-contact-points-rms = Antastpunkte, rms
+ui-contact-test = Antastprüfungen
+ui-contact-test-title = Antastprüfungen
 ui-continue-the-test = Prüfung fortsetzen
 ui-continue-to-home = Weiter
 ui-continue-verification = Verifizierung fortsetzen
@@ -489,6 +493,7 @@ ui-items-need-attention = { $n ->
         [one] Ein Punkt ist zu beachten
        *[other] { $n } Punkte sind zu beachten
     }
+ui-its-figures-are-left-out = Die zugehörigen Kenngrößen entfallen.
 ui-job = Auftrag
 ui-joint-n = Gelenk { $n }
 ui-judged-by = Beurteilt nach
@@ -583,8 +588,10 @@ ui-manual = manuell
 ui-map = Karte
 ui-map-appears-after-first-cloud = Die Karte erscheint hier nach der ersten Punktwolke.
 ui-mask-shines-picture-not-part-object = Ausblenden, was im Bild glänzt und nicht zum Objekt gehört: eine Spannpratze, die Kante des Sensors selbst.
+ui-master-sphere = Meisterkugel
 ui-mean = Mittelwert { $value }
 ui-measure = Messen
+ui-measurements = Messungen
 ui-merlons = { $n ->
         [one] { $n } Zinne
        *[other] { $n } Zinnen
@@ -761,6 +768,7 @@ ui-option-trigger-edge = Flanke des Triggers
 ui-option-url = Anschluss oder Adresse
 ui-option-width = Breite
 ui-or-with-an-account-of-this-station = oder mit einem Konto dieser Station
+ui-orientations = Ausrichtungen
 ui-out-of-the-frame = außerhalb des Bildes
 ui-outlier = Ausreißer
 ui-outlier-does-not-fit-face-not = Ausreißer: Der Punkt passt nicht zu seiner Fläche und wird nicht verwendet.
@@ -812,11 +820,18 @@ ui-pictures-take-about-30-mb-per = Bilder belegen etwa 30 MB je Sekunde und lass
 ui-place-done = angetastet
 ui-place-next = als Nächstes
 ui-place-tip = Tastkugel
+ui-placements = Lagen
 ui-places = Lagen
 ui-places-far-apparent-motion-tip-max = Bisherige Positionen: scheinbare Bewegung der Tastkugel, (max − min)/2
 ui-plane = Ebene
+ui-plane-about = Die Form einer gescannten Platte, eine Ergänzung der Normen: Die Platte wird zweimal gescannt, die Laserlinie dazwischen um 90° gedreht. Von Hand etwa fünf Minuten.
+ui-plane-needs = Eine ebene Platte, mindestens 50 mm breit, mit Kalibrierschein ihrer Ebenheit, matt und fest aufgelegt.
+ui-plane-test = Ebene
+ui-plane-test-title = Ebenenprüfung
 ui-planes-angle-k-1 = Winkel der Ebene, k = 1
 ui-planes-offset-k-1 = Versatz der Ebene, k = 1
+ui-plate = Platte
+ui-plate-from-above = Die Platte von oben, mit den Streifen des Scans
 ui-played = { $time } wiedergegeben
 ui-plotted-quantity = Dargestellte Größe
 ui-point = Punkt { $n }
@@ -939,6 +954,7 @@ ui-searching = Suche läuft …
 ui-seat = Pfanne
 ui-seat-cone-three-balls-which-tip = Eine Pfanne ist ein Kegel oder besteht aus drei Kugeln; die Tastkugel sitzt darin und dreht sich ohne Spiel.
 ui-seat-end-ball-bar-tip-stays = In einer Pfanne oder am Ende eines Kugelstabs bleibt die Tastkugel an ihrer Stelle, während der Messarm schwenkt; eine Kugel wird von allen Seiten angetastet. Die Positionen über die ganze Reichweite verteilen: nah und fern, links und rechts, hoch und tief. Dann mit dem Ellbogen auf der anderen Seite wiederholen. Ein Kugelstab bestimmt auch den Maßstab des Messarms.
+ui-seats = Aufnahmen
 ui-secret = Geheimnis
 ui-seen-from-above-arm-below = Von oben gesehen, unten steht der Arm
 ui-select-datasheets-clamped-mounted-result-only = Die Datenblätter der aufgespannten und montierten Teile wählen. Das Ergebnis ist nur so genau wie sie.
@@ -1209,6 +1225,8 @@ ui-who = Wer
 ui-why = Warum
 ui-why-is-the-test-cancelled = Warum wird die Prüfung abgebrochen?
 ui-within = innerhalb des Grenzwerts von { $limit }
+ui-without-a-ball-bar = Ohne Kugelstab
+ui-without-a-sphere = Ohne Kugel
 ui-without-arm-position = Ohne Armstellung
 ui-without-contact-points-only-form-size = Ohne Antastpunkte werden nur Form, Maß und Streuung beurteilt, nicht die Lage.
 ui-wrong-tip-object-appears-residuals-later = Eine falsche Tastkugel oder ein falsches Objekt zeigt sich später in den Residuen und wird dann gemeldet.

@@ -172,9 +172,13 @@ ui-connection-lost-reconnecting = Connection lost, reconnecting…
 ui-console-runs-crenel-displays-link-open = The console that runs Crenel shows a link. Open the link, or enter the part after code=.
 ui-console-runs-crenel-states-reason-remedy = The console that runs Crenel shows the reason and the remedy. This page continues when the station has restarted.
 ui-contact = contact
+ui-contact-about = The contact tests of ASME B89.4.22: effective diameter of a master sphere, three seats, and a ball bar in twenty placements. 217 touches, about 40 minutes by hand.
+ui-contact-needs = A calibrated master sphere, a conical seat that can be clamped in three places, and a ball bar with a certificate. Sphere or bar can be left out.
 ui-contact-points-few-pictures-calibrated-sensor = From contact points and a few pictures to a calibrated sensor
 ui-contact-points-from-above = Contact points from above
 ui-contact-points-rms = Contact points, rms
+ui-contact-test = Contact tests
+ui-contact-test-title = Contact tests
 ui-continue-the-test = Continue the test
 ui-continue-to-home = Continue
 ui-continue-verification = Continue verification
@@ -489,6 +493,7 @@ ui-items-need-attention = { $n ->
         [one] One item needs attention
        *[other] { $n } items need attention
     }
+ui-its-figures-are-left-out = Its figures are left out.
 ui-job = Job
 ui-joint-n = Joint { $n }
 ui-judged-by = Judged by
@@ -583,8 +588,10 @@ ui-manual = manual
 ui-map = Map
 ui-map-appears-after-first-cloud = The map appears here after the first cloud.
 ui-mask-shines-picture-not-part-object = Mask bright areas that are not part of the object, such as a clamp or the sensor's own edge.
+ui-master-sphere = Master sphere
 ui-mean = mean { $value }
 ui-measure = Measure
+ui-measurements = Measurements
 ui-merlons = { $n ->
         [one] { $n } merlon
        *[other] { $n } merlons
@@ -761,6 +768,7 @@ ui-option-trigger-edge = Edge of the trigger
 ui-option-url = Port or address
 ui-option-width = Width
 ui-or-with-an-account-of-this-station = or with an account of this station
+ui-orientations = Orientations
 ui-out-of-the-frame = out of the frame
 ui-outlier = outlier
 ui-outlier-does-not-fit-face-not = Outlier: this point does not fit its face and is not used.
@@ -812,11 +820,18 @@ ui-pictures-take-about-30-mb-per = Pictures take about 30 MB per second; the lin
 ui-place-done = touched
 ui-place-next = next
 ui-place-tip = tip
+ui-placements = Placements
 ui-places = Places
 ui-places-far-apparent-motion-tip-max = Places so far: apparent motion of the tip, (max − min)/2
 ui-plane = Plane
+ui-plane-about = The form of a scanned plate, an addition to the standards: the plate is scanned twice, with the stripe turned by 90° in between. About five minutes by hand.
+ui-plane-needs = A flat plate, 50 mm wide or more, with a certificate of its flatness, matt and firmly supported.
+ui-plane-test = Plane
+ui-plane-test-title = Plane test
 ui-planes-angle-k-1 = Plane's angle, k = 1
 ui-planes-offset-k-1 = Plane's offset, k = 1
+ui-plate = Plate
+ui-plate-from-above = The plate from above, with the strips of the scan
 ui-played = { $time } played
 ui-plotted-quantity = Plotted quantity
 ui-point = Point { $n }
@@ -939,6 +954,7 @@ ui-searching = Searching…
 ui-seat = Seat
 ui-seat-cone-three-balls-which-tip = A seat is a cone or three balls in which the tip sits and turns without play.
 ui-seat-end-ball-bar-tip-stays = In a seat, or at an end of a ball bar, the tip stays in one place while the arm swings. A sphere is touched from every side. Spread the places over the whole reach: near and far, left and right, high and low. Then repeat them with the elbow on the other side. A ball bar also determines the arm's scale.
+ui-seats = Seats
 ui-secret = Secret
 ui-seen-from-above-arm-below = Seen from above, the arm's base is at the bottom
 ui-select-datasheets-clamped-mounted-result-only = Select the datasheets of the arm, tip, object and sensor that are in place. The result is only as accurate as these datasheets.
@@ -1209,6 +1225,8 @@ ui-who = Who
 ui-why = Why
 ui-why-is-the-test-cancelled = Why is the test cancelled?
 ui-within = within the limit of { $limit }
+ui-without-a-ball-bar = Without a ball bar
+ui-without-a-sphere = Without a sphere
 ui-without-arm-position = Without arm position
 ui-without-contact-points-only-form-size = Without contact points, only form, size and scatter are assessed, not the position.
 ui-wrong-tip-object-appears-residuals-later = If the tip or the object is wrong, the residuals show it later and the station reports it.

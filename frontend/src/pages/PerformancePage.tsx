@@ -12,11 +12,14 @@ import { Reports } from "../parts/Reports";
 import { ArtefactChoice } from "../performance/ArtefactChoice";
 import { ArticulationList } from "../performance/ArticulationList";
 import { CertificateUpload } from "../performance/CertificateUpload";
+import { ContactPictures } from "../performance/ContactPictures";
 import { ExportFiles } from "../performance/ExportFiles";
+import { KINDS, type Kind } from "../performance/kinds";
 import { LengthErrors } from "../performance/LengthErrors";
 import { LengthPlaces } from "../performance/LengthPlaces";
 import { PerformanceCard } from "../performance/PerformanceCard";
 import { PerformanceRow } from "../performance/PerformanceRow";
+import { PlateMap } from "../performance/PlateMap";
 import { ResultTable } from "../performance/ResultTable";
 import { SphereMap } from "../performance/SphereMap";
 import { Temperatures } from "../performance/Temperatures";
@@ -55,22 +58,30 @@ function Picture({ view }: { view: PerformanceView }) {
       </div>
     );
   if (picture.lengths) return <Lengths lengths={picture.lengths} busy={view.busy !== null} />;
+  if (picture.contact) return <ContactPictures contact={picture.contact} step={step} />;
+  const plate = view.test === "plane";
   return (
     <div className={styles.step}>
-      <SphereMap picture={picture} />
+      {plate ? <PlateMap orientation={shownOrientation(picture)} /> : <SphereMap picture={picture} />}
       {picture.articulations.length > 0 && (
         <ArticulationList
-          label={t("ui-articulations")}
+          label={t(plate ? "ui-orientations" : "ui-articulations")}
           lines={picture.articulations}
           onRepeat={
-            step === "scan" && view.busy === null
-              ? (articulation) => void sendCommand("performance", "begin_scan", { articulation })
+            step !== "location" && view.busy === null
+              ? (number) =>
+                  void sendCommand("performance", "begin_scan", { [plate ? "orientation" : "articulation"]: number })
               : undefined
           }
         />
       )}
     </div>
   );
+}
+
+/** The orientation that is scanned now, or was last. */
+function shownOrientation({ articulations }: PerformanceView["picture"]) {
+  return articulations.find(({ state }) => state !== "done")?.number ?? articulations.length;
 }
 
 function Lengths({ lengths, busy }: { lengths: LengthsPicture; busy: boolean }) {
@@ -80,7 +91,7 @@ function Lengths({ lengths, busy }: { lengths: LengthsPicture; busy: boolean }) 
   return (
     <div className={styles.step}>
       <div className={styles.drawings}>
-        <LengthPlaces lengths={lengths} />
+        <LengthPlaces {...lengths} done={lengths.scanned ? "ui-done" : "ui-place-done"} />
         {scans && (
           <section className={styles.scans}>
             <h3 className={styles.name}>{scans}</h3>
@@ -113,7 +124,7 @@ function Before() {
   const calibrated = useLive((s) => (s.home?.calibration ?? null) !== null);
   // the one that was done last is offered first
   const [test, setTest] = useState<PerformanceView["test"]>(() => getState().performance?.test ?? "sphere");
-  const lengths = test === "lengths";
+  const { title, about, needs } = KINDS[test];
   return (
     <Layout
       picture={
@@ -127,35 +138,33 @@ function Before() {
             </ul>
           </div>
         ) : (
-          <EmptyState
-            picture={lengths ? undefined : <GaugeDrawing shape="sphere" touching scanning />}
-            title={t("ui-performance-first-title")}
-            text={lengths ? t("ui-lengths-first-text") : t("ui-performance-first-text")}
-          />
+          <EmptyState picture={<KindDrawing test={test} />} title={t("ui-performance-first-title")} text={t(about)} />
         )
       }
       card={
         <StartCard
-          title={lengths ? t("ui-length-test") : t("ui-test-the-performance")}
-          text={lengths ? t("ui-lengths-need") : t("ui-performance-needs")}
+          title={t(title)}
+          text={t(needs)}
           calibrated={calibrated}
           start={t("ui-start-the-test")}
           onStart={() => startPerformance(test)}
         >
           <Chips
             label={t("ui-kind-of-test")}
-            options={[
-              { value: "sphere", label: t("ui-one-sphere") },
-              { value: "lengths", label: t("ui-lengths") },
-            ]}
+            options={(Object.keys(KINDS) as Kind[]).map((value) => ({ value, label: t(KINDS[value].label) }))}
             value={test}
             onChange={setTest}
           />
-          {!lengths && <CertificateUpload />}
+          {test === "sphere" && <CertificateUpload />}
         </StartCard>
       }
     />
   );
+}
+
+function KindDrawing({ test }: { test: Kind }) {
+  if (test === "plane") return <GaugeDrawing shape="plane" scanning />;
+  return test === "lengths" ? undefined : <GaugeDrawing shape="sphere" touching scanning={test === "sphere"} />;
 }
 
 function Record({ id }: { id: string }) {
@@ -178,7 +187,7 @@ function Record({ id }: { id: string }) {
           {file && (
             <Verdict {...file.verdict}>
               <p>
-                {(file.sphere ?? file.length)?.name} · {moment(file.ended_at)}
+                {namesOf(file)} · {moment(file.ended_at)}
               </p>
             </Verdict>
           )}
@@ -191,6 +200,11 @@ function Record({ id }: { id: string }) {
       }
     />
   );
+}
+
+/** Of the artefacts that a test was done on. */
+function namesOf({ sphere, length, plate }: PerformanceFile) {
+  return [sphere, length, plate].flatMap((artefact) => (artefact ? [artefact.name] : [])).join(", ");
 }
 
 type LengthPoints = NonNullable<PerformanceFile["lengths"]>;

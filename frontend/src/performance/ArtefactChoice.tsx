@@ -10,26 +10,57 @@ import { CertificateUpload } from "./CertificateUpload";
 import { Limits } from "./Limits";
 import { Temperatures } from "./Temperatures";
 
-/** The sphere and its number of positions, or the length standard; and the limits by the datasheet. */
+/** What a test is done on, how, and the limits by the datasheet. */
 export function ArtefactChoice({ view }: { view: PerformanceView }) {
+  if (view.test === "contact") return <ContactChoice view={view} />;
+  return <OneArtefact view={view} />;
+}
+
+/** The sphere and the bar of a contact test; each may be left out. */
+function ContactChoice({ view }: { view: PerformanceView }) {
+  const without = (label: string) => ({ id: "", label, detail: t("ui-its-figures-are-left-out"), why_not: "" });
+  return (
+    <div className={styles.choice}>
+      <ChoiceGroup
+        title={t("ui-master-sphere")}
+        options={[...view.gauges, without(t("ui-without-a-sphere"))]}
+        selected={view.gauge}
+        onChoose={(id) => void sendCommand("performance", "choose_gauge", { id })}
+      />
+      <ChoiceGroup
+        title={t("ui-ball-bar")}
+        options={[...view.bars, without(t("ui-without-a-ball-bar"))]}
+        selected={view.bar}
+        onChoose={(id) => void sendCommand("performance", "choose_bar", { id })}
+      />
+      <Temperatures picture={view.picture} />
+      <Limits limits={view.picture.limits} />
+    </div>
+  );
+}
+
+const TITLES = { sphere: "ui-test-sphere", lengths: "ui-length-standard", plane: "ui-plate" } as const;
+
+/** The sphere and its number of positions, the plate, or the length standard. */
+function OneArtefact({ view }: { view: PerformanceView }) {
   const sphere = view.test === "sphere";
-  if (view.gauges.length === 0 && !sphere)
+  if (view.gauges.length === 0 && view.test === "lengths")
     return <EmptyState title={t("ui-no-length-standard-yet")} text={t("ui-put-length-standard-into-folder")} />;
   if (view.gauges.length === 0)
     return (
       <div className={styles.choice}>
         <EmptyState
-          picture={<GaugeDrawing shape="sphere" />}
+          picture={<GaugeDrawing shape={sphere ? "sphere" : "plane"} />}
           title={t("ui-no-gauge-yet")}
           text={t("ui-put-datasheet-plate-sphere-into-folder")}
         />
-        <CertificateUpload />
+        {sphere && <CertificateUpload />}
       </div>
     );
   return (
     <div className={styles.choice}>
       <ChoiceGroup
-        title={sphere ? t("ui-test-sphere") : t("ui-length-standard")}
+        title={t(view.test === "contact" ? "ui-master-sphere" : TITLES[view.test])}
         options={view.gauges}
         selected={view.gauge}
         onChoose={(id) => void sendCommand("performance", "choose_gauge", { id })}
@@ -49,7 +80,7 @@ export function ArtefactChoice({ view }: { view: PerformanceView }) {
           />
         </section>
       )}
-      {!sphere && <ByScanChoice view={view} />}
+      {view.test === "lengths" && <ByScanChoice view={view} />}
       <Temperatures picture={view.picture} />
       <Limits limits={view.picture.limits} />
     </div>

@@ -1,4 +1,5 @@
-import type { LengthPlaceMark, LengthsPicture } from "../api/wire";
+import type { StandardMark } from "../api/wire";
+import type { PlainId } from "../messages/text";
 import { t } from "../state/language";
 import styles from "./LengthPlaces.module.css";
 import keys from "./MapKey.module.css";
@@ -7,6 +8,9 @@ import { type Point, placeLabels } from "./placeLabels";
 /** A point of the arm's frame on the drawing: to the right, and up. */
 type Projection = (point: readonly [number, number, number]) => Point;
 
+/** With more places than these only the present one has its number. */
+const MOST_LABELS = 8;
+
 /** Least distance of two numbers' middles, in hundredths of the reach. */
 const LABEL_APART = 11;
 
@@ -14,13 +18,28 @@ const LABEL_APART = 11;
 const FROM_ABOVE: Projection = ([x, y]) => [-y, x];
 const FROM_THE_SIDE: Projection = ([x, , z]) => [x, z];
 
-/** The seven places of the standard within the arm's reach, from above and from the side. */
-export function LengthPlaces({ lengths }: { lengths: LengthsPicture }) {
-  const { reach_mm: reach, shoulder_mm: shoulder, places, scanned } = lengths;
+interface LengthPlacesProps {
+  reach_mm: number;
+  shoulder_mm: number;
+  places: StandardMark[];
+  /** What a place is called that is done. */
+  done?: PlainId;
+  /** Whether nothing else is drawn beside it. */
+  alone?: boolean;
+}
+
+/** The places of a standard or of seats within the arm's reach, from above and from the side. */
+export function LengthPlaces({
+  reach_mm: reach,
+  shoulder_mm: shoulder,
+  places,
+  done = "ui-place-done",
+  alone = false,
+}: LengthPlacesProps) {
   const edge = 0.08 * reach;
   return (
     <figure className={styles.places}>
-      <div className={styles.views}>
+      <div className={styles.views} data-alone={alone || undefined}>
         <View
           title={t("ui-from-above-arm-below")}
           box={[-reach - edge, -0.35 * reach, 2 * (reach + edge), 1.35 * reach + edge]}
@@ -41,8 +60,8 @@ export function LengthPlaces({ lengths }: { lengths: LengthsPicture }) {
       </div>
       <figcaption className={styles.caption}>
         <span className={keys.key}>
-          <i data-key="next" /> {t("ui-place-next")} <i data-key="done" /> {t(scanned ? "ui-done" : "ui-place-done")}{" "}
-          <i data-key="todo" /> {t("ui-to-do")}
+          <i data-key="next" /> {t("ui-place-next")} <i data-key="done" /> {t(done)} <i data-key="todo" />{" "}
+          {t("ui-to-do")}
         </span>
       </figcaption>
     </figure>
@@ -55,7 +74,7 @@ interface ViewProps {
   box: [number, number, number, number];
   centre: [number, number];
   reach: number;
-  places: LengthPlaceMark[];
+  places: StandardMark[];
   project: Projection;
   /** Height of the arm's column, if it is seen. */
   column?: number;
@@ -83,32 +102,42 @@ function View({ title, box: [left, bottom, width, height], centre, reach, places
       )}
       <circle className={styles.base} cx={centre[0]} cy={-centre[1]} r={4 * unit} />
       {placeLabels(lines, LABEL_APART * unit).map((drawn) => (
-        <Standard key={drawn.place.number} {...drawn} unit={unit} />
+        <Standard
+          key={drawn.place.number}
+          {...drawn}
+          unit={unit}
+          labelled={places.length <= MOST_LABELS || drawn.place.state === "now"}
+        />
       ))}
     </svg>
   );
 }
 
-function projectEnds(place: LengthPlaceMark, project: Projection): readonly [Point, Point] {
+function projectEnds(place: StandardMark, project: Projection): readonly [Point, Point] {
   const [from, to] = place.ends_mm as [[number, number, number], [number, number, number]];
   return [project(from), project(to)];
 }
 
 interface StandardProps {
-  place: LengthPlaceMark;
+  place: StandardMark;
   line: readonly [Point, Point];
   label: Point;
   unit: number;
+  labelled: boolean;
 }
 
-function Standard({ place, line: [[x1, y1], [x2, y2]], label: [x, y], unit }: StandardProps) {
+function Standard({ place, line: [[x1, y1], [x2, y2]], label: [x, y], unit, labelled }: StandardProps) {
   return (
     <g className={styles.standard} data-state={place.state} data-place={place.number}>
       <line x1={x1} y1={-y1} x2={x2} y2={-y2} strokeWidth={(place.state === "now" ? 3.5 : 2) * unit} />
-      <circle cx={x} cy={-y} r={5 * unit} />
-      <text x={x} y={-y} fontSize={6.5 * unit}>
-        {place.number}
-      </text>
+      {labelled && (
+        <>
+          <circle cx={x} cy={-y} r={5 * unit} />
+          <text x={x} y={-y} fontSize={6.5 * unit}>
+            {place.number}
+          </text>
+        </>
+      )}
     </g>
   );
 }

@@ -137,7 +137,7 @@ def stripe_axis(optics: Optics, light_plane: LightPlane) -> str:
     return "u" if du >= dv else "v"
 
 
-def plane_nominal(point_mm: Floats, normal: Floats) -> JsonObject:
+def plane_nominal(point_mm: Floats, normal: Floats, width_mm: float) -> JsonObject:
     """*.nominal.json of a gauge plane, in the arm frame."""
     return {
         "format": "crenel/nominal",
@@ -150,6 +150,22 @@ def plane_nominal(point_mm: Floats, normal: Floats) -> JsonObject:
         "certificate": "simulated",
         "standard_uncertainty_um": 0.5,
         "form_um": 1.0,
+        "width_mm": width_mm,
+    }
+
+
+def flat_plate_datasheet(width_mm: float) -> JsonObject:
+    """*.nominal.json of a larger plate, which is set up anywhere."""
+    return {
+        "format": "crenel/nominal",
+        "version": 1,
+        "shape": "plane",
+        "name": "Simulated flat plate",
+        "serial_number": "TWIN-P2",
+        "certificate": "simulated",
+        "standard_uncertainty_um": 0.5,
+        "form_um": 1.0,
+        "width_mm": width_mm,
     }
 
 

@@ -3,9 +3,12 @@
 import numpy as np
 import pytest
 
+from app.errors import OperationError
+from app.guide.performance.plane.scans import measure_plate
 from app.metrology.performance.plane import least_squares_plane
-from app.metrology.transforms import Floats
-from app.workflows.performance.plane_test import find_on_plate
+from app.metrology.transforms import Floats, rotation_from_vector
+from app.workflows.performance.measured_data import ScanCloud
+from app.workflows.performance.plane_test import find_on_plate, measure_plate_scan
 
 SHELL_MM = 10.0
 SIDE_MM = 100.0
@@ -53,3 +56,34 @@ def test_what_is_higher_than_the_shell_is_not_the_plate() -> None:
     clamp = tilt(np.column_stack([np.full((500, 2), 50.0), np.linspace(11.0, 30.0, 500)]))
     kept = find_on_plate(np.concatenate([plate(5000, 0.01), clamp]), SHELL_MM)
     assert not kept[5000:].any()
+
+
+def scanned(points: Floats, turn_deg: float = 0.0) -> ScanCloud:
+    turn = rotation_from_vector(np.array([0.0, 0.0, np.radians(turn_deg)]))
+    frame = np.zeros(len(points), dtype=np.int64)
+    return ScanCloud(points, frame, np.tile([0.0, 0.0, 1.0], (len(points), 1)), turn)
+
+
+def test_a_scan_that_shows_too_little_of_the_plate_is_refused() -> None:
+    points = plate(20_000, 0.01)
+    strip = points[points[:, 0] < 440.0]
+    for cloud, text in (
+        (scanned(points[:900]), "only 900 points"),
+        (scanned(strip), "only 38 mm wide"),
+    ):
+        with pytest.raises(OperationError) as refused:
+            measure_plate_scan(cloud, SHELL_MM)
+        assert refused.value.code == "cloud-too-small"
+        assert text in str(refused.value)
+
+
+def test_the_sensor_is_turned_between_the_orientations() -> None:
+    points = plate(20_000, 0.01)
+    first = measure_plate(scanned(points), SHELL_MM, None)
+    assert first["turn_deg"] is None
+    assert first["dispersion_um"] == pytest.approx(39.2, rel=0.05)
+    other = measure_plate_scan(scanned(points), SHELL_MM)
+    assert measure_plate(scanned(points, 90.0), SHELL_MM, other)["turn_deg"] == pytest.approx(90.0)
+    with pytest.raises(OperationError) as refused:
+        measure_plate(scanned(points, 12.0), SHELL_MM, other)
+    assert refused.value.code == "orientations-alike"

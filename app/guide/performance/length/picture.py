@@ -83,7 +83,7 @@ def _place(state: PerformanceState, so_far: LengthsSoFar, number: int) -> Length
     elif sequence is not None and done >= of:
         shown = "done"
     ends = [(float(x), float(y), float(z)) for x, y, z in so_far.places_mm[number - 1]]
-    return LengthPlaceMark(number, place_title(number), shown, done, of, scanned, scans, ends)
+    return LengthPlaceMark(number, shown, ends, place_title(number), done, of, scanned, scans)
 
 
 def length_instruction(state: PerformanceState, so_far: LengthsSoFar | None) -> Text:

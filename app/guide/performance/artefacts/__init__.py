@@ -1,0 +1,1 @@
+"""What performance tests are done on: gauges of the data folder."""

@@ -1,0 +1,150 @@
+"""The artefacts of a performance test: those that can be chosen, and what speaks against one."""
+
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Generic
+
+from app.errors import OperationError
+from app.formats.datasheets.gauge import GaugeFile
+from app.formats.datasheets.length_standard import LengthStandardFile, read_length_standard
+from app.formats.performance.plan import Kind
+from app.formats.results.verification import GAUGE
+from app.guide.common.datasheet_library import (
+    AnyGauge,
+    DatasheetEntry,
+    Gauges,
+    read_any_gauge,
+    read_any_gauges,
+)
+from app.guide.common.flow import Flow, View
+from app.guide.common.guided_session import Provenance
+from app.guide.common.journal import Calibrations, Journal
+from app.guide.common.rules import Live
+from app.guide.gauge.session import GaugeServices, GaugeSession
+from app.guide.performance.artefacts.gauges import (
+    BAR,
+    CalibratedWith,
+    bars_of,
+    gauges_of_test,
+    problems_in_test,
+    read_calibrated_with,
+)
+from app.guide.performance.plan import choose_lengths
+from app.guide.performance.state import PerformanceState
+from app.messages.message import Text
+from app.metrology.arm.kinematics import AnyArm
+from app.metrology.decision import DecisionRule
+from app.timestamps import utc_now
+
+
+class ArtefactSession(GaugeSession[PerformanceState, Live, View, AnyGauge], Generic[Live, View]):
+    """A session on a sphere, a plate or a length standard, or on a sphere and a ball bar."""
+
+    def __init__(
+        self,
+        station: GaugeServices,
+        journal: Journal,
+        flow: Flow[PerformanceState, Live, View],
+        calibrations: Calibrations,
+        data_folder: Path,
+        provenance: Provenance,
+        rule: DecisionRule,
+    ) -> None:
+        super().__init__(
+            station,
+            journal,
+            flow,
+            calibrations,
+            data_folder,
+            provenance,
+            rule,
+            read_any_gauges,
+            read_any_gauge,
+        )
+        self._calibrated_with: tuple[str, CalibratedWith | OperationError | None] = ("", None)
+        self._bar: tuple[str, LengthStandardFile | None] = ("", None)
+
+    def gauges(self) -> Gauges[AnyGauge]:
+        """The data folder's spheres, plates or length standards, by the kind of the test."""
+        return gauges_of_test(self.all_gauges(), self.state.test)
+
+    def all_gauges(self) -> Gauges[AnyGauge]:
+        """All of the data folder."""
+        return super().gauges()
+
+    def bars(self) -> Gauges[AnyGauge]:
+        """The data folder's ball bars; of a contact test alone."""
+        return bars_of(self.all_gauges()) if self.state.test == "contact" else Gauges({}, ())
+
+    def gauge_entries(self) -> Mapping[str, DatasheetEntry[AnyGauge]]:
+        """The gauges that the test is done on, by the names of their copies."""
+        found = {
+            GAUGE: self.gauges().known.get(self.state.gauge),
+            BAR: self.bars().known.get(self.state.bar),
+        }
+        return {name: entry for name, entry in found.items() if entry is not None}
+
+    def artefacts(self) -> Mapping[str, AnyGauge]:
+        """What the test is done on by the names of the gauges' files, the session's own copies once
+        it was confirmed: a sphere, a plate or a standard; of a contact test a sphere, a bar, or
+        both."""
+        state = self.state
+        found = {state.gauge: self.gauge() or self.standard(), state.bar: self.bar()}
+        return {name: artefact for name, artefact in found.items() if name and artefact}
+
+    def gauge(self) -> GaugeFile | None:
+        """The sphere, or the plate."""
+        found = self.datasheets()[0]
+        return found if isinstance(found, GaugeFile) else None
+
+    def standard(self) -> LengthStandardFile | None:
+        """The standard of a length test, with the lengths that are measured."""
+        found = self.datasheets()[0]
+        return choose_lengths(found) if isinstance(found, LengthStandardFile) else None
+
+    def bar(self) -> LengthStandardFile | None:
+        """Of a contact test; None if it is done without one, or if it cannot be read."""
+        state = self.state
+        if state.test != "contact" or not state.bar:
+            return None
+        if state.step == "artefact" or state.ended:
+            entry = self.bars().known.get(state.bar)
+            found = None if entry is None else entry.datasheet
+            return found if isinstance(found, LengthStandardFile) else None
+        named = f"{state.session_id}/{state.bar}"
+        if self._bar[0] != named:
+            try:
+                self._bar = (named, read_length_standard(self.folder / BAR))
+            except OperationError:
+                return None
+        return self._bar[1]
+
+    def arm(self) -> AnyArm | None:
+        """The session's own copy, once the sphere was confirmed."""
+        return self.datasheets()[1]
+
+    def problems_of(self, name: str, gauge: AnyGauge, test: Kind) -> tuple[Text, ...]:
+        """Why a gauge cannot serve in this test, or in one that would begin now."""
+        active = self.active()
+        if active is None:
+            return ()
+        if self._calibrated_with[0] != active.id:
+            self._calibrated_with = (active.id, read_calibrated_with(active.file))
+        known = self._calibrated_with[1]
+        if not isinstance(known, CalibratedWith):
+            return (known.text,) if known is not None else ()
+        day = (self.state.started_at if self.running else utc_now())[:10]
+        return tuple(problems_in_test(name, gauge, test, day, known))
+
+    def obstacles_of(self, gauges: Gauges[AnyGauge], test: Kind) -> dict[str, Text]:
+        """Of the gauges that cannot serve in a kind of test, why."""
+        found = {
+            name: self.problems_of(name, entry.datasheet, test)
+            for name, entry in gauges.known.items()
+        }
+        return {name: problems[0] for name, problems in found.items() if problems}
+
+    def usable_of(self, gauges: Gauges[AnyGauge], test: Kind) -> list[str]:
+        """The names of those that can serve."""
+        obstacles = self.obstacles_of(gauges, test)
+        return [name for name in gauges.known if name not in obstacles]

@@ -1,0 +1,1 @@
+"""The scans of a plate in a performance test."""

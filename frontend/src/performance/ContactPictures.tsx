@@ -1,0 +1,21 @@
+import type { ContactPicture } from "../api/wire";
+import styles from "../pages/PerformancePage.module.css";
+import { t } from "../state/language";
+import { GaugeDrawing } from "../verify/GaugeDrawing";
+import { ArticulationList } from "./ArticulationList";
+import { LengthPlaces } from "./LengthPlaces";
+
+/** Where seats or bar stand, or the sphere, and what each measurement has shown. */
+export function ContactPictures({ contact, step }: { contact: ContactPicture; step: string }) {
+  return (
+    <div className={styles.step}>
+      <div className={styles.drawings}>
+        {contact.places.length > 0 ? <LengthPlaces {...contact} alone /> : <GaugeDrawing shape="sphere" touching />}
+      </div>
+      <ArticulationList
+        label={t(step === "bar" ? "ui-placements" : step === "seats" ? "ui-seats" : "ui-measurements")}
+        lines={contact.lines}
+      />
+    </div>
+  );
+}

@@ -1,0 +1,197 @@
+"""The guided contact test without a station: its order, what a touch counts for, what is named."""
+
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+import pytest
+from scipy.spatial.transform import Rotation
+
+from app.errors import OperationError
+from app.formats.datasheets.gauge import GaugeFile
+from app.formats.datasheets.length_standard import LengthPart, LengthStandardFile
+from app.guide.common.guided_session import NO_PROVENANCE
+from app.guide.performance.contact.picture import contact_findings, contact_lines
+from app.guide.performance.contact.sequence import FEATURES, TOUCHES_EACH, next_feature, touches_of
+from app.guide.performance.contact.so_far import measure_contact_so_far
+from app.guide.performance.contact.touches import check_contact, least_turn_deg
+from app.guide.performance.plan import build_plan, quantities_of
+from app.guide.performance.state import PerformanceState, apply_row
+from app.metrology.arm.kinematics import Arm, RobotArm, Tip
+from app.metrology.decision import SIMPLE
+from app.metrology.performance.pattern import pattern_directions
+from app.metrology.transforms import Floats
+from app.workflows.performance.contact_test import contact_features
+
+ROBOT = RobotArm("Robot", "R-1", Tip(0.0, 0.0, 0.0, 4.0))
+SPHERE = GaugeFile(shape="sphere", radius_mm=12.5, standard_uncertainty_um=0.4)
+BAR = LengthStandardFile(
+    name="Bar",
+    sphere_diameter_mm=20.0,
+    lengths=(LengthPart(length_mm=300.0, standard_uncertainty_um=0.5),),
+)
+PLACES = pattern_directions(np.array([0.0, 0.0, 1.0]))[[0, 5, 7, 9, 11, 18, 20, 22, 24]]
+CENTRE = np.array([500.0, 0.0, 200.0])
+
+
+@dataclass(frozen=True)
+class Row:
+    kind: str
+    payload: dict[str, Any] = field(default_factory=dict)
+    number: int = 1
+    session_id: str = "t"
+    at: str = "2026-11-27T10:00:00Z"
+
+
+def begun(gauge: str = "sphere", bar: str = "bar") -> PerformanceState:
+    started = {
+        "test": "contact",
+        "calibration_id": "c",
+        "gauge": gauge,
+        "bar": bar,
+        "positions": 1,
+        "limits": {},
+    }
+    state = apply_row(PerformanceState(), Row("started", started))
+    return apply_row(state, Row("step_confirmed"))
+
+
+def reading(tip_mm: Floats, turn_deg: float = 0.0) -> Floats:
+    """Of an arm that reports poses, turned about the vertical."""
+    return np.array([*tip_mm, *Rotation.from_euler("z", turn_deg, degrees=True).as_quat()])
+
+
+def touched(state: PerformanceState, of_arm: Floats) -> PerformanceState:
+    row = {"feature": state.feature, "place": 0, "reading": of_arm.tolist()}
+    return apply_row(state, Row("touched", row))
+
+
+def confirmed(state: PerformanceState) -> PerformanceState:
+    return apply_row(state, Row("step_confirmed"))
+
+
+def on_sphere(state: PerformanceState, count: int) -> PerformanceState:
+    for place in PLACES[:count]:
+        state = touched(state, reading(CENTRE + 14.5 * place))
+    return state
+
+
+def refusal(state: PerformanceState, of_arm: Floats) -> str:
+    with pytest.raises(OperationError) as refused:
+        check_contact(state, SPHERE, BAR, ROBOT, of_arm)
+    return refused.value.code
+
+
+def test_the_order_has_every_group_that_the_evaluation_knows() -> None:
+    assert [name for step in FEATURES for name in FEATURES[step]] == contact_features()
+    assert [touches_of(step) for step in FEATURES] == [27, 30, 160]
+    assert next_feature("seats", 30) == ""
+    assert next_feature("bar", 159) == "b20-1"
+
+
+def test_a_step_ends_only_with_all_its_touches() -> None:
+    state = on_sphere(begun(), 9)
+    assert state.feature == "d2"
+    assert len(state.of_step) == 9
+    assert [state.step, confirmed(state).step] == ["diameter", "seats"]
+
+
+@pytest.mark.parametrize(
+    ("gauge", "bar", "steps"),
+    [
+        ("sphere", "bar", ["diameter", "seats", "bar"]),
+        ("", "bar", ["seats", "bar"]),
+        ("sphere", "", ["diameter", "seats"]),
+    ],
+)
+def test_what_an_artefact_is_for_is_left_out_without_it(
+    gauge: str, bar: str, steps: list[str]
+) -> None:
+    state, found = begun(gauge, bar), []
+    while state.step != "temperatures":
+        found.append(state.step)
+        state = confirmed(state)
+    assert found == steps
+    measured = quantities_of(state, None)
+    assert ("effective-diameter" in measured) == bool(gauge)
+    assert ("volumetric-two-rms" in measured) == bool(bar)
+
+
+def test_the_plan_is_one_of_the_standard_with_both_artefacts() -> None:
+    plan = build_plan(begun(), SPHERE, NO_PROVENANCE, SIMPLE, bar=BAR)
+    assert (plan.kind, plan.edition, plan.length) == ("contact", "B89.4.22", BAR)
+    assert plan.sphere is not None
+    assert plan.sphere.diameter_mm == 25.0
+    without = build_plan(begun(gauge=""), None, NO_PROVENANCE, SIMPLE, bar=BAR)
+    assert without.sphere is None
+
+
+def test_touches_on_the_sphere_are_apart_and_on_it() -> None:
+    state = on_sphere(begun(), 5)
+    assert check_contact(state, SPHERE, BAR, ROBOT, reading(CENTRE + 14.5 * PLACES[5])) == 5
+    assert refusal(state, reading(CENTRE + 14.5 * PLACES[1])) == "same-place"
+    assert refusal(state, reading(CENTRE + 20.0 * PLACES[6])) == "off-the-sphere"
+    two = on_sphere(begun(), 2)
+    assert refusal(two, reading(CENTRE + np.array([60.0, 0, 0]))) == "off-the-sphere"
+
+
+def test_the_arm_is_articulated_in_a_seat_and_the_tip_stays_in_it() -> None:
+    state = touched(begun(gauge=""), reading(CENTRE))
+    assert check_contact(state, None, BAR, ROBOT, reading(CENTRE + 0.05, 20.0)) == 1
+    assert refusal(state, reading(CENTRE + 0.05, 4.0)) == "same-posture"
+    assert refusal(state, reading(CENTRE + 5.0, 20.0)) == "off-the-seat"
+
+
+def test_the_next_seat_is_another_one() -> None:
+    state = begun(gauge="")
+    for number in range(10):
+        state = touched(state, reading(CENTRE, 20.0 * number))
+    assert state.feature == "s2"
+    assert refusal(state, reading(CENTRE + 1.0, 5.0)) == "same-seat"
+    assert check_contact(state, None, BAR, ROBOT, reading(CENTRE + 100.0)) == 0
+
+
+def test_joints_tell_how_much_an_arm_was_turned(arm: Arm) -> None:
+    earlier = np.zeros((2, arm.joint_count))
+    earlier[1, 2] = 0.5
+    now = np.zeros(arm.joint_count)
+    now[2] = 0.4
+    assert least_turn_deg(arm, earlier, now) == pytest.approx(np.degrees(0.1))
+
+
+def on_bar(state: PerformanceState, length_mm: float) -> PerformanceState:
+    for end in (0.0, length_mm):
+        for place in PLACES[[0, 5, 6, 7]]:
+            state = touched(state, reading(CENTRE + [end, 0, 0] + 12.0 * place))
+    return state
+
+
+def test_a_placement_is_compared_with_the_nearest_length() -> None:
+    state = confirmed(begun(gauge=""))
+    first = on_bar(state, 300.02)
+    so_far = measure_contact_so_far(first, None, BAR, ROBOT)
+    (found,) = so_far.lengths
+    assert found.error_um == pytest.approx(20.0, abs=0.5)
+    lines = contact_lines(first, so_far)
+    assert [line.state for line in lines[:3]] == ["done", "now", "todo"]
+    assert "300.020 mm" in str(lines[0].text)
+
+
+def test_another_length_is_refused() -> None:
+    state = confirmed(begun(gauge=""))
+    for place in PLACES[[0, 5, 6, 7]]:
+        state = touched(state, reading(CENTRE + 12.0 * place))
+    assert state.feature == "b1-1"
+    far = CENTRE + [330.0, 0, 0] + 12.0 * PLACES[0]
+    assert refusal(state, reading(far)) == "another-length"
+
+
+def test_seats_that_are_not_near_and_far_enough_are_named(arm: Arm) -> None:
+    state = begun(gauge="")
+    rows = np.random.default_rng(1).normal(0, 0.2, (TOUCHES_EACH["seats"], arm.joint_count))
+    for row in rows:
+        state = touched(state, row)
+    so_far = measure_contact_so_far(state, None, BAR, arm)
+    assert so_far.seats[0].share > 0.3
+    (finding,) = contact_findings(state, so_far)
+    assert "asks for at most 20 %" in str(finding.text)
