@@ -1,5 +1,3 @@
-import { useEffect, useRef } from "react";
-
 import type { ArticulationLine } from "../api/wire";
 import type { PlainId } from "../messages/text";
 import { PressButton } from "../parts/PressButton";
@@ -30,14 +28,8 @@ interface Line extends ArticulationLine {
 
 /** The five articulations of a step, the seven places, or the scans in one: what is done, and what each has shown. */
 export function ArticulationList({ label, done = "ui-done", lines, onRepeat }: ArticulationListProps) {
-  const list = useRef<HTMLOListElement>(null);
-  const now = lines.find(({ state }) => state === "now")?.number;
-  // biome-ignore lint/correctness/useExhaustiveDependencies: what comes next is brought into view
-  useEffect(() => {
-    list.current?.querySelector("[data-state=now]")?.scrollIntoView({ block: "nearest" });
-  }, [now]);
   return (
-    <ol ref={list} className={styles.list} aria-label={label}>
+    <ol className={styles.list} aria-label={label}>
       {lines.map(({ number, title, state, text, repeatable = state === "done" }) => (
         <li key={`${number} ${title}`} className={styles.row} data-state={state}>
           <span className={styles.number}>{number}</span>

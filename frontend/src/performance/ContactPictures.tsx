@@ -1,4 +1,4 @@
-import type { ContactPicture } from "../api/wire";
+import type { ArticulationLine, ContactPicture } from "../api/wire";
 import styles from "../pages/PerformancePage.module.css";
 import { t } from "../state/language";
 import { GaugeDrawing } from "../verify/GaugeDrawing";
@@ -14,8 +14,14 @@ export function ContactPictures({ contact, step }: { contact: ContactPicture; st
       </div>
       <ArticulationList
         label={t(step === "bar" ? "ui-placements" : step === "seats" ? "ui-seats" : "ui-measurements")}
-        lines={contact.lines}
+        lines={step === "bar" ? newestFirst(contact.lines) : contact.lines}
       />
     </div>
   );
+}
+
+/** What is touched now, then what was touched last, then what is to do: the first are in sight below the drawing. */
+function newestFirst(lines: ArticulationLine[]) {
+  const inState = (wanted: ArticulationLine["state"]) => lines.filter(({ state }) => state === wanted);
+  return [...inState("now"), ...inState("done").reverse(), ...inState("todo")];
 }
