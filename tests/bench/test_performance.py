@@ -2,6 +2,7 @@
 
 import pytest
 
+from app.bench.metrology.claimed_plane_and_contact import plane_and_contact_rows
 from app.bench.metrology.claimed_uncertainty import coverage_rows
 from app.bench.metrology.performance import run, table
 
@@ -30,3 +31,16 @@ def test_the_uncertainty_of_every_figure_is_that_of_the_artefact() -> None:
         "length-touch",
     ):
         assert 0.55 < ratios[figure] < 1.8, figure
+
+
+def test_so_is_that_of_plane_lengths_by_scan_and_contact() -> None:
+    ratios = {row.figure: row.ratio for row in plane_and_contact_rows(24)}
+    assert set(ratios) == {
+        "plane-scan",
+        "length-scan",
+        "effective-diameter",
+        "volumetric-largest",
+        "volumetric-two-rms",
+    }
+    for figure, ratio in ratios.items():
+        assert 0.55 < ratio < 1.8, figure

@@ -93,7 +93,7 @@ def coverage_rows(tests: int, progress: Progress = no_progress) -> list[ClaimedR
             off[of].append(1e3 * (found.values_mm[of] - perfect.values_mm[of]))
             effect_um = found.form_effects_um.get(of)
             stated[of].append(sphere_uncertainty_um(of, certificate, moved_um, effect_um))
-    rows = [ClaimedRow(of, _rms(stated[of]) / _rms(off[of])) for of in SPHERE_QUANTITIES]
+    rows = [ClaimedRow(of, rms(stated[of]) / rms(off[of])) for of in SPHERE_QUANTITIES]
     return [*rows, _length_row(tests, random)]
 
 
@@ -189,8 +189,9 @@ def _length_row(tests: int, random: np.random.Generator) -> ClaimedRow:
         one = MeasuredLength(1, 1, LENGTH, length_mm, artefact)
         off.append(one.error_um)
         stated.append(one.test_uncertainty_um)
-    return ClaimedRow("length-touch", _rms(stated) / _rms(off))
+    return ClaimedRow("length-touch", rms(stated) / rms(off))
 
 
-def _rms(values: list[float]) -> float:
+def rms(values: list[float]) -> float:
+    """Root of the mean square."""
     return float(np.sqrt(np.mean(np.square(values))))

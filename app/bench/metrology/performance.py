@@ -8,6 +8,7 @@ from pathlib import Path
 import numpy as np
 from scipy.spatial.transform import Rotation
 
+from app.bench.metrology.claimed_plane_and_contact import plane_and_contact_rows
 from app.bench.metrology.claimed_uncertainty import coverage_rows
 from app.bench.metrology.synthetic_sphere import Faults, SphereSession
 from app.formats.performance.results import PerformanceFile
@@ -50,7 +51,7 @@ def run(draws: int, tests: int = 0, progress: Progress = no_progress) -> list[Pe
         rows += fault_rows(Path(folder))
     progress(0.9, "stated against true")
     rows += uncertainty_rows(min(draws, 1000))
-    claimed = coverage_rows(tests) if tests else []
+    claimed = [*coverage_rows(tests), *plane_and_contact_rows(tests)] if tests else []
     return [
         *rows,
         *(PerformanceRow(f"{one.figure}, stated / observed", 1.0, one.ratio) for one in claimed),

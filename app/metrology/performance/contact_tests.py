@@ -1,6 +1,6 @@
 """Contact tests of articulated arms after ASME B89.4.22: diameter, articulation, volume."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -97,24 +97,43 @@ def volumetric_length(deviations_um: Sequence[float]) -> VolumetricLength:
         ASME B89.4.22-2004: twenty placements of a ball bar.
     """
     values = np.asarray(deviations_um, dtype=np.float64)
-    largest_um = float(np.max(np.abs(values)))
-    return VolumetricLength(tuple(values.tolist()), largest_um, _two_rms(values))
+    return VolumetricLength(tuple(values.tolist()), _largest(values), _two_rms(values))
 
 
-def two_rms_uncertainty_um(deviations_um: Floats, sds_um: Floats) -> float:
-    """Test value uncertainty of 2 RMS, k = 1.
+def volumetric_uncertainty_um(
+    deviations_um: Floats, certificate_sds_um: Floats, form_sds_um: Floats
+) -> tuple[float, float]:
+    """Test value uncertainties of the largest deviation and of 2 RMS, k = 1.
+
+    It is the same bar in every placement: what its certificate and temperature are off by shifts
+    all deviations together, one way or the other. What the form of its spheres makes of a length is
+    another in each placement.
 
     Args:
         deviations_um: (N,) of the placements.
-        sds_um: (N,) standard uncertainties of the certified lengths at their temperature. It is
-            the same bar in every placement: all of them are off together.
+        certificate_sds_um, form_sds_um: (N,) standard uncertainties of the certified lengths at
+            their temperature, and by the form.
 
     Example:
-        >>> two_rms_uncertainty_um(np.array([3.0, 3.0]), np.array([0.5, 0.5]))
-        1.0
+        >>> volumetric_uncertainty_um(np.array([3.0, 3.0]), np.array([0.5, 0.5]), np.zeros(2))
+        (0.5, 1.0)
     """
-    changed_um = [_two_rms(deviations_um + sign * sds_um) for sign in (-1, 1)]
-    return max(abs(one - _two_rms(deviations_um)) for one in changed_um)
+    shifted = [deviations_um + sign * certificate_sds_um for sign in (-1, 1)]
+    count, largest_at = len(deviations_um), int(np.argmax(np.abs(deviations_um)))
+
+    def of_shift(figure: Callable[[Floats], float]) -> float:
+        changes = [figure(one) - figure(deviations_um) for one in shifted]
+        return float(np.sqrt(np.mean(np.square(changes))))
+
+    by_form = 2 * float(np.sqrt(np.mean(form_sds_um**2) / count))
+    return (
+        float(np.hypot(of_shift(_largest), form_sds_um[largest_at])),
+        float(np.hypot(of_shift(_two_rms), by_form)),
+    )
+
+
+def _largest(values: Floats) -> float:
+    return float(np.max(np.abs(values)))
 
 
 def _two_rms(values: Floats) -> float:

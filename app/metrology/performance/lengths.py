@@ -59,11 +59,21 @@ class MeasuredLength:
     @property
     def test_uncertainty_um(self) -> float:
         """Test value uncertainty, k = 1: of the certificate and the temperature with its
-        change during the test, not the arm's.
+        change during the test, and what the form of the spheres makes of it; not the arm's."""
+        return float(np.hypot(self.certificate_uncertainty_um, self.form_uncertainty_um))
+
+    @property
+    def form_uncertainty_um(self) -> float:
+        """What the form of the spheres makes of the distance of their centres, k = 1: another
+        one in each placement."""
+        return LENGTH_BY_FORM[self.by] * self.nominal.sphere_form_um
+
+    @property
+    def certificate_uncertainty_um(self) -> float:
+        """Of the certificate and the temperature, k = 1: the same in every placement.
 
         Source:
-            ISO/TS 23165: u² = u_cal² + (L ΔT u_α)² + (L α u_T)², and what the form of the spheres
-            makes of the distance of their centres.
+            ISO/TS 23165: u² = u_cal² + (L ΔT u_α)² + (L α u_T)².
         """
         nominal = self.nominal
         off_c = 0.0 if self.artefact is None else self.artefact.off_c
@@ -74,7 +84,6 @@ class MeasuredLength:
                 nominal.standard_uncertainty_um**2
                 + (length_um * off_c * nominal.expansion_sd_per_c) ** 2
                 + (length_um * nominal.expansion_per_c * sd_c) ** 2
-                + (LENGTH_BY_FORM[self.by] * nominal.sphere_form_um) ** 2
             )
         )
 

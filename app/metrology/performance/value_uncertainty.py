@@ -3,7 +3,7 @@
 ISO 14253-5 keeps the two apart: what the arm or scanner scatters is what the test measures.
 """
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 from typing import Literal
 
@@ -14,6 +14,8 @@ from app.metrology.transforms import Floats
 DIAMETER_BY_FORM = 2 * 0.33 / (2 * np.sqrt(2.0))
 """What a lobed form of 1 µm makes of a diameter: its deviations have the standard deviation
 ``F / (2 sqrt(2))``, and the radius through 25 places 0.33 of that of a point."""
+DIAMETER_BY_FORM_OF_NINE = 0.39
+"""The same through nine places: the pole, four at 45° and four at the rim. Simulated."""
 CENTRES_BY_FORM = {"touch": 0.7, "scan": 0.48, "both": 0.35}
 """What a form of 1 µm makes of the distance of centres by five touches, or by the patches that a
 scan shows. Measured on simulated spheres with 5 to 8 lobes: ``crenel bench performance``."""
@@ -24,6 +26,8 @@ FORM_BY_DRIFT = 0.25
 """The same of the form of touches and scans together."""
 LOBES = (5, 9)
 """Of the form of a ground sphere, around any axis: from the first to before the second."""
+WAVES = (0.5, 1.5)
+"""Of the form of a plate, in periods over its width."""
 DRAWS, DRAWS_OF_FEW = 100, 300
 FEW_POINTS = 1000
 MOST_POINTS = 50_000
@@ -42,6 +46,14 @@ class SphereCertificate:
     expansion_sd_per_c: float = 0.0
 
 
+@dataclass(frozen=True)
+class PlateCertificate:
+    """A plate by its certificate; standard uncertainty, k = 1."""
+
+    flatness_um: float
+    flatness_sd_um: float = 0.0
+
+
 def form_uncertainty_um(sphere: SphereCertificate) -> float:
     """Of form and dispersion, k = 1: ``u² = (F/2)² + u_F²``.
 
@@ -52,15 +64,19 @@ def form_uncertainty_um(sphere: SphereCertificate) -> float:
 
 
 def size_uncertainty_um(
-    sphere: SphereCertificate, temperature_sd_c: float = 0.0, off_c: float = 0.0
+    sphere: SphereCertificate,
+    temperature_sd_c: float = 0.0,
+    off_c: float = 0.0,
+    diameter_by_form: float = DIAMETER_BY_FORM,
 ) -> float:
     """Of size, k = 1: the diameter's, the form's over 25 places, the temperature's, and that of
     the coefficient of expansion.
 
     Args:
         off_c: temperature of the sphere minus 20 °C.
+        diameter_by_form: what a form of 1 µm makes of the diameter, by the places.
     """
-    by_form = DIAMETER_BY_FORM * sphere.form_um
+    by_form = diameter_by_form * sphere.form_um
     by_heat = 1e3 * sphere.diameter_mm * sphere.expansion_per_c * temperature_sd_c
     by_coefficient = 1e3 * sphere.diameter_mm * sphere.expansion_sd_per_c * off_c
     squares = sphere.diameter_sd_um**2 + by_form**2 + by_heat**2 + by_coefficient**2
@@ -131,8 +147,8 @@ def form_effect_um(
 
     Lobed forms with the certificate's size, from 5 to 8 lobes about any axis, are added to the
     points, and the drift is taken off them; what a least-squares sphere takes of these is left
-    out. Where the figure is hardly larger than the certified form, it may be that form; the share
-    that it has in the square of the figure counts, too.
+    out. Where the figure is hardly larger than the certified form, it may be that form: then the
+    share that it has in the square of the figure counts, too.
 
     Args:
         points_mm: (N, 3) on the sphere, N > 4.
@@ -147,17 +163,77 @@ def form_effect_um(
     away = points_mm[::step] - centre_mm
     distance = np.linalg.norm(away, axis=1)
     outward, off_mm = away / distance[:, None], distance - distance.mean()
-    fitted, _ = np.linalg.qr(np.column_stack([outward, np.ones(len(outward))]))
+    drift_mm = None if drift is None else -drift.when[::step] * (outward @ drift.moved_mm)
+    fitted = np.column_stack([outward, np.ones(len(outward))])
+    forms_mm = _draw_forms_mm(sphere, outward)
+    return _effect_um(off_mm, fitted, sphere.form_um, forms_mm, figure, drift_mm)
+
+
+def plane_effect_um(
+    plate: PlateCertificate, points_mm: Floats, figure: Callable[[Floats], float]
+) -> float:
+    """Test value uncertainty of a figure of the form of a plane, k = 1: what a plate that its
+    certificate allows changes in it.
+
+    Bowls, saddles, bends and waves with the certificate's flatness are added to the points, as of
+    ``form_effect_um``.
+
+    Args:
+        points_mm: (N, 3) on the plate, N > 3.
+        figure: of the points' distances from their plane, (N,) in mm; returns mm.
+    """
+    step = -(-len(points_mm) // MOST_POINTS)
+    away = points_mm[::step] - points_mm.mean(axis=0)
+    _, _, axes = np.linalg.svd(away, full_matrices=False)
+    flat, off_mm = away @ axes[:2].T, away @ axes[2]
+    at = 2 * (flat - flat.min(axis=0)) / np.ptp(flat, axis=0) - 1
+    fitted = np.column_stack([at, np.ones(len(at))])
+    random = np.random.default_rng(0)
+    forms_mm = (
+        1e-3
+        * (plate.flatness_um + plate.flatness_sd_um * random.normal())
+        * draw_plate_form(at, random)
+        for _ in range(DRAWS)
+    )
+    return _effect_um(off_mm, fitted, plate.flatness_um, forms_mm, figure)
+
+
+def draw_plate_form(at: Floats, random: np.random.Generator) -> Floats:
+    """Deviations (N,) of a plate with a flatness of 1 at places (N, 2) from -1 to 1: a bowl, a
+    saddle or a bend, or waves, in any direction."""
+    turn = random.uniform(0, np.pi)
+    u = np.cos(turn) * at[:, 0] + np.sin(turn) * at[:, 1]
+    v = np.cos(turn) * at[:, 1] - np.sin(turn) * at[:, 0]
+    if random.random() < 0.5:
+        off = u**2 + random.uniform(-1, 1) * v**2
+    else:
+        off = np.sin(np.pi * random.uniform(*WAVES) * u + random.uniform(0, 2 * np.pi))
+    system = np.column_stack([at, np.ones(len(at))])
+    off = off - system @ np.linalg.lstsq(system, off, rcond=None)[0]
+    return np.asarray(off / np.ptp(off))
+
+
+def _effect_um(
+    off_mm: Floats,
+    system: Floats,
+    certified_um: float,
+    forms_mm: Iterable[Floats],
+    figure: Callable[[Floats], float],
+    drift_mm: Floats | None = None,
+) -> float:
+    """What forms (N,) and a drift (N,) change in a figure of deviations (N,), k = 1; what the
+    columns of the system (N, m) take of them in a fit is left out."""
+    fitted, _ = np.linalg.qr(system)
 
     def changed_um(added_mm: Floats) -> float:
         return 1e3 * figure(off_mm + added_mm - fitted @ (fitted.T @ added_mm)) - found_um
 
     found_um = 1e3 * figure(off_mm)
-    by_form = [changed_um(form_mm) for form_mm in _draw_forms_mm(sphere, outward)]
-    share = found_um - np.sqrt(max(found_um**2 - sphere.form_um**2, 0.0))
-    by_drift = 0.0
-    if drift is not None:
-        by_drift = changed_um(-drift.when[::step] * (outward @ drift.moved_mm))
+    by_form = [changed_um(form_mm) for form_mm in forms_mm]
+    # the nearer the figure is to the certified form, the less of it do further forms change
+    share = found_um - np.sqrt(max(found_um**2 - certified_um**2, 0.0))
+    share *= min(certified_um / max(found_um, 1e-9), 1.0)
+    by_drift = 0.0 if drift_mm is None else changed_um(drift_mm)
     return float(np.sqrt(np.mean(np.square(by_form)) + share**2 + by_drift**2))
 
 

@@ -15,14 +15,17 @@ from app.metrology.performance.contact_tests import (
     SPHERES,
     effective_diameter,
     seat_articulation,
-    two_rms_uncertainty_um,
     volumetric_length,
+    volumetric_uncertainty_um,
 )
 from app.metrology.performance.length_places import SEAT_SHARES, arm_reach, reach_share
 from app.metrology.performance.lengths import MeasuredLength, length_of_bar_mm
 from app.metrology.performance.sphere import sphere_centre
 from app.metrology.performance.temperature import MeanTemperature
-from app.metrology.performance.value_uncertainty import size_uncertainty_um
+from app.metrology.performance.value_uncertainty import (
+    DIAMETER_BY_FORM_OF_NINE,
+    size_uncertainty_um,
+)
 from app.metrology.transforms import Floats
 from app.workflows.performance.artefact_checks import problems_of_artefact
 from app.workflows.performance.judge import Measured, refuse
@@ -129,7 +132,7 @@ def _measure_diameter(data: MeasuredData) -> Measured:
     off_c, sd_c = data.off_20_c
     growth = 1 + sphere.expansion_per_c * off_c
     found = effective_diameter(groups, tip_of(data.arm).diameter_mm, sphere.diameter_mm, growth)
-    sd_um = size_uncertainty_um(sphere_certificate(sphere), sd_c, off_c)
+    sd_um = size_uncertainty_um(sphere_certificate(sphere), sd_c, off_c, DIAMETER_BY_FORM_OF_NINE)
     mean, each = found.mean_error_um, found.errors_um
     return Measured("effective-diameter", mean, each, sd_um, "", tuple(names))
 
@@ -167,10 +170,12 @@ def _measure_volume(data: MeasuredData) -> list[Measured]:
     if len(lengths) < PLACEMENTS:
         return _without_volume(message("bar-not-placed", count=len(lengths), needed=PLACEMENTS))
     deviations_um = np.array([one.error_um for one in lengths])
-    sds_um = np.array([one.test_uncertainty_um for one in lengths])
     found = volumetric_length(deviations_um.tolist())
-    of_largest_um = float(sds_um[np.argmax(np.abs(deviations_um))])
-    of_rms_um = two_rms_uncertainty_um(deviations_um, sds_um)
+    of_largest_um, of_rms_um = volumetric_uncertainty_um(
+        deviations_um,
+        np.array([one.certificate_uncertainty_um for one in lengths]),
+        np.array([one.form_uncertainty_um for one in lengths]),
+    )
     largest_um, each = found.largest_um, found.deviations_um
     return [
         Measured("volumetric-largest", largest_um, each, of_largest_um, "", tuple(names)),

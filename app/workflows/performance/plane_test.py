@@ -8,10 +8,11 @@ from numpy.typing import NDArray
 from scipy.spatial import ConvexHull
 
 from app.errors import OperationError
-from app.formats.performance.plan import ORIENTATIONS, plane_scan
+from app.formats.performance.plan import ORIENTATIONS, PlatePart, plane_scan
 from app.messages.message import Text, message, quantity
 from app.metrology.performance.plane import least_squares_plane
-from app.metrology.performance.value_uncertainty import plane_uncertainty_um
+from app.metrology.performance.sphere import dispersion_mm
+from app.metrology.performance.value_uncertainty import PlateCertificate, plane_effect_um
 from app.metrology.transforms import Floats, vector_from_rotation
 from app.workflows.performance.artefact_checks import LEAST_WIDTH_MM
 from app.workflows.performance.judge import Measured
@@ -50,10 +51,14 @@ class ScannedPlate:
     points: int
     outside: int
     """Points that are not the plate's."""
+    uncertainty_um: float
+    """Test value uncertainty of the dispersion, k = 1."""
     R_arm_sensor: Floats  # (3, 3), as of ``ScanCloud``
 
 
-def measure_plate_scan(cloud: ScanCloud, shell_mm: float) -> ScannedPlate:
+def measure_plate_scan(
+    cloud: ScanCloud, shell_mm: float, certificate: PlateCertificate
+) -> ScannedPlate:
     """Measures a scan of the plate by all points over it.
 
     Raises:
@@ -83,8 +88,14 @@ def measure_plate_scan(cloud: ScanCloud, shell_mm: float) -> ScannedPlate:
         width_mm,
         int(kept.sum()),
         int((~kept).sum()),
+        plane_effect_um(certificate, points[kept], dispersion_mm),
         cloud.R_arm_sensor,
     )
+
+
+def plate_certificate(plate: PlatePart) -> PlateCertificate:
+    """What the certificate says of the form."""
+    return PlateCertificate(plate.flatness_um, plate.flatness_sd_um)
 
 
 def turn_between_deg(first: ScannedPlate, second: ScannedPlate) -> float:
@@ -108,15 +119,17 @@ def measure_plane(data: MeasuredData) -> PlaneResult:
     plates: list[ScannedPlate] = []
     for name in scanned:
         try:
-            plates.append(measure_plate_scan(data.scan(name), shell_mm))
+            plates.append(measure_plate_scan(data.scan(name), shell_mm, plate_certificate(plate)))
         except OperationError as error:
             if error.code != "cloud-too-small":
                 raise
             return _no_value(message("titled-text", title=name, text=error.what), scanned)
     values = tuple(one.dispersion_um for one in plates)
     outside = sum(one.outside for one in plates)
-    uncertainty_um = plane_uncertainty_um(plate.flatness_um, plate.flatness_sd_um)
-    measured = Measured("plane-scan", max(values), values, uncertainty_um, "", scanned)
+    worst = max(plates, key=lambda one: one.dispersion_um)
+    measured = Measured(
+        "plane-scan", worst.dispersion_um, values, worst.uncertainty_um, "", scanned
+    )
     gate = message(
         "performance-plane-gate",
         shell=quantity(shell_mm, "mm", 1),

@@ -11,6 +11,7 @@ from app.guide.performance.entries import PlateScan
 from app.guide.performance.state import PerformanceState
 from app.guide.performance.view import ArticulationLine, ArticulationState
 from app.messages.message import Text, join, message, quantity
+from app.metrology.performance.value_uncertainty import PlateCertificate
 from app.workflows.performance.measured_data import ScanCloud
 from app.workflows.performance.plane_test import (
     LEAST_TURN_DEG,
@@ -80,7 +81,7 @@ def plate_findings(state: PerformanceState) -> list[Finding]:
 
 
 def measure_plate(
-    cloud: ScanCloud, shell_mm: float, other: ScannedPlate | None
+    cloud: ScanCloud, shell_mm: float, certificate: PlateCertificate, other: ScannedPlate | None
 ) -> Mapping[str, object]:
     """What a scan of the plate shows, as its row has it.
 
@@ -90,7 +91,7 @@ def measure_plate(
     Raises:
         OperationError: it shows too little of the plate, or the sensor was held as in the other.
     """
-    found = measure_plate_scan(cloud, shell_mm)
+    found = measure_plate_scan(cloud, shell_mm, certificate)
     turn_deg = None if other is None else turn_between_deg(other, found)
     if turn_deg is not None and turn_deg < LEAST_TURN_DEG:
         raise OperationError(
