@@ -1,1 +1,1 @@
-"""The guided performance test: one sphere, touched and scanned."""
+"""The guided performance tests: one sphere, lengths, a plane, and the contact tests."""
