@@ -8,7 +8,7 @@ from starlette.status import HTTP_202_ACCEPTED
 
 from app.api.lookups import find_calibration, find_scan, send_file
 from app.api.problems import NotFoundError
-from app.archive.records import is_in_archive_only
+from app.archive.records import is_in_archive_only, is_without_its_cloud
 from app.errors import OperationError
 from app.messages.message import message
 from app.operations.context import TheContext
@@ -63,6 +63,8 @@ def cloud(scan_id: str, context: TheContext) -> Response:
     scan = find_scan(context, scan_id)
     if is_in_archive_only(context.store.folder, "scans", scan.folder.name):
         raise NotFoundError(message("archive-fetch-record", kind="scans", id=scan.folder.name))
+    if is_without_its_cloud(context.store.folder, scan.folder.name):
+        raise NotFoundError(context.recovery.scan_note(scan))
     return _download(scan.folder / "cloud.ply", "application/octet-stream", f"{scan.id}.ply")
 
 

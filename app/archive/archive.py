@@ -13,7 +13,8 @@ from app.archive.archive_settings import ArchiveSettings
 from app.archive.manifest import ArchiveNote, Kind, Manifest
 from app.archive.notes import NOTES, archive_lock, read_note, write_note
 from app.archive.pace import Pace
-from app.archive.planning import Retention, StationRecord, plan_copies, plan_removals
+from app.archive.planning import CLOUD, Retention, StationRecord, plan_copies, plan_removals
+from app.archive.rebuilt_clouds import has_calibrations, leave_cloud_out
 from app.archive.records import RecordLists, list_away, list_records, stamps_in
 from app.archive.remote_store import RemoteStore, open_store
 from app.archive.store_errors import DamagedCopyError, SourceError, store_error
@@ -106,7 +107,8 @@ class Archive:
             for record in waiting:
                 progress(done / max(total, 1), record.id)
                 try:
-                    write_note(self.data, archive_record(record, self.store, self.pace))
+                    taken = leave_cloud_out(record, self.data, self.pace)
+                    write_note(self.data, archive_record(taken, self.store, self.pace))
                     copied += 1
                 except (SourceError, DamagedCopyError) as error:
                     log.warning("%s is not archived yet: %s", record.id, error.line)
@@ -221,6 +223,9 @@ class Archive:
         """Removes a record from the station's disk, after reading it in the archive once more."""
         note = record.note
         assert note is not None
+        needs_cloud = record.is_cloud_left_out and (record.folder / CLOUD).exists()
+        if needs_cloud and not has_calibrations(record, self.data):
+            return  # it could not be made again
         if find_difference(note, self.store, self.pace) is not None:
             # without its note, it is copied again
             (self.data / NOTES / record.kind / f"{record.id}.json").unlink()

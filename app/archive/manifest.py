@@ -72,6 +72,8 @@ class Manifest(Document):
     """Of a scan, what the operator calls it; None in older manifests and of other records."""
     calibration_id: str | None = None
     """Of a scan, the calibration in use; None as for ``label``."""
+    points: Annotated[int, Field(ge=0, le=MOST_BYTES)] | None = None
+    """Of a scan, in its cloud, which is made again when it is needed; None as for ``label``."""
     files: tuple[ArchivedFile, ...]
 
     @property

@@ -8,6 +8,8 @@ from pathlib import Path
 from app.archive.manifest import ArchiveNote, Kind
 from app.timestamps import is_moment, parse_moment
 
+CLOUD = "cloud.ply"
+"""Of a scan; the archive leaves it out where it can be made again."""
 LEAST_KEPT = timedelta(days=1)
 """Nothing leaves the station's disk earlier, however full that is."""
 
@@ -41,6 +43,10 @@ class StationRecord:
     """Of a scan, its name in the list of scans."""
     calibration_id: str | None = None
     """Of a scan, by the list of scans: recordings of earlier versions do not state it."""
+    points: int | None = None
+    """Of a scan with a cloud."""
+    left_out: frozenset[str] = frozenset()
+    """Files that are not copied: they are made again from the others."""
 
     @property
     def size_bytes(self) -> int:
@@ -48,12 +54,30 @@ class StationRecord:
         return sum(stamp.bytes for stamp in self.stamps)
 
     @property
+    def bytes_without_cloud(self) -> int:
+        """All files together but the cloud."""
+        return sum(stamp.bytes for stamp in self.stamps if stamp.path != CLOUD)
+
+    @property
+    def copied(self) -> tuple[FileStamp, ...]:
+        """The files that the archive takes."""
+        return tuple(stamp for stamp in self.stamps if stamp.path not in self.left_out)
+
+    @property
+    def is_cloud_left_out(self) -> bool:
+        """Whether the archive has no cloud, as it can be made again from the recording there."""
+        held = () if self.note is None else self.note.files
+        return bool(held) and not any(file.path == CLOUD for file in held)
+
+    @property
     def is_archived(self) -> bool:
-        """Whether the archive has exactly these files, under this name; without their names, as
-        earlier versions wrote them, they stay as they are."""
+        """Whether the archive has exactly these files, perhaps without the cloud, under this name;
+        without their names, as earlier versions wrote them, they stay as they are."""
         if self.note is None or self.note.label not in (None, self.label):
             return False
-        return self.stamps == stamps_of(self.note)
+        left_out = {CLOUD} if self.kind == "scans" and self.is_cloud_left_out else set()
+        here = tuple(stamp for stamp in self.stamps if stamp.path not in left_out)
+        return here == stamps_of(self.note)
 
 
 @dataclass(frozen=True, slots=True)

@@ -10,7 +10,7 @@ from typing import get_args
 
 from app.archive.manifest import ArchiveNote, Kind
 from app.archive.notes import read_note
-from app.archive.planning import FileStamp, StationRecord
+from app.archive.planning import CLOUD, FileStamp, StationRecord
 from app.store.backup import DATABASE, check_data_folder
 from app.store.calibrations import CalibrationStore
 from app.store.database import Database
@@ -21,7 +21,6 @@ from app.timestamps import clamp_ns, moment_of_ns
 
 KINDS: tuple[Kind, ...] = get_args(Kind)
 PART = ".part"
-CLOUD = "cloud.ply"
 CLOUD_WAIT = timedelta(days=1)
 """An interrupted scan without a cloud is archived after this time: the cloud may still come."""
 
@@ -97,6 +96,7 @@ def list_records(data: Path, lists: RecordLists, now: datetime) -> list[StationR
                     note,
                     None if scan is None else str(scan.name),
                     None if scan is None else scan.calibration_id,
+                    scan.points if scan is not None and (folder / CLOUD).exists() else None,
                 )
             )
     return found
@@ -124,6 +124,15 @@ def stamps_in(folder: Path) -> tuple[FileStamp, ...] | None:
 def is_in_archive_only(data: Path, kind: Kind, record_id: str) -> bool:
     """Whether a record has left the station's disk, and the archive has it."""
     return not (data / kind / record_id).exists() and read_note(data, kind, record_id) is not None
+
+
+def is_without_its_cloud(data: Path, scan_id: str) -> bool:
+    """Whether a scan came back from the archive, which keeps no clouds, and has none yet."""
+    folder = data / "scans" / scan_id
+    if (folder / CLOUD).exists() or not folder.exists():
+        return False
+    note = read_note(data, "scans", scan_id)
+    return note is not None and bool(note.fetched_at)
 
 
 def list_away(data: Path) -> list[ArchiveNote]:

@@ -46,10 +46,13 @@ def archive_record(record: StationRecord, store: RemoteStore, pace: Pace) -> Arc
         archived_at=utc_now(),
         label=record.label,
         calibration_id=record.calibration_id,
+        points=record.points,
         files=files,
     )
-    present = read_manifest(store, manifest.folder)
+    present = _find_present(manifest, record, store)
     if present is not None and find_difference(present, store, pace) is None:
+        held = {"content": present.content, "files": present.files}
+        manifest = manifest.model_copy(update=held)
         if present.label == record.label:
             return _note(manifest, present.archived_at)
     else:
@@ -62,6 +65,18 @@ def archive_record(record: StationRecord, store: RemoteStore, pace: Pace) -> Arc
     if b"".join(store.read(f"{manifest.folder}/{MANIFEST}")) != content:
         raise DamagedCopyError(f"{manifest.folder}/{MANIFEST}")
     return _note(manifest, manifest.archived_at)
+
+
+def _find_present(manifest: Manifest, record: StationRecord, store: RemoteStore) -> Manifest | None:
+    """The manifest of the same files in the archive; perhaps with those that are left out now."""
+    present = read_manifest(store, manifest.folder)
+    if present is not None or not record.left_out:
+        return present
+    earlier = newest_manifest(store, record.kind, record.id)
+    if earlier is None:
+        return None
+    others = tuple(file for file in earlier.files if file.path not in record.left_out)
+    return earlier if content_name(others) == manifest.content else None
 
 
 def find_difference(manifest: Manifest, store: RemoteStore, pace: Pace) -> str | None:
@@ -123,12 +138,12 @@ def download_file(
 
 
 def hash_files(record: StationRecord, pace: Pace) -> tuple[ArchivedFile, ...]:
-    """All files of a record with their hashes, by reading them.
+    """The files that the archive takes of a record, with their hashes, by reading them.
 
     Raises:
         SourceError: one cannot be read, or changes.
     """
-    return tuple(_hash_file(record.folder, stamp, pace) for stamp in record.stamps)
+    return tuple(_hash_file(record.folder, stamp, pace) for stamp in record.copied)
 
 
 def _hash_file(folder: Path, stamp: FileStamp, pace: Pace) -> ArchivedFile:

@@ -9,7 +9,7 @@ import time
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
-from app.archive.records import is_in_archive_only
+from app.archive.records import is_in_archive_only, is_without_its_cloud
 from app.errors import OperationError, sentence
 from app.formats.atomic_write import sync_file, sync_folder
 from app.formats.datasheets.arm import read_any_arm
@@ -73,6 +73,8 @@ class Recovery:
         self._errors: dict[str, OperationError] = {}
         self._hashed: dict[tuple[Path, int, str], bool] = {}
         self._not_before_s = 0.0
+        self._scans_changed_ns = 0
+        self._came_back: list[ScanRecord] = []
         self._ending = threading.Event()
         self._thread: threading.Thread | None = None
 
@@ -149,10 +151,26 @@ class Recovery:
         return self._scanner.recording() is not None or self._jobs.current is not None
 
     def _without_cloud(self) -> Iterator[ScanRecord]:
-        for scan in self._store.scans.list_interrupted():
+        """Interrupted scans, and those that came back from the archive, which keeps no clouds."""
+        for scan in (*self._store.scans.list_interrupted(), *self._scans_that_came_back()):
             missing = not (scan.folder / CLOUD).exists() and not self._is_away(scan.folder)
             if scan.id not in self._errors and missing:
                 yield scan
+
+    def _scans_that_came_back(self) -> list[ScanRecord]:
+        """The scans that came back without their clouds; looked for when a scan comes or goes."""
+        try:
+            changed_ns = self._scans.stat().st_mtime_ns
+        except OSError:
+            return []
+        if changed_ns != self._scans_changed_ns:
+            self._scans_changed_ns = changed_ns
+            self._came_back = [one for one in self._store.scans.all() if self._is_fetched(one)]
+        return self._came_back
+
+    def _is_fetched(self, scan: ScanRecord) -> bool:
+        """Whether a scan came back from the archive without its cloud."""
+        return is_without_its_cloud(self._store.folder, scan.folder.name)
 
     def _make_cloud(self, scan: ScanRecord) -> None:
         try:
@@ -189,7 +207,8 @@ class Recovery:
             scan.folder / CLOUD,
             self._progress,
         )
-        self._store.scans.complete(scan.id, made.points, made.all_frames, made.seconds)
+        if scan.interrupted:  # others are listed as they were counted while they ran
+            self._store.scans.complete(scan.id, made.points, made.all_frames, made.seconds)
         return made.points
 
     def _progress(self, share: float, text: Text) -> None:
@@ -205,11 +224,15 @@ class Recovery:
         damage = find_damage(scan.folder / RECORDING, scan.recording_bytes)
         if damage:
             return sentence(damage)
+        error = self._errors.get(scan.id)
         if not scan.interrupted:
-            return ""
+            if not self._is_fetched(scan):
+                return ""
+            if error is None:
+                return message("points-made-again")
+            return message("points-not-made-again", why=error.why or error.what)
         if (scan.folder / CLOUD).exists():
             return message("what-recorded-kept", interrupted=scan.interrupted)
-        error = self._errors.get(scan.id)
         if error is None:
             return message("points-made-when-there-room-no", interrupted=scan.interrupted)
         why = error.why or error.what

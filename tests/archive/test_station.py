@@ -13,11 +13,15 @@ from typer.testing import CliRunner
 
 from app.archive.archive_settings import ArchiveSettings
 from app.cli.main import cli
+from app.formats.datasheets.arm import read_any_arm
 from app.formats.recording.raw import MAGIC
+from app.formats.results.calibration import read_calibration
 from app.operations.services import MonitoringSettings
 from app.store.store import Store
+from app.workflows.reconstruct import reconstruct_cloud
 from tests.api.conftest import running_server
 from tests.archive.filled import add_scan, check_whole, content_of
+from tests.batch.filled import CALIBRATION, fill_station
 from tests.sent_texts import english
 
 DEADLINE_S = 120.0
@@ -111,3 +115,36 @@ def test_the_commands_fill_verify_and_read_an_archive(tmp_path: Path, place: Pat
     settings_file(tmp_path, "")
     assert "names no archive" in run("status", status=1)
     store.close()
+
+
+@pytest.mark.slow
+def test_a_scan_that_comes_back_without_its_cloud_gets_it_again(
+    tmp_path: Path, place: Path
+) -> None:
+    store = fill_station(tmp_path / "data", ["old"])
+    session, folder = tmp_path / "data/sessions" / CALIBRATION, tmp_path / "data/scans/old"
+    figures = {"total_um": 20.0, "verdict": "good"}
+    serials = {"arm_serial": "A-1", "object_serial": "", "sensor_serial": "S-1"}
+    file = session / "calibration.json"
+    store.calibrations.accept(CALIBRATION, "May", file, figures | serials, None)
+    expected = tmp_path / "expected.ply"
+    calibration, arm = read_calibration(file), read_any_arm(session / "arm.json")
+    reconstruct_cloud(folder / "scan.mcap", calibration, arm, expected)
+    recorded_s = (folder / "scan.mcap").stat().st_mtime
+    os.utime(folder / "cloud.ply", (recorded_s, recorded_s))
+    store.close()
+    rules = {"url": str(place), "keep_days": 90}
+    settings = ArchiveSettings.model_validate(rules, context=tmp_path / "station.toml")
+    with running_server(store.folder, monitoring=MonitoringSettings(archive=settings)) as server:
+        until(server.http, "/api/scans", lambda scans: scans[0]["away"])
+        assert not list(place.glob("scans/old/*/cloud.ply"))
+        assert server.http.post("/api/scans/old/fetch").status_code == 202
+        until(
+            server.http,
+            "/api/scans",
+            lambda scans: not scans[0]["away"] and not scans[0]["note"],
+        )
+        made = server.http.get("/api/scans/old/cloud.ply")
+        assert made.content == expected.read_bytes()
+        health = until(server.http, "/api/health", lambda view: "archive" in findings(view))
+        assert findings(health)["archive"]["quality"] == "good"

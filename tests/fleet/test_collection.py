@@ -22,6 +22,7 @@ from app.fleet.collection.collector import CollectedStation, CollectionResult, c
 from app.fleet.collection.places import ArchivePlace, FolderPlace, RecordPlace, SourceRecord
 from app.store.store import Store
 from tests.archive.filled import LATER, archive_of
+from tests.batch.filled import fill_station
 from tests.fleet.postgres import PostgresServer
 from tests.fleet.records import (
     CALIBRATION_ID,
@@ -127,6 +128,23 @@ def test_an_archive_alone_has_all(store: Store, own: FleetCatalogue, tmp_path: P
     assert collect_from(own, archive_place(tmp_path)).new == 7
     check_every_kind(entries(own))
     assert collect_from(own, archive_place(tmp_path), complete=True).new == 0
+
+
+def test_a_cloud_that_no_archive_has_is_counted_all_the_same(
+    own: FleetCatalogue, tmp_path: Path
+) -> None:
+    station = fill_station(tmp_path / "data", ["20260501-100000"])
+    folder = FolderPlace(tmp_path / "data")
+    assert collect_from(own, folder).new == 2
+    here = entries(own)["scan"]
+    archive_of(station, str(archive_folder(tmp_path))).run()
+    station.close()
+    collect_from(own, archive_place(tmp_path), folder)
+    there = entries(own)["scan"]
+    assert (here.content, here.files) == (there.content, there.files)
+    assert [file.path for file in there.files] == ["scan.mcap"]
+    assert (there.points, there.archived_at is None) == (5, False)
+    assert collect_from(own, archive_place(tmp_path), folder).new == 0
 
 
 def test_what_was_missed_is_collected_later(

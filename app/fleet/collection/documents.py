@@ -223,15 +223,15 @@ def _read_scan(of: RecordFolder) -> CatalogueEntry:
         arm_serial=about.get(ARM_SERIAL, ""),
         sensor_serial=about.get(SENSOR_SERIAL, ""),
         calibration_id=about.get(SCAN_CALIBRATION) or of.record.calibration_id,
-        points=_count_points(of.folder / CLOUD),
+        points=_count_points(of.folder / CLOUD, of.record.points),
     )
 
 
-def _count_points(path: Path) -> int | None:
-    """By the header of a cloud; None without a cloud."""
+def _count_points(path: Path, known: int | None) -> int | None:
+    """By the header of a cloud; without one, as the station counted them."""
     with suppress(OperationError, OSError), open_file(path) as file:
         return find_vertices(path, file).count
-    return None
+    return known
 
 
 def _moment(text: str | None, otherwise: datetime) -> datetime:

@@ -14,6 +14,7 @@ from app.archive.archive_settings import ArchiveSettings
 from app.archive.manifest import ArchivedFile, Kind, Manifest, content_name
 from app.archive.pace import full_speed
 from app.archive.planning import StationRecord
+from app.archive.rebuilt_clouds import leave_cloud_out
 from app.archive.records import KINDS, list_records, open_record_lists
 from app.archive.remote_store import RemoteStore, open_store
 from app.archive.store_errors import SourceError, store_error
@@ -47,6 +48,8 @@ class SourceRecord:
     files: tuple[ArchivedFile, ...]
     calibration_id: str = ""
     """Of a scan, where the place knows it: recordings of earlier versions do not state it."""
+    points: int | None = None
+    """Of a scan, where the place knows it: an archive has no cloud."""
 
 
 class RecordPlace(Protocol):
@@ -146,7 +149,7 @@ class FolderPlace:
     def _describe(self, record: StationRecord, now: datetime) -> SourceRecord:
         """A record by the archive's hashes if it is archived as it is, else by its own."""
         note = record.note if record.is_archived else None
-        files = hash_files(record, full_speed()) if note is None else note.files
+        files = note.files if note is not None else self._hash(record)
         return SourceRecord(
             record.kind,
             record.id,
@@ -157,7 +160,12 @@ class FolderPlace:
             None if note is None else parse_moment(note.archived_at),
             files,
             record.calibration_id or "",
+            record.points,
         )
+
+    def _hash(self, record: StationRecord) -> tuple[ArchivedFile, ...]:
+        """As the archive would have it."""
+        return hash_files(leave_cloud_out(record, self._data, full_speed()), full_speed())
 
 
 def _record_of(manifest: Manifest) -> SourceRecord:
@@ -173,6 +181,7 @@ def _record_of(manifest: Manifest) -> SourceRecord:
         archived_at,
         manifest.files,
         manifest.calibration_id or "",
+        manifest.points,
     )
 
 
@@ -189,7 +198,7 @@ def _is_unchanged(record: StationRecord, there: KnownContent) -> bool:
     """Whether a record on a station's disk is what was collected, without reading its files."""
     return (
         record.at < there.current_at
-        and record.size_bytes == there.size_bytes
+        and there.size_bytes in (record.size_bytes, record.bytes_without_cloud)
         and record.label in (None, there.label)
         and (there.archived or not record.is_archived)
     )
