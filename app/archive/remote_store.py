@@ -4,7 +4,7 @@ import errno
 import logging
 import os
 from asyncio import AbstractEventLoop
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from contextlib import closing, suppress
 from io import BufferedReader
 from pathlib import Path
@@ -25,6 +25,7 @@ PART_BYTES = 5 << 20
 CONNECT_S, READ_S = 10, 60
 RETRIES = 2
 """Within a call; the station itself tries again with growing pauses."""
+Span = tuple[int, int]
 OBJECT_STORES = ("s3://", "s3a://", "gs://", "gcs://")
 """They have no folders, and their libraries would create a missing bucket instead."""
 
@@ -42,6 +43,9 @@ class RemoteStore(Protocol):
 
     def read_start(self, name: str, count: int) -> bytes:
         """The first ``count`` bytes of a file, or all of a shorter one."""
+
+    def read_spans(self, name: str, spans: Sequence[Span]) -> list[bytes]:
+        """Parts of a file, each by its beginning and its end; shorter where the file ends."""
 
     def size(self, name: str) -> int | None:
         """Bytes of a file; None if there is none."""
@@ -94,6 +98,14 @@ class FolderStore:
     def read_start(self, name: str, count: int) -> bytes:
         with convert_store_errors(self._place, self._purpose), self._open(name) as file:
             return file.read(count)
+
+    def read_spans(self, name: str, spans: Sequence[Span]) -> list[bytes]:
+        with convert_store_errors(self._place, self._purpose), self._open(name) as file:
+            found = []
+            for begin, end in spans:
+                file.seek(begin)
+                found.append(file.read(end - begin))
+            return found
 
     def _open(self, name: str) -> BufferedReader:
         with convert_foreign_kinds(name):
@@ -167,6 +179,12 @@ class FsspecStore:
         with convert_store_errors(self._place, self._purpose):
             files, path = self._at(name)
             return bytes(files.cat_file(path, start=0, end=count))
+
+    def read_spans(self, name: str, spans: Sequence[Span]) -> list[bytes]:
+        with convert_store_errors(self._place, self._purpose):
+            files, path = self._at(name)
+            begins, ends = ([span[side] for span in spans] for side in (0, 1))
+            return files.cat_ranges([path] * len(spans), begins, ends, on_error="raise")  # type: ignore[no-any-return]
 
     def size(self, name: str) -> int | None:
         with convert_store_errors(self._place, self._purpose):

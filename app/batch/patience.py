@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from typing import TypeVar
 
 from app.archive.archive_settings import ArchiveSettings
-from app.archive.remote_store import RemoteStore, open_store
+from app.archive.remote_store import RemoteStore, Span, open_store
 from app.archive.store_errors import StoreError, StorePurpose
 from app.errors import OperationError
 from app.messages.message import Text, join, message
@@ -101,6 +101,9 @@ class PatientStore:
 
     def read_start(self, name: str, count: int) -> bytes:
         return self._patience.wait_for(lambda: self._store.read_start(name, count))
+
+    def read_spans(self, name: str, spans: Sequence[Span]) -> list[bytes]:
+        return self._patience.wait_for(lambda: self._store.read_spans(name, spans))
 
     def size(self, name: str) -> int | None:
         return self._patience.wait_for(lambda: self._store.size(name))

@@ -56,7 +56,7 @@ class RebuildTask:
         read = {sensor: files.read(desk.folder) for sensor, files in self.calibrations.items()}
         arm = next(arm for _, arm in read.values())
         sensors = {sensor: calibration for sensor, (calibration, _) in read.items()}
-        path = desk.find_locally(self.recording.file, RECORDING)
+        path = desk.find_recording(self.recording.file, RECORDING)
         cloud = self.stem + self.suffix
         with results.file(cloud, desk) as target:
             made = reconstruct_cloud(path, sensors, arm, target, desk.report, threads=desk.threads)

@@ -13,6 +13,7 @@ from app.archive.manifest import ArchivedFile
 from app.archive.pace import ArchiveEndedError, Pace
 from app.archive.transfer import download_file
 from app.batch.places import Dependency, RecordFile
+from app.batch.recording_copy import copy_without_pictures
 from app.errors import OperationError
 from app.formats.io_errors import convert_io_errors
 from app.formats.json_document import SOFTWARE
@@ -51,14 +52,22 @@ class Desk:
         if self.is_ending():
             raise ArchiveEndedError
 
-    def find_locally(self, file: RecordFile, name: str) -> Path:
-        """A file of a record on this machine: that of a folder, or a copy.
+    def find_recording(self, file: RecordFile, name: str) -> Path:
+        """A recording on this machine: that of a folder, or a copy; perhaps without pictures of
+        frames that have stripes.
 
         Raises:
-            OperationError: it cannot be read, or differs from its hash.
+            OperationError: it cannot be read, or differs from its sums.
         """
-        settings = file.place.settings
-        return Path(settings.url) / file.name if settings.is_folder else self.copy(file, name)
+        if file.place.settings.is_folder:
+            return Path(file.place.settings.url) / file.name
+        target = self.folder / name
+        pace = _EndingPace(self)
+        with convert_io_errors(target):
+            store = file.place.store()
+            if copy_without_pictures(store, file.name, file.bytes, target, pace.take):
+                return target
+        return self.copy(file, name)
 
     def copy(self, file: RecordFile, name: str) -> Path:
         """A copy of a file of a record on this machine, compared by its hash.

@@ -219,7 +219,7 @@ class _Job:
         self._frame_clocks: dict[str, ClockWatch] = {}
 
     def run(self, pool: ThreadPoolExecutor, window: int, progress: Progress) -> None:
-        for block in read_blocks(self._recording, pool, window):
+        for block in read_blocks(self._recording, pool, window, all_pictures=False):
             self._take_block(block)
             if len(self._track):
                 self._submit_ready(pool, self._track.last_ns)

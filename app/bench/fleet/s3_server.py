@@ -116,6 +116,8 @@ class CuttingProxy:
         self._listening = socket.create_server(("127.0.0.1", 0))
         self.port: int = self._listening.getsockname()[1]
         self.cuts = 0
+        self.passed_bytes = 0
+        """In both directions."""
         self._left: float = 0
         self._open: set[socket.socket] = set()
         self._lock = threading.Lock()
@@ -153,6 +155,7 @@ class CuttingProxy:
         with contextlib.suppress(OSError):
             while piece := source.recv(1 << 16):
                 self._left -= len(piece)
+                self.passed_bytes += len(piece)
                 if self._left <= 0:
                     self.cuts += 1
                     self._cut()

@@ -6,7 +6,7 @@ What is larger than anything a recording has is damage, like a wrong checksum.
 import os
 import struct
 import zlib
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from io import BytesIO
 from typing import BinaryIO
 
@@ -42,6 +42,7 @@ HEAD = struct.Struct("<BQ")
 FOOTER_BYTES = HEAD.size + 20
 INVALID = 0
 """No record has this opcode; a stretch of zeros would be millions of them."""
+NOTHING: Mapping[int, int] = {}
 PARSED = {
     Opcode.SCHEMA: Schema.read,
     Opcode.CHANNEL: Channel.read,
@@ -66,13 +67,16 @@ DAMAGE = (
 )
 
 
-def raw_records(file: BinaryIO, largest: int = LARGEST_RECORD) -> Iterator[McapRecord]:
+def raw_records(
+    file: BinaryIO, largest: int = LARGEST_RECORD, skipped: Mapping[int, int] = NOTHING
+) -> Iterator[McapRecord]:
     """The records from where a file stands, chunks unopened, up to its footer or its end.
 
     What is of no use here, such as attachments and indices, is passed over unread.
 
     Args:
         largest: bytes of a record that is read.
+        skipped: where parts begin that are passed over, with their lengths in bytes.
 
     Raises:
         what ``DAMAGE`` names: where the file is cut off or damaged.
@@ -81,7 +85,9 @@ def raw_records(file: BinaryIO, largest: int = LARGEST_RECORD) -> Iterator[McapR
     size = file.seek(0, os.SEEK_END)
     file.seek(at)
     while True:
-        opcode, length = HEAD.unpack(_read(file, HEAD.size))
+        while skipped and (length := skipped.get(file.tell(), 0)):
+            file.seek(length, os.SEEK_CUR)
+        opcode, length = HEAD.unpack(read_exactly(file, HEAD.size))
         if opcode == INVALID:
             raise McapError("no record begins with a zero")
         if file.tell() + length > size:
@@ -91,10 +97,10 @@ def raw_records(file: BinaryIO, largest: int = LARGEST_RECORD) -> Iterator[McapR
             continue
         if length > largest:
             raise RecordLengthLimitExceeded(opcode, length, largest)
-        record = parse_records(opcode, _read(file, length))
+        record = parse_records(opcode, read_exactly(file, length))
         yield record
         if isinstance(record, Footer):
-            if _read(file, len(MAGIC)) != MAGIC:
+            if read_exactly(file, len(MAGIC)) != MAGIC:
                 raise InvalidMagic("at its end")
             return
 
@@ -173,7 +179,8 @@ def _unpack_lz4(data: bytes, announced: int) -> bytes:
     return opened
 
 
-def _read(file: BinaryIO, length: int) -> bytes:
+def read_exactly(file: BinaryIO, length: int) -> bytes:
+    """So many bytes; raises ``EndOfFile`` if there are fewer."""
     content = file.read(length)
     if len(content) < length:
         raise EndOfFile

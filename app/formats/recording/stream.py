@@ -27,7 +27,8 @@ from app.formats.recording.decoders import (
     PoseRecord,
     StripeRecord,
 )
-from app.formats.recording.raw import DAMAGE, LARGEST_CHUNK, raw_records
+from app.formats.recording.index import Spans, find_needless_pictures, read_index
+from app.formats.recording.raw import DAMAGE, LARGEST_CHUNK, MAGIC, raw_records
 from app.formats.recording.reader import STATION_METADATA, Recording, check_magic
 from app.formats.recording.topics import JOINTS_TOPIC, POSE_TOPIC, STRIPE_TOPIC, split_topic
 from app.metrology.arm.reported_poses import ReadingKind
@@ -74,8 +75,14 @@ class Block:
     """(S, 9) from ``wire_format.find_stripes``."""
 
 
-def read_blocks(recording: Recording, pool: Executor, ahead: int) -> Iterator[Block]:
+def read_blocks(
+    recording: Recording, pool: Executor, ahead: int, all_pictures: bool = True
+) -> Iterator[Block]:
     """The blocks of a recording in the order of the file; ``ahead`` of them are opened in advance.
+
+    Args:
+        all_pictures: False: those of frames whose stripes were recorded are passed over unread,
+            where the recording has its index.
 
     A file that is truncated or damaged ends at that position, which ``recording.cut`` then states.
 
@@ -86,7 +93,8 @@ def read_blocks(recording: Recording, pool: Executor, ahead: int) -> Iterator[Bl
         check_magic(recording.path, file)
         reader = _Reader(recording)
         waiting: deque[_Opening] = deque()
-        for opening in _open_chunks(recording, reader, file, pool):
+        skipped = {} if all_pictures else find_needless_pictures(file, read_index(file))
+        for opening in _open_chunks(recording, reader, file, pool, skipped):
             waiting.append(opening)
             while _is_enough(waiting, ahead):
                 if (yield from _take_block(recording, reader, waiting)):
@@ -133,13 +141,14 @@ def _take_block(
 
 
 def _open_chunks(
-    recording: Recording, reader: "_Reader", file: BinaryIO, pool: Executor
+    recording: Recording, reader: "_Reader", file: BinaryIO, pool: Executor, skipped: Spans
 ) -> Iterator[_Opening]:
     """Chunks, and messages outside them, in the order of the file."""
     loose: list[Message] = []
     loose_bytes = 0
+    file.seek(len(MAGIC))
     try:
-        for record in raw_records(file):
+        for record in raw_records(file, skipped=skipped):
             if isinstance(record, Message):
                 loose.append(record)
                 loose_bytes += len(record.data)

@@ -1,0 +1,167 @@
+"""A rebuild from a store fetches no pictures of frames that have stripes."""
+
+import os
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+pytest.importorskip("distributed")
+pytest.importorskip("moto")
+pytest.importorskip("s3fs")
+
+import numpy as np
+
+from app.archive.archive import Archive
+from app.archive.archive_settings import ArchiveSettings
+from app.archive.pace import full_speed
+from app.batch.places import Place, find_places, settings_for
+from app.batch.rebuild import RebuildTask, plan_rebuild
+from app.batch.recordings import Selection
+from app.batch.results import ResultStore
+from app.batch.task import perform
+from app.bench.fleet.s3_server import BUCKET, CuttingProxy, S3Server
+from app.formats.datasheets.arm import read_any_arm
+from app.formats.recording.index import find_needless_pictures, read_index
+from app.formats.recording.reader import (
+    ARM_SERIAL,
+    SCAN_CALIBRATION,
+    SCAN_STARTED,
+    SENSOR_SERIAL,
+)
+from app.formats.recording.writer import RecordingWriter
+from app.formats.results.calibration import read_calibration
+from app.workflows.reconstruct import reconstruct_cloud
+from tests.archive.filled import lists_of
+from tests.batch.filled import CALIBRATION, FIRST, fill_station
+from tests.formats.builders import joints_every
+from tests.workflows.test_reconstruct import MS, NAMES, record_image, record_stripe
+
+FRAMES = 60
+PICTURE = np.random.default_rng(7).integers(0, 255, (400, 500), np.uint8)
+
+
+@pytest.fixture(scope="module")
+def server() -> Iterator[S3Server]:
+    with S3Server() as running:
+        yield running
+
+
+def record_with_pictures(path: Path, without_stripe: int | None = None) -> None:
+    """Frames with a picture before each sixth stripe; one with its picture only."""
+    about = {ARM_SERIAL: "A-1", SENSOR_SERIAL: "S-1", SCAN_CALIBRATION: CALIBRATION}
+    path.unlink()
+    with RecordingWriter(path, NAMES, about | {SCAN_STARTED: FIRST.isoformat()}) as writer:
+        joints_every(writer, 0, (FRAMES + 20) * 4 * MS, 4 * MS)
+        for number in range(FRAMES):
+            stamp_ns = (10 + number) * 4 * MS
+            if number == without_stripe:
+                record_image(writer, stamp_ns)
+                continue
+            if number % 6 == 0:
+                writer.image(stamp_ns, PICTURE)
+            record_stripe(writer, stamp_ns)
+
+
+def plan_from_store(
+    server: S3Server, proxy: CuttingProxy, tmp_path: Path, without_stripe: int | None = None
+) -> tuple[RebuildTask, Path, ResultStore]:
+    """The rebuild of a station's only scan, its recording and the results."""
+    store = fill_station(tmp_path / "data", ["one"])
+    recording = tmp_path / "data/scans/one/scan.mcap"
+    record_with_pictures(recording, without_stripe)
+    (tmp_path / "secret").write_text("secret")
+    settings = ArchiveSettings.model_validate(
+        {
+            "url": f"s3://{BUCKET}/{tmp_path.name}",
+            "endpoint": f"http://127.0.0.1:{server.port}",
+            "access_key": "key",
+            "secret_file": "secret",
+        },
+        context=tmp_path / "station.toml",
+    )
+    Archive(settings, store.folder, lists_of(store), full_speed()).run()
+    store.close()
+    proxy.restore(float("inf"))
+    keys = settings.model_copy(update={"endpoint": f"http://127.0.0.1:{proxy.port}"})
+    places: list[Place] = find_places([settings.url], keys)
+    results = ResultStore(settings_for(str(tmp_path / "out")))
+    results.prepare()
+    (task,) = plan_rebuild(places, Selection(), results.settings, ".ply").tasks
+    return task, recording, results
+
+
+def stripe_chunk(recording: Path) -> int:
+    """Where the first chunk with stripes begins."""
+    with recording.open("rb") as file:
+        index = read_index(file)
+    assert index is not None
+    return next(one.chunk_start_offset for one in index.chunks if index.stripe_channels(one))
+
+
+def direct_cloud(tmp_path: Path, recording: Path) -> bytes:
+    session, target = tmp_path / "data/sessions" / CALIBRATION, tmp_path / "direct.ply"
+    calibration = read_calibration(session / "calibration.json")
+    reconstruct_cloud(recording, calibration, read_any_arm(session / "arm.json"), target)
+    return target.read_bytes()
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("without_stripe", [None, 8])
+def test_pictures_stay_in_the_store_and_the_cloud_is_the_same(
+    without_stripe: int | None, server: S3Server, tmp_path: Path
+) -> None:
+    proxy = CuttingProxy(server.port, seed=1)
+    try:
+        task, recording, results = plan_from_store(server, proxy, tmp_path, without_stripe)
+        before = proxy.passed_bytes
+        assert perform(task, tmp_path, 1).state == "done"
+        fetched = proxy.passed_bytes - before
+    finally:
+        proxy.close()
+    size = recording.stat().st_size
+    print(f"fetched {fetched} of {size} bytes")
+    assert 10 * PICTURE.size < size
+    assert fetched < size - 9 * PICTURE.size
+    made = results.read(task.stem)
+    assert made is not None
+    assert made["frames"] == FRAMES
+    assert (tmp_path / "out" / made["cloud"]).read_bytes() == direct_cloud(tmp_path, recording)
+
+
+@pytest.mark.slow
+def test_a_copy_that_was_damaged_in_the_store_is_not_used(server: S3Server, tmp_path: Path) -> None:
+    proxy = CuttingProxy(server.port, seed=1)
+    try:
+        task, recording, _ = plan_from_store(server, proxy, tmp_path)
+        content = bytearray(recording.read_bytes())
+        content[stripe_chunk(recording) + 200] ^= 0xFF
+        key = f"{tmp_path.name}/{task.recording.file.name}"
+        server.client.put_object(Bucket=BUCKET, Key=key, Body=bytes(content))
+        outcome = perform(task, tmp_path, 1)
+    finally:
+        proxy.close()
+    assert outcome.state == "again"
+    assert outcome.refusal is not None
+    assert outcome.refusal.code == "archive-differs"
+
+
+def test_a_recording_without_its_end_has_no_index(tmp_path: Path) -> None:
+    path = tmp_path / "scan.mcap"
+    path.touch()
+    record_with_pictures(path)
+    with path.open("rb") as file:
+        index = read_index(file)
+        assert index is not None
+        assert len(index.pictures) == 10
+        assert find_needless_pictures(file, index) == index.picture_spans
+    for damage in (-30, -500):
+        content = bytearray(path.read_bytes())
+        content[damage] ^= 0xFF
+        (tmp_path / "damaged").write_bytes(content)
+        with (tmp_path / "damaged").open("rb") as file:
+            assert read_index(file) is None
+    os.truncate(path, path.stat().st_size - 1)
+    with path.open("rb") as file:
+        assert read_index(file) is None
+        assert find_needless_pictures(file, None) == {}
