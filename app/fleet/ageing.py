@@ -1,23 +1,23 @@
 """What the catalogue answers about calibrations: how much those of a sensor differ, and how figures
 change with the hours since the calibration and with the temperature."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from datetime import datetime
 from statistics import median, stdev
 from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
-from sqlalchemy import Connection, select
+from sqlalchemy import Connection, bindparam, select
 
-from app.fleet.catalogue.reading import CalibrationMoment, calibrations_of
+from app.fleet.catalogue.reading import CalibrationMoment, calibrations_by_station
 from app.fleet.catalogue.tables import FigureRow, RecordRow, StationRow
 from app.metrology.common_slope import CommonSlope, fit_common_slope
 
 if TYPE_CHECKING:
     from sqlalchemy.engine import Row
 
-MOST_OF_STATION, MOST_VALUES, LEAST_OF_STATION = 2000, 20_000, 50
+MOST_OF_STATION, MOST_VALUES, LEAST_OF_STATION = 2000, 20_000, 20
 """The newest values count, of each station and in all."""
 HOUR_S = 3600.0
 OWN_HISTORY = ("calibration", "arm_check", "tip_check")
@@ -93,19 +93,19 @@ def spread_of(
     found: dict[tuple[str, str], list[Row[Any]]] = {}
     chosen = stations or _all_stations(connection)
     most = values_of_each(len(chosen))
-    for station in chosen:
-        for row in _read_rows(connection, quantity, station, None, None, most):
+    for station, rows in _read_rows(connection, quantity, chosen, None, None, most):
+        for row in rows:
             if row.kind == "calibration":
                 found.setdefault((station, row.sensor_serial), []).append(row)
     return [
         CalibrationSpread(
             station,
             sensor_serial,
-            rows[-1].unit,
-            rows[-1].limit_value,
-            tuple(CalibrationValue(row.id, row.at, row.value) for row in rows),
+            own[-1].unit,
+            own[-1].limit_value,
+            tuple(CalibrationValue(row.id, row.at, row.value) for row in own),
         )
-        for (station, sensor_serial), rows in sorted(found.items())
+        for (station, sensor_serial), own in sorted(found.items())
     ]
 
 
@@ -125,10 +125,9 @@ def ageing_of(
     found = []
     chosen = stations or _all_stations(connection)
     most = values_of_each(len(chosen))
-    for station in chosen:
-        rows = _read_rows(connection, quantity, station, since, until, most)
-        if rows:
-            found.append(_age(station, rows, calibrations_of(connection, station)))
+    known = calibrations_by_station(connection, chosen)
+    for station, rows in _read_rows(connection, quantity, chosen, since, until, most):
+        found.append(_age(station, rows, known.get(station, {})))
     return found
 
 
@@ -137,7 +136,7 @@ def values_of_each(stations: int) -> int:
 
     Example:
         >>> [values_of_each(stations) for stations in (1, 100, 1000)]
-        [2000, 200, 50]
+        [2000, 200, 20]
     """
     share = MOST_VALUES // max(stations, 1)
     return max(min(MOST_OF_STATION, share), LEAST_OF_STATION)
@@ -150,12 +149,12 @@ def _all_stations(connection: Connection) -> Sequence[str]:
 def _read_rows(
     connection: Connection,
     quantity: str,
-    station: str,
+    stations: Sequence[str],
     since: datetime | None,
     until: datetime | None,
     most: int,
-) -> "list[Row[Any]]":
-    """The values of a station with their records, the oldest first."""
+) -> "Iterator[tuple[str, list[Row[Any]]]]":
+    """The values of each station that has any, with their records, the oldest first."""
     wanted = (
         select(
             FigureRow.at,
@@ -171,15 +170,17 @@ def _read_rows(
             RecordRow.temperature_c,
         )
         .join(RecordRow, RecordRow.key == FigureRow.record_key)
-        .where(FigureRow.quantity == quantity, FigureRow.station == station)
+        .where(FigureRow.quantity == quantity, FigureRow.station == bindparam("of"))
     )
     if since is not None:
         wanted = wanted.where(FigureRow.at >= since)
     if until is not None:
         wanted = wanted.where(FigureRow.at < until)
     newest = wanted.order_by(FigureRow.at.desc()).limit(most)
-    rows: list[Row[Any]] = [*connection.execute(newest)]
-    return rows[::-1]
+    for station in stations:  # each is one range of the index
+        rows: list[Row[Any]] = [*connection.execute(newest, {"of": station})]
+        if rows:
+            yield station, rows[::-1]
 
 
 def _age(

@@ -4,7 +4,7 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.stats import t as student_t
+from scipy.special import stdtrit
 
 from app.metrology.transforms import Floats
 
@@ -67,7 +67,7 @@ def fit_common_slope(arguments: Floats, values: Floats, groups: Ints) -> CommonS
     slope = float(x @ y) / spread
     left = y - slope * x
     standard = float(np.sqrt(left @ left / freedom / spread))
-    factor = float(student_t.ppf((1 + CONFIDENCE) / 2, freedom))
+    factor = float(stdtrit(freedom, (1 + CONFIDENCE) / 2))
     return CommonSlope(slope, factor * standard, len(x), len(several))
 
 

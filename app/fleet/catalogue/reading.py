@@ -6,7 +6,7 @@ from datetime import datetime
 from itertools import islice
 from typing import TYPE_CHECKING, Any
 
-from sqlalchemy import Connection, Select, and_, func, or_, select
+from sqlalchemy import Connection, Select, and_, bindparam, func, or_, select
 
 from app.fleet.catalogue.entry import (
     CatalogueEntry,
@@ -21,6 +21,8 @@ if TYPE_CHECKING:
 
 RARE = 1000
 """With at most so many records of a word, these are looked at first."""
+NAMED_STATIONS = 20
+"""A query for at most so many stations names each."""
 BEHIND = "\U0010ffff"
 """Stands behind every other character."""
 OWN_FIELDS = tuple(
@@ -238,19 +240,35 @@ def newest_calibration(
     return None if row is None else _read_row(row).entry
 
 
-def calibrations_of(connection: Connection, station: str) -> dict[str, CalibrationMoment]:
-    """The calibrations of a station, each by its id and by the hash of its file."""
-    rows = connection.execute(
-        select(
-            RecordRow.calibration_sha256, RecordRow.id, RecordRow.at, RecordRow.temperature_c
-        ).where(RecordRow.station == station, RecordRow.kind == "calibration")
-    )
-    found = {}
-    for sha256, calibration_id, at, temperature_c in rows:
+Calibrations = dict[str, CalibrationMoment]
+"""Of one station, each by its id and by the hash of its file."""
+
+
+def calibrations_of(connection: Connection, station: str) -> Calibrations:
+    """The calibrations of a station."""
+    return calibrations_by_station(connection, [station]).get(station, {})
+
+
+def calibrations_by_station(
+    connection: Connection, stations: Sequence[str]
+) -> dict[str, Calibrations]:
+    """The calibrations of stations; of many, all of the catalogue are read at once."""
+    wanted = select(
+        RecordRow.station,
+        RecordRow.calibration_sha256,
+        RecordRow.id,
+        RecordRow.at,
+        RecordRow.temperature_c,
+    ).where(RecordRow.kind == "calibration")
+    if len(stations) <= NAMED_STATIONS:
+        wanted = wanted.where(RecordRow.station.in_(stations))
+    found: dict[str, Calibrations] = {}
+    for station, sha256, calibration_id, at, temperature_c in connection.execute(wanted):
         moment = CalibrationMoment(calibration_id, at, temperature_c)
-        found[moment.id] = moment
+        own = found.setdefault(station, {})
+        own[moment.id] = moment
         if sha256:
-            found[sha256] = moment
+            own[sha256] = moment
     return found
 
 
@@ -299,10 +317,11 @@ def figure_points(
         wanted = wanted.where(FigureRow.at >= since)
     if until is not None:
         wanted = wanted.where(FigureRow.at < until)
+    newest = wanted.where(FigureRow.station == bindparam("of")).order_by(FigureRow.at.desc())
+    newest = newest.limit(limit)
     found: list[FigurePoint] = []
     for station in stations:  # each is one range of the index
-        newest = wanted.where(FigureRow.station == station).order_by(FigureRow.at.desc())
-        found += [FigurePoint(*row) for row in connection.execute(newest.limit(limit))]
+        found += [FigurePoint(*row) for row in connection.execute(newest, {"of": station})]
     return sorted(found, key=lambda point: (point.at, point.station))[-limit:]
 
 
