@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from app.cli.choice import count_words
 from app.console import (
     AsJson,
     FullHelpGroup,
@@ -65,7 +66,7 @@ def run(config: Config = None, data: DataFolder = None) -> None:
     """Copy everything that is finished, then remove what the rules of retention let go."""
     with _open_archive(config, data) as opened, progress_bar("Archiving", True) as progress:
         copied = opened.run(progress)
-    print(f"{copied} records copied to {opened.settings.place} and verified.")
+    print(f"{count_words(copied, 'record')} copied to {opened.settings.place} and verified.")
 
 
 @archive.command()
@@ -92,7 +93,8 @@ def fetch(
     """Bring a record back to the station's disk, compared by its hashes."""
     with _open_archive(config, data) as opened:
         made = opened.fetch(_kind(kind), _id(record_id))
-    print(f"{kind}/{record_id}: {len(made.files)} files, {made.size_bytes / 1e6:.1f} MB")
+    files = count_words(len(made.files), "file")
+    print(f"{kind}/{record_id}: {files}, {made.size_bytes / 1e6:.1f} MB")
 
 
 def _kind(text: str) -> "Kind":

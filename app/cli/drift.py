@@ -20,6 +20,7 @@ from app.cli.fleet.catalogue import (
 from app.cli.fleet.drift_report import (
     fields_of_history,
     fields_of_measured,
+    print_doubted,
     print_known,
     print_measured,
     print_summary,
@@ -113,18 +114,20 @@ def _show_known(
     """By the results in the catalogue."""
     with open_catalogue(config) as (_, opened), opened.reading() as connection:
         from app.fleet.catalogue.quantities import title_of
-        from app.fleet.questions import drift_of, find_affected
+        from app.fleet.questions import drift_of, find_affected, find_doubted
 
         check_quantity(connection, quantity)
         check_catalogue_stations(connection, stations)
         drifts = drift_of(connection, quantity, stations, *span, right_since)
         periods = [one for found in drifts for one in find_affected(connection, found)]
+        doubted = [one for found in drifts for one in find_doubted(connection, found)]
     if as_json:
         print_json(
             {
                 "quantity": quantity,
                 "stations": [fields_of_history(one.station, one.history) for one in drifts],
                 "periods": [plain_fields(one) for one in periods],
+                "doubted": [plain_fields(one) for one in doubted],
             }
         )
         return
@@ -133,6 +136,7 @@ def _show_known(
     for found in drifts:
         its = [one for one in periods if one.station == found.station]
         print_known(found, its)
+        print_doubted([one for one in doubted if one.station == found.station])
 
 
 def _show_measured(

@@ -6,6 +6,7 @@ from typing import Annotated
 
 import typer
 
+from app.cli.choice import count_words
 from app.console import AsJson, print_json, progress_bar, report_errors
 
 
@@ -25,7 +26,7 @@ def backup(
     if as_json:
         print_json(asdict(made))
         return
-    print(f"{made.folder} written: {made.files} files, {made.bytes / 1e6:.1f} MB")
+    print(f"{made.folder} written: {count_words(made.files, 'file')}, {made.bytes / 1e6:.1f} MB")
 
 
 @report_errors

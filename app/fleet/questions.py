@@ -63,6 +63,15 @@ class AffectedPeriod:
 
 
 @dataclass(frozen=True, slots=True)
+class DoubtedRecordings:
+    """What was scanned with a calibration that is perhaps wrong."""
+
+    station: str
+    calibration_id: str
+    recordings: tuple[CatalogueEntry, ...]
+
+
+@dataclass(frozen=True, slots=True)
 class CalibrationOfScan:
     """A recording and the calibration that it was made with."""
 
@@ -104,6 +113,18 @@ def find_affected(connection: Connection, drift: StationDrift) -> list[AffectedP
     are the affected ones, exactly; otherwise they are named by time.
     """
     return [_describe_period(connection, drift, one) for one in drift.history.periods]
+
+
+def find_doubted(connection: Connection, drift: StationDrift) -> list[DoubtedRecordings]:
+    """What would be affected if the calibrations that are perhaps wrong are wrong."""
+    return [
+        DoubtedRecordings(
+            drift.station,
+            one.calibration_id,
+            tuple(read_scans(connection, drift.station, calibration_ids=[one.calibration_id])),
+        )
+        for one in drift.history.spread.doubtful
+    ]
 
 
 def find_calibrations(

@@ -106,6 +106,14 @@ class DriftPeriod(FleetAnswer):
     possible: list[FleetRecord]
 
 
+class DriftDoubtedRecordings(FleetAnswer):
+    """What was scanned with a calibration that is perhaps wrong."""
+
+    station: str
+    calibration_id: str
+    recordings: list[FleetRecord]
+
+
 class FleetDrift(FleetAnswer):
     """A figure of all stations over time, and what its changes affect."""
 
@@ -114,3 +122,4 @@ class FleetDrift(FleetAnswer):
     """That a period needs."""
     stations: list[DriftingStation]
     periods: list[DriftPeriod]
+    doubted: list[DriftDoubtedRecordings]

@@ -97,7 +97,7 @@ def test_the_commands_fill_verify_and_read_an_archive(tmp_path: Path, place: Pat
         return done.output
 
     assert json.loads(run("status", "--json"))["waiting"] == 1
-    assert "1 records copied" in run("run")
+    assert "1 record copied" in run("run")
     state = json.loads(run("status", "--json"))
     assert (state["waiting"], [one["id"] for one in state["in_archive_only"]]) == (0, ["old"])
     assert "scans old" in run("status")

@@ -1,5 +1,6 @@
 """The *Fleet* page in a browser, with a catalogue of three stations."""
 
+import re
 from collections.abc import Iterator
 from datetime import timedelta
 from pathlib import Path
@@ -26,6 +27,7 @@ def address(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
     folder = tmp_path_factory.mktemp("fleet")
     with FleetCatalogue(f"sqlite:///{folder}/catalogue.db") as catalogue:
         catalogue.add(list(invent_entries(3, 6000, 1, timedelta(hours=3.6), [STEP])))
+        catalogue.note_collection("room-1", "Room one", START)
     settings = folder / "fleet.toml"
     settings.write_text('[catalogue]\ndatabase = "sqlite:///catalogue.db"\n')
     with running_fleet(settings) as client:
@@ -60,6 +62,28 @@ def test_stations_and_records(page: Page) -> None:
     page.get_by_role("button", name="Back to the list").click()
     page.get_by_label("Part, operator").fill("nothing like this")
     expect(page.get_by_text("No record is found.")).to_be_visible()
+
+
+def test_a_row_of_records_fits_and_names_its_station_as_everywhere(
+    page: Page, pictures: Path
+) -> None:
+    expect(page.get_by_role("heading", name="Room one")).to_be_visible()
+    expect(page.get_by_text(re.compile(r"^Times: .*(UTC|Etc)"))).to_be_visible()
+    open_view(page, "Records")
+    page.locator("select").first.select_option("room-1")
+    row = page.locator("tbody tr").first
+    expect(row).to_contain_text("Room one")
+    for width in (1280, 1024):
+        page.set_viewport_size({"width": width, "height": 800})
+        table = page.get_by_role("table")
+        fits = table.evaluate("table => table.offsetWidth <= table.parentElement.clientWidth")
+        page.screenshot(path=pictures / f"fleet-records-{width}.png")
+        assert fits, width
+    page.locator("select").nth(1).select_option("scan")
+    row.get_by_role("button").click()
+    expect(page.get_by_text(re.compile("^crenel rebuild '.*--format copc"))).to_be_visible()
+    expect(page.get_by_text("Room one")).to_be_visible()
+    page.screenshot(path=pictures / "fleet-record-1024.png")
 
 
 def test_a_drift_names_its_recordings(page: Page) -> None:

@@ -96,7 +96,7 @@ def test_the_questions_are_answered(config: Path) -> None:
     used = json.loads(run(config, "calibration", "4711", "--json").stdout)["recordings"]
     assert [one["calibration"]["label"] for one in used] == ["Calibration of May"]
     assert "Calibration of May" not in run(config, "drift", "arm-largest").stdout
-    assert "1 values of 1 stations, 0 changes" in run(config, "drift", "arm-largest").stdout
+    assert "1 value of 1 station, 0 changes" in run(config, "drift", "arm-largest").stdout
     assert "choose one of arm-half-range" in run(config, "drift", "size").stderr
     assert "Arm check: largest distance" in run(config, "drift", "arm-largest").stdout
     spread = json.loads(run(config, "spread", "laser-plane-offset", "--json").stdout)

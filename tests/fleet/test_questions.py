@@ -10,7 +10,7 @@ from app.bench.fleet.invented import START, PlantedStep, invent_entries
 from app.fleet.catalogue.catalogue import FleetCatalogue
 from app.fleet.catalogue.entry import CatalogueEntry
 from app.fleet.catalogue.reading import SearchQuery, search
-from app.fleet.questions import drift_of, find_affected, find_calibrations
+from app.fleet.questions import drift_of, find_affected, find_calibrations, find_doubted
 from tests.fleet.entries import entry_of, figure_of
 
 DAY = timedelta(days=1)
@@ -133,6 +133,20 @@ def test_own_errors_of_calibrations_name_no_recording(catalogue: FleetCatalogue)
     with catalogue.reading() as connection:
         for drift in drift_of(connection, "location-scan"):
             assert find_affected(connection, drift) == [], drift.station
+
+
+def test_a_calibration_that_is_perhaps_wrong_names_what_would_be_affected(
+    catalogue: FleetCatalogue,
+) -> None:
+    own_um = np.random.default_rng(2).normal(0, 3.0, 10)
+    own_um[4] = own_um.mean() + 15.0
+    catalogue.add(ten_months((0, 0), True, more_um=own_um.tolist()))
+    with catalogue.reading() as connection:
+        (drift,) = drift_of(connection, "location-scan")
+        assert find_affected(connection, drift) == []
+        (doubted,) = find_doubted(connection, drift)
+    assert doubted.calibration_id == "cal-4"
+    assert [one.id for one in doubted.recordings] == [f"scan-{day}" for day in range(120, 150)]
 
 
 @pytest.mark.parametrize("seed", [1, 2, 3])

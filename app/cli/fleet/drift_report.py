@@ -4,12 +4,14 @@ values are too few for."""
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING
 
+from app.cli.choice import count_words
 from app.cli.fleet.catalogue import format_moment, plain_fields
 from app.console import print_figures
 
 if TYPE_CHECKING:
     from app.batch.drift import GaugeDrift, GaugeQuantity
-    from app.fleet.questions import AffectedPeriod, StationDrift
+    from app.fleet.catalogue.entry import CatalogueEntry
+    from app.fleet.questions import AffectedPeriod, DoubtedRecordings, StationDrift
     from app.metrology.dated_changes import ChangedPeriod
     from app.metrology.figure_history import FigureHistory, OwnErrorSpread, RightLevel
 
@@ -48,9 +50,11 @@ def print_summary(quantity: str, counts: Sequence[int], periods: int) -> None:
     """How many values were looked at, and what they can show."""
     from app.metrology.change_points import LEAST_VALUES
 
+    values, stations = count_words(sum(counts), "value"), count_words(len(counts), "station")
+    changes = count_words(periods, "change")
     print(
-        f"{quantity}: {sum(counts)} values of {len(counts)} stations, {periods} changes. A period "
-        f"is found if it has {LEAST_VALUES} values or more."
+        f"{quantity}: {values} of {stations}, {changes}. A period is found if it has "
+        f"{LEAST_VALUES} values or more."
     )
 
 
@@ -60,10 +64,23 @@ def print_known(drift: "StationDrift", periods: "Sequence[AffectedPeriod]") -> N
     _print_history(drift.station, drift.history, unit)
     for one in periods:
         lines = {
-            doubt: [f"{scan.id}  {format_moment(scan.at)}  {scan.label}" for scan in recordings]
+            doubt: [_describe_scan(scan) for scan in recordings]
             for doubt, recordings in (("", one.recordings), ("perhaps ", one.possible))
         }
         _print_period(drift.station, unit, one, one.calibration_ids, lines)
+
+
+def print_doubted(doubted: "Sequence[DoubtedRecordings]") -> None:
+    """What would be affected if calibrations that are perhaps wrong are wrong."""
+    for one in doubted:
+        count = count_words(len(one.recordings), "recording")
+        print(f"{one.station}: if {one.calibration_id} is wrong, {count} would be affected:")
+        for scan in one.recordings:
+            print(f"  {one.station}/scan/{_describe_scan(scan)}")
+
+
+def _describe_scan(scan: "CatalogueEntry") -> str:
+    return f"{scan.id}  {format_moment(scan.at)}  {scan.label}"
 
 
 def print_measured(drift: "GaugeDrift", quantity: "GaugeQuantity") -> None:

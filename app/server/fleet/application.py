@@ -26,7 +26,7 @@ from app.fleet.catalogue.reading import (
     summarise_stations,
 )
 from app.fleet.fleet_settings import DEFAULT_FILE
-from app.fleet.questions import drift_of, find_affected
+from app.fleet.questions import drift_of, find_affected, find_doubted
 from app.formats.json_document import SOFTWARE
 from app.messages.message import message
 from app.metrology.change_points import LEAST_VALUES
@@ -48,7 +48,12 @@ from app.wire.fleet import (
     RecordsPage,
     StationsOnBroker,
 )
-from app.wire.fleet_drift import DriftingStation, DriftPeriod, FleetDrift
+from app.wire.fleet_drift import (
+    DriftDoubtedRecordings,
+    DriftingStation,
+    DriftPeriod,
+    FleetDrift,
+)
 from app.wire.json_response import json_response
 
 PAGE = "fleet.html"
@@ -185,11 +190,13 @@ def _add_questions(app: FastAPI, service: FleetService) -> None:
         with service.catalogue().reading() as connection:
             found = drift_of(connection, quantity, station, right_since=right_since)
             periods = [one for its in found for one in find_affected(connection, its)]
+            doubted = [one for its in found for one in find_doubted(connection, its)]
         answer = FleetDrift(
             quantity=quantity,
             least_values=LEAST_VALUES,
             stations=[DriftingStation.model_validate(one) for one in found],
             periods=[DriftPeriod.model_validate(one) for one in periods],
+            doubted=[DriftDoubtedRecordings.model_validate(one) for one in doubted],
         )
         return json_response(answer)
 

@@ -1,4 +1,4 @@
-import type { DriftHistory, DriftPeriod } from "../api/wire";
+import type { DriftDoubtedRecordings, DriftHistory, DriftPeriod, FleetRecord } from "../api/wire";
 import { figures, moment } from "../parts/format";
 import { measured } from "../parts/lengths";
 import { QualityMark } from "../parts/QualityMark";
@@ -7,7 +7,17 @@ import { decimalsOf } from "./answers";
 import styles from "./FleetPage.module.css";
 
 /** What the values of a station are too few, or not sure enough, for. */
-export function DriftNotes({ history, least, unit }: { history: DriftHistory; least: number; unit: string }) {
+export function DriftNotes({
+  history,
+  least,
+  unit,
+  doubted,
+}: {
+  history: DriftHistory;
+  least: number;
+  unit: string;
+  doubted: DriftDoubtedRecordings[];
+}) {
   const { levels, standing_out, spread } = history;
   const value = (one: number) => measured(one, unit, decimalsOf(unit));
   return (
@@ -19,17 +29,26 @@ export function DriftNotes({ history, least, unit }: { history: DriftHistory; le
             : t("ui-fleet-own-errors", { n: spread.calibrations, deviation: value(spread.standard_deviation) })}
         </p>
       )}
-      {spread.doubtful.map(({ calibration_id, size, since, until }) => (
-        <p key={calibration_id}>
-          <QualityMark quality="attention" size="1.1em" />{" "}
-          {t("ui-fleet-doubtful", {
-            calibration: calibration_id,
-            size: `${signed(size)} ${unit}`,
-            since: moment(since),
-            until: moment(until),
-          })}
-        </p>
-      ))}
+      {spread.doubtful.map(({ calibration_id, size, since, until }) => {
+        const recordings = doubted.find((one) => one.calibration_id === calibration_id)?.recordings ?? [];
+        return (
+          <div key={calibration_id}>
+            <p>
+              <QualityMark quality="attention" size="1.1em" />{" "}
+              {t("ui-fleet-doubtful", {
+                calibration: calibration_id,
+                size: `${signed(size)} ${unit}`,
+                since: moment(since),
+                until: moment(until),
+              })}
+            </p>
+            <RecordingList
+              summary={t("ui-fleet-would-be-affected", { n: recordings.length })}
+              recordings={recordings}
+            />
+          </div>
+        );
+      })}
       {standing_out.length > 0 && (
         <div>
           <p>{t("ui-fleet-standing-out", { n: standing_out.length, least })}</p>
@@ -60,18 +79,27 @@ export function AffectedPeriod({ period, unit }: { period: DriftPeriod; unit: st
         {ended ? t("ui-fleet-ended", { when: moment(ended.by) }) : t("ui-fleet-lasts")}
       </p>
       {calibration_ids.length > 0 && <p>{t("ui-fleet-explained", { calibrations: calibration_ids.join(", ") })}</p>}
-      <details>
-        <summary>
-          {t("ui-fleet-affected", { n: recordings.length })}
-          {possible.length > 0 && ` ${t("ui-fleet-possible", { n: possible.length })}`}
-        </summary>
-        <ul className={styles.recordings}>
-          {[...recordings, ...possible].map((one) => (
-            <li key={one.id}>{`${moment(one.at)} · ${one.label || one.id}`}</li>
-          ))}
-        </ul>
-      </details>
+      <RecordingList
+        summary={[
+          t("ui-fleet-affected", { n: recordings.length }),
+          ...(possible.length > 0 ? [t("ui-fleet-possible", { n: possible.length })] : []),
+        ].join(" ")}
+        recordings={[...recordings, ...possible]}
+      />
     </div>
+  );
+}
+
+function RecordingList({ summary, recordings }: { summary: string; recordings: FleetRecord[] }) {
+  return (
+    <details>
+      <summary>{summary}</summary>
+      <ul className={styles.recordings}>
+        {recordings.map((one) => (
+          <li key={one.id}>{`${moment(one.at)} · ${one.label || one.id}`}</li>
+        ))}
+      </ul>
+    </details>
   );
 }
 

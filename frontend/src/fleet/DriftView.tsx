@@ -57,7 +57,7 @@ function StationCard(card: { station: string; name: string; title: string; drift
   const { station, name, title, drift, range } = card;
   const [since, setSince] = useState("");
   const { value: chosen } = useAnswer<FleetDrift>(since && addressOf(drift.quantity, { station, right_since: since }));
-  const { stations, periods } = (since && chosen) || drift;
+  const { stations, periods, doubted } = (since && chosen) || drift;
   const found = stations.find((one) => one.station === station);
   if (!found) return null;
   const { points, history } = found;
@@ -67,7 +67,12 @@ function StationCard(card: { station: string; name: string; title: string; drift
       <h2>{name}</h2>
       <DriftChart points={points} history={history} range={range} label={`${station}: ${title}`} />
       {history.levels.length > 1 && <RightLevel history={history} unit={unit} since={since} onChange={setSince} />}
-      <DriftNotes history={history} least={drift.least_values} unit={unit} />
+      <DriftNotes
+        history={history}
+        least={drift.least_values}
+        unit={unit}
+        doubted={doubted.filter((one) => one.station === station)}
+      />
       {periods
         .filter((period) => period.station === station)
         .map((period) => (

@@ -5,6 +5,7 @@ import { Entrance } from "../pages/EntrancePage";
 import { Chips } from "../parts/Chips";
 import { ChooseLanguage } from "../parts/ChooseLanguage";
 import control from "../parts/Control.module.css";
+import { timeZone } from "../parts/format";
 import { Mark } from "../parts/icons";
 import { PressButton } from "../parts/PressButton";
 import { isolated } from "../state/isolated";
@@ -76,6 +77,7 @@ function Views({ session }: { session: SignInState }) {
         </div>
       </header>
       <main className={styles.main} tabIndex={0} aria-label={t("ui-fleet")}>
+        <p className={styles.times}>{t("ui-fleet-times", { zone: timeZone() })}</p>
         {(failed || overview?.problem) && (
           <p className={styles.problem} role="status">
             {overview?.problem || t("ui-fleet-no-answer")}

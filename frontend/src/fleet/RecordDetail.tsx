@@ -8,12 +8,20 @@ import styles from "./FleetPage.module.css";
 import { kindName } from "./RecordSearch";
 
 /** One record with its results and its files. */
-export function RecordDetail({ found, onBack }: { found: FoundFleetRecord; onBack: () => void }) {
+export function RecordDetail({
+  found,
+  station,
+  onBack,
+}: {
+  found: FoundFleetRecord;
+  station: string | undefined;
+  onBack: () => void;
+}) {
   const path = [found.station, found.kind, found.id].map(encodeURIComponent).join("/");
   const { value } = useAnswer<FleetRecord>(`/api/fleet/records/${path}`);
   const entry = value ?? found;
   const facts: [string, string][] = [
-    [t("ui-station"), entry.station],
+    [t("ui-station"), station ?? entry.station],
     [t("ui-time"), moment(entry.at)],
     [t("ui-fleet-label"), entry.label],
     [t("ui-operator"), entry.operator],
@@ -25,6 +33,7 @@ export function RecordDetail({ found, onBack }: { found: FoundFleetRecord; onBac
     [t("ui-fleet-software"), entry.software],
     [t("ui-fleet-archived"), entry.archived_at ? moment(entry.archived_at) : t("ui-fleet-only-on-station")],
     [t("ui-fleet-from"), entry.place],
+    [t("ui-fleet-cloud"), entry.kind === "scan" ? rebuildCommand(entry) : ""],
   ];
   return (
     <section aria-label={entry.id}>
@@ -101,4 +110,9 @@ export function RecordDetail({ found, onBack }: { found: FoundFleetRecord; onBac
       )}
     </section>
   );
+}
+
+/** What makes the cloud of a scan for viewers. */
+function rebuildCommand({ place, id }: FleetRecord): string {
+  return `crenel rebuild '${place}' --record '${id}' --format copc -o clouds`;
 }

@@ -2,6 +2,7 @@ import { useDeferredValue, useState } from "react";
 import type { FleetOverview, FoundFleetRecord, RecordsPage } from "../api/wire";
 import { figures, moment } from "../parts/format";
 import { QualityMark } from "../parts/QualityMark";
+import { isolated } from "../state/isolated";
 import { t } from "../state/language";
 import { KINDS, qualityOf, useAnswer } from "./answers";
 import styles from "./FleetPage.module.css";
@@ -36,11 +37,12 @@ export function RecordSearch({ overview }: { overview: FleetOverview }) {
   const [pages, setPages] = useState<(FoundFleetRecord | null)[]>([null]);
   const [chosen, choose] = useState<FoundFleetRecord | null>(null);
   const settled = useDeferredValue(query);
+  const names = new Map(overview.stations.map((one) => [one.id, one.name]));
   const change = (part: Partial<Query>) => {
     setQuery({ ...query, ...part });
     setPages([null]);
   };
-  if (chosen) return <RecordDetail found={chosen} onBack={() => choose(null)} />;
+  if (chosen) return <RecordDetail found={chosen} station={names.get(chosen.station)} onBack={() => choose(null)} />;
   return (
     <section aria-label={t("ui-fleet-records")}>
       <form className={styles.form} role="search" onSubmit={(event) => event.preventDefault()}>
@@ -97,6 +99,7 @@ export function RecordSearch({ overview }: { overview: FleetOverview }) {
               key={before?.key ?? 0}
               path={addressOf(settled, before)}
               last={number === pages.length - 1}
+              names={names}
               onChoose={choose}
               onMore={(end) => setPages([...pages, end])}
             />
@@ -110,11 +113,13 @@ export function RecordSearch({ overview }: { overview: FleetOverview }) {
 function Page({
   path,
   last,
+  names,
   onChoose,
   onMore,
 }: {
   path: string;
   last: boolean;
+  names: Map<string, string>;
   onChoose: (found: FoundFleetRecord) => void;
   onMore: (end: FoundFleetRecord) => void;
 }) {
@@ -130,14 +135,14 @@ function Page({
               {moment(found.at)}
             </button>
           </td>
-          <td>{found.station}</td>
+          <td className={styles.wraps}>{isolated(names.get(found.station) ?? found.station)}</td>
           <td>{kindName(found.kind)}</td>
-          <td>{found.label || found.id}</td>
+          <td className={styles.wraps}>{found.label || found.id}</td>
           <td>
             {found.verdict && <QualityMark quality={qualityOf(found.verdict)} size="1.1em" />}
             {found.points !== null && !found.verdict && t("ui-n-points", { n: found.points })}
           </td>
-          <td>{found.calibration_id}</td>
+          <td className={styles.wraps}>{found.calibration_id}</td>
           <td>{found.archived_at ? moment(found.archived_at) : "–"}</td>
         </tr>
       ))}

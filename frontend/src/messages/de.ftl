@@ -345,6 +345,7 @@ ui-fleet-changes-by = { $since ->
         [calibration] Ändert sich um { $slope } ± { $uncertainty } { $unit } (95 %), nach { $n } Werten mit { $groups } Kalibrierungen.
        *[first] Ändert sich um { $slope } ± { $uncertainty } { $unit } (95 %), nach { $n } Werten von { $groups } Geräten.
     }
+ui-fleet-cloud = Die Wolke für Betrachter, auf einem Rechner mit Zugang zu diesem Ort
 ui-fleet-collected = Gesammelt
 ui-fleet-count = Anzahl
 ui-fleet-differed = Weicht vom ersten Wert an, { $since }, um { $size } ± { $uncertainty } { $unit } (k = 2) ab.
@@ -417,10 +418,16 @@ ui-fleet-symbol = Symbol
 ui-fleet-temperature-since-calibration = Über der Temperatur der verwendeten Kalibrierung
 ui-fleet-temperature-since-first = Temperatur
 ui-fleet-then = Dann { $value } ab { $since }.
+ui-fleet-times = Zeiten: { $zone }
 ui-fleet-until = Bis
 ui-fleet-verdict = Ergebnis
 ui-fleet-with-the-password = Mit dem Passwort dieser Seite
 ui-fleet-words = Teil, Bediener, Kennung, Seriennummer
+ui-fleet-would-be-affected = { $n ->
+    [0] Mit ihr wurde nichts aufgenommen.
+    [one] Falls sie falsch ist, ist eine Aufnahme betroffen.
+   *[other] Falls sie falsch ist, sind { $n } Aufnahmen betroffen.
+}
 ui-for = seit { $age }
 ui-for-information-without-a-limit = zur Information, ohne Grenzwert
 ui-form = Form

@@ -345,6 +345,7 @@ ui-fleet-changes-by = { $since ->
         [calibration] Changes by { $slope } ± { $uncertainty } { $unit } (95 %), by { $n } values with { $groups } calibrations.
        *[first] Changes by { $slope } ± { $uncertainty } { $unit } (95 %), by { $n } values of { $groups } devices.
     }
+ui-fleet-cloud = Its cloud, for viewers, on a computer that reaches this place
 ui-fleet-collected = Collected
 ui-fleet-count = Number
 ui-fleet-differed = Differs by { $size } ± { $uncertainty } { $unit } (k = 2) from the first value on, { $since }.
@@ -417,10 +418,16 @@ ui-fleet-symbol = Symbol
 ui-fleet-temperature-since-calibration = Above the temperature of the calibration in use
 ui-fleet-temperature-since-first = Temperature
 ui-fleet-then = Then { $value } from { $since }.
+ui-fleet-times = Times: { $zone }
 ui-fleet-until = Until
 ui-fleet-verdict = Result
 ui-fleet-with-the-password = With the password of this page
 ui-fleet-words = Part, operator, id, serial number
+ui-fleet-would-be-affected = { $n ->
+    [0] No recording was made with it.
+    [one] If it is wrong, one recording is affected.
+   *[other] If it is wrong, { $n } recordings are affected.
+}
 ui-for = for { $age }
 ui-for-information-without-a-limit = for information, without a limit
 ui-form = Form

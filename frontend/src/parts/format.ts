@@ -26,6 +26,16 @@ export function daysAgo(value: number): string {
   return t("ui-days-ago", { n: Math.round(value) });
 }
 
+/** The user's time zone, with its offset from UTC today. */
+export function timeZone(): string {
+  const minutes = -new Date().getTimezoneOffset();
+  const hours = Math.floor(Math.abs(minutes) / 60);
+  const rest = Math.abs(minutes) % 60;
+  const offset = minutes ? `${minutes < 0 ? "−" : "+"}${hours}${rest ? `:${String(rest).padStart(2, "0")}` : ""}` : "";
+  const { timeZone: name } = Intl.DateTimeFormat().resolvedOptions();
+  return name === "UTC" ? name : `${name}, UTC${offset}`;
+}
+
 /** Date and time of day, in the user's time zone. */
 export function moment(iso: string): string {
   const date = new Date(iso);
