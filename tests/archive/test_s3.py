@@ -3,15 +3,11 @@
 from collections.abc import Iterator
 from contextlib import suppress
 from pathlib import Path
-from typing import Any
 
 import pytest
 
 pytest.importorskip("moto")
 pytest.importorskip("s3fs")
-
-import fsspec
-from fsspec.implementations.memory import MemoryFileSystem
 
 from app.archive.archive import Archive
 from app.archive.archive_settings import ArchiveSettings
@@ -22,6 +18,7 @@ from app.bench.fleet.s3_server import BUCKET, CuttingProxy, S3Server
 from app.errors import OperationError
 from app.store.store import Store
 from tests.archive.filled import add_scan, archive_of, check_whole, content_of, lists_of
+from tests.archive.full_bucket import full_bucket
 
 pytestmark = pytest.mark.slow
 LARGE = 6 << 20
@@ -115,19 +112,23 @@ def test_a_store_that_refuses_or_is_not_there_is_named_with_a_remedy(
     assert open_archive(store, tmp_path, server.port).run() == 1
 
 
-class FullBucket(MemoryFileSystem):  # type: ignore[misc]
-    """A store without room; its answer is that of an S3-compatible server."""
-
-    protocol = "fullbucket"
-
-    def pipe_file(self, path: str, value: bytes, **options: Any) -> None:
-        raise OSError(5, "An error occurred (XMinioStorageFull) when calling PutObject")
-
-
-def test_a_full_bucket_is_named(store: Store) -> None:
-    fsspec.register_implementation("fullbucket", FullBucket, clobber=True)
+@pytest.mark.parametrize("kind", ["MinIO", "Ceph"])
+@pytest.mark.parametrize("size", [400_000, LARGE])
+def test_a_full_bucket_is_named_keeps_nothing_partial_and_goes_on_with_more_room(
+    kind: str, size: int, store: Store, tmp_path: Path, server: S3Server
+) -> None:
     add_scan(store, "one", 1000)
-    assert refusal(archive_of(store, "fullbucket://bucket/x")).code == "archive-full"
+    add_scan(store, "two", size)
+    with full_bucket(server.port, kind, size - 10_000) as bucket:
+        archive = open_archive(store, tmp_path, bucket.port)
+        assert refusal(archive).code == "archive-full"
+        assert bucket.refused
+        there = server.content(f"{tmp_path.name}/")
+        assert [one.id for one in check_whole(there)] == ["one"]
+        assert "Uploads" not in server.client.list_multipart_uploads(Bucket=BUCKET)
+        bucket.room = 100_000_000
+        assert archive.run() == 1
+    assert len(check_whole(server.content(f"{tmp_path.name}/"))) == 2
 
 
 def test_another_fsspec_store_works_as_well(store: Store) -> None:
