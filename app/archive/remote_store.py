@@ -184,7 +184,11 @@ class FsspecStore:
         with convert_store_errors(self._place, self._purpose):
             files, path = self._at(name)
             begins, ends = ([span[side] for span in spans] for side in (0, 1))
-            return files.cat_ranges([path] * len(spans), begins, ends, on_error="raise")  # type: ignore[no-any-return]
+            found = files.cat_ranges([path] * len(spans), begins, ends, on_error="raise")
+            for part in found:
+                if isinstance(part, BaseException):  # earlier versions of the library return it
+                    raise part
+            return [bytes(part) for part in found]
 
     def size(self, name: str) -> int | None:
         with convert_store_errors(self._place, self._purpose):
