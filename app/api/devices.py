@@ -86,6 +86,13 @@ def describe(asked: StripeDirection, context: TheContext) -> DevicesView:
     return context.device_setup.view()
 
 
+@router.post("/arm-datasheet")
+def describe_arm(context: TheContext) -> DevicesView:
+    """Writes the datasheet of the chosen arm, which reports poses, into the data folder."""
+    context.device_setup.describe_arm()
+    return context.device_setup.view()
+
+
 @router.post("/trial")
 def start_trial(asked: ChosenDriver, context: TheContext) -> TrialView:
     """Opens a device for a look; it is closed when nobody looks any more, or after a time."""

@@ -11,7 +11,14 @@ from app.errors import OperationError
 from app.formats.file_names import display_path
 from app.guide.common.datasheet_library import DatasheetLibrary
 from app.messages.message import Text, message, word
-from app.operations.new_datasheet import UndescribedSensor, find_undescribed, write_datasheet
+from app.operations.new_datasheet import (
+    UndescribedArm,
+    UndescribedSensor,
+    find_undescribed,
+    find_undescribed_arm,
+    write_arm_datasheet,
+    write_datasheet,
+)
 from app.settings.device_tables import write_device
 from app.settings.settings import DeviceKind, DeviceTable
 from app.station.bus import Bus
@@ -88,6 +95,8 @@ class DevicesView:
     drivers: tuple[DriverForm, ...]
     undescribed: UndescribedSensor | None
     """The chosen camera, if the data folder has no datasheet of it yet."""
+    undescribed_arm: UndescribedArm | None
+    """The chosen arm, likewise."""
 
 
 def choice_of(table: DeviceTable | None) -> DeviceChoice | None:
@@ -146,19 +155,11 @@ class DeviceSetup:
             devices=self._devices(),
             searching=self.search.running,
             searched=result.done,
-            found=tuple(
-                FoundView(
-                    one.kind,
-                    one.driver,
-                    one.title,
-                    one.options,
-                    self._is_in_use(one.kind, one.driver, one.options),
-                )
-                for one in result.devices
-            ),
+            found=self._device_rows(),
             problems=result.problems,
             drivers=self._forms,
             undescribed=self._find_undescribed(),
+            undescribed_arm=self._find_undescribed_arm(),
         )
 
     def try_device(self, kind: DeviceKind, driver: str, entered: Mapping[str, object]) -> TrialView:
@@ -203,6 +204,15 @@ class DeviceSetup:
         with self._changing:
             write_datasheet(self._find_undescribed(), stripe_axis, self._data)
 
+    def describe_arm(self) -> None:
+        """Writes the datasheet of the chosen arm, which reports poses.
+
+        Raises:
+            OperationError: as ``describe``, or the arm reports joints.
+        """
+        with self._changing:
+            write_arm_datasheet(self._find_undescribed_arm(), self._data)
+
     def close(self) -> None:
         """Ends a trial."""
         self.trials.close()
@@ -234,6 +244,36 @@ class DeviceSetup:
         if "sensor" not in self._tables:
             return None
         return find_undescribed(self._rig.sensor, self._library())
+
+    def _find_undescribed_arm(self) -> UndescribedArm | None:
+        if "arm" not in self._tables:
+            return None
+        return find_undescribed_arm(self._rig.arm, self._library())
+
+    def _device_rows(self) -> tuple[FoundView, ...]:
+        """What the last search found, and the devices in use that no search finds."""
+        found = [
+            FoundView(
+                one.kind,
+                one.driver,
+                one.title,
+                one.options,
+                self._is_in_use(one.kind, one.driver, one.options),
+            )
+            for one in self.search.result.devices
+        ]
+        for kind, table in self._tables.items():
+            if not any(one.in_use and one.kind == kind for one in found):
+                found.append(self._manual_device(kind, table))
+        return tuple(found)
+
+    def _manual_device(self, kind: DeviceKind, table: DeviceTable) -> FoundView:
+        """A device in use that a person has entered."""
+        options = device_address(kind, table.driver, table.options)
+        side = self._rig.arm if kind == "arm" else self._rig.sensor
+        name = "" if side.info is None else side.info.name
+        title = " · ".join(filter(None, (name, *map(str, options.values()))))
+        return FoundView(kind, table.driver, title or table.driver, options, in_use=True)
 
     def _is_in_use(self, kind: DeviceKind, driver: str, options: Mapping[str, object]) -> bool:
         return self._name_in_use(kind, driver, options) is not None

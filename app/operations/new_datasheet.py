@@ -1,4 +1,8 @@
-"""The datasheet of a camera that was just chosen: what is known of it, and how the line runs."""
+"""The datasheets of devices that were just chosen: what they say themselves, and what is asked.
+
+A camera is asked how the line runs in its picture. Of an arm that reports poses, nothing needs to
+be known; one that reports joints needs its kinematic model, which only its owner has.
+"""
 
 import re
 from dataclasses import dataclass
@@ -6,13 +10,15 @@ from pathlib import Path
 from typing import Literal
 
 from app.errors import OperationError
+from app.formats.datasheets.arm import ArmFile
 from app.formats.datasheets.sensor import SensorDatasheet
 from app.formats.io_errors import convert_io_errors
 from app.guide.common.datasheet_library import DatasheetLibrary
 from app.messages.message import message
+from app.station.devices.arm_device import StationArm
 from app.station.devices.sensor_device import StationSensor
 
-FOLDER = "sensors"
+FOLDER, ARMS_FOLDER = "sensors", "arms"
 
 
 @dataclass(frozen=True)
@@ -52,13 +58,8 @@ def write_datasheet(
     """
     if sensor is None:
         raise OperationError("no-sensor", message("no-camera-without-datasheet"))
-    folder = data / FOLDER
     words = f"{sensor.name} {sensor.serial_number} {sensor.width_px}x{sensor.height_px}"
-    stem = re.sub(r"[^a-z0-9]+", "-", words.lower()).strip("-")[-80:].strip("-")
-    names = [stem, *(f"{stem}-{number}" for number in range(2, 100))]
-    path = next(path for name in names if not (path := folder / f"{name}.json").exists())
-    with convert_io_errors(folder):
-        folder.mkdir(parents=True, exist_ok=True)
+    path = _new_path(data / FOLDER, words)
     SensorDatasheet(
         name=sensor.name,
         serial_number=sensor.serial_number,
@@ -67,3 +68,55 @@ def write_datasheet(
         stripe_axis=stripe_axis,
     ).write(path)
     return path
+
+
+@dataclass(frozen=True)
+class UndescribedArm:
+    """A connected arm without a datasheet in the data folder."""
+
+    name: str
+    serial_number: str
+    joint_count: int
+    """0 of an arm that reports poses, whose datasheet can be written here."""
+
+
+def find_undescribed_arm(arm: StationArm, library: DatasheetLibrary) -> UndescribedArm | None:
+    """The connected arm, if no datasheet may be its own."""
+    info = arm.info
+    if info is None:
+        return None
+    found = UndescribedArm(info.name, info.serial_number, info.joint_count)
+    return None if is_described(found, library) else found
+
+
+def is_described(arm: UndescribedArm, library: DatasheetLibrary) -> bool:
+    """Whether a datasheet is of an arm of this kind, and of no other unit."""
+    for entry in library.arms.values():
+        known = entry.datasheet
+        joint_count = known.reading_size if known.reading_kind == "joints" else 0
+        serial_numbers = {known.serial_number, arm.serial_number} - {""}
+        if joint_count == arm.joint_count and len(serial_numbers) < 2:
+            return True
+    return False
+
+
+def write_arm_datasheet(arm: UndescribedArm | None, data: Path) -> Path:
+    """Writes ``arms/NAME.json`` of an arm that reports poses; a file that is there stays.
+
+    Raises:
+        OperationError: no such arm is connected, or the file cannot be written.
+    """
+    if arm is None or arm.joint_count:
+        raise OperationError("no-arm", message("no-arm-without-datasheet"))
+    path = _new_path(data / ARMS_FOLDER, f"{arm.name} {arm.serial_number}")
+    ArmFile(name=arm.name, serial_number=arm.serial_number, convention="pose").write(path)
+    return path
+
+
+def _new_path(folder: Path, words: str) -> Path:
+    """A file of this name that is not there yet, in a folder that is."""
+    stem = re.sub(r"[^a-z0-9]+", "-", words.lower()).strip("-")[-80:].strip("-")
+    names = [stem, *(f"{stem}-{number}" for number in range(2, 100))]
+    with convert_io_errors(folder):
+        folder.mkdir(parents=True, exist_ok=True)
+    return next(path for name in names if not (path := folder / f"{name}.json").exists())

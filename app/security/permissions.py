@@ -146,6 +146,7 @@ ROUTES: dict[tuple[str, str], Rule] = {
     ("POST", "/api/devices"): Rule(Right.administer, message("chose-a-device")),
     ("POST", "/api/devices/remove"): Rule(Right.administer, message("took-a-device-out")),
     ("POST", "/api/devices/datasheet"): Rule(Right.administer, message("described-a-camera")),
+    ("POST", "/api/devices/arm-datasheet"): Rule(Right.administer, message("described-an-arm")),
     ("POST", "/api/devices/trial"): Rule(Right.administer, message("tried-a-device")),
     ("GET", "/api/devices/trial"): Rule(Right.administer),
     ("GET", "/api/devices/trial/picture.jpg"): Rule(Right.administer),

@@ -1,6 +1,7 @@
 """Finding, trying and choosing devices of a running station."""
 
 from collections.abc import Iterator
+from dataclasses import replace
 from http import HTTPStatus
 from pathlib import Path
 from typing import Any
@@ -10,10 +11,16 @@ import numpy as np
 import pytest
 
 from app.api.monitoring.support import context_redactor
+from app.errors import OperationError
+from app.formats.datasheets.arm import read_any_arm
 from app.formats.datasheets.sensor import read_sensor
+from app.guide.common.datasheet_library import DatasheetEntry, DatasheetLibrary
+from app.operations.new_datasheet import UndescribedArm, is_described, write_arm_datasheet
 from app.settings.station_toml import read_settings
 from app.station.setup.trials import DeviceTrials
+from hardware.simulator.devices.rtde_server import RobotState, RtdeServer
 from tests.api.conftest import Server, running_server, wait_for
+from tests.simulated_robots import robot
 
 pytestmark = pytest.mark.slow
 
@@ -160,6 +167,43 @@ def test_a_chosen_camera_gets_its_datasheet_from_one_answer(
     assert (datasheet.name, datasheet.stripe_axis) == ("pictures", "v")
     assert (datasheet.width_px, datasheet.height_px) == (WIDTH, HEIGHT)
     written.unlink()
+
+
+def test_a_robot_that_was_entered_is_shown_and_gets_its_datasheet(station: Server) -> None:
+    assert view(station)["undescribed_arm"] is None, "the simulated arm has its datasheet"
+    controller = RtdeServer(lambda _: RobotState(np.zeros(6), np.eye(4)))
+    controller.start()
+    try:
+        options = {"address": "127.0.0.1", "port": str(controller.port)}
+        body = {"kind": "arm", "driver": "ur-rtde", "options": options}
+        station.http.post("/api/devices", json=body).raise_for_status()
+        wanted = wait_for(lambda: view(station)["undescribed_arm"], lambda one: one is not None)
+        assert wanted["joint_count"] == 0
+        (row,) = [one for one in view(station)["found"] if one["kind"] == "arm" and one["in_use"]]
+        assert row["title"].startswith("Universal Robots")
+        assert "127.0.0.1" in row["title"]
+        answer = station.http.post("/api/devices/arm-datasheet")
+        assert answer.raise_for_status().json()["undescribed_arm"] is None
+        (written,) = (station.data / "arms").glob("universal-robots*.json")
+        assert read_any_arm(written).reading_kind == "pose"
+        again = station.http.post("/api/devices/arm-datasheet")
+        assert again.json()["code"] == "no-arm"
+        written.unlink()
+    finally:
+        station.http.post("/api/devices/remove", json={"kind": "arm"}).raise_for_status()
+        controller.stop()
+
+
+def test_an_arm_of_another_unit_needs_its_own_model() -> None:
+    arm = robot(6)
+    library = DatasheetLibrary({"a": DatasheetEntry("a", Path("a"), arm)}, {}, {}, ())
+    same = UndescribedArm("Arm", arm.serial_number, 6)
+    assert is_described(same, library)
+    assert is_described(replace(same, serial_number=""), library)
+    for other in (replace(same, serial_number="X-9"), replace(same, joint_count=7)):
+        assert not is_described(other, library)
+        with pytest.raises(OperationError, match="reports poses"):
+            write_arm_datasheet(other, Path("nowhere"))
 
 
 def test_the_stations_own_device_is_shown_and_not_opened_again(

@@ -180,6 +180,15 @@ def test_losses_are_of_the_last_minutes() -> None:
     assert health.losses("arm", Losses(100_000, 5, 0)).quality == "good"
 
 
+def test_losses_are_those_of_the_device_in_use() -> None:
+    now_s = 0.0
+    window = LossWindow(lambda: now_s)
+    window.note(50_000, 0, 0)
+    now_s = 2.0
+    window.note(100, 3, 0)  # another device was chosen, whose counts begin with 0
+    assert window.over(1100, 3, 0) == Losses(1000, 0, 0)
+
+
 def test_losses_just_now_are_bad_and_the_drivers_remedy_comes_first() -> None:
     said = health.losses("sensor", Losses(100_000, 5, 0), losing=True, remedy="Raise it.")
     assert said.quality == "bad"

@@ -90,8 +90,10 @@ class LossWindow:
         self._samples: deque[tuple[float, Losses]] = deque()
 
     def note(self, received: int, lost: int, corrupt: int) -> None:
-        """The current counts; called at any rate."""
+        """The current counts; called at any rate. Counts that fall are of another device."""
         now_s = self._clock()
+        if self._samples and received < self._samples[-1][1].received:
+            self._samples.clear()
         if self._samples and now_s - self._samples[-1][0] < SAMPLE_S:
             return
         self._samples.append((now_s, Losses(received, lost, corrupt)))

@@ -32,6 +32,9 @@ export const removeDevice = (kind: DeviceKind) =>
 export const describeCamera = (stripe_axis: "u" | "v") =>
   ask(() => post<DevicesView>(`${PATH}/datasheet`, { stripe_axis }), t("ui-the-datasheet-was-not-written"));
 
+export const describeArm = () =>
+  ask(() => post<DevicesView>(`${PATH}/arm-datasheet`), t("ui-the-datasheet-was-not-written"));
+
 /** The station closes it by itself if this does not arrive. */
 export async function endTrial(): Promise<void> {
   try {

@@ -1,5 +1,5 @@
-import { type DeviceKind, describeCamera, removeDevice } from "../api/deviceCommands";
-import type { DevicesView, StationDevice } from "../api/wire";
+import { type DeviceKind, describeArm, describeCamera, removeDevice } from "../api/deviceCommands";
+import type { DevicesView, StationDevice, UndescribedArm } from "../api/wire";
 import { MainAct } from "../parts/Actions";
 import { CardHead } from "../parts/CardHead";
 import { PressButton } from "../parts/PressButton";
@@ -38,6 +38,7 @@ export function DevicesCard({ view, saved, onSearch, onView }: DevicesCardProps)
         </MainAct>
       )}
       {view.undescribed && <LineQuestion onView={onView} />}
+      {view.undescribed_arm && <ArmDatasheet arm={view.undescribed_arm} onView={onView} />}
       <section className={card.section} aria-labelledby="used">
         <h2 id="used" className={card.heading}>
           {t("ui-this-station-uses")}
@@ -91,6 +92,27 @@ function LineQuestion({ onView }: { onView: DevicesCardProps["onView"] }) {
         </PressButton>
       </div>
       <p className={styles.note}>{t("ui-new-camera-gets-its-datasheet")}</p>
+    </section>
+  );
+}
+
+/** An arm that reports poses says all that its datasheet needs; of another, the owner has the model. */
+function ArmDatasheet({ arm, onView }: { arm: UndescribedArm; onView: DevicesCardProps["onView"] }) {
+  const write = async () => onView(await describeArm());
+  const joints = arm.joint_count;
+  return (
+    <section className={card.section} aria-labelledby="arm">
+      <h2 id="arm" className={card.heading}>
+        {t("ui-the-arm-has-no-datasheet")}
+      </h2>
+      {joints === 0 && (
+        <PressButton free onPress={write}>
+          {t("ui-write-the-datasheet-of-the-arm")}
+        </PressButton>
+      )}
+      <p className={styles.note}>
+        {joints === 0 ? t("ui-arm-of-poses-needs-no-more") : t("ui-arm-needs-its-model", { joints })}
+      </p>
     </section>
   );
 }
