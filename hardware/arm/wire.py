@@ -7,6 +7,7 @@ reads without blocking; otherwise (Windows COM ports, ``rfc2217://``) it reads i
 
 import contextlib
 import errno
+import re
 import selectors
 import socket
 import threading
@@ -21,6 +22,7 @@ from hardware.errors import DeviceError
 
 _SLICE_S = 0.05
 _CHUNK = 65536
+_HOST_AND_PORT = re.compile(r"[\w.-]+:\d{1,5}")
 
 
 class _Port(Protocol):
@@ -152,6 +154,11 @@ def _open_error(url: str, error: Exception) -> DeviceError:
     if isinstance(cause, socket.gaierror):
         return DeviceError(message("host-not-known", url=url), message("check-arm-url"))
     if number == errno.ENOENT or "FileNotFoundError" in text:
+        if _HOST_AND_PORT.fullmatch(url):
+            return DeviceError(
+                message("no-serial-port-named", url=url),
+                message("enter-network-address-as", url=f"socket://{url}"),
+            )
         return DeviceError(message("no-serial-port-named", url=url), _list_ports_text())
     if number in (errno.EAGAIN, errno.EBUSY):
         return DeviceError(

@@ -130,7 +130,13 @@ class GentlSource(CameraSource):
         from genicam import gentl
 
         for producer in find_producers(options.producer):
-            self._harvester.add_file(str(producer))
+            try:
+                self._harvester.add_file(str(producer), check_validity=bool(options.producer))
+            except OSError as error:
+                raise DeviceError(
+                    message("gentl-producer-unusable", producer=str(producer), reason=error),
+                    message("install-gentl-producer"),
+                ) from error
         self._harvester.update()
         found = [
             each

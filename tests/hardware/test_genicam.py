@@ -300,7 +300,9 @@ def test_what_the_camera_cannot_do_is_said(fake: AravisFake) -> None:
 
 def test_nobody_at_the_address_is_said(port: None) -> None:
     text = refusal(options())
-    assert "The camera 127.0.0.1 does not answer" in text
+    assert "The camera 127.0.0.1 does not answer. Check the power" in text
+    misspelt = refusal({"address": "192.168.1.300"})
+    assert "no device with the address or name 192.168.1.300" in misspelt
 
 
 def test_a_laser_is_switched_on_its_line_and_off_at_the_end(laser_camera: Path) -> None:

@@ -115,6 +115,13 @@ def test_a_stopped_camera_starts_again_with_larger_buffers(producer: Path) -> No
         source.release()
 
 
+def test_a_file_that_is_no_producer_is_named(tmp_path: Path) -> None:
+    other = tmp_path / "other.cti"
+    other.write_text("no library")
+    with pytest.raises(DeviceError, match=r"other\.cti is no GenTL producer"):
+        from_options({"producer": str(other)}).open()
+
+
 def test_what_the_camera_cannot_do_is_said(producer: Path) -> None:
     for more, words in (
         ({"pixel_format": "Mono12"}, "pixel_format = Mono12; it offers RGBa8, Mono8"),

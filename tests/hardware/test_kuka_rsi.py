@@ -167,6 +167,9 @@ def test_what_is_wrong_at_opening_is_said(robot: UdpRobot) -> None:
     robot.spoil = lambda data: b"hello"
     with pytest.raises(DeviceError, match="is no RSI"):
         make_driver(robot, timeout_s=0.3).open()
+    robot.spoil = lambda data: data
+    with pytest.raises(DeviceError, match=r"comes from 127\.0\.0\.1, not from"):
+        make_driver(robot, timeout_s=0.3, address="127.0.0.7").open()
     robot.silent = True
     with pytest.raises(DeviceError, match=f"sends nothing to UDP port {robot.port}"):
         make_driver(robot, timeout_s=0.3).open()

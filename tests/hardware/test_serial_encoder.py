@@ -275,6 +275,7 @@ def test_a_port_in_use_is_named(arm: FakeSerialArm, driver: ArmDriver) -> None:
 
 def test_a_port_that_cannot_be_opened_says_why(tmp_path: Path) -> None:
     assert "There is no serial port" in open_error({"url": str(tmp_path / "ttyNONE")})
+    assert "enter socket://192.168.1.4:5000" in open_error({"url": "192.168.1.4:5000"})
     assert "cannot be opened" in open_error({"url": "nonsense://x"})
     plain = tmp_path / "file"
     plain.write_text("no port")

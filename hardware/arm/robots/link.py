@@ -28,6 +28,9 @@ class ControllerLink:
         self._closed = False
         self._socket: socket.socket | None = None
         self._peer = ""
+        self._target = ""
+        self.other_sender = ""
+        """Who sent the newest datagram that came from elsewhere; empty if none did."""
         self._wake, self._woken = socket.socketpair()
 
     def connect_tcp(self, port: int, timeout_s: float) -> None:
@@ -42,6 +45,7 @@ class ControllerLink:
     def connect_udp(self, port: int) -> None:
         """Datagrams go to and come from this port of the controller alone."""
         host = self._resolve(port)
+        self._target = f"{self.address}:{port}"
         made = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
         try:
             made.connect((host, port))
@@ -88,7 +92,7 @@ class ControllerLink:
                     return self._receive_stream(self._socket)
                 return self._receive_datagrams(self._socket)
             except OSError as error:
-                raise self._link_lost_error(_reason(error)) from error
+                raise self._link_lost_error(error) from error
 
     def send(self, data: bytes) -> None:
         """Raises ``DeviceError`` if the connection is lost."""
@@ -98,7 +102,7 @@ class ControllerLink:
             try:
                 self._socket.sendall(data)
             except OSError as error:
-                raise self._link_lost_error(_reason(error)) from error
+                raise self._link_lost_error(error) from error
 
     def close(self, farewell: bytes = b"") -> None:
         """Ends a waiting ``receive``, and sends ``farewell`` first if it is open; idempotent."""
@@ -132,6 +136,8 @@ class ControllerLink:
                 data, (sender, _) = made.recvfrom(_CHUNK)
                 if self._peer in ("", sender):
                     found.append(data)
+                else:
+                    self.other_sender = sender
         return found
 
     def _adopt(self, made: socket.socket) -> None:
@@ -176,9 +182,14 @@ class ControllerLink:
     def _link_closed_error(self) -> DeviceError:
         return DeviceError(message("robot-link-closed", address=self.address))
 
-    def _link_lost_error(self, reason: str) -> DeviceError:
+    def _link_lost_error(self, error: OSError) -> DeviceError:
+        if error.errno == errno.ECONNREFUSED:  # the answer to a datagram
+            return DeviceError(
+                message("robot-refuses-connection", where=self._target),
+                message("check-robot-interface"),
+            )
         return DeviceError(
-            message("robot-link-lost", address=self.address, reason=reason),
+            message("robot-link-lost", address=self.address, reason=_reason(error)),
             message("check-robot-network"),
         )
 

@@ -90,6 +90,16 @@ class ListeningStream:
         """Why ``start`` has no readings."""
         if self._health.corrupt:
             return DeviceError(self._unreadable, self.silence_remedy)
+        if sender := self._link.other_sender:
+            return DeviceError(
+                message(
+                    "robot-sends-from-elsewhere",
+                    address=self._address,
+                    sender=sender,
+                    port=str(self._port),
+                ),
+                message("correct-option", key="address"),
+            )
         return DeviceError(
             message("robot-sends-nothing-to-port", address=self._address, port=str(self._port)),
             self.silence_remedy,

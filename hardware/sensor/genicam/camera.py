@@ -1,5 +1,6 @@
 """One camera, opened through Aravis: its features, its registers, its control."""
 
+import socket
 import threading
 from ctypes import byref, c_char, c_double, c_int, c_uint32
 from dataclasses import dataclass
@@ -222,18 +223,22 @@ def open_camera(title: Text, address: str | None, serial_number: str | None) -> 
 def _connect(title: Text, aravis: Aravis, device_id: str, address: str | None) -> int:
     """The handle of a camera.
 
-    Aravis does not say why it cannot open one. A camera that is there, and obeys nobody, did not
-    answer in time, or was just given up by another program: it is opened again, once.
+    Aravis takes up to 5 s to fail, and does not say why: a camera with an address is asked first.
+    One that answers, and obeys nobody, did not answer Aravis in time: it is opened again, once.
     """
+    if address:
+        _require_free(title, address)
+    try:
+        return _new_handle(aravis, device_id)
+    except AravisError:
+        if address:
+            _require_free(title, address)
     try:
         return _new_handle(aravis, device_id)
     except AravisError as error:
-        if absent := _absent_error(title, address, error):
-            raise absent from error
-    try:
-        return _new_handle(aravis, device_id)
-    except AravisError as error:
-        raise _absent_error(title, address, error) or DeviceError(
+        if address:
+            _require_free(title, address)
+        raise DeviceError(
             message("camera-answers-but-does-not-open", title=title, reason=error),
             message("check-network-load-or-power"),
         ) from error
@@ -245,16 +250,21 @@ def _new_handle(aravis: Aravis, device_id: str) -> int:
         return handle
 
 
-def _absent_error(title: Text, address: str | None, error: AravisError) -> DeviceError | None:
-    """Why a camera could not be opened; None of one that answers and obeys nobody."""
-    control = read_control(address) if address else None
+def _require_free(title: Text, address: str) -> None:
+    """Raises ``DeviceError`` if no camera answers at an address, or another program controls it."""
+    try:
+        control = read_control(address)
+    except socket.gaierror as error:
+        raise DeviceError(
+            message("camera-address-not-known", address=address), message("check-sensor-address")
+        ) from error
     if control is None:
-        return DeviceError(
-            message("no-camera-answers", title=title, reason=error),
-            message("check-camera-power-cable-network"),
+        raise DeviceError(
+            message("no-camera-answers", title=title), message("check-camera-power-cable-network")
         )
     # a program may let no other read the camera's registers, which Aravis needs
-    return in_use_error(title) if control else None
+    if control:
+        raise in_use_error(title)
 
 
 def _find(title: Text, listed: list[ListedCamera], serial_number: str | None) -> ListedCamera:

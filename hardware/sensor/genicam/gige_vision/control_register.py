@@ -14,6 +14,7 @@ _READ_REGISTER, _READ_REGISTER_ACK = 0x0080, 0x0081
 _CONTROL_REGISTER = 0x0A00
 _EXCLUSIVE, _CONTROLLED = 0b01, 0b11
 _TRIES, _TRY_S = 3, 0.15
+_PATIENT_TRIES = 5
 
 
 class ControlRegister:
@@ -32,13 +33,13 @@ class ControlRegister:
             self._socket.close()
             raise
 
-    def read(self) -> int | None:
+    def read(self, tries: int = _TRIES) -> int | None:
         """The value, not 0 while a program controls the camera; None if nothing answers.
 
         A camera that refuses to answer is controlled by a program that lets no other read it.
         """
         requests: set[int] = set()
-        for _ in range(_TRIES):
+        for _ in range(tries):
             request = next(self._requests) % 0xFFFF + 1
             requests.add(request)
             head = (_KEY, _ACKNOWLEDGE, _READ_REGISTER, 4, request, _CONTROL_REGISTER)
@@ -70,12 +71,19 @@ def _value(answer: bytes, requests: set[int]) -> int | None:
 
 
 def read_control(address: str) -> int | None:
-    """The register of the camera at an address, as of ``ControlRegister.read``."""
+    """The register of the camera at an address, as of ``ControlRegister.read``.
+
+    It waits up to 0.8 s: a camera that was just plugged in, or whose line is busy, answers late.
+
+    Raises ``socket.gaierror`` for what is neither an IP address nor the name of a host.
+    """
     try:
         register = ControlRegister(address)
-    except OSError:  # no IP address, or no network
+    except socket.gaierror:
+        raise
+    except OSError:  # no network
         return None
     try:
-        return register.read()
+        return register.read(_PATIENT_TRIES)
     finally:
         register.close()

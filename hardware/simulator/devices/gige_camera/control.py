@@ -96,7 +96,9 @@ class ControlServer:
                 continue
             if not self._was_plugged or (request := gvcp.parse(datagram)) is None:
                 continue
-            if self._faults.unanswered:
+            if self._faults.answered:
+                self._faults.answered -= 1
+            elif self._faults.unanswered:
                 self._faults.unanswered -= 1
                 continue
             with self._registers.lock:

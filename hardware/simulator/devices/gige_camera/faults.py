@@ -21,6 +21,8 @@ class GigeFaults:
     """A line slower than the camera's own."""
     unanswered: int = 0
     """So many of the next requests get no answer."""
+    answered: int = 0
+    """So many are answered before those."""
     latch_delays_s: tuple[float, ...] = ()
     """How late the camera answers that it has latched its clock, in turn."""
 
@@ -29,4 +31,4 @@ class GigeFaults:
         self.unplugged = self.taken = False
         self.packet_drop_rate, self.lost_packets = 0.0, frozenset()
         self.resends, self.line_bytes_per_s = True, None
-        self.unanswered, self.latch_delays_s = 0, ()
+        self.unanswered, self.answered, self.latch_delays_s = 0, 0, ()
