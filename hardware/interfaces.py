@@ -166,6 +166,19 @@ class ArmInfo:
 
 
 @dataclass(frozen=True, slots=True)
+class OptionOffer:
+    """What an open device offers for one option of its driver."""
+
+    key: str
+    choices: tuple[str, ...] = ()
+    """The values; empty if it is no choice among a few."""
+    bounds: tuple[float, float] | None = None
+    """The smallest and largest value, in the unit of the option."""
+    largest: str = ""
+    """Of an option with several numbers, the largest value as it would be entered."""
+
+
+@dataclass(frozen=True, slots=True)
 class SensorInfo:
     """Properties of a sensor, known after ``open``."""
 
@@ -187,6 +200,8 @@ class SensorInfo:
     """What it can send. After ``open``, it sends pictures if it can."""
     loss_remedy: Text = ""
     """What to do on this computer if data are lost, where the driver sees that; otherwise empty."""
+    offers: tuple[OptionOffer, ...] = ()
+    """What the device offers for the driver's options, where it can be asked."""
 
 
 @dataclass(slots=True)

@@ -24,11 +24,11 @@ UNITS: dict[str, Unit] = {
     "rad": "rad",
 }
 """By the ending of an option's name."""
-MAIN = frozenset(
-    ("url", "source", "path", "address", "host", "port", "serial", "serial_number", "baudrate")
-    + ("exposure_us", "rate_hz", "laser_colour", "topic", "ip", "device", "unit")
+MAIN = (
+    *("url", "source", "path", "address", "host", "ip", "device", "topic", "unit", "port"),
+    *("serial", "serial_number", "baudrate", "exposure_us", "rate_hz", "laser_colour"),
 )
-"""Options that are shown at once; those that a driver requires are, too."""
+"""Options that are shown at once, in this order; those that a driver requires come before."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -57,7 +57,13 @@ def option_fields(model: type[Options]) -> tuple[OptionField, ...]:
         for key, info in model.model_fields.items()
     ]
     shown = [one for one in fields if one is not None]
-    return tuple(sorted(shown, key=lambda one: (not one.required, not one.main)))
+    return tuple(sorted(shown, key=_rank))
+
+
+def _rank(field: OptionField) -> tuple[bool, int]:
+    """Smaller for what is needed more."""
+    key = field.key
+    return not field.required, MAIN.index(key) if key in MAIN else len(MAIN)
 
 
 def read_entered(

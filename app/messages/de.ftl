@@ -1816,6 +1816,7 @@ robot-host-not-known = Es gibt keinen Rechner mit dem Namen { $address }
 robot-link-closed = Die Verbindung zum Roboter unter { $address } ist geschlossen
 robot-link-lost = Die Verbindung zum Roboter unter { $address } ist abgebrochen: { $reason }
 robot-quaternion-not-unit = Der Arm unter { $address } sendet eine Orientierung, die keine Drehung ist: Ihr Quaternion hat die Länge { $length }
+reports-poses-no-tip = meldet Posen, keine Tastkugel
 robot-refuses-connection = Unter { $where } nimmt kein Programm Verbindungen an
 robot-said = { $text }. Der Roboter meldet: { $said }
 robot-sends-no-numbers = Der Arm unter { $address } sendet Werte, die keine Zahlen oder unmöglich groß sind

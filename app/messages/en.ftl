@@ -1812,6 +1812,7 @@ robot-host-not-known = There is no host with the name { $address }
 robot-link-closed = The connection to the robot at { $address } is closed
 robot-link-lost = The connection to the robot at { $address } was lost: { $reason }
 robot-quaternion-not-unit = The arm at { $address } sends an orientation that is no rotation: its quaternion has the length { $length }
+reports-poses-no-tip = reports poses, no tip
 robot-refuses-connection = No program listens at { $where }
 robot-said = { $text }. The robot reports: { $said }
 robot-sends-no-numbers = The arm at { $address } sends values that are no numbers, or impossibly large

@@ -82,6 +82,7 @@ class GrabbingSensor:
             free_running=source.free_running,
             delivers=source.delivers,
             loss_remedy=source.loss_remedy,
+            offers=source.offers,
         )
         return self._info
 

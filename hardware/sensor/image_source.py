@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from app.messages.message import Text, message
 from hardware.clock import now_ns
 from hardware.errors import DeviceError
-from hardware.interfaces import Delivery, StampKind
+from hardware.interfaces import Delivery, OptionOffer, StampKind
 
 GreyImage = NDArray[np.uint8] | NDArray[np.uint16]
 StampAt = Literal["exposure-start", "mid-exposure", "exposure-end", "frame-end"]
@@ -91,6 +91,8 @@ class ImageSource(ABC):
     no_picture_remedy: Text = message("check-cable-no-other-program-uses")
     """What to do if the device is open and sends nothing."""
     loss_remedy: Text = ""
+    """As of ``SensorInfo``."""
+    offers: tuple[OptionOffer, ...] = ()
     """As of ``SensorInfo``."""
     delivers: frozenset[Delivery] = frozenset({"picture"})
     """As of ``SensorInfo``; known when the source is open."""

@@ -298,6 +298,18 @@ def test_what_the_camera_cannot_do_is_said(fake: AravisFake) -> None:
         assert words in text
 
 
+def test_what_the_camera_offers_is_known_after_opening(fake: AravisFake) -> None:
+    driver = from_options(options())
+    offers = {one.key: one for one in driver.open().offers}
+    driver.close()
+    assert {"Mono8", "Mono16"} <= set(offers["pixel_format"].choices)
+    assert offers["trigger"].choices == ("Line0", "Software")
+    assert offers["region"].largest == "0, 0, 2048, 2048"
+    assert offers["exposure_us"].bounds == (10.0, 500_000.0)
+    assert offers["gain_db"].bounds == (0.0, 10.0)
+    assert "laser_line" not in offers, "it has no outputs"
+
+
 def test_nobody_at_the_address_is_said(port: None) -> None:
     text = refusal(options())
     assert "The camera 127.0.0.1 does not answer. Check the power" in text

@@ -46,6 +46,9 @@ def test_every_built_in_driver_has_its_fields() -> None:
     assert camera is not None
     first, *_ = option_fields(camera)
     assert (first.key, first.required, first.main) == ("source", True, True)
+    industrial = driver_options("sensor", "genicam")
+    assert industrial is not None
+    assert [one.key for one in option_fields(industrial)][:2] == ["address", "serial_number"]
 
 
 def test_kinds_units_and_defaults() -> None:

@@ -10,7 +10,15 @@ from app.station.devices.arm_device import StationArm
 from app.station.devices.device_thread import DeviceReader, Link, LinkState
 from app.station.devices.rig import DeviceName
 from app.station.devices.sensor_device import StationSensor
-from hardware.interfaces import ArmInfo, ArmReading, JointSample, PoseSample, SensorInfo, StampKind
+from hardware.interfaces import (
+    ArmInfo,
+    ArmReading,
+    JointSample,
+    OptionOffer,
+    PoseSample,
+    SensorInfo,
+    StampKind,
+)
 
 MUCH_LOST = 0.01
 TrialState: TypeAlias = Literal["opening", "live", "waiting", "failed", "ended"]
@@ -45,6 +53,8 @@ class TrialView:
     exposure_us: float | None
     exposure_range_us: tuple[float, float] | None
     """None if the exposure cannot be set."""
+    offers: tuple[OptionOffer, ...]
+    """What the device offers for the options; empty where it cannot be asked."""
     picture: int | None
     """The number of the newest picture; None before the first."""
     joints_deg: tuple[float, ...]
@@ -91,6 +101,7 @@ def view_sensor(
         height_px=info.height_px if info else None,
         exposure_us=latest.exposure_us if latest and info and latest.exposure_us > 0 else None,
         exposure_range_us=(shortest, longest) if shortest < longest else None,
+        offers=info.offers if info else (),
         picture=latest.sequence if latest and not ended else None,
     )
 
@@ -124,6 +135,7 @@ def _view_link(
         height_px=None,
         exposure_us=None,
         exposure_range_us=None,
+        offers=(),
         picture=None,
         joints_deg=(),
         position_mm=None,

@@ -57,6 +57,7 @@ export function ManualCard({ view, choice, onChoice, onTry, onBack }: ManualCard
             key={form.name}
             fields={form.fields}
             options={choice.options}
+            offers={[]}
             isMain={(field) => field.main}
             onChange={(options) => onChoice({ ...choice, options })}
           />

@@ -1,28 +1,32 @@
 import { useId } from "react";
 
 import type { Options } from "../api/deviceCommands";
-import type { OptionField } from "../api/wire";
+import type { OptionField, OptionOffer } from "../api/wire";
 import look from "../parts/Control.module.css";
 import fields from "../parts/Field.module.css";
 import settings from "../settings/Settings.module.css";
 import { t } from "../state/language";
 import styles from "./Devices.module.css";
 import { optionLabel } from "./names";
+import { choiceLabel, optionHelp } from "./optionTexts";
 
 interface OptionFieldsProps {
   fields: OptionField[];
   options: Options;
+  /** What the open device offers; none before it is open. */
+  offers: OptionOffer[];
   /** The fields at the top; the others are under "More options". */
   isMain: (field: OptionField) => boolean;
   onChange: (options: Options) => void;
 }
 
 /** The options of a driver: those needed most at once, the others on request. */
-export function OptionFields({ fields: all, options, isMain, onChange }: OptionFieldsProps) {
+export function OptionFields({ fields: all, options, offers, isMain, onChange }: OptionFieldsProps) {
   const row = (field: OptionField) => (
     <OptionInput
       key={field.key}
       field={field}
+      offer={offers.find((one) => one.key === field.key)}
       value={options[field.key]}
       onValue={(value) => onChange({ ...options, [field.key]: value })}
     />
@@ -43,13 +47,16 @@ export function OptionFields({ fields: all, options, isMain, onChange }: OptionF
 
 interface OptionInputProps {
   field: OptionField;
+  offer: OptionOffer | undefined;
   value: unknown;
   onValue: (value: string | boolean) => void;
 }
 
-function OptionInput({ field, value, onValue }: OptionInputProps) {
+function OptionInput({ field, offer, value, onValue }: OptionInputProps) {
   const id = useId();
-  const { kind, key, unit, help } = field;
+  const { kind, key, unit } = field;
+  const help = optionHelp(field, offer);
+  const choices = choicesOf(field, offer, text(value));
   const label = unit ? `${optionLabel(field)} (${unit})` : optionLabel(field);
   if (kind === "switch") {
     return (
@@ -69,14 +76,14 @@ function OptionInput({ field, value, onValue }: OptionInputProps) {
       <label className={fields.label} htmlFor={id}>
         {label}
       </label>
-      {kind === "choice" ? (
+      {choices.length > 0 ? (
         <select {...common} value={text(value)} onChange={(event) => onValue(event.target.value)}>
-          <option value="">{field.default || "–"}</option>
-          {field.choices
-            .filter((choice) => choice !== field.default)
-            .map((choice) => (
-              <option key={choice}>{choice}</option>
-            ))}
+          <option value="">{field.default ? choiceLabel(field, field.default) : "–"}</option>
+          {choices.map((choice) => (
+            <option key={choice} value={choice}>
+              {choiceLabel(field, choice)}
+            </option>
+          ))}
         </select>
       ) : (
         <input
@@ -98,6 +105,13 @@ function OptionInput({ field, value, onValue }: OptionInputProps) {
       </p>
     </div>
   );
+}
+
+/** The values to choose from, besides the default; none of an option that is typed. */
+function choicesOf(field: OptionField, offer: OptionOffer | undefined, value: string): string[] {
+  const { choices } = field.kind === "choice" ? field : (offer ?? { choices: [] });
+  if (choices.length === 0) return [];
+  return [...new Set([...choices, value])].filter((one) => one !== "" && one !== field.default);
 }
 
 function text(value: unknown): string {

@@ -78,6 +78,7 @@ export function TrialCard(props: TrialCardProps) {
           <OptionFields
             fields={form.fields}
             options={choice.options}
+            offers={trial.offers}
             isMain={(field) => field.required || field.key in trial.options}
             onChange={setOptions}
           />

@@ -28,6 +28,7 @@ from hardware.sensor.genicam.settings import (
     apply_options,
     switch_laser,
 )
+from hardware.sensor.genicam.setup.offers import camera_offers
 from hardware.sensor.genicam.setup.refusals import settings_refusal_error, unknown_format_error
 from hardware.sensor.genicam.slow_line import SlowLine
 from hardware.sensor.grey import to_grey
@@ -88,6 +89,7 @@ class CameraSource(ImageSource):
         self._features = camera
         profiles = isinstance(options, ProfileOptions) and offers_profiles(camera)
         settings = apply_options(self._title, camera, options)
+        self.offers = camera_offers(camera)
         self.exposure_range_us = settings.exposure_range_us
         self.has_laser_switch = options.laser_line is not None
         self.free_running = options.trigger is None

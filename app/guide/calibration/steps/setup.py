@@ -103,6 +103,8 @@ def _arm_detail(arm: AnyArm) -> Text:
             joint_count=arm.joint_count,
             diameter=quantity(arm.tip.diameter_mm, "mm", 3),
         )
+    if arm.tip is None and not arm.serial_number:
+        return message("reports-poses-no-tip")
     if arm.tip is None:
         return message("serial-number-poses", serial_number=arm.serial_number)
     return message(
