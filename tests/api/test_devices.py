@@ -20,6 +20,9 @@ from app.settings.station_toml import read_settings
 from app.station.setup.trials import DeviceTrials
 from hardware.simulator.devices.rtde_server import RobotState, RtdeServer
 from tests.api.conftest import Server, running_server, wait_for
+from tests.hardware.test_kuka_rsi import rsi_packet
+from tests.hardware.udp_robot import UdpRobot, free_udp_port
+from tests.sent_texts import english
 from tests.simulated_robots import robot
 
 pytestmark = pytest.mark.slow
@@ -103,6 +106,24 @@ def test_a_tried_arm_shows_its_joints(station: Server) -> None:
     live = wait_for(lambda: trial(station), lambda one: len(one["joints_deg"]) > 0)
     assert live["name"]
     assert live["stamps"] == "device"
+
+
+def test_a_tried_robot_whose_packets_are_damaged_says_so(station: Server) -> None:
+    controller = UdpRobot(free_udp_port(), 4, rsi_packet)
+    body = {
+        "kind": "arm",
+        "driver": "kuka-rsi",
+        "options": {"address": "127.0.0.1", "port": controller.port},
+    }
+    try:
+        station.http.post("/api/devices/trial", json=body).raise_for_status()
+        live = wait_for(lambda: trial(station), lambda one: one["state"] == "live")
+        assert not live["loss_text"]
+        controller.spoil = lambda data: b"damaged"
+        losing = wait_for(lambda: trial(station), lambda one: one["loss_text"])
+        assert "is being lost" in english(losing["loss_text"])
+    finally:
+        controller.stop()
 
 
 def test_what_cannot_be_opened_says_why(station: Server, tmp_path: Path) -> None:

@@ -5,7 +5,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from typing import Any, Literal, TypeAlias
 
-from app.messages.message import Text
+from app.messages.message import Text, join, message, word
 from app.station.devices.arm_device import StationArm
 from app.station.devices.device_thread import DeviceReader, Link, LinkState
 from app.station.devices.rig import DeviceName
@@ -46,8 +46,8 @@ class TrialView:
     corrupt: int
     stamps: StampKind | None
     """None before it is open."""
-    loss_remedy: Text
-    """What to do on this computer against losses, while much is lost; empty if nothing is known."""
+    loss_text: Text
+    """That much is being lost, and what to do; empty otherwise."""
     width_px: int | None
     height_px: int | None
     exposure_us: float | None
@@ -130,7 +130,7 @@ def _view_link(
         lost=link.lost,
         corrupt=link.corrupt,
         stamps=info.stamps if info else None,
-        loss_remedy=_loss_remedy(link, info),
+        loss_text=_loss_text(subject.kind, link, info),
         width_px=None,
         height_px=None,
         exposure_us=None,
@@ -143,11 +143,13 @@ def _view_link(
     )
 
 
-def _loss_remedy(link: Link, info: ArmInfo | SensorInfo | None) -> Text:
+def _loss_text(kind: DeviceName, link: Link, info: ArmInfo | SensorInfo | None) -> Text:
+    remedy = info.loss_remedy if isinstance(info, SensorInfo) else ""
+    if link.losing:
+        remedy = remedy or message("use-shorter-cable-port-own-close")
+        return join([message("data-lost-now", title=word(kind)), remedy], " ")
     share = (link.lost + link.corrupt) / max(link.received + link.lost + link.corrupt, 1)
-    if not isinstance(info, SensorInfo) or not (link.losing or share > MUCH_LOST):
-        return ""
-    return info.loss_remedy
+    return remedy if share > MUCH_LOST else ""
 
 
 def _state(link: Link, error: Text, ended: Text) -> TrialState:

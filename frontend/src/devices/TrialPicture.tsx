@@ -18,10 +18,10 @@ export function TrialPicture({ trial }: { trial: TrialView }) {
         {trial.kind === "sensor" ? <Picture trial={trial} /> : <JointDials trial={trial} />}
       </div>
       <Readouts wrap readouts={readouts(trial)} />
-      {trial.loss_remedy && (
+      {trial.loss_text && (
         <p className={styles.failure} role="status" data-quality="attention">
           <QualityMark quality="attention" size="1.5rem" />
-          {trial.loss_remedy}
+          {trial.loss_text}
         </p>
       )}
     </>

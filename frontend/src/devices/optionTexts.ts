@@ -18,6 +18,7 @@ const HELP: Record<string, PlainId> = {
   line_sigma_px: "ui-help-line-sigma",
   packet_size: "ui-help-packet-size",
   region: "ui-help-region",
+  setting: "ui-help-setting",
   stamp_at: "ui-help-stamp-at",
   tool: "ui-help-tool",
   trigger: "ui-help-trigger",
@@ -26,6 +27,9 @@ const HELP: Record<string, PlainId> = {
 
 /** Values of choices in words; those of other drivers are shown as they are. */
 const CHOICES: Record<string, PlainId> = {
+  "kind joints": "ui-choice-joints",
+  "kind pose": "ui-choice-pose",
+  "kind tf": "ui-choice-tf",
   "laser_colour red": "ui-choice-red",
   "laser_colour green": "ui-choice-green",
   "laser_colour blue": "ui-choice-blue",
@@ -37,6 +41,8 @@ const CHOICES: Record<string, PlainId> = {
   "stamp_at mid-exposure": "ui-choice-mid-exposure",
   "stamp_at exposure-end": "ui-choice-exposure-end",
   "stamp_at frame-end": "ui-choice-frame-end",
+  "stamps arrival": "ui-choice-arrival",
+  "stamps header": "ui-choice-header",
   "trigger_edge rising": "ui-choice-rising",
   "trigger_edge falling": "ui-choice-falling",
 };
