@@ -2169,6 +2169,7 @@ line-gives-other-length = Zeile { $line } gibt { $length } für denselben Prüfk
 line-gives-other-place = Zeile { $line } nennt einen anderen
 line-saturated = Linie übersteuert
 line-to-arm-closed = Die Verbindung zum Messarm unter { $url } ist geschlossen
+line-to-arm-gone = Die Verbindung zum Messarm unter { $url } ist unterbrochen
 line-to-arm-lost = Die Verbindung zum Messarm unter { $url } ist unterbrochen ({ $reason })
 line-too-bright-saturated = Linie zu hell: { $clipped } übersteuert
 line-too-dark = Linie zu dunkel: { $level }

@@ -2165,6 +2165,7 @@ line-gives-other-length = line { $line } states { $length } for the same { $labe
 line-gives-other-place = line { $line } states another one
 line-saturated = Line saturated
 line-to-arm-closed = The connection to the arm at { $url } is closed
+line-to-arm-gone = The connection to the arm at { $url } was lost
 line-to-arm-lost = The connection to the arm at { $url } was lost ({ $reason })
 line-too-bright-saturated = Line too bright: { $clipped } saturated
 line-too-dark = Line too dark: { $level }

@@ -66,10 +66,7 @@ class Wire:
             try:
                 data = self._receive(timeout_s)
             except (OSError, ValueError, TypeError) as error:
-                raise DeviceError(
-                    message("line-to-arm-lost", url=self._url, reason=_reason(error)),
-                    message("check-cable-power"),
-                ) from error
+                raise DeviceError(self._loss_text(error), message("check-cable-power")) from error
         if not data and self._closed:
             raise self._line_closed_error()
         return data
@@ -127,6 +124,12 @@ class Wire:
             data = self._port.read(max(1, self._port.in_waiting))
             if data or self._closed or time.monotonic() >= deadline:
                 return data
+
+    def _loss_text(self, error: Exception) -> Text:
+        """With the system's reason; pyserial's own says no more than that the line is gone."""
+        if isinstance(error, serial.SerialException) and error.errno is None:
+            return message("line-to-arm-gone", url=self._url)
+        return message("line-to-arm-lost", url=self._url, reason=_reason(error))
 
     def _line_closed_error(self) -> DeviceError:
         return DeviceError(message("line-to-arm-closed", url=self._url))

@@ -5,6 +5,7 @@ import socket
 import threading
 import time
 from collections.abc import Iterator
+from functools import partial
 from math import pi
 from pathlib import Path
 
@@ -265,6 +266,18 @@ def test_an_arm_of_the_wrong_kind_is_refused(arm: FakeSerialArm) -> None:
     assert "0 counts per revolution for joint 1" in open_error({"url": url})
     arm.joints = 4
     assert "reports 4 joints" in open_error({"url": url})
+
+
+def test_a_pulled_cable_is_said_without_words_of_the_library(tmp_path: Path) -> None:
+    for line in (PtyLine(tmp_path), TcpLine()):
+        arm = FakeSerialArm(line)
+        driver = from_options({"url": arm.line.url})
+        driver.open()
+        arm.unplug()
+        error = read_until_lost(partial(driver.read, 0.1))
+        driver.close()
+        arm.stop()
+        assert str(error.what) == f"The connection to the arm at {line.url} was lost"
 
 
 def test_a_port_in_use_is_named(arm: FakeSerialArm, driver: ArmDriver) -> None:
