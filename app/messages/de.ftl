@@ -389,6 +389,7 @@ calibrate = Kalibrieren
 calibrate-again = Neu kalibrieren
 calibrate-first = Zuerst kalibrieren
 calibrate-first-2 = zuerst kalibrieren
+calibrate-sensor-arm-pictures-of-board = Sensor am Messarm kalibrieren: Bilder eines Schachbretts von verschiedenen Seiten aufnehmen.
 calibrate-sensor-arm-touch-object-then = Sensor am Messarm kalibrieren: Objekt antasten, dann einige Bilder aufnehmen.
 calibrate-sensors-again-their-place-belongs = Die Sensoren neu kalibrieren: Ihre Lage wurde mit dem bisherigen Messarm bestimmt.
 calibrate-this-sensor = Diesen Sensor kalibrieren

@@ -389,6 +389,7 @@ calibrate = Calibrate
 calibrate-again = Calibrate again
 calibrate-first = Calibrate first
 calibrate-first-2 = calibrate first
+calibrate-sensor-arm-pictures-of-board = Calibrate the sensor on the arm: take pictures of a chessboard from different sides.
 calibrate-sensor-arm-touch-object-then = Calibrate the sensor on the arm: touch the object, then take a few pictures.
 calibrate-sensors-again-their-place-belongs = Calibrate the sensors again: their mounting was determined with the previous arm.
 calibrate-this-sensor = Calibrate this sensor

@@ -159,3 +159,5 @@ def test_a_robot_has_no_tip_and_no_joints_to_check() -> None:
     lines = check_validity(replace(ALL, has_joints=False), NOW)
     assert [line.id for line in lines] == ["calibration", "verification"]
     assert choose_next_action(lines, None, "").page == "scan"
+    first = choose_next_action(check_validity(replace(NOTHING, has_joints=False), NOW), None, "")
+    assert "pictures of a chessboard" in str(first.text)

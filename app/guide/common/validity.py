@@ -266,6 +266,8 @@ def choose_next_action(
         return NextAction(message("check-arm-again"), "arm", arm.text)
     if calibration.state == "missing":
         text = message("calibrate-sensor-arm-touch-object-then")
+        if tip is None:  # of an arm that reports poses
+            text = message("calibrate-sensor-arm-pictures-of-board")
         return NextAction(message("calibrate"), "calibrate", text)
     if calibration.state == "failed":
         return NextAction(message("calibrate-again"), "calibrate", calibration.text)
