@@ -21,6 +21,17 @@ MOST_TAGS = 1000
 TIFF_TYPES = {1: "B", 3: "H", 4: "I", 16: "Q"}
 
 
+FOREIGN_KINDS: tuple[tuple[bytes, str], ...] = (
+    (rb"GIF8[79]a", "GIF"),
+    (rb"....ftyp(?:heic|heix|hevc|heim|heis|mif1|msf1)", "HEIC"),
+    (rb"....ftypavif", "AVIF"),
+    (rb"\0\0\0\x0cjP  |\xff\x4f\xff\x51", "JPEG 2000"),
+    (rb"II\*\0....CR|....ftypcrx|FUJIFILMCCD-RAW", "RAW"),
+    (rb"%PDF-", "PDF"),
+)
+"""How files of pictures begin that are not read."""
+
+
 @dataclass(frozen=True)
 class Announced:
     """Size in pixels, number of channels, and bits per channel, as far as the header states
@@ -45,6 +56,17 @@ def announced_size(raw: bytes) -> Announced | None:
             except (struct.error, IndexError, OverflowError):  # the file ends before that position
                 return None
     return None
+
+
+def foreign_kind(raw: bytes) -> str | None:
+    """The kind of a picture that is not read; None for what is not known to be one.
+
+    Example:
+        >>> foreign_kind(b"GIF89a"), foreign_kind(b"BM")
+        ('GIF', None)
+    """
+    kinds = (kind for start, kind in FOREIGN_KINDS if re.match(start, raw, re.DOTALL))
+    return next(kinds, None)
 
 
 def _png(raw: bytes) -> Announced | None:

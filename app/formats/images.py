@@ -12,9 +12,9 @@ from numpy.typing import NDArray
 from app.errors import OperationError
 from app.formats.atomic_write import write_atomically
 from app.formats.file_names import display_path
-from app.formats.image_sizes import PNG_SIGNATURE, Announced, announced_size
+from app.formats.image_sizes import PNG_SIGNATURE, Announced, announced_size, foreign_kind
 from app.formats.io_errors import convert_io_errors
-from app.formats.open_file import open_file, read_bounded
+from app.formats.open_file import read_bounded
 from app.messages.message import Text, message
 from app.metrology.bayer import CELL_PX, BayerPlane
 from app.metrology.channel import Channel, describe_channel, is_grey, select_channel
@@ -117,6 +117,10 @@ def _check_announced(announced: Announced, named: Text) -> None:
 
 
 def _no_image(raw: bytes, named: Text) -> OperationError:
+    kind = foreign_kind(raw)
+    if kind:
+        why = message("picture-of-foreign-kind", kind=kind)
+        return OperationError("image-kind", named, why, message("save-as-png-tiff-or-jpeg"))
     why = message("no-image-or-cut-off") if raw else message("empty")
     return OperationError("image-unreadable", named, why, message("restore-take-picture-again"))
 
@@ -160,23 +164,17 @@ def write_png(path: Path, image: GreyImage) -> None:
     write_atomically(path, encoded.tobytes())
 
 
-def png_size(path: Path) -> tuple[int, int]:
-    """Width and height in pixels from the header of a PNG, without decoding it.
+def image_size(path: Path) -> tuple[int, int]:
+    """Width and height in pixels from the header of a picture, without decoding it.
 
     Raises:
-        OperationError: missing, or no PNG.
+        OperationError: missing, or no picture.
     """
-    with convert_io_errors(path), open_file(path) as file:
-        head = file.read(29)
-    if len(head) < 29 or not head.startswith(PNG_SIGNATURE) or head[12:16] != b"IHDR":
-        raise OperationError(
-            "image-unreadable",
-            display_path(path),
-            message("no-png-image") if head else message("empty"),
-            message("restore-take-picture-again"),
-        )
-    width, height = struct.unpack(">II", head[16:24])
-    return width, height
+    raw = _read_file(path)  # some kinds have their header at the end
+    announced = announced_size(raw)
+    if announced is None:
+        raise _no_image(raw, display_path(path))
+    return announced.width, announced.height
 
 
 def _check_png(raw: bytes, named: Text) -> None:

@@ -862,6 +862,7 @@ could-true-last-ago =
         [one] { $count } war unplausibel, vor { $ago }: { CLAUSE($what) }.
        *[other] { $count } waren unplausibel, der letzte vor { $ago }: { CLAUSE($what) }.
     }
+count-inner-corners = Falls { $columns } × { $rows } die Zahl der Felder ist, die Zahl der Ecken zwischen ihnen angeben, je eine weniger; sonst den Kalibrierschein der Tafel im Bild angeben oder den Rest dieser Tafel freilegen
 create-choose-another-place = Ordner anlegen oder einen anderen wählen
 crenel = Crenel { $version }
 crest-z-mm-must-above-floor = crest_z_mm muss über floor_z_mm liegen und floor_z_mm über base_z_mm
@@ -1315,6 +1316,7 @@ give-a-calibration-for-each-sensor = die Kalibrierung jedes Sensors mit seinem N
 give-arm-json-arm-took = arm.json des Messarms angeben, mit dem aufgenommen wurde
 give-arm-json-arm-took-recording = arm.json des Messarms angeben, mit dem diese Aufzeichnung entstand
 give-arms-own-model-columns = Modell dieses Messarms oder die Spalten { $names } angeben
+give-axis = --axis { $axis } angeben
 give-calibration-sensor-took-recording = Kalibrierung des Sensors angeben, mit dem diese Aufzeichnung entstand
 give-calibration-without-name = seine Kalibrierung ohne Namen angeben
 give-cameras-own-picture = Unverändertes Bild der Kamera angeben
@@ -1420,6 +1422,11 @@ laser-on-off-differ = die Bilder mit und ohne Laser sind verschieden: { $on } un
 leave-out-laser-off = --laser-off weglassen: Graubilder werden gemessen, wie sie sind
 length-standard = Längennormal
 limits-judged-by-marked-uncertainty = U: Messunsicherheit des Werts aus Normal, Taster und Ausgleich. U der Prüfung: Prüfwertunsicherheit allein aus dem Normal und seinem Aufbau (ISO 14253-5). Jeder Grenzwert wird nach der mit{ $mark } gekennzeichneten beurteilt.
+line-along-other-axis =
+    { $axis ->
+        [u] eine Linie mit { $points } Punkten verläuft von oben nach unten
+       *[v] eine Linie mit { $points } Punkten verläuft quer
+    }
 location-fixed-diameter = Lage, fester Durchmesser
 location-over-articulations = Lage über die Stellungen
 maximum-permissible-error = Größte zulässige Abweichung
@@ -1860,6 +1867,7 @@ sensor-sends-lines-no-pictures = der Sensor sendet Laserlinien und keine Bilder
 sensor-without-calibration = { $name }: noch nicht kalibriert
 sensors-line-lists-differ = die Punkte der Linie des Sensors sind unvollständig
 set-sensor-send-pictures = den Sensor auf Bilder umstellen oder einen anderen Sensor verwenden
+set-stripe-axis = stripe_axis im Datenblatt des Sensors auf { $axis } setzen und neu kalibrieren.
 shows-arm-joints = Form der angetasteten Kugel; Einzelpunkt-Schwenkprüfung
 shows-arm-links = Längenabweichungen; Lage über die Stellungen, durch Antasten wie durch Scannen; Größe, wo sich der Taststift nach außen neigt
 shows-clock = Form und Streuung der gescannten Kugel; sie wachsen mit der Scangeschwindigkeit
@@ -2174,6 +2182,16 @@ line-to-arm-gone = Die Verbindung zum Messarm unter { $url } ist unterbrochen
 line-to-arm-lost = Die Verbindung zum Messarm unter { $url } ist unterbrochen ({ $reason })
 line-too-bright-saturated = Linie zu hell: { $clipped } übersteuert
 line-too-dark = Linie zu dunkel: { $level }
+lines-along-other-axis =
+    { $pictures ->
+        [one] in einem Bild findet --axis { $better } { $other } Punkte und --axis { $axis } { $found }
+       *[other] in { $pictures } Bildern findet --axis { $better } { $other } Punkte und --axis { $axis } { $found }
+    }: die Linie verläuft in der anderen Richtung. --axis { $better } angeben
+lines-run-along-other-axis =
+    { $axis ->
+        [u] Die Laserlinien verlaufen in den Bildern von oben nach unten, gemessen wird aber ein Punkt je Spalte, sodass das meiste von ihnen verloren geht.
+       *[v] Die Laserlinien verlaufen quer durch die Bilder, gemessen wird aber ein Punkt je Zeile, sodass das meiste von ihnen verloren geht.
+    }
 link-good-any-more = Dieser Link ist nicht mehr gültig.
 link-leads-itself = es ist ein Link, der auf sich selbst verweist
 linux-add-user-group-owns-port = Unter Linux den Benutzer in die Gruppe aufnehmen, der der Anschluss gehört (oft dialout).
@@ -2426,7 +2444,6 @@ no-picture-laser-came-within =
     }
 no-picture-shows-object-yet-take = Noch kein Bild zeigt das Objekt. Ein weiteres aufnehmen.
 no-placing-edges-explains-those-picture = keine Lage des Objekts erklärt die Kanten im Bild
-no-png-image = es ist kein PNG-Bild
 no-point-taken-back-since-last = Seit dem letzten Punkt wurde keiner zurückgenommen.
 no-point-taken-yet = Noch kein Punkt aufgenommen.
 no-points-can-made = { $interrupted } Daraus lassen sich keine Punkte berechnen: { CLAUSE($why) }.
@@ -2692,6 +2709,7 @@ picture-has-size =
 picture-incomplete = das Bild ist nicht vollständig
 picture-mirrored-camera-looks-objects-back = das Bild ist gespiegelt, oder die Kamera sieht die Rückseite des Objekts
 picture-objects-certificate-contradict-each-other = Bild und Kalibrierschein des Objekts widersprechen sich
+picture-of-foreign-kind = es ist eine { $kind }-Datei, die nicht gelesen wird
 picture-of-numbers = Das Bild { $path } besteht aus { $kind }-Zahlen
 picture-overexposed = { $saturated } des Bildes sind überbelichtet
 picture-shows-no-contrast-full-scale = das Bild zeigt keinen Kontrast: { $contrast } des Aussteuerbereichs
@@ -3033,6 +3051,7 @@ s-stripe-spans-blocks =
 same-offset = Gerade überfahrene Ebene: Versatz
 saturated = Übersteuert
 save-8-16-bits = Mit 8 oder 16 Bit speichern.
+save-as-png-tiff-or-jpeg = Als PNG, TIFF, BMP, PGM oder JPEG speichern
 save-commas-between-columns-point-numbers = Mit Komma als Spaltentrenner und Punkt als Dezimalzeichen speichern
 save-utf-8 = Als UTF-8 speichern
 saved-result = Ergebnis gespeichert

@@ -858,6 +858,7 @@ correct-value-or-name-artefact-differently = Correct the value, or give the othe
 correlated-known-together = Correlated: well determined together, less well each alone
 could-solved-what-taken-kept = The calibration could not be computed. All captured data is kept.
 could-true-last-ago = Implausible readings: { $count }, the last { $ago } ago: { CLAUSE($what) }.
+count-inner-corners = If { $columns } × { $rows } is the number of squares, give that of the corners between them, one less each way; otherwise give the certificate of the board in the picture, or uncover the rest of this one
 create-choose-another-place = Create it, or choose another location
 crenel = Crenel { $version }
 crest-z-mm-must-above-floor = crest_z_mm must be above floor_z_mm, and floor_z_mm above base_z_mm
@@ -1311,6 +1312,7 @@ give-a-calibration-for-each-sensor = give the calibration of each sensor with it
 give-arm-json-arm-took = Give the arm.json of the arm that recorded this
 give-arm-json-arm-took-recording = Give the arm.json of the arm that made this recording
 give-arms-own-model-columns = Give the arm's own model, or columns { $names }
+give-axis = Give --axis { $axis }
 give-calibration-sensor-took-recording = Give the calibration of the sensor that made this recording
 give-calibration-without-name = give its calibration without a name
 give-cameras-own-picture = Give the original picture of the camera
@@ -1416,6 +1418,11 @@ laser-on-off-differ = the pictures with the laser on and off differ: { $on } and
 leave-out-laser-off = Leave out --laser-off: grey pictures are measured as they are
 length-standard = Length standard
 limits-judged-by-marked-uncertainty = U: measurement uncertainty of the value by gauge, probe and fit. U of test: test value uncertainty by the gauge and its set-up alone (ISO 14253-5). Each limit is judged by the one marked with{ $mark }.
+line-along-other-axis =
+    { $axis ->
+        [u] a line of { $points } points runs down it
+       *[v] a line of { $points } points runs across it
+    }
 location-fixed-diameter = Location, fixed diameter
 location-over-articulations = Location over the articulations
 maximum-permissible-error = Maximum permissible error
@@ -1856,6 +1863,7 @@ sensor-sends-lines-no-pictures = the sensor sends laser lines and no pictures
 sensor-without-calibration = { $name }: not calibrated yet
 sensors-line-lists-differ = the points of the sensor's line are incomplete
 set-sensor-send-pictures = set the sensor to send pictures, or use another sensor
+set-stripe-axis = Set stripe_axis to { $axis } in the sensor's datasheet, and calibrate again.
 shows-arm-joints = form of the touched sphere; single-point articulation
 shows-arm-links = errors of length; location over articulations, by touch as well as by scan; size where the stylus tilts outward
 shows-clock = form and dispersion of the scanned sphere; they grow with the speed of scanning
@@ -2170,6 +2178,16 @@ line-to-arm-gone = The connection to the arm at { $url } was lost
 line-to-arm-lost = The connection to the arm at { $url } was lost ({ $reason })
 line-too-bright-saturated = Line too bright: { $clipped } saturated
 line-too-dark = Line too dark: { $level }
+lines-along-other-axis =
+    { $pictures ->
+        [one] in one picture, --axis { $better } finds { $other } points and --axis { $axis } { $found }
+       *[other] in { $pictures } pictures, --axis { $better } finds { $other } points and --axis { $axis } { $found }
+    }: the line runs along the other axis. Give --axis { $better }
+lines-run-along-other-axis =
+    { $axis ->
+        [u] The laser lines run down the pictures, but one point for each column is measured, so that most of them is lost.
+       *[v] The laser lines run across the pictures, but one point for each row is measured, so that most of them is lost.
+    }
 link-good-any-more = This link is no longer valid.
 link-leads-itself = it is a link that points to itself
 linux-add-user-group-owns-port = On Linux, add the user to the group that owns the port (often dialout).
@@ -2422,7 +2440,6 @@ no-picture-laser-came-within =
     }
 no-picture-shows-object-yet-take = No picture shows the object yet. Take another.
 no-placing-edges-explains-those-picture = no pose of the object explains the edges in the picture
-no-png-image = it is not a PNG picture
 no-point-taken-back-since-last = No point has been removed since the last one was taken.
 no-point-taken-yet = No point has been taken yet.
 no-points-can-made = { $interrupted } Its points cannot be computed: { CLAUSE($why) }.
@@ -2683,6 +2700,7 @@ picture-has-size =
 picture-incomplete = the picture is incomplete
 picture-mirrored-camera-looks-objects-back = the picture is mirrored, or the camera looks at the object's back
 picture-objects-certificate-contradict-each-other = the picture and the object's certificate contradict each other
+picture-of-foreign-kind = it is a { $kind } file, which is not read
 picture-of-numbers = The picture { $path } contains { $kind } numbers
 picture-overexposed = { $saturated } of the picture is overexposed
 picture-shows-no-contrast-full-scale = the picture shows no contrast: { $contrast } of full scale
@@ -3024,6 +3042,7 @@ s-stripe-spans-blocks =
 same-offset = Plane scanned in one straight pass: offset
 saturated = Saturated
 save-8-16-bits = Save it with 8 or 16 bits.
+save-as-png-tiff-or-jpeg = Save it as PNG, TIFF, BMP, PGM or JPEG
 save-commas-between-columns-point-numbers = Save it with commas between the columns and decimal points in the numbers
 save-utf-8 = Save it as UTF-8
 saved-result = saved the result

@@ -14,7 +14,7 @@ import numpy as np
 from app.errors import OperationError
 from app.formats.atomic_write import check_output_path
 from app.formats.datasheets.sensor import SensorDatasheet
-from app.formats.images import GreyImage, channel_text, png_size, read_colours, read_grey
+from app.formats.images import GreyImage, channel_text, image_size, read_colours, read_grey
 from app.formats.io_errors import prefix_errors
 from app.formats.json_document import file_sha256
 from app.formats.results.calibration import CalibrationFile, Input, SerialNumbers
@@ -269,7 +269,7 @@ def _observe_board(
 
 def _read_picture(path: Path, sensor: SensorDatasheet, channel: Channel | None) -> GreyImage:
     """What is measured of a picture of the sensor's size; raises ``OperationError``."""
-    check_size(path, png_size(path), sensor)
+    check_size(path, image_size(path), sensor)
     return read_grey(path, channel)
 
 

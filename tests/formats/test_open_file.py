@@ -15,7 +15,7 @@ from app.formats.clouds.pieces import read_cloud_pieces
 from app.formats.csv_table import read_table
 from app.formats.datasheets.arm import read_arm
 from app.formats.file_names import display_path, register_data_folder, unregister_data_folder
-from app.formats.images import png_size, read_grey
+from app.formats.images import image_size, read_grey
 from app.formats.json_document import file_sha256, read_text
 from app.formats.open_file import LARGEST_DOCUMENT
 from app.formats.recording.reader import find_damage, last_stamp_ns, open_recording
@@ -62,7 +62,7 @@ READERS: tuple[Callable[[Path], object], ...] = (
     file_sha256,
     read_arm,
     read_grey,
-    png_size,
+    image_size,
     read_cloud,
     lambda path: list(read_cloud_pieces(path)),
     lambda path: list(open_recording(path).records()),

@@ -177,7 +177,7 @@ POSE = ",".join(str(angle) for angle in POSE_DEG)
         (radians("probing.csv"), "joints-in-radians", "radians, but degrees"),
         (radians("images.csv"), "joints-in-radians", "images.csv"),
         (picture(np.zeros((HEIGHT, WIDTH + 1), np.uint8)), "image-size", "65 × 48"),
-        (lambda s: (s / "images/l.png").write_text("no"), "image-unreadable", "not a PNG"),
+        (lambda s: (s / "images/l.png").write_text("no"), "image-unreadable", "not a picture"),
         (lambda s: (s / "images/l.png").write_bytes(b""), "image-unreadable", "empty"),
         (rewrite("sensor.json", '"width_px": 64', '"width_px": 65'), "image-size", "64 × 48"),
         (rewrite("sensor.json", '"width_px": 64', '"width_px": 64.5'), "field-invalid", "64.5"),
@@ -258,3 +258,39 @@ def test_a_grey_picture_with_equal_channels_is_grey(
     opaque = [np.full_like(grey, 65535)] * (channels - 3)
     cv2.imwrite(str(path), np.dstack([grey] * 3 + opaque))
     np.testing.assert_array_equal(read_grey(path), grey)
+
+
+@pytest.mark.parametrize("kind", ["tif", "bmp", "pgm", "jpg"])
+def test_pictures_of_a_session_may_be_of_any_kind_that_is_read(tmp_path: Path, kind: str) -> None:
+    folder = write_session(tmp_path)
+    before = read_session(folder).poses[0]
+    for path in (folder / "images").glob("*.png"):
+        cv2.imwrite(str(path.with_suffix(f".{kind}")), read_grey(path))
+        path.unlink()
+    table = folder / "images.csv"
+    table.write_text(table.read_text().replace(".png", f".{kind}"))
+    (pose,) = read_session(folder).poses
+    assert pose.files == tuple(file.with_suffix(f".{kind}") for file in before.files)
+    smaller = cv2.resize(read_grey(pose.ambient), None, fx=0.5, fy=0.5)
+    cv2.imwrite(str(pose.ambient), smaller)
+    with pytest.raises(OperationError) as refused:
+        read_session(folder)
+    assert refused.value.code == "image-size"
+
+
+@pytest.mark.parametrize(
+    ("start", "kind"),
+    [
+        (b"GIF89a", "GIF"),
+        (b"\0\0\0\x18ftypheic\0\0\0\0", "HEIC"),
+        (b"II*\0\x10\0\0\0CR\2\0", "RAW"),
+    ],
+)
+def test_kinds_of_pictures_that_are_not_read_are_named(
+    tmp_path: Path, start: bytes, kind: str
+) -> None:
+    path = tmp_path / "picture"
+    path.write_bytes(start + bytes(64))
+    with pytest.raises(OperationError, match=f"{kind} file.*Save it as PNG") as refused:
+        read_grey(path)
+    assert refused.value.code == "image-kind"

@@ -11,7 +11,7 @@ from app.formats.atomic_write import write_atomically
 from app.formats.csv_table import TableRow, read_table, table_text
 from app.formats.datasheets.sensor import SensorDatasheet
 from app.formats.file_names import display_path
-from app.formats.images import png_size
+from app.formats.images import image_size
 from app.formats.session.pose_columns import COLUMNS, ArmReadings, joint_columns, pose_cells
 from app.messages.message import Text, join, message, quantity
 from app.metrology.arm.kinematics import AnyArm, Arm
@@ -88,7 +88,7 @@ def read_poses(
         image = ImageRow(row.count("pose"), row.text("file"), _read_lighting(row), *at)
         _check_file(row, path.parent / image.file)
         if sensor is not None:
-            check_size(path.parent / image.file, png_size(path.parent / image.file), sensor)
+            check_size(path.parent / image.file, image_size(path.parent / image.file), sensor)
         by_pose.setdefault(image.pose, []).append((row, image))
     if not by_pose:
         raise OperationError(
