@@ -66,6 +66,38 @@ def test_a_certificate_of_another_size_is_refused(real: Path, size: tuple[int, i
     assert refused.value.code in ("another-board", "board-partly-seen")
 
 
+@pytest.mark.parametrize(
+    ("size", "words"),
+    [
+        ((9, 7), "9 × 6 inner corners was found: board has 9 × 7"),
+        ((10, 7), "If 10 × 7 is the number of squares"),
+        ((7, 10), "If 7 × 10 is the number of squares"),
+    ],
+)
+def test_a_certificate_that_counts_more_is_recognised(
+    real: Path, size: tuple[int, int], words: str
+) -> None:
+    for name in ("left01.jpg", "left05.jpg"):
+        with pytest.raises(OperationError) as refused:
+            detect_board(read(real / "boards" / "opencv-stereo" / name), board(*size))
+        assert refused.value.code == "another-board"
+        assert words in refused.value.line
+
+
+@pytest.mark.parametrize("share", [0.2, 0.3])
+def test_corners_too_near_to_the_edge_of_the_picture_are_not_called_blurred(
+    real: Path, share: float
+) -> None:
+    image = read(real / "boards" / "carnd" / "calibration9.jpg")
+    whole = detect_board(image, board(9, 6))
+    uv = whole.uv_px[np.argsort(whole.number)].reshape(6, 9, 2)
+    first = np.sort(min(uv[:, 0, 0], uv[:, -1, 0], key=np.mean))
+    cut = int(first[-2] - share * np.linalg.norm(uv[0, 1] - uv[0, 0]))
+    with pytest.raises(OperationError, match="partly out of the picture") as refused:
+        detect_board(image[:, cut:].copy(), board(9, 6))
+    assert refused.value.code == "board-partly-seen"
+
+
 def test_a_row_out_of_the_picture_is_not_made_up_by_an_outline(real: Path) -> None:
     image = read(real / "boards" / "opencv-stereo" / "left04.jpg")
     top = float(detect_board(image, board(9, 6)).uv_px[:, 1].min())

@@ -55,7 +55,7 @@ def fit_corner(
         spacing_px: distance to the next corner.
         marked: (H, W) pixels of markers in the white squares, which are left out.
     """
-    radius = float(np.clip(WINDOW_SHARE * spacing_px, LEAST_WINDOW_PX, MOST_WINDOW_PX))
+    radius = window_radius_px(spacing_px)
     window = _window(image, blocked, marked, uv_px, radius)
     if window is None:
         return None
@@ -75,6 +75,11 @@ def fit_corner(
         return None
     covariance = np.asarray(np.linalg.inv(J.T @ J)[:2, :2], np.float64)
     return FittedCorner(uv_px + p[:2], covariance * max(variance, ROUNDING), float(p[4]))
+
+
+def window_radius_px(spacing_px: float) -> float:
+    """What is looked at around a corner, by the distance to the next one."""
+    return float(np.clip(WINDOW_SHARE * spacing_px, LEAST_WINDOW_PX, MOST_WINDOW_PX))
 
 
 def _settle(places: Floats, values: Floats, start: Floats) -> Floats | None:

@@ -97,7 +97,9 @@ def _explain_unmeasured(
         name=board.name,
     )
     cause = common_cause(grid.causes(grid.places[within & ~measured]))
-    if cause in ("laser", "glare"):
+    if cause == "unknown" and _is_whole(_select(grid, failure.measured)):
+        return _explain_size(board, failure)  # the others are its outline, and no corners
+    if cause != "unknown":
         fault, why, remedy = _CAUSES[cause]
         return _with_marks(OperationError("board-partly-seen", what, why, remedy), fault, grid)
     if grid.spacing_px() < LEAST_SPACING_PX:
@@ -124,9 +126,10 @@ def _explain_size(board: Chessboard, failure: BoardFailure) -> DetectionError:
     short = sorted(found) != sorted(board.inner_corners)
     if short:
         cause = seen.cause_beyond(board.inner_corners)
-        whole = len(seen.places) >= WHOLE * seen.extent.prod()
-        if cause == "unknown" and whole and min(seen.extent) >= FEWEST_OF_A_SIDE:
+        if cause == "unknown" and _is_whole(seen):
             remedy = message("give-certificate-or-uncover-board")
+            if (np.sort(board.inner_corners) - np.sort(seen.extent) == 1).all():
+                remedy = message("count-inner-corners", columns=columns, rows=rows)
             refusal = OperationError("another-board", what, wanted, remedy)
             return _with_marks(refusal, "object", grid)
     else:
@@ -140,6 +143,13 @@ def _explain_size(board: Chessboard, failure: BoardFailure) -> DetectionError:
     if short:
         why = message("board-has-corners-why", name=board.name, columns=columns, rows=rows, why=why)
     return _with_marks(OperationError("board-partly-seen", what, why, what_to_do), fault, grid)
+
+
+def _is_whole(grid: CornerGrid) -> bool:
+    """Whether hardly a corner is missing within what was found."""
+    return bool(
+        len(grid.places) >= WHOLE * grid.extent.prod() and min(grid.extent) >= FEWEST_OF_A_SIDE
+    )
 
 
 def _select(grid: CornerGrid, which: NDArray[np.bool_]) -> CornerGrid:

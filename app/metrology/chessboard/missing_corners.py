@@ -8,6 +8,7 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
+from app.metrology.chessboard.corner_fit import window_radius_px
 from app.metrology.chessboard.perspective import fit_perspective, map_places
 from app.metrology.image import Image, saturation_level
 from app.metrology.robust import median
@@ -53,16 +54,17 @@ class CornerGrid:
         if min(self.extent) < 2:
             return ["unknown"] * len(places)
         uv_px = map_places(fit_perspective(self.places, self.uv_px), places)
-        around_px = max(LEAST_AROUND_PX, AROUND_SHARE * self.spacing_px())
-        return [self._cause(uv, around_px) for uv in uv_px]
+        spacing_px = self.spacing_px()
+        around_px = max(LEAST_AROUND_PX, AROUND_SHARE * spacing_px)
+        needed_px = max(around_px, window_radius_px(spacing_px))
+        return [self._cause(uv, around_px, needed_px) for uv in uv_px]
 
-    def _cause(self, uv_px: Floats, around_px: float) -> Cause:
-        height, width = self.image.shape
-        if not np.isfinite(uv_px).all():
+    def _cause(self, uv_px: Floats, around_px: float, needed_px: float) -> Cause:
+        last = np.array(self.image.shape[::-1]) - 1
+        # a corner this near to the edge of the picture cannot be measured
+        if not np.isfinite(uv_px).all() or (np.minimum(uv_px, last - uv_px) < needed_px).any():
             return "outside"
         (u0, v0), (u1, v1) = np.round(uv_px - around_px), np.round(uv_px + around_px) + 1
-        if u0 < 0 or v0 < 0 or u1 > width or v1 > height:
-            return "outside"
         around = np.s_[int(v0) : int(v1), int(u0) : int(u1)]
         if self.laser[around].mean() > LASER_SHARE:
             return "laser"
