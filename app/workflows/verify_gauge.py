@@ -29,6 +29,8 @@ Unit = Literal["mm", "m", "inch"]
 MM: dict[Unit, float] = {"mm": 1.0, "m": 1000.0, "inch": 25.4}
 SMALLEST_MM, LARGEST_MM = 2.0, 20_000.0
 """Between these lie the sizes of clouds that an arm or a robot measures."""
+FEW = 1.0
+"""Percentage of a cloud's points beyond which it does not count for its size."""
 MOST_ROUGH = 0.01
 """The rms about a gauge's shape, of the cloud's size: more is another shape."""
 
@@ -89,12 +91,13 @@ def _find_implausible(
     shape: Shape, cloud: CloudReport, points_mm: Floats, unit: Unit
 ) -> list[Text]:
     """Whether a cloud is of a size or a shape that it can hardly have."""
-    size_mm = float(np.linalg.norm(np.ptp(points_mm, axis=0)))
+    finite = points_mm[np.isfinite(points_mm).all(axis=1)]
+    between = np.percentile(finite, [FEW, 100 - FEW], axis=0)
+    size_mm = float(np.linalg.norm(between[1] - between[0]))
     found: list[Text] = []
     if not SMALLEST_MM <= size_mm <= LARGEST_MM:
-        found.append(
-            message("cloud-of-odd-size", file=cloud.file, size=quantity(size_mm, "mm"), unit=unit)
-        )
+        size = quantity(size_mm, "mm", 0 if size_mm > LARGEST_MM else 3)
+        found.append(message("cloud-of-odd-size", file=cloud.file, size=size, unit=unit))
     if cloud.rms_um * 1e-3 > MOST_ROUGH * size_mm:
         found.append(
             message(

@@ -267,6 +267,19 @@ def test_a_cloud_in_metres_is_warned_of_and_read_with_its_unit(tmp_path: Path) -
     assert result.stderr == ""
 
 
+def test_points_that_are_missing_or_far_away_say_nothing_of_the_unit(tmp_path: Path) -> None:
+    directions = np.random.default_rng(0).normal(size=(800, 3))
+    points = 12.7 * directions / np.linalg.norm(directions, axis=1)[:, None]
+    points[::5] = np.nan
+    points[1], points[2] = np.inf, 1e6
+    np.savetxt(tmp_path / "s.xyz", points)
+    result = crenel("verify", "sphere", tmp_path / "s.xyz", "--json")
+    assert json.loads(result.stdout)["clouds"][0]["radius_mm"] == pytest.approx(12.7)
+    assert result.stderr == ""
+    np.savetxt(tmp_path / "s.xyz", points / 1000)
+    assert "0.043 mm large" in crenel("verify", "sphere", tmp_path / "s.xyz").stderr
+
+
 def test_points_that_are_no_plane_are_warned_of(tmp_path: Path) -> None:
     directions = np.random.default_rng(0).normal(size=(800, 3))
     np.savetxt(tmp_path / "s.xyz", 50 * directions / np.linalg.norm(directions, axis=1)[:, None])

@@ -108,6 +108,17 @@ def test_xyz_text_is_read(tmp_path: Path, separator: str, head: str) -> None:
     np.testing.assert_array_equal(read_cloud(path).points_mm, POINTS)
 
 
+@pytest.mark.parametrize("separator", [" ", ",", ";"])
+@pytest.mark.parametrize("start", ["", "//", "# "])
+def test_columns_named_above_the_points_are_found(
+    tmp_path: Path, separator: str, start: str
+) -> None:
+    rows = [separator.join(["7", *(f"{c:.17g}" for c in point)]) for point in POINTS[:, ::-1]]
+    path = tmp_path / "c.xyz"
+    path.write_text("\n".join([start + separator.join(["id", "Z", "Y", "X"]), *rows]) + "\n")
+    np.testing.assert_array_equal(read_cloud(path).points_mm, POINTS)
+
+
 @pytest.mark.parametrize(
     ("content", "said"),
     [

@@ -2,6 +2,7 @@
 
 import io
 import warnings
+from collections.abc import Sequence
 from pathlib import Path
 from typing import BinaryIO, TextIO
 
@@ -60,7 +61,7 @@ class XyzSink:
 
 
 def read_xyz(path: Path, file: BinaryIO) -> Cloud:
-    """Reads lines of x y z and more; what is more is known where a first line names it."""
+    """Reads lines of x y z and more; or where a line above the points names x, y and z, these."""
     file.seek(0)
     with io.TextIOWrapper(file, "utf-8-sig", "replace") as text:
         return _read(path, text)
@@ -69,7 +70,8 @@ def read_xyz(path: Path, file: BinaryIO) -> Cloud:
 def _read(path: Path, text: TextIO) -> Cloud:
     start = text.read(4096)
     text.seek(0)
-    lines = [line for line in start.splitlines() if line.strip() and line[0] not in "#/"]
+    every = [line for line in start.splitlines() if line.strip()]
+    lines = [line for line in every if line[0] not in "#/"]
     if not lines or "\0" in start:
         why = "it is not a cloud of a known format" if lines else "it is empty"
         raise OperationError(
@@ -79,15 +81,19 @@ def _read(path: Path, text: TextIO) -> Cloud:
             "Give a .ply, .pcd, .e57, .xyz, .las or .laz cloud",
         )
     delimiter = next((sign for sign in ";," if sign in lines[0]), None)
-    skip = 0 if _is_point(lines[0], delimiter) else start.splitlines().index(lines[0]) + 1
-    names = tuple(COLUMNS) if start.startswith(HEAD) else ("x", "y", "z")
+    head = every[: every.index(lines[0]) + 1]
+    places = _find_places(head, lines[:2][-1], delimiter)
+    skip = 0 if _is_point(lines[0], delimiter, places) else start.splitlines().index(lines[0]) + 1
+    names: tuple[str, ...] = ("x", "y", "z")
+    if start.startswith(HEAD):
+        names, places = tuple(COLUMNS), tuple(range(len(COLUMNS)))
     try:
         with warnings.catch_warnings(action="ignore"):  # of a file without rows
             table: Floats = np.loadtxt(
                 text,
                 comments=("#", "//"),
                 delimiter=delimiter,
-                usecols=range(len(names)),
+                usecols=places,
                 ndmin=2,
                 skiprows=skip,
             ).reshape(-1, len(names))
@@ -101,8 +107,23 @@ def _read(path: Path, text: TextIO) -> Cloud:
     return cloud_from_columns({name: table[:, i] for i, name in enumerate(names)})
 
 
-def _is_point(line: str, delimiter: str | None) -> bool:
+def _find_places(head: Sequence[str], point: str, delimiter: str | None) -> tuple[int, ...]:
+    """The columns of x, y and z: the first three, unless a line of names says otherwise.
+
+    Args:
+        head: lines down to the first that is no comment.
+        point: a line of a point, as long as that of the names.
+    """
+    for line in head:
+        names = [name.strip(' "').lower() for name in line.lstrip("#/ ").split(delimiter)]
+        if len(names) == len(point.split(delimiter)) and {"x", "y", "z"} <= set(names):
+            return tuple(names.index(axis) for axis in "xyz")
+    return 0, 1, 2
+
+
+def _is_point(line: str, delimiter: str | None, places: tuple[int, ...]) -> bool:
+    cells = line.split(delimiter)
     try:
-        return len([float(cell) for cell in line.split(delimiter)[:3]]) == 3
-    except ValueError:
+        return len([float(cells[place]) for place in places]) == len(places)
+    except (ValueError, IndexError):
         return False
