@@ -441,3 +441,11 @@ def test_recorded_pictures(real: Path, tmp_path: Path, name: str, scatter_mm: fl
     assert ("laser-moved" in codes) == (name == "calib1")
     assert ("board-rocks" in codes) == (name == "calib1")
     assert "more pictures" in shown.stdout or "Let the laser settle" in shown.stdout
+
+
+def test_lines_along_the_other_axis_are_no_laser_that_moved(real: Path, tmp_path: Path) -> None:
+    session = write_real_session(real / "robot-laser-chessboard" / "calib1", tmp_path / "session")
+    edit_json(session / "sensor.json", lambda document: document.update(stripe_axis="u"))
+    found = findings_of(session)
+    assert "Set stripe_axis to v" in found["stripe-axis"]
+    assert "laser-moved" not in found

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from app.errors import OperationError
 from app.metrology.image import saturation_level
-from app.metrology.stripe import Stripe, extract_stripe
+from app.metrology.stripe import Stripe, empty_stripe, extract_stripe, usual_steepness
 from app.metrology.transforms import Floats
 from tests.pictures import read_picture
 
@@ -131,6 +131,19 @@ def test_rows_and_columns_are_treated_alike() -> None:
     np.testing.assert_array_equal(along_u.u, along_v.v)
     np.testing.assert_array_equal(along_u.v, along_v.u)
     np.testing.assert_array_equal(along_u.sigma_px, along_v.sigma_px)
+
+
+@pytest.mark.parametrize("slope", [0.0, 0.3, 2.5, 5.0])
+@pytest.mark.parametrize("axis", ["u", "v"])
+def test_a_line_along_the_other_axis_is_steep(slope: float, axis: str) -> None:
+    v, u = np.mgrid[0:400, 0:400]
+    across = (v - 200 - slope * (u - 200)) / np.hypot(1, slope)
+    noise = np.random.default_rng(0).normal(0, 1.0, across.shape)
+    picture = (20 + 150 * np.exp(-(across**2) / 8) + noise).round().clip(0).astype(np.uint8)
+    stripe = extract_stripe(picture if axis == "u" else np.ascontiguousarray(picture.T), axis)
+    assert len(stripe.u) > 50
+    assert usual_steepness(stripe) == pytest.approx(slope, abs=0.1)
+    assert np.isnan(usual_steepness(empty_stripe(axis)))
 
 
 def test_twelve_bits_say_more_than_eight() -> None:

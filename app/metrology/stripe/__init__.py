@@ -39,7 +39,12 @@ flat below full scale (``plateau.c``), only its flanks show its position:
 
 from app.metrology.stripe.extraction import extract_stripe, find_stripe
 from app.metrology.stripe.found_line import FoundLine
-from app.metrology.stripe.points import Stripe, concatenate_stripes, empty_stripe
+from app.metrology.stripe.points import (
+    Stripe,
+    concatenate_stripes,
+    empty_stripe,
+    usual_steepness,
+)
 from app.metrology.stripe.settings import (
     AUTOMATIC,
     MOST_SMOOTHING_PX,
@@ -65,4 +70,5 @@ __all__ = [
     "extract_stripe",
     "find_stripe",
     "number_sharing_noise",
+    "usual_steepness",
 ]

@@ -5,7 +5,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from app.metrology.robust import median
 from app.metrology.transforms import Floats
+
+STEP = 10
+"""Points between two of which the steepness of the line is taken: more than its noise shows."""
 
 
 @dataclass(frozen=True)
@@ -36,6 +40,19 @@ class Stripe:
     def across(self) -> Floats:
         """(2,) unit pixel direction of ``sigma_px``."""
         return np.array([0.0, 1.0]) if self.axis == "u" else np.array([1.0, 0.0])
+
+
+def usual_steepness(stripe: Stripe) -> float:
+    """By how many pixels the line usually moves across from one column or row to the next.
+
+    NaN of a stripe with too few points. Beyond 1, the line runs along the other axis.
+    """
+    along, across = stripe.along_across
+    if len(along) <= STEP:
+        return np.nan
+    order = np.argsort(along)
+    moved, passed = (values[order][STEP:] - values[order][:-STEP] for values in (across, along))
+    return median(np.abs(moved / passed))
 
 
 def stripe_from_points(points: Floats, axis: str) -> Stripe:

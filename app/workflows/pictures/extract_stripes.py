@@ -31,6 +31,9 @@ from app.progress import Progress, no_progress
 
 MANY_CLIPPED, DARK = 0.3, 0.1
 """Shares of the pixels, and of full scale, from which a picture is reported as such."""
+SPARSE, FAR_MORE = 0.5, 2.0
+"""Share of the columns below which the line may run along the other axis, and by how many times
+its points are then more."""
 COLUMNS = ("u", "v", "intensity", "sigma_px")
 
 
@@ -48,6 +51,8 @@ class ImageStripe:
     rows_made_one: float = 1.0
     """Rows of the picture that were made one to find the line."""
     refusal: OperationError | None = None
+    other_axis_points: int = 0
+    """Points along the other axis, where there are far more of them."""
 
 
 def extract_stripes(
@@ -93,11 +98,21 @@ def _extract_file(
     picture = read_grey(path, channel)
     if mask is not None:
         mask.check_size(path, cell_px * picture.shape[1], cell_px * picture.shape[0])
-    line = _extract(picture, axis, None if mask is None else mask.where(), settings, channel)
-    if not len(line.stripe.u):
-        raise _no_stripe_error(path, picture, axis, mask is not None)
+    where = None if mask is None else mask.where()
+    line = _extract(picture, axis, where, settings, channel)
+    found, other = len(line.stripe.u), 0
+    if found < SPARSE * picture.shape[1 if axis == "u" else 0]:
+        other = len(_extract(picture, other_axis(axis), where, settings, channel).stripe.u)
+    if not found:
+        raise _no_stripe_error(path, picture, axis, mask is not None, other)
     text, width_px = channel_text(path, channel), cell_px * line.width_px
-    return ImageStripe(path, line.stripe, text, width_px, line.factor)
+    other = other if other > FAR_MORE * found else 0
+    return ImageStripe(path, line.stripe, text, width_px, line.factor, other_axis_points=other)
+
+
+def other_axis(axis: str) -> str:
+    """``v`` of ``u``, and the other way round."""
+    return "v" if axis == "u" else "u"
 
 
 def _extract(
@@ -135,11 +150,18 @@ def find_laser_weights(lit: Path, unlit: Path) -> ColourWeights:
     return find_weights(with_laser, without)
 
 
-def _no_stripe_error(path: Path, picture: GreyImage, axis: str, masked: bool) -> OperationError:
-    """With the properties of the picture instead."""
+def _no_stripe_error(
+    path: Path, picture: GreyImage, axis: str, masked: bool, other_axis_points: int
+) -> OperationError:
+    """With the line along the other axis, or the properties of the picture, instead."""
     what = message("shows-no-stripe", path=display_path(path))
     if masked:
         what = message("shows-no-stripe-outside-mask", path=display_path(path))
+    if other_axis_points:
+        why = message("line-along-other-axis", axis=axis, points=other_axis_points)
+        return OperationError(
+            "stripe-along-other-axis", what, why, message("give-axis", axis=other_axis(axis))
+        )
     full = saturation_level(picture)
     clipped = float(np.mean(picture >= full))
     brightest = int(picture.max())

@@ -24,6 +24,7 @@ from app.metrology.calibration.findings import (
 )
 from app.metrology.limits import Limits
 from app.metrology.robust import median
+from app.metrology.stripe import usual_steepness
 from app.metrology.targets.chessboard import Chessboard, corner_points
 
 # Name of a robot's contribution in the budget.
@@ -37,6 +38,8 @@ REMEDIES = {
     "stripe": message("take-more-pictures-lasers-line-flat"),
     "distortion": message("take-more-pictures-board-all-corners"),
 }
+# Pixels across for one along, from which lines run along the other axis.
+STEEPEST = 1.5
 # Every pose adds the same information; at most this many are asked for.
 MOST_ASKED = 60
 # Robot and pictures disagree in the board's tilt by more than this, and by more than in rotation.
@@ -220,7 +223,14 @@ def _rocking_findings(result: AdjustmentResult) -> list[CalibrationFinding]:
 
 
 def _line_findings(evidence: BoardEvidence) -> list[CalibrationFinding]:
-    """Lines that contradict the others, and are too many to be mistakes."""
+    """Lines that contradict the others and are too many to be mistakes, and the true reason."""
+    steep = [usual_steepness(one.stripe) for one in evidence.observations]
+    steep = [one for one in steep if np.isfinite(one)]
+    if steep and median(steep) > STEEPEST:
+        axis = evidence.observations[0].stripe.axis
+        text = message("lines-run-along-other-axis", axis=axis)
+        remedy = message("set-stripe-axis", axis="v" if axis == "u" else "u")
+        return [CalibrationFinding("attention", "stripe-axis", text, remedy)]
     before, apart = evidence.excluded_lines_mm, evidence.contradicting_lines_mm
     remedy = message("let-laser-warm-up-check-mount")
     if before:
