@@ -6,15 +6,17 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from app.console import AsJson, fail, print_json, print_table, progress_bar, report_errors
+from app.console import AsJson, fail, print_json, print_table, progress_bar, report_errors, warn
 
 if TYPE_CHECKING:
     from app.errors import OperationError
     from app.metrology.channel import Channel
+    from app.workflows.pictures.detect_targets import ImageDetection
     from app.workflows.pictures.extract_stripes import ImageStripe
 
-SOME_WITHOUT_LINE = 3
-"""Exit status if some of several pictures have no line; 2 is a wrong command line."""
+SOME_LEFT_OUT = 3
+"""Exit status if some of several pictures have no line, or cannot be read; 2 is a wrong command
+line."""
 
 
 class PeakOption(StrEnum):
@@ -165,11 +167,33 @@ def extract(
         _print_stripes(stripes)
         if lines:
             print(f"{output} written")
+    _warn_of_axis(axis, stripes)
     if not lines:
         fail(f"none of the {len(stripes)} pictures has a line: nothing written")
     if len(lines) < len(stripes):
         without = len(stripes) - len(lines)
-        fail(f"{without} of {len(stripes)} pictures have no line", SOME_WITHOUT_LINE)
+        fail(f"{without} of {len(stripes)} pictures have no line", SOME_LEFT_OUT)
+
+
+def _warn_of_axis(axis: Axis, stripes: "list[ImageStripe]") -> None:
+    """Says so if the lines run along the other axis."""
+    from app.messages.message import message
+    from app.workflows.pictures.extract_stripes import other_axis
+
+    steep = [one for one in stripes if one.other_axis_points]
+    if steep:
+        found = sum(len(one.stripe.u) for one in steep)
+        other = sum(one.other_axis_points for one in steep)
+        warn(
+            message(
+                "lines-along-other-axis",
+                pictures=len(steep),
+                axis=axis.value,
+                found=found,
+                better=other_axis(axis.value),
+                other=other,
+            )
+        )
 
 
 def _refusal_fields(refusal: "OperationError | None") -> dict[str, str] | None:
@@ -188,6 +212,7 @@ def _stripe_fields(found: "ImageStripe") -> dict[str, object]:
         "v": found.stripe.v.tolist(),
         "intensity": found.stripe.intensity.tolist(),
         "sigma_px": found.stripe.sigma_px.tolist(),
+        "other_axis_points": found.other_axis_points or None,
         "refusal": _refusal_fields(found.refusal),
     }
 
@@ -235,7 +260,8 @@ def detect(
 ) -> None:
     """Show what is seen of a block or a board in pictures: corners, or why none.
 
-    The file has the columns image, number, u, v, sigma_px, refusal.
+    The file has the columns image, number, u, v, sigma_px, refusal. Exits with status 3 if some
+    of several pictures cannot be read, and with status 1 if none can.
     """
     from app.formats.atomic_write import check_output_path
     from app.formats.datasheets.target import read_object
@@ -251,12 +277,16 @@ def detect(
         found = detect_targets(
             images, read_object(target), laser.value if laser else None, channel, progress
         )
+        unreadable = [one.refusal for one in found if one.refusal and not one.readable]
+        if len(unreadable) == len(found):
+            raise unreadable[0]
         if output is not None:
             write_detections(output, found)
         if draw is not None:
             drawings = (
                 (one.file, draw_detection(read_grey_to_show(one.file, channel), one))
                 for one in found
+                if one.readable
             )
             write_drawings(draw, drawings)
     if as_json:
@@ -269,11 +299,19 @@ def detect(
             for one in found
         ]
         print_json({"images": pictures})
-        return
+    else:
+        _print_detections(target, found)
+        if output is not None:
+            print(f"{output} written")
+    if unreadable:
+        fail(f"{len(unreadable)} of {len(found)} pictures cannot be read", SOME_LEFT_OUT)
+
+
+def _print_detections(target: Path, found: "list[ImageDetection]") -> None:
+    """A row for each picture, then the reasons of those without corners."""
     rows = [(str(one.file), str(len(one.corners) or "none")) for one in found]
     print_table(f"Corners of {target}", ("picture", "corners"), rows)
     for one in found:
         if one.refusal is not None:
-            print(f"{one.file}: {one.refusal.line}")
-    if output is not None:
-        print(f"{output} written")
+            named = f"{one.file}: " if one.readable else ""  # else the reason names it
+            print(f"{named}{one.refusal.line}")

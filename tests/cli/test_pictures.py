@@ -161,6 +161,42 @@ def test_nothing_is_written_where_no_picture_has_a_line(tmp_path: Path) -> None:
     assert not table.exists()
 
 
+@pytest.mark.parametrize(("axis", "other"), [("u", "v"), ("v", "u")])
+def test_a_line_along_the_other_axis_is_said(tmp_path: Path, axis: str, other: str) -> None:
+    rows = np.arange(300.0)[:, None]
+    steep = 20 + 150 * np.exp(-((np.arange(400.0) - 150 - 0.2 * rows) ** 2) / 4.5)
+    noise = np.random.default_rng(0).normal(0, 1.0, steep.shape)
+    picture = (steep + noise).round().astype(np.uint8)
+    path, table = tmp_path / "line.png", tmp_path / "s.csv"
+    cv2.imwrite(str(path), picture if axis == "u" else picture.T)
+    result = crenel("extract", path, path, "-o", table, "--axis", axis)
+    said = " ".join(result.output.split())
+    assert f"Give --axis {other}" in said
+    found = crenel("extract", path, path, "-o", table, "--axis", other)
+    assert found.exit_code == 0
+    assert "--axis" not in found.output
+
+
+def test_a_picture_that_cannot_be_read_leaves_the_others(tmp_path: Path, board: Path) -> None:
+    seen, broken = picture(tmp_path / "seen.png"), tmp_path / "broken.png"
+    broken.write_bytes(seen.read_bytes()[:500])
+    table, drawn = tmp_path / "corners.csv", tmp_path / "drawn"
+    arguments = (seen, broken, "--object", board, "-o", table, "--draw", drawn)
+    result = crenel("detect", *arguments)
+    assert result.exit_code == 3
+    assert f"{broken} ends after 500 bytes" in result.stdout
+    assert result.stderr.endswith("crenel: 1 of 2 pictures cannot be read\n")
+    with table.open() as file:
+        rows = list(csv.DictReader(file))
+    assert [row["image"] for row in rows] == [str(seen)] * 20 + [str(broken)]
+    assert rows[-1]["refusal"] == "image-cut-off"
+    assert [path.name for path in drawn.iterdir()] == ["seen.png"]
+    table.unlink()
+    result = crenel("detect", broken, broken, "--object", board, "-o", table)
+    assert result.exit_code == 1
+    assert not table.exists()
+
+
 def write_raw(path: Path) -> Path:
     cv2.imwrite(str(path), mosaic(expose(render_colours("red", 6.0), seed=1), "GRBG"))
     return path

@@ -45,6 +45,7 @@ class ImageDetection:
     file: Path
     corners: tuple[DetectedPoint, ...]
     refusal: OperationError | None = None
+    readable: bool = True
 
 
 def detect_targets(
@@ -56,17 +57,20 @@ def detect_targets(
 ) -> list[ImageDetection]:
     """Looks for a block or a board in every picture, each by itself.
 
+    A picture that cannot be read is listed with this refusal.
+
     Args:
         axis: of the laser stripe (``u`` or ``v``), where the pictures show it too.
         channel: what of colour or raw pictures is measured.
-
-    Raises:
-        OperationError: a picture cannot be read.
     """
     found: list[ImageDetection] = []
     for done, path in enumerate(images):
         progress(done / len(images), path.name)
-        image = read_grey(path, channel)
+        try:
+            image = read_grey(path, channel)
+        except OperationError as unreadable:
+            found.append(ImageDetection(path, (), unreadable, readable=False))
+            continue
         stripe = None if axis is None else extract_stripe(image, axis)
         try:
             seen = ImageDetection(path, _detect(image, target, stripe))
