@@ -18,8 +18,10 @@ from app.bench.real.peers import PEERS, find_by_peers, measure_width_px
 from app.bench.real.real_pictures import line_table, no_line_table, run
 from app.errors import OperationError
 from app.formats.images import GreyImage
+from app.metrology.targets.chessboard import Chessboard
 from app.metrology.transforms import Floats
 from tests.cli.test_cli import crenel
+from tests.datasheets import write_object
 
 WIDTH, HEIGHT = 400, 240
 Grey = NDArray[np.uint8]
@@ -187,6 +189,18 @@ def test_a_folder_is_read_by_its_layout(tmp_path: Path) -> None:
     assert len(many.lines) == 1 + len(HARDER)
     halved = next(one for one in many.lines if one.name == "lines/two, half size")
     assert halved.width_px == 2.5
+
+
+def test_pictures_without_a_folder_for_their_set_are_one_set(tmp_path: Path) -> None:
+    cv2.imwrite(str(tmp_path / "a.png"), render_line(5.0)[0])
+    (lines,) = find_sets(tmp_path)
+    assert (lines.kind, lines.board) == ("lines", None)
+    board = Chessboard("board", "", (9, 6), 25.0, 0.1)
+    write_object(tmp_path / "object.json", board)
+    (boards,) = find_sets(tmp_path)
+    assert boards.kind == "boards"
+    assert boards.board is not None
+    assert boards.board.inner_corners == (9, 6)
 
 
 def test_a_wrong_folder_is_refused(tmp_path: Path) -> None:

@@ -5,7 +5,8 @@
     FOLDER/boards/SET/    pictures of a board, the laser off, and the board as object.json
     FOLDER/lines/SET/     pictures of a laser line, and what is known of them as set.json
 
-A folder that holds pictures itself is one set of lines.
+A folder that holds pictures itself is one set: of a board if it has an object.json, otherwise of
+lines.
 """
 
 from collections.abc import Callable
@@ -87,7 +88,7 @@ class PictureSet:
 
 
 def find_sets(folder: Path) -> list[PictureSet]:
-    """The sets of a folder, those of boards first; a folder of pictures is one set of lines.
+    """The sets of a folder, those of boards first; a folder of pictures is one set.
 
     Raises:
         OperationError: it has none, or a set has no pictures or a file that cannot be read.
@@ -100,7 +101,7 @@ def find_sets(folder: Path) -> list[PictureSet]:
             if place.is_dir()
         ]
         if not places and _pictures_in(folder):
-            places = [("lines", folder)]
+            places = [("boards" if (folder / OBJECT).exists() else "lines", folder)]
     if not places:
         raise OperationError(
             "folder-without-sets",
