@@ -174,7 +174,7 @@ def _no_stripe_error(
         why = message("dark-brightest-pixel", brightest=brightest, full=quantity(full))
         return OperationError("stripe-not-found", what, why, message("laser-on-or-expose-longer"))
     why = message("no-bright-line-runs", axis=axis)
-    remedy = message("take-with-laser-or-other-axis")
+    remedy = message("take-with-laser-or-describe-line")
     return OperationError("stripe-not-found", what, why, remedy)
 
 
