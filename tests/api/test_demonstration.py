@@ -30,6 +30,7 @@ def test_block_and_board_stand_side_by_side(tmp_path: Path) -> None:
     assert gauges == {
         "plate.nominal.json",
         "sphere.nominal.json",
+        "surface-plate.nominal.json",
         "step-gauge.json",
         "ball-bar.json",
     }

@@ -70,7 +70,8 @@ def test_arm_and_frames_are_paired_exactly(simulation: SimulatedStation, rig: Ri
     read = np.array([rig.arm.at(one.mid_exposure_ns) for one in frames])
     assert np.ptp(read, axis=0).max() > 0.1
     true = simulation.joints(np.array([one.mid_exposure_ns for one in frames]))
-    assert np.abs(read - true).max() < 1e-3
+    # of a lost sample, those beside it tell; with a wrong pulse it would be 40 ms and 0.04 rad off
+    assert np.abs(read - true).max() < 3e-3
 
 
 def test_a_camera_that_comes_back_is_paired_again(simulation: SimulatedStation, rig: Rig) -> None:
