@@ -55,7 +55,7 @@ export function ResultTable({ result, children }: ResultTableProps) {
 }
 
 function Row({ figure }: { figure: PerformanceFigureLine }) {
-  const signed = /^(size|length)/.test(figure.quantity);
+  const signed = /^(size|length|effective)/.test(figure.quantity);
   const { value, limit, test_uncertainty } = figure;
   return (
     <tr data-quantity={figure.quantity}>
