@@ -286,6 +286,7 @@ def test_datasheets_are_whole_and_do_not_know_the_truth(simulation: SimulatedSta
         "sensor.json",
         "plate.nominal.json",
         "sphere.nominal.json",
+        "surface-plate.nominal.json",
         "ball-bar.json",
         "step-gauge.json",
     }
