@@ -264,7 +264,7 @@ def test_a_broken_nominal_is_named_beside_the_others(desk: Desk) -> None:
         finding = next(f for f in view["findings"] if "broken" in english(f["text"]))
         assert english(finding["text"]).startswith("gauges/broken.nominal.json")
         assert "radius_mm" in english(finding["text"])
-        assert [gauge["id"] for gauge in view["gauges"]] == ["plate", "sphere"]
+        assert [gauge["id"] for gauge in view["gauges"]] == ["plate", "sphere", "surface-plate"]
     finally:
         broken.unlink()
 

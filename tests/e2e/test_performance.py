@@ -334,6 +334,7 @@ def test_the_contact_tests_from_start_to_figures(
     wait_for_result(visit)
     look_at_both_sizes(visit, "contact-review")
     page.get_by_role("button", name="Finish the test").click()
+    expect(page.get_by_role("button", name="Open").first).to_be_visible()
     newest, cancelled, *_ = page.request.get(
         f"{station.address.rstrip('/')}/api/performances"
     ).json()
