@@ -51,7 +51,7 @@ MIN_HEIGHT = 0.15
 
 
 class GaugeOperator:
-    """Moves one station's arm.
+    """Touches and scans gauges with one station's arm.
 
     Args:
         press: called with a button, whether it goes down, and when.

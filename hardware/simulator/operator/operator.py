@@ -3,20 +3,18 @@
 Moves block until they are done. Any other thread may read ``state`` and ``cancel``.
 """
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from contextlib import suppress
+from functools import cached_property
 
 import numpy as np
 
-from hardware.interfaces import Button
 from hardware.simulator.devices.kinematics import (
-    ArmModel,
     Floats,
     UnreachableError,
     flange_pose,
     translation,
 )
-from hardware.simulator.devices.motion import Motion
 from hardware.simulator.operator.contact import (
     BOARD,
     choose_contact_point,
@@ -24,7 +22,7 @@ from hardware.simulator.operator.contact import (
     reachable_faces,
 )
 from hardware.simulator.operator.gauge_operator import GAUGE, GaugeOperator
-from hardware.simulator.operator.holding import SensorMount, sensor_over_block, sensor_over_board
+from hardware.simulator.operator.holding import sensor_over_block, sensor_over_board
 from hardware.simulator.operator.paths import PASS_S, passing_poses
 from hardware.simulator.operator.sweeping import plan_sweeps, sweep_poses
 from hardware.simulator.operator.swinging import (
@@ -35,7 +33,7 @@ from hardware.simulator.operator.swinging import (
     seat_centre,
     swing_path,
 )
-from hardware.simulator.scene.world import Board, Box, CrenellatedBlock, SimulatedScene
+from hardware.simulator.scene.world import Board, Box, CrenellatedBlock
 
 CLEAR_MM = 3.0
 """From here the tip goes straight to the face, and back."""
@@ -52,27 +50,18 @@ class ScriptedOperator(GaugeOperator):
         pace: 1 is an operator's speed; 2 is twice as fast.
     """
 
-    def __init__(
-        self,
-        arm: ArmModel,
-        motion: Motion,
-        scene: SimulatedScene,
-        sight: SensorMount,
-        press: Callable[[Button, bool, int], None],
-        show: Callable[[SimulatedScene], None],
-        contact_sd_mm: float = 0.006,
-        pace: float = 1.0,
-        seed: int = 0,
-    ) -> None:
-        super().__init__(arm, motion, scene, sight, press, show, contact_sd_mm, pace, seed)
-        block = scene.find_object("block")
-        assert isinstance(block.shape, CrenellatedBlock)
-        self.faces = reachable_faces(block.shape, arm.tip_diameter_mm / 2)
+    @cached_property
+    def faces(self) -> tuple[str, ...]:
         """Faces of the block that ``touch`` takes."""
-        self.parts = tuple(
-            thing.name for thing in scene.objects if plan_sweeps(thing) and thing.name != "block"
-        )
+        block = self._scene.find_object("block").shape
+        assert isinstance(block, CrenellatedBlock)
+        return reachable_faces(block, self._arm.tip_diameter_mm / 2)
+
+    @cached_property
+    def parts(self) -> tuple[str, ...]:
         """Parts that ``scan_part`` takes."""
+        things = self._scene.objects
+        return tuple(one.name for one in things if plan_sweeps(one) and one.name != "block")
 
     def touch(self, face: str, index: int) -> bool:
         """Touches the ``index``-th place of a face and presses the primary button.
