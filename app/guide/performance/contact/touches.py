@@ -8,6 +8,7 @@ from app.formats.datasheets.length_standard import LengthStandardFile
 from app.guide.performance.contact.sequence import features_of
 from app.guide.performance.contact.so_far import group_tips
 from app.guide.performance.state import PerformanceState
+from app.guide.performance.touch_errors import another_length_error, same_place_error
 from app.messages.message import message, quantity
 from app.metrology.arm.kinematics import AnyArm, Arm, flange_poses, tip_centres, tip_of
 from app.metrology.performance.lengths import length_of_bar_mm
@@ -68,11 +69,7 @@ def _check_on_sphere(before_mm: Floats, tip_mm: Floats, reach_mm: float) -> None
     if not len(before_mm):
         return
     if np.min(np.linalg.norm(before_mm - tip_mm, axis=1)) < APART * reach_mm:
-        raise OperationError(
-            "same-place",
-            message("performance-sphere-touched-there"),
-            remedy=message("performance-touch-sphere-elsewhere"),
-        )
+        raise same_place_error()
     off_mm = 0.0
     if len(before_mm) > 3:
         centre = sphere_centre(before_mm, 2 * reach_mm)
@@ -143,12 +140,4 @@ def _check_length(
     found_mm = length_of_bar_mm(sphere_centre(first_mm, 2 * reach_mm), tip_mm)
     wanted_mm = min((one.length_mm for one in bar.lengths), key=lambda mm: abs(mm - found_mm))
     if abs(found_mm - wanted_mm) > OFF_SPHERE_MM + reach_mm:
-        raise OperationError(
-            "another-length",
-            message(
-                "performance-another-length",
-                found=quantity(found_mm, "mm"),
-                wanted=quantity(wanted_mm, "mm"),
-            ),
-            remedy=message("performance-touch-ends-of-length"),
-        )
+        raise another_length_error(found_mm, wanted_mm)

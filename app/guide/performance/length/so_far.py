@@ -10,7 +10,8 @@ from app.formats.datasheets.length_standard import LengthStandardFile
 from app.guide.performance.entries import BarPass
 from app.guide.performance.length.sequence import LengthEnd
 from app.guide.performance.state import PerformanceState
-from app.messages.message import Text, message, quantity
+from app.guide.performance.touch_errors import another_length_error, same_place_error
+from app.messages.message import Text, message
 from app.metrology.arm.kinematics import AnyArm, tip_centres, tip_of
 from app.metrology.performance.length_places import ArmReach, arm_reach, propose_places
 from app.metrology.performance.lengths import MeasuredLength
@@ -118,11 +119,7 @@ def check_touch(
         reach_mm = (standard.sphere_diameter_mm + tip_of(arm).diameter_mm) / 2
         apart_mm = np.linalg.norm(tips_mm[:-1] - tips_mm[-1], axis=1)
         if len(apart_mm) and np.min(apart_mm) < APART * reach_mm:
-            raise OperationError(
-                "same-place",
-                message("performance-sphere-touched-there"),
-                remedy=message("performance-touch-sphere-elsewhere"),
-            )
+            raise same_place_error()
     if end.end == 1:
         _check_length(state, standard, arm, end, tips_mm[-1], OTHER_LENGTH_MM + reach_mm)
     return len(here)
@@ -142,15 +139,7 @@ def _check_length(
     found_mm = float(np.linalg.norm(tip_mm - first_mm))
     wanted_mm = standard.lengths[end.length - 1].length_mm
     if abs(found_mm - wanted_mm) > within_mm:
-        raise OperationError(
-            "another-length",
-            message(
-                "performance-another-length",
-                found=quantity(found_mm, "mm"),
-                wanted=quantity(wanted_mm, "mm"),
-            ),
-            remedy=message("performance-touch-ends-of-length"),
-        )
+        raise another_length_error(found_mm, wanted_mm)
 
 
 def _off_direction_deg(
