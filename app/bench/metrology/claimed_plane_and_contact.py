@@ -23,7 +23,7 @@ from app.metrology.performance.contact_tests import (
 )
 from app.metrology.performance.lengths import CalibratedLength, MeasuredLength, length_of_bar_mm
 from app.metrology.performance.pattern import pattern_directions
-from app.metrology.performance.sphere import sphere_centre
+from app.metrology.performance.sphere import dispersion_mm, sphere_centre
 from app.metrology.performance.temperature import MeanTemperature
 from app.metrology.performance.value_uncertainty import (
     DIAMETER_BY_FORM_OF_NINE,
@@ -31,6 +31,7 @@ from app.metrology.performance.value_uncertainty import (
     PlateCertificate,
     SphereCertificate,
     draw_plate_form,
+    plane_effect_um,
     size_uncertainty_um,
 )
 from app.metrology.transforms import Floats
@@ -96,12 +97,14 @@ def _plane(random: np.random.Generator) -> _Pair:
     up = np.tile(POLE, (POINTS, 1))
     frame = np.zeros(POINTS, dtype=np.int64)
     scans = [
-        measure_plate_scan(
-            ScanCloud(np.column_stack([flat, off]), frame, up, np.eye(3)), SHELL_MM, PLATE
-        )
+        measure_plate_scan(ScanCloud(np.column_stack([flat, off]), frame, up, np.eye(3)), SHELL_MM)
         for off in (noise_mm + off_mm, noise_mm)
     ]
-    return _Pair(scans[0].dispersion_um, scans[1].dispersion_um, scans[0].uncertainty_um)
+    return _Pair(
+        scans[0].dispersion_um,
+        scans[1].dispersion_um,
+        plane_effect_um(PLATE, scans[0].points_mm, dispersion_mm),
+    )
 
 
 def _draw_ball(random: np.random.Generator, radius_sd_um: float = 0.0) -> TrueSphere:

@@ -28,7 +28,6 @@ from app.metrology.performance.pattern import PatchCoverage, pattern_directions,
 from app.station.jobs import Progress
 from app.station.scan.points import Show
 from app.workflows.performance.evaluate import evaluate_performance
-from app.workflows.performance.plane_test import measure_plate_scan, plate_certificate
 from app.workflows.performance.sphere_scans import LEAST_FRAMES, LEAST_PATCHES, LEAST_POINTS
 
 
@@ -202,14 +201,9 @@ def _plate_in(guide: PerformanceGuide, scan: PlateScan) -> Mapping[str, object]:
         arm, scans = guide.arm(), guide.state.plate_scans
     if arm is None:
         raise OperationError("datasheets-unreadable", message("sessions-gauge-arm-cannot-read-any"))
-    plan = guide.plan()
-    assert plan.plate is not None, "a plan of this kind has a plate"
-    shell_mm, certificate = plan.gate.shell_mm, plate_certificate(plan.plate)
     others = [one for one in scans if one.good and one.orientation != scan.orientation]
-    other = None
-    if others:
-        other = measure_plate_scan(guide.read_cloud(others[-1], arm), shell_mm, certificate)
-    return measure_plate(guide.read_cloud(scan, arm), shell_mm, certificate, other)
+    other = guide.read_cloud(others[-1], arm).R_arm_sensor if others else None
+    return measure_plate(guide.read_cloud(scan, arm), guide.plan().gate.shell_mm, other)
 
 
 def evaluate(guide: PerformanceGuide, progress: Progress) -> None:

@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from scipy.spatial import ConvexHull
 
 from app.errors import OperationError
-from app.formats.performance.plan import ORIENTATIONS, PlatePart, plane_scan
+from app.formats.performance.plan import ORIENTATIONS, plane_scan
 from app.messages.message import Text, message, quantity
 from app.metrology.performance.plane import least_squares_plane
 from app.metrology.performance.sphere import dispersion_mm
@@ -48,17 +48,13 @@ class ScannedPlate:
     """Width of the narrowest slab along its plane that holds 95 % of all points."""
     width_mm: float
     """Of the scanned part, in its narrower direction."""
-    points: int
+    points_mm: Floats  # (N, 3) of the plate, arm frame
     outside: int
     """Points that are not the plate's."""
-    uncertainty_um: float
-    """Test value uncertainty of the dispersion, k = 1."""
     R_arm_sensor: Floats  # (3, 3), as of ``ScanCloud``
 
 
-def measure_plate_scan(
-    cloud: ScanCloud, shell_mm: float, certificate: PlateCertificate
-) -> ScannedPlate:
+def measure_plate_scan(cloud: ScanCloud, shell_mm: float) -> ScannedPlate:
     """Measures a scan of the plate by all points over it.
 
     Raises:
@@ -86,21 +82,15 @@ def measure_plate_scan(
     return ScannedPlate(
         1e3 * least_squares_plane(points[kept]).dispersion_mm,
         width_mm,
-        int(kept.sum()),
+        points[kept],
         int((~kept).sum()),
-        plane_effect_um(certificate, points[kept], dispersion_mm),
         cloud.R_arm_sensor,
     )
 
 
-def plate_certificate(plate: PlatePart) -> PlateCertificate:
-    """What the certificate says of the form."""
-    return PlateCertificate(plate.flatness_um, plate.flatness_sd_um)
-
-
-def turn_between_deg(first: ScannedPlate, second: ScannedPlate) -> float:
-    """By how much the sensor was turned from one scan to the other."""
-    between = first.R_arm_sensor.T @ second.R_arm_sensor
+def turn_between_deg(first: Floats, second: Floats) -> float:
+    """By how much the sensor was turned from one scan to the other, of its orientations (3, 3)."""
+    between = first.T @ second
     return float(np.degrees(np.linalg.norm(vector_from_rotation(between))))
 
 
@@ -119,7 +109,7 @@ def measure_plane(data: MeasuredData) -> PlaneResult:
     plates: list[ScannedPlate] = []
     for name in scanned:
         try:
-            plates.append(measure_plate_scan(data.scan(name), shell_mm, plate_certificate(plate)))
+            plates.append(measure_plate_scan(data.scan(name), shell_mm))
         except OperationError as error:
             if error.code != "cloud-too-small":
                 raise
@@ -127,9 +117,9 @@ def measure_plane(data: MeasuredData) -> PlaneResult:
     values = tuple(one.dispersion_um for one in plates)
     outside = sum(one.outside for one in plates)
     worst = max(plates, key=lambda one: one.dispersion_um)
-    measured = Measured(
-        "plane-scan", worst.dispersion_um, values, worst.uncertainty_um, "", scanned
-    )
+    certificate = PlateCertificate(plate.flatness_um, plate.flatness_sd_um)
+    sd_um = plane_effect_um(certificate, worst.points_mm, dispersion_mm)
+    measured = Measured("plane-scan", worst.dispersion_um, values, sd_um, "", scanned)
     gate = message(
         "performance-plane-gate",
         shell=quantity(shell_mm, "mm", 1),
@@ -144,12 +134,17 @@ def _why_undecided(plates: list[ScannedPlate]) -> Iterator[Text]:
     """Why a value of these scans is stated and not decided."""
     if len(plates) < ORIENTATIONS:
         yield message("plate-in-one-orientation", count=ORIENTATIONS)
-    elif (turn_deg := turn_between_deg(*plates)) < LEAST_TURN_DEG:
-        yield message(
-            "plate-orientations-alike",
-            turn=quantity(turn_deg, "°"),
-            least=quantity(LEAST_TURN_DEG, "°"),
-        )
+    elif (turn_deg := turn_between_deg(*(one.R_arm_sensor for one in plates))) < LEAST_TURN_DEG:
+        yield orientations_alike(turn_deg)
+
+
+def orientations_alike(turn_deg: float) -> Text:
+    """Said of two scans between which the sensor was turned too little."""
+    return message(
+        "plate-orientations-alike",
+        turn=quantity(turn_deg, "°"),
+        least=quantity(LEAST_TURN_DEG, "°"),
+    )
 
 
 def find_on_plate(points_mm: Floats, shell_mm: float) -> NDArray[np.bool_]:

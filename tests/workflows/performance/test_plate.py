@@ -6,14 +6,12 @@ import pytest
 from app.errors import OperationError
 from app.guide.performance.plane.scans import measure_plate
 from app.metrology.performance.plane import least_squares_plane
-from app.metrology.performance.value_uncertainty import PlateCertificate
 from app.metrology.transforms import Floats, rotation_from_vector
 from app.workflows.performance.measured_data import ScanCloud
 from app.workflows.performance.plane_test import find_on_plate, measure_plate_scan
 
 SHELL_MM = 10.0
 SIDE_MM = 100.0
-CERTIFICATE = PlateCertificate(2.0, 0.5)
 
 
 def plate(count: int, noise_mm: float, seed: int = 0) -> Floats:
@@ -74,19 +72,19 @@ def test_a_scan_that_shows_too_little_of_the_plate_is_refused() -> None:
         (scanned(strip), "only 38 mm wide"),
     ):
         with pytest.raises(OperationError) as refused:
-            measure_plate_scan(cloud, SHELL_MM, CERTIFICATE)
+            measure_plate_scan(cloud, SHELL_MM)
         assert refused.value.code == "cloud-too-small"
         assert text in str(refused.value)
 
 
 def test_the_sensor_is_turned_between_the_orientations() -> None:
     points = plate(20_000, 0.01)
-    first = measure_plate(scanned(points), SHELL_MM, CERTIFICATE, None)
+    first = measure_plate(scanned(points), SHELL_MM, None)
     assert first["turn_deg"] is None
     assert first["dispersion_um"] == pytest.approx(39.2, rel=0.05)
-    other = measure_plate_scan(scanned(points), SHELL_MM, CERTIFICATE)
-    second = measure_plate(scanned(points, 90.0), SHELL_MM, CERTIFICATE, other)
+    other = scanned(points).R_arm_sensor
+    second = measure_plate(scanned(points, 90.0), SHELL_MM, other)
     assert second["turn_deg"] == pytest.approx(90.0)
     with pytest.raises(OperationError) as refused:
-        measure_plate(scanned(points, 12.0), SHELL_MM, CERTIFICATE, other)
+        measure_plate(scanned(points, 12.0), SHELL_MM, other)
     assert refused.value.code == "orientations-alike"

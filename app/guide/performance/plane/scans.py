@@ -11,12 +11,12 @@ from app.guide.performance.entries import PlateScan
 from app.guide.performance.state import PerformanceState
 from app.guide.performance.view import ArticulationLine, ArticulationState
 from app.messages.message import Text, join, message, quantity
-from app.metrology.performance.value_uncertainty import PlateCertificate
+from app.metrology.transforms import Floats
 from app.workflows.performance.measured_data import ScanCloud
 from app.workflows.performance.plane_test import (
     LEAST_TURN_DEG,
-    ScannedPlate,
     measure_plate_scan,
+    orientations_alike,
     turn_between_deg,
 )
 
@@ -80,31 +80,26 @@ def plate_findings(state: PerformanceState) -> list[Finding]:
     return [Finding("attention", error.reason, sentence(error.remedy))]
 
 
-def measure_plate(
-    cloud: ScanCloud, shell_mm: float, certificate: PlateCertificate, other: ScannedPlate | None
-) -> Mapping[str, object]:
+def measure_plate(cloud: ScanCloud, shell_mm: float, other: Floats | None) -> Mapping[str, object]:
     """What a scan of the plate shows, as its row has it.
 
     Args:
-        other: the scan of the other orientation; None before there is one.
+        other: (3, 3) orientation of the sensor in the scan of the other orientation; None before
+            there is one.
 
     Raises:
         OperationError: it shows too little of the plate, or the sensor was held as in the other.
     """
-    found = measure_plate_scan(cloud, shell_mm, certificate)
-    turn_deg = None if other is None else turn_between_deg(other, found)
+    found = measure_plate_scan(cloud, shell_mm)
+    turn_deg = None if other is None else turn_between_deg(other, found.R_arm_sensor)
     if turn_deg is not None and turn_deg < LEAST_TURN_DEG:
         raise OperationError(
             "orientations-alike",
-            message(
-                "plate-orientations-alike",
-                turn=quantity(turn_deg, "°"),
-                least=quantity(LEAST_TURN_DEG, "°"),
-            ),
+            orientations_alike(turn_deg),
             remedy=message("performance-turn-sensor"),
         )
     return {
-        "points": found.points,
+        "points": len(found.points_mm),
         "width_mm": found.width_mm,
         "dispersion_um": found.dispersion_um,
         "turn_deg": turn_deg,
