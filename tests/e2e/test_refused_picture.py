@@ -10,6 +10,14 @@ from tests.e2e.conftest import Demo
 
 pytestmark = pytest.mark.slow
 
+SLOW_CHOICES = """
+    const send = window.fetch;
+    window.fetch = async (path, init) => {
+        if (String(init?.body).includes('"choose"')) await new Promise((go) => setTimeout(go, 999));
+        return send(path, init);
+    };
+"""
+"""What is pressed after a choice follows it, however slow the line is."""
 SIZES = {"desktop": (1440, 900), "tablet": (1024, 768), "upright": (800, 1280)}
 
 
@@ -30,6 +38,7 @@ def test_a_refused_picture_is_explained_and_saved(
     browser: Browser, demo: Demo, pictures: Path, tmp_path: Path
 ) -> None:
     page = browser.new_page(viewport={"width": 1440, "height": 900}, accept_downloads=True)
+    page.add_init_script(SLOW_CHOICES)
     page.goto(demo.link)
     take_refused_picture(page)
     save = page.get_by_role("link", name="Save for support")

@@ -118,11 +118,8 @@ def test_its_pulses_pair_arm_and_camera(board: Board, tmp_path: Path) -> None:
             TriggerSettings(RATE_HZ),
         )
 
-        def fire(number: int) -> None:
-            simulation.trigger_camera(now_ns())
-            board.tell("angle", 0, 20 * number % PER_TURN)
-
-        board.on_pulse = fire
+        board.tell("step", 20)
+        board.on_pulse = lambda number: simulation.trigger_camera(now_ns())
         running.callback(rig.stop)
         rig.start()
         until(lambda: rig.sensor.is_paired, 60)

@@ -8,9 +8,13 @@ import type { ArmView, FlowCommand, PerformanceView } from "./wire";
 /** By its guide, the value that was set last: whether it was taken. */
 const settings = new Map<Guide, Promise<boolean>>();
 
-/** Sets a value that was typed; what is pressed in the meantime follows, unless the value is refused. */
+/**
+ * Sets a value that was typed or chosen, after the one before it. What is pressed in the meantime
+ * follows, unless the value is refused.
+ */
 export async function setValue(guide: Guide, name: string, args: Record<string, unknown>): Promise<void> {
-  const taken = send(guide, name, args);
+  const before = settings.get(guide) ?? Promise.resolve(true);
+  const taken = before.then(() => send(guide, name, args));
   settings.set(guide, taken);
   await taken;
   if (settings.get(guide) === taken) settings.delete(guide);

@@ -1,4 +1,4 @@
-import { sendCommand } from "../api/guideCommands";
+import { setValue } from "../api/guideCommands";
 import type { ChoiceOption } from "../api/wire";
 import look from "../parts/Control.module.css";
 import styles from "../parts/Field.module.css";
@@ -13,7 +13,7 @@ export function ArmChoice({ arms, arm }: { arms: ChoiceOption[]; arm: string }) 
       <select
         className={`${look.input} ${styles.input}`}
         value={arm}
-        onChange={(event) => void sendCommand("arm", "choose_arm", { id: event.target.value })}
+        onChange={(event) => void setValue("arm", "choose_arm", { id: event.target.value })}
       >
         {!arm && <option value="">{t("ui-choose-the-arm")}</option>}
         {arms.map((option) => (

@@ -1,4 +1,4 @@
-import { sendCommand, setValue } from "../api/guideCommands";
+import { setValue } from "../api/guideCommands";
 import type { Artefact } from "../api/wire";
 import styles from "../parts/Field.module.css";
 import { unitOf } from "../parts/lengths";
@@ -33,7 +33,7 @@ export function ArtefactField({
       <span className={styles.label}>{t("ui-artefact")}</span>
       <Segments
         value={kind}
-        onChange={(chosen) => void sendCommand("arm", "choose_artefact", { kind: chosen })}
+        onChange={(chosen) => void setValue("arm", "choose_artefact", { kind: chosen })}
         options={KINDS.map(({ value, label }) => ({ value, label: t(label) }))}
         disabled={disabled}
         wide

@@ -1,4 +1,4 @@
-import { sendCommand } from "../api/guideCommands";
+import { setValue } from "../api/guideCommands";
 import type { ObjectGeometry } from "../api/types";
 import type { BlockGeometry, BoardGeometry, Choice } from "../api/wire";
 import { ObjectDrawing } from "../object/ObjectDrawing";
@@ -13,7 +13,7 @@ export function ChoicesPicture({ choices, object }: { choices: Choice[]; object:
     <div className={styles.picture}>
       <div className={styles.choices}>
         {choices.map(({ field, ...choice }) => (
-          <ChoiceGroup key={field} {...choice} onChoose={(id) => void sendCommand("flow", "choose", { field, id })} />
+          <ChoiceGroup key={field} {...choice} onChoose={(id) => void setValue("flow", "choose", { field, id })} />
         ))}
       </div>
       {object && (

@@ -1,5 +1,5 @@
 import { useState } from "react";
-import { sendCommand } from "../api/guideCommands";
+import { setValue } from "../api/guideCommands";
 import type { ObjectGeometry, Picture, Vec3 } from "../api/types";
 import type { FaceProgress, TouchedPoint } from "../api/wire";
 import type { PlainId } from "../messages/text";
@@ -34,7 +34,7 @@ export function ObjectPicture({ picture }: { picture: ObjectView }) {
   const selected = faces.find((face) => face.selected) ?? null;
   const scale_um = scaleEnd(points);
   const point = points.find((p) => p.index === chosen) ?? null;
-  const select = (face: string) => void sendCommand("flow", "select_face", { face });
+  const select = (face: string) => void setValue("flow", "select_face", { face });
   return (
     <div className={styles.picture}>
       <ObjectDrawing object={object} face={selected?.face ?? null} onFace={select} label={t("ui-the-object")}>

@@ -1,4 +1,4 @@
-import { sendCommand } from "../api/guideCommands";
+import { setValue } from "../api/guideCommands";
 import type { PerformanceView } from "../api/wire";
 import { ChoiceGroup } from "../flow/ChoiceGroup";
 import { Chips } from "../parts/Chips";
@@ -25,13 +25,13 @@ function ContactChoice({ view }: { view: PerformanceView }) {
         title={t("ui-master-sphere")}
         options={[...view.gauges, without(t("ui-without-a-sphere"))]}
         selected={view.gauge}
-        onChoose={(id) => void sendCommand("performance", "choose_gauge", { id })}
+        onChoose={(id) => void setValue("performance", "choose_gauge", { id })}
       />
       <ChoiceGroup
         title={t("ui-ball-bar")}
         options={[...view.bars, without(t("ui-without-a-ball-bar"))]}
         selected={view.bar}
-        onChoose={(id) => void sendCommand("performance", "choose_bar", { id })}
+        onChoose={(id) => void setValue("performance", "choose_bar", { id })}
       />
       <Temperatures picture={view.picture} />
       <Limits limits={view.picture.limits} />
@@ -63,7 +63,7 @@ function OneArtefact({ view }: { view: PerformanceView }) {
         title={t(view.test === "contact" ? "ui-master-sphere" : TITLES[view.test])}
         options={view.gauges}
         selected={view.gauge}
-        onChoose={(id) => void sendCommand("performance", "choose_gauge", { id })}
+        onChoose={(id) => void setValue("performance", "choose_gauge", { id })}
       />
       {sphere && <CertificateUpload />}
       {sphere && (
@@ -76,7 +76,7 @@ function OneArtefact({ view }: { view: PerformanceView }) {
               { value: 2, label: t("ui-two-positions") },
             ]}
             value={view.positions}
-            onChange={(number) => void sendCommand("performance", "set_positions", { number })}
+            onChange={(number) => void setValue("performance", "set_positions", { number })}
           />
         </section>
       )}
@@ -107,7 +107,7 @@ function ByScanChoice({ view }: { view: PerformanceView }) {
               { value: 1, label: t("ui-by-touch-and-by-scan") },
             ]}
             value={view.by_scan ? 1 : 0}
-            onChange={(value) => void sendCommand("performance", "set_by_scan", { by_scan: value === 1 })}
+            onChange={(value) => void setValue("performance", "set_by_scan", { by_scan: value === 1 })}
           />
         </>
       )}

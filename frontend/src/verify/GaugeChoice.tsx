@@ -1,4 +1,4 @@
-import { sendCommand } from "../api/guideCommands";
+import { setValue } from "../api/guideCommands";
 import type { GaugeOption } from "../api/wire";
 import { ChoiceGroup } from "../flow/ChoiceGroup";
 import choice from "../flow/ChoicesPicture.module.css";
@@ -25,7 +25,7 @@ export function GaugeChoice({ gauges, gauge }: { gauges: GaugeOption[]; gauge: s
           title={t("ui-gauge")}
           options={gauges}
           selected={gauge}
-          onChoose={(id) => void sendCommand("verify", "choose_gauge", { id })}
+          onChoose={(id) => void setValue("verify", "choose_gauge", { id })}
         />
       </div>
       <div style={{ alignItems: "center", justifyContent: "center" }}>

@@ -6,6 +6,7 @@
      angle JOINT VALUE    error JOINT    noise JOINT (wrong parity, once)
      button BIT DOWN      reset          hang (no timer interrupt any more)
      drop COUNT (samples that the line swallows)
+     step VALUE (the first encoder turns by this after each trigger pulse)
    On standard output, a line "running" says that the arm sends, "host" that bytes arrived from the
    host, and "pulse" with three numbers the clock cycles of a trigger pulse: when it rose, when the
    encoders were last latched before it fell, and when it fell. */
@@ -33,6 +34,7 @@ static int joints, terminal;
 /* ---- encoders ---- */
 
 static int angle[MOST_JOINTS], has_error[MOST_JOINTS], is_noisy[MOST_JOINTS];
+static int step_at_pulse;
 static unsigned answer[MOST_JOINTS];
 static unsigned char chain[2 * MOST_JOINTS];
 static int selected;
@@ -99,6 +101,7 @@ static void on_trigger(avr_irq_t *irq, uint32_t value, void *param) {
         printf("pulse %llu %llu %llu\n", rose, (unsigned long long)latched_at,
                (unsigned long long)avr->cycle);
         fflush(stdout);
+        angle[0] += step_at_pulse;
     }
     high = value != 0;
 }
@@ -202,6 +205,8 @@ static void obey(const char *line) {
         press(joint, value);
     else if (sscanf(line, "drop %d", &value) == 1)
         drop = value;
+    else if (sscanf(line, "step %d", &value) == 1)
+        step_at_pulse = value;
     else if (!strcmp(line, "reset"))
         avr_reset(avr);
     else if (!strcmp(line, "hang"))
