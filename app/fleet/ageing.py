@@ -4,18 +4,22 @@ change with the hours since the calibration and with the temperature."""
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from datetime import datetime
+from itertools import groupby
+from operator import attrgetter
 from statistics import median, stdev
 from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
-from sqlalchemy import Connection, bindparam, select
+from sqlalchemy import Connection, bindparam, select, true
 
 from app.fleet.catalogue.reading import CalibrationMoment, calibrations_by_station
 from app.fleet.catalogue.tables import FigureRow, RecordRow, StationRow
 from app.metrology.common_slope import CommonSlope, fit_common_slope
 
 if TYPE_CHECKING:
+    from sqlalchemy import ColumnElement, Select
     from sqlalchemy.engine import Row
+    from sqlalchemy.orm import InstrumentedAttribute
 
 MOST_OF_STATION, MOST_VALUES, LEAST_OF_STATION = 2000, 20_000, 20
 """The newest values count, of each station and in all."""
@@ -153,8 +157,39 @@ def _read_rows(
     since: datetime | None,
     until: datetime | None,
     most: int,
-) -> "Iterator[tuple[str, list[Row[Any]]]]":
-    """The values of each station that has any, with their records, the oldest first."""
+) -> "Iterator[tuple[str, Sequence[Row[Any]]]]":
+    """The values of each station that has any, with their records, the oldest first.
+
+    PostgreSQL answers for all stations at once. SQLite has no LATERAL, and is asked for each: there
+    is no server between, so that it costs little. Each station is one range of the index.
+    """
+    period = (quantity, since, until, most)
+    if connection.dialect.name == "postgresql":
+        newest = _newest_of(StationRow.id, *period).lateral()
+        wanted = (
+            select(StationRow.id.label("of_station"), newest)
+            .join(newest, true())
+            .where(StationRow.id.in_(stations))
+            .order_by(StationRow.id, newest.c.at)
+        )
+        for station, rows in groupby(connection.execute(wanted), attrgetter("of_station")):
+            yield station, [*rows]
+        return
+    of_one = _newest_of(bindparam("of"), *period)
+    for station in sorted(stations):
+        found: list[Row[Any]] = [*connection.execute(of_one, {"of": station})]
+        if found:
+            yield station, found[::-1]
+
+
+def _newest_of(
+    station: "ColumnElement[str] | InstrumentedAttribute[str]",
+    quantity: str,
+    since: datetime | None,
+    until: datetime | None,
+    most: int,
+) -> "Select[*tuple[Any, ...]]":
+    """The newest values of a station, with their records."""
     wanted = (
         select(
             FigureRow.at,
@@ -170,17 +205,13 @@ def _read_rows(
             RecordRow.temperature_c,
         )
         .join(RecordRow, RecordRow.key == FigureRow.record_key)
-        .where(FigureRow.quantity == quantity, FigureRow.station == bindparam("of"))
+        .where(FigureRow.quantity == quantity, FigureRow.station == station)
     )
     if since is not None:
         wanted = wanted.where(FigureRow.at >= since)
     if until is not None:
         wanted = wanted.where(FigureRow.at < until)
-    newest = wanted.order_by(FigureRow.at.desc()).limit(most)
-    for station in stations:  # each is one range of the index
-        rows: list[Row[Any]] = [*connection.execute(newest, {"of": station})]
-        if rows:
-            yield station, rows[::-1]
+    return wanted.order_by(FigureRow.at.desc()).limit(most)
 
 
 def _age(

@@ -35,7 +35,7 @@ def fit_common_slope(arguments: Floats, values: Floats, groups: Ints) -> CommonS
     Args:
         arguments: (n,) such as hours.
         values: (n,) with equal, independent scatter.
-        groups: (n,) the number of the group of each value.
+        groups: (n,) the number of the group of each value, from 0.
 
     Returns:
         None if the values do not determine it: there are too few, or the arguments of each group
@@ -52,26 +52,25 @@ def fit_common_slope(arguments: Floats, values: Floats, groups: Ints) -> CommonS
         >>> round(found.value, 3), found.values, found.groups
         (0.1, 5, 2)
     """
-    known, sizes = np.unique(groups, return_counts=True)
-    several = known[sizes > 1]
-    used = np.isin(groups, several)
-    if not used.any():
+    counts = np.bincount(groups)
+    sizes = counts[counts > 1]
+    if not len(sizes):
         return None
-    _, of_group, counts = np.unique(groups[used], return_inverse=True, return_counts=True)
-    x = _deviations(arguments[used], of_group, counts)
-    y = _deviations(values[used], of_group, counts)
-    freedom = len(x) - len(several) - 1
+    x = _deviations(arguments, groups, counts)
+    y = _deviations(values, groups, counts)
+    count = int(sizes.sum())
+    freedom = count - len(sizes) - 1
     spread = float(x @ x)
-    if freedom < 1 or spread <= 1e-18 * float(np.max(np.abs(arguments)) ** 2) * len(x):
+    if freedom < 1 or spread <= 1e-18 * float(np.max(np.abs(arguments)) ** 2) * count:
         return None
     slope = float(x @ y) / spread
     left = y - slope * x
     standard = float(np.sqrt(left @ left / freedom / spread))
     factor = float(stdtrit(freedom, (1 + CONFIDENCE) / 2))
-    return CommonSlope(slope, factor * standard, len(x), len(several))
+    return CommonSlope(slope, factor * standard, count, len(sizes))
 
 
-def _deviations(values: Floats, of_group: Ints, counts: Ints) -> Floats:
-    """From the mean of each value's group."""
-    means = np.bincount(of_group, values) / counts
-    return np.asarray(values - means[of_group], dtype=np.float64)
+def _deviations(values: Floats, groups: Ints, counts: Ints) -> Floats:
+    """From the mean of each value's group: 0 of one that is alone."""
+    means = np.bincount(groups, values) / np.maximum(counts, 1)
+    return np.asarray(values - means[groups], dtype=np.float64)

@@ -129,3 +129,24 @@ def test_each_sensor_of_a_station_is_listed(catalogue: FleetCatalogue) -> None:
         found = spread_of(connection, "point-uncertainty")
     assert [one.sensor_serial for one in found] == ["L-1", "L-2"]
     assert [one.standard_deviation for one in found] == [None, None]
+
+
+def test_the_newest_values_of_each_station_count(
+    catalogue: FleetCatalogue, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The oldest of them first, within the period."""
+    monkeypatch.setattr("app.fleet.ageing.MOST_OF_STATION", 20)
+    until = START + 100 * DAY
+    entries = {name: ageing_station(name, 0.0, 0.0) for name in ("hall", "lab", "workshop")}
+    catalogue.add([entry for own in entries.values() for entry in own])
+    with catalogue.reading() as connection:
+        found = ageing_of(connection, "gauge-offset", ["workshop", "hall"], START, until)
+    assert [one.station for one in found] == ["hall", "workshop"]
+    for one in found:
+        values = [
+            (entry.at, figure.value)
+            for entry in entries[one.station]
+            for figure in entry.figures
+            if figure.quantity == "gauge-offset" and entry.at < until
+        ]
+        assert [(point.at, point.value) for point in one.points] == sorted(values)[-20:]
