@@ -15,7 +15,8 @@ BAR_CONE_DEG = 30.0
 MOST_SPHERES = 12
 SEARCHED_POINTS = 20_000
 """Of a cloud, evenly over it: enough to find spheres."""
-TRIALS = 400
+TRIALS, NEIGHBOURS = 400, 2000
+"""Spheres that are tried, and the points, evenly over a cloud, from which neighbours are taken."""
 NEAR_MM = 0.3
 """Points this near to the surface of a sphere count for it while it is searched for."""
 LEAST_FOUND, LEAST_SHARE = 60, 0.6
@@ -112,37 +113,60 @@ def _best_sphere(
     points: Floats, towards: Floats, radius_mm: float, random: np.random.Generator
 ) -> Floats | None:
     """The centre (3,) of the sphere with most points on it; None if that is none."""
+    chosen = _choose_threes(points, radius_mm, random)
+    centres = _centres_through(points[chosen], towards[chosen[:, 0]], radius_mm)
+    if not len(centres):
+        return None
     tree = cKDTree(points)
-    best: tuple[int, Floats] | None = None
-    for index in random.integers(0, len(points), TRIALS):
-        near = np.array(tree.query_ball_point(points[index], radius_mm))
-        if len(near) < 3:
-            continue
-        three = points[[index, *random.choice(near, 2, replace=False)]]
-        centre = _centre_through(three, towards[index], radius_mm)
-        if centre is None:
-            continue
-        about = points[tree.query_ball_point(centre, radius_mm + ABOUT_MM)]
-        on = np.abs(np.linalg.norm(about - centre, axis=1) - radius_mm) <= NEAR_MM
-        count = int(on.sum())
-        if count < max(LEAST_FOUND, LEAST_SHARE * len(about)):
-            continue
-        if best is None or count > best[0]:
-            best = count, sphere_centre(about[on], 2 * radius_mm)
-    return None if best is None else best[1]
+
+    def count_within(distance_mm: float) -> NDArray[np.int64]:
+        return np.asarray(tree.query_ball_point(centres, distance_mm, return_length=True))
+
+    on = count_within(radius_mm + NEAR_MM) - count_within(radius_mm - NEAR_MM)
+    about = count_within(radius_mm + ABOUT_MM)
+    on[on < np.maximum(LEAST_FOUND, LEAST_SHARE * about)] = 0
+    best = centres[np.argmax(on)]
+    if not on.any():
+        return None
+    near = np.abs(np.linalg.norm(points - best, axis=1) - radius_mm) <= NEAR_MM
+    return sphere_centre(points[near], 2 * radius_mm)
 
 
-def _centre_through(three: Floats, towards: Floats, radius_mm: float) -> Floats | None:
-    """The centre (3,) of the sphere through three points (3, 3), on the side away from the camera;
-    None if there is none, or they are almost on a line."""
-    a, b = three[1] - three[0], three[2] - three[0]
-    normal = np.cross(a, b)
-    square = float(normal @ normal)
-    if square < (0.05 * radius_mm**2) ** 2:
-        return None
-    middle = (np.cross(normal, a) * (b @ b) + np.cross(b, normal) * (a @ a)) / (2 * square)
-    height_square = radius_mm**2 - float(middle @ middle)
-    if height_square < 0:
-        return None
-    normal /= np.sqrt(square) * np.sign(normal @ towards)
-    return np.asarray(three[0] + middle - normal * np.sqrt(height_square))
+def _choose_threes(
+    points: Floats, radius_mm: float, random: np.random.Generator
+) -> NDArray[np.int64]:
+    """The numbers (T, 3) of points near one another: any, and two of a part of the others."""
+    part = np.arange(0, len(points), max(1, len(points) // NEIGHBOURS))
+    first = random.integers(0, len(points), TRIALS)
+    near = cKDTree(points[part]).query_ball_point(points[first], radius_mm)
+    threes = [
+        (index, *part[random.choice(others, 2, replace=False)])
+        for index, others in zip(first, near, strict=True)
+        if len(others) >= 2
+    ]
+    return np.array(threes, dtype=np.int64).reshape(-1, 3)
+
+
+def _centres_through(threes: Floats, towards: Floats, radius_mm: float) -> Floats:
+    """The centres of the spheres through three points each, on the side away from the camera.
+
+    Args:
+        threes: (T, 3, 3).
+        towards: (T, 3) unit, from each first point to the camera.
+
+    Returns:
+        (K, 3), K <= T: none of points almost on a line, or too far apart.
+    """
+    a, b = threes[:, 1] - threes[:, 0], threes[:, 2] - threes[:, 0]
+    normals = np.cross(a, b)
+    squares = np.sum(normals**2, axis=1)
+    apart = squares >= (0.05 * radius_mm**2) ** 2
+    a, b, normals, squares = a[apart], b[apart], normals[apart], squares[apart]
+    to_middles = np.cross(normals, a) * np.sum(b**2, axis=1)[:, None]
+    to_middles += np.cross(b, normals) * np.sum(a**2, axis=1)[:, None]
+    to_middles /= 2 * squares[:, None]
+    height_squares = radius_mm**2 - np.sum(to_middles**2, axis=1)
+    sides = np.sign(np.sum(normals * towards[apart], axis=1))
+    heights = sides * np.sqrt(np.maximum(height_squares, 0.0) / squares)
+    centres = threes[apart, 0] + to_middles - normals * heights[:, None]
+    return np.asarray(centres[height_squares >= 0])
