@@ -863,6 +863,7 @@ could-true-last-ago =
        *[other] { $count } waren unplausibel, der letzte vor { $ago }: { CLAUSE($what) }.
     }
 count-inner-corners = Falls { $columns } × { $rows } die Zahl der Felder ist, die Zahl der Ecken zwischen ihnen angeben, je eine weniger; sonst den Kalibrierschein der Tafel im Bild angeben oder den Rest dieser Tafel freilegen
+cover-one-board = eine davon abdecken oder aus dem Bild nehmen
 create-choose-another-place = Ordner anlegen oder einen anderen wählen
 crenel = Crenel { $version }
 crest-z-mm-must-above-floor = crest_z_mm muss über floor_z_mm liegen und floor_z_mm über base_z_mm
@@ -3685,6 +3686,7 @@ turn-off-cameras-mirroring-turn-object = Spiegelung der Kamera ausschalten oder 
 turn-sensor-so-laser-falls-onto = Sensor so drehen, dass der Laser von oben auf die Tafel fällt
 turn-up-light-exposure = mehr beleuchten oder länger belichten
 turn-up-light-exposure-look-object = mehr beleuchten oder länger belichten und den Sensor auf das Objekt richten
+two-boards-in-picture = zwei Tafeln mit { $columns } × { $rows } inneren Ecken sind im Bild
 two-pictures-named = zwei Bilder heißen { $name } und wären eine Datei in { $folder }
 two-s-of-distances = 2 s dieser Abstände
 two-seats-or-seat-carried = sie gehören zu zwei Pfannen, oder die Pfanne wurde zwischendurch versetzt
@@ -3853,6 +3855,7 @@ what-tested = Was geprüft wurde
 what-tip-moved-while-held-one = Scheinbare Bewegung der Tastkugel, während sie an einer Position gehalten wurde.
 what-verified = Gegenstand der Verifizierung
 where-sensor-sits-along-axis-cannot = die Lage des Sensors entlang dieser Achse lässt sich nicht bestimmen
+which-board-not-certain = welche davon { $name } ist, steht nicht fest
 who-reads-along-has-passwords-can = Wer mitliest, kennt Passwörter und kann unter fremdem Namen handeln.
 whoever-helps-you-asks-first = Der Support fragt zuerst danach.
 whole = Sie ist intakt, { $size_mb }.

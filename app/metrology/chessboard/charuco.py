@@ -22,6 +22,7 @@ from app.metrology.chessboard.failure_evidence import (
 )
 from app.metrology.chessboard.missing_corners import CornerGrid
 from app.metrology.chessboard.perspective import predict_corner
+from app.metrology.chessboard.two_boards import refuse_repeated_markers
 from app.metrology.detection.failure_evidence import DetectionError, ImageAnnotation
 from app.metrology.image import Image, saturation_level
 from app.metrology.robust import median
@@ -74,15 +75,16 @@ def detect_charuco(
 
     Raises:
         DetectionError: ``board-not-found``, ``another-board``, ``board-partly-seen``,
-            ``board-too-small`` or ``board-blurred``.
+            ``board-too-small``, ``board-blurred`` or ``two-boards``.
     """
     reading = _read_markers(image, board, markers, thorough)
+    twice = refuse_repeated_markers(board, image, reading.markers, reading.outlines_px)
     if len(reading.number) < FEWEST_CORNERS:
-        raise _too_little(image, board, markers, blocked, reading)
+        raise twice or _too_little(image, board, markers, blocked, reading)
     right = _agree_with_neighbours(corner_grid(board)[reading.number], reading.uv_px)
     foreign = float((~np.isin(reading.markers, charuco_board(board, markers).getIds())).mean())
     if foreign > MOST_FOREIGN or right.mean() < LEAST_AGREEING:
-        raise _other_arrangement(image, board, markers, reading)
+        raise twice or _other_arrangement(image, board, markers, reading)
     known = dict(zip(reading.number[right].tolist(), reading.uv_px[right], strict=True))
     _refuse_other_size(image, board, markers, reading, CharucoGrid(board, known))
     measured = _measure(image, board, markers, blocked, known)

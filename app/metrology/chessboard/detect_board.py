@@ -21,6 +21,7 @@ from app.metrology.chessboard.missing_corners import CornerGrid
 from app.metrology.chessboard.opencv_finders import find_by_opencv
 from app.metrology.chessboard.perspective import fit_perspective, map_places
 from app.metrology.chessboard.saddle_points import Saddles, find_saddles
+from app.metrology.chessboard.two_boards import refuse_two_boards, saddles_outside
 from app.metrology.chessboard.window import find_window
 from app.metrology.image import Image
 from app.metrology.robust import median
@@ -69,8 +70,8 @@ def detect_board(
 
     Raises:
         DetectionError: ``board-not-found``, ``another-board``, ``board-partly-seen``,
-            ``board-too-small`` or ``board-blurred``, with the cause, and with the parts of the
-            board that were detected.
+            ``board-too-small``, ``board-blurred`` or ``two-boards``, with the cause, and with the
+            parts of the board that were detected.
     """
     columns, rows = board.inner_corners
     blocked = laser_mask(image, stripe)
@@ -84,7 +85,7 @@ def detect_board(
             continue
         detection = _number_corners(board, saddles, lattice, measured)
         if detection is not None:
-            return detection
+            return _only_board(image, blocked, board, saddles, detection)
         failure = _failure(image, blocked, saddles, lattice, measured, board)
         if nearest is None or seen > nearest.seen:
             area_px2 = area_px2 if seen > LEAST_VISIBLE * columns * rows else 0.0
@@ -139,6 +140,27 @@ def _number_corners(
     return BoardDetection(
         uv[kept], covariance[kept], numbers[0][kept], tuple(other[kept] for other in numbers[1:])
     )
+
+
+def _only_board(
+    image: Image,
+    blocked: NDArray[np.bool_],
+    board: Chessboard,
+    saddles: Saddles,
+    found: BoardDetection,
+) -> BoardDetection:
+    """The board found, or a much larger one beside it; raises where two are about as large."""
+    beside = saddles_outside(image, saddles, found.uv_px)
+    for lattice in find_lattices(beside, int(np.prod(board.inner_corners)))[:GRIDS]:
+        measured = _measure_corners(image, blocked, beside, lattice)
+        other = _number_corners(board, beside, lattice, measured)
+        if other is None:
+            continue
+        areas_px2 = [_hull_area_px2(one.uv_px) for one in (found, other)]
+        if min(areas_px2) > SMALLER * max(areas_px2):
+            raise refuse_two_boards(board, image, [found.uv_px, other.uv_px])
+        found = max(found, other, key=lambda one: _hull_area_px2(one.uv_px))
+    return found
 
 
 def _failure(

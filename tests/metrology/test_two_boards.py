@@ -1,0 +1,49 @@
+"""Two boards of the certificate's size in one picture: refused, unless one is far off."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+
+from app.metrology.chessboard.detect_board import detect_board
+from app.metrology.detection.failure_evidence import DetectionError
+from app.metrology.targets.chessboard import Chessboard, Markers
+from tests.metrology.boards import BOARD, POSES, SIZE, Look, camera_pose, picture
+
+pytestmark = pytest.mark.slow
+
+CHARUCO = replace(BOARD, markers=Markers("DICT_4X4_50", 7.5))
+FAR = camera_pose(10, 30, 5, 600)
+WIDTH = SIZE[0]
+
+
+def beside(board: Chessboard, *poses: NDArray[np.float64]) -> NDArray[np.uint8]:
+    """A board at each of the poses, side by side."""
+    look = Look(laser=False, board=board)
+    return np.hstack([picture(T, look, seed) for seed, T in enumerate(poses)])
+
+
+@pytest.mark.parametrize("board", [BOARD, CHARUCO])
+def test_two_equal_boards_are_refused_and_drawn(board: Chessboard) -> None:
+    for thorough in (True, False):
+        with pytest.raises(DetectionError, match="two boards of 7 × 6") as refused:
+            detect_board(beside(board, POSES[1], POSES[6]), board, thorough=thorough)
+        assert (refused.value.code, refused.value.fault) == ("two-boards", "object")
+        assert "Cover one of them" in refused.value.line
+        assert {mark.u0 > WIDTH for mark in refused.value.marks} == {False, True}
+
+
+def test_a_markers_board_cut_off_beside_a_whole_one_is_counted() -> None:
+    cut = beside(CHARUCO, POSES[1], POSES[2])[:, : WIDTH + WIDTH // 2]
+    with pytest.raises(DetectionError) as refused:
+        detect_board(cut, CHARUCO)
+    assert refused.value.code == "two-boards"
+
+
+@pytest.mark.parametrize("nearer", [0, 1])
+def test_of_a_near_and_a_far_board_the_near_one_is_taken(nearer: int) -> None:
+    poses = (POSES[1], FAR) if nearer == 0 else (FAR, POSES[1])
+    found = detect_board(beside(BOARD, *poses), BOARD)
+    assert len(found) == 42
+    assert ((found.uv_px[:, 0] > WIDTH) == (nearer == 1)).all()
