@@ -16,8 +16,10 @@ JPEG_BARE = frozenset(range(0xD0, 0xD9)) | {0x01, 0xFF}
 BMP_CORE = 12
 PNM = re.compile(rb"P([1-6])((?:\s+|#[^\n]*\n)+)(\d{1,9})((?:\s+|#[^\n]*\n)+)(\d{1,9})")
 PNM_HEAD = 4096
-WIDTH, HEIGHT, BITS, SAMPLES = 256, 257, 258, 277
-MOST_TAGS = 1000
+SUBFILE, WIDTH, HEIGHT, BITS, SAMPLES = 254, 256, 257, 258, 277
+REDUCED, MASK = 1, 4
+"""Bits of ``SUBFILE``: a smaller copy of another page, or its transparency."""
+MOST_TAGS, MOST_PAGES = 1000, 100
 TIFF_TYPES = {1: "B", 3: "H", 4: "I", 16: "Q"}
 
 
@@ -34,13 +36,14 @@ FOREIGN_KINDS: tuple[tuple[bytes, str], ...] = (
 
 @dataclass(frozen=True)
 class Announced:
-    """Size in pixels, number of channels, and bits per channel, as far as the header states
-    them."""
+    """Size in pixels, number of channels, bits per channel, and whether other pictures follow, as
+    far as the header states them."""
 
     width: int
     height: int
     channels: int = 1
     bits: int = 8
+    more_pages: bool = False
 
     @property
     def pixels(self) -> int:
@@ -135,32 +138,61 @@ def _three_bytes(raw: bytes, at: int) -> int:
 
 
 def _tiff(raw: bytes) -> Announced | None:
-    """Size of the first picture, which is the one that is read."""
-    tags: dict[int, int] = {}
-    for tag, value in _tiff_tags(raw):
-        tags.setdefault(tag, value)
-    if WIDTH not in tags or HEIGHT not in tags:
+    """Size of the first picture, which is the one that is read, and whether others follow."""
+    pages = _tiff_pages(raw)
+    first = next(pages)
+    if WIDTH not in first or HEIGHT not in first:
         return None
-    return Announced(tags[WIDTH], tags[HEIGHT], tags.get(SAMPLES, 1), tags.get(BITS, 1))
+    more = any(_is_alike(first, page) for page in pages)
+    return Announced(
+        first[WIDTH], first[HEIGHT], first.get(SAMPLES, 1), first.get(BITS, 1), more_pages=more
+    )
 
 
-def _tiff_tags(raw: bytes) -> Iterator[tuple[int, int]]:
-    """The integer tags of the first picture, each with its first value."""
+def _is_alike(first: dict[int, int], page: dict[int, int]) -> bool:
+    """Whether a page is a picture like the first, and no thumbnail or mask of it."""
+    marked = page.get(SUBFILE, 0) & (REDUCED | MASK)
+    return not marked and all(page.get(tag) == first[tag] for tag in (WIDTH, HEIGHT))
+
+
+def _tiff_pages(raw: bytes) -> Iterator[dict[int, int]]:
+    """The integer tags of every page, each with its first value; a damaged page ends them."""
     order = "<" if raw[:2] == b"II" else ">"
     big = struct.unpack_from(f"{order}H", raw, 2)[0] == 43
+    place_kind = "Q" if big else "I"
+    (at,) = struct.unpack_from(f"{order}{place_kind}", raw, 8 if big else 4)
+    page, at = _tiff_page(raw, order, big, at)
+    yield page
+    for _ in range(MOST_PAGES):
+        try:
+            page, at = _tiff_page(raw, order, big, at) if at else ({}, 0)
+        except (struct.error, OverflowError):
+            return
+        if not page:
+            return
+        yield page
+
+
+def _tiff_page(raw: bytes, order: str, big: bool, at: int) -> tuple[dict[int, int], int]:
+    """The tags of the page at a position, and the position of the next one, 0 after the last."""
     count_kind, place_kind, size = ("Q", "Q", 20) if big else ("H", "I", 12)
-    (first,) = struct.unpack_from(f"{order}{place_kind}", raw, 8 if big else 4)
-    (count,) = struct.unpack_from(f"{order}{count_kind}", raw, first)
-    at = first + struct.calcsize(count_kind)
-    for entry in range(at, at + min(count, MOST_TAGS) * size, size):
+    (count,) = struct.unpack_from(f"{order}{count_kind}", raw, at)
+    start = at + struct.calcsize(count_kind)
+    tags: dict[int, int] = {}
+    for entry in range(start, start + min(count, MOST_TAGS) * size, size):
         tag, kind, values = struct.unpack_from(f"{order}HH{place_kind}", raw, entry)
         letter = TIFF_TYPES.get(kind)
-        if letter is None or tag not in (WIDTH, HEIGHT, BITS, SAMPLES):
+        if letter is None or tag not in (SUBFILE, WIDTH, HEIGHT, BITS, SAMPLES):
             continue
         value_at = entry + 4 + struct.calcsize(place_kind)
         if values * struct.calcsize(letter) > struct.calcsize(place_kind):
             (value_at,) = struct.unpack_from(f"{order}{place_kind}", raw, value_at)
-        yield tag, struct.unpack_from(f"{order}{letter}", raw, value_at)[0]
+        tags.setdefault(tag, struct.unpack_from(f"{order}{letter}", raw, value_at)[0])
+    try:
+        (following,) = struct.unpack_from(f"{order}{place_kind}", raw, start + count * size)
+    except (struct.error, OverflowError):  # nothing needs what follows the first page
+        following = 0
+    return tags, following
 
 
 KINDS: tuple[tuple[tuple[bytes, ...], Callable[[bytes], Announced | None]], ...] = (

@@ -38,7 +38,8 @@ def read_grey(path: Path, channel: Channel | None = None) -> GreyImage:
 
     Raises:
         OperationError: missing, no image, damaged or cut off, in colour while the laser's
-            colour is not known or a raw picture is expected, or of more than ``MOST_PIXELS``.
+            colour is not known or a raw picture is expected, of several pages, or of more than
+            ``MOST_PIXELS``.
     """
     return decode_grey(_read_file(path), display_path(path), channel)
 
@@ -111,6 +112,13 @@ def _check_announced(announced: Announced, named: Text) -> None:
             message("image-has-pixels", name=named, width=announced.width, height=announced.height),
             message("most-pixels-read", millions=MOST_PIXELS // 1000000),
             message("give-cameras-own-picture"),
+        )
+    if announced.more_pages:
+        raise OperationError(
+            "image-has-pages",
+            message("image-has-pages", name=named),
+            message("one-picture-per-file"),
+            message("save-pages-apart"),
         )
     if announced.bits > 16:
         raise _not_so_deep(named, message("bits-per-pixel", bits=announced.bits))

@@ -2002,6 +2002,7 @@ image-ends-after-bytes =
        *[other] { $bytes } Bytes
     }
 image-has-depth = { $name } enthält { $depth }
+image-has-pages = { $name } hat mehr als eine Seite
 image-has-pixels = { $name } hat { $width } × { $height } Pixel
 image-in-colour = { $name } ist ein Farbbild
 image-processing = Bildverarbeitung
@@ -2546,6 +2547,7 @@ one-line-alone-does-fix-lasers = eine einzelne Linie legt die Laserebene nicht f
 one-numbers-has-too-many-digits = eine ihrer Zahlen hat zu viele Ziffern
 one-of = es ist eines von { $names }
 one-picture-flat-board-tells-neither = ein Bild einer ebenen Tafel bestimmt weder die Brennweite noch die Laserebene
+one-picture-per-file = eine Datei wird als ein Bild gelesen
 one-plane-does-fix-focal-length = eine Ebene legt Brennweite, Abstand und Laserebene nicht gemeinsam fest
 one-pose-alone-used-errors-arms = Es wurde nur eine Pose verwendet: Fehler der Armglieder zeigen sich nur in den Antastpunkten; nicht zum Bild gehörende Gelenkwinkel und ein nach dem Antasten bewegtes Objekt zeigen sich nicht.
 one-pose-enough = eine Pose reicht bei „{ $name }“ nicht aus
@@ -3053,6 +3055,7 @@ same-offset = Gerade überfahrene Ebene: Versatz
 saturated = Übersteuert
 save-8-16-bits = Mit 8 oder 16 Bit speichern.
 save-as-png-tiff-or-jpeg = Als PNG, TIFF, BMP, PGM oder JPEG speichern
+save-pages-apart = Jede Seite als eigene Datei speichern
 save-commas-between-columns-point-numbers = Mit Komma als Spaltentrenner und Punkt als Dezimalzeichen speichern
 save-utf-8 = Als UTF-8 speichern
 saved-result = Ergebnis gespeichert

@@ -1998,6 +1998,7 @@ image-ends-after-bytes =
        *[other] { $bytes } bytes
     }
 image-has-depth = { $name } has { $depth }
+image-has-pages = { $name } has more than one page
 image-has-pixels = { $name } has { $width } × { $height } pixels
 image-in-colour = { $name } is in colour
 image-processing = Image processing
@@ -2533,6 +2534,7 @@ one-line-alone-does-fix-lasers = a single line does not determine the laser plan
 one-numbers-has-too-many-digits = one of its numbers has too many digits
 one-of = it is one of { $names }
 one-picture-flat-board-tells-neither = one picture of a flat board determines neither the focal length nor the laser plane
+one-picture-per-file = a file is read as one picture
 one-plane-does-fix-focal-length = a single plane does not determine focal length, stand-off and the laser plane together
 one-pose-alone-used-errors-arms = Only one pose was used: errors of the arm's links appear only in the contact points. Joint angles that do not belong to the picture, and an object that moved after it was touched, do not appear.
 one-pose-enough = one pose is not sufficient on { $name }
@@ -3044,6 +3046,7 @@ same-offset = Plane scanned in one straight pass: offset
 saturated = Saturated
 save-8-16-bits = Save it with 8 or 16 bits.
 save-as-png-tiff-or-jpeg = Save it as PNG, TIFF, BMP, PGM or JPEG
+save-pages-apart = Save each page as a file of its own
 save-commas-between-columns-point-numbers = Save it with commas between the columns and decimal points in the numbers
 save-utf-8 = Save it as UTF-8
 saved-result = saved the result

@@ -90,6 +90,31 @@ def test_sixteen_bit_pictures_are_read(kind: str) -> None:
     np.testing.assert_array_equal(decode_grey(encoded.tobytes(), "a"), picture)
 
 
+def test_a_tiff_of_several_pages_is_refused_and_one_with_a_thumbnail_is_read() -> None:
+    first, second = np.full((30, 41), 7, np.uint8), np.full((30, 41), 9, np.uint8)
+    for more, read in (([second], False), ([second, second], False), ([second[:15, :20]], True)):
+        done, encoded = cv2.imencodemulti(".tiff", [first, *more])
+        assert done
+        if read:
+            np.testing.assert_array_equal(decode_grey(encoded.tobytes(), "a.tif"), first)
+            continue
+        with pytest.raises(OperationError, match=r"a\.tif has more than one page") as refused:
+            decode_grey(encoded.tobytes(), "a.tif")
+        assert refused.value.code == "image-has-pages"
+        assert "Save each page as a file of its own" in refused.value.line
+
+
+def test_pages_that_follow_in_a_circle_end() -> None:
+    _, encoded = cv2.imencode(".tiff", np.full((3, 3), 7, np.uint8))
+    raw = bytearray(encoded.tobytes())
+    (first,) = struct.unpack_from("<I", raw, 4)
+    (count,) = struct.unpack_from("<H", raw, first)
+    struct.pack_into("<I", raw, first + 2 + 12 * count, first)
+    announced = announced_size(bytes(raw))
+    assert announced is not None
+    assert announced.more_pages
+
+
 def test_what_would_be_refused_once_decoded_is_not_decoded(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
