@@ -694,6 +694,7 @@ cloud-of-another-shape = { $file }: Die Punkte liegen { $rms } (rms) um die { $s
         [plane] Ebene
        *[sphere] Kugel
     }: Sie gehören kaum zu einer. Nur die Punktwolke des Normals angeben
+cloud-of-another-unit = { $file } hat den Nennradius, wenn die Einheit { $unit } ist. --unit { $unit } angeben
 cloud-of-odd-size = { $file } ist { $size } groß, wenn die Einheit { $unit } ist. Die Einheit mit --unit m, mm oder inch angeben
 cloud = Punktwolke
 cloud-being-scanned-already = Es wird bereits eine Punktwolke gescannt.

@@ -694,6 +694,7 @@ cloud-of-another-shape = { $file }: the points lie { $rms } (rms) about the { $s
         [plane] plane
        *[sphere] sphere
     }: they are hardly of one. Give the cloud of the gauge alone
+cloud-of-another-unit = { $file } has the nominal radius if its unit is { $unit }. Give --unit { $unit }
 cloud-of-odd-size = { $file } is { $size } large if its unit is { $unit }. State the unit with --unit m, mm or inch
 cloud = Cloud
 cloud-being-scanned-already = A cloud is already being scanned.

@@ -31,6 +31,8 @@ SMALLEST_MM, LARGEST_MM = 2.0, 20_000.0
 """Between these lie the sizes of clouds that an arm or a robot measures."""
 FEW = 1.0
 """Percentage of a cloud's points beyond which it does not count for its size."""
+SAME_RADIUS = 0.01
+"""By which share of the nominal a radius in the right unit is off, at most."""
 MOST_ROUGH = 0.01
 """The rms about a gauge's shape, of the cloud's size: more is another shape."""
 
@@ -76,7 +78,13 @@ def verify(
         with prefix_errors(path):
             cloud = _check_cloud(shape, path, points_mm, nominal)
         found.append(cloud)
-        warnings += _find_implausible(shape, cloud, points_mm, unit)
+        other = None
+        if isinstance(nominal, NominalSphere) and cloud.radius_mm is not None:
+            other = _unit_by_radius(cloud.radius_mm, nominal, unit)
+        if other is None:
+            warnings += _find_implausible(shape, cloud, points_mm, unit)
+        else:
+            warnings.append(message("cloud-of-another-unit", file=cloud.file, unit=other))
     progress(1.0, "")
     report = GaugeReport(
         shape=shape,
@@ -85,6 +93,15 @@ def verify(
         spread=_spreads(found),
     )
     return report, warnings
+
+
+def _unit_by_radius(radius_mm: float, nominal: NominalSphere, unit: Unit) -> Unit | None:
+    """The other unit in which a sphere has its certified radius, if there is one."""
+    for other, mm in MM.items():
+        off = radius_mm * mm / MM[unit] / nominal.radius_mm - 1
+        if other != unit and abs(off) < SAME_RADIUS:
+            return other
+    return None
 
 
 def _find_implausible(

@@ -267,6 +267,20 @@ def test_a_cloud_in_metres_is_warned_of_and_read_with_its_unit(tmp_path: Path) -
     assert result.stderr == ""
 
 
+@pytest.mark.parametrize(("unit", "mm"), [("inch", 25.4), ("m", 1000.0)])
+def test_a_sphere_with_its_nominal_radius_in_another_unit_is_warned_of(
+    tmp_path: Path, unit: str, mm: float
+) -> None:
+    directions = np.random.default_rng(0).normal(size=(800, 3))
+    directions /= np.linalg.norm(directions, axis=1)[:, None]
+    np.savetxt(tmp_path / "s.xyz", 10.02 / mm * directions)
+    given = ("verify", "sphere", tmp_path / "s.xyz", "--nominal")
+    nominal = write_nominal(tmp_path / "n.json", "sphere")
+    (warning,) = json.loads(crenel(*given, nominal, "--json").stdout)["warnings"]
+    assert f"has the nominal radius if its unit is {unit}. Give --unit {unit}" in warning
+    assert crenel(*given, nominal, "--unit", unit).stderr == ""
+
+
 def test_points_that_are_missing_or_far_away_say_nothing_of_the_unit(tmp_path: Path) -> None:
     directions = np.random.default_rng(0).normal(size=(800, 3))
     points = 12.7 * directions / np.linalg.norm(directions, axis=1)[:, None]

@@ -108,6 +108,23 @@ def test_xyz_text_is_read(tmp_path: Path, separator: str, head: str) -> None:
     np.testing.assert_array_equal(read_cloud(path).points_mm, POINTS)
 
 
+@pytest.mark.parametrize("separator", [" ", "\t", ";", "; "])
+@pytest.mark.parametrize("head", ["", "x y z intensity\n"])
+def test_decimal_commas_are_named(tmp_path: Path, separator: str, head: str) -> None:
+    rows = [separator.join(["-1,25", "3e-2", "7", "17"]), separator.join(["1,5", "2", "0,5", "9"])]
+    text = head.replace(" ", separator) + "\n".join(rows) + "\n"
+    (tmp_path / "c.xyz").write_text(text)
+    ply = "ply\nformat ascii 1.0\nelement vertex 1\n"
+    ply += "".join(f"property float {axis}\n" for axis in "xyz") + "end_header\n1,5 2,5 3\n"
+    (tmp_path / "c.ply").write_text(ply)
+    for name in ("c.xyz", "c.ply"):
+        with pytest.raises(OperationError, match="numbers have decimal commas") as refused:
+            read_cloud(tmp_path / name)
+        assert refused.value.code == "cloud-decimal-commas"
+        assert name in refused.value.line
+        assert "decimal points" in refused.value.line
+
+
 @pytest.mark.parametrize("separator", [" ", ",", ";"])
 @pytest.mark.parametrize("start", ["", "//", "# "])
 def test_columns_named_above_the_points_are_found(

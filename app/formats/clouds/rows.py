@@ -1,5 +1,6 @@
 """Rows of points after a header, binary or as text, and the refusals of a damaged file."""
 
+import re
 from pathlib import Path
 from typing import BinaryIO
 
@@ -12,6 +13,8 @@ from app.metrology.transforms import Floats
 
 COUNT_WIDTH = 20
 """Digits a header keeps free for a count that is known at last only."""
+DECIMAL_COMMAS = re.compile(r"\s*([+-]?\d+(,\d+)?(e[+-]?\d+)?(\s*;\s*|\s+|$)){3,}", re.IGNORECASE)
+"""A row of numbers some of which may have a decimal comma."""
 
 
 def read_binary_rows(
@@ -38,10 +41,22 @@ def read_text_rows(path: Path, file: BinaryIO, columns: int, count: int) -> Floa
         raise truncation_error(path, len(lines), count)
     if not lines:
         return np.zeros((0, columns))
+    refuse_decimal_commas(path, lines[0].decode("ascii", "replace"))
     try:
         return np.loadtxt(lines, ndmin=2, usecols=range(columns))
     except (ValueError, IndexError) as error:
         raise format_error(path, str(error).split(";")[0]) from error
+
+
+def refuse_decimal_commas(path: Path, line: str) -> None:
+    """Raises ``OperationError`` for a row of numbers like 1,5 between spaces or semicolons."""
+    if "," in line and DECIMAL_COMMAS.fullmatch(line):
+        raise OperationError(
+            "cloud-decimal-commas",
+            display_path(path),
+            "its numbers have decimal commas",
+            "Export it with decimal points, or replace each comma by a point",
+        )
 
 
 def format_error(path: Path, why: str) -> OperationError:

@@ -10,6 +10,7 @@ import numpy as np
 
 from app.errors import OperationError
 from app.formats.clouds.points import Cloud, Points, cloud_from_columns
+from app.formats.clouds.rows import refuse_decimal_commas
 from app.formats.file_names import display_path
 from app.metrology.transforms import Floats
 from app.native.arguments import I64, U8, Array, Function
@@ -21,6 +22,8 @@ HEAD = f"# {' '.join(COLUMNS)}\n"
 LONGEST_NUMBER = 22
 """With what follows it, of up to 63 bits."""
 FARTHEST_MM = 1e9
+HEAD_LINES = 10
+"""Lines among which there is one of a point."""
 
 _write_decimals = Function(
     CRENEL,
@@ -80,6 +83,8 @@ def _read(path: Path, text: TextIO) -> Cloud:
             why,
             "Give a .ply, .pcd, .e57, .xyz, .las or .laz cloud",
         )
+    for line in lines[:HEAD_LINES]:
+        refuse_decimal_commas(path, line)
     delimiter = next((sign for sign in ";," if sign in lines[0]), None)
     head = every[: every.index(lines[0]) + 1]
     places = _find_places(head, lines[:2][-1], delimiter)
