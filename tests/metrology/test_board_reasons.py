@@ -130,3 +130,18 @@ def test_a_line_over_the_outermost_corners_is_named() -> None:
     with pytest.raises(DetectionError, match="laser line covers") as refused:
         detect_board(lit, BOARD, stripe)
     assert (refused.value.code, refused.value.fault) == ("board-partly-seen", "framing")
+
+
+def test_a_cover_across_the_middle_of_a_board_as_wide_as_the_picture_is_named() -> None:
+    wide = replace(BOARD, inner_corners=(9, 6), square_mm=7.0)
+    T = camera_pose(5, 30, 2, 135)
+    image = picture(T, Look(laser=False, board=wide))
+    uv = project(camera_at(T), corner_points(wide)).reshape(6, 9, 2)
+    assert len(detect_board(image, wide)) == 54
+    down = uv[5] - uv[0]
+    ends = [uv[0, 3] - down[3], uv[0, 6] - down[6], uv[5, 6] + down[6], uv[5, 3] + down[3]]
+    cv2.fillPoly(image, [np.round(ends).astype(np.int32)], (70,))
+    with pytest.raises(DetectionError, match="the others are covered") as refused:
+        detect_board(image, wide)
+    assert (refused.value.code, refused.value.fault) == ("board-partly-seen", "framing")
+    assert "Uncover the whole board" in refused.value.line

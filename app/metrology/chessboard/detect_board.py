@@ -78,7 +78,7 @@ def detect_board(
     if board.markers is not None:
         return detect_charuco(image, board, board.markers, blocked, thorough=thorough)
     nearest: _Refused | None = None
-    for saddles, lattice in _find_grids(image, blocked, board, thorough):
+    for saddles, lattice, beside in _find_grids(image, blocked, board, thorough):
         measured = _measure_corners(image, blocked, saddles, lattice)
         seen, area_px2 = len(measured.index), _hull_area_px2(measured.uv_px)
         if nearest is not None and area_px2 <= SMALLER * nearest.area_px2:
@@ -86,7 +86,7 @@ def detect_board(
         detection = _number_corners(board, saddles, lattice, measured)
         if detection is not None:
             return _only_board(image, blocked, board, saddles, detection)
-        failure = _failure(image, blocked, saddles, lattice, measured, board)
+        failure = _failure(image, blocked, saddles, lattice, beside, measured, board)
         if nearest is None or seen > nearest.seen:
             area_px2 = area_px2 if seen > LEAST_VISIBLE * columns * rows else 0.0
             nearest = _Refused(seen, area_px2, failure)
@@ -102,8 +102,11 @@ def _hull_area_px2(uv: Floats) -> float:
 
 def _find_grids(
     image: Image, blocked: NDArray[np.bool_], board: Chessboard, thorough: bool
-) -> Iterator[tuple[Saddles, Lattice]]:
-    """What may be the board's corners, the likeliest first; at least one, if an empty one."""
+) -> Iterator[tuple[Saddles, Lattice, Lattice]]:
+    """What may be the board's corners, and the next best beside it, which may be a part of it.
+
+    The likeliest first; at least one, if an empty one.
+    """
     columns, rows = board.inner_corners
     longer_px = max(image.shape)
     scales = [1.0] if longer_px < 2 * LONGER_SIDES_PX[0] else []
@@ -117,11 +120,13 @@ def _find_grids(
         unscaled = saddles if scale == 1.0 else unscaled
         lattices = find_lattices(saddles, columns * rows)
         for lattice in lattices[:GRIDS] or [{}]:
-            yield saddles, lattice
+            beside = next((other for other in lattices if other is not lattice), {})
+            yield saddles, lattice, beside
     if thorough:
         if unscaled is None:
             unscaled = find_saddles(image, blocked)
-        yield from find_by_opencv(image, board.inner_corners, unscaled)
+        for saddles, lattice in find_by_opencv(image, board.inner_corners, unscaled):
+            yield saddles, lattice, {}
 
 
 def _number_corners(
@@ -168,6 +173,7 @@ def _failure(
     blocked: NDArray[np.bool_],
     saddles: Saddles,
     lattice: Lattice,
+    beside: Lattice,
     measured: MeasuredCorners,
     board: Chessboard,
 ) -> BoardFailure:
@@ -178,7 +184,7 @@ def _failure(
     if within is not None and within.sum() < LEAST_VISIBLE * np.prod(board.inner_corners):
         within = None
     grid = CornerGrid(image, blocked, places, saddles.uv_px[list(lattice.values())])
-    return BoardFailure(grid, can_be_measured, within)
+    return BoardFailure(grid, can_be_measured, within, tuple(beside))
 
 
 def _numberings(

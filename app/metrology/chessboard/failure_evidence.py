@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import product
 
 import numpy as np
 from numpy.typing import NDArray
@@ -58,6 +59,7 @@ class BoardFailure:
     grid: CornerGrid
     measured: NDArray[np.bool_]
     within: NDArray[np.bool_] | None
+    beside: tuple[tuple[int, int], ...] = ()
 
 
 def explain_failure(board: Chessboard, failure: BoardFailure) -> DetectionError:
@@ -125,8 +127,9 @@ def _explain_size(board: Chessboard, failure: BoardFailure) -> DetectionError:
         return _with_marks(OperationError("another-board", what, wanted, remedy), "object", grid)
     short = sorted(found) != sorted(board.inner_corners)
     if short:
-        cause = seen.cause_beyond(board.inner_corners)
-        if cause == "unknown" and _is_whole(seen):
+        divided = _is_divided(board, seen, failure.beside)
+        cause = "unknown" if divided else seen.cause_beyond(board.inner_corners)
+        if cause == "unknown" and not divided and _is_whole(seen):
             remedy = message("give-certificate-or-uncover-board")
             if (np.sort(board.inner_corners) - np.sort(seen.extent) == 1).all():
                 remedy = message("count-inner-corners", columns=columns, rows=rows)
@@ -143,6 +146,19 @@ def _explain_size(board: Chessboard, failure: BoardFailure) -> DetectionError:
     if short:
         why = message("board-has-corners-why", name=board.name, columns=columns, rows=rows, why=why)
     return _with_marks(OperationError("board-partly-seen", what, why, what_to_do), fault, grid)
+
+
+def _is_divided(board: Chessboard, seen: CornerGrid, beside: Sequence[tuple[int, int]]) -> bool:
+    """Whether two grids are the board's ends, with something over the columns between them."""
+    if len(beside) < FEWEST_OF_A_GRID:
+        return False
+    ends = [sorted(one.tolist()) for one in (seen.extent, np.ptp(beside, axis=0) + 1)]
+    for along, across in (board.inner_corners, board.inner_corners[::-1]):
+        for one, other in product(*(((a, b), (b, a)) for a, b in ends)):
+            whole = all(across - 1 <= end[1] <= across for end in (one, other))
+            if whole and one[0] + other[0] <= along:
+                return True
+    return False
 
 
 def _is_whole(grid: CornerGrid) -> bool:
