@@ -20,6 +20,12 @@ ALIKE = {
     *(("lengths", "lengths", count) for count in (13, 20)),
     *(("lengths", "review", count) for count in (0, 1)),
     *(("scanned-lengths", *place) for place in (("artefact", 0), ("lengths", 1), ("lengths", 7))),
+    *(("plane", *place) for place in (("artefact", 0), ("plate", 0), ("plate", 5))),
+    *(("plane", *place) for place in (("temperatures", 0), ("review", 1))),
+    *(("contact", "diameter", count) for count in (0, 9, 13)),
+    *(("contact", *place) for place in (("artefact", 0), ("seats", 0), ("seats", 14))),
+    *(("contact", "bar", count) for count in (0, 3, 12, 50, 90, 130)),
+    *(("contact", *place) for place in (("temperatures", 0), ("review", 1))),
 }
 """Places of the bench that are like others of their step or beside them, and left to it."""
 

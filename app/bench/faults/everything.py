@@ -51,6 +51,14 @@ KINDS = (
         "kills-in-tests-of-scanned-lengths",
         lambda data, seed, report: [kills.kill_guides(data, "scanned-lengths", progress=report)],
     ),
+    FaultKind(
+        "kills-in-plane-tests",
+        lambda data, seed, report: [kills.kill_guides(data, "plane", progress=report)],
+    ),
+    FaultKind(
+        "kills-in-contact-tests",
+        lambda data, seed, report: [kills.kill_guides(data, "contact", progress=report)],
+    ),
     FaultKind("disk", lambda data, seed, report: [disk.run(data, seed=seed, progress=report)]),
     FaultKind("damage", lambda data, seed, report: [damage.run(data, seed=seed, progress=report)]),
     FaultKind("floods", lambda data, seed, report: floods.run(data, progress=report)),

@@ -47,17 +47,39 @@ KILL_POINTS: dict[str, tuple[KillPoint, ...]] = {
         *(("artefact", 0), ("lengths", 1), ("lengths", 3), ("lengths", 4), ("lengths", 5)),
         ("lengths", 7),
     ),
+    "plane": (
+        *(("artefact", 0), *(("plate", count) for count in (0, 1, 2, 3, 5))),
+        *(("temperatures", 0), ("review", 1)),
+    ),
+    "contact": (
+        *(("artefact", 0), ("diameter", 0), ("diameter", 4), ("diameter", 9), ("diameter", 13)),
+        *(("seats", 0), ("seats", 10), ("seats", 14)),
+        *(("bar", count) for count in (0, 3, 12, 50, 90, 130)),
+        *(("temperatures", 0), ("review", 1)),
+    ),
 }
-"""The steps in which it is killed, and after how many points, pictures, clouds or results."""
+"""The steps in which it is killed, and after how many points, pictures, clouds or results; a scan
+of a plate counts as it begins, as it ends, and as it is measured."""
 NAMES = {
     "flow": "kill -9 in a calibration",
     "verify": "kill -9 in a verification",
     "performance": "kill -9 in a performance test",
     "lengths": "kill -9 in a test of lengths",
     "scanned-lengths": "kill -9 in a test of lengths by scan",
+    "plane": "kill -9 in a plane test",
+    "contact": "kill -9 in a contact test",
 }
 SHORT_GAUGE = "short"
-ROUTES = {"lengths": "performance", "scanned-lengths": "performance"}
+TESTS = {"lengths": "lengths", "scanned-lengths": "lengths", "plane": "plane", "contact": "contact"}
+"""Kinds of performance test by the guide, but for the one-sphere test."""
+STAGES = {
+    "begun": ("scanning", "measuring", "done", "refused"),
+    "ended": ("measuring", "done", "refused"),
+    "measured": ("done",),
+}
+"""Of a plate's scan, each by the states that are shown in it and after it. One that was cut short
+may be refused."""
+ROUTES = dict.fromkeys(TESTS, "performance")
 """Of the guides whose address is not their name."""
 
 
@@ -177,7 +199,8 @@ def kill_guides(
         data: a folder for the station's own, which is made.
         flow: ``flow`` for a calibration, ``verify`` for a verification, ``performance`` for the
             one-sphere test, ``lengths`` for that of a step gauge with a single length,
-            ``scanned-lengths`` for the first places of a ball bar by touch and by scan.
+            ``scanned-lengths`` for the first places of a ball bar by touch and by scan, ``plane``
+            and ``contact`` for these tests.
         places: where, instead of in ``KILL_POINTS``.
         start: how a station's process is started.
     """
@@ -213,13 +236,15 @@ def _add_short_gauge(data: Path) -> None:
 
 
 def _begin(station: StationProcess, flow: str) -> None:
+    if flow in TESTS:
+        station.post("/api/performance/start", test=TESTS[flow]).raise_for_status()
     if flow in ("lengths", "scanned-lengths"):
         by_scan = flow == "scanned-lengths"
         gauge = "ball-bar" if by_scan else SHORT_GAUGE
-        station.post("/api/performance/start", test="lengths").raise_for_status()
         station.wait(lambda: station.ask("performance", "choose_gauge", id=gauge))
         if by_scan:
             station.wait(lambda: station.ask("performance", "set_by_scan", by_scan=True))
+    if flow in TESTS:
         return
     station.post(f"/api/{flow}/start").raise_for_status()
     if flow == "verify":
@@ -264,7 +289,15 @@ def _list_performance_items(view: View) -> set[Any]:
         return {"result"} if picture["result"] else set()
     if step == "scan":
         return {one["number"] for one in picture["articulations"] if one["state"] == "done"}
-    if step == "location":  # its places are those of one articulation
+    if step == "plate":
+        return {
+            (one["number"], stage)
+            for one in picture["articulations"]
+            for stage, states in STAGES.items()
+            if one["state"] in states
+        }
+    # the places of the first are those of one articulation, the others have none
+    if step in ("location", "diameter", "seats", "bar"):
         return set(range(view["progress"]["done"]))
     if step == "lengths":
         lengths = picture["lengths"] or {"touched": None, "scanned": None}
