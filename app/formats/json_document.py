@@ -41,6 +41,8 @@ Number = Annotated[float, BeforeValidator(_as_number)]
 """A finite number of a sensible size; text and true/false are no numbers."""
 Positive = Annotated[Number, Field(gt=0)]
 NotNegative = Annotated[Number, Field(ge=0)]
+CertifiedUm = Annotated[NotNegative, Field(le=1e6)]
+"""A form deviation or an uncertainty in a certificate, µm; a larger one is in another unit."""
 Vector3 = tuple[Number, Number, Number]
 Row4 = tuple[Number, Number, Number, Number]
 Matrix3 = tuple[Vector3, Vector3, Vector3]

@@ -267,7 +267,11 @@ bar-not-placed = der Kugelstab wurde in { $count } von { $needed } Lagen gemesse
 bar-position-arm-json-ends-lie = Kugelstab { $name }, Lage { $position }: Nach arm.json liegen seine Enden { $measured } auseinander, angegeben sind { $length }
 bar-position-has-ends = { $path }: Kugelstab { $bar }, Lage { $position } hat die Enden { $ends }
 bar-without-sphere-diameter = die Datei des Kugelstabs nennt keinen Durchmesser seiner Kugeln: sphere_diameter_mm eintragen
-bars-by-number = { $title }, nach Nummer. Gestrichelt: die größte zulässige Abweichung.
+bars-by-number =
+    { $title }, in µm, nach Nummer.{ $limited ->
+        [yes] { " " }Gestrichelt: die größte zulässige Abweichung.
+       *[no] { "" }
+    }
 bars-end = Stabende { $value }
 bars-lengths-points-scatter-without-them = mit den Längen der Kugelstäbe streuen die Punkte um { $scatter }, ohne sie um { $without }
 batch-choose-quantity = Eine von { $names } wählen
@@ -1470,12 +1474,12 @@ performance-another-step =
         [lengths] Das gehört zu einem anderen Schritt; die Prüfung steht bei „Längen“.
         [plate] Das gehört zu einem anderen Schritt; die Prüfung steht bei „Zwei Scans“.
         [diameter] Das gehört zu einem anderen Schritt; die Prüfung steht bei „Meisterkugel“.
-        [seats] Das gehört zu einem anderen Schritt; die Prüfung steht bei „Drei Aufnahmen“.
+        [seats] Das gehört zu einem anderen Schritt; die Prüfung steht bei „Drei Pfannen“.
         [bar] Das gehört zu einem anderen Schritt; die Prüfung steht bei „Kugelstab“.
         [temperatures] Das gehört zu einem anderen Schritt; die Prüfung steht bei „Temperaturen“.
        *[review] Das gehört zu einem anderen Schritt; die Prüfung steht bei „Ergebnis“.
     }
-performance-arm-hardly-turned = Der Arm steht wie bei einer früheren Antastung in dieser Aufnahme: Er drehte sich um { $turned }, nötig sind { $least }. Diese Antastung wurde nicht übernommen
+performance-arm-hardly-turned = Der Arm steht wie bei einer früheren Antastung in dieser Pfanne: Er drehte sich um { $turned }, nötig sind { $least }. Diese Antastung wurde nicht übernommen
 performance-artefact-is-ready =
     { $test ->
         [lengths] Das Normal ist bereit
@@ -1507,9 +1511,9 @@ performance-bar-scan-of-length = Scan { $repeat }, die Kugeln von { $length }
 performance-bar-was-moved = Der Stab wurde seither in einer anderen Lage angetastet: Die Scans der Lage davor gelten.
 performance-began-scan = hat einen Scan des Prüfkörpers begonnen
 performance-begin-scan = Scan beginnen
-performance-brought-to-20 = Größen und Längen sind auf 20 °C bezogen; das Prüfnormal hatte { $celsius }.
-performance-not-brought-to-20 = Das Prüfnormal hatte { $celsius }. Sein Ausdehnungskoeffizient ist nicht angegeben: Größen und Längen sind nicht auf 20 °C bezogen.
-performance-by-touch-alone = Die Längen dieses Tests werden nur durch Antasten gemessen.
+performance-brought-to-20 = Größen und Längen sind auf 20 °C bezogen; der Prüfkörper hatte { $celsius }.
+performance-not-brought-to-20 = Der Prüfkörper hatte { $celsius }. Sein Ausdehnungskoeffizient ist nicht angegeben: Größen und Längen sind nicht auf 20 °C bezogen.
+performance-by-touch-alone = Die Längen dieser Prüfung werden nur durch Antasten gemessen.
 performance-camera-off-articulation = Die Kamera blickt { $off } neben der gewünschten Richtung (höchstens { $most }).
 performance-cancelled-device = Abgebrochen: Ein Gerät ist ausgefallen.
 performance-cancelled-moved = Abgebrochen: Prüfkörper oder Arm hat sich bewegt.
@@ -1529,9 +1533,9 @@ performance-choose-artefact =
 performance-chose-bar = hat den Kugelstab gewählt
 performance-clamp-seat =
     { $number ->
-        [1] Die Aufnahme nahe der Schulter festklemmen, bei höchstens einem Fünftel der Reichweite.
-        [2] Die Aufnahme etwa bei halber Reichweite festklemmen.
-       *[other] Die Aufnahme bei vier Fünfteln der Reichweite oder weiter festklemmen.
+        [1] Die Pfanne nahe der Schulter festklemmen, bei höchstens einem Fünftel der Reichweite.
+        [2] Die Pfanne etwa bei halber Reichweite festklemmen.
+       *[other] Die Pfanne bei vier Fünfteln der Reichweite oder weiter festklemmen.
     }
 performance-confirm-temperatures = Temperaturen bestätigen
 performance-confirmed-artefact = hat den Prüfkörper bestätigt
@@ -1540,9 +1544,9 @@ performance-contact-title =
     { $step ->
         [diameter] Kugel, Messung { $number }
         [seats] { $number ->
-            [1] Nahe Aufnahme
-            [2] Mittlere Aufnahme
-           *[other] Ferne Aufnahme
+            [1] Nahe Pfanne
+            [2] Mittlere Pfanne
+           *[other] Ferne Pfanne
         }
        *[bar] Lage { $number }
     }
@@ -1560,10 +1564,10 @@ performance-do-review =
     { $test ->
         [lengths] Die Abweichungen aller Längen gegenüber der zulässigen.
         [plane] Die Form der gescannten Platte: die schmalste Schicht, die 95 % aller Punkte enthält, in der schlechteren Ausrichtung.
-        [contact] Wirksamer Durchmesser, Einzelpunkt-Wiederholbarkeit und räumliche Länge.
+        [contact] Wirksamer Durchmesser, Einzelpunkt-Schwenkprüfung und räumliche Länge.
        *[other] Maß, Form und Lage der Kugel durch Antasten, durch Scannen und aus beidem zusammen.
     }
-performance-do-temperatures = Messen Sie die Temperaturen von Prüfkörper und Arm noch einmal. Die vom Anfang sind eingetragen; ändern Sie, was sich geändert hat, und bestätigen Sie.
+performance-do-temperatures = Die Temperaturen von Prüfkörper und Arm noch einmal messen. Die vom Anfang sind eingetragen: Ändern, was sich geändert hat, dann bestätigen.
 performance-drop-scan = Scan verwerfen
 performance-dropped-scan = hat einen Scan des Prüfkörpers verworfen
 performance-dropping-scan = Der Scan wird verworfen
@@ -1594,13 +1598,13 @@ performance-lengths-done = Alle Längen sind gemessen. Weiter zum Ergebnis.
 performance-lengths-measured = { $done } von { $of } Längen
 performance-let-temperatures-settle =
     { $when ->
-        [end] So wird kein Wert entschieden. Wiederholen Sie die Prüfung, sobald die Temperaturen beständig sind.
-       *[begin] So wird kein Wert entschieden. Lassen Sie Prüfkörper und Arm sich angleichen, und messen Sie noch einmal.
+        [end] So wird kein Wert entschieden. Die Prüfung wiederholen, sobald die Temperaturen beständig sind.
+       *[begin] So wird kein Wert entschieden. Warten, bis sich Prüfkörper und Arm angeglichen haben, dann noch einmal messen.
     }
 performance-measuring-bar-scan = Der Scan des Stabs wird ausgewertet: { $scan }
 performance-measuring-plate-scan = Der Scan der Platte in Ausrichtung { $number } wird ausgewertet
 performance-measuring-scan = Der Scan der Stellung { $articulation } wird ausgewertet
-performance-move-seat = Die Aufnahme zuerst an ihrer nächsten Stelle festklemmen
+performance-move-seat = Die Pfanne zuerst an ihrer nächsten Stelle festklemmen
 performance-move-sphere = Die Kugel an ihre zweite Position in einem anderen Teil des Arbeitsraums setzen und befestigen. Dann oben antasten.
 performance-no-artefact =
     { $test ->
@@ -1610,8 +1614,9 @@ performance-no-artefact =
        *[other] Im Ordner gauges ist noch keine Kugel.
     }
 performance-no-free-place = Diese Antastung liegt nicht nahe einer noch freien Stelle und wurde nicht übernommen
+performance-no-limit-entered = Es ist kein Grenzwert eingetragen: Die Werte werden angegeben und nicht beurteilt.
 performance-no-scan-runs = Es läuft kein Scan.
-performance-no-way-back = Das Angetastete gilt: Nach der ersten Antastung geht die Prüfung nicht zurück.
+performance-no-way-back = Das Gemessene gilt: Nach der ersten Antastung oder dem ersten Scan geht die Prüfung nicht zurück.
 performance-nothing-to-test = Es gibt nichts zu prüfen
 performance-off-direction = Das Normal liegt { $angle } neben der gezeichneten Richtung.
 performance-only-lengths-have-choice = Nur bei der Längenprüfung kann gewählt werden, ob auch gescannt wird.
@@ -1623,7 +1628,7 @@ performance-orientation =
 performance-orientation-missing = Die Platte ist noch nicht in beiden Ausrichtungen gescannt.
 performance-other-calibration = Seit Beginn der Prüfung wurde die verwendete Kalibrierung gewechselt.
 performance-pass-over-plate = Die Laserlinie langsam in Streifen nebeneinander, die sich überlappen, über die Platte führen, dann den Scan beenden.
-performance-pass-over-spheres = Den Laserstreifen langsam über jede Kugel des Stabs führen, von Seiten quer zum Stab, dann den Scan beenden.
+performance-pass-over-spheres = Die Laserlinie langsam über jede Kugel des Stabs führen, von Seiten quer zum Stab, dann den Scan beenden.
 performance-pass-slowly = Die Laserlinie langsam über die ganze Kugel führen, dann den Scan beenden.
 performance-patches =
     { $count ->
@@ -1642,8 +1647,8 @@ performance-place =
     }
 performance-place-bar = Den Stab wie in Lage { $number } gezeichnet aufstellen und festklemmen.
 performance-place-title = Lage { $number } von 7
-performance-plan-changed = Der Plan dieser Prüfung wurde nach der ersten Antastung geändert.
-performance-plan-is-frozen = Prüfkörper und Grenzwerte stehen seit der ersten Antastung fest.
+performance-plan-changed = Der Plan dieser Prüfung wurde geändert, nachdem die Messung begonnen hatte.
+performance-plan-is-frozen = Prüfkörper und Grenzwerte stehen seit Beginn der Messung fest.
 performance-plate-form = Form { $form }
 performance-plate-run = Platte, Ausrichtung { $number }
 performance-plate-scan-done = Die Platte ist in Ausrichtung { $number } gescannt.
@@ -1667,7 +1672,7 @@ performance-rule =
 performance-run = Position { $position }, Scan der Stellung { $articulation }
 performance-run-dropped = Während des Scannens verworfen.
 performance-run-repeated = Vom Bediener wiederholt.
-performance-same-seat = Die Tastkugel ist nur { $away } von einer früheren Aufnahme entfernt; diese Antastung wurde nicht übernommen
+performance-same-seat = Die Tastkugel ist nur { $away } von einer früheren Pfanne entfernt; diese Antastung wurde nicht übernommen
 performance-scan-again = Diese Stellung nochmals scannen, langsam über die ganze Kugel
 performance-scan-bar = Das Normal so liegen lassen und den ganzen Stab scannen, { $repeat } von { $of }: alle seine Kugeln, von Seiten quer zum Stab.
 performance-scan-bar-again = Den Stab noch einmal scannen, langsam über jede Kugel
@@ -1687,15 +1692,16 @@ performance-scan-shows = { $patches } von 25 Feldern, { $points } Punkte
 performance-scan-too-small = Der Scan deckt nur { $count } der 25 Felder der Kugel ab
 performance-scanned-length = { $length } (Abweichung { $error })
 performance-scans-done = { $done } von { $of } Stellungen
+performance-seat-has-no-certificate = Die Pfannen haben kein kalibriertes Maß, daher ist die Prüfwertunsicherheit der Einzelpunkt-Schwenkprüfung 0: Spiel und Bewegung einer Pfanne zählen wie Abweichungen des Arms.
 performance-seat-largest = größter Abstand { $largest }
-performance-seat-not-far = Die ferne Aufnahme steht bei { $share } % der Reichweite; die Norm verlangt mindestens { $least } %.
-performance-seat-not-near = Die nahe Aufnahme steht bei { $share } % der Reichweite; die Norm verlangt höchstens { $most } %.
+performance-seat-not-far = Die ferne Pfanne steht bei { $share } % der Reichweite; die Norm verlangt mindestens { $least } %.
+performance-seat-not-near = Die nahe Pfanne steht bei { $share } % der Reichweite; die Norm verlangt höchstens { $most } %.
 performance-seat-share = bei { $share } % der Reichweite
 performance-set-by-scan = hat Antasten oder Scannen gewählt
 performance-set-is-invalid = Das Gemessene gehört zum alten Stand und ist als Prüfung ungültig. Neu beginnen; die Daten bleiben erhalten.
 performance-set-positions = hat die Zahl der Positionen gewählt
 performance-set-standard-up = Das Normal wie gezeichnet aufstellen: { $place }. Befestigen. { $text }
-performance-settings-changed = Die Einstellungen für Scans wurden nach der ersten Antastung dieser Prüfung geändert.
+performance-settings-changed = Die Einstellungen für Scans wurden geändert, nachdem die Messung begonnen hatte.
 performance-simulation-contacts = Der simulierte Bediener tastet an: { $done } von { $of }
 performance-simulation-scans = Der simulierte Bediener scannt Stellung { $articulation }
 performance-simulation-scans-bar = Der simulierte Bediener scannt den Stab in Lage { $place }, Scan { $repeat }
@@ -1723,16 +1729,16 @@ performance-step-location = Lage durch Antasten
 performance-step-pattern = 25 Antastungen
 performance-step-plate = Zwei Scans
 performance-step-scan = Fünf Scans
-performance-step-seats = Drei Aufnahmen
+performance-step-seats = Drei Pfannen
 performance-step-temperatures = Temperaturen
 performance-stylus-off-articulation = Der Taster ist { $off } neben der gewünschten Richtung (höchstens { $most }).
 performance-symbol = Symbol
-performance-temperature-not-stated = Die Temperatur des Prüfnormals wurde nicht angegeben: Größen und Längen gelten als bei 20 °C gemessen, und ihre Unsicherheit enthält die Temperatur nicht.
+performance-temperature-not-stated = Die Temperatur des Prüfkörpers wurde nicht angegeben: Größen und Längen gelten als bei 20 °C gemessen, und ihre Unsicherheit enthält die Temperatur nicht.
 performance-test =
     { $kind ->
         [lengths] Leistungsprüfung: Längen
         [plane] Leistungsprüfung: Ebene
-        [contact] Leistungsprüfung: taktiles Antasten
+        [contact] Leistungsprüfung: Antastprüfungen
        *[sphere] Leistungsprüfung: eine Kugel
     }
 performance-test-under-way-go-where-stands = Eine Leistungsprüfung läuft. Beim aktuellen Schritt fortfahren.
@@ -1762,12 +1768,12 @@ performance-touch-location =
        *[other] Den Taster etwa 45° neigen, das Handgelenk vom Arm aus gesehen links. Die fünf markierten Stellen antasten, ohne den Taster zu drehen.
     }
 performance-touch-master = Die Kugel ganz oben und an acht Stellen rundum antasten: Messung { $number } von { $of }.
-performance-touch-off-seat = Die Tastkugel ist { $off } von den Antastungen davor entfernt: Sie sitzt nicht in der Aufnahme. Diese Antastung wurde nicht übernommen
+performance-touch-off-seat = Die Tastkugel ist { $off } von den Antastungen davor entfernt: Sie sitzt nicht in der Pfanne. Diese Antastung wurde nicht übernommen
 performance-touch-off-sphere = Diese Antastung liegt { $off } neben der Kugel, die vorher angetastet wurde; sie wurde nicht übernommen
 performance-touch-pattern = Die markierten Stellen in beliebiger Reihenfolge antasten, das Handgelenk dabei frei drehen. Die nächste freie ist hervorgehoben.
 performance-touch-place = Stelle { $number } der Zeichnung antasten
 performance-touch-same-sphere = Dieselbe Kugel antasten, oder ihre Antastungen zurücknehmen und neu beginnen
-performance-touch-seat = Die Tastkugel in die Aufnahme setzen und { $count } Punkte nehmen. Dazwischen den Ellbogen bewegen und das Handgelenk drehen, zu beiden Seiten.
+performance-touch-seat = Die Tastkugel in die Pfanne setzen und { $count } Antastpunkte aufnehmen. Dazwischen den Ellbogen bewegen und das Handgelenk drehen, zu beiden Seiten.
 performance-touch-sphere-elsewhere = Die Antastungen über die Kugel verteilen
 performance-touch-taken =
     { $test ->
@@ -1783,9 +1789,9 @@ performance-touches-missing =
     }
 performance-turn-sensor = Den Sensor um seine Blickrichtung drehen und diese Ausrichtung noch einmal scannen
 performance-turn-standard = Die sieben Lagen decken den Raum des Arms nur ab, wenn das Normal etwa wie gezeichnet liegt.
-performance-turn-towards-articulation = Drehen Sie das Handgelenk, bis diese Meldung verschwindet; anders genommene Punkte werden im Ergebnis vermerkt
+performance-turn-towards-articulation = Das Handgelenk drehen, bis diese Meldung verschwindet; anders genommene Punkte werden im Ergebnis vermerkt
 performance-valid-until = Kalibrierschein gültig bis { $until }
-performance-values-against-limits = Werte als Anteile ihrer größten zulässigen Abweichungen, mit der Prüfwertunsicherheit (k = 2) als Balken. Der gefüllte Punkt ist der schlechtere Wert, der zählt; offene Punkte sind die Werte jeder Position.
+performance-values-against-limits = Werte als Anteile ihrer größten zulässigen Abweichungen, mit der Prüfwertunsicherheit (k = 2) als Balken. Der gefüllte Punkt ist der Wert, der zählt; offene Punkte sind die einzelnen Werte, aus denen er folgt.
 pictures-were-taken-with-other-sensor = Es wurden Bilder mit einem anderen Sensor aufgenommen. Für diesen eine neue Kalibrierung beginnen.
 places-of-hemisphere =
     { $title }, vom Pol gesehen: { $count ->
@@ -1856,7 +1862,7 @@ same-camera-both = beide kommen von einer Kamera in einer Betriebsart
 scanned-centres-of-position = Durch Scannen, Position { $position }
 scanned-places-of-position = Gescannte Kugel, Position { $position }
 search-again-for-devices = Suchen Sie noch einmal; wenn das nicht hilft, prüfen Sie Netzwerk und Kabel.
-seats-and-placements = Aufnahmen und Aufstellungen
+seats-and-placements = Pfannen und Lagen des Kugelstabs
 selected-sensor = Sensor ausgewählt
 sensor-calibrated = { $name }: { $calibration }, { $total } (k = 1)
 sensor-cannot-be-selected-now = ein anderer Sensor lässt sich jetzt nicht auswählen
@@ -2236,6 +2242,7 @@ lower-limit-below-upper = Die untere Grenze liegt nicht unter der oberen
 made-first-administrator = ersten Administrator angelegt
 made-simulated-hardware-demonstration = Mit simulierten Geräten erstellt: Demonstration.
 made-token-metrics = Token für Metriken angelegt
+length-below-spheres = die Länge { $length } ist kleiner als der Durchmesser der Kugeln, { $diameter }: Eine der beiden Angaben ist falsch
 length-beyond-reach = das Längennormal ist { $length } lang, der Arm reicht nur { $reach } weit
 lengths-are-missing = nur { $count } von { $wanted } Längen wurden gemessen: jede an { $places } Orten, { $repeats }-mal
 length-standard-rocks =
@@ -2257,7 +2264,7 @@ markers-were-found = { $count } Markierungen aus { $dictionary } gefunden
 mask-has-pixels = die Maske gilt für { $width } × { $height } Pixel
 mask-pixels-image-another-size = eine Maske von { $shape } Pixeln für ein Bild anderer Größe
 mask-says-every-pixel-whether-stripe = eine Maske gibt für jedes Pixel an, ob die Laserlinie dort liegen darf
-master-sphere-not-measured = die Prüfkugel wird { $count }-mal mit je { $points } Punkten gemessen
+master-sphere-not-measured = die Meisterkugel wird { $count }-mal mit je { $points } Punkten gemessen
 matrix-is-no-rotation = { $name } enthält keine Drehung: R·Rᵀ weicht um { $difference } von 1 ab
 max-min-2-along = (max − min)/2 entlang { $axis }
 may-not-do-this =
@@ -2575,6 +2582,7 @@ operation-not-permitted = der Vorgang ist nicht erlaubt
 operator-2 = Bediener
 origin-mm = Ursprung, mm
 other-files = die anderen Dateien gehören zu { $device } { $known }
+other-sphere-measured = die angetastete Kugel hat einen Durchmesser, der um { $off } vom Kalibrierschein abweicht: Es ist eine andere Kugel, oder ein Durchmesser ist falsch eingetragen
 other-bar-measured = Lage { $placement } ergab eine Länge von { $measured }, die nächste Länge des Kalibrierscheins ist { $certified }: Es ist ein anderer Kugelstab, oder eine Länge oder ein Durchmesser ist falsch eingetragen
 other-machines-reach-encrypted = Andere Rechner erreichen die Station, verschlüsselt.
 other-machines-reach-nothing-encrypted = Andere Rechner erreichen die Station, unverschlüsselt.
@@ -2628,7 +2636,7 @@ performance-cause-tip =
     }
 performance-conditions-not-met = { $title }: { $value }; nicht entschieden, denn { $problem }.
 performance-dispersion-scan = Streuung der gescannten Kugel, 95 % aller Punkte
-performance-effective-diameter = wirksamer Durchmesser der Prüfkugel
+performance-effective-diameter = wirksamer Durchmesser der Meisterkugel
 performance-expansion-unknown = der Prüfkörper { $name } hatte { $celsius }, mehr als { $most } von 20 °C entfernt, und sein Kalibrierschein enthält keinen Ausdehnungskoeffizienten: expansion_per_c und dessen Standardunsicherheit expansion_sd_per_c in der Datei des Prüfkörpers eintragen (dehnt er sich nicht aus: 0 und eine Unsicherheit über 0)
 performance-fewer-lengths =
     { $count ->
@@ -2642,8 +2650,8 @@ performance-gate = Auswahlbereich: { $shell } um die kalibrierte Kugel, Einfalls
 performance-length-gate = Zählbereich der Scans: { $shell } um die kalibrierten Kugeln, Einfallswinkel bis { $incidence }, mehr als { $cone } von der Richtung des Stabs; alle Punkte darin zählen.
 performance-length-scan = Längenabweichung durch Scannen
 performance-length-touch = Längenabweichung durch Antasten
-performance-limits-broken = Ein Wert hält seine Grenze nicht ein.
-performance-limits-kept = Jeder Wert mit einer Grenze hält sie ein.
+performance-limits-broken = Ein Wert hält seinen Grenzwert nicht ein.
+performance-limits-kept = Jeder Wert, der einen Grenzwert hat, hält ihn ein.
 performance-location-both = Abstand der gescannten von der angetasteten Kugel
 performance-location-scan = Lage der gescannten Kugel über die Stellungen
 performance-location-touch = Lage der angetasteten Kugel über die Stellungen
@@ -2652,7 +2660,7 @@ performance-no-filter = Alle Punkte im Auswahlbereich zählen; kein Filter wird 
 performance-no-value = { $title }: kein Wert, denn { $problem }.
 performance-not-decided = Nicht jeder Wert ist entschieden.
 performance-one-position = Die Kugel wurde an einer Position gemessen; die Norm verlangt zwei.
-performance-plane-is-addition = Die Form einer Ebene ist eine Zugabe: Die Prüfung der Norm gilt für flächenhafte Sensoren.
+performance-plane-is-addition = Die Form einer Ebene ist eine Ergänzung: Die Prüfung der Norm gilt für flächenhafte Sensoren.
 performance-plane-scan = Form der gescannten Ebene, 95 % aller Punkte
 performance-size-all-scan = Größenabweichung der gescannten Kugel, alle Punkte
 performance-size-both = Größenabweichung, angetastet und gescannt zusammen
@@ -2667,7 +2675,10 @@ performance-temperature-changed =
     }
 plan-without-artefact =
     { $which ->
-        [sphere] der Plan nennt keine Prüfkugel
+        [master] der Plan nennt keine Meisterkugel
+        [sphere] der Plan nennt keine Kugel
+        [lengths] der Plan nennt kein Längennormal
+        [plane] der Plan nennt keine Platte
        *[bar] der Plan nennt keinen Kugelstab
     }
 performance-temperature-far =
@@ -3192,7 +3203,7 @@ set-cloud-aside = Punktwolke ausgeschlossen
 set-exposure-picture = Belichtung nach dem Bild eingestellt
 set-exposure-so-stripe-bright-but = So belichten, dass die Laserlinie hell, aber nicht übersteuert ist.
 set-limit = Grenzwert festgelegt
-set-temperature = Temperaturen von Normal und Arm eingegeben
+set-temperature = Temperaturen von Prüfkörper und Arm eingegeben
 set-machines-clock-let-kept-time = Uhr des Rechners stellen und von einem Zeitserver führen lassen.
 set-pose-aside = Pose ausgeschlossen
 set-sensor-back-calibrate-again = Einstellungen des Sensors wiederherstellen oder neu kalibrieren

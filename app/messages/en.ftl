@@ -267,7 +267,11 @@ bar-not-placed = the bar was measured in { $count } of { $needed } placements
 bar-position-arm-json-ends-lie = bar { $name }, position { $position }: according to arm.json its ends are { $measured } apart, but its stated length is { $length }
 bar-position-has-ends = { $path }: bar { $bar }, position { $position } has the ends { $ends }
 bar-without-sphere-diameter = the file of the ball bar states no diameter of its spheres: enter sphere_diameter_mm
-bars-by-number = { $title }, by number. Dashed: the maximum permissible error.
+bars-by-number =
+    { $title }, in µm, by number.{ $limited ->
+        [yes] { " " }Dashed: the maximum permissible error.
+       *[no] { "" }
+    }
 bars-end = end { $value } of the bar
 bars-lengths-points-scatter-without-them = with the bars' lengths the points scatter by { $scatter }, without them by { $without }
 batch-choose-quantity = Choose one of { $names }
@@ -1606,8 +1610,9 @@ performance-no-artefact =
        *[other] There is no sphere in the folder gauges yet.
     }
 performance-no-free-place = This touch is not near a place that is still free; it was not taken
+performance-no-limit-entered = No limit is entered: the values are reported, not judged.
 performance-no-scan-runs = No scan is running.
-performance-no-way-back = What was touched stands: the test does not go back after its first touch.
+performance-no-way-back = What was measured stands: the test does not go back after its first touch or scan.
 performance-nothing-to-test = There is nothing to test
 performance-off-direction = The standard lies { $angle } off the drawn direction.
 performance-only-lengths-have-choice = Only the test of lengths can be done by touch alone or by scan, too.
@@ -1638,8 +1643,8 @@ performance-place =
     }
 performance-place-bar = Set the bar up as placement { $number } is drawn, and clamp it.
 performance-place-title = Place { $number } of 7
-performance-plan-changed = The plan of this test was changed after its first touch.
-performance-plan-is-frozen = Artefact and limits are fixed since the first touch.
+performance-plan-changed = The plan of this test was changed after its first touch or scan.
+performance-plan-is-frozen = Artefact and limits are fixed since the first touch or scan.
 performance-plate-form = form { $form }
 performance-plate-run = Plate, orientation { $number }
 performance-plate-scan-done = The plate is scanned in orientation { $number }.
@@ -1683,6 +1688,7 @@ performance-scan-shows = { $patches } of 25 patches, { $points } points
 performance-scan-too-small = The scan covers only { $count } of the sphere's 25 patches
 performance-scanned-length = { $length } (error { $error })
 performance-scans-done = { $done } of { $of } articulations
+performance-seat-has-no-certificate = The seats have no certified size, so the test value uncertainty of the single-point articulation is 0: play and movement of a seat count as errors of the arm.
 performance-seat-largest = largest distance { $largest }
 performance-seat-not-far = The far seat stands at { $share } % of the reach; the standard asks for at least { $least } %.
 performance-seat-not-near = The near seat stands at { $share } % of the reach; the standard asks for at most { $most } %.
@@ -1691,7 +1697,7 @@ performance-set-by-scan = chose touch or scan
 performance-set-is-invalid = What was measured belongs to the old state and is invalid as a test. Begin again; the data are kept.
 performance-set-positions = chose how many positions
 performance-set-standard-up = Set the standard up as drawn: { $place }. Fix it. { $text }
-performance-settings-changed = The settings for scans were changed after the first touch of this test.
+performance-settings-changed = The settings for scans were changed after the first touch or scan of this test.
 performance-simulation-contacts = The simulated operator touches { $done } of { $of }
 performance-simulation-scans = The simulated operator scans articulation { $articulation }
 performance-simulation-scans-bar = The simulated operator scans the bar in place { $place }, scan { $repeat }
@@ -1728,7 +1734,7 @@ performance-test =
     { $kind ->
         [lengths] Performance test: lengths
         [plane] Performance test: plane
-        [contact] Performance test: contact probing
+        [contact] Performance test: contact tests
        *[sphere] Performance test: one sphere
     }
 performance-test-under-way-go-where-stands = A performance test is in progress. Continue where it stopped.
@@ -1781,7 +1787,7 @@ performance-turn-sensor = Turn the sensor about its line of sight and scan this 
 performance-turn-standard = The seven places only cover the arm's volume if the standard lies about as drawn.
 performance-turn-towards-articulation = Turn the wrist until this message disappears; points taken otherwise are noted in the result
 performance-valid-until = certificate valid until { $until }
-performance-values-against-limits = Values as shares of their maximum permissible errors, with the test uncertainty (k = 2) as a bar. The filled dot is the worse value, which counts; open dots are the values of each position.
+performance-values-against-limits = Values as shares of their maximum permissible errors, with the test uncertainty (k = 2) as a bar. The filled dot is the value that counts; open dots are the single values that it follows from.
 pictures-were-taken-with-other-sensor = Pictures were taken with another sensor. Begin a new calibration for this one.
 places-of-hemisphere =
     { $title }, seen from the pole: { $count ->
@@ -2232,6 +2238,7 @@ lower-limit-below-upper = The lower limit is not below the upper
 made-first-administrator = created the first administrator
 made-simulated-hardware-demonstration = Made on simulated hardware: a demonstration.
 made-token-metrics = created a metrics token
+length-below-spheres = the length of { $length } is less than the diameter of the spheres, { $diameter }: one of them is mistyped
 length-beyond-reach = the length standard is { $length } long, and the arm reaches { $reach } only
 lengths-are-missing = only { $count } of { $wanted } lengths were measured: each in { $places } places, { $repeats } times
 length-standard-rocks =
@@ -2562,6 +2569,7 @@ operation-not-permitted = the operation is not permitted
 operator-2 = Operator
 origin-mm = Origin, mm
 other-files = the other files belong to { $device } { $known }
+other-sphere-measured = the diameter of the touched sphere is { $off } off the certificate: this is another sphere, or a diameter is mistyped
 other-bar-measured = placement { $placement } measured a length of { $measured }, and the nearest length of the certificate is { $certified }: this is another ball bar, or a length or diameter is mistyped
 other-machines-reach-encrypted = Other machines reach the station over an encrypted connection.
 other-machines-reach-nothing-encrypted = Other machines reach the station without encryption.
@@ -2658,7 +2666,10 @@ performance-temperature-changed =
     }
 plan-without-artefact =
     { $which ->
-        [sphere] the plan names no master sphere
+        [master] the plan names no master sphere
+        [sphere] the plan names no sphere
+        [lengths] the plan names no length standard
+        [plane] the plan names no plate
        *[bar] the plan names no ball bar
     }
 performance-temperature-far =

@@ -15,7 +15,7 @@ from typing import Annotated, ClassVar, Literal, Self
 
 from pydantic import Field, model_validator
 
-from app.formats.json_document import Document, DocumentPart, NotNegative, Positive
+from app.formats.json_document import CertifiedUm, Document, DocumentPart, NotNegative, Positive
 from app.messages.message import message
 
 Shape = Literal["plane", "sphere"]
@@ -70,11 +70,11 @@ class GaugeFile(Document):
     name: Annotated[str, Field(max_length=120)] = ""
     serial_number: Annotated[str, Field(max_length=80)] = ""
     certificate: Annotated[str, Field(max_length=200)] = ""
-    standard_uncertainty_um: NotNegative = 0.0
+    standard_uncertainty_um: CertifiedUm = 0.0
     """Of the radius, or of a plane's flatness, k = 1."""
-    form_um: NotNegative = 0.0
+    form_um: CertifiedUm = 0.0
     """The gauge's own deviation from its shape."""
-    form_sd_um: NotNegative = 0.0
+    form_sd_um: CertifiedUm = 0.0
     """Standard uncertainty of ``form_um``, k = 1."""
     valid_until: Annotated[str, Field(max_length=40)] = ""
     """The certificate's, an ISO 8601 date; empty: not stated."""

@@ -5,7 +5,7 @@ from typing import Annotated, ClassVar, Literal
 
 from pydantic import Field
 
-from app.formats.json_document import Document, DocumentPart, NotNegative, Positive
+from app.formats.json_document import CertifiedUm, Document, DocumentPart, NotNegative, Positive
 from app.metrology.performance.lengths import CalibratedLength
 
 
@@ -13,7 +13,7 @@ class LengthPart(DocumentPart):
     """One length at 20 °C, with its standard uncertainty (k = 1)."""
 
     length_mm: Positive
-    standard_uncertainty_um: NotNegative
+    standard_uncertainty_um: CertifiedUm
 
 
 class LengthStandardFile(Document):
@@ -29,7 +29,7 @@ class LengthStandardFile(Document):
     kind: Literal["ball-bar", "step-gauge"] = "ball-bar"
     sphere_diameter_mm: Positive | None = None
     """Of a ball bar's spheres."""
-    sphere_form_um: NotNegative = 0.0
+    sphere_form_um: CertifiedUm = 0.0
     """Form deviation of each sphere."""
     expansion_per_c: NotNegative = 0.0
     expansion_sd_per_c: NotNegative = 0.0

@@ -12,7 +12,15 @@ from typing import Annotated, ClassVar, Literal
 from pydantic import Field
 
 from app.formats.datasheets.length_standard import LengthStandardFile
-from app.formats.json_document import Document, DocumentPart, NotNegative, Number, Positive, Vector3
+from app.formats.json_document import (
+    CertifiedUm,
+    Document,
+    DocumentPart,
+    NotNegative,
+    Number,
+    Positive,
+    Vector3,
+)
 from app.formats.performance.symbols import DEFAULT_EDITION, Quantity
 from app.formats.results.decision_rule import RulePart
 from app.metrology.performance.gate import CONE_DEG, INCIDENCE_DEG, SHELL_MM, SphereGate
@@ -73,9 +81,9 @@ class SpherePart(DocumentPart):
     valid_until: str = ""
     """ISO 8601 date; empty: not stated."""
     diameter_mm: Positive
-    diameter_sd_um: NotNegative
-    form_um: NotNegative
-    form_sd_um: NotNegative = 0.0
+    diameter_sd_um: CertifiedUm
+    form_um: CertifiedUm
+    form_sd_um: CertifiedUm = 0.0
     expansion_per_c: NotNegative = 0.0
     expansion_sd_per_c: NotNegative = 0.0
 
@@ -89,8 +97,8 @@ class PlatePart(DocumentPart):
     valid_until: str = ""
     width_mm: Positive | None = None
     """Its narrower side; None: not stated."""
-    flatness_um: NotNegative
-    flatness_sd_um: NotNegative = 0.0
+    flatness_um: CertifiedUm
+    flatness_sd_um: CertifiedUm = 0.0
 
 
 class PerformancePlan(Document):

@@ -59,12 +59,16 @@ class ArmReach:
 
 
 def arm_reach(arm: AnyArm) -> ArmReach:
-    """The reach by the arm's links and its tip; a usual one if the links are unknown."""
+    """The reach by the arm's links and its tip; a usual one if the links are unknown, or have no
+    length."""
+    usual = ArmReach(np.array([0.0, 0.0, USUAL_SHOULDER_MM]), USUAL_REACH_MM, known=False)
     if not isinstance(arm, Arm):
-        return ArmReach(np.array([0.0, 0.0, USUAL_SHOULDER_MM]), USUAL_REACH_MM, known=False)
+        return usual
     first, *others = arm.joints
     links_mm = abs(first.a_mm) + sum(float(np.hypot(one.a_mm, one.d_mm)) for one in others)
     radius_mm = links_mm + float(np.linalg.norm(arm.tip.centre_mm))
+    if radius_mm == 0:
+        return usual
     return ArmReach(np.array([0.0, 0.0, first.d_mm]), radius_mm, known=True)
 
 

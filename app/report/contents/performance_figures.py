@@ -102,7 +102,7 @@ def bar_pictures(document: PerformanceFile) -> list[tuple[Figure[Text], Text]]:
 
 
 def bars_figure(one: PerformanceFigure) -> tuple[Figure[Text], Text]:
-    """One bar for each seat or placement, with the limit."""
+    """One bar for each seat or placement, with the limit, or else with the largest value."""
     values = one.values
     figure = Figure[Text](250, 130, one.title)
     left, width, top, height = 40.0, 205.0, 6.0, 104.0
@@ -127,9 +127,13 @@ def bars_figure(one: PerformanceFigure) -> tuple[Figure[Text], Text]:
             figure.label((x, top + height + 11), str(i + 1), 7, FAINT, "middle")
     figure.line((left, base), (left + width, base), stroke=FAINT, width=0.6)
     figure.label((left - 4, base + 2.5), "0", 7, FAINT, "end")
+    if one.limit is None and known:
+        largest = max(known, key=abs)
+        figure.label((left - 4, base - largest * scale + 2.5), quantity(largest), 7, FAINT, "end")
     for edge in (limit, -limit) if low < 0 else (limit,):
         if one.limit is not None:
             y = base - edge * scale
             figure.items.append(Polyline(((left, y), (left + width, y)), RED, 1, dash=(4, 3)))
             figure.label((left - 4, y + 2.5), quantity(edge), 7, RED, "end")
-    return figure, message("bars-by-number", title=one.title)
+    limited = "no" if one.limit is None else "yes"
+    return figure, message("bars-by-number", title=one.title, limited=limited)

@@ -53,7 +53,7 @@ def test_facts(document: PerformanceFile) -> list[tuple[Text, Text]]:
 
 def _temperatures(readings_c: tuple[float | None, float | None]) -> Text:
     start, end = readings_c
-    if start is None or end is None:
+    if start is None or end is None or round(start, 1) == round(end, 1):
         return temperature(start if start is not None else end)
     return message("from-to", low=quantity(start, "", 1), high=quantity(end, "°C", 1))
 

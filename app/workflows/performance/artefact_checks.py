@@ -78,6 +78,16 @@ def _length_problems(standard: LengthStandardFile, arm: AnyArm | None) -> list[T
     problems: list[Text] = []
     if any(one.standard_uncertainty_um == 0 for one in standard.lengths):
         problems.append(message("certificate-without-uncertainty"))
+    shortest_mm = min(one.length_mm for one in standard.lengths)
+    diameter_mm = standard.sphere_diameter_mm or 0.0
+    if shortest_mm < diameter_mm:
+        problems.append(
+            message(
+                "length-below-spheres",
+                length=quantity(shortest_mm, "mm", 3),
+                diameter=quantity(diameter_mm, "mm", 3),
+            )
+        )
     reach, longest_mm = arm and arm_reach(arm), max(one.length_mm for one in standard.lengths)
     if reach and reach.known and longest_mm > reach.radius_mm:
         problems.append(
@@ -92,7 +102,7 @@ def _length_problems(standard: LengthStandardFile, arm: AnyArm | None) -> list[T
 
 def _plate_problems(plate: PlatePart) -> list[Text]:
     problems: list[Text] = []
-    if plate.flatness_um == 0 == plate.flatness_sd_um:
+    if plate.flatness_sd_um == 0:
         problems.append(message("certificate-without-uncertainty"))
     if plate.width_mm is not None and plate.width_mm < LEAST_WIDTH_MM:
         problems.append(

@@ -4,6 +4,7 @@ from collections.abc import Mapping
 
 import numpy as np
 
+from app.errors import OperationError
 from app.formats.datasheets.length_standard import LengthStandardFile
 from app.messages.message import Text, message, quantity
 from app.metrology.arm.kinematics import tip_of
@@ -35,8 +36,9 @@ from app.workflows.performance.sphere_position import sphere_certificate
 LEAST_BAR_TOUCHES = 4
 OFF_SHARE = 0.05
 """By how much a seat may be off the distance that the standard asks for, of the reach."""
-OTHER_BAR_MM, OTHER_BAR_SHARE = 2.0, 0.005
-"""A length that differs by more than both is that of another bar: no arm is so far off."""
+OTHER_MM, OTHER_BAR_SHARE = 2.0, 0.005
+"""A length that differs by more than both is that of another bar, a diameter that differs by more
+than the first that of another sphere: no arm is so far off."""
 
 
 def diameter_feature(number: int) -> str:
@@ -105,24 +107,27 @@ def seat_problem(number: int, share: float) -> Text:
 
 
 def seat_notes(data: MeasuredData) -> tuple[Text, ...]:
-    """Seats that do not stand where the standard asks for them; nothing is said of an arm whose
-    reach is not known."""
+    """What is to be known of seats: that they have no certificate, and which do not stand where the
+    standard asks for them; nothing is said of their places with an arm whose reach is not known."""
+    if not any(seat_feature(i + 1) in data.tips_mm for i in range(SEATS)):
+        return ()
+    uncertified = message("performance-seat-has-no-certificate")
     reach = arm_reach(data.arm)
     if not reach.known:
-        return ()
+        return (uncertified,)
     groups = ((i + 1, data.tips_mm.get(seat_feature(i + 1))) for i in range(SEATS))
     found = (
         seat_problem(number, reach_share(reach, tips.mean(axis=0)))
         for number, tips in groups
         if tips is not None
     )
-    return tuple(text for text in found if text)
+    return (uncertified, *(text for text in found if text))
 
 
 def _measure_diameter(data: MeasuredData) -> Measured:
     sphere = data.plan.sphere
     if sphere is None:
-        problem = message("plan-without-artefact", which="sphere")
+        problem = message("plan-without-artefact", which="master")
         return Measured("effective-diameter", None, problem=problem)
     names = [diameter_feature(i + 1) for i in range(SPHERES)]
     groups = [data.tips_mm.get(name, np.zeros((0, 3))) for name in names]
@@ -131,9 +136,15 @@ def _measure_diameter(data: MeasuredData) -> Measured:
         return Measured("effective-diameter", None, problem=problem)
     off_c, sd_c = data.off_20_c
     growth = 1 + sphere.expansion_per_c * off_c
-    found = effective_diameter(groups, tip_of(data.arm).diameter_mm, sphere.diameter_mm, growth)
+    try:
+        found = effective_diameter(groups, tip_of(data.arm).diameter_mm, sphere.diameter_mm, growth)
+    except OperationError as error:  # all touches in one place
+        return Measured("effective-diameter", None, problem=error.what, data=tuple(names))
     sd_um = size_uncertainty_um(sphere_certificate(sphere), sd_c, off_c, DIAMETER_BY_FORM_OF_NINE)
     mean, each = found.mean_error_um, found.errors_um
+    if abs(mean) > 1e3 * OTHER_MM:
+        problem = message("other-sphere-measured", off=quantity(1e-3 * mean, "mm", 1))
+        return Measured("effective-diameter", None, problem=problem, data=tuple(names))
     return Measured("effective-diameter", mean, each, sd_um, "", tuple(names))
 
 
@@ -158,7 +169,7 @@ def _measure_seats(data: MeasuredData) -> list[Measured]:
 
 def _measure_volume(data: MeasuredData) -> list[Measured]:
     standard = data.plan.length
-    if standard is None:
+    if standard is None or standard.kind != "ball-bar":
         return _without_volume(message("plan-without-artefact", which="bar"))
     if standard.sphere_diameter_mm is None:
         return _without_volume(message("bar-without-sphere-diameter"))
@@ -225,7 +236,7 @@ def _find_other_bar(lengths: list[MeasuredLength]) -> Text:
     """The first length that is none of the certificate's; empty if all are."""
     for one in lengths:
         certified_mm = one.nominal.length_mm
-        if abs(one.error_um) > 1e3 * max(OTHER_BAR_MM, OTHER_BAR_SHARE * certified_mm):
+        if abs(one.error_um) > 1e3 * max(OTHER_MM, OTHER_BAR_SHARE * certified_mm):
             return message(
                 "other-bar-measured",
                 placement=one.place,

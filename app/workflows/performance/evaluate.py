@@ -88,6 +88,7 @@ def evaluate_performance(folder: Path, ended_at: str = "") -> PerformanceFile:
             damaged. What keeps single figures from being stated is in the result.
     """
     plan = read_plan(folder)
+    _check_artefact(plan)
     data = read_measured_data(folder, _features(plan))
     problems = artefact_problems(plan, data.calibration, data.arm)
     measured, parts = _measure(data, problems)
@@ -152,6 +153,15 @@ def write_performance(folder: Path) -> PerformanceFile:
 
 def _is_from_station(note: Text) -> bool:
     return isinstance(note, Message) and note.message_id in STATION_NOTES
+
+
+def _check_artefact(plan: PerformancePlan) -> None:
+    """A contact test may be done without one."""
+    artefacts = {"sphere": plan.sphere, "lengths": plan.length, "plane": plan.plate}
+    if plan.kind in artefacts and artefacts[plan.kind] is None:
+        raise OperationError(
+            "plan-without-artefact", message("plan-without-artefact", which=plan.kind)
+        )
 
 
 def _features(plan: PerformancePlan) -> list[str]:

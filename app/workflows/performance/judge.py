@@ -83,6 +83,9 @@ def judge_all(figures: Sequence[PerformanceFigure]) -> PerformanceVerdict:
     unknown = any(figure.limit is not None and figure.value is None for figure in figures)
     if "fail" in decisions:
         return PerformanceVerdict(result="fail", text=message("performance-limits-broken"))
+    stated = any(figure.value is not None for figure in figures)
+    if stated and all(figure.limit is None for figure in figures):
+        return PerformanceVerdict(result="uncertain", text=message("performance-no-limit-entered"))
     if unknown or "uncertain" in decisions or decisions <= {"none"}:
         return PerformanceVerdict(result="uncertain", text=message("performance-not-decided"))
     return PerformanceVerdict(result="pass", text=message("performance-limits-kept"))

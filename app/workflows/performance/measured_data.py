@@ -91,7 +91,7 @@ def read_measured_data(folder: Path, features: Sequence[str]) -> MeasuredData:
     """Reads a folder.
 
     Args:
-        features: the groups of touches that the test knows.
+        features: the groups of touches that the test knows; without any, none are read.
 
     Raises:
         OperationError: plan or arm is missing or damaged, or touches of unknown groups.
@@ -101,7 +101,7 @@ def read_measured_data(folder: Path, features: Sequence[str]) -> MeasuredData:
     calibration = read_calibration(calibration_path) if calibration_path.is_file() else None
     tips: dict[str, Floats] = {}
     styli: dict[str, Floats] = {}
-    if (folder / TOUCHES).is_file():
+    if features and (folder / TOUCHES).is_file():
         contacts = read_contacts(folder / TOUCHES, arm, features)
         centres = tip_centres(arm, contacts.arm_readings)
         names = np.array(contacts.features)

@@ -54,7 +54,7 @@ function Picture({ view }: { view: PerformanceView }) {
   if (step === "temperatures")
     return (
       <div className={styles.temperatures}>
-        <Temperatures picture={picture} end />
+        <Temperatures view={view} end />
       </div>
     );
   if (picture.lengths) return <Lengths lengths={picture.lengths} busy={view.busy !== null} />;

@@ -33,7 +33,7 @@ function ContactChoice({ view }: { view: PerformanceView }) {
         selected={view.bar}
         onChoose={(id) => void setValue("performance", "choose_bar", { id })}
       />
-      <Temperatures picture={view.picture} />
+      <Temperatures view={view} />
       <Limits limits={view.picture.limits} />
     </div>
   );
@@ -81,7 +81,7 @@ function OneArtefact({ view }: { view: PerformanceView }) {
         </section>
       )}
       {view.test === "lengths" && <ByScanChoice view={view} />}
-      <Temperatures picture={view.picture} />
+      <Temperatures view={view} />
       <Limits limits={view.picture.limits} />
     </div>
   );

@@ -86,30 +86,34 @@ function View({ title, box: [left, bottom, width, height], centre, reach, places
   const unit = reach / 100;
   const lines = ordered.map((place) => ({ place, line: projectEnds(place, project) }));
   return (
-    <svg
-      className={styles.view}
-      viewBox={`${left} ${-bottom - height} ${width} ${height}`}
-      role="img"
-      aria-label={title}
-    >
-      <title>{title}</title>
-      <circle className={styles.reach} cx={centre[0]} cy={-centre[1]} r={reach} strokeWidth={0.5 * unit} />
-      {column !== undefined && (
-        <>
-          <line className={styles.table} x1={left} x2={left + width} y1={0} y2={0} strokeWidth={0.6 * unit} />
-          <line className={styles.arm} x1={0} x2={0} y1={0} y2={-column} strokeWidth={5 * unit} />
-        </>
-      )}
-      <circle className={styles.base} cx={centre[0]} cy={-centre[1]} r={4 * unit} />
-      {placeLabels(lines, LABEL_APART * unit).map((drawn) => (
-        <Standard
-          key={drawn.place.number}
-          {...drawn}
-          unit={unit}
-          labelled={places.length <= MOST_LABELS || drawn.place.state === "now"}
-        />
-      ))}
-    </svg>
+    <div className={styles.drawing}>
+      <svg
+        className={styles.view}
+        viewBox={`${left} ${-bottom - height} ${width} ${height}`}
+        role="img"
+        aria-label={title}
+      >
+        <circle className={styles.reach} cx={centre[0]} cy={-centre[1]} r={reach} strokeWidth={0.5 * unit} />
+        {column !== undefined && (
+          <>
+            <line className={styles.table} x1={left} x2={left + width} y1={0} y2={0} strokeWidth={0.6 * unit} />
+            <line className={styles.arm} x1={0} x2={0} y1={0} y2={-column} strokeWidth={5 * unit} />
+          </>
+        )}
+        <circle className={styles.base} cx={centre[0]} cy={-centre[1]} r={4 * unit} />
+        {placeLabels(lines, LABEL_APART * unit).map((drawn) => (
+          <Standard
+            key={drawn.place.number}
+            {...drawn}
+            unit={unit}
+            labelled={places.length <= MOST_LABELS || drawn.place.state === "now"}
+          />
+        ))}
+      </svg>
+      <span aria-hidden="true" className={styles.name}>
+        {title}
+      </span>
+    </div>
   );
 }
 

@@ -1,7 +1,7 @@
 import { type ReactNode, useId } from "react";
 
 import { setValue } from "../api/guideCommands";
-import type { PerformancePicture } from "../api/wire";
+import type { PerformanceView } from "../api/wire";
 import { PressButton } from "../parts/PressButton";
 import { UnitInput } from "../parts/UnitInput";
 import { useFieldForm } from "../parts/useFieldForm";
@@ -10,17 +10,21 @@ import { t } from "../state/language";
 import styles from "./ArtefactChoice.module.css";
 
 interface Props {
-  picture: PerformancePicture;
+  view: PerformanceView;
   /** At the end of the test; the uncertainty is then known. */
   end?: boolean;
 }
 
-/** The temperatures of artefact and arm: sizes and lengths are brought to 20 °C by the first. */
-export function Temperatures({ picture: { artefact_c, arm_c, expanded_c }, end = false }: Props) {
+/** The temperatures of artefact and arm: sizes and lengths are brought to 20 °C by the first, whose uncertainty counts in
+ * them. */
+export function Temperatures({ view, end = false }: Props) {
+  const { artefact_c, arm_c, expanded_c } = view.picture;
+  const form_only = view.test === "plane";
+  const why = form_only ? "ui-temperatures-why-of-a-plane" : "ui-temperatures-why";
   const artefact = useLengthField(artefact_c, "°C");
   const uncertainty = useLengthField(artefact_c === null ? null : expanded_c, "°C");
   const arm = useLengthField(arm_c, "°C");
-  const fields = [artefact, arm, ...(end ? [] : [uncertainty])];
+  const fields = [artefact, arm, ...(end || form_only ? [] : [uncertainty])];
   const set = () =>
     setValue("performance", "set_temperature", {
       celsius: artefact.value,
@@ -31,13 +35,13 @@ export function Temperatures({ picture: { artefact_c, arm_c, expanded_c }, end =
   return (
     <section>
       <h3 className={styles.heading}>{end ? t("ui-temperatures-at-the-end") : t("ui-temperatures")}</h3>
-      <p className={styles.text}>{end ? t("ui-temperatures-at-the-end-why") : t("ui-temperatures-why")}</p>
+      <p className={styles.text}>{end ? t("ui-temperatures-at-the-end-why") : t(why)}</p>
       <form className={styles.limits} {...form}>
         <Row title={t("ui-temperature-of-the-artefact")}>
           {(id) => (
             <>
               <Degrees id={id} field={artefact} placeholder={t("ui-none")} />
-              {!end && (
+              {!end && !form_only && (
                 <div className={styles.number}>
                   <span aria-hidden="true">±</span>
                   <Degrees field={uncertainty} placeholder="0" label={t("ui-temperature-uncertainty")} />

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from app.metrology.arm.kinematics import RobotArm
+from app.metrology.arm.kinematics import Arm, Joint, RobotArm, Tip
 from app.metrology.performance.length_places import ArmReach, arm_reach, propose_places
 from app.metrology.performance.length_scatter import find_rocking_places, repeat_scatter_um
 from app.metrology.performance.lengths import (
@@ -43,6 +43,10 @@ def test_the_directions_cover_the_volume() -> None:
 
 def test_an_arm_without_known_links_has_a_usual_reach() -> None:
     assert not arm_reach(RobotArm("Robot", "R-1")).known
+    joints = tuple(Joint(f"J{i}", 0.0, 0.0, 0.0, 0.0) for i in range(6))
+    without = arm_reach(Arm("Arm", "A-1", joints, Tip(0.0, 0.0, 0.0, 4.0)))
+    assert not without.known
+    assert without.radius_mm > 0
 
 
 def lengths(sd_um: float, rocks: dict[int, float] | None = None) -> list[MeasuredLength]:

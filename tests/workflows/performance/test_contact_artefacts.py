@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 from app.bench.metrology.synthetic_sphere import SPHERE
+from app.errors import OperationError
 from app.formats.datasheets.length_standard import LengthPart
 from app.formats.performance.plan import PLAN, LimitPart, read_plan
 from app.formats.performance.results import PerformanceFigure, PerformanceFile
@@ -181,6 +182,52 @@ def test_a_length_that_is_none_of_the_certificate_is_that_of_another_bar(
     if is_other:
         assert "length of 400.0 mm" in str(found["volumetric-largest"].problem)
         assert "certificate is 402.2 mm" in str(found["volumetric-largest"].problem)
+
+
+@pytest.mark.parametrize(("diameter_mm", "is_other"), [(26.9, False), (27.2, True)])
+def test_a_diameter_that_is_far_off_the_certificate_is_that_of_another_sphere(
+    folder: Path, diameter_mm: float, is_other: bool
+) -> None:
+    figure = figures(evaluated(folder, sphere={"diameter_mm": diameter_mm}))["effective-diameter"]
+    assert (figure.value is None) == is_other
+    assert ("2.2 mm off the certificate" in str(figure.problem)) == is_other
+
+
+def test_a_step_gauge_is_no_ball_bar(folder: Path) -> None:
+    found = figures(evaluated(folder, bar={"kind": "step-gauge"}))
+    for one in BY_BAR:
+        assert "names no ball bar" in str(found[one].problem)
+
+
+def test_lengths_that_are_shorter_than_the_spheres_are_mistyped(folder: Path) -> None:
+    short = LengthPart(length_mm=19.0, standard_uncertainty_um=0.5)
+    result = evaluated(folder, bar={"lengths": (*BAR.lengths, short)})
+    assert figures(result)["volumetric-largest"].value is None
+    assert "less than the diameter of the spheres" in str(result.problems[0])
+
+
+def test_touches_in_one_place_state_no_diameter(tmp_path: Path) -> None:
+    groups = contact_groups(0.02)
+    groups[0] = (groups[0][0], np.tile(groups[0][1][:1], (9, 1)))
+    result = evaluated(write_test(tmp_path / "t", "contact", groups, LIMITS))
+    found = figures(result)
+    assert "too small a part of the sphere" in str(found["effective-diameter"].problem)
+    assert found["volumetric-largest"].decision == "pass"
+
+
+@pytest.mark.parametrize("kind", ["lengths", "plane", "sphere"])
+def test_a_plan_without_its_artefact_is_refused(folder: Path, kind: str) -> None:
+    changed = read_plan(folder).model_copy(update={"sphere": None, "length": None, "kind": kind})
+    (folder / PLAN).unlink()
+    changed.write(folder / PLAN)
+    with pytest.raises(OperationError, match="the plan names no"):
+        evaluate_performance(folder)
+
+
+def test_without_limits_the_result_says_so(tmp_path: Path) -> None:
+    result = evaluated(write_test(tmp_path / "t", "contact", contact_groups(0.02), ()))
+    assert result.verdict.result == "uncertain"
+    assert "No limit is entered" in str(result.verdict.text)
 
 
 def test_five_lengths_are_asked_of_the_test_of_lengths_alone(folder: Path, tmp_path: Path) -> None:

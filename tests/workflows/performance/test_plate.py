@@ -4,9 +4,11 @@ import numpy as np
 import pytest
 
 from app.errors import OperationError
+from app.formats.performance.plan import PlatePart
 from app.guide.performance.plane.scans import measure_plate
 from app.metrology.performance.plane import least_squares_plane
 from app.metrology.transforms import Floats, rotation_from_vector
+from app.workflows.performance.artefact_checks import list_problems
 from app.workflows.performance.measured_data import ScanCloud
 from app.workflows.performance.plane_test import find_on_plate, measure_plate_scan
 
@@ -88,3 +90,12 @@ def test_the_sensor_is_turned_between_the_orientations() -> None:
     with pytest.raises(OperationError) as refused:
         measure_plate(scanned(points, 12.0), SHELL_MM, other)
     assert refused.value.code == "orientations-alike"
+
+
+@pytest.mark.parametrize(("flatness_sd_um", "can_serve"), [(0.5, True), (0.0, False)])
+def test_a_plate_without_uncertainty_cannot_serve(flatness_sd_um: float, can_serve: bool) -> None:
+    part = PlatePart(name="Granite", flatness_um=3.0, flatness_sd_um=flatness_sd_um)
+    problems = [str(one) for one in list_problems(part, "2026-11-27", "")]
+    assert problems == (
+        [] if can_serve else ["the certificate of the artefact states no uncertainty"]
+    )
