@@ -2247,7 +2247,7 @@ length-beyond-reach = das Längennormal ist { $length } lang, der Arm reicht nur
 lengths-are-missing = nur { $count } von { $wanted } Längen wurden gemessen: jede an { $places } Orten, { $repeats }-mal
 length-standard-rocks =
     { $of ->
-        [places] das Normal wackelt in Lage { $place }: Wiederholungen einer Länge streuen um { $scatter }, in den anderen Lagen um { $expected }
+        [places] das Normal wackelt in Lage { $place }: Wiederholungen einer Länge streuen um { $scatter }, in ruhigen Lagen um höchstens { $expected }
        *[touches] das Normal wackelt in Lage { $place }: Wiederholungen einer Länge streuen um { $scatter }, Antastungen um { $expected }
     }
 made-kiosk-link = Kiosk-Link angelegt

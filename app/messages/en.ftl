@@ -2243,7 +2243,7 @@ length-beyond-reach = the length standard is { $length } long, and the arm reach
 lengths-are-missing = only { $count } of { $wanted } lengths were measured: each in { $places } places, { $repeats } times
 length-standard-rocks =
     { $of ->
-        [places] the standard rocks in place { $place }: repeats of a length scatter by { $scatter }, in the other places by { $expected }
+        [places] the standard rocks in place { $place }: repeats of a length scatter by { $scatter }, in steady places by up to { $expected }
        *[touches] the standard rocks in place { $place }: repeats of a length scatter by { $scatter }, touches by { $expected }
     }
 made-kiosk-link = created a kiosk link

@@ -211,7 +211,7 @@ def rocking_problems(
     tip_diameter_mm: float = 0.0,
 ) -> list[Text]:
     """Each place in which the repeats scatter far more than the touches, or without these than in
-    the other places: the standard rocks."""
+    steady places: the standard rocks."""
     touches_um: float | None = None
     if standard.sphere_diameter_mm is not None and tips_mm is not None:
         reach_mm = (standard.sphere_diameter_mm + tip_diameter_mm) / 2

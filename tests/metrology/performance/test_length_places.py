@@ -1,5 +1,7 @@
 """Seven places of a standard within the reach, and whether the standard stands still there."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -79,6 +81,32 @@ def test_a_place_in_which_the_standard_rocks_is_found() -> None:
     # by the touches themselves, also where it rocks everywhere
     assert len(find_rocking_places(lengths(200.0), touches_um=10.0)) == PLACES
     assert not find_rocking_places(lengths(5.0), touches_um=0.1)  # too little to show
+
+
+def of_five(sd_um: float, rocks: dict[int, float]) -> list[MeasuredLength]:
+    """The same of a standard of five lengths."""
+    found = lengths(sd_um, rocks)
+    return [
+        replace(
+            one,
+            nominal=replace(one.nominal, length_mm=100.0 * (1 + number % 5)),
+            measured_mm=one.measured_mm - 300.0 + 100.0 * (1 + number % 5),
+        )
+        for number, one in enumerate(found)
+    ]
+
+
+@pytest.mark.parametrize("many", [4, 5])
+def test_a_gauge_that_rocks_in_most_places_is_found_by_the_steady_ones(many: int) -> None:
+    rocking = dict.fromkeys(range(1, many + 1), 300.0)
+    found = find_rocking_places(of_five(10.0, rocking))
+    assert [one.place for one in found] == list(rocking)
+    assert all(one.expected_um < 40 for one in found)
+
+
+def test_places_that_scatter_differently_do_not_rock() -> None:
+    near_and_far = {1: 40.0, 2: 40.0, 3: 40.0, 4: 40.0, 5: 15.0}
+    assert not find_rocking_places(of_five(10.0, near_and_far))
 
 
 def test_without_limits_the_largest_error_counts() -> None:
