@@ -34,6 +34,8 @@ def test_a_robot_station_from_the_first_page_to_a_verification(
     visit = Visit(page, screenshots)
     page.goto(robot.link)
     page.get_by_role("button", name="Calibrate").click()
+    expect(page.get_by_text("Hold the sensor over a flat chessboard")).to_be_visible()
+    visit.look("calibrate")
     page.get_by_role("button", name="Start calibration").click()
     for step in ("devices", "setup", "place", "capture"):
         visit.wait_until(f"step {step}", "/api/flow", partial(is_at, step))
@@ -47,6 +49,8 @@ def test_a_robot_station_from_the_first_page_to_a_verification(
     assert 0 < result["total_um"] < 50
     page.get_by_role("button", name="Accept this calibration").click()
     page.get_by_role("button", name="Verify", exact=True).click()
+    expect(page.get_by_text("Scan a gauge plate or sphere a few times.")).to_be_visible()
+    visit.look("verify")
     page.get_by_role("button", name="Start verification").click()
     for step in ("gauge", "scan"):
         visit.wait_until(f"verifying: {step}", "/api/verify", partial(is_verifying, step))

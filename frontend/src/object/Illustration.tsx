@@ -1,10 +1,10 @@
 import type { Vec3 } from "../api/types";
-import type { BlockGeometry } from "../api/wire";
+import type { BlockGeometry, BoardGeometry } from "../api/wire";
 import { t } from "../state/language";
 import { isVisible } from "./block";
 import styles from "./Illustration.module.css";
 import { ObjectDrawing } from "./ObjectDrawing";
-import { project, type View } from "./view";
+import { pathOf, project, type View } from "./view";
 
 /** A generic block for pages without a certificate. */
 const ANY_BLOCK: BlockGeometry = {
@@ -17,9 +17,27 @@ const ANY_BLOCK: BlockGeometry = {
   base_z_mm: -12,
 };
 
+/** The same of a board, and where the stripe crosses its printed side. */
+const ANY_BOARD: BoardGeometry = { kind: "board", inner_corners: [7, 6], square_mm: 5, first_is_black: true };
+const BOARD_STRIPE: Vec3[] = [
+  [-10, 13, 0],
+  [40, 13, 0],
+];
+
 const UP: Vec3 = [0, 0, 1];
 const STEP_MM = 0.5;
 const STRIPE_Y_MM = -7;
+
+/** Illustration of a calibration by pictures alone: a chessboard, and the laser stripe across it. */
+export function BoardIllustration() {
+  return (
+    <div className={styles.illustration}>
+      <ObjectDrawing object={ANY_BOARD} face={null} label={t("ui-chessboard-laser-stripe-across")}>
+        {(view) => <path className={styles.stripe} d={pathOf(view, BOARD_STRIPE)} />}
+      </ObjectDrawing>
+    </div>
+  );
+}
 
 /** Illustration of a calibration: the object, and the laser stripe across crests and floors. */
 export function Illustration() {

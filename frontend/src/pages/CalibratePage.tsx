@@ -2,6 +2,7 @@ import { startCalibration } from "../api/guideCommands";
 import { FlowCard } from "../flow/FlowCard";
 import { PictureView } from "../flow/PictureView";
 import { Layout } from "../frame/Layout";
+import { BoardIllustration } from "../object/Illustration";
 import { MainAct } from "../parts/Actions";
 import { CardHead } from "../parts/CardHead";
 import { EmptyState } from "../parts/EmptyState";
@@ -9,6 +10,7 @@ import { unitOf } from "../parts/lengths";
 import { PressButton } from "../parts/PressButton";
 import { t } from "../state/language";
 import { useLive } from "../state/store";
+import { useProbe } from "../state/useProbe";
 
 export function CalibratePage() {
   const view = useLive((s) => s.flow);
@@ -20,17 +22,24 @@ export function CalibratePage() {
 }
 
 function NotStarted() {
+  const touches = useProbe();
+  const unit = unitOf("µm");
+  const touching = `${t("ui-touch-faces-crenellated-object-arms-tip", { unit })} ${t("ui-flat-chessboard-laser-line-crosses-also")}`;
   return (
     <Layout
       picture={
         <EmptyState
-          title={t("ui-contact-points-few-pictures-calibrated-sensor")}
-          text={`${t("ui-touch-faces-crenellated-object-arms-tip", { unit: unitOf("µm") })} ${t("ui-flat-chessboard-laser-line-crosses-also")}`}
+          picture={touches ? undefined : <BoardIllustration />}
+          title={touches ? t("ui-contact-points-few-pictures-calibrated-sensor") : t("ui-pictures-calibrated-sensor")}
+          text={touches ? touching : t("ui-hold-sensor-over-chessboard", { unit })}
         />
       }
       card={
         <>
-          <CardHead title={t("ui-calibrate-the-sensor")} text={t("ui-clamp-object-clean-tip-takes-few")} />
+          <CardHead
+            title={t("ui-calibrate-the-sensor")}
+            text={touches ? t("ui-clamp-object-clean-tip-takes-few") : t("ui-lay-chessboard-down")}
+          />
           <MainAct>
             <PressButton kind="primary" onPress={startCalibration}>
               {t("ui-start-calibration")}

@@ -12,6 +12,7 @@ import { asSent } from "../state/localized";
 import { go } from "../state/router";
 import { setState, useLive } from "../state/store";
 import { useList } from "../state/useList";
+import { useProbe } from "../state/useProbe";
 import { useRead } from "../state/useRead";
 import { BigVerdict } from "../verify/BigVerdict";
 import { CloudsView } from "../verify/CloudsView";
@@ -92,13 +93,14 @@ async function begin(): Promise<void> {
 }
 
 function First({ calibrated }: { calibrated: boolean }) {
+  const touches = useProbe();
   return (
     <Layout
       picture={
         <EmptyState
-          picture={<GaugeDrawing shape="sphere" touching scanning />}
+          picture={<GaugeDrawing shape="sphere" touching={touches} scanning />}
           title={t("ui-calibration-good-check-gauge")}
-          text={t("ui-touch-gauge-plate-sphere-probe-then")}
+          text={touches ? t("ui-touch-gauge-plate-sphere-probe-then") : t("ui-scan-gauge-plate-sphere")}
         />
       }
       card={
