@@ -302,6 +302,7 @@ def calibration_origin(
 ) -> Origin:
     """Serial numbers, and the SHA-256 of every file that the calibration used."""
     folder = session.folder
+    pictures = [file for pose in poses for file in pose.files if file.is_file()]
     target = session.board if isinstance(session, BoardSession) else session.block
     return Origin(
         serial_numbers=SerialNumbers(
@@ -313,7 +314,7 @@ def calibration_origin(
         channel=_channel_text(poses, session_channel(session)),
         inputs=tuple(
             Input(file=path.relative_to(folder).as_posix(), sha256=file_sha256(path))
-            for path in (*session.tables, *(file for pose in poses for file in pose.files))
+            for path in (*session.tables, *pictures)
         ),
         operator=operator,
     )

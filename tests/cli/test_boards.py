@@ -328,6 +328,24 @@ def test_damaged_pictures_are_left_out_and_named(spoilt: Path) -> None:
     assert "100 × 100" in said[7]
 
 
+def test_missing_pictures_are_left_out_and_named_unless_all_are(spoilt: Path) -> None:
+    (spoilt / "images/2.png").unlink()
+    shown = crenel("calibrate", spoilt, "-o", spoilt / "c.json", "--json")
+    assert shown.exit_code == 0, shown.output
+    poses = json.loads(shown.stdout)["poses"]
+    (left_out,) = (pose for pose in poses if not pose["used"])
+    assert left_out["number"] == 2
+    assert "2.png: there is no such file" in left_out["reason"]
+    files = [one["file"] for one in json.loads((spoilt / "c.json").read_text())["inputs"]]
+    assert "images/1.png" in files
+    assert "images/2.png" not in files
+    for path in (spoilt / "images").iterdir():
+        path.unlink()
+    said = refused("calibrate", spoilt, "-o", spoilt / "c.json")
+    assert "images.csv line 2" in said
+    assert "Restore the picture" in said
+
+
 def test_laser_pictures_may_be_missing_or_damaged(spoilt: Path) -> None:
     """The pose then serves camera and mounting."""
     rows = []

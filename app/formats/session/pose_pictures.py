@@ -76,17 +76,22 @@ def read_poses(
     """Reads ``images.csv``; raises ``OperationError``.
 
     Args:
-        sensor: the headers of all pictures must agree with it; None if each picture is judged
-            by itself when it is read.
+        sensor: all pictures must be there, and their headers agree with it; None if each picture
+            is judged by itself when it is read, and only not all may be missing.
         needs_laser: every pose has a picture with the laser on.
     """
     table = read_table(path, ("pose", "file", "lighting"))
     readings = ArmReadings(table, arm)
     by_pose: dict[int, list[tuple[TableRow, ImageRow]]] = {}
+    missing: list[OperationError] = []
     for row in table.rows:
         at = readings.read_row(row)
         image = ImageRow(row.count("pose"), row.text("file"), _read_lighting(row), *at)
-        _check_file(row, path.parent / image.file)
+        _check_inside(row)
+        if not (path.parent / image.file).is_file():
+            missing.append(_missing_error(row, path.parent / image.file))
+        if missing and (sensor is not None or len(missing) == len(table.rows)):
+            raise missing[0]
         if sensor is not None:
             check_size(path.parent / image.file, image_size(path.parent / image.file), sensor)
         by_pose.setdefault(image.pose, []).append((row, image))
@@ -131,7 +136,7 @@ def _read_lighting(row: TableRow) -> str:
     return lighting
 
 
-def _check_file(row: TableRow, path: Path) -> None:
+def _check_inside(row: TableRow) -> None:
     relative = PurePosixPath(row.text("file"))
     if relative.is_absolute() or ".." in relative.parts:
         raise OperationError(
@@ -139,13 +144,15 @@ def _check_file(row: TableRow, path: Path) -> None:
             message("row-file", place=row.place, file=repr(str(relative))),
             message("sessions-pictures-lie-inside-folder"),
         )
-    if not path.is_file():
-        raise OperationError(
-            "image-missing",
-            join([row.place, display_path(path)], ": "),
-            message("no-such-file"),
-            message("restore-picture-delete-row"),
-        )
+
+
+def _missing_error(row: TableRow, path: Path) -> OperationError:
+    return OperationError(
+        "image-missing",
+        join([row.place, display_path(path)], ": "),
+        message("no-such-file"),
+        message("restore-picture-delete-row"),
+    )
 
 
 def check_size(path: Path, size_px: tuple[int, int], sensor: SensorDatasheet) -> None:
