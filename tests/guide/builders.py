@@ -38,10 +38,14 @@ class FakeRow:
     at: str = "2026-01-01T00:00:00Z"
 
 
+def journal_of(*rows: tuple[str, Mapping[str, object]]) -> list[FakeRow]:
+    """A journal with these rows, after passing through JSON as on the disk."""
+    return [FakeRow(i + 1, kind, json.loads(json.dumps(p))) for i, (kind, p) in enumerate(rows)]
+
+
 def state_after(*rows: tuple[str, Mapping[str, object]]) -> CalibrationState:
-    """The state that rows lead to, after passing through JSON as on the disk."""
-    journal = [FakeRow(i + 1, kind, json.loads(json.dumps(p))) for i, (kind, p) in enumerate(rows)]
-    return fold(journal, CalibrationState(), apply_row)
+    """The state that rows lead to."""
+    return fold(journal_of(*rows), CalibrationState(), apply_row)
 
 
 def start_row(step: str = "devices") -> tuple[str, dict[str, object]]:

@@ -1,6 +1,5 @@
 """An arm session: its fold, the points that take themselves, and what is allowed when."""
 
-import json
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
@@ -19,15 +18,14 @@ from app.guide.common.journal import fold
 from app.guide.common.view import Action, Busy
 from app.metrology.arm.kinematics import Arm, tip_centres
 from app.station.devices.reading_buffer import ReadingWindow
-from tests.guide.builders import CONNECTED, REST_RAD, FakeRow, reach_tip
+from tests.guide.builders import CONNECTED, REST_RAD, journal_of, reach_tip
 
 MS = 1_000_000
 rejection_reason = RULES.rejection_reason
 
 
 def state_after(*rows: tuple[str, Mapping[str, object]]) -> ArmState:
-    journal = [FakeRow(i + 1, kind, json.loads(json.dumps(p))) for i, (kind, p) in enumerate(rows)]
-    return fold(journal, ArmState(), apply_row)
+    return fold(journal_of(*rows), ArmState(), apply_row)
 
 
 def started(purpose: str = "check") -> tuple[str, dict[str, object]]:

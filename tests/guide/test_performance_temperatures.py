@@ -1,6 +1,5 @@
 """The temperatures in the journal of a performance test, also in those of earlier versions."""
 
-import json
 from collections.abc import Mapping
 
 import pytest
@@ -12,7 +11,7 @@ from app.guide.performance.plan import build_plan
 from app.guide.performance.state import PerformanceState, apply_row
 from app.metrology.decision import SIMPLE
 from app.metrology.performance.temperature import TemperatureLimits
-from tests.guide.builders import FakeRow
+from tests.guide.builders import journal_of
 from tests.guide.test_performance_plan import SPHERE
 
 START = {
@@ -29,8 +28,7 @@ EVALUATED = ("evaluated", {"result": "pass"})
 
 
 def state_after(*rows: tuple[str, Mapping[str, object]]) -> PerformanceState:
-    journal = [FakeRow(i + 1, kind, json.loads(json.dumps(p))) for i, (kind, p) in enumerate(rows)]
-    return fold(journal, PerformanceState(), apply_row)
+    return fold(journal_of(*rows), PerformanceState(), apply_row)
 
 
 def test_at_the_end_the_first_temperatures_are_filled_in() -> None:

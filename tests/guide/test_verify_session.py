@@ -1,6 +1,5 @@
 """A verification's fold, what is allowed when, and what goes stale."""
 
-import json
 from collections.abc import Mapping
 from dataclasses import replace
 from pathlib import Path
@@ -22,7 +21,7 @@ from app.metrology.gauges.probed_gauge import ProbedPlane, ProbedSphere
 from app.metrology.performance.value_uncertainty import DIAMETER_BY_FORM
 from app.workflows.measure_gauge import GaugeFit
 from app.workflows.verification_metrics import cloud_errors, gauge_figures, verification_verdict
-from tests.guide.builders import CONNECTED, FakeRow
+from tests.guide.builders import CONNECTED, journal_of
 
 PLANE = GaugeFile(shape="plane", name="Plate")
 SPHERE = GaugeFile(shape="sphere", radius_mm=10.0, name="Sphere", standard_uncertainty_um=1.0)
@@ -30,8 +29,7 @@ Entry = tuple[str, Mapping[str, object]]
 
 
 def state_after(*rows: Entry) -> VerifyState:
-    journal = [FakeRow(i + 1, kind, json.loads(json.dumps(p))) for i, (kind, p) in enumerate(rows)]
-    return fold(journal, VerifyState(), apply_row)
+    return fold(journal_of(*rows), VerifyState(), apply_row)
 
 
 STARTED: Entry = ("started", {"calibration_id": "c1", "gauge": "plate"})
