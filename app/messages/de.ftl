@@ -1837,6 +1837,7 @@ robot-refuses-connection = Unter { $where } nimmt kein Programm Verbindungen an
 robot-said = { $text }. Der Roboter meldet: { $said }
 robot-sends-no-numbers = Der Arm unter { $address } sendet Werte, die keine Zahlen oder unmöglich groß sind
 robot-sends-nothing = Der Arm unter { $address } hat seit { $time } nichts Neues gesendet
+robot-sends-only-useless = Der Arm unter { $address } hat seit { $time } nur Pakete gesendet, die nicht lesbar sind oder das letzte wiederholen ({ $count })
 robot-sends-from-elsewhere = Was am UDP-Port { $port } ankommt, kommt von { $sender }, nicht vom Roboter unter { $address }
 robot-sends-nothing-to-port = Der Roboter unter { $address } sendet nichts an den UDP-Port { $port } dieses Rechners
 ros2-chain-stands-still = Zwischen { $base } und { $tool } bewegt sich nichts: { $topic } enthält keine Transformation dieser Kette

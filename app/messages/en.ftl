@@ -1833,6 +1833,7 @@ robot-refuses-connection = No program listens at { $where }
 robot-said = { $text }. The robot reports: { $said }
 robot-sends-no-numbers = The arm at { $address } sends values that are no numbers, or impossibly large
 robot-sends-nothing = The arm at { $address } has sent nothing new for { $time }
+robot-sends-only-useless = For { $time }, the arm at { $address } has sent only packets that cannot be read or repeat the last one ({ $count })
 robot-sends-from-elsewhere = What arrives at UDP port { $port } comes from { $sender }, not from the robot at { $address }
 robot-sends-nothing-to-port = The robot at { $address } sends nothing to UDP port { $port } of this computer
 ros2-chain-stands-still = Nothing between { $base } and { $tool } moves: { $topic } has no transform of this chain

@@ -206,9 +206,9 @@ def test_what_is_no_egm_counts_as_corrupt(robot: UdpRobot) -> None:
     driver = make_driver(robot)
     driver.open()
     robot.spoil = lambda data: data[:40]
-    while driver.health.corrupt < 3:
-        driver.read(0.1)
-    driver.close()
+    error = read_until_lost(lambda: driver.read(0.1))
+    assert driver.health.corrupt > 3
+    assert "has sent only packets that cannot be read" in str(error.what)
     with pytest.raises(DeviceError, match="is no EGM"):
         make_driver(robot, timeout_s=0.3).open()
     robot.silent = True

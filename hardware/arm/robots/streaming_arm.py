@@ -72,7 +72,7 @@ class StreamingArm:
         self._stream: ControllerStream | None = None
         self._info: ArmInfo | None = None
         self._health = LinkHealth()
-        self._heard_s = 0.0
+        self._heard_s, self._corrupt_before = 0.0, 0
 
     @property
     def health(self) -> LinkHealth:
@@ -134,7 +134,7 @@ class StreamingArm:
         stream.close()
 
     def _settle(self, stream: ControllerStream) -> None:
-        self._heard_s = time.monotonic()
+        self._heard_s, self._corrupt_before = time.monotonic(), self._health.corrupt
         until = None
         while until is None or time.monotonic() < until:
             if self._take(stream, 0.02, self._options.timeout_s) and until is None:
@@ -148,17 +148,18 @@ class StreamingArm:
         arrived = stream.receive(wait_s)
         records = self._judge.accept(arrived, now_ns())
         if records:
-            self._heard_s = time.monotonic()
+            self._heard_s, self._corrupt_before = time.monotonic(), self._health.corrupt
         elif time.monotonic() - self._heard_s >= silence_s:
-            raise DeviceError(
-                message(
-                    "robot-sends-nothing",
-                    address=self._address,
-                    time=rounded(silence_s, "s"),
-                ),
-                stream.silence_remedy,
-            )
+            raise DeviceError(self._explain_silence(silence_s), stream.silence_remedy)
         return records
+
+    def _explain_silence(self, silence_s: float) -> Text:
+        time_s = rounded(silence_s, "s")
+        if useless := self._health.corrupt - self._corrupt_before:
+            return message(
+                "robot-sends-only-useless", address=self._address, time=time_s, count=useless
+            )
+        return message("robot-sends-nothing", address=self._address, time=time_s)
 
 
 def await_readings(stream: ControllerStream, count: int, timeout_s: float) -> list[RobotReading]:
