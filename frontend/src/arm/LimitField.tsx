@@ -22,7 +22,7 @@ export function LimitField({ limit_um, tip }: { limit_um: number | null; tip: bo
           id="arm-limit"
           unit={unitOf("µm")}
           value={limit.text}
-          placeholder={t("ui-none")}
+          placeholder={t("ui-limit-none")}
           onText={limit.setText}
         />
         {changed && (

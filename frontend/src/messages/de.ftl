@@ -599,6 +599,7 @@ ui-limit = Grenzwert
 ui-limit-diameter-error-scatter = Grenzwert für Durchmesserabweichung und Streuung
 ui-limit-grows-with-length = A + L/K, höchstens B; K und B dürfen leer bleiben
 ui-limit-max-min-2-axis = Grenzwert für (max − min)/2 je Achse
+ui-limit-none = keiner
 ui-limit-value = Grenzwert { $value }
 ui-limits = Grenzen
 ui-limits-by-the-datasheet = Grenzwerte nach Datenblatt (MPE)

@@ -599,6 +599,7 @@ ui-limit = Limit
 ui-limit-diameter-error-scatter = Limit for the diameter error and the scatter
 ui-limit-grows-with-length = A + L/K, at most B; K and B may be left empty
 ui-limit-max-min-2-axis = Limit for (max − min)/2 on each axis
+ui-limit-none = none
 ui-limit-value = limit { $value }
 ui-limits = Limits
 ui-limits-by-the-datasheet = Limits by the datasheet (MPE)

@@ -50,7 +50,7 @@ function Limit({ limit }: { limit: PerformanceLimitLine }) {
             <Letter letter="B" field={b} unit={unitOf("µm")} />
           </div>
         ) : (
-          <UnitInput id={id} unit={unitOf("µm")} value={a.text} placeholder={t("ui-none")} onText={a.setText} />
+          <UnitInput id={id} unit={unitOf("µm")} value={a.text} placeholder={t("ui-limit-none")} onText={a.setText} />
         )}
         {changed && (
           <PressButton onPress={set} disabled={!valid}>
@@ -78,7 +78,7 @@ function Letter({ letter, id, field, unit }: LetterProps) {
         {...(id && { id })}
         unit={unit}
         value={field.text}
-        placeholder={t("ui-none")}
+        placeholder={t("ui-limit-none")}
         aria-label={letter}
         onText={field.setText}
       />
