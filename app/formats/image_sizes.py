@@ -164,8 +164,10 @@ def _tiff_pages(raw: bytes) -> Iterator[dict[int, int]]:
     page, at = _tiff_page(raw, order, big, at)
     yield page
     for _ in range(MOST_PAGES):
+        if not at:
+            return
         try:
-            page, at = _tiff_page(raw, order, big, at) if at else ({}, 0)
+            page, at = _tiff_page(raw, order, big, at)
         except (struct.error, OverflowError):
             return
         if not page:

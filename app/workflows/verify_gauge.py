@@ -78,13 +78,10 @@ def verify(
         with prefix_errors(path):
             cloud = _check_cloud(shape, path, points_mm, nominal)
         found.append(cloud)
-        other = None
-        if isinstance(nominal, NominalSphere) and cloud.radius_mm is not None:
-            other = _unit_by_radius(cloud.radius_mm, nominal, unit)
-        if other is None:
-            warnings += _find_implausible(shape, cloud, points_mm, unit)
-        else:
+        if other := _unit_by_radius(cloud, nominal, unit):
             warnings.append(message("cloud-of-another-unit", file=cloud.file, unit=other))
+        else:
+            warnings += _find_implausible(shape, cloud, points_mm, unit)
     progress(1.0, "")
     report = GaugeReport(
         shape=shape,
@@ -95,10 +92,14 @@ def verify(
     return report, warnings
 
 
-def _unit_by_radius(radius_mm: float, nominal: NominalSphere, unit: Unit) -> Unit | None:
+def _unit_by_radius(
+    cloud: CloudReport, nominal: NominalPlane | NominalSphere | None, unit: Unit
+) -> Unit | None:
     """The other unit in which a sphere has its certified radius, if there is one."""
+    if not isinstance(nominal, NominalSphere) or cloud.radius_mm is None:
+        return None
     for other, mm in MM.items():
-        off = radius_mm * mm / MM[unit] / nominal.radius_mm - 1
+        off = cloud.radius_mm * mm / MM[unit] / nominal.radius_mm - 1
         if other != unit and abs(off) < SAME_RADIUS:
             return other
     return None

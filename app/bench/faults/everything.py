@@ -26,39 +26,25 @@ class FaultKind:
     attempt: Attempt
 
 
+def _kills(name: str, guide: str) -> FaultKind:
+    """The station is killed in every step of a guide."""
+    return FaultKind(
+        name, lambda data, seed, report: [kills.kill_guides(data, guide, progress=report)]
+    )
+
+
 KINDS = (
     FaultKind(
         "kills-in-scans",
         lambda data, seed, report: [kills.kill_scans(data, seed=seed, progress=report)],
     ),
-    FaultKind(
-        "kills-in-calibrations",
-        lambda data, seed, report: [kills.kill_guides(data, "flow", progress=report)],
-    ),
-    FaultKind(
-        "kills-in-verifications",
-        lambda data, seed, report: [kills.kill_guides(data, "verify", progress=report)],
-    ),
-    FaultKind(
-        "kills-in-performance-tests",
-        lambda data, seed, report: [kills.kill_guides(data, "performance", progress=report)],
-    ),
-    FaultKind(
-        "kills-in-tests-of-lengths",
-        lambda data, seed, report: [kills.kill_guides(data, "lengths", progress=report)],
-    ),
-    FaultKind(
-        "kills-in-tests-of-scanned-lengths",
-        lambda data, seed, report: [kills.kill_guides(data, "scanned-lengths", progress=report)],
-    ),
-    FaultKind(
-        "kills-in-plane-tests",
-        lambda data, seed, report: [kills.kill_guides(data, "plane", progress=report)],
-    ),
-    FaultKind(
-        "kills-in-contact-tests",
-        lambda data, seed, report: [kills.kill_guides(data, "contact", progress=report)],
-    ),
+    _kills("kills-in-calibrations", "flow"),
+    _kills("kills-in-verifications", "verify"),
+    _kills("kills-in-performance-tests", "performance"),
+    _kills("kills-in-tests-of-lengths", "lengths"),
+    _kills("kills-in-tests-of-scanned-lengths", "scanned-lengths"),
+    _kills("kills-in-plane-tests", "plane"),
+    _kills("kills-in-contact-tests", "contact"),
     FaultKind("disk", lambda data, seed, report: [disk.run(data, seed=seed, progress=report)]),
     FaultKind("damage", lambda data, seed, report: [damage.run(data, seed=seed, progress=report)]),
     FaultKind("floods", lambda data, seed, report: floods.run(data, progress=report)),

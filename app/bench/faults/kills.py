@@ -70,6 +70,8 @@ NAMES = {
     "contact": "kill -9 in a contact test",
 }
 SHORT_GAUGE = "short"
+GAUGES = {"verify": "plate", "lengths": SHORT_GAUGE, "scanned-lengths": "ball-bar"}
+"""Of the guides that do not take the one offered first."""
 TESTS = {"lengths": "lengths", "scanned-lengths": "lengths", "plane": "plane", "contact": "contact"}
 """Kinds of performance test by the guide, but for the one-sphere test."""
 STAGES = {
@@ -236,19 +238,13 @@ def _add_short_gauge(data: Path) -> None:
 
 
 def _begin(station: StationProcess, flow: str) -> None:
-    if flow in TESTS:
-        station.post("/api/performance/start", test=TESTS[flow]).raise_for_status()
-    if flow in ("lengths", "scanned-lengths"):
-        by_scan = flow == "scanned-lengths"
-        gauge = "ball-bar" if by_scan else SHORT_GAUGE
-        station.wait(lambda: station.ask("performance", "choose_gauge", id=gauge))
-        if by_scan:
-            station.wait(lambda: station.ask("performance", "set_by_scan", by_scan=True))
-    if flow in TESTS:
-        return
-    station.post(f"/api/{flow}/start").raise_for_status()
-    if flow == "verify":
-        station.wait(lambda: station.ask(flow, "choose_gauge", id="plate"))
+    route = ROUTES.get(flow, flow)
+    kind = {"test": TESTS[flow]} if flow in TESTS else {}
+    station.post(f"/api/{route}/start", **kind).raise_for_status()
+    if flow in GAUGES:
+        station.wait(lambda: station.ask(route, "choose_gauge", id=GAUGES[flow]))
+    if flow == "scanned-lengths":
+        station.wait(lambda: station.ask(route, "set_by_scan", by_scan=True))
 
 
 def _advance(station: StationProcess, flow: str, place: KillPoint) -> View:

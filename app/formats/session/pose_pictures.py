@@ -88,13 +88,16 @@ def read_poses(
         at = readings.read_row(row)
         image = ImageRow(row.count("pose"), row.text("file"), _read_lighting(row), *at)
         _check_inside(row)
-        if not (path.parent / image.file).is_file():
-            missing.append(_missing_error(row, path.parent / image.file))
-        if missing and (sensor is not None or len(missing) == len(table.rows)):
-            raise missing[0]
+        file = path.parent / image.file
+        if not file.is_file():
+            missing.append(_missing_error(row, file))
         if sensor is not None:
-            check_size(path.parent / image.file, image_size(path.parent / image.file), sensor)
+            if missing:
+                raise missing[0]
+            check_size(file, image_size(file), sensor)
         by_pose.setdefault(image.pose, []).append((row, image))
+    if missing and len(missing) == len(table.rows):
+        raise missing[0]
     if not by_pose:
         raise OperationError(
             "no-images",

@@ -125,9 +125,9 @@ def _best_sphere(
     on = count_within(radius_mm + NEAR_MM) - count_within(radius_mm - NEAR_MM)
     about = count_within(radius_mm + ABOUT_MM)
     on[on < np.maximum(LEAST_FOUND, LEAST_SHARE * about)] = 0
-    best = centres[np.argmax(on)]
     if not on.any():
         return None
+    best = centres[np.argmax(on)]
     near = np.abs(np.linalg.norm(points - best, axis=1) - radius_mm) <= NEAR_MM
     return sphere_centre(points[near], 2 * radius_mm)
 

@@ -1,4 +1,4 @@
-import type { Vec3 } from "../api/types";
+import type { ObjectGeometry, Vec3 } from "../api/types";
 import type { BlockGeometry, BoardGeometry } from "../api/wire";
 import { t } from "../state/language";
 import { isVisible } from "./block";
@@ -30,21 +30,28 @@ const STRIPE_Y_MM = -7;
 
 /** Illustration of a calibration by pictures alone: a chessboard, and the laser stripe across it. */
 export function BoardIllustration() {
-  return (
-    <div className={styles.illustration}>
-      <ObjectDrawing object={ANY_BOARD} face={null} label={t("ui-chessboard-laser-stripe-across")}>
-        {(view) => <path className={styles.stripe} d={pathOf(view, BOARD_STRIPE)} />}
-      </ObjectDrawing>
-    </div>
-  );
+  const label = t("ui-chessboard-laser-stripe-across");
+  return <Crossed object={ANY_BOARD} label={label} stripe={(view) => pathOf(view, BOARD_STRIPE)} />;
 }
 
 /** Illustration of a calibration: the object, and the laser stripe across crests and floors. */
 export function Illustration() {
+  const label = t("ui-crenellated-object-laser-stripe-across");
+  return <Crossed object={ANY_BLOCK} label={label} stripe={(view) => stripePath(view, ANY_BLOCK)} />;
+}
+
+interface CrossedProps {
+  object: ObjectGeometry;
+  label: string;
+  stripe: (view: View) => string;
+}
+
+/** An object that the laser stripe crosses. */
+function Crossed({ object, label, stripe }: CrossedProps) {
   return (
     <div className={styles.illustration}>
-      <ObjectDrawing object={ANY_BLOCK} face={null} label={t("ui-crenellated-object-laser-stripe-across")}>
-        {(view) => <path className={styles.stripe} d={stripePath(view, ANY_BLOCK)} />}
+      <ObjectDrawing object={object} face={null} label={label}>
+        {(view) => <path className={styles.stripe} d={stripe(view)} />}
       </ObjectDrawing>
     </div>
   );

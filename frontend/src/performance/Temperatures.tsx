@@ -15,8 +15,10 @@ interface Props {
   end?: boolean;
 }
 
-/** The temperatures of artefact and arm: sizes and lengths are brought to 20 °C by the first, whose uncertainty counts in
- * them. */
+/**
+ * The temperatures of artefact and arm: sizes and lengths are brought to 20 °C by the first, whose
+ * uncertainty counts in them.
+ */
 export function Temperatures({ view, end = false }: Props) {
   const { artefact_c, arm_c, expanded_c } = view.picture;
   const form_only = view.test === "plane";

@@ -133,8 +133,11 @@ class StreamingArm:
                 self._stream, self._info = None, None
         stream.close()
 
-    def _settle(self, stream: ControllerStream) -> None:
+    def _note_heard(self) -> None:
         self._heard_s, self._corrupt_before = time.monotonic(), self._health.corrupt
+
+    def _settle(self, stream: ControllerStream) -> None:
+        self._note_heard()
         until = None
         while until is None or time.monotonic() < until:
             if self._take(stream, 0.02, self._options.timeout_s) and until is None:
@@ -148,7 +151,7 @@ class StreamingArm:
         arrived = stream.receive(wait_s)
         records = self._judge.accept(arrived, now_ns())
         if records:
-            self._heard_s, self._corrupt_before = time.monotonic(), self._health.corrupt
+            self._note_heard()
         elif time.monotonic() - self._heard_s >= silence_s:
             raise DeviceError(self._explain_silence(silence_s), stream.silence_remedy)
         return records
