@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from playwright.sync_api import Browser, Page, expect
+from playwright.sync_api import Browser, Page, Response, expect
 
 from tests.e2e.conftest import Demo
 
@@ -82,9 +82,14 @@ def test_words_and_lengths_change_and_stay(browser: Browser, station: Demo, pict
 def set_to(page: Page, text: str) -> None:
     """Typed in, and taken by the station."""
     page.get_by_label("Unschärfe, ab der eine Überfahrt zu schnell ist").fill(text)
-    with page.expect_response("**/api/settings") as answer:
+    with page.expect_response(is_change_of_settings) as answer:
         page.get_by_role("button", name="Übernehmen").click()
     assert answer.value.ok, answer.value.text()
+
+
+def is_change_of_settings(response: Response) -> bool:
+    """The page also reads the settings, and its answer may come late."""
+    return response.request.method == "POST" and response.url.endswith("/api/settings")
 
 
 def in_german(number: str) -> str:

@@ -115,7 +115,8 @@ def test_a_late_answer_is_not_that_of_the_next_question(arm: FakeMicroscribe) ->
     driver.open()
     read_until(driver, select_samples)
     arm.late_s = 0.4
-    driver.read(0.05)  # an answer may have been on its way
+    # answers may have been on their way
+    read_until(driver, lambda _: driver.health.corrupt > 0)
     while driver.health.corrupt < 3:
         assert select_samples(list(driver.read(0.05))) == []
     arm.late_s = 0.0
