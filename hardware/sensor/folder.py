@@ -2,7 +2,7 @@
 
 Pictures (png, tif, bmp, jpg; 8 or 16 bits; of colour ones the laser's channel, or their
 luma) are shown in the order of their names, numbers counted as numbers, so that 10 comes
-after 9. In station.toml::
+after 9, and the pages of a TIFF one after the other. In station.toml::
 
     [sensor]
     driver = "folder"
@@ -17,11 +17,14 @@ after 9. In station.toml::
 
 import re
 import threading
+from collections import deque
 from collections.abc import Mapping
 from pathlib import Path
+from typing import Any
 
 import cv2
 import numpy as np
+from numpy.typing import NDArray
 from pydantic import Field
 
 from app.messages.message import message
@@ -36,7 +39,8 @@ from hardware.sensor.image_source import (
     PlaybackTimer,
 )
 
-_SUFFIXES = {".png", ".tif", ".tiff", ".bmp", ".jpg", ".jpeg"}
+_WITH_PAGES = {".tif", ".tiff"}
+_SUFFIXES = {".png", ".bmp", ".jpg", ".jpeg", *_WITH_PAGES}
 
 
 class FolderOptions(Options):
@@ -84,20 +88,22 @@ class _Folder(ImageSource):
         self._options = options
         self._pace = PlaybackTimer(options.rate_hz, stop)
         self._next = 0
+        self._pages: deque[int] = deque()
+        """Of the current file, not shown yet."""
+        self._shape: tuple[int, ...] = ()
+        """Of its first page."""
 
     def grab(self) -> GrabbedImage:
-        if self._next == len(self._files):
-            if not self._options.loop:
-                raise EndOfRecordingError
-            self._next = 0
-        path = self._files[self._next]
-        self._next += 1
-        # a pipe or a device would be read for ever
-        raw = cv2.imread(str(path), cv2.IMREAD_UNCHANGED) if path.is_file() else None
+        path, page = self._choose()
+        raw = _read(path, page)
         if raw is None:
             raise DeviceError(
                 message("picture-cannot-read", path=path), message("is-it-there-and-complete")
             )
+        if page == 0:
+            self._shape = raw.shape[:2]
+        elif raw.shape[:2] != self._shape:  # a thumbnail of the first page
+            return self.grab()
         image = None
         if raw.dtype in (np.uint8, np.uint16):
             colour, bayer = self._options.laser_colour, self._options.bayer
@@ -111,6 +117,34 @@ class _Folder(ImageSource):
 
     def release(self) -> None:
         """Holds nothing open."""
+
+    def _choose(self) -> tuple[Path, int]:
+        """The file and page to show next."""
+        if not self._pages:
+            if self._next == len(self._files):
+                if not self._options.loop:
+                    raise EndOfRecordingError
+                self._next = 0
+            self._next += 1
+            self._pages.extend(range(_page_count(self._files[self._next - 1])))
+        return self._files[self._next - 1], self._pages.popleft()
+
+
+def _page_count(path: Path) -> int:
+    """At least 1, also for a file that cannot be read."""
+    if path.suffix.lower() not in _WITH_PAGES or not path.is_file():
+        return 1
+    return max(1, cv2.imcount(str(path)))
+
+
+def _read(path: Path, page: int) -> NDArray[Any] | None:
+    """The picture as it is stored; None if it cannot be read."""
+    if not path.is_file():  # a pipe or a device would be read for ever
+        return None
+    if page == 0:
+        return cv2.imread(str(path), cv2.IMREAD_UNCHANGED)
+    _, pages = cv2.imreadmulti(str(path), page, 1, flags=cv2.IMREAD_UNCHANGED)
+    return pages[0] if pages else None
 
 
 def _natural_order(path: Path) -> list[tuple[int, str]]:

@@ -252,6 +252,17 @@ def test_sixteen_bits_stay_sixteen(tmp_path: Path) -> None:
     driver.close()
 
 
+def test_pages_of_a_tiff_are_pictures_and_its_thumbnails_are_none(tmp_path: Path) -> None:
+    sizes = {1: (6, 8), 2: (3, 4), 3: (6, 8)}
+    pages = [np.full(size, number, np.uint16) for number, size in sizes.items()]
+    cv2.imwritemulti(str(tmp_path / "1.tif"), pages)
+    cv2.imwrite(str(tmp_path / "2.png"), np.full((6, 8), 4, np.uint16))
+    driver = folder.from_options({"path": str(tmp_path), "rate_hz": 200.0})
+    driver.open()
+    assert [int(image[0, 0]) for image in shown(driver, 5)] == [1, 3, 4, 1, 3]
+    driver.close()
+
+
 def test_a_folder_says_which_picture_is_wrong(tmp_path: Path) -> None:
     write_folder(tmp_path / "f")
     (tmp_path / "f" / "3.png").write_bytes(b"no picture")

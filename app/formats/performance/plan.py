@@ -6,10 +6,11 @@ part of the test, see ``sphere_feature``), ``<scan>/scan.mcap`` for every scan, 
 ``end_temperatures.json``.
 """
 
+from collections import Counter
 from pathlib import Path
 from typing import Annotated, ClassVar, Literal
 
-from pydantic import Field
+from pydantic import Field, field_validator
 
 from app.formats.datasheets.length_standard import LengthStandardFile
 from app.formats.json_document import (
@@ -23,6 +24,7 @@ from app.formats.json_document import (
 )
 from app.formats.performance.symbols import DEFAULT_EDITION, Quantity
 from app.formats.results.decision_rule import RulePart
+from app.messages.message import message
 from app.metrology.performance.gate import CONE_DEG, INCIDENCE_DEG, SHELL_MM, SphereGate
 from app.metrology.performance.permissible_error import PermissibleError
 from app.metrology.performance.temperature import TemperatureLimits
@@ -135,6 +137,14 @@ class PerformancePlan(Document):
     arm_c: Number | None = None
     """Temperature of the arm at the beginning; None: not measured."""
     temperature_limits: TemperatureLimitsPart = TemperatureLimitsPart()
+
+    @field_validator("limits")
+    @classmethod
+    def _limits_differ(cls, limits: tuple[LimitPart, ...]) -> tuple[LimitPart, ...]:
+        counts = Counter(limit.quantity for limit in limits)
+        for twice in (one for one, count in counts.items() if count > 1):
+            raise ValueError(message("performance-limit-twice", quantity=twice))
+        return limits
 
     def limit(self, quantity: Quantity) -> PermissibleError | None:
         """The limit of a quantity; None without one."""

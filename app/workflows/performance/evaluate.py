@@ -1,5 +1,6 @@
 """Evaluates the folder of a performance test and writes ``performance.json``."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from datetime import UTC, datetime
 from pathlib import Path
@@ -21,7 +22,7 @@ from app.formats.performance.results import (
     SphereMeasurement,
     read_performance,
 )
-from app.formats.performance.symbols import SPHERE_QUANTITIES, editions
+from app.formats.performance.symbols import SPHERE_QUANTITIES, TITLES, editions
 from app.formats.results.calibration import SerialNumbers
 from app.messages.message import Message, Text, message, quantity
 from app.metrology.performance.lengths import LENGTHS
@@ -123,7 +124,12 @@ def evaluate_performance(folder: Path, ended_at: str = "") -> PerformanceFile:
         figures=figures,
         verdict=judge_all(figures),
         problems=tuple(sentence(text) for text in (*problems, *undecided, *still_open)),
-        notes=(*_notes(plan), *parts.notes, *temperature_notes(plan, data.end)),
+        notes=(
+            *_notes(plan),
+            *_name_unused_limits(plan, measured),
+            *parts.notes,
+            *temperature_notes(plan, data.end),
+        ),
         temperatures=temperatures_part(plan, data.end),
         inputs=data.inputs,
         software=SOFTWARE,
@@ -275,6 +281,16 @@ def _offset_part(found: ImpliedOffset) -> ImpliedOffsetPart:
         text=message("offset-worth-calibrating", **known)
         if found.is_significant
         else message("offset-not-significant", **known),
+    )
+
+
+def _name_unused_limits(plan: PerformancePlan, measured: Sequence[Measured]) -> tuple[Text, ...]:
+    """Limits of quantities that this test does not measure."""
+    has = {one.quantity for one in measured}
+    return tuple(
+        message("performance-limit-unused", title=TITLES[limit.quantity])
+        for limit in plan.limits
+        if limit.quantity not in has
     )
 
 

@@ -203,6 +203,21 @@ def test_limits_decide_by_the_rule_of_the_plan(tmp_path: Path) -> None:
     assert read_performance(tmp_path / "t") == result
 
 
+def test_a_limit_that_nothing_is_measured_for_is_named(tmp_path: Path) -> None:
+    folder = with_faults(tmp_path / "t")
+    plan = read_plan(folder)
+    limits = (LimitPart(quantity="form-touch", a_um=9), LimitPart(quantity="length-touch", a_um=9))
+    plan.model_copy(update={"limits": limits}).write(folder / PLAN)
+    notes = [str(note) for note in evaluate_performance(folder).notes]
+    assert [note for note in notes if "a limit for" in note] == [
+        "The plan has a limit for “error of length by touch”, which this test does not measure: "
+        "it is not used."
+    ]
+    plan.model_copy(update={"limits": limits[:1] * 2}).write(folder / PLAN)
+    with pytest.raises(OperationError, match="form-touch has more than one limit"):
+        evaluate_performance(folder)
+
+
 def test_the_same_folder_gives_the_same_figures(tmp_path: Path) -> None:
     folder = with_faults(tmp_path / "t", **QUIET)
     assert evaluate_performance(folder, "2026-11-26T11:00:00+00:00") == evaluate_performance(
