@@ -122,8 +122,8 @@ class StartingApp:
                 if not self._ending.is_set():
                     self.on_ready(app, time.monotonic() - began_s)
                 await self._ending.wait()
-        except _StartCancelledError:
-            pass
+        except (_StartCancelledError, asyncio.CancelledError):
+            pass  # a second interrupt does not wait for the end
         except BaseException as error:
             self.failure = error
             self.on_failed()
@@ -132,7 +132,7 @@ class StartingApp:
         """The application, built in a thread.
 
         Raises:
-            _EndedError: the program was ended in the meantime.
+            _StartCancelledError: the program was ended in the meantime.
             BaseException: the exception of a step.
         """
         result: Future[Starlette] = Future()

@@ -114,13 +114,17 @@ def start_operator(http: httpx.Client) -> dict[str, Any]:
     return dict(answer.json())
 
 
-def test_the_demo_takes_the_next_port_when_its_own_is_busy(tmp_path: Path) -> None:
+def test_the_demo_takes_the_next_port_and_ends_without_fault_at_two_interrupts(
+    tmp_path: Path,
+) -> None:
     with socket.socket() as taken:
         taken.bind(("127.0.0.1", 0))
         taken.listen()
         port = taken.getsockname()[1]
         with demo(tmp_path, port) as (process, address):
             assert int(urlsplit(address).port or 0) > port
+            process.send_signal(signal.SIGINT)
+            time.sleep(0.02)
             process.send_signal(signal.SIGINT)
             process.wait(15.0)
             assert process.returncode in (0, 128 + signal.SIGINT, -signal.SIGINT)
