@@ -9,8 +9,14 @@ from app.formats.file_names import display_path
 from app.formats.results.calibration import CalibrationFile, calibration_from_document
 from app.formats.session.calibration_session import ARM
 from app.messages.message import Text, message
+from app.station.bus import Bus
+from app.station.devices.rig import Rig
+from app.station.preview.preview import Preview
 from app.station.scan.points import ScanCalibration
+from app.station.scan.scanner import Scanner
+from app.station.working_distance import WorkingRange
 from app.store.calibrations import CalibrationRecord
+from app.store.store import Store
 from app.workflows.compatibility import check_serials
 
 Stamp = tuple[int, int, int] | None
@@ -57,6 +63,38 @@ def scan_calibration(record: CalibrationRecord) -> ScanCalibration:
     )
 
 
+def use_calibration(
+    name: str, store: Store, rig: Rig, preview: Preview, scanner: Scanner, bus: Bus
+) -> None:
+    """Makes the active calibration of a sensor the one for scans."""
+    record, is_shown = store.calibrations.active(name), name == rig.selected
+    if is_shown:
+        preview.set_calibration(None)
+    if record is None:
+        scanner.set_calibration(None, _unreadable(store, name), sensor=name)
+        return
+    try:
+        calibration = scan_calibration(record)
+    except OperationError as error:
+        text = message("calibration-in-use-unreadable", error=error.text)
+        bus.event("refused", text, "bad")
+        scanner.set_calibration(None, unreadable_calibration_error(error.text), sensor=name)
+        return
+    rig.arm.set_model(calibration.arm)
+    scanner.set_calibration(calibration, look=lambda: calibration_error(record), sensor=name)
+    if not is_shown:
+        return
+    preview.set_stripe_axis(calibration.stripe_axis)
+    preview.set_calibration(
+        WorkingRange(
+            calibration.camera,
+            calibration.plane,
+            calibration.depth_range_mm,
+            calibration.stripe_axis,
+        )
+    )
+
+
 def calibration_error(record: CalibrationRecord) -> OperationError | None:
     """Why the files of a calibration cannot be read any more; None if they can.
 
@@ -80,3 +118,16 @@ def _stamp(path: Path) -> Stamp:
     except OSError:
         return None
     return there.st_dev, there.st_size, there.st_mtime_ns
+
+
+def _unreadable(store: Store, sensor: str) -> OperationError | None:
+    """Why there is none although one was accepted."""
+    active = next(
+        (one for one in store.calibrations.unreadable() if one.active and one.sensor == sensor),
+        None,
+    )
+    return (
+        None
+        if active is None
+        else unreadable_calibration_error(message("no-readable-figures", name=active.name))
+    )

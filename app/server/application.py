@@ -14,8 +14,9 @@ from app.formats.json_document import SOFTWARE
 from app.operations.context import Context
 from app.operations.publishers import observe, tick
 from app.security.anonymous_queue import AnonymousQueue
-from app.server.composition import StationParts, close_context, open_context
+from app.server.composition import close_context, open_context
 from app.server.middleware import FormerPaths, Guard
+from app.server.station_parts import StationParts
 
 
 def build_app(parts: StationParts) -> FastAPI:

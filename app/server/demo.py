@@ -13,7 +13,7 @@ from app.formats.io_errors import convert_io_errors
 from app.messages.message import join, message
 from app.operations.device_setup import StationDevices
 from app.operations.services import MonitoringSettings
-from app.server.composition import StationParts
+from app.server.station_parts import StationParts
 from app.settings.settings import Settings
 from app.settings.station_toml import DEFAULT_FILE, read_settings
 from app.station.setup.drivers import SimulatedDevices

@@ -44,8 +44,8 @@ from app.settings.station_toml import DEFAULT_FILE, read_settings
 if TYPE_CHECKING:
     from app.operations.context import Context
     from app.operations.services import MonitoringSettings
-    from app.server.composition import StationParts
     from app.server.live_replay import Replay
+    from app.server.station_parts import StationParts
     from app.station.pulses.pulse_trigger import TriggerSettings
 
 PORTS_TRIED = 20
@@ -127,7 +127,7 @@ def _load_parts(settings: Settings, data: Path | None, file: Path) -> "StationPa
     """The parts that the settings name; no device is touched yet."""
     from app.metrology.limits import Limits
     from app.operations.device_setup import StationDevices
-    from app.server.composition import StationParts
+    from app.server.station_parts import StationParts
 
     station = settings.station
     devices = StationDevices(file.absolute(), settings.devices, sensors=settings.sensors)
@@ -224,7 +224,7 @@ def replay(show: "Replay", title: str, host: str, port: int, open_browser: bool)
     Raises:
         OperationError: no port is free.
     """
-    from app.server.composition import StationParts
+    from app.server.station_parts import StationParts
 
     listening = listen(host, port, PORTS_TRIED)
     with tempfile.TemporaryDirectory(prefix="crenel-replay-") as data:

@@ -29,8 +29,9 @@ from app.guide.performance.rules import RULES as OF_PERFORMANCE
 from app.guide.verify.rules import RULES as OF_VERIFICATION
 from app.operations.context import Context
 from app.server.application import build_app
-from app.server.composition import StationParts, close_context
+from app.server.composition import close_context
 from app.server.demo import station_parts
+from app.server.station_parts import StationParts
 from app.store.store import Store
 from hardware.simulator.station import SimulatedStation
 from tests.api.calibrated import use_truth

@@ -17,8 +17,9 @@ from app.operations.context import Context
 from app.operations.health_checks import HealthChecker
 from app.operations.status_report import build_report
 from app.operations.unreadable_files import list_unreadable
-from app.server.composition import StationParts, close_context, open_context
+from app.server.composition import close_context, open_context
 from app.server.demo import station_parts
+from app.server.station_parts import StationParts
 from hardware.simulator.station import SimulatedStation
 from tests.api.calibrated import use_truth
 

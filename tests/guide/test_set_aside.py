@@ -16,8 +16,9 @@ from app.operations.context import Context
 from app.operations.health_checks import HealthChecker
 from app.operations.home import build_home
 from app.operations.unreadable_files import list_unreadable
-from app.server.composition import StationParts, close_context, open_context
+from app.server.composition import close_context, open_context
 from app.server.demo import station_parts
+from app.server.station_parts import StationParts
 from app.store.scans import ScanRecord
 from app.store.store import Store
 from app.timestamps import utc_now

@@ -13,10 +13,10 @@ import numpy as np
 import typer
 
 from app.console import report_errors
-from app.server.composition import StationParts
 from app.server.demo import ROBOT, station_parts, write_datasheets
 from app.server.listener import listen
 from app.server.startup import Plan, run
+from app.server.station_parts import StationParts
 from app.settings.station_toml import DEFAULT_FILE, read_settings
 from app.store.store import Store
 from hardware.simulator.station import (

@@ -237,7 +237,7 @@ def scanning(data: Path, pace: FastStationConfig) -> Iterator[tuple[Context, int
 @contextlib.contextmanager
 def serving(data: Path, pace: FastStationConfig) -> Iterator[tuple[Context, int, SweepClock]]:
     """A station on the swift devices that serves from a thread; its port, and their clock."""
-    from app.server.composition import StationParts
+    from app.server.station_parts import StationParts
 
     pool, clock = draw_stripe_images(pace), SweepClock()
     parts = StationParts(

@@ -16,8 +16,8 @@ from app.errors import OperationError
 from app.monitoring.system_info import resident
 from app.operations.context import Context
 from app.server.application import build_app
-from app.server.composition import StationParts
 from app.server.listener import make_server
+from app.server.station_parts import StationParts
 
 PATIENCE_S = 120.0
 MB = 1 << 20

@@ -1,0 +1,112 @@
+"""The four guides of a station, and which of them a press of the arm's button belongs to."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+from app.guide.arm.commands import COMMANDS as ARM_COMMANDS
+from app.guide.arm.guide import ArmGuide
+from app.guide.calibration.commands import COMMANDS as CALIBRATION_COMMANDS
+from app.guide.calibration.guide import CalibrationGuide, CalibrationServices
+from app.guide.common.buttons import Press
+from app.guide.common.guided_session import GuidedSession, Provenance, StationServices
+from app.guide.gauge.session import GaugeServices
+from app.guide.performance.commands import COMMANDS as PERFORMANCE_COMMANDS
+from app.guide.performance.guide import PerformanceGuide, PerformanceServices
+from app.guide.verify.commands import COMMANDS as VERIFICATION_COMMANDS
+from app.guide.verify.guide import VerifyGuide
+from app.operations.home import last_tip_finding
+from app.server.live_station import LiveStation
+from app.server.station_parts import StationParts
+from app.store.store import Store
+
+
+@dataclass(frozen=True)
+class StationGuides:
+    """One guide for each kind of session."""
+
+    calibration: CalibrationGuide
+    arm: ArmGuide
+    verify: VerifyGuide
+    performance: PerformanceGuide
+
+    def any_running(self) -> bool:
+        """Whether a session is open."""
+        sessions: tuple[GuidedSession[Any, Any, Any], ...] = (
+            self.calibration,
+            self.arm,
+            self.verify,
+            self.performance,
+        )
+        return any(one.running for one in sessions)
+
+    def press(self, event: Press) -> None:
+        """A press belongs to the open session that waits for it and was used last."""
+        sessions: list[tuple[int, Callable[[], bool]]] = [
+            (
+                self.calibration.state.rev,
+                lambda: CALIBRATION_COMMANDS.press(self.calibration, event),
+            ),
+            (self.verify.state.rev, lambda: VERIFICATION_COMMANDS.press(self.verify, event)),
+            (
+                self.performance.state.rev,
+                lambda: PERFORMANCE_COMMANDS.press(self.performance, event),
+            ),
+            (self.arm.state.rev, lambda: ARM_COMMANDS.press(self.arm, event)),
+        ]
+        for _, takes in sorted(sessions, key=lambda one: one[0], reverse=True):
+            if takes():
+                return
+
+
+def open_guides(
+    parts: StationParts,
+    store: Store,
+    live: LiveStation,
+    provenance: Provenance,
+    on_calibrated: Callable[[], None],
+) -> StationGuides:
+    """The guides, each at the step where its last session stands.
+
+    Args:
+        on_calibrated: called when a calibration session ends.
+    """
+    shared = live.bus, live.rig, live.jobs, parts.simulated_operator
+    calibration = CalibrationGuide(
+        CalibrationServices(*shared, live.preview, live.scene),
+        store.journal,
+        store.calibrations,
+        store.folder,
+        on_calibrated,
+        parts.limits,
+        provenance,
+        parts.rule,
+    )
+    arm = ArmGuide(StationServices(*shared), store.journal, store.folder, provenance, parts.rule)
+    calibration.tip = lambda: last_tip_finding(arm, parts.due)
+    verify = VerifyGuide(
+        GaugeServices(*shared, live.scanner, live.scene),
+        store.journal,
+        store.calibrations,
+        store.verifications,
+        store.folder,
+        parts.verification,
+        provenance,
+        parts.rule,
+    )
+    performance = PerformanceGuide(
+        PerformanceServices(
+            *shared,
+            live.scanner,
+            live.scene,
+            lambda: live.settings.settings.model_dump(mode="json"),
+        ),
+        store.journal,
+        store.calibrations,
+        store.performances,
+        store.folder,
+        provenance,
+        parts.rule,
+        parts.temperature_limits,
+    )
+    return StationGuides(calibration, arm, verify, performance)
