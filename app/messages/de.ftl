@@ -2651,6 +2651,11 @@ performance-gate = Auswahlbereich: { $shell } um die kalibrierte Kugel, Einfalls
 performance-length-gate = Zählbereich der Scans: { $shell } um die kalibrierten Kugeln, Einfallswinkel bis { $incidence }, mehr als { $cone } von der Richtung des Stabs; alle Punkte darin zählen.
 performance-length-scan = Längenabweichung durch Scannen
 performance-length-touch = Längenabweichung durch Antasten
+performance-left-out =
+    { $which ->
+        [sphere] Ohne Meisterkugel: Der wirksame Durchmesser wurde ausgelassen.
+       *[bar] Ohne Kugelstab: Die räumlichen Längen wurden ausgelassen.
+    }
 performance-limit-twice = Die Größe { $quantity } hat mehr als einen Grenzwert.
 performance-limit-unused = Der Plan enthält einen Grenzwert für „{ $title }“; dieser Test misst diese Größe nicht, der Grenzwert bleibt ungenutzt.
 performance-limits-broken = Ein Wert hält seinen Grenzwert nicht ein.

@@ -2642,6 +2642,11 @@ performance-gate = Gate: { $shell } about the calibrated sphere, incidence up to
 performance-length-gate = Gate of the scans: { $shell } about the calibrated spheres, incidence up to { $incidence }, beyond { $cone } from the direction of the bar; all points within it count.
 performance-length-scan = error of length by scan
 performance-length-touch = error of length by touch
+performance-left-out =
+    { $which ->
+        [sphere] Without a master sphere: the effective diameter was left out.
+       *[bar] Without a ball bar: the volumetric lengths were left out.
+    }
 performance-limit-twice = The quantity { $quantity } has more than one limit.
 performance-limit-unused = The plan has a limit for “{ $title }”, which this test does not measure: it is not used.
 performance-limits-broken = A figure breaks its limit.

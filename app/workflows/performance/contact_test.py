@@ -68,7 +68,8 @@ def contact_features() -> list[str]:
 def measure_contact_test(data: MeasuredData) -> tuple[list[Measured], list[Text]]:
     """Every figure that the touches allow, and why sphere or bar cannot serve, by their names.
 
-    Only the figures of an artefact that cannot serve are without a value.
+    Only the figures of an artefact that cannot serve are without a value. Those of an artefact
+    that was left out are not among them.
     """
     plan, calibration = data.plan, data.calibration
     # the reach is not checked: a bar across the arm's column may be longer, and it was touched
@@ -76,11 +77,11 @@ def measure_contact_test(data: MeasuredData) -> tuple[list[Measured], list[Text]
         [] if one is None else problems_of_artefact(one, plan, calibration)
         for one in (plan.sphere, plan.length)
     )
-    measured = [
-        refuse(_measure_diameter(data), of_sphere),
-        *_measure_seats(data),
-        *(refuse(one, of_bar) for one in _measure_volume(data)),
-    ]
+    measured = _measure_seats(data)
+    if not _lacks_sphere(data):
+        measured.insert(0, refuse(_measure_diameter(data), of_sphere))
+    if not _lacks_bar(data):
+        measured += [refuse(one, of_bar) for one in _measure_volume(data)]
     named: list[Text] = [
         message("titled-text", title=artefact.name, text=problem)
         for artefact, problems in ((plan.sphere, of_sphere), (plan.length, of_bar))
@@ -88,6 +89,28 @@ def measure_contact_test(data: MeasuredData) -> tuple[list[Measured], list[Text]
         for problem in problems
     ]
     return measured, named
+
+
+def contact_notes(data: MeasuredData) -> tuple[Text, ...]:
+    """Which artefacts were left out, and what is to be known of the seats."""
+    left_out = [
+        message("performance-left-out", which=which)
+        for which, lacks in (("sphere", _lacks_sphere(data)), ("bar", _lacks_bar(data)))
+        if lacks
+    ]
+    return (*left_out, *_seat_notes(data))
+
+
+def _lacks_sphere(data: MeasuredData) -> bool:
+    """Whether the master sphere was left out: none is named, and none was touched."""
+    features = (diameter_feature(i + 1) for i in range(SPHERES))
+    return data.plan.sphere is None and not any(one in data.tips_mm for one in features)
+
+
+def _lacks_bar(data: MeasuredData) -> bool:
+    """Whether the ball bar was left out: none is named, and none was touched."""
+    features = (bar_feature(i + 1, end) for i in range(PLACEMENTS) for end in (0, 1))
+    return data.plan.length is None and not any(one in data.tips_mm for one in features)
 
 
 def seat_problem(number: int, share: float) -> Text:
@@ -106,7 +129,7 @@ def seat_problem(number: int, share: float) -> Text:
     return ""
 
 
-def seat_notes(data: MeasuredData) -> tuple[Text, ...]:
+def _seat_notes(data: MeasuredData) -> tuple[Text, ...]:
     """What is to be known of seats: that they have no certificate, and which do not stand where the
     standard asks for them; nothing is said of their places with an arm whose reach is not known."""
     if not any(seat_feature(i + 1) in data.tips_mm for i in range(SEATS)):

@@ -33,8 +33,8 @@ from app.workflows.performance.artefact_checks import artefact_problems
 from app.workflows.performance.causes import name_causes
 from app.workflows.performance.contact_test import (
     contact_features,
+    contact_notes,
     measure_contact_test,
-    seat_notes,
 )
 from app.workflows.performance.judge import K, Measured, judge_all, judge_figure, refuse
 from app.workflows.performance.length_test import length_features, measure_lengths
@@ -194,7 +194,7 @@ def _measure(data: MeasuredData, problems: list[Text]) -> tuple[list[Measured], 
     else:  # of several artefacts, each refuses its own figures
         measured, of_artefacts = measure_contact_test(data)
         problems += of_artefacts
-        return measured, _Parts(notes=seat_notes(data))
+        return measured, _Parts(notes=contact_notes(data))
     return [refuse(one, problems) for one in measured], parts
 
 

@@ -129,6 +129,24 @@ def require_shrunk(warm: PerformanceFigure, cold: PerformanceFigure, shrunk_um: 
         assert warm_um == pytest.approx(cold_um - shrunk_um, abs=0.01)
 
 
+def test_figures_of_an_artefact_that_was_left_out_are_not_stated(tmp_path: Path) -> None:
+    groups = contact_groups(0.02)
+    for without, prefix, by, word in (
+        ("sphere", "d", BY_SPHERE, "effective diameter"),
+        ("length", "b", BY_BAR, "volumetric lengths"),
+    ):
+        folder = write_test(
+            tmp_path / without, "contact", [one for one in groups if one[0][0] != prefix], LIMITS
+        )
+        result = evaluated(folder, without=without)
+        assert not set(by) & set(figures(result))
+        assert all(one.decision == "pass" for one in result.figures)
+        notes = " ".join(map(str, result.notes))
+        assert f"{word} was left out" in notes or f"{word} were left out" in notes
+        # a limit was meant to be judged
+        assert notes.count("has a limit for") == len(by)
+
+
 def test_diameter_and_lengths_are_brought_to_20_degrees(folder: Path) -> None:
     cold = evaluated(folder, sphere=STEEL, bar=STEEL)
     assert "temperature was not stated" in str(cold.notes[-1])
