@@ -267,8 +267,11 @@ bar-not-placed = der Kugelstab wurde in { $count } von { $needed } Lagen gemesse
 bar-position-arm-json-ends-lie = Kugelstab { $name }, Lage { $position }: Nach arm.json liegen seine Enden { $measured } auseinander, angegeben sind { $length }
 bar-position-has-ends = { $path }: Kugelstab { $bar }, Lage { $position } hat die Enden { $ends }
 bar-without-sphere-diameter = die Datei des Kugelstabs nennt keinen Durchmesser seiner Kugeln: sphere_diameter_mm eintragen
-bars-by-number =
-    { $title }, in µm, nach Nummer.{ $limited ->
+performance-bars-caption =
+    { CAPITAL($title) }, in µm, { $of ->
+        [seat] nach Pfanne: 1 nahe der Schulter, 2 in der Mitte, 3 fern
+       *[placement] nach Lage des Kugelstabs
+    }.{ $limited ->
         [yes] { " " }Gestrichelt: die größte zulässige Abweichung.
        *[no] { "" }
     }

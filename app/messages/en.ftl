@@ -267,8 +267,11 @@ bar-not-placed = the bar was measured in { $count } of { $needed } placements
 bar-position-arm-json-ends-lie = bar { $name }, position { $position }: according to arm.json its ends are { $measured } apart, but its stated length is { $length }
 bar-position-has-ends = { $path }: bar { $bar }, position { $position } has the ends { $ends }
 bar-without-sphere-diameter = the file of the ball bar states no diameter of its spheres: enter sphere_diameter_mm
-bars-by-number =
-    { $title }, in µm, by number.{ $limited ->
+performance-bars-caption =
+    { CAPITAL($title) }, in µm, { $of ->
+        [seat] by seat: 1 near the shoulder, 2 in the middle, 3 far
+       *[placement] by placement of the bar
+    }.{ $limited ->
         [yes] { " " }Dashed: the maximum permissible error.
        *[no] { "" }
     }

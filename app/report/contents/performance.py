@@ -2,6 +2,7 @@
 
 from pathlib import Path
 
+from app.errors import sentence
 from app.formats.performance.plan import RESULT
 from app.formats.performance.results import PerformanceFile, read_performance
 from app.messages.message import Text, message
@@ -71,7 +72,9 @@ def performance_report(folder: Path) -> Report[Text]:
 
 def _findings(document: PerformanceFile) -> list[ReportFinding[Text]]:
     """Each figure's decision in a sentence, what is missing, and what else should be known."""
-    figures = [ReportFinding(QUALITIES[one.decision], one.reason, "") for one in document.figures]
+    figures = [
+        ReportFinding(QUALITIES[one.decision], sentence(one.reason), "") for one in document.figures
+    ]
     offset = document.offset
     if offset is not None and offset.text:
         quality: Quality = "attention" if offset.significant else "neutral"

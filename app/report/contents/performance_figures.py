@@ -93,7 +93,7 @@ def lengths_figure(lengths: Sequence[LengthPoint]) -> tuple[Figure[Text], Text]:
 
 
 def bar_pictures(document: PerformanceFile) -> list[tuple[Figure[Text], Text]]:
-    """The seats and placements of the contact test, and the values by position elsewhere."""
+    """The seats and placements of the contact test."""
     return [
         bars_figure(one)
         for one in document.figures
@@ -136,4 +136,5 @@ def bars_figure(one: PerformanceFigure) -> tuple[Figure[Text], Text]:
             figure.items.append(Polyline(((left, y), (left + width, y)), RED, 1, dash=(4, 3)))
             figure.label((left - 4, y + 2.5), quantity(edge), 7, RED, "end")
     limited = "no" if one.limit is None else "yes"
-    return figure, message("bars-by-number", title=one.title, limited=limited)
+    of = "placement" if one.quantity == "volumetric-largest" else "seat"
+    return figure, message("performance-bars-caption", title=one.title, of=of, limited=limited)
