@@ -70,15 +70,23 @@ class CsvTable:
 
 
 def read_table(path: Path, required: Iterable[str]) -> CsvTable:
-    """Reads a CSV file whose first line names its columns, in any order.
+    """Reads a CSV file; raises ``OperationError`` as ``parse_table``, or if it is unreadable."""
+    return parse_table(read_text(path), path, required)
+
+
+def parse_table(text: str, path: Path, required: Iterable[str]) -> CsvTable:
+    """Reads the text of a CSV file whose first line names its columns, in any order.
 
     A byte-order mark, blank lines and either line ending are accepted; unknown columns are ignored.
 
+    Args:
+        path: named in errors.
+
     Raises:
-        OperationError: unreadable, a required column missing or named twice, a row of
-            another length than the header.
+        OperationError: a required column missing or named twice, a row of another length than
+            the header, columns that are not separated by commas.
     """
-    lines = csv.reader(io.StringIO(read_text(path), newline=""), strict=True)
+    lines = csv.reader(io.StringIO(text.removeprefix("\ufeff"), newline=""), strict=True)
     columns: tuple[str, ...] = ()
     rows: list[TableRow] = []
     try:
@@ -113,7 +121,7 @@ def table_text(columns: Sequence[str], rows: Iterable[Sequence[str | float | int
 
 def _check_columns(path: Path, columns: tuple[str, ...], required: Iterable[str]) -> None:
     missing = [name for name in required if name not in columns]
-    if missing and any(";" in name or "\t" in name for name in columns):
+    if (missing or len(columns) == 1) and any(";" in name or "\t" in name for name in columns):
         raise OperationError(
             "table-separator",
             display_path(path),

@@ -218,7 +218,10 @@ def test_coordinates_of_a_tracker_identify_the_arm(
     refused = command(server, "take_coordinates", text="x_mm,y_mm\n1,2\n")
     assert refused.status_code == 422
     assert "z_mm" in refused.json()["detail"]
-    assert "coordinates.csv" in refused.json()["detail"]
+    assert refused.json()["detail"].startswith("coordinates.csv: ")
+    with_semicolons = "x_mm;y_mm;z_mm;q1_deg\n1;2;3;4\n"
+    refused = command(server, "take_coordinates", text=with_semicolons, file_name="tracker 1.csv")
+    assert refused.json()["detail"].startswith("tracker 1.csv: its columns are not separated")
     assert view_of(server)["coordinates"] == 0
     assert command(server, "drop_coordinates").status_code == 422
     rng = np.random.default_rng(1)

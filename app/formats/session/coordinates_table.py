@@ -13,8 +13,9 @@ from pathlib import Path
 import numpy as np
 
 from app.errors import OperationError
-from app.formats.csv_table import CsvTable, TableRow, read_table
+from app.formats.csv_table import CsvTable, TableRow, parse_table
 from app.formats.file_names import display_path
+from app.formats.json_document import read_text
 from app.formats.session.pose_columns import JointAngles, unit_quaternion
 from app.messages.message import Text, message
 from app.metrology.arm.identification.observations import TIP, Coordinates
@@ -35,12 +36,21 @@ LARGEST_SD_MM, LARGEST_SD_DEG = 10.0, 5.0
 
 
 def read_coordinates(path: Path, arm: Arm) -> tuple[Coordinates, ...]:
-    """Reads ``coordinates.csv``, with one element for each marker in each frame.
+    """Reads ``coordinates.csv``; raises ``OperationError`` as ``parse_coordinates``, or if the file
+    is unreadable."""
+    return parse_coordinates(read_text(path), path, arm)
+
+
+def parse_coordinates(text: str, path: Path, arm: Arm) -> tuple[Coordinates, ...]:
+    """Reads the text of a ``coordinates.csv``, with one element for each marker in each frame.
+
+    Args:
+        path: named in errors.
 
     Raises:
         OperationError: naming file, line, value and remedy.
     """
-    table = read_table(path, ())
+    table = parse_table(text, path, ())
     columns = _CoordinateColumns(table)
     angles = JointAngles(table, arm)
     by_label: dict[tuple[str, str], list[TableRow]] = {}

@@ -1,5 +1,6 @@
 """The operator's commands in an arm session; each leaves a row in the journal."""
 
+from app.formats.session.coordinates_table import COORDINATES
 from app.guide.arm import tasks
 from app.guide.arm.evaluate import finish_seat
 from app.guide.arm.guide import ArmGuide
@@ -47,7 +48,9 @@ ACTS: dict[str, Act[ArmGuide]] = {
     "finish": lambda guide, args, key: finish_seat(guide, key),
     "drop_swing": _drop,
     "drop_seat": _drop,
-    "take_coordinates": lambda guide, args, key: guide.take_coordinates(str(args["text"]), key),
+    "take_coordinates": lambda guide, args, key: guide.take_coordinates(
+        str(args["text"]), str(args.get("file_name", COORDINATES)), key
+    ),
     "drop_coordinates": lambda guide, args, key: guide.drop_coordinates(key),
     "fit": _fit,
     "save": lambda guide, args, key: tasks.save(guide, key),

@@ -10,7 +10,7 @@ from app.formats.datasheets.arm import read_arm
 from app.formats.io_errors import convert_io_errors
 from app.formats.open_file import read_bounded
 from app.formats.session.arm_session import ARM, write_observations
-from app.formats.session.coordinates_table import COORDINATES, read_coordinates
+from app.formats.session.coordinates_table import COORDINATES, parse_coordinates
 from app.guide.arm.flow import build_view
 from app.guide.arm.history import KIND, ArmHistory, ArmJournal
 from app.guide.arm.observations import HOLD_NS, collect_observations, sample_points
@@ -245,30 +245,24 @@ class ArmGuide(GuidedSession[ArmState, ArmLive, ArmView]):
 
     # -- coordinates -----------------------------------------------------------
 
-    def take_coordinates(self, text: str, key: str | None) -> None:
+    def take_coordinates(self, text: str, name: str, key: str | None) -> None:
         """Takes the text of a ``coordinates.csv`` for those of the session, in place of earlier
         ones.
+
+        Args:
+            name: of the file that the operator chose.
 
         Raises:
             OperationError: the table is not in order; earlier coordinates then stay.
         """
         arm = self.arm()
         assert arm is not None
+        found = parse_coordinates(text, Path(name), arm)
         if not self.state.has_points:
             self._keep_arm()
         path = self.folder / COORDINATES
         with convert_io_errors(path):
-            before = read_bounded(path) if self.state.coordinates else None
             write_atomically(path, text.encode())
-        try:
-            found = read_coordinates(path, arm)
-        except OperationError:
-            with convert_io_errors(path):
-                if before is None:
-                    path.unlink()
-                else:
-                    write_atomically(path, before)
-            raise
         points = sum(len(one.q_rad) for one in found)
         self.append("coordinates_taken", {"points": points}, key)
 

@@ -7,12 +7,14 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from app.formats.session.coordinates_table import COORDINATES
 from app.guide.arm.state import Angles, ArmLive, ArmState, Kind
 from app.guide.common.arguments import (
     Args,
     Arguments,
     IdArguments,
     OperatorArguments,
+    ShortText,
 )
 from app.guide.common.rules import Command, CommandRules, no_simulation_reason
 from app.messages.message import Text, message, quantity, rounded
@@ -177,6 +179,7 @@ class _Limit(Arguments):
 class _Coordinates(Arguments):
     text: str
     """Of the file."""
+    file_name: ShortText = COORDINATES
 
 
 class _Artefact(Arguments):

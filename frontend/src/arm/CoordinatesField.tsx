@@ -5,6 +5,8 @@ import styles from "../parts/Field.module.css";
 import { PressButton } from "../parts/PressButton";
 import { t } from "../state/language";
 
+const LONGEST_NAME = 80;
+
 /** Takes a file of what a tracker or measuring machine measured into the identification. */
 export function CoordinatesField({ points, disabled }: { points: number; disabled: boolean }) {
   const chooser = useRef<HTMLInputElement>(null);
@@ -12,7 +14,8 @@ export function CoordinatesField({ points, disabled }: { points: number; disable
     const field = event.currentTarget;
     const file = field.files?.[0];
     if (!file) return;
-    await sendCommand("arm", "take_coordinates", { text: await file.text() });
+    const file_name = file.name.slice(-LONGEST_NAME);
+    await sendCommand("arm", "take_coordinates", { text: await file.text(), file_name });
     // the same file can be chosen once more after it was corrected
     field.value = "";
   };
