@@ -30,8 +30,13 @@ interface Line extends ArticulationLine {
 export function ArticulationList({ label, done = "ui-done", lines, onRepeat }: ArticulationListProps) {
   return (
     <ol className={styles.list} aria-label={label}>
-      {lines.map(({ number, title, state, text, repeatable = state === "done" }) => (
-        <li key={`${number} ${title}`} className={styles.row} data-state={state}>
+      {lines.map(({ number, title, state, text, repeatable = state === "done" }, i) => (
+        <li
+          key={`${number} ${title}`}
+          className={styles.row}
+          data-state={state}
+          data-before={i === 0 && lines.some((one) => one.number < number)}
+        >
           <span className={styles.number}>{number}</span>
           <div className={styles.what}>
             <p className={styles.name}>
