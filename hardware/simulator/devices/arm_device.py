@@ -172,6 +172,7 @@ class ArmDevice(ThreadedDevice):
         for i, row in enumerate(rows):
             self._apply_encoder_faults(row, first + i)
         poses = self._poses(np.array(rows) / per_rad)
+        chances = self._rng.random((len(moments), 4)).tolist()
         for i, (stamp, pulse) in enumerate(moments):
             sequence = first + i
             device_us = int((stamp - self._born_ns) * (1 + self._encoders.drift) / 1000)
@@ -180,7 +181,7 @@ class ArmDevice(ThreadedDevice):
                 kind, payload = SAMPLE, sample_payload(sequence, device_us, buttons, rows[i])
             else:
                 kind, payload = POSE, pose_payload(sequence, device_us, buttons, SETTING, poses[i])
-            self._dispatch(reading_packet(kind, payload, pulse), stamp)
+            self._dispatch(reading_packet(kind, payload, pulse), stamp, chances[i])
 
     def _poses(self, q_rad: Floats) -> list[list[float]] | None:
         """Positions and quaternions, as the arm's controller computes them."""
@@ -204,9 +205,13 @@ class ArmDevice(ThreadedDevice):
             per_rad = self._encoders.counts_per_revolution / (2 * np.pi)
             counts[faults.odd_joint] += round(faults.odd_rad * per_rad)
 
-    def _dispatch(self, made: bytes, stamp_ns: int) -> None:
-        """Lets a sample go, or what the faults leave of it."""
-        faults, chance = self._faults, self._rng.random(4)
+    def _dispatch(self, made: bytes, stamp_ns: int, chance: list[float]) -> None:
+        """Lets a sample go, or what the faults leave of it.
+
+        Args:
+            chance: four numbers from 0 to 1, one for each kind of fault.
+        """
+        faults = self._faults
         if self._skip > 0:
             self._skip -= 1
             return
