@@ -153,6 +153,19 @@ ALTER TABLE account ADD COLUMN provider TEXT NOT NULL DEFAULT '';
 ALTER TABLE account ADD COLUMN subject TEXT NOT NULL DEFAULT '';
 CREATE UNIQUE INDEX one_account_of_a_subject ON account (provider, subject) WHERE provider <> '';
 """
+TESTS_BY_TOUCH = """
+CREATE TABLE performance_by_touch (
+    id TEXT PRIMARY KEY REFERENCES session (id),
+    calibration_id TEXT REFERENCES calibration (id),
+    folder TEXT NOT NULL,
+    ended_at TEXT NOT NULL,
+    figures TEXT NOT NULL
+) STRICT;
+INSERT INTO performance_by_touch SELECT * FROM performance ORDER BY rowid;
+DROP TABLE performance;
+ALTER TABLE performance_by_touch RENAME TO performance;
+"""
+"""Tests by touch need no calibration."""
 SCHEMAS = (
     FIRST,
     ACCESS,
@@ -165,6 +178,7 @@ SCHEMAS = (
     SENSORS,
     PERFORMANCES,
     PROVIDERS,
+    TESTS_BY_TOUCH,
 )
 """The additions of each version of the database."""
 SCHEMA_VERSION = len(SCHEMAS)

@@ -80,7 +80,7 @@ class SessionRecordStore(Generic[Record]):
                 folder = self._folder / row["folder"]
                 found.append(
                     self._build(
-                        row["id"], row["calibration_id"], folder, row[self.ENDED_AT], figures
+                        row["id"], row["calibration_id"] or "", folder, row[self.ENDED_AT], figures
                     )
                 )
         return found
@@ -108,7 +108,7 @@ class SessionRecordStore(Generic[Record]):
             stored = folder.relative_to(self._folder).as_posix()
             connection.execute(
                 f"INSERT INTO {self.TABLE} ({self._columns}) VALUES (?, ?, ?, ?, ?)",
-                (session_id, calibration_id, stored, row.at, _encode(figures)),
+                (session_id, calibration_id or None, stored, row.at, _encode(figures)),
             )
             close_session(connection, session_id)
         return row
@@ -201,6 +201,7 @@ class PerformanceRecord:
 
     id: str
     calibration_id: str
+    """Empty for a test by touch that was done without one."""
     folder: Path
     ended_at: str
     figures: PerformanceSummaryFigures

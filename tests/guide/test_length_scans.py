@@ -162,7 +162,7 @@ def test_the_plan_says_whether_it_is_scanned() -> None:
     assert plan.by_scan
     assert {one.quantity for one in plan.limits} == {"length-touch", "length-scan"}
     gauge = BAR.model_copy(update={"kind": "step-gauge", "sphere_diameter_mm": None})
-    assert "ball bar" in str(why_no_scans(gauge))
+    assert "ball bar" in str(why_no_scans(state, gauge))
     assert quantities_of(state, gauge) == ("length-touch",)
     plan = build_plan(state, gauge, NO_PROVENANCE, SIMPLE)
     assert not plan.by_scan

@@ -20,6 +20,7 @@ from app.guide.arm.view import ArmView
 from app.guide.common.datasheet_library import (
     DatasheetLibrary,
     FolderContent,
+    guess_arm,
     read_gauges,
     read_library,
 )
@@ -153,14 +154,8 @@ class ArmGuide(GuidedSession[ArmState, ArmLive, ArmView]):
         return Artefact("sphere", 2 * spheres[0].radius_mm, sd_mm)
 
     def _best_guess(self) -> str:
-        arms, info = self.library().arms, self.station.rig.arm.info
-        serial = info.serial_number if info else ""
-        connected = [e.id for e in arms.values() if serial and e.datasheet.serial_number == serial]
-        if len(connected) == 1:
-            return connected[0]
-        if self.state.arm in arms:
-            return self.state.arm
-        return next(iter(arms)) if len(arms) == 1 else ""
+        info = self.station.rig.arm.info
+        return guess_arm(self.library().arms, info.serial_number if info else "", self.state.arm)
 
     # -- changes -------------------------------------------------------------
 

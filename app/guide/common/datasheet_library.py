@@ -93,6 +93,18 @@ class FolderContent(Generic[Content]):
         return latest[1]
 
 
+def guess_arm(arms: Mapping[str, DatasheetEntry[AnyArm]], serial_number: str, last: str) -> str:
+    """The arm of the connected one's serial number, else the ``last`` choice, else the only one
+    there is; empty if it is not clear."""
+    numbers = {entry.id: entry.datasheet.serial_number for entry in arms.values()}
+    same = [name for name, number in numbers.items() if serial_number and number == serial_number]
+    if len(same) == 1:
+        return same[0]
+    if last in arms:
+        return last
+    return next(iter(arms)) if len(arms) == 1 else ""
+
+
 def read_library(data_folder: Path) -> DatasheetLibrary:
     """Reads ``arms/*.json``, ``objects/*.json`` and ``sensors/*.json``."""
     findings: list[Finding] = []

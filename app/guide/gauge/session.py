@@ -132,9 +132,7 @@ class GaugeSession(GuidedSession[State, Live, View], Generic[State, Live, View, 
         Raises:
             OperationError: a file cannot be read or written.
         """
-        active = self.active()
-        assert active is not None
-        sources = [(active.file.parent / ARM, ARM), (active.file, CALIBRATION)]
+        sources = self.sources()
         with convert_io_errors(self.folder):
             ensure_folder(self.folder)
             for name, entry in self.gauge_entries().items():
@@ -145,6 +143,16 @@ class GaugeSession(GuidedSession[State, Live, View], Generic[State, Live, View, 
             for source, name in sources:
                 write_atomically(self.folder / name, read_bounded(source))
         self._session_copies = ("", None, None)
+
+    def sources(self) -> list[tuple[Path, str]]:
+        """The files of arm and calibration, with the names of their copies.
+
+        Raises:
+            OperationError: there is none.
+        """
+        active = self.active()
+        assert active is not None
+        return [(active.file.parent / ARM, ARM), (active.file, CALIBRATION)]
 
     def gauge_entries(self) -> Mapping[str, DatasheetEntry[Gauge]]:
         """The gauges that the session is done on, by the names of their copies."""
@@ -192,9 +200,12 @@ class GaugeSession(GuidedSession[State, Live, View], Generic[State, Live, View, 
                 message("no-calibration-use-yet"),
                 message("calibrate-first"),
             )
+        return {"calibration_id": active.id, "gauge": self.first_gauge(known)}
+
+    def first_gauge(self, known: Iterable[str]) -> str:
+        """Of the ``known`` gauges that of the last session, or the first one."""
         ids = list(known)
-        gauge = self.state.gauge if self.state.gauge in ids else next(iter(ids), "")
-        return {"calibration_id": active.id, "gauge": gauge}
+        return self.state.gauge if self.state.gauge in ids else next(iter(ids), "")
 
     # -- touches -------------------------------------------------------------
 

@@ -76,7 +76,7 @@ def build_view(state: PerformanceState, live: PerformanceLive) -> PerformanceVie
         bar=state.bar,
         positions=state.positions,
         by_scan=measures_by_scan(state, live.artefact),
-        why_no_scans=sentence(why_no_scans(live.artefact)),
+        why_no_scans=sentence(why_no_scans(state, live.artefact)),
         position=state.position,
         frozen=state.frozen,
         steps=list_steps({step: TITLES[step] for step in state.steps}, state.step, state.reached),

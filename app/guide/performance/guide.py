@@ -291,11 +291,11 @@ class PerformanceGuide(ArtefactSession[PerformanceLive, PerformanceView]):
         usable = self.usable_of(gauges_of_test(self.all_gauges(), test), test)
         bars = self.usable_of(bars_of(self.all_gauges()), test) if test == "contact" else [""]
         payload = {
-            **self.first_payload(message("performance-nothing-to-test"), usable),
+            **self.first_choices(test, usable),
             "test": test,
             "bar": self.state.bar if self.state.bar in bars else next(iter(bars), ""),
             "positions": self.state.positions,
-            "by_scan": self.state.by_scan,
+            "by_scan": self.state.by_scan and self.active() is not None,
             "limits": {
                 one.quantity: {"a_um": one.a_um, "k": one.k, "b_um": one.b_um}
                 for one in read_station_limits(self.data_folder)

@@ -62,11 +62,13 @@ def quantities_of(state: PerformanceState, artefact: AnyGauge | None) -> tuple[Q
 
 def measures_by_scan(state: PerformanceState, artefact: AnyGauge | None) -> bool:
     """Whether lengths are measured by scan, too: as it was chosen, of a standard with spheres."""
-    return state.by_scan and not why_no_scans(artefact)
+    return state.by_scan and not why_no_scans(state, artefact)
 
 
-def why_no_scans(artefact: AnyGauge | None) -> Text:
+def why_no_scans(state: PerformanceState, artefact: AnyGauge | None) -> Text:
     """Why the lengths of a standard cannot be scanned; empty if they can."""
+    if not state.calibration_id:
+        return message("there-no-calibration-use-yet")
     if isinstance(artefact, LengthStandardFile) and artefact.sphere_diameter_mm is None:
         return message("only-ball-bars-are-scanned")
     return ""

@@ -24,6 +24,7 @@ from app.guide.performance.length.scan_rules import BAR_SCANS_MOST, bar_pass_rea
 from app.guide.performance.live import PerformanceLive
 from app.guide.performance.plan import why_no_scans
 from app.guide.performance.state import (
+    BY_TOUCH,
     CONTACT_STEPS,
     SCANNING,
     STEPS,
@@ -107,10 +108,11 @@ def count_wanted(state: PerformanceState) -> int:
 
 def change_reason(state: PerformanceState, live: PerformanceLive) -> Text:
     """Said where what was fixed at the first touch is no longer so."""
-    if not live.active_id:
-        return message("there-no-calibration-use-calibrate-first")
-    if live.active_id != state.calibration_id:
-        return message("performance-other-calibration")
+    if state.calibration_id or state.test not in BY_TOUCH:
+        if not live.active_id:
+            return message("there-no-calibration-use-calibrate-first")
+        if live.active_id != state.calibration_id:
+            return message("performance-other-calibration")
     if live.plan_changed:
         return message("performance-plan-changed")
     wanted = bool(state.gauge) + bool(state.bar)
@@ -156,7 +158,7 @@ def _set_limit(state: PerformanceState, live: PerformanceLive, args: Args) -> Te
 def _set_by_scan(state: PerformanceState, live: PerformanceLive, args: Args) -> Text:
     if state.test != "lengths":
         return message("performance-only-lengths-have-choice")
-    why_not = why_no_scans(live.artefact) if args.get("by_scan") else ""
+    why_not = why_no_scans(state, live.artefact) if args.get("by_scan") else ""
     return _frozen(state, live, args) or sentence(why_not)
 
 

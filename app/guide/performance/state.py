@@ -42,6 +42,8 @@ TEST_STEPS: Mapping[Kind, tuple[str, ...]] = {
     "plane": ("artefact", "plate", "temperatures", "review"),
     "contact": ("artefact", *CONTACT_STEPS, "temperatures", "review"),
 }
+BY_TOUCH: tuple[Kind, ...] = ("lengths", "contact")
+"""Tests that can be done without a calibrated sensor."""
 TOUCHING = ("pattern", "location", "end", "lengths", *CONTACT_STEPS)
 """Steps in which places are touched."""
 SCANNING = ("scan", "plate")
@@ -57,6 +59,9 @@ class PerformanceState:
     test: Kind = "sphere"
     started_at: str = ""
     calibration_id: str = ""
+    """Empty if a test by touch is done without one."""
+    arm: str = ""
+    """Without a calibration: of the data folder's arms, by the name of its file."""
     step: str = "artefact"
     reached: str = "artefact"
     gauge: str = ""
@@ -251,6 +256,7 @@ def _start(state: PerformanceState, payload: Payload) -> PerformanceState:
         state,
         test=payload.get("test", "sphere"),
         calibration_id=payload["calibration_id"],
+        arm=payload.get("arm", ""),
         gauge=payload["gauge"],
         bar=payload.get("bar", ""),
         positions=payload["positions"],

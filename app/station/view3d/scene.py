@@ -13,7 +13,6 @@ import numpy as np
 import rich
 
 from app.formats.clouds.points import Points
-from app.messages.message import message
 from app.metrology.arm.kinematics import AnyArm, Arm, flange_poses, link_transforms
 from app.metrology.sensor.camera import Camera
 from app.metrology.sensor.laser_plane import LaserPlane
@@ -43,6 +42,8 @@ WAITING_POINTS = 250_000
 CLOUD_GROWTH = 1.4
 SMALLEST_LOOK_MM = 70.0
 AXIS_M = 0.2
+GRID_LABEL = "□ 100 mm"
+"""Size of the grid's squares, without words: viewers of different languages share the scene."""
 
 
 class Scene:
@@ -263,7 +264,7 @@ class Scene:
             server.scene.add_label(f"/axes/{axis}", axis, position=end, anchor="center-center")
         server.scene.add_label(
             "/table/cell",
-            str(message("squares-100-mm")),
+            GRID_LABEL,
             position=(0.0, -0.2, 0.0),
             anchor="center-center",
         )

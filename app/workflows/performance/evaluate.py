@@ -102,7 +102,9 @@ def evaluate_performance(folder: Path, ended_at: str = "") -> PerformanceFile:
     figures = tuple(
         judge_figure(plan, one, why or unknown.get(one.quantity, "")) for one in measured
     )
-    serials = SerialNumbers() if data.calibration is None else data.calibration.serial_numbers
+    serials = SerialNumbers(arm=data.arm.serial_number)
+    if data.calibration is not None:
+        serials = data.calibration.serial_numbers
     status = "" if plan.standards_at_hand else message("performance-status")
     return PerformanceFile(
         id=plan.id,

@@ -145,7 +145,7 @@ function Before() {
         <StartCard
           title={t(title)}
           text={t(needs)}
-          calibrated={calibrated}
+          calibrated={calibrated || !KINDS[test].scans}
           start={t("ui-start-the-test")}
           onStart={() => startPerformance(test)}
         >

@@ -10,6 +10,7 @@ interface Props {
   title: string;
   /** What is needed. */
   text: string;
+  /** Whether a calibration is in use, or none is needed. */
   calibrated: boolean;
   start: string;
   onStart: () => Promise<void>;
@@ -17,12 +18,12 @@ interface Props {
   children?: ReactNode;
 }
 
-/** Begins a session that needs a calibration in use; without one, leads there. */
+/** Begins a session that may need a calibration in use; without one, leads there. */
 export function StartCard({ title, text, calibrated, start, onStart, children }: Props) {
   return (
     <>
       <CardHead title={title} text={calibrated ? text : t("ui-no-calibration-use-yet-calibrate-first")} />
-      {calibrated && children}
+      {children}
       <MainAct>
         {calibrated ? (
           <PressButton kind="primary" onPress={onStart}>

@@ -1,6 +1,6 @@
 """The artefacts of a performance test: those that can be chosen, and what speaks against one."""
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import Generic
 
@@ -9,12 +9,15 @@ from app.formats.datasheets.gauge import GaugeFile
 from app.formats.datasheets.length_standard import LengthStandardFile, read_length_standard
 from app.formats.performance.plan import Kind
 from app.formats.results.verification import GAUGE
+from app.formats.session.calibration_session import ARM
 from app.guide.common.datasheet_library import (
     AnyGauge,
     DatasheetEntry,
     Gauges,
+    guess_arm,
     read_any_gauge,
     read_any_gauges,
+    read_library,
 )
 from app.guide.common.flow import Flow, View
 from app.guide.common.guided_session import Provenance
@@ -30,8 +33,8 @@ from app.guide.performance.artefacts.gauges import (
     read_calibrated_with,
 )
 from app.guide.performance.plan import choose_lengths
-from app.guide.performance.state import PerformanceState
-from app.messages.message import Text
+from app.guide.performance.state import BY_TOUCH, PerformanceState
+from app.messages.message import Text, message
 from app.metrology.arm.kinematics import AnyArm
 from app.metrology.decision import DecisionRule
 from app.timestamps import utc_now
@@ -63,6 +66,37 @@ class ArtefactSession(GaugeSession[PerformanceState, Live, View, AnyGauge], Gene
         )
         self._calibrated_with: tuple[str, CalibratedWith | OperationError | None] = ("", None)
         self._bar: tuple[str, LengthStandardFile | None] = ("", None)
+
+    def first_choices(self, test: Kind, usable: Iterable[str]) -> Mapping[str, object]:
+        """Calibration and artefact; of a test by touch without a calibration, arm and artefact."""
+        if test not in BY_TOUCH or self.active() is not None:
+            return self.first_payload(message("performance-nothing-to-test"), usable)
+        info = self.station.rig.arm.info
+        guess = guess_arm(self._arms_with_tip(), info.serial_number if info else "", self.state.arm)
+        if not guess:
+            raise self._no_arm_error()
+        return {"calibration_id": "", "gauge": self.first_gauge(usable), "arm": guess}
+
+    def _arms_with_tip(self) -> Mapping[str, DatasheetEntry[AnyArm]]:
+        arms = read_library(self.data_folder).arms
+        return {name: entry for name, entry in arms.items() if entry.datasheet.tip is not None}
+
+    def _no_arm_error(self) -> OperationError:
+        return OperationError(
+            "no-arm",
+            message("performance-nothing-to-test"),
+            message("performance-no-arm"),
+            message("performance-put-arm-json"),
+        )
+
+    def sources(self) -> list[tuple[Path, str]]:
+        """Of a test without a calibration, the arm's alone."""
+        if self.state.calibration_id:
+            return super().sources()
+        entry = self._arms_with_tip().get(self.state.arm)
+        if entry is None:
+            raise self._no_arm_error()
+        return [(entry.path, ARM)]
 
     def gauges(self) -> Gauges[AnyGauge]:
         """The data folder's spheres, plates or length standards, by the kind of the test."""

@@ -1,0 +1,81 @@
+"""Performance tests by touch at a station whose sensor was never calibrated."""
+
+from collections.abc import Iterator
+from dataclasses import replace
+
+import pytest
+
+from app.bench.faults.served import SMALL
+from app.formats.performance.plan import read_plan
+from app.workflows.performance.evaluate import evaluate_performance
+from tests.api.conftest import Server, running_server
+from tests.api.test_performance_flow import Desk, refusal
+from tests.sent_texts import english
+
+pytestmark = pytest.mark.slow
+
+
+@pytest.fixture(scope="module")
+def desk(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Desk]:
+    with running_server(tmp_path_factory.mktemp("touch"), replace(SMALL, pace=4.0)) as server:
+        yield Desk(server)
+    assert not server.sent.untranslated()
+
+
+def start(server: Server, test: str) -> str:
+    """What is said if a test cannot begin."""
+    answer = server.http.post("/api/performance/start", json={"test": test})
+    return "" if answer.status_code == 200 else str(answer.json()["detail"])
+
+
+def test_the_contact_test_needs_no_calibration(desk: Desk) -> None:
+    server = desk.server
+    assert "calibration" in start(server, "sphere")
+    assert "calibration" in start(server, "plane")
+    assert not start(server, "contact")
+    desk.do("choose_bar", id="")
+    desk.do("confirm_artefact")
+    session = desk.view()["session_id"]
+    folder = server.data / "performance" / session
+    arm = (server.data / "arms" / "simulated.json").read_bytes()
+    assert (folder / "arm.json").read_bytes() == arm
+    assert not (folder / "calibration.json").exists()
+    desk.do("run_simulation", all=True)
+    desk.wait(lambda view: view["step"] == "seats" and view["progress"]["done"] > 0, 120.0)
+    server.http.post("/api/stop").raise_for_status()
+    desk.wait(lambda view: view["busy"] is None)
+    found = evaluate_performance(folder)
+    assert found.serial_numbers.arm == "TWIN-A1"
+    values = {one.quantity: one.value for one in found.figures}
+    assert values.keys() == {"effective-diameter", "articulation-largest", "articulation-two-s"}
+    assert values["effective-diameter"] is not None
+    desk.do("abandon", reason="other")
+    (listed,) = desk.list()
+    assert (listed["id"], listed["result"]) == (session, "cancelled")
+
+
+def test_lengths_are_touched_without_a_calibration_and_not_scanned(desk: Desk) -> None:
+    server = desk.server
+    assert not start(server, "lengths")
+    desk.do("choose_gauge", id="ball-bar")
+    view = desk.view()
+    assert "calibration" in english(view["why_no_scans"])
+    assert "calibration" in refusal(desk.command("set_by_scan", by_scan=True))
+    desk.do("confirm_artefact")
+    folder = server.data / "performance" / view["session_id"]
+    desk.do("run_simulation")
+    desk.wait(lambda view: view["progress"]["done"] > 0)
+    assert not read_plan(folder).by_scan
+    server.http.post("/api/stop").raise_for_status()
+    desk.wait(lambda view: view["busy"] is None)
+    desk.do("abandon", reason="other")
+
+
+def test_an_arm_that_is_not_known_is_named(desk: Desk) -> None:
+    arms = desk.server.data / "arms"
+    (arms / "simulated.json").rename(arms / "kept")
+    try:
+        desk.wait(lambda view: view["busy"] is None)
+        assert "arms" in start(desk.server, "contact")
+    finally:
+        (arms / "kept").rename(arms / "simulated.json")
