@@ -1648,8 +1648,26 @@ performance-place =
         [6] 45° geneigt, vom Arm weg, rechts
        *[other] Raumdiagonale
     }
-performance-place-bar = Den Stab wie in Lage { $number } gezeichnet aufstellen und festklemmen.
+performance-place-bar = Den Stab wie in Lage { $number } gezeichnet aufstellen ({ $words }) und festklemmen.
 performance-place-title = Lage { $number } von 7
+performance-placement =
+    { $lies ->
+        [away] waagerecht, vom Arm weg
+        [across] waagerecht, quer
+        [up] senkrecht
+        [rising-away] vom Arm weg ansteigend
+        [rising-left] nach links ansteigend
+        [rising-away-left] vom Arm weg nach links ansteigend
+       *[rising-away-right] vom Arm weg nach rechts ansteigend
+    }, { $at ->
+        [near] nah
+        [far] fern
+       *[middle] in mittlerer Entfernung
+    }, { $side ->
+        [left] { $bearing }° links
+        [right] { $bearing }° rechts
+       *[ahead] geradeaus
+    }
 performance-plan-changed = Der Plan dieser Prüfung wurde geändert, nachdem die Messung begonnen hatte.
 performance-plan-is-frozen = Prüfkörper und Grenzwerte stehen seit Beginn der Messung fest.
 performance-plate-form = Form { $form }

@@ -1644,8 +1644,26 @@ performance-place =
         [6] inclined by 45°, away from the arm, on the right
        *[other] diagonal through the volume
     }
-performance-place-bar = Set the bar up as placement { $number } is drawn, and clamp it.
+performance-place-bar = Set the bar up as placement { $number } is drawn ({ $words }), and clamp it.
 performance-place-title = Place { $number } of 7
+performance-placement =
+    { $lies ->
+        [away] horizontal, away from the arm
+        [across] horizontal, across
+        [up] vertical
+        [rising-away] rising away from the arm
+        [rising-left] rising to the left
+        [rising-away-left] rising away from the arm to the left
+       *[rising-away-right] rising away from the arm to the right
+    }, { $at ->
+        [near] near
+        [far] far
+       *[middle] in the middle
+    }, { $side ->
+        [left] { $bearing }° to the left
+        [right] { $bearing }° to the right
+       *[ahead] straight ahead
+    }
 performance-plan-changed = The plan of this test was changed after its first touch or scan.
 performance-plan-is-frozen = Artefact and limits are fixed since the first touch or scan.
 performance-plate-form = form { $form }

@@ -314,7 +314,7 @@ def test_the_contact_tests_from_start_to_figures(
     visit.wait_until(
         "placements",
         "/api/performance",
-        lambda view: view["picture"]["contact"]["lines"][1]["text"],
+        lambda view: view["picture"]["contact"]["lines"][0]["state"] == "done",
     )
     look_at_both_sizes(visit, "contact-placements")
     page.get_by_role("button", name="Stop the simulated operator").click()

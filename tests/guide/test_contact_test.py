@@ -12,6 +12,7 @@ from app.formats.datasheets.gauge import GaugeFile
 from app.formats.datasheets.length_standard import LengthPart, LengthStandardFile
 from app.guide.common.guided_session import NO_PROVENANCE
 from app.guide.performance.contact.picture import contact_findings, contact_lines
+from app.guide.performance.contact.placements import placement_words
 from app.guide.performance.contact.sequence import FEATURES, TOUCHES_EACH, next_feature, touches_of
 from app.guide.performance.contact.so_far import measure_contact_so_far
 from app.guide.performance.contact.touches import check_contact, least_turn_deg
@@ -19,6 +20,8 @@ from app.guide.performance.plan import build_plan, quantities_of
 from app.guide.performance.state import PerformanceState, apply_row
 from app.metrology.arm.kinematics import Arm, RobotArm, Tip
 from app.metrology.decision import SIMPLE
+from app.metrology.performance.contact_tests import PLACEMENTS
+from app.metrology.performance.length_places import TWENTY, ArmReach, propose_places
 from app.metrology.performance.pattern import pattern_directions
 from app.metrology.transforms import Floats
 from app.workflows.performance.contact_test import contact_features
@@ -195,3 +198,17 @@ def test_seats_that_are_not_near_and_far_enough_are_named(arm: Arm) -> None:
     assert so_far.seats[0].share > 0.3
     (finding,) = contact_findings(state, so_far)
     assert "asks for at most 20 %" in str(finding.text)
+
+
+def test_every_placement_is_described_as_it_is_drawn() -> None:
+    reach = ArmReach(np.array([0.0, 0.0, 300.0]), 1200.0, known=True)
+    places_mm = propose_places(reach, 500.0, TWENTY)
+    described = [str(placement_words(number)) for number in range(1, PLACEMENTS + 1)]
+    assert len(set(described)) == PLACEMENTS
+    for words, (first, last) in zip(described, places_mm, strict=True):
+        y_mm = (first + last)[1] / 2
+        assert ("° to the left" in words) == (y_mm > 1)
+        assert ("° to the right" in words) == (y_mm < -1)
+        rise_mm = last[2] - first[2]
+        assert ("vertical" in words) == (rise_mm > 499)
+        assert ("horizontal" in words) == (abs(rise_mm) < 1)

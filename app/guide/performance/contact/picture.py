@@ -2,6 +2,7 @@
 
 from app.findings import Finding
 from app.guide.common.view import LiveNumber, StepProgress
+from app.guide.performance.contact.placements import placement_words
 from app.guide.performance.contact.sequence import FEATURES, TOUCHES_EACH, group_of, touches_of
 from app.guide.performance.contact.so_far import ContactSoFar
 from app.guide.performance.state import PerformanceState
@@ -58,6 +59,8 @@ def _line(state: PerformanceState, so_far: ContactSoFar, number: int) -> Articul
     elif progress == "now":
         each = TOUCHES_EACH[state.step] * (2 if state.step == "bar" else 1)
         text = message("touches", done=len(state.of_step) % each, of=each)
+    elif state.step == "bar":
+        text = placement_words(number)
     return ArticulationLine(number, contact_title(state.step, number), shown, text)
 
 
@@ -108,7 +111,9 @@ def contact_instruction(state: PerformanceState) -> Text:
     text = message("performance-touch-bar", end=end, touches=LEAST_BAR_TOUCHES)
     if done % (2 * LEAST_BAR_TOUCHES):
         return text
-    return join([message("performance-place-bar", number=number), text], " ")
+    return join(
+        [message("performance-place-bar", number=number, words=placement_words(number)), text], " "
+    )
 
 
 def contact_progress(state: PerformanceState) -> StepProgress:
