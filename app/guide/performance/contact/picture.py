@@ -59,8 +59,6 @@ def _line(state: PerformanceState, so_far: ContactSoFar, number: int) -> Articul
     elif progress == "now":
         each = TOUCHES_EACH[state.step] * (2 if state.step == "bar" else 1)
         text = message("touches", done=len(state.of_step) % each, of=each)
-    elif state.step == "bar":
-        text = placement_words(number)
     return ArticulationLine(number, contact_title(state.step, number), shown, text)
 
 
