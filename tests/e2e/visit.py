@@ -34,6 +34,7 @@ class Visit:
         self.screenshots = screenshots
         self.taken = 0
         self.faults: list[str] = []
+        page.set_default_timeout(1000 * PATIENCE_S)
         page.add_init_script(FEW_PICTURES)
         page.on("console", self._console)
         page.on("pageerror", lambda error: self.faults.append(str(error)))

@@ -173,6 +173,7 @@ def test_angles_are_right_to_the_bit_and_pass_through_zero(
     board.tell("reset")  # the start is the absolute position
     driver.open()
     samples_at(driver, start)
+    cut_off = driver.health.corrupt  # the reset may have ended a packet in its middle
     at = start
     for _ in range(12):  # several turns forward, in steps of less than half a turn
         at = [count + 7000 for count in at]
@@ -183,7 +184,7 @@ def test_angles_are_right_to_the_bit_and_pass_through_zero(
         board.turn(at)
         samples_at(driver, at)
     assert min(at) < -PER_TURN
-    assert driver.health.corrupt == 0
+    assert driver.health.corrupt == cut_off
 
 
 def test_every_sample_is_taken_at_the_stated_rate(line: RawLine) -> None:

@@ -114,13 +114,12 @@ def test_a_late_answer_is_not_that_of_the_next_question(arm: FakeMicroscribe) ->
     driver = make_driver(arm)
     driver.open()
     read_until(driver, select_samples)
-    arm.late_s = 0.4
-    # answers may have been on their way
-    read_until(driver, lambda _: driver.health.corrupt > 0)
-    while driver.health.corrupt < 3:
-        assert select_samples(list(driver.read(0.05))) == []
-    arm.late_s = 0.0
-    read_until(driver, lambda got: len(got) > 5)
+    arm.late_s = 0.25  # after the next question
+    read_until(driver, lambda _: driver.health.corrupt > 3)
+    arm.counts[0], arm.late_s = 1010, 0.0
+    later = select_samples(read_until(driver, lambda got: len(got) > 5))
+    turned = [sample.joints_rad[0] for sample in later]
+    assert turned == pytest.approx([2 * math.pi * 1010 / COUNTS] * len(later))
     driver.close()
 
 

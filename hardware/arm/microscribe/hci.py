@@ -44,6 +44,8 @@ class HciSession:
     def __init__(self, wire: Wire, url: str) -> None:
         self._wire, self._url = wire, url
         self._received = b""
+        self._is_behind = False
+        """An answer was late or damaged: what comes next may be the rest of it."""
 
     def sign_on(self, timeout_s: float) -> str:
         """Starts a session; returns the name of the product."""
@@ -81,19 +83,26 @@ class HciSession:
         self._await_echo(_HOME, time.monotonic() + _ANSWER_S)
 
     def read(self, timeout_s: float) -> HciReading | None:
-        """Asks for a reading; None if none arrives, or a damaged one."""
+        """Asks for a reading; None if none arrives, or a damaged one.
+
+        A late answer does not pass for the next one, however late it is: the arm answers in order,
+        so that the answer to another question comes after it.
+        """
         deadline = time.monotonic() + timeout_s
         self._received = b""
-        self._wire.send(bytes([_FIVE_ENCODERS]))
         try:
+            if self._is_behind:
+                self._wire.send(bytes([_SERIAL_NUMBER]))
+                self._await_echo(_SERIAL_NUMBER, deadline)
+            self._is_behind = True
+            self._wire.send(bytes([_FIVE_ENCODERS]))
             self._await_echo(_FIVE_ENCODERS | 0x80, deadline)
             answer = self._take(_READING_SIZE, deadline)
         except HciSilenceError:
-            self.discard()  # a late answer must not pass for the next one
             return None
         if any(byte & 0x80 for byte in answer):
-            self.discard()
             return None
+        self._is_behind = False
         pairs = answer[1:]
         counts = tuple(128 * pairs[at] + pairs[at + 1] for at in range(0, 2 * JOINTS, 2))
         return HciReading(answer[0], counts)
