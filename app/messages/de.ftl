@@ -267,14 +267,6 @@ bar-not-placed = der Kugelstab wurde in { $count } von { $needed } Lagen gemesse
 bar-position-arm-json-ends-lie = Kugelstab { $name }, Lage { $position }: Nach arm.json liegen seine Enden { $measured } auseinander, angegeben sind { $length }
 bar-position-has-ends = { $path }: Kugelstab { $bar }, Lage { $position } hat die Enden { $ends }
 bar-without-sphere-diameter = die Datei des Kugelstabs nennt keinen Durchmesser seiner Kugeln: sphere_diameter_mm eintragen
-performance-bars-caption =
-    { CAPITAL($title) }, in µm, { $of ->
-        [seat] nach Pfanne: 1 nahe der Schulter, 2 in der Mitte, 3 fern
-       *[placement] nach Lage des Kugelstabs
-    }.{ $limited ->
-        [yes] { " " }Gestrichelt: die größte zulässige Abweichung.
-       *[no] { "" }
-    }
 bars-end = Stabende { $value }
 bars-lengths-points-scatter-without-them = mit den Längen der Kugelstäbe streuen die Punkte um { $scatter }, ohne sie um { $without }
 batch-choose-quantity = Eine von { $names } wählen
@@ -2659,6 +2651,14 @@ performance-cause-tip =
     }
 performance-conditions-not-met = { $title }: { $value }; nicht entschieden, denn { $problem }.
 performance-dispersion-scan = Streuung der gescannten Kugel, 95 % aller Punkte
+performance-bars-caption =
+    { CAPITAL($title) }, in µm, { $of ->
+        [seat] nach Pfanne: 1 nahe der Schulter, 2 in der Mitte, 3 fern
+       *[placement] nach Lage des Kugelstabs
+    }.{ $limited ->
+        [yes] { " " }Gestrichelt: die größte zulässige Abweichung.
+       *[no] { "" }
+    }
 performance-effective-diameter = wirksamer Durchmesser der Meisterkugel
 performance-expansion-unknown = der Prüfkörper { $name } hatte { $celsius }, mehr als { $most } von 20 °C entfernt, und sein Kalibrierschein enthält keinen Ausdehnungskoeffizienten: expansion_per_c und dessen Standardunsicherheit expansion_sd_per_c in der Datei des Prüfkörpers eintragen (dehnt er sich nicht aus: 0 und eine Unsicherheit über 0)
 performance-fewer-lengths =

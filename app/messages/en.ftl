@@ -267,14 +267,6 @@ bar-not-placed = the bar was measured in { $count } of { $needed } placements
 bar-position-arm-json-ends-lie = bar { $name }, position { $position }: according to arm.json its ends are { $measured } apart, but its stated length is { $length }
 bar-position-has-ends = { $path }: bar { $bar }, position { $position } has the ends { $ends }
 bar-without-sphere-diameter = the file of the ball bar states no diameter of its spheres: enter sphere_diameter_mm
-performance-bars-caption =
-    { CAPITAL($title) }, in µm, { $of ->
-        [seat] by seat: 1 near the shoulder, 2 in the middle, 3 far
-       *[placement] by placement of the bar
-    }.{ $limited ->
-        [yes] { " " }Dashed: the maximum permissible error.
-       *[no] { "" }
-    }
 bars-end = end { $value } of the bar
 bars-lengths-points-scatter-without-them = with the bars' lengths the points scatter by { $scatter }, without them by { $without }
 batch-choose-quantity = Choose one of { $names }
@@ -2650,6 +2642,14 @@ performance-cause-tip =
     }
 performance-conditions-not-met = { $title }: { $value }; not decided, because { $problem }.
 performance-dispersion-scan = dispersion of the scanned sphere, 95 % of all points
+performance-bars-caption =
+    { CAPITAL($title) }, in µm, { $of ->
+        [seat] by seat: 1 near the shoulder, 2 in the middle, 3 far
+       *[placement] by placement of the bar
+    }.{ $limited ->
+        [yes] { " " }Dashed: the maximum permissible error.
+       *[no] { "" }
+    }
 performance-effective-diameter = effective diameter of the master sphere
 performance-expansion-unknown = the artefact { $name } was at { $celsius }, more than { $most } from 20 °C, and its certificate has no coefficient of expansion: enter expansion_per_c and its standard uncertainty expansion_sd_per_c in the file of the artefact (if it does not expand: 0, and an uncertainty above 0)
 performance-fewer-lengths =

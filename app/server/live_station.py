@@ -1,4 +1,4 @@
-"""Devices, scans, picture and 3D view of a station: everything that works without a session."""
+"""Devices, scans, picture and 3D view of a station: everything that needs no session."""
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass

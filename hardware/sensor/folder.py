@@ -94,16 +94,7 @@ class _Folder(ImageSource):
         """Of its first page."""
 
     def grab(self) -> GrabbedImage:
-        path, page = self._choose()
-        raw = _read(path, page)
-        if raw is None:
-            raise DeviceError(
-                message("picture-cannot-read", path=path), message("is-it-there-and-complete")
-            )
-        if page == 0:
-            self._shape = raw.shape[:2]
-        elif raw.shape[:2] != self._shape:  # a thumbnail of the first page
-            return self.grab()
+        path, raw = self._read_next()
         image = None
         if raw.dtype in (np.uint8, np.uint16):
             colour, bayer = self._options.laser_colour, self._options.bayer
@@ -117,6 +108,20 @@ class _Folder(ImageSource):
 
     def release(self) -> None:
         """Holds nothing open."""
+
+    def _read_next(self) -> tuple[Path, NDArray[Any]]:
+        """The next file, and its next page that is no thumbnail of the first."""
+        while True:
+            path, page = self._choose()
+            raw = _read(path, page)
+            if raw is None:
+                raise DeviceError(
+                    message("picture-cannot-read", path=path), message("is-it-there-and-complete")
+                )
+            if page == 0:
+                self._shape = raw.shape[:2]
+            if raw.shape[:2] == self._shape:
+                return path, raw
 
     def _choose(self) -> tuple[Path, int]:
         """The file and page to show next."""

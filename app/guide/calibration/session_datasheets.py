@@ -9,7 +9,12 @@ from app.guide.calibration.live import (
 from app.guide.calibration.session_folder import SessionFolder
 from app.guide.calibration.state import FIELDS, CalibrationState
 from app.guide.calibration.touch.report import touch_report
-from app.guide.common.datasheet_library import DatasheetLibrary, FolderContent, read_library
+from app.guide.common.datasheet_library import (
+    DatasheetLibrary,
+    FolderContent,
+    guess_entry,
+    read_library,
+)
 from app.metrology.limits import Limits
 from app.metrology.targets.chessboard import Chessboard
 from app.metrology.targets.crenellated_block import Crenellated
@@ -83,19 +88,13 @@ def best_guess(
         if _can_use(arm, entry.datasheet)
     }
     blocks = [one for one, target in fitting.items() if isinstance(target, Crenellated)]
-    for field, known, serial in (
-        ("arm", arms, arm.serial_number if arm else None),
-        ("object", dict.fromkeys(fitting, ""), None),
-        ("sensor", sensors, sensor.serial_number if sensor else None),
+    for field, known, serial_number in (
+        ("arm", arms, arm.serial_number if arm else ""),
+        ("object", dict.fromkeys(fitting, ""), ""),
+        ("sensor", sensors, sensor.serial_number if sensor else ""),
     ):
-        connected = [entry for entry, number in known.items() if serial and number == serial]
-        last = before.choices.get(field, "")
-        if len(connected) == 1:
-            guess[field] = connected[0]
-        elif last in known:
-            guess[field] = last
-        elif len(known) == 1:
-            guess[field] = next(iter(known))
+        if found := guess_entry(known, serial_number, before.choices.get(field, "")):
+            guess[field] = found
         elif field == "object" and len(blocks) == 1:
             guess[field] = blocks[0]
     return guess

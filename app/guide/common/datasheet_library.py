@@ -93,16 +93,20 @@ class FolderContent(Generic[Content]):
         return latest[1]
 
 
-def guess_arm(arms: Mapping[str, DatasheetEntry[AnyArm]], serial_number: str, last: str) -> str:
-    """The arm of the connected one's serial number, else the ``last`` choice, else the only one
-    there is; empty if it is not clear."""
-    numbers = {entry.id: entry.datasheet.serial_number for entry in arms.values()}
-    same = [name for name, number in numbers.items() if serial_number and number == serial_number]
+def guess_entry(serial_numbers: Mapping[str, str], connected: str, last: str) -> str:
+    """Which datasheet of a kind is meant: that of the connected device's serial number, else the
+    last choice, else the only one there is; empty if it is not clear.
+
+    Args:
+        serial_numbers: of the datasheets, by their ids.
+        connected: serial number of the connected device; empty if it states none.
+    """
+    same = [name for name, number in serial_numbers.items() if connected and number == connected]
     if len(same) == 1:
         return same[0]
-    if last in arms:
+    if last in serial_numbers:
         return last
-    return next(iter(arms)) if len(arms) == 1 else ""
+    return next(iter(serial_numbers)) if len(serial_numbers) == 1 else ""
 
 
 def read_library(data_folder: Path) -> DatasheetLibrary:

@@ -56,7 +56,7 @@ class HciSession:
                 raise self._silence_error(heard)
             self._wire.send(bytes([_END_SESSION]) + _SIGN_ON)
             heard = (heard + self._wire.receive(_SIGN_ON_EVERY_S))[-64:]
-        self.discard()
+        self._discard()
         self._wire.send(_BEGIN)
         return self._read_text(deadline + _ANSWER_S)
 
@@ -111,7 +111,7 @@ class HciSession:
         """Ends the session; the arm then waits for a sign-on."""
         self._wire.send(bytes([_END_SESSION]))
 
-    def discard(self) -> None:
+    def _discard(self) -> None:
         """Drops what arrives, until the line is quiet."""
         self._received = b""
         while self._wire.receive(_QUIET_S):

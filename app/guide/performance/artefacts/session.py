@@ -14,7 +14,7 @@ from app.guide.common.datasheet_library import (
     AnyGauge,
     DatasheetEntry,
     Gauges,
-    guess_arm,
+    guess_entry,
     read_any_gauge,
     read_any_gauges,
     read_library,
@@ -72,7 +72,8 @@ class ArtefactSession(GaugeSession[PerformanceState, Live, View, AnyGauge], Gene
         if test not in BY_TOUCH or self.active() is not None:
             return self.first_payload(message("performance-nothing-to-test"), usable)
         info = self.station.rig.arm.info
-        guess = guess_arm(self._arms_with_tip(), info.serial_number if info else "", self.state.arm)
+        numbers = {e.id: e.datasheet.serial_number for e in self._arms_with_tip().values()}
+        guess = guess_entry(numbers, info.serial_number if info else "", self.state.arm)
         if not guess:
             raise self._no_arm_error()
         return {"calibration_id": "", "gauge": self.first_gauge(usable), "arm": guess}
