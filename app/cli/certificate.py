@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from app.cli.performance import Country, Laboratory
+from app.cli.performance import Country, Laboratory, Schema, print_written
 from app.console import AsJson, FullHelpGroup, print_figures, print_json, report_errors, warn
 from app.messages.message import Text, message
 
@@ -120,6 +120,7 @@ def write(
     customer: Annotated[
         str, typer.Option(help="For whom; by default, the laboratory itself.")
     ] = "",
+    schema: Schema = None,
 ) -> None:
     """Write the certificate of a performance test, in English and German, without a signature."""
     from app.formats.exchange.export import export_result
@@ -128,8 +129,5 @@ def write(
 
     document = read_performance(folder)
     issuer = Issuer(laboratory or document.station, country, customer)
-    written, warnings = export_result(document, "dcc", output, issuer)
-    for text in warnings:
-        warn(text)
-    for path in written:
-        print(f"{path} written")
+    written, warnings = export_result(document, "dcc", output, issuer, schema)
+    print_written(written, warnings, schema)

@@ -7,11 +7,19 @@ from typing import Annotated
 import typer
 
 from app.console import AsJson, FullHelpGroup, print_figures, print_json, report_errors, warn
+from app.messages.message import Text
 
 Laboratory = Annotated[
     str, typer.Option(help="Of a certificate: who issues it; by default, the station.")
 ]
 Country = Annotated[str, typer.Option(help="Of a certificate: two capital letters, such as DE.")]
+Schema = Annotated[
+    Path | None,
+    typer.Option(
+        metavar="FILE.xsd",
+        help="Of QIF or a certificate: a schema that the file must comply with to be written.",
+    ),
+]
 
 performance = typer.Typer(
     cls=FullHelpGroup,
@@ -67,6 +75,7 @@ def export(
     ] = None,
     laboratory: Laboratory = "",
     country: Country = "",
+    schema: Schema = None,
 ) -> None:
     """Write the result of a test for other programs: its figures, lengths, centres and places."""
     from app.formats.exchange.export import export_result
@@ -75,8 +84,13 @@ def export(
 
     document = read_performance(folder)
     issuer = Issuer(laboratory or document.station, country)
-    written, warnings = export_result(document, form.value, output, issuer)
+    written, warnings = export_result(document, form.value, output, issuer, schema)
+    print_written(written, warnings, schema)
+
+
+def print_written(written: list[Path], warnings: list[Text], schema: Path | None) -> None:
+    """Says what was written, and whether it was checked."""
     for text in warnings:
         warn(text)
     for path in written:
-        print(f"{path} written")
+        print(f"{path} written" if schema is None else f"{path} written, valid by {schema}")

@@ -486,6 +486,7 @@ certificate-needs-one =
         [0] nichts
        *[other] { $count }
     }
+certificate-not-signed = dieser Kalibrierschein ist nicht signiert
 certificate-not-validated = dieser Kalibrierschein ist nicht signiert. Er folgt dem Schema des DCC 3.3.0, wurde aber selbst nicht dagegen geprüft: vor der Ausgabe prüfen
 certificate-out-of-date = der Kalibrierschein des Prüfkörpers galt bis { $until }
 certificate-rule =
@@ -3148,6 +3149,21 @@ scans-need-a-calibration = calibration.json fehlt: Scans lassen sich nicht rekon
 scatter-coordinates-beyond-uncertainty = Streuung der Koordinaten über die angegebene Unsicherheit hinaus
 scatter-points-rms = Streuung der Punkte (rms)
 scatter-single-points-beyond-encoders = Streuung einzelner Punkte über die Winkelgeber hinaus
+schema-error = Zeile { $line }: { $error }
+schema-errors-more =
+    { $count ->
+        [one] und ein weiterer Fehler
+       *[other] und { $count } weitere Fehler
+    }
+schema-fetch = { $name } nach { $folder } legen
+schema-imports-missing = es bindet { $location } ein, und diese Datei fehlt; aus dem Netz wird nichts geladen
+schema-is-none = das ist kein XML-Schema (XSD)
+schema-is-of-xml = ein Schema prüft nur QIF und Kalibrierscheine
+schema-leave-out = --format qif oder --format dcc verwenden oder --schema weglassen
+schema-nothing-written = es wurde nichts geschrieben
+schema-requires-package = die Prüfung benötigt das Paket lxml, das nicht installiert ist
+schema-unusable = das Schema ist nicht verwendbar: { $error }
+schema-violated = die Datei entspräche nicht { $schema }: { $errors }
 screw-home-check-again-change-if = Fest einschrauben und erneut prüfen; bleibt es dabei, tauschen.
 screw-tip-home-clamp-sphere-check = Taster fest einschrauben, Kugel festspannen und erneut prüfen.
 search-object-failed = Die Suche nach dem Objekt ist fehlgeschlagen

@@ -486,6 +486,7 @@ certificate-needs-one =
         [0] none was found
        *[other] { $count } were found
     }
+certificate-not-signed = this certificate is not signed
 certificate-not-validated = this certificate is not signed. It is written after the schema of DCC 3.3.0, but was not validated against it: check it before you issue it
 certificate-out-of-date = the certificate of the artefact was valid until { $until }
 certificate-rule =
@@ -3139,6 +3140,21 @@ scans-need-a-calibration = calibration.json is missing: scans cannot be rebuilt
 scatter-coordinates-beyond-uncertainty = Scatter of coordinates beyond the stated uncertainty
 scatter-points-rms = Scatter of the points (rms)
 scatter-single-points-beyond-encoders = Scatter of single points beyond the encoders
+schema-error = line { $line }: { $error }
+schema-errors-more =
+    { $count ->
+        [one] and one more error
+       *[other] and { $count } more errors
+    }
+schema-fetch = put { $name } into { $folder }
+schema-imports-missing = it includes or imports { $location }, which is not there, and nothing is fetched
+schema-is-none = it is not an XML schema (XSD)
+schema-is-of-xml = a schema checks QIF and certificates only
+schema-leave-out = use --format qif or --format dcc, or leave out --schema
+schema-nothing-written = nothing was written
+schema-requires-package = validation requires the package lxml, which is not installed
+schema-unusable = the schema cannot be used: { $error }
+schema-violated = the file would not comply with { $schema }: { $errors }
 screw-home-check-again-change-if = Tighten it and check again; replace it if the error persists.
 screw-tip-home-clamp-sphere-check = Tighten the tip, clamp the sphere, and check again.
 search-object-failed = The detection of the object failed

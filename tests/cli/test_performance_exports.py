@@ -47,6 +47,33 @@ def test_a_certificate_is_written_for_a_customer(tmp_path: Path) -> None:
     assert "Someone" in output.read_text("utf-8")
 
 
+@pytest.mark.parametrize("command", ["export", "write"])
+def test_a_certificate_is_checked_by_a_schema(tmp_path: Path, command: str) -> None:
+    pytest.importorskip("lxml")
+    sphere_result(tmp_path / "test")
+    schema, output = tmp_path / "dcc.xsd", tmp_path / "c.xml"
+    schema.write_text(
+        '<xs:schema xmlns:xs="http://www.w3.org/2001/XMLSchema" targetNamespace="https://ptb.de/dcc">'
+        '<xs:element name="digitalCalibrationCertificate"/></xs:schema>',
+        encoding="utf-8",
+    )
+    form = ["performance", "export", "--format", "dcc"]
+    start = form if command == "export" else ["certificate", "write"]
+    arguments = [*start, str(tmp_path / "test"), "-o", str(output), "--country", "DE"]
+    code, said = run(*arguments, "--schema", str(schema))
+    assert code == 0, said
+    assert f"written, valid by {schema}" in said
+    assert "not signed" in said
+    assert "not validated" not in said
+    other = schema.read_text("utf-8").replace("digital", "other")
+    schema.write_text(other, encoding="utf-8")
+    output.unlink()
+    code, said = run(*arguments, "--schema", str(schema))
+    assert code == 1
+    assert "line 2: Element 'digitalCalibrationCertificate'" in said
+    assert not output.exists()
+
+
 def test_a_certificate_is_read(tmp_path: Path) -> None:
     path, gauge = tmp_path / "sphere.xml", tmp_path / "sphere.nominal.json"
     path.write_text(certificate(DIAMETER, FORM), encoding="utf-8")

@@ -2,10 +2,13 @@
 
 from pathlib import Path
 
+from app.errors import OperationError
 from app.formats.atomic_write import check_output_path, write_atomically
+from app.formats.exchange.check_schema import check_schema
 from app.formats.exchange.write_certificate import Issuer, certificate_bytes
 from app.formats.exchange.write_qif import qif_bytes
 from app.formats.exchange.write_tables import write_csv_tables, write_workbook
+from app.formats.file_names import display_path
 from app.formats.performance.results import PerformanceFile
 from app.messages.message import Text, message
 
@@ -19,7 +22,11 @@ NAMES = {
 
 
 def export_result(
-    document: PerformanceFile, form: str, output: Path | None, issuer: Issuer | None = None
+    document: PerformanceFile,
+    form: str,
+    output: Path | None,
+    issuer: Issuer | None = None,
+    schema: Path | None = None,
 ) -> tuple[list[Path], list[Text]]:
     """Writes a result; returns the files, and what should be known of them.
 
@@ -27,19 +34,40 @@ def export_result(
         form: one of ``NAMES``.
         output: the file, or the folder of CSV tables.
         issuer: of a certificate alone.
+        schema: an XSD file that QIF or a certificate is checked by before it is written.
 
     Raises:
-        OperationError: the file cannot be written, an extra is missing, or the issuer.
+        OperationError: the file cannot be written, an extra is missing, or the issuer; the
+            schema cannot be used or does not allow the file.
     """
     path = output or Path(NAMES[form])
+    if form in ("csv", "xlsx") and schema is not None:
+        raise OperationError(
+            "schema-without-xml",
+            display_path(path),
+            message("schema-is-of-xml"),
+            message("schema-leave-out"),
+        )
     if form == "csv":
         return write_csv_tables(document, path), []
     if form == "xlsx":
         write_workbook(document, path)
         return [path], []
-    check_output_path(path)
+    check_output_path(path, [] if schema is None else [schema])
     if form == "qif":
-        write_atomically(path, qif_bytes(document))
-        return [path], [message("qif-not-validated")]
-    write_atomically(path, certificate_bytes(document, issuer or Issuer("", "")))
-    return [path], [message("certificate-not-validated")]
+        content = qif_bytes(document)
+    else:
+        content = certificate_bytes(document, issuer or Issuer("", ""))
+    if schema is not None:
+        check_schema(content, schema, path)
+    write_atomically(path, content)
+    return [path], _remarks(form, is_validated=schema is not None)
+
+
+def _remarks(form: str, is_validated: bool) -> list[Text]:
+    """What should be known of a written XML file."""
+    if form == "qif":
+        return [] if is_validated else [message("qif-not-validated")]
+    if is_validated:
+        return [message("certificate-not-signed")]
+    return [message("certificate-not-validated")]
