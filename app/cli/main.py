@@ -31,7 +31,7 @@ from app.cli.fleet.catalogue import catalogue
 from app.cli.performance import performance
 from app.cli.pictures import detect, extract
 from app.cli.scan import reconstruct, replay, study, sync
-from app.cli.session import calibrate, report
+from app.cli.session import calibrate, import_scan, report
 from app.cli.station import backup, mqtt_schema, password
 from app.console import (
     AsJson,
@@ -245,6 +245,7 @@ def _verify_clouds(
 
 cli.command()(extract)
 cli.command()(detect)
+cli.command("import")(import_scan)
 cli.command()(reconstruct)
 cli.command()(rebuild)
 cli.command()(drift)

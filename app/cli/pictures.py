@@ -61,6 +61,26 @@ Bayer = Annotated[
         " the pixels of the laser's colour are measured."
     ),
 ]
+Threshold = Annotated[
+    float | None, typer.Option(help="Grey levels above its surroundings. Else by the noise.")
+]
+Width = Annotated[
+    float | None, typer.Option(help="Pixels at half height. Else by the usual width.")
+]
+Choice = Annotated[
+    PeakOption, typer.Option(help="Which of several peaks of a column is the stripe.")
+]
+Smoothing = Annotated[
+    float,
+    typer.Option(
+        metavar="PX",
+        help="Smooth along the line: standard deviation in pixels, 0 for none. Structures of"
+        " period λ keep exp(-2(π·PX/λ)²) of their height, half at λ = 5.3·PX.",
+    ),
+]
+MaskFile = Annotated[
+    Path | None, typer.Option(help="mask.json: zones in which nothing is measured.")
+]
 Draw = Annotated[
     Path | None,
     typer.Option(help="Also write each picture with what was found on it.", file_okay=False),
@@ -87,29 +107,12 @@ def extract(
     axis: Annotated[
         Axis, typer.Option(help="u: one point a column of the picture; v: one a row.")
     ] = Axis.U,
-    threshold: Annotated[
-        float | None, typer.Option(help="Grey levels above its surroundings. Else by the noise.")
-    ] = None,
-    min_width: Annotated[
-        float | None, typer.Option(help="Pixels at half height. Else by the usual width.")
-    ] = None,
-    max_width: Annotated[
-        float | None, typer.Option(help="Pixels at half height. Else by the usual width.")
-    ] = None,
-    choice: Annotated[
-        PeakOption, typer.Option(help="Which of several peaks of a column is the stripe.")
-    ] = PeakOption.CONTINUITY,
-    smoothing: Annotated[
-        float,
-        typer.Option(
-            metavar="PX",
-            help="Smooth along the line: standard deviation in pixels, 0 for none. Structures of"
-            " period λ keep exp(-2(π·PX/λ)²) of their height, half at λ = 5.3·PX.",
-        ),
-    ] = 0.0,
-    mask: Annotated[
-        Path | None, typer.Option(help="mask.json: zones in which nothing is measured.")
-    ] = None,
+    threshold: Threshold = None,
+    min_width: Width = None,
+    max_width: Width = None,
+    choice: Choice = PeakOption.CONTINUITY,
+    smoothing: Smoothing = 0.0,
+    mask: MaskFile = None,
     colour: Colour = None,
     bayer: Bayer = None,
     laser_off: Annotated[

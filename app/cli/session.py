@@ -1,13 +1,20 @@
-"""The command line's part for the folder of a session: calibrated, and reported on."""
+"""The command line's part for folders: a session calibrated and reported on, a scan imported."""
 
 import time
 from enum import StrEnum
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from app.cli.pictures import Choice, MaskFile, PeakOption, Smoothing, Threshold, Width
 from app.console import AsJson, print_figures, print_json, progress_bar, report_errors, warn
+
+if TYPE_CHECKING:
+    from app.workflows.pictures.import_pictures import ImportedScan
+
+MOST_NAMED = 5
+"""Pictures that are named of those without a line."""
 
 
 class Method(StrEnum):
@@ -80,3 +87,82 @@ def report(
     check_output_path(output)
     write_atomically(output, render_report(folder, output.suffix, language))
     print(f"{output} written")
+
+
+@report_errors
+def import_scan(
+    folder: Annotated[
+        Path,
+        typer.Argument(help="Folder with arm.json, sensor.json, images.csv and the pictures."),
+    ],
+    output: Annotated[
+        Path, typer.Option("-o", "--output", metavar="SCAN.mcap", help="The recording to write.")
+    ] = Path("scan.mcap"),
+    threshold: Threshold = None,
+    min_width: Width = None,
+    max_width: Width = None,
+    choice: Choice = PeakOption.CONTINUITY,
+    smoothing: Smoothing = 0.0,
+    mask: MaskFile = None,
+    as_json: AsJson = False,
+) -> None:
+    """Make a recording of pictures and poses that another program took.
+
+    Each picture has its pose in images.csv; or the arm's readings over time are in readings.csv,
+    and the times of the pictures in images.csv. Commands for recordings take the result: crenel
+    reconstruct, study, sync, replay.
+    """
+    from app.formats.atomic_write import check_output_path
+    from app.formats.session.scan_folder import read_scan_folder
+    from app.formats.settings.mask import Mask
+    from app.metrology.stripe import StripeSettings
+    from app.workflows.pictures.import_pictures import import_pictures
+
+    if output.suffix.lower() != ".mcap":
+        raise typer.BadParameter(f"'{output}': recordings are written as .mcap", param_hint="'-o'")
+    check_output_path(output)
+    scan = read_scan_folder(folder)
+    sources = [*scan.tables, *(picture.file for picture in scan.pictures)]
+    check_output_path(output, sources if mask is None else [*sources, mask])
+    zones = None if mask is None else Mask.read(mask)
+    settings = StripeSettings(
+        threshold, min_width, max_width, choice=choice.value, smoothing_px=smoothing
+    )
+    began = time.perf_counter()
+    with progress_bar("Importing", not as_json) as progress:
+        result = import_pictures(scan, output, folder.resolve().name, settings, zones, progress)
+    _show_import(folder, output, result, time.perf_counter() - began, as_json)
+
+
+def _show_import(
+    folder: Path, output: Path, result: "ImportedScan", seconds: float, as_json: bool
+) -> None:
+    """The counts, and the pictures that could not be read or show no line."""
+    if as_json:
+        print_json(
+            {
+                "file": str(output),
+                "frames": result.frames,
+                "points": result.points,
+                "seconds_of_scan": result.seconds,
+                "without_line": [one.line for one in result.without_line],
+                "unreadable": [one.line for one in result.unreadable],
+                "seconds": seconds,
+            }
+        )
+        return
+    without = len(result.without_line)
+    for one in result.unreadable:
+        warn(one.line)
+    for one in result.without_line[:MOST_NAMED]:
+        warn(one.line)
+    if without > MOST_NAMED:
+        warn(f"{without - MOST_NAMED} more pictures show no line")
+    figures = (
+        ("frames", f"{result.frames - without} with points, {without} without a line"),
+        ("pictures left out", str(len(result.unreadable))),
+        ("points", f"{result.points:,}".replace(",", " ")),
+        ("from the first to the last", f"{result.seconds:.3f} s"),
+    )
+    print_figures(f"Recording of {folder}", figures)
+    print(f"{output} written in {seconds:.2f} s")

@@ -1104,6 +1104,15 @@ everything-grows-metre-aluminium = Mit der Temperatur dehnt sich alles aus, ein 
 exceed-limit-m = { $half_range } überschreiten den Grenzwert von { $limit }.
 expanded-uncertainty-note = U = { $expanded_uncertainty }, k = 2
 expansion-not-read = der Ausdehnungskoeffizient des Kalibrierscheins wird nicht gelesen: expansion_per_c in der Datei eintragen
+file-has-no-pictures-with-laser = { $path } enthält keine Bilder mit eingeschaltetem Laser
+file-has-no-readings = { $path } enthält keine Messwerte des Arms
+give-times-in-seconds = Zeiten in Sekunden angeben, ab einem beliebigen Anfang
+give-times-of-one-clock = Bildern und Messwerten Zeiten derselben Uhr geben
+no-picture-of-folder-has-a-line = keines der { $count } Bilder zeigt eine Linie; das erste: { $first }
+no-picture-within-readings = kein Bild von { $path } wurde während der Messwerte von { $readings } aufgenommen, von { $begin } bis { $end }
+one-picture-at-a-time = ein Sensor nimmt nur ein Bild zur selben Zeit auf
+picture-at-time-of-line = { $place } hat dieselbe time_s wie Zeile { $line }
+pictures-are-at = die Bilder beginnen bei { $begin }
 sphere-diameter-not-read = der Kalibrierschein nennt keinen Durchmesser der Kugeln oder mehrere: sphere_diameter_mm in der Datei eintragen
 expected = erwartet wird { $wanted }
 expected-by-datasheet-and-expanded-uncertainty = laut Datenblatt { $expected }; U = { $expanded_uncertainty }, k = 2
@@ -3584,6 +3593,7 @@ tilt-front-by = { $angle } nach vorn neigen
 tilt-left-by = { $angle } nach links neigen
 tilt-level = Neigung gegen die Waagerechte
 tilt-right-by = { $angle } nach rechts neigen
+time-from-zero-to = eine Zeit liegt zwischen 0 und { $latest }
 time-stamps-come-from =
     { $stamps ->
         [arrival] Vom Eintreffen der Daten an diesem Rechner.
@@ -3940,6 +3950,7 @@ without-marker-coordinates-are-tips = ohne die Spalte marker gelten Koordinaten 
 without-nothing-measured-what-taken-kept = Ohne dieses Gerät wird nicht gemessen; alles Aufgenommene bleibt erhalten.
 without-one-pixels-cannot-become-points = ohne Kalibrierung lassen sich aus Pixeln keine Punkte berechnen
 without-schema = ohne Schema
+write-readings-of-arm = Die Messwerte des Arms mit ihren Zeiten eintragen
 xlsx-extra-missing = Braucht XlsxWriter auf der Station: pip install 'crenel[xlsx]'
 xlsx-requires-package = XLSX-Dateien benötigen das Paket XlsxWriter, das nicht installiert ist
 xml-document-type-refused = die Datei hat einen Dokumenttyp (DOCTYPE oder ENTITY), den kein Kalibrierschein braucht; sie wird nicht gelesen

@@ -1100,6 +1100,15 @@ everything-grows-metre-aluminium = Everything expands with it: one metre of alum
 exceed-limit-m = { $half_range } exceeds the limit of { $limit }.
 expanded-uncertainty-note = U = { $expanded_uncertainty }, k = 2
 expansion-not-read = the certificate's coefficient of expansion is not read: enter expansion_per_c in the file
+file-has-no-pictures-with-laser = { $path } contains no pictures with the laser on
+file-has-no-readings = { $path } contains no readings
+give-times-in-seconds = Give the times in seconds, from any beginning
+give-times-of-one-clock = Give pictures and readings the times of one clock
+no-picture-of-folder-has-a-line = none of the { $count } pictures shows a line; the first: { $first }
+no-picture-within-readings = no picture of { $path } was taken during the readings of { $readings }, from { $begin } to { $end }
+one-picture-at-a-time = a sensor takes one picture at a time
+picture-at-time-of-line = { $place } has the same time_s as line { $line }
+pictures-are-at = the pictures begin at { $begin }
 sphere-diameter-not-read = the certificate states no diameter of the spheres, or several: enter sphere_diameter_mm in the file
 expected = { $wanted } is expected
 expected-by-datasheet-and-expanded-uncertainty = datasheet: { $expected }; U = { $expanded_uncertainty }, k = 2
@@ -3571,6 +3580,7 @@ tilt-front-by = tilt to the front { $angle }
 tilt-left-by = tilt left { $angle }
 tilt-level = Tilt from horizontal
 tilt-right-by = tilt right { $angle }
+time-from-zero-to = a time is from 0 to { $latest }
 time-stamps-come-from =
     { $stamps ->
         [arrival] From the arrival of the data at this computer.
@@ -3926,6 +3936,7 @@ without-marker-coordinates-are-tips = without the column marker, coordinates are
 without-nothing-measured-what-taken-kept = Nothing is measured without it; all recorded data is kept.
 without-one-pixels-cannot-become-points = without one, pixels cannot be converted to points
 without-schema = without a schema
+write-readings-of-arm = Write the readings of the arm, with their times
 xlsx-extra-missing = Needs XlsxWriter on the station: pip install 'crenel[xlsx]'
 xlsx-requires-package = XLSX files require the package XlsxWriter, which is not installed
 xml-document-type-refused = the file has a document type (DOCTYPE or ENTITY), which no certificate needs; it is not read

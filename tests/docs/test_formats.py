@@ -41,6 +41,7 @@ from app.formats.session.calibration_session import (
 )
 from app.formats.session.pose_columns import COLUMNS as POSE_COLUMNS
 from app.formats.session.pose_pictures import ImageRow, write_images
+from app.formats.session.scan_folder import read_scan_folder
 from app.formats.settings.mask import Mask
 from app.formats.settings.scan_settings import ScanSettings, Sync
 from app.messages.message import Message
@@ -110,6 +111,19 @@ def test_the_session_is_read_and_written_alike(examples: Path) -> None:
     assert columns(written) == columns(examples / "session/probing.csv")
     write_images(written, [ImageRow(0, "images/a.png", "both", pose.q_rad)])
     assert columns(written) == columns(examples / "session/images.csv")
+
+
+def test_the_folders_of_scans_are_read(examples: Path) -> None:
+    for name in ("scan", "timed"):
+        for file, source in (("arm.json", "board"), ("sensor.json", "session")):
+            (examples / name / file).write_bytes((examples / source / file).read_bytes())
+    posed = read_scan_folder(examples / "scan")
+    assert [one.file.name for one in posed.pictures] == ["0001.png", "0002.png"]
+    assert posed.stamps_ns.tolist() == [one.stamp_ns for one in posed.pictures]
+    assert posed.readings[:, 1].tolist() == [-80.25, -79.25]
+    timed = read_scan_folder(examples / "timed")
+    (picture,) = timed.pictures
+    assert timed.stamps_ns[0] < picture.stamp_ns < timed.stamps_ns[1]
 
 
 def test_the_robots_session_on_a_chessboard_is_read(examples: Path) -> None:

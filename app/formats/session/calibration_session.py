@@ -103,7 +103,7 @@ def read_session(folder: Path) -> BlockSession:
     Raises:
         OperationError: names file, line, value and remedy.
     """
-    _check_folder(folder)
+    check_folder(folder)
     arm = read_arm(folder / ARM)
     sensor = read_sensor(folder / SENSOR)
     return BlockSession(
@@ -122,7 +122,7 @@ def read_any_session(folder: Path) -> BlockSession | BoardSession:
     Touching a chessboard is optional, and so are its poses' laser pictures; each of its pictures
     is judged by itself when it is read.
     """
-    _check_folder(folder)
+    check_folder(folder)
     item = read_object(folder / OBJECT)
     if not isinstance(item, Chessboard):
         return read_session(folder)
@@ -139,7 +139,8 @@ def read_any_session(folder: Path) -> BlockSession | BoardSession:
     )
 
 
-def _check_folder(folder: Path) -> None:
+def check_folder(folder: Path) -> None:
+    """Raises ``OperationError`` unless it is one."""
     if not folder.is_dir():
         there = message("it-is-a-file") if folder.exists() else message("there-no-such-folder")
         raise OperationError(

@@ -86,9 +86,8 @@ def read_poses(
     missing: list[OperationError] = []
     for row in table.rows:
         at = readings.read_row(row)
-        image = ImageRow(row.count("pose"), row.text("file"), _read_lighting(row), *at)
-        _check_inside(row)
-        file = path.parent / image.file
+        image = ImageRow(row.count("pose"), row.text("file"), read_lighting(row), *at)
+        file = image_file(row)
         if not file.is_file():
             missing.append(_missing_error(row, file))
         if sensor is not None:
@@ -127,7 +126,8 @@ def _cells(row: ImageRow) -> Sequence[float]:
     return [float(angle) for angle in np.rad2deg(row.q_rad)]
 
 
-def _read_lighting(row: TableRow) -> str:
+def read_lighting(row: TableRow) -> str:
+    """Which lights were on in the picture of a row; raises ``OperationError``."""
     lighting = row.text("lighting")
     if lighting not in LIGHTINGS:
         raise OperationError(
@@ -139,7 +139,8 @@ def _read_lighting(row: TableRow) -> str:
     return lighting
 
 
-def _check_inside(row: TableRow) -> None:
+def image_file(row: TableRow) -> Path:
+    """The picture of a row; raises ``OperationError`` unless it lies in the table's folder."""
     relative = PurePosixPath(row.text("file"))
     if relative.is_absolute() or ".." in relative.parts:
         raise OperationError(
@@ -147,6 +148,7 @@ def _check_inside(row: TableRow) -> None:
             message("row-file", place=row.place, file=repr(str(relative))),
             message("sessions-pictures-lie-inside-folder"),
         )
+    return row.path.parent / relative
 
 
 def _missing_error(row: TableRow, path: Path) -> OperationError:

@@ -24,6 +24,9 @@ Exposure = Annotated[Number, Field(ge=1, le=10_000_000)]
 Blur = Annotated[Number, Field(ge=0.001, le=100)]
 """Millimetres."""
 
+EXTRACTION_FIELDS = ("threshold", "min_width_px", "max_width_px", "choice", "smoothing_px")
+"""Of ``StripeSettings``, those that a user sets."""
+
 
 class Sync(Document):
     """``sync.json``: by how much the arm's stamps are later than the camera's."""
@@ -100,18 +103,7 @@ class ScanSettings(ScanOptions, Document):
     @property
     def extraction_text(self) -> str:
         """How stripes are extracted, as JSON for a recording; empty where all is automatic."""
-        chosen: dict[str, object] = {}
-        if self.threshold is not None:
-            chosen["threshold"] = self.threshold
-        if self.min_width_px is not None:
-            chosen["min_width_px"] = self.min_width_px
-        if self.choice != "continuity":
-            chosen["choice"] = self.choice
-        if self.smoothing_px:
-            chosen["smoothing_px"] = self.smoothing_px
-        if self.mask is not None:
-            chosen["mask"] = self.mask.fields()
-        return json.dumps(chosen) if chosen else ""
+        return extraction_text(self.stripe, self.mask)
 
     def delay_ns(self, arm_serial: str, sensor_serial: str) -> int:
         """By how much the arm's stamps are later; 0 where it was found on other devices."""
@@ -121,6 +113,18 @@ class ScanSettings(ScanOptions, Document):
         pairs = ((sync.arm_serial, arm_serial), (sync.sensor_serial, sensor_serial))
         alike = all(of == now or not of or not now for of, now in pairs)
         return sync.delay_ns if alike else 0
+
+
+def extraction_text(settings: StripeSettings, mask: Mask | None) -> str:
+    """How stripes are extracted, as JSON for a recording; empty where all is automatic."""
+    chosen: dict[str, object] = {
+        name: value
+        for name in EXTRACTION_FIELDS
+        if (value := getattr(settings, name)) != getattr(StripeSettings, name)
+    }
+    if mask is not None:
+        chosen["mask"] = mask.fields()
+    return json.dumps(chosen) if chosen else ""
 
 
 AUTOMATIC = ScanSettings()

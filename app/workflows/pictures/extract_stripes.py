@@ -35,6 +35,8 @@ SPARSE, FAR_MORE = 0.5, 2.0
 """Share of the columns below which the line may run along the other axis, and by how many times
 its points are then more."""
 COLUMNS = ("u", "v", "intensity", "sigma_px")
+NOT_FOUND, OTHER_AXIS = "stripe-not-found", "stripe-along-other-axis"
+"""Codes of refusals: a picture that could be read shows no line along the axis."""
 
 
 @dataclass(frozen=True)
@@ -79,14 +81,14 @@ def extract_stripes(
     for done, path in enumerate(images):
         progress(done / len(images), path.name)
         try:
-            found.append(_extract_file(path, axis, settings, mask, channel))
+            found.append(extract_file(path, axis, settings, mask, channel))
         except OperationError as refusal:
             found.append(ImageStripe(path, empty_stripe(axis), refusal=refusal))
     progress(1.0, "")
     return found
 
 
-def _extract_file(
+def extract_file(
     path: Path,
     axis: str,
     settings: StripeSettings,
@@ -159,23 +161,19 @@ def _no_stripe_error(
         what = message("shows-no-stripe-outside-mask", path=display_path(path))
     if other_axis_points:
         why = message("line-along-other-axis", axis=axis, points=other_axis_points)
-        return OperationError(
-            "stripe-along-other-axis", what, why, message("give-axis", axis=other_axis(axis))
-        )
+        return OperationError(OTHER_AXIS, what, why, message("give-axis", axis=other_axis(axis)))
     full = saturation_level(picture)
     clipped = float(np.mean(picture >= full))
     brightest = int(picture.max())
     if clipped > MANY_CLIPPED:
         why = message("overexposed-share-at-full-scale", share=quantity(100 * clipped, "%"))
-        return OperationError(
-            "stripe-not-found", what, why, message("shorten-exposure-or-darken-room")
-        )
+        return OperationError(NOT_FOUND, what, why, message("shorten-exposure-or-darken-room"))
     if brightest < DARK * full:
         why = message("dark-brightest-pixel", brightest=brightest, full=quantity(full))
-        return OperationError("stripe-not-found", what, why, message("laser-on-or-expose-longer"))
+        return OperationError(NOT_FOUND, what, why, message("laser-on-or-expose-longer"))
     why = message("no-bright-line-runs", axis=axis)
     remedy = message("take-with-laser-or-describe-line")
-    return OperationError("stripe-not-found", what, why, remedy)
+    return OperationError(NOT_FOUND, what, why, remedy)
 
 
 def write_stripes(path: Path, stripes: Sequence[ImageStripe]) -> None:

@@ -1,0 +1,160 @@
+"""From pictures and the arm's readings in a folder to a recording, as a scan leaves one."""
+
+import os
+from collections.abc import Iterator
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from app.errors import OperationError
+from app.formats.atomic_write import atomic_path
+from app.formats.images import image_size
+from app.formats.recording.reader import (
+    ARM_DELAY,
+    ARM_SERIAL,
+    EXTRACTION,
+    SCAN_NAME,
+    SENSOR_SERIAL,
+)
+from app.formats.recording.writer import RecordingWriter
+from app.formats.session.pose_pictures import check_size
+from app.formats.session.scan_folder import ScanFolder, ScanPicture
+from app.formats.settings.mask import Mask
+from app.formats.settings.scan_settings import extraction_text
+from app.messages.message import message
+from app.metrology.arm.kinematics import Arm
+from app.metrology.stripe import (
+    AUTOMATIC,
+    Stripe,
+    StripeSettings,
+    check_settings,
+    empty_stripe,
+)
+from app.progress import Progress, no_progress
+from app.workflows.pictures.extract_stripes import NOT_FOUND, OTHER_AXIS, extract_file
+
+AHEAD_NS = 200_000_000
+"""Readings are written up to this time after a picture, as a station does."""
+
+
+@dataclass
+class ImportedScan:
+    """What became of the pictures."""
+
+    frames: int = 0
+    """Number of pictures that are in the recording."""
+    points: int = 0
+    seconds: float = 0.0
+    """From the first picture to the last."""
+    without_line: list[OperationError] = field(default_factory=list)
+    """Why a picture shows no line; it is in the recording, without points."""
+    unreadable: list[OperationError] = field(default_factory=list)
+    """Why a picture could not be read, or is of another sensor; it is left out."""
+
+
+@dataclass(frozen=True)
+class _Frame:
+    picture: ScanPicture
+    stripe: Stripe
+    refusal: OperationError | None = None
+
+
+def import_pictures(
+    scan: ScanFolder,
+    recording: Path,
+    name: str = "",
+    settings: StripeSettings = AUTOMATIC,
+    mask: Mask | None = None,
+    progress: Progress = no_progress,
+) -> ImportedScan:
+    """Extracts the stripe of every picture, on all cores, and writes them with the readings.
+
+    Args:
+        recording: the file to write (MCAP), by ``atomic_path``.
+        name: of the scan, as it is listed.
+
+    Raises:
+        OperationError: the settings contradict each other, no picture shows a line, or the file
+            cannot be written; nothing is then written.
+    """
+    check_settings(settings)
+    names = [joint.name for joint in scan.arm.joints] if isinstance(scan.arm, Arm) else None
+    about = {
+        ARM_SERIAL: scan.arm.serial_number,
+        SENSOR_SERIAL: scan.sensor.serial_number,
+        ARM_DELAY: "0",
+        EXTRACTION: extraction_text(settings, mask),
+        SCAN_NAME: name,
+    }
+    result = ImportedScan()
+    with atomic_path(recording) as part, RecordingWriter(part, names, about) as writer:
+        written = 0
+        for number, frame in enumerate(_extract_all(scan, settings, mask)):
+            progress(number / len(scan.pictures), frame.picture.file.name)
+            written = _write_readings(writer, scan, written, frame.picture.stamp_ns + AHEAD_NS)
+            _write_frame(writer, scan, frame, result)
+        _write_readings(writer, scan, written, None)
+        if not result.points:
+            raise _no_line_error(scan, result)
+    stamps_ns = [picture.stamp_ns for picture in scan.pictures]
+    result.seconds = (stamps_ns[-1] - stamps_ns[0]) / 1e9
+    return result
+
+
+def _extract_all(scan: ScanFolder, settings: StripeSettings, mask: Mask | None) -> Iterator[_Frame]:
+    """The stripes, in the order of the pictures."""
+    sensor = scan.sensor
+
+    def extract(picture: ScanPicture) -> _Frame:
+        try:
+            check_size(picture.file, image_size(picture.file), sensor)
+            found = extract_file(picture.file, sensor.stripe_axis, settings, mask, sensor.channel)
+        except OperationError as refusal:
+            return _Frame(picture, empty_stripe(sensor.stripe_axis), refusal)
+        return _Frame(picture, found.stripe)
+
+    with ThreadPoolExecutor(os.cpu_count() or 1, "extract") as pool:
+        try:
+            yield from pool.map(extract, scan.pictures)
+        finally:
+            pool.shutdown(cancel_futures=True)
+
+
+def _write_readings(
+    writer: RecordingWriter, scan: ScanFolder, first: int, up_to_ns: int | None
+) -> int:
+    """Writes the readings from number ``first`` until a time; the number of the next."""
+    while first < len(scan.stamps_ns) and (
+        up_to_ns is None or int(scan.stamps_ns[first]) <= up_to_ns
+    ):
+        writer.reading(int(scan.stamps_ns[first]), scan.readings[first])
+        first += 1
+    return first
+
+
+def _write_frame(
+    writer: RecordingWriter, scan: ScanFolder, frame: _Frame, result: ImportedScan
+) -> None:
+    """Adds a frame to the recording and to the counts; one that cannot be read to these alone."""
+    if frame.refusal is not None:
+        if frame.refusal.code not in (NOT_FOUND, OTHER_AXIS):
+            result.unreadable.append(frame.refusal)
+            return
+        result.without_line.append(frame.refusal)
+    sensor = scan.sensor
+    writer.stripe(frame.picture.stamp_ns, frame.stripe, sensor.width_px, sensor.height_px)
+    result.frames += 1
+    result.points += len(frame.stripe.u)
+
+
+def _no_line_error(scan: ScanFolder, result: ImportedScan) -> OperationError:
+    """The reason of the first picture, of those that could be read if there are any."""
+    first = (result.without_line or result.unreadable)[0]
+    if len(scan.pictures) == 1:
+        return first
+    return OperationError(
+        first.code,
+        message("no-picture-of-folder-has-a-line", count=len(scan.pictures), first=first.what),
+        first.why,
+        first.remedy,
+    )

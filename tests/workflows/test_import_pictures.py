@@ -1,0 +1,229 @@
+"""Pictures and poses of others become a recording."""
+
+import json
+from collections.abc import Sequence
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from app.errors import OperationError
+from app.formats.clouds.files import read_cloud
+from app.formats.csv_table import table_text
+from app.formats.images import GreyImage, write_png
+from app.formats.session.pose_columns import COLUMNS, joint_columns, pose_cells
+from app.formats.session.scan_folder import read_scan_folder
+from app.metrology.arm.kinematics import AnyArm, RobotArm, flange_pose
+from app.metrology.fitting.plane_sphere import fit_plane
+from app.metrology.stripe import StripeSettings
+from app.metrology.transforms import Floats, apply
+from app.workflows.pictures.import_pictures import ImportedScan, import_pictures
+from app.workflows.reconstruct import Reconstruction, reconstruct_cloud
+from tests.cli.test_cli import crenel, refused
+from tests.datasheets import write_arm
+from tests.formats.builders import (
+    ARM,
+    HEIGHT,
+    SENSOR,
+    WIDTH,
+    edit_text,
+    little_calibration,
+    q_at,
+    stripe_points,
+)
+from tests.real_sessions import write_real_session
+
+MS = 1_000_000
+STAMPS_NS = [int(t * MS) for t in (100, 140, 180, 220, 260)]
+ROBOT = RobotArm("robot", "A-1")
+TOLERANCE_MM = 0.05
+"""A tenth of a pixel, at the little camera's 200 px focal length and 100 mm."""
+
+
+def lit_picture(seed: int) -> GreyImage:
+    """The stripe of ``stripe_points``."""
+    _, uv = stripe_points()
+    v = np.interp(np.arange(WIDTH), uv[:, 0], uv[:, 1])
+    rows = np.arange(HEIGHT)[:, None]
+    grey = 8 + 200 * np.exp(-((rows - v) ** 2) / (2 * 1.5**2))
+    noise = np.random.default_rng(seed).normal(0, 1, grey.shape)
+    return np.asarray(np.clip(np.rint(grey + noise), 0, 255), np.uint8)
+
+
+def arm_cells(arm: AnyArm, stamp_ns: int) -> list[float]:
+    if arm is ARM:
+        return [float(angle) for angle in np.rad2deg(q_at(stamp_ns))]
+    return [*pose_cells(flange_pose(ARM, q_at(stamp_ns)))]
+
+
+def write_scan(folder: Path, arm: AnyArm = ARM, timed: bool = True, apart: bool = False) -> Path:
+    """A folder of pictures, with the arm's readings in their rows or apart."""
+    (folder / "images").mkdir(parents=True)
+    write_arm(folder / "arm.json", arm)
+    (folder / "sensor.json").write_text(json.dumps(SENSOR))
+    columns = joint_columns(6) if arm is ARM else COLUMNS
+    rows: list[Sequence[str | float]] = []
+    for number, stamp_ns in enumerate(STAMPS_NS):
+        file = f"images/{number}.png"
+        write_png(folder / file, lit_picture(number))
+        time_s = [stamp_ns / 1e9] if timed else []
+        rows.append([file, *time_s, *([] if apart else arm_cells(arm, stamp_ns))])
+    head = ("file", *(["time_s"] if timed else []), *([] if apart else columns))
+    (folder / "images.csv").write_text(table_text(head, rows))
+    if apart:
+        times_ns = range(0, 400 * MS, 4 * MS)
+        readings = [[t / 1e9, *arm_cells(arm, t)] for t in times_ns]
+        (folder / "readings.csv").write_text(table_text(("time_s", *columns), readings))
+    return folder
+
+
+def imported(folder: Path, settings: StripeSettings | None = None) -> ImportedScan:
+    scan, out = read_scan_folder(folder), folder / "scan.mcap"
+    return import_pictures(scan, out, "Bracket", settings or StripeSettings())
+
+
+def rebuilt(folder: Path, arm: AnyArm = ARM) -> tuple[Reconstruction, Floats]:
+    cloud = folder / "cloud.ply"
+    result = reconstruct_cloud(folder / "scan.mcap", little_calibration(), arm, cloud)
+    return result, read_cloud(cloud).points_mm
+
+
+def distances_mm(points: Floats, stamps_ns: Sequence[int]) -> Floats:
+    """Of each point from the lines that were drawn, by the definition of Eq. 9."""
+    drawn, _ = stripe_points()
+    T_flange_sensor = little_calibration().T_flange_sensor
+    truth = [apply(flange_pose(ARM, q_at(t)) @ T_flange_sensor, drawn) for t in stamps_ns]
+    off = []
+    for line in truth:
+        along = (line[-1] - line[0]) / np.linalg.norm(line[-1] - line[0])
+        from_first = points - line[0]
+        off.append(np.linalg.norm(from_first - np.outer(from_first @ along, along), axis=1))
+    return np.asarray(np.min(off, axis=0))
+
+
+@pytest.mark.parametrize("arm", [ARM, ROBOT], ids=["joints", "poses"])
+@pytest.mark.parametrize(("timed", "apart"), [(False, False), (True, False), (True, True)])
+def test_pictures_and_readings_become_the_cloud(
+    tmp_path: Path, arm: AnyArm, timed: bool, apart: bool
+) -> None:
+    folder = write_scan(tmp_path / "scan", arm, timed, apart)
+    result = imported(folder)
+    assert (result.frames, result.without_line, result.unreadable) == (5, [], [])
+    again, points = rebuilt(folder, arm)
+    assert (again.points, again.frames, again.warnings) == (result.points, 5, ())
+    assert result.points > 5 * 30
+    assert distances_mm(points, STAMPS_NS).max() < TOLERANCE_MM
+    for stamp_ns in STAMPS_NS:  # each of them was at another place
+        assert (distances_mm(points, [stamp_ns]) < TOLERANCE_MM).sum() < result.points / 2
+
+
+def test_a_delay_counts_where_the_readings_have_times(tmp_path: Path) -> None:
+    folder = write_scan(tmp_path / "scan", apart=True)
+    imported(folder)
+    cloud = folder / "cloud.ply"
+    late_ns = 20 * MS
+    reconstruct_cloud(folder / "scan.mcap", little_calibration(), ARM, cloud, delay_ns=late_ns)
+    points = read_cloud(cloud).points_mm
+    assert distances_mm(points, [t + late_ns for t in STAMPS_NS]).max() < TOLERANCE_MM
+
+
+def test_poses_of_pictures_without_times_are_never_mixed(tmp_path: Path) -> None:
+    folder = write_scan(tmp_path / "scan", timed=False)
+    imported(folder)
+    with pytest.raises(OperationError, match="no joint"):
+        reconstruct_cloud(
+            folder / "scan.mcap", little_calibration(), ARM, folder / "c.ply", delay_ns=20 * MS
+        )
+
+
+def test_rows_may_be_in_any_order_and_without_the_laser(tmp_path: Path) -> None:
+    folder = write_scan(tmp_path / "scan")
+    head, *rows = (folder / "images.csv").read_text().splitlines()
+    lights = ["laser", "ambient", "both", "ambient", "laser"]
+    lit = [f"{row},{light}" for row, light in zip(rows, lights, strict=True)]
+    (folder / "images.csv").write_text("\n".join([f"{head},lighting", *reversed(lit)]))
+    assert imported(folder).frames == 3
+    _, points = rebuilt(folder)
+    assert distances_mm(points, STAMPS_NS[::2]).max() < TOLERANCE_MM
+
+
+def test_pictures_that_cannot_be_read_or_are_dark_are_named(tmp_path: Path) -> None:
+    folder = write_scan(tmp_path / "scan")
+    (folder / "images/0.png").unlink()
+    (folder / "images/1.png").write_bytes(b"no picture")
+    write_png(folder / "images/2.png", np.zeros((HEIGHT, WIDTH), np.uint8))
+    write_png(folder / "images/3.png", np.zeros((HEIGHT, WIDTH - 1), np.uint8))
+    result = imported(folder)
+    assert [name for name in "013" if any(f"{name}.png" in e.line for e in result.unreadable)] == [
+        *"013"
+    ]
+    (dark,) = result.without_line
+    assert "2.png" in dark.line
+    again, points = rebuilt(folder)
+    assert (again.frames, again.frames_without_stripe) == (1, 1)
+    assert distances_mm(points, STAMPS_NS[-1:]).max() < TOLERANCE_MM
+
+
+def test_the_recording_says_how_the_stripes_were_extracted(tmp_path: Path) -> None:
+    folder = write_scan(tmp_path / "scan")
+    imported(folder, StripeSettings(smoothing_px=1.0))
+    again, _ = rebuilt(folder)
+    assert any("smoothed along the laser line by 1 px" in str(one) for one in again.warnings)
+
+
+SPOILT = {
+    "time-twice": ("images.csv", "1.png,0.14", "1.png,0.1", "line 3 has the same time_s as line 2"),
+    "no-number": ("images.csv", "1.png,0.14", "1.png,soon", "column time_s is 'soon'"),
+    "milliseconds": ("images.csv", "1.png,", "1.png,1780000000000", "Give the times in seconds"),
+    "outside": ("images.csv", "images/1.png", "../1.png", "must be inside its folder"),
+    "untimed": ("images.csv", "time_s", "seconds", "no column time_s"),
+    "radians": ("readings.csv", "q1_deg", "q1_rad", "degrees"),
+}
+
+
+@pytest.mark.parametrize(("file", "old", "new", "words"), SPOILT.values(), ids=SPOILT)
+def test_a_table_that_is_not_in_order_is_refused(
+    tmp_path: Path, file: str, old: str, new: str, words: str
+) -> None:
+    folder = write_scan(tmp_path / "scan", apart=True)
+    edit_text(folder / file, old, new)
+    assert words in refused("import", folder, "-o", tmp_path / "scan.mcap")
+    assert not (tmp_path / "scan.mcap").exists()
+
+
+def test_pictures_and_readings_of_two_clocks_are_refused(tmp_path: Path) -> None:
+    folder = write_scan(tmp_path / "scan", apart=True)
+    rows = (folder / "images.csv").read_text().replace("png,0.", "png,5000.")
+    (folder / "images.csv").write_text(rows)
+    said = refused("import", folder, "-o", tmp_path / "scan.mcap")
+    assert "from 0.000 s to 0.396 s: the pictures begin at 5000.100 s" in said
+    assert "one clock" in said
+
+
+def test_without_any_line_nothing_is_written(tmp_path: Path) -> None:
+    folder = write_scan(tmp_path / "scan")
+    for file in (folder / "images").iterdir():
+        write_png(file, np.zeros((HEIGHT, WIDTH), np.uint8))
+    (tmp_path / "scan.mcap").write_bytes(b"the scan before")
+    said = refused("import", folder, "-o", tmp_path / "scan.mcap")
+    assert "none of the 5 pictures shows a line" in said
+    assert "Switch on the laser" in said
+    assert [path.name for path in tmp_path.glob("*.mcap")] == ["scan.mcap"]
+    assert (tmp_path / "scan.mcap").read_bytes() == b"the scan before"
+
+
+def test_a_real_robots_pictures_become_a_cloud_of_the_paper(real: Path, tmp_path: Path) -> None:
+    """Of all points, also those beside the pattern, where the paper bends."""
+    folder = write_real_session(real / "robot-laser-chessboard" / "calib3", tmp_path / "session")
+    calibration, recording = tmp_path / "calibration.json", tmp_path / "scan.mcap"
+    assert crenel("calibrate", folder, "-o", calibration).exit_code == 0
+    shown = crenel("import", folder, "-o", recording)
+    assert shown.exit_code == 0, shown.output
+    assert "16 with points, 0 without a line" in shown.stdout
+    cloud = tmp_path / "cloud.ply"
+    arm = ("--calibration", calibration, "--arm", folder / "arm.json")
+    assert crenel("reconstruct", recording, *arm, "-o", cloud).exit_code == 0
+    points = read_cloud(cloud).points_mm
+    plane = fit_plane(points)
+    off = np.abs(points @ plane.normal - plane.offset_mm)
+    assert 1.4826 * np.median(off) < 0.5
