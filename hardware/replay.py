@@ -25,8 +25,8 @@ from hardware.interfaces import (
 
 REST_NS = 20_000_000
 """Between readings of an arm that has come to its last."""
-REST_FRAME_NS = 300_000_000
-"""The same of pictures."""
+REST_GAP_NS = 300_000_000
+"""Of readings or pictures that lie further apart, the last one is repeated so often."""
 
 Readings = Iterable[tuple[int, tuple[float, ...]]]
 """Stamps (ns) and readings (encoder angles in rad, or a pose) in their order."""
@@ -58,13 +58,14 @@ class ReplayClock:
 
 
 class ReplayArm:
-    """Meets ``ArmDriver``; stays where the recording ends."""
+    """Meets ``ArmDriver``; stays where the recording ends, and between readings far apart."""
 
     def __init__(self, info: ArmInfo, clock: ReplayClock, readings: Callable[[], Readings]) -> None:
         self._info, self._clock, self._readings = info, clock, readings
         self._coming: Iterator[tuple[int, tuple[float, ...]]] = iter(())
         self._next: tuple[int, tuple[float, ...]] | None = None
         self._last: tuple[float, ...] | None = None
+        self._read_ns = 0
         self._health = LinkHealth()
         self._closed = threading.Event()
 
@@ -87,8 +88,11 @@ class ReplayArm:
             stamp_ns, self._last = self._next
             found.append(self._sample(self._clock.due_ns(stamp_ns), self._last))
             self._next = next(self._coming, None)
-        if not found and self._next is None and self._last is not None:
+        rests = self._next is None or now > self._read_ns + REST_GAP_NS
+        if not found and rests and self._last is not None:
             found.append(self._sample(now, self._last))
+        if found:
+            self._read_ns = now
         return found
 
     def _sample(self, stamp_ns: int, reading: tuple[float, ...]) -> ArmReading:
@@ -132,7 +136,7 @@ class ReplaySensor:
         return self._info
 
     def read(self, timeout_s: float) -> Frame | None:
-        due_ns = self._rested_ns + REST_FRAME_NS
+        due_ns = self._rested_ns + REST_GAP_NS
         if self._next is not None:
             due_ns = min(self._clock.due_ns(self._next[0]), due_ns)
         left_s = (due_ns - now_ns()) / 1e9

@@ -42,7 +42,10 @@ const PAGE = {
 export function App() {
   const language = useLanguage();
   const units = useUnits();
-  const page = usePage();
+  const chosen = usePage();
+  const replays = useLive((s) => s.replay !== null);
+  // nothing is to be done at a replay: its first page is the cloud
+  const page = replays && chosen === "home" ? "scan" : chosen;
   const Page = PAGE[page];
   const session = useLive((s) => s.session);
   const title = `${t(TITLES[page])} · Crenel`;

@@ -169,6 +169,21 @@ def test_arm_and_pictures_come_again_by_the_same_clock(tmp_path: Path) -> None:
     assert arm.read(1.0) == []
 
 
+def test_an_arm_rests_between_readings_that_are_far_apart(tmp_path: Path) -> None:
+    with RecordingWriter(tmp_path / "scan.mcap", NAMES) as writer:
+        for second in range(3):
+            writer.joints(second * 1000 * MS, q_at(second * MS))
+            record_stripe(writer, second * 1000 * MS)
+    arm = Replay(tmp_path / "scan.mcap", little_calibration(), ARM, 1.0).arm()
+    arm.open()
+    samples: list[JointSample] = []
+    while not samples or samples[-1].joints_rad != tuple(q_at(MS)):
+        samples += [one for one in arm.read(0.01) if isinstance(one, JointSample)]
+    assert 3 <= len(samples) <= 5
+    assert {one.joints_rad for one in samples[:-1]} == {tuple(q_at(0))}
+    assert (np.diff([one.stamp_ns for one in samples]) > 0).all()
+
+
 def test_what_cannot_be_replayed_is_refused(tmp_path: Path) -> None:
     with RecordingWriter(tmp_path / "scan.mcap", NAMES) as writer:
         record_stripe(writer, 5)

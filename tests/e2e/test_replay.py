@@ -1,0 +1,35 @@
+"""A recording shown again in a real browser, from the link that the command prints."""
+
+import sys
+from pathlib import Path
+
+import pytest
+from playwright.sync_api import Browser, expect
+
+from tests.cli.test_replay import scan
+from tests.datasheets import write_arm
+from tests.e2e.conftest import Demo
+from tests.e2e.visit import Visit
+from tests.formats.builders import ARM
+from tests.formats.test_documents import calibration_file
+
+pytestmark = pytest.mark.slow
+
+
+def test_the_replay_is_the_first_page(
+    browser: Browser, screenshots: Path | None, tmp_path: Path
+) -> None:
+    calibration_file().write(tmp_path / "calibration.json")
+    write_arm(tmp_path / "arm.json", ARM)
+    recording = str(scan(tmp_path / "scan.mcap", images=True))
+    replay = ("replay", recording, "--no-open", "--port", "0")
+    demo = Demo(tmp_path, [sys.executable, "-c", "from app.cli.main import main; main()", *replay])
+    try:
+        visit = Visit(browser.new_page(viewport={"width": 1024, "height": 768}), screenshots)
+        visit.page.goto(demo.link)
+        expect(visit.page.get_by_role("heading", name="The replay has ended")).to_be_visible()
+        visit.look("replay")
+        visit.page.close()
+    finally:
+        demo.end()
+    assert not visit.faults, "\n".join(visit.faults)
