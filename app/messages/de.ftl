@@ -472,6 +472,7 @@ centres-of-articulations =
 certificate = Kalibrierschein
 certificate-2 = Kalibrierschein { $certificate }
 certificate-date-unreadable = { $until } ist kein Datum; die Gültigkeit des Kalibrierscheins wird als 2027-03-31 angegeben
+certificate-days-reversed = nach der Uhr der Station begann die Prüfung am { $begun } und endete am { $ended }; der Kalibrierschein braucht beide Tage in ihrer Reihenfolge
 certificate-has-lengths = der Kalibrierschein nennt: { $names }
 certificate-has-no-length = der Kalibrierschein nennt keine Länge
 certificate-needs-country = der Kalibrierschein braucht das Land des Laboratoriums als zwei Großbuchstaben, nicht { $country }

@@ -472,6 +472,7 @@ centres-of-articulations =
 certificate = Certificate
 certificate-2 = certificate { $certificate }
 certificate-date-unreadable = { $until } is no date; the certificate’s validity is stated as 2027-03-31
+certificate-days-reversed = by the clock of the station, the test began on { $begun } and ended on { $ended }; the certificate needs both days in order
 certificate-has-lengths = the certificate states: { $names }
 certificate-has-no-length = the certificate states no length
 certificate-needs-country = the certificate needs the laboratory's country as two capital letters, not { $country }

@@ -356,6 +356,20 @@ def test_an_issuer_without_name_or_country_is_refused(tmp_path: Path, issuer: Is
     assert raised.value.code == "issuer-unknown"
 
 
+def test_the_days_of_a_test_are_those_in_utc(tmp_path: Path) -> None:
+    moments = {"started_at": "2026-11-25T00:30:00+02:00", "ended_at": "2026-11-24T23:00:00Z"}
+    root = written(sphere_result(tmp_path / "T").model_copy(update=moments))
+    for day in ("begin", "end"):
+        assert root.findtext(f".//dcc:{day}PerformanceDate", "", NAMES) == "2026-11-24"
+
+
+def test_a_test_that_ended_on_a_day_before_it_began_is_refused(tmp_path: Path) -> None:
+    moments = {"started_at": "2026-11-25T10:00:00Z", "ended_at": "2026-11-24T10:00:00Z"}
+    document = sphere_result(tmp_path / "T").model_copy(update=moments)
+    with pytest.raises(OperationError, match="began on 2026-11-25 and ended on 2026-11-24"):
+        certificate_bytes(document, ISSUER)
+
+
 def test_a_written_certificate_is_no_sphere(tmp_path: Path) -> None:
     content = certificate_bytes(contact_result(tmp_path / "test"), ISSUER)
     with pytest.raises(OperationError, match="diameter"):

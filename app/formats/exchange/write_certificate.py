@@ -7,6 +7,7 @@ not signed.
 import re
 from collections.abc import Sequence
 from dataclasses import dataclass
+from datetime import UTC
 from xml.etree import ElementTree as ET
 
 from app.errors import OperationError
@@ -109,8 +110,9 @@ def _administration(parent: ET.Element, document: PerformanceFile, issuer: Issue
         add(core, _dcc("usedLangCodeISO639_1"), language)
     add(core, _dcc("mandatoryLangCodeISO639_1"), LANGUAGES[0])
     add(core, _dcc("uniqueIdentifier"), _short_text(document.id))
-    add(core, _dcc("beginPerformanceDate"), _day(document.started_at))
-    add(core, _dcc("endPerformanceDate"), _day(document.ended_at))
+    begun, ended = _days(document)
+    add(core, _dcc("beginPerformanceDate"), begun)
+    add(core, _dcc("endPerformanceDate"), ended)
     add(core, _dcc("performanceLocation"), "laboratory")
     items = add(parent, _dcc("items"))
     serials = document.serial_numbers
@@ -282,10 +284,20 @@ def _number(value: float) -> str:
     return f"{value:.3f}"
 
 
+def _days(document: PerformanceFile) -> tuple[str, str]:
+    """Of the beginning and of the end, which the rules of the PTB want in this order."""
+    begun, ended = _day(document.started_at), _day(document.ended_at)
+    if ended < begun:
+        raise OperationError(
+            "moments-reversed", message("certificate-days-reversed", begun=begun, ended=ended)
+        )
+    return begun, ended
+
+
 def _day(text: str) -> str:
-    """The date of a moment."""
+    """The date of a moment in UTC, like the times in a report."""
     try:
-        return parse_moment(text).date().isoformat()
+        return parse_moment(text).astimezone(UTC).date().isoformat()
     except ValueError as error:
         raise OperationError(
             "moment-unknown", message("certificate-needs-date", text=text or "–")

@@ -3,7 +3,7 @@
 QIF 3.0 has no type for ISO 10360-12. Every symbol is therefore a user-defined linear characteristic
 whose name is the symbol. A contact test is also written as ``AACMMB89Test``, the accuracy of the
 arm among the measurement resources. The order and the required parts of all elements are those of
-the schema of QIF 3.0; a written file is not validated against it.
+the schema of QIF 3.0, which is no part of the program (see ``check_schema``).
 """
 
 import re
