@@ -27,6 +27,8 @@ REST_NS = 20_000_000
 """Between readings of an arm that has come to its last."""
 REST_GAP_NS = 300_000_000
 """Of readings or pictures that lie further apart, the last one is repeated so often."""
+MOST_AT_ONCE = 1000
+"""Readings in one answer."""
 
 Readings = Iterable[tuple[int, tuple[float, ...]]]
 """Stamps (ns) and readings (encoder angles in rad, or a pose) in their order."""
@@ -51,10 +53,14 @@ class ReplayClock:
         self._start_ns = now_ns()
 
     def due_ns(self, stamp_ns: int) -> int:
-        """When a stamp is due, on the host's clock."""
+        """When a stamp is due, on the host's clock; at speed 0 all are due at the start."""
         if not self.speed:
-            return now_ns()
+            return self._start_ns
         return self._start_ns + int((stamp_ns - self.first_ns) / self.speed)
+
+    def stamp_again_ns(self, stamp_ns: int, read_ns: int) -> int:
+        """The stamp with which it comes again, where it is read at a time."""
+        return self.due_ns(stamp_ns) if self.speed else read_ns
 
 
 class ReplayArm:
@@ -86,8 +92,12 @@ class ReplayArm:
         now, found = now_ns(), []
         while self._next is not None and self._clock.due_ns(self._next[0]) <= now:
             stamp_ns, self._last = self._next
-            found.append(self._sample(self._clock.due_ns(stamp_ns), self._last))
+            found.append(self._sample(self._clock.stamp_again_ns(stamp_ns, now), self._last))
             self._next = next(self._coming, None)
+            if len(found) == MOST_AT_ONCE:
+                break
+        if not self._clock.speed:
+            found = found[-1:]  # all of them have one stamp
         rests = self._next is None or now > self._read_ns + REST_GAP_NS
         if not found and rests and self._last is not None:
             found.append(self._sample(now, self._last))
@@ -147,7 +157,7 @@ class ReplaySensor:
             return self._frame(self._rested_ns, self._last)
         stamp_ns, self._last = self._next
         self._next = next(self._coming, None)
-        return self._frame(self._clock.due_ns(stamp_ns), self._last)
+        return self._frame(self._clock.stamp_again_ns(stamp_ns, self._rested_ns), self._last)
 
     def _frame(self, stamp_ns: int, picture: RecordedImage) -> Frame:
         self._health.received += 1

@@ -169,6 +169,20 @@ def test_arm_and_pictures_come_again_by_the_same_clock(tmp_path: Path) -> None:
     assert arm.read(1.0) == []
 
 
+def test_as_fast_as_possible_arm_and_pictures_come_to_the_last(tmp_path: Path) -> None:
+    path = scan(tmp_path / "scan.mcap", images=True)
+    replay = Replay(path, little_calibration(), ARM, 0.0)
+    arm, sensor = replay.arm(), replay.sensor()
+    arm.open()
+    sensor.open()
+    samples = [one for _ in range(4) for one in arm.read(0.01) if isinstance(one, JointSample)]
+    assert samples[-1].joints_rad == tuple(q_at(800 * MS))
+    assert (np.diff([one.stamp_ns for one in samples]) > 0).all()
+    frames = [frame for _ in range(60) if (frame := sensor.read(0.5)) is not None]
+    assert len({frame.image.tobytes() for frame in frames}) == 60
+    assert all(frame.image.max() > 100 for frame in frames)
+
+
 def test_an_arm_rests_between_readings_that_are_far_apart(tmp_path: Path) -> None:
     with RecordingWriter(tmp_path / "scan.mcap", NAMES) as writer:
         for second in range(3):
