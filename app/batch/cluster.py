@@ -5,6 +5,7 @@ import os
 import time
 from collections.abc import Callable
 from contextlib import suppress
+from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import TYPE_CHECKING, Any, Protocol
 
@@ -18,6 +19,7 @@ if TYPE_CHECKING:
 CONNECT_S = 5.0
 CLOSE_S = 5.0
 PAUSE_S = 1.0
+NO_PAGES = "127.0.0.1:0"
 SECURE_SCHEMES = ("tls", "wss")
 SCHEMES = ("tcp", "ws", *SECURE_SCHEMES)
 """Of the addresses of schedulers."""
@@ -34,7 +36,7 @@ class Cluster(Protocol):
         """Connected, as far as is known."""
 
     def reconnect(self, say: Callable[[Text], None]) -> None:
-        """Waits until the scheduler is there again; raises ``OperationError`` after an hour."""
+        """Waits until the scheduler is there again; raises ``OperationError`` after too long."""
 
     def close(self) -> None:
         """Ends what was started here; idempotent."""
@@ -76,20 +78,61 @@ class LocalWorkers:
         self._folder.cleanup()
 
 
+class OwnWorker:
+    """One worker, a thread of this process; no other process can reach it or its scheduler.
+
+    Args:
+        scratch: a folder for temporary files.
+
+    Raises:
+        OperationError: Dask is not installed.
+    """
+
+    def __init__(self, scratch: Path) -> None:
+        dask = _load_dask()
+        from dask import config
+
+        self.threads = os.cpu_count() or 1
+        routes = [f"distributed.{one}.http.routes" for one in ("scheduler", "worker")]
+        with config.set(dict.fromkeys(routes, ())):
+            self._cluster: LocalCluster = dask.LocalCluster(
+                n_workers=1,
+                threads_per_worker=1,
+                processes=False,
+                dashboard_address=NO_PAGES,
+                worker_dashboard_address=NO_PAGES,
+                scheduler_kwargs={"dashboard": False},
+                local_directory=str(scratch),
+                silence_logs=logging.CRITICAL,
+            )
+        self.client: Client = dask.Client(self._cluster, set_as_default=False)
+
+    def reconnect(self, say: Callable[[Text], None]) -> None:
+        raise _scheduler_error(str(self._cluster.scheduler_address))
+
+    def close(self) -> None:
+        with suppress(Exception):
+            self.client.close(CLOSE_S)
+        with suppress(Exception):
+            self._cluster.close(CLOSE_S)
+
+
 class RemoteScheduler:
     """The workers of a scheduler that runs somewhere.
 
     Args:
         address: as ``tcp://host:8786``.
         threads: of one task.
+        give_up_s: a scheduler that is lost is waited for so long.
 
     Raises:
         OperationError: Dask is not installed, the address is none, or the scheduler does not
             answer.
     """
 
-    def __init__(self, address: str, threads: int = 1) -> None:
+    def __init__(self, address: str, threads: int = 1, give_up_s: float = GIVE_UP_S) -> None:
         self._dask, self._address, self.threads = _load_dask(), address, threads
+        self._give_up_s = give_up_s
         _check_address(address)
         try:
             self.client: Client = self._connect()
@@ -105,7 +148,7 @@ class RemoteScheduler:
         with suppress(Exception):
             self.client.close(CLOSE_S)
         say(message("batch-scheduler-away", address=self._address))
-        deadline_s = time.monotonic() + GIVE_UP_S
+        deadline_s = time.monotonic() + self._give_up_s
         while time.monotonic() < deadline_s:
             try:
                 self.client = self._connect()
@@ -114,7 +157,7 @@ class RemoteScheduler:
             else:
                 say(message("batch-scheduler-back"))
                 return
-        raise _scheduler_error(self._address)
+        raise _scheduler_error(self._address, self._give_up_s)
 
     def close(self) -> None:
         with suppress(Exception):
@@ -167,10 +210,10 @@ def _check_address(address: str) -> None:
         )
 
 
-def _scheduler_error(address: str) -> OperationError:
+def _scheduler_error(address: str, waited_s: float = GIVE_UP_S) -> OperationError:
     return OperationError(
         "no-scheduler",
         message("batch-no-scheduler", address=address),
-        message("batch-waited", time=quantity(GIVE_UP_S / 60, "min")),
+        message("batch-waited", time=quantity(waited_s / 60, "min")),
         message("batch-run-again"),
     )

@@ -25,10 +25,13 @@ class Patience:
 
     Args:
         say: called once when the waiting begins, and once when it ends.
+        give_up_s: stores that do not answer for so long are given up.
     """
 
-    def __init__(self, say: Callable[[Text], None] = lambda text: None) -> None:
-        self._say = say
+    def __init__(
+        self, say: Callable[[Text], None] = lambda text: None, give_up_s: float = GIVE_UP_S
+    ) -> None:
+        self._say, self._give_up_s = say, give_up_s
         self._lock = threading.Lock()
         self._ended = threading.Event()
         self._pause_s = 0.0
@@ -37,14 +40,14 @@ class Patience:
         """When stores are tried again, on the monotonic clock."""
 
     def note_away(self, error: OperationError) -> None:
-        """Called with each failure; raises it if stores have been away for an hour."""
+        """Called with each failure; raises it if stores have been away for too long."""
         with self._lock:
             now_s = time.monotonic()
             if self._away_since_s is None:
                 self._away_since_s = now_s
                 why = join([error.what, str(error.why).rstrip(".")], ": ")
                 self._say(message("batch-store-away", why=why))
-            elif now_s - self._away_since_s > GIVE_UP_S:
+            elif now_s - self._away_since_s > self._give_up_s:
                 raise error
             if now_s >= self.next_s:  # those that were under way fail together
                 self._pause_s = min(max(2 * self._pause_s, FIRST_PAUSE_S), LONGEST_PAUSE_S)
@@ -65,7 +68,7 @@ class Patience:
         """What a call to a store returns, as soon as that can be reached.
 
         Raises:
-            OperationError: the call failed for another reason, or for an hour.
+            OperationError: the call failed for another reason, or for too long.
         """
         failed = False
         while True:

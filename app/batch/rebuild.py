@@ -127,15 +127,25 @@ def plan_rebuild(
         name = f"{recording.station}/{recording.id}"
         try:
             calibrations = given if given is not None else finder.of_recording(recording)
-            digest = recording.file.digest()
+            tasks.append(task_of(recording, calibrations, output, suffix))
         except OperationError as error:
             if is_of_whole_place(error):
                 raise
             refused.append((name, Refusal.of(error)))
-            continue
-        key = key_of("rebuild", digest, calibrations, suffix)
-        tasks.append(RebuildTask(key, recording, digest, calibrations, output, suffix))
     return RebuildPlan(tasks, refused, left_out, found)
+
+
+def task_of(
+    recording: ScanRecording, calibrations: BySensor, output: ArchiveSettings, suffix: str
+) -> RebuildTask:
+    """The task of a recording with these calibrations.
+
+    Raises:
+        OperationError: the recording cannot be read.
+    """
+    digest = recording.file.digest()
+    key = key_of("rebuild", digest, calibrations, suffix)
+    return RebuildTask(key, recording, digest, calibrations, output, suffix)
 
 
 def key_of(kind: str, digest: str, calibrations: BySensor, *more: str) -> str:

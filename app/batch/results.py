@@ -140,13 +140,13 @@ class ResultStore:
         yield path
         self._store.write(name, _pieces(path), path.stat().st_size)
 
-    def remove_parts(self, keys: Set[str]) -> None:
-        """Removes what workers that were killed left half-written of these results."""
+    def remove_parts(self, keys: Set[str] | None = None) -> None:
+        """Removes what workers that were killed left half-written of these results, or of all."""
         if not self.settings.is_folder:
             return
         for part in Path(self.settings.url).glob(f".*{PART}"):
             target = part.name.removesuffix(PART).rpartition(".")[0]
-            if target.rpartition("-")[2].partition(".")[0] in keys:
+            if keys is None or target.rpartition("-")[2].partition(".")[0] in keys:
                 with suppress(OSError):
                     part.unlink()
 

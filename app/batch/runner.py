@@ -9,8 +9,8 @@ from queue import Empty, SimpleQueue
 from typing import TYPE_CHECKING
 
 from app.batch.cluster import Cluster
-from app.batch.patience import Patience
-from app.batch.task import Outcome, Refusal, Task, perform_on_worker
+from app.batch.patience import GIVE_UP_S, Patience
+from app.batch.task import PROGRESS_TOPIC, Outcome, Refusal, Task, perform_on_worker
 from app.formats.json_document import SOFTWARE
 from app.messages.message import Text, message
 from app.progress import Progress, no_progress
@@ -38,6 +38,8 @@ class Runner:
     Args:
         kind: one word, by which Dask's dashboard groups them.
         say: called with what the operator should know meanwhile.
+        watch: called with the key of a task and the share of it that is done, meanwhile.
+        give_up_s: a store that does not answer for so long is given up.
     """
 
     def __init__(
@@ -47,10 +49,12 @@ class Runner:
         take: TakeOutcome,
         progress: Progress = no_progress,
         say: Callable[[Text], None] = lambda text: None,
+        watch: Callable[[str, float], None] | None = None,
+        give_up_s: float = GIVE_UP_S,
     ) -> None:
         self._cluster, self._kind, self._take = cluster, kind, take
-        self._progress, self._say = progress, say
-        self._patience = Patience(say)
+        self._progress, self._say, self._watch = progress, say, watch
+        self._patience = Patience(say, give_up_s)
         self._waiting: deque[Task] = deque()
         self._running: dict[str, tuple[Future[Outcome], Task]] = {}
         self._ended: SimpleQueue[Future[Outcome]] = SimpleQueue()
@@ -64,8 +68,9 @@ class Runner:
         """Returns when each has been taken.
 
         Raises:
-            OperationError: the scheduler or a store was away for an hour, or refuses everything.
+            OperationError: the scheduler or a store was away for too long, or refuses everything.
         """
+        self._listen()
         self._waiting.extend({task.key: task for task in tasks}.values())
         count = len(self._waiting)
         total = sum(task.size_bytes for task in self._waiting)
@@ -91,6 +96,15 @@ class Runner:
         self._waiting.extendleft(task for _, task in self._running.values())
         self._running.clear()
         self._cluster.reconnect(self._say)
+        self._listen()
+
+    def _listen(self) -> None:
+        """Passes on what workers report of their tasks."""
+        watch = self._watch
+        if watch is not None:
+            self._cluster.client.subscribe_topic(
+                PROGRESS_TOPIC, lambda event: watch(event[1]["key"], event[1]["share"])
+            )
 
     def _submit(self) -> None:
         if time.monotonic() < self._patience.next_s:
@@ -103,7 +117,12 @@ class Runner:
             task = self._waiting.popleft()
             key = f"{self._kind}-{task.key}"
             future = client.submit(
-                perform_on_worker, task, SOFTWARE.version, self._cluster.threads, key=key
+                perform_on_worker,
+                task,
+                SOFTWARE.version,
+                self._cluster.threads,
+                self._watch is not None,
+                key=key,
             )
             self.tries += 1
             self._running[key] = future, task

@@ -4,7 +4,7 @@ import resource
 import sys
 import time
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Any, Literal, Protocol, Self
@@ -18,6 +18,12 @@ from app.errors import OperationError
 from app.formats.io_errors import convert_io_errors
 from app.formats.json_document import SOFTWARE
 from app.messages.message import Text, message
+from app.progress import Progress, no_progress
+
+PROGRESS_TOPIC = "crenel-progress"
+"""Of Dask's events: the share of a task that is done, from its worker."""
+REPORT_S = 0.5
+"""Between two of them."""
 
 STOPPING = {
     "archive-forbidden",
@@ -46,11 +52,14 @@ class Desk:
     threads: int
     """That compute at the same time."""
     is_ending: Callable[[], bool]
+    note: Progress = no_progress
+    """Called with the progress of the task."""
 
     def report(self, share: float, text: Text) -> None:
         """The progress of the task; raises ``ArchiveEndedError`` if the worker ends."""
         if self.is_ending():
             raise ArchiveEndedError
+        self.note(share, text)
 
     def find_recording(self, file: RecordFile, name: str) -> Path:
         """A recording on this machine: that of a folder, or a copy; perhaps without pictures of
@@ -160,11 +169,12 @@ class Outcome:
     """Most that the worker's process has used so far."""
 
 
-def perform_on_worker(task: Task, version: str, threads: int) -> Outcome:
+def perform_on_worker(task: Task, version: str, threads: int, is_watched: bool) -> Outcome:
     """Does a task in a worker of Dask.
 
     Args:
         version: of the software that asks for it.
+        is_watched: its progress is sent as events.
     """
     from distributed import Status, get_worker
 
@@ -173,11 +183,33 @@ def perform_on_worker(task: Task, version: str, threads: int) -> Outcome:
     if version != SOFTWARE.version:
         versions = message("batch-other-version", here=version, there=SOFTWARE.version)
         return Outcome("stop", refusal=Refusal("other-version", versions))
-    return perform(task, Path(worker.local_directory), threads, lambda: worker.status in ending)
+    note: Progress = no_progress
+    if is_watched:
+        note = _at_intervals(
+            lambda share: worker.log_event(PROGRESS_TOPIC, {"key": task.key, "share": share})
+        )
+    scratch = Path(worker.local_directory)
+    return perform(task, scratch, threads, lambda: worker.status in ending, note)
+
+
+def _at_intervals(send: Callable[[float], None]) -> Progress:
+    due_s = 0.0
+
+    def note(share: float, text: Text) -> None:
+        nonlocal due_s
+        if (now_s := time.monotonic()) >= due_s:
+            due_s = now_s + REPORT_S
+            send(share)
+
+    return note
 
 
 def perform(
-    task: Task, scratch: Path, threads: int, is_ending: Callable[[], bool] = lambda: False
+    task: Task,
+    scratch: Path,
+    threads: int,
+    is_ending: Callable[[], bool] = lambda: False,
+    note: Progress = no_progress,
 ) -> Outcome:
     """Does a task in this process.
 
@@ -185,7 +217,7 @@ def perform(
         scratch: a folder for temporary files.
     """
     began_s = time.perf_counter()
-    outcome = _try(task, scratch, threads, is_ending)
+    outcome = _try(task, Desk(scratch, threads, is_ending, note))
     peak = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
     return Outcome(
         outcome.state,
@@ -196,10 +228,10 @@ def perform(
     )
 
 
-def _try(task: Task, scratch: Path, threads: int, is_ending: Callable[[], bool]) -> Outcome:
+def _try(task: Task, desk: Desk) -> Outcome:
     try:
-        with TemporaryDirectory(prefix="crenel-", dir=scratch) as folder:
-            return Outcome("done", task.perform(Desk(Path(folder), threads, is_ending)))
+        with TemporaryDirectory(prefix="crenel-", dir=desk.folder) as folder:
+            return Outcome("done", task.perform(replace(desk, folder=Path(folder))))
     except OperationError as error:
         refusal = Refusal.of(error)
     if refusal.code in STOPPING:

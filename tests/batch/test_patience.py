@@ -66,8 +66,8 @@ def test_a_store_that_comes_back_is_read_and_this_is_said_once(
     ]
 
 
-def test_a_store_is_given_up_after_an_hour_or_for_another_reason(
-    tmp_path: Path, said: list[Text], monkeypatch: pytest.MonkeyPatch
+def test_a_store_is_given_up_after_its_time_or_for_another_reason(
+    tmp_path: Path, said: list[Text]
 ) -> None:
     store = PatientStore(FolderStore(tmp_path / "none", "records"), Patience(said.append))
     with pytest.raises(StoreError, match="is not there"):
@@ -75,9 +75,8 @@ def test_a_store_is_given_up_after_an_hour_or_for_another_reason(
     assert said == []
     inner = SometimesAway(tmp_path, "records")
     inner.failures = 10**9
-    monkeypatch.setattr(module, "GIVE_UP_S", 0.05)
     with pytest.raises(StoreError, match="cannot be reached"):
-        PatientStore(inner, Patience(said.append)).names("")
+        PatientStore(inner, Patience(said.append, give_up_s=0.05)).names("")
     assert len(said) == 1
 
 
