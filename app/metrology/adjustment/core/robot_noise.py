@@ -36,7 +36,8 @@ USUAL_FACTOR, LEAST_FACTOR = 1.0, 0.3
 OUTLIER_CHANCE = 1e-5
 FEWEST_OTHERS = 4
 
-ByNoise = list[tuple[Floats, Floats, Floats]]
+NoiseSquares = Floats
+"""(3, P, 6, 6): the covariance of each pose by rotation, translation and tilt of variance 1."""
 
 
 @dataclass(frozen=True)
@@ -143,10 +144,10 @@ def _mahalanobis_square(
     return float(residuals[own] @ np.linalg.solve(variance, residuals[own]))
 
 
-def _linearise(seen: PosePairs, X: Floats, Z: Floats) -> tuple[Floats, Floats, ByNoise]:
+def _linearise(seen: PosePairs, X: Floats, Z: Floats) -> tuple[Floats, Floats, NoiseSquares]:
     """Residuals (6P,), twists of the object in the camera frame between its poses by the pictures
-    and by the robot; derivatives by ``X`` from the right and ``Z`` from the left (6P, 12); and by
-    rotation (6, 3), translation (6, 3) and tilt (6, 2) of each pose."""
+    and by the robot; derivatives by ``X`` from the right and ``Z`` from the left (6P, 12); and what
+    rotation, translation and tilt of each pose do."""
     residuals, rows, by_noise = [], [], []
     centre = apply(Z, seen.middle_mm[None])[0]
     for one, pictured in zip(seen.T_arm_flange, seen.T_cam_obj, strict=True):
@@ -156,9 +157,10 @@ def _linearise(seen: PosePairs, X: Floats, Z: Floats) -> tuple[Floats, Floats, B
         in_cam = adjoint(T_cam_arm)
         rows.append(np.hstack([np.eye(6), -in_cam]))
         of_flange = in_cam @ adjoint(one)
-        tilt = in_cam @ _tilts(Z, centre)
-        by_noise.append((of_flange[:, :3], of_flange[:, 3:], tilt))
-    return np.concatenate(residuals), np.concatenate(rows), by_noise
+        ways = (of_flange[:, :3], of_flange[:, 3:], in_cam @ _tilts(Z, centre))
+        by_noise.append([way @ way.T for way in ways])
+    squares = np.swapaxes(np.array(by_noise), 0, 1)
+    return np.concatenate(residuals), np.concatenate(rows), squares
 
 
 def _tilts(T_arm_obj: Floats, centre_mm: Floats) -> Floats:
@@ -166,27 +168,29 @@ def _tilts(T_arm_obj: Floats, centre_mm: Floats) -> Floats:
     return np.asarray(pivot_adjoint(centre_mm)[:, :3] @ T_arm_obj[:3, :2])
 
 
-def _covariance(log_sd: Floats, by_noise: ByNoise, covariance: Floats) -> Floats:
+def _covariance(log_sd: Floats, by_noise: NoiseSquares, covariance: Floats) -> Floats:
+    """That of the residuals (6P, 6P): of the pictures, and by the noise of each pose."""
     V = covariance.copy()
-    for p, each in enumerate(by_noise):
-        own = slice(6 * p, 6 * p + 6)
-        for variance, way in zip(np.exp(2 * log_sd), each, strict=True):
-            V[own, own] += variance * way @ way.T
+    poses = len(covariance) // 6
+    own = np.arange(poses)
+    blocks = V.reshape(poses, 6, poses, 6)
+    blocks[own, :, own, :] += np.tensordot(np.exp(2 * log_sd), by_noise, axes=1)
     return V
 
 
 def _negative_log_likelihood(
-    log_sd: Floats, residuals: Floats, J: Floats, by_noise: ByNoise, covariance: Floats
+    log_sd: Floats, residuals: Floats, J: Floats, by_noise: NoiseSquares, covariance: Floats
 ) -> float:
     """Negative logarithm of the restricted likelihood, including the prior."""
     off = (log_sd - np.log(USUAL)) / USUAL_LOG_SD
     V = _covariance(np.maximum(log_sd, np.log(LEAST)), by_noise, covariance)
-    W = np.linalg.inv(V)
-    JWJ = J.T @ W @ J
-    left = residuals - J @ np.linalg.solve(JWJ, J.T @ W @ residuals)
-    square = float(left @ W @ left)
-    size = float(np.linalg.slogdet(V)[1] + np.linalg.slogdet(JWJ)[1])
-    return 0.5 * (square + size + float(off @ off))
+    L = np.linalg.cholesky(V)
+    white = np.linalg.solve(L, np.column_stack([J, residuals]))
+    # the factor of [J r]ᵀ V⁻¹ [J r]: of J first, and the residuals that J leaves last
+    R = np.linalg.qr(white, mode="r")
+    sizes = np.abs(np.diag(R))
+    size = 2 * float(np.log(np.diag(L)).sum() + np.log(sizes[:-1]).sum())
+    return 0.5 * (float(sizes[-1]) ** 2 + size + float(off @ off))
 
 
 def with_flange_noise(moves: FlangeMotion, noise: RobotNoise) -> FlangeMotion:
