@@ -5,6 +5,35 @@
  * is clipped, it is clipped. Included with BITS defined. */
 #include "pixel.h"
 
+#define REDUCED_COLUMNS 64
+
+/* The sum of a column's rows: of up to 257 rows of 8 bits. */
+#if BITS == 8
+typedef uint16_t OF(row_sum);
+#else
+typedef uint32_t OF(row_sum);
+#endif
+
+/* `factor` rows made one in n columns, at most REDUCED_COLUMNS. */
+static inline __attribute__((always_inline)) void
+OF(reduce_columns)(int64_t n, const PIXEL *from, int64_t width, int64_t factor, uint32_t per_sum,
+                   uint32_t gain, PIXEL full, uint16_t *to)
+{
+    OF(row_sum) sum[REDUCED_COLUMNS] = {0};
+    PIXEL most[REDUCED_COLUMNS] = {0};
+    for (int64_t k = 0; k < factor; k++) {
+        const PIXEL *line = from + k * width;
+        for (int64_t i = 0; i < n; i++) {
+            sum[i] = (OF(row_sum))(sum[i] + line[i]);
+            most[i] = line[i] > most[i] ? line[i] : most[i];
+        }
+    }
+    for (int64_t i = 0; i < n; i++) {
+        const uint32_t mean = (sum[i] * per_sum) >> 12;
+        to[i] = (uint16_t)(most[i] >= full ? full * gain : mean);
+    }
+}
+
 /* pixels (height, width); parts (part_count, 4) of the reduced picture; out (reduced, width). */
 EXPORT(void, OF(reduce_rows))(int64_t height, int64_t width, int64_t part_count, int64_t reduced,
                               const PIXEL *pixels, const int64_t *parts, int64_t factor,
@@ -12,29 +41,19 @@ EXPORT(void, OF(reduce_rows))(int64_t height, int64_t width, int64_t part_count,
 {
     /* saturated * gain is within 16 bits, so that products are within 32 */
     const uint32_t per_sum = (uint32_t)((gain << 12) / factor);
-    const uint32_t full = (uint32_t)saturated;
+    const PIXEL full = (PIXEL)saturated;
     const int64_t rows = min_i64(reduced, height / factor);
     for (const int64_t *part = parts; part < parts + 4 * part_count; part += 4) {
-        const int64_t columns = part[3] - part[2];
         for (int64_t row = part[0]; row < min_i64(part[1], rows); row++) {
-            const PIXEL *from = pixels + row * factor * width + part[2];
-            uint16_t *to = out + row * width + part[2];
-            for (int64_t begin = 0; begin < columns; begin += 64) {
-                const int64_t n = min_i64(64, columns - begin);
-                uint32_t sum[64] = {0};
-                PIXEL most[64] = {0};
-                for (int64_t k = 0; k < factor; k++) {
-                    const PIXEL *line = from + k * width + begin;
-                    for (int64_t i = 0; i < n; i++) {
-                        sum[i] += line[i];
-                        most[i] = line[i] > most[i] ? line[i] : most[i];
-                    }
-                }
-                for (int64_t i = 0; i < n; i++) {
-                    const uint32_t mean = (sum[i] * per_sum) >> 12;
-                    to[begin + i] = (uint16_t)(most[i] >= full ? full * (uint32_t)gain : mean);
-                }
-            }
+            const PIXEL *from = pixels + row * factor * width;
+            uint16_t *to = out + row * width;
+            int64_t u = part[2];
+            for (; u + REDUCED_COLUMNS <= part[3]; u += REDUCED_COLUMNS)
+                OF(reduce_columns)(REDUCED_COLUMNS, from + u, width, factor, per_sum,
+                                   (uint32_t)gain, full, to + u);
+            if (u < part[3])
+                OF(reduce_columns)(part[3] - u, from + u, width, factor, per_sum, (uint32_t)gain,
+                                   full, to + u);
         }
     }
 }
