@@ -64,14 +64,16 @@ EXPORT(void, OF(reduce_rows))(int64_t height, int64_t width, int64_t part_count,
 EXPORT(void, OF(double_rows))(int64_t height, int64_t width, int64_t doubled, const PIXEL *pixels,
                               int64_t gain, int64_t saturated, uint16_t *out)
 {
+    /* the full scale of more than 8 bits is at least 511: products are within 32 bits */
+    const uint32_t brightest = (uint32_t)(saturated * gain - 1);
     for (int64_t row = 0; row < min_i64(2 * height, doubled); row++) {
         const int64_t own = row / 2, beside = own + (row % 2 ? 1 : -1);
         const PIXEL *near = pixels + own * width;
         const PIXEL *far = pixels + max_i64(0, min_i64(beside, height - 1)) * width;
         uint16_t *to = out + row * width;
         for (int64_t i = 0; i < width; i++) {
-            const int64_t mean = (3 * (int64_t)near[i] + far[i]) * gain / 4;
-            to[i] = (uint16_t)min_i64(mean, saturated * gain - 1);
+            const uint32_t mean = (3 * (uint32_t)near[i] + far[i]) * (uint32_t)gain / 4;
+            to[i] = (uint16_t)(mean < brightest ? mean : brightest);
         }
     }
 }
