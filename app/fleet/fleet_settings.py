@@ -21,6 +21,7 @@ from app.supervision.broker_settings import BrokerSettings
 DEFAULT_FILE = "fleet.toml"
 DOCUMENT = "docs/fleet.md"
 ACCOUNTS_FILE = "fleet-accounts.db"
+CLOUDS_FOLDER = "fleet-clouds"
 SQLITE = "sqlite:///"
 StationId = Annotated[str, Field(pattern="^[a-z0-9-]{1,40}$")]
 
@@ -111,6 +112,17 @@ class FleetServerSettings(Serving):
         return password
 
 
+class CloudSettings(TomlTable):
+    """``[clouds]`` of fleet.toml: the clouds that are made on demand."""
+
+    folder: SettingsPath | None = None
+    """In which they are kept; by default ``fleet-clouds`` beside ``fleet.toml``."""
+    limit_gb: Annotated[float, Field(ge=0.1, le=1_000_000, allow_inf_nan=False)] = 20.0
+    """Of all that are kept; those that were not used for longest are removed."""
+    scheduler: NonEmpty | None = None
+    """Of Dask, whose workers make them; without it, a process of the server does."""
+
+
 class FleetSettings(TomlTable):
     """The whole file."""
 
@@ -119,6 +131,7 @@ class FleetSettings(TomlTable):
     stations: dict[StationId, StationPlaces] = Field(default_factory=dict)
     mqtt: BrokerSettings | None = None
     sign_in: SignInSettings | None = None
+    clouds: CloudSettings = CloudSettings()
 
     def list_stations(self) -> list[CollectedStation]:
         """The stations with their places, as the file lists them."""

@@ -1,12 +1,15 @@
 """What the fleet's server answers; made of the catalogue's own records by their attributes."""
 
 from datetime import datetime
-from typing import Literal
+from typing import Annotated, Literal, TypeAlias
 
-from pydantic import BaseModel, ConfigDict
+from pydantic import BaseModel, ConfigDict, Field
 
 from app.messages.message import Text
 from app.supervision.remote_stations import RemoteStation
+from app.wire.schema import RequestBody
+
+CloudFormat: TypeAlias = Literal["copc", "ply"]
 
 
 class FleetAnswer(BaseModel):
@@ -113,6 +116,60 @@ class RecordsPage(FleetAnswer):
     more: bool
 
 
+class CalibrationChoice(FleetAnswer):
+    """A calibration with which the cloud of a scan can be made."""
+
+    id: str
+    label: str
+    at: datetime | None
+    """None: the catalogue has no record of it."""
+
+
+class MadeCloud(FleetAnswer):
+    """A cloud of a scan that is there."""
+
+    name: str
+    """Of its file."""
+    calibration_ids: list[str]
+    """One for each sensor."""
+    software: str
+    points: int
+    size_bytes: int
+    warnings: list[Text]
+
+
+class CloudOrderState(FleetAnswer):
+    """A cloud that is wanted; ``note``: why its work waits; ``problem``: why it failed."""
+
+    id: int
+    calibration_id: str
+    format: CloudFormat
+    state: Literal["waiting", "working", "failed"]
+    share: float
+    note: Text
+    problem: Text
+
+
+class ScanClouds(FleetAnswer):
+    """The clouds of a scan; ``problem``: why none can be made here."""
+
+    problem: Text
+    software: str
+    """With which a new one is made."""
+    used_calibration_id: str
+    calibrations: list[CalibrationChoice]
+    """The newest first, with the one in use then."""
+    made: list[MadeCloud]
+    orders: list[CloudOrderState]
+
+
+class CloudWish(RequestBody):
+    """Which cloud of a scan is wanted; no calibration: the one that it was taken with."""
+
+    calibration_id: Annotated[str, Field(max_length=200)] = ""
+    format: CloudFormat = "copc"
+
+
 class CalibrationsInUse(FleetAnswer):
     """The newest calibration of every station and sensor."""
 
@@ -191,6 +248,8 @@ FLEET_ANSWERS = (
     StationsOnBroker,
     RecordsPage,
     FleetRecord,
+    ScanClouds,
+    CloudWish,
     CalibrationsInUse,
     FleetSpread,
     FleetAgeing,

@@ -13,6 +13,7 @@ pytest.importorskip("psycopg")
 
 from app.bench.fleet.invented import START, PlantedStep, invent_entries
 from app.fleet.catalogue.catalogue import FleetCatalogue
+from tests.fleet import test_clouds as clouds
 from tests.fleet.test_server import running_fleet
 from tests.fleet.test_sign_in import write_settings
 from tests.single_sign_on.mock_provider import free_port, mock_provider
@@ -84,6 +85,41 @@ def test_a_row_of_records_fits_and_names_its_station_as_everywhere(
     expect(page.get_by_text(re.compile("^crenel rebuild '.*--format copc"))).to_be_visible()
     expect(page.get_by_text("Room one")).to_be_visible()
     page.screenshot(path=pictures / "fleet-record-1024.png")
+
+
+def test_a_cloud_is_made_with_todays_calibration_and_downloaded(
+    browser: Browser, tmp_path: Path, pictures: Path
+) -> None:
+    clouds.fill_room(tmp_path)
+    settings = clouds.write_settings(tmp_path, 'archive = { url = "plant/room-2" }')
+    with clouds.collected(settings) as client:
+        page = browser.new_page(viewport={"width": 1280, "height": 800})
+        page.goto(f"{client.base_url}?lang=en")
+        open_view(page, "Records")
+        page.get_by_label("Part, operator").fill("long")
+        page.locator("tbody tr").first.get_by_role("button").click()
+        part = page.get_by_role("region", name="Clouds")
+        calibration = part.get_by_label("Calibration")
+        expect(calibration.locator("option:checked")).to_have_text(re.compile("in use then$"))
+        calibration.select_option(clouds.TODAYS)
+        part.get_by_role("button", name="Make cloud").click()
+        expect(part.get_by_text(f"The cloud with {clouds.TODAYS} is being made")).to_be_visible()
+        page.screenshot(path=pictures / "fleet-cloud-being-made.png")
+        with page.expect_download() as begun:
+            part.get_by_role("link", name="Download").click()
+        assert begun.value.path().read_bytes()[:4] == b"LASF"
+        assert begun.value.suggested_filename.endswith(".copc.laz")
+        expect(part.get_by_text("It is made already")).to_be_visible()
+        page.screenshot(path=pictures / "fleet-cloud-1280.png")
+        page.set_viewport_size({"width": 1024, "height": 768})
+        page.get_by_role("button", name="Deutsch").click()
+        page.get_by_role("button", name="Datensätze").click()
+        page.get_by_label("Teil").fill("long")
+        page.locator("tbody tr").first.get_by_role("button").click()
+        expect(page.get_by_role("link", name="Herunterladen")).to_be_visible()
+        page.screenshot(path=pictures / "fleet-cloud-1024-de.png")
+        assert page.evaluate("document.documentElement.scrollWidth") == 1024
+        page.close()
 
 
 def test_a_drift_names_its_recordings(page: Page) -> None:

@@ -5,6 +5,7 @@ import asyncio
 import hmac
 import logging
 from base64 import b64decode
+from http import HTTPStatus
 from pathlib import Path
 
 from starlette.requests import HTTPConnection
@@ -12,11 +13,13 @@ from starlette.requests import HTTPConnection
 from app.api.access.admission import admit_person
 from app.api.access.authorization import address_of, token_of
 from app.errors import OperationError
-from app.security.authentication import TooManyAttemptsError
+from app.messages.message import message
+from app.security.authentication import AccessDeniedError, TooManyAttemptsError
 from app.security.login_throttle import Throttle, address_key
+from app.security.permissions import Right, has_right
 from app.single_sign_on.person import ProviderPerson
 from app.single_sign_on.settings import SignInSettings
-from app.store.accounts import AccountStore
+from app.store.accounts import AccountStore, Role
 from app.store.database import Database
 from app.store.login_sessions import LoginSessionStore, Principal
 
@@ -92,6 +95,21 @@ class FleetAccess:
         """The person who signed in at this browser."""
         token = token_of(connection)
         return self.people.sessions.principal(token) if self.people and token else None
+
+    def check_may_act(self, connection: HTTPConnection) -> None:
+        """Raises ``AccessDeniedError`` for a visitor who may only view; who knows the password may
+        do everything."""
+        if self.is_open or self.knows_password(connection):
+            return
+        visitor = self.visitor(connection)
+        if visitor is None or not has_right(Right.operate, visitor.role, visitor.kiosk):
+            name = "" if visitor is None else visitor.name
+            raise AccessDeniedError(
+                HTTPStatus.FORBIDDEN,
+                "role",
+                message("may-not-do-this", name=name, role=Role.operator.name),
+                message("ask-somebody-with-role", role=Role.operator.name),
+            )
 
     def knows_password(self, connection: HTTPConnection) -> bool:
         """Whether a request has the page's password.

@@ -1,4 +1,4 @@
-"""The routes of the fleet's server; it only reads, and answers in JSON."""
+"""The routes of the fleet's server; it only reads from stations, and answers in JSON."""
 
 import asyncio
 from collections.abc import AsyncIterator, Sequence
@@ -31,6 +31,8 @@ from app.formats.json_document import SOFTWARE
 from app.messages.message import message
 from app.metrology.change_points import LEAST_VALUES
 from app.server.fleet.access import FleetAccess
+from app.server.fleet.clouds.routes import cloud_router
+from app.server.fleet.clouds.service import FleetClouds
 from app.server.fleet.service import FleetService
 from app.server.fleet.sign_in import PASSWORD_PAGE, AccessCheck, sign_in_router
 from app.server.middleware import Guard
@@ -73,9 +75,9 @@ QueryMoment = Annotated[datetime, AfterValidator(_check_date)]
 
 
 def build_fleet_app(
-    service: FleetService, access: FleetAccess, hosts: Sequence[str] = ()
+    service: FleetService, clouds: FleetClouds, access: FleetAccess, hosts: Sequence[str] = ()
 ) -> FastAPI:
-    """The application; it collects and listens from its start to its end.
+    """The application; it collects, listens and makes clouds from its start to its end.
 
     Args:
         hosts: additional names by which browsers may reach it.
@@ -84,6 +86,7 @@ def build_fleet_app(
     @asynccontextmanager
     async def lifespan(app: FastAPI) -> AsyncIterator[None]:
         service.start()
+        clouds.queue.start()
         watching = None
         if access.people is not None:
             watching = asyncio.create_task(access.people.watch_provider())
@@ -95,6 +98,7 @@ def build_fleet_app(
                 with suppress(asyncio.CancelledError):
                     await watching
                 access.people.close()
+            await asyncio.to_thread(clouds.queue.close)
             await service.close()
 
     app = FastAPI(
@@ -109,6 +113,7 @@ def build_fleet_app(
     app.include_router(sign_in_router(access))
     _add_lists(app, service)
     _add_questions(app, service)
+    app.include_router(cloud_router(service, clouds, access))
     _add_pages(app)
 
     app.add_middleware(AccessCheck, access=access)

@@ -26,9 +26,15 @@ def serve_fleet(config: Path | None, host: str, port: int, open_browser: bool) -
             machines could read the catalogue without a sign-in or a password.
     """
     check_libraries()
-    from app.fleet.fleet_settings import ACCOUNTS_FILE, DEFAULT_FILE, read_fleet_settings
+    from app.fleet.fleet_settings import (
+        ACCOUNTS_FILE,
+        CLOUDS_FOLDER,
+        DEFAULT_FILE,
+        read_fleet_settings,
+    )
     from app.server.fleet.access import open_access
     from app.server.fleet.application import build_fleet_app
+    from app.server.fleet.clouds.service import FleetClouds
     from app.server.fleet.service import FleetService
 
     settings = read_fleet_settings(config)
@@ -40,9 +46,11 @@ def serve_fleet(config: Path | None, host: str, port: int, open_browser: bool) -
             remedy=message("fleet-set-password"),
         )
     file = config or Path(DEFAULT_FILE)
-    accounts = serving.accounts or file.absolute().parent / ACCOUNTS_FILE
-    access = open_access(settings.sign_in, accounts, password)
-    server = make_server(build_fleet_app(FleetService(settings), access, serving.hosts), serving)
+    beside = file.absolute().parent
+    clouds = FleetClouds(settings, settings.clouds.folder or beside / CLOUDS_FOLDER)
+    access = open_access(settings.sign_in, serving.accounts or beside / ACCOUNTS_FILE, password)
+    app = build_fleet_app(FleetService(settings), clouds, access, serving.hosts)
+    server = make_server(app, serving)
     raise_file_limit()
     listening = listen(host, port, PORTS_TRIED)
     server.first_words += network_words(host, serving, file.name)

@@ -6,6 +6,7 @@ import { t } from "../state/language";
 import { decimalsOf, qualityOf, useAnswer } from "./answers";
 import styles from "./FleetPage.module.css";
 import { kindName } from "./RecordSearch";
+import { ScanCloudsPart } from "./ScanCloudsPart";
 
 /** One record with its results and its files. */
 export function RecordDetail({
@@ -33,7 +34,6 @@ export function RecordDetail({
     [t("ui-fleet-software"), entry.software],
     [t("ui-fleet-archived"), entry.archived_at ? moment(entry.archived_at) : t("ui-fleet-only-on-station")],
     [t("ui-fleet-from"), entry.place],
-    [t("ui-fleet-cloud"), entry.kind === "scan" ? rebuildCommand(entry) : ""],
   ];
   return (
     <section aria-label={entry.id}>
@@ -54,6 +54,7 @@ export function RecordDetail({
             </div>
           ))}
       </dl>
+      {entry.kind === "scan" && <ScanCloudsPart scan={entry} path={`/api/fleet/records/${path}/clouds`} />}
       {entry.figures.length > 0 && (
         <div className={styles.scroll}>
           <table className={styles.table}>
@@ -110,9 +111,4 @@ export function RecordDetail({
       )}
     </section>
   );
-}
-
-/** What makes the cloud of a scan for viewers. */
-function rebuildCommand({ place, id }: FleetRecord): string {
-  return `crenel rebuild '${place}' --record '${id}' --format copc -o clouds`;
 }

@@ -359,17 +359,30 @@ ui-fleet-ageing = Alterung
 ui-fleet-all-calibrations = Alle Kalibrierungen jedes Sensors; die neueste ist blau und groß. Der Balken ist der Median ± eine Standardabweichung.
 ui-fleet-archived = Archiviert
 ui-fleet-back = Zurück zur Liste
+ui-fleet-calibration-choice = { $mark ->
+    [used] { $name }, { $at }: damals benutzt
+    [newest] { $name }, { $at }: die neueste
+    [both] { $name }, { $at }: damals benutzt, die neueste
+   *[none] { $name }, { $at }
+}
 ui-fleet-calibrations = Kalibrierungen
 ui-fleet-changed = Änderung um { $size } ± { $uncertainty } { $unit } (k = 2) zwischen { $earliest } und { $latest } (95 %).
 ui-fleet-changes-by = { $since ->
         [calibration] Ändert sich um { $slope } ± { $uncertainty } { $unit } (95 %), nach { $n } Werten mit { $groups } Kalibrierungen.
        *[first] Ändert sich um { $slope } ± { $uncertainty } { $unit } (95 %), nach { $n } Werten von { $groups } Geräten.
     }
-ui-fleet-cloud = Die Wolke für Betrachter, auf einem Rechner mit Zugang zu diesem Ort
+ui-fleet-cloud = Auf einem anderen Rechner mit Zugang zu diesen Datensätzen berechnet dieser Befehl die Punktwolke:
+ui-fleet-cloud-failed = Die Punktwolke mit { $calibration } ist nicht berechnet. { $why }
+ui-fleet-cloud-format = Format
+ui-fleet-cloud-is-being-made = Die Punktwolke mit { $calibration } wird berechnet
+ui-fleet-cloud-is-made = Sie ist schon berechnet
+ui-fleet-cloud-waits = Die Punktwolke mit { $calibration } wartet auf die vor ihr
+ui-fleet-clouds = Punktwolken
 ui-fleet-collected = Gesammelt
 ui-fleet-count = Anzahl
 ui-fleet-differed = Weicht vom ersten Wert an, { $since }, um { $size } ± { $uncertainty } { $unit } (k = 2) ab.
 ui-fleet-doubtful = Vielleicht falsch: { $calibration }, um { $size }, geprüft von { $since } bis { $until }. Sie liegt weit von den anderen Kalibrierungen, aber nicht sicher weiter, als diese streuen.
+ui-fleet-download = Herunterladen
 ui-fleet-drift = Drift
 ui-fleet-ended = Spätestens am { $when } wieder auf dem richtigen Niveau.
 ui-fleet-expanded = U (k = 2)
@@ -390,6 +403,7 @@ ui-fleet-level = { $n ->
     [one] { $value } ab { $since } (ein Wert)
    *[other] { $value } ab { $since } ({ $n } Werte)
 }
+ui-fleet-make-cloud = Punktwolke berechnen
 ui-fleet-median = Median
 ui-fleet-newest = Neuester Datensatz
 ui-fleet-newest-calibrations = Neueste Kalibrierungen

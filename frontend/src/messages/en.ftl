@@ -359,17 +359,30 @@ ui-fleet-ageing = Ageing
 ui-fleet-all-calibrations = All calibrations of each sensor; the newest is blue and large. The bar is the median ± one standard deviation.
 ui-fleet-archived = Archived
 ui-fleet-back = Back to the list
+ui-fleet-calibration-choice = { $mark ->
+    [used] { $name }, { $at }: in use then
+    [newest] { $name }, { $at }: the newest
+    [both] { $name }, { $at }: in use then, and the newest
+   *[none] { $name }, { $at }
+}
 ui-fleet-calibrations = Calibrations
 ui-fleet-changed = Changed by { $size } ± { $uncertainty } { $unit } (k = 2) between { $earliest } and { $latest } (95 %).
 ui-fleet-changes-by = { $since ->
         [calibration] Changes by { $slope } ± { $uncertainty } { $unit } (95 %), by { $n } values with { $groups } calibrations.
        *[first] Changes by { $slope } ± { $uncertainty } { $unit } (95 %), by { $n } values of { $groups } devices.
     }
-ui-fleet-cloud = Its cloud, for viewers, on a computer that reaches this place
+ui-fleet-cloud = Elsewhere, on a computer that reaches these records, this command makes its cloud:
+ui-fleet-cloud-failed = The cloud with { $calibration } is not made. { $why }
+ui-fleet-cloud-format = Format
+ui-fleet-cloud-is-being-made = The cloud with { $calibration } is being made
+ui-fleet-cloud-is-made = It is made already
+ui-fleet-cloud-waits = The cloud with { $calibration } waits for those before it
+ui-fleet-clouds = Clouds
 ui-fleet-collected = Collected
 ui-fleet-count = Number
 ui-fleet-differed = Differs by { $size } ± { $uncertainty } { $unit } (k = 2) from the first value on, { $since }.
 ui-fleet-doubtful = Perhaps wrong: { $calibration }, by { $size }, tested from { $since } to { $until }. It is far from the other calibrations, but not surely further than they spread.
+ui-fleet-download = Download
 ui-fleet-drift = Drift
 ui-fleet-ended = Back to the right level by { $when }.
 ui-fleet-expanded = U (k = 2)
@@ -390,6 +403,7 @@ ui-fleet-level = { $n ->
     [one] { $value } from { $since } (one value)
    *[other] { $value } from { $since } ({ $n } values)
 }
+ui-fleet-make-cloud = Make cloud
 ui-fleet-median = Median
 ui-fleet-newest = Newest record
 ui-fleet-newest-calibrations = Newest calibrations

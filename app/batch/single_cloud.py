@@ -1,0 +1,151 @@
+"""One cloud on demand: the recording of a scan, looked up where its station keeps its records, and
+rebuilt with the calibration that it was taken with or with another one."""
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from app.archive.archive_settings import ArchiveSettings
+from app.batch.calibrations import BySensor, CalibrationFinder, GivenCalibrations
+from app.batch.cluster import OwnWorker, RemoteScheduler
+from app.batch.places import Place
+from app.batch.rebuild import RebuildTask, task_of
+from app.batch.recordings import ScanRecording, Selection, find_recordings
+from app.batch.results import ResultStore
+from app.batch.runner import Runner
+from app.batch.task import Outcome, Task
+from app.errors import OperationError
+from app.formats.atomic_write import ensure_folder
+from app.formats.io_errors import convert_io_errors
+from app.messages.message import Text, message
+
+GIVE_UP_S = 60.0
+"""Somebody waits for the cloud: a store or a scheduler that does not answer is given up sooner."""
+
+
+@dataclass(frozen=True)
+class CloudOrder:
+    """A cloud that is wanted; it can be pickled."""
+
+    places: tuple[Place, ...]
+    """Of the station, the nearest first."""
+    scan_id: str
+    calibration_id: str
+    """Empty: the one that the recording was taken with, of each sensor."""
+    output: ArchiveSettings
+    suffix: str
+    """Of the cloud's format, as ``.copc.laz``."""
+    scratch: Path
+    """For temporary files, of a worker of this process."""
+    scheduler: str | None = None
+    """Of Dask; None: a worker of this process does it."""
+
+
+def make_cloud(
+    order: CloudOrder, watch: Callable[[float], None], say: Callable[[Text], None]
+) -> Mapping[str, Any]:
+    """Makes a cloud, unless it is there.
+
+    Args:
+        watch: called with the share that is done.
+        say: called with what the person who waits should know meanwhile.
+
+    Returns:
+        The fields of its ``RebuiltCloud``.
+
+    Raises:
+        OperationError: it cannot be made.
+    """
+    results = ResultStore(order.output)
+    results.prepare()
+    task = plan_cloud(order)
+    if (known := results.read(task.stem)) is not None:
+        return known
+    with convert_io_errors(order.scratch):
+        ensure_folder(order.scratch)
+    ended: list[Outcome] = []
+
+    def take(task: Task, outcome: Outcome) -> None:
+        ended.append(outcome)
+
+    cluster = (
+        OwnWorker(order.scratch)
+        if order.scheduler is None
+        else RemoteScheduler(order.scheduler, give_up_s=GIVE_UP_S)
+    )
+    try:
+        Runner(
+            cluster,
+            "rebuild",
+            take,
+            say=say,
+            watch=lambda key, share: watch(share) if key == task.key else None,
+            give_up_s=GIVE_UP_S,
+        ).run([task])
+    finally:
+        cluster.close()
+    (outcome,) = ended
+    if outcome.refusal is not None:
+        raise outcome.refusal.error()
+    return outcome.result
+
+
+def plan_cloud(order: CloudOrder) -> RebuildTask:
+    """The task of a cloud.
+
+    Raises:
+        OperationError: the recording or the calibration is not there or cannot be read, or they are
+            of different devices.
+    """
+    recording = _find_recording(order.places, order.scan_id)
+    calibrations = _find_calibrations(order, recording)
+    return task_of(recording, calibrations, order.output, order.suffix)
+
+
+def _find_recording(places: Sequence[Place], scan_id: str) -> ScanRecording:
+    """The recording of a scan in the first place that has it; another one that cannot be read does
+    no harm then."""
+    failures = []
+    for place in places:
+        try:
+            found = next(find_recordings([place], Selection(records=frozenset({scan_id}))), None)
+            if found is not None:
+                return found
+            _check_place(place)
+        except OperationError as error:
+            failures.append(error)
+    if failures:
+        raise failures[-1]
+    raise OperationError("no-recording", message("batch-no-recording", id=scan_id))
+
+
+def _check_place(place: Place) -> None:
+    """Raises ``OperationError`` if a place without a record is no place at all."""
+    found = place.dependency
+    if place.store().size(found.marker) is None:
+        raise OperationError(
+            "archive-missing",
+            message("archive-missing", place=found.settings.place),
+            message("batch-no-marker", name=found.marker),
+        )
+
+
+def _find_calibrations(order: CloudOrder, recording: ScanRecording) -> BySensor:
+    finder = CalibrationFinder(order.places)
+    taken_with = recording.calibration_ids
+    if not order.calibration_id or list(taken_with.values()) == [order.calibration_id]:
+        return finder.of_recording(recording)
+    if any(taken_with):
+        raise OperationError("several-sensors", message("batch-several-sensors"))
+    chosen = finder.find(order.calibration_id, recording.file.place)
+    if chosen is None:
+        raise OperationError(
+            "no-calibration", message("batch-no-calibration", id=order.calibration_id)
+        )
+    given = {"": chosen}
+    if not GivenCalibrations(given).belong_to(recording):
+        raise OperationError(
+            "other-device", message("batch-other-device", id=chosen.id, scan=recording.id)
+        )
+    return given

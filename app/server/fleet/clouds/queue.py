@@ -1,0 +1,153 @@
+"""The clouds that are wanted, made one after the other."""
+
+import logging
+import threading
+from collections.abc import Sequence
+from dataclasses import dataclass
+from itertools import count
+from typing import Any, Literal
+
+from app.batch.single_cloud import CloudOrder
+from app.errors import OperationError
+from app.messages.message import Text, message
+from app.server.fleet.clouds.kept_clouds import KeptClouds
+from app.server.fleet.clouds.process import CloudCancelledError, make_in_process
+
+log = logging.getLogger(__name__)
+MOST_WAITING = 20
+MOST_FAILED = 50
+"""Whose reasons are kept."""
+LEAVE_S = 15.0
+FULL_CODES = {"disk-full", "archive-full"}
+COMMAND_CODES = {"no-calibration", "archive-forbidden", "archive-missing"}
+"""Of errors whose remedy is an option of the command line."""
+
+
+@dataclass
+class CloudJob:
+    """A cloud that is wanted, and what becomes of it."""
+
+    id: int
+    station: str
+    order: CloudOrder
+    state: Literal["waiting", "working", "failed"] = "waiting"
+    share: float = 0.0
+    note: Text = ""
+    problem: Text = ""
+    """Why it failed."""
+    cancelled: bool = False
+
+
+class CloudQueue:
+    """Orders of clouds, and the thread that has them made; what is made is in the folder alone."""
+
+    def __init__(self, kept: KeptClouds) -> None:
+        self._kept = kept
+        self._jobs: dict[int, CloudJob] = {}
+        self._ids = count(1)
+        self._lock = threading.Lock()
+        self._wake, self._ending = threading.Event(), threading.Event()
+        self._thread = threading.Thread(target=self._run, name="fleet-clouds", daemon=True)
+
+    def start(self) -> None:
+        """Begins to work; nothing else works in the folder yet."""
+        self._thread.start()
+
+    def close(self) -> None:
+        """Ends the cloud that is being made; nothing of it is left."""
+        self._ending.set()
+        self._wake.set()
+        self._thread.join(LEAVE_S)
+
+    def add(self, station: str, order: CloudOrder) -> CloudJob:
+        """Orders a cloud; what was ordered before and is not made yet is the same.
+
+        Raises:
+            OperationError: too many wait.
+        """
+        with self._lock:
+            pending = [one for one in self._jobs.values() if one.state != "failed"]
+            for job in pending:
+                if job.order == order and not job.cancelled:
+                    return job
+            if len(pending) > MOST_WAITING:
+                raise OperationError("queue-full", message("fleet-clouds-queue-full"))
+            failed = [one.id for one in self._jobs.values() if one.state == "failed"]
+            again = [one for one in failed if self._jobs[one].order == order]
+            for one in (*again, *failed[:-MOST_FAILED]):
+                self._jobs.pop(one, None)
+            job = CloudJob(next(self._ids), station, order)
+            self._jobs[job.id] = job
+        self._wake.set()
+        return job
+
+    def jobs_of(self, station: str, scan_id: str) -> Sequence[CloudJob]:
+        """What is wanted of a scan, the first order first."""
+        with self._lock:
+            jobs = list(self._jobs.values())
+        return [one for one in jobs if (one.station, one.order.scan_id) == (station, scan_id)]
+
+    def cancel(self, job_id: int) -> None:
+        """Nobody wants it any more; its work ends a moment later."""
+        with self._lock:
+            job = self._jobs.get(job_id)
+            if job is None:
+                return
+            job.cancelled = True
+            if job.state != "working":
+                del self._jobs[job_id]
+
+    def _run(self) -> None:
+        self._kept.clear()
+        self._kept.keep_limit()
+        while not self._ending.is_set():
+            self._wake.clear()
+            job = self._begin_next()
+            if job is None:
+                self._wake.wait()
+            else:
+                self._make(job)
+
+    def _begin_next(self) -> CloudJob | None:
+        with self._lock:
+            job = next((one for one in self._jobs.values() if one.state == "waiting"), None)
+            if job is not None:
+                job.state = "working"
+            return job
+
+    def _make(self, job: CloudJob) -> None:
+        def take(kind: Literal["share", "note"], value: Any) -> None:
+            if kind == "share":
+                job.share, job.note = value, ""
+            else:
+                job.note = value
+
+        problem: Text = ""
+        try:
+            made = make_in_process(job.order, take, lambda: job.cancelled or self._ending.is_set())
+            self._kept.note_use(made["cloud"])
+            self._kept.keep_limit(made["cloud"])
+        except CloudCancelledError:
+            pass
+        except OperationError as error:
+            problem = _words_of(error)
+            log.warning("a cloud of %s is not made: %s", job.order.scan_id, error.line)
+        except Exception as error:  # the next order may succeed
+            problem = message("what-and-why", what=message("program-failed"), why=error)
+            log.exception("a cloud of %s is not made", job.order.scan_id)
+        finally:
+            if job.order.scheduler is None:  # other workers may still be writing
+                self._kept.clear()
+        with self._lock:
+            if problem and not job.cancelled:
+                job.problem, job.state = problem, "failed"
+            else:
+                self._jobs.pop(job.id, None)
+
+
+def _words_of(error: OperationError) -> Text:
+    """Why a cloud is not made, and what to do about it here."""
+    if error.code in FULL_CODES:
+        remedy = message("fleet-clouds-make-room")
+        return OperationError(error.code, error.what, error.why, remedy).text
+    return error.reason if error.code in COMMAND_CODES else error.text

@@ -1,0 +1,128 @@
+"""The routes of the clouds that are made on demand."""
+
+from http import HTTPStatus
+
+from fastapi import APIRouter, Depends
+from sqlalchemy import Connection
+from starlette.responses import FileResponse, Response
+
+from app.api.problems import NotFoundError
+from app.batch.results import RebuiltCloud
+from app.errors import sentence
+from app.fleet.catalogue.entry import CatalogueEntry
+from app.fleet.catalogue.reading import SearchQuery, read_record, search
+from app.formats.clouds.files import COPC
+from app.formats.json_document import SOFTWARE
+from app.messages.message import message
+from app.server.fleet.access import FleetAccess
+from app.server.fleet.clouds.queue import CloudJob
+from app.server.fleet.clouds.service import FleetClouds
+from app.server.fleet.service import FleetService
+from app.wire.fleet import CalibrationChoice, CloudOrderState, CloudWish, MadeCloud, ScanClouds
+from app.wire.json_response import json_response
+
+MOST_CALIBRATIONS = 200
+"""Of a station, of which the newest are offered."""
+
+
+def cloud_router(service: FleetService, clouds: FleetClouds, access: FleetAccess) -> APIRouter:
+    """The routes; who may only view may fetch what is there."""
+    router = APIRouter(prefix="/api/fleet")
+    acting = [Depends(access.check_may_act)]
+
+    @router.get("/records/{station}/scan/{scan_id}/clouds")
+    def list_clouds(station: str, scan_id: str) -> Response:
+        with service.catalogue().reading() as connection:
+            scan = _read_scan(connection, station, scan_id)
+            calibrations = _find_calibrations(connection, scan)
+        answer = ScanClouds(
+            problem=sentence(clouds.problem_of(station)),
+            software=SOFTWARE.version,
+            used_calibration_id=scan.calibration_id,
+            calibrations=calibrations,
+            made=[_describe(one) for one in clouds.list_made(scan)],
+            orders=[_state_of(one) for one in clouds.queue.jobs_of(station, scan_id)],
+        )
+        return json_response(answer)
+
+    @router.post("/records/{station}/scan/{scan_id}/clouds", dependencies=acting)
+    def order(station: str, scan_id: str, wish: CloudWish) -> Response:
+        with service.catalogue().reading() as connection:
+            scan = _read_scan(connection, station, scan_id)
+            wanted = wish.calibration_id
+            if wanted not in ("", scan.calibration_id):
+                _check_calibration(connection, station, wanted)
+        return json_response(_state_of(clouds.order(scan, wanted, wish.format)))
+
+    @router.delete("/cloud-orders/{order_id}", dependencies=acting)
+    def cancel(order_id: int) -> Response:
+        clouds.queue.cancel(order_id)
+        return Response(status_code=HTTPStatus.NO_CONTENT)
+
+    @router.get("/clouds/{name}")
+    def fetch(name: str) -> Response:
+        found = clouds.kept.fetch(name)
+        if found is None:
+            raise NotFoundError(message("fleet-no-cloud", name=name))
+        return FileResponse(found, media_type="application/octet-stream", filename=name)
+
+    return router
+
+
+def _read_scan(connection: Connection, station: str, scan_id: str) -> CatalogueEntry:
+    scan = read_record(connection, station, "scan", scan_id)
+    if scan is None:
+        raise NotFoundError(message("fleet-no-record", id=scan_id))
+    return scan
+
+
+def _check_calibration(connection: Connection, station: str, calibration_id: str) -> None:
+    """Raises ``NotFoundError`` if the catalogue has no such calibration of the station."""
+    if read_record(connection, station, "calibration", calibration_id) is None:
+        raise NotFoundError(message("fleet-no-record", id=calibration_id))
+
+
+def _find_calibrations(connection: Connection, scan: CatalogueEntry) -> list[CalibrationChoice]:
+    """Those of the arm and the sensor of a scan, where these are known."""
+    query = SearchQuery(station=scan.station, kind="calibration", limit=MOST_CALIBRATIONS)
+    found = [
+        CalibrationChoice(id=one.entry.id, label=one.entry.label, at=one.entry.at)
+        for one in search(connection, query)
+        if one.entry.id == scan.calibration_id or _is_of_devices(one.entry, scan)
+    ]
+    if all(one.id != scan.calibration_id for one in found):
+        used = read_record(connection, scan.station, "calibration", scan.calibration_id)
+        label, at = (used.label, used.at) if used is not None else ("", None)
+        found.append(CalibrationChoice(id=scan.calibration_id, label=label, at=at))
+    return found
+
+
+def _is_of_devices(calibration: CatalogueEntry, scan: CatalogueEntry) -> bool:
+    pairs = (
+        (calibration.arm_serial, scan.arm_serial),
+        (calibration.sensor_serial, scan.sensor_serial),
+    )
+    return all(own == other or not own or not other for own, other in pairs)
+
+
+def _describe(document: RebuiltCloud) -> MadeCloud:
+    return MadeCloud(
+        name=document.cloud,
+        calibration_ids=[one.id for one in document.calibrations],
+        software=document.software.version,
+        points=document.points,
+        size_bytes=document.cloud_bytes,
+        warnings=list(document.warnings),
+    )
+
+
+def _state_of(job: CloudJob) -> CloudOrderState:
+    return CloudOrderState(
+        id=job.id,
+        calibration_id=job.order.calibration_id,
+        format="copc" if job.order.suffix == COPC else "ply",
+        state=job.state,
+        share=job.share,
+        note=job.note,
+        problem=job.problem,
+    )

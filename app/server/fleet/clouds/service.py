@@ -1,0 +1,85 @@
+"""Orders clouds of the catalogue's scans from the places that ``fleet.toml`` names."""
+
+from pathlib import Path
+
+from app.batch.places import Place, settings_for
+from app.batch.recordings import RECORDING
+from app.batch.results import RebuiltCloud, check_results_apart
+from app.batch.single_cloud import CloudOrder
+from app.errors import OperationError
+from app.fleet.catalogue.entry import CatalogueEntry
+from app.fleet.fleet_settings import FleetSettings, StationPlaces
+from app.formats.clouds.files import COPC
+from app.messages.message import Text, message
+from app.server.fleet.clouds.kept_clouds import PLY, KeptClouds
+from app.server.fleet.clouds.queue import CloudJob, CloudQueue
+
+SUFFIXES = {"copc": COPC, "ply": PLY}
+"""By the format's name."""
+BYTES_OF_GB = 1e9
+
+
+class FleetClouds:
+    """The clouds of all stations.
+
+    Args:
+        folder: in which they are kept.
+
+    Raises:
+        OperationError: the folder is within the records of a station.
+    """
+
+    def __init__(self, settings: FleetSettings, folder: Path) -> None:
+        self._scheduler = settings.clouds.scheduler
+        self._places = {name: _places_of(its) for name, its in settings.stations.items()}
+        self.kept = KeptClouds(folder, settings.clouds.limit_gb * BYTES_OF_GB)
+        self.queue = CloudQueue(self.kept)
+        sources = [place.settings for its in self._places.values() for place in its]
+        try:
+            check_results_apart(self.kept.settings, sources)
+        except OperationError as error:
+            remedy = message("fleet-name-cloud-folder")
+            raise OperationError(error.code, error.what, remedy=remedy) from error
+
+    def problem_of(self, station: str) -> Text:
+        """Why no clouds of a station can be made; empty if they can."""
+        if station in self._places:
+            return ""
+        return message("fleet-clouds-no-place", station=station)
+
+    def order(self, scan: CatalogueEntry, calibration_id: str, form: str) -> CloudJob:
+        """Orders the cloud of a scan.
+
+        Args:
+            calibration_id: empty, as that of the scan: the one that it was taken with.
+
+        Raises:
+            OperationError: it cannot be made here, or too many wait.
+        """
+        if problem := self.problem_of(scan.station):
+            raise OperationError("no-place", problem)
+        order = CloudOrder(
+            self._places[scan.station],
+            scan.id,
+            "" if calibration_id == scan.calibration_id else calibration_id,
+            self.kept.settings,
+            SUFFIXES[form],
+            self.kept.scratch,
+            self._scheduler,
+        )
+        return self.queue.add(scan.station, order)
+
+    def list_made(self, scan: CatalogueEntry) -> list[RebuiltCloud]:
+        """The clouds of a scan that are there."""
+        sha256 = next((file.sha256 for file in scan.files if file.path == RECORDING), "")
+        return self.kept.of_recording(scan.id, sha256)
+
+
+def _places_of(station: StationPlaces) -> tuple[Place, ...]:
+    """Its own disk first: nothing is fetched from there."""
+    found = []
+    if station.data is not None:
+        found.append(Place(settings_for(str(station.data)), False))
+    if station.archive is not None:
+        found.append(Place(station.archive, True))
+    return tuple(found)

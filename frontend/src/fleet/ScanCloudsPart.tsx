@@ -1,0 +1,166 @@
+import { useState } from "react";
+
+import { drop, post, Refused } from "../api/http";
+import type { CalibrationChoice, CloudOrderState, CloudWish, FleetRecord, MadeCloud, ScanClouds } from "../api/wire";
+import { Download } from "../parts/Download";
+import { figures, moment } from "../parts/format";
+import { PressButton } from "../parts/PressButton";
+import { Busy } from "../parts/Progress";
+import { t } from "../state/language";
+import { useAnswer } from "./answers";
+import styles from "./FleetPage.module.css";
+
+const READ_MS = 1000;
+type CloudFormat = CloudOrderState["format"];
+const ENDINGS: Record<CloudFormat, string> = { copc: ".copc.laz", ply: ".ply" };
+
+/** The clouds of a scan: those that are there, those that are being made, and how to make one. */
+export function ScanCloudsPart({ scan, path }: { scan: FleetRecord; path: string }) {
+  const { value } = useAnswer<ScanClouds>(path, READ_MS);
+  if (!value) return null;
+  return (
+    <section aria-label={t("ui-fleet-clouds")}>
+      <h3 className={styles.heading}>{t("ui-fleet-clouds")}</h3>
+      {value.problem ? (
+        <>
+          <p className={styles.note}>{value.problem}</p>
+          <p className={styles.note}>{t("ui-fleet-cloud")}</p>
+          <p className={styles.command}>{rebuildCommand(scan)}</p>
+        </>
+      ) : (
+        <MakeCloud clouds={value} path={path} />
+      )}
+      {value.orders.map((order) => (
+        <Order key={order.id} order={order} used={value.used_calibration_id} />
+      ))}
+      {value.made.length > 0 && <MadeClouds made={value.made} />}
+    </section>
+  );
+}
+
+function MakeCloud({ clouds, path }: { clouds: ScanClouds; path: string }) {
+  const { calibrations, used_calibration_id: used } = clouds;
+  const [calibration_id, chooseCalibration] = useState(used);
+  const [format, chooseFormat] = useState<CloudFormat>("copc");
+  const [problem, setProblem] = useState("");
+  const isMade = clouds.made.some(
+    (one) =>
+      one.software === clouds.software &&
+      one.name.endsWith(ENDINGS[format]) &&
+      one.calibration_ids.length === 1 &&
+      one.calibration_ids[0] === calibration_id,
+  );
+  const make = async () => {
+    setProblem("");
+    try {
+      await post(path, { calibration_id, format } satisfies CloudWish);
+    } catch (error) {
+      setProblem(error instanceof Refused ? error.problem.detail : t("ui-fleet-no-answer"));
+    }
+  };
+  return (
+    <>
+      <form className={styles.form} onSubmit={(event) => event.preventDefault()}>
+        <label>
+          {t("ui-calibration")}
+          <select value={calibration_id} onChange={(event) => chooseCalibration(event.target.value)}>
+            {calibrations.map((one, number) => (
+              <option key={one.id} value={one.id}>
+                {calibrationWords(one, one.id === used, number === 0 && one.at !== null)}
+              </option>
+            ))}
+          </select>
+        </label>
+        <label>
+          {t("ui-fleet-cloud-format")}
+          <select value={format} onChange={(event) => chooseFormat(event.target.value as CloudFormat)}>
+            <option value="copc">COPC</option>
+            <option value="ply">PLY</option>
+          </select>
+        </label>
+        <div className={styles.make}>
+          <PressButton kind="primary" disabled={isMade} why={isMade ? t("ui-fleet-cloud-is-made") : ""} onPress={make}>
+            {t("ui-fleet-make-cloud")}
+          </PressButton>
+        </div>
+      </form>
+      {problem && (
+        <p className={styles.problem} role="alert">
+          {problem}
+        </p>
+      )}
+    </>
+  );
+}
+
+function Order({ order, used }: { order: CloudOrderState; used: string }) {
+  const calibration = order.calibration_id || used || "–";
+  if (order.state === "failed") {
+    return (
+      <p className={styles.problem} role="alert">
+        {t("ui-fleet-cloud-failed", { calibration, why: order.problem })}
+      </p>
+    );
+  }
+  const words = order.state === "waiting" ? "ui-fleet-cloud-waits" : "ui-fleet-cloud-is-being-made";
+  return (
+    <div className={styles.order}>
+      <Busy text={order.note || t(words, { calibration })} fraction={order.share > 0 ? order.share : null} />
+      <PressButton kind="quiet" onPress={async () => void (await drop(`/api/fleet/cloud-orders/${order.id}`))}>
+        {t("ui-cancel")}
+      </PressButton>
+    </div>
+  );
+}
+
+function MadeClouds({ made }: { made: MadeCloud[] }) {
+  return (
+    <div className={styles.scroll}>
+      <table className={styles.table}>
+        <thead>
+          <tr>
+            <th scope="col">{t("ui-calibration")}</th>
+            <th scope="col">{t("ui-fleet-cloud-format")}</th>
+            <th scope="col">{t("ui-points")}</th>
+            <th scope="col">{t("ui-fleet-size")}</th>
+            <th scope="col">{t("ui-fleet-software")}</th>
+            <th scope="col">{t("ui-fleet-file")}</th>
+          </tr>
+        </thead>
+        <tbody>
+          {made.map((one) => (
+            <tr key={one.name}>
+              <td className={styles.wraps}>
+                {one.calibration_ids.join(", ")}
+                {one.warnings.map((warning, number) => (
+                  <div key={number} className={styles.note}>
+                    {warning}
+                  </div>
+                ))}
+              </td>
+              <td>{one.name.endsWith(ENDINGS.copc) ? "COPC" : "PLY"}</td>
+              <td>{figures(one.points)}</td>
+              <td>{`${figures(one.size_bytes / 1e6, 1)} MB`}</td>
+              <td>{one.software}</td>
+              <td>
+                <Download href={`/api/fleet/clouds/${encodeURIComponent(one.name)}`}>{t("ui-fleet-download")}</Download>
+              </td>
+            </tr>
+          ))}
+        </tbody>
+      </table>
+    </div>
+  );
+}
+
+/** A calibration in the list: its name or id, its time, and whether it was in use or is the newest. */
+function calibrationWords({ id, label, at }: CalibrationChoice, isUsed: boolean, isNewest: boolean): string {
+  const name = [label, id].filter(Boolean).join(", ") || "–";
+  const mark = isUsed && isNewest ? "both" : isUsed ? "used" : isNewest ? "newest" : "none";
+  return t("ui-fleet-calibration-choice", { name, at: at ? moment(at) : "–", mark });
+}
+
+/** What makes the cloud of a scan elsewhere. */
+function rebuildCommand({ place, id }: FleetRecord): string {
+  return `crenel rebuild '${place}' --record '${id}' --format copc -o clouds`;
+}
