@@ -140,6 +140,17 @@ def test_a_spoilt_arm_is_refused(tmp_path: Path, spoil: Any, code: str, said: st
     assert "\n" not in refused.value.line
 
 
+@pytest.mark.parametrize("name", ["arm.json", "sensor.json"])
+def test_a_serial_number_may_be_missing(tmp_path: Path, name: str) -> None:
+    folder = write_session(tmp_path / "s")
+    edit_json(folder / name, lambda document: document.pop("serial_number"))
+    arm, sensor = read_arm(folder / "arm.json"), read_sensor(folder / "sensor.json")
+    assert (arm.serial_number == "", sensor.serial_number == "") == (
+        name == "arm.json",
+        name == "sensor.json",
+    )
+
+
 @pytest.mark.parametrize(
     ("spoil", "said"),
     [

@@ -58,7 +58,7 @@ class ArmFile(Document):
     FORMAT: ClassVar[str] = "crenel/arm"
 
     name: str
-    serial_number: str
+    serial_number: str = ""
     convention: Literal["dh-standard", "dh-modified", "pose"]
     base: ErrorPart | None = None
     """Constant transform before the first joint."""

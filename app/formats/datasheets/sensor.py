@@ -18,7 +18,7 @@ class SensorDatasheet(Document):
     FORMAT: ClassVar[str] = "crenel/sensor"
 
     name: str
-    serial_number: str
+    serial_number: str = ""
     width_px: Annotated[int, Field(gt=0, le=65536, strict=True)]
     height_px: Annotated[int, Field(gt=0, le=65536, strict=True)]
     stripe_axis: Literal["u", "v"]

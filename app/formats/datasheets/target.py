@@ -75,7 +75,7 @@ class _BoardFile(Document):
     FORMAT: ClassVar[str] = "crenel/object"
 
     name: str
-    serial_number: str
+    serial_number: str = ""
     certificate: Certificate = ""
     square_mm: Positive
     standard_uncertainty_mm: NotNegative = PRINTED_MM
