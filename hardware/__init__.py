@@ -1,4 +1,6 @@
-"""Device drivers, their interfaces, and a simulated station. Never imports ``app``.
+"""Device drivers, their interfaces, and a simulated station.
+
+Of ``app`` it imports only what both share: ``app.native`` and ``app.messages``.
 
 Your own arm or camera, in your own package
 ===========================================

@@ -1,4 +1,4 @@
-"""Jobs on files: calibrate, identify, reconstruct, verify.
+"""Jobs on files: calibrate, identify, reconstruct, verify, evaluate performance tests.
 
 Each module reads its inputs, calls the mathematics and returns or writes the result. The command
 line and the guides call them.

@@ -1,1 +1,1 @@
-"""Routes of the three guided sessions."""
+"""Routes of the guided sessions: calibration, verification, performance tests, checks of the arm."""
