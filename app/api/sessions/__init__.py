@@ -1,1 +1,1 @@
-"""Routes of the guided sessions: calibration, verification, performance tests, checks of the arm."""
+"""Routes of the guided sessions: calibration, verification, performance, checks of the arm."""

@@ -9,17 +9,6 @@ interface FaceChipsProps {
   onSelect: (face: string) => void;
 }
 
-/** "Crests (top)": narrow screens hide the hint in brackets. */
-function Name({ title }: { title: string }) {
-  const [name, hint] = title.split(" (");
-  return (
-    <span>
-      {name}
-      {hint && <span className={styles.hint}> ({hint}</span>}
-    </span>
-  );
-}
-
 function count({ taken, wanted }: FaceProgress): string {
   if (wanted > 0) return t("ui-done-of-all", { done: taken, all: wanted });
   return taken > 0 ? t("ui-n-points", { n: taken }) : t("ui-not-needed");
@@ -38,7 +27,7 @@ export function FaceChips({ faces, onSelect }: FaceChipsProps) {
           onClick={() => onSelect(face.face)}
         >
           <span className={styles.title}>
-            <Name title={face.title} />
+            <span>{face.title}</span>
             {face.wanted > 0 && face.taken >= face.wanted && <CheckIcon size="1rem" />}
           </span>
           <span className={styles.count}>
