@@ -19,6 +19,7 @@ from app.errors import OperationError
 from app.formats.clouds.las import STEP_MM, LasLayout
 from app.formats.clouds.optional_library import call_library, load_library
 from app.formats.clouds.points import Points
+from app.messages.message import message
 
 POINT_FORMAT = 6
 RUN_POINTS = 1 << 20
@@ -143,8 +144,8 @@ class CopcSink:
             raise OperationError(
                 "cloud-not-written",
                 str(self._path),
-                f"the disk took {found} of {self._count} points",
-                "Free some space, or choose another location",
+                message("cloud-disk-took-points", found=found, count=self._count),
+                message("cloud-choose-another-location"),
             )
 
 

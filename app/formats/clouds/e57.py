@@ -16,6 +16,7 @@ from app.formats.clouds.optional_library import call_library, first_line, load_l
 from app.formats.clouds.points import Cloud, Points, cloud_from_columns
 from app.formats.clouds.rows import format_error
 from app.formats.file_names import display_path
+from app.messages.message import message
 from app.metrology.transforms import Floats
 
 MM_PER_M = 1000.0
@@ -119,7 +120,9 @@ def read_e57(path: Path) -> Cloud:
         with pye57.E57(str(path)) as file:
             scans = [_read_scan(path, pye57.libe57, file, i) for i in range(file.scan_count)]
     except pye57.libe57.E57Exception as error:
-        raise format_error(path, f"it is not a complete E57 file ({first_line(error)})") from error
+        raise format_error(
+            path, message("cloud-not-complete-format", format="E57", reason=first_line(error))
+        ) from error
     if not scans:
         return cloud_from_columns({axis: np.zeros(0) for axis in "xyz"})
     kept = set.intersection(*(set(scan) for scan in scans))
@@ -135,9 +138,9 @@ def _read_scan(path: Path, e57: Any, file: Any, index: int) -> dict[str, Floats]
     if not set(AXES) <= set(present):
         raise OperationError(
             "cloud-not-cartesian",
-            f"{display_path(path)}: scan {index + 1}",
-            "its points are not Cartesian",
-            "Export Cartesian coordinates",
+            message("cloud-scan-number", path=display_path(path), number=index + 1),
+            message("cloud-not-cartesian"),
+            message("cloud-export-cartesian"),
         )
     whole = {name: np.empty(header.point_count) for name in present}
     buffers, arrays = e57.VectorSourceDestBuffer(), {}

@@ -17,6 +17,7 @@ from app.formats.clouds.points import POINT, Cloud, Points, cloud_from_columns
 from app.formats.clouds.rows import format_error, truncation_error
 from app.formats.file_names import display_path
 from app.formats.open_file import open_file
+from app.messages.message import message, quantity
 
 STEP_MM = 1e-4
 FARTHEST_MM = STEP_MM * (2**31 - 1)
@@ -62,9 +63,14 @@ class LasLayout:
             if not farthest <= FARTHEST_MM:
                 raise OperationError(
                     "cloud-out-of-range",
-                    f"{display_path(self._path)}: a point lies at {axis} = ±{farthest:.0f} mm",
-                    f"LAS counts in steps of 0.1 µm, up to {FARTHEST_MM:.0f} mm",
-                    "Write PLY or E57",
+                    message(
+                        "cloud-point-lies-at",
+                        path=display_path(self._path),
+                        axis=axis,
+                        distance=quantity(farthest, "mm"),
+                    ),
+                    message("cloud-las-counts-up-to", limit=quantity(FARTHEST_MM, "mm")),
+                    message("cloud-write-ply-or-e57"),
                 )
             record[name] = np.rint(points[axis] / STEP_MM).astype(np.int32)
         record["intensity"] = np.rint(points["intensity"]).clip(0, 65535).astype(np.uint16)
@@ -135,8 +141,10 @@ def read_las(path: Path, file: BinaryIO) -> Cloud:
     except OSError:
         raise
     except Exception as error:  # both libraries and the Rust behind them raise their own
-        why = f"it is not a complete LAS or LAZ file ({str(error) or type(error).__name__})"
-        raise format_error(path, why) from error
+        reason = str(error) or type(error).__name__
+        raise format_error(
+            path, message("cloud-not-complete-format", format="LAS/LAZ", reason=reason)
+        ) from error
     columns = {
         name: np.concatenate([piece[name] for piece in pieces]) for name in (pieces or [{}])[0]
     }
@@ -156,7 +164,7 @@ def _check_counts(path: Path, file: BinaryIO) -> None:
         int.from_bytes(head[243:247], "little") * EXTENDED_HEADER if head[25:26] > b"\3" else 0
     )
     if max(records, extended) > size:
-        raise format_error(path, "its header announces more than the file contains")
+        raise format_error(path, message("cloud-header-announces-more"))
     file.seek(0)
 
 

@@ -8,6 +8,7 @@ from typing import TypeVar
 
 from app.errors import OperationError
 from app.formats.file_names import display_path
+from app.messages.message import message
 
 T = TypeVar("T")
 
@@ -24,9 +25,12 @@ def load_library(path: Path, name: str, extra: str = "clouds") -> ModuleType:
         raise OperationError(
             "extra-missing",
             display_path(path),
-            f"{path.suffix.upper().lstrip('.')} files require the package {name}, "
-            "which is not installed",
-            f"Install it with: pip install 'crenel[{extra}]'; or use PLY, PCD or XYZ",
+            message(
+                "cloud-format-requires-package",
+                format=path.suffix.upper().lstrip("."),
+                package=name,
+            ),
+            message("cloud-install-package", command=f"pip install 'crenel[{extra}]'"),
         ) from error
 
 
@@ -40,8 +44,8 @@ def call_library(path: Path, failure: str, work: Callable[[], T]) -> T:
         raise OperationError(
             "cloud-not-written",
             display_path(path),
-            f"the disk accepts no more data ({first_line(error)})",
-            "Free some space, or choose another location",
+            message("cloud-disk-accepts-no-more", reason=first_line(error)),
+            message("cloud-choose-another-location"),
         ) from error
 
 

@@ -20,6 +20,7 @@ from app.formats.clouds.rows import (
     truncation_error,
 )
 from app.formats.file_names import display_path
+from app.messages.message import message, quantity
 from app.metrology.transforms import Floats
 from app.native.arguments import U8, Array, Function
 from app.native.library import CRENEL
@@ -61,9 +62,14 @@ class PcdSink:
             if farthest > FARTHEST_MM:
                 raise OperationError(
                     "cloud-out-of-range",
-                    f"{display_path(self._path)}: a point lies at {axis} = ±{farthest:.0f} mm",
-                    f"PCD's floats round to more than 1 µm beyond {FARTHEST_MM:.0f} mm",
-                    "Write PLY or E57",
+                    message(
+                        "cloud-point-lies-at",
+                        path=display_path(self._path),
+                        axis=axis,
+                        distance=quantity(farthest, "mm"),
+                    ),
+                    message("cloud-pcd-rounds-beyond", limit=quantity(FARTHEST_MM, "mm")),
+                    message("cloud-write-ply-or-e57"),
                 )
         self._file.write(points.astype(RECORD).tobytes())
         self._points += len(points)
@@ -93,9 +99,9 @@ def read_pcd(path: Path, file: BinaryIO) -> Cloud:
         count = int(fields["POINTS"][0])
         data = fields["DATA"][0]
     except (KeyError, ValueError, TypeError, IndexError) as error:
-        raise format_error(path, f"its header is invalid ({error})") from error
+        raise format_error(path, message("cloud-header-is-invalid", reason=str(error))) from error
     if missing := [axis for axis in "xyz" if axis not in names]:
-        raise format_error(path, f"its points have no {', '.join(missing)}")
+        raise format_error(path, message("cloud-points-have-no", axes=", ".join(missing)))
     if data == "binary":
         return cloud_from_columns(_read_binary(path, file, layout, count))
     if data == "ascii":
@@ -105,8 +111,8 @@ def read_pcd(path: Path, file: BinaryIO) -> Cloud:
     raise OperationError(
         "cloud-compressed",
         display_path(path),
-        f"its data is {data}, which is not one of ascii, binary, binary_compressed",
-        "Export it as binary PCD or as PLY",
+        message("cloud-data-of-unknown-kind", kind=data),
+        message("cloud-export-binary-pcd"),
     )
 
 
@@ -126,13 +132,15 @@ def _read_compressed(
         raise truncation_error(path, 0, count)
     size, wanted = struct.unpack("<II", sizes)
     if wanted != count * layout.itemsize or wanted > MOST_EXPANDED * size:
-        raise format_error(path, f"{wanted} bytes are announced for {count} points")
+        raise format_error(
+            path, message("cloud-bytes-do-not-match-points", bytes=wanted, points=count)
+        )
     packed = np.frombuffer(file.read(size), np.uint8)
     if len(packed) < size:
         raise truncation_error(path, count * len(packed) // max(size, 1), count)
     expanded = np.empty(wanted, np.uint8)
     if not _expand_lzf(packed, expanded):
-        raise format_error(path, "its compressed data cannot be expanded")
+        raise format_error(path, message("cloud-cannot-be-expanded"))
     columns, at = {}, 0
     for name in layout.names or ():
         kind = layout[name]
@@ -164,7 +172,7 @@ def _header_fields(path: Path, file: BinaryIO) -> dict[str, list[str]]:
         if not line or "DATA" in fields:
             break
     if not fields.get("DATA"):
-        raise format_error(path, "its header does not end")
+        raise format_error(path, message("cloud-header-does-not-end"))
     return fields
 
 

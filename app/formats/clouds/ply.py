@@ -15,6 +15,7 @@ from app.formats.clouds.rows import (
     read_text_rows,
     truncation_error,
 )
+from app.messages.message import message
 from app.metrology.transforms import Floats
 
 TYPES = {
@@ -74,23 +75,23 @@ def find_vertices(path: Path, file: BinaryIO) -> Vertices:
     words = [line.split() for line in _header_lines(path, file)]
     formats = [line[1] for line in words if line[:1] == ["format"] and len(line) > 1]
     if not formats or formats[0] not in ORDERS:
-        raise format_error(path, "its header names no valid PLY format")
+        raise format_error(path, message("cloud-no-ply-format"))
     order = ORDERS[formats[0]]
     bytes_before = lines_before = 0
     for name, count, properties in _elements(path, words):
         if any(kind == "list" for kind, _ in properties):
-            raise format_error(path, f"element {name} before the vertices contains lists")
+            raise format_error(path, message("cloud-element-has-lists", name=name))
         if len({field for _, field in properties}) < len(properties):
-            raise format_error(path, f"element {name} has two properties with the same name")
+            raise format_error(path, message("cloud-element-repeats-property", name=name))
         layout = np.dtype([(field, order + TYPES[kind]) for kind, field in properties])
         if name == "vertex":
             missing = [axis for axis in "xyz" if axis not in (layout.names or ())]
             if missing:
-                raise format_error(path, f"its vertices have no {', '.join(missing)}")
+                raise format_error(path, message("cloud-points-have-no", axes=", ".join(missing)))
             return Vertices(formats[0] == "ascii", count, layout, bytes_before, lines_before)
         bytes_before += count * layout.itemsize
         lines_before += count
-    raise format_error(path, "its header names no element vertex")
+    raise format_error(path, message("cloud-no-element-vertex"))
 
 
 def read_vertices(path: Path, file: BinaryIO, vertices: Vertices) -> dict[str, Floats]:
@@ -125,7 +126,7 @@ def _header_lines(path: Path, file: BinaryIO) -> list[str]:
         lines.append(line.decode("latin-1").strip())
         if lines[-1] == "end_header":
             return lines
-    raise format_error(path, "its header does not end")
+    raise format_error(path, message("cloud-header-does-not-end"))
 
 
 def _elements(path: Path, words: list[list[str]]) -> list[tuple[str, int, list[tuple[str, str]]]]:
@@ -134,12 +135,16 @@ def _elements(path: Path, words: list[list[str]]) -> list[tuple[str, int, list[t
     for line in words:
         if line[:1] == ["element"]:
             if len(line) != 3 or not line[2].isdecimal():
-                raise format_error(path, f"its header contains {' '.join(line)!r}")
+                raise format_error(
+                    path, message("cloud-header-contains", line=repr(" ".join(line)))
+                )
             elements.append((line[1], int(line[2]), []))
         elif line[:1] == ["property"]:
             known = len(line) >= 3 and (line[1] in TYPES or line[1] == "list")
             if not elements or not known:
-                raise format_error(path, f"its header contains {' '.join(line)!r}")
+                raise format_error(
+                    path, message("cloud-header-contains", line=repr(" ".join(line)))
+                )
             elements[-1][2].append((line[1], line[-1]))
     return elements
 

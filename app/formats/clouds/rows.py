@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from app.errors import OperationError
 from app.formats.file_names import display_path
+from app.messages.message import Text, message
 from app.metrology.transforms import Floats
 
 COUNT_WIDTH = 20
@@ -54,21 +55,23 @@ def refuse_decimal_commas(path: Path, line: str) -> None:
         raise OperationError(
             "cloud-decimal-commas",
             display_path(path),
-            "its numbers have decimal commas",
-            "Export it with decimal points, or replace each comma by a point",
+            message("cloud-decimal-commas"),
+            message("cloud-export-decimal-points"),
         )
 
 
-def format_error(path: Path, why: str) -> OperationError:
+def format_error(path: Path, why: Text) -> OperationError:
     """A file that is not as its format has it."""
-    return OperationError("cloud-malformed", display_path(path), why, "Export the cloud again")
+    return OperationError("cloud-malformed", display_path(path), why, message("cloud-export-again"))
 
 
 def truncation_error(path: Path, found: int, announced: int) -> OperationError:
     """A file that holds fewer points than its header says."""
     return OperationError(
         "cloud-cut-off",
-        f"{display_path(path)} contains {found} of {announced} points",
-        "the file is incomplete",
-        "Export the cloud again",
+        message(
+            "cloud-contains-points-of", path=display_path(path), found=found, announced=announced
+        ),
+        message("file-cut-off"),
+        message("cloud-export-again"),
     )

@@ -12,6 +12,7 @@ from app.errors import OperationError
 from app.formats.clouds.points import Cloud, Points, cloud_from_columns
 from app.formats.clouds.rows import refuse_decimal_commas
 from app.formats.file_names import display_path
+from app.messages.message import message, quantity
 from app.metrology.transforms import Floats
 from app.native.arguments import I64, U8, Array, Function
 from app.native.library import CRENEL
@@ -49,9 +50,13 @@ class XyzSink:
         if farthest > FARTHEST_MM:
             raise OperationError(
                 "cloud-out-of-range",
-                f"{display_path(self._path)}: a point lies at {farthest:.3g} mm",
-                f"XYZ is written up to {FARTHEST_MM:.0e} mm",
-                "Write PLY",
+                message(
+                    "cloud-point-lies-away",
+                    path=display_path(self._path),
+                    distance=quantity(farthest, "mm"),
+                ),
+                message("cloud-xyz-written-up-to", limit=quantity(FARTHEST_MM, "mm")),
+                message("cloud-write-ply"),
             )
         decimals = np.array(list(COLUMNS.values()))
         scaled = np.rint(np.nan_to_num(table) * 10.0**decimals).clip(-(2.0**62), 2.0**62)
@@ -76,12 +81,12 @@ def _read(path: Path, text: TextIO) -> Cloud:
     every = [line for line in start.splitlines() if line.strip()]
     lines = [line for line in every if line[0] not in "#/"]
     if not lines or "\0" in start:
-        why = "it is not a cloud of a known format" if lines else "it is empty"
+        why = message("cloud-format-unknown") if lines else message("cloud-file-empty")
         raise OperationError(
             "cloud-unreadable",
             display_path(path),
             why,
-            "Give a .ply, .pcd, .e57, .xyz, .las or .laz cloud",
+            message("cloud-give-known-format"),
         )
     for line in lines[:HEAD_LINES]:
         refuse_decimal_commas(path, line)
@@ -106,8 +111,8 @@ def _read(path: Path, text: TextIO) -> Cloud:
         raise OperationError(
             "cloud-unreadable",
             display_path(path),
-            f"a line of x y z numbers is expected, but {str(error).split(';')[0]}",
-            "Give a .ply or .xyz cloud",
+            message("cloud-line-of-numbers-expected", reason=str(error).split(";")[0]),
+            message("cloud-give-ply-or-xyz"),
         ) from error
     return cloud_from_columns({name: table[:, i] for i, name in enumerate(names)})
 
