@@ -145,6 +145,7 @@ def _show_import(
                 "frames": result.frames,
                 "points": result.points,
                 "seconds_of_scan": result.seconds,
+                "without_pose": result.without_pose,
                 "without_line": [one.line for one in result.without_line],
                 "unreadable": [one.line for one in result.unreadable],
                 "seconds": seconds,
@@ -158,11 +159,17 @@ def _show_import(
         warn(one.line)
     if without > MOST_NAMED:
         warn(f"{without - MOST_NAMED} more pictures show no line")
+    if result.without_pose:
+        warn(
+            f"{result.without_pose} frames give no points: their times are outside the arm's "
+            "readings, or in gaps between them"
+        )
+    lasts = "no times" if result.seconds is None else f"{result.seconds:.3f} s"
     figures = (
         ("frames", f"{result.frames - without} with points, {without} without a line"),
         ("pictures left out", str(len(result.unreadable))),
         ("points", f"{result.points:,}".replace(",", " ")),
-        ("from the first to the last", f"{result.seconds:.3f} s"),
+        ("from the first to the last", lasts),
     )
     print_figures(f"Recording of {folder}", figures)
     print(f"{output} written in {seconds:.2f} s")

@@ -12,6 +12,7 @@ import pytest
 import trustme
 from google.protobuf.descriptor_pb2 import FieldDescriptorProto as Field
 from google.protobuf.descriptor_pb2 import FileDescriptorSet
+from scipy.spatial.transform import Rotation
 
 import app.formats
 from app.archive.manifest import Manifest
@@ -50,6 +51,7 @@ from app.metrology.gauges.errors import NominalPlane, NominalSphere
 from app.metrology.targets.chessboard import Chessboard, Markers
 from app.settings.settings import Settings
 from app.settings.station_toml import read_settings
+from hardware.arm.robots.rotations import axis_angles_quaternion, rotation_vector_quaternion
 
 PAGE = (Path(__file__).parents[2] / "docs/formats.md").read_text(encoding="utf-8")
 EXAMPLE = re.compile(r"^```(?:json|csv|toml|xyz) (\S+)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
@@ -124,6 +126,19 @@ def test_the_folders_of_scans_are_read(examples: Path) -> None:
     timed = read_scan_folder(examples / "timed")
     (picture,) = timed.pictures
     assert timed.stamps_ns[0] < picture.stamp_ns < timed.stamps_ns[1]
+
+
+def test_the_rotations_of_robot_controllers_are_converted_as_the_drivers_do_it() -> None:
+    shown = dict(re.findall(r"^\| (Universal Robots|FANUC|KUKA) \|.*`(Rot.+)` \|$", PAGE, re.M))
+    named = {"rx": 0.3, "ry": -0.8, "rz": 1.9, "Rotation": Rotation}
+    named |= {"W": 20, "P": -50, "R": 110, "C": 20, "B": -50, "A": 110}
+    about_axes = axis_angles_quaternion(*np.deg2rad([20, -50, 110]))
+    of_vector = rotation_vector_quaternion((0.3, -0.8, 1.9))
+    wanted = {"Universal Robots": of_vector, "FANUC": about_axes, "KUKA": about_axes}
+    assert set(shown) == set(wanted)
+    for controller, expression in shown.items():
+        found = eval(expression, dict(named))
+        assert abs(np.dot(found, wanted[controller])) == pytest.approx(1)
 
 
 def test_the_robots_session_on_a_chessboard_is_read(examples: Path) -> None:

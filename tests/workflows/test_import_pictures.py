@@ -1,16 +1,18 @@
 """Pictures and poses of others become a recording."""
 
 import json
+import re
 from collections.abc import Sequence
 from pathlib import Path
 
+import cv2
 import numpy as np
 import pytest
 
 from app.errors import OperationError
 from app.formats.clouds.files import read_cloud
 from app.formats.csv_table import table_text
-from app.formats.images import GreyImage, write_png
+from app.formats.images import GreyImage, read_grey, write_png
 from app.formats.session.pose_columns import COLUMNS, joint_columns, pose_cells
 from app.formats.session.scan_folder import read_scan_folder
 from app.metrology.arm.kinematics import AnyArm, RobotArm, flange_pose
@@ -169,6 +171,55 @@ def test_the_recording_says_how_the_stripes_were_extracted(tmp_path: Path) -> No
     imported(folder, StripeSettings(smoothing_px=1.0))
     again, _ = rebuilt(folder)
     assert any("smoothed along the laser line by 1 px" in str(one) for one in again.warnings)
+
+
+def test_frames_in_gaps_of_the_readings_are_counted(tmp_path: Path) -> None:
+    folder = write_scan(tmp_path / "scan", ROBOT, apart=True)
+    head, *rows = (folder / "readings.csv").read_text().splitlines()
+    kept = [row for row in rows if not 0.13 < float(row.split(",")[0]) < 0.19]
+    (folder / "readings.csv").write_text("\n".join([head, *kept]))
+    result = imported(folder)
+    assert (result.frames, result.without_pose) == (5, 2)
+    again, _ = rebuilt(folder, ROBOT)
+    assert again.frames_without_joints == 2
+    shown = crenel("import", folder, "-o", tmp_path / "scan.mcap")
+    assert "2 frames give no points" in shown.stderr
+
+
+def test_readings_in_milliseconds_are_refused(tmp_path: Path) -> None:
+    folder = write_scan(tmp_path / "scan", ROBOT, apart=True)
+    head, *rows = (folder / "readings.csv").read_text().splitlines()
+    cells = [row.split(",", 1) for row in rows]
+    late = [f"{1000 * float(time)},{rest}" for time, rest in cells]
+    (folder / "readings.csv").write_text("\n".join([head, *late]))
+    said = refused("import", folder, "-o", tmp_path / "scan.mcap")
+    assert "the readings are 4.000 s apart on average" in said
+    assert not (tmp_path / "scan.mcap").exists()
+
+
+def test_pictures_without_times_have_no_duration(tmp_path: Path) -> None:
+    folder = write_scan(tmp_path / "scan", timed=False)
+    shown = crenel("import", folder, "-o", tmp_path / "scan.mcap")
+    assert re.search(r"from the first to the last +no times", shown.stdout)
+
+
+def test_pictures_that_cannot_be_used_are_not_said_to_be_without_a_line(tmp_path: Path) -> None:
+    folder = write_scan(tmp_path / "scan")
+    for file in (folder / "images").iterdir():
+        grey = read_grey(file)
+        cv2.imwrite(str(file), np.dstack([0 * grey, 0 * grey, grey]))
+    said = refused("import", folder, "-o", tmp_path / "scan.mcap")
+    assert "none of the 5 pictures can be used" in said
+    assert "laser_wavelength_nm" in said
+
+
+def test_folders_may_be_separated_as_windows_does(tmp_path: Path) -> None:
+    folder = write_scan(tmp_path / "scan")
+    table = folder / "images.csv"
+    table.write_text(table.read_text().replace("images/", "images\\"))
+    assert imported(folder).frames == 5
+    table.write_text(table.read_text().replace("images\\", "C:\\cell\\images\\"))
+    assert "must be inside its folder" in refused("import", folder, "-o", tmp_path / "scan.mcap")
 
 
 SPOILT = {

@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from pathlib import Path, PurePosixPath
+from pathlib import Path, PurePosixPath, PureWindowsPath
 
 import numpy as np
 
@@ -105,9 +105,7 @@ def read_poses(
             message("take-picture-object"),
         )
     readings.read_rows(table.rows)
-    return tuple(
-        _build_pose(path.parent, arm, by_pose[number], needs_laser) for number in sorted(by_pose)
-    )
+    return tuple(_build_pose(arm, by_pose[number], needs_laser) for number in sorted(by_pose))
 
 
 def write_images(path: Path, rows: Sequence[ImageRow]) -> None:
@@ -140,9 +138,14 @@ def read_lighting(row: TableRow) -> str:
 
 
 def image_file(row: TableRow) -> Path:
-    """The picture of a row; raises ``OperationError`` unless it lies in the table's folder."""
-    relative = PurePosixPath(row.text("file"))
-    if relative.is_absolute() or ".." in relative.parts:
+    """The picture of a row; raises ``OperationError`` unless it lies in the table's folder.
+
+    Folders may be separated as Windows does it, in tables that other programs wrote there.
+    """
+    file = row.text("file")
+    relative = PurePosixPath(file.replace("\\", "/"))
+    absolute = relative.is_absolute() or PureWindowsPath(file).is_absolute()
+    if absolute or ".." in relative.parts:
         raise OperationError(
             "image-outside-session",
             message("row-file", place=row.place, file=repr(str(relative))),
@@ -172,9 +175,7 @@ def check_size(path: Path, size_px: tuple[int, int], sensor: SensorDatasheet) ->
         )
 
 
-def _build_pose(
-    folder: Path, arm: AnyArm, rows: list[tuple[TableRow, ImageRow]], needs_laser: bool
-) -> Pose:
+def _build_pose(arm: AnyArm, rows: list[tuple[TableRow, ImageRow]], needs_laser: bool) -> Pose:
     first_row, first = rows[0]
     files: dict[str, Path] = {}
     for row, image in rows:
@@ -204,7 +205,7 @@ def _build_pose(
                 message("one-used-each-lighting"),
                 message("delete-one-rows"),
             )
-        files[image.lighting] = folder / image.file
+        files[image.lighting] = image_file(row)
     q_rad = np.mean([image.q_rad for _, image in rows], axis=0)
     if "ambient" in files and "laser" in files:
         return Pose(first.pose, q_rad, files["ambient"], files["laser"], first.T_arm_flange)

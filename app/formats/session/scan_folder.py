@@ -58,6 +58,8 @@ class ScanFolder:
     """(J, k) as the arm reports them: encoder angles in rad, or poses (J, 7)."""
     tables: tuple[Path, ...]
     """The files that were read."""
+    timed: bool
+    """Whether the times of the pictures are known."""
 
 
 def read_scan_folder(folder: Path) -> ScanFolder:
@@ -84,7 +86,8 @@ def read_scan_folder(folder: Path) -> ScanFolder:
             "",
             message("take-picture-object"),
         )
-    if TIME in table.columns:
+    timed = TIME in table.columns
+    if timed:
         lit.sort(key=_read_time_s)
         _refuse_simultaneous(lit)
         stamps_ns = _stamps_ns(lit)
@@ -93,10 +96,11 @@ def read_scan_folder(folder: Path) -> ScanFolder:
     pictures = tuple(map(ScanPicture, map(image_file, lit), stamps_ns.tolist()))
     tables = (folder / ARM, folder / SENSOR, path)
     if not apart:
-        return ScanFolder(arm, sensor, pictures, stamps_ns, _arm_readings(columns, lit), tables)
+        readings = _arm_readings(columns, lit)
+        return ScanFolder(arm, sensor, pictures, stamps_ns, readings, tables, timed)
     read_ns, readings = _read_readings(own, arm)
     _check_overlap(path, stamps_ns, own, read_ns)
-    return ScanFolder(arm, sensor, pictures, read_ns, readings, (*tables, own))
+    return ScanFolder(arm, sensor, pictures, read_ns, readings, (*tables, own), timed)
 
 
 def _is_lit(row: TableRow) -> bool:

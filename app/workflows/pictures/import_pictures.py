@@ -6,8 +6,12 @@ from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field
 from pathlib import Path
 
+import numpy as np
+from numpy.typing import NDArray
+
 from app.errors import OperationError
 from app.formats.atomic_write import atomic_path
+from app.formats.file_names import display_path
 from app.formats.images import image_size
 from app.formats.recording.reader import (
     ARM_DELAY,
@@ -16,12 +20,13 @@ from app.formats.recording.reader import (
     SCAN_NAME,
     SENSOR_SERIAL,
 )
+from app.formats.recording.reading_track import LONGEST_GAP_LIMIT_NS, ReadingTrack
 from app.formats.recording.writer import RecordingWriter
 from app.formats.session.pose_pictures import check_size
 from app.formats.session.scan_folder import ScanFolder, ScanPicture
 from app.formats.settings.mask import Mask
 from app.formats.settings.scan_settings import extraction_text
-from app.messages.message import message
+from app.messages.message import message, quantity
 from app.metrology.arm.kinematics import Arm
 from app.metrology.stripe import (
     AUTOMATIC,
@@ -44,8 +49,10 @@ class ImportedScan:
     frames: int = 0
     """Number of pictures that are in the recording."""
     points: int = 0
-    seconds: float = 0.0
-    """From the first picture to the last."""
+    seconds: float | None = None
+    """From the first picture to the last; None of pictures without times."""
+    without_pose: int = 0
+    """Frames that give no points, since no readings lie closely around their times."""
     without_line: list[OperationError] = field(default_factory=list)
     """Why a picture shows no line; it is in the recording, without points."""
     unreadable: list[OperationError] = field(default_factory=list)
@@ -56,6 +63,7 @@ class ImportedScan:
 class _Frame:
     picture: ScanPicture
     stripe: Stripe
+    posed: bool
     refusal: OperationError | None = None
 
 
@@ -74,8 +82,8 @@ def import_pictures(
         name: of the scan, as it is listed.
 
     Raises:
-        OperationError: the settings contradict each other, no picture shows a line, or the file
-            cannot be written; nothing is then written.
+        OperationError: the settings contradict each other, no picture shows a line or lies between
+            two readings, or the file cannot be written; nothing is then written.
     """
     check_settings(settings)
     names = [joint.name for joint in scan.arm.joints] if isinstance(scan.arm, Arm) else None
@@ -86,36 +94,61 @@ def import_pictures(
         EXTRACTION: extraction_text(settings, mask),
         SCAN_NAME: name,
     }
+    posed = _check_poses(scan)
     result = ImportedScan()
     with atomic_path(recording) as part, RecordingWriter(part, names, about) as writer:
         written = 0
-        for number, frame in enumerate(_extract_all(scan, settings, mask)):
+        for number, frame in enumerate(_extract_all(scan, posed, settings, mask)):
             progress(number / len(scan.pictures), frame.picture.file.name)
             written = _write_readings(writer, scan, written, frame.picture.stamp_ns + AHEAD_NS)
             _write_frame(writer, scan, frame, result)
         _write_readings(writer, scan, written, None)
         if not result.points:
             raise _no_line_error(scan, result)
-    stamps_ns = [picture.stamp_ns for picture in scan.pictures]
-    result.seconds = (stamps_ns[-1] - stamps_ns[0]) / 1e9
+    if scan.timed:
+        result.seconds = (scan.pictures[-1].stamp_ns - scan.pictures[0].stamp_ns) / 1e9
     return result
 
 
-def _extract_all(scan: ScanFolder, settings: StripeSettings, mask: Mask | None) -> Iterator[_Frame]:
+def _check_poses(scan: ScanFolder) -> NDArray[np.bool_]:
+    """(F,) whether a cloud has a pose for each picture; raises ``OperationError`` if for none."""
+    track = ReadingTrack("joints" if isinstance(scan.arm, Arm) else "pose", scan.readings.shape[1])
+    track.extend(scan.stamps_ns, scan.readings)
+    at = track.at_all(np.array([picture.stamp_ns for picture in scan.pictures], np.int64))
+    posed = np.asarray(np.isfinite(at).all(axis=1), np.bool_)
+    if posed.any():
+        return posed
+    between_ns = (scan.stamps_ns[-1] - scan.stamps_ns[0]) / max(len(scan.stamps_ns) - 1, 1)
+    longest = quantity(LONGEST_GAP_LIMIT_NS / 1e9, "s", 2)
+    raise OperationError(
+        "readings-too-far-apart",
+        message(
+            "no-picture-between-readings",
+            path=display_path(scan.tables[2]),
+            readings=display_path(scan.tables[-1]),
+        ),
+        message("readings-are-apart", period=quantity(between_ns / 1e9, "s", 3), longest=longest),
+        message("give-times-in-seconds-readings-closer", longest=longest),
+    )
+
+
+def _extract_all(
+    scan: ScanFolder, posed: NDArray[np.bool_], settings: StripeSettings, mask: Mask | None
+) -> Iterator[_Frame]:
     """The stripes, in the order of the pictures."""
     sensor = scan.sensor
 
-    def extract(picture: ScanPicture) -> _Frame:
+    def extract(picture: ScanPicture, has_pose: bool) -> _Frame:
         try:
             check_size(picture.file, image_size(picture.file), sensor)
             found = extract_file(picture.file, sensor.stripe_axis, settings, mask, sensor.channel)
         except OperationError as refusal:
-            return _Frame(picture, empty_stripe(sensor.stripe_axis), refusal)
-        return _Frame(picture, found.stripe)
+            return _Frame(picture, empty_stripe(sensor.stripe_axis), has_pose, refusal)
+        return _Frame(picture, found.stripe, has_pose)
 
     with ThreadPoolExecutor(os.cpu_count() or 1, "extract") as pool:
         try:
-            yield from pool.map(extract, scan.pictures)
+            yield from pool.map(extract, scan.pictures, posed.tolist())
         finally:
             pool.shutdown(cancel_futures=True)
 
@@ -144,6 +177,7 @@ def _write_frame(
     sensor = scan.sensor
     writer.stripe(frame.picture.stamp_ns, frame.stripe, sensor.width_px, sensor.height_px)
     result.frames += 1
+    result.without_pose += not frame.posed
     result.points += len(frame.stripe.u)
 
 
@@ -152,9 +186,13 @@ def _no_line_error(scan: ScanFolder, result: ImportedScan) -> OperationError:
     first = (result.without_line or result.unreadable)[0]
     if len(scan.pictures) == 1:
         return first
+    count = len(scan.pictures)
+    what = message("no-picture-of-folder-has-a-line", count=count, first=first.what)
+    if not result.without_line:
+        what = message("no-picture-of-folder-can-be-used", count=count, first=first.what)
     return OperationError(
         first.code,
-        message("no-picture-of-folder-has-a-line", count=len(scan.pictures), first=first.what),
+        what,
         first.why,
         first.remedy,
     )
