@@ -119,6 +119,16 @@ def test_joints_are_those_of_the_robot(server: RtdeServer) -> None:
     driver.close()
 
 
+def test_its_serial_number_is_that_of_the_options(server: RtdeServer) -> None:
+    address = {"address": "127.0.0.1", "port": server.port}
+    driver = from_options({**address, "serial_number": "2019-0042"})
+    assert driver.open().serial_number == "2019-0042"
+    driver.close()
+    driver = from_options(address)
+    assert not driver.open().serial_number
+    driver.close()
+
+
 def test_what_is_not_asked_for_needs_not_be_there(server: RtdeServer) -> None:
     server.faults.unknown = frozenset({"tcp_offset"})
     driver = from_options({"address": "127.0.0.1", "port": server.port, "report": "joints"})

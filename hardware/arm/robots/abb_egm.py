@@ -10,6 +10,7 @@ read-only; the driver sends nothing. In station.toml::
     report = "flange"           # or "joints"
     tool = [0, 0, 120, 1, 0, 0, 0]  # optional: tframe of the active tooldata: mm, q1 … q4
     base = [0, 0, 0, 1, 0, 0, 0]    # optional: the work object's frame in the base frame
+    serial_number = "2019-0042" # optional: of this robot, which does not state it
     latency_us = 0              # optional: least time from measuring to arrival here
     timeout_s = 3.0             # how long ``open`` waits for the controller
 

@@ -8,6 +8,7 @@ whether the robot is commanded or not; this driver sends no command. In station.
     address = "192.168.1.40"
     report = "flange"           # the faceplate; or "joints"
     port = 60015
+    serial_number = "2019-0042" # optional: of this robot, which does not state it
     latency_us = 0              # optional: least time from measuring to arrival here
     timeout_s = 3.0             # how long ``open`` waits for the controller
 
@@ -93,7 +94,7 @@ class StreamMotion:
         self._await_status(deadline)
         return ArmInfo(
             name=f"FANUC Stream Motion {self._version}",
-            serial_number="",
+            serial_number=self._options.serial_number,
             joint_count=0 if poses else _AXES,
             rate_hz=1000 / cycle_ms,
             reports="pose" if poses else "joints",

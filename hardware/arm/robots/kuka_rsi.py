@@ -10,6 +10,7 @@ in its Ethernet configuration; the driver sends nothing. In station.toml::
     report = "flange"           # from RIst; or "joints", from AIPos
     tool = [0, 0, 120, 0, 0, 0] # optional: $TOOL, as X, Y, Z in mm and A, B, C in degrees
     base = [0, 0, 0, 0, 0, 0]   # optional: $BASE in the robot's root frame, the same way
+    serial_number = "2019-0042" # optional: of this robot, which does not state it
     latency_us = 0              # optional: least time from measuring to arrival here
     timeout_s = 3.0             # how long ``open`` waits for the controller
 

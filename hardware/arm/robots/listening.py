@@ -41,6 +41,7 @@ class ListeningStream:
 
     def __init__(self, options: ListeningOptions, tool: Pose, base: Pose, unreadable: Text) -> None:
         self._address, self._port, self._unreadable = options.address, options.port, unreadable
+        self._serial_number = options.serial_number
         self._sends_poses = options.report == "flange"
         self._link = ControllerLink(options.address)
         self._health = LinkHealth()
@@ -75,7 +76,7 @@ class ListeningStream:
         """What the controller is; ``joint_count`` counts where it sends joints."""
         return ArmInfo(
             name=name,
-            serial_number="",
+            serial_number=self._serial_number,
             joint_count=0 if self._sends_poses else joint_count,
             rate_hz=rate_hz,
             reports="pose" if self._sends_poses else "joints",

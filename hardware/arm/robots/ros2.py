@@ -11,6 +11,7 @@ dependency of Crenel. The driver subscribes to one topic and publishes nothing. 
     joint_names = ["shoulder_pan_joint", "…"]   # for joints: 5 to 7 names, base joint first
     stamps = "header"           # or "arrival", if the messages have no time stamps
     domain_id = 0               # optional: instead of ROS_DOMAIN_ID
+    serial_number = "2019-0042" # optional: of this robot, which does not state it
     latency_us = 0              # optional: least time from measuring to arrival here
     timeout_s = 5.0             # how long ``open`` waits for messages
 
@@ -30,7 +31,7 @@ from pydantic import Field
 
 from app.messages.message import Text, message
 from hardware.arm.robots.readings import RobotReading, require_finite, require_unit
-from hardware.arm.robots.streaming_arm import StreamingArm, StreamOptions, await_readings
+from hardware.arm.robots.streaming_arm import StreamingArm, UnnumberedOptions, await_readings
 from hardware.arm.robots.transform_chain import FramePlacement, TransformChain
 from hardware.clock import now_ns
 from hardware.errors import DeviceError
@@ -50,7 +51,7 @@ _TYPES = {
 _TRANSFORMS = "/tf"
 
 
-class Ros2Options(StreamOptions):
+class Ros2Options(UnnumberedOptions):
     """Options of the driver in station.toml."""
 
     topic: str | None = Field(default=None, min_length=1)
@@ -120,7 +121,7 @@ class TopicStream:
         poses = self._options.kind != "joints"
         return ArmInfo(
             name=f"ROS 2 {self._topic}",
-            serial_number="",
+            serial_number=self._options.serial_number,
             joint_count=0 if poses else len(self._options.joint_names),
             rate_hz=(len(first) - 1) * 1e9 / (first[-1].device_ns - first[0].device_ns),
             reports="pose" if poses else "joints",

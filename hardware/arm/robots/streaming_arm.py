@@ -32,7 +32,14 @@ class StreamOptions(Options):
     timeout_s: float = Field(default=3.0, gt=0, le=60)
 
 
-class RobotOptions(StreamOptions):
+class UnnumberedOptions(StreamOptions):
+    """Options of an arm that does not state its serial number."""
+
+    serial_number: str = Field(default="", max_length=60)
+    """As on its type plate: tells it from others of its kind."""
+
+
+class RobotOptions(UnnumberedOptions):
     """Options of every controller in a network."""
 
     address: str = Field(min_length=1)

@@ -9,6 +9,7 @@ serves RTDE. In station.toml::
     report = "flange"           # or "joints"
     rate_hz = 500.0             # optional: at most 125 on a CB3, 500 on an e-Series (the default)
     port = 30004
+    serial_number = "2019-0042" # optional: of this robot, which does not state it
     latency_us = 0              # optional: least time from measuring to arrival here
     timeout_s = 3.0             # how long ``open`` waits for the controller
 
@@ -112,7 +113,7 @@ class RtdeStream:
         poses = options.report == "flange"
         return ArmInfo(
             name=f"Universal Robots {'.'.join(str(part) for part in software[:3])}",
-            serial_number="",
+            serial_number=options.serial_number,
             joint_count=0 if poses else 6,
             rate_hz=rate_hz,
             reports="pose" if poses else "joints",
