@@ -1785,7 +1785,7 @@ performance-simulation-scans-bar = Der simulierte Bediener scannt den Stab in La
 performance-simulation-scans-plate = Der simulierte Bediener scannt die Platte in Ausrichtung { $number }
 performance-simulation-touches =
     { $test ->
-        [lengths] Der simulierte Bediener tastet das Stufenendmaß an: { $done } von { $of }
+        [lengths] Der simulierte Bediener tastet das Längennormal an: { $done } von { $of }
        *[other] Der simulierte Bediener tastet die Kugel an: { $done } von { $of }
     }
 performance-sphere-touched-there = Die Kugel wurde dort schon angetastet; diese Antastung wurde nicht übernommen
@@ -2724,6 +2724,7 @@ performance-bars-caption =
     }
 performance-effective-diameter = wirksamer Durchmesser der Meisterkugel
 performance-expansion-unknown = der Prüfkörper { $name } hatte { $celsius }, mehr als { $most } von 20 °C entfernt, und sein Kalibrierschein enthält keinen Ausdehnungskoeffizienten: expansion_per_c und dessen Standardunsicherheit expansion_sd_per_c in der Datei des Prüfkörpers eintragen (dehnt er sich nicht aus: 0 und eine Unsicherheit über 0)
+performance-form-unknown = der Kalibrierschein von { $name } nennt keine Formabweichung: Form und Streuung werden nicht entschieden; form_um und deren Standardunsicherheit form_sd_um in der Datei der Kugel eintragen
 performance-fewer-lengths =
     { $count ->
         [one] das Normal hat nur eine Länge, und das Verfahren verlangt fünf

@@ -1781,7 +1781,7 @@ performance-simulation-scans-bar = The simulated operator scans the bar in place
 performance-simulation-scans-plate = The simulated operator scans the plate in orientation { $number }
 performance-simulation-touches =
     { $test ->
-        [lengths] The simulated operator touches the step gauge: { $done } of { $of }
+        [lengths] The simulated operator touches the length standard: { $done } of { $of }
        *[other] The simulated operator touches the sphere: { $done } of { $of }
     }
 performance-sphere-touched-there = The sphere was touched near there already; this touch was not taken
@@ -2715,6 +2715,7 @@ performance-bars-caption =
     }
 performance-effective-diameter = effective diameter of the master sphere
 performance-expansion-unknown = the artefact { $name } was at { $celsius }, more than { $most } from 20 °C, and its certificate has no coefficient of expansion: enter expansion_per_c and its standard uncertainty expansion_sd_per_c in the file of the artefact (if it does not expand: 0, and an uncertainty above 0)
+performance-form-unknown = the certificate of { $name } states no form: forms and dispersion are not decided; enter form_um and its standard uncertainty form_sd_um in the file of the sphere
 performance-fewer-lengths =
     { $count ->
         [one] the standard has only one length, and the procedure takes five

@@ -1,5 +1,6 @@
 """Performance tests by touch at a station whose sensor was never calibrated."""
 
+import json
 from collections.abc import Iterator
 from dataclasses import replace
 
@@ -68,6 +69,29 @@ def test_lengths_are_touched_without_a_calibration_and_not_scanned(desk: Desk) -
     assert not read_plan(folder).by_scan
     server.http.post("/api/stop").raise_for_status()
     desk.wait(lambda view: view["busy"] is None)
+    desk.do("abandon", reason="other")
+
+
+def test_without_a_calibration_bad_artefacts_are_refused_before_the_test(desk: Desk) -> None:
+    gauges = desk.server.data / "gauges"
+    good = json.loads((gauges / "step-gauge.json").read_text())
+    (long,) = good["lengths"][-1:]
+    bad: dict[str, tuple[dict[str, object], str]] = {
+        "expired": ({"valid_until": "2025-01-01"}, "was valid until 2025-01-01"),
+        "bare": ({"lengths": [{**long, "standard_uncertainty_um": 0}]}, "no uncertainty"),
+        "long": ({"lengths": [{**long, "length_mm": 4000.0}]}, "reach"),
+    }
+    for name, (changes, _) in bad.items():
+        (gauges / f"{name}.json").write_text(json.dumps({**good, **changes}))
+    assert not start(desk.server, "lengths")
+    view = desk.wait(lambda view: bad.keys() <= {one["id"] for one in view["gauges"]})
+    assert view["gauge"] not in bad
+    why_not = {one["id"]: english(one["why_not"]) for one in view["gauges"]}
+    for name, (_, words) in bad.items():
+        assert words in why_not[name]
+        assert words in refusal(desk.command("choose_gauge", id=name))
+        (gauges / f"{name}.json").unlink()
+    assert not why_not["step-gauge"]
     desk.do("abandon", reason="other")
 
 

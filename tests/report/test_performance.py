@@ -131,6 +131,18 @@ def test_the_drawn_sphere_is_the_location_error(tmp_path: Path) -> None:
     assert "Open dots" not in said
 
 
+def test_where_no_location_is_stated_no_sphere_about_the_centres_is_drawn(tmp_path: Path) -> None:
+    drawn = "Location over the articulations"
+    sphere_result(tmp_path / "a")
+    assert drawn in text_of(render_report(tmp_path / "a", ".pdf"))
+    moved = Faults(articulations=0, touch_sd_mm=0.003, moved_mm=(0.1, 0.0, 0.0))
+    folder = SphereSession(tmp_path / "b", moved).write()
+    write_performance(folder)
+    text = text_of(render_report(folder, ".pdf"))
+    assert "Sphere or arm moved by" in text
+    assert drawn not in text
+
+
 def test_the_implied_error_is_drawn_with_its_direction(tmp_path: Path) -> None:
     offset = sphere_result(tmp_path).offset
     assert offset is not None

@@ -2,6 +2,7 @@
 
 from app.errors import sentence
 from app.findings import Finding
+from app.formats.datasheets.gauge import GaugeFile
 from app.formats.datasheets.length_standard import LengthStandardFile
 from app.guide.common.flow import DECISION_QUALITY, device_findings, strain_findings
 from app.guide.common.journal import error_from_payload
@@ -17,6 +18,7 @@ from app.messages.message import message, quantity
 from app.metrology.performance.articulation import HELD_DEG
 from app.metrology.performance.lengths import LENGTHS
 from app.metrology.performance.temperature import TemperatureSpan
+from app.workflows.performance.artefact_checks import unknown_form
 from app.workflows.performance.temperature_checks import find_unsteady, unknown_expansion
 
 
@@ -58,6 +60,9 @@ def _about_artefact(state: PerformanceState, live: PerformanceLive) -> list[Find
     standard = live.artefact if state.test == "lengths" else None
     if isinstance(standard, LengthStandardFile) and len(standard.lengths) < LENGTHS:
         text = message("performance-fewer-lengths", count=len(standard.lengths))
+        findings.append(Finding("attention", sentence(text)))
+    sphere = live.artefact if state.test == "sphere" else None
+    if isinstance(sphere, GaugeFile) and (text := unknown_form(sphere, sphere.name or state.gauge)):
         findings.append(Finding("attention", sentence(text)))
     remedy = message("performance-correct-gauge")
     return findings + [Finding("bad", sentence(one), remedy) for one in live.artefact_problems]

@@ -100,7 +100,8 @@ def _pictures(document: PerformanceFile) -> list[Section[Text]]:
     """The figures, each kind in a section of its own."""
     limits = limits_figure(document.figures)
     places = [picture for one in document.spheres for picture in sphere_pictures(one)]
-    centres = [picture for one in document.spheres for picture in centre_pictures(one)]
+    stated = {one.quantity for one in document.figures if one.value is not None}
+    centres = [picture for one in document.spheres for picture in centre_pictures(one, stated)]
     found = [
         (message("against-limits"), [limits] if limits else [], 1),
         (message("deviations-of-places"), places, 2),

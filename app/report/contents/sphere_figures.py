@@ -1,11 +1,12 @@
 """The figures of a sphere in a performance test: its 25 places, and its centres."""
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 
 import numpy as np
 
 from app.formats.json_document import Vector3
 from app.formats.performance.results import ImpliedOffsetPart, SphereMeasurement
+from app.formats.performance.symbols import Quantity
 from app.messages.message import Text, message, quantity, rounded, signed
 from app.metrology.performance.enclosing_sphere import smallest_enclosing_sphere
 from app.metrology.performance.pattern import RINGS
@@ -166,14 +167,21 @@ def sphere_pictures(sphere: SphereMeasurement) -> list[tuple[Figure[Text], Text]
     return found
 
 
-def centre_pictures(sphere: SphereMeasurement) -> list[tuple[Figure[Text], Text]]:
-    """The centres of one position's articulations: by touch, and by scan."""
+def centre_pictures(
+    sphere: SphereMeasurement, stated: Collection[Quantity]
+) -> list[tuple[Figure[Text], Text]]:
+    """The centres of one position's articulations: by touch, and by scan.
+
+    Args:
+        stated: the quantities that have a value; the diameter of the sphere about the centres is
+            one.
+    """
     place = quantity(sphere.position)
     found = []
-    if sphere.tactile_centres_mm:
+    if sphere.tactile_centres_mm and "location-touch" in stated:
         title = message("touched-centres-of-position", position=place)
         found.append(centres_figure(sphere.tactile_centres_mm, title))
-    if sphere.scan_centres_mm:
+    if sphere.scan_centres_mm and "location-scan" in stated:
         title = message("scanned-centres-of-position", position=place)
         found.append(centres_figure(sphere.scan_centres_mm, title, sphere.fixed_centres_mm))
     return found

@@ -2,8 +2,10 @@
 
 from datetime import date
 
+from app.formats.datasheets.gauge import GaugeFile
 from app.formats.datasheets.length_standard import LengthStandardFile
 from app.formats.performance.plan import PerformancePlan, PlatePart, SpherePart
+from app.formats.performance.symbols import Quantity
 from app.formats.results.calibration import Calibration
 from app.messages.message import Text, message, quantity
 from app.metrology.arm.kinematics import AnyArm
@@ -12,6 +14,8 @@ from app.metrology.performance.length_places import arm_reach
 Artefact = SpherePart | LengthStandardFile | PlatePart
 LEAST_DIAMETER_MM = 10.0
 """ISO 10360-5 and -8."""
+BY_FORM: tuple[Quantity, ...] = ("form-touch", "form-scan", "dispersion-scan", "form-both")
+"""Whose test value uncertainty is that of the sphere's form."""
 LEAST_WIDTH_MM = 50.0
 """Of a plate, and of what a scan shows of it; a choice of this program."""
 
@@ -58,7 +62,8 @@ def list_problems(artefact: Artefact, day: str, own: str, arm: AnyArm | None = N
         arm: by which lengths are measured; None if it is not known.
     """
     problems: list[Text] = []
-    if own and artefact.serial_number and own == artefact.serial_number:
+    number = _same_number(artefact.serial_number)
+    if number and number == _same_number(own):
         problems.append(message("artefact-is-calibration-object", serial_number=own))
     until = artefact.valid_until
     if until and until < day:
@@ -72,6 +77,29 @@ def list_problems(artefact: Artefact, day: str, own: str, arm: AnyArm | None = N
     else:
         problems += _length_problems(artefact, arm)
     return problems
+
+
+def unknown_form(sphere: SpherePart | GaugeFile, name: str) -> Text:
+    """Why a form of a sphere cannot be decided; empty if its certificate states its own.
+
+    Args:
+        name: of the sphere.
+    """
+    if sphere.form_um > 0 or sphere.form_sd_um > 0:
+        return ""
+    return message("performance-form-unknown", name=name)
+
+
+def unknown_forms(plan: PerformancePlan) -> dict[Quantity, Text]:
+    """The quantities that are not decided, as the certificate of the sphere states no form, each
+    with why."""
+    why = unknown_form(plan.sphere, plan.sphere.name) if plan.sphere else ""
+    return dict.fromkeys(BY_FORM, why) if why and plan.kind == "sphere" else {}
+
+
+def _same_number(serial_number: str) -> str:
+    """As it is compared: typed by hand, it may differ in case and spaces."""
+    return "".join(serial_number.split()).casefold()
 
 
 def _length_problems(standard: LengthStandardFile, arm: AnyArm | None) -> list[Text]:

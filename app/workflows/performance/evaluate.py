@@ -29,7 +29,7 @@ from app.metrology.performance.lengths import LENGTHS
 from app.metrology.performance.location import ImpliedOffset, estimate_offset
 from app.metrology.performance.sphere import least_squares_sphere
 from app.metrology.performance.value_uncertainty import form_uncertainty_um, size_uncertainty_um
-from app.workflows.performance.artefact_checks import artefact_problems
+from app.workflows.performance.artefact_checks import artefact_problems, unknown_forms
 from app.workflows.performance.causes import name_causes
 from app.workflows.performance.contact_test import (
     contact_features,
@@ -97,7 +97,7 @@ def evaluate_performance(folder: Path, ended_at: str = "") -> PerformanceFile:
     unsteady = find_unsteady(artefact, arm, plan.temperature_limits.limits)
     undecided = (*unsteady, *parts.undecided)
     why = undecided[0] if undecided else ""
-    unknown = unknown_expansions(plan, artefact)
+    unknown = {**unknown_expansions(plan, artefact), **unknown_forms(plan)}
     still_open = dict.fromkeys(unknown.values())
     figures = tuple(
         judge_figure(plan, one, why or unknown.get(one.quantity, "")) for one in measured
@@ -232,8 +232,10 @@ def _measure_sphere(data: MeasuredData, problems: list[Text]) -> tuple[list[Meas
         )
         for of in SPHERE_QUANTITIES
     ]
-    spheres = tuple(result.measurement() for result in results)
-    offset = _find_offset(results[0])
+    spheres = tuple(result.measurement(stated=not problems) for result in results)
+    # where no location is stated, nothing follows from it either
+    is_located = not problems and "location-scan" in results[0].values_mm
+    offset = _find_offset(results[0]) if is_located else None
     notes = [note for result in results for note in result.notes]
     if not problems:
         size_um = size_uncertainty_um(certificate, sd_c, off_c)

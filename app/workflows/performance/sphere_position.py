@@ -50,8 +50,21 @@ class PositionResult:
     def moved_um(self) -> float:
         return 1e3 * float(np.linalg.norm(self.moved_mm))
 
-    def measurement(self) -> SphereMeasurement:
-        return SphereMeasurement.model_validate({"position": self.position, **self.details})
+    def measurement(self, stated: bool) -> SphereMeasurement:
+        """What is kept of it.
+
+        Args:
+            stated: whether the sphere could serve. What has the meaning of a figure is left out
+                where that figure is not stated.
+        """
+        second: dict[str, Quantity] = {
+            "location_fixed_um": "location-scan",
+            "free_dispersion_um": "dispersion-scan",
+        }
+        unstated = [of for of, figure in second.items() if figure not in self.values_mm]
+        left_out = unstated if stated else list(second)
+        details = {name: value for name, value in self.details.items() if name not in left_out}
+        return SphereMeasurement.model_validate({"position": self.position, **details})
 
     def note(self, quantity: Quantity, value_mm: float, *data: str) -> None:
         self.values_mm[quantity], self.data[quantity] = value_mm, data

@@ -112,12 +112,18 @@ def test_a_sphere_that_moved_has_no_symbols(tmp_path: Path) -> None:
     assert set(values(result).values()) == {None}
     assert "moved by" in str(result.problems[0])
     assert result.verdict.result == "uncertain"
+    # nor by another name: the offset and the second figures follow from the same centres
+    assert result.offset is None
+    sphere = result.spheres[0]
+    assert sphere.location_fixed_um is sphere.free_dispersion_um is None
+    assert sphere.scan_centres_mm
 
 
 @pytest.mark.parametrize(
     ("changes", "words"),
     [
         ({"serial_number": "B-1"}, "the object that the sensor was calibrated with"),
+        ({"serial_number": " b -1"}, "the object that the sensor was calibrated with"),
         ({"diameter_mm": 8.0}, "10 mm or more"),
         ({"valid_until": "2025-12-31"}, "valid until 2025-12-31"),
         ({"valid_until": "soon"}, "is no date"),
@@ -132,6 +138,22 @@ def test_an_artefact_that_cannot_serve_is_named(
     result = evaluate_performance(folder)
     assert words in str(result.problems[0])
     assert set(values(result).values()) == {None}
+
+
+def test_a_form_is_not_decided_by_a_sphere_without_one(tmp_path: Path) -> None:
+    sphere = SPHERE.model_copy(update={"form_um": 0.0, "form_sd_um": 0.0})
+    session = SphereSession(tmp_path / "t", Faults(articulations=0, touch_sd_mm=0.003), sphere)
+    session.limits = (
+        LimitPart(quantity="form-touch", a_um=60.0),
+        LimitPart(quantity="size-touch", a_um=60.0),
+    )
+    result = evaluate_performance(session.write())
+    found = {one.quantity: one for one in result.figures}
+    assert found["form-touch"].value == pytest.approx(11, abs=8)
+    assert found["form-touch"].decision == "uncertain"
+    assert "states no form" in str(found["form-touch"].reason)
+    assert "states no form" in str(result.problems[0])
+    assert found["size-touch"].decision == "pass"
 
 
 def test_a_run_that_was_stopped_says_what_is_missing(tmp_path: Path) -> None:
@@ -155,6 +177,8 @@ def test_two_articulations_that_are_nearly_the_same_give_no_location(tmp_path: P
         assert found[quantity] is None
         assert "articulations 1 and 2 are nearly the same" in str(problem(result, quantity))
     assert found["size-touch"] == pytest.approx(0, abs=0.01)
+    assert result.offset is None
+    assert result.spheres[0].location_fixed_um is None
     notes = [str(note) for note in result.notes if "articulation 2" in str(note)]
     assert len(notes) == 2
     assert "the stylus was held" in notes[0]

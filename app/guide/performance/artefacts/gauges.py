@@ -31,10 +31,11 @@ SHAPES: Mapping[Kind, Shape] = {
 
 @dataclass(frozen=True, eq=False)
 class CalibratedWith:
-    """What a sensor was calibrated with."""
+    """What a sensor was calibrated with; of one that is not, the arm alone."""
 
     object_serial: str
-    arm: AnyArm
+    arm: AnyArm | None
+    """None if it is not known."""
 
 
 def _shape_of(gauge: AnyGauge) -> Shape:

@@ -64,19 +64,27 @@ class ArtefactSession(GaugeSession[PerformanceState, Live, View, AnyGauge], Gene
             read_any_gauges,
             read_any_gauge,
         )
-        self._calibrated_with: tuple[str, CalibratedWith | OperationError | None] = ("", None)
+        self._calibrated_with: tuple[str, CalibratedWith | OperationError] = (
+            "",
+            CalibratedWith("", None),
+        )
         self._bar: tuple[str, LengthStandardFile | None] = ("", None)
 
     def first_choices(self, test: Kind, usable: Iterable[str]) -> Mapping[str, object]:
         """Calibration and artefact; of a test by touch without a calibration, arm and artefact."""
         if test not in BY_TOUCH or self.active() is not None:
             return self.first_payload(message("performance-nothing-to-test"), usable)
-        info = self.station.rig.arm.info
-        numbers = {e.id: e.datasheet.serial_number for e in self._arms_with_tip().values()}
-        guess = guess_entry(numbers, info.serial_number if info else "", self.state.arm)
+        guess = self._guess_arm()
         if not guess:
             raise self._no_arm_error()
         return {"calibration_id": "", "gauge": self.first_gauge(usable), "arm": guess}
+
+    def _guess_arm(self) -> str:
+        """The datasheet of the connected arm, for a test without a calibration; empty if it is not
+        clear."""
+        info = self.station.rig.arm.info
+        numbers = {e.id: e.datasheet.serial_number for e in self._arms_with_tip().values()}
+        return guess_entry(numbers, info.serial_number if info else "", self.state.arm)
 
     def _arms_with_tip(self) -> Mapping[str, DatasheetEntry[AnyArm]]:
         arms = read_library(self.data_folder).arms
@@ -160,16 +168,21 @@ class ArtefactSession(GaugeSession[PerformanceState, Live, View, AnyGauge], Gene
 
     def problems_of(self, name: str, gauge: AnyGauge, test: Kind) -> tuple[Text, ...]:
         """Why a gauge cannot serve in this test, or in one that would begin now."""
-        active = self.active()
-        if active is None:
-            return ()
-        if self._calibrated_with[0] != active.id:
-            self._calibrated_with = (active.id, read_calibrated_with(active.file))
-        known = self._calibrated_with[1]
-        if not isinstance(known, CalibratedWith):
-            return (known.text,) if known is not None else ()
+        known = self._known_of_calibration()
+        if isinstance(known, OperationError):
+            return (known.text,)
         day = (self.state.started_at if self.running else utc_now())[:10]
         return tuple(problems_in_test(name, gauge, test, day, known))
+
+    def _known_of_calibration(self) -> CalibratedWith | OperationError:
+        """Of the calibration in use; without one, the arm that touches."""
+        active = self.active()
+        if active is None:
+            entry = self._arms_with_tip().get(self.state.arm or self._guess_arm())
+            return CalibratedWith("", None if entry is None else entry.datasheet)
+        if self._calibrated_with[0] != active.id:
+            self._calibrated_with = (active.id, read_calibrated_with(active.file))
+        return self._calibrated_with[1]
 
     def obstacles_of(self, gauges: Gauges[AnyGauge], test: Kind) -> dict[str, Text]:
         """Of the gauges that cannot serve in a kind of test, why."""
