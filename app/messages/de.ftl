@@ -218,6 +218,12 @@ arms-parameters-already-explain-points-well = die Parameter des Messarms erklär
 arms-position-known-around-most-pictures = die Stellung des Messarms ist für die meisten Bilder nicht bekannt
 arms-zero = Abstand vom Nullpunkt des Messarms
 artefact-is-calibration-object = der Prüfkörper { $serial_number } ist das Objekt, mit dem der Sensor kalibriert wurde
+artefact-gives-way =
+    { $test ->
+        [sphere] die Kugel wackelt in Messung { $place }: Ihre Antastungen streuen um { $scatter }, ruhige um bis zu { $expected }
+        [contact] der Stab wackelt in Lage { $place }, oder der Durchmesser seiner Kugeln ist falsch eingegeben: Die Antastungen seiner Kugeln streuen um { $scatter }, ruhige um bis zu { $expected }
+       *[lengths] das Normal wackelt in Lage { $place }: Die Antastungen seiner Kugeln streuen um { $scatter }, in anderen Lagen um { $expected }
+    }
 artefact-missing = der Plan nennt keinen Prüfkörper
 artefact-temperature = Temperatur des Prüfkörpers
 articulation-scanned-otherwise = Aufstellung { $position }, Stellung { $number }: Die Kamera blickte { $off } neben der gewünschten Richtung (höchstens { $most }).

@@ -218,6 +218,12 @@ arms-parameters-already-explain-points-well = the arm's parameters already expla
 arms-position-known-around-most-pictures = the arm's position is unknown for most of the pictures
 arms-zero = Distance from the arm's origin
 artefact-is-calibration-object = the artefact { $serial_number } is the object that the sensor was calibrated with
+artefact-gives-way =
+    { $test ->
+        [sphere] the sphere rocks in measurement { $place }: its touches scatter by { $scatter }, steady ones by up to { $expected }
+        [contact] the bar rocks in placement { $place }, or the diameter of its spheres is mistyped: touches of its spheres scatter by { $scatter }, steady ones by up to { $expected }
+       *[lengths] the standard rocks in place { $place }: touches of its spheres scatter by { $scatter }, in other places by { $expected }
+    }
 artefact-missing = the plan names no artefact
 artefact-temperature = Temperature of the artefact
 articulation-scanned-otherwise = Position { $position }, articulation { $number }: the camera looked from a direction { $off } away from the wanted one (at most { $most }).

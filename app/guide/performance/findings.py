@@ -62,8 +62,9 @@ def _about_artefact(state: PerformanceState, live: PerformanceLive) -> list[Find
         text = message("performance-fewer-lengths", count=len(standard.lengths))
         findings.append(Finding("attention", sentence(text)))
     sphere = live.artefact if state.test == "sphere" else None
-    if isinstance(sphere, GaugeFile) and (text := unknown_form(sphere, sphere.name or state.gauge)):
-        findings.append(Finding("attention", sentence(text)))
+    if isinstance(sphere, GaugeFile):
+        unknown = unknown_form(sphere, sphere.name or state.gauge)
+        findings += [Finding("attention", sentence(unknown))] if unknown else []
     remedy = message("performance-correct-gauge")
     return findings + [Finding("bad", sentence(one), remedy) for one in live.artefact_problems]
 

@@ -1,7 +1,9 @@
-"""Whether a length standard rocks: its lengths then differ between repeats more than touches do."""
+"""Whether a length standard rocks: its lengths then differ between repeats more than touches do, or
+the touches of its spheres scatter far more than elsewhere."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
+from math import inf, isfinite
 
 import numpy as np
 
@@ -30,9 +32,9 @@ class RockingPlace:
 
     place: int
     scatter_um: float
-    """Standard deviation of a length between repeats."""
+    """Standard deviation of a length between repeats, or of touches about the spheres."""
     expected_um: float
-    """What the touches explain."""
+    """What the touches explain, or other places show."""
 
 
 def repeat_scatter_um(values: Sequence[MeasuredLength]) -> dict[int, float]:
@@ -58,14 +60,28 @@ def sphere_touch_scatter_um(ends_mm: Mapping[str, Floats], reach_mm: float) -> f
     Returns:
         None without such a group.
     """
+    found_um = scatter_about_spheres_um(ends_mm.values(), reach_mm)
+    # a centre by four touches is about as good as one of them; a length has two
+    return None if found_um is None else float(np.sqrt(2)) * found_um
+
+
+def scatter_about_spheres_um(ends_mm: Iterable[Floats], reach_mm: float) -> float | None:
+    """Standard deviation of touches about the spheres of a certified diameter.
+
+    Args:
+        ends_mm: tip centres (N, 3) on each sphere; groups of four or more count.
+        reach_mm: radius of sphere and tip together.
+
+    Returns:
+        None without such a group.
+    """
     squares, freedom = 0.0, 0
-    for tips in ends_mm.values():
+    for tips in ends_mm:
         if len(tips) < 4:
             continue
         off = np.linalg.norm(tips - sphere_centre(tips, 2 * reach_mm), axis=1) - reach_mm
         squares, freedom = squares + float(off @ off), freedom + len(tips) - 3
-    # a centre by four touches is about as good as one of them; a length has two
-    return 1e3 * float(np.sqrt(2 * squares / freedom)) if freedom else None
+    return 1e3 * float(np.sqrt(squares / freedom)) if freedom else None
 
 
 def find_rocking_places(
@@ -96,3 +112,22 @@ def find_rocking_places(
         if scatter_um > max(FAR_MORE * expected_um, LEAST_UM):
             rocking.append(RockingPlace(place, scatter_um, expected_um))
     return rocking
+
+
+def find_loose_places(
+    scatter_um: Mapping[int, float], steady_um: float = inf
+) -> list[RockingPlace]:
+    """The places in which touches scatter far more about the spheres than they do elsewhere: the
+    standard gives way while it is touched, which its repeats alone do not show.
+
+    Args:
+        scatter_um: of the touches in each place.
+        steady_um: of touches on what surely stands still; infinite if there are none.
+    """
+    loose = []
+    for place, found_um in scatter_um.items():
+        others = [value for other, value in scatter_um.items() if other != place]
+        expected_um = min(median(others) if len(others) >= LEAST_OTHERS else inf, steady_um)
+        if isfinite(expected_um) and found_um > max(FAR_MORE * expected_um, LEAST_UM):
+            loose.append(RockingPlace(place, found_um, expected_um))
+    return loose

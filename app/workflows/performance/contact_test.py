@@ -28,7 +28,12 @@ from app.metrology.performance.value_uncertainty import (
     size_uncertainty_um,
 )
 from app.metrology.transforms import Floats
-from app.workflows.performance.artefact_checks import problems_of_artefact
+from app.workflows.performance.artefact_checks import (
+    loose_bar_problems,
+    loose_sphere_problems,
+    problems_of_artefact,
+    steady_scatter_um,
+)
 from app.workflows.performance.judge import Measured, refuse
 from app.workflows.performance.measured_data import MeasuredData
 from app.workflows.performance.sphere_position import sphere_certificate
@@ -78,6 +83,8 @@ def measure_contact_test(data: MeasuredData) -> tuple[list[Measured], list[Text]
         for one in (plan.sphere, plan.length)
     )
     measured = _measure_seats(data)
+    loose_sphere, loose_bar = _find_loose(data)
+    of_sphere, of_bar = [*of_sphere, *loose_sphere], [*of_bar, *loose_bar]
     if not _lacks_sphere(data):
         measured.insert(0, refuse(_measure_diameter(data), of_sphere))
     if not _lacks_bar(data):
@@ -89,6 +96,27 @@ def measure_contact_test(data: MeasuredData) -> tuple[list[Measured], list[Text]
         for problem in problems
     ]
     return measured, named
+
+
+def _find_loose(data: MeasuredData) -> tuple[list[Text], list[Text]]:
+    """Where master sphere and bar give way while they are touched, by the scatter in the seats and
+    in other placements."""
+    tips, tip_mm = data.tips_mm, tip_of(data.arm).diameter_mm
+    seats = [tips[seat_feature(i + 1)] for i in range(SEATS) if seat_feature(i + 1) in tips]
+    steady_um = steady_scatter_um(seats)
+    names = [diameter_feature(i + 1) for i in range(SPHERES)]
+    spheres = [tips[name] for name in names if len(tips.get(name, ())) >= SPHERE_POINTS]
+    bar_mm = data.plan.length.sphere_diameter_mm if data.plan.length else None
+    placed = {
+        i + 1: [tips[name] for end in (0, 1) if (name := bar_feature(i + 1, end)) in tips]
+        for i in range(PLACEMENTS)
+    }
+    return (
+        loose_sphere_problems(spheres, steady_um),
+        []
+        if bar_mm is None
+        else loose_bar_problems(placed, (bar_mm + tip_mm) / 2, "contact", steady_um),
+    )
 
 
 def contact_notes(data: MeasuredData) -> tuple[Text, ...]:

@@ -28,6 +28,7 @@ from app.metrology.performance.lengths import (
 from app.metrology.performance.sphere import sphere_centre
 from app.metrology.performance.temperature import MeanTemperature
 from app.metrology.transforms import Floats
+from app.workflows.performance.artefact_checks import loose_bar_problems
 from app.workflows.performance.judge import K, Measured
 from app.workflows.performance.measured_data import MeasuredData
 from app.workflows.performance.scanned_lengths import has_length_scans, measure_scanned_lengths
@@ -211,12 +212,12 @@ def rocking_problems(
     tip_diameter_mm: float = 0.0,
 ) -> list[Text]:
     """Each place in which the repeats scatter far more than the touches, or without these than in
-    steady places: the standard rocks."""
+    steady places, or in which the touches do: the standard rocks."""
     touches_um: float | None = None
+    reach_mm = ((standard.sphere_diameter_mm or 0.0) + tip_diameter_mm) / 2
     if standard.sphere_diameter_mm is not None and tips_mm is not None:
-        reach_mm = (standard.sphere_diameter_mm + tip_diameter_mm) / 2
         touches_um = sphere_touch_scatter_um(tips_mm, reach_mm)
-    return [
+    rocking: list[Text] = [
         message(
             "length-standard-rocks",
             place=one.place,
@@ -226,3 +227,22 @@ def rocking_problems(
         )
         for one in find_rocking_places(values, touches_um)
     ]
+    if touches_um is None or tips_mm is None:
+        return rocking
+    return rocking + loose_bar_problems(_spheres_by_place(standard, tips_mm), reach_mm, "lengths")
+
+
+def _spheres_by_place(
+    standard: LengthStandardFile, tips_mm: Mapping[str, Floats]
+) -> dict[int, list[Floats]]:
+    """The touches (N, 3) of each sphere of a bar, by the place."""
+    found: dict[int, list[Floats]] = {}
+    for place in range(1, PLACES + 1):
+        features = (
+            length_feature(place, repeat, length, end)
+            for repeat in range(1, REPEATS + 1)
+            for length in range(1, len(standard.lengths) + 1)
+            for end in (0, 1)
+        )
+        found[place] = [tips_mm[name] for name in features if name in tips_mm]
+    return found

@@ -7,7 +7,11 @@ import pytest
 
 from app.metrology.arm.kinematics import Arm, Joint, RobotArm, Tip
 from app.metrology.performance.length_places import ArmReach, arm_reach, propose_places
-from app.metrology.performance.length_scatter import find_rocking_places, repeat_scatter_um
+from app.metrology.performance.length_scatter import (
+    find_loose_places,
+    find_rocking_places,
+    repeat_scatter_um,
+)
 from app.metrology.performance.lengths import (
     PLACES,
     REPEATS,
@@ -113,3 +117,20 @@ def test_without_limits_the_largest_error_counts() -> None:
     values = lengths(10.0)
     worst = summarise_lengths(values, [np.inf] * len(values)).worst
     assert abs(worst.error_um) == max(abs(one.error_um) for one in values)
+
+
+def test_placements_far_from_the_arm_are_not_loose_by_chance() -> None:
+    """Two spheres of four touches each, far ones with twice the scatter of near ones."""
+    random = np.random.default_rng(9)
+    named = 0
+    for _ in range(500):
+        sd_um = np.linspace(10.0, 20.0, 20)
+        scatter_um = sd_um * np.sqrt(random.chisquare(2, 20) / 2)
+        named += bool(find_loose_places(dict(enumerate(scatter_um.tolist(), 1))))
+    assert named <= 2
+    assert [one.place for one in find_loose_places({1: 5.0, 2: 5.0, 3: 90.0, 4: 4.0, 5: 6.0})] == [
+        3
+    ]
+    assert not find_loose_places({1: 5.0, 2: 90.0})
+    assert len(find_loose_places({1: 95.0, 2: 90.0}, steady_um=5.0)) == 2
+    assert not find_loose_places({1: 9.0, 2: 0.1, 3: 0.1, 4: 0.1, 5: 0.1})  # too little to show

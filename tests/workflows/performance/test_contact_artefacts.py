@@ -276,3 +276,29 @@ def test_a_figure_whose_artefact_has_no_coefficient_is_not_decided(folder: Path)
     assert figures(both)["effective-diameter"].decision == "uncertain"
     assert len(both.problems) == 2
     assert "are not brought to 20 °C" in str(both.notes[-1])
+
+
+@pytest.mark.parametrize(
+    ("loose", "said", "missing"),
+    [
+        ("b5-", "the bar rocks in placement 5", BY_BAR),
+        ("b", "the bar rocks in placement", BY_BAR),
+        ("d", "the sphere rocks in measurement", BY_SPHERE),
+        ("", "", ()),
+    ],
+)
+def test_artefacts_that_give_way_state_no_figures(
+    tmp_path: Path, loose: str, said: str, missing: tuple[Quantity, ...]
+) -> None:
+    random = np.random.default_rng(5)
+
+    def touched(name: str, tips: np.ndarray) -> np.ndarray:
+        sd_mm = 0.3 if loose and name.startswith(loose) else 0.004
+        return np.asarray(tips + sd_mm * random.normal(size=tips.shape))
+
+    groups = [(name, touched(name, tips)) for name, tips in contact_groups(0.02)]
+    result = evaluate_performance(write_test(tmp_path / "t", "contact", groups, LIMITS))
+    found = figures(result)
+    assert {one for one, figure in found.items() if figure.value is None} == set(missing)
+    assert bool(result.problems) == bool(said)
+    assert all(said in str(one) for one in result.problems)

@@ -146,6 +146,29 @@ def test_lengths_in_some_places_are_what_there_is(tmp_path: Path) -> None:
     assert evaluate_performance(folder).figures[0].value is None
 
 
+def test_a_bar_that_gives_way_at_each_touch_rocks(tmp_path: Path) -> None:
+    """Its touches scatter with its repeats: only other places show it."""
+    random = np.random.default_rng(5)
+
+    def touched(loose: str) -> Groups:
+        return [
+            (
+                name,
+                tips + (0.1 if name.startswith(loose) else 0.004) * random.normal(size=tips.shape),
+            )
+            for name, tips in length_groups(1.0)
+        ]
+
+    folder = write_test(tmp_path / "loose", "lengths", touched("l3-"), ())
+    result = evaluate_performance(folder)
+    (figure,) = result.figures
+    assert figure.value is None
+    assert len(result.problems) == 1
+    assert "rocks in place 3: touches of its spheres scatter by" in str(result.problems[0])
+    steady = evaluate_performance(write_test(tmp_path / "steady", "lengths", touched("none"), ()))
+    assert not steady.problems
+
+
 def contact_groups(wobble_mm: float) -> Groups:
     random = np.random.default_rng(3)
     centre = np.array([600.0, 50.0, 200.0])

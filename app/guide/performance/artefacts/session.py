@@ -168,13 +168,13 @@ class ArtefactSession(GaugeSession[PerformanceState, Live, View, AnyGauge], Gene
 
     def problems_of(self, name: str, gauge: AnyGauge, test: Kind) -> tuple[Text, ...]:
         """Why a gauge cannot serve in this test, or in one that would begin now."""
-        known = self._known_of_calibration()
+        known = self._read_calibrated_with()
         if isinstance(known, OperationError):
             return (known.text,)
         day = (self.state.started_at if self.running else utc_now())[:10]
         return tuple(problems_in_test(name, gauge, test, day, known))
 
-    def _known_of_calibration(self) -> CalibratedWith | OperationError:
+    def _read_calibrated_with(self) -> CalibratedWith | OperationError:
         """Of the calibration in use; without one, the arm that touches."""
         active = self.active()
         if active is None:
