@@ -20,6 +20,7 @@ pytest.importorskip("copclib")
 
 from app.batch.places import Place, settings_for
 from app.batch.rebuild import key_of
+from app.batch.results import PROBE
 from app.batch.single_cloud import CloudOrder, plan_cloud
 from app.bench.fleet.dask_processes import DaskProcesses
 from app.errors import OperationError
@@ -242,7 +243,7 @@ def test_a_server_that_is_killed_while_it_works_leaves_nothing_half_written(fold
 def until_part_of(kept: Path) -> None:
     """Waits for a cloud that is half-written."""
     end_s = time.monotonic() + 60.0
-    while not any(kept.glob(".*.part")):
+    while not any(kept.glob(".room-2-*.part")):
         assert time.monotonic() < end_s
         time.sleep(0.002)
 
@@ -401,6 +402,10 @@ def test_the_cloud_that_was_used_least_recently_is_removed_first(tmp_path: Path)
             path.write_bytes(b"x" * 500)
             os.utime(path, (1000.0 + number,) * 2)
     (tmp_path / "notes.txt").write_bytes(b"x" * 10_000)
+    for remains in (PROBE, f".{names[0]}.0123.part"):
+        (tmp_path / remains).write_bytes(b"")
+    KeptClouds(tmp_path, 1e6).clear()
+    assert len(names_in(tmp_path)) == 9
     kept = KeptClouds(tmp_path, 3000.0)
     kept.note_use(names[0])
     kept.keep_limit()

@@ -13,7 +13,7 @@ from pydantic import ValidationError
 
 from app.archive.archive_settings import ArchiveSettings
 from app.batch.places import settings_for
-from app.batch.results import DOCUMENT, RebuiltCloud, ResultStore
+from app.batch.results import DOCUMENT, PROBE, RebuiltCloud, ResultStore
 from app.errors import OperationError
 from app.formats.clouds.files import COPC
 
@@ -40,6 +40,8 @@ class KeptClouds:
     def clear(self) -> None:
         """Removes what work that was interrupted left behind; no work may be under way."""
         self._results.remove_parts()
+        with suppress(OSError):
+            (self._folder / PROBE).unlink()
         for left in (self.scratch, *self._folder.glob(".copc-*")):
             shutil.rmtree(left, ignore_errors=True)
 
