@@ -33,7 +33,8 @@ export function PressButton(props: PressButtonProps) {
   const barred = useBarred();
   const bar = free ? "" : barred;
   const disabled = bar !== "" || (props.disabled ?? false);
-  const why = bar && kind === "primary" ? bar : (props.why ?? "");
+  const reason = bar && kind === "primary" ? bar : (props.why ?? "");
+  const why = disabled ? reason : "";
   const whyId = useId();
   const labelId = useId();
   const [waiting, setWaiting] = useState(true);
