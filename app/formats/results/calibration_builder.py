@@ -55,18 +55,10 @@ def one_pose_document(result: OnePoseCalibration, origin: Origin) -> Calibration
     """The file of a calibration, made now."""
     budget = result.full_budget
     return CalibrationFile.model_validate(
-        {
-            "camera": _camera_part(result.camera),
-            "laser_plane": _plane_part(result.plane),
-            "probe_matrix": result.T_flange_sensor.tolist(),
-            "stripe_axis": origin.stripe_axis,
-            "channel": origin.channel,
+        _common_fields(result, origin)
+        | {
             "method": "one-pose",
-            "created_at": datetime.now(UTC).isoformat(timespec="seconds"),
-            "operator": origin.operator,
-            "serial_numbers": origin.serial_numbers,
             "T_arm_obj": result.alignment.T_arm_obj.tolist(),
-            "verdict": verdict_part(result.findings),
             "uncertainty": Uncertainty(
                 total_um=budget.total_um,
                 budget=_budget_parts(budget.rows),
@@ -82,10 +74,27 @@ def one_pose_document(result: OnePoseCalibration, origin: Origin) -> Calibration
                     "pivot_mm": budget.pivot_mm.tolist(),
                 }
             ),
-            "inputs": origin.inputs,
-            "software": SOFTWARE,
         }
     )
+
+
+def _common_fields(
+    result: OnePoseCalibration | AdjustedCalibration, origin: Origin
+) -> dict[str, object]:
+    """What every calibration file has, made now."""
+    return {
+        "camera": _camera_part(result.camera),
+        "laser_plane": _plane_part(result.plane),
+        "probe_matrix": result.T_flange_sensor.tolist(),
+        "stripe_axis": origin.stripe_axis,
+        "channel": origin.channel,
+        "created_at": datetime.now(UTC).isoformat(timespec="seconds"),
+        "operator": origin.operator,
+        "serial_numbers": origin.serial_numbers,
+        "verdict": verdict_part(result.findings),
+        "inputs": origin.inputs,
+        "software": SOFTWARE,
+    }
 
 
 def _camera_part(camera: Camera) -> CameraPart:
@@ -182,18 +191,10 @@ def _multi_pose_document(
     """``contacts`` are those fields of the residuals."""
     scales = result.adjustment.scales
     return CalibrationFile.model_validate(
-        {
-            "camera": _camera_part(result.camera),
-            "laser_plane": _plane_part(result.plane),
-            "probe_matrix": result.T_flange_sensor.tolist(),
-            "stripe_axis": origin.stripe_axis,
-            "channel": origin.channel,
+        _common_fields(result, origin)
+        | {
             "method": "joint",
-            "created_at": datetime.now(UTC).isoformat(timespec="seconds"),
-            "operator": origin.operator,
-            "serial_numbers": origin.serial_numbers,
             "T_arm_obj": result.T_arm_obj.tolist(),
-            "verdict": verdict_part(result.findings),
             "uncertainty": _uncertainty(result.uncertainty, result.depth_range_mm),
             "residuals": _multi_pose_residuals(result, contacts),
             "poses": tuple(
@@ -219,8 +220,6 @@ def _multi_pose_document(
                     "pivot_mm": result.uncertainty.pivot_mm.tolist(),
                 }
             ),
-            "inputs": origin.inputs,
-            "software": SOFTWARE,
         }
     )
 

@@ -36,7 +36,6 @@ class StationSensor:
         """What people call it."""
         self._bus = bus
         self._pairing = pairing
-        self._unpaired = 0
         self.frames = FrameHub()
         self._exposure_wanted_us: float | None = None
         self._laser_wanted = False
@@ -76,11 +75,6 @@ class StationSensor:
     def is_paired(self) -> bool:
         """Whether frames and readings of the arm have the times of the same pulses."""
         return self._pairing is not None and self._pairing.is_paired
-
-    @property
-    def unpaired(self) -> int:
-        """Number of frames whose pulse was not known, and which nothing is made of."""
-        return self._unpaired
 
     def link(self) -> DeviceState:
         return device_state(message("sensor-2"), self.reader.link(), self.info, self.label)
@@ -257,8 +251,7 @@ class StationSensor:
         self._last_frame_s = time.monotonic()
         if self._pairing is not None:
             paired = self._pairing.pair(frame)
-            if paired is None:
-                self._unpaired += 1
+            if paired is None:  # its pulse is not known: nothing is made of it
                 return 1
             frame = paired
         self.frames.put(frame)

@@ -39,7 +39,7 @@ class ScanSpeed:
     def __init__(self, arm: StationArm, limit_mm: float | None) -> None:
         self.limit_mm = limit_mm
         """None: by the points themselves."""
-        self.frames_too_fast = self.frames_still = 0
+        self.frames_too_fast = 0
         self.worst_mm = 0.0
         """The largest blur so far."""
         self._arm = arm
@@ -94,4 +94,3 @@ class ScanSpeed:
         self._newest = (time.monotonic(), now)
         self.worst_mm = max(self.worst_mm, speed.blur_mm)
         self.frames_too_fast += frames if now.too_fast else 0
-        self.frames_still += frames if still else 0

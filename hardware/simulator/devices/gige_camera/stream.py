@@ -46,8 +46,6 @@ class StreamSender:
         self._changed = threading.Condition()
         self._stopping = False
         self._thread = threading.Thread(target=self._run, name="camera-stream", daemon=True)
-        self.lost_blocks = 0
-        """Blocks that the camera had no memory for."""
         self.lost_packets = 0
         """Packets that got lost on the line on purpose."""
 
@@ -72,7 +70,6 @@ class StreamSender:
         """Sends a block from a host time on, or loses it if too many wait."""
         with self._changed:
             if len(self._waiting) >= _WAITING_BLOCKS:
-                self.lost_blocks += 1
                 return
             self._waiting.append((due_ns, block))
             self._changed.notify_all()
