@@ -20,14 +20,8 @@ from app.station.view3d.view_controller import ViewState
 from app.supervision.messages import StationReport
 from app.supervision.notifications import Notice
 from app.supervision.remote_stations import RemoteStation
-from app.wire.schema import (
-    CurrentUser,
-    Home,
-    ReplayState,
-    RequestBody,
-    ScanStatus,
-    StationInfo,
-)
+from app.wire.schema import Home, ReplayState, RequestBody, ScanStatus, StationInfo
+from app.wire.sign_in import CurrentUser
 
 
 @dataclass(frozen=True)

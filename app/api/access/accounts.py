@@ -13,7 +13,7 @@ from app.messages.message import Text, join, message
 from app.operations.context import Context, TheContext
 from app.store.accounts import Account, Role
 from app.store.audit import AuditEntry
-from app.wire.schema import AccountChange, AccountSummary, NewAccount
+from app.wire.sign_in import AccountChange, AccountSummary, NewAccount
 
 router = APIRouter(prefix="/api")
 AUDIT_LIMIT = 500

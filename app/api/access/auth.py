@@ -25,7 +25,7 @@ from app.station.control_lease import Control
 from app.store.accounts import Role
 from app.store.login_sessions import Principal
 from app.wire.readiness import READY, Readiness
-from app.wire.schema import (
+from app.wire.sign_in import (
     ControlReply,
     CurrentUser,
     FirstAdmin,

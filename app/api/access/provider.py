@@ -29,7 +29,7 @@ from app.single_sign_on.errors import SignInError
 from app.single_sign_on.pending import LASTS_S, ProviderAnswer
 from app.single_sign_on.person import ProviderPerson
 from app.store.accounts import Account
-from app.wire.schema import ProviderPage, ProviderReply, SignInState
+from app.wire.sign_in import ProviderPage, ProviderReply, SignInState
 
 if TYPE_CHECKING:
     from app.single_sign_on.provider import Provider

@@ -8,7 +8,7 @@ from app.api.problems import NotFoundError
 from app.messages.message import message
 from app.operations.context import TheContext
 from app.store.access_tokens import AccessTokenStore
-from app.wire.schema import AccessTokenSummary, NewAccessToken
+from app.wire.sign_in import AccessTokenSummary, NewAccessToken
 
 router = APIRouter(prefix="/api")
 

@@ -29,7 +29,7 @@ from app.single_sign_on.errors import SignInError
 from app.single_sign_on.pending import LASTS_S, ProviderAnswer
 from app.store.login_sessions import Principal
 from app.wire.json_response import problem
-from app.wire.schema import ProviderPage, ProviderReply, SignInState
+from app.wire.sign_in import ProviderPage, ProviderReply, SignInState
 
 NO_ACCESS = {"WWW-Authenticate": 'Basic realm="Crenel fleet", charset="UTF-8"'}
 PASSWORD_PAGE = "/password"
