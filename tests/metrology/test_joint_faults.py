@@ -144,6 +144,7 @@ def honest(motion: Motion, rate_hz: float, bits: int, seed: int) -> None:
         assert found.passed.all()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("bits", ENCODERS)
 @pytest.mark.parametrize(*OF_RATES)
 @pytest.mark.parametrize("kind", ["smooth", "tremor", "hard stops", "touches", "knocks"])
