@@ -1089,6 +1089,7 @@ ui-station-uses-it-already = Die Station verwendet dieses Gerät bereits.
 ui-stations = Stationen
 ui-stay-green-range-distance-indicator-if = Im grünen Bereich der Abstandsanzeige bleiben. Meldet sie „zu schnell“, langsamer führen: Die Linie ist unscharf.
 ui-step-already-advanced-nothing-recorded-twice = Der Schritt ist bereits weiter; es wurde nichts doppelt aufgezeichnet.
+ui-step-gauge = Stufenendmaß
 ui-step-of = Schritt { $n } von { $all }
 ui-steps = Schritte
 ui-still = in Ruhe

@@ -1089,6 +1089,7 @@ ui-station-uses-it-already = The station uses this device already.
 ui-stations = Stations
 ui-stay-green-range-distance-indicator-if = Stay in the green range of the distance indicator. If Too fast appears, slow down: the line is blurred.
 ui-step-already-advanced-nothing-recorded-twice = The step has already advanced; nothing was recorded twice.
+ui-step-gauge = Step gauge
 ui-step-of = Step { $n } of { $all }
 ui-steps = Steps
 ui-still = still

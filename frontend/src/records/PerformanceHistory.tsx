@@ -1,6 +1,6 @@
 import { useId, useState } from "react";
 
-import type { PerformanceSymbols, SymbolValue } from "../api/wire";
+import type { PerformanceSymbols } from "../api/wire";
 import look from "../parts/Control.module.css";
 import { moment } from "../parts/format";
 import { measured, signedLength } from "../parts/lengths";
@@ -10,30 +10,21 @@ import { go } from "../state/router";
 import { useList } from "../state/useList";
 import { DECISIONS, QUALITY } from "../verify/verification";
 import styles from "./History.module.css";
-
-/** A test with the one symbol that is drawn. */
-type Point = PerformanceSymbols & { found: SymbolValue };
+import { listSeries, type Point } from "./performanceSeries";
 
 /**
- * One symbol of the performance tests over time: of those on the arm and on the kind of artefact of
- * the newest test. Each limit is that of its own test.
+ * One symbol of the performance tests over time: of the tests with the arm of the newest one, and on
+ * the same kind of artefact. Each limit is that of its own test.
  */
 export function PerformanceHistory({ change }: { change: string }) {
   const { list } = useList<PerformanceSymbols>("/api/performance-history", change);
   const [selected, setSelected] = useState("");
   const id = useId();
-  const newest = list?.[list.length - 1];
-  if (!list || !newest) return null;
-  const own = list.filter(
-    (test) => test.arm_serial === newest.arm_serial && test.artefact_kind === newest.artefact_kind,
-  );
-  if (own.length < 2) return <p className={styles.first}>{t("ui-symbols-over-time-appear-after-second-test")}</p>;
-  const shown = newest.symbols.find(({ quantity }) => quantity === selected) ?? newest.symbols[0];
-  if (!shown) return null;
-  const points = own.flatMap((test): Point[] => {
-    const found = test.symbols.find(({ quantity }) => quantity === shown.quantity);
-    return found ? [{ ...test, found }] : [];
-  });
+  if (!list?.length) return null;
+  const series = listSeries(list);
+  const shown = series.find(({ key }) => key === selected) ?? series[0];
+  if (!shown) return <p className={styles.first}>{t("ui-symbols-over-time-appear-after-second-test")}</p>;
+  const { points } = shown;
   return (
     <div className={styles.history}>
       <div className={styles.choice}>
@@ -41,12 +32,12 @@ export function PerformanceHistory({ change }: { change: string }) {
           id={id}
           className={`${look.input} ${styles.select}`}
           aria-label={t("ui-plotted-quantity")}
-          value={shown.quantity}
+          value={shown.key}
           onChange={(event) => setSelected(event.target.value)}
         >
-          {newest.symbols.map(({ quantity, symbol, title }) => (
-            <option key={quantity} value={quantity}>
-              {symbol} · {title}
+          {series.map(({ key, label }) => (
+            <option key={key} value={key}>
+              {label}
             </option>
           ))}
         </select>
