@@ -219,12 +219,15 @@ def _measure_sphere(data: MeasuredData, problems: list[Text]) -> tuple[list[Meas
                 limit=quantity(limit_um, "µm", 1),
             )
         )
+    of_unknown_form = unknown_forms(plan)
     measured = [
         Measured(
             of,
             worst(results, of),
             tuple(None if of not in one.values_mm else 1e3 * one.values_mm[of] for one in results),
-            sphere_uncertainty_um(
+            None
+            if of in of_unknown_form
+            else sphere_uncertainty_um(
                 of, certificate, moved_um, largest_form_effect(results, of), sd_c, off_c
             ),
             problems_of(results, of),

@@ -152,6 +152,7 @@ def test_a_form_is_not_decided_by_a_sphere_without_one(tmp_path: Path) -> None:
     assert found["form-touch"].value == pytest.approx(11, abs=8)
     assert found["form-touch"].decision == "uncertain"
     assert "states no form" in str(found["form-touch"].reason)
+    assert found["form-touch"].test_uncertainty is None
     assert "states no form" in str(result.problems[0])
     assert found["size-touch"].decision == "pass"
 
