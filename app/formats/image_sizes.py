@@ -35,7 +35,7 @@ FOREIGN_KINDS: tuple[tuple[bytes, str], ...] = (
 
 
 @dataclass(frozen=True)
-class Announced:
+class ImageHeader:
     """Size in pixels, number of channels, bits per channel, and whether other pictures follow, as
     far as the header states them."""
 
@@ -50,8 +50,8 @@ class Announced:
         return self.width * self.height
 
 
-def announced_size(raw: bytes) -> Announced | None:
-    """The content of the header; None for files that are not images, or not of a supported kind."""
+def read_header(raw: bytes) -> ImageHeader | None:
+    """What the header states; None for files that are not images, or not of a supported kind."""
     for signatures, read in KINDS:
         if raw.startswith(signatures):
             try:
@@ -72,16 +72,16 @@ def foreign_kind(raw: bytes) -> str | None:
     return next(kinds, None)
 
 
-def _png(raw: bytes) -> Announced | None:
+def _png(raw: bytes) -> ImageHeader | None:
     length, kind, width, height, bits, colour = struct.unpack_from(
         ">I4sIIBB", raw, len(PNG_SIGNATURE)
     )
     if length != 13 or kind != b"IHDR":
         return None
-    return Announced(width, height, PNG_CHANNELS.get(colour, 1), bits)
+    return ImageHeader(width, height, PNG_CHANNELS.get(colour, 1), bits)
 
 
-def _jpeg(raw: bytes) -> Announced | None:
+def _jpeg(raw: bytes) -> ImageHeader | None:
     at = 2
     while True:
         at = raw.find(b"\xff", at)
@@ -94,42 +94,42 @@ def _jpeg(raw: bytes) -> Announced | None:
         (length,) = struct.unpack_from(">H", raw, at + 2)
         if marker in JPEG_SIZES:
             bits, height, width, channels = struct.unpack_from(">BHHB", raw, at + 4)
-            return Announced(width, height, channels, bits)
+            return ImageHeader(width, height, channels, bits)
         if marker == 0xDA or length < 2:  # the picture itself, before its size
             return None
         at += 2 + length
 
 
-def _bmp(raw: bytes) -> Announced | None:
+def _bmp(raw: bytes) -> ImageHeader | None:
     (head,) = struct.unpack_from("<I", raw, 14)
     if head == BMP_CORE:
         width, height, _, bits = struct.unpack_from("<HHHH", raw, 18)
     else:
         width, height, _, bits = struct.unpack_from("<iiHH", raw, 18)
-    return Announced(abs(width), abs(height), max(1, bits // 8) if bits > 16 else 1)
+    return ImageHeader(abs(width), abs(height), max(1, bits // 8) if bits > 16 else 1)
 
 
-def _pnm(raw: bytes) -> Announced | None:
+def _pnm(raw: bytes) -> ImageHeader | None:
     found = PNM.match(raw[:PNM_HEAD])
     if found is None:
         return None
     channels = 3 if found[1] in b"36" else 1
-    return Announced(int(found[3]), int(found[5]), channels)
+    return ImageHeader(int(found[3]), int(found[5]), channels)
 
 
-def _webp(raw: bytes) -> Announced | None:
+def _webp(raw: bytes) -> ImageHeader | None:
     """Always decoded in colour."""
     kind = raw[12:16]
     if raw[8:12] != b"WEBP":
         return None
     if kind == b"VP8X":
-        return Announced(_three_bytes(raw, 24) + 1, _three_bytes(raw, 27) + 1, 3)
+        return ImageHeader(_three_bytes(raw, 24) + 1, _three_bytes(raw, 27) + 1, 3)
     if kind == b"VP8L":
         (packed,) = struct.unpack_from("<I", raw, 21)
-        return Announced((packed & 0x3FFF) + 1, (packed >> 14 & 0x3FFF) + 1, 3)
+        return ImageHeader((packed & 0x3FFF) + 1, (packed >> 14 & 0x3FFF) + 1, 3)
     if kind == b"VP8 ":
         width, height = struct.unpack_from("<HH", raw, 26)
-        return Announced(width & 0x3FFF, height & 0x3FFF, 3)
+        return ImageHeader(width & 0x3FFF, height & 0x3FFF, 3)
     return None
 
 
@@ -137,14 +137,14 @@ def _three_bytes(raw: bytes, at: int) -> int:
     return int(raw[at]) | raw[at + 1] << 8 | raw[at + 2] << 16
 
 
-def _tiff(raw: bytes) -> Announced | None:
+def _tiff(raw: bytes) -> ImageHeader | None:
     """Size of the first picture, which is the one that is read, and whether others follow."""
     pages = _tiff_pages(raw)
     first = next(pages)
     if WIDTH not in first or HEIGHT not in first:
         return None
     more = any(_is_alike(first, page) for page in pages)
-    return Announced(
+    return ImageHeader(
         first[WIDTH], first[HEIGHT], first.get(SAMPLES, 1), first.get(BITS, 1), more_pages=more
     )
 
@@ -197,7 +197,7 @@ def _tiff_page(raw: bytes, order: str, big: bool, at: int) -> tuple[dict[int, in
     return tags, following
 
 
-KINDS: tuple[tuple[tuple[bytes, ...], Callable[[bytes], Announced | None]], ...] = (
+KINDS: tuple[tuple[tuple[bytes, ...], Callable[[bytes], ImageHeader | None]], ...] = (
     ((PNG_SIGNATURE,), _png),
     ((JPEG_SIGNATURE,), _jpeg),
     ((b"BM",), _bmp),

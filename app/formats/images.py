@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from app.errors import OperationError
 from app.formats.atomic_write import write_atomically
 from app.formats.file_names import display_path
-from app.formats.image_sizes import PNG_SIGNATURE, Announced, announced_size, foreign_kind
+from app.formats.image_sizes import PNG_SIGNATURE, ImageHeader, foreign_kind, read_header
 from app.formats.io_errors import convert_io_errors
 from app.formats.open_file import read_bounded
 from app.messages.message import Text, message
@@ -88,10 +88,10 @@ def _decode(raw: bytes, named: Text) -> Colours:
     """The picture as it is in the file."""
     if raw.startswith(PNG_SIGNATURE):
         _check_png(raw, named)
-    announced = announced_size(raw)
-    if announced is None:
+    header = read_header(raw)
+    if header is None:
         raise _no_image(raw, named)
-    _check_announced(announced, named)
+    _check_header(header, named)
     try:
         image = cv2.imdecode(np.frombuffer(raw, np.uint8), cv2.IMREAD_UNCHANGED)
     except cv2.error:  # larger than OpenCV can read
@@ -103,25 +103,25 @@ def _decode(raw: bytes, named: Text) -> Colours:
     return cast(Colours, image)
 
 
-def _check_announced(announced: Announced, named: Text) -> None:
+def _check_header(header: ImageHeader, named: Text) -> None:
     """Raises ``OperationError`` for what would be decoded only to be refused, or is too large:
     a file of a megabyte may open to gigabytes."""
-    if announced.pixels * announced.channels > MOST_PIXELS:
+    if header.pixels * header.channels > MOST_PIXELS:
         raise OperationError(
             "image-too-large",
-            message("image-has-pixels", name=named, width=announced.width, height=announced.height),
+            message("image-has-pixels", name=named, width=header.width, height=header.height),
             message("most-pixels-read", millions=MOST_PIXELS // 1000000),
             message("give-cameras-own-picture"),
         )
-    if announced.more_pages:
+    if header.more_pages:
         raise OperationError(
             "image-has-pages",
             message("image-has-pages", name=named),
             message("one-picture-per-file"),
             message("save-pages-apart"),
         )
-    if announced.bits > 16:
-        raise _not_so_deep(named, message("bits-per-pixel", bits=announced.bits))
+    if header.bits > 16:
+        raise _not_so_deep(named, message("bits-per-pixel", bits=header.bits))
 
 
 def _no_image(raw: bytes, named: Text) -> OperationError:
@@ -179,10 +179,10 @@ def image_size(path: Path) -> tuple[int, int]:
         OperationError: missing, or no picture.
     """
     raw = _read_file(path)  # some kinds have their header at the end
-    announced = announced_size(raw)
-    if announced is None:
+    header = read_header(raw)
+    if header is None:
         raise _no_image(raw, display_path(path))
-    return announced.width, announced.height
+    return header.width, header.height
 
 
 def _check_png(raw: bytes, named: Text) -> None:

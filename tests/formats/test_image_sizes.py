@@ -13,7 +13,7 @@ from hypothesis import strategies as st
 
 from app.errors import OperationError
 from app.formats import images
-from app.formats.image_sizes import PNG_SIGNATURE, Announced, announced_size
+from app.formats.image_sizes import PNG_SIGNATURE, ImageHeader, read_header
 from app.formats.images import decode_grey
 
 KINDS = ("png", "jpg", "bmp", "tiff", "pnm", "webp")
@@ -74,13 +74,13 @@ def test_headers_announce_what_decoding_finds(
     picture = np.random.default_rng(0).integers(0, 255, (*shape, 3) if colour else shape)
     done, encoded = cv2.imencode(f".{kind}", picture.astype(np.uint8))
     assert done
-    announced = announced_size(encoded.tobytes())
-    assert announced is not None
+    header = read_header(encoded.tobytes())
+    assert header is not None
     found = cv2.imdecode(encoded, cv2.IMREAD_UNCHANGED)
     assert found is not None
-    assert (announced.height, announced.width) == found.shape[:2]
-    assert announced.channels == (found.shape[2] if found.ndim == 3 else 1)
-    assert announced.bits == 8
+    assert (header.height, header.width) == found.shape[:2]
+    assert header.channels == (found.shape[2] if found.ndim == 3 else 1)
+    assert header.bits == 8
 
 
 @pytest.mark.parametrize("kind", ["png", "tiff", "pgm"])
@@ -110,9 +110,9 @@ def test_pages_that_follow_in_a_circle_end() -> None:
     (first,) = struct.unpack_from("<I", raw, 4)
     (count,) = struct.unpack_from("<H", raw, first)
     struct.pack_into("<I", raw, first + 2 + 12 * count, first)
-    announced = announced_size(bytes(raw))
-    assert announced is not None
-    assert announced.more_pages
+    header = read_header(bytes(raw))
+    assert header is not None
+    assert header.more_pages
 
 
 def test_what_would_be_refused_once_decoded_is_not_decoded(
@@ -131,9 +131,9 @@ def test_what_would_be_refused_once_decoded_is_not_decoded(
 
 
 def test_a_picture_of_the_largest_size_is_no_refusal_of_it() -> None:
-    images._check_announced(Announced(10_000, 10_000), "a")
+    images._check_header(ImageHeader(10_000, 10_000), "a")
     with pytest.raises(OperationError):
-        images._check_announced(Announced(10_000, 10_001), "a")
+        images._check_header(ImageHeader(10_000, 10_001), "a")
 
 
 def test_opencv_itself_reads_nothing_larger(tmp_path: Path) -> None:
@@ -148,5 +148,5 @@ STARTS = [*LARGE.values(), tiff(3, 3), png(3, 3), b"P5 3 3 255\n", b"\xff\xd8\xf
 @given(st.sampled_from(STARTS), st.integers(0, 80), st.binary(max_size=200))
 @example(b"II+\x00\x08\x00\x00\x00\x10\x00\x00\x00\x00\x00\x00\x80", 16, b"")
 def test_any_header_announces_a_size_or_none(start: bytes, kept: int, rest: bytes) -> None:
-    announced = announced_size(start[:kept] + rest)
-    assert announced is None or announced.pixels >= 0
+    header = read_header(start[:kept] + rest)
+    assert header is None or header.pixels >= 0
