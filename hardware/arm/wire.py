@@ -177,7 +177,8 @@ def _open_error(url: str, error: Exception) -> DeviceError:
         return DeviceError(message("nothing-listens", url=url), message("arms-adapter-running"))
     if isinstance(cause, TimeoutError) or number in (errno.EHOSTUNREACH, errno.ENETUNREACH):
         return DeviceError(message("no-answer-from", url=url), message("check-address-network"))
-    return DeviceError(message("arm-url-cannot-be-opened", url=url, reason=_reason(error)), "")
+    remedy = message("check-arm-url") if "://" in url else _list_ports_text()
+    return DeviceError(message("arm-url-cannot-be-opened", url=url, reason=_reason(error)), remedy)
 
 
 def _list_ports_text() -> Text:
