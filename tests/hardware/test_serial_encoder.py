@@ -293,7 +293,9 @@ def test_a_port_that_cannot_be_opened_says_why(tmp_path: Path) -> None:
     assert re.search("cannot be opened .*Check the arm's url", open_error({"url": "nonsense://x"}))
     plain = tmp_path / "file"
     plain.write_text("no port")
-    assert re.search("cannot be opened .*(Available|No serial) port", open_error({"url": str(plain)}))
+    assert re.search(
+        "cannot be opened .*(Available|No serial) port", open_error({"url": str(plain)})
+    )
     free = socket.create_server(("127.0.0.1", 0))
     port = free.getsockname()[1]
     free.close()
