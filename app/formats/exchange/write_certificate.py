@@ -253,15 +253,14 @@ def _figure(parent: ET.Element, figure: PerformanceFigure, rule: RulePart) -> No
     if figure.decision in CONFORMITY:
         add(meta, _dcc("conformityXMLList"), CONFORMITY[figure.decision])
     data = add(meta, _dcc("data"))
-    guard = rule.guard_factor * (figure.test_uncertainty or 0.0) / 2
-    accepted = max(figure.limit - guard, 0.0)
     limits: list[tuple[str, Text, float]] = [
-        ("", message("maximum-permissible-error"), figure.limit),
-        ("basic_acceptanceLimitUpper", message("acceptance-limit-upper"), accepted),
+        ("", message("maximum-permissible-error"), figure.limit)
     ]
-    if is_signed(figure.quantity):
+    if figure.test_uncertainty is not None:
+        accepted = max(figure.limit - rule.guard_factor * figure.test_uncertainty / 2, 0.0)
+        upper = ("basic_acceptanceLimitUpper", message("acceptance-limit-upper"), accepted)
         lower = ("basic_acceptanceLimitLower", message("acceptance-limit-lower"), -accepted)
-        limits.insert(1, lower)
+        limits += [lower, upper] if is_signed(figure.quantity) else [upper]
     _limits(data, limits)
 
 

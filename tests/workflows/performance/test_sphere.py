@@ -9,6 +9,8 @@ import pytest
 
 from app.bench.metrology.synthetic_sphere import SPHERE, Faults, SphereSession
 from app.errors import OperationError
+from app.formats.exchange.export import export_result
+from app.formats.exchange.write_certificate import Issuer
 from app.formats.performance.plan import PLAN, RESULT, TOUCHES, LimitPart, read_plan, sphere_scan
 from app.formats.performance.results import PerformanceFile, read_performance
 from app.messages.message import Message, Text, message
@@ -147,10 +149,14 @@ def test_a_form_is_not_decided_by_a_sphere_without_one(tmp_path: Path) -> None:
         LimitPart(quantity="form-touch", a_um=60.0),
         LimitPart(quantity="size-touch", a_um=60.0),
     )
-    result = evaluate_performance(session.write())
+    result = write_performance(session.write())
     found = {one.quantity: one for one in result.figures}
     assert found["form-touch"].value == pytest.approx(11, abs=8)
     assert found["form-touch"].decision == "uncertain"
+    file = tmp_path / "certificate.xml"
+    export_result(result, "dcc", file, Issuer("Lab", "DE"))
+    # both limits of the size; of the form none, whose guard band is not known
+    assert file.read_text().count("basic_acceptanceLimit") == 2
     assert "states no form" in str(found["form-touch"].reason)
     assert found["form-touch"].test_uncertainty is None
     assert "states no form" in str(result.problems[0])
