@@ -19,6 +19,8 @@ from app.workflows.reconstruct import reconstruct_points
 from tests.api.conftest import Server, running_server
 from tests.api.test_verify_flow import Desk
 
+pytestmark = pytest.mark.slow
+
 PATIENCE_S = 240.0
 
 

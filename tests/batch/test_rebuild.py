@@ -120,6 +120,7 @@ def test_another_calibration_or_format_is_another_result(archive: Path, tmp_path
     assert abs(read_cloud(cloud).points_mm - read_cloud(before).points_mm).max() > 0.01
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("damage", ["cloud removed", "cloud cut off", "document cut off"])
 def test_a_result_that_is_damaged_later_is_made_again(
     damage: str, archive: Path, tmp_path: Path

@@ -6,6 +6,8 @@ from app.bench.metrology.claimed_plane_and_contact import plane_and_contact_rows
 from app.bench.metrology.claimed_uncertainty import coverage_rows
 from app.bench.metrology.performance import run, table
 
+pytestmark = pytest.mark.slow
+
 
 def test_every_row_is_near_its_expectation() -> None:
     rows = run(200)

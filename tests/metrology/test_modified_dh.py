@@ -163,6 +163,7 @@ def test_links_lead_from_the_arm_frame_to_the_flange() -> None:
     np.testing.assert_allclose(T, flange_pose(arm, q[0]), atol=1e-9)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("with_base", [False, True])
 def test_five_joints_are_identified_from_coordinates_and_seats(with_base: bool) -> None:
     rng = np.random.default_rng(4)

@@ -84,6 +84,7 @@ def test_the_lengths_of_a_scanned_bar_are_the_distances_of_its_spheres(tmp_path:
     assert f"{length_scan(1, 1)}/scan.mcap" in {one.file for one in result.inputs}
 
 
+@pytest.mark.slow
 def test_noise_scatters_the_lengths_and_form_and_temperature_are_their_uncertainty(
     tmp_path: Path,
 ) -> None:
