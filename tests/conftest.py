@@ -12,8 +12,9 @@ import app  # noqa: F401  # sets the numerical libraries' threads before numpy i
 from app.native.library import CRENEL
 
 SHARED = Path(__file__).resolve().parents[2] / "shared"
-WAITING = {"hardware", "station"}
-"""Folders of tests that mostly wait for devices."""
+SPREAD = ("hardware", "station", "e2e")
+"""Folders of tests that mostly wait for devices, and of those that keep a browser and a station
+busy: each is spread over the whole run."""
 
 settings.register_profile("usual", deadline=None)
 settings.register_profile("long", max_examples=5_000, deadline=None)
@@ -30,14 +31,15 @@ def pytest_addoption(parser: pytest.Parser) -> None:
 
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
-    """Spreads the files whose tests mostly wait over all others: the workers share processors."""
-    files = [list(tests) for _, tests in groupby(items, lambda item: item.path)]
-    waiting = [tests for tests in files if tests[0].path.parent.name in WAITING]
-    others = [tests for tests in files if tests[0].path.parent.name not in WAITING]
+    """Spreads the files of some folders over all others: the workers share processors."""
+    groups: dict[str, list[list[pytest.Item]]] = {}
+    for path, tests in groupby(items, lambda item: item.path):
+        folder = path.parent.name
+        groups.setdefault(folder if folder in SPREAD else "", []).append(list(tests))
     placed = [
-        ((number + 0.5) / len(group), tests)
-        for group in (waiting, others)
-        for number, tests in enumerate(group)
+        ((number + 0.5) / len(files), tests)
+        for files in groups.values()
+        for number, tests in enumerate(files)
     ]
     items[:] = [test for _, tests in sorted(placed, key=lambda one: one[0]) for test in tests]
 

@@ -79,7 +79,13 @@ function MakeCloud({ clouds, path }: { clouds: ScanClouds; path: string }) {
           </select>
         </label>
         <div className={styles.make}>
-          <PressButton kind="primary" disabled={isMade} why={isMade ? t("ui-fleet-cloud-is-made") : ""} onPress={make}>
+          <PressButton
+            free
+            kind="primary"
+            disabled={isMade}
+            why={isMade ? t("ui-fleet-cloud-is-made") : ""}
+            onPress={make}
+          >
             {t("ui-fleet-make-cloud")}
           </PressButton>
         </div>
@@ -106,7 +112,7 @@ function Order({ order, used }: { order: CloudOrderState; used: string }) {
   return (
     <div className={styles.order}>
       <Busy text={order.note || t(words, { calibration })} fraction={order.share > 0 ? order.share : null} />
-      <PressButton kind="quiet" onPress={async () => void (await drop(`/api/fleet/cloud-orders/${order.id}`))}>
+      <PressButton free kind="quiet" onPress={async () => void (await drop(`/api/fleet/cloud-orders/${order.id}`))}>
         {t("ui-cancel")}
       </PressButton>
     </div>
