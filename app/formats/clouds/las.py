@@ -11,11 +11,9 @@ from typing import Any, BinaryIO
 import numpy as np
 from numpy.typing import NDArray
 
-from app.errors import OperationError
 from app.formats.clouds.optional_library import call_library, load_library
 from app.formats.clouds.points import POINT, Cloud, Points, cloud_from_columns
-from app.formats.clouds.rows import format_error, truncation_error
-from app.formats.file_names import display_path
+from app.formats.clouds.rows import format_error, out_of_range_error, truncation_error
 from app.formats.open_file import open_file
 from app.messages.message import message, quantity
 
@@ -61,17 +59,8 @@ class LasLayout:
         for axis, name in zip("xyz", "XYZ", strict=True):
             farthest = float(np.abs(points[axis]).max(initial=0.0))
             if not farthest <= FARTHEST_MM:
-                raise OperationError(
-                    "cloud-out-of-range",
-                    message(
-                        "cloud-point-lies-at",
-                        path=display_path(self._path),
-                        axis=axis,
-                        distance=quantity(farthest, "mm"),
-                    ),
-                    message("cloud-las-counts-up-to", limit=quantity(FARTHEST_MM, "mm")),
-                    message("cloud-write-ply-or-e57"),
-                )
+                why = message("cloud-las-counts-up-to", limit=quantity(FARTHEST_MM, "mm"))
+                raise out_of_range_error(self._path, axis, farthest, why)
             record[name] = np.rint(points[axis] / STEP_MM).astype(np.int32)
         record["intensity"] = np.rint(points["intensity"]).clip(0, 65535).astype(np.uint16)
         record["frame"] = points["frame"].astype(np.uint32)

@@ -15,6 +15,7 @@ from app.formats.clouds.rows import (
     COUNT_WIDTH,
     as_doubles,
     format_error,
+    out_of_range_error,
     read_binary_rows,
     read_text_rows,
     truncation_error,
@@ -60,17 +61,8 @@ class PcdSink:
         for axis in "xyz":
             farthest = float(np.abs(points[axis]).max(initial=0.0))
             if farthest > FARTHEST_MM:
-                raise OperationError(
-                    "cloud-out-of-range",
-                    message(
-                        "cloud-point-lies-at",
-                        path=display_path(self._path),
-                        axis=axis,
-                        distance=quantity(farthest, "mm"),
-                    ),
-                    message("cloud-pcd-rounds-beyond", limit=quantity(FARTHEST_MM, "mm")),
-                    message("cloud-write-ply-or-e57"),
-                )
+                why = message("cloud-pcd-rounds-beyond", limit=quantity(FARTHEST_MM, "mm"))
+                raise out_of_range_error(self._path, axis, farthest, why)
         self._file.write(points.astype(RECORD).tobytes())
         self._points += len(points)
 

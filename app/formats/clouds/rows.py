@@ -1,4 +1,4 @@
-"""Rows of points after a header, binary or as text, and the refusals of a damaged file."""
+"""Rows of points after a header, binary or as text, and refusals that several formats share."""
 
 import re
 from pathlib import Path
@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from app.errors import OperationError
 from app.formats.file_names import display_path
-from app.messages.message import Text, message
+from app.messages.message import Text, message, quantity
 from app.metrology.transforms import Floats
 
 COUNT_WIDTH = 20
@@ -63,6 +63,21 @@ def refuse_decimal_commas(path: Path, line: str) -> None:
 def format_error(path: Path, why: Text) -> OperationError:
     """A file that is not as its format has it."""
     return OperationError("cloud-malformed", display_path(path), why, message("cloud-export-again"))
+
+
+def out_of_range_error(path: Path, axis: str, farthest_mm: float, why: Text) -> OperationError:
+    """A point is farther from the origin than a format allows."""
+    return OperationError(
+        "cloud-out-of-range",
+        message(
+            "cloud-point-lies-at",
+            path=display_path(path),
+            axis=axis,
+            distance=quantity(farthest_mm, "mm"),
+        ),
+        why,
+        message("cloud-write-ply-or-e57"),
+    )
 
 
 def truncation_error(path: Path, found: int, announced: int) -> OperationError:

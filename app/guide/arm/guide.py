@@ -20,7 +20,7 @@ from app.guide.arm.view import ArmView
 from app.guide.common.datasheet_library import (
     DatasheetLibrary,
     FolderContent,
-    guess_entry,
+    guess_arm,
     read_gauges,
     read_library,
 )
@@ -155,8 +155,7 @@ class ArmGuide(GuidedSession[ArmState, ArmLive, ArmView]):
 
     def _best_guess(self) -> str:
         info = self.station.rig.arm.info
-        numbers = {e.id: e.datasheet.serial_number for e in self.library().arms.values()}
-        return guess_entry(numbers, info.serial_number if info else "", self.state.arm)
+        return guess_arm(self.library().arms, info.serial_number if info else "", self.state.arm)
 
     # -- changes -------------------------------------------------------------
 

@@ -109,6 +109,12 @@ def guess_entry(serial_numbers: Mapping[str, str], connected: str, last: str) ->
     return next(iter(serial_numbers)) if len(serial_numbers) == 1 else ""
 
 
+def guess_arm(arms: Mapping[str, DatasheetEntry[AnyArm]], connected: str, last: str) -> str:
+    """The same of the datasheets of arms."""
+    numbers = {name: entry.datasheet.serial_number for name, entry in arms.items()}
+    return guess_entry(numbers, connected, last)
+
+
 def read_library(data_folder: Path) -> DatasheetLibrary:
     """Reads ``arms/*.json``, ``objects/*.json`` and ``sensors/*.json``."""
     findings: list[Finding] = []

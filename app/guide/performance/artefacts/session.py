@@ -14,7 +14,7 @@ from app.guide.common.datasheet_library import (
     AnyGauge,
     DatasheetEntry,
     Gauges,
-    guess_entry,
+    guess_arm,
     read_any_gauge,
     read_any_gauges,
     read_library,
@@ -83,8 +83,7 @@ class ArtefactSession(GaugeSession[PerformanceState, Live, View, AnyGauge], Gene
         """The datasheet of the connected arm, for a test without a calibration; empty if it is not
         clear."""
         info = self.station.rig.arm.info
-        numbers = {e.id: e.datasheet.serial_number for e in self._arms_with_tip().values()}
-        return guess_entry(numbers, info.serial_number if info else "", self.state.arm)
+        return guess_arm(self._arms_with_tip(), info.serial_number if info else "", self.state.arm)
 
     def _arms_with_tip(self) -> Mapping[str, DatasheetEntry[AnyArm]]:
         arms = read_library(self.data_folder).arms
