@@ -89,13 +89,32 @@ def measure_contact_test(data: MeasuredData) -> tuple[list[Measured], list[Text]
         measured.insert(0, refuse(_measure_diameter(data), of_sphere))
     if not _lacks_bar(data):
         measured += [refuse(one, of_bar) for one in _measure_volume(data)]
+    unfinished = _find_unfinished(data)
+    measured = [refuse(one, unfinished) for one in measured]
     named: list[Text] = [
         message("titled-text", title=artefact.name, text=problem)
         for artefact, problems in ((plan.sphere, of_sphere), (plan.length, of_bar))
         if artefact is not None
         for problem in problems
     ]
-    return measured, named
+    return measured, [*unfinished, *named]
+
+
+def _find_unfinished(data: MeasuredData) -> list[Text]:
+    """What a test that was stopped lacks of seats, sphere and bar, where none was left out."""
+    count = {name: len(tips) for name, tips in data.tips_mm.items()}
+    spheres = [count.get(diameter_feature(i + 1), 0) for i in range(SPHERES)]
+    seats = [count.get(seat_feature(i + 1), 0) for i in range(SEATS)]
+    ends = [[count.get(bar_feature(i + 1, end), 0) for end in (0, 1)] for i in range(PLACEMENTS)]
+    placed = sum(min(touches) >= LEAST_BAR_TOUCHES for touches in ends)
+    found: list[Text] = []
+    if data.plan.sphere is not None and min(spheres) < SPHERE_POINTS:
+        found.append(message("master-sphere-not-measured", count=SPHERES, points=SPHERE_POINTS))
+    if min(seats) < SEAT_POINTS:
+        found.append(message("seats-not-measured", count=SEATS, points=SEAT_POINTS))
+    if data.plan.length is not None and placed < PLACEMENTS:
+        found.append(message("bar-not-placed", count=placed, needed=PLACEMENTS))
+    return found
 
 
 def _find_loose(data: MeasuredData) -> tuple[list[Text], list[Text]]:

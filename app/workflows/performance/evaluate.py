@@ -49,7 +49,7 @@ from app.workflows.performance.sphere_position import (
     sphere_uncertainty_um,
     worst,
 )
-from app.workflows.performance.sphere_test import measure_position
+from app.workflows.performance.sphere_test import find_unfinished, measure_position
 from app.workflows.performance.temperature_checks import (
     arm_span,
     artefact_span,
@@ -219,6 +219,7 @@ def _measure_sphere(data: MeasuredData, problems: list[Text]) -> tuple[list[Meas
                 limit=quantity(limit_um, "µm", 1),
             )
         )
+    problems += find_unfinished(data, results)
     of_unknown_form = unknown_forms(plan)
     measured = [
         Measured(
@@ -243,10 +244,8 @@ def _measure_sphere(data: MeasuredData, problems: list[Text]) -> tuple[list[Meas
     if not problems:
         size_um = size_uncertainty_um(certificate, sd_c, off_c)
         notes += name_causes(results[0], size_um)
-    moved_known = all("moved_um" in result.details for result in results)
-    undecided = () if moved_known else (message("sphere-not-touched-again"),)
     part = None if offset is None else _offset_part(offset)
-    return measured, _Parts(spheres, part, notes=tuple(notes), undecided=undecided)
+    return measured, _Parts(spheres, part, notes=tuple(notes))
 
 
 def _fewer_lengths(plan: PerformancePlan) -> tuple[Text, ...]:

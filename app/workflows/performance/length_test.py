@@ -77,13 +77,15 @@ def measure_lengths(data: MeasuredData) -> LengthResult:
     measured: list[Measured] = []
     problems: list[Text] = []
     if touched or scanned is None or data.plan.limit("length-touch") is not None:
-        problem = _find_missing(standard, touched)
-        measured.append(_worst(data, "length-touch", touched, names, problem))
+        missing = _find_missing(standard, touched)
+        measured.append(_worst(data, "length-touch", touched, names, missing))
+        problems += [missing] if touched and missing else []  # the test was stopped
         problems += rocking_problems(standard, touched, data.tips_mm, tip_mm)
     values = list(touched)
     if scanned is not None:
         missing = _find_missing(standard, scanned.values)
         problem = scanned.problems[0] if scanned.problems else missing
+        problems += [missing] if scanned.values and missing and not scanned.problems else []
         measured.append(_worst(data, "length-scan", scanned.values, scanned.scans, problem))
         problems += rocking_problems(standard, scanned.values)
         values += scanned.values

@@ -106,6 +106,8 @@ def measure_plane(data: MeasuredData) -> PlaneResult:
     scanned = tuple(name for name in names if data.has_scan(name))
     if not scanned:
         return _no_value(message("plate-was-not-scanned"))
+    if len(scanned) < ORIENTATIONS:
+        return _no_value(message("plate-in-one-orientation", count=ORIENTATIONS), scanned)
     plates: list[ScannedPlate] = []
     for name in scanned:
         try:
@@ -132,9 +134,8 @@ def measure_plane(data: MeasuredData) -> PlaneResult:
 
 def _why_undecided(plates: list[ScannedPlate]) -> Iterator[Text]:
     """Why a value of these scans is stated and not decided."""
-    if len(plates) < ORIENTATIONS:
-        yield message("plate-in-one-orientation", count=ORIENTATIONS)
-    elif (turn_deg := turn_between_deg(*(one.R_arm_sensor for one in plates))) < LEAST_TURN_DEG:
+    turn_deg = turn_between_deg(*(one.R_arm_sensor for one in plates))
+    if turn_deg < LEAST_TURN_DEG:
         yield orientations_alike(turn_deg)
 
 

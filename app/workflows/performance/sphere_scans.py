@@ -8,7 +8,7 @@ from app.errors import OperationError
 from app.formats.performance.plan import ARTICULATIONS, SpherePart, sphere_scan
 from app.formats.performance.results import PatchPart
 from app.formats.performance.symbols import Quantity
-from app.messages.message import message
+from app.messages.message import Text, message
 from app.metrology.performance.articulation import articulation_directions, mean_direction
 from app.metrology.performance.gate import gate_sphere
 from app.metrology.performance.location import location_error_mm
@@ -45,6 +45,11 @@ def scans_of(data: MeasuredData, position: int) -> list[str]:
     """The names of the scans that there are of a position of the sphere."""
     names = [sphere_scan(position, i + 1) for i in range(ARTICULATIONS)]
     return [name for name in names if data.has_scan(name)]
+
+
+def articulations_not_scanned(count: int) -> Text:
+    """Said where only some articulations were scanned."""
+    return message("articulations-not-scanned", count=count, needed=ARTICULATIONS)
 
 
 def measure_scans(
@@ -131,7 +136,7 @@ def _measure_location(
 ) -> None:
     """Location over the articulations, each by the representative points of what it saw."""
     if len(names) < ARTICULATIONS:
-        missing = message("articulations-not-scanned", count=len(names), needed=ARTICULATIONS)
+        missing = articulations_not_scanned(len(names))
         result.refuse(missing, "location-scan")
         return
     free, fixed = [], []

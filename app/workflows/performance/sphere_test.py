@@ -1,5 +1,7 @@
 """The one-sphere test: size, form, dispersion and location of one sphere, by touch and by scan."""
 
+from collections.abc import Sequence
+
 import numpy as np
 
 from app.errors import OperationError
@@ -11,7 +13,7 @@ from app.formats.performance.plan import (
     sphere_feature,
 )
 from app.formats.performance.symbols import Quantity
-from app.messages.message import message
+from app.messages.message import Text, message
 from app.metrology.arm.kinematics import tip_of
 from app.metrology.performance.articulation import mean_direction
 from app.metrology.performance.location import location_error_mm
@@ -27,7 +29,12 @@ from app.metrology.transforms import Floats
 from app.workflows.performance.articulation_checks import articulation_notes, articulations_alike
 from app.workflows.performance.measured_data import MeasuredData
 from app.workflows.performance.sphere_position import PositionResult, sphere_certificate
-from app.workflows.performance.sphere_scans import directions_to_hold, measure_scans, scans_of
+from app.workflows.performance.sphere_scans import (
+    articulations_not_scanned,
+    directions_to_hold,
+    measure_scans,
+    scans_of,
+)
 
 _OF_PATTERN: tuple[Quantity, ...] = (
     "size-touch",
@@ -53,6 +60,26 @@ def measure_position(data: MeasuredData, sphere: SpherePart, position: int) -> P
     return result
 
 
+def find_unfinished(data: MeasuredData, results: Sequence[PositionResult]) -> list[Text]:
+    """What a test that was stopped lacks: touches of the pattern, scans after the first one, or the
+    touches at the end."""
+    found: list[Text] = []
+    for result in results:
+        pattern = data.tips_mm.get(sphere_feature(result.position, "pattern"), ())
+        if len(pattern) < PATTERN_TOUCHES:
+            found.append(_pattern_is_short(len(pattern)))
+        elif "moved_um" not in result.details:
+            found.append(message("sphere-not-touched-again"))
+        scans = len(scans_of(data, result.position))
+        if 0 < scans < ARTICULATIONS:
+            found.append(articulations_not_scanned(scans))
+    return found
+
+
+def _pattern_is_short(count: int) -> Text:
+    return message("touches-missing-of-pattern", count=count, needed=PATTERN_TOUCHES)
+
+
 def _measure_pattern(
     data: MeasuredData, sphere: SpherePart, position: int, result: PositionResult
 ) -> tuple[Floats, Floats] | None:
@@ -60,8 +87,7 @@ def _measure_pattern(
     name = sphere_feature(position, "pattern")
     tips = data.tips_mm.get(name, np.zeros((0, 3)))
     if len(tips) < PATTERN_TOUCHES:
-        text = message("touches-missing-of-pattern", count=len(tips), needed=PATTERN_TOUCHES)
-        result.refuse(text, *_OF_PATTERN)
+        result.refuse(_pattern_is_short(len(tips)), *_OF_PATTERN)
         return None
     found = least_squares_sphere(tips)
     directions = pattern_directions(np.array(data.plan.gate.pole), RIM_DEG)

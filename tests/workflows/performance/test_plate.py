@@ -1,17 +1,23 @@
 """Which points of a scan are the plate's: none is left out because it lies off the plane."""
 
+from pathlib import Path
+
 import numpy as np
 import pytest
 
+from app.bench.metrology.synthetic_arm import TIP
 from app.errors import OperationError
-from app.formats.performance.plan import PlatePart
+from app.formats.datasheets.arm import ArmFile
+from app.formats.performance.plan import PLAN, PerformancePlan, PlatePart, plane_scan
 from app.guide.performance.plane.scans import measure_plate
 from app.metrology.performance.plane import least_squares_plane
 from app.metrology.transforms import Floats, rotation_from_vector
 from app.workflows.performance.artefact_checks import list_problems
+from app.workflows.performance.evaluate import evaluate_performance
 from app.workflows.performance.measured_data import ScanCloud
 from app.workflows.performance.plane_test import find_on_plate, measure_plate_scan
 
+PLATE = PlatePart(name="Granite", flatness_um=3.0, flatness_sd_um=0.5)
 SHELL_MM = 10.0
 SIDE_MM = 100.0
 
@@ -99,3 +105,17 @@ def test_a_plate_without_uncertainty_cannot_serve(flatness_sd_um: float, can_ser
     assert problems == (
         [] if can_serve else ["the certificate of the artefact states no uncertainty"]
     )
+
+
+def test_nothing_is_stated_of_a_plate_that_was_scanned_once(tmp_path: Path) -> None:
+    plan = PerformancePlan(
+        id="t", kind="plane", started_at="2026-11-26T10:00:00+00:00", plate=PLATE
+    )
+    plan.write(tmp_path / PLAN)
+    arm = ArmFile(name="Arm", serial_number="A-1", convention="pose", tip=TIP)
+    arm.write(tmp_path / "arm.json")
+    (tmp_path / plane_scan(1)).mkdir()
+    (tmp_path / plane_scan(1) / "scan.mcap").touch()
+    (figure,) = evaluate_performance(tmp_path).figures
+    assert figure.value is None
+    assert "not scanned in 2 orientations" in str(figure.problem)
