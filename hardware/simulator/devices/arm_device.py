@@ -76,6 +76,11 @@ class ArmFaults:
     odd_rad: float = 0.0
     odd_every: int = 1
 
+    @property
+    def are_by_chance(self) -> bool:
+        """Whether something happens to a share of the packets."""
+        return max(self.drop_rate, self.corrupt_rate, self.garbage_rate, self.late_rate) > 0
+
     def clear(self) -> None:
         """Everything works again."""
         for name, value in ArmFaults().__dict__.items():
@@ -172,7 +177,7 @@ class ArmDevice(ThreadedDevice):
         for i, row in enumerate(rows):
             self._apply_encoder_faults(row, first + i)
         poses = self._poses(np.array(rows) / per_rad)
-        chances = self._rng.random((len(moments), 4)).tolist()
+        chances = self._draw_chances(len(moments))
         for i, (stamp, pulse) in enumerate(moments):
             sequence = first + i
             device_us = int((stamp - self._born_ns) * (1 + self._encoders.drift) / 1000)
@@ -182,6 +187,13 @@ class ArmDevice(ThreadedDevice):
             else:
                 kind, payload = POSE, pose_payload(sequence, device_us, buttons, SETTING, poses[i])
             self._dispatch(reading_packet(kind, payload, pulse), stamp, chances[i])
+
+    def _draw_chances(self, count: int) -> list[list[float]]:
+        """Four numbers from 0 to 1 for each sample, one for each kind of fault."""
+        if not self._faults.are_by_chance:
+            return [[1.0] * 4] * count
+        chances: list[list[float]] = self._rng.random((count, 4)).tolist()
+        return chances
 
     def _poses(self, q_rad: Floats) -> list[list[float]] | None:
         """Positions and quaternions, as the arm's controller computes them."""

@@ -2,7 +2,7 @@
 
 import threading
 
-BATCH_S = 0.005
+BATCH_S = 0.01
 """Samples leave a device in batches as often as this, each with its own time."""
 
 

@@ -3,6 +3,7 @@
 import threading
 from collections import deque
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
@@ -36,6 +37,11 @@ class _Piece:
     end_ns: int
     spline: CubicSpline
     trembles: bool
+
+    @cached_property
+    def last_q_rad(self) -> Floats:
+        """(n,) where it ends."""
+        return np.asarray(self.spline((self.end_ns - self.start_ns) / 1e9))
 
 
 class Motion:
@@ -102,8 +108,11 @@ class Motion:
 
     def _evaluate(self, piece: _Piece, stamps_ns: NDArray[np.int64]) -> Floats:
         held_s = (stamps_ns - piece.end_ns) / 1e9
-        inside = np.clip(stamps_ns, piece.start_ns, piece.end_ns)
-        q = piece.spline((inside - piece.start_ns) / 1e9)
+        if held_s[0] >= 0:  # at rest, as most of the time
+            q = np.broadcast_to(piece.last_q_rad, (len(stamps_ns), len(piece.last_q_rad)))
+        else:
+            inside = np.clip(stamps_ns, piece.start_ns, piece.end_ns)
+            q = piece.spline((inside - piece.start_ns) / 1e9)
         if piece.trembles and self._tremor_rad > 0:
             t = (stamps_ns / 1e9)[:, None, None]
             shake = np.sin(2 * np.pi * self._tones_hz * t + self._phases).sum(axis=1)
