@@ -158,7 +158,7 @@ class ScriptedOperator(GaugeOperator):
                 start = thing.T_arm_obj @ sweep.start @ self._T_sensor_flange
                 self._executor.play(self.planner.path_to(start, 50.0), begin, begin + 0.25 * share)
                 poses = sweep_poses(thing.T_arm_obj, sweep) @ self._T_sensor_flange
-                path = self.planner.path_through(poses, sweep.duration_s)
+                path = self.planner.path_of_scan(poses, sweep.duration_s)
                 self._executor.play(path, begin + 0.25 * share, begin + share)
             return True
         return False
@@ -171,7 +171,7 @@ class ScriptedOperator(GaugeOperator):
             poses = passing_poses(plate.T_arm_obj, 0.7 * plate.shape.high_mm[1])
             poses = poses @ self._T_sensor_flange
             self._executor.play(self.planner.path_to(poses[0], 50.0), 0.0, 0.2)
-            self._executor.play(self.planner.path_through(poses, PASS_S), 0.2, 1.0)
+            self._executor.play(self.planner.path_of_scan(poses, PASS_S), 0.2, 1.0)
             return True
         return False
 

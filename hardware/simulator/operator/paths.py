@@ -27,6 +27,8 @@ TRIES = 12
 SWAY_RAD = 0.1
 PASS_WAVES, PASS_WAVE_MM = 5.0, 6.0
 PASS_S = 6.0
+FASTEST_SCAN = 4.0
+"""At any pace: faster, a camera's lines would lie too far apart."""
 PASS_POSES = 121
 
 
@@ -66,6 +68,10 @@ class PathPlanner:
     def path_through(self, poses: Floats, seconds: float) -> JointPath:
         """Through flange poses (K, 4, 4), in an operator's seconds."""
         return plan_path(self._arm, poses, self.current_joints(), seconds / self.pace)
+
+    def path_of_scan(self, poses: Floats, seconds: float) -> JointPath:
+        """As ``path_through``, at most at ``FASTEST_SCAN``."""
+        return self.path_through(poses, seconds * max(1.0, self.pace / FASTEST_SCAN))
 
     def path_to_contact(
         self, T_arm_obj: Floats, face: str, spot: Floats, clear: Floats, left: str | None
