@@ -104,6 +104,7 @@ def test_recordings_are_chosen_by_period_station_and_calibration(
     assert chosen(Selection(taken_with=frozenset({"another"}))) == []
 
 
+@pytest.mark.slow
 def test_another_calibration_or_format_is_another_result(archive: Path, tmp_path: Path) -> None:
     tasks, results = plan(archive, tmp_path / "out")
     assert perform(tasks[0], tmp_path, 1).state == "done"
@@ -164,6 +165,7 @@ def test_recordings_of_other_devices_are_left_out(archive: Path, tmp_path: Path)
     assert (found["made"], found["of_other_devices"]) == (0, 3)
 
 
+@pytest.mark.slow
 def test_what_cannot_be_rebuilt_is_named_and_the_rest_is_made(tmp_path: Path) -> None:
     fill_station(tmp_path / "data", SCANS).close()
     damaged = tmp_path / "data/scans/two/scan.mcap"

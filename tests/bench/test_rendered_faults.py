@@ -5,6 +5,8 @@ import pytest
 from app.bench.metrology.rendered_faults import FaultTests, PlantedFaultRow, table
 from app.bench.metrology.rendered_sphere import RenderedStation
 
+pytestmark = pytest.mark.slow
+
 
 @pytest.fixture(scope="module")
 def tests(tmp_path_factory: pytest.TempPathFactory) -> FaultTests:

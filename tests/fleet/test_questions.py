@@ -149,6 +149,7 @@ def test_a_calibration_that_is_perhaps_wrong_names_what_would_be_affected(
     assert [one.id for one in doubted.recordings] == [f"scan-{day}" for day in range(120, 150)]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", [1, 2, 3])
 def test_a_planted_month_is_found_among_invented_stations(seed: int, tmp_path: object) -> None:
     begin, end = START + 120 * DAY, START + 150 * DAY

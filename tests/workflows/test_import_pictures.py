@@ -263,6 +263,7 @@ def test_without_any_line_nothing_is_written(tmp_path: Path) -> None:
     assert (tmp_path / "scan.mcap").read_bytes() == b"the scan before"
 
 
+@pytest.mark.slow
 def test_a_real_robots_pictures_become_a_cloud_of_the_paper(real: Path, tmp_path: Path) -> None:
     """Of all points, also those beside the pattern, where the paper bends."""
     folder = write_real_session(real / "robot-laser-chessboard" / "calib3", tmp_path / "session")

@@ -54,6 +54,7 @@ def test_dispersion_of_many_points() -> None:
     assert np.mean(found) == pytest.approx(3.915, rel=0.01)
 
 
+@pytest.mark.slow
 def test_the_sphere_about_five_centres() -> None:
     random = np.random.default_rng(4)
     found = [

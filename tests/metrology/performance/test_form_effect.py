@@ -44,6 +44,7 @@ def measure(
     return 1e3 * figure(distances), form_effect_um(SPHERE, points, found.centre_mm, figure)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("noise_um", [0.5, 3.0, 10.0])
 @pytest.mark.parametrize(
     ("outward", "figure"),
