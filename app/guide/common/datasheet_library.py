@@ -126,6 +126,11 @@ def read_library(data_folder: Path) -> DatasheetLibrary:
     )
 
 
+def read_arms(data_folder: Path) -> Mapping[str, DatasheetEntry[AnyArm]]:
+    """Those of ``arms/*.json`` alone that can be read."""
+    return _entries(data_folder / "arms", read_any_arm, [])
+
+
 def _read_station_sensor(path: Path) -> SensorDatasheet:
     """A sensor whose pictures are grey: a station's driver selects the pixels of raw ones."""
     sensor = read_sensor(path)

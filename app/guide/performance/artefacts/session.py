@@ -17,7 +17,7 @@ from app.guide.common.datasheet_library import (
     guess_arm,
     read_any_gauge,
     read_any_gauges,
-    read_library,
+    read_arms,
 )
 from app.guide.common.flow import Flow, View
 from app.guide.common.guided_session import Provenance
@@ -86,8 +86,8 @@ class ArtefactSession(GaugeSession[PerformanceState, Live, View, AnyGauge], Gene
         return guess_arm(self._arms_with_tip(), info.serial_number if info else "", self.state.arm)
 
     def _arms_with_tip(self) -> Mapping[str, DatasheetEntry[AnyArm]]:
-        arms = read_library(self.data_folder).arms
-        return {name: entry for name, entry in arms.items() if entry.datasheet.tip is not None}
+        arms = read_arms(self.data_folder).items()
+        return {name: entry for name, entry in arms if entry.datasheet.tip is not None}
 
     def _no_arm_error(self) -> OperationError:
         return OperationError(
@@ -167,7 +167,11 @@ class ArtefactSession(GaugeSession[PerformanceState, Live, View, AnyGauge], Gene
 
     def problems_of(self, name: str, gauge: AnyGauge, test: Kind) -> tuple[Text, ...]:
         """Why a gauge cannot serve in this test, or in one that would begin now."""
-        known = self._read_calibrated_with()
+        return self._problems_of(name, gauge, test, self._read_calibrated_with())
+
+    def _problems_of(
+        self, name: str, gauge: AnyGauge, test: Kind, known: CalibratedWith | OperationError
+    ) -> tuple[Text, ...]:
         if isinstance(known, OperationError):
             return (known.text,)
         day = (self.state.started_at if self.running else utc_now())[:10]
@@ -185,8 +189,9 @@ class ArtefactSession(GaugeSession[PerformanceState, Live, View, AnyGauge], Gene
 
     def obstacles_of(self, gauges: Gauges[AnyGauge], test: Kind) -> dict[str, Text]:
         """Of the gauges that cannot serve in a kind of test, why."""
+        known = self._read_calibrated_with()
         found = {
-            name: self.problems_of(name, entry.datasheet, test)
+            name: self._problems_of(name, entry.datasheet, test, known)
             for name, entry in gauges.known.items()
         }
         return {name: problems[0] for name, problems in found.items() if problems}
