@@ -5,13 +5,18 @@ import logging
 import os
 from asyncio import AbstractEventLoop
 from collections.abc import Iterable, Iterator, Sequence
-from contextlib import closing, suppress
+from contextlib import closing, contextmanager, suppress
 from io import BufferedReader
 from pathlib import Path
 from typing import Any, Protocol
 
 from app.archive.archive_settings import ArchiveSettings
-from app.archive.store_errors import StorePurpose, convert_foreign_kinds, convert_store_errors
+from app.archive.store_errors import (
+    DamagedCopyError,
+    StorePurpose,
+    convert_foreign_kinds,
+    convert_store_errors,
+)
 from app.errors import OperationError
 from app.formats.atomic_write import atomic_file, ensure_folder
 from app.formats.io_errors import error_from_os
@@ -39,7 +44,8 @@ class RemoteStore(Protocol):
         none, is there."""
 
     def read(self, name: str) -> Iterator[bytes]:
-        """The content of a file in pieces."""
+        """The content of a file in pieces; as with all reading, ``DamagedCopyError`` if it is
+        missing while the store has others."""
 
     def read_start(self, name: str, count: int) -> bytes:
         """The first ``count`` bytes of a file, or all of a shorter one."""
@@ -89,23 +95,29 @@ class FolderStore:
                     file.write(piece)
 
     def read(self, name: str) -> Iterator[bytes]:
-        with convert_store_errors(self._place, self._purpose), self._open(name) as file:
+        with self._converting(name), self._open(name) as file:
             with suppress(AttributeError):  # so that the disk is read, not the cache
                 os.posix_fadvise(file.fileno(), 0, 0, os.POSIX_FADV_DONTNEED)
             while piece := file.read(PIECE_BYTES):
                 yield piece
 
     def read_start(self, name: str, count: int) -> bytes:
-        with convert_store_errors(self._place, self._purpose), self._open(name) as file:
+        with self._converting(name), self._open(name) as file:
             return file.read(count)
 
     def read_spans(self, name: str, spans: Sequence[Span]) -> list[bytes]:
-        with convert_store_errors(self._place, self._purpose), self._open(name) as file:
+        with self._converting(name), self._open(name) as file:
             found = []
             for begin, end in spans:
                 file.seek(begin)
                 found.append(file.read(end - begin))
             return found
+
+    @contextmanager
+    def _converting(self, name: str) -> Iterator[None]:
+        """Turns the errors of reading a file."""
+        with convert_store_errors(self._place, self._purpose), _missing_alone(self, name):
+            yield
 
     def _open(self, name: str) -> BufferedReader:
         with convert_foreign_kinds(name):
@@ -169,19 +181,19 @@ class FsspecStore:
                 raise
 
     def read(self, name: str) -> Iterator[bytes]:
-        with convert_store_errors(self._place, self._purpose):
+        with convert_store_errors(self._place, self._purpose), _missing_alone(self, name):
             files, path = self._at(name)
             with closing(files.open(path, "rb", block_size=PART_BYTES)) as file:
                 while piece := file.read(PIECE_BYTES):
                     yield piece
 
     def read_start(self, name: str, count: int) -> bytes:
-        with convert_store_errors(self._place, self._purpose):
+        with convert_store_errors(self._place, self._purpose), _missing_alone(self, name):
             files, path = self._at(name)
             return bytes(files.cat_file(path, start=0, end=count))
 
     def read_spans(self, name: str, spans: Sequence[Span]) -> list[bytes]:
-        with convert_store_errors(self._place, self._purpose):
+        with convert_store_errors(self._place, self._purpose), _missing_alone(self, name):
             files, path = self._at(name)
             begins, ends = ([span[side] for span in spans] for side in (0, 1))
             found = files.cat_ranges([path] * len(spans), begins, ends, on_error="raise")
@@ -211,6 +223,19 @@ class FsspecStore:
         with convert_store_errors(self._place, self._purpose), suppress(FileNotFoundError):
             files, path = self._at(name)
             files.rm_file(path)
+
+
+@contextmanager
+def _missing_alone(store: RemoteStore, name: str) -> Iterator[None]:
+    """Turns the error for a file that is missing in a store that has others into a
+    ``DamagedCopyError``: a store that is not there has none."""
+    try:
+        yield
+    except (FileNotFoundError, OperationError) as error:
+        missing = isinstance(error, FileNotFoundError) or error.code == "file-missing"
+        if missing and store.names(""):
+            raise DamagedCopyError(name, message("archive-lacks-file")) from error
+        raise
 
 
 def open_store(settings: ArchiveSettings, purpose: StorePurpose = "archive") -> RemoteStore:

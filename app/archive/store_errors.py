@@ -52,13 +52,17 @@ def convert_store_errors(place: str, purpose: StorePurpose = "archive") -> Itera
 
 class DamagedCopyError(StoreError):
     """What the archive has under a name is not what was written there. Other records are not
-    concerned."""
+    concerned.
 
-    def __init__(self, name: str) -> None:
+    Args:
+        why: by default, that the archive does not hold what is written to it.
+    """
+
+    def __init__(self, name: str, why: Text = "") -> None:
         super().__init__(
             "archive-differs",
             message("archive-copy-differs", name=name),
-            message("archive-loses-data"),
+            why or message("archive-loses-data"),
             message("archive-check-disk"),
         )
 

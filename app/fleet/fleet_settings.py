@@ -1,6 +1,7 @@
 """``fleet.toml``: the catalogue's database, the stations, their archives or data folders, and the
 broker."""
 
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Annotated, Self
 from urllib.parse import quote
@@ -67,15 +68,14 @@ class StationPlaces(TomlTable):
     data: SettingsPath | None = None
     """Its data folder, of a station on this machine."""
 
-    @model_validator(mode="after")
-    def _check_place(self, info: ValidationInfo) -> Self:
-        if self.archive is None and self.data is None:
-            raise OperationError(
-                "fleet-station-place",
-                message("fleet-station-has-no-place", file=str(info.context)),
-                remedy=message("fleet-give-place"),
-            )
-        return self
+    def own_places(self) -> Iterator[tuple[str, str]]:
+        """Its places for messages, each after what tells it from all others."""
+        if self.data is not None:
+            yield str(self.data.resolve()), str(self.data)
+        if self.archive is not None:
+            url = self.archive.url.rstrip("/")
+            same = str(Path(url).resolve()) if self.archive.is_folder else url
+            yield f"{self.archive.endpoint or ''} {same}".strip(), self.archive.place
 
     def places(self) -> list[RecordPlace]:
         """Where its records are collected: its own disk first, which knows the names of today."""
@@ -132,6 +132,33 @@ class FleetSettings(TomlTable):
     mqtt: BrokerSettings | None = None
     sign_in: SignInSettings | None = None
     clouds: CloudSettings = CloudSettings()
+
+    @model_validator(mode="after")
+    def _check_stations(self, info: ValidationInfo) -> Self:
+        """Each station needs a place, and one of its own: else each record would be listed for
+        several stations."""
+        file, owners = str(info.context), dict[str, str]()
+        for station, places in self.stations.items():
+            if not any(places.own_places()):
+                raise OperationError(
+                    "fleet-station-place",
+                    message("fleet-station-has-no-place", file=file, station=station),
+                    remedy=message("fleet-give-place"),
+                )
+            for same, place in places.own_places():
+                if (other := owners.setdefault(same, station)) != station:
+                    raise OperationError(
+                        "fleet-shared-place",
+                        message(
+                            "fleet-stations-share-place",
+                            file=file,
+                            station=station,
+                            other=other,
+                            place=place,
+                        ),
+                        remedy=message("fleet-give-own-place"),
+                    )
+        return self
 
     def list_stations(self) -> list[CollectedStation]:
         """The stations with their places, as the file lists them."""

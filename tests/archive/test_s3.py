@@ -13,7 +13,7 @@ from app.archive.archive import Archive
 from app.archive.archive_settings import ArchiveSettings
 from app.archive.pace import full_speed
 from app.archive.remote_store import open_store
-from app.archive.store_errors import StoreError
+from app.archive.store_errors import DamagedCopyError, StoreError
 from app.bench.fleet.s3_server import BUCKET, CuttingProxy, S3Server
 from app.errors import OperationError
 from app.store.store import Store
@@ -92,6 +92,21 @@ def test_uploads_that_are_cut_at_random_leave_nothing_partial_with_a_manifest(
         proxy.close()
     assert proxy.cuts >= 2
     assert complete == 3
+
+
+def test_a_file_that_is_missing_alone_is_no_store_that_is_not_there(
+    store: Store, tmp_path: Path, server: S3Server
+) -> None:
+    add_scan(store, "one", 1000)
+    opened = open_archive(store, tmp_path, server.port).store
+    opened.write("there", [b"content"], 7)
+    for read in (
+        lambda: b"".join(opened.read("gone")),
+        lambda: opened.read_start("gone", 3),
+        lambda: opened.read_spans("gone", [(0, 3)]),
+    ):
+        with pytest.raises(DamagedCopyError):
+            read()
 
 
 def test_a_store_that_refuses_or_is_not_there_is_named_with_a_remedy(

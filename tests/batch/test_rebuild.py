@@ -178,6 +178,17 @@ def test_what_cannot_be_rebuilt_is_named_and_the_rest_is_made(tmp_path: Path) ->
     assert left == [".json", ".json", ".ply", ".ply"]
 
 
+@pytest.mark.slow
+def test_a_recording_that_an_archive_lost_keeps_no_other_from_being_rebuilt(
+    archive: Path, tmp_path: Path
+) -> None:
+    (lost,) = archive.glob("scans/two/*/scan.mcap")
+    lost.unlink()
+    found = run("rebuild", archive, "-o", "out", "--workers", 1, cwd=tmp_path, status=1)
+    assert found["made"] == 2
+    assert list(found["refused"]) == ["room-2/two"]
+
+
 def test_a_place_that_is_away_is_no_refusal(archive: Path, tmp_path: Path) -> None:
     tasks, _ = plan(archive, tmp_path / "out")
     archive.rename(tmp_path / "away")

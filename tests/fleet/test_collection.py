@@ -262,6 +262,20 @@ def test_a_damaged_copy_is_reported_and_the_rest_collected(
         assert "differs" in summarise_stations(connection)[0].problem
 
 
+def test_a_copy_that_is_missing_is_reported_and_the_rest_collected(
+    store: Store, own: FleetCatalogue, tmp_path: Path
+) -> None:
+    add_every_kind(store)
+    archive_of(store, str(archive_folder(tmp_path))).run()
+    for name in ("scans/*/*/scan.mcap", "sessions/*/*/calibration.json"):
+        (copy,) = archive_folder(tmp_path).glob(name)
+        copy.unlink()
+    result = collect_from(own, archive_place(tmp_path))
+    assert result.new == 5
+    assert "calibration.json differs" in result.problems["room-1"].line
+    assert "missing" in result.problems["room-1"].line
+
+
 def test_one_station_that_is_away_does_not_stop_the_others(
     store: Store, own: FleetCatalogue, tmp_path: Path
 ) -> None:

@@ -46,10 +46,13 @@ def run(config: Path, *arguments: str) -> Result:
     return CliRunner().invoke(cli, ["catalogue", *arguments, "--config", str(config)])
 
 
-def test_a_station_is_collected_searched_and_shown(config: Path) -> None:
+def test_a_station_is_collected_searched_and_shown(
+    config: Path, caplog: pytest.LogCaptureFixture
+) -> None:
     collected = run(config, "collect")
     assert "7 records are new" in collected.stdout
     assert "room-2: The archive" in collected.stderr
+    assert not caplog.records  # on a console, they would say it once more
     assert collected.exit_code == 1
     found = json.loads(run(config, "search", "housing 4711", "--json").stdout)["records"]
     assert [one["id"] for one in found] == ["20260504-111500"]
@@ -74,7 +77,20 @@ def test_a_station_is_collected_searched_and_shown(config: Path) -> None:
             "the name of the table [stations.Room_2]: it must be lower-case letters",
         ),
         ("[catalogue]\ndatabase = 'nonsense'\n", "nonsense is no address of a catalogue"),
-        ("[catalogue]\ndatabase = 'sqlite:///a.db'\n[stations.a]\n", "neither an archive nor"),
+        (
+            "[catalogue]\ndatabase = 'sqlite:///a.db'\n[stations.a]\n",
+            "[stations.a]: there is neither",
+        ),
+        (
+            "[catalogue]\ndatabase = 'sqlite:///a.db'\n[stations.a]\ndata = 'data'\n"
+            "[stations.b]\ndata = './x/../data/'\n",
+            "the stations a and b have the same place",
+        ),
+        (
+            "[catalogue]\ndatabase = 'sqlite:///a.db'\n[stations.a]\narchive.url = 's3://p/a'\n"
+            "[stations.b]\narchive.url = 's3://p/a/'\n",
+            "the stations a and b have the same place, s3://p/a/",
+        ),
         ("[catalogue]\ndatabase = 'postgresql://u@127.0.0.1:1/a'\n", "cannot be used now"),
     ],
 )

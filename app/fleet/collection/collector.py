@@ -73,7 +73,6 @@ def collect(
             result.new += _collect_station(catalogue, station, complete)
         except CollectionError as error:
             result.new += error.new
-            log.warning("%s is not collected completely: %s", station.id, error.line)
             result.problems[station.id] = error
             problem = error.line
         at = None if problem else datetime.now(UTC)

@@ -127,8 +127,10 @@ class FleetService:
                 pause_s = min(pause_s, COPY_S)
             self._due_s[one.id] = time.monotonic() + pause_s
         try:
-            collect(self.catalogue(), due)
+            problems = collect(self.catalogue(), due).problems
             self.problem = ""
+            for station, problem in problems.items():
+                log.warning("%s is not collected completely: %s", station, problem.line)
         except OperationError as error:
             if not self.problem:
                 log.warning("%s", error.line)
