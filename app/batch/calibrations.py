@@ -16,7 +16,7 @@ from app.formats.open_file import read_bounded
 from app.formats.recording.reader import ARM_SERIAL, SENSOR_SERIAL
 from app.formats.recording.topics import sensor_key
 from app.formats.results.calibration import Calibration, read_calibration
-from app.messages.message import message
+from app.messages.message import Text, join, message
 from app.metrology.arm.kinematics import AnyArm
 from app.workflows.compatibility import check_serials
 
@@ -55,15 +55,25 @@ class CalibrationFiles:
         """What the files contain.
 
         Args:
-            folder: for the files; errors name them in it.
+            folder: for the files.
 
         Raises:
             OperationError: one is damaged, or they do not belong together.
         """
         self.write(folder)
-        calibration, arm = read_calibration(folder / CALIBRATION), read_any_arm(folder / ARM)
-        check_serials(calibration, arm)
+        try:
+            calibration, arm = read_calibration(folder / CALIBRATION), read_any_arm(folder / ARM)
+            check_serials(calibration, arm)
+        except OperationError as error:
+            what = message("batch-calibration-unusable", id=self.id)
+            why = join([_without(folder, error.what), error.why], ": ") if error.why else error.what
+            raise OperationError(error.code, what, why, error.remedy) from error
         return calibration, arm
+
+
+def _without(folder: Path, text: Text) -> Text:
+    """A text that begins with a file without its folder: nobody finds a temporary one."""
+    return text.removeprefix(f"{folder}/") if isinstance(text, str) else text
 
 
 BySensor = Mapping[str, CalibrationFiles]

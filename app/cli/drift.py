@@ -15,6 +15,7 @@ from app.cli.fleet.catalogue import (
     check_catalogue_stations,
     open_catalogue,
     parse_day,
+    parse_days,
     plain_fields,
 )
 from app.cli.fleet.drift_report import (
@@ -82,8 +83,9 @@ def drift(
     The catalogue has the results as they were found. Of archives and data folders, the clouds of
     all verifications are measured again, also with one calibration for all.
     """
+    span = parse_days(since, until)
     if places:
-        period = _period_text(parse_day(since), parse_day(until))
+        period = _period_text(*span)
         options = BatchOptions(
             output or "drift", period, station, None, workers, scheduler, config, as_json
         )
@@ -91,7 +93,6 @@ def drift(
         return
     if any(one is not None for one in (calibration, arm, output, workers, scheduler)):
         raise typer.BadParameter("needs archives or data folders, too", param_hint="'PLACE'")
-    span = (parse_day(since), parse_day(until))
     _show_known(quantity, station or (), span, parse_day(right_since), config, as_json)
 
 

@@ -276,6 +276,7 @@ bar-position-has-ends = { $path }: Kugelstab { $bar }, Lage { $position } hat di
 bar-without-sphere-diameter = die Datei des Kugelstabs nennt keinen Durchmesser seiner Kugeln: sphere_diameter_mm eintragen
 bars-end = Stabende { $value }
 bars-lengths-points-scatter-without-them = mit den Längen der Kugelstäbe streuen die Punkte um { $scatter }, ohne sie um { $without }
+batch-calibration-unusable = Die Kalibrierung { $id } kann nicht verwendet werden
 batch-choose-quantity = Eine von { $names } wählen
 batch-give-address = Als tcp://host:8786 angeben
 batch-give-period = Einen Tag, einen Monat oder ein Jahr angeben, oder zwei mit .. dazwischen, zum Beispiel 2026-05-13, 2026-05 oder 2026-05-01..2026-06-15

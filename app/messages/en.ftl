@@ -276,6 +276,7 @@ bar-position-has-ends = { $path }: bar { $bar }, position { $position } has the 
 bar-without-sphere-diameter = the file of the ball bar states no diameter of its spheres: enter sphere_diameter_mm
 bars-end = end { $value } of the bar
 bars-lengths-points-scatter-without-them = with the bars' lengths the points scatter by { $scatter }, without them by { $without }
+batch-calibration-unusable = The calibration { $id } cannot be used
 batch-choose-quantity = Choose one of { $names }
 batch-give-address = Give it as tcp://host:8786
 batch-give-period = Give a day, a month or a year, or two with .. between, as 2026-05-13, 2026-05 or 2026-05-01..2026-06-15

@@ -189,6 +189,19 @@ def test_a_recording_that_an_archive_lost_keeps_no_other_from_being_rebuilt(
     assert list(found["refused"]) == ["room-2/two"]
 
 
+def test_a_calibration_that_is_damaged_is_named_and_no_temporary_file(tmp_path: Path) -> None:
+    fill_station(tmp_path / "data", SCANS).close()
+    (tmp_path / "data/sessions" / CALIBRATION / "arm.json").write_text("{")
+    tasks, _ = plan(tmp_path / "data", tmp_path / "out")
+    refusal = perform(tasks[0], tmp_path, 1).refusal
+    assert refusal is not None
+    line = refusal.error().line
+    assert line.startswith(
+        f"The calibration {CALIBRATION} cannot be used: arm.json: it is not JSON"
+    )
+    assert str(tmp_path) not in line
+
+
 def test_a_place_that_is_away_is_no_refusal(archive: Path, tmp_path: Path) -> None:
     tasks, _ = plan(archive, tmp_path / "out")
     archive.rename(tmp_path / "away")

@@ -114,6 +114,8 @@ def test_the_questions_are_answered(config: Path) -> None:
     assert "Calibration of May" not in run(config, "drift", "arm-largest").stdout
     assert "1 value of 1 station, 0 changes" in run(config, "drift", "arm-largest").stdout
     assert "choose one of arm-half-range" in run(config, "drift", "size").stderr
+    reversed_days = ("--since", "2026-06-01", "--until", "2026-05-01")
+    assert "is not after" in run(config, "drift", "arm-largest", *reversed_days).stderr
     assert "Arm check: largest distance" in run(config, "drift", "arm-largest").stdout
     spread = json.loads(run(config, "spread", "laser-plane-offset", "--json").stdout)
     assert [len(one["values"]) for one in spread["sensors"]] == [1]

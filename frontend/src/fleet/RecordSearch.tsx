@@ -143,7 +143,7 @@ function Page({
             {found.points !== null && !found.verdict && t("ui-n-points", { n: found.points })}
           </td>
           <td className={styles.wraps}>{found.calibration_id}</td>
-          <td>{found.archived_at ? moment(found.archived_at) : "–"}</td>
+          <td className={styles.archived}>{found.archived_at ? moment(found.archived_at) : "–"}</td>
         </tr>
       ))}
       {last && value.records.length === 0 && (
