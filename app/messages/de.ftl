@@ -467,6 +467,7 @@ capital = { CAPITAL($text) }
 capture = Aufnehmen
 catalogue-away = Der Katalog { $place } ist jetzt nicht benutzbar
 catalogue-give-address = Geben Sie sqlite:///katalog.db oder postgresql://benutzer:passwort@rechner/name an
+catalogue-in-memory = sie nennt keine Datei, und was im Arbeitsspeicher liegt, geht verloren
 catalogue-newer = Der Katalog { $place } stammt von einer neueren Version von Crenel
 catalogue-no-address = { $url } ist keine Adresse eines Katalogs
 catalogue-tried-again = Prüfen Sie seinen Server und seine Festplatte; nichts geht verloren, und das Sammeln geht von selbst weiter

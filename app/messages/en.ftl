@@ -467,6 +467,7 @@ capital = { CAPITAL($text) }
 capture = Capture
 catalogue-away = The catalogue { $place } cannot be used now
 catalogue-give-address = Give sqlite:///catalogue.db or postgresql://user:password@host/name
+catalogue-in-memory = it names no file, and what is kept in memory is lost
 catalogue-newer = The catalogue { $place } was made by a later version of Crenel
 catalogue-no-address = { $url } is no address of a catalogue
 catalogue-tried-again = Check its server and its disk; nothing is lost, and collecting continues by itself

@@ -77,6 +77,7 @@ def test_a_station_is_collected_searched_and_shown(
             "the name of the table [stations.Room_2]: it must be lower-case letters",
         ),
         ("[catalogue]\ndatabase = 'nonsense'\n", "nonsense is no address of a catalogue"),
+        ("[catalogue]\ndatabase = 'sqlite://'\n", "it names no file"),
         (
             "[catalogue]\ndatabase = 'sqlite:///a.db'\n[stations.a]\n",
             "[stations.a]: there is neither",

@@ -71,6 +71,13 @@ def create_engine(url: str) -> "Engine":
             message("catalogue-give-address"),
         ) from error
     if engine.dialect.name == "sqlite":
+        if engine.url.database in (None, "", ":memory:"):
+            raise OperationError(
+                "catalogue-address",
+                message("catalogue-no-address", url=url),
+                message("catalogue-in-memory"),
+                message("catalogue-give-address"),
+            )
         event.listen(engine, "connect", _prepare_sqlite)
         event.listen(engine, "begin", _begin)
     return engine
@@ -98,7 +105,7 @@ def convert_database_errors(engine: "Engine") -> Iterator[None]:
         raise CatalogueError(
             "catalogue-away",
             message("catalogue-away", place=place),
-            " ".join(reason.split())[:300],
+            " ".join(reason.split())[:300].rstrip("?"),
             message("catalogue-tried-again"),
         ) from error
 
