@@ -2691,6 +2691,7 @@ parameter = Parameter
 parameters = Parameter
 parameters-moved-do-same-together = die geänderten Parameter haben zusammen dieselbe Wirkung
 part-of-path-is-no-folder = ein Teil des Pfads ist kein Ordner
+part-of-second-board-in-picture = neben einer Tafel mit { $columns } × { $rows } inneren Ecken ist ein Teil einer zweiten im Bild
 pass = Bestanden
 pass-does-tell-delay = diese Überfahrt zeigt den Zeitversatz nicht
 pass-half-minute-enough = eine Überfahrt von einer halben Minute reicht

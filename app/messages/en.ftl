@@ -2678,6 +2678,7 @@ parameter = Parameter
 parameters = Parameters
 parameters-moved-do-same-together = the changed parameters have the same effect together
 part-of-path-is-no-folder = a part of the path is not a folder
+part-of-second-board-in-picture = beside a board of { $columns } × { $rows } inner corners, a part of a second one is in the picture
 pass = Pass
 pass-does-tell-delay = this pass does not determine the delay
 pass-half-minute-enough = a pass of half a minute is sufficient

@@ -18,6 +18,7 @@ pytestmark = pytest.mark.slow
 SETS = {"opencv-stereo": (9, 6), "carnd": (9, 6), "wide": (8, 6)}
 EVERY = 4
 """Pictures of a set that are looked at: every fourth."""
+PAIR = ("left13.jpg", "left14.jpg")
 CLASSIC = cv2.CALIB_CB_ADAPTIVE_THRESH | cv2.CALIB_CB_NORMALIZE_IMAGE
 
 
@@ -110,3 +111,36 @@ def test_a_board_on_a_screen_is_not_taken_for_the_one_that_is_cut_off(real: Path
     right = float(detect_board(image, board(9, 6)).uv_px[:, 0].max())
     with pytest.raises(OperationError):
         detect_board(image[:, : int(right) - 15].copy(), board(9, 6))
+
+
+@pytest.mark.parametrize(
+    ("folder", "name", "first", "last"),
+    [
+        ("opencv-stereo", "left01.jpg", 3, 5),
+        ("opencv-stereo", "left10.jpg", 3, 4),
+        ("wide", "GOPR0054.jpg", 3, 5),
+    ],
+)
+def test_a_strip_across_a_board_is_named(
+    real: Path, folder: str, name: str, first: int, last: int
+) -> None:
+    columns, rows = SETS[folder]
+    image = read(real / "boards" / folder / name)
+    whole = detect_board(image, board(columns, rows))
+    uv = np.full((columns * rows, 2), np.nan)
+    uv[whole.number] = whole.uv_px
+    grid = uv.reshape(rows, columns, 2)
+    ends = np.array([grid[0, first], grid[0, last], grid[-1, last], grid[-1, first]])
+    strip = ends.mean(axis=0) + 1.25 * (ends - ends.mean(axis=0))
+    cv2.fillPoly(image, [np.round(strip).astype(np.int32)], (90,))
+    with pytest.raises(OperationError, match="the others are covered") as refused:
+        detect_board(image, board(columns, rows))
+    assert refused.value.code == "board-partly-seen"
+
+
+def test_a_board_cut_off_beside_a_whole_one_is_not_ignored(real: Path) -> None:
+    one, other = (read(real / "boards" / "opencv-stereo" / name) for name in PAIR)
+    both = np.hstack([one, other[:, : other.shape[1] * 2 // 3]]).astype(np.uint8)
+    with pytest.raises(OperationError, match="a part of a second one") as refused:
+        detect_board(both, board(9, 6))
+    assert refused.value.code == "two-boards"

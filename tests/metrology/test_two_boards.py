@@ -16,6 +16,9 @@ pytestmark = pytest.mark.slow
 CHARUCO = replace(BOARD, markers=Markers("DICT_4X4_50", 7.5))
 FAR = camera_pose(10, 30, 5, 600)
 WIDTH = SIZE[0]
+OUT = POSES[1].copy()
+"""Of a board that ends beyond the right edge of the picture."""
+OUT[0, 3] += 45.0
 
 
 def beside(board: Chessboard, *poses: NDArray[np.float64]) -> NDArray[np.uint8]:
@@ -34,11 +37,33 @@ def test_two_equal_boards_are_refused_and_drawn(board: Chessboard) -> None:
         assert {mark.u0 > WIDTH for mark in refused.value.marks} == {False, True}
 
 
-def test_a_markers_board_cut_off_beside_a_whole_one_is_counted() -> None:
-    cut = beside(CHARUCO, POSES[1], POSES[2])[:, : WIDTH + WIDTH // 2]
+@pytest.mark.parametrize("board", [BOARD, CHARUCO])
+def test_a_board_cut_off_beside_a_whole_one_is_counted(board: Chessboard) -> None:
+    cut = beside(board, POSES[1], POSES[2])[:, : WIDTH + WIDTH // 2]
     with pytest.raises(DetectionError) as refused:
-        detect_board(cut, CHARUCO)
+        detect_board(cut, board)
     assert refused.value.code == "two-boards"
+
+
+def test_a_part_of_a_second_board_is_named_and_drawn() -> None:
+    for thorough in (True, False):
+        with pytest.raises(DetectionError, match="a part of a second one") as refused:
+            detect_board(beside(BOARD, POSES[1], OUT), BOARD, thorough=thorough)
+        assert "Cover one of them" in refused.value.line
+        assert {mark.u0 > WIDTH for mark in refused.value.marks} == {False, True}
+
+
+def test_a_part_of_a_board_far_off_or_of_a_larger_one_does_not_count() -> None:
+    far = beside(BOARD, POSES[1], FAR)[:, : WIDTH + WIDTH // 2]
+    larger = replace(BOARD, inner_corners=(11, 9))
+    look = Look(laser=False)
+    tiles = np.hstack([picture(POSES[1], look), picture(OUT, replace(look, board=larger))])
+    smaller = replace(BOARD, inner_corners=(5, 4))
+    whole = np.hstack([picture(POSES[1], look), picture(POSES[2], replace(look, board=smaller))])
+    for image in (far, tiles, whole):
+        found = detect_board(image, BOARD)
+        assert len(found) == 42
+        assert (found.uv_px[:, 0] < WIDTH).all()
 
 
 @pytest.mark.parametrize("nearer", [0, 1])

@@ -1,7 +1,7 @@
 """The inner corners of a chessboard in a picture, each identified by its position on the board."""
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import cv2
 import numpy as np
@@ -21,7 +21,11 @@ from app.metrology.chessboard.missing_corners import CornerGrid
 from app.metrology.chessboard.opencv_finders import find_by_opencv
 from app.metrology.chessboard.perspective import fit_perspective, map_places
 from app.metrology.chessboard.saddle_points import Saddles, find_saddles
-from app.metrology.chessboard.two_boards import refuse_two_boards, saddles_outside
+from app.metrology.chessboard.two_boards import (
+    is_cut_off_board,
+    refuse_two_boards,
+    saddles_outside,
+)
 from app.metrology.chessboard.window import find_window
 from app.metrology.image import Image
 from app.metrology.robust import median
@@ -78,7 +82,8 @@ def detect_board(
     if board.markers is not None:
         return detect_charuco(image, board, board.markers, blocked, thorough=thorough)
     nearest: _Refused | None = None
-    for saddles, lattice, beside in _find_grids(image, blocked, board, thorough):
+    refused: list[CornerGrid] = []
+    for saddles, lattice in _find_grids(image, blocked, board, thorough):
         measured = _measure_corners(image, blocked, saddles, lattice)
         seen, area_px2 = len(measured.index), _hull_area_px2(measured.uv_px)
         if nearest is not None and area_px2 <= SMALLER * nearest.area_px2:
@@ -86,14 +91,15 @@ def detect_board(
         detection = _number_corners(board, saddles, lattice, measured)
         if detection is not None:
             return _only_board(image, blocked, board, saddles, detection)
-        failure = _failure(image, blocked, saddles, lattice, beside, measured, board)
+        failure = _failure(image, blocked, saddles, lattice, measured, board)
+        refused += [failure.grid, failure.seen()]
         if nearest is None or seen > nearest.seen:
             area_px2 = area_px2 if seen > LEAST_VISIBLE * columns * rows else 0.0
             nearest = _Refused(seen, area_px2, failure)
         if seen > (1 + SURELY_MORE) * columns * rows and is_larger(board, failure.grid):
             break
     assert nearest is not None
-    raise explain_failure(board, nearest.failure)
+    raise explain_failure(board, replace(nearest.failure, refused=tuple(refused)))
 
 
 def _hull_area_px2(uv: Floats) -> float:
@@ -102,11 +108,8 @@ def _hull_area_px2(uv: Floats) -> float:
 
 def _find_grids(
     image: Image, blocked: NDArray[np.bool_], board: Chessboard, thorough: bool
-) -> Iterator[tuple[Saddles, Lattice, Lattice]]:
-    """What may be the board's corners, and the next best beside it, which may be a part of it.
-
-    The likeliest first; at least one, if an empty one.
-    """
+) -> Iterator[tuple[Saddles, Lattice]]:
+    """What may be the board's corners, the likeliest first; at least one, if an empty one."""
     columns, rows = board.inner_corners
     longer_px = max(image.shape)
     scales = [1.0] if longer_px < 2 * LONGER_SIDES_PX[0] else []
@@ -120,13 +123,11 @@ def _find_grids(
         unscaled = saddles if scale == 1.0 else unscaled
         lattices = find_lattices(saddles, columns * rows)
         for lattice in lattices[:GRIDS] or [{}]:
-            beside = next((other for other in lattices if other is not lattice), {})
-            yield saddles, lattice, beside
+            yield saddles, lattice
     if thorough:
         if unscaled is None:
             unscaled = find_saddles(image, blocked)
-        for saddles, lattice in find_by_opencv(image, board.inner_corners, unscaled):
-            yield saddles, lattice, {}
+        yield from find_by_opencv(image, board.inner_corners, unscaled)
 
 
 def _number_corners(
@@ -154,12 +155,20 @@ def _only_board(
     saddles: Saddles,
     found: BoardDetection,
 ) -> BoardDetection:
-    """The board found, or a much larger one beside it; raises where two are about as large."""
+    """The board found, or a much larger one beside it; raises where two are about as large.
+
+    Raises also beside one that is partly out of the picture, unless that one is much smaller.
+    """
     beside = saddles_outside(image, saddles, found.uv_px)
     for lattice in find_lattices(beside, int(np.prod(board.inner_corners)))[:GRIDS]:
         measured = _measure_corners(image, blocked, beside, lattice)
         other = _number_corners(board, beside, lattice, measured)
         if other is None:
+            places = np.array(list(lattice), dtype=np.int64)[measured.index]
+            part = CornerGrid(image, blocked, places, measured.uv_px)
+            if is_cut_off_board(board, part) and _is_as_near(part, found, board):
+                corners = [found.uv_px, part.uv_px]
+                raise refuse_two_boards(board, image, corners, second_is_whole=False)
             continue
         areas_px2 = [_hull_area_px2(one.uv_px) for one in (found, other)]
         if min(areas_px2) > SMALLER * max(areas_px2):
@@ -168,12 +177,19 @@ def _only_board(
     return found
 
 
+def _is_as_near(part: CornerGrid, found: BoardDetection, board: Chessboard) -> bool:
+    """Whether the squares of a part of a board are not much smaller than those of one found."""
+    number, columns = found.number, board.inner_corners[0]
+    places = np.column_stack([number % columns, number // columns])
+    whole = CornerGrid(part.image, part.laser, places, found.uv_px)
+    return part.spacing_px() ** 2 > SMALLER * whole.spacing_px() ** 2
+
+
 def _failure(
     image: Image,
     blocked: NDArray[np.bool_],
     saddles: Saddles,
     lattice: Lattice,
-    beside: Lattice,
     measured: MeasuredCorners,
     board: Chessboard,
 ) -> BoardFailure:
@@ -184,7 +200,7 @@ def _failure(
     if within is not None and within.sum() < LEAST_VISIBLE * np.prod(board.inner_corners):
         within = None
     grid = CornerGrid(image, blocked, places, saddles.uv_px[list(lattice.values())])
-    return BoardFailure(grid, can_be_measured, within, tuple(beside))
+    return BoardFailure(grid, can_be_measured, within)
 
 
 def _numberings(

@@ -4,6 +4,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import product
 
+import cv2
 import numpy as np
 from numpy.typing import NDArray
 
@@ -54,12 +55,19 @@ _CAUSES: dict[Cause, tuple[Fault, Text, Text]] = {
 @dataclass(frozen=True)
 class BoardFailure:
     """The nearest thing to the board in a picture: which corners there are (N), which of them can
-    be measured (N,), and which lie in the one window of the board's size (N,), if there is one."""
+    be measured (N,), and which lie in the one window of the board's size (N,), if there is one.
+
+    ``refused``: every grid in the picture, this one too, as found and as far as it can be measured.
+    """
 
     grid: CornerGrid
     measured: NDArray[np.bool_]
     within: NDArray[np.bool_] | None
-    beside: tuple[tuple[int, int], ...] = ()
+    refused: tuple[CornerGrid, ...] = ()
+
+    def seen(self) -> CornerGrid:
+        """The corners that can be measured; what cannot may be no corner at all."""
+        return _select(self.grid, self.measured)
 
 
 def explain_failure(board: Chessboard, failure: BoardFailure) -> DetectionError:
@@ -99,7 +107,7 @@ def _explain_unmeasured(
         name=board.name,
     )
     cause = common_cause(grid.causes(grid.places[within & ~measured]))
-    if cause == "unknown" and _is_whole(_select(grid, failure.measured)):
+    if cause == "unknown" and _is_whole(failure.seen()):
         return _explain_size(board, failure)  # the others are its outline, and no corners
     if cause != "unknown":
         fault, why, remedy = _CAUSES[cause]
@@ -116,8 +124,7 @@ def _explain_size(board: Chessboard, failure: BoardFailure) -> DetectionError:
     """No window of the board's size is certain."""
     grid = failure.grid
     columns, rows = board.inner_corners
-    # what cannot be measured may be no corner at all
-    seen = _select(grid, failure.measured) if failure.measured.sum() >= FEWEST_OF_A_GRID else grid
+    seen = failure.seen() if failure.measured.sum() >= FEWEST_OF_A_GRID else grid
     # given in the certificate's order, whichever way the picture lies
     found = sorted(seen.extent.tolist(), reverse=columns >= rows)
     what = message("chessboard-x-inner-corners-found", columns=found[0], rows=found[1])
@@ -127,7 +134,7 @@ def _explain_size(board: Chessboard, failure: BoardFailure) -> DetectionError:
         return _with_marks(OperationError("another-board", what, wanted, remedy), "object", grid)
     short = sorted(found) != sorted(board.inner_corners)
     if short:
-        divided = _is_divided(board, seen, failure.beside)
+        divided = any(_is_divided(board, seen, other) for other in failure.refused)
         cause = "unknown" if divided else seen.cause_beyond(board.inner_corners)
         if cause == "unknown" and not divided and _is_whole(seen):
             remedy = message("give-certificate-or-uncover-board")
@@ -148,17 +155,24 @@ def _explain_size(board: Chessboard, failure: BoardFailure) -> DetectionError:
     return _with_marks(OperationError("board-partly-seen", what, why, what_to_do), fault, grid)
 
 
-def _is_divided(board: Chessboard, seen: CornerGrid, beside: Sequence[tuple[int, int]]) -> bool:
+def _is_divided(board: Chessboard, seen: CornerGrid, other: CornerGrid) -> bool:
     """Whether two grids are the board's ends, with something over the columns between them."""
-    if len(beside) < FEWEST_OF_A_GRID:
+    if len(other.places) < FEWEST_OF_A_GRID or _overlap(seen, other):
         return False
-    ends = [sorted(one.tolist()) for one in (seen.extent, np.ptp(beside, axis=0) + 1)]
+    ends = [sorted(one.extent.tolist()) for one in (seen, other)]
     for along, across in (board.inner_corners, board.inner_corners[::-1]):
-        for one, other in product(*(((a, b), (b, a)) for a, b in ends)):
-            whole = all(across - 1 <= end[1] <= across for end in (one, other))
-            if whole and one[0] + other[0] <= along:
+        for one, beside in product(*(((a, b), (b, a)) for a, b in ends)):
+            whole = all(across - 1 <= end[1] <= across for end in (one, beside))
+            if whole and one[0] + beside[0] <= along:
                 return True
     return False
+
+
+def _overlap(seen: CornerGrid, other: CornerGrid) -> bool:
+    """Whether one grid lies on the other, as where both are of the same squares."""
+    hull = cv2.convexHull(seen.uv_px.astype(np.float32))
+    within = [cv2.pointPolygonTest(hull, at, False) >= 0 for at in other.uv_px.tolist()]
+    return any(within)
 
 
 def _is_whole(grid: CornerGrid) -> bool:

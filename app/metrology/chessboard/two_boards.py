@@ -1,4 +1,7 @@
-"""Two boards that both fit the certificate: nothing in a picture says which of them is meant."""
+"""Two boards that both fit the certificate: nothing in a picture says which of them is meant.
+
+One of them may be partly out of the picture, and still be the one that is meant.
+"""
 
 from collections.abc import Sequence
 
@@ -7,8 +10,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.errors import OperationError
-from app.messages.message import message
+from app.messages.message import Text, message
 from app.metrology.chessboard.failure_evidence import fail_with_marks
+from app.metrology.chessboard.missing_corners import CornerGrid
 from app.metrology.chessboard.saddle_points import Saddles
 from app.metrology.detection.failure_evidence import DetectionError, ImageAnnotation
 from app.metrology.image import Image
@@ -19,6 +23,9 @@ from app.metrology.transforms import Floats
 AROUND_PX = 5
 # Markers seen twice that show a second board; fewer may be misread in what is beside it.
 FEWEST_TWICE = 3
+# A grid that ends at the picture's edge may be a board's part if it has a whole side of it and so
+# many corners along the other, or this share of all. A pattern with more gaps is no board.
+FEWEST_ALONG, LEAST_OF_ALL, LEAST_FILLED = 3, 0.5, 0.8
 
 
 def saddles_outside(image: Image, saddles: Saddles, uv_px: Floats) -> Saddles:
@@ -32,10 +39,35 @@ def saddles_outside(image: Image, saddles: Saddles, uv_px: Floats) -> Saddles:
     return Saddles(saddles.uv_px[free], saddles.phase[free])
 
 
-def refuse_two_boards(board: Chessboard, image: Image, corners: Sequence[Floats]) -> DetectionError:
+def is_cut_off_board(board: Chessboard, grid: CornerGrid) -> bool:
+    """Whether corners may be those of a board of this size that the picture's edge cuts off."""
+    if len(grid.places) < 2 * FEWEST_ALONG or min(grid.extent) < 2:
+        return False
+    if len(grid.places) < LEAST_FILLED * grid.extent.prod():
+        return False
+    inner = np.array(board.inner_corners)
+    fitting = [way for way in (inner, inner[::-1]) if (grid.extent <= way).all()]
+    has_side = any(
+        grid.extent[axis] == way[axis] and grid.extent[1 - axis] >= FEWEST_ALONG
+        for way in fitting
+        for axis in (0, 1)
+    )
+    has_most = bool(fitting) and len(grid.places) >= LEAST_OF_ALL * inner.prod()
+    return (has_side or has_most) and grid.cause_beyond(board.inner_corners) == "outside"
+
+
+def refuse_two_boards(
+    board: Chessboard, image: Image, corners: Sequence[Floats], *, second_is_whole: bool = True
+) -> DetectionError:
     """The error, with the hull of the corners (N, 2) of each board as marks."""
+    columns, rows = board.inner_corners
+    what = (
+        message("two-boards-in-picture", columns=columns, rows=rows)
+        if second_is_whole
+        else message("part-of-second-board-in-picture", columns=columns, rows=rows)
+    )
     hulls = [cv2.convexHull(uv.astype(np.float32))[:, 0].astype(np.float64) for uv in corners]
-    return _refuse(board, image, hulls)
+    return _refuse(board, image, hulls, what)
 
 
 def refuse_repeated_markers(
@@ -46,16 +78,17 @@ def refuse_repeated_markers(
     twice = found[count > 1]
     if len(twice) < FEWEST_TWICE:
         return None
-    return _refuse(board, image, outlines_px[np.isin(ids, twice)])
+    columns, rows = board.inner_corners
+    what = message("two-boards-in-picture", columns=columns, rows=rows)
+    return _refuse(board, image, outlines_px[np.isin(ids, twice)], what)
 
 
 def _refuse(
-    board: Chessboard, image: Image, outlines_px: Sequence[Floats] | Floats
+    board: Chessboard, image: Image, outlines_px: Sequence[Floats] | Floats, what: Text
 ) -> DetectionError:
-    columns, rows = board.inner_corners
     refusal = OperationError(
         "two-boards",
-        message("two-boards-in-picture", columns=columns, rows=rows),
+        what,
         message("which-board-not-certain", name=board.name),
         message("cover-one-board"),
     )
