@@ -145,3 +145,12 @@ def test_a_cover_across_the_middle_of_a_board_as_wide_as_the_picture_is_named() 
         detect_board(image, wide)
     assert (refused.value.code, refused.value.fault) == ("board-partly-seen", "framing")
     assert "Uncover the whole board" in refused.value.line
+
+
+def test_a_board_of_which_no_corner_can_be_measured_is_refused_as_blurred() -> None:
+    fine = replace(BOARD, square_mm=5.0)
+    image = cv2.GaussianBlur(picture(POSES[1], Look(laser=False, board=fine)), (0, 0), 6)
+    with pytest.raises(DetectionError) as refused:
+        detect_board(np.asarray(image, np.uint8), fine)
+    assert refused.value.code in ("board-blurred", "board-not-found")
+    assert "blurred" in refused.value.line

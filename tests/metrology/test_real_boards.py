@@ -144,3 +144,12 @@ def test_a_board_cut_off_beside_a_whole_one_is_not_ignored(real: Path) -> None:
     with pytest.raises(OperationError, match="a part of a second one") as refused:
         detect_board(both, board(9, 6))
     assert refused.value.code == "two-boards"
+
+
+@pytest.mark.parametrize("blur_px", [5.0, 6.0, 7.0])
+def test_a_picture_far_out_of_focus_is_refused_with_this_reason(real: Path, blur_px: float) -> None:
+    image = cv2.GaussianBlur(
+        read(real / "boards" / "opencv-stereo" / "left01.jpg"), (0, 0), blur_px
+    )
+    with pytest.raises(OperationError, match="is blurred: its edges"):
+        detect_board(np.asarray(image, np.uint8), board(9, 6))

@@ -92,7 +92,7 @@ def detect_board(
         if detection is not None:
             return _only_board(image, blocked, board, saddles, detection)
         failure = _failure(image, blocked, saddles, lattice, measured, board)
-        refused += [failure.grid, failure.seen()]
+        refused += [failure.grid, failure.measurable_grid()]
         if nearest is None or seen > nearest.seen:
             area_px2 = area_px2 if seen > LEAST_VISIBLE * columns * rows else 0.0
             nearest = _Refused(seen, area_px2, failure)

@@ -65,7 +65,7 @@ class BoardFailure:
     within: NDArray[np.bool_] | None
     refused: tuple[CornerGrid, ...] = ()
 
-    def seen(self) -> CornerGrid:
+    def measurable_grid(self) -> CornerGrid:
         """The corners that can be measured; what cannot may be no corner at all."""
         return _select(self.grid, self.measured)
 
@@ -107,7 +107,7 @@ def _explain_unmeasured(
         name=board.name,
     )
     cause = common_cause(grid.causes(grid.places[within & ~measured]))
-    if cause == "unknown" and _is_whole(failure.seen()):
+    if cause == "unknown" and _is_whole(failure.measurable_grid()):
         return _explain_size(board, failure)  # the others are its outline, and no corners
     if cause != "unknown":
         fault, why, remedy = _CAUSES[cause]
@@ -124,7 +124,7 @@ def _explain_size(board: Chessboard, failure: BoardFailure) -> DetectionError:
     """No window of the board's size is certain."""
     grid = failure.grid
     columns, rows = board.inner_corners
-    seen = failure.seen() if failure.measured.sum() >= FEWEST_OF_A_GRID else grid
+    seen = failure.measurable_grid() if failure.measured.sum() >= FEWEST_OF_A_GRID else grid
     # given in the certificate's order, whichever way the picture lies
     found = sorted(seen.extent.tolist(), reverse=columns >= rows)
     what = message("chessboard-x-inner-corners-found", columns=found[0], rows=found[1])

@@ -35,7 +35,9 @@ class CornerGrid:
 
     @property
     def extent(self) -> NDArray[np.int64]:
-        """(2,) number of columns and rows."""
+        """(2,) number of columns and rows; 0 where there is no corner."""
+        if not len(self.places):
+            return np.zeros(2, np.int64)
         return np.asarray(np.ptp(self.places, axis=0) + 1)
 
     def spacing_px(self) -> float:
