@@ -95,29 +95,23 @@ class FolderStore:
                     file.write(piece)
 
     def read(self, name: str) -> Iterator[bytes]:
-        with self._converting(name), self._open(name) as file:
+        with _converting(self, name), self._open(name) as file:
             with suppress(AttributeError):  # so that the disk is read, not the cache
                 os.posix_fadvise(file.fileno(), 0, 0, os.POSIX_FADV_DONTNEED)
             while piece := file.read(PIECE_BYTES):
                 yield piece
 
     def read_start(self, name: str, count: int) -> bytes:
-        with self._converting(name), self._open(name) as file:
+        with _converting(self, name), self._open(name) as file:
             return file.read(count)
 
     def read_spans(self, name: str, spans: Sequence[Span]) -> list[bytes]:
-        with self._converting(name), self._open(name) as file:
+        with _converting(self, name), self._open(name) as file:
             found = []
             for begin, end in spans:
                 file.seek(begin)
                 found.append(file.read(end - begin))
             return found
-
-    @contextmanager
-    def _converting(self, name: str) -> Iterator[None]:
-        """Turns the errors of reading a file."""
-        with convert_store_errors(self._place, self._purpose), _missing_alone(self, name):
-            yield
 
     def _open(self, name: str) -> BufferedReader:
         with convert_foreign_kinds(name):
@@ -181,19 +175,19 @@ class FsspecStore:
                 raise
 
     def read(self, name: str) -> Iterator[bytes]:
-        with convert_store_errors(self._place, self._purpose), _missing_alone(self, name):
+        with _converting(self, name):
             files, path = self._at(name)
             with closing(files.open(path, "rb", block_size=PART_BYTES)) as file:
                 while piece := file.read(PIECE_BYTES):
                     yield piece
 
     def read_start(self, name: str, count: int) -> bytes:
-        with convert_store_errors(self._place, self._purpose), _missing_alone(self, name):
+        with _converting(self, name):
             files, path = self._at(name)
             return bytes(files.cat_file(path, start=0, end=count))
 
     def read_spans(self, name: str, spans: Sequence[Span]) -> list[bytes]:
-        with convert_store_errors(self._place, self._purpose), _missing_alone(self, name):
+        with _converting(self, name):
             files, path = self._at(name)
             begins, ends = ([span[side] for span in spans] for side in (0, 1))
             found = files.cat_ranges([path] * len(spans), begins, ends, on_error="raise")
@@ -226,16 +220,20 @@ class FsspecStore:
 
 
 @contextmanager
-def _missing_alone(store: RemoteStore, name: str) -> Iterator[None]:
-    """Turns the error for a file that is missing in a store that has others into a
-    ``DamagedCopyError``: a store that is not there has none."""
-    try:
-        yield
-    except (FileNotFoundError, OperationError) as error:
-        missing = isinstance(error, FileNotFoundError) or error.code == "file-missing"
-        if missing and store.names(""):
-            raise DamagedCopyError(name, message("archive-lacks-file")) from error
-        raise
+def _converting(store: FolderStore | FsspecStore, name: str) -> Iterator[None]:
+    """Turns the errors of reading a file.
+
+    One that is missing in a store that has others is a ``DamagedCopyError``: a store that is not
+    there has none.
+    """
+    with convert_store_errors(store._place, store._purpose):
+        try:
+            yield
+        except (FileNotFoundError, OperationError) as error:
+            missing = isinstance(error, FileNotFoundError) or error.code == "file-missing"
+            if missing and store.names(""):
+                raise DamagedCopyError(name, message("archive-lacks-file")) from error
+            raise
 
 
 def open_store(settings: ArchiveSettings, purpose: StorePurpose = "archive") -> RemoteStore:

@@ -171,8 +171,7 @@ def _is_divided(board: Chessboard, seen: CornerGrid, other: CornerGrid) -> bool:
 def _overlap(seen: CornerGrid, other: CornerGrid) -> bool:
     """Whether one grid lies on the other, as where both are of the same squares."""
     hull = cv2.convexHull(seen.uv_px.astype(np.float32))
-    within = [cv2.pointPolygonTest(hull, at, False) >= 0 for at in other.uv_px.tolist()]
-    return any(within)
+    return any(cv2.pointPolygonTest(hull, at, False) >= 0 for at in other.uv_px.tolist())
 
 
 def _is_whole(grid: CornerGrid) -> bool:

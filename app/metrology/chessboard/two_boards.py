@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.errors import OperationError
-from app.messages.message import Text, message
+from app.messages.message import message
 from app.metrology.chessboard.failure_evidence import fail_with_marks
 from app.metrology.chessboard.missing_corners import CornerGrid
 from app.metrology.chessboard.saddle_points import Saddles
@@ -60,14 +60,8 @@ def refuse_two_boards(
     board: Chessboard, image: Image, corners: Sequence[Floats], *, second_is_whole: bool = True
 ) -> DetectionError:
     """The error, with the hull of the corners (N, 2) of each board as marks."""
-    columns, rows = board.inner_corners
-    what = (
-        message("two-boards-in-picture", columns=columns, rows=rows)
-        if second_is_whole
-        else message("part-of-second-board-in-picture", columns=columns, rows=rows)
-    )
     hulls = [cv2.convexHull(uv.astype(np.float32))[:, 0].astype(np.float64) for uv in corners]
-    return _refuse(board, image, hulls, what)
+    return _refuse(board, image, hulls, second_is_whole)
 
 
 def refuse_repeated_markers(
@@ -78,14 +72,21 @@ def refuse_repeated_markers(
     twice = found[count > 1]
     if len(twice) < FEWEST_TWICE:
         return None
-    columns, rows = board.inner_corners
-    what = message("two-boards-in-picture", columns=columns, rows=rows)
-    return _refuse(board, image, outlines_px[np.isin(ids, twice)], what)
+    return _refuse(board, image, outlines_px[np.isin(ids, twice)])
 
 
 def _refuse(
-    board: Chessboard, image: Image, outlines_px: Sequence[Floats] | Floats, what: Text
+    board: Chessboard,
+    image: Image,
+    outlines_px: Sequence[Floats] | Floats,
+    second_is_whole: bool = True,
 ) -> DetectionError:
+    columns, rows = board.inner_corners
+    what = (
+        message("two-boards-in-picture", columns=columns, rows=rows)
+        if second_is_whole
+        else message("part-of-second-board-in-picture", columns=columns, rows=rows)
+    )
     refusal = OperationError(
         "two-boards",
         what,

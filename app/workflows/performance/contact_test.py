@@ -1,6 +1,6 @@
 """The contact tests of ASME B89.4.22: effective diameter, articulation in seats, volume."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 
 import numpy as np
 
@@ -101,20 +101,38 @@ def measure_contact_test(data: MeasuredData) -> tuple[list[Measured], list[Text]
 
 
 def _find_unfinished(data: MeasuredData) -> list[Text]:
-    """What a test that was stopped lacks of seats, sphere and bar, where none was left out."""
-    count = {name: len(tips) for name, tips in data.tips_mm.items()}
-    spheres = [count.get(diameter_feature(i + 1), 0) for i in range(SPHERES)]
-    seats = [count.get(seat_feature(i + 1), 0) for i in range(SEATS)]
-    ends = [[count.get(bar_feature(i + 1, end), 0) for end in (0, 1)] for i in range(PLACEMENTS)]
-    placed = sum(min(touches) >= LEAST_BAR_TOUCHES for touches in ends)
-    found: list[Text] = []
-    if data.plan.sphere is not None and min(spheres) < SPHERE_POINTS:
-        found.append(message("master-sphere-not-measured", count=SPHERES, points=SPHERE_POINTS))
-    if min(seats) < SEAT_POINTS:
-        found.append(message("seats-not-measured", count=SEATS, points=SEAT_POINTS))
-    if data.plan.length is not None and placed < PLACEMENTS:
-        found.append(message("bar-not-placed", count=placed, needed=PLACEMENTS))
-    return found
+    """What a test that was stopped lacks of sphere, seats and bar, where none was left out."""
+    of_sphere = "" if data.plan.sphere is None else _missing_of_sphere(data)
+    of_bar = "" if data.plan.length is None else _missing_of_bar(data)
+    return [text for text in (of_sphere, _missing_of_seats(data), of_bar) if text]
+
+
+def _missing_of_sphere(data: MeasuredData) -> Text:
+    """Why the master sphere has too few touches; empty if it has enough."""
+    if _fewest(data, [diameter_feature(i + 1) for i in range(SPHERES)]) >= SPHERE_POINTS:
+        return ""
+    return message("master-sphere-not-measured", count=SPHERES, points=SPHERE_POINTS)
+
+
+def _missing_of_seats(data: MeasuredData) -> Text:
+    """Why the seats have too few touches; empty if they have enough."""
+    if _fewest(data, [seat_feature(i + 1) for i in range(SEATS)]) >= SEAT_POINTS:
+        return ""
+    return message("seats-not-measured", count=SEATS, points=SEAT_POINTS)
+
+
+def _missing_of_bar(data: MeasuredData) -> Text:
+    """Why the bar was measured in too few placements; empty if it was in all."""
+    ends = ([bar_feature(i + 1, end) for end in (0, 1)] for i in range(PLACEMENTS))
+    placed = sum(_fewest(data, names) >= LEAST_BAR_TOUCHES for names in ends)
+    if placed == PLACEMENTS:
+        return ""
+    return message("bar-not-placed", count=placed, needed=PLACEMENTS)
+
+
+def _fewest(data: MeasuredData, names: Sequence[str]) -> int:
+    """The touches of the group that has the fewest."""
+    return min(len(data.tips_mm.get(name, ())) for name in names)
 
 
 def _find_loose(data: MeasuredData) -> tuple[list[Text], list[Text]]:
@@ -200,10 +218,9 @@ def _measure_diameter(data: MeasuredData) -> Measured:
         problem = message("plan-without-artefact", which="master")
         return Measured("effective-diameter", None, problem=problem)
     names = [diameter_feature(i + 1) for i in range(SPHERES)]
-    groups = [data.tips_mm.get(name, np.zeros((0, 3))) for name in names]
-    if any(len(tips) < SPHERE_POINTS for tips in groups):
-        problem = message("master-sphere-not-measured", count=SPHERES, points=SPHERE_POINTS)
-        return Measured("effective-diameter", None, problem=problem)
+    if missing := _missing_of_sphere(data):
+        return Measured("effective-diameter", None, problem=missing)
+    groups = [data.tips_mm[name] for name in names]
     off_c, sd_c = data.off_20_c
     growth = 1 + sphere.expansion_per_c * off_c
     try:
@@ -220,15 +237,12 @@ def _measure_diameter(data: MeasuredData) -> Measured:
 
 def _measure_seats(data: MeasuredData) -> list[Measured]:
     names = [seat_feature(i + 1) for i in range(SEATS)]
-    groups = [data.tips_mm.get(name, np.zeros((0, 3))) for name in names]
-    problem: Text = ""
-    if any(len(tips) < SEAT_POINTS for tips in groups):
-        problem = message("seats-not-measured", count=SEATS, points=SEAT_POINTS)
+    if problem := _missing_of_seats(data):
         return [
             Measured("articulation-largest", None, problem=problem),
             Measured("articulation-two-s", None, problem=problem),
         ]
-    found = [seat_articulation(tips) for tips in groups]
+    found = [seat_articulation(data.tips_mm[name]) for name in names]
     largest = tuple(one.largest_um for one in found)
     two_s = tuple(one.two_s_um for one in found)
     return [
@@ -248,8 +262,8 @@ def _measure_volume(data: MeasuredData) -> list[Measured]:
     )
     if other := _find_other_bar(lengths):
         return _without_volume(other)
-    if len(lengths) < PLACEMENTS:
-        return _without_volume(message("bar-not-placed", count=len(lengths), needed=PLACEMENTS))
+    if missing := _missing_of_bar(data):
+        return _without_volume(missing)
     deviations_um = np.array([one.error_um for one in lengths])
     found = volumetric_length(deviations_um.tolist())
     of_largest_um, of_rms_um = volumetric_uncertainty_um(

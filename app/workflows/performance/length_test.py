@@ -79,13 +79,15 @@ def measure_lengths(data: MeasuredData) -> LengthResult:
     if touched or scanned is None or data.plan.limit("length-touch") is not None:
         missing = _find_missing(standard, touched)
         measured.append(_worst(data, "length-touch", touched, names, missing))
-        problems += [missing] if touched and missing else []  # the test was stopped
+        if touched and missing:  # the test was stopped
+            problems.append(missing)
         problems += rocking_problems(standard, touched, data.tips_mm, tip_mm)
     values = list(touched)
     if scanned is not None:
         missing = _find_missing(standard, scanned.values)
         problem = scanned.problems[0] if scanned.problems else missing
-        problems += [missing] if scanned.values and missing and not scanned.problems else []
+        if scanned.values and missing and not scanned.problems:
+            problems.append(missing)
         measured.append(_worst(data, "length-scan", scanned.values, scanned.scans, problem))
         problems += rocking_problems(standard, scanned.values)
         values += scanned.values
