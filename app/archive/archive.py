@@ -12,6 +12,7 @@ from pathlib import Path
 from app.archive.archive_settings import ArchiveSettings
 from app.archive.manifest import ArchiveNote, Kind, Manifest
 from app.archive.notes import NOTES, archive_lock, read_note, write_note
+from app.archive.ownership import KnownRecords, check_owner, claim_archive, owner_of, read_owner
 from app.archive.pace import Pace
 from app.archive.planning import CLOUD, Retention, StationRecord, plan_copies, plan_removals
 from app.archive.rebuilt_clouds import has_calibrations, leave_cloud_out
@@ -32,9 +33,6 @@ from app.progress import Progress, no_progress
 from app.timestamps import utc_now
 
 log = logging.getLogger(__name__)
-MARKER = "crenel-archive.txt"
-"""In the root of every archive: a folder without it is a mount that is missing."""
-MARKER_TEXT = b"An archive of Crenel stations. Keep this file: stations look for it.\n"
 REMOVED, FETCHED = ".removed", ".fetched"
 RESERVE_BYTES = 1_000_000_000
 """Left free on the station's disk by records that are brought back."""
@@ -57,6 +55,7 @@ class Archive:
     """The archive of a data folder.
 
     Args:
+        station: its name, which the archive states.
         lists: the lists of its database.
         pace: of everything that is read and sent.
         store: by default, that of the settings.
@@ -65,6 +64,7 @@ class Archive:
     def __init__(
         self,
         settings: ArchiveSettings,
+        station: str,
         data: Path,
         lists: RecordLists,
         pace: Pace,
@@ -72,7 +72,7 @@ class Archive:
         now: Callable[[], datetime] = lambda: datetime.now(UTC),
     ) -> None:
         self.settings, self.data, self.pace = settings, data.absolute(), pace
-        self._lists, self._now = lists, now
+        self._station, self._lists, self._now = station, lists, now
         self.store = store or open_store(settings)
 
     def state(self) -> ArchiveState:
@@ -129,8 +129,7 @@ class Archive:
         damaged = []
         with archive_lock(self.data):
             self._check_marker()
-            notes = [one.note for one in list_records(self.data, self._lists, self._now())]
-            present = [note for note in notes if note is not None] + list_away(self.data)
+            present, _ = self._list_known()
             for number, note in enumerate(present):
                 progress(number / len(present), note.id)
                 difference = find_difference(note, self.store, self.pace)
@@ -203,14 +202,21 @@ class Archive:
 
         Raises:
             StoreError: the archive cannot be used, or its disk is not mounted.
+            OperationError: it is that of another station.
         """
-        if self.store.size(MARKER) is not None:
-            return
-        if any((self.data / NOTES).glob("*/*.json")):
-            raise store_error(
-                "archive-missing", self.settings.place, str(message("archive-no-marker"))
-            )
-        self.store.write(MARKER, [MARKER_TEXT], len(MARKER_TEXT))
+        place, found = self.settings.place, read_owner(self.store)
+        if found is None and any((self.data / NOTES).glob("*/*.json")):
+            raise store_error("archive-missing", place, str(message("archive-no-marker")))
+        owner = owner_of(self.data, self._station)
+        if found is None:
+            claim_archive(self.store, place, owner)
+        else:
+            check_owner(self.store, place, found, owner, self._list_known)
+
+    def _list_known(self) -> KnownRecords:
+        records = list_records(self.data, self._lists, self._now())
+        notes = [one.note for one in records if one.note is not None]
+        return notes + list_away(self.data), records
 
     def _remove_old(self) -> None:
         rules = Retention(self.settings.keep_days, self.settings.free_gb)

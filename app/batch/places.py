@@ -6,10 +6,10 @@ from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path, PurePosixPath
 
-from app.archive.archive import MARKER
 from app.archive.archive_settings import REMOTE, ArchiveSettings
 from app.archive.manifest import ArchivedFile, Kind
 from app.archive.notes import read_note
+from app.archive.ownership import MARKER
 from app.archive.planning import FileStamp
 from app.archive.records import stamps_in
 from app.archive.remote_store import RemoteStore, open_store

@@ -133,4 +133,4 @@ def _open_archive(config: Path | None, data: Path | None) -> "Iterator[Archive]"
         )
     folder = (data or settings.station.data).absolute()
     with open_record_lists(folder) as lists:
-        yield Archive(settings.archive, folder, lists, full_speed())
+        yield Archive(settings.archive, settings.station.name, folder, lists, full_speed())

@@ -175,7 +175,7 @@ class MonitoringServices:
         lists = RecordLists(store.journal, store.scans, store.calibrations, store.verifications)
         pace = Pace(settings.scan_rate_mb_s * 1e6, is_scanning)
         self.archive = ArchiveWorker(
-            Archive(settings, store.folder, lists, pace),
+            Archive(settings, self.name, store.folder, lists, pace),
             lambda text: self._bus.event("archive", text, "attention"),
         )
         self.archive.start()

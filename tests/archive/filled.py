@@ -56,13 +56,16 @@ def archive_of(
     pace: Pace | None = None,
     later: timedelta = timedelta(),
     rules: Rules | None = None,
+    station: str = "Room 2",
 ) -> Archive:
     """The archive of a data folder, as seen ``later``."""
     settings = ArchiveSettings.model_validate(
         {"url": url, **(rules or {})}, context=Path("station.toml")
     )
     lists, speed = lists_of(store), pace or full_speed()
-    return Archive(settings, store.folder, lists, speed, remote, lambda: datetime.now(UTC) + later)
+    return Archive(
+        settings, station, store.folder, lists, speed, remote, lambda: datetime.now(UTC) + later
+    )
 
 
 def content_of(folder: Path) -> Content:

@@ -8,8 +8,9 @@ from pathlib import Path
 
 import pytest
 
-from app.archive.archive import MARKER, Archive
+from app.archive.archive import Archive
 from app.archive.notes import archive_lock, note_path
+from app.archive.ownership import MARKER
 from app.archive.planning import plan_copies
 from app.archive.records import list_away, list_records
 from app.archive.remote_store import FolderStore

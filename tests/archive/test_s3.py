@@ -44,7 +44,7 @@ def settings_of(tmp_path: Path, port: int, bucket: str = BUCKET) -> ArchiveSetti
 
 def open_archive(store: Store, tmp_path: Path, port: int, bucket: str = BUCKET) -> Archive:
     settings = settings_of(tmp_path, port, bucket)
-    return Archive(settings, store.folder, lists_of(store), full_speed())
+    return Archive(settings, "Room 2", store.folder, lists_of(store), full_speed())
 
 
 def refusal(archive: Archive) -> OperationError:

@@ -49,7 +49,7 @@ def fill_store(data: Path, server: S3Server) -> None:
     settings = s3_settings(data.parent, server)
     store = fill_station(data, SCANS, 100)
     try:
-        Archive(settings, data, lists_of(store), full_speed()).run()
+        Archive(settings, data.name, data, lists_of(store), full_speed()).run()
     finally:
         store.close()
 

@@ -80,7 +80,7 @@ def plan_from_store(
         },
         context=tmp_path / "station.toml",
     )
-    Archive(settings, store.folder, lists_of(store), full_speed()).run()
+    Archive(settings, "Room 2", store.folder, lists_of(store), full_speed()).run()
     store.close()
     proxy.restore(float("inf"))
     keys = settings.model_copy(update={"endpoint": f"http://127.0.0.1:{proxy.port}"})

@@ -138,6 +138,6 @@ def count_archived(station: BenchStation) -> int:
     """
     with open_record_lists(station.data) as lists:
         # where a copy is not whole, this removes the note about it
-        Archive(station.archive, station.data, lists, full_speed()).verify()
+        Archive(station.archive, station.data.name, station.data, lists, full_speed()).verify()
         records = list_records(station.data, lists, datetime.now(UTC))
     return sum(one.kind == "scans" and one.is_archived for one in records)

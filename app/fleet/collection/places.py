@@ -9,9 +9,9 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Protocol
 
-from app.archive.archive import MARKER
 from app.archive.archive_settings import ArchiveSettings
 from app.archive.manifest import ArchivedFile, Kind, Manifest, content_name
+from app.archive.ownership import MARKER
 from app.archive.pace import full_speed
 from app.archive.planning import StationRecord
 from app.archive.rebuilt_clouds import leave_cloud_out

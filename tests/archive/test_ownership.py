@@ -1,0 +1,109 @@
+"""An archive is that of one station: no other one writes to it, or believes its records there."""
+
+import shutil
+from collections.abc import Callable, Iterator
+from pathlib import Path
+
+import pytest
+
+from app.archive.archive import Archive
+from app.archive.notes import NOTES
+from app.archive.ownership import FIRST_LINE, IDENTITY, MARKER
+from app.errors import OperationError
+from app.store.store import Store
+from tests.archive.filled import add_scan, archive_of, content_of
+
+Calls = dict[str, Callable[[Archive], object]]
+CALLS: Calls = {
+    "run": Archive.run,
+    "verify": Archive.verify,
+    "fetch": lambda archive: archive.fetch("scans", "none"),
+}
+
+
+@pytest.fixture
+def other(tmp_path: Path) -> Iterator[Store]:
+    opened = Store(tmp_path / "other")
+    yield opened
+    opened.close()
+
+
+@pytest.fixture
+def theirs(other: Store, place: Path) -> Path:
+    """The archive of another station, with a scan."""
+    add_scan(other, "theirs", 1000)
+    archive_of(other, str(place), station="Messraum 3").run()
+    return place
+
+
+def forget_owner(place: Path) -> None:
+    """The marker as earlier versions wrote it."""
+    (place / MARKER).write_text(f"{FIRST_LINE}\n")
+
+
+def check_refused(archive: Archive, place: Path, owner: str) -> None:
+    before = content_of(place)
+    for call in CALLS.values():
+        with pytest.raises(OperationError) as refused:
+            call(archive)
+        assert refused.value.code == "archive-foreign"
+        assert owner in refused.value.line
+        assert "station.toml" in refused.value.line
+    assert content_of(place) == before
+
+
+@pytest.mark.parametrize("archived", [True, False], ids=["moved", "new"])
+@pytest.mark.parametrize("named", [True, False], ids=["named", "of-earlier-version"])
+def test_the_archive_of_another_station_is_refused_and_gets_nothing(
+    store: Store, theirs: Path, tmp_path: Path, archived: bool, named: bool
+) -> None:
+    add_scan(store, "ours", 1000)
+    add_scan(store, "theirs", 900, seed=1)  # of the same second
+    if archived:
+        own = tmp_path / "own"
+        own.mkdir()
+        assert archive_of(store, str(own)).run() == 2
+    if not named:
+        forget_owner(theirs)
+    owner = "Messraum 3" if named else "another station"
+    check_refused(archive_of(store, str(theirs)), theirs, owner)
+
+
+def test_a_new_archive_without_records_is_that_of_its_station(
+    store: Store, other: Store, place: Path
+) -> None:
+    archive_of(other, str(place), station="Messraum 3").run()
+    check_refused(archive_of(store, str(place)), place, "Messraum 3")
+
+
+def test_the_archive_of_an_earlier_version_goes_on_and_then_names_its_station(
+    store: Store, other: Store, place: Path
+) -> None:
+    add_scan(store, "one", 1000)
+    archive_of(store, str(place)).run()
+    forget_owner(place)
+    add_scan(store, "two", 1000)
+    assert archive_of(store, str(place)).run() == 1
+    assert "Name: Room 2\n" in (place / MARKER).read_text()
+    check_refused(archive_of(other, str(place)), place, "Room 2")
+
+
+def test_a_station_without_its_notes_knows_its_archive_by_the_records(
+    store: Store, place: Path
+) -> None:
+    add_scan(store, "one", 1000)
+    archive_of(store, str(place)).run()
+    shutil.rmtree(store.folder / NOTES)
+    assert archive_of(store, str(place)).run() == 1
+    # and with the notes of a backup that is older than the identity
+    (store.folder / NOTES / IDENTITY).unlink()
+    assert archive_of(store, str(place)).run() == 0
+
+
+def test_a_new_data_folder_takes_an_archive_over_without_its_marker(
+    store: Store, theirs: Path
+) -> None:
+    (theirs / MARKER).unlink()
+    add_scan(store, "ours", 1000)
+    assert archive_of(store, str(theirs), station="Room 3").run() == 1
+    assert "Name: Room 3\n" in (theirs / MARKER).read_text()
