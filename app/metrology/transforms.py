@@ -141,16 +141,17 @@ def nearest_rotation(matrix: Floats) -> Floats:
     """The rotation closest to a matrix in the Frobenius norm.
 
     Args:
-        matrix: (3, 3), for example a mean of rotations.
+        matrix: (..., 3, 3), for example a mean of rotations.
 
     Returns:
-        (3, 3) rotation, determinant +1.
+        (..., 3, 3) rotation, determinant +1.
 
     Source:
         The orthogonal Procrustes problem, by singular values.
     """
     U, _, Vt = np.linalg.svd(matrix)
-    return np.asarray(U @ np.diag([1.0, 1.0, np.linalg.det(U @ Vt)]) @ Vt)
+    U[..., 2] *= np.linalg.det(U @ Vt)[..., None]
+    return np.asarray(U @ Vt)
 
 
 def rigid_fit(points_a_mm: Floats, points_b_mm: Floats, weights: Floats | None = None) -> Floats:
@@ -189,9 +190,28 @@ def rigid_fit(points_a_mm: Floats, points_b_mm: Floats, weights: Floats | None =
     spread = np.linalg.svd(b - centre_b, compute_uv=False)
     if spread[1] <= 1e-9 * max(spread[0], 1e-300):
         raise OperationError("points-on-a-line", message("rigid-fit-given-points-one-line"))
-    U, _, Vt = np.linalg.svd((a - centre_a).T @ ((b - centre_b) * w[:, None]))
-    rotation = U @ np.diag([1.0, 1.0, np.linalg.det(U @ Vt)]) @ Vt
+    rotation = nearest_rotation((a - centre_a).T @ ((b - centre_b) * w[:, None]))
     return rigid(rotation, centre_a - rotation @ centre_b)
+
+
+def rigid_fits(points_a_mm: Floats, points_b_mm: Floats) -> Floats:
+    """``T_ab`` of many sets of conjugated pairs at once, as :func:`rigid_fit` finds each.
+
+    Args:
+        points_a_mm, points_b_mm: (S, N, 3) sets of N >= 3 pairs.
+
+    Returns:
+        (S, 4, 4) transforms, NaN where the points of a set lie on one line.
+    """
+    centres_a, centres_b = points_a_mm.mean(axis=1), points_b_mm.mean(axis=1)
+    a, b = points_a_mm - centres_a[:, None], points_b_mm - centres_b[:, None]
+    spread = np.linalg.svd(b, compute_uv=False)
+    rotations = nearest_rotation(a.mT @ b)
+    rotations[spread[:, 1] <= 1e-9 * np.maximum(spread[:, 0], 1e-300)] = np.nan
+    T = np.tile(np.eye(4), (len(a), 1, 1))
+    T[:, :3, :3] = rotations
+    T[:, :3, 3] = centres_a - np.einsum("sij,sj->si", rotations, centres_b)
+    return T
 
 
 def se3_exp(twist: Floats) -> Floats:

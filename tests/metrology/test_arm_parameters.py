@@ -14,7 +14,6 @@ from app.metrology.arm.identification.parameter_selection import (
     select_parameters,
 )
 from app.metrology.arm.identification.parameters import (
-    encoder_covariances,
     parameter_names,
     parameter_values,
     tip_jacobian,
@@ -58,7 +57,9 @@ def test_the_encoders_noise_is_that_of_the_arm() -> None:
     rng = np.random.default_rng(5)
     arm = random_arm(rng, 6, with_errors=True)
     q = rng.uniform(-3, 3, (10, 6))
-    covariances = encoder_covariances(arm, tip_jacobian(arm, q)[1])
+    turning = [i for i, name in enumerate(parameter_names(arm)) if name.endswith(".theta_rad")]
+    by_encoders = tip_jacobian(arm, q)[1][:, :, turning] * arm.encoder_sd_rad
+    covariances = by_encoders @ by_encoders.mT
     np.testing.assert_allclose(covariances, tip_covariances(arm, q), rtol=1e-9, atol=1e-18)
 
 

@@ -13,8 +13,7 @@ import numpy as np
 from app.errors import OperationError
 from app.messages.message import Text, message, quantity
 from app.metrology.arm.identification.checks.points import NO_SEAT_MM, check_swing
-from app.metrology.arm.identification.parameters import encoder_covariances, tip_jacobian
-from app.metrology.arm.kinematics import Arm, tip_centres
+from app.metrology.arm.kinematics import Arm, tip_centres, tip_covariances
 from app.metrology.performance.contact_tests import seat_articulation
 from app.metrology.transforms import Floats
 
@@ -103,8 +102,7 @@ def check_articulation(
             message("give-seat-own-name-check-arm-json"),
         )
     seat = seat_articulation(tips)
-    _, J = tip_jacobian(arm, q)
-    encoders = np.sqrt(np.mean(np.diagonal(encoder_covariances(arm, J), axis1=1, axis2=2), axis=0))
+    encoders = np.sqrt(np.mean(np.diagonal(tip_covariances(arm, q), axis1=1, axis2=2), axis=0))
     return Articulation(
         points=len(q),
         centre_mm=seat.centre_mm,

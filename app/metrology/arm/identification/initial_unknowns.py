@@ -1,7 +1,6 @@
 """Where the adjustment of an arm begins: places, frames and markers as the given arm has them."""
 
 from collections.abc import Callable
-from contextlib import suppress
 from dataclasses import replace
 
 import numpy as np
@@ -14,17 +13,15 @@ from app.metrology.arm.identification.parameters import (
     Indices,
     PoseJacobian,
     pose_jacobian,
-    tip_jacobian,
 )
 from app.metrology.arm.identification.unknowns import Unknowns
-from app.metrology.arm.kinematics import Arm, Tip
+from app.metrology.arm.kinematics import Arm, Tip, flange_poses, tip_centres
 from app.metrology.fitting.plane_sphere import fit_sphere
 from app.metrology.robust import median
 from app.metrology.transforms import (
     Floats,
-    apply,
     nearest_rotation,
-    rigid_fit,
+    rigid_fits,
 )
 
 DRAWS, PAIRS, POSES = 200, 4, 8
@@ -69,11 +66,15 @@ def align_frames(data: StackedObservations, at: Unknowns) -> Unknowns:
 
 
 def align_frame(predicted_mm: Floats, measured_mm: Floats) -> Floats:
-    """``T_arm_frame`` (4, 4) by which most measured points (m, 3) lie at the predicted ones."""
+    """``T_arm_frame`` (4, 4) by which most measured points (m, 3) lie at the predicted ones, or
+    the identity where points determine none."""
+    if len(measured_mm) < 3:
+        return np.eye(4)
 
     def fit(own: Indices) -> tuple[Floats, Floats]:
-        T = rigid_fit(predicted_mm[own], measured_mm[own])
-        return T, np.linalg.norm(apply(T, measured_mm) - predicted_mm, axis=1)
+        T = rigid_fits(predicted_mm[own], measured_mm[own])
+        moved = measured_mm @ T[:, :3, :3].mT + T[:, None, :3, 3]
+        return T, np.linalg.norm(moved - predicted_mm, axis=2)
 
     return _fit_most(fit, len(measured_mm), PAIRS, np.eye(4))
 
@@ -92,15 +93,22 @@ def align_marker(poses: PoseJacobian, measured_mm: Floats) -> Floats:
     linear = np.concatenate([by_matrix, shift, -poses.rotations], axis=2)
 
     def fit(own: Indices) -> tuple[Floats, Floats]:
-        free = np.linalg.lstsq(linear[own].reshape(-1, 15), poses.tips_mm[own].ravel(), rcond=1e-9)[
-            0
-        ]
-        turned = points @ nearest_rotation(free[:9].reshape(3, 3)).T * size
+        sets = len(own)
+        free = _least_squares(linear[own].reshape(sets, -1, 15), poses.tips_mm[own])
+        turned = points @ nearest_rotation(free[:, :9].reshape(-1, 3, 3)).mT * size
         left = poses.tips_mm - turned
-        rest = np.linalg.lstsq(linear[own, :, 9:].reshape(-1, 6), left[own].ravel(), rcond=1e-9)[0]
-        return rest[3:], np.linalg.norm(left - linear[:, :, 9:] @ rest, axis=1)
+        own_left = np.take_along_axis(left, own[:, :, None], axis=1)
+        rest = _least_squares(linear[own, :, 9:].reshape(sets, -1, 6), own_left)
+        distances = np.linalg.norm(left - np.einsum("mij,sj->smi", linear[:, :, 9:], rest), axis=2)
+        return rest[:, 3:], distances
 
     return _fit_most(fit, len(points), POSES, np.zeros(3))
+
+
+def _least_squares(design: Floats, values: Floats) -> Floats:
+    """(S, n) solutions of least length of systems (S, r, n), each with r values (S, ..., 3)."""
+    flat = values.reshape(len(design), -1, 1)
+    return np.asarray(np.linalg.pinv(design, rcond=1e-9) @ flat)[:, :, 0]
 
 
 def _fit_most(
@@ -109,24 +117,27 @@ def _fit_most(
     """What most of the points agree on, by fits of a few of them.
 
     Args:
-        fit: of some points; it returns what is found, and the distances (m,) of all points.
+        fit: of sets of points (S, n); it returns what is found by each, and the distances (S, m)
+            of all points, NaN where a set determines nothing.
         drawn: number of points that determine a fit.
         otherwise: returned if no fit is possible.
     """
     rng = np.random.default_rng(0)
-    best, off, least = otherwise, np.zeros(count), np.inf
-    for _ in range(DRAWS):
-        own = rng.choice(count, min(drawn, count), replace=False)
-        with suppress(OperationError):  # these points lie on one line
-            found, distances = fit(own)
-            if (typical := float(np.quantile(distances, TYPICAL))) < least:
-                best, off, least = found, distances, typical
-    near = np.flatnonzero(off < NEAR * least)
-    return fit(near)[0] if len(near) > drawn else best
+    sets = np.stack([rng.choice(count, min(drawn, count), replace=False) for _ in range(DRAWS)])
+    found, distances = fit(sets)
+    typical = np.quantile(distances, TYPICAL, axis=1)
+    if np.isnan(typical).all():
+        return otherwise
+    best = int(np.nanargmin(typical))
+    near = np.flatnonzero(distances[best] < NEAR * typical[best])
+    if len(near) <= drawn:
+        return np.asarray(found[best])
+    all_near, distances = fit(near[None])
+    return np.asarray(found[best] if np.isnan(distances).any() else all_near[0])
 
 
 def _centres(arm: Arm, data: StackedObservations) -> Floats:
-    tips, _ = tip_jacobian(arm, data.q_rad)
+    tips = tip_centres(arm, data.q_rad)
     centres = np.empty((len(data.places), 3))
     for i, place in enumerate(data.places):
         points = tips[place.rows]
@@ -170,7 +181,7 @@ def marker_points(data: StackedObservations, at: Unknowns) -> Floats:
     predicted = np.empty((len(found.q_rad), 3))
     for k, marker in enumerate(found.markers):
         mine = found.marker_of == k
-        predicted[mine] = tip_jacobian(at.arm_with(k, marker), found.q_rad[mine])[0]
+        predicted[mine] = tip_centres(at.arm_with(k, marker), found.q_rad[mine])
     return predicted
 
 
@@ -182,7 +193,7 @@ def _with_rotations(data: StackedObservations, at: Unknowns) -> Unknowns:
         mine = (found.marker_of == k) & found.has_rotation
         if not marker.has_rotation or not mine.any():
             continue
-        R_arm_flange = pose_jacobian(at.arm, found.q_rad[mine]).rotations
+        R_arm_flange = flange_poses(at.arm, found.q_rad[mine])[:, :3, :3]
         R_arm_marker = at.T_arm_frames[found.frame_of[mine]][:, :3, :3] @ found.rotations[mine]
         rotations[k] = _typical_rotation(np.swapaxes(R_arm_flange, 1, 2) @ R_arm_marker)
     return replace(at, R_flange_markers=rotations)

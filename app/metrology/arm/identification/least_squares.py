@@ -17,13 +17,13 @@ from app.metrology.arm.identification.coordinate_rows import (
 from app.metrology.arm.identification.observations import Group, StackedObservations
 from app.metrology.arm.identification.parameters import (
     Indices,
-    encoder_covariances,
     parameter_values,
     tip_jacobian,
     with_parameters,
 )
 from app.metrology.arm.identification.scatter import Scatter
 from app.metrology.arm.identification.unknowns import Unknowns
+from app.metrology.arm.kinematics import tip_centres, tip_covariances
 from app.metrology.transforms import Floats
 
 CONSTRAINT_MM = 1e-4
@@ -82,14 +82,12 @@ class TipPrediction:
     """The tip at every touch, by an arm."""
 
     tips_mm: Floats  # (N, 3)
-    J: Floats  # (N, 3, 10 n + 3) by every parameter of the arm
     covariances: Floats  # (N, 3, 3) by the encoders' noise
 
 
 def predict_tips(data: StackedObservations, at: Unknowns) -> TipPrediction:
     """The tips of all touches, by the arm of the unknowns."""
-    tips, J = tip_jacobian(at.arm, data.q_rad)
-    return TipPrediction(tips, J, encoder_covariances(at.arm, J))
+    return TipPrediction(tip_centres(at.arm, data.q_rad), tip_covariances(at.arm, data.q_rad))
 
 
 def mahalanobis(
@@ -148,14 +146,15 @@ def _touch_rows(
     """Rows of the touches without their centres, and what recovers the centres of each group."""
     others = data.others
     width = others.count + len(columns)
-    sight = predict_tips(data, at)
-    linear = _linearise(data, at, sight, scatter_mm)
+    linear = _linearise(data, at, predict_tips(data, at), scatter_mm)
     root = np.sqrt(weights)
     body = np.zeros((data.touches, 3, width + 1))
     if others.radius is not None:
         # on spheres, only the first row counts, along the outward direction
         body[data.on_sphere, 0, others.radius] = -_norms(linear.by_tip[data.on_sphere, 0])
-    body[:, :, others.count : width] = linear.by_tip @ sight.J[:, :, columns]
+    if len(columns):
+        J = tip_jacobian(at.arm, data.q_rad)[1][:, :, columns]
+        body[:, :, others.count : width] = linear.by_tip @ J
     body[:, :, width] = -linear.right
     body *= root[:, None, None]
     by_centre = -linear.by_tip * root[:, None, None]

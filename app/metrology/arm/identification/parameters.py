@@ -160,21 +160,6 @@ def pose_jacobian(arm: Arm, q_rad: Floats) -> PoseJacobian:
     return PoseJacobian(tips, R, J, W)
 
 
-def encoder_covariances(arm: Arm, J: Floats) -> Floats:
-    """Covariance of tip centres due to the noise of the encoders, from their Jacobian.
-
-    The angle of an encoder acts like theta of its joint, apart from the sign.
-
-    Args:
-        J: (N, 3, 10 n + 3) from ``tip_jacobian``.
-
-    Returns:
-        (N, 3, 3) mm², k = 1.
-    """
-    by_theta = J[:, :, THETA : arm.joint_count * TERMS : TERMS] * arm.encoder_sd_rad
-    return np.asarray(by_theta @ np.swapaxes(by_theta, 1, 2))
-
-
 def _about_z(angle_rad: Floats) -> Floats:
     c, s = np.cos(angle_rad), np.sin(angle_rad)
     R = np.zeros((len(angle_rad), 3, 3))

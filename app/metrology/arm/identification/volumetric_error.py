@@ -4,7 +4,7 @@ import numpy as np
 
 from app.metrology.arm.identification.parameter_selection import LENGTH_MM
 from app.metrology.arm.identification.parameters import Indices, tip_jacobian
-from app.metrology.arm.kinematics import Arm
+from app.metrology.arm.kinematics import Arm, tip_centres
 from app.metrology.transforms import Floats, apply, rigid_fit, skew
 
 POSES = 400
@@ -25,7 +25,7 @@ def volumetric_difference_mm(before: Arm, after: Arm) -> float:
     A rigid motion of the whole arm is not an error: everything is measured from its own base.
     """
     q = reach_poses(before)
-    a, b = tip_jacobian(before, q)[0], tip_jacobian(after, q)[0]
+    a, b = tip_centres(before, q), tip_centres(after, q)
     left = apply(rigid_fit(b, a), a) - b
     return float(np.sqrt(np.mean(np.sum(left**2, axis=1))))
 
@@ -36,7 +36,7 @@ def size_uncertainty_mm(arm: Arm) -> float:
     That link is assumed to be made to ``LENGTH_MM``; a rigid fit does not remove a scale error.
     """
     longest = max(max(abs(joint.a_mm), abs(joint.d_mm)) for joint in arm.joints)
-    tips, _ = tip_jacobian(arm, reach_poses(arm))
+    tips = tip_centres(arm, reach_poses(arm))
     spread = tips - tips.mean(axis=0)
     return float(np.sqrt(np.mean(np.sum(spread**2, axis=1)))) * LENGTH_MM / longest
 

@@ -22,12 +22,11 @@ from app.metrology.arm.identification.parameter_selection import (
 from app.metrology.arm.identification.parameters import (
     parameter_values,
     tip_index,
-    tip_jacobian,
 )
 from app.metrology.arm.identification.robust_solve import ArmFit, fit_arm
 from app.metrology.arm.identification.scatter import deviation_limit
 from app.metrology.arm.identification.volumetric_error import size_uncertainty_mm
-from app.metrology.arm.kinematics import Arm
+from app.metrology.arm.kinematics import Arm, tip_centres
 from app.metrology.robust import median, sigma_from_median
 from app.metrology.transforms import Floats
 
@@ -87,7 +86,7 @@ def _sphere_excesses(
 ) -> list[tuple[ProbedPlace, float, float, int]]:
     """For each sphere with enough points: radius excess and its standard deviation, mm, and the
     degrees of freedom of both."""
-    tips = tip_jacobian(fit.at.arm, data.q_rad)[0]
+    tips = tip_centres(fit.at.arm, data.q_rad)
     found: list[tuple[ProbedPlace, float, float, int]] = []
     for number, place in enumerate(data.places):
         if place.diameter_mm is None or place.rows.stop - place.rows.start < LEAST_TO_SIZE:

@@ -13,10 +13,9 @@ from app.metrology.arm.identification.parameter_selection import parameter_limit
 from app.metrology.arm.identification.parameters import (
     parameter_names,
     parameter_values,
-    tip_jacobian,
 )
 from app.metrology.arm.identification.robust_solve import ArmFit
-from app.metrology.arm.kinematics import Arm
+from app.metrology.arm.kinematics import Arm, tip_centres
 from app.metrology.robust import median
 from app.metrology.transforms import Floats
 
@@ -104,7 +103,7 @@ def check_arm_fits(arm: Arm, observations: ArmObservations) -> None:
             message("rows-were-copied-arm-held-still"),
             message("delete-what-stands-there-twice"),
         )
-    tips = {seat.name: tip_jacobian(arm, seat.q_rad)[0] for seat in observations.seats}
+    tips = {seat.name: tip_centres(arm, seat.q_rad) for seat in observations.seats}
     far_mm = {name: _typical_distance(points) for name, points in tips.items()}
     if len(far_mm) > 1 and median(list(far_mm.values())) > NO_SEAT_MM:
         name = max(far_mm, key=lambda seat: far_mm[seat])
@@ -151,7 +150,7 @@ def _split_reason(far_mm: list[float]) -> Text:
 def _check_bars_kind(arm: Arm, bars: Sequence[Bar]) -> None:
     """Refuses a length in another unit, or of a different bar."""
     for bar in bars:
-        a, b = (np.median(tip_jacobian(arm, q)[0], axis=0) for q in bar.q_rad)
+        a, b = (np.median(tip_centres(arm, q), axis=0) for q in bar.q_rad)
         measured_mm = float(np.linalg.norm(a - b))
         if abs(measured_mm - bar.length_mm) > MIXED_MM:
             raise OperationError(
