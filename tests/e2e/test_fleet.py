@@ -87,6 +87,28 @@ def test_a_row_of_records_fits_and_names_its_station_as_everywhere(
     page.screenshot(path=pictures / "fleet-record-1024.png")
 
 
+def test_days_in_the_wrong_order_are_explained(page: Page, pictures: Path) -> None:
+    open_view(page, "Records")
+    day = START.date().isoformat()
+    page.get_by_label("From").fill((START + timedelta(days=2)).date().isoformat())
+    page.get_by_label("Until").fill(day)
+    expect(page.get_by_role("alert")).to_have_text(re.compile("^From is after Until"))
+    expect(page.get_by_role("table")).to_have_count(0)
+    for width in (1280, 820):
+        page.set_viewport_size({"width": width, "height": 800})
+        page.screenshot(path=pictures / f"fleet-days-{width}.png")
+        assert page.evaluate("document.documentElement.scrollWidth") == width
+    page.get_by_label("From").fill(day)
+    expect(page.get_by_role("alert")).to_have_count(0)
+    expect(page.locator("tbody tr").first).to_contain_text("room-")
+    page.get_by_role("button", name="Deutsch").click()
+    page.get_by_role("button", name="Datensätze").click()
+    page.get_by_label("Von").fill("2026-05-02")
+    page.get_by_label("Bis").fill("2026-05-01")
+    expect(page.get_by_role("alert")).to_contain_text("„Von“ liegt nach „Bis“")
+    page.screenshot(path=pictures / "fleet-days-820-de.png")
+
+
 def test_a_cloud_is_made_with_todays_calibration_and_downloaded(
     browser: Browser, tmp_path: Path, pictures: Path
 ) -> None:

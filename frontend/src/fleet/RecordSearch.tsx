@@ -18,6 +18,7 @@ interface Query {
 
 const EVERYTHING: Query = { text: "", station: "", kind: "", since: "", until: "" };
 const DAY_MS = 86_400_000;
+const LAST_DAY = "2999-12-31";
 
 function addressOf({ text, station, kind, since, until }: Query, before: FoundFleetRecord | null): string {
   const wanted = new URLSearchParams({ text, station, kind });
@@ -38,6 +39,7 @@ export function RecordSearch({ overview }: { overview: FleetOverview }) {
   const [chosen, choose] = useState<FoundFleetRecord | null>(null);
   const settled = useDeferredValue(query);
   const names = new Map(overview.stations.map((one) => [one.id, one.name]));
+  const isReversed = query.since !== "" && query.until !== "" && query.since > query.until;
   const change = (part: Partial<Query>) => {
     setQuery({ ...query, ...part });
     setPages([null]);
@@ -74,38 +76,57 @@ export function RecordSearch({ overview }: { overview: FleetOverview }) {
         </label>
         <label>
           {t("ui-fleet-since")}
-          <input type="date" value={query.since} onChange={(event) => change({ since: event.target.value })} />
+          <input
+            type="date"
+            max={LAST_DAY}
+            value={query.since}
+            aria-invalid={isReversed}
+            onChange={(event) => change({ since: event.target.value })}
+          />
         </label>
         <label>
           {t("ui-fleet-until")}
-          <input type="date" value={query.until} onChange={(event) => change({ until: event.target.value })} />
+          <input
+            type="date"
+            max={LAST_DAY}
+            value={query.until}
+            aria-invalid={isReversed}
+            onChange={(event) => change({ until: event.target.value })}
+          />
         </label>
+        {isReversed && (
+          <p className={styles.trouble} role="alert">
+            {t("ui-fleet-days-reversed")}
+          </p>
+        )}
       </form>
-      <div className={styles.scroll}>
-        <table className={styles.table}>
-          <thead>
-            <tr>
-              <th scope="col">{t("ui-time")}</th>
-              <th scope="col">{t("ui-station")}</th>
-              <th scope="col">{t("ui-fleet-kind")}</th>
-              <th scope="col">{t("ui-fleet-label")}</th>
-              <th scope="col">{t("ui-fleet-verdict")}</th>
-              <th scope="col">{t("ui-calibration")}</th>
-              <th scope="col">{t("ui-fleet-archived")}</th>
-            </tr>
-          </thead>
-          {pages.map((before, number) => (
-            <Page
-              key={before?.key ?? 0}
-              path={addressOf(settled, before)}
-              last={number === pages.length - 1}
-              names={names}
-              onChoose={choose}
-              onMore={(end) => setPages([...pages, end])}
-            />
-          ))}
-        </table>
-      </div>
+      {!isReversed && (
+        <div className={styles.scroll}>
+          <table className={styles.table}>
+            <thead>
+              <tr>
+                <th scope="col">{t("ui-time")}</th>
+                <th scope="col">{t("ui-station")}</th>
+                <th scope="col">{t("ui-fleet-kind")}</th>
+                <th scope="col">{t("ui-fleet-label")}</th>
+                <th scope="col">{t("ui-fleet-verdict")}</th>
+                <th scope="col">{t("ui-calibration")}</th>
+                <th scope="col">{t("ui-fleet-archived")}</th>
+              </tr>
+            </thead>
+            {pages.map((before, number) => (
+              <Page
+                key={before?.key ?? 0}
+                path={addressOf(settled, before)}
+                last={number === pages.length - 1}
+                names={names}
+                onChoose={choose}
+                onMore={(end) => setPages([...pages, end])}
+              />
+            ))}
+          </table>
+        </div>
+      )}
     </section>
   );
 }

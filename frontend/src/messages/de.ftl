@@ -380,6 +380,7 @@ ui-fleet-cloud-waits = Die Punktwolke mit { $calibration } wartet auf die vor ih
 ui-fleet-clouds = Punktwolken
 ui-fleet-collected = Gesammelt
 ui-fleet-count = Anzahl
+ui-fleet-days-reversed = „Von“ liegt nach „Bis“, sodass kein Datensatz zu finden ist: Wählen Sie ein früheres „Von“ oder ein späteres „Bis“.
 ui-fleet-differed = Weicht vom ersten Wert an, { $since }, um { $size } ± { $uncertainty } { $unit } (k = 2) ab.
 ui-fleet-doubtful = Vielleicht falsch: { $calibration }, um { $size }, geprüft von { $since } bis { $until }. Sie liegt weit von den anderen Kalibrierungen, aber nicht sicher weiter, als diese streuen.
 ui-fleet-download = Herunterladen

@@ -380,6 +380,7 @@ ui-fleet-cloud-waits = The cloud with { $calibration } waits for those before it
 ui-fleet-clouds = Clouds
 ui-fleet-collected = Collected
 ui-fleet-count = Number
+ui-fleet-days-reversed = From is after Until, so that no record can be found: choose an earlier From or a later Until.
 ui-fleet-differed = Differs by { $size } ± { $uncertainty } { $unit } (k = 2) from the first value on, { $since }.
 ui-fleet-doubtful = Perhaps wrong: { $calibration }, by { $size }, tested from { $since } to { $until }. It is far from the other calibrations, but not surely further than they spread.
 ui-fleet-download = Download
