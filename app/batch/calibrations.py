@@ -12,11 +12,12 @@ from app.batch.places import Place
 from app.batch.recordings import ScanRecording
 from app.errors import OperationError
 from app.formats.datasheets.arm import read_any_arm
+from app.formats.file_names import display_path
 from app.formats.open_file import read_bounded
 from app.formats.recording.reader import ARM_SERIAL, SENSOR_SERIAL
 from app.formats.recording.topics import sensor_key
 from app.formats.results.calibration import Calibration, read_calibration
-from app.messages.message import Text, join, message
+from app.messages.message import join, message, replace_name
 from app.metrology.arm.kinematics import AnyArm
 from app.workflows.compatibility import check_serials
 
@@ -66,14 +67,10 @@ class CalibrationFiles:
             check_serials(calibration, arm)
         except OperationError as error:
             what = message("batch-calibration-unusable", id=self.id)
-            why = join([_without(folder, error.what), error.why], ": ") if error.why else error.what
+            found = join([error.what, error.why], ": ") if error.why else error.what
+            why = replace_name(found, f"{display_path(folder)}/", "")  # nobody finds it there
             raise OperationError(error.code, what, why, error.remedy) from error
         return calibration, arm
-
-
-def _without(folder: Path, text: Text) -> Text:
-    """A text that begins with a file without its folder: nobody finds a temporary one."""
-    return text.removeprefix(f"{folder}/") if isinstance(text, str) else text
 
 
 BySensor = Mapping[str, CalibrationFiles]

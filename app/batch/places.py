@@ -55,6 +55,11 @@ class RecordFile:
     sha256: str = ""
     """Known from the archive; otherwise empty, see ``digest``."""
 
+    @property
+    def full_name(self) -> str:
+        """In messages."""
+        return f"{self.place.name}/{self.name}"
+
     def digest(self) -> str:
         """The SHA-256 of its content; read for it where no archive knows it.
 
@@ -82,6 +87,12 @@ class PlaceRecord:
     listed: ListedScan | None = None
     """What the station listed of a scan, where the archive knows it."""
 
+    @property
+    def full_name(self) -> str:
+        """Its folder in messages."""
+        path, file = next(iter(self.files.items()))
+        return file.full_name.removesuffix(f"/{path}")
+
 
 @dataclass(frozen=True)
 class Place:
@@ -91,9 +102,14 @@ class Place:
     is_archive: bool
 
     @property
+    def name(self) -> str:
+        """Its address in messages."""
+        return self.settings.place.rstrip("/")
+
+    @property
     def station(self) -> str:
         """The name of its folder."""
-        return PurePosixPath(self.settings.place.rstrip("/")).name
+        return PurePosixPath(self.name).name
 
     @property
     def dependency(self) -> Dependency:

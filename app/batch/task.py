@@ -15,9 +15,10 @@ from app.archive.transfer import download_file
 from app.batch.places import Dependency, RecordFile
 from app.batch.recording_copy import copy_without_pictures
 from app.errors import OperationError
+from app.formats.file_names import display_path
 from app.formats.io_errors import convert_io_errors
 from app.formats.json_document import SOFTWARE
-from app.messages.message import Text, message
+from app.messages.message import Text, message, replace_name
 from app.progress import Progress, no_progress
 
 PROGRESS_TOPIC = "crenel-progress"
@@ -54,12 +55,18 @@ class Desk:
     is_ending: Callable[[], bool]
     note: Progress = no_progress
     """Called with the progress of the task."""
+    names: dict[str, str] = field(default_factory=dict)
+    """By the path of a temporary file or folder: what it is a copy of, for messages."""
 
     def report(self, share: float, text: Text) -> None:
         """The progress of the task; raises ``ArchiveEndedError`` if the worker ends."""
         if self.is_ending():
             raise ArchiveEndedError
         self.note(share, text)
+
+    def name_copy(self, path: Path, of: str) -> None:
+        """Has messages name a temporary file, or a folder, by what it is a copy of."""
+        self.names[display_path(path)] = of
 
     def find_recording(self, file: RecordFile, name: str) -> Path:
         """A recording on this machine: that of a folder, or a copy; perhaps without pictures of
@@ -71,6 +78,7 @@ class Desk:
         if file.place.settings.is_folder:
             return Path(file.place.settings.url) / file.name
         target = self.folder / name
+        self.name_copy(target, file.full_name)
         pace = _EndingPace(self)
         with convert_io_errors(target):
             store = file.place.store()
@@ -85,6 +93,7 @@ class Desk:
             OperationError: it cannot be read, or differs from its hash.
         """
         target = self.folder / name
+        self.name_copy(target, file.full_name)
         described = ArchivedFile(
             path=name, bytes=file.bytes, sha256=file.digest(), mtime_ns=file.mtime_ns
         )
@@ -148,6 +157,15 @@ class Refusal:
     def of(cls, error: OperationError) -> Self:
         """The parts of an error."""
         return cls(error.code, error.what, error.why, error.remedy)
+
+    def naming(self, names: Mapping[str, str]) -> Self:
+        """The same with other names of some files, by their paths."""
+        what, why, remedy = self.what, self.why, self.remedy
+        for path in sorted(names, key=len, reverse=True):
+            what, why, remedy = (
+                replace_name(text, path, names[path]) for text in (what, why, remedy)
+            )
+        return replace(self, what=what, why=why, remedy=remedy)
 
     def error(self) -> OperationError:
         """The error again."""
@@ -233,7 +251,7 @@ def _try(task: Task, desk: Desk) -> Outcome:
         with TemporaryDirectory(prefix="crenel-", dir=desk.folder) as folder:
             return Outcome("done", task.perform(replace(desk, folder=Path(folder))))
     except OperationError as error:
-        refusal = Refusal.of(error)
+        refusal = Refusal.of(error).naming(desk.names)
     if refusal.code in STOPPING:
         return Outcome("stop", refusal=refusal)
     is_away = refusal.code == "archive-ended" or not all(

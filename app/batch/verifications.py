@@ -2,8 +2,10 @@
 with the calibration that was verified, with a given one, or with all of the station."""
 
 import csv
+import errno
 import hashlib
 import io
+import os
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -21,6 +23,8 @@ from app.batch.results import ResultStore, stem_of
 from app.batch.task import Desk, Refusal
 from app.errors import OperationError
 from app.formats.datasheets.gauge import Shape
+from app.formats.file_names import display_path
+from app.formats.io_errors import error_from_os
 from app.formats.json_document import SOFTWARE
 from app.formats.results.verification import VERIFICATION, VerificationFile, read_verification
 from app.progress import Progress, no_progress
@@ -68,6 +72,7 @@ class VerificationTask:
             return known
         # copied from a folder, too: a place that is lost midway must not look like a calibration
         # that does not fit
+        desk.name_copy(desk.folder / RECORD, self.record.full_name)
         for path, file in self.record.files.items():
             if not path.endswith(CLOUD_SUFFIX):
                 desk.copy(file, f"{RECORD}/{path}")
@@ -137,7 +142,7 @@ def _read_if_chosen(
     record: PlaceRecord, store: RemoteStore, selection: Selection, shape: Shape | None
 ) -> tuple[VerificationFile, CalibrationFiles] | None:
     """An accepted verification with the calibration that it verified."""
-    if not {VERIFICATION, CALIBRATION, ARM} <= record.files.keys():
+    if VERIFICATION not in record.files:
         return None
     known = _read_verification(record, store)
     taken_at = known.clouds[0].taken_at if known.clouds else ""
@@ -149,6 +154,10 @@ def _read_if_chosen(
     )
     if not chosen:
         return None
+    for name in (CALIBRATION, ARM):
+        if name not in record.files:
+            missing = FileNotFoundError(errno.ENOENT, os.strerror(errno.ENOENT))
+            raise error_from_os(missing, f"{record.full_name}/{name}")
     calibration, arm = (
         read_document(store, record.files[name].name) for name in (CALIBRATION, ARM)
     )
@@ -159,7 +168,11 @@ def _read_verification(record: PlaceRecord, store: RemoteStore) -> VerificationF
     content = read_document(store, record.files[VERIFICATION].name)
     with TemporaryDirectory(prefix="crenel-") as folder:
         (Path(folder) / VERIFICATION).write_bytes(content)
-        return read_verification(Path(folder))
+        try:
+            return read_verification(Path(folder))
+        except OperationError as error:
+            names = {display_path(folder): record.full_name}
+            raise Refusal.of(error).naming(names).error() from error
 
 
 def list_shapes(places: Sequence[Place], patience: Patience | None = None) -> Iterator[Shape]:

@@ -156,6 +156,23 @@ def text_from_json(data: Any) -> Text:
     raise ValueError("it is no text")
 
 
+def replace_name(text: Text, name: str, by: str) -> Text:
+    """A text in which a name, as the beginning of a path, is another one wherever it stands."""
+    match text:
+        case str():
+            return text.replace(name, by)
+        case Message(message_id, values):
+            replaced = {
+                key: value if isinstance(value, int) else replace_name(value, name, by)
+                for key, value in values.items()
+            }
+            return Message(message_id, replaced)
+        case MessageList(items, separator):
+            return MessageList(tuple(replace_name(item, name, by) for item in items), separator)
+        case Quantity():
+            return text
+
+
 def mentions(text: Text, part: Text) -> bool:
     """Whether ``part`` is the text, or stands in it.
 

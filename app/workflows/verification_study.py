@@ -20,7 +20,7 @@ from app.formats.json_document import Document, DocumentPart, NotNegative, Numbe
 from app.formats.results.calibration import read_calibration
 from app.formats.results.verification import CONTACTS, GAUGE, read_verification
 from app.formats.session.calibration_session import ARM, read_contacts
-from app.messages.message import Message, MessageList, Text, join, message
+from app.messages.message import Text, join, message, replace_name
 from app.metrology.arm.kinematics import AnyArm
 from app.metrology.gauges.errors import NominalPlane, NominalSphere
 from app.metrology.gauges.probed_gauge import (
@@ -112,7 +112,7 @@ def study_verification(
                 progress((c * len(record.clouds) + r) / total, f"{cloud.name}, {source.name}")
                 row.append(measure_recording(folder / cloud.recording, calibration, arm, gauge).fit)
         except OperationError as refusal:
-            reason = _within_folder(refusal.what, f"{display_path(folder)}/")
+            reason = _without_folders(refusal, folder, source.folder)
             left_out.append(message("study-left-out", name=source.name, reason=reason))
             continue
         used.append((source, arm))
@@ -121,7 +121,7 @@ def study_verification(
         raise OperationError(
             "no-calibration-fits",
             message("none-calibrations-belongs-these-recordings"),
-            join(left_out, "; "),
+            join(left_out, " "),
         )
     touched = [_fit_contacts(folder, arm, gauge) for _, arm in used]
     probe = all(one is not None for one in touched)
@@ -145,22 +145,12 @@ def study_verification(
     )
 
 
-def _within_folder(text: Text, prefix: str) -> Text:
-    """A text in which file names are those within a folder."""
-    match text:
-        case str():
-            return text.replace(prefix, "")
-        case Message():
-            values = {
-                name: value if isinstance(value, int) else _within_folder(value, prefix)
-                for name, value in text.values.items()
-            }
-            return Message(text.message_id, values)
-        case MessageList():
-            items = [_within_folder(item, prefix) for item in text.items]
-            return join(items, text.separator)
-        case _:
-            return text
+def _without_folders(refusal: OperationError, *folders: Path) -> Text:
+    """What was refused and why, with file names as they are within these folders."""
+    text = join([refusal.what, refusal.why], ": ") if refusal.why else refusal.what
+    for folder in folders:
+        text = replace_name(text, f"{display_path(folder)}/", "")
+    return text
 
 
 def _fit_contacts(folder: Path, arm: AnyArm, gauge: GaugeFile) -> ProbedGauge | None:

@@ -25,6 +25,7 @@ from app.formats.datasheets.arm import read_any_arm
 from app.formats.open_file import LARGEST_DOCUMENT
 from app.formats.results.calibration import read_calibration
 from app.workflows.reconstruct import reconstruct_cloud
+from tests.archive.filled import archive_of
 from tests.batch.filled import CALIBRATION, fill_archive, fill_station
 
 SCANS = ("one", "two", "three")
@@ -47,7 +48,7 @@ def run(*arguments: object, cwd: Path, status: int = 0) -> dict[str, Any]:
 
 
 def plan(
-    place: Path, output: Path, selection: Selection | None = None
+    place: Path | str, output: Path, selection: Selection | None = None
 ) -> tuple[list[RebuildTask], ResultStore]:
     results = ResultStore(settings_for(str(output)))
     results.prepare()
@@ -187,6 +188,21 @@ def test_a_recording_that_an_archive_lost_keeps_no_other_from_being_rebuilt(
     found = run("rebuild", archive, "-o", "out", "--workers", 1, cwd=tmp_path, status=1)
     assert found["made"] == 2
     assert list(found["refused"]) == ["room-2/two"]
+
+
+def test_a_damaged_recording_of_a_store_is_named_by_its_address(tmp_path: Path) -> None:
+    place = tmp_path / "room-2"
+    place.mkdir()
+    store = fill_station(tmp_path / "data", ["one"])
+    (tmp_path / "data/scans/one/scan.mcap").write_bytes(b"no recording")
+    archive_of(store, str(place)).run()
+    store.close()
+    tasks, _ = plan(f"file://{place}", tmp_path / "out")
+    refusal = perform(tasks[0], tmp_path, 1).refusal
+    assert refusal is not None
+    (record,) = place.glob("scans/one/*")
+    named = f"file://{place}/scans/one/{record.name}/scan.mcap: "
+    assert refusal.error().line.startswith(named)
 
 
 def test_a_calibration_that_is_damaged_is_named_and_no_temporary_file(tmp_path: Path) -> None:

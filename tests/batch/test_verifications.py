@@ -174,6 +174,53 @@ def test_a_study_names_a_calibration_that_is_damaged_and_takes_the_others(
     assert [[one.id for one in task.sources] for task in tasks] == [[CALIBRATION]] * 2
 
 
+def remove(path: Path) -> None:
+    path.unlink()
+
+
+def refusal_of(
+    tmp_path: Path, url: str, name: str, damage: Callable[[Path], None]
+) -> tuple[str, Path]:
+    """Why a verification is refused that was archived with a damaged file, and its copy."""
+    place = tmp_path / "room-2"
+    place.mkdir()
+    store = fill_station(tmp_path / "data", [])
+    damage(add_verification(store, "v1", "2026-05-21T10:16:00Z", clouds=1) / name)
+    archive_of(store, str(place)).run()
+    store.close()
+    output = settings_for(str(tmp_path / "out"))
+    ResultStore(output).prepare()
+    tasks, refused = plan_verifications(find_places([url]), Selection(), output, "own")
+    found = [one for _, one in refused] + [perform(one, tmp_path, 1).refusal for one in tasks]
+    (refusal,) = found
+    assert refusal is not None
+    (record,) = place.glob("verifications/v1/*")
+    return refusal.error().line, record
+
+
+@pytest.mark.parametrize("address", ["{}", "file://{}"], ids=["folder", "store"])
+@pytest.mark.parametrize(
+    ("name", "damage"),
+    [
+        ("gauge.json", remove),
+        ("gauge.json", replace_by_text),
+        ("verification.json", replace_by_text),
+        ("arm.json", remove),
+    ],
+)
+def test_a_file_that_was_archived_damaged_is_named_by_archive_and_record(
+    tmp_path: Path, address: str, name: str, damage: Callable[[Path], None]
+) -> None:
+    url = address.format(tmp_path / "room-2")
+    line, record = refusal_of(tmp_path, url, name, damage)
+    assert line.startswith(f"{url}/verifications/v1/{record.name}/{name}: ")
+
+
+def test_a_calibration_that_was_archived_damaged_is_named_by_its_id(tmp_path: Path) -> None:
+    line, _ = refusal_of(tmp_path, str(tmp_path / "room-2"), "arm.json", replace_by_text)
+    assert f": {CALIBRATION}: arm.json: it is not JSON" in line
+
+
 @pytest.mark.parametrize("damage", DAMAGES)
 def test_a_damaged_verification_is_named_and_the_other_is_measured(
     archive: Path, tmp_path: Path, damage: Callable[[Path], None]
