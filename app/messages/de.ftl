@@ -506,12 +506,6 @@ certificate-needs-one =
 certificate-not-signed = dieser Kalibrierschein ist nicht signiert
 certificate-not-validated = dieser Kalibrierschein ist nicht signiert. Er folgt dem Schema des DCC 3.3.0, wurde aber selbst nicht dagegen geprüft: vor der Ausgabe prüfen
 certificate-out-of-date = der Kalibrierschein des Prüfkörpers galt bis { $until }
-certificate-rule =
-    Ein Wert ist konform, wenn er um mindestens das { $factor }-Fache seiner Standard-Prüfwertunsicherheit innerhalb seiner größten zulässigen Abweichung liegt. Dazwischen { $bearer ->
-        [supplier] ist er nicht konform
-        [user] ist er konform
-       *[prover] wird keine Konformität ausgesagt
-    }.
 certificate-says = laut Kalibrierschein { $square }
 certificate-trusted-here = dem Zertifikat des Empfängers wird hier nicht vertraut
 certificate-valid-until = { $name }, gültig bis { $date }
@@ -1664,6 +1658,7 @@ performance-is-closed = Diese Prüfung ist abgeschlossen. Eine neue beginnen.
 performance-is-evaluated = Die Kenngrößen werden noch berechnet.
 performance-last-error = Abweichung der letzten Länge, { $length }
 performance-leave-question = Diese Prüfung abbrechen? Sie bleibt erhalten und wird mit dem Grund aufgeführt.
+performance-judged-by-test-uncertainty = U ist die Prüfwertunsicherheit: die von Normal und Aufbau, nicht die Streuung von Arm und Sensor. Diese misst die Prüfung.
 performance-length-is-confirmed = Die letzte Länge ist mit der ersten Antastung der nächsten oder mit dem ersten Scan bestätigt; ihre Antastungen stehen fest.
 performance-lengths-and-scans = { $done } von { $of } Längen angetastet, { $scanned } von { $scans } Scans
 performance-lengths-done = Alle Längen sind gemessen. Weiter zum Ergebnis.
@@ -1750,15 +1745,6 @@ performance-put-back = Antastung zurückholen
 performance-repeat = Prüfung wiederholen
 performance-repeat-question = Die Prüfung wiederholen? Dieser Durchgang bleibt erhalten und wird als wiederholt aufgeführt.
 performance-repeat-scan = Scan { $number } nochmals
-performance-rule =
-    Entscheidungsregel, { $standard }:{ $edition }: { $guard ->
-        [yes] Ein Wert ist konform, wenn er um mehr als das { $factor }-Fache seiner Standard-Prüfwertunsicherheit innerhalb seiner größten zulässigen Abweichung (MPE) liegt, und nicht konform, wenn er um mehr als das darüber liegt. Dazwischen { $bearer ->
-            [supplier] muss der Lieferant die Konformität nachweisen: Der Wert ist nicht konform
-            [user] muss der Anwender das Gegenteil nachweisen: Der Wert ist konform
-           *[prover] ist er unentschieden
-        }.
-       *[no] Ein Wert ist konform, wenn er seine größte zulässige Abweichung (MPE) nicht überschreitet; die Prüfwertunsicherheit wird angegeben und nicht angewandt.
-    } U ist die Unsicherheit von Normal und Aufbau, nicht die Streuung von Arm und Sensor: Diese misst die Prüfung.
 performance-run = Position { $position }, Scan der Stellung { $articulation }
 performance-run-dropped = Während des Scannens verworfen.
 performance-run-repeated = Vom Bediener wiederholt.
@@ -2256,6 +2242,12 @@ so-many-values =
        *[other] { $count } Werte
     }
 sphere-by-certificate = Durchmesser { $diameter }, bekannt auf { $known } (k = 1), Form { $form }
+sphere-gives-way =
+    in Position { $position } gibt die Kugel oder der Taster beim Antasten nach, { $part ->
+        [pattern] an den 25 Stellen
+        [location] in den Stellungen
+       *[end] am Ende
+    }: Die Antastungen streuen um { $scatter }, die Punkte der Scans um { $expected }
 sphere-moved = Bewegt um
 sphere-position = Position
 started-simulation = simulierten Bediener gestartet
@@ -2725,7 +2717,7 @@ performance-cause-outliers = { $share } der Punkte der Scans liegen weit neben d
 performance-cause-tip =
     { $way ->
         [large] Die angetastete Kugel ist { $size } zu groß: Der Taster ist größer als angegeben.
-       *[small] Die angetastete Kugel ist { $size } zu klein: Der Taster ist abgenutzt oder kleiner als angegeben.
+       *[small] Die angetastete Kugel ist { $size } zu klein: Der Taster ist abgenutzt oder kleiner als angegeben, oder die Kugel gibt beim Antasten nach.
     }
 performance-conditions-not-met = { $title }: { $value }; nicht entschieden, denn { $problem }.
 performance-dispersion-scan = Streuung der gescannten Kugel, 95 % aller Punkte
@@ -3251,6 +3243,7 @@ seat-named = Pfanne { $name }
 seat-needs-two-points = ein Sitz braucht zwei Punkte oder mehr
 seat-points-1-lie-apart = Pfanne { $name }: Die Punkte 1 bis { $split } und { $next } bis { $points } liegen { $gap } auseinander
 seat-tip = Tastkugel einsetzen
+seat-gives-way = Sitz { $seat } ist lose: Der Taster streut darin um { $scatter }, in den anderen um höchstens { $expected }
 seats = Pfannen
 seats-held-out = Pfannen, kreuzvalidiert
 seats-not-measured = { $count } Sitze mit je { $points } Punkten sind nötig

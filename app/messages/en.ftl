@@ -506,12 +506,6 @@ certificate-needs-one =
 certificate-not-signed = this certificate is not signed
 certificate-not-validated = this certificate is not signed. It is written after the schema of DCC 3.3.0, but was not validated against it: check it before you issue it
 certificate-out-of-date = the certificate of the artefact was valid until { $until }
-certificate-rule =
-    A value conforms if it is within its maximum permissible error by at least { $factor } times its standard test value uncertainty. In between, { $bearer ->
-        [supplier] it does not conform
-        [user] it conforms
-       *[prover] no conformity is stated
-    }.
 certificate-says = its certificate states { $square }
 certificate-trusted-here = its certificate is not trusted
 certificate-valid-until = { $name }, valid until { $date }
@@ -1660,6 +1654,7 @@ performance-is-closed = This test is closed. Begin a new one.
 performance-is-evaluated = The figures are still being calculated.
 performance-last-error = Error of the last length, { $length }
 performance-leave-question = Cancel this test? It is kept and listed with the reason.
+performance-judged-by-test-uncertainty = U is the test value uncertainty: that of artefact and set-up, not the scatter of arm and sensor, which is what the test measures.
 performance-length-is-confirmed = The last length is confirmed by the first touch of the next one or by the first scan; its touches stand.
 performance-lengths-and-scans = { $done } of { $of } lengths touched, { $scanned } of { $scans } scans
 performance-lengths-done = All lengths are measured. Continue to the result.
@@ -1746,15 +1741,6 @@ performance-put-back = Put the touch back
 performance-repeat = Repeat the test
 performance-repeat-question = Repeat the test? This run is kept and listed as repeated.
 performance-repeat-scan = Scan { $number } again
-performance-rule =
-    Decision rule, { $standard }:{ $edition }: { $guard ->
-        [yes] a value conforms if it is within its maximum permissible error (MPE) by more than { $factor } times its standard test uncertainty, and does not if it is beyond by more than that. In between, { $bearer ->
-            [supplier] the supplier has to prove conformity, and it does not conform
-            [user] the user has to prove the opposite, and it conforms
-           *[prover] it is undecided
-        }.
-       *[no] a value conforms if it does not exceed its maximum permissible error (MPE); the test uncertainty is stated and not applied.
-    } U is the uncertainty of artefact and set-up, not the scatter of arm and sensor, which is what the test measures.
 performance-run = Position { $position }, scan of articulation { $articulation }
 performance-run-dropped = Discarded by the operator while it was scanned.
 performance-run-repeated = Repeated by the operator.
@@ -2252,6 +2238,12 @@ so-many-values =
        *[other] { $count } values
     }
 sphere-by-certificate = { $diameter } in diameter, known to { $known } (k = 1), form { $form }
+sphere-gives-way =
+    at position { $position }, the sphere or the tip gives way while it is touched { $part ->
+        [pattern] in the 25 places
+        [location] in the articulations
+       *[end] at the end
+    }: the touches scatter by { $scatter }, the points of the scans by { $expected }
 sphere-moved = Moved by
 sphere-position = Position
 started-simulation = started the simulated operator
@@ -2716,7 +2708,7 @@ performance-cause-outliers = { $share } of the points of the scans lie far off t
 performance-cause-tip =
     { $way ->
         [large] The touched sphere is { $size } too large: the tip is larger than stated.
-       *[small] The touched sphere is { $size } too small: the tip is worn, or smaller than stated.
+       *[small] The touched sphere is { $size } too small: the tip is worn or smaller than stated, or the sphere gives way while it is touched.
     }
 performance-conditions-not-met = { $title }: { $value }; not decided, because { $problem }.
 performance-dispersion-scan = dispersion of the scanned sphere, 95 % of all points
@@ -3242,6 +3234,7 @@ seat-named = seat { $name }
 seat-needs-two-points = a seat needs two points or more
 seat-points-1-lie-apart = seat { $name }: its points 1 to { $split } and { $next } to { $points } lie { $gap } apart
 seat-tip = Seat the tip
+seat-gives-way = seat { $seat } is loose: the tip in it scatters by { $scatter }, in the others by up to { $expected }
 seats = Seats
 seats-held-out = Seats, cross-validated
 seats-not-measured = { $count } seats with { $points } points each are needed

@@ -311,6 +311,13 @@ def test_every_value_is_written_with_uncertainty_limits_and_conformity(tmp_path:
     # of the dispersion, 1.65 times half the expanded uncertainty within the limit of 32 µm
     limits = quantities[5].findall(".//dcc:metaData/dcc:data/dcc:quantity", NAMES)
     assert [values(one)[0] for one in limits] == pytest.approx([32.0, 32.0 - 1.65 * 0.4])
+    # what the user cannot prove to be beyond it is accepted
+    of_user = document.rule.model_copy(update={"bearer": "user"})
+    quantity = written(document.model_copy(update={"rule": of_user})).findall(
+        ".//dcc:result/dcc:data/dcc:quantity", NAMES
+    )[5]
+    limits = quantity.findall(".//dcc:metaData/dcc:data/dcc:quantity", NAMES)
+    assert [values(one)[0] for one in limits] == pytest.approx([32.0, 32.0 + 1.65 * 0.4])
 
 
 def test_a_written_certificate_is_the_same_again_and_safe(tmp_path: Path) -> None:

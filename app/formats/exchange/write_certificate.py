@@ -15,9 +15,9 @@ from app.formats.exchange.certificate_values import DCC, SI
 from app.formats.exchange.xml_text import add, xml_bytes
 from app.formats.performance.results import PerformanceFigure, PerformanceFile
 from app.formats.performance.symbols import is_signed
-from app.formats.results.decision_rule import RulePart
+from app.formats.results.decision_rule import RulePart, describe_rule
 from app.messages.catalogue import renderer
-from app.messages.message import Text, message, rounded
+from app.messages.message import Text, message
 from app.timestamps import parse_moment
 
 VERSION = "3.3.0"
@@ -140,14 +140,9 @@ def _statements(parent: ET.Element, document: PerformanceFile) -> None:
             _texts(add(statements, _dcc("statement")), "declaration", text)
     rule = add(statements, _dcc("statement"), refType="basic_conformity")
     add(rule, _dcc("norm"), _short_text(f"{document.rule.standard}:{document.rule.edition}"))
-    _texts(rule, "declaration", rule_text(document.rule))
+    _texts(rule, "declaration", describe_rule(document.rule))
     if document.verdict.result in CONFORMITY:
         add(rule, _dcc("conformity"), CONFORMITY[document.verdict.result])
-
-
-def rule_text(rule: RulePart) -> Text:
-    """The decision rule in a sentence."""
-    return message("certificate-rule", factor=rounded(rule.guard_factor), bearer=rule.bearer)
 
 
 def _software(parent: ET.Element, name: str, document: PerformanceFile) -> None:
@@ -257,7 +252,9 @@ def _figure(parent: ET.Element, figure: PerformanceFigure, rule: RulePart) -> No
         ("", message("maximum-permissible-error"), figure.limit)
     ]
     if figure.test_uncertainty is not None:
-        accepted = max(figure.limit - rule.guard_factor * figure.test_uncertainty / 2, 0.0)
+        guard = rule.guard_factor * figure.test_uncertainty / 2
+        wider = rule.bearer == "user"  # up to there, the user cannot prove the opposite
+        accepted = figure.limit + guard if wider else max(figure.limit - guard, 0.0)
         upper = ("basic_acceptanceLimitUpper", message("acceptance-limit-upper"), accepted)
         lower = ("basic_acceptanceLimitLower", message("acceptance-limit-lower"), -accepted)
         limits += [lower, upper] if is_signed(figure.quantity) else [upper]

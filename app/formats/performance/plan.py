@@ -164,14 +164,17 @@ def sphere_feature(
     return f"p{position}-{part}" + (f"-{number}" if part == "location" else "")
 
 
+def location_features(position: int) -> list[str]:
+    """The groups of touches of the location test, one for each articulation."""
+    return [sphere_feature(position, "location", number + 1) for number in range(ARTICULATIONS)]
+
+
 def sphere_features(positions: int) -> list[str]:
     """All groups of touches of the one-sphere test, in their order."""
     found = []
     for position in range(1, positions + 1):
         found.append(sphere_feature(position, "pattern"))
-        found += [
-            sphere_feature(position, "location", number) for number in range(1, ARTICULATIONS + 1)
-        ]
+        found += location_features(position)
         found.append(sphere_feature(position, "end"))
     return found
 

@@ -50,6 +50,12 @@ class RecordingIndex:
     chunks: tuple[ChunkIndex, ...]
 
     @property
+    def seconds(self) -> float:
+        """From its first message to its last; 0 without messages."""
+        begun = min((one.message_start_time for one in self.chunks), default=0)
+        return (max((one.message_end_time for one in self.chunks), default=0) - begun) / 1e9
+
+    @property
     def pictures(self) -> tuple[ChunkIndex, ...]:
         """The chunks that hold one picture each."""
         return tuple(

@@ -21,9 +21,12 @@ from app.metrology.arm.reported_poses import pose_from_transform, transforms_fro
 from app.metrology.targets.chessboard import Chessboard
 from app.metrology.targets.crenellated_block import FACES, Crenellated
 from app.metrology.transforms import Floats
+from app.timestamps import is_moment, parse_moment
 
 ARM, OBJECT, SENSOR = "arm.json", "object.json", "sensor.json"
 PROBING, IMAGES, PICTURES = "probing.csv", "images.csv", "images"
+TOUCHED_AT = "touched_at"
+"""Optional column: when a contact point was taken, ISO 8601."""
 BOARD_FEATURES = ("board",)
 """The face of a chessboard: its plane."""
 
@@ -173,19 +176,30 @@ def read_contacts(path: Path, arm: AnyArm, faces: Sequence[str] = FACES) -> Cont
     return ContactReadings(tuple(features), *readings.read_rows(table.rows))
 
 
-def write_contacts(path: Path, contacts: ContactReadings) -> None:
-    """Writes ``probing.csv`` atomically; reads back to the same angles within 1e-15."""
-    count = contacts.q_rad.shape[1]
-    rows = (
-        (feature, *np.rad2deg(q).tolist())
-        for feature, q in zip(contacts.features, contacts.q_rad, strict=True)
-    )
-    columns = joint_columns(count)
+def write_contacts(path: Path, contacts: ContactReadings, touched_at: Sequence[str] = ()) -> None:
+    """Writes ``probing.csv`` atomically; reads back to the same angles within 1e-15.
+
+    Args:
+        touched_at: when each was taken, ISO 8601; empty if that is not known.
+    """
+    columns = joint_columns(contacts.q_rad.shape[1])
+    readings = [np.rad2deg(q).tolist() for q in contacts.q_rad]
     if contacts.T_arm_flange is not None:
         columns = COLUMNS
-        rows = (
-            (feature, *pose_cells(T))
-            for feature, T in zip(contacts.features, contacts.T_arm_flange, strict=True)
-        )
-    text = table_text(("feature", *columns), rows)
-    write_atomically(path, text.encode())
+        readings = [pose_cells(T) for T in contacts.T_arm_flange]
+    head, rows = ["feature", *columns], list(zip(contacts.features, readings, strict=True))
+    cells = [(feature, *reading) for feature, reading in rows]
+    if touched_at:
+        head.append(TOUCHED_AT)
+        cells = [(*row, at) for row, at in zip(cells, touched_at, strict=True)]
+    write_atomically(path, table_text(head, cells).encode())
+
+
+def last_touched_at(path: Path) -> str:
+    """When the last contact point of a table was taken, ISO 8601; empty if that is not known.
+
+    Raises:
+        OperationError: the table cannot be read.
+    """
+    moments = [row.cells.get(TOUCHED_AT, "") for row in read_table(path, ("feature",)).rows]
+    return max(filter(is_moment, moments), key=parse_moment, default="")

@@ -224,7 +224,11 @@ class GaugeSession(GuidedSession[State, Live, View], Generic[State, Live, View, 
         return arm, side.average(until_ns=until_ns)
 
     def write_touches(
-        self, name: str, features: Sequence[str], touches: Sequence[TouchReading]
+        self,
+        name: str,
+        features: Sequence[str],
+        touches: Sequence[TouchReading],
+        touched_at: Sequence[str] = (),
     ) -> None:
         """Brings the session's table of touches up to date; without touches there is none."""
         path = self.folder / name
@@ -233,4 +237,4 @@ class GaugeSession(GuidedSession[State, Live, View], Generic[State, Live, View, 
             return
         readings = np.array([touch.reading for touch in touches])
         arm = read_any_arm(self.folder / ARM)
-        write_contacts(path, contact_readings(features, arm, readings))
+        write_contacts(path, contact_readings(features, arm, readings), touched_at)

@@ -39,6 +39,8 @@ class SphereContact:
     """Which of the part's places it was at, from 0; on the end of a length, which touch."""
     reading: tuple[float, ...]
     """The arm's."""
+    at: str
+    """When it was taken."""
     voided: bool = False
 
 

@@ -18,8 +18,8 @@ from app.messages.message import message, quantity
 from app.metrology.performance.articulation import HELD_DEG
 from app.metrology.performance.lengths import LENGTHS
 from app.metrology.performance.temperature import TemperatureSpan
-from app.workflows.performance.artefact_checks import unknown_form
-from app.workflows.performance.temperature_checks import find_unsteady, unknown_expansion
+from app.workflows.performance.checks.artefacts import unknown_form
+from app.workflows.performance.checks.temperatures import find_unsteady, unknown_expansion
 
 
 def list_findings(state: PerformanceState, live: PerformanceLive) -> list[Finding]:

@@ -348,7 +348,8 @@ class PerformanceGuide(ArtefactSession[PerformanceLive, PerformanceView]):
     def keep_touches(self) -> None:
         """Brings the test's table of touches up to date."""
         counted = self.state.counted
-        self.write_touches(TOUCHES, [touch.feature for touch in counted], counted)
+        features, touched_at = [one.feature for one in counted], [one.at for one in counted]
+        self.write_touches(TOUCHES, features, counted, touched_at)
 
     # -- scans ---------------------------------------------------------------
 

@@ -299,7 +299,7 @@ def _freeze(state: PerformanceState, payload: Payload) -> PerformanceState:
 
 def _add_touch(state: PerformanceState, payload: Payload) -> PerformanceState:
     touch = SphereContact(
-        len(state.touches), payload["feature"], payload["place"], reading_of(payload)
+        len(state.touches), payload["feature"], payload["place"], reading_of(payload), payload["at"]
     )
     confirmed = state.confirmed
     if state.sequence is not None:  # the first touch of a length confirms the one before

@@ -3,8 +3,8 @@
 from app.formats.performance.plan import GatePart
 from app.formats.performance.results import PerformanceFigure, PerformanceFile
 from app.formats.performance.symbols import is_signed
-from app.formats.results.decision_rule import RulePart
-from app.messages.message import Message, Text, join, message, quantity, rounded, signed
+from app.formats.results.decision_rule import RulePart, describe_rule
+from app.messages.message import Text, join, message, quantity, rounded, signed
 from app.metrology.performance.pattern import COUNT, PATCH_DEG
 from app.report.content import ReportTable
 from app.report.contents.verification import DECISIONS
@@ -141,16 +141,9 @@ def limit_text(one: PerformanceFigure) -> Text:
     return plus_minus(limit) if is_signed(one.quantity) else message("at-most-limit", limit=limit)
 
 
-def rule_text(rule: RulePart) -> Message:
-    """The decision rule in a sentence."""
-    return message(
-        "performance-rule",
-        standard=rule.standard,
-        edition=rule.edition,
-        guard="yes" if rule.guard_factor else "no",
-        factor=rounded(rule.guard_factor),
-        bearer=rule.bearer,
-    )
+def rule_text(rule: RulePart) -> Text:
+    """The decision rule, and by which uncertainty a figure is judged."""
+    return join([describe_rule(rule), message("performance-judged-by-test-uncertainty")], " ")
 
 
 def gate_texts(gate: GatePart) -> list[Text]:

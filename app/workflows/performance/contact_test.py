@@ -28,10 +28,11 @@ from app.metrology.performance.value_uncertainty import (
     size_uncertainty_um,
 )
 from app.metrology.transforms import Floats
-from app.workflows.performance.artefact_checks import (
+from app.workflows.performance.checks.artefacts import problems_of_artefact
+from app.workflows.performance.checks.loose_artefacts import (
     loose_bar_problems,
+    loose_seat_problems,
     loose_sphere_problems,
-    problems_of_artefact,
     steady_scatter_um,
 )
 from app.workflows.performance.judge import Measured, refuse
@@ -82,8 +83,8 @@ def measure_contact_test(data: MeasuredData) -> tuple[list[Measured], list[Text]
         [] if one is None else problems_of_artefact(one, plan, calibration)
         for one in (plan.sphere, plan.length)
     )
-    measured = _measure_seats(data)
-    loose_sphere, loose_bar = _find_loose(data)
+    loose_seats, loose_sphere, loose_bar = _find_loose(data)
+    measured = [refuse(one, loose_seats) for one in _measure_seats(data)]
     of_sphere, of_bar = [*of_sphere, *loose_sphere], [*of_bar, *loose_bar]
     if not _lacks_sphere(data):
         measured.insert(0, refuse(_measure_diameter(data), of_sphere))
@@ -97,7 +98,7 @@ def measure_contact_test(data: MeasuredData) -> tuple[list[Measured], list[Text]
         if artefact is not None
         for problem in problems
     ]
-    return measured, [*unfinished, *named]
+    return measured, [*unfinished, *loose_seats, *named]
 
 
 def _find_unfinished(data: MeasuredData) -> list[Text]:
@@ -135,9 +136,9 @@ def _fewest(data: MeasuredData, names: Sequence[str]) -> int:
     return min(len(data.tips_mm.get(name, ())) for name in names)
 
 
-def _find_loose(data: MeasuredData) -> tuple[list[Text], list[Text]]:
-    """Where master sphere and bar give way while they are touched, by the scatter in the seats and
-    in other placements."""
+def _find_loose(data: MeasuredData) -> tuple[list[Text], list[Text], list[Text]]:
+    """Where seats, master sphere and bar give way while they are touched, by the scatter in the
+    seats and in other placements."""
     tips, tip_mm = data.tips_mm, tip_of(data.arm).diameter_mm
     seats = [tips[seat_feature(i + 1)] for i in range(SEATS) if seat_feature(i + 1) in tips]
     steady_um = steady_scatter_um(seats)
@@ -149,6 +150,7 @@ def _find_loose(data: MeasuredData) -> tuple[list[Text], list[Text]]:
         for i in range(PLACEMENTS)
     }
     return (
+        [] if _missing_of_seats(data) else loose_seat_problems(seats),
         loose_sphere_problems(spheres, steady_um),
         []
         if bar_mm is None

@@ -29,8 +29,16 @@ from app.metrology.performance.lengths import LENGTHS
 from app.metrology.performance.location import ImpliedOffset, estimate_offset
 from app.metrology.performance.sphere import least_squares_sphere
 from app.metrology.performance.value_uncertainty import form_uncertainty_um, size_uncertainty_um
-from app.workflows.performance.artefact_checks import artefact_problems, unknown_forms
 from app.workflows.performance.causes import name_causes
+from app.workflows.performance.checks.artefacts import artefact_problems, unknown_forms
+from app.workflows.performance.checks.temperatures import (
+    arm_span,
+    artefact_span,
+    find_unsteady,
+    temperature_notes,
+    temperatures_part,
+    unknown_expansions,
+)
 from app.workflows.performance.contact_test import (
     contact_features,
     contact_notes,
@@ -38,7 +46,11 @@ from app.workflows.performance.contact_test import (
 )
 from app.workflows.performance.judge import K, Measured, judge_all, judge_figure, refuse
 from app.workflows.performance.length_test import length_features, measure_lengths
-from app.workflows.performance.measured_data import MeasuredData, read_measured_data
+from app.workflows.performance.measured_data import (
+    MeasuredData,
+    last_measured_at,
+    read_measured_data,
+)
 from app.workflows.performance.plane_test import measure_plane
 from app.workflows.performance.sphere_position import (
     PositionResult,
@@ -49,15 +61,7 @@ from app.workflows.performance.sphere_position import (
     sphere_uncertainty_um,
     worst,
 )
-from app.workflows.performance.sphere_test import find_unfinished, measure_position
-from app.workflows.performance.temperature_checks import (
-    arm_span,
-    artefact_span,
-    find_unsteady,
-    temperature_notes,
-    temperatures_part,
-    unknown_expansions,
-)
+from app.workflows.performance.sphere_test import find_loose, find_unfinished, measure_position
 
 STATION_NOTES = ("performance-aside-note", "performance-touches-taken-back")
 """Notes that the files of a test do not tell."""
@@ -82,7 +86,8 @@ def evaluate_performance(folder: Path, ended_at: str = "") -> PerformanceFile:
     """Computes every figure of a test from its touches and recordings.
 
     Args:
-        ended_at: ISO 8601; empty: now.
+        ended_at: ISO 8601; empty: when the last touch or scan was made, or now if the folder does
+            not tell.
 
     Raises:
         OperationError: the plan, the arm or the calibration cannot be read, or a recording is
@@ -113,7 +118,7 @@ def evaluate_performance(folder: Path, ended_at: str = "") -> PerformanceFile:
         operator=plan.operator,
         simulated=plan.simulated,
         started_at=plan.started_at,
-        ended_at=ended_at or datetime.now(UTC).isoformat(timespec="seconds"),
+        ended_at=ended_at or last_measured_at(folder) or _now(),
         edition=plan.edition,
         standards=editions()[plan.edition].standards,
         status=status,
@@ -157,6 +162,10 @@ def write_performance(folder: Path) -> PerformanceFile:
         result = result.model_copy(update=kept)
     result.write(folder / RESULT)
     return result
+
+
+def _now() -> str:
+    return datetime.now(UTC).isoformat(timespec="seconds").replace("+00:00", "Z")
 
 
 def _is_from_station(note: Text) -> bool:
@@ -219,6 +228,7 @@ def _measure_sphere(data: MeasuredData, problems: list[Text]) -> tuple[list[Meas
                 limit=quantity(limit_um, "µm", 1),
             )
         )
+    problems += [text for result in results for text in find_loose(data, result)]
     problems += find_unfinished(data, results)
     of_unknown_form = unknown_forms(plan)
     measured = [

@@ -28,7 +28,7 @@ from app.metrology.performance.lengths import (
 from app.metrology.performance.sphere import sphere_centre
 from app.metrology.performance.temperature import MeanTemperature
 from app.metrology.transforms import Floats
-from app.workflows.performance.artefact_checks import loose_bar_problems
+from app.workflows.performance.checks.loose_artefacts import loose_bar_problems
 from app.workflows.performance.judge import K, Measured
 from app.workflows.performance.measured_data import MeasuredData
 from app.workflows.performance.scanned_lengths import has_length_scans, measure_scanned_lengths

@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from datetime import datetime, timedelta
 from pathlib import Path
 
 import numpy as np
@@ -11,20 +12,24 @@ from app.errors import OperationError
 from app.formats.clouds.points import Points
 from app.formats.datasheets.arm import read_any_arm
 from app.formats.json_document import file_sha256
+from app.formats.open_file import open_file
 from app.formats.performance.end_temperatures import (
     END_TEMPERATURES,
     EndTemperatures,
     read_end_temperatures,
 )
 from app.formats.performance.plan import PLAN, TOUCHES, PerformancePlan, read_plan
+from app.formats.recording.index import read_index
+from app.formats.recording.reader import SCAN_STARTED, Recording
 from app.formats.results.calibration import CALIBRATION, Calibration, Input, read_calibration
-from app.formats.session.calibration_session import ARM, read_contacts
+from app.formats.session.calibration_session import ARM, last_touched_at, read_contacts
 from app.messages.message import message
 from app.metrology.arm.kinematics import AnyArm, tip_centres
 from app.metrology.performance.articulation import stylus_directions
 from app.metrology.performance.temperature import MeanTemperature, mean_temperature
 from app.metrology.transforms import Floats
-from app.workflows.performance.temperature_checks import artefact_span
+from app.timestamps import is_moment, parse_moment
+from app.workflows.performance.checks.temperatures import artefact_span
 from app.workflows.reconstruct import reconstruct_into
 
 RECORDING = "scan.mcap"
@@ -135,6 +140,33 @@ def read_scan(recording: Path, calibration: Calibration, arm: AnyArm) -> ScanClo
     mean = T_arm_sensor[frame, :3, :3].mean(axis=0)
     left, _, right = np.linalg.svd(mean)
     return ScanCloud(xyz, frame, views, np.asarray(left @ right))
+
+
+def last_measured_at(folder: Path) -> str:
+    """When the last touch was taken or the last scan ended, ISO 8601; empty if the folder does not
+    tell.
+
+    Raises:
+        OperationError: the touches cannot be read.
+    """
+    moments = [_scan_ended_at(path) for path in folder.glob(f"*/{RECORDING}")]
+    if (folder / TOUCHES).is_file() and (touched := last_touched_at(folder / TOUCHES)):
+        moments.append(parse_moment(touched))
+    last = max((one for one in moments if one is not None), default=None)
+    return "" if last is None else last.isoformat(timespec="seconds").replace("+00:00", "Z")
+
+
+def _scan_ended_at(path: Path) -> datetime | None:
+    """Its beginning if it is incomplete; None if it does not tell, or cannot be read."""
+    try:
+        begun = Recording(path, path.stat().st_size).station_metadata().get(SCAN_STARTED, "")
+        with open_file(path) as file:
+            index = read_index(file)
+    except (OSError, OperationError):
+        return None  # a scan that counts is refused where it is measured
+    if not is_moment(begun):
+        return None
+    return parse_moment(begun) + timedelta(seconds=0.0 if index is None else index.seconds)
 
 
 def _inputs(folder: Path) -> tuple[Input, ...]:

@@ -14,7 +14,7 @@ from app.metrology.performance.plane import least_squares_plane
 from app.metrology.performance.sphere import dispersion_mm
 from app.metrology.performance.value_uncertainty import PlateCertificate, plane_effect_um
 from app.metrology.transforms import Floats, vector_from_rotation
-from app.workflows.performance.artefact_checks import LEAST_WIDTH_MM
+from app.workflows.performance.checks.artefacts import LEAST_WIDTH_MM
 from app.workflows.performance.judge import Measured
 from app.workflows.performance.measured_data import MeasuredData, ScanCloud, thin_points
 

@@ -26,7 +26,7 @@ from app.metrology.performance.sphere import (
 )
 from app.metrology.performance.value_uncertainty import SphereDrift, form_effect_um
 from app.metrology.transforms import Floats
-from app.workflows.performance.articulation_checks import articulation_notes, articulations_alike
+from app.workflows.performance.checks.articulations import articulation_notes, articulations_alike
 from app.workflows.performance.measured_data import MeasuredData, ScanCloud, thin_points
 from app.workflows.performance.sphere_position import PositionResult, sphere_certificate
 

@@ -10,6 +10,7 @@ from app.formats.performance.plan import (
     LOCATION_TOUCHES,
     PATTERN_TOUCHES,
     SpherePart,
+    location_features,
     sphere_feature,
 )
 from app.formats.performance.symbols import Quantity
@@ -26,7 +27,8 @@ from app.metrology.performance.pattern import (
 from app.metrology.performance.sphere import least_squares_sphere, sphere_centre
 from app.metrology.performance.value_uncertainty import form_effect_um
 from app.metrology.transforms import Floats
-from app.workflows.performance.articulation_checks import articulation_notes, articulations_alike
+from app.workflows.performance.checks.articulations import articulation_notes, articulations_alike
+from app.workflows.performance.checks.loose_artefacts import loose_test_sphere_problems
 from app.workflows.performance.measured_data import MeasuredData
 from app.workflows.performance.sphere_position import PositionResult, sphere_certificate
 from app.workflows.performance.sphere_scans import (
@@ -74,6 +76,25 @@ def find_unfinished(data: MeasuredData, results: Sequence[PositionResult]) -> li
         if 0 < scans < ARTICULATIONS:
             found.append(articulations_not_scanned(scans))
     return found
+
+
+def find_loose(data: MeasuredData, result: PositionResult) -> list[Text]:
+    """Where a sphere that was touched and scanned gives way while it is touched."""
+    pattern = data.tips_mm.get(sphere_feature(result.position, "pattern"))
+    dispersion_mm = result.values_mm.get("dispersion-scan")
+    if pattern is None or len(pattern) < PATTERN_TOUCHES or dispersion_mm is None:
+        return []
+    features = {
+        "pattern": [sphere_feature(result.position, "pattern")],
+        "location": location_features(result.position),
+        "end": [sphere_feature(result.position, "end")],
+    }
+    touches = {
+        part: [data.tips_mm[name] for name in names if name in data.tips_mm]
+        for part, names in features.items()
+    }
+    reach_mm = least_squares_sphere(pattern).diameter_mm / 2
+    return loose_test_sphere_problems(touches, reach_mm, 1e3 * dispersion_mm, result.position)
 
 
 def _pattern_is_short(count: int) -> Text:
@@ -126,7 +147,7 @@ def _by_place(
 
 
 def _measure_tactile_location(data: MeasuredData, position: int, result: PositionResult) -> None:
-    names = [sphere_feature(position, "location", i + 1) for i in range(ARTICULATIONS)]
+    names = location_features(position)
     groups = [data.tips_mm.get(name, np.zeros((0, 3))) for name in names]
     short = [i + 1 for i, tips in enumerate(groups) if len(tips) < LOCATION_TOUCHES]
     if short:

@@ -284,6 +284,7 @@ def test_a_figure_whose_artefact_has_no_coefficient_is_not_decided(folder: Path)
         ("b5-", "the bar rocks in placement 5", BY_BAR),
         ("b", "the bar rocks in placement", BY_BAR),
         ("d", "the sphere rocks in measurement", BY_SPHERE),
+        ("s2", "Seat 2 is loose", BY_SEATS),
         ("", "", ()),
     ],
 )

@@ -12,7 +12,7 @@ from app.formats.performance.plan import PLAN, PerformancePlan, PlatePart, plane
 from app.guide.performance.plane.scans import measure_plate
 from app.metrology.performance.plane import least_squares_plane
 from app.metrology.transforms import Floats, rotation_from_vector
-from app.workflows.performance.artefact_checks import list_problems
+from app.workflows.performance.checks.artefacts import list_problems
 from app.workflows.performance.evaluate import evaluate_performance
 from app.workflows.performance.measured_data import ScanCloud
 from app.workflows.performance.plane_test import find_on_plate, measure_plate_scan

@@ -1,6 +1,7 @@
 """The one-sphere test on touches and recordings with planted faults."""
 
 from collections.abc import Callable
+from datetime import UTC, datetime
 from pathlib import Path
 from typing import Any
 
@@ -13,8 +14,12 @@ from app.formats.exchange.export import export_result
 from app.formats.exchange.write_certificate import Issuer
 from app.formats.performance.plan import PLAN, RESULT, TOUCHES, LimitPart, read_plan, sphere_scan
 from app.formats.performance.results import PerformanceFile, read_performance
+from app.formats.recording.reader import SCAN_STARTED
+from app.formats.recording.writer import RecordingWriter
 from app.messages.message import Message, Text, message
+from app.timestamps import parse_moment
 from app.workflows.performance.evaluate import evaluate_performance, write_performance
+from app.workflows.performance.measured_data import last_measured_at
 
 QUIET = {"touch_sd_mm": 0.003, "point_sd_mm": 0.008}
 
@@ -318,6 +323,50 @@ def test_a_sphere_that_stands_still_is_not_said_to_have_moved(tmp_path: Path) ->
         assert not result.problems, seed
 
 
+def shake(row: str, random: np.random.Generator) -> str:
+    """A touch with the tip elsewhere, by a tenth of a millimetre along each axis."""
+    feature, *cells = row.split(",")
+    xyz = np.array(cells[:3], dtype=float) + 0.1 * random.normal(size=3)
+    return ",".join([feature, *map(repr, xyz.tolist()), *cells[3:]])
+
+
+@pytest.mark.parametrize(
+    ("part", "said"),
+    [("pattern", "in the 25 places"), ("location", "in the articulations"), ("end", "at the end")],
+)
+def test_a_sphere_that_gives_way_while_it_is_touched_has_no_symbols(
+    tmp_path: Path, part: str, said: str
+) -> None:
+    folder, random = with_faults(tmp_path / "t", **QUIET), np.random.default_rng(1)
+    change_touches(
+        folder,
+        lambda rows: [shake(row, random) if f"p1-{part}" in row else row for row in rows],
+    )
+    result = evaluate_performance(folder)
+    assert set(values(result).values()) == {None}
+    assert f"gives way while it is touched {said}" in str(result.problems[-1])
+
+
+def test_a_test_ended_with_its_last_touch_or_scan(tmp_path: Path) -> None:
+    """Where its folder tells, whenever it is evaluated."""
+    folder = with_faults(tmp_path / "t", articulations=1)
+    assert parse_moment(evaluate_performance(folder).ended_at) > datetime(2026, 11, 26, tzinfo=UTC)
+    path = folder / TOUCHES
+    head, *rows = path.read_text().splitlines()
+    timed = [f"{row},2026-10-01T09:{i:02}:00.250Z" for i, row in enumerate(rows)]
+    path.write_text("\n".join([f"{head},touched_at", *timed]))
+    assert evaluate_performance(folder).ended_at == "2026-10-01T09:54:00Z"
+    (recording,) = folder.glob("*/scan.mcap")
+    recording.unlink()
+    started = {SCAN_STARTED: "2026-10-01T10:00:00Z"}
+    with RecordingWriter(recording, ["J1"], started) as writer:
+        for second in (7, 12):
+            writer.joints(second * 10**9, [0.0])
+    assert last_measured_at(folder) == "2026-10-01T10:00:05Z"
+    recording.write_bytes(b"damaged")
+    assert last_measured_at(folder) == "2026-10-01T09:54:00Z"
+
+
 def test_a_new_evaluation_keeps_what_only_the_station_knew(tmp_path: Path) -> None:
     folder = with_faults(tmp_path / "t", articulations=0, touch_sd_mm=0.003)
     first = write_performance(folder)
@@ -333,7 +382,7 @@ def test_a_new_evaluation_keeps_what_only_the_station_knew(tmp_path: Path) -> No
 @pytest.mark.parametrize(
     ("faults", "joints", "said"),
     [
-        ({"tip_excess_mm": -0.03, "articulations": 0}, False, "the tip is worn, or smaller"),
+        ({"tip_excess_mm": -0.03, "articulations": 0}, False, "the tip is worn or smaller"),
         ({"tip_excess_mm": 0.03, "articulations": 0}, False, "the tip is larger than stated"),
         ({"link_mm": 0.3, "articulations": 0}, True, "links or encoders of the arm"),
         ({"outliers": 0.04}, False, "of the points of the scans lie far off the sphere"),

@@ -9,13 +9,13 @@ from app.formats.datasheets.gauge import GaugeFile
 from app.formats.performance.end_temperatures import END_TEMPERATURES, EndTemperatures
 from app.formats.performance.plan import PLAN, LimitPart, PerformancePlan, read_plan
 from app.metrology.performance.temperature import TemperatureSpan
-from app.workflows.performance.evaluate import evaluate_performance
-from app.workflows.performance.temperature_checks import (
+from app.workflows.performance.checks.temperatures import (
     BY_LENGTHS,
     BY_SPHERE,
     unknown_expansion,
     unknown_expansions,
 )
+from app.workflows.performance.evaluate import evaluate_performance
 from tests.cli.test_cli import crenel
 from tests.workflows.performance.test_contacts import BAR, length_groups, write_test
 

@@ -15,7 +15,7 @@ from app.guide.common.datasheet_library import AnyGauge, Gauges
 from app.guide.performance.plan import plate_part, sphere_part
 from app.messages.message import Text, message
 from app.metrology.arm.kinematics import AnyArm
-from app.workflows.performance.artefact_checks import list_problems
+from app.workflows.performance.checks.artefacts import list_problems
 
 BAR = "bar.json"
 """Of a test's folder: the bar of a contact test, which has a sphere, too."""

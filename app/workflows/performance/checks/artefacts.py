@@ -1,12 +1,7 @@
 """Artefacts that cannot serve: then no symbol is stated, and it is said why."""
 
-from collections.abc import Iterable, Mapping, Sequence
-from contextlib import suppress
 from datetime import date
-from math import inf, sqrt
-from typing import Literal
 
-from app.errors import OperationError
 from app.formats.datasheets.gauge import GaugeFile
 from app.formats.datasheets.length_standard import LengthStandardFile
 from app.formats.performance.plan import PerformancePlan, PlatePart, SpherePart
@@ -14,22 +9,11 @@ from app.formats.performance.symbols import Quantity
 from app.formats.results.calibration import Calibration
 from app.messages.message import Text, message, quantity
 from app.metrology.arm.kinematics import AnyArm
-from app.metrology.performance.contact_tests import seat_articulation
 from app.metrology.performance.length_places import arm_reach
-from app.metrology.performance.length_scatter import (
-    RockingPlace,
-    find_loose_places,
-    scatter_about_spheres_um,
-)
-from app.metrology.performance.sphere import least_squares_sphere
-from app.metrology.transforms import Floats
 
 Artefact = SpherePart | LengthStandardFile | PlatePart
 LEAST_DIAMETER_MM = 10.0
 """ISO 10360-5 and -8."""
-STEADY_TIMES = 2.0
-"""Touches of a sphere may scatter by so many times what they do along an axis in the worst seat:
-there, the tip does not slide."""
 BY_FORM: tuple[Quantity, ...] = ("form-touch", "form-scan", "dispersion-scan", "form-both")
 """Whose test value uncertainty is that of the sphere's form."""
 LEAST_WIDTH_MM = 50.0
@@ -111,55 +95,6 @@ def unknown_forms(plan: PerformancePlan) -> dict[Quantity, Text]:
     with why."""
     why = unknown_form(plan.sphere, plan.sphere.name) if plan.sphere else ""
     return dict.fromkeys(BY_FORM, why) if why and plan.kind == "sphere" else {}
-
-
-def loose_bar_problems(
-    spheres_mm: Mapping[int, Sequence[Floats]],
-    reach_mm: float,
-    test: Literal["lengths", "contact"],
-    steady_um: float = inf,
-) -> list[Text]:
-    """Each place in which a ball bar gives way.
-
-    Args:
-        spheres_mm: tip centres (N, 3) on each sphere, by the place.
-        reach_mm: radius of sphere and tip together.
-        steady_um: of touches on what surely stands still.
-    """
-    found = {place: scatter_about_spheres_um(ends, reach_mm) for place, ends in spheres_mm.items()}
-    known = {place: scatter for place, scatter in found.items() if scatter is not None}
-    return [_say(one, test) for one in find_loose_places(known, steady_um)]
-
-
-def loose_sphere_problems(spheres_mm: Sequence[Floats], steady_um: float) -> list[Text]:
-    """Each measurement of a master sphere in which it gives way.
-
-    Args:
-        spheres_mm: tip centres (N, 3) of each, N > 4.
-        steady_um: of touches on what surely stands still; infinite if there are none.
-    """
-    scatter_um: dict[int, float] = {}
-    for number, tips in enumerate(spheres_mm, 1):
-        with suppress(OperationError):  # all touches in one place
-            scatter_um[number] = 1e3 * least_squares_sphere(tips).scatter_mm
-    return [_say(one, "sphere") for one in find_loose_places(scatter_um, steady_um)]
-
-
-def steady_scatter_um(seats_mm: Iterable[Floats]) -> float:
-    """What touches on something that stands still scatter at most, by the tip (N, 3) in seats;
-    infinite without seats."""
-    two_s = [seat_articulation(tips).two_s_um for tips in seats_mm if len(tips) > 1]
-    return STEADY_TIMES * max(two_s) / 2 / sqrt(3) if two_s else inf
-
-
-def _say(place: RockingPlace, test: Literal["lengths", "contact", "sphere"]) -> Text:
-    return message(
-        "artefact-gives-way",
-        test=test,
-        place=place.place,
-        scatter=quantity(place.scatter_um, "µm"),
-        expected=quantity(place.expected_um, "µm", 1),
-    )
 
 
 def _same_number(serial_number: str) -> str:

@@ -1,0 +1,1 @@
+"""What speaks against figures: artefacts, how the arm was held, temperatures."""
