@@ -2758,6 +2758,13 @@ performance-location-scan = Lage der gescannten Kugel über die Stellungen
 performance-location-touch = Lage der angetasteten Kugel über die Stellungen
 performance-near-limit = { $title }: { $value }, für eine Entscheidung zu nahe an der Grenze von { $limit }; Unsicherheit des Prüfwerts { $uncertainty } (k = 2).
 performance-no-arm = kein Datenblatt im Ordner arms gehört zum angeschlossenen Messarm, oder es nennt keine Tastkugel
+performance-extracted-by = Alle Punkte im Auswahlbereich zählen. Die Linie wurde in den Bildern der Scans mit diesen Einstellungen gesucht: { $names }.
+performance-scans-set-otherwise = der Scan { $scan } wurde mit anderen Einstellungen aufgenommen als { $other }: Alle Scans einer Prüfung brauchen dieselben
+performance-smoothed =
+    Alle Punkte im Auswahlbereich zählen. Sie wurden bei der Aufnahme längs der Laserlinie um { $smoothing } geglättet, was Formabweichungen und Streuung kleiner macht.{ $others ->
+        [none] { "" }
+       *[other] { " " }Weitere Einstellungen: { $others }.
+    }
 performance-no-filter = Alle Punkte im Auswahlbereich zählen; kein Filter wird angewendet.
 performance-no-value = { $title }: kein Wert, denn { $problem }.
 performance-not-decided = Nicht jeder Wert ist entschieden.

@@ -2749,6 +2749,13 @@ performance-location-scan = location of the scanned sphere over articulations
 performance-location-touch = location of the touched sphere over articulations
 performance-near-limit = { $title }: { $value }, too close to the limit of { $limit } for a decision; test value uncertainty { $uncertainty } (k = 2).
 performance-no-arm = no datasheet in the folder arms belongs to the connected arm, or it states no tip
+performance-extracted-by = All points within the gate take part. The line was looked for in the pictures of the scans with these settings: { $names }.
+performance-scans-set-otherwise = the scan { $scan } was taken with other settings than { $other }: the scans of a test need the same
+performance-smoothed =
+    All points within the gate take part. They were smoothed along the laser line by { $smoothing } when they were recorded, which makes forms and dispersion smaller.{ $others ->
+        [none] { "" }
+       *[other] { " " }Further settings: { $others }.
+    }
 performance-no-filter = All points within the gate take part; no filter is applied.
 performance-no-value = { $title }: no value, because { $problem }.
 performance-not-decided = Not every figure is decided.

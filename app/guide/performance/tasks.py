@@ -28,6 +28,7 @@ from app.metrology.performance.pattern import PatchCoverage, pattern_directions,
 from app.station.jobs import Progress
 from app.station.scan.points import Show
 from app.workflows.performance.evaluate import evaluate_performance
+from app.workflows.performance.measured_data import ASIDE
 from app.workflows.performance.sphere_scans import LEAST_FRAMES, LEAST_PATCHES, LEAST_POINTS
 
 
@@ -122,9 +123,9 @@ def begin_bar_scan(guide: PerformanceGuide, of: BarPass, key: str | None) -> Non
 def _record(guide: PerformanceGuide, name: str, title: Text, watch: Show | None = None) -> None:
     folder = guide.folder / name
     if folder.exists():
-        number = 1 + sum(1 for _ in guide.folder.glob(f"{name}-aside-*"))
+        number = 1 + sum(1 for _ in guide.folder.glob(f"{name}{ASIDE}*"))
         with convert_io_errors(folder):
-            shutil.move(folder, guide.folder / f"{name}-aside-{number}")
+            shutil.move(folder, guide.folder / f"{name}{ASIDE}{number}")
     guide.station.scanner.start(str(title), folder, watch)
 
 

@@ -1,6 +1,5 @@
 """Evaluates the folder of a performance test and writes ``performance.json``."""
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 from datetime import UTC, datetime
 from pathlib import Path
@@ -22,7 +21,7 @@ from app.formats.performance.results import (
     SphereMeasurement,
     read_performance,
 )
-from app.formats.performance.symbols import SPHERE_QUANTITIES, TITLES, editions
+from app.formats.performance.symbols import SPHERE_QUANTITIES, editions
 from app.formats.results.calibration import SerialNumbers
 from app.messages.message import Message, Text, message, quantity
 from app.metrology.performance.lengths import LENGTHS
@@ -31,6 +30,12 @@ from app.metrology.performance.sphere import least_squares_sphere
 from app.metrology.performance.value_uncertainty import form_uncertainty_um, size_uncertainty_um
 from app.workflows.performance.causes import name_causes
 from app.workflows.performance.checks.artefacts import artefact_problems, unknown_forms
+from app.workflows.performance.checks.notes import find_unused_limits, plan_notes
+from app.workflows.performance.checks.scan_settings import (
+    filter_note,
+    find_changed_settings,
+    read_scan_settings,
+)
 from app.workflows.performance.checks.temperatures import (
     arm_span,
     artefact_span,
@@ -96,7 +101,9 @@ def evaluate_performance(folder: Path, ended_at: str = "") -> PerformanceFile:
     plan = read_plan(folder)
     _check_artefact(plan)
     data = read_measured_data(folder, _features(plan))
+    settings = read_scan_settings(data)
     problems = artefact_problems(plan, data.calibration, data.arm)
+    problems += find_changed_settings(settings)
     measured, parts = _measure(data, problems)
     artefact, arm = artefact_span(plan, data.end), arm_span(plan, data.end)
     unsteady = find_unsteady(artefact, arm, plan.temperature_limits.limits)
@@ -132,8 +139,8 @@ def evaluate_performance(folder: Path, ended_at: str = "") -> PerformanceFile:
         verdict=judge_all(figures),
         problems=tuple(sentence(text) for text in (*problems, *undecided, *still_open)),
         notes=(
-            *_notes(plan),
-            *_name_unused_limits(plan, measured),
+            *plan_notes(plan, filter_note(settings)),
+            *find_unused_limits(plan, measured),
             *parts.notes,
             *temperature_notes(plan, data.end),
         ),
@@ -298,34 +305,3 @@ def _offset_part(found: ImpliedOffset) -> ImpliedOffsetPart:
         if found.is_significant
         else message("offset-not-significant", **known),
     )
-
-
-def _name_unused_limits(plan: PerformancePlan, measured: Sequence[Measured]) -> tuple[Text, ...]:
-    """Limits of quantities that this test does not measure."""
-    has = {one.quantity for one in measured}
-    return tuple(
-        message("performance-limit-unused", title=TITLES[limit.quantity])
-        for limit in plan.limits
-        if limit.quantity not in has
-    )
-
-
-def _notes(plan: PerformancePlan) -> tuple[Text, ...]:
-    """The filters, and what else should be known."""
-    notes: list[Text] = []
-    if plan.kind == "sphere":
-        notes.append(message("performance-no-filter"))
-        gate = plan.gate
-        notes.append(
-            message(
-                "performance-gate",
-                shell=quantity(gate.shell_mm, "mm", 1),
-                incidence=quantity(gate.incidence_deg, "°"),
-                cone=quantity(gate.cone_deg, "°"),
-            )
-        )
-        if plan.positions == 1:
-            notes.append(message("performance-one-position"))
-    if plan.kind == "plane":
-        notes.append(message("performance-plane-is-addition"))
-    return tuple(notes)

@@ -33,6 +33,8 @@ from app.workflows.performance.checks.temperatures import artefact_span
 from app.workflows.reconstruct import reconstruct_into
 
 RECORDING = "scan.mcap"
+ASIDE = "-aside-"
+"""In the name of a scan that does not count, before its number."""
 
 
 @dataclass(frozen=True)

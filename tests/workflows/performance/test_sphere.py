@@ -1,5 +1,6 @@
 """The one-sphere test on touches and recordings with planted faults."""
 
+import shutil
 from collections.abc import Callable
 from datetime import UTC, datetime
 from pathlib import Path
@@ -8,13 +9,14 @@ from typing import Any
 import numpy as np
 import pytest
 
+from app.bench.metrology import synthetic_sphere
 from app.bench.metrology.synthetic_sphere import SPHERE, Faults, SphereSession
 from app.errors import OperationError
 from app.formats.exchange.export import export_result
 from app.formats.exchange.write_certificate import Issuer
 from app.formats.performance.plan import PLAN, RESULT, TOUCHES, LimitPart, read_plan, sphere_scan
 from app.formats.performance.results import PerformanceFile, read_performance
-from app.formats.recording.reader import SCAN_STARTED
+from app.formats.recording.reader import EXTRACTION, SCAN_STARTED
 from app.formats.recording.writer import RecordingWriter
 from app.messages.message import Message, Text, message
 from app.timestamps import parse_moment
@@ -321,6 +323,42 @@ def test_a_sphere_that_stands_still_is_not_said_to_have_moved(tmp_path: Path) ->
         faults = Faults(articulations=0, touch_sd_mm=0.01, seed=seed)
         result = evaluate_performance(SphereSession(tmp_path / str(seed), faults).write())
         assert not result.problems, seed
+
+
+def set_extraction(monkeypatch: pytest.MonkeyPatch, *texts: str) -> None:
+    """The recordings of the next session say that they were taken by these settings."""
+    said = iter(texts)
+
+    def writer(path: Path, names: list[str] | None) -> RecordingWriter:
+        return RecordingWriter(path, names, {EXTRACTION: next(said)})
+
+    monkeypatch.setattr(synthetic_sphere, "RecordingWriter", writer)
+
+
+def test_every_filter_is_declared(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    plain = evaluate_performance(with_faults(tmp_path / "plain"))
+    assert any("no filter is applied" in str(note) for note in plain.notes)
+    set_extraction(monkeypatch, *['{"smoothing_px": 3.0, "threshold": 40.0}'] * 5)
+    result = evaluate_performance(with_faults(tmp_path / "t"))
+    assert not result.problems
+    notes = " ".join(map(str, result.notes))
+    assert "smoothed along the laser line by 3 px" in notes
+    assert "threshold = 40.0" in notes
+    assert "no filter" not in notes
+
+
+def test_scans_by_different_settings_are_no_set(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    set_extraction(monkeypatch, "", "", '{"threshold": 40.0}', "", "")
+    folder = with_faults(tmp_path / "t")
+    result = evaluate_performance(folder)
+    assert set(values(result).values()) == {None}
+    assert "p1-a3 was taken with other settings than p1-a1" in str(result.problems[0])
+    # one that was put aside does not count
+    shutil.move(folder / "p1-a3", folder / "p1-a3-aside-1")
+    shutil.copytree(folder / "p1-a2", folder / "p1-a3")
+    assert not any("settings" in str(one) for one in evaluate_performance(folder).problems)
 
 
 def shake(row: str, random: np.random.Generator) -> str:
