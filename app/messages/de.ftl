@@ -1779,6 +1779,11 @@ performance-set-is-invalid = Das Gemessene gehört zum alten Stand und ist als P
 performance-set-positions = hat die Zahl der Positionen gewählt
 performance-set-standard-up = Das Normal wie gezeichnet aufstellen: { $place }. Befestigen. { $text }
 performance-settings-changed = Die Einstellungen für Scans wurden geändert, nachdem die Messung begonnen hatte.
+performance-single-values =
+    { $test ->
+        [plane] Die Ausrichtungen
+       *[contact] Meisterkugel, Pfannen und Lagen
+    }
 performance-simulation-contacts = Der simulierte Bediener tastet an: { $done } von { $of }
 performance-simulation-scans = Der simulierte Bediener scannt Stellung { $articulation }
 performance-simulation-scans-bar = Der simulierte Bediener scannt den Stab in Lage { $place }, Scan { $repeat }
@@ -1940,7 +1945,6 @@ same-camera-both = beide kommen von einer Kamera in einer Betriebsart
 scanned-centres-of-position = Durch Scannen, Position { $position }
 scanned-places-of-position = Gescannte Kugel, Position { $position }
 search-again-for-devices = Suchen Sie noch einmal; wenn das nicht hilft, prüfen Sie Netzwerk und Kabel.
-seats-and-placements = Pfannen und Lagen des Kugelstabs
 selected-sensor = Sensor ausgewählt
 sensor-calibrated = { $name }: { $calibration }, { $total } (k = 1)
 sensor-cannot-be-selected-now = ein anderer Sensor lässt sich jetzt nicht auswählen
@@ -2723,6 +2727,8 @@ performance-conditions-not-met = { $title }: { $value }; nicht entschieden, denn
 performance-dispersion-scan = Streuung der gescannten Kugel, 95 % aller Punkte
 performance-bars-caption =
     { CAPITAL($title) }, in µm, { $of ->
+        [measurement] nach Messung
+        [orientation] nach Ausrichtung des Sensors
         [seat] nach Pfanne: 1 nahe der Schulter, 2 in der Mitte, 3 fern
        *[placement] nach Lage des Kugelstabs
     }.{ $limited ->
@@ -3250,7 +3256,7 @@ seat-named = Pfanne { $name }
 seat-needs-two-points = ein Sitz braucht zwei Punkte oder mehr
 seat-points-1-lie-apart = Pfanne { $name }: Die Punkte 1 bis { $split } und { $next } bis { $points } liegen { $gap } auseinander
 seat-tip = Tastkugel einsetzen
-seat-gives-way = Sitz { $seat } ist lose: Der Taster streut darin um { $scatter }, in den anderen um höchstens { $expected }
+seat-gives-way = Pfanne { $seat } ist lose: Der Taster streut darin um { $scatter }, in den anderen um höchstens { $expected }
 seats = Pfannen
 seats-held-out = Pfannen, kreuzvalidiert
 seats-not-measured = { $count } Sitze mit je { $points } Punkten sind nötig

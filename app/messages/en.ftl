@@ -1775,6 +1775,11 @@ performance-set-is-invalid = What was measured belongs to the old state and is i
 performance-set-positions = chose how many positions
 performance-set-standard-up = Set the standard up as drawn: { $place }. Fix it. { $text }
 performance-settings-changed = The settings for scans were changed after the first touch or scan of this test.
+performance-single-values =
+    { $test ->
+        [plane] The orientations
+       *[contact] Master sphere, seats and placements
+    }
 performance-simulation-contacts = The simulated operator touches { $done } of { $of }
 performance-simulation-scans = The simulated operator scans articulation { $articulation }
 performance-simulation-scans-bar = The simulated operator scans the bar in place { $place }, scan { $repeat }
@@ -1936,7 +1941,6 @@ same-camera-both = both come from one camera, in one mode
 scanned-centres-of-position = By scan, position { $position }
 scanned-places-of-position = Scanned sphere, position { $position }
 search-again-for-devices = Search again; if that does not help, check network and cables.
-seats-and-placements = Seats and placements
 selected-sensor = selected a sensor
 sensor-calibrated = { $name }: { $calibration }, { $total } (k = 1)
 sensor-cannot-be-selected-now = another sensor cannot be selected now
@@ -2714,6 +2718,8 @@ performance-conditions-not-met = { $title }: { $value }; not decided, because { 
 performance-dispersion-scan = dispersion of the scanned sphere, 95 % of all points
 performance-bars-caption =
     { CAPITAL($title) }, in µm, { $of ->
+        [measurement] by measurement
+        [orientation] by orientation of the sensor
         [seat] by seat: 1 near the shoulder, 2 in the middle, 3 far
        *[placement] by placement of the bar
     }.{ $limited ->

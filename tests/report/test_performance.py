@@ -17,6 +17,8 @@ from app.messages.catalogue import renderer
 from app.messages.language_file import languages
 from app.metrology.performance.location import location_error_mm
 from app.metrology.performance.pattern import pattern_directions
+from app.report.content import Pictures
+from app.report.contents.performance import performance_report
 from app.report.contents.performance_figures import LABELS, bars_figure, lengths_figure
 from app.report.contents.sphere_figures import (
     centres_figure,
@@ -169,6 +171,18 @@ def test_every_placement_has_a_bar(tmp_path: Path) -> None:
     figure, _ = bars_figure(volumetric)
     filled = [one for one in figure.items if getattr(one, "fill", "") == "#1d5bd0"]
     assert len(filled) == len(volumetric.values) == 20
+
+
+@pytest.mark.parametrize("build", BUILDERS)
+def test_every_test_has_a_figure_without_limits_too(
+    tmp_path: Path, build: Callable[[Path], PerformanceFile]
+) -> None:
+    document = build(tmp_path)
+    plain = [one.model_copy(update={"limit": None, "decision": "none"}) for one in document.figures]
+    (tmp_path / RESULT).unlink()
+    document.model_copy(update={"figures": tuple(plain)}).write(tmp_path / RESULT)
+    drawn = performance_report(tmp_path).sections
+    assert any(isinstance(block, Pictures) for section in drawn for block in section.blocks)
 
 
 @pytest.mark.parametrize("language", sorted(languages()))

@@ -116,7 +116,11 @@ def _pictures(document: PerformanceFile) -> list[Section[Text]]:
             lengths_pictures(document.lengths),
             1,
         ),
-        (message("seats-and-placements"), bar_pictures(document), 2),
+        (
+            message("performance-single-values", test=document.kind),
+            bar_pictures(document),
+            2,
+        ),
     ]
     return [
         Section[Text](title, [Pictures(pictures, across)], together=False)

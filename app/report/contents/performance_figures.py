@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 
 from app.formats.performance.results import LengthPoint, PerformanceFigure, PerformanceFile
+from app.formats.performance.symbols import Quantity
 from app.messages.message import Text, message, quantity, signed
 from app.report.contents.limits_figure import LimitedValue, draw_limits
 from app.report.figure import (
@@ -22,7 +23,14 @@ from app.report.formatting import micrometres
 
 LABELS = 234.0
 """Wide enough for the longest title of a figure, in every language."""
-BARS: tuple[str, ...] = ("articulation-largest", "articulation-two-s", "volumetric-largest")
+BARS: dict[Quantity, str] = {
+    "effective-diameter": "measurement",
+    "articulation-largest": "seat",
+    "articulation-two-s": "seat",
+    "volumetric-largest": "placement",
+    "plane-scan": "orientation",
+}
+"""Figures that are drawn as one bar for each of their values, and what there is one of."""
 SHIFT = 1.3
 """Between the places of one length, so that equal errors are seen apart."""
 
@@ -93,7 +101,7 @@ def lengths_figure(lengths: Sequence[LengthPoint]) -> tuple[Figure[Text], Text]:
 
 
 def bar_pictures(document: PerformanceFile) -> list[tuple[Figure[Text], Text]]:
-    """The seats and placements of the contact test."""
+    """Measurements, seats and placements of the contact test, or orientations of a plate."""
     return [
         bars_figure(one)
         for one in document.figures
@@ -102,7 +110,7 @@ def bar_pictures(document: PerformanceFile) -> list[tuple[Figure[Text], Text]]:
 
 
 def bars_figure(one: PerformanceFigure) -> tuple[Figure[Text], Text]:
-    """One bar for each seat or placement, with the limit, or else with the largest value."""
+    """One bar for each value, with the limit, or else with the largest value."""
     values = one.values
     figure = Figure[Text](250, 130, one.title)
     left, width, top, height = 40.0, 205.0, 6.0, 104.0
@@ -136,5 +144,5 @@ def bars_figure(one: PerformanceFigure) -> tuple[Figure[Text], Text]:
             figure.items.append(Polyline(((left, y), (left + width, y)), RED, 1, dash=(4, 3)))
             figure.label((left - 4, y + 2.5), quantity(edge), 7, RED, "end")
     limited = "no" if one.limit is None else "yes"
-    of = "placement" if one.quantity == "volumetric-largest" else "seat"
+    of = BARS[one.quantity]
     return figure, message("performance-bars-caption", title=one.title, of=of, limited=limited)
