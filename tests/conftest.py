@@ -12,7 +12,7 @@ import app  # noqa: F401  # sets the numerical libraries' threads before numpy i
 from app.native.library import CRENEL
 
 SHARED = Path(__file__).resolve().parents[2] / "shared"
-SPREAD = ("hardware", "station", "e2e")
+SPREAD = ("hardware", "station", "performance", "e2e")
 """Folders of tests that mostly wait for devices, and of those that keep a browser and a station
 busy: each is spread over the whole run."""
 
