@@ -1,5 +1,6 @@
 """Evaluates the folder of a performance test and writes ``performance.json``."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from datetime import UTC, datetime
 from pathlib import Path
@@ -26,8 +27,11 @@ from app.formats.results.calibration import SerialNumbers
 from app.messages.message import Message, Text, message, quantity
 from app.metrology.performance.lengths import LENGTHS
 from app.metrology.performance.location import ImpliedOffset, estimate_offset
-from app.metrology.performance.sphere import least_squares_sphere
-from app.metrology.performance.value_uncertainty import form_uncertainty_um, size_uncertainty_um
+from app.metrology.performance.value_uncertainty import (
+    SphereCertificate,
+    form_uncertainty_um,
+    size_uncertainty_um,
+)
 from app.workflows.performance.causes import name_causes
 from app.workflows.performance.checks.artefacts import artefact_problems, unknown_forms
 from app.workflows.performance.checks.notes import find_unused_limits, plan_notes
@@ -225,16 +229,7 @@ def _measure_sphere(data: MeasuredData, problems: list[Text]) -> tuple[list[Meas
     for result in results:
         bring_sizes_to_20(result, plan.sphere, off_c)
     moved_um = max(result.moved_um for result in results)
-    still_um = K * max(form_uncertainty_um(certificate), size_uncertainty_um(certificate)) / 2
-    limit_um = max(still_um, _least_drift_um(data))
-    if moved_um > limit_um:
-        problems.append(
-            message(
-                "sphere-or-arm-moved",
-                moved=quantity(moved_um, "µm", 1),
-                limit=quantity(limit_um, "µm", 1),
-            )
-        )
+    problems += _find_moved(results, certificate)
     problems += [text for result in results for text in find_loose(data, result)]
     problems += find_unfinished(data, results)
     of_unknown_form = unknown_forms(plan)
@@ -255,12 +250,14 @@ def _measure_sphere(data: MeasuredData, problems: list[Text]) -> tuple[list[Meas
     ]
     spheres = tuple(result.measurement(stated=not problems) for result in results)
     # where no location is stated, nothing follows from it either
-    is_located = not problems and "location-scan" in results[0].values_mm
-    offset = _find_offset(results[0]) if is_located else None
+    is_located = not problems and worst(results, "location-scan") is not None
+    offset = _find_offset(results) if is_located else None
     notes = [note for result in results for note in result.notes]
     if not problems:
         size_um = size_uncertainty_um(certificate, sd_c, off_c)
-        notes += name_causes(results[0], size_um)
+        for result in results:
+            causes = name_causes(result, size_um)
+            notes += [_at_position(text, result, len(results)) for text in causes]
     part = None if offset is None else _offset_part(offset)
     return measured, _Parts(spheres, part, notes=tuple(notes))
 
@@ -271,16 +268,34 @@ def _fewer_lengths(plan: PerformancePlan) -> tuple[Text, ...]:
     return (message("performance-fewer-lengths", count=count),) if count < LENGTHS else ()
 
 
-def _least_drift_um(data: MeasuredData) -> float:
-    """What the arm's own scatter makes of two centres, hardly ever more."""
-    tips = data.tips_mm.get("p1-pattern")
-    if tips is None or len(tips) < 5:
-        return 0.0
-    return MOVED_BY_SCATTER * 1e3 * least_squares_sphere(tips).scatter_mm
+def _find_moved(results: Sequence[PositionResult], certificate: SphereCertificate) -> list[Text]:
+    """Where the sphere moved by more than its certificate and the arm's own scatter make of two
+    centres, hardly ever more."""
+    still_um = K * max(form_uncertainty_um(certificate), size_uncertainty_um(certificate)) / 2
+    found: list[Text] = []
+    for result in results:
+        limit_um = max(still_um, MOVED_BY_SCATTER * 1e3 * result.touch_sd_mm)
+        if result.moved_um <= limit_um:
+            continue
+        text = message(
+            "sphere-or-arm-moved",
+            moved=quantity(result.moved_um, "µm", 1),
+            limit=quantity(limit_um, "µm", 1),
+        )
+        found.append(_at_position(text, result, len(results)))
+    return found
 
 
-def _find_offset(result: PositionResult) -> ImpliedOffset | None:
-    """The probe matrix's error that the location error of a position implies."""
+def _at_position(text: Text, result: PositionResult, count: int) -> Text:
+    """What is said of one of so many positions of the sphere."""
+    if count == 1:
+        return text
+    return message("at-position", position=result.position, text=text)
+
+
+def _find_offset(results: Sequence[PositionResult]) -> ImpliedOffset | None:
+    """The probe matrix's error that the location error implies, of the position that counts."""
+    result = max(results, key=lambda one: one.values_mm["location-scan"])
     if result.centres_mm is None or result.R_arm_sensor is None:
         return None
     try:

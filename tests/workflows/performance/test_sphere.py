@@ -325,6 +325,26 @@ def test_a_sphere_that_stands_still_is_not_said_to_have_moved(tmp_path: Path) ->
         assert not result.problems, seed
 
 
+def test_of_two_positions_each_is_judged(tmp_path: Path) -> None:
+    """By its own scatter, and the error of the probe matrix is that of the one that counts."""
+    folder = with_faults(tmp_path / "one", **QUIET)
+    off = with_faults(tmp_path / "two", matrix_offset_mm=(0.05, 0.0, 0.0), outliers=0.04, **QUIET)
+    _, *rows = (off / TOUCHES).read_text().splitlines()
+    change_touches(folder, lambda own: [*own, *(row.replace("p1-", "p2-") for row in rows)])
+    for number in range(1, 6):
+        shutil.copytree(off / sphere_scan(1, number), folder / sphere_scan(2, number))
+    plan = read_plan(folder).model_copy(update={"positions": 2})
+    plan.write(folder / PLAN)
+    result = evaluate_performance(folder)
+    assert not result.problems
+    assert result.offset is not None
+    assert result.offset.offset_mm[0] == pytest.approx(0.05, abs=0.005)
+    causes = [str(note) for note in result.notes if "far off the sphere" in str(note)]
+    assert [cause.startswith("position 2: ") for cause in causes] == [True]
+    shutil.rmtree(folder / sphere_scan(2, 5))
+    assert evaluate_performance(folder).offset is None
+
+
 def set_extraction(monkeypatch: pytest.MonkeyPatch, *texts: str) -> None:
     """The recordings of the next session say that they were taken by these settings."""
     said = iter(texts)
