@@ -1,4 +1,4 @@
-"""Every figure of a one-sphere test once more, from its touches and its recorded stripes.
+"""Every figure of a one-sphere and a plane test once more, from touches and recorded stripes.
 
 Written from docs/performance.md and docs/formats.md, with numpy and scipy alone: nothing of
 ``app.metrology`` and ``app.workflows`` is used. Of arms with joints in the standard
@@ -13,6 +13,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 from scipy.optimize import least_squares, minimize
+from scipy.spatial import Delaunay
 
 from app.formats.recording.decoders import JointRecord, StripeRecord
 from app.formats.recording.reader import Recording
@@ -69,6 +70,52 @@ def independent_figures_um(folder: Path) -> dict[str, float]:
     found["form-both"] = float(np.ptp(np.linalg.norm(both - both_centre, axis=1)))
     found["location-both"] = float(np.linalg.norm(_sphere(contacts)[0] - scanned_centre))
     return {name: 1e3 * value for name, value in found.items()}
+
+
+def independent_plane_um(folder: Path) -> list[float]:
+    """The form of the plane in each orientation, in µm."""
+    plan, arm, calibration = (
+        json.loads((folder / f"{name}.json").read_text()) for name in ("plan", "arm", "calibration")
+    )
+    found = []
+    for number in (1, 2):
+        points = _scan(folder / f"plane-{number}" / "scan.mcap", arm, calibration)[0]
+        off = _off_plane(points, _on_plate(points, plan["gate"]["shell_mm"]))
+        off = np.sort(off)
+        held = int(np.ceil(0.95 * len(off)))
+        found.append(1e3 * float((off[held - 1 :] - off[: 1 - held or None]).min()))
+    return found
+
+
+def _plane(points: Floats) -> tuple[Floats, Floats]:
+    """Middle (3,) and axes (3, 3) of points on a plane, its normal last."""
+    middle = points.mean(axis=0)
+    return middle, np.linalg.eigh(np.cov((points - middle).T))[1][:, ::-1]
+
+
+def _off_plane(points: Floats, chosen: NDArray[np.bool_]) -> Floats:
+    """Distances of chosen points from their own plane."""
+    middle, axes = _plane(points[chosen])
+    return np.asarray((points[chosen] - middle) @ axes[:, 2])
+
+
+def _on_plate(points: Floats, shell_mm: float) -> NDArray[np.bool_]:
+    """Points that lie 1 mm or more within the outline of those near the plate, and in the shell."""
+    near = np.ones(len(points), dtype=np.bool_)
+    for _ in range(30):
+        middle, axes = _plane(points[near])
+        near = np.abs((points - middle) @ axes[:, 2]) <= 2.0
+    flat = (points - middle) @ axes
+    corners = flat[near][Delaunay(flat[near, :2]).convex_hull.ravel(), :2]
+    around = corners - corners.mean(axis=0)
+    corners = corners[np.argsort(np.arctan2(around[:, 1], around[:, 0]))]
+    inside = np.abs(flat[:, 2]) <= shell_mm
+    for a, b in zip(corners, np.roll(corners, -1, axis=0), strict=True):
+        side = b - a
+        if (length := float(np.linalg.norm(side))) > 0:  # corners stand there twice
+            away = flat[:, :2] - a
+            inside &= (side[0] * away[:, 1] - side[1] * away[:, 0]) / length >= 1.0
+    return np.asarray(inside)
 
 
 def _flange(arm: Mapping[str, list[Mapping[str, float]]], q_rad: Floats) -> Floats:
