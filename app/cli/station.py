@@ -8,6 +8,7 @@ import typer
 
 from app.cli.choice import count_words
 from app.console import AsJson, print_json, progress_bar, report_errors
+from app.messages.message import message
 
 
 @report_errors
@@ -48,8 +49,9 @@ def password(
         accounts = AccountStore(database)
         account = accounts.get(name)
         if account is None:
-            known = ", ".join(one.name for one in accounts.all()) or "none yet"
-            raise OperationError("no-account", f"There is no account {name}", f"accounts: {known}")
+            names = ", ".join(one.name for one in accounts.all())
+            known = message("accounts-are", names=names) if names else message("accounts-none")
+            raise OperationError("no-account", message("account-not-there", name=name), known)
         if sys.stdin.isatty():
             new = typer.prompt("New password", hide_input=True, confirmation_prompt=True)
         else:

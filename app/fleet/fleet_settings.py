@@ -178,7 +178,7 @@ def read_fleet_settings(path: Path | None) -> FleetSettings:
     if not path.exists():
         raise OperationError(
             "settings-missing",
-            message("fleet-settings-missing", path=path),
+            message("settings-missing", path=path),
             remedy=message("fleet-write-settings"),
         )
     return read_tables(path, FleetSettings, DOCUMENT)

@@ -17,6 +17,7 @@ from app.errors import OperationError
 from app.formats.file_names import escape_unprintable
 from app.formats.io_errors import convert_io_errors
 from app.formats.open_file import read_bounded
+from app.messages.message import Text, message
 from app.monitoring.log_text import RepeatFilter
 from app.monitoring.system_info import Network
 from app.server.connections import BoundedWebSocket, http_protocol, make_space
@@ -35,9 +36,9 @@ iteration."""
 MOST_FILES = 65536
 LONGEST_LINE = 400
 """On the console."""
-PORT_REMEDIES: dict[int | None, str] = {
-    errno.EADDRINUSE: "Stop what is using it, or choose another with --port",
-    errno.EACCES: "Choose a port from 1024 on with --port",
+PORT_REMEDIES: dict[int | None, Text] = {
+    errno.EADDRINUSE: message("listen-free-port"),
+    errno.EACCES: message("listen-choose-higher-port"),
 }
 LOOPBACK = ("localhost", "127.0.0.1", "::1")
 ELSEWHERE = "Other machines reach it by its address, or by a name in hosts of {file}."
@@ -71,9 +72,9 @@ def listen(host: str, port: int, tries: int) -> socket.socket:
         return listening
     raise OperationError(
         "port",
-        f"Cannot listen on {host} port {port}",
+        message("listen-failed", host=host, port=str(port)),
         reason,
-        PORT_REMEDIES.get(number, "Give an address of this machine with --host"),
+        PORT_REMEDIES.get(number, message("listen-give-own-address")),
     )
 
 
@@ -154,12 +155,14 @@ def make_server(app: ASGIApp, serving: Serving = LOCAL) -> "StationServer":
     try:
         config.load()
     except ssl.SSLError as error:
+        certificate, key = str(serving.tls_certificate), str(serving.tls_key)
         raise OperationError(
             "tls",
-            f"{serving.tls_certificate} and {serving.tls_key} cannot be used",
-            "they are not a certificate and its key in PEM format"
-            + (f" ({error.reason})" if error.reason else ""),
-            "Give the certificate with its chain, and its own key",
+            message("tls-pair-unusable", certificate=certificate, key=key),
+            message("tls-no-pair-reason", reason=error.reason)
+            if error.reason
+            else message("tls-no-pair"),
+            message("tls-give-own-key"),
         ) from error
     return StationServer(config)
 
@@ -173,9 +176,9 @@ def _check_key(serving: Serving) -> None:
         if file == serving.tls_key and b"ENCRYPTED" in content:
             raise OperationError(
                 "tls",
-                f"{file} cannot be used",
-                "it is encrypted, and there is nobody to enter its password",
-                "Give the key without a password, readable only by the station",
+                message("tls-key-unusable", file=file),
+                message("tls-key-encrypted"),
+                message("tls-give-plain-key"),
             )
 
 

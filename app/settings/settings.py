@@ -31,6 +31,7 @@ from app.formats.settings.toml_table import (
     check_authority,
 )
 from app.guide.common.validity import DUE, DueLimits
+from app.messages.message import message
 from app.metrology.decision import GUARDED_95, RULES, Bearer, DecisionRule
 from app.metrology.limits import LIMITS
 from app.metrology.performance.temperature import TemperatureLimits
@@ -52,9 +53,9 @@ def _check_network(proxy: str, info: ValidationInfo) -> str:
     except ValueError as error:
         raise OperationError(
             "settings-proxies",
-            f"{info.context}: proxies has {proxy!r}",
-            "it is no address",
-            'Give the address from which the proxy connects, as "10.0.0.5" or "10.0.0.0/24"',
+            message("settings-proxy-is", file=str(info.context), proxy=repr(proxy)),
+            message("settings-proxy-no-address"),
+            message("settings-give-proxy"),
         ) from error
     return proxy
 
@@ -80,17 +81,18 @@ class Serving(TomlTable):
         if len(files) == 1:
             raise OperationError(
                 "settings-tls",
-                f"{info.context}: {next(iter(files))} is given without the other",
-                "certificate and key belong together",
-                "Give both tls_certificate and tls_key, or neither",
+                message("settings-key-alone", file=str(info.context), key=next(iter(files))),
+                message("settings-certificate-and-key"),
+                message("settings-give-both-tls"),
             )
         for name, file in files.items():
             if not file.is_file():
+                where, value = str(info.context), repr(str(file))
                 raise OperationError(
                     "settings-tls",
-                    f"{info.context}: {name} = {str(file)!r}",
-                    "there is no such file",
-                    "Give the file in PEM format",
+                    message("settings-value-of", file=where, key=name, value=value),
+                    message("no-such-file"),
+                    message("settings-give-pem"),
                 )
         return self
 
@@ -133,10 +135,14 @@ class LimitsTable(TomlTable):
         if self.usable_um < self.good_um:
             raise OperationError(
                 "settings-limits",
-                f"{info.context}, [limits]: usable_um = {self.usable_um:g} is below good_um = "
-                f"{self.good_um:g}",
-                "what is good must be usable",
-                "Give usable_um the larger value",
+                message(
+                    "settings-limits-reversed",
+                    file=str(info.context),
+                    usable=f"{self.usable_um:g}",
+                    good=f"{self.good_um:g}",
+                ),
+                message("settings-limits-order"),
+                message("settings-limits-swap"),
             )
         return self
 
@@ -220,8 +226,11 @@ class Settings(TomlTable):
         if "sensors" in given:
             raise OperationError(
                 "settings-key-unknown",
-                f"{info.context}: the table [sensors] is unknown",
-                remedy="Name each sensor, as in [sensor.left]",
+                message(
+                    "settings-is-unknown",
+                    named=message("settings-table", file=str(info.context), table="sensors"),
+                ),
+                remedy=message("settings-name-sensor-tables"),
             )
         tables = given.get("sensor")
         if not isinstance(tables, dict) or not tables or "driver" in tables:
@@ -233,9 +242,8 @@ class Settings(TomlTable):
                 raise OperationError(
                     "settings-sensor-name",
                     f"{info.context}: [sensor.{name}]",
-                    "the name of a sensor is of letters, digits and underscores, and begins with "
-                    "a letter",
-                    "Give it another name",
+                    message("settings-sensor-name"),
+                    message("settings-name-otherwise"),
                 )
         others = {key: value for key, value in given.items() if key != "sensor"}
         return {**others, "sensors": tables}
@@ -246,9 +254,9 @@ class Settings(TomlTable):
         if unknown:
             raise OperationError(
                 "settings-trigger",
-                f"{info.context}, [trigger]: delays_us names {', '.join(unknown)}",
-                "there is no sensor of that name",
-                "Name the sensors as their tables do; delay_us is for all others",
+                message("settings-trigger-names", file=str(info.context), names=", ".join(unknown)),
+                message("settings-no-such-sensor"),
+                message("settings-name-as-tables"),
             )
         return self
 
@@ -267,5 +275,6 @@ class Settings(TomlTable):
             return None
         mqtt.password()
         if mqtt.ca_file is not None:
-            check_authority(mqtt.ca_file, "settings-mqtt", f"{info.context}, [mqtt]", "broker")
+            where, remedy = f"{info.context}, [mqtt]", message("authority-give-for-broker")
+            check_authority(mqtt.ca_file, "settings-mqtt", where, remedy)
         return mqtt

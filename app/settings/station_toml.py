@@ -9,6 +9,7 @@ from pydantic import BaseModel, ValidationError
 from app.errors import OperationError
 from app.formats.io_errors import convert_io_errors
 from app.formats.open_file import read_bounded
+from app.messages.message import message
 from app.messages.validation import validation_text
 from app.settings.settings import Settings
 
@@ -17,21 +18,18 @@ DEFAULT_FILE = "station.toml"
 DOCUMENT = "docs/formats.md"
 TABLE_NAME = "[key]"
 """Pydantic's word for the name of a table that anyone may choose."""
-WORDS = {
-    "string_type": "it must be text in quotes",
-    "is_instance_of": "it must be text in quotes",
-    "string_too_short": "it is empty",
-    "tuple_type": 'it must be a list, as ["one", "two"]',
-    "int_type": "it must be a whole number",
-    "float_type": "it must be a number",
-    "bool_type": "it must be true or false",
-    "model_type": "it must be a table",
+BY_TYPE = {
+    "string_type": message("settings-must-be-quoted"),
+    "is_instance_of": message("settings-must-be-quoted"),
+    "string_too_short": message("value-empty"),
+    "tuple_type": message("settings-must-be-list"),
+    "model_type": message("settings-must-be-table"),
 }
-"""Of what does not fit; the rest says it well enough."""
-PATTERN_WORDS = {
-    "address": "it must begin with http:// or https:// and name a host",
-    "prefix": "it must be words with / between them, without spaces, # and +",
-    "station": "it must be lower-case letters, digits and hyphens, 40 at most",
+"""What a value must be, where TOML's own words say it better than ``validation_text``."""
+BY_PATTERN = {
+    "address": message("settings-must-be-web-address"),
+    "prefix": message("settings-must-be-topic-prefix"),
+    "station": message("settings-must-be-station-name"),
 }
 
 
@@ -46,9 +44,9 @@ def read_settings(path: Path | None) -> Settings:
     if not path.exists():
         raise OperationError(
             "settings-missing",
-            f"{path}: there is no such file",
-            "it states which arm and which sensor are connected",
-            "Write one as docs/operating.md shows, name another with --config, or try crenel demo",
+            message("settings-missing", path=path),
+            message("settings-states-devices"),
+            message("settings-write-one"),
         )
     return read_tables(path, Settings)
 
@@ -67,36 +65,34 @@ def read_tables(path: Path, model: type[Tables], document: str = DOCUMENT) -> Ta
     try:
         return model.model_validate(tomllib.loads(raw.decode()), context=path)
     except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
-        raise OperationError("settings-not-toml", str(path), f"it is not TOML: {error}") from error
+        why = message("settings-not-toml", reason=error)
+        raise OperationError("settings-not-toml", str(path), why) from error
     except ValidationError as error:
         raise _invalid(path, error, document) from error
 
 
 def _invalid(path: Path, error: ValidationError, document: str) -> OperationError:
     first = error.errors(include_url=False)[0]
-    place = [str(part) for part in first["loc"]]
+    kind, file, place = first["type"], str(path), [str(part) for part in first["loc"]]
+    by_pattern = BY_PATTERN.get(place[-1], BY_PATTERN["station"])
     if place[-1] == TABLE_NAME:
-        what = f"{path}: the name of the table [{'.'.join(place[:-1])}]"
-        why = f"it is not as {document} shows"
-        if first["type"] == "string_pattern_mismatch":
-            why = PATTERN_WORDS["station"]
-        return OperationError("settings-key-invalid", what, why, "Rename it")
-    table = f"[{place[0]}]"
-    key = ".".join(place[1:])
-    named = f"{path}, {table}: {key}" if key else f"{path}: the table {table}"
-    if first["type"] == "missing":
-        remedy = f"Add it as {document} shows"
-        return OperationError("settings-key-missing", f"{named} is missing", remedy=remedy)
-    if first["type"] == "extra_forbidden":
-        return OperationError(
-            "settings-key-unknown", f"{named} is unknown", remedy="Correct its name"
-        )
-    words = WORDS.get(first["type"])
-    if first["type"] == "string_pattern_mismatch":
-        words = PATTERN_WORDS.get(place[-1], PATTERN_WORDS["station"])
-    return OperationError(
-        "settings-key-invalid",
-        f"{named} = {first['input']!r}",
-        validation_text(first) if words is None else words,
-        "Correct it",
-    )
+        what = message("settings-table-name", file=file, table=".".join(place[:-1]))
+        why = message("settings-not-as-shown", document=document)
+        if kind == "string_pattern_mismatch":
+            why = by_pattern
+        return OperationError("settings-key-invalid", what, why, message("rename"))
+    named = message("settings-table", file=file, table=place[0])
+    if key := ".".join(place[1:]):
+        named = message("settings-key", file=file, table=place[0], key=key)
+    if kind == "missing":
+        remedy = message("settings-add-as-shown", document=document)
+        what = message("settings-is-missing", named=named)
+        return OperationError("settings-key-missing", what, remedy=remedy)
+    if kind == "extra_forbidden":
+        what, remedy = message("settings-is-unknown", named=named), message("settings-correct-name")
+        return OperationError("settings-key-unknown", what, remedy=remedy)
+    must_be = BY_TYPE.get(kind) or validation_text(first)
+    if kind == "string_pattern_mismatch":
+        must_be = by_pattern
+    what = message("settings-value-is", named=named, value=repr(first["input"]))
+    return OperationError("settings-key-invalid", what, must_be, message("correct-it"))

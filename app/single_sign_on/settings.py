@@ -56,20 +56,21 @@ class SignInSettings(TomlTable):
         if "openid" not in self.scopes:
             raise OperationError(
                 CODE,
-                f"{info.context}, [sign_in]: scopes has no 'openid'",
-                "without it, the provider does not say who signs in",
-                'Add "openid"',
+                message("sign-in-scopes-lack-openid", file=str(info.context)),
+                message("sign-in-needs-openid"),
+                message("sign-in-add-openid"),
             )
         if self.ca_file is not None:
-            check_authority(self.ca_file, CODE, f"{info.context}, [sign_in]", "provider")
+            where, remedy = f"{info.context}, [sign_in]", message("authority-give-for-provider")
+            check_authority(self.ca_file, CODE, where, remedy)
         if self.client_secret_file is not None:
             self.client_secret()
         if find_spec("joserfc") is None:
             raise OperationError(
                 CODE,
-                f"{info.context}: [sign_in] cannot be used",
-                "the library joserfc is not installed",
-                "Install it with: pip install 'crenel[oidc]'",
+                message("sign-in-unusable", file=str(info.context)),
+                message("sign-in-library-missing"),
+                message("sign-in-install-library"),
             )
         return self
 
@@ -101,7 +102,7 @@ def _check_issuer(issuer: str, info: ValidationInfo) -> None:
     if not is_encrypted_or_local(issuer) or "?" in issuer or "#" in issuer:
         raise OperationError(
             CODE,
-            f"{info.context}, [sign_in]: issuer = {issuer!r}",
-            "it must be an https address without ? and #; http only for a provider on this machine",
-            "Give the issuer as the provider's configuration states it",
+            message("sign-in-issuer-is", file=str(info.context), issuer=repr(issuer)),
+            message("sign-in-issuer-must-be"),
+            message("sign-in-give-issuer"),
         )

@@ -47,13 +47,13 @@ def read_secret(path: Path, code: str, remedy: Text) -> str:
         raise OperationError(code, what, reason, remedy) from error
 
 
-def check_authority(file: Path, code: str, table: str, whose: str) -> None:
+def check_authority(file: Path, code: str, table: str, remedy: Text) -> None:
     """Checks the certificates of an authority.
 
     Args:
         code: of the error.
         table: the table with the key ``ca_file``, with the path of its file.
-        whose: of which server it is the authority.
+        remedy: which certificates to give.
 
     Raises:
         OperationError: the file is not there, or holds no certificates.
@@ -66,6 +66,6 @@ def check_authority(file: Path, code: str, table: str, whose: str) -> None:
         raise OperationError(
             code,
             f"{table}: ca_file = {str(file)!r}",
-            "it holds no certificates" if unreadable else "there is no such file",
-            f"Give the certificates of the {whose}'s authority in PEM format",
+            message("authority-holds-none") if unreadable else message("no-such-file"),
+            remedy,
         ) from error
