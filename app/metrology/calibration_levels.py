@@ -52,7 +52,7 @@ class CalibrationLevels:
 
 
 def find_calibration_levels(
-    values: Floats, calibrations: Sequence[str]
+    values: Floats, calibrations: Sequence[str], outside_share: float = OUTSIDE_SHARE
 ) -> CalibrationLevels | None:
     """The own error of each calibration, from the values that were measured with it.
 
@@ -62,6 +62,7 @@ def find_calibration_levels(
     Args:
         values: (n,) in the order of time.
         calibrations: of each value; empty if unknown.
+        outside_share: as ``share`` of ``find_outside``.
 
     Returns:
         None if the values do not tell: there are too few calibrations, or too few values of each.
@@ -91,7 +92,7 @@ def find_calibration_levels(
     sides = _find_sides(levels)
     residuals = levels - _by_side(levels, sides, np.median)
     freedom = len(levels) - int(sides[-1]) - 1
-    outside = find_outside(residuals, freedom, OUTSIDE_SHARE, (freedom - 1) // 2)
+    outside = find_outside(residuals, freedom, outside_share, (freedom - 1) // 2)
     far = find_outside(residuals, freedom, DOUBTFUL_SHARE, max(freedom // DOUBTFUL_PART, 1))
     doubtful = np.setdiff1d(far, outside)
     ordinary = np.setdiff1d(np.arange(len(names)), outside)

@@ -5,8 +5,9 @@ import json
 import pytest
 from typer.testing import CliRunner
 
-from app.bench.fleet.drift import CASES, run_months, run_series
+from app.bench.fleet.drift import CASES, LIMIT_CASES, run_limits, run_months, run_series
 from app.cli.main import cli
+from app.metrology.calibration_levels import OUTSIDE_SHARE
 
 pytestmark = pytest.mark.slow
 
@@ -24,8 +25,22 @@ def test_series_without_a_change_rarely_have_one() -> None:
         assert one.correlated <= 0.2
 
 
+def test_the_limit_in_use_accuses_few_healthy_calibrations() -> None:
+    strict, used, loose = run_limits(1000, cases=((10, 0.0025), (10, OUTSIDE_SHARE), (10, 0.02)))
+    assert strict.accused < used.accused < 0.02 < loose.accused
+    assert strict.found < used.found < loose.found
+    assert used.noted > 0.6
+    (more,) = run_limits(300, cases=((40, OUTSIDE_SHARE),))
+    assert more.found > used.found + 0.2
+
+
 @pytest.mark.parametrize(
-    ("option", "key", "rows"), [((), "cases", len(CASES)), (("--series",), "series", 7)]
+    ("option", "key", "rows"),
+    [
+        ((), "cases", len(CASES)),
+        (("--series",), "series", 7),
+        (("--limits",), "limits", len(LIMIT_CASES)),
+    ],
 )
 def test_the_command_prints_its_tables(option: tuple[str, ...], key: str, rows: int) -> None:
     run = CliRunner().invoke(cli, ["bench", "drift", "--repeats", "10", "--json", *option])

@@ -6,6 +6,7 @@ from datetime import UTC, datetime, timedelta
 
 import numpy as np
 
+from app.metrology.calibration_levels import OUTSIDE_SHARE, find_calibration_levels
 from app.metrology.change_points import find_changes
 from app.metrology.figure_history import FigureHistory, find_history
 from app.metrology.transforms import Floats
@@ -54,6 +55,23 @@ class FalseChanges:
     """Each value has ``CORRELATION`` of the one before."""
 
 
+@dataclass(frozen=True)
+class LimitResult:
+    """What a limit of calibrations outside means, as shares of simulated stations."""
+
+    calibrations: int
+    limit: float
+    """As ``share`` of ``find_outside``."""
+    accused: float
+    """No calibration is wrong, and one is outside."""
+    doubted: float
+    """No calibration is wrong, and one is only called perhaps wrong."""
+    found: float
+    """A wrong calibration is outside."""
+    noted: float
+    """It is outside or called perhaps wrong."""
+
+
 CASES = (
     *(MonthsCase((0.0,) * MONTHS, spread, 3) for spread in (0.0, 3.0)),
     *(MonthsCase((0.0,) * 4 + (um,) + (0.0,) * 5, 0.0, 3) for um in (6.0, 12.0)),
@@ -64,9 +82,24 @@ CASES = (
     MonthsCase((0.0,) * 5 + (20.0,) * 5, 3.0, 3),
     *(MonthsCase((0.0,) * 4 + (12.0,) + (0.0,) * 5, 0.0, days) for days in (10, 15)),
 )
+LIMIT_CASES = (
+    *((10, share) for share in (0.0025, 0.005, 0.01, 0.02)),
+    *((count, OUTSIDE_SHARE) for count in (6, 20, 40)),
+)
+"""Calibrations of a station, and the limit by which one of them is outside."""
+LIMIT_SPREAD_UM, LIMIT_WRONG_UM = 3.0, 14.0
+TESTS_OF_EACH = 10
 COUNTS = (6, 8, 12, 20, 30, 60, 100)
 
 
+LIMIT_COLUMNS = (
+    "calibrations",
+    "limit, %",
+    "healthy accused, %",
+    "healthy perhaps wrong, %",
+    "wrong found, %",
+    "or noted, %",
+)
 MONTH_COLUMNS = (
     "own errors, µm",
     "months wrong",
@@ -104,6 +137,43 @@ def run_series(
     return found
 
 
+def run_limits(
+    repeats: int,
+    progress: Progress = no_progress,
+    cases: Sequence[tuple[int, float]] = LIMIT_CASES,
+) -> list[LimitResult]:
+    """Counts by each limit which calibrations are outside, with and without a wrong one."""
+    found = []
+    for number, (calibrations, limit) in enumerate(cases):
+        healthy = _list_by_limit(calibrations, limit, 0.0, repeats)
+        wrong = _list_by_limit(calibrations, limit, LIMIT_WRONG_UM, repeats)
+        middle = _name(calibrations // 2)
+        found.append(
+            LimitResult(
+                calibrations,
+                limit,
+                sum(bool(outside) for outside, _ in healthy) / repeats,
+                sum(bool(doubtful) and not outside for outside, doubtful in healthy) / repeats,
+                sum(middle in outside for outside, _ in wrong) / repeats,
+                sum(middle in outside | doubtful for outside, doubtful in wrong) / repeats,
+            )
+        )
+        progress((number + 1) / len(cases), "")
+    return found
+
+
+def table_of_limits(results: Sequence[LimitResult]) -> list[tuple[str, ...]]:
+    """A row for each number of calibrations and limit."""
+    return [
+        (
+            str(one.calibrations),
+            f"{100 * one.limit:g}",
+            *(_percent(share) for share in (one.accused, one.doubted, one.found, one.noted)),
+        )
+        for one in results
+    ]
+
+
 def table_of_months(results: Sequence[MonthsResult]) -> list[tuple[str, ...]]:
     """A row for each case."""
     rows: list[tuple[str, ...]] = []
@@ -137,7 +207,7 @@ def simulate_months(case: MonthsCase, rng: np.random.Generator) -> FigureHistory
     months = [day // MONTH_DAYS for day in days]
     values = 28.0 + levels[months] + SCATTER_UM * rng.normal(size=len(months))
     times = [START + timedelta(days=day) for day in days]
-    return find_history(times, values.tolist(), [f"cal-{month}" for month in months])
+    return find_history(times, values.tolist(), [_name(month) for month in months])
 
 
 def list_named_months(history: FigureHistory) -> set[int]:
@@ -166,6 +236,28 @@ def _measure_months(case: MonthsCase, repeats: int) -> MonthsResult:
     if not wrong:
         return MonthsResult(case, None, None, accused / repeats)
     return MonthsResult(case, found / repeats, noted / repeats, accused / repeats)
+
+
+def _list_by_limit(
+    calibrations: int, limit: float, wrong_um: float, repeats: int
+) -> list[tuple[set[str], set[str]]]:
+    """Of each simulated station, the calibrations outside, and those that are perhaps wrong; the
+    middle one is wrong."""
+    rng = np.random.default_rng(SEED)
+    used = [_name(number) for number in range(calibrations) for _ in range(TESTS_OF_EACH)]
+    named = []
+    for _ in range(repeats):
+        levels = LIMIT_SPREAD_UM * rng.normal(size=calibrations)
+        levels[calibrations // 2] += wrong_um
+        values = np.repeat(levels, TESTS_OF_EACH) + SCATTER_UM * rng.normal(size=len(used))
+        found = find_calibration_levels(values, used, limit)
+        assert found is not None
+        named.append((set(found.outside), set(found.doubtful)))
+    return named
+
+
+def _name(number: int) -> str:
+    return f"cal-{number}"
 
 
 def _share_changed(series: Sequence[Floats]) -> float:

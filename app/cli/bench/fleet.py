@@ -71,6 +71,10 @@ def drift(
     series: Annotated[
         bool, typer.Option("--series", help="Instead, look for changes where there are none.")
     ] = False,
+    limits: Annotated[
+        bool,
+        typer.Option("--limits", help="Instead, compare limits by which a calibration is wrong."),
+    ] = False,
     as_json: AsJson = False,
 ) -> None:
     """Look how often drift accuses healthy recordings, and finds wrong calibrations."""
@@ -80,6 +84,11 @@ def drift(
         columns, rows = drifts.SERIES_COLUMNS, drifts.table_of_series
         shown = Shown("Simulating", "Series without a change, in which one is found", "series")
         measure(shown, as_json, partial(drifts.run_series, repeats), columns, rows)
+        return
+    if limits:
+        shown = Shown("Simulating", "Limits by which a calibration is wrong", "limits")
+        run_limits = partial(drifts.run_limits, repeats)
+        measure(shown, as_json, run_limits, drifts.LIMIT_COLUMNS, drifts.table_of_limits)
         return
     shown = Shown("Simulating", "Ten calibrations, one a month", "cases")
     run = partial(drifts.run_months, repeats)
