@@ -125,6 +125,24 @@ class CalibrationChoice(FleetAnswer):
     """None: the catalogue has no record of it."""
 
 
+class FleetCalibrationDoubt(FleetAnswer):
+    """A figure by which a calibration is wrong, or perhaps wrong."""
+
+    calibration_id: str
+    title: Text
+    """Of the figure."""
+    unit: str
+    size: float
+    """By how much it differs."""
+    is_wrong: bool
+
+
+class FleetCalibrationDoubts(FleetAnswer):
+    """The doubts about all calibrations of a station; those by which one is wrong first."""
+
+    doubts: list[FleetCalibrationDoubt]
+
+
 class MadeCloud(FleetAnswer):
     """A cloud of a scan that is there."""
 
@@ -250,6 +268,7 @@ FLEET_ANSWERS = (
     FleetRecord,
     ScanClouds,
     CloudWish,
+    FleetCalibrationDoubts,
     CalibrationsInUse,
     FleetSpread,
     FleetAgeing,

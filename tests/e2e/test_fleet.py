@@ -11,6 +11,7 @@ from playwright.sync_api import Browser, Page, expect
 pytest.importorskip("sqlalchemy")
 pytest.importorskip("psycopg")
 
+from app.archive.ownership import MARKER
 from app.bench.fleet.invented import START, PlantedStep, invent_entries
 from app.fleet.catalogue.catalogue import FleetCatalogue
 from tests.fleet import test_clouds as clouds
@@ -29,8 +30,14 @@ def address(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
     with FleetCatalogue(f"sqlite:///{folder}/catalogue.db") as catalogue:
         catalogue.add(list(invent_entries(3, 6000, 1, timedelta(hours=3.6), [STEP])))
         catalogue.note_collection("room-1", "Room one", START)
+    archive = folder / "room-2"  # empty
+    archive.mkdir()
+    (archive / MARKER).touch()
     settings = folder / "fleet.toml"
-    settings.write_text('[catalogue]\ndatabase = "sqlite:///catalogue.db"\n')
+    settings.write_text(
+        '[catalogue]\ndatabase = "sqlite:///catalogue.db"\n'
+        '[stations.room-2]\narchive = { url = "room-2" }\n'
+    )
     with running_fleet(settings) as client:
         yield str(client.base_url)
 
@@ -142,6 +149,47 @@ def test_a_cloud_is_made_with_todays_calibration_and_downloaded(
         page.screenshot(path=pictures / "fleet-cloud-1024-de.png")
         assert page.evaluate("document.documentElement.scrollWidth") == 1024
         page.close()
+
+
+def test_calibrations_that_are_wrong_are_marked_where_a_cloud_is_made(
+    page: Page, pictures: Path
+) -> None:
+    open_view(page, "Records")
+    page.get_by_label("Station").select_option("room-2")
+    page.get_by_label("Kind").select_option("scan")
+    page.get_by_label("From").fill((WRONG_SINCE + timedelta(days=5)).date().isoformat())
+    page.get_by_label("Until").fill((WRONG_SINCE + timedelta(days=8)).date().isoformat())
+    page.locator("tbody tr").first.get_by_role("button").click()
+    part = page.get_by_role("region", name="Clouds")
+    used = part.get_by_label("Calibration").locator("option:checked")
+    expect(used).to_have_text(re.compile("in use then – wrong$"))
+    doubt = part.get_by_text(re.compile("Wrong by the drift of the tests: .*Location"))
+    expect(doubt).to_be_visible()
+    choices = part.get_by_label("Calibration").locator("option")
+    expect(choices.filter(has_text="– wrong")).to_have_count(2)
+    expect(choices.filter(has_text="– perhaps wrong").first).to_be_attached()
+    show_clouds(page, pictures, "en")
+    perhaps = choices.filter(has_text="– perhaps wrong").first.get_attribute("value")
+    part.get_by_label("Calibration").select_option(perhaps)
+    expect(part.get_by_text(re.compile("Perhaps wrong by the drift"))).to_be_visible()
+    part.get_by_label("Calibration").select_option(index=0)
+    expect(part.get_by_text("by the drift of the tests")).to_have_count(0)
+    page.get_by_role("button", name="Deutsch").click()
+    page.get_by_role("button", name="Datensätze").click()
+    page.get_by_label("Station").select_option("room-2")
+    page.get_by_label("Art").select_option("scan")
+    page.get_by_label("Von").fill((WRONG_SINCE + timedelta(days=5)).date().isoformat())
+    page.get_by_label("Bis").fill((WRONG_SINCE + timedelta(days=8)).date().isoformat())
+    page.locator("tbody tr").first.get_by_role("button").click()
+    expect(page.get_by_text("Falsch nach der Drift der Prüfungen")).to_be_visible()
+    show_clouds(page, pictures, "de")
+
+
+def show_clouds(page: Page, pictures: Path, language: str) -> None:
+    for width in (1280, 820):
+        page.set_viewport_size({"width": width, "height": 900})
+        page.screenshot(path=pictures / f"fleet-doubts-{width}-{language}.png")
+        assert page.evaluate("document.documentElement.scrollWidth") == width
 
 
 def test_a_drift_names_its_recordings(page: Page) -> None:

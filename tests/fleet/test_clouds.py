@@ -31,6 +31,7 @@ from app.formats.recording.writer import RecordingWriter
 from app.formats.results.calibration import CALIBRATION as CALIBRATION_FILE
 from app.formats.results.calibration import CalibrationFile, read_calibration
 from app.server.fleet.clouds.kept_clouds import KeptClouds
+from app.server.fleet.clouds.orders_file import ORDERS_FILE, KeptOrder, KeptOrders
 from app.workflows.reconstruct import reconstruct_cloud
 from tests.archive.filled import archive_of
 from tests.batch.filled import CALIBRATION, fill_station
@@ -208,7 +209,7 @@ def check_refusals(client: httpx.Client) -> None:
 
 
 @pytest.mark.slow
-def test_a_server_that_is_killed_while_it_works_leaves_nothing_half_written(folder: Path) -> None:
+def test_what_waits_is_made_once_and_in_order_after_a_restart(folder: Path) -> None:
     settings = write_settings(folder, 'archive = { url = "plant/room-2" }')
     kept = folder / "fleet-clouds"
     with collected(settings) as client:
@@ -221,23 +222,52 @@ def test_a_server_that_is_killed_while_it_works_leaves_nothing_half_written(fold
         until(lambda: not state_of(client, "long")["orders"])
         assert len(names_in(kept)) == 2
         order(client, "long").raise_for_status()
+        order(client, "two").raise_for_status()
+        order(client, format="ply").raise_for_status()
+        order(client, "two", format="ply").raise_for_status()
+        (cancelled,) = state_of(client, "one")["orders"]
+        client.delete(f"/api/fleet/cloud-orders/{cancelled['id']}").raise_for_status()
         until_part_of(kept)
     # it was ended regularly in the middle
-    assert len(names_in(kept)) == 2
+    assert [name for name in names_in(kept) if ORDERS_FILE not in name] == [
+        first["name"],
+        first["name"].replace(COPC, ".json"),
+    ]
     killed = False
-    with suppress(AssertionError), running_fleet(settings) as client:
-        order(client, "long").raise_for_status()
+    with suppress(AssertionError), running_fleet(settings):
         until_part_of(kept)
         os.kill(pid_with(str(settings)), signal.SIGKILL)
         killed = True
     assert killed
     with running_fleet(settings) as client:
-        until(lambda: len(names_in(kept)) == 2)
-        assert [one["name"] for one in state_of(client)["made"]] == [first["name"]]
-        order(client, "long").raise_for_status()
+        until(lambda: not (kept / ORDERS_FILE).exists())
         (made,) = ended(client, "long")["made"]
         assert made["points"] > LONG_FRAMES
-        assert len(names_in(kept)) == 4
+        assert [one["name"] for one in state_of(client)["made"]] == [first["name"]]
+        later = state_of(client, "two")["made"]
+    by_time = sorted(kept.glob("*.json"), key=lambda path: path.stat().st_mtime_ns)
+    expected = [first["name"], made["name"], later[1]["name"], later[0]["name"]]
+    assert [json.loads(path.read_bytes())["cloud"] for path in by_time] == expected
+    assert len(names_in(kept)) == 8
+
+
+def test_orders_that_cannot_be_read_or_written_are_no_hindrance(
+    tmp_path: Path, caplog: pytest.LogCaptureFixture
+) -> None:
+    orders = KeptOrders(tmp_path / "clouds" / ORDERS_FILE)
+    assert orders.read() == ()
+    wanted = [KeptOrder(station="room-2", scan_id=one, format="ply") for one in ("b", "a")]
+    orders.write(wanted)
+    assert list(orders.read()) == wanted
+    orders.write([])
+    assert names_in(tmp_path / "clouds") == []
+    (tmp_path / "clouds" / ORDERS_FILE).write_text("{")
+    assert orders.read() == ()
+    assert "clouds that waited are not made" in caplog.text
+    shutil.rmtree(tmp_path / "clouds")
+    (tmp_path / "clouds").write_text("")
+    orders.write(wanted)
+    assert "would be forgotten" in caplog.text
 
 
 def until_part_of(kept: Path) -> None:

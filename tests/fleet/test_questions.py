@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 from app.bench.fleet.invented import START, PlantedStep, invent_entries
+from app.fleet.calibration_doubts import find_calibration_doubts
 from app.fleet.catalogue.catalogue import FleetCatalogue
 from app.fleet.catalogue.entry import CatalogueEntry
 from app.fleet.catalogue.reading import SearchQuery, search
@@ -64,6 +65,10 @@ def test_a_wrong_calibration_of_a_month_names_its_recordings_and_none_else(
         assert right.changes == ()
         assert find_affected(connection, right) == []
         (period,) = find_affected(connection, wrong)
+        (doubt,) = find_calibration_doubts(connection, "room-3")
+        assert find_calibration_doubts(connection, "room-4") == []
+    assert (doubt.calibration_id, doubt.quantity) == ("cal-4", "location-scan")
+    assert (doubt.is_wrong, doubt.size) == (True, period.size)
     assert period.station == "room-3"
     assert period.calibration_ids == ("cal-4",)
     assert [one.id for one in period.recordings] == [f"scan-{day}" for day in range(120, 150)]
@@ -145,6 +150,8 @@ def test_a_calibration_that_is_perhaps_wrong_names_what_would_be_affected(
         (drift,) = drift_of(connection, "location-scan")
         assert find_affected(connection, drift) == []
         (doubted,) = find_doubted(connection, drift)
+        (doubt,) = find_calibration_doubts(connection, "room-3")
+    assert (doubt.calibration_id, doubt.is_wrong) == ("cal-4", False)
     assert doubted.calibration_id == "cal-4"
     assert [one.id for one in doubted.recordings] == [f"scan-{day}" for day in range(120, 150)]
 

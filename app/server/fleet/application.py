@@ -14,6 +14,7 @@ from app.api import problems
 from app.api.problems import NotFoundError
 from app.api.static_files import file_response, page_response
 from app.fleet.ageing import ageing_of, spread_of
+from app.fleet.calibration_doubts import find_calibration_doubts
 from app.fleet.catalogue.entry import ENTRY_KINDS
 from app.fleet.catalogue.quantities import CALIBRATION_TITLES, title_of
 from app.fleet.catalogue.reading import (
@@ -39,6 +40,8 @@ from app.server.middleware import Guard
 from app.wire.fleet import (
     CalibrationsInUse,
     FleetAgeing,
+    FleetCalibrationDoubt,
+    FleetCalibrationDoubts,
     FleetCalibrationSpread,
     FleetOverview,
     FleetRecord,
@@ -86,7 +89,7 @@ def build_fleet_app(
     @asynccontextmanager
     async def lifespan(app: FastAPI) -> AsyncIterator[None]:
         service.start()
-        clouds.queue.start()
+        clouds.start()
         watching = None
         if access.people is not None:
             watching = asyncio.create_task(access.people.watch_provider())
@@ -210,6 +213,15 @@ def _add_questions(app: FastAPI, service: FleetService) -> None:
         with service.catalogue().reading() as connection:
             found = list_newest_calibrations(connection)
         answer = CalibrationsInUse(calibrations=[FleetRecord.model_validate(one) for one in found])
+        return json_response(answer)
+
+    @app.get("/api/fleet/calibrations/{station}/doubts")
+    def doubts(station: str) -> Response:
+        with service.catalogue().reading() as connection:
+            found = find_calibration_doubts(connection, station)
+        answer = FleetCalibrationDoubts(
+            doubts=[FleetCalibrationDoubt.model_validate(one) for one in found]
+        )
         return json_response(answer)
 
     @app.get("/api/fleet/spread/{quantity}")

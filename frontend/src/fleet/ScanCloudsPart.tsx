@@ -1,13 +1,24 @@
 import { useState } from "react";
 
 import { drop, post, Refused } from "../api/http";
-import type { CalibrationChoice, CloudOrderState, CloudWish, FleetRecord, MadeCloud, ScanClouds } from "../api/wire";
+import type {
+  CalibrationChoice,
+  CloudOrderState,
+  CloudWish,
+  FleetCalibrationDoubt,
+  FleetCalibrationDoubts,
+  FleetRecord,
+  MadeCloud,
+  ScanClouds,
+} from "../api/wire";
 import { Download } from "../parts/Download";
 import { figures, moment } from "../parts/format";
+import { measured } from "../parts/lengths";
 import { PressButton } from "../parts/PressButton";
 import { Busy } from "../parts/Progress";
+import { QualityMark } from "../parts/QualityMark";
 import { t } from "../state/language";
-import { useAnswer } from "./answers";
+import { decimalsOf, useAnswer } from "./answers";
 import styles from "./FleetPage.module.css";
 
 const READ_MS = 1000;
@@ -28,7 +39,7 @@ export function ScanCloudsPart({ scan, path }: { scan: FleetRecord; path: string
           <p className={styles.command}>{rebuildCommand(scan)}</p>
         </>
       ) : (
-        <MakeCloud clouds={value} path={path} />
+        <MakeCloud clouds={value} path={path} station={scan.station} />
       )}
       {value.orders.map((order) => (
         <Order key={order.id} order={order} used={value.used_calibration_id} />
@@ -38,11 +49,15 @@ export function ScanCloudsPart({ scan, path }: { scan: FleetRecord; path: string
   );
 }
 
-function MakeCloud({ clouds, path }: { clouds: ScanClouds; path: string }) {
+function MakeCloud({ clouds, path, station }: { clouds: ScanClouds; path: string; station: string }) {
   const { calibrations, used_calibration_id: used } = clouds;
   const [calibration_id, chooseCalibration] = useState(used);
   const [format, chooseFormat] = useState<CloudFormat>("copc");
   const [problem, setProblem] = useState("");
+  const { value: doubted } = useAnswer<FleetCalibrationDoubts>(
+    `/api/fleet/calibrations/${encodeURIComponent(station)}/doubts`,
+  );
+  const doubtsOf = (id: string) => (doubted?.doubts ?? []).filter((one) => one.calibration_id === id);
   const isMade = clouds.made.some(
     (one) =>
       one.software === clouds.software &&
@@ -66,7 +81,7 @@ function MakeCloud({ clouds, path }: { clouds: ScanClouds; path: string }) {
           <select value={calibration_id} onChange={(event) => chooseCalibration(event.target.value)}>
             {calibrations.map((one, number) => (
               <option key={one.id} value={one.id}>
-                {calibrationWords(one, one.id === used, number === 0 && one.at !== null)}
+                {calibrationWords(one, one.id === used, number === 0 && one.at !== null, doubtsOf(one.id))}
               </option>
             ))}
           </select>
@@ -90,6 +105,11 @@ function MakeCloud({ clouds, path }: { clouds: ScanClouds; path: string }) {
           </PressButton>
         </div>
       </form>
+      {doubtsOf(calibration_id).map((one) => (
+        <p key={one.title} className={styles.doubt}>
+          <QualityMark quality="attention" size="1.1em" /> {doubtWords(one)}
+        </p>
+      ))}
       {problem && (
         <p className={styles.problem} role="alert">
           {problem}
@@ -159,11 +179,24 @@ function MadeClouds({ made }: { made: MadeCloud[] }) {
   );
 }
 
-/** A calibration in the list: its name or id, its time, and whether it was in use or is the newest. */
-function calibrationWords({ id, label, at }: CalibrationChoice, isUsed: boolean, isNewest: boolean): string {
+/** A calibration in the list: its name or id, its time, whether it was in use or is the newest, and whether it is doubted. */
+function calibrationWords(
+  { id, label, at }: CalibrationChoice,
+  isUsed: boolean,
+  isNewest: boolean,
+  doubts: FleetCalibrationDoubt[],
+): string {
   const name = [label, id].filter(Boolean).join(", ") || "–";
   const mark = isUsed && isNewest ? "both" : isUsed ? "used" : isNewest ? "newest" : "none";
-  return t("ui-fleet-calibration-choice", { name, at: at ? moment(at) : "–", mark });
+  const choice = t("ui-fleet-calibration-choice", { name, at: at ? moment(at) : "–", mark });
+  if (doubts.length === 0) return choice;
+  const doubt = doubts.some((one) => one.is_wrong) ? "wrong" : "perhaps";
+  return t("ui-fleet-calibration-doubted", { choice, doubt });
+}
+
+function doubtWords({ title, unit, size, is_wrong }: FleetCalibrationDoubt): string {
+  const by = `${size > 0 ? "+" : ""}${measured(size, unit, decimalsOf(unit))}`;
+  return t("ui-fleet-calibration-doubt", { quantity: title, size: by, doubt: is_wrong ? "wrong" : "perhaps" });
 }
 
 /** What makes the cloud of a scan elsewhere. */

@@ -365,6 +365,14 @@ ui-fleet-calibration-choice = { $mark ->
     [both] { $name }, { $at }: damals benutzt, die neueste
    *[none] { $name }, { $at }
 }
+ui-fleet-calibration-doubt = { $doubt ->
+    [wrong] Falsch nach der Drift der Prüfungen: { $quantity } weicht mit dieser Kalibrierung um { $size } ab.
+   *[perhaps] Vielleicht falsch nach der Drift der Prüfungen: { $quantity } weicht mit dieser Kalibrierung um { $size } ab, weit von den anderen, aber nicht sicher weiter, als diese streuen.
+}
+ui-fleet-calibration-doubted = { $doubt ->
+    [wrong] { $choice } – falsch
+   *[perhaps] { $choice } – vielleicht falsch
+}
 ui-fleet-calibrations = Kalibrierungen
 ui-fleet-changed = Änderung um { $size } ± { $uncertainty } { $unit } (k = 2) zwischen { $earliest } und { $latest } (95 %).
 ui-fleet-changes-by = { $since ->

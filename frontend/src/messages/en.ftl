@@ -365,6 +365,14 @@ ui-fleet-calibration-choice = { $mark ->
     [both] { $name }, { $at }: in use then, and the newest
    *[none] { $name }, { $at }
 }
+ui-fleet-calibration-doubt = { $doubt ->
+    [wrong] Wrong by the drift of the tests: { $quantity } differs by { $size } with this calibration.
+   *[perhaps] Perhaps wrong by the drift of the tests: { $quantity } differs by { $size } with this calibration, far from the others, but not surely further than they spread.
+}
+ui-fleet-calibration-doubted = { $doubt ->
+    [wrong] { $choice } – wrong
+   *[perhaps] { $choice } – perhaps wrong
+}
 ui-fleet-calibrations = Calibrations
 ui-fleet-changed = Changed by { $size } ± { $uncertainty } { $unit } (k = 2) between { $earliest } and { $latest } (95 %).
 ui-fleet-changes-by = { $since ->

@@ -2,7 +2,7 @@
 
 import logging
 import threading
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from itertools import count
 from typing import Any, Literal
@@ -39,18 +39,33 @@ class CloudJob:
 
 
 class CloudQueue:
-    """Orders of clouds, and the thread that has them made; what is made is in the folder alone."""
+    """Orders of clouds, and the thread that has them made; what is made is in the folder alone.
 
-    def __init__(self, kept: KeptClouds) -> None:
-        self._kept = kept
+    Args:
+        keep: called with what is not made yet at each change of it, one call at a time; a server
+            that ends makes no change.
+    """
+
+    def __init__(self, kept: KeptClouds, keep: Callable[[Sequence[CloudJob]], None]) -> None:
+        self._kept, self._keep = kept, keep
         self._jobs: dict[int, CloudJob] = {}
         self._ids = count(1)
         self._lock = threading.Lock()
         self._wake, self._ending = threading.Event(), threading.Event()
         self._thread = threading.Thread(target=self._run, name="fleet-clouds", daemon=True)
 
-    def start(self) -> None:
-        """Begins to work; nothing else works in the folder yet."""
+    def start(self, orders: Sequence[tuple[str, CloudOrder]] = ()) -> None:
+        """Begins to work; nothing else works in the folder yet.
+
+        Args:
+            orders: with their stations, what an earlier server did not make.
+        """
+        with self._lock:
+            for station, order in orders:
+                if all(one.order != order for one in self._jobs.values()):
+                    job = CloudJob(next(self._ids), station, order)
+                    self._jobs[job.id] = job
+            self._note_pending()
         self._thread.start()
 
     def close(self) -> None:
@@ -66,9 +81,9 @@ class CloudQueue:
             OperationError: too many wait.
         """
         with self._lock:
-            pending = [one for one in self._jobs.values() if one.state != "failed"]
+            pending = self._pending()
             for job in pending:
-                if job.order == order and not job.cancelled:
+                if job.order == order:
                     return job
             if len(pending) > MOST_WAITING:
                 raise OperationError("queue-full", message("fleet-clouds-queue-full"))
@@ -78,6 +93,7 @@ class CloudQueue:
                 self._jobs.pop(one, None)
             job = CloudJob(next(self._ids), station, order)
             self._jobs[job.id] = job
+            self._note_pending()
         self._wake.set()
         return job
 
@@ -96,9 +112,20 @@ class CloudQueue:
             job.cancelled = True
             if job.state != "working":
                 del self._jobs[job_id]
+            self._note_pending()
+
+    def _pending(self) -> list[CloudJob]:
+        return [one for one in self._jobs.values() if one.state != "failed" and not one.cancelled]
+
+    def _note_pending(self) -> None:
+        self._keep(self._pending())
+
+    def _clear(self) -> None:
+        with self._lock:  # the file of the orders is not being written meanwhile
+            self._kept.clear()
 
     def _run(self) -> None:
-        self._kept.clear()
+        self._clear()
         self._kept.keep_limit()
         while not self._ending.is_set():
             self._wake.clear()
@@ -128,7 +155,8 @@ class CloudQueue:
             self._kept.note_use(made["cloud"])
             self._kept.keep_limit(made["cloud"])
         except CloudCancelledError:
-            pass
+            if not job.cancelled:  # the server ends
+                return
         except OperationError as error:
             problem = _words_of(error)
             log.warning("a cloud of %s is not made: %s", job.order.scan_id, error.line)
@@ -137,12 +165,13 @@ class CloudQueue:
             log.exception("a cloud of %s is not made", job.order.scan_id)
         finally:
             if job.order.scheduler is None:  # other workers may still be writing
-                self._kept.clear()
+                self._clear()
         with self._lock:
             if problem and not job.cancelled:
                 job.problem, job.state = problem, "failed"
             else:
                 self._jobs.pop(job.id, None)
+            self._note_pending()
 
 
 def _words_of(error: OperationError) -> Text:

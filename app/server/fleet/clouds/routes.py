@@ -11,12 +11,11 @@ from app.batch.results import RebuiltCloud
 from app.errors import sentence
 from app.fleet.catalogue.entry import CatalogueEntry
 from app.fleet.catalogue.reading import SearchQuery, read_record, search
-from app.formats.clouds.files import COPC
 from app.formats.json_document import SOFTWARE
 from app.messages.message import message
 from app.server.fleet.access import FleetAccess
 from app.server.fleet.clouds.queue import CloudJob
-from app.server.fleet.clouds.service import FleetClouds
+from app.server.fleet.clouds.service import FORMATS, FleetClouds
 from app.server.fleet.service import FleetService
 from app.wire.fleet import CalibrationChoice, CloudOrderState, CloudWish, MadeCloud, ScanClouds
 from app.wire.json_response import json_response
@@ -120,7 +119,7 @@ def _state_of(job: CloudJob) -> CloudOrderState:
     return CloudOrderState(
         id=job.id,
         calibration_id=job.order.calibration_id,
-        format="copc" if job.order.suffix == COPC else "ply",
+        format=FORMATS[job.order.suffix],
         state=job.state,
         share=job.share,
         note=job.note,

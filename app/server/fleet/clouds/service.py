@@ -1,5 +1,7 @@
 """Orders clouds of the catalogue's scans from the places that ``fleet.toml`` names."""
 
+import logging
+from collections.abc import Sequence
 from pathlib import Path
 
 from app.batch.places import Place, settings_for
@@ -12,10 +14,13 @@ from app.fleet.fleet_settings import FleetSettings, StationPlaces
 from app.formats.clouds.files import COPC
 from app.messages.message import Text, message
 from app.server.fleet.clouds.kept_clouds import PLY, KeptClouds
+from app.server.fleet.clouds.orders_file import ORDERS_FILE, KeptOrder, KeptOrders
 from app.server.fleet.clouds.queue import CloudJob, CloudQueue
+from app.wire.fleet import CloudFormat
 
-SUFFIXES = {"copc": COPC, "ply": PLY}
-"""By the format's name."""
+log = logging.getLogger(__name__)
+SUFFIXES: dict[CloudFormat, str] = {"copc": COPC, "ply": PLY}
+FORMATS: dict[str, CloudFormat] = {suffix: form for form, suffix in SUFFIXES.items()}
 BYTES_OF_GB = 1e9
 
 
@@ -33,7 +38,8 @@ class FleetClouds:
         self._scheduler = settings.clouds.scheduler
         self._places = {name: _places_of(its) for name, its in settings.stations.items()}
         self.kept = KeptClouds(folder, settings.clouds.limit_gb * BYTES_OF_GB)
-        self.queue = CloudQueue(self.kept)
+        self._orders = KeptOrders(folder / ORDERS_FILE)
+        self.queue = CloudQueue(self.kept, lambda jobs: self._orders.write(_orders_of(jobs)))
         sources = [place.settings for its in self._places.values() for place in its]
         try:
             check_results_apart(self.kept.settings, sources)
@@ -41,13 +47,24 @@ class FleetClouds:
             remedy = message("fleet-name-cloud-folder")
             raise OperationError(error.code, error.what, remedy=remedy) from error
 
+    def start(self) -> None:
+        """Begins to make clouds, those first that an earlier server did not make."""
+        waiting = []
+        for one in self._orders.read():
+            if problem := self.problem_of(one.station):
+                log.warning("a cloud of %s is not made: %s", one.scan_id, problem)
+                continue
+            order = self._order(one.station, one.scan_id, one.calibration_id, one.format)
+            waiting.append((one.station, order))
+        self.queue.start(waiting)
+
     def problem_of(self, station: str) -> Text:
         """Why no clouds of a station can be made; empty if they can."""
         if station in self._places:
             return ""
         return message("fleet-clouds-no-place", station=station)
 
-    def order(self, scan: CatalogueEntry, calibration_id: str, form: str) -> CloudJob:
+    def order(self, scan: CatalogueEntry, calibration_id: str, form: CloudFormat) -> CloudJob:
         """Orders the cloud of a scan.
 
         Args:
@@ -58,21 +75,38 @@ class FleetClouds:
         """
         if problem := self.problem_of(scan.station):
             raise OperationError("no-place", problem)
-        order = CloudOrder(
-            self._places[scan.station],
-            scan.id,
-            "" if calibration_id == scan.calibration_id else calibration_id,
+        other = "" if calibration_id == scan.calibration_id else calibration_id
+        return self.queue.add(scan.station, self._order(scan.station, scan.id, other, form))
+
+    def _order(
+        self, station: str, scan_id: str, calibration_id: str, form: CloudFormat
+    ) -> CloudOrder:
+        return CloudOrder(
+            self._places[station],
+            scan_id,
+            calibration_id,
             self.kept.settings,
             SUFFIXES[form],
             self.kept.scratch,
             self._scheduler,
         )
-        return self.queue.add(scan.station, order)
 
     def list_made(self, scan: CatalogueEntry) -> list[RebuiltCloud]:
         """The clouds of a scan that are there."""
         sha256 = next((file.sha256 for file in scan.files if file.path == RECORDING), "")
         return self.kept.of_recording(scan.id, sha256)
+
+
+def _orders_of(jobs: Sequence[CloudJob]) -> list[KeptOrder]:
+    return [
+        KeptOrder(
+            station=job.station,
+            scan_id=job.order.scan_id,
+            calibration_id=job.order.calibration_id,
+            format=FORMATS[job.order.suffix],
+        )
+        for job in jobs
+    ]
 
 
 def _places_of(station: StationPlaces) -> tuple[Place, ...]:
