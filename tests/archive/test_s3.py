@@ -72,6 +72,21 @@ def test_records_go_to_the_store_and_come_back(
     assert content_of(folder) == before
 
 
+def test_the_place_of_another_station_is_refused(
+    store: Store, tmp_path: Path, server: S3Server
+) -> None:
+    add_scan(store, "one", 1000)
+    assert open_archive(store, tmp_path, server.port).run() == 1
+    before = server.content(f"{tmp_path.name}/")
+    other = Store(tmp_path / "other")
+    add_scan(other, "two", 1000)
+    refused = refusal(open_archive(other, tmp_path, server.port))
+    other.close()
+    assert refused.code == "archive-foreign"
+    assert "Room 2" in refused.line
+    assert server.content(f"{tmp_path.name}/") == before
+
+
 def test_uploads_that_are_cut_at_random_leave_nothing_partial_with_a_manifest(
     store: Store, tmp_path: Path, server: S3Server
 ) -> None:

@@ -90,7 +90,8 @@ def read_entries(
             try:
                 found.append(read(RecordFolder(record, folder, plain)))
             except (OperationError, ValueError) as error:
-                log.warning("%s %s: %s cannot be read: %s", station, record.id, name, error)
+                why = str(error).replace(f"{folder}/", "")  # it may be temporary
+                log.warning("%s %s: %s cannot be read: %s", station, record.id, name, why)
     if record.kind == "performance":
         found = found[:1]
     if record.kind == "scans" and not found:
