@@ -38,19 +38,19 @@ class Camera:
 def run_train(
     pairing: PulsePairing, camera: Camera, start_ns: int, count: int, lost: float = 0.0
 ) -> list[Frame]:
-    """Starts the pulses after a pause; the paired frames."""
+    """Starts the pulses after a pause; the paired frames, each sent after the next pulse."""
     pairing.restart()
-    found = []
+    found: list[Frame | None] = []
+    on_its_way: Frame | None = None
     random = np.random.default_rng(start_ns % 1000)
     for pulse in range(1, count + 1):
         pulse_ns = start_ns + (pulse - 1) * PERIOD_NS
         if random.random() >= lost or pulse == count:
             pairing.note_pulse(pulse, pulse_ns)
-        frame = camera.expose(pulse_ns)
-        paired = None if frame is None else pairing.pair(frame)
-        if paired is not None:
-            found.append(paired)
-    return found
+        found.append(on_its_way and pairing.pair(on_its_way))
+        on_its_way = camera.expose(pulse_ns)
+    found.append(on_its_way and pairing.pair(on_its_way))
+    return [one for one in found if one is not None]
 
 
 def errors_ns(frames: list[Frame], camera: Camera) -> np.ndarray:
