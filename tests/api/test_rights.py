@@ -129,7 +129,7 @@ def test_a_message_is_obeyed_or_ends_the_connection(
     who: str,
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    monkeypatch.setattr(live, "BEAT_S", 0.2)
+    monkeypatch.setattr(live, "BEAT_S", 0.05)
     rest = {
         "preview": ', "on": false',
         "preview_ack": ', "seq": 1',
