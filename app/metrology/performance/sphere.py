@@ -103,9 +103,11 @@ def dispersion_mm(distances_mm: Floats) -> float:
         >>> dispersion_mm(np.array([*np.linspace(0.0, 1.0, 95), 9.0, 9.0, 9.0, 9.0, 9.0]))
         1.0
     """
-    ordered = np.sort(distances_mm)
-    held = max(int(np.ceil(HELD * len(ordered))), 1)
-    return float(np.min(ordered[held - 1 :] - ordered[: len(ordered) - held + 1]))
+    held = max(int(np.ceil(HELD * len(distances_mm))), 1)
+    left_out = len(distances_mm) - held
+    # the shell ends at one of the few largest and begins at one of the few smallest distances
+    parted = np.partition(distances_mm, (left_out, held - 1))
+    return float(np.min(np.sort(parted[held - 1 :]) - np.sort(parted[: left_out + 1])))
 
 
 def free_dispersion_mm(points_mm: Floats, centre_mm: Floats) -> float:
