@@ -15,7 +15,7 @@ from app.formats.datasheets.arm import read_any_arm
 from app.formats.file_names import display_path
 from app.formats.open_file import read_bounded
 from app.formats.recording.reader import ARM_SERIAL, SENSOR_SERIAL
-from app.formats.recording.topics import sensor_key
+from app.formats.recording.topics import sensor_key, sensor_values
 from app.formats.results.calibration import Calibration, read_calibration
 from app.messages.message import join, message, replace_name
 from app.metrology.arm.kinematics import AnyArm
@@ -97,14 +97,19 @@ class CalibrationFinder:
             self._known[key] = next((one for one in found if one is not None), None)
         return self._known[key]
 
-    def of_recording(self, recording: ScanRecording) -> BySensor:
+    def of_recording(self, recording: ScanRecording, given: BySensor | None = None) -> BySensor:
         """The calibrations with which a scan was taken.
+
+        Args:
+            given: of some sensors, others instead.
 
         Raises:
             OperationError: one of them is in none of the places, or it is not known which.
         """
-        ids, found = recording.calibration_ids, {}
+        ids, found = recording.calibration_ids, dict(given or {})
         for sensor, one in ids.items():
+            if sensor in found:
+                continue
             files = self.find(one, recording.file.place)
             if files is not None:
                 found[sensor] = files
@@ -185,3 +190,18 @@ class GivenCalibrations:
                 if found and known and found != known:
                     return False
         return True
+
+
+def sensors_of(files: CalibrationFiles, recording: ScanRecording) -> list[str]:
+    """The names of the sensors of a recording that a calibration is of, by the serial number; of
+    the only one, also if it is not known.
+
+    Raises:
+        OperationError: the calibration is damaged, or does not belong to its arm.
+    """
+    names = list(recording.calibration_ids)
+    fitting = [one for one in names if GivenCalibrations({one: files}).belong_to(recording)]
+    if len(names) == 1:
+        return fitting
+    stated = sensor_values(recording.metadata, SENSOR_SERIAL)
+    return [one for one in fitting if stated.get(one)]

@@ -7,7 +7,12 @@ from pathlib import Path
 from typing import Any
 
 from app.archive.archive_settings import ArchiveSettings
-from app.batch.calibrations import BySensor, CalibrationFinder, GivenCalibrations
+from app.batch.calibrations import (
+    BySensor,
+    CalibrationFiles,
+    CalibrationFinder,
+    sensors_of,
+)
 from app.batch.cluster import OwnWorker, RemoteScheduler
 from app.batch.places import Place
 from app.batch.rebuild import RebuildTask, task_of
@@ -31,8 +36,8 @@ class CloudOrder:
     places: tuple[Place, ...]
     """Of the station, the nearest first."""
     scan_id: str
-    calibration_id: str
-    """Empty: the one that the recording was taken with, of each sensor."""
+    calibration_ids: tuple[str, ...]
+    """Each for its sensor; of all others, the one that the recording was taken with."""
     output: ArchiveSettings
     suffix: str
     """Of the cloud's format, as ``.copc.laz``."""
@@ -133,19 +138,29 @@ def _check_place(place: Place) -> None:
 
 def _find_calibrations(order: CloudOrder, recording: ScanRecording) -> BySensor:
     finder = CalibrationFinder(order.places)
-    taken_with = recording.calibration_ids
-    if not order.calibration_id or list(taken_with.values()) == [order.calibration_id]:
+    if set(order.calibration_ids) <= set(recording.calibration_ids.values()):
         return finder.of_recording(recording)
-    if any(taken_with):
-        raise OperationError("several-sensors", message("batch-several-sensors"))
-    chosen = finder.find(order.calibration_id, recording.file.place)
-    if chosen is None:
+    given: dict[str, CalibrationFiles] = {}
+    for calibration_id in order.calibration_ids:
+        chosen = finder.find(calibration_id, recording.file.place)
+        if chosen is None:
+            raise OperationError(
+                "no-calibration", message("batch-no-calibration", id=calibration_id)
+            )
+        sensors = sensors_of(chosen, recording)
+        if not sensors:
+            raise OperationError(
+                "other-device", message("batch-other-device", id=chosen.id, scan=recording.id)
+            )
+        if earlier := [given[one].id for one in sensors if one in given]:
+            what = message("batch-same-sensor", id=chosen.id, other=earlier[0])
+            raise OperationError("same-sensor", what)
+        given |= dict.fromkeys(sensors, chosen)
+    found = finder.of_recording(recording, given)
+    if len({files.arm_sha256 for files in found.values()}) > 1:
         raise OperationError(
-            "no-calibration", message("batch-no-calibration", id=order.calibration_id)
+            "different-arms",
+            message("batch-different-arms"),
+            remedy=message("batch-choose-of-same-arm"),
         )
-    given = {"": chosen}
-    if not GivenCalibrations(given).belong_to(recording):
-        raise OperationError(
-            "other-device", message("batch-other-device", id=chosen.id, scan=recording.id)
-        )
-    return given
+    return found

@@ -121,6 +121,7 @@ class CalibrationChoice(FleetAnswer):
 
     id: str
     label: str
+    sensor_serial: str
     at: datetime | None
     """None: the catalogue has no record of it."""
 
@@ -160,7 +161,8 @@ class CloudOrderState(FleetAnswer):
     """A cloud that is wanted; ``note``: why its work waits; ``problem``: why it failed."""
 
     id: int
-    calibration_id: str
+    calibration_ids: list[str]
+    """Empty: those that the scan was taken with."""
     format: CloudFormat
     state: Literal["waiting", "working", "failed"]
     share: float
@@ -185,6 +187,8 @@ class CloudWish(RequestBody):
     """Which cloud of a scan is wanted; no calibration: the one that it was taken with."""
 
     calibration_id: Annotated[str, Field(max_length=200)] = ""
+    calibration_ids: list[Annotated[str, Field(max_length=200)]] = Field(default_factory=list)
+    """Each for its sensor, of a scan of several."""
     format: CloudFormat = "copc"
 
 

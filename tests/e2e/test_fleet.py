@@ -119,7 +119,7 @@ def test_days_in_the_wrong_order_are_explained(page: Page, pictures: Path) -> No
 def test_a_cloud_is_made_with_todays_calibration_and_downloaded(
     browser: Browser, tmp_path: Path, pictures: Path
 ) -> None:
-    clouds.fill_room(tmp_path)
+    clouds.fill_room(tmp_path, of_two=True)
     settings = clouds.write_settings(tmp_path, 'archive = { url = "plant/room-2" }')
     with clouds.collected(settings) as client:
         page = browser.new_page(viewport={"width": 1280, "height": 800})
@@ -148,7 +148,33 @@ def test_a_cloud_is_made_with_todays_calibration_and_downloaded(
         expect(page.get_by_role("link", name="Herunterladen")).to_be_visible()
         page.screenshot(path=pictures / "fleet-cloud-1024-de.png")
         assert page.evaluate("document.documentElement.scrollWidth") == 1024
+        choose_for_each_sensor(page, pictures)
         page.close()
+
+
+def choose_for_each_sensor(page: Page, pictures: Path) -> None:
+    """Of a scan of two, one sensor keeps the calibration of the day."""
+    page.get_by_role("button", name="English").click()
+    open_view(page, "Records")
+    page.get_by_label("Part, operator").fill("two")
+    page.locator("tbody tr").first.get_by_role("button").click()
+    part = page.get_by_role("region", name="Clouds")
+    part.get_by_label("Calibration, sensor S-1").select_option(clouds.TODAYS)
+    other = part.get_by_label("Calibration, sensor S-2")
+    expect(other.locator("option:checked")).to_have_text("Of the day of the scan")
+    part.get_by_role("button", name="Make cloud").click()
+    expect(part.get_by_role("link", name="Download")).to_be_visible(timeout=30_000)
+    expect(part.get_by_role("row").last).to_contain_text(f"{clouds.TODAYS}, {clouds.FOREIGN}")
+    for width, language in ((1280, "English"), (820, "English"), (820, "Deutsch")):
+        page.set_viewport_size({"width": width, "height": 900})
+        if language == "Deutsch":
+            page.get_by_role("button", name=language).click()
+            page.get_by_role("button", name="Datensätze").click()
+            page.get_by_label("Teil").fill("two")
+            page.locator("tbody tr").first.get_by_role("button").click()
+            expect(page.get_by_label("Kalibrierung, Sensor S-1")).to_be_visible()
+        page.screenshot(path=pictures / f"fleet-sensors-{width}-{language}.png")
+        assert page.evaluate("document.documentElement.scrollWidth") == width
 
 
 def test_calibrations_that_are_wrong_are_marked_where_a_cloud_is_made(

@@ -27,6 +27,7 @@ from app.errors import OperationError
 from app.formats.clouds.files import COPC, read_cloud
 from app.formats.datasheets.arm import read_any_arm
 from app.formats.recording.reader import ARM_SERIAL, SCAN_CALIBRATION, SENSOR_SERIAL
+from app.formats.recording.topics import sensor_key
 from app.formats.recording.writer import RecordingWriter
 from app.formats.results.calibration import CALIBRATION as CALIBRATION_FILE
 from app.formats.results.calibration import CalibrationFile, read_calibration
@@ -44,6 +45,8 @@ from tests.store.test_full_disk import small as small
 from tests.workflows.test_reconstruct import MS, NAMES, record_stripe
 
 TODAYS, FOREIGN = "20260601-090000-today", "20260602-090000-other"
+OF_TWO = {"left": CALIBRATION, "right": FOREIGN}
+"""The calibrations of a scan of two sensors."""
 RECORDS = 6
 """Three scans and three calibrations."""
 CLOUDS = "/api/fleet/records/room-2/scan/{}/clouds"
@@ -76,6 +79,20 @@ def write_long_recording(path: Path) -> None:
             record_stripe(writer, number * 4 * MS)
 
 
+def write_recording_of_two(path: Path) -> None:
+    """Of two sensors, ``left`` and ``right``, which were calibrated on the same arm."""
+    about = {ARM_SERIAL: "A-1"}
+    for sensor, serial in (("left", "S-1"), ("right", "S-2")):
+        about[sensor_key(SENSOR_SERIAL, sensor)] = serial
+        about[sensor_key(SCAN_CALIBRATION, sensor)] = OF_TWO[sensor]
+    path.unlink()
+    with RecordingWriter(path, NAMES, about, tuple(OF_TWO)) as writer:
+        for number in range(60):
+            writer.joints(number * 4 * MS, q_at(number * 4 * MS))
+        for number in range(10, 40):
+            record_stripe(writer, number * 4 * MS, sensor="left" if number % 2 else "right")
+
+
 def write_settings(folder: Path, place: str, more: str = "") -> Path:
     path = folder / "fleet.toml"
     path.write_text(
@@ -85,8 +102,12 @@ def write_settings(folder: Path, place: str, more: str = "") -> Path:
     return path
 
 
-def fill_room(folder: Path) -> None:
-    """The archive of a station that has three scans, and its data folder."""
+def fill_room(folder: Path, of_two: bool = False) -> None:
+    """The archive of a station that has three scans, and its data folder.
+
+    Args:
+        of_two: the second scan is one of two sensors.
+    """
     archive, data = folder / "plant/room-2", folder / "data"
     archive.mkdir(parents=True)
     store = fill_station(data, ("one", "two", "long"))
@@ -96,6 +117,8 @@ def fill_room(folder: Path) -> None:
         store.journal.end_session(name)
     (data / "scans/long/scan.mcap").unlink()
     write_long_recording(data / "scans/long/scan.mcap")
+    if of_two:
+        write_recording_of_two(data / "scans/two/scan.mcap")
     archive_of(store, str(archive)).run()
     store.close()
 
@@ -407,7 +430,8 @@ def test_a_recording_in_the_data_folder_needs_no_archive(filled: Path, tmp_path:
     output = settings_for(str(tmp_path / "out"))
 
     def task_in(*places: Place, scan_id: str = "one", calibration_id: str = "") -> str:
-        made = CloudOrder(places, scan_id, calibration_id, output, COPC, tmp_path)
+        wanted = (calibration_id,) if calibration_id else ()
+        made = CloudOrder(places, scan_id, wanted, output, COPC, tmp_path)
         return plan_cloud(made).key
 
     assert task_in(data, away) == task_in(archive) == task_in(away, archive)
@@ -422,6 +446,35 @@ def test_a_recording_in_the_data_folder_needs_no_archive(filled: Path, tmp_path:
     with pytest.raises(OperationError) as refused:
         task_in(data, calibration_id="none")
     assert refused.value.code == "no-calibration"
+
+
+def test_each_sensor_of_a_scan_can_have_another_calibration(filled: Path, tmp_path: Path) -> None:
+    data, output = tmp_path / "data", settings_for(str(tmp_path / "out"))
+    shutil.copytree(filled / "data", data)
+    sessions = data / "sessions"
+    for name, serial in (("new-left", "S-1"), ("new-right", "S-2"), ("other-arm", "S-2")):
+        of = CALIBRATION if serial == "S-1" else FOREIGN
+        shutil.copytree(sessions / of, sessions / name)
+    arm = sessions / "other-arm/arm.json"
+    arm.write_text(arm.read_text().replace(" ", "  ", 1))
+    write_recording_of_two(data / "scans/one/scan.mcap")
+
+    def used_by(*wanted: str) -> dict[str, str]:
+        place = Place(settings_for(str(data)), False)
+        made = CloudOrder((place,), "one", wanted, output, COPC, tmp_path)
+        return {sensor: one.id for sensor, one in plan_cloud(made).calibrations.items()}
+
+    assert used_by() == used_by(FOREIGN) == OF_TWO
+    assert used_by("new-right") == {**OF_TWO, "right": "new-right"}
+    assert used_by("new-right", "new-left") == {"left": "new-left", "right": "new-right"}
+    for wanted, code in (
+        (("new-right", "other-arm"), "same-sensor"),
+        (("other-arm",), "different-arms"),
+        (("none",), "no-calibration"),
+    ):
+        with pytest.raises(OperationError) as refused:
+            used_by(*wanted)
+        assert refused.value.code == code
 
 
 def test_the_cloud_that_was_used_least_recently_is_removed_first(tmp_path: Path) -> None:

@@ -29,11 +29,13 @@ NAMES = tuple(joint.name for joint in ARM.joints)
 MS = 1_000_000
 
 
-def record_stripe(writer: RecordingWriter, stamp_ns: int, width: int = WIDTH) -> None:
+def record_stripe(
+    writer: RecordingWriter, stamp_ns: int, width: int = WIDTH, sensor: str = ""
+) -> None:
     _, uv = stripe_points()
     count = len(uv)
     stripe = Stripe(uv[:, 0], uv[:, 1], np.full(count, 99.0), np.full(count, 0.05))
-    writer.stripe(stamp_ns, stripe, width, HEIGHT)
+    writer.stripe(stamp_ns, stripe, width, HEIGHT, sensor)
 
 
 def record_image(writer: RecordingWriter, stamp_ns: int) -> None:

@@ -39,7 +39,7 @@ export function ScanCloudsPart({ scan, path }: { scan: FleetRecord; path: string
           <p className={styles.command}>{rebuildCommand(scan)}</p>
         </>
       ) : (
-        <MakeCloud clouds={value} path={path} station={scan.station} />
+        <MakeCloud clouds={value} path={path} scan={scan} />
       )}
       {value.orders.map((order) => (
         <Order key={order.id} order={order} used={value.used_calibration_id} />
@@ -49,26 +49,29 @@ export function ScanCloudsPart({ scan, path }: { scan: FleetRecord; path: string
   );
 }
 
-function MakeCloud({ clouds, path, station }: { clouds: ScanClouds; path: string; station: string }) {
+function MakeCloud({ clouds, path, scan }: { clouds: ScanClouds; path: string; scan: FleetRecord }) {
   const { calibrations, used_calibration_id: used } = clouds;
-  const [calibration_id, chooseCalibration] = useState(used);
+  const sensors = sensorsOf(scan, calibrations);
+  const [chosen, choose] = useState<Record<string, string>>({});
+  const choiceOf = (sensor: string) => chosen[sensor] ?? (sensors.length > 1 ? "" : used);
+  const calibration_ids = sensors.map(choiceOf).filter(Boolean);
   const [format, chooseFormat] = useState<CloudFormat>("copc");
   const [problem, setProblem] = useState("");
   const { value: doubted } = useAnswer<FleetCalibrationDoubts>(
-    `/api/fleet/calibrations/${encodeURIComponent(station)}/doubts`,
+    `/api/fleet/calibrations/${encodeURIComponent(scan.station)}/doubts`,
   );
   const doubtsOf = (id: string) => (doubted?.doubts ?? []).filter((one) => one.calibration_id === id);
   const isMade = clouds.made.some(
     (one) =>
       one.software === clouds.software &&
       one.name.endsWith(ENDINGS[format]) &&
-      one.calibration_ids.length === 1 &&
-      one.calibration_ids[0] === calibration_id,
+      one.calibration_ids.length === sensors.length &&
+      one.calibration_ids.every((id) => calibration_ids.includes(id)),
   );
   const make = async () => {
     setProblem("");
     try {
-      await post(path, { calibration_id, format } satisfies CloudWish);
+      await post(path, { calibration_ids, format } satisfies Partial<CloudWish>);
     } catch (error) {
       setProblem(error instanceof Refused ? error.problem.detail : t("ui-fleet-no-answer"));
     }
@@ -76,16 +79,21 @@ function MakeCloud({ clouds, path, station }: { clouds: ScanClouds; path: string
   return (
     <>
       <form className={styles.form} onSubmit={(event) => event.preventDefault()}>
-        <label>
-          {t("ui-calibration")}
-          <select value={calibration_id} onChange={(event) => chooseCalibration(event.target.value)}>
-            {calibrations.map((one, number) => (
-              <option key={one.id} value={one.id}>
-                {calibrationWords(one, one.id === used, number === 0 && one.at !== null, doubtsOf(one.id))}
-              </option>
-            ))}
-          </select>
-        </label>
+        {sensors.map((sensor) => (
+          <label key={sensor}>
+            {sensor ? t("ui-fleet-calibration-of-sensor", { sensor }) : t("ui-calibration")}
+            <select value={choiceOf(sensor)} onChange={(event) => choose({ ...chosen, [sensor]: event.target.value })}>
+              {sensor && <option value="">{t("ui-fleet-calibration-of-its-day")}</option>}
+              {calibrations
+                .filter((one) => !sensor || one.sensor_serial === sensor)
+                .map((one, number) => (
+                  <option key={one.id} value={one.id}>
+                    {calibrationWords(one, one.id === used, number === 0 && one.at !== null, doubtsOf(one.id))}
+                  </option>
+                ))}
+            </select>
+          </label>
+        ))}
         <label>
           {t("ui-fleet-cloud-format")}
           <select value={format} onChange={(event) => chooseFormat(event.target.value as CloudFormat)}>
@@ -105,8 +113,8 @@ function MakeCloud({ clouds, path, station }: { clouds: ScanClouds; path: string
           </PressButton>
         </div>
       </form>
-      {doubtsOf(calibration_id).map((one) => (
-        <p key={one.title} className={styles.doubt}>
+      {calibration_ids.flatMap(doubtsOf).map((one) => (
+        <p key={`${one.calibration_id} ${one.title}`} className={styles.doubt}>
           <QualityMark quality="attention" size="1.1em" /> {doubtWords(one)}
         </p>
       ))}
@@ -120,7 +128,7 @@ function MakeCloud({ clouds, path, station }: { clouds: ScanClouds; path: string
 }
 
 function Order({ order, used }: { order: CloudOrderState; used: string }) {
-  const calibration = order.calibration_id || used || "–";
+  const calibration = order.calibration_ids.join(", ") || used || "–";
   if (order.state === "failed") {
     return (
       <p className={styles.problem} role="alert">
@@ -177,6 +185,12 @@ function MadeClouds({ made }: { made: MadeCloud[] }) {
       </table>
     </div>
   );
+}
+
+/** The sensors whose calibrations are chosen, each by itself; "" is the only one. A scan of several states no serial number of its own. */
+function sensorsOf(scan: FleetRecord, calibrations: CalibrationChoice[]): string[] {
+  const known = [...new Set(calibrations.map((one) => one.sensor_serial))].filter(Boolean).sort();
+  return scan.sensor_serial || known.length < 2 ? [""] : known;
 }
 
 /** A calibration in the list: its name or id, its time, whether it was in use or is the newest, and whether it is doubted. */

@@ -373,6 +373,8 @@ ui-fleet-calibration-doubted = { $doubt ->
     [wrong] { $choice } – falsch
    *[perhaps] { $choice } – vielleicht falsch
 }
+ui-fleet-calibration-of-its-day = Vom Tag des Scans
+ui-fleet-calibration-of-sensor = Kalibrierung, Sensor { $sensor }
 ui-fleet-calibrations = Kalibrierungen
 ui-fleet-changed = Änderung um { $size } ± { $uncertainty } { $unit } (k = 2) zwischen { $earliest } und { $latest } (95 %).
 ui-fleet-changes-by = { $since ->

@@ -373,6 +373,8 @@ ui-fleet-calibration-doubted = { $doubt ->
     [wrong] { $choice } – wrong
    *[perhaps] { $choice } – perhaps wrong
 }
+ui-fleet-calibration-of-its-day = Of the day of the scan
+ui-fleet-calibration-of-sensor = Calibration, sensor { $sensor }
 ui-fleet-calibrations = Calibrations
 ui-fleet-changed = Changed by { $size } ± { $uncertainty } { $unit } (k = 2) between { $earliest } and { $latest } (95 %).
 ui-fleet-changes-by = { $since ->

@@ -20,11 +20,11 @@ Name = Annotated[str, Field(max_length=200)]
 
 
 class KeptOrder(DocumentPart):
-    """A cloud that is wanted; no calibration: the one that the scan was taken with."""
+    """A cloud that is wanted; of sensors without a calibration here, with that of the scan."""
 
     station: Name
     scan_id: Name
-    calibration_id: Name = ""
+    calibration_ids: tuple[Name, ...] = ()
     format: CloudFormat
 
 

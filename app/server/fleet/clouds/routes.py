@@ -48,10 +48,10 @@ def cloud_router(service: FleetService, clouds: FleetClouds, access: FleetAccess
     def order(station: str, scan_id: str, wish: CloudWish) -> Response:
         with service.catalogue().reading() as connection:
             scan = _read_scan(connection, station, scan_id)
-            wanted = wish.calibration_id
-            if wanted not in ("", scan.calibration_id):
-                _check_calibration(connection, station, wanted)
-        return json_response(_state_of(clouds.order(scan, wanted, wish.format)))
+            wanted = {wish.calibration_id, *wish.calibration_ids}
+            for calibration_id in sorted(wanted - {"", scan.calibration_id}):
+                _check_calibration(connection, station, calibration_id)
+        return json_response(_state_of(clouds.order(scan, list(wanted), wish.format)))
 
     @router.delete("/cloud-orders/{order_id}", dependencies=acting)
     def cancel(order_id: int) -> Response:
@@ -85,15 +85,24 @@ def _find_calibrations(connection: Connection, scan: CatalogueEntry) -> list[Cal
     """Those of the arm and the sensor of a scan, where these are known."""
     query = SearchQuery(station=scan.station, kind="calibration", limit=MOST_CALIBRATIONS)
     found = [
-        CalibrationChoice(id=one.entry.id, label=one.entry.label, at=one.entry.at)
+        _describe_choice(one.entry)
         for one in search(connection, query)
         if one.entry.id == scan.calibration_id or _is_of_devices(one.entry, scan)
     ]
     if all(one.id != scan.calibration_id for one in found):
         used = read_record(connection, scan.station, "calibration", scan.calibration_id)
-        label, at = (used.label, used.at) if used is not None else ("", None)
-        found.append(CalibrationChoice(id=scan.calibration_id, label=label, at=at))
+        unknown = CalibrationChoice(id=scan.calibration_id, label="", sensor_serial="", at=None)
+        found.append(unknown if used is None else _describe_choice(used))
     return found
+
+
+def _describe_choice(calibration: CatalogueEntry) -> CalibrationChoice:
+    return CalibrationChoice(
+        id=calibration.id,
+        label=calibration.label,
+        sensor_serial=calibration.sensor_serial,
+        at=calibration.at,
+    )
 
 
 def _is_of_devices(calibration: CatalogueEntry, scan: CatalogueEntry) -> bool:
@@ -118,7 +127,7 @@ def _describe(document: RebuiltCloud) -> MadeCloud:
 def _state_of(job: CloudJob) -> CloudOrderState:
     return CloudOrderState(
         id=job.id,
-        calibration_id=job.order.calibration_id,
+        calibration_ids=list(job.order.calibration_ids),
         format=FORMATS[job.order.suffix],
         state=job.state,
         share=job.share,

@@ -54,7 +54,7 @@ class FleetClouds:
             if problem := self.problem_of(one.station):
                 log.warning("a cloud of %s is not made: %s", one.scan_id, problem)
                 continue
-            order = self._order(one.station, one.scan_id, one.calibration_id, one.format)
+            order = self._order(one.station, one.scan_id, one.calibration_ids, one.format)
             waiting.append((one.station, order))
         self.queue.start(waiting)
 
@@ -64,27 +64,30 @@ class FleetClouds:
             return ""
         return message("fleet-clouds-no-place", station=station)
 
-    def order(self, scan: CatalogueEntry, calibration_id: str, form: CloudFormat) -> CloudJob:
+    def order(
+        self, scan: CatalogueEntry, calibration_ids: Sequence[str], form: CloudFormat
+    ) -> CloudJob:
         """Orders the cloud of a scan.
 
         Args:
-            calibration_id: empty, as that of the scan: the one that it was taken with.
+            calibration_ids: each for its sensor; of all others, the one that it was taken with.
 
         Raises:
             OperationError: it cannot be made here, or too many wait.
         """
         if problem := self.problem_of(scan.station):
             raise OperationError("no-place", problem)
-        other = "" if calibration_id == scan.calibration_id else calibration_id
-        return self.queue.add(scan.station, self._order(scan.station, scan.id, other, form))
+        wanted = tuple(sorted({*calibration_ids} - {""}))
+        others = () if wanted == (scan.calibration_id,) else wanted
+        return self.queue.add(scan.station, self._order(scan.station, scan.id, others, form))
 
     def _order(
-        self, station: str, scan_id: str, calibration_id: str, form: CloudFormat
+        self, station: str, scan_id: str, calibration_ids: tuple[str, ...], form: CloudFormat
     ) -> CloudOrder:
         return CloudOrder(
             self._places[station],
             scan_id,
-            calibration_id,
+            calibration_ids,
             self.kept.settings,
             SUFFIXES[form],
             self.kept.scratch,
@@ -102,7 +105,7 @@ def _orders_of(jobs: Sequence[CloudJob]) -> list[KeptOrder]:
         KeptOrder(
             station=job.station,
             scan_id=job.order.scan_id,
-            calibration_id=job.order.calibration_id,
+            calibration_ids=job.order.calibration_ids,
             format=FORMATS[job.order.suffix],
         )
         for job in jobs
