@@ -1,7 +1,13 @@
 """``crenel bench catalogue`` stores what it says, and its questions have answers."""
 
+from pathlib import Path
+
+import pytest
+
 from app.bench.fleet.catalogue import run, table
+from app.bench.fleet.recording_stations import SECRET, make_station
 from app.progress import no_progress
+from app.settings.station_toml import DEFAULT_FILE, read_settings
 
 
 def test_a_small_catalogue_is_filled_and_asked() -> None:
@@ -16,3 +22,14 @@ def test_a_small_catalogue_is_filled_and_asked() -> None:
     assert answers["ageing of a gauge's offset at one station"] > 0
     assert answers["a word that an eighth of all records have"] > 0
     assert len(table(found)) == len(found.questions) + 2
+
+
+@pytest.mark.slow
+def test_a_station_in_a_relative_folder_finds_the_secret_of_its_archive(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    station = make_station(Path(), "room-1", "http://127.0.0.1:1")
+    settings = read_settings(station.data / DEFAULT_FILE)
+    assert settings.archive is not None
+    assert settings.archive.secret() == station.archive.secret() == SECRET

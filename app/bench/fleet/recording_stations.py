@@ -45,7 +45,7 @@ def make_station(top: Path, name: str, endpoint: str) -> BenchStation:
     """A data folder of a calibrated station with an archive in the store at an endpoint."""
     data = top / name
     prepare(data, SMALL)
-    secret = top / "secret"
+    secret = (top / "secret").absolute()  # relative ones start at station.toml
     secret.write_text(SECRET)
     fields = {
         "url": f"s3://{BUCKET}/{PLANT}/{name}",
