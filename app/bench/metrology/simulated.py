@@ -22,13 +22,13 @@ from app.metrology.adjustment.core.arm_errors import arm_motion
 from app.metrology.adjustment.core.observations import AdjustmentProblem
 from app.metrology.adjustment.core.parameters import AdjustmentState
 from app.metrology.adjustment.core.variance_components import Scales
-from app.metrology.arm.kinematics import Arm, Joint, flange_poses, geometric_jacobian, tip_centres
+from app.metrology.arm.kinematics import Arm, Joint, flange_poses, geometric_jacobians, tip_centres
 from app.metrology.arm.link_error import LinkError
 from app.metrology.calibration.observation_model import SHARED_EDGE_PX, with_coordinates
 from app.metrology.sensor.camera import Camera
 from app.metrology.sensor.laser_plane import LaserPlane
 from app.metrology.targets.crenellated_block import Crenellated, probing_face
-from app.metrology.transforms import Floats, inverse, rigid, rotation_from_vector
+from app.metrology.transforms import Floats, apply, inverse, rigid, rotation_from_vector
 from hardware.simulator.devices.kinematics import UnreachableError, solve_joints
 from hardware.simulator.operator.contact import choose_contact_point, contact_pose
 from hardware.simulator.scene.datasheets import arm_datasheet, block_datasheet
@@ -251,17 +251,17 @@ def _contact_joints(
     station: SimulatedSetup, arm: Arm, block: Crenellated, touch_mm: float, rng: np.random.Generator
 ) -> Floats:
     """Joint angles (N, n) at which the true arm's tip touches the true block."""
-    R, t = station.T_arm_obj[:3, :3], station.T_arm_obj[:3, 3]
+    faces = [probing_face(block, face) for face in station.features]
+    normals, offsets_mm = (np.array(part) for part in zip(*faces, strict=True))
+    spots_mm = np.asarray(station.spots_mm)
+    off_mm = arm.tip.radius_mm + touch_mm * rng.normal(size=len(faces))
+    off_mm += offsets_mm - np.sum(normals * spots_mm, axis=1)
+    targets_mm = apply(station.T_arm_obj, spots_mm + off_mm[:, None] * normals)
     q = station.contact_q_rad.copy()
-    for i, (face, spot) in enumerate(zip(station.features, station.spots_mm, strict=True)):
-        normal, offset_mm = probing_face(block, face)
-        off = arm.tip.radius_mm + touch_mm * float(rng.normal())
-        on_face = spot + (offset_mm - normal @ spot) * normal
-        target = R @ (on_face + off * normal) + t
-        for _ in range(4):
-            miss = target - tip_centres(arm, q[i][None])[0]
-            J = geometric_jacobian(arm, q[i], arm.tip.centre_mm)[:3]
-            q[i] += np.linalg.pinv(J) @ miss
+    for _ in range(4):
+        miss_mm = targets_mm - tip_centres(arm, q)
+        J = geometric_jacobians(arm, q, arm.tip.centre_mm)[:, :3]
+        q += np.einsum("nij,nj->ni", np.linalg.pinv(J), miss_mm)
     return q
 
 

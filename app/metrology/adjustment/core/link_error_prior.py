@@ -49,12 +49,11 @@ def estimate_link_size_covariance(
     ]
     # At the minimum, the gradient of the data balances that of the prior of the estimated size.
     pull = -start / scales.link_error_sds(len(start) // 6) ** 2
-    found = [
-        link_likelihood(S, pull, start, size.link_error_sds(len(start) // 6)) for size in sizes
-    ]
-    log = np.array([one + size_prior(size) for (one, *_), size in zip(found, sizes, strict=True)])
+    sds = np.array([size.link_error_sds(len(start) // 6) for size in sizes])
+    log, steps, _ = link_likelihood(S, pull, start, sds)
+    log += [size_prior(size) for size in sizes]
     weight = np.exp(log - log.max())
-    steps = np.array([step for _, step, _ in found]) * np.sqrt(weight / weight.sum())[:, None]
+    steps *= np.sqrt(weight / weight.sum())[:, None]
     by = np.zeros((at.count, len(links)))
     by[links], by[others] = np.eye(len(links)), -scale[:, None] * followed
     moves = by @ steps.T
@@ -63,19 +62,20 @@ def estimate_link_size_covariance(
 
 def link_likelihood(
     S: Floats, pull: Floats, start: Floats, sd: Floats
-) -> tuple[float, Floats, Floats]:
-    """Likelihood of link errors (and further unknowns) of this size: its logarithm up to a
-    constant, the step (L,) of the unknowns there, and its covariance (L, L).
+) -> tuple[Floats, Floats, Floats]:
+    """Likelihood of link errors, or other unknowns, of some sizes at once: its logarithm (...,) up
+    to a constant, the step (..., L) of the unknowns there, and its covariance (..., L, L).
 
     Args:
-        S: (L, L) information of the data about them.
-        pull: (L,) gradient of the data at ``start`` (L,).
-        sd: (L,) standard deviations of their errors.
+        S: (..., L, L) information of the data about them.
+        pull: (..., L) gradient of the data at ``start`` (L,).
+        sd: (..., L) standard deviations of their errors.
     """
     # In units of the size, so that the matrix is near the identity if nothing is known.
-    H = S * np.outer(sd, sd) + np.eye(len(sd))
+    squared = sd[..., :, None] * sd[..., None, :]
+    H = S * squared + np.eye(sd.shape[-1])
     r = pull * sd + start / sd
     inverted = np.linalg.inv(H)
-    answer = inverted @ r
-    log = 0.5 * (r @ answer - np.linalg.slogdet(H)[1] - np.sum((start / sd) ** 2))
-    return float(log), -sd * answer, inverted * np.outer(sd, sd)
+    answer = np.einsum("...ij,...j->...i", inverted, r)
+    log = np.sum(r * answer - (start / sd) ** 2, axis=-1) - np.linalg.slogdet(H)[1]
+    return np.asarray(0.5 * log), -sd * answer, inverted * squared

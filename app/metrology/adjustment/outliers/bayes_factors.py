@@ -60,11 +60,21 @@ class _ReducedSystem:
 
 
 @dataclass(frozen=True)
-class _ConditionalEstimate:
-    """Sizes (K,) of a fault at one noise level and one size of the link errors, their covariance
-    (K, K), and the log-likelihood."""
+class _WithoutLinks:
+    """The same on the hypotheses' sizes alone, for each of Z sizes of the link errors, which are
+    eliminated, too: (Z, K, K), (Z, K), and the log-likelihoods (Z,) without a fault."""
 
-    log: float
+    S: Floats
+    pull: Floats
+    log: Floats
+
+
+@dataclass(frozen=True)
+class _ConditionalEstimates:
+    """Sizes (Z, K) of a fault at one noise level and Z sizes of the link errors, their covariances
+    (Z, K, K), and the log-likelihoods (Z,)."""
+
+    log: Floats
     sizes: Floats
     covariance: Floats
 
@@ -76,57 +86,66 @@ def estimate_faults(
     scales, start = found.scales, found.state.links
     by = np.hstack([one.by for one in hypotheses])
     by_prior = np.hstack([one.by_prior for one in hypotheses])
-    ends = len(start) + np.cumsum([one.by.shape[1] for one in hypotheses])
+    ends = np.cumsum([one.by.shape[1] for one in hypotheses])
     own = [np.arange(end - one.by.shape[1], end) for one, end in zip(hypotheses, ends, strict=True)]
-    none: list[_ConditionalEstimate] = []
-    each: list[list[_ConditionalEstimate]] = [[] for _ in hypotheses]
+    sizes = _link_scales(scales)
+    priors = np.array([size_prior(size) for size in sizes])
+    link_sds = np.array([size.link_error_sds(len(start) // 6) for size in sizes])
+    none: list[Floats] = []
+    each: list[list[_ConditionalEstimates]] = [[] for _ in hypotheses]
     for noise in _noise_levels(found):
         reduced = _reduce_system(found, by, by_prior, replace(scales, noise=noise))
-        for size in _link_scales(scales):
-            prior, sd = size_prior(size), size.link_error_sds(len(start) // 6)
-            none.append(_estimate_conditional(reduced, start, sd, prior, np.arange(0), np.zeros(0)))
-            for estimates, hypothesis, columns in zip(each, hypotheses, own, strict=True):
-                estimates += [
-                    _estimate_conditional(
-                        reduced, start, sd, prior - np.log(len(hypothesis.sds)), columns, sds
-                    )
-                    for sds in hypothesis.sds
-                ]
-    return [_average_estimates(estimates, none) for estimates in each]
+        without_links = _eliminate_links(reduced, start, link_sds, priors)
+        none.append(without_links.log)
+        for estimates, hypothesis, columns in zip(each, hypotheses, own, strict=True):
+            estimates += [
+                _estimate_conditional(without_links, columns, sds, len(hypothesis.sds))
+                for sds in hypothesis.sds
+            ]
+    return [_average_estimates(estimates, np.concatenate(none)) for estimates in each]
+
+
+def _eliminate_links(
+    reduced: _ReducedSystem, start: Floats, sds: Floats, priors: Floats
+) -> _WithoutLinks:
+    """For each of Z sizes of the link errors, ``sds`` (Z, L), with the logarithms (Z,) of their
+    prior densities."""
+    links, faults = slice(0, len(start)), slice(len(start), None)
+    H = reduced.S[links, links] * (sds[:, :, None] * sds[:, None, :]) + np.eye(len(start))
+    across = sds[:, :, None] * reduced.S[links, faults]
+    r = (reduced.pull[links] * sds + start / sds)[:, :, None]
+    solved = np.linalg.solve(H, np.concatenate([across, r], axis=2))
+    taken = across.mT @ solved
+    log = np.sum(r * solved[:, :, -1:], axis=(1, 2)) - np.sum((start / sds) ** 2, axis=1)
+    log = reduced.log + priors + 0.5 * (log - np.linalg.slogdet(H)[1])
+    S, pull = reduced.S[faults, faults], reduced.pull[faults]
+    return _WithoutLinks(S - taken[:, :, :-1], pull - taken[:, :, -1], log)
 
 
 def _estimate_conditional(
-    reduced: _ReducedSystem,
-    start: Floats,
-    sd: Floats,
-    prior: float,
-    columns: NDArray[np.intp],
-    sds: Floats,
-) -> _ConditionalEstimate:
-    """With a fault's ``columns`` of all unknowns besides the links, and their sds."""
-    links = len(start)
-    which = np.concatenate([np.arange(links), columns])
+    system: _WithoutLinks, columns: NDArray[np.intp], sds: Floats, of: int
+) -> _ConditionalEstimates:
+    """With a fault's ``columns`` of all hypotheses' sizes, and one of its ``of`` priors' sds."""
     log, step, covariance = link_likelihood(
-        reduced.S[np.ix_(which, which)],
-        reduced.pull[which],
-        np.concatenate([start, np.zeros(len(columns))]),
-        np.concatenate([sd, sds]),
+        system.S[:, columns[:, None], columns],
+        system.pull[:, columns],
+        np.zeros(len(sds)),
+        np.broadcast_to(sds, (len(system.log), len(sds))),
     )
-    return _ConditionalEstimate(reduced.log + prior + log, step[links:], covariance[links:, links:])
+    return _ConditionalEstimates(system.log + log - np.log(of), step, covariance)
 
 
-def _average_estimates(
-    estimates: Sequence[_ConditionalEstimate], none: Sequence[_ConditionalEstimate]
-) -> FaultEstimate:
-    logs = np.array([one.log for one in estimates])
+def _average_estimates(estimates: Sequence[_ConditionalEstimates], none: Floats) -> FaultEstimate:
+    logs = np.concatenate([one.log for one in estimates])
     weight = np.exp(logs - logs.max())
     weight /= weight.sum()
-    sizes = np.array([one.sizes for one in estimates])
+    sizes = np.concatenate([one.sizes for one in estimates])
     mean = weight @ sizes
-    covariance = np.einsum("s,sij->ij", weight, np.array([one.covariance for one in estimates]))
+    covariances = np.concatenate([one.covariance for one in estimates])
+    covariance = np.einsum("s,sij->ij", weight, covariances)
     covariance += np.einsum("s,si,sj->ij", weight, sizes - mean, sizes - mean)
-    without = np.logaddexp.reduce([one.log for one in none])
-    return FaultEstimate(mean, covariance, 2 * float(np.logaddexp.reduce(logs) - without))
+    without = float(np.logaddexp.reduce(none))
+    return FaultEstimate(mean, covariance, 2 * (float(np.logaddexp.reduce(logs)) - without))
 
 
 def _reduce_system(
