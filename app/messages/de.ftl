@@ -878,6 +878,14 @@ convention-is-pose = { $path }: convention ist „pose“
 convert-columns-degrees = Spalten in Grad umrechnen
 convert-columns-x-mm-y-mm = Spalten x_mm, y_mm und z_mm in Millimeter umrechnen
 convert-lengths-mm-name-columns = Längen in mm umrechnen und die Spalten { $names } nennen
+convert-poses-read-otherwise =
+    { $fault ->
+        [inverted] die Posen des Flanschs im Koordinatensystem des Messarms angeben
+        [scalar-first] qx, qy, qz, qw in dieser Reihenfolge schreiben
+        [scalar-first-inverted] die Posen des Flanschs im Koordinatensystem des Messarms angeben und qx, qy, qz, qw in dieser Reihenfolge schreiben
+        [turns-inverted] die Drehungen des Flanschs im Koordinatensystem des Messarms angeben: das Vorzeichen von qw umkehren
+       *[other] jedem Bild die Pose geben, in der es aufgenommen wurde
+    }
 convert-them-name-columns = Werte umrechnen und die Spalten { $first } bis { $last } nennen
 coordinate-left-out-off = coordinates.csv Zeile { $number } ({ $place }): { $distance } Abweichung
 coordinates = Koordinaten des Objekts
@@ -1172,6 +1180,15 @@ listen-free-port = Beenden, was ihn verwendet, oder mit --port einen anderen wä
 listen-give-own-address = Mit --host eine Adresse dieses Rechners angeben
 no-picture-between-readings = kein Bild von { $path } liegt zwischen zwei Messwerten von { $readings }, die dicht beieinander liegen
 no-picture-of-folder-can-be-used = keines der { $count } Bilder ist verwendbar; das erste: { $first }
+poses-agree-read-otherwise =
+    { $fault ->
+        [inverted] invertiert stimmen { $agree } von { $count } Posen auf { $apart } mit den Bildern von „{ $name }“ überein; so, wie sie angegeben sind, widersprechen sie ihnen
+        [scalar-first] mit dem Skalar der Quaternion zuerst stimmen { $agree } von { $count } Posen auf { $apart } mit den Bildern von „{ $name }“ überein; so, wie sie angegeben sind, widersprechen sie ihnen
+        [scalar-first-inverted] invertiert und mit dem Skalar der Quaternion zuerst stimmen { $agree } von { $count } Posen auf { $apart } mit den Bildern von „{ $name }“ überein; so, wie sie angegeben sind, widersprechen sie ihnen
+        [turns-inverted] mit invertierten Drehungen stimmen { $agree } von { $count } Posen auf { $apart } mit den Bildern von „{ $name }“ überein; so, wie sie angegeben sind, widersprechen sie ihnen
+        [before] { $agree } von { $count } Posen stimmen auf { $apart } mit den Bildern von „{ $name }“ überein, wenn jede zum nächsten Bild gehört; mit dem eigenen nicht
+       *[after] { $agree } von { $count } Posen stimmen auf { $apart } mit den Bildern von „{ $name }“ überein, wenn jede zum Bild davor gehört; mit dem eigenen nicht
+    }
 readings-are-apart = die Messwerte liegen im Mittel { $period } auseinander; über mehr als { $longest } wird nicht interpoliert
 no-picture-of-folder-has-a-line = keines der { $count } Bilder zeigt eine Linie; das erste: { $first }
 no-picture-within-readings = kein Bild von { $path } wurde während der Messwerte von { $readings } aufgenommen, von { $begin } bis { $end }
@@ -1223,6 +1240,14 @@ sign-in-library-missing = die Bibliothek joserfc ist nicht installiert
 sign-in-needs-openid = ohne ihn sagt der Anbieter nicht, wer sich anmeldet
 sign-in-scopes-lack-openid = { $file }, [sign_in]: scopes enthält 'openid' nicht
 sign-in-unusable = { $file }: [sign_in] lässt sich nicht verwenden
+so-poses-are-not-what-is-expected =
+    { $fault ->
+        [inverted] dies sind Posen der Basis des Messarms im Koordinatensystem des Flanschs
+        [scalar-first] in den Spalten stehen qw, qx, qy, qz
+        [scalar-first-inverted] dies sind Posen der Basis des Messarms im Koordinatensystem des Flanschs, und in den Spalten stehen qw, qx, qy, qz
+        [turns-inverted] die Drehungen sind die der Basis des Messarms im Koordinatensystem des Flanschs
+       *[other] Posen und Bilder sind um eins gegeneinander verschoben
+    }
 sphere-diameter-not-read = der Kalibrierschein nennt keinen Durchmesser der Kugeln oder mehrere: sphere_diameter_mm in der Datei eintragen
 expected = erwartet wird { $wanted }
 expected-by-datasheet-and-expanded-uncertainty = laut Datenblatt { $expected }; U = { $expanded_uncertainty }, k = 2

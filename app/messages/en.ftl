@@ -878,6 +878,14 @@ convention-is-pose = { $path }: convention is 'pose'
 convert-columns-degrees = Convert the columns to degrees
 convert-columns-x-mm-y-mm = Convert the columns x_mm, y_mm and z_mm to millimetres
 convert-lengths-mm-name-columns = Convert lengths to mm, and name the columns { $names }
+convert-poses-read-otherwise =
+    { $fault ->
+        [inverted] give the poses of the flange in the frame of the arm
+        [scalar-first] write qx, qy, qz, qw in this order
+        [scalar-first-inverted] give the poses of the flange in the frame of the arm, and write qx, qy, qz, qw in this order
+        [turns-inverted] give the rotations of the flange in the frame of the arm: change the sign of qw
+       *[other] give every picture the pose in which it was taken
+    }
 convert-them-name-columns = Convert them, and name the columns { $first } to { $last }
 coordinate-left-out-off = coordinates.csv line { $number } ({ $place }): { $distance } off
 coordinates = Coordinates
@@ -1168,6 +1176,15 @@ listen-free-port = Stop what is using it, or choose another with --port
 listen-give-own-address = Give an address of this machine with --host
 no-picture-between-readings = no picture of { $path } lies between two readings of { $readings } that are close together
 no-picture-of-folder-can-be-used = none of the { $count } pictures can be used; the first: { $first }
+poses-agree-read-otherwise =
+    { $fault ->
+        [inverted] inverted, { $agree } of { $count } poses agree with the pictures of { $name } to { $apart }; as they are given, they contradict them
+        [scalar-first] with the scalar of the quaternion first, { $agree } of { $count } poses agree with the pictures of { $name } to { $apart }; as they are given, they contradict them
+        [scalar-first-inverted] inverted and with the scalar of the quaternion first, { $agree } of { $count } poses agree with the pictures of { $name } to { $apart }; as they are given, they contradict them
+        [turns-inverted] with inverted rotations, { $agree } of { $count } poses agree with the pictures of { $name } to { $apart }; as they are given, they contradict them
+        [before] { $agree } of { $count } poses agree with the pictures of { $name } to { $apart } if each belongs to the next picture; with their own, they contradict
+       *[after] { $agree } of { $count } poses agree with the pictures of { $name } to { $apart } if each belongs to the picture before; with their own, they contradict
+    }
 readings-are-apart = the readings are { $period } apart on average; nothing is interpolated over more than { $longest }
 no-picture-of-folder-has-a-line = none of the { $count } pictures shows a line; the first: { $first }
 no-picture-within-readings = no picture of { $path } was taken during the readings of { $readings }, from { $begin } to { $end }
@@ -1219,6 +1236,14 @@ sign-in-library-missing = the library joserfc is not installed
 sign-in-needs-openid = without it, the provider does not say who signs in
 sign-in-scopes-lack-openid = { $file }, [sign_in]: scopes has no 'openid'
 sign-in-unusable = { $file }: [sign_in] cannot be used
+so-poses-are-not-what-is-expected =
+    { $fault ->
+        [inverted] these are poses of the arm's base in the flange frame
+        [scalar-first] the columns hold qw, qx, qy, qz
+        [scalar-first-inverted] these are poses of the arm's base in the flange frame, and the columns hold qw, qx, qy, qz
+        [turns-inverted] the rotations are those of the arm's base in the flange frame
+       *[other] poses and pictures are shifted by one
+    }
 sphere-diameter-not-read = the certificate states no diameter of the spheres, or several: enter sphere_diameter_mm in the file
 expected = { $wanted } is expected
 expected-by-datasheet-and-expanded-uncertainty = datasheet: { $expected }; U = { $expanded_uncertainty }, k = 2

@@ -102,7 +102,7 @@ def calibrate_block(inputs: BlockInputs, progress: Progress = no_progress) -> Bl
 
     Raises:
         OperationError: inputs that do not belong together (``joint-count``,
-            ``angles-not-finite``, ``image-size``); ``no-images``, or the error of the first pose
+            ``angles-not-finite``, ``image-size``); ``no-images``, or the commonest error
             where none shows the block; ``poses-contradict``, ``lines-contradict``;
             ``too-few-corners``, ``object-not-placed``, ``too-few-edges``, ``adjustment-failed``;
             and as ``align``, ``refuse_wrong_faces``, ``fit_laser_plane`` and ``fit_camera``.

@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from app.errors import OperationError
 from app.messages.message import Text, message, quantity
 from app.metrology.adjustment.board.findings import ROBOT_ROW, BoardEvidence, board_findings
 from app.metrology.adjustment.board.initial_guess import BoardObservation
@@ -16,6 +17,7 @@ from app.metrology.adjustment.board.laser_lines import (
     refuse_few_lines,
     with_line_scatter,
 )
+from app.metrology.adjustment.board.pose_faults import explain_poses, refuse_misread_poses
 from app.metrology.adjustment.board.problem import (
     BoardInputs,
     BoardStart,
@@ -125,7 +127,7 @@ def calibrate_board(inputs: BoardInputs, progress: Progress = no_progress) -> Bo
 
     Raises:
         OperationError: inputs that do not belong together (``joint-count``,
-            ``angles-not-finite``, ``tip-missing``); ``no-images``, or the error of the first pose
+            ``angles-not-finite``, ``tip-missing``); ``no-images``, or the commonest error
             where none shows the board; too few images or too similar poses
             (``too-few-images``, ``boards-parallel``, ``too-few-poses``, ``poses-alike``,
             ``poses-about-one-axis``); data that contradict each other (``poses-contradict``,
@@ -136,8 +138,13 @@ def calibrate_board(inputs: BoardInputs, progress: Progress = no_progress) -> Bo
     """
     require_observations(inputs.observations, inputs.failed_poses, "board")
     progress(0.0, message("finding-start"))
-    inputs = number_boards(inputs)
-    start = board_problem(inputs)
+    try:
+        numbered = number_boards(inputs)
+        start = board_problem(numbered)
+    except OperationError as error:
+        raise explain_poses(inputs, error) from error
+    refuse_misread_poses(inputs, start.mounting)
+    inputs = numbered
     progress(0.3, message("adjusting-all-poses-together"))
     found, mounting = _adjust_robustly(inputs, start)
     progress(0.8, message("working-out-uncertainty"))

@@ -1,5 +1,6 @@
 """The data of the adjustment: the pictures of each pose, and the contact points."""
 
+from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import Protocol
@@ -163,15 +164,16 @@ class FailedPose:
 def require_observations(
     seen: Sequence[object], unseen: Sequence[FailedPose], thing: Thing
 ) -> None:
-    """Refuses the input if no picture shows the ``thing``, with the reason of the first picture.
+    """Refuses the input if no picture shows the ``thing``, with the commonest reason.
 
     Raises:
-        OperationError: that of the first picture, or ``no-images``.
+        OperationError: that of the first picture with the commonest reason, or ``no-images``.
     """
     if seen:
         return
     if unseen:
-        raise unseen[0].error
+        codes = [pose.error.code for pose in unseen]
+        raise unseen[codes.index(Counter(codes).most_common(1)[0][0])].error
     raise OperationError(
         "no-images", message("no-pose-given"), "", message("take-picture-2", thing=thing)
     )
