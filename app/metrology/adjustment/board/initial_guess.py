@@ -166,13 +166,20 @@ def _angle_deg(T: Floats) -> float:
     return float(np.degrees(np.linalg.norm(vector_from_rotation(T[:3, :3]))))
 
 
-def refuse_other_size(mounting: Mounting, board: Chessboard) -> None:
-    """Refuses squares whose size clearly differs from the arm's motion.
+@dataclass(frozen=True)
+class SizeByMotion:
+    """The size of the squares by the arm's motion over that of the certificate, its standard
+    deviation, and the scatter (mm) of the poses with this size."""
+
+    scale: float
+    scale_sd: float
+    scatter_mm: float
+
+
+def size_by_motion(mounting: Mounting) -> SizeByMotion:
+    """The size of the squares on which arm and pictures agree best.
 
     With known rotations, the translations and a common scale of all distances follow linearly.
-
-    Raises:
-        OperationError: ``square-size``, or poses that contradict each other.
     """
     kept = np.flatnonzero(~mounting.contradicts)
     # one wrong size makes all poses contradict each other, so all of them are used
@@ -190,21 +197,30 @@ def refuse_other_size(mounting: Mounting, board: Chessboard) -> None:
     left = rows @ found - right
     variance = float(left @ left) / max(len(right) - 7, 1)
     sd = float(np.sqrt(variance * np.linalg.pinv(rows.T @ rows)[6, 6]))
-    scale = float(found[6])
-    if scale <= 0:
+    return SizeByMotion(float(found[6]), sd, float(np.sqrt(variance)))
+
+
+def refuse_other_size(mounting: Mounting, board: Chessboard) -> None:
+    """Refuses squares whose size clearly differs from the arm's motion.
+
+    Raises:
+        OperationError: ``square-size``, or poses that contradict each other.
+    """
+    size = size_by_motion(mounting)
+    if size.scale <= 0:
         raise OperationError(
             "poses-reversed",
             message("arms-motion-moves-other-way-than", name=board.name),
             message("no-size-squares-makes-them-agree"),
             message("check-pictures-mirrored-poses-those-flange"),
         )
-    if abs(scale - 1) > max(SIZE_SHARE, SIZE_SIGMAS * sd):
+    if abs(size.scale - 1) > max(SIZE_SHARE, SIZE_SIGMAS * size.scale_sd):
         raise OperationError(
             "square-size",
             message(
                 "arms-motion-squares-wide",
                 name=board.name,
-                width=quantity(scale * board.square_mm, "mm", 2),
+                width=quantity(size.scale * board.square_mm, "mm", 2),
             ),
             message("certificate-says", square=rounded(board.square_mm, "mm")),
             message("measure-squares-correct-certificate-check-every"),

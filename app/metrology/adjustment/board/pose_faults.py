@@ -14,6 +14,7 @@ from app.metrology.adjustment.board.initial_guess import (
     board_camera,
     number_corners,
     refuse_other_size,
+    size_by_motion,
 )
 from app.metrology.adjustment.board.problem import BoardInputs
 from app.metrology.adjustment.core.arm_readings import flange_motion
@@ -21,7 +22,6 @@ from app.metrology.adjustment.core.hand_eye import (
     CONTRADICTS_MM,
     Mounting,
     mounting_by_motion,
-    refuse_contradictions,
 )
 from app.metrology.arm.kinematics import RobotArm
 from app.metrology.robust import median
@@ -38,17 +38,23 @@ FEWEST_PAIRS = 4
 """Poses that show a fault: any three agree with something."""
 AGREES_MM = 5.0
 """Poses that are read rightly place the board this closely, by the median."""
+NEARLY_ALL = 0.8
+"""Share of the poses that then agree."""
 CLOSER = 3.0
 """Another reading is right if more poses agree, and this many times as closely."""
 
 
 @dataclass(frozen=True)
 class OtherReading:
-    """How many poses agree with the pictures, and how closely, if they are read otherwise."""
+    """How many poses agree with the pictures, and how closely, if they are read otherwise.
+
+    ``given_mm`` is their scatter as they are given, with squares of the size that suits them best.
+    """
 
     fault: PoseFault
     agree: int
     apart_mm: float
+    given_mm: float
 
 
 def explain_poses(inputs: BoardInputs, error: OperationError) -> OperationError:
@@ -59,7 +65,9 @@ def explain_poses(inputs: BoardInputs, error: OperationError) -> OperationError:
         error: why they were refused.
     """
     other = find_other_reading(inputs) if error.code in POSE_CODES else None
-    return error if other is None else _read_otherwise(inputs, other)
+    if other is None or other.apart_mm * CLOSER > other.given_mm:
+        return error  # squares of another size explain it as well
+    return _read_otherwise(inputs, other)
 
 
 def refuse_misread_poses(inputs: BoardInputs, mounting: Mounting) -> None:
@@ -89,6 +97,8 @@ def find_other_reading(inputs: BoardInputs) -> OtherReading | None:
         camera, _ = board_camera(inputs.observations, inputs.board, inputs.size_px)
     except OperationError:
         return None
+    given = _mounting(inputs.observations, inputs.board, camera, T_arm_flange)
+    given_mm = np.inf if given is None else size_by_motion(given).scatter_mm
     found: list[OtherReading] = []
     for fault in get_args(PoseFault):
         if isinstance(inputs.arm, RobotArm) or fault in ("before", "after"):
@@ -97,7 +107,7 @@ def find_other_reading(inputs: BoardInputs) -> OtherReading | None:
             mounting = _agreement(seen, inputs.board, camera, poses)
             if mounting is not None:
                 agree = int(np.sum(~mounting.contradicts))
-                found.append(OtherReading(fault, agree, median(mounting.off_mm)))
+                found.append(OtherReading(fault, agree, median(mounting.off_mm), given_mm))
     return min(found, key=lambda other: other.apart_mm, default=None)
 
 
@@ -149,18 +159,31 @@ def _scalar_first(T_arm_flange: Floats) -> Floats:
 def _agreement(
     seen: tuple[BoardObservation, ...], board: Chessboard, camera: Camera, T_arm_flange: Floats
 ) -> Mounting | None:
-    """The mounting by these poses (P, 4, 4), if they agree with the pictures."""
+    """The mounting by these poses (P, 4, 4), if nearly all agree with the pictures."""
     if len(seen) < FEWEST_PAIRS:
         return None
+    mounting = _mounting(seen, board, camera, T_arm_flange)
+    if mounting is None or median(mounting.off_mm) > AGREES_MM:
+        return None
+    if np.sum(~mounting.contradicts) < NEARLY_ALL * len(seen):
+        return None
+    try:
+        refuse_other_size(mounting, board)
+    except OperationError:
+        return None
+    return mounting
+
+
+def _mounting(
+    seen: tuple[BoardObservation, ...], board: Chessboard, camera: Camera, T_arm_flange: Floats
+) -> Mounting | None:
+    """The mounting by these poses (P, 4, 4); None if they do not even number the corners."""
     points = corner_points(board)
     try:
         numbered = number_corners(seen, board, camera, T_arm_flange)
         kept = [p for p, one in enumerate(numbered) if isinstance(one, BoardObservation)]
         boards = [one.detection for one in numbered if isinstance(one, BoardObservation)]
         T_cam_obj = np.array([solve_pnp(camera, points[one.number], one.uv_px) for one in boards])
-        mounting = mounting_by_motion(T_arm_flange[kept], T_cam_obj, board.size_mm)
-        refuse_other_size(mounting, board)
-        refuse_contradictions(mounting, [one.number for one in seen], "board")
+        return mounting_by_motion(T_arm_flange[kept], T_cam_obj, board.size_mm)
     except OperationError:
         return None
-    return mounting if median(mounting.off_mm) < AGREES_MM else None
