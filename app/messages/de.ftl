@@ -284,6 +284,7 @@ bar-position-arm-json-ends-lie = Kugelstab { $name }, Lage { $position }: Nach a
 bar-position-has-ends = { $path }: Kugelstab { $bar }, Lage { $position } hat die Enden { $ends }
 bar-without-sphere-diameter = die Datei des Kugelstabs nennt keinen Durchmesser seiner Kugeln: sphere_diameter_mm eintragen
 bars-end = Stabende { $value }
+bars-length-hardly-known = Kugelstab { $bar }: seine Länge ist auf ± { $uncertainty } (k = 1) angegeben, was den Maßstab des Arms kaum bestimmt: prüfen, ob standard_uncertainty_mm in mm angegeben ist
 bars-lengths-points-scatter-without-them = mit den Längen der Kugelstäbe streuen die Punkte um { $scatter }, ohne sie um { $without }
 batch-calibration-unusable = Die Kalibrierung { $id } kann nicht verwendet werden
 batch-choose-of-same-arm = Wählen Sie Kalibrierungen aller Sensoren, die mit derselben arm.json entstanden
@@ -527,6 +528,7 @@ change-one-them = eine von beiden ändern
 change-permissions-place = Zugriffsrechte oder Speicherort ändern
 change-place = Speicherort ändern
 change-them-in-file = ihre Tabellen [sensor.NAME] in { $file } ändern und die Station neu starten
+change-theta-of-joint = theta_deg des Gelenks { $joint } in arm.json um { $turn } ändern (bei sign −1 um ebenso viel andersherum)
 changed-account = Konto geändert
 changed-after-session-had-written = { $name } wurde geändert, nachdem diese Sitzung die Datei geschrieben hatte
 changed-notifications = Benachrichtigungen geändert
@@ -603,6 +605,7 @@ check-objects-certificate-cameras-flip-setting = Kalibrierschein des Objekts und
 check-objects-certificate-which-sides-front = Kalibrierschein des Objekts prüfen, ebenso die Lage seiner Vorderseite
 check-one-seat = Diese Prüfung gilt für eine einzige Pfanne.
 check-options-or-restart-camera = Prüfen Sie die Optionen in station.toml, oder schalten Sie die Kamera aus und wieder ein
+check-order-and-signs-of-coordinates = Reihenfolge und Vorzeichen von x_mm, y_mm und z_mm prüfen: das Koordinatensystem muss rechtshändig sein
 check-owner-and-permissions = Eigentümer und Zugriffsrechte prüfen; ebenso, ob der Datenträger schreibgeschützt eingehängt ist
 check-packet-size-and-network = Setzen Sie packet_size auf einen Wert, den das Netz überträgt, etwa 1400; senken Sie rate_hz; schließen Sie die Kamera direkt an
 check-path = Pfad prüfen
@@ -889,6 +892,7 @@ convert-poses-read-otherwise =
 convert-them-name-columns = Werte umrechnen und die Spalten { $first } bis { $last } nennen
 coordinate-left-out-off = coordinates.csv Zeile { $number } ({ $place }): { $distance } Abweichung
 coordinates = Koordinaten des Objekts
+coordinates-fit-otherwise = { $reason }, liegen sie typischerweise { $off } davon entfernt
 coordinates-give-figures = coordinates.csv: { $poses } Posen ergeben { $figures } Werte
 coordinates-held-out = Gemessene Koordinaten, kreuzvalidiert
 coordinates-identify-only = Koordinaten dienen nur der Identifikation des Messarms
@@ -1171,15 +1175,36 @@ expanded-uncertainty-note = U = { $expanded_uncertainty }, k = 2
 expansion-not-read = der Ausdehnungskoeffizient des Kalibrierscheins wird nicht gelesen: expansion_per_c in der Datei eintragen
 file-has-no-pictures-with-laser = { $path } enthält keine Bilder mit eingeschaltetem Laser
 file-has-no-readings = { $path } enthält keine Messwerte des Arms
+give-each-row-angles-of-its-pose = Jeder Zeile die Gelenkwinkel ihrer eigenen Pose geben
 give-times-in-seconds = Zeiten in Sekunden angeben, ab einem beliebigen Anfang
 give-times-in-seconds-readings-closer = Alle Zeiten in Sekunden angeben, und Messwerte des Messarms im Abstand von höchstens { $longest }
 give-times-of-one-clock = Bildern und Messwerten Zeiten derselben Uhr geben
+if-angles-of-next-row =
+    { $row ->
+        [before] wenn jede Zeile die Gelenkwinkel der vorherigen Zeile hätte
+       *[after] wenn jede Zeile die Gelenkwinkel der nächsten Zeile hätte
+    }
+if-coordinates-mirrored = wenn die Koordinaten gespiegelt wären
+if-frame-is-not-base = wenn ihr Koordinatensystem das des Messgeräts und nicht die Basis wäre
+if-joint-turned-other-way = wenn sich das Gelenk { $joint } andersherum drehte
+if-joint-zero-elsewhere = wenn das Gelenk { $joint } { $turn } mehr anzeigte
 listen-choose-higher-port = Mit --port einen Port ab 1024 wählen
 listen-failed = Port { $port } von { $host } lässt sich nicht öffnen
 listen-free-port = Beenden, was ihn verwendet, oder mit --port einen anderen wählen
 listen-give-own-address = Mit --host eine Adresse dieses Rechners angeben
+markers-place-is-estimated-instead = stattdessen wird der Ort des Markers am Flansch geschätzt
+moves-check-arm-json =
+    { $beside ->
+        [bars] { $name } ändert sich um { $change }: arm.json und die Längen der Kugelstäbe prüfen
+        [marker] { $name } ändert sich um { $change }: arm.json und den Marker prüfen: seinen Namen in der Spalte marker, wenn er nicht die Tastkugel ist, und seinen Ort, wenn er angegeben ist
+       *[arm] { $name } ändert sich um { $change }: arm.json prüfen
+    }
+name-frame-otherwise-than-base = Dem Koordinatensystem einen anderen Namen als base geben
 no-picture-between-readings = kein Bild von { $path } liegt zwischen zwei Messwerten von { $readings }, die dicht beieinander liegen
 no-picture-of-folder-can-be-used = keines der { $count } Bilder ist verwendbar; das erste: { $first }
+places-held-out-agree-too-well = in der Kreuzvalidierung weichen die Positionen nur um das { $times }-Fache des angegebenen Rauschens ab: standard_uncertainty_mm ist zu groß oder in einer anderen Einheit
+points-moved-from-line-on = coordinates.csv: im Koordinatensystem { $name } liegen die Punkte ab Zeile { $line } um { $off } neben denen davor, gemessen am besten Arm
+points-scatter-less-than-stated = die Punkte streuen nur um einen kleinen Teil des Angegebenen: standard_uncertainty_mm ist zu groß oder in einer anderen Einheit
 poses-agree-read-otherwise =
     { $fault ->
         [inverted] invertiert stimmen { $agree } von { $count } Posen auf { $apart } mit den Bildern von „{ $name }“ überein; so, wie sie angegeben sind, widersprechen sie ihnen
@@ -1195,6 +1220,7 @@ no-picture-within-readings = kein Bild von { $path } wurde während der Messwert
 one-picture-at-a-time = ein Sensor nimmt nur ein Bild zur selben Zeit auf
 picture-at-time-of-line = { $place } hat dieselbe time_s wie Zeile { $line }
 pictures-are-at = die Bilder beginnen bei { $begin }
+reverse-sign-of-joint = Das Vorzeichen (sign) des Gelenks { $joint } in arm.json umkehren
 settings-add-as-shown = Ergänzen, wie { $document } es zeigt
 settings-certificate-and-key = Zertifikat und Schlüssel gehören zusammen
 settings-correct-name = Den Namen berichtigen
@@ -2492,7 +2518,6 @@ moved-encoder-read = es wurde nicht bewegt, oder sein Winkelgeber wird nicht gel
 moved-simulation-stopped = simulierten Bediener gestartet oder gestoppt
 moved-turned = In { $duration } um { $moved } bewegt und um { $turned } gedreht
 movement-tip = Bewegung der Tastkugel
-moves-check-arm-json-bars-lengths = { $name } ändert sich um { $change }: arm.json und die Längen der Kugelstäbe prüfen
 moving-only-moves-whole-arm-space = eine Änderung verschiebt nur den ganzen Messarm im Raum
 must-begin-http-https-name-machine = die Adresse muss mit http:// oder https:// beginnen und einen Rechner nennen
 must-name = Erforderliche Spalten: { $names }
@@ -3515,6 +3540,7 @@ start-again-2 = erneut starten
 start-new-calibration = Neue Kalibrierung starten
 started-scan = Scan gestartet
 state-laser-colour = laser_wavelength_nm im Datenblatt des Sensors angeben (crenel extract, crenel detect: --colour), oder Graubilder verwenden
+state-uncertainty-in-mm = standard_uncertainty_mm in mm angeben, k = 1
 stated = nicht angegeben
 station-does-answer-name-names-added = Dieser Server ist unter dem Namen „{ $name }“ nicht erreichbar. Namen lassen sich mit hosts in { $file } ergänzen.
 station-ended-during-scan = Die Station wurde während dieses Scans beendet.
@@ -3768,6 +3794,7 @@ tip-bars-end = Die Tastkugel sitzt im Stabende
 tip-check = Tastkugelprüfung
 tip-held-seat-moved-max-min = Die Tastkugel hat sich in einer Pfanne um { $worst } bewegt, (max − min)/2 auf der schlechtesten Achse.
 tip-in-seat-moved-limit = Die Tastkugel hat sich in einer Pfanne um { $worst } bewegt, (max − min)/2 auf der schlechtesten Achse; der Grenzwert ist { $limit }.
+tip-itself-was-not-measured = die Tastkugel selbst wurde nicht gemessen
 tip-known = Unsicherheit der Tastkugel
 tip-known-apart-from-size = Über die Reichweite wich die Tastkugel um { $before } rms ab; die Standardunsicherheit beträgt jetzt { $after } (k = 1), ohne den Maßstab des Messarms.
 tip-lies-within-mm = die Tastkugel liegt weniger als { $distance } davon entfernt

@@ -284,6 +284,7 @@ bar-position-arm-json-ends-lie = bar { $name }, position { $position }: accordin
 bar-position-has-ends = { $path }: bar { $bar }, position { $position } has the ends { $ends }
 bar-without-sphere-diameter = the file of the ball bar states no diameter of its spheres: enter sphere_diameter_mm
 bars-end = end { $value } of the bar
+bars-length-hardly-known = bar { $bar }: its length is stated to ± { $uncertainty } (k = 1), which hardly determines the arm's scale: check that standard_uncertainty_mm is in mm
 bars-lengths-points-scatter-without-them = with the bars' lengths the points scatter by { $scatter }, without them by { $without }
 batch-calibration-unusable = The calibration { $id } cannot be used
 batch-choose-of-same-arm = Choose calibrations of all sensors that were made with the same arm.json
@@ -527,6 +528,7 @@ change-one-them = change one of the limits
 change-permissions-place = Change its permissions, or choose another location
 change-place = Choose another location
 change-them-in-file = change their tables [sensor.NAME] in { $file }, and start the station again
+change-theta-of-joint = Change theta_deg of joint { $joint } in arm.json by { $turn } (with sign −1, by as much the other way)
 changed-account = changed an account
 changed-after-session-had-written = { $name } was changed after this session wrote it
 changed-notifications = changed the notifications
@@ -603,6 +605,7 @@ check-objects-certificate-cameras-flip-setting = check the object's certificate 
 check-objects-certificate-which-sides-front = Check the object's certificate, and which of its sides is the front
 check-one-seat = This is a check in one seat.
 check-options-or-restart-camera = Check the options in station.toml, or switch the camera off and on
+check-order-and-signs-of-coordinates = Check the order and the signs of x_mm, y_mm and z_mm: the frame must be right-handed
 check-owner-and-permissions = Check its owner and permissions, and whether its disk is mounted read-only
 check-packet-size-and-network = Set packet_size to a value that the network passes, such as 1400; lower rate_hz; connect the camera directly
 check-path = Check the path
@@ -889,6 +892,7 @@ convert-poses-read-otherwise =
 convert-them-name-columns = Convert them, and name the columns { $first } to { $last }
 coordinate-left-out-off = coordinates.csv line { $number } ({ $place }): { $distance } off
 coordinates = Coordinates
+coordinates-fit-otherwise = { $reason }, they typically lie { $off } from there
 coordinates-give-figures = coordinates.csv: { $poses } poses give { $figures } values
 coordinates-held-out = Measured coordinates, cross-validated
 coordinates-identify-only = coordinates are only used to identify the arm
@@ -1167,15 +1171,36 @@ expanded-uncertainty-note = U = { $expanded_uncertainty }, k = 2
 expansion-not-read = the certificate's coefficient of expansion is not read: enter expansion_per_c in the file
 file-has-no-pictures-with-laser = { $path } contains no pictures with the laser on
 file-has-no-readings = { $path } contains no readings
+give-each-row-angles-of-its-pose = Give every row the joint angles of its own pose
 give-times-in-seconds = Give the times in seconds, from any beginning
 give-times-in-seconds-readings-closer = Give all times in seconds, and readings of the arm at most { $longest } apart
 give-times-of-one-clock = Give pictures and readings the times of one clock
+if-angles-of-next-row =
+    { $row ->
+        [before] if every row had the joint angles of the row before
+       *[after] if every row had the joint angles of the next row
+    }
+if-coordinates-mirrored = if the coordinates were mirrored
+if-frame-is-not-base = if their frame were the instrument's own and not the base
+if-joint-turned-other-way = if joint { $joint } turned the other way
+if-joint-zero-elsewhere = if joint { $joint } read { $turn } more
 listen-choose-higher-port = Choose a port from 1024 on with --port
 listen-failed = Cannot listen on { $host } port { $port }
 listen-free-port = Stop what is using it, or choose another with --port
 listen-give-own-address = Give an address of this machine with --host
+markers-place-is-estimated-instead = the marker's place on the flange is estimated instead
+moves-check-arm-json =
+    { $beside ->
+        [bars] { $name } changes by { $change }: check arm.json and the bars' lengths
+        [marker] { $name } changes by { $change }: check arm.json, and the marker: its name in the column marker, if it is not the tip, and its place, if it is given
+       *[arm] { $name } changes by { $change }: check arm.json
+    }
+name-frame-otherwise-than-base = Give the frame another name than base
 no-picture-between-readings = no picture of { $path } lies between two readings of { $readings } that are close together
 no-picture-of-folder-can-be-used = none of the { $count } pictures can be used; the first: { $first }
+places-held-out-agree-too-well = in cross-validation the places deviate by only { $times } times the stated noise: standard_uncertainty_mm is too large, or in another unit
+points-moved-from-line-on = coordinates.csv: in frame { $name } the points from line { $line } on lie { $off } off those before, as the best arm has them
+points-scatter-less-than-stated = the points scatter by a small part of what is stated: standard_uncertainty_mm is too large, or in another unit
 poses-agree-read-otherwise =
     { $fault ->
         [inverted] inverted, { $agree } of { $count } poses agree with the pictures of { $name } to { $apart }; as they are given, they contradict them
@@ -1191,6 +1216,7 @@ no-picture-within-readings = no picture of { $path } was taken during the readin
 one-picture-at-a-time = a sensor takes one picture at a time
 picture-at-time-of-line = { $place } has the same time_s as line { $line }
 pictures-are-at = the pictures begin at { $begin }
+reverse-sign-of-joint = Reverse the sign of joint { $joint } in arm.json
 settings-add-as-shown = Add it as { $document } shows
 settings-certificate-and-key = certificate and key belong together
 settings-correct-name = Correct its name
@@ -2488,7 +2514,6 @@ moved-encoder-read = it did not move, or its encoder is not read
 moved-simulation-stopped = started or stopped the simulated operator
 moved-turned = Moved { $moved } and rotated { $turned } in { $duration }
 movement-tip = Movement of the tip
-moves-check-arm-json-bars-lengths = { $name } changes by { $change }: check arm.json and the bars' lengths
 moving-only-moves-whole-arm-space = changing it only moves the whole arm in space
 must-begin-http-https-name-machine = the address must begin with http:// or https:// and name a host
 must-name = It must name { $names }
@@ -3502,6 +3527,7 @@ start-again-2 = start it again
 start-new-calibration = Start a new calibration
 started-scan = started a scan
 state-laser-colour = State laser_wavelength_nm in the sensor's datasheet (crenel extract, crenel detect: --colour), or give grey pictures
+state-uncertainty-in-mm = Give standard_uncertainty_mm in mm, k = 1
 stated = not stated
 station-does-answer-name-names-added = This server does not respond to the name '{ $name }'. Add names with hosts in { $file }.
 station-ended-during-scan = The station ended during this scan.
@@ -3755,6 +3781,7 @@ tip-bars-end = The tip is in the bar's end
 tip-check = Tip check
 tip-held-seat-moved-max-min = The tip in a seat moved by { $worst }, (max − min)/2 on the worst axis.
 tip-in-seat-moved-limit = The tip in a seat moved by { $worst }, (max − min)/2 on the worst axis; the limit is { $limit }.
+tip-itself-was-not-measured = the tip itself was not measured
 tip-known = Tip uncertainty
 tip-known-apart-from-size = Over the reach the tip error was { $before } rms; the standard uncertainty is now { $after } (k = 1), without the arm's scale.
 tip-lies-within-mm = the tip lies within { $distance } of it

@@ -55,6 +55,8 @@ BETTER = 1.05
 
 LARGE_DEVIATION = 1.4
 """Held-out deviations, in standard deviations, above which more places would help."""
+SMALL_DEVIATION = 0.5
+"""Held-out deviations, in standard deviations, below which more is stated than there is."""
 
 
 @dataclass(frozen=True)
@@ -237,6 +239,17 @@ def identify(
 
 def _no_improvement_error(validation: Validation) -> OperationError:
     before, after = validation.before.normalised, validation.after.normalised
+    if max(before, after) < SMALL_DEVIATION:
+        return OperationError(
+            "uncertainty-too-large",
+            message(
+                "places-held-out-arms-errors-go",
+                before=quantity(before, "", 2),
+                after=quantity(after, "", 2),
+            ),
+            message("points-scatter-less-than-stated"),
+            message("state-uncertainty-in-mm"),
+        )
     explained = before < 1.3
     decimals = 2 if explained else 1
     return OperationError(
@@ -255,6 +268,8 @@ def _no_improvement_error(validation: Validation) -> OperationError:
 
 def _deviation_warning(validation: Validation) -> tuple[Text, ...]:
     left = validation.after.normalised
+    if left < SMALL_DEVIATION:
+        return (message("places-held-out-agree-too-well", times=quantity(left, "", 2)),)
     if left < LARGE_DEVIATION:
         return ()
     return (message("places-held-out-still-deviate", times=quantity(left, "", 1)),)

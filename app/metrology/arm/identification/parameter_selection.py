@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.messages.message import Text, message
-from app.metrology.arm.identification.observations import BASE, ArmObservations
+from app.metrology.arm.identification.observations import BASE, TIP, ArmObservations
 from app.metrology.arm.identification.parameters import (
     ALPHA,
     ERROR_RY,
@@ -24,12 +24,21 @@ from app.metrology.arm.kinematics import Arm
 from app.metrology.transforms import Floats
 
 FixedReason = Literal[
-    "base frame", "flange frame", "error term", "redundant", "scale", "unobserved"
+    "base frame",
+    "flange frame",
+    "marker",
+    "tip",
+    "error term",
+    "redundant",
+    "scale",
+    "unobserved",
 ]
 
 REASONS: dict[FixedReason, Text] = {
     "base frame": message("moving-only-moves-whole-arm-space"),
     "flange frame": message("tips-coordinates-moved-instead"),
+    "marker": message("markers-place-is-estimated-instead"),
+    "tip": message("tip-itself-was-not-measured"),
     "error term": message("denavit-hartenberg-parameters-do-same"),
     "redundant": message("parameters-moved-do-same-together"),
     "scale": message("without-ball-bar-arms-size-observable"),
@@ -63,11 +72,16 @@ def candidates_of(arm: Arm, observations: ArmObservations) -> Candidates:
         observations.knows_lengths,
         base_known=any(one.frame == BASE for one in coordinates),
         flange_known=any(one.offset_mm is not None for one in coordinates),
+        tip_measured=observations.groups_count > 0 or any(one.marker == TIP for one in coordinates),
     )
 
 
 def candidates(
-    arm: Arm, with_lengths: bool, base_known: bool = False, flange_known: bool = False
+    arm: Arm,
+    with_lengths: bool,
+    base_known: bool = False,
+    flange_known: bool = False,
+    tip_measured: bool = True,
 ) -> Candidates:
     """The parameters that may move, for the layout of the arm.
 
@@ -80,10 +94,12 @@ def candidates(
         with_lengths: lengths were measured: ball bars or coordinates.
         base_known: coordinates in the base frame were measured.
         flange_known: coordinates of a marker were measured whose place on the flange is given.
+        tip_measured: something was touched, or the tip's coordinates were measured.
     """
     last = arm.joint_count - 1
     links = range(last)
-    order = [tip_index(arm) + k for k in range(3)]
+    tip = [tip_index(arm) + k for k in range(3)]
+    order = tip if tip_measured else []
     order += [parameter_index(i, THETA) for i in links if i > 0]
     order += [parameter_index(i, ALPHA) for i in links]
     order += [
@@ -100,7 +116,9 @@ def candidates(
     held: dict[int, FixedReason] = {
         parameter_index(i, term): "error term" for i in range(last) for term in range(4, TERMS)
     }
-    held |= {parameter_index(last, term): "flange frame" for term in range(TERMS)}
+    instead: FixedReason = "flange frame" if tip_measured else "marker"
+    held |= {parameter_index(last, term): instead for term in range(TERMS)}
+    held |= dict.fromkeys(tip, "tip")
     held |= {parameter_index(0, D): "base frame", parameter_index(0, THETA): "base frame"}
     if not with_lengths:
         lengths = [parameter_index(i, term) for i in links for term in (A, D)]

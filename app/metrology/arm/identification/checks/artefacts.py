@@ -41,6 +41,8 @@ EXPLAINED_MM = 0.02
 STANDS_OUT = 3.0
 CERTAIN = 6.0
 """Twice the logarithm of the odds, 20 to 1, by which one bar rather than another is wrong."""
+HARDLY_KNOWN = 5e-4
+"""Standard uncertainty of a bar, over its length, that no calibration states."""
 EXCESS_SIGMAS, EXCESS_MM, WRONG_TIP_MM = 5.0, 0.005, 0.025
 
 
@@ -318,6 +320,10 @@ def size_warnings(arm: Arm, observations: ArmObservations, fit: ArmFit) -> list[
                 size=quantity(size_um, "µm"),
             )
         )
+    for bar in {bar.name: bar for bar in observations.bars}.values():
+        if bar.standard_uncertainty_mm > HARDLY_KNOWN * bar.length_mm:
+            sd_mm = rounded(bar.standard_uncertainty_mm, "mm")
+            warnings.append(message("bars-length-hardly-known", bar=bar.name, uncertainty=sd_mm))
     if observations.spheres:
         excess, sd = fit.at.radius_excess_mm, float(np.sqrt(fit.others_covariance[0, 0]))
         if abs(excess) > max(EXCESS_SIGMAS * sd, EXCESS_MM):

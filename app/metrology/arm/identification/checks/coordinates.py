@@ -1,12 +1,14 @@
 """Checks of coordinates that another instrument measured: too few, another unit or frame, another
 arm, or another marker than named."""
 
+from collections.abc import Sequence
 from math import ceil
 
 import numpy as np
 
 from app.errors import OperationError
 from app.messages.message import Text, message, quantity
+from app.metrology.arm.identification.checks.misfit import explain_misfit
 from app.metrology.arm.identification.cross_validation import FOLDS
 from app.metrology.arm.identification.initial_unknowns import (
     TYPICAL,
@@ -28,7 +30,7 @@ from app.metrology.arm.identification.scatter import Scatter
 from app.metrology.arm.identification.unknowns import Unknowns
 from app.metrology.arm.kinematics import Arm
 from app.metrology.robust import median
-from app.metrology.transforms import Floats, apply
+from app.metrology.transforms import Floats, apply, skew
 
 LEAST_IN_FRAME, WANTED_POSES = 6, 50
 FEW = 2
@@ -44,6 +46,9 @@ another frame."""
 AS_CLOSE, AS_CLOSE_MM = 5.0, 2.0
 """They are, if they lie in one of their own almost as well as the others."""
 OTHER_ROTATION_RAD = np.deg2rad(15.0)
+LEAST_STEADY, SPLITS, STEADY = 30, 200, 0.4
+"""Points that show whether their frame moved, number of rows at which it may have, and the share of
+the scatter that then is left at most."""
 DISAGREE_SHARE, LARGEST_SCATTER_MM = 0.25, 5.0
 
 
@@ -53,11 +58,14 @@ def check_coordinates(arm: Arm, observations: ArmObservations) -> None:
         return
     data = ArmObservations(coordinates=observations.coordinates).stacked
     _check_enough(arm, observations, data)
-    _check_unit(arm, data)
     at = initial_unknowns(arm, data)
-    _check_frames(data, at)
-    at = settle_frames(data, at)
-    _check_frames(data, at)
+    try:
+        _check_unit(data, at)
+        _check_frames(data, at)
+        at = settle_frames(data, at)
+        _check_frames(data, at)
+    except OperationError as error:
+        raise explain_misfit(arm, observations.coordinates, error) from error
     found = residuals(data, at, Scatter())
     turned = data.coordinates.has_rotation
     if turned.any():
@@ -113,9 +121,9 @@ def _figures_and_unknowns(arm: Arm, observations: ArmObservations) -> tuple[int,
     return figures, len(candidates_of(arm, observations).order) + data.others.count
 
 
-def _check_unit(arm: Arm, data: StackedObservations) -> None:
+def _check_unit(data: StackedObservations, at: Unknowns) -> None:
     found = data.coordinates
-    predicted = marker_points(data, initial_unknowns(arm, data))
+    predicted = marker_points(data, at)
     for i, name in enumerate(found.frames):
         own = found.frame_of == i
         measured_mm, expected_mm = (
@@ -211,9 +219,53 @@ def _check_marker_is_tip(arm: Arm, at: Unknowns) -> None:
         )
 
 
+def _check_steady(name: str, off_mm: Floats, points_mm: Floats, lines: Sequence[int]) -> None:
+    """Refuses points (m, 3) of a frame most of whose scatter is one step between two rows."""
+    count = len(off_mm)
+    if count < LEAST_STEADY:
+        return
+    splits = range(LEAST_IN_FRAME, count - LEAST_IN_FRAME + 1, max(1, count // SPLITS))
+    by_turn = np.array([skew(point) for point in points_mm - points_mm.mean(axis=0)])
+    rigid_rows = np.concatenate([np.tile(np.eye(3), (count, 1, 1)), by_turn], axis=2)
+    spread = [_rest_after_step(off_mm, rigid_rows, split) for split in splits]
+    best = splits[int(np.argmin(spread))]
+    if min(spread) > STEADY * float(np.sum((off_mm - off_mm.mean(axis=0)) ** 2)):
+        return
+    step_mm = np.median(off_mm[best:], axis=0) - np.median(off_mm[:best], axis=0)
+    raise OperationError(
+        "frames-mixed",
+        message(
+            "points-moved-from-line-on",
+            name=name,
+            line=lines[best],
+            off=quantity(float(np.linalg.norm(step_mm)), "mm", 2),
+        ),
+        message("instrument-or-base-moved"),
+        message("name-frame-of-each-set-up"),
+    )
+
+
+def _rest_after_step(off_mm: Floats, rigid_rows: Floats, split: int) -> float:
+    """Sum of squares (mm²) that a small motion of the frame at one row leaves.
+
+    Args:
+        rigid_rows: (m, 3, 6) derivative of the points by the motion.
+    """
+    steps = np.concatenate([np.tile(np.eye(3), (len(off_mm), 1, 1)), rigid_rows], axis=2)
+    steps[:split, :, 3:] = 0.0
+    A, b = steps.reshape(-1, 9), off_mm.ravel()
+    return float(np.sum((b - A @ np.linalg.lstsq(A, b, rcond=None)[0]) ** 2))
+
+
 def check_coordinates_agree(data: StackedObservations, fit: ArmFit) -> None:
-    """Refuses a frame many of whose points disagree, and coordinates the arm does not explain."""
+    """Refuses a frame many of whose points disagree, or that moved between two rows, and
+    coordinates the arm does not explain."""
     found = data.coordinates
+    off_mm = residuals(data, fit.at, fit.scatter).vectors_mm[data.touches :]
+    for i, name in enumerate(found.frames):
+        if name != BASE:
+            own = np.flatnonzero((found.frame_of == i) & fit.inliers[data.touches :])
+            _check_steady(name, off_mm[own], found.points_mm[own], [found.lines[k] for k in own])
     for i, name in enumerate(found.frames):
         own = found.frame_of == i
         out = int(np.sum(~fit.inliers[data.touches :][own]))

@@ -202,17 +202,18 @@ def identification_warnings(
     arm: Arm, observations: ArmObservations, fit: ArmFit
 ) -> tuple[Text, ...]:
     """Findings for the user in addition to the result."""
-    return *size_warnings(arm, observations, fit), *_far_moves(arm, fit)
+    return *size_warnings(arm, observations, fit), *_far_moves(arm, observations, fit)
 
 
-def _far_moves(arm: Arm, fit: ArmFit) -> list[Text]:
+def _far_moves(arm: Arm, observations: ArmObservations, fit: ArmFit) -> list[Text]:
     before, after = parameter_values(arm), parameter_values(fit.at.arm)
     names = parameter_names(arm)
     far: list[Text] = []
+    beside = "bars" if observations.bars else "marker" if observations.coordinates else "arm"
     for i, limit in zip(fit.moved, parameter_limits(arm, fit.moved), strict=True):
         change = float(after[i] - before[i])
         if abs(change) > FAR_LIMITS * limit:
             angle = names[i].endswith("_rad")
             by = signed(np.rad2deg(change), "°", 3) if angle else signed(change, "mm", 2)
-            far.append(message("moves-check-arm-json-bars-lengths", name=names[i], change=by))
+            far.append(message("moves-check-arm-json", name=names[i], change=by, beside=beside))
     return far

@@ -1,0 +1,111 @@
+"""Coordinates that do not fit their arm as they are: why not, and what is stated otherwise."""
+
+from collections.abc import Callable
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from app.errors import OperationError
+from app.metrology.arm.identification.checks.coordinates import (
+    check_coordinates,
+    check_coordinates_agree,
+)
+from app.metrology.arm.identification.identify import Identification, identify
+from app.metrology.arm.identification.observations import BASE, ArmObservations, Coordinates
+from app.metrology.arm.identification.parameter_selection import candidates_of
+from app.metrology.arm.identification.parameters import tip_index
+from app.metrology.arm.identification.robust_solve import fit_arm
+from app.metrology.arm.kinematics import Arm
+from tests.simulated_robots import Tracker, built, measure, postures, robot
+
+Session = tuple[Arm, Coordinates]
+
+
+@pytest.fixture(scope="module")
+def session() -> Session:
+    rng = np.random.default_rng(2)
+    arm = robot(6)
+    return arm, measure(built(arm, rng), postures(arm, 60, rng), Tracker.somewhere(rng), rng)
+
+
+def turned(q_rad: np.ndarray, joint: int, sign: float, offset_deg: float) -> np.ndarray:
+    changed = q_rad.copy()
+    changed[:, joint] = sign * changed[:, joint] - np.deg2rad(offset_deg)
+    return changed
+
+
+FAULTS: tuple[tuple[Callable[[Coordinates], Coordinates], str], ...] = (
+    (lambda c: replace(c, q_rad=turned(c.q_rad, 2, -1, 0)), "Reverse the sign of joint J3"),
+    (lambda c: replace(c, q_rad=turned(c.q_rad, 1, 1, 90)), r"theta_deg of joint J2 .* by \+90"),
+    (lambda c: replace(c, points_mm=c.points_mm[:, [1, 0, 2]]), "must be right-handed"),
+    (lambda c: replace(c, q_rad=np.roll(c.q_rad, 1, axis=0)), "angles of the next row"),
+    (lambda c: replace(c, frame=BASE), "another name than base"),
+)
+NAMES = ("sign", "zero", "mirrored", "row", "base")
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("spoil", "says"), FAULTS, ids=NAMES)
+def test_the_fault_is_named(
+    session: Session, spoil: Callable[[Coordinates], Coordinates], says: str
+) -> None:
+    arm, found = session
+    with pytest.raises(OperationError, match=says) as refused:
+        check_coordinates(arm, ArmObservations(coordinates=(spoil(found),)))
+    assert refused.value.code == "arm-does-not-fit"
+
+
+@pytest.mark.slow
+def test_two_faults_keep_the_general_reason(session: Session) -> None:
+    arm, found = session
+    q_rad = turned(turned(found.q_rad, 1, -1, 0), 2, -1, 0)
+    with pytest.raises(OperationError) as refused:
+        check_coordinates(arm, ArmObservations(coordinates=(replace(found, q_rad=q_rad),)))
+    assert "Reverse the sign" not in str(refused.value)
+
+
+def moved_from(found: Coordinates, row: int, by_mm: float) -> Coordinates:
+    points = found.points_mm.copy()
+    points[row:, 0] += by_mm
+    return replace(found, points_mm=points)
+
+
+def test_an_instrument_that_moved_is_named_with_the_row(session: Session) -> None:
+    arm, found = session
+    for row, by_mm in ((20, 1.5), (0, 1.5)):
+        given = ArmObservations(coordinates=(moved_from(found, row, by_mm),))
+        fit = fit_arm(arm, given.stacked, candidates_of(arm, given))
+        if row == 0:
+            check_coordinates_agree(given.stacked, fit)
+            continue
+        with pytest.raises(OperationError, match=f"from line {found.lines[row]} on") as refused:
+            check_coordinates_agree(given.stacked, fit)
+        assert refused.value.code == "frames-mixed"
+
+
+@pytest.mark.slow
+def test_too_large_an_uncertainty_is_named(session: Session) -> None:
+    arm, found = session
+
+    def stated(sd_mm: float) -> Identification:
+        sds = np.full(len(found.q_rad), sd_mm)
+        return identify(
+            arm, ArmObservations(coordinates=(replace(found, standard_uncertainty_mm=sds),))
+        )
+
+    assert any("standard_uncertainty_mm" in str(text) for text in stated(0.3).warnings)
+    with pytest.raises(OperationError, match="or in another unit") as refused:
+        stated(8.0)
+    assert refused.value.code == "uncertainty-too-large"
+
+
+def test_a_tip_that_was_not_measured_is_held_for_this_reason(session: Session) -> None:
+    arm, found = session
+    tip = tip_index(arm)
+    reflector = ArmObservations(coordinates=(replace(found, marker="reflector"),))
+    held = candidates_of(arm, reflector).fixed
+    assert {held[tip + k] for k in range(3)} == {"tip"}
+    assert "marker" in held.values()
+    assert "flange frame" not in held.values()
+    assert tip in candidates_of(arm, ArmObservations(coordinates=(found,))).order
