@@ -146,6 +146,7 @@ def _show_import(
                 "points": result.points,
                 "seconds_of_scan": result.seconds,
                 "without_pose": result.without_pose,
+                "along_other_axis": result.along_other_axis,
                 "without_line": [one.line for one in result.without_line],
                 "unreadable": [one.line for one in result.unreadable],
                 "seconds": seconds,
@@ -159,6 +160,11 @@ def _show_import(
         warn(one.line)
     if without > MOST_NAMED:
         warn(f"{without - MOST_NAMED} more pictures show no line")
+    if result.along_other_axis:
+        warn(
+            f"in {result.along_other_axis} pictures, the line runs along the other axis, so that "
+            "most of it is lost. Set stripe_axis in sensor.json to the other axis, and import again"
+        )
     if result.without_pose:
         warn(
             f"{result.without_pose} frames give no points: their times are outside the arm's "

@@ -35,6 +35,8 @@ SAME_RADIUS = 0.01
 """By which share of the nominal a radius in the right unit is off, at most."""
 MOST_ROUGH = 0.01
 """The rms about a gauge's shape, of the cloud's size: more is another shape."""
+NARROW = 0.02
+"""The width of a cloud over its length: of less, the plane may turn about its line."""
 
 FIGURES = {
     "angle_arcsec": ("angle ″", 1),
@@ -125,7 +127,25 @@ def _find_implausible(
                 rms=quantity(cloud.rms_um * 1e-3, "mm", 3),
             )
         )
+    length_mm, width_mm = _extent_mm(finite)
+    if shape == "plane" and width_mm < NARROW * length_mm:
+        found.append(
+            message(
+                "cloud-is-a-line",
+                file=cloud.file,
+                length=quantity(length_mm, "mm", 1),
+                width=quantity(width_mm, "mm", 2),
+            )
+        )
     return found
+
+
+def _extent_mm(points_mm: Floats) -> tuple[float, float]:
+    """Length and width (mm) of most of the points (N, 3)."""
+    _, axes = np.linalg.eigh(np.cov(points_mm.T))
+    low, high = np.percentile(points_mm @ axes, [FEW, 100 - FEW], axis=0)
+    width_mm, length_mm = np.sort(high - low)[1:]
+    return float(length_mm), float(width_mm)
 
 
 def _check_cloud(

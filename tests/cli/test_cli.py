@@ -281,6 +281,19 @@ def test_a_sphere_with_its_nominal_radius_in_another_unit_is_warned_of(
     assert crenel(*given, nominal, "--unit", unit).stderr == ""
 
 
+def test_a_line_of_points_is_no_plane(tmp_path: Path) -> None:
+    rng = np.random.default_rng(0)
+    line = np.column_stack([np.linspace(0, 50, 500), *rng.normal(0, 0.02, (2, 500))])
+    np.savetxt(tmp_path / "p.xyz", line)
+    (warning,) = json.loads(crenel("verify", "plane", tmp_path / "p.xyz", "--json").stdout)[
+        "warnings"
+    ]
+    assert "they hardly determine a plane" in warning
+    line[:, 1] += np.tile([0.0, 5.0], 250)
+    np.savetxt(tmp_path / "p.xyz", line)
+    assert crenel("verify", "plane", tmp_path / "p.xyz").stderr == ""
+
+
 def test_points_that_are_missing_or_far_away_say_nothing_of_the_unit(tmp_path: Path) -> None:
     directions = np.random.default_rng(0).normal(size=(800, 3))
     points = 12.7 * directions / np.linalg.norm(directions, axis=1)[:, None]

@@ -279,3 +279,13 @@ def test_a_real_robots_pictures_become_a_cloud_of_the_paper(real: Path, tmp_path
     plane = fit_plane(points)
     off = np.abs(points @ plane.normal - plane.offset_mm)
     assert 1.4826 * np.median(off) < 0.5
+
+
+def test_lines_along_the_other_axis_are_named(tmp_path: Path) -> None:
+    """A line that runs down the picture: in another picture, and a piece of it along the axis."""
+    folder = write_scan(tmp_path / "scan")
+    down = np.pad(lit_picture(0).T[:, :HEIGHT], ((0, 0), (8, 8)), mode="edge")[:HEIGHT]
+    write_png(folder / "images/0.png", np.ascontiguousarray(down))
+    result = imported(folder)
+    assert result.along_other_axis == 1
+    assert all("Set stripe_axis to v in sensor.json" in one.line for one in result.without_line)

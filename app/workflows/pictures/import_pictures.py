@@ -36,7 +36,12 @@ from app.metrology.stripe import (
     empty_stripe,
 )
 from app.progress import Progress, no_progress
-from app.workflows.pictures.extract_stripes import NOT_FOUND, OTHER_AXIS, extract_file
+from app.workflows.pictures.extract_stripes import (
+    NOT_FOUND,
+    OTHER_AXIS,
+    extract_file,
+    other_axis,
+)
 
 AHEAD_NS = 200_000_000
 """Readings are written up to this time after a picture, as a station does."""
@@ -53,6 +58,8 @@ class ImportedScan:
     """From the first picture to the last; None of pictures without times."""
     without_pose: int = 0
     """Frames that give no points, since no readings lie closely around their times."""
+    along_other_axis: int = 0
+    """Pictures whose line runs along the other axis, so that most of it is lost."""
     without_line: list[OperationError] = field(default_factory=list)
     """Why a picture shows no line; it is in the recording, without points."""
     unreadable: list[OperationError] = field(default_factory=list)
@@ -65,6 +72,7 @@ class _Frame:
     stripe: Stripe
     posed: bool
     refusal: OperationError | None = None
+    along_other_axis: bool = False
 
 
 def import_pictures(
@@ -143,14 +151,22 @@ def _extract_all(
             check_size(picture.file, image_size(picture.file), sensor)
             found = extract_file(picture.file, sensor.stripe_axis, settings, mask, sensor.channel)
         except OperationError as refusal:
-            return _Frame(picture, empty_stripe(sensor.stripe_axis), has_pose, refusal)
-        return _Frame(picture, found.stripe, has_pose)
+            other = refusal.code == OTHER_AXIS
+            why_not = _with_axis_of_sensor(refusal, sensor.stripe_axis) if other else refusal
+            return _Frame(picture, empty_stripe(sensor.stripe_axis), has_pose, why_not, other)
+        return _Frame(picture, found.stripe, has_pose, along_other_axis=found.other_axis_points > 0)
 
     with ThreadPoolExecutor(os.cpu_count() or 1, "extract") as pool:
         try:
             yield from pool.map(extract, scan.pictures, posed.tolist())
         finally:
             pool.shutdown(cancel_futures=True)
+
+
+def _with_axis_of_sensor(refusal: OperationError, axis: str) -> OperationError:
+    """The refusal of a line along the other axis, which the sensor's datasheet states here."""
+    remedy = message("import-with-stripe-axis", axis=other_axis(axis))
+    return OperationError(refusal.code, refusal.what, refusal.why, remedy)
 
 
 def _write_readings(
@@ -175,6 +191,7 @@ def _write_frame(
             return
         result.without_line.append(frame.refusal)
     sensor = scan.sensor
+    result.along_other_axis += frame.along_other_axis
     writer.stripe(frame.picture.stamp_ns, frame.stripe, sensor.width_px, sensor.height_px)
     result.frames += 1
     result.without_pose += not frame.posed

@@ -229,7 +229,7 @@ def test_touches_in_one_place_state_no_diameter(tmp_path: Path) -> None:
     groups[0] = (groups[0][0], np.tile(groups[0][1][:1], (9, 1)))
     result = evaluated(write_test(tmp_path / "t", "contact", groups, LIMITS))
     found = figures(result)
-    assert "too small a part of the sphere" in str(found["effective-diameter"].problem)
+    assert "too small a part of a sphere" in str(found["effective-diameter"].problem)
     assert found["volumetric-largest"].decision == "pass"
 
 
