@@ -203,6 +203,21 @@ def test_pictures_without_a_folder_for_their_set_are_one_set(tmp_path: Path) -> 
     assert boards.board.inner_corners == (9, 6)
 
 
+def test_a_damaged_picture_is_left_out_and_named(tmp_path: Path) -> None:
+    (tmp_path / "a").mkdir()
+    cv2.imwrite(str(tmp_path / "a/1.png"), render_line(6.0)[0])
+    (tmp_path / "a/2.png").write_bytes(b"no picture")
+    found = run(tmp_path / "a", harder=False)
+    assert found.lines[0].pictures == 1
+    assert "2.png" in found.unreadable[0]
+    cv2.imwrite(
+        str(tmp_path / "a/3.png"),
+        np.dstack([render_line(6.0)[0]] * 2 + [np.full((HEIGHT, WIDTH), 9)]),
+    )
+    with pytest.raises(OperationError, match="State colour"):
+        run(tmp_path / "a", harder=False)
+
+
 def test_a_wrong_folder_is_refused(tmp_path: Path) -> None:
     with pytest.raises(OperationError, match="boards/SET or lines/SET"):
         find_sets(tmp_path)
@@ -224,7 +239,7 @@ def test_the_command_prints_tables_or_json(tmp_path: Path) -> None:
     for text in ("Laser lines", "lines/one", "Pictures without a laser line", "boards/wall has no"):
         assert text in shown.stdout
     found = json.loads(crenel("bench", "real", tmp_path, "--json").stdout)
-    assert set(found) == {"boards", "lines", "no_line", "unknown_boards"}
+    assert set(found) == {"boards", "lines", "no_line", "unknown_boards", "unreadable"}
     (line,) = found["lines"]
     assert (line["missed"], line["scatter_ratio"]) == (0, None)
     refused = crenel("bench", "real", tmp_path / "boards")

@@ -10,7 +10,7 @@ lines.
 """
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
 from typing import ClassVar, Literal
@@ -110,6 +110,28 @@ def find_sets(folder: Path) -> list[PictureSet]:
             "Put the pictures of each camera into one",
         )
     return [_read_set(kind, place) for kind, place in places]
+
+
+def drop_unreadable(one: PictureSet) -> tuple[PictureSet, list[OperationError]]:
+    """The set without the pictures that cannot be read, and why these cannot.
+
+    Raises:
+        OperationError: none can be read, or pictures are in colour and the laser's is not stated.
+    """
+    kept: list[Path] = []
+    refusals: list[OperationError] = []
+    for file, picture in zip(one.files, one.pictures(), strict=True):
+        try:
+            picture.load()
+            kept.append(file)
+        except OperationError as refusal:
+            if refusal.code == "image-in-colour":
+                remedy = f"State colour (of the laser) in {file.parent / ABOUT}"
+                raise OperationError(refusal.code, refusal.what, refusal.why, remedy) from refusal
+            refusals.append(refusal)
+    if not kept:
+        raise refusals[0]
+    return replace(one, files=tuple(kept)), refusals
 
 
 def _pictures_in(folder: Path) -> tuple[Path, ...]:

@@ -8,7 +8,13 @@ from pathlib import Path
 from app.bench.metrology.real_boards import BoardSet, measure_boards
 from app.bench.real.drawings import write_drawing
 from app.bench.real.harder import HARDER, WIDTH_FACTORS
-from app.bench.real.layout import LazyPicture, PictureSet, PictureSetNotes, find_sets
+from app.bench.real.layout import (
+    LazyPicture,
+    PictureSet,
+    PictureSetNotes,
+    drop_unreadable,
+    find_sets,
+)
 from app.bench.real.lines import (
     CRENEL,
     METHODS,
@@ -52,6 +58,8 @@ class RealResults:
     no_line: list[NoLineSet] = field(default_factory=list)
     unknown_boards: list[str] = field(default_factory=list)
     """Sets of boards whose board is not stated, and not looked for."""
+    unreadable: list[str] = field(default_factory=list)
+    """Why a picture could not be read; it is left out."""
 
 
 @dataclass(frozen=True)
@@ -97,10 +105,14 @@ def run(
         settings: of the extraction of lines, where there are some.
 
     Raises:
-        OperationError: the folder has no sets, or a file of one cannot be read.
+        OperationError: the folder has no sets, or a set no picture that can be read.
     """
-    variants = [one for found in find_sets(folder) for one in _variants(found, harder)]
     results = RealResults()
+    variants: list[Variant] = []
+    for found in find_sets(folder):
+        readable, refusals = drop_unreadable(found)
+        results.unreadable += [refusal.line for refusal in refusals]
+        variants += _variants(readable, harder)
     for number, variant in enumerate(variants):
         progress(number / len(variants), variant.name)
         draw = drawings and partial(write_drawing, drawings / variant.name)

@@ -83,6 +83,8 @@ def _real_pictures(
     if as_json:
         print_json(asdict(found))
         return
+    for line in found.unreadable:
+        warn(f"left out: {line}")
     if found.boards:
         of_boards = (*real_boards.COLUMNS, *real_boards.COLUMNS_RMS)
         print_table("Chessboards", of_boards, real_boards.table(found.boards))
