@@ -93,6 +93,17 @@ def test_a_covered_board_is_taken() -> None:
     assert np.abs(off_px(found, CHARUCO, POSES[1])).max() < 0.1
 
 
+def test_what_shows_one_row_and_one_column_is_taken() -> None:
+    """All but two sides of the board is covered."""
+    image = picture(POSES[1], UNLIT, 1)
+    far = np.array([[14.0, 14.0], [74.0, 14.0], [74.0, 64.0], [14.0, 64.0]])
+    cover = project(camera_at(POSES[1]), np.column_stack([far, np.zeros(4)]))
+    cv2.fillConvexPoly(image, np.round(cover).astype(np.int32), 70)
+    found = detect_board(image, CHARUCO)
+    assert len(found) >= 12
+    assert np.abs(off_px(found, CHARUCO, POSES[1])).max() < 0.1
+
+
 def test_the_lasers_line_takes_its_own_corners_alone() -> None:
     lit = picture(POSES[1], Look(board=CHARUCO), 1)
     stripe = drop_faint_stripe(lit, extract_stripe(lit, "v"))

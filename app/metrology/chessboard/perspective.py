@@ -66,5 +66,20 @@ def predict_corner(
     for one in (x, y):
         if len(near) > FEWEST_BENT and np.ptp(one) >= 2:
             terms.append(one**2)
-    found = np.linalg.lstsq(np.column_stack(terms), uv_px[near], rcond=None)[0]
+    found, _, rank, _ = np.linalg.lstsq(np.column_stack(terms), uv_px[near], rcond=None)
+    if rank < len(terms):  # as of one row and one column, around something that covers the others
+        return _predict_by_perspective(places[near] - place, uv_px[near])
     return found[0], float(np.linalg.norm(found[1:3], axis=1).min())
+
+
+def _predict_by_perspective(
+    places: NDArray[np.int64], uv_px: Floats
+) -> tuple[Floats, float] | None:
+    """The pixel of the place (0, 0), and the distance to the next, by a perspective of others."""
+    H, _ = cv2.findHomography(places.astype(np.float64), uv_px)
+    if H is None:
+        return None
+    here, right, up = map_places(np.asarray(H, np.float64), np.array([[0, 0], [1, 0], [0, 1]]))
+    if not np.isfinite([here, right, up]).all():
+        return None
+    return here, float(min(np.linalg.norm(right - here), np.linalg.norm(up - here)))
