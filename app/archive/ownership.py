@@ -3,6 +3,7 @@
 import re
 import secrets
 from collections.abc import Callable, Sequence
+from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -11,6 +12,7 @@ from app.archive.notes import NOTES
 from app.archive.planning import StationRecord
 from app.archive.records import KINDS
 from app.archive.remote_store import RemoteStore, read_document
+from app.archive.store_errors import StoreError
 from app.archive.transfer import newest_manifest, read_manifest
 from app.errors import OperationError
 from app.formats.atomic_write import ensure_folder, write_atomically
@@ -109,7 +111,9 @@ def check_owner(
     ):
         raise _foreign_error(place, found)
     if not found.id:
-        claim_archive(store, place, owner)
+        # what takes new files only need not name its owner; one that is away says so next
+        with suppress(StoreError):
+            claim_archive(store, place, owner)
 
 
 def owner_of(data: Path, name: str) -> Owner:

@@ -1,7 +1,7 @@
 """An archive is that of one station: no other one writes to it, or believes its records there."""
 
 import shutil
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from pathlib import Path
 
 import pytest
@@ -9,6 +9,8 @@ import pytest
 from app.archive.archive import Archive
 from app.archive.notes import NOTES
 from app.archive.ownership import FIRST_LINE, IDENTITY, MARKER
+from app.archive.remote_store import FolderStore
+from app.archive.store_errors import store_error
 from app.errors import OperationError
 from app.store.store import Store
 from tests.archive.filled import add_scan, archive_of, content_of
@@ -86,6 +88,26 @@ def test_the_archive_of_an_earlier_version_goes_on_and_then_names_its_station(
     assert archive_of(store, str(place)).run() == 1
     assert "Name: Room 2\n" in (place / MARKER).read_text()
     check_refused(archive_of(other, str(place)), place, "Room 2")
+
+
+class WriteOnceStore(FolderStore):
+    """A folder that takes new files only."""
+
+    def write(self, name: str, pieces: Iterable[bytes], size: int) -> None:
+        if self.size(name) is not None:
+            raise store_error("archive-forbidden", "archive", "it is there")
+        super().write(name, pieces, size)
+
+
+def test_an_archive_of_an_earlier_version_that_takes_new_files_only_goes_on(
+    store: Store, place: Path
+) -> None:
+    add_scan(store, "one", 1000)
+    archive_of(store, str(place)).run()
+    forget_owner(place)
+    add_scan(store, "two", 1000)
+    assert archive_of(store, str(place), WriteOnceStore(place)).run() == 1
+    assert "Name:" not in (place / MARKER).read_text()
 
 
 def test_a_station_without_its_notes_knows_its_archive_by_the_records(
