@@ -15,6 +15,7 @@ from app.batch.results import RebuiltCloud, ResultStore, describe_files, stem_of
 from app.batch.task import Desk, Refusal
 from app.errors import OperationError
 from app.formats.json_document import SOFTWARE
+from app.messages.message import Text, message
 from app.progress import Progress, no_progress
 from app.workflows.reconstruct import reconstruct_cloud
 
@@ -54,7 +55,7 @@ class RebuildTask:
         if (known := results.read(self.stem)) is not None:
             return known
         read = {sensor: files.read(desk.folder) for sensor, files in self.calibrations.items()}
-        arm = next(arm for _, arm in read.values())
+        _, arm = next(iter(read.values()))
         sensors = {sensor: calibration for sensor, (calibration, _) in read.items()}
         path = desk.find_recording(self.recording.file, RECORDING)
         cloud = self.stem + self.suffix
@@ -76,7 +77,7 @@ class RebuildTask:
             frames_without_stripe=made.frames_without_stripe,
             frames_without_joints=made.frames_without_joints,
             seconds=made.seconds,
-            warnings=made.warnings,
+            warnings=(*made.warnings, *_arm_warnings(self.calibrations)),
         )
         return results.write(self.stem, document)
 
@@ -154,3 +155,10 @@ def key_of(kind: str, digest: str, calibrations: BySensor, *more: str) -> str:
     used = [f"{sensor} {files.digest}" for sensor, files in sorted(calibrations.items())]
     lines = [kind, SOFTWARE.version, digest, *used, *more]
     return hashlib.sha256("\n".join(lines).encode()).hexdigest()
+
+
+def _arm_warnings(calibrations: BySensor) -> list[Text]:
+    """That the sensors were calibrated with different arms: the first one's is used for all."""
+    if len({files.arm_sha256 for files in calibrations.values()}) < 2:
+        return []
+    return [message("batch-first-arm-for-all", sensor=next(iter(calibrations)))]

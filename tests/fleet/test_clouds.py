@@ -20,8 +20,9 @@ pytest.importorskip("copclib")
 
 from app.batch.places import Place, settings_for
 from app.batch.rebuild import key_of
-from app.batch.results import PROBE
+from app.batch.results import PROBE, ResultStore
 from app.batch.single_cloud import CloudOrder, plan_cloud
+from app.batch.task import perform
 from app.bench.fleet.dask_processes import DaskProcesses
 from app.errors import OperationError
 from app.formats.clouds.files import COPC, read_cloud
@@ -464,7 +465,18 @@ def test_each_sensor_of_a_scan_can_have_another_calibration(filled: Path, tmp_pa
         made = CloudOrder((place,), "one", wanted, output, COPC, tmp_path)
         return {sensor: one.id for sensor, one in plan_cloud(made).calibrations.items()}
 
+    ResultStore(output).prepare()
+
+    def warnings_about_arms() -> str:
+        place = Place(settings_for(str(data)), False)
+        task = plan_cloud(CloudOrder((place,), "one", (), output, ".ply", tmp_path))
+        return ids_in(perform(task, tmp_path, 1).result["warnings"])
+
     assert used_by() == used_by(FOREIGN) == OF_TWO
+    assert "of left is used" not in warnings_about_arms()
+    shutil.copy(arm, sessions / FOREIGN)
+    assert "of left is used" in warnings_about_arms()
+    shutil.copy(sessions / CALIBRATION / "arm.json", sessions / FOREIGN)
     assert used_by("new-right") == {**OF_TWO, "right": "new-right"}
     assert used_by("new-right", "new-left") == {"left": "new-left", "right": "new-right"}
     for wanted, code in (
