@@ -101,7 +101,7 @@ def _agree_with_neighbours(places: NDArray[np.int64], uv_px: Floats) -> NDArray[
     """Which corners (N,) lie where those around put them; a lens may bend the board's lines."""
     agree = np.ones(len(places), dtype=np.bool_)
     for k, (place, uv) in enumerate(zip(places, uv_px, strict=True)):
-        predicted = predict_corner(places, uv_px, place)
+        predicted = predict_corner(places, uv_px, place, certain=True)
         if predicted is not None:
             agree[k] = np.linalg.norm(predicted[0] - uv) < MISREAD_SQUARES * predicted[1]
     return agree

@@ -81,7 +81,8 @@ class CharucoGrid:
             inside = 0 <= i < columns and 0 <= j < rows
             uv = self._known.get(j * columns + i) if inside else None
             if uv is None:
-                predicted = predict_corner(self._places, self._uv_px, np.array([i, j]))
+                place = np.array([i, j])
+                predicted = predict_corner(self._places, self._uv_px, place, certain=True)
                 uv = None if predicted is None else predicted[0]
             self._squares[i, j] = uv
         return self._squares[i, j]

@@ -12,6 +12,8 @@ from app.metrology.transforms import Floats
 
 # Corners of a neighbourhood: at most, at least, and to tell how its lines bend.
 NEIGHBOURHOOD, FEWEST, FEWEST_BENT = 14, 6, 8
+# Of a perspective that says something: the depth of a place, and the distance to the next one.
+LEAST_DEPTH, LEAST_SPACING_PX = 1e-6, 1.0
 
 
 def fit_perspective(places: NDArray[np.int64], uv_px: Floats, method: int = 0) -> Floats:
@@ -44,7 +46,11 @@ def map_places(H: Floats, places: NDArray[np.int64] | Floats) -> Floats:
 
 
 def predict_corner(
-    places: NDArray[np.int64], uv_px: Floats, place: NDArray[np.int64]
+    places: NDArray[np.int64],
+    uv_px: Floats,
+    place: NDArray[np.int64],
+    *,
+    certain: bool = False,
 ) -> tuple[Floats, float] | None:
     """Where a corner should lie, by the nearest others, and the distance to the next corner.
 
@@ -52,6 +58,8 @@ def predict_corner(
         places: (N, 2) columns and rows of known corners.
         uv_px: (N, 2) their pixels.
         place: (2,) of the corner; a known corner at this place is not used.
+        certain: the known corners are numbered for certain, so that a perspective of them tells
+            where neighbours in one row and one column alone do not.
 
     Returns:
         (2,) px and px, or None where its neighbours lie in one row or are too few.
@@ -67,7 +75,7 @@ def predict_corner(
         if len(near) > FEWEST_BENT and np.ptp(one) >= 2:
             terms.append(one**2)
     found, _, rank, _ = np.linalg.lstsq(np.column_stack(terms), uv_px[near], rcond=None)
-    if rank < len(terms):  # as of one row and one column, around something that covers the others
+    if certain and rank < len(terms):
         return _predict_by_perspective(places[near] - place, uv_px[near])
     return found[0], float(np.linalg.norm(found[1:3], axis=1).min())
 
@@ -79,7 +87,9 @@ def _predict_by_perspective(
     H, _ = cv2.findHomography(places.astype(np.float64), uv_px)
     if H is None:
         return None
-    here, right, up = map_places(np.asarray(H, np.float64), np.array([[0, 0], [1, 0], [0, 1]]))
-    if not np.isfinite([here, right, up]).all():
-        return None
-    return here, float(min(np.linalg.norm(right - here), np.linalg.norm(up - here)))
+    at = np.array([[0.0, 0.0, 1.0], [1.0, 0.0, 1.0], [0.0, 1.0, 1.0]]) @ np.asarray(H).T
+    if not (np.abs(at[:, 2]) > LEAST_DEPTH).all():
+        return None  # on the horizon
+    here, right, up = at[:, :2] / at[:, 2:]
+    spacing = float(min(np.linalg.norm(right - here), np.linalg.norm(up - here)))
+    return (here, spacing) if spacing > LEAST_SPACING_PX else None
