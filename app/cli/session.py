@@ -172,7 +172,7 @@ def _show_import(
         )
     lasts = "no times" if result.seconds is None else f"{result.seconds:.3f} s"
     figures = (
-        ("frames", f"{result.frames - without} with points, {without} without a line"),
+        ("frames", f"{result.frames - without} with a line, {without} without"),
         ("pictures left out", str(len(result.unreadable))),
         ("points", f"{result.points:,}".replace(",", " ")),
         ("from the first to the last", lasts),

@@ -1178,6 +1178,7 @@ expansion-not-read = der Ausdehnungskoeffizient des Kalibrierscheins wird nicht 
 file-has-no-pictures-with-laser = { $path } enthält keine Bilder mit eingeschaltetem Laser
 file-has-no-readings = { $path } enthält keine Messwerte des Arms
 give-each-row-angles-of-its-pose = Jeder Zeile die Gelenkwinkel ihrer eigenen Pose geben
+give-quaternions-with-more-digits = qx, qy, qz, qw mit mindestens vier Nachkommastellen angeben, den Skalar zuletzt
 give-times-in-seconds = Zeiten in Sekunden angeben, ab einem beliebigen Anfang
 give-times-in-seconds-readings-closer = Alle Zeiten in Sekunden angeben, und Messwerte des Messarms im Abstand von höchstens { $longest }
 give-times-of-one-clock = Bildern und Messwerten Zeiten derselben Uhr geben

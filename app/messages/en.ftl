@@ -1174,6 +1174,7 @@ expansion-not-read = the certificate's coefficient of expansion is not read: ent
 file-has-no-pictures-with-laser = { $path } contains no pictures with the laser on
 file-has-no-readings = { $path } contains no readings
 give-each-row-angles-of-its-pose = Give every row the joint angles of its own pose
+give-quaternions-with-more-digits = Give qx, qy, qz, qw with at least four digits after the decimal point, the scalar last
 give-times-in-seconds = Give the times in seconds, from any beginning
 give-times-in-seconds-readings-closer = Give all times in seconds, and readings of the arm at most { $longest } apart
 give-times-of-one-clock = Give pictures and readings the times of one clock

@@ -147,6 +147,15 @@ def test_a_quaternion_that_is_none_is_refused(tmp_path: Path) -> None:
         read_any_session(folder)
 
 
+def test_a_quaternion_of_two_digits_needs_more(tmp_path: Path) -> None:
+    folder = board_session(tmp_path / "s")
+    lines = (folder / "images.csv").read_text().splitlines()
+    cells = [*lines[1].split(",")[:-4], "0.02", "0.66", "-0.05", "0.74"]
+    (folder / "images.csv").write_text("\n".join([lines[0], ",".join(cells), *lines[2:]]) + "\n")
+    with pytest.raises(OperationError, match="at least four digits"):
+        read_any_session(folder)
+
+
 def test_a_robot_that_moved_between_two_pictures_of_one_pose_is_refused(tmp_path: Path) -> None:
     folder = board_session(tmp_path / "s")
     rows = [

@@ -271,7 +271,7 @@ def test_a_real_robots_pictures_become_a_cloud_of_the_paper(real: Path, tmp_path
     assert crenel("calibrate", folder, "-o", calibration).exit_code == 0
     shown = crenel("import", folder, "-o", recording)
     assert shown.exit_code == 0, shown.output
-    assert "16 with points, 0 without a line" in shown.stdout
+    assert "16 with a line, 0 without" in shown.stdout
     cloud = tmp_path / "cloud.ply"
     arm = ("--calibration", calibration, "--arm", folder / "arm.json")
     assert crenel("reconstruct", recording, *arm, "-o", cloud).exit_code == 0

@@ -43,6 +43,8 @@ class ArmReadings:
 COLUMNS = ("x_mm", "y_mm", "z_mm", "qx", "qy", "qz", "qw")
 UNIT_TOLERANCE = 1e-3
 """Deviation from unit length of quaternions written with four digits."""
+FEW_DIGITS = 0.02
+"""Deviation from unit length of those written with two or three."""
 REACH_MM = 5.0
 """If the flange of a robot never gets further than this from its base, the unit is probably
 metres."""
@@ -104,7 +106,9 @@ def unit_quaternion(row: TableRow) -> Floats:
             "quaternion-not-unit",
             message("quaternion-length", place=row.place, length=quantity(length, "", 4)),
             message("rotations-quaternion-has-length-1"),
-            message("give-qx-qy-qz-qw-order"),
+            message("give-quaternions-with-more-digits")
+            if abs(length - 1) < FEW_DIGITS
+            else message("give-qx-qy-qz-qw-order"),
         )
     return values
 
