@@ -9,14 +9,18 @@ from scipy.spatial.transform import Rotation
 from app.metrology.arm.identification.observations import TIP, Coordinates, Seat
 from app.metrology.arm.identification.parameter_selection import candidates
 from app.metrology.arm.identification.parameters import (
-    TERMS,
-    THETA,
     parameter_names,
     parameter_values,
-    tip_jacobian,
     with_parameters,
 )
-from app.metrology.arm.kinematics import Arm, Joint, Tip, flange_poses, tip_centres
+from app.metrology.arm.kinematics import (
+    Arm,
+    Joint,
+    Tip,
+    flange_poses,
+    geometric_jacobian,
+    tip_centres,
+)
 from app.metrology.transforms import Floats, apply, rigid
 
 RIGHT = np.pi / 2
@@ -127,11 +131,10 @@ def swing(true: Arm, name: str, rng: np.random.Generator, count: int = 12) -> Se
 def reach(true: Arm, place_mm: Floats, q_rad: Floats) -> Floats | None:
     """Joint angles near the given ones with the tip at a place; None where the search ends."""
     for _ in range(60):
-        tips, J = tip_jacobian(true, q_rad[None])
-        left = place_mm - tips[0]
+        left = place_mm - tip_centres(true, q_rad[None])[0]
         if np.linalg.norm(left) < 1e-6:
             return q_rad
-        by_joints = J[0][:, THETA:-3:TERMS]
+        by_joints = geometric_jacobian(true, q_rad, true.tip.centre_mm)[:3]
         damping = np.eye(3) * min(100.0, float(left @ left))
         turn = by_joints.T @ np.linalg.solve(by_joints @ by_joints.T + damping, left)
         q_rad = np.clip(q_rad + np.clip(turn, -0.3, 0.3), -LIMIT_RAD, LIMIT_RAD)
