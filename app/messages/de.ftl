@@ -229,7 +229,7 @@ artefact-gives-way =
     { $test ->
         [sphere] die Kugel wackelt in Messung { $place }: Ihre Antastungen streuen um { $scatter }, ruhige um bis zu { $expected }
         [contact] der Stab wackelt in Lage { $place }, oder der Durchmesser seiner Kugeln ist falsch eingegeben: Die Antastungen seiner Kugeln streuen um { $scatter }, ruhige um bis zu { $expected }
-       *[lengths] das Normal wackelt in Lage { $place }: Die Antastungen seiner Kugeln streuen um { $scatter }, in anderen Lagen um { $expected }
+       *[lengths] das Normal wackelt in Lage { $place }: Die Antastungen seiner Kugeln streuen um { $scatter }, ruhige um bis zu { $expected }
     }
 artefact-missing = der Plan nennt keinen Prüfkörper
 artefact-temperature = Temperatur des Prüfkörpers

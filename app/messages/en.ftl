@@ -229,7 +229,7 @@ artefact-gives-way =
     { $test ->
         [sphere] the sphere rocks in measurement { $place }: its touches scatter by { $scatter }, steady ones by up to { $expected }
         [contact] the bar rocks in placement { $place }, or the diameter of its spheres is mistyped: touches of its spheres scatter by { $scatter }, steady ones by up to { $expected }
-       *[lengths] the standard rocks in place { $place }: touches of its spheres scatter by { $scatter }, in other places by { $expected }
+       *[lengths] the standard rocks in place { $place }: touches of its spheres scatter by { $scatter }, steady ones by up to { $expected }
     }
 artefact-missing = the plan names no artefact
 artefact-temperature = Temperature of the artefact

@@ -37,6 +37,8 @@ class ScannedSphere:
     frames: int
     spread: float
     """Smallest eigenvalue of the mean of ``n nᵀ`` over the normals ``n`` of its points."""
+    scatter_mm: float
+    """Rms distance of its points from the calibrated sphere."""
 
     @property
     def is_covered(self) -> bool:
@@ -101,12 +103,15 @@ def measure_sphere(
     gated = gate_sphere(points_mm[off_bar], views[off_bar], diameter_mm, along, start_mm, anywhere)
     inside = off_bar[gated.inside]
     if len(inside) < LEAST_POINTS:
-        return ScannedSphere(np.asarray(start_mm), len(inside), 0, 0.0)
+        return ScannedSphere(np.asarray(start_mm), len(inside), 0, 0.0, 0.0)
     centre = sphere_centre(points_mm[inside], diameter_mm)
     normals = points_mm[inside] - centre
-    normals /= np.linalg.norm(normals, axis=1)[:, None]
+    distances = np.linalg.norm(normals, axis=1)
+    normals /= distances[:, None]
     spread = float(np.linalg.eigvalsh(normals.T @ normals / len(normals))[0])
-    return ScannedSphere(centre, len(inside), len(np.unique(frames[inside])), spread)
+    scatter_mm = float(np.sqrt(np.mean((distances - diameter_mm / 2) ** 2)))
+    frames_seen = len(np.unique(frames[inside]))
+    return ScannedSphere(centre, len(inside), frames_seen, spread, scatter_mm)
 
 
 def _best_sphere(

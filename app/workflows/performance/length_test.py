@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from math import isfinite
+from math import inf, isfinite
 from typing import Literal
 
 import numpy as np
@@ -81,7 +81,8 @@ def measure_lengths(data: MeasuredData) -> LengthResult:
         measured.append(_worst(data, "length-touch", touched, names, missing))
         if touched and missing:  # the test was stopped
             problems.append(missing)
-        problems += rocking_problems(standard, touched, data.tips_mm, tip_mm)
+        steady_um = inf if scanned is None else scanned.scatter_um
+        problems += rocking_problems(standard, touched, data.tips_mm, tip_mm, steady_um)
     values = list(touched)
     if scanned is not None:
         missing = _find_missing(standard, scanned.values)
@@ -214,9 +215,15 @@ def rocking_problems(
     values: Sequence[MeasuredLength],
     tips_mm: Mapping[str, Floats] | None = None,
     tip_diameter_mm: float = 0.0,
+    steady_um: float = inf,
 ) -> list[Text]:
     """Each place in which the repeats scatter far more than the touches, or without these than in
-    steady places, or in which the touches do: the standard rocks."""
+    steady places, or in which the touches do: the standard rocks.
+
+    Args:
+        steady_um: scatter of the points of the scanned spheres, which scans do not move; infinite
+            without scans.
+    """
     touches_um: float | None = None
     reach_mm = ((standard.sphere_diameter_mm or 0.0) + tip_diameter_mm) / 2
     if standard.sphere_diameter_mm is not None and tips_mm is not None:
@@ -233,7 +240,8 @@ def rocking_problems(
     ]
     if touches_um is None or tips_mm is None:
         return rocking
-    return rocking + loose_bar_problems(_spheres_by_place(standard, tips_mm), reach_mm, "lengths")
+    spheres = _spheres_by_place(standard, tips_mm)
+    return rocking + loose_bar_problems(spheres, reach_mm, "lengths", steady_um)
 
 
 def _spheres_by_place(

@@ -3,6 +3,7 @@
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import combinations
+from math import inf
 
 import numpy as np
 
@@ -35,6 +36,8 @@ class LengthInScan:
     """Why the scan does not show it."""
     is_ambiguous: bool = False
     """Whether more than one pair of spheres is so far apart: it needs a scan of its own."""
+    scatter_mm: float = 0.0
+    """Rms distance of the points from the calibrated spheres."""
 
 
 @dataclass(frozen=True)
@@ -45,6 +48,8 @@ class ScannedLengths:
     scans: tuple[str, ...]
     """From which they were computed."""
     problems: tuple[Text, ...]
+    scatter_um: float
+    """Rms distance of the points from the calibrated spheres; infinite without any."""
 
 
 def has_length_scans(data: MeasuredData) -> bool:
@@ -62,10 +67,11 @@ def measure_scanned_lengths(data: MeasuredData) -> ScannedLengths:
     standard = data.plan.length
     assert standard is not None, "a plan of this kind has lengths"
     if standard.sphere_diameter_mm is None:
-        return ScannedLengths((), (), (message("only-ball-bars-are-scanned"),))
+        return ScannedLengths((), (), (message("only-ball-bars-are-scanned"),), inf)
     values: list[MeasuredLength] = []
     names: list[str] = []
     problems: list[Text] = []
+    scatters_mm: list[float] = []
     for name, place, repeat, numbers in _scans(standard):
         if not data.has_scan(name):
             continue
@@ -77,10 +83,12 @@ def measure_scanned_lengths(data: MeasuredData) -> ScannedLengths:
                 problems.append(message("titled-text", title=name, text=one.problem))
                 continue
             nominal = standard.nominal(one.number)
+            scatters_mm.append(one.scatter_mm)
             values.append(
                 MeasuredLength(place, repeat, nominal, one.measured_mm, data.artefact, "scan")
             )
-    return ScannedLengths(tuple(values), tuple(names), tuple(problems))
+    scatter_um = 1e3 * float(np.sqrt(np.mean(np.square(scatters_mm)))) if scatters_mm else inf
+    return ScannedLengths(tuple(values), tuple(names), tuple(problems), scatter_um)
 
 
 def lengths_in_scan(
@@ -151,4 +159,6 @@ def _measure_length(
             "scan-shows-little-of-sphere", length=size, points=LEAST_POINTS, frames=LEAST_FRAMES
         )
         return LengthInScan(number, None, text)
-    return LengthInScan(number, length_of_bar_mm(ends[0].centre_mm, ends[1].centre_mm))
+    length_mm = length_of_bar_mm(ends[0].centre_mm, ends[1].centre_mm)
+    scatter_mm = max(one.scatter_mm for one in ends)
+    return LengthInScan(number, length_mm, scatter_mm=scatter_mm)

@@ -6,14 +6,26 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from app.bench.metrology.synthetic_arm import PoseArm
+from app.bench.metrology.synthetic_arm import TIP, PoseArm
 from app.bench.metrology.synthetic_bar import NO_FAULTS, write_bar_scan
 from app.bench.metrology.synthetic_sphere import CENTRE, Faults, write_calibration
 from app.errors import OperationError
+from app.formats.datasheets.arm import read_any_arm
 from app.formats.datasheets.length_standard import LengthPart, LengthStandardFile
 from app.formats.exchange.result_tables import result_tables
-from app.formats.performance.plan import PLAN, LimitPart, PerformancePlan, length_scan, read_plan
+from app.formats.performance.plan import (
+    PLAN,
+    TOUCHES,
+    LimitPart,
+    PerformancePlan,
+    length_feature,
+    length_scan,
+    read_plan,
+)
 from app.formats.performance.results import PerformanceFile
+from app.formats.session.calibration_session import contact_readings, write_contacts
+from app.metrology.arm.reported_poses import pose_from_transform
+from app.metrology.transforms import rigid
 from app.report.reports import render_report
 from app.workflows.performance.evaluate import evaluate_performance, write_performance
 from tests.cli.test_cli import crenel
@@ -108,6 +120,31 @@ def test_noise_scatters_the_lengths_and_form_and_temperature_are_their_uncertain
     text = text_of(render_report(folder, ".pdf"))
     assert "21 errors of length by scan over the length" in text
     assert "E_Uni:ODS.AArm" in crenel("performance", "evaluate", folder).stdout
+
+
+@pytest.mark.parametrize("loose", [True, False])
+def test_a_bar_that_gives_way_in_all_places_differs_from_its_scans(
+    tmp_path: Path, loose: bool
+) -> None:
+    centres = spheres_at(0.0, 80.0)
+    noisy = Faults(point_sd_mm=0.01)
+    folder = bar_test(tmp_path / "t", bar(80.0), {length_scan(1, 1): centres}, noisy)
+    random = np.random.default_rng(7)
+    around = np.array([[0.0, 0, 1], [1, 0, 0], [0, 1, 0], [-0.6, -0.6, 0.53]])
+    reach_mm = (DIAMETER_MM + TIP.diameter_mm) / 2
+    features, readings = [], []
+    for place in range(1, 8):
+        for repeat in range(1, 4):
+            for end, centre in enumerate(centres):
+                tips = centre + reach_mm * around / np.linalg.norm(around, axis=1)[:, None]
+                tips += (0.2 if loose else 0.004) * random.normal(size=tips.shape)
+                features += [length_feature(place, repeat, 1, end)] * len(tips)
+                flanges = tips - [TIP.x_mm, TIP.y_mm, TIP.z_mm]
+                readings += [pose_from_transform(rigid(np.eye(3), one)) for one in flanges]
+    arm = read_any_arm(folder / "arm.json")
+    write_contacts(folder / TOUCHES, contact_readings(features, arm, np.array(readings)))
+    rocks = [one for one in evaluate_performance(folder).problems if "rocks in place" in str(one)]
+    assert len(rocks) == (7 if loose else 0)
 
 
 def test_a_length_that_a_scan_shows_twice_is_scanned_by_itself(tmp_path: Path) -> None:
