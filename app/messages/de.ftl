@@ -1178,6 +1178,7 @@ expansion-not-read = der Ausdehnungskoeffizient des Kalibrierscheins wird nicht 
 file-has-no-pictures-with-laser = { $path } enthält keine Bilder mit eingeschaltetem Laser
 file-has-no-readings = { $path } enthält keine Messwerte des Arms
 give-each-row-angles-of-its-pose = Jeder Zeile die Gelenkwinkel ihrer eigenen Pose geben
+give-kind-charuco = Die Tafel in object.json mit kind charuco, dictionary und marker_mm beschreiben
 give-quaternions-with-more-digits = qx, qy, qz, qw mit mindestens vier Nachkommastellen angeben, den Skalar zuletzt
 give-times-in-seconds = Zeiten in Sekunden angeben, ab einem beliebigen Anfang
 give-times-in-seconds-readings-closer = Alle Zeiten in Sekunden angeben, und Messwerte des Messarms im Abstand von höchstens { $longest }
@@ -1196,6 +1197,7 @@ listen-choose-higher-port = Mit --port einen Port ab 1024 wählen
 listen-failed = Port { $port } von { $host } lässt sich nicht öffnen
 listen-free-port = Beenden, was ihn verwendet, oder mit --port einen anderen wählen
 listen-give-own-address = Mit --host eine Adresse dieses Rechners angeben
+markers-in-white-squares = in ihren weißen Feldern sind Marker: sie ist eine ChArUco-Tafel
 markers-place-is-estimated-instead = stattdessen wird der Ort des Markers am Flansch geschätzt
 moves-check-arm-json =
     { $beside ->

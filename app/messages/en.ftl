@@ -1174,6 +1174,7 @@ expansion-not-read = the certificate's coefficient of expansion is not read: ent
 file-has-no-pictures-with-laser = { $path } contains no pictures with the laser on
 file-has-no-readings = { $path } contains no readings
 give-each-row-angles-of-its-pose = Give every row the joint angles of its own pose
+give-kind-charuco = Describe the board in object.json with kind charuco, and its dictionary and marker_mm
 give-quaternions-with-more-digits = Give qx, qy, qz, qw with at least four digits after the decimal point, the scalar last
 give-times-in-seconds = Give the times in seconds, from any beginning
 give-times-in-seconds-readings-closer = Give all times in seconds, and readings of the arm at most { $longest } apart
@@ -1192,6 +1193,7 @@ listen-choose-higher-port = Choose a port from 1024 on with --port
 listen-failed = Cannot listen on { $host } port { $port }
 listen-free-port = Stop what is using it, or choose another with --port
 listen-give-own-address = Give an address of this machine with --host
+markers-in-white-squares = there are markers in its white squares: it is a ChArUco board
 markers-place-is-estimated-instead = the marker's place on the flange is estimated instead
 moves-check-arm-json =
     { $beside ->

@@ -104,6 +104,12 @@ def test_what_shows_one_row_and_one_column_is_taken() -> None:
     assert np.abs(off_px(found, CHARUCO, POSES[1])).max() < 0.1
 
 
+def test_a_plain_boards_certificate_for_a_board_with_markers_is_named() -> None:
+    with pytest.raises(DetectionError, match="it is a ChArUco board") as refused:
+        detect_board(picture(POSES[1], UNLIT, 1), BOARD)
+    assert refused.value.code == "another-board"
+
+
 def test_the_lasers_line_takes_its_own_corners_alone() -> None:
     lit = picture(POSES[1], Look(board=CHARUCO), 1)
     stripe = drop_faint_stripe(lit, extract_stripe(lit, "v"))

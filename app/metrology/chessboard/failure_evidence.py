@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from app.errors import OperationError
 from app.messages.message import Text, message, quantity
+from app.metrology.chessboard.marked_squares import has_markers
 from app.metrology.chessboard.missing_corners import Cause, CornerGrid, common_cause
 from app.metrology.detection.failure_evidence import (
     DetectionError,
@@ -114,6 +115,9 @@ def _explain_unmeasured(
         return _with_marks(OperationError("board-partly-seen", what, why, remedy), fault, grid)
     if grid.spacing_px() < LEAST_SPACING_PX:
         return _with_marks(_too_small(what, grid), "framing", grid)
+    if board.markers is None and has_markers(grid.image):
+        why, remedy = message("markers-in-white-squares"), message("give-kind-charuco")
+        return _with_marks(OperationError("another-board", what, why, remedy), "object", grid)
     refusal = OperationError(
         "board-blurred", what, message("picture-blurred-noisy"), message("focus-light-board-evenly")
     )
