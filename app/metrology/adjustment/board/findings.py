@@ -9,7 +9,7 @@ from app.errors import sentence
 from app.messages.message import message, quantity
 from app.metrology.adjustment.board.initial_guess import BoardObservation
 from app.metrology.adjustment.board.results import BoardContacts
-from app.metrology.adjustment.board.surface import coordinate_groups, evaluate_surface
+from app.metrology.adjustment.board.surface import coordinate_groups, surface_height_mm
 from app.metrology.adjustment.core.gauss_newton import AdjustmentResult
 from app.metrology.adjustment.core.uncertainty import CalibrationUncertainty
 from app.metrology.adjustment.outliers.fault_hypotheses import board_fault_findings
@@ -147,7 +147,7 @@ def _print_findings(evidence: BoardEvidence) -> list[CalibrationFinding]:
 
 def _bend_finding(evidence: BoardEvidence) -> CalibrationFinding:
     result, board = evidence.result, evidence.board
-    bend = evaluate_surface(board, result.state.coordinates, corner_points(board)[:, :2]).height_mm
+    bend = surface_height_mm(board, result.state.coordinates, corner_points(board)[:, :2])
     rms_mm = float(np.sqrt(np.mean(bend**2)))
     if rms_mm > BENT_TIMES * max(board.flatness_mm, FLATTEST_MM):
         return CalibrationFinding(

@@ -98,6 +98,9 @@ class BoardView:
         count = len(corner_grid(board))
         at = corners_at(board, coordinates)[seen.number]
         uv, by_camera, by_point = project_with_jacobian(camera, at)
+        variances, axes = np.linalg.eigh(seen.covariance_px2)
+        along = axes.mT
+        by_camera, by_point = -along @ by_camera, -along @ by_point
         J = np.zeros((len(at), 2, BLOCK.start + len(coordinates)))
         J[:, :, :COUNT] = by_camera
         bent = evaluate_surface(board, coordinates, at[:, :2])
@@ -111,13 +114,10 @@ class BoardView:
         J[every, :, prints] = own[:, :, 0]
         J[every, :, prints + count] = own[:, :, 1]
         J[every, :, prints + 2 * count] = by_point[:, :, 2]
-        variances, axes = np.linalg.eigh(seen.covariance_px2)
-        residuals = np.einsum("nik,ni->nk", axes, seen.uv_px - uv)
-        turned = np.einsum("nik,nip->nkp", axes, J)
         return Rows(
-            residuals.ravel(),
+            np.einsum("nki,ni->nk", along, seen.uv_px - uv).ravel(),
             np.sqrt(np.maximum(variances, self.scatter_px**2)).ravel(),
-            -turned.reshape(-1, J.shape[2]),
+            J.reshape(-1, J.shape[2]),
             np.repeat(seen.uv_px, 2, axis=0),
             np.zeros(2 * len(at), dtype=np.int64),
         )

@@ -43,41 +43,48 @@ class BendModes:
     weights: Floats
     planes: Floats
 
-    def bells(self, xy_mm: Floats) -> tuple[Floats, Floats, Floats, Floats]:
-        """Factors of the kernels along x (N, X) and y (N, Y), and their slopes."""
-        away_x = (xy_mm[:, :1] - self.nodes_x_mm) / self.length_mm
-        away_y = (xy_mm[:, 1:] - self.nodes_y_mm) / self.length_mm
-        along_x, along_y = np.exp(-0.5 * away_x**2), np.exp(-0.5 * away_y**2)
-        slope_x, slope_y = (
-            -bell * away / self.length_mm for bell, away in ((along_x, away_x), (along_y, away_y))
-        )
-        return along_x, along_y, slope_x, slope_y
+    def bells(self, xy_mm: Floats) -> tuple[Floats, Floats]:
+        """Factors of the kernels along x (N, X) and y (N, Y)."""
+        away_x, away_y = self._away(xy_mm)
+        return np.exp(-0.5 * away_x**2), np.exp(-0.5 * away_y**2)
 
     def by_strength(self, xy_mm: Floats) -> Floats:
         """Heights (N, K) of each shape at positions (N, 2)."""
-        along_x, along_y, _, _ = self.bells(xy_mm)
+        along_x, along_y = self.bells(xy_mm)
         bells = (along_y[:, :, None] * along_x[:, None, :]).reshape(len(xy_mm), len(self.weights))
         flat = np.column_stack([np.ones(len(xy_mm)), xy_mm]) @ self.planes
         return np.asarray(bells @ self.weights - flat)
 
-    def evaluate(self, strengths: Floats, xy_mm: Floats) -> tuple[Floats, Floats]:
-        """Height (N,) and slopes (N, 2) of all shapes together."""
-        along_x, along_y, slope_x, slope_y = self.bells(xy_mm)
-        at_nodes = (self.weights @ strengths).reshape(len(self.nodes_y_mm), -1)
+    def heights(self, strengths: Floats, xy_mm: Floats) -> Floats:
+        """Height (N,) of all shapes together at positions (N, 2)."""
+        along_x, along_y = self.bells(xy_mm)
         plane = self.planes @ strengths
-        across = along_y @ at_nodes
-        height = np.sum(across * along_x, axis=1) - plane[0] - xy_mm @ plane[1:]
-        by_x = np.sum(across * slope_x, axis=1) - plane[1]
-        by_y = np.sum((slope_y @ at_nodes) * along_x, axis=1) - plane[2]
-        return height, np.column_stack([by_x, by_y])
+        height = np.sum((along_y @ self._at_nodes(strengths)) * along_x, axis=1)
+        return np.asarray(height - plane[0] - xy_mm @ plane[1:])
+
+    def slopes(self, strengths: Floats, xy_mm: Floats) -> Floats:
+        """Slopes (N, 2) of all shapes together along x and y."""
+        along_x, along_y = self.bells(xy_mm)
+        away_x, away_y = self._away(xy_mm)
+        at_nodes, plane = self._at_nodes(strengths), self.planes @ strengths
+        by_x = np.sum((along_y @ at_nodes) * along_x * away_x, axis=1)
+        by_y = np.sum(((along_y * away_y) @ at_nodes) * along_x, axis=1)
+        return np.asarray(-np.column_stack([by_x, by_y]) / self.length_mm - plane[1:])
+
+    def _away(self, xy_mm: Floats) -> tuple[Floats, Floats]:
+        """From the nodes along x (N, X) and y (N, Y), in correlation lengths."""
+        x = (xy_mm[:, :1] - self.nodes_x_mm) / self.length_mm
+        return x, (xy_mm[:, 1:] - self.nodes_y_mm) / self.length_mm
+
+    def _at_nodes(self, strengths: Floats) -> Floats:
+        return np.asarray((self.weights @ strengths).reshape(len(self.nodes_y_mm), -1))
 
 
 @dataclass(frozen=True)
 class SurfacePoints:
-    """The surface at N positions: heights (N,), slopes (N, 2) along x and y, and derivatives (N, K)
-    of the heights by the amplitudes of the shapes."""
+    """The surface at N positions: slopes (N, 2) along x and y, and derivatives (N, K) of the
+    heights by the amplitudes of the shapes."""
 
-    height_mm: Floats
     slope: Floats
     by_bend: Floats
 
@@ -135,13 +142,13 @@ def board_prior(board: Chessboard) -> TargetPrior:
 def evaluate_surface(board: Chessboard, coordinates: Floats, xy_mm: Floats) -> SurfacePoints:
     """The bent surface at positions (N, 2) in the board frame."""
     own = bend_modes(board)
-    height, slope = own.evaluate(coordinates[bend_slice(board)], xy_mm)
-    return SurfacePoints(height, slope, own.by_strength(xy_mm))
+    slopes = own.slopes(coordinates[bend_slice(board)], xy_mm)
+    return SurfacePoints(slopes, own.by_strength(xy_mm))
 
 
 def surface_height_mm(board: Chessboard, coordinates: Floats, xy_mm: Floats) -> Floats:
     """Heights (N,) of the bent surface at positions (N, 2) in the board frame."""
-    return bend_modes(board).evaluate(coordinates[bend_slice(board)], xy_mm)[0]
+    return bend_modes(board).heights(coordinates[bend_slice(board)], xy_mm)
 
 
 def corners_at(board: Chessboard, coordinates: Floats) -> Floats:
