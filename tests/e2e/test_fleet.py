@@ -54,6 +54,14 @@ def open_view(page: Page, name: str) -> None:
     page.get_by_role("group", name="View").get_by_role("button", name=name).click()
 
 
+def open_first(page: Page, text: str) -> None:
+    """Opens the first record of the list as soon as it has a text: that of the search before stays
+    until the answer is there."""
+    row = page.locator("tbody tr").first
+    expect(row).to_contain_text(text)
+    row.get_by_role("button").click()
+
+
 def test_stations_and_records(page: Page) -> None:
     expect(page.get_by_role("heading", name="room-2")).to_be_visible()
     expect(page.locator("dd").filter(has_text="2000").first).to_be_visible()
@@ -126,7 +134,7 @@ def test_a_cloud_is_made_with_todays_calibration_and_downloaded(
         page.goto(f"{client.base_url}?lang=en")
         open_view(page, "Records")
         page.get_by_label("Part, operator").fill("long")
-        page.locator("tbody tr").first.get_by_role("button").click()
+        open_first(page, "long")
         part = page.get_by_role("region", name="Clouds")
         calibration = part.get_by_label("Calibration")
         expect(calibration.locator("option:checked")).to_have_text(re.compile("in use then$"))
@@ -144,7 +152,7 @@ def test_a_cloud_is_made_with_todays_calibration_and_downloaded(
         page.get_by_role("button", name="Deutsch").click()
         page.get_by_role("button", name="Datensätze").click()
         page.get_by_label("Teil").fill("long")
-        page.locator("tbody tr").first.get_by_role("button").click()
+        open_first(page, "long")
         expect(page.get_by_role("link", name="Herunterladen")).to_be_visible()
         page.screenshot(path=pictures / "fleet-cloud-1024-de.png")
         assert page.evaluate("document.documentElement.scrollWidth") == 1024
@@ -157,7 +165,7 @@ def choose_for_each_sensor(page: Page, pictures: Path) -> None:
     page.get_by_role("button", name="English").click()
     open_view(page, "Records")
     page.get_by_label("Part, operator").fill("two")
-    page.locator("tbody tr").first.get_by_role("button").click()
+    open_first(page, "two")
     part = page.get_by_role("region", name="Clouds")
     part.get_by_label("Calibration, sensor S-1").select_option(clouds.TODAYS)
     other = part.get_by_label("Calibration, sensor S-2")
@@ -171,7 +179,7 @@ def choose_for_each_sensor(page: Page, pictures: Path) -> None:
             page.get_by_role("button", name=language).click()
             page.get_by_role("button", name="Datensätze").click()
             page.get_by_label("Teil").fill("two")
-            page.locator("tbody tr").first.get_by_role("button").click()
+            open_first(page, "two")
             expect(page.get_by_label("Kalibrierung, Sensor S-1")).to_be_visible()
         page.screenshot(path=pictures / f"fleet-sensors-{width}-{language}.png")
         assert page.evaluate("document.documentElement.scrollWidth") == width
@@ -185,7 +193,7 @@ def test_calibrations_that_are_wrong_are_marked_where_a_cloud_is_made(
     page.get_by_label("Kind").select_option("scan")
     page.get_by_label("From").fill((WRONG_SINCE + timedelta(days=5)).date().isoformat())
     page.get_by_label("Until").fill((WRONG_SINCE + timedelta(days=8)).date().isoformat())
-    page.locator("tbody tr").first.get_by_role("button").click()
+    open_first(page, f"{WRONG_SINCE + timedelta(days=8):%Y-%m-%d}")
     part = page.get_by_role("region", name="Clouds")
     used = part.get_by_label("Calibration").locator("option:checked")
     expect(used).to_have_text(re.compile("in use then – wrong$"))
@@ -206,7 +214,7 @@ def test_calibrations_that_are_wrong_are_marked_where_a_cloud_is_made(
     page.get_by_label("Art").select_option("scan")
     page.get_by_label("Von").fill((WRONG_SINCE + timedelta(days=5)).date().isoformat())
     page.get_by_label("Bis").fill((WRONG_SINCE + timedelta(days=8)).date().isoformat())
-    page.locator("tbody tr").first.get_by_role("button").click()
+    open_first(page, f"{WRONG_SINCE + timedelta(days=8):%Y-%m-%d}")
     expect(page.get_by_text("Falsch nach der Drift der Prüfungen")).to_be_visible()
     show_clouds(page, pictures, "de")
 
