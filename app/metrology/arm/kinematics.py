@@ -249,6 +249,13 @@ def geometric_jacobians(arm: Arm, q_rad: Floats, point_flange_mm: Floats) -> Flo
     Returns:
         (N, 6, n), rows as in ``geometric_jacobian``.
     """
+    return _points_with_jacobians(arm, q_rad, point_flange_mm)[1]
+
+
+def _points_with_jacobians(
+    arm: Arm, q_rad: Floats, point_flange_mm: Floats
+) -> tuple[Floats, Floats]:
+    """The point (N, 3) in the arm frame, and its derivatives (N, 6, n) by the joints."""
     links = link_transforms(arm, q_rad)
     # the frame whose z axis joint i turns about
     before = [np.broadcast_to(error_transform(arm.base), links.shape[1:]), links[0]]
@@ -260,7 +267,7 @@ def geometric_jacobians(arm: Arm, q_rad: Floats, point_flange_mm: Floats) -> Flo
         axis = joint.sign * before[i][:, :3, 2]
         jacobians[:, :3, i] = np.cross(axis, point - before[i][:, :3, 3])
         jacobians[:, 3:, i] = axis
-    return jacobians
+    return point, jacobians
 
 
 def tip_covariances(arm: AnyArm, readings: Floats) -> Floats:
@@ -280,6 +287,18 @@ def tip_covariances(arm: AnyArm, readings: Floats) -> Floats:
     """
     if isinstance(arm, RobotArm):
         return np.zeros((len(readings), 3, 3))
-    variances = np.diag(arm.encoder_sd_rad**2)
-    J = geometric_jacobians(arm, np.asarray(readings, dtype=np.float64), arm.tip.centre_mm)[:, :3]
-    return np.asarray(J @ variances @ np.swapaxes(J, 1, 2))
+    return tips_with_covariances(arm, np.asarray(readings, dtype=np.float64))[1]
+
+
+def tips_with_covariances(arm: Arm, q_rad: Floats) -> tuple[Floats, Floats]:
+    """``tip_centres`` and ``tip_covariances`` in one walk along the arm.
+
+    Args:
+        q_rad: (N, n) encoder angles, before sign and offset.
+
+    Returns:
+        (N, 3) mm, and (N, 3, 3) mm², k = 1.
+    """
+    tips, jacobians = _points_with_jacobians(arm, q_rad, arm.tip.centre_mm)
+    J = jacobians[:, :3]
+    return tips, np.asarray(J @ np.diag(arm.encoder_sd_rad**2) @ np.swapaxes(J, 1, 2))

@@ -23,7 +23,7 @@ from app.metrology.arm.identification.parameters import (
 )
 from app.metrology.arm.identification.scatter import Scatter
 from app.metrology.arm.identification.unknowns import Unknowns
-from app.metrology.arm.kinematics import tip_centres, tip_covariances
+from app.metrology.arm.kinematics import tips_with_covariances
 from app.metrology.transforms import Floats
 
 CONSTRAINT_MM = 1e-4
@@ -87,7 +87,7 @@ class TipPrediction:
 
 def predict_tips(data: StackedObservations, at: Unknowns) -> TipPrediction:
     """The tips of all touches, by the arm of the unknowns."""
-    return TipPrediction(tip_centres(at.arm, data.q_rad), tip_covariances(at.arm, data.q_rad))
+    return TipPrediction(*tips_with_covariances(at.arm, data.q_rad))
 
 
 def mahalanobis(
