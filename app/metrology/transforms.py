@@ -91,6 +91,14 @@ def skew(vector: Floats) -> Floats:
     return np.array([[0.0, -z, y], [z, 0.0, -x], [-y, x, 0.0]])
 
 
+def skews(vectors: Floats) -> Floats:
+    """``skew`` of many vectors (N, 3) at once, (N, 3, 3)."""
+    x, y, z = vectors.T
+    zero = np.zeros(len(vectors))
+    rows = [[zero, -z, y], [z, zero, -x], [-y, x, zero]]
+    return np.asarray(np.moveaxis(np.array(rows), 2, 0))
+
+
 def rotation_from_vector(vector_rad: Floats) -> Floats:
     """The rotation by ``|vector_rad|`` about the direction of a vector.
 
@@ -178,35 +186,37 @@ def rigid_fit(points_a_mm: Floats, points_b_mm: Floats, weights: Floats | None =
     """
     a: Floats = np.asarray(points_a_mm, dtype=np.float64)
     b: Floats = np.asarray(points_b_mm, dtype=np.float64)
-    w: Floats = np.ones(len(a)) if weights is None else np.asarray(weights, dtype=np.float64)
     if len(a) < 3 or len(a) != len(b):
         raise OperationError(
             "too-few-pairs",
             message("rigid-fit-given-points", a=len(a), b=len(b)),
             message("needs-least-three-conjugated-pairs"),
         )
-    centre_a = (w @ a) / w.sum()
-    centre_b = (w @ b) / w.sum()
-    spread = np.linalg.svd(b - centre_b, compute_uv=False)
-    if spread[1] <= 1e-9 * max(spread[0], 1e-300):
+    w = None if weights is None else np.asarray(weights, dtype=np.float64)[None]
+    T = rigid_fits(a[None], b[None], w)[0]
+    if np.isnan(T).any():
         raise OperationError("points-on-a-line", message("rigid-fit-given-points-one-line"))
-    rotation = nearest_rotation((a - centre_a).T @ ((b - centre_b) * w[:, None]))
-    return rigid(rotation, centre_a - rotation @ centre_b)
+    return np.asarray(T)
 
 
-def rigid_fits(points_a_mm: Floats, points_b_mm: Floats) -> Floats:
-    """``T_ab`` of many sets of conjugated pairs at once, as :func:`rigid_fit` finds each.
+def rigid_fits(points_a_mm: Floats, points_b_mm: Floats, weights: Floats | None = None) -> Floats:
+    """``T_ab`` of many sets of conjugated pairs at once, as ``rigid_fit`` finds each.
 
     Args:
         points_a_mm, points_b_mm: (S, N, 3) sets of N >= 3 pairs.
+        weights: (S, N) non-negative, or None for equal weights.
 
     Returns:
-        (S, 4, 4) transforms, NaN where the points of a set lie on one line.
+        (S, 4, 4) transforms, NaN where the points b of a set lie on one line.
     """
-    centres_a, centres_b = points_a_mm.mean(axis=1), points_b_mm.mean(axis=1)
+    w = np.ones(points_a_mm.shape[:2]) if weights is None else weights
+    w = w[:, :, None]
+    centres_a, centres_b = (
+        np.sum(w * points, axis=1) / w.sum(axis=1) for points in (points_a_mm, points_b_mm)
+    )
     a, b = points_a_mm - centres_a[:, None], points_b_mm - centres_b[:, None]
     spread = np.linalg.svd(b, compute_uv=False)
-    rotations = nearest_rotation(a.mT @ b)
+    rotations = nearest_rotation(a.mT @ (b * w))
     rotations[spread[:, 1] <= 1e-9 * np.maximum(spread[:, 0], 1e-300)] = np.nan
     T = np.tile(np.eye(4), (len(a), 1, 1))
     T[:, :3, :3] = rotations

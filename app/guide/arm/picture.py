@@ -18,7 +18,7 @@ from app.guide.common.view import Vec3
 from app.guide.verify.view import TouchLine
 from app.messages.message import Text, message, signed
 from app.metrology.arm.identification.articulation import tip_spread_um
-from app.metrology.arm.kinematics import Arm, tip_centres, tip_covariances
+from app.metrology.arm.kinematics import Arm, tip_centres, tips_with_covariances
 from app.metrology.fitting.deviation_map import flat_places
 from app.metrology.performance.contact_tests import seat_articulation
 from app.metrology.transforms import Floats
@@ -43,11 +43,11 @@ def build_picture(state: ArmState, live: ArmLive, seat: SeatSamples | None) -> A
     if shown is None or len(shown.q_rad) < fewest:
         return ArmPicture((), None, None, None, state.limit_um, joints, seats, result)
     q_rad = np.array(shown.q_rad)
-    tips = tip_centres(arm, q_rad)
+    tips, covariances = tips_with_covariances(arm, q_rad)
     off_mm = _off_mm(arm, shown, tips)
     half_range, two_sigma = tip_spread_um(off_mm)
     in_space = None if shown.artefact.kind == "sphere" else seat_articulation(tips)
-    encoders = np.mean(np.diagonal(tip_covariances(arm, q_rad), axis1=1, axis2=2), axis=0)
+    encoders = np.mean(np.diagonal(covariances, axis1=1, axis2=2), axis=0)
     return ArmPicture(
         [_vec(np.round(off, 2)) for off in off_mm[-DRAWN_POINTS:] * 1e3],
         _vec(half_range),

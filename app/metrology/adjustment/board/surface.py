@@ -45,8 +45,7 @@ class BendModes:
 
     def bells(self, xy_mm: Floats) -> tuple[Floats, Floats]:
         """Factors of the kernels along x (N, X) and y (N, Y)."""
-        away_x, away_y = self._away(xy_mm)
-        return np.exp(-0.5 * away_x**2), np.exp(-0.5 * away_y**2)
+        return _bells(*self._away(xy_mm))
 
     def by_strength(self, xy_mm: Floats) -> Floats:
         """Heights (N, K) of each shape at positions (N, 2)."""
@@ -64,8 +63,8 @@ class BendModes:
 
     def slopes(self, strengths: Floats, xy_mm: Floats) -> Floats:
         """Slopes (N, 2) of all shapes together along x and y."""
-        along_x, along_y = self.bells(xy_mm)
         away_x, away_y = self._away(xy_mm)
+        along_x, along_y = _bells(away_x, away_y)
         at_nodes, plane = self._at_nodes(strengths), self.planes @ strengths
         by_x = np.sum((along_y @ at_nodes) * along_x * away_x, axis=1)
         by_y = np.sum(((along_y * away_y) @ at_nodes) * along_x, axis=1)
@@ -78,6 +77,10 @@ class BendModes:
 
     def _at_nodes(self, strengths: Floats) -> Floats:
         return np.asarray((self.weights @ strengths).reshape(len(self.nodes_y_mm), -1))
+
+
+def _bells(away_x: Floats, away_y: Floats) -> tuple[Floats, Floats]:
+    return np.exp(-0.5 * away_x**2), np.exp(-0.5 * away_y**2)
 
 
 @dataclass(frozen=True)

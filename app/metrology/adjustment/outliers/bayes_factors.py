@@ -111,15 +111,15 @@ def _eliminate_links(
     """For each of Z sizes of the link errors, ``sds`` (Z, L), with the logarithms (Z,) of their
     prior densities."""
     links, faults = slice(0, len(start)), slice(len(start), None)
-    H = reduced.S[links, links] * (sds[:, :, None] * sds[:, None, :]) + np.eye(len(start))
-    across = sds[:, :, None] * reduced.S[links, faults]
-    r = (reduced.pull[links] * sds + start / sds)[:, :, None]
-    solved = np.linalg.solve(H, np.concatenate([across, r], axis=2))
-    taken = across.mT @ solved
-    log = np.sum(r * solved[:, :, -1:], axis=(1, 2)) - np.sum((start / sds) ** 2, axis=1)
-    log = reduced.log + priors + 0.5 * (log - np.linalg.slogdet(H)[1])
-    S, pull = reduced.S[faults, faults], reduced.pull[faults]
-    return _WithoutLinks(S - taken[:, :, :-1], pull - taken[:, :, -1], log)
+    log, step, covariance = link_likelihood(
+        reduced.S[links, links], reduced.pull[links], start, sds
+    )
+    across = reduced.S[links, faults]
+    return _WithoutLinks(
+        reduced.S[faults, faults] - across.T @ covariance @ across,
+        reduced.pull[faults] + step @ across,
+        reduced.log + priors + log,
+    )
 
 
 def _estimate_conditional(

@@ -13,7 +13,7 @@ import numpy as np
 from app.errors import OperationError
 from app.messages.message import Text, message, quantity
 from app.metrology.arm.identification.checks.points import NO_SEAT_MM, check_swing
-from app.metrology.arm.kinematics import Arm, tip_centres, tip_covariances
+from app.metrology.arm.kinematics import Arm, tips_with_covariances
 from app.metrology.performance.contact_tests import seat_articulation
 from app.metrology.transforms import Floats
 
@@ -88,7 +88,7 @@ def check_articulation(
             message("take-more-while-arm-swings"),
         )
     check_swing(label, arm, q)
-    tips = tip_centres(arm, q)
+    tips, covariances = tips_with_covariances(arm, q)
     half_range, two_sigma = tip_spread_um(tips)
     if half_range.max() > 1e3 * NO_SEAT_MM:
         raise OperationError(
@@ -102,7 +102,7 @@ def check_articulation(
             message("give-seat-own-name-check-arm-json"),
         )
     seat = seat_articulation(tips)
-    encoders = np.sqrt(np.mean(np.diagonal(tip_covariances(arm, q), axis1=1, axis2=2), axis=0))
+    encoders = np.sqrt(np.mean(np.diagonal(covariances, axis1=1, axis2=2), axis=0))
     return Articulation(
         points=len(q),
         centre_mm=seat.centre_mm,

@@ -18,7 +18,7 @@ from app.metrology.arm.identification.parameters import (
 )
 from app.metrology.arm.identification.scatter import Scatter
 from app.metrology.arm.identification.unknowns import Unknowns
-from app.metrology.transforms import Floats, apply, vector_from_rotation
+from app.metrology.transforms import Floats, apply, skews, vector_from_rotation
 
 
 @dataclass(frozen=True)
@@ -76,7 +76,7 @@ def coordinate_rows(
         if own is not None:
             mine = found.frame_of == i
             turns = slice(own.start, own.start + 3)
-            body[mine, :3, turns] = _skew(now.measured_mm[mine])
+            body[mine, :3, turns] = skews(now.measured_mm[mine])
             body[mine, :3, own.start + 3 : own.stop] = -np.eye(3)
             body[mine, 3:, turns] = -np.eye(3)
     for k, (offset, rotation) in enumerate(zip(others.offsets, others.rotations, strict=True)):
@@ -130,11 +130,3 @@ def _covariances(
         covariances[:, i, i] += points
         covariances[:, 3 + i, 3 + i] += turns
     return np.asarray(covariances)
-
-
-def _skew(vectors: Floats) -> Floats:
-    """(N, 3, 3) matrices of the cross product."""
-    x, y, z = vectors.T
-    zero = np.zeros(len(vectors))
-    rows = [[zero, -z, y], [z, zero, -x], [-y, x, zero]]
-    return np.asarray(np.moveaxis(np.array(rows), 2, 0))

@@ -5,7 +5,7 @@ import numpy as np
 from app.metrology.arm.identification.parameter_selection import LENGTH_MM
 from app.metrology.arm.identification.parameters import Indices, tip_jacobian
 from app.metrology.arm.kinematics import Arm, tip_centres
-from app.metrology.transforms import Floats, apply, rigid_fit, skew
+from app.metrology.transforms import Floats, apply, rigid_fit, skews
 
 POSES = 400
 SHARE = 0.8
@@ -53,9 +53,8 @@ def volumetric_uncertainty_mm(arm: Arm, moved: Indices, covariance: Floats) -> f
     if not len(moved):
         return 0.0
     tips, J = tip_jacobian(arm, reach_poses(arm))
-    rigid = np.concatenate(
-        [np.hstack([np.eye(3), -skew(tip)]) for tip in (tips - tips.mean(axis=0)) / 100.0]
-    )
+    turns = -skews((tips - tips.mean(axis=0)) / 100.0)
+    rigid = np.concatenate([np.tile(np.eye(3), (len(tips), 1, 1)), turns], axis=2).reshape(-1, 6)
     by_parameters = J[:, :, moved].reshape(-1, len(moved))
     basis, _ = np.linalg.qr(rigid)
     left = by_parameters - basis @ (basis.T @ by_parameters)

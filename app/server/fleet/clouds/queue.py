@@ -55,7 +55,7 @@ class CloudQueue:
         self._thread = threading.Thread(target=self._run, name="fleet-clouds", daemon=True)
 
     def start(self, orders: Sequence[tuple[str, CloudOrder]] = ()) -> None:
-        """Begins to work; nothing else works in the folder yet.
+        """Begins to work; nothing else uses the folder yet.
 
         Args:
             orders: with their stations, what an earlier server did not make.

@@ -30,7 +30,7 @@ from app.metrology.arm.identification.scatter import Scatter
 from app.metrology.arm.identification.unknowns import Unknowns
 from app.metrology.arm.kinematics import Arm
 from app.metrology.robust import median
-from app.metrology.transforms import Floats, apply, skew
+from app.metrology.transforms import Floats, apply, skews
 
 LEAST_IN_FRAME, WANTED_POSES = 6, 50
 FEW = 2
@@ -225,7 +225,7 @@ def _check_steady(name: str, off_mm: Floats, points_mm: Floats, lines: Sequence[
     if count < LEAST_STEADY:
         return
     splits = range(LEAST_IN_FRAME, count - LEAST_IN_FRAME + 1, max(1, count // SPLITS))
-    by_turn = np.array([skew(point) for point in points_mm - points_mm.mean(axis=0)])
+    by_turn = skews(points_mm - points_mm.mean(axis=0))
     rigid_rows = np.concatenate([np.tile(np.eye(3), (count, 1, 1)), by_turn], axis=2)
     spread = [_rest_after_step(off_mm, rigid_rows, split) for split in splits]
     best = splits[int(np.argmin(spread))]
