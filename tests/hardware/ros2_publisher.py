@@ -17,6 +17,7 @@ def publish() -> None:
     import rclpy
     from geometry_msgs.msg import PoseStamped
     from rclpy.qos import qos_profile_sensor_data
+    from rclpy.time import Time
     from sensor_msgs.msg import JointState
 
     said: set[str] = set()
@@ -27,11 +28,13 @@ def publish() -> None:
     transforms = transform_publishers(node)
     poses = node.create_publisher(PoseStamped, "/bench/pose", qos_profile_sensor_data)
     start_ns, sent = time.monotonic_ns(), 0
+    first_ns = node.get_clock().now().nanoseconds
     while True:
         time.sleep(0.001)
         while (time.monotonic_ns() - start_ns) * RATE_HZ > sent * 1_000_000_000:
             sent += 1
-            stamp = node.get_clock().now().to_msg()
+            # when it was due, as a controller measures: a busy machine sends it later
+            stamp = Time(nanoseconds=first_ns + sent * 1_000_000_000 // RATE_HZ).to_msg()
             if "silent" not in said:
                 joints.publish(stamped(joint_state(JointState(), said), stamp, said))
                 poses.publish(stamped(pose(PoseStamped(), said), stamp, said))

@@ -10,6 +10,7 @@ from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import contextmanager
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 import pytest
@@ -186,31 +187,46 @@ def test_aravis_own_program_receives_its_pictures(camera: GigeCamera) -> None:
     assert int(figures["n_completed_buffers"]) > 30
 
 
-def test_another_client_finds_it_and_reads_features_and_pictures(camera: GigeCamera) -> None:
+def test_another_client_finds_it_and_reads_features_and_pictures() -> None:
+    """On a busy machine, an answer may come after the client has given up, and so may a packet that
+    it asked for again: it asks once more, and says which pictures are not whole."""
     viva = pytest.importorskip("viva_genicam")
-    (found,) = [one for one in viva.discover(iface="lo") if one.ip == ADDRESS]
-    client = viva.connect_gige(found, iface=ADDRESS)
-    assert client.get("DeviceSerialNumber") == "SIM-1"
-    client.set("ExposureTime", "8000")
-    assert float(client.get("ExposureTime")) == 8000
-    client.set("LineSelector", "Line2")
-    client.set("LineSource", "UserOutput2")
-    client.set("UserOutputSelector", "UserOutput2")
-    client.set("UserOutputValue", "true")
-    camera.faults.packet_drop_rate = 0.02
-    client.time_calibrate()
-    taken = []
-    with client.stream() as frames:
-        for frame in frames:
-            taken.append(frame.to_numpy())
-            # its stamp is older than the exposure, but not much: it belongs to its beginning
-            assert 0.008 < time.time() - frame.ts_host < LONG_S
-            if len(taken) == 20:
-                break
-    client.close()
-    assert camera.packets_lost > 0
-    for image in taken:
-        np.testing.assert_array_equal(image, picture(0, 8000.0, 1.0))
+    starts_ns: list[int] = []
+
+    def note(mid_ns: int, exposure_us: float, laser_share: float) -> RawImage:
+        starts_ns.append(mid_ns - round(500 * exposure_us))
+        return picture(mid_ns, exposure_us, laser_share)
+
+    identity = CameraIdentity(ADDRESS, "SIM-1", WIDTH, HEIGHT, 50.0)
+    with serve(GigeCamera(identity, note, delay_ms=DELAY_MS)) as camera:
+        deadline = time.monotonic() + LONG_S
+        while not (found := [one for one in viva.discover(iface="lo") if one.ip == ADDRESS]):
+            assert time.monotonic() < deadline, "it is not found"
+        client = viva.connect_gige(found[0], iface=ADDRESS)
+        assert client.get("DeviceSerialNumber") == "SIM-1"
+        client.set("ExposureTime", "8000")
+        assert float(client.get("ExposureTime")) == 8000
+        client.set("LineSelector", "Line2")
+        client.set("LineSource", "UserOutput2")
+        client.set("UserOutputSelector", "UserOutput2")
+        client.set("UserOutputValue", "true")
+        damaged = range(3, 1000, 2)
+        camera.faults.lost_packets = frozenset((block, 2) for block in damaged)
+        client.time_calibrate()
+        whole: dict[int, Any] = {}
+        with client.stream() as frames:
+            for frame in frames:
+                assert time.monotonic() < deadline + LONG_S, f"{len(whole)} whole pictures"
+                if frame.is_complete:
+                    whole[frame.block_id] = frame
+                if len(whole) >= 20 and not whole.keys().isdisjoint(damaged):
+                    break
+        client.close()
+        stamps = {camera._ticks(start_ns) for start_ns in starts_ns}
+        for frame in whole.values():
+            np.testing.assert_array_equal(frame.to_numpy(), picture(0, 8000.0, 1.0))
+            assert frame.ts_dev in stamps, "no exposure began at its stamp"
+            assert abs(time.time() - frame.ts_host) < 3 * LONG_S
 
 
 def test_a_second_camera_needs_an_address_of_its_own(camera: GigeCamera) -> None:
