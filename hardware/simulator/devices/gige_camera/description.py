@@ -105,10 +105,12 @@ def _integer(feature: Feature) -> str:
     if feature.limit:
         whole, part = feature.limit.split(" - ")
         limits += f"<pMax>{feature.name}Limit</pMax>"
+        # registers: a feature would need its own limit, which needs this one
         formula = _node(
             "IntSwissKnife",
             f"{feature.name}Limit",
-            f'<pVariable Name="A">{whole}</pVariable><pVariable Name="B">{part}</pVariable>',
+            f'<pVariable Name="A">{whole}Register</pVariable>',
+            f'<pVariable Name="B">{part}Register</pVariable>',
             "<Formula>A - B</Formula>",
         )
     else:
@@ -116,8 +118,8 @@ def _integer(feature: Feature) -> str:
     return formula + _node(
         "Integer",
         feature.name,
-        _access(feature),
         _lock(feature),
+        _access(feature),
         _value(feature),
         limits,
         f"<Inc>{feature.step}</Inc>",
@@ -129,7 +131,7 @@ def _float(feature: Feature) -> str:
     limits = f"<Min>{feature.least:g}</Min><Max>{feature.most:g}</Max>"
     unit = f"<Unit>{feature.unit}</Unit>" if feature.unit else ""
     return _node(
-        "Float", feature.name, _access(feature), _lock(feature), _value(feature), limits, unit
+        "Float", feature.name, _lock(feature), _access(feature), _value(feature), limits, unit
     )
 
 
@@ -138,12 +140,12 @@ def _enumeration(feature: Feature) -> str:
         f'<EnumEntry Name="{name}" NameSpace="Standard"><Value>{value}</Value></EnumEntry>'
         for name, value in feature.entries.items()
     )
-    parts = _access(feature), _lock(feature), entries, _value(feature)
+    parts = _lock(feature), _access(feature), entries, _value(feature)
     return _node("Enumeration", feature.name, *parts)
 
 
 def _boolean(feature: Feature) -> str:
-    return _node("Boolean", feature.name, _access(feature), _lock(feature), _value(feature))
+    return _node("Boolean", feature.name, _lock(feature), _access(feature), _value(feature))
 
 
 def _command(feature: Feature) -> str:
