@@ -173,7 +173,7 @@ class GentlSource(CameraSource):
             raise EndOfRecordingError
         try:
             with _refusals():
-                buffer = self._camera.try_fetch(timeout=_WAIT_S)
+                buffer = self._fetch()
                 if buffer is not None:
                     arrival_ns, self._heard_s = now_ns(), time.monotonic()
                     try:
@@ -186,6 +186,15 @@ class GentlSource(CameraSource):
         if time.monotonic() - self._heard_s > _SILENT_S:
             self.require_answer()
         return NoImage.SILENCE
+
+    def _fetch(self) -> Any:
+        """A buffer; None if none came. Harvesters looks up the pixel format in its own table."""
+        try:
+            return self._camera.try_fetch(timeout=_WAIT_S)
+        except KeyError as error:
+            code = error.args[0]
+            name = f"0x{code:08X}" if isinstance(code, int) else str(code)
+            raise unknown_format_error(self._title, name) from error
 
     def is_alive(self) -> bool:
         try:
@@ -217,7 +226,11 @@ class GentlSource(CameraSource):
     def _complete(self, buffer: Any, arrival_ns: int) -> ArrivedPicture:
         """The rows of a profile, else the first component; incomplete buffers do not come here."""
         raw = np.frombuffer(buffer.module.raw_buffer, np.uint8)
-        components = buffer.payload.components
+        # no payload, or None in it, is what Harvesters does not understand
+        payload = buffer.payload.components if buffer.payload is not None else ()
+        components = [one for one in payload if one is not None]
+        if not components:
+            raise unknown_format_error(self._title, _payload_name(buffer.module))
         image, brightness = choose_image([_image(one, raw) for one in components])
         if not image.code:
             raise unknown_format_error(self._title, components[0].data_format)
@@ -230,6 +243,13 @@ class GentlSource(CameraSource):
             image=image,
             brightness=brightness,
         )
+
+
+def _payload_name(module: Any) -> str:
+    """Of the payload of a buffer, as GenTL names it."""
+    with suppress(FeatureError), _refusals():
+        return str(getattr(module.payload_type, "name", module.payload_type))
+    return "–"
 
 
 def _image(component: Any, raw: Bytes) -> ArrivedImage:

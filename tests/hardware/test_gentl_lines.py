@@ -1,0 +1,269 @@
+"""The gentl driver on a profile camera, whose line outputs and profiles Viky does not have.
+
+No GenTL producer for it can be had. In its place, the simulated GigE camera is reached directly:
+EMVA's GenApi reads its description and its registers, and Harvesters makes components of what it
+sends. Sockets and the calls of GenTL are left out.
+"""
+
+import queue
+from collections.abc import Iterator
+from pathlib import Path
+from types import SimpleNamespace
+from typing import Any
+
+import numpy as np
+import pytest
+
+from hardware.clock import now_ns
+from hardware.errors import DeviceError
+from hardware.interfaces import DeliversLines, Frame, Line, SensorDriver
+from hardware.sensor import gentl_camera
+from hardware.sensor.genicam.profiles.profile_points import INTENSITY
+from hardware.sensor.grabbing import GrabbingSensor
+from hardware.simulator.devices.gige_camera.camera import GigeCamera
+from hardware.simulator.devices.gige_camera.gvsp import PictureBlock
+from hardware.simulator.devices.gige_camera.registers import TICKS_PER_S, CameraIdentity
+from hardware.simulator.devices.gige_camera.stream import Block
+from hardware.simulator.rendering.line_sensor import find_profile
+from tests.hardware.conformance import (
+    SensorBench,
+    SensorConformance,
+    next_frame,
+    read_until_delivery,
+    read_until_lost,
+)
+from tests.hardware.test_profiles import DARK, DELAY_MS, DETECTOR, HEIGHT, WIDTH, picture, row_in
+
+ADDRESS = "127.0.0.93"
+"""Of its own, since tests of other files use 127.0.0.1."""
+
+genapi = pytest.importorskip("genicam.genapi")
+gentl = pytest.importorskip("genicam.gentl")
+core = pytest.importorskip("harvesters.core")
+
+
+class CameraPort(genapi.AbstractPort):  # type: ignore[misc, name-defined]
+    """The camera's memory, for GenApi."""
+
+    def __init__(self, camera: GigeCamera) -> None:
+        super().__init__()
+        self._camera = camera
+
+    def is_open(self) -> bool:
+        return True
+
+    def get_access_mode(self) -> Any:
+        return genapi.EAccessMode.RW
+
+    def read(self, address: int, length: int) -> bytes:
+        self._require_plug()
+        return self._camera._registers.read(address, length)
+
+    def write(self, address: int, value: bytes) -> None:
+        self._require_plug()
+        self._camera._registers.write(address, bytes(value))
+
+    def _require_plug(self) -> None:
+        if not self._camera.is_plugged:
+            raise gentl.TimeoutException
+
+
+class Acquirer:
+    """What Harvesters offers of an open camera, as far as the driver uses it."""
+
+    def __init__(self, camera: GigeCamera) -> None:
+        self._camera = camera
+        self._port = CameraPort(camera)
+        nodes = genapi.NodeMap()
+        nodes.load_xml_from_string(camera._registers._description.rstrip(b"\0").decode())
+        nodes.connect(self._port, "Device")
+        self.remote_device = SimpleNamespace(node_map=nodes, port=self._port)
+        self.num_buffers = 1
+        self.payload_type = gentl.PAYLOADTYPE_INFO_IDS.PAYLOAD_TYPE_IMAGE
+        self.pixel_format: int | None = None
+        """What buffers state instead of what is in them."""
+        self._blocks: queue.SimpleQueue[PictureBlock] = queue.SimpleQueue()
+        assert camera._sender is not None
+        camera._sender.submit = self._keep  # type: ignore[method-assign]
+
+    def start(self) -> None:
+        self.remote_device.node_map.TLParamsLocked.value = 1
+        self.remote_device.node_map.AcquisitionStart.execute()
+
+    def stop(self) -> None:
+        self.remote_device.node_map.AcquisitionStop.execute()
+        self.remote_device.node_map.TLParamsLocked.value = 0
+        while not self._blocks.empty():
+            self._blocks.get()
+
+    def try_fetch(self, timeout: float) -> Any:
+        try:
+            block = self._blocks.get(timeout=timeout)
+        except queue.Empty:
+            return None
+        module = SimpleNamespace(
+            payload_type=self.payload_type,
+            raw_buffer=block.data,
+            pixel_format=self.pixel_format or block.pixel_format,
+            width=block.region[2],
+            height=block.region[3],
+            padding_x=0,
+            frame_id=block.block_id,
+            timestamp_ns=block.timestamp * 1_000_000_000 // TICKS_PER_S,
+        )
+        nodes = self.remote_device.node_map
+        payload = core.Buffer._build_payload(buffer=module, node_map=nodes)
+        return SimpleNamespace(module=module, payload=payload, queue=lambda: None)
+
+    def destroy(self) -> None: ...
+
+    def _keep(self, block: Block, due_ns: int) -> None:
+        """Instead of sending a block."""
+        assert isinstance(block, PictureBlock)
+        self._blocks.put(block)
+
+
+class Producer:
+    """A harvester that has found the camera."""
+
+    def __init__(self, camera: GigeCamera) -> None:
+        self._camera = camera
+        self.opened: list[Acquirer] = []
+
+    @property
+    def device_info_list(self) -> list[Any]:
+        about = {"vendor": "Crenel", "model": "Simulated GigE camera", "id_": "1"}
+        about["serial_number"] = self._camera.identity.serial_number
+        found = SimpleNamespace(serial_number=about["serial_number"], property_dict=about)
+        return [found] if self._camera.is_plugged else []
+
+    def add_file(self, path: str, check_validity: bool) -> None: ...
+
+    def update(self) -> None: ...
+
+    def reset(self) -> None: ...
+
+    def create(self, about: dict[str, str]) -> Acquirer:
+        self.opened.append(Acquirer(self._camera))
+        return self.opened[-1]
+
+
+@pytest.fixture
+def camera() -> Iterator[GigeCamera]:
+    made = GigeCamera(
+        CameraIdentity(ADDRESS, "SIM-1", WIDTH, HEIGHT, 50.0, 1),
+        picture,
+        delay_ms=DELAY_MS,
+        find_line=lambda image: find_profile(image, DETECTOR),
+    )
+    made.start()
+    yield made
+    made.stop()
+
+
+@pytest.fixture
+def producer(camera: GigeCamera, monkeypatch: pytest.MonkeyPatch) -> Producer:
+    made = Producer(camera)
+    monkeypatch.setattr(gentl_camera, "_load_harvester", lambda: made)
+    return made
+
+
+@pytest.fixture
+def options(producer: Producer, tmp_path: Path) -> dict[str, object]:
+    path = tmp_path / "camera.cti"
+    path.touch()
+    return {"producer": str(path), "laser_line": "Line2", "exposure_us": 5000.0}
+
+
+@pytest.fixture
+def driver(options: dict[str, object]) -> Iterator[GrabbingSensor]:
+    made = gentl_camera.from_options(options)
+    yield made
+    made.close()
+
+
+class ProfileBench(SensorBench):
+    def __init__(self, camera: GigeCamera, options: dict[str, object]) -> None:
+        self._camera, self._options = camera, options
+        self._driver = gentl_camera.from_options(options)
+
+    def driver(self) -> SensorDriver:
+        return self._driver
+
+    def triggered_driver(self) -> SensorDriver:
+        self._driver = gentl_camera.from_options({**self._options, "trigger": "Line1"})
+        return self._driver
+
+    def trigger(self) -> None:
+        self._camera.trigger(now_ns())
+
+    def end(self) -> None:
+        self._driver.close()
+
+    def unplug(self) -> None:
+        self._camera.faults.unplugged = True
+
+    def plug_in(self) -> None:
+        self._camera.power_on()
+        self._camera.faults.unplugged = False
+
+
+class TestProfileCamera(SensorConformance):
+    @pytest.fixture
+    def bench(self, camera: GigeCamera, options: dict[str, object]) -> Iterator[SensorBench]:
+        bench = ProfileBench(camera, options)
+        yield bench
+        bench.end()
+
+
+def test_the_output_switches_the_laser_of_pairs(camera: GigeCamera, driver: GrabbingSensor) -> None:
+    assert driver.open().has_laser_switch
+    for on in (True, False):
+        driver.set_laser(on)
+        while (frame := next_frame(driver)).laser_on != on:
+            pass
+        assert camera.laser.is_on == on
+        assert (frame.image.max() > frame.image.min() + 50) == on
+    driver.set_laser(True)
+    driver.close()
+    assert not camera.laser.is_on
+
+
+def test_lines_are_those_of_the_picture(driver: GrabbingSensor) -> None:
+    assert driver.open().delivers == {"picture", "line"}
+    assert isinstance(driver, DeliversLines)
+    driver.set_laser(True)
+    driver.set_delivery("line")
+    while not (line := read_until_delivery(driver, "line")).laser_on:
+        pass
+    assert isinstance(line, Line)
+    np.testing.assert_allclose(line.v, row_in(line.u), atol=0.1)
+    assert len(line.u) == WIDTH - len(DARK)
+    assert set(line.intensity) == {INTENSITY}
+    driver.set_delivery("picture")
+    assert isinstance(read_until_delivery(driver, "picture"), Frame)
+
+
+@pytest.mark.parametrize(
+    ("payload", "pixel_format", "named"),
+    [
+        ("PAYLOAD_TYPE_IMAGE", 0x81234567, "0x81234567"),
+        ("PAYLOAD_TYPE_RAW_DATA", None, "PAYLOAD_TYPE_RAW_DATA"),
+        ("PAYLOAD_TYPE_JPEG", None, "PAYLOAD_TYPE_JPEG"),
+    ],
+)
+def test_what_is_no_picture_is_named(
+    producer: Producer,
+    driver: GrabbingSensor,
+    payload: str,
+    pixel_format: int | None,
+    named: str,
+) -> None:
+    driver.open()
+    (opened,) = producer.opened
+    opened.payload_type = getattr(gentl.PAYLOADTYPE_INFO_IDS, payload)
+    opened.pixel_format = pixel_format
+    error = read_until_lost(lambda: driver.read(0.1))
+    assert isinstance(error, DeviceError)
+    assert named in str(error.what)
+    assert error.remedy
