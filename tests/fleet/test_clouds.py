@@ -51,7 +51,7 @@ OF_TWO = {"left": CALIBRATION, "right": FOREIGN}
 RECORDS = 6
 """Three scans and three calibrations."""
 CLOUDS = "/api/fleet/records/room-2/scan/{}/clouds"
-LONG_FRAMES = 30_000
+LONG_FRAMES = 10_000
 """Of the third scan, which takes about a second."""
 
 

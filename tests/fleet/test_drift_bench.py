@@ -26,11 +26,11 @@ def test_series_without_a_change_rarely_have_one() -> None:
 
 
 def test_the_limit_in_use_accuses_few_healthy_calibrations() -> None:
-    strict, used, loose = run_limits(1000, cases=((10, 0.0025), (10, OUTSIDE_SHARE), (10, 0.02)))
+    strict, used, loose = run_limits(400, cases=((10, 0.0025), (10, OUTSIDE_SHARE), (10, 0.02)))
     assert strict.accused < used.accused < 0.02 < loose.accused
     assert strict.found < used.found < loose.found
     assert used.noted > 0.6
-    (more,) = run_limits(300, cases=((40, OUTSIDE_SHARE),))
+    (more,) = run_limits(150, cases=((40, OUTSIDE_SHARE),))
     assert more.found > used.found + 0.2
 
 
