@@ -1,6 +1,8 @@
-"""The exception with which the program refuses a job."""
+"""The exceptions with which the program refuses a job."""
 
 from app.messages.message import Text, join, message
+
+STALE = "stale-view"
 
 
 class OperationError(Exception):
@@ -42,6 +44,18 @@ class OperationError(Exception):
     def text(self) -> Text:
         """The error as one text for users: what happened, why, and what to do."""
         return join([self.reason, sentence(self.remedy)], " ") if self.remedy else self.reason
+
+
+class StaleViewError(OperationError):
+    """A command was given on a view that is no longer the present one.
+
+    ``view`` is the present one, for a client that shows it at once.
+    """
+
+    def __init__(self, view: object | None) -> None:
+        what = message("session-went-meanwhile-nothing-done")
+        super().__init__(STALE, what, remedy=message("look-present-step-act-2"))
+        self.view = view
 
 
 def sentence(text: Text) -> Text:

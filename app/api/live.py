@@ -12,8 +12,8 @@ from fastapi import APIRouter, WebSocket
 from pydantic import TypeAdapter, ValidationError
 from starlette.websockets import WebSocketDisconnect
 
-from app.api.access.auth import current_user
 from app.api.access.authorization import current_visitor, wait_for_sign_out
+from app.api.access.browser import current_user
 from app.operations.context import Context, context_of
 from app.security.permissions import MESSAGES, has_right
 from app.station.bus import Subscription, Updates

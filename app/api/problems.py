@@ -10,8 +10,7 @@ from starlette.responses import Response
 from starlette.types import ASGIApp, Receive, Scope, Send
 from starlette.types import Message as AsgiMessage
 
-from app.errors import OperationError
-from app.guide.common.guided_session import STALE, StaleViewError
+from app.errors import STALE, OperationError, StaleViewError
 from app.messages.message import Text, join, message, quantity
 from app.messages.validation import validation_text
 from app.security.authentication import AccessDeniedError, TooManyAttemptsError

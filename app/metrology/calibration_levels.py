@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.stats import t as student_t
+from scipy.special import stdtrit
 
 from app.metrology.change_points import (
     LEAST_VALUES,
@@ -135,7 +135,7 @@ def find_outside(deviates: Floats, freedom: int, share: float, most: int) -> lis
         scatter = float(np.sqrt(np.sum((values - values.mean()) ** 2) / free))
         if scatter == 0.0:
             break
-        quantile = float(student_t.isf(share / (2 * len(left)), free - 1))
+        quantile = -float(stdtrit(free - 1, share / (2 * len(left))))
         bound = free * quantile / np.sqrt((free - 1 + quantile**2) * (free + 1))
         removed.append(left.pop(farthest))
         if distances[farthest] > bound * scatter:

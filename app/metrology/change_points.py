@@ -4,7 +4,7 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.stats import t as student_t
+from scipy.special import stdtrit
 
 from app.metrology.robust import sigma_from_median
 from app.metrology.transforms import Floats
@@ -155,7 +155,7 @@ def find_standing_out(values: Floats, means: Floats, sd: float) -> list[int]:
         [2]
     """
     freedom = max(len(values) / 2.0, 2.0)  # a scatter from a median is as sure as that of a half
-    most = float(student_t.isf(STANDING_OUT_SHARE / 2 / len(values), freedom))
+    most = -float(stdtrit(freedom, STANDING_OUT_SHARE / 2 / len(values)))
     return [int(one) for one in np.flatnonzero(np.abs(values - means) > most * sd)]
 
 

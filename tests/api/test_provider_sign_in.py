@@ -14,7 +14,7 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from app.api.access import provider as provider_routes
+from app.api.access import browser
 from app.operations.health_checks import HealthChecker
 from app.security import login_throttle
 from app.single_sign_on import provider as provider_module
@@ -28,7 +28,7 @@ pytestmark = pytest.mark.slow
 log = logging.getLogger(__name__)
 HOST = "10.9.8.7:8000"
 """By which browsers reach the station: the provider knows only this address."""
-BACK = f"http://{HOST}{provider_routes.BACK}"
+BACK = f"http://{HOST}{browser.BACK}"
 PASSWORD = "three unrelated words"
 
 

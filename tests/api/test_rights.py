@@ -12,7 +12,7 @@ from websockets.sync.client import connect
 from websockets.sync.connection import Connection
 
 from app.api import live
-from app.api.access.authorization import cookie_for
+from app.api.access.browser import cookie_for
 from app.security.permissions import MESSAGES, ROUTES, WEBSOCKET, Right, Rule
 from app.store.accounts import Role
 from tests.api.conftest import Server

@@ -18,7 +18,7 @@ from prometheus_client import REGISTRY
 from prometheus_client.parser import text_string_to_metric_families
 from websockets.sync.client import connect
 
-from app.api.access.authorization import cookie_for
+from app.api.access.browser import cookie_for
 from app.api.monitoring.health import BUNDLING
 from app.errors import sentence
 from app.messages.message import message

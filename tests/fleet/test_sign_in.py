@@ -6,7 +6,7 @@ from typing import Any
 import httpx
 import pytest
 
-from app.api.access.provider import BACK
+from app.api.access.browser import BACK
 from app.fleet.catalogue.catalogue import FleetCatalogue
 from app.server.fleet.access import FleetPeople
 from app.single_sign_on.person import ProviderPerson

@@ -5,7 +5,7 @@ from typing import Annotated
 from fastapi import APIRouter, Query, Request
 from starlette.status import HTTP_204_NO_CONTENT
 
-from app.api.access.auth import ROLE_NAMES
+from app.api.access.browser import ROLE_NAMES
 from app.api.problems import NotFoundError
 from app.messages.catalogue import translator
 from app.messages.language_file import ENGLISH

@@ -6,31 +6,27 @@ from http import HTTPStatus
 
 from fastapi import APIRouter, Request, Response
 
-from app.api.access.authorization import (
-    ThePerson,
-    TheVisitor,
+from app.api.access.authorization import ThePerson, TheVisitor, visitor_of
+from app.api.access.browser import (
     address_of,
     browser_token,
+    current_user,
     own_address,
     set_browser_token,
     set_cookie,
     token_of,
-    visitor_of,
 )
 from app.messages.message import Text, message
 from app.operations.context import Context, TheContext
 from app.security.anonymous_queue import without_place
 from app.security.authentication import AccessDeniedError
 from app.station.control_lease import Control
-from app.store.accounts import Role
 from app.store.login_sessions import Principal
 from app.wire.readiness import READY, Readiness
 from app.wire.sign_in import (
     ControlReply,
-    CurrentUser,
     FirstAdmin,
     NewPassword,
-    RoleName,
     SignIn,
     SignInCode,
     SignInState,
@@ -39,11 +35,6 @@ from app.wire.sign_in import (
 
 router = APIRouter(prefix="/api")
 SIGNED_IN = message("signed")
-ROLE_NAMES: dict[Role, RoleName] = {
-    Role.viewer: "viewer",
-    Role.operator: "operator",
-    Role.admin: "admin",
-}
 
 
 @router.get("/session")
@@ -201,14 +192,6 @@ def take(
     request.state.detail = asked.reason
     context.lease.take_over(person, asked.reason)
     return context.lease.control
-
-
-def current_user(visitor: Principal | None) -> CurrentUser | None:
-    """A user as their own browser sees them."""
-    if visitor is None:
-        return None
-    role, by_provider = ROLE_NAMES[visitor.role], bool(visitor.provider)
-    return CurrentUser(visitor.id, visitor.name, role, visitor.kiosk, by_provider)
 
 
 def begin_session(

@@ -10,22 +10,20 @@ from typing import Annotated, cast
 from fastapi import Depends
 from fastapi.exceptions import WebSocketException
 from starlette.requests import HTTPConnection
-from starlette.responses import Response
 from starlette.websockets import WebSocket
 
+from app.api.access.browser import address_of, token_of
 from app.errors import OperationError
 from app.messages.message import Text, message
 from app.operations.context import context_of
 from app.security.authentication import AccessDeniedError
 from app.security.permissions import ROUTES, WEBSOCKET, Right, Rule, has_right
 from app.station.control_lease import Person
-from app.store.login_sessions import LONGEST, Principal
+from app.store.login_sessions import Principal
 
 log = logging.getLogger(__name__)
 POLICY_VIOLATION, SIGNED_OUT = 1008, 4401
 SIGN_IN_CHECK_S = 1.0
-A_YEAR_S = 365 * 86400
-PORTS = {"http": 80, "ws": 80, "https": 443, "wss": 443}
 
 
 def authorise(connection: HTTPConnection) -> Iterator[None]:
@@ -124,11 +122,6 @@ def _has_metrics_token(connection: HTTPConnection) -> bool:
     )
 
 
-def token_of(connection: HTTPConnection) -> str:
-    """The cookie of the login session, or an empty string."""
-    return connection.cookies.get(cookie_name(connection), "")
-
-
 def visitor_of(connection: HTTPConnection) -> Principal | None:
     """The user signed in at this browser."""
     token = token_of(connection)
@@ -161,65 +154,3 @@ async def wait_for_sign_out(socket: WebSocket) -> None:
 
 TheVisitor = Annotated[Principal, Depends(current_visitor)]
 ThePerson = Annotated[Person, Depends(person_of)]
-
-
-def address_of(connection: HTTPConnection) -> str:
-    """The address from which the request came."""
-    return connection.client.host if connection.client else ""
-
-
-def cookie_name(connection: HTTPConnection) -> str:
-    """One name per port, because browsers store cookies by host name only."""
-    url = connection.url
-    return cookie_for(url.port or PORTS[url.scheme])
-
-
-def cookie_for(port: int) -> str:
-    """The same, by port."""
-    return f"crenel-{port}"
-
-
-def browser_token(connection: HTTPConnection) -> str:
-    """The token that identifies this browser, or an empty string; it gives no access."""
-    return connection.cookies.get(f"{cookie_name(connection)}-known", "")
-
-
-def own_address(connection: HTTPConnection, path: str) -> str:
-    """The address of a page, as this browser reaches the server."""
-    return f"{connection.url.scheme}://{connection.url.netloc}{path}"
-
-
-def pending_cookie(connection: HTTPConnection) -> str:
-    """The cookie of a sign-in that waits for the provider's answer, or an empty string."""
-    return connection.cookies.get(f"{cookie_name(connection)}-pending", "")
-
-
-def set_pending_cookie(
-    response: Response, connection: HTTPConnection, value: str, lasts_s: int
-) -> None:
-    """A sign-in was begun in this browser; an empty value: it is finished."""
-    _write_cookie(response, connection, f"{cookie_name(connection)}-pending", value, lasts_s)
-
-
-def set_cookie(response: Response, connection: HTTPConnection, token: str, kiosk: bool) -> None:
-    """Signs this browser in with a token; scripts cannot read it, other pages cannot send it."""
-    lasts_s = A_YEAR_S if kiosk else int(LONGEST.total_seconds())
-    _write_cookie(response, connection, cookie_name(connection), token, lasts_s)
-
-
-def set_browser_token(response: Response, connection: HTTPConnection, token: str) -> None:
-    """The browser is trusted from now on."""
-    _write_cookie(response, connection, f"{cookie_name(connection)}-known", token, A_YEAR_S)
-
-
-def _write_cookie(
-    response: Response, connection: HTTPConnection, name: str, token: str, lasts_s: int
-) -> None:
-    response.set_cookie(
-        name,
-        token,
-        max_age=lasts_s,
-        httponly=True,
-        samesite="strict",
-        secure=connection.url.scheme == "https",
-    )

@@ -13,7 +13,8 @@ from fastapi import APIRouter, Request, Response
 
 from app.api.access.admission import admit_person
 from app.api.access.auth import begin_session
-from app.api.access.authorization import (
+from app.api.access.browser import (
+    BACK,
     address_of,
     own_address,
     pending_cookie,
@@ -35,8 +36,6 @@ if TYPE_CHECKING:
     from app.single_sign_on.provider import Provider
 
 router = APIRouter(prefix="/api/session/provider")
-BACK = "/sign-in"
-"""The page to which the provider sends the browser; registered there as the redirect URI."""
 
 
 @router.post("")

@@ -11,7 +11,7 @@ from multiprocessing.connection import Connection
 import httpx
 from websockets.exceptions import ConnectionClosed
 
-from app.api.access.authorization import cookie_for
+from app.api.access.browser import cookie_for
 from app.errors import OperationError
 from app.monitoring.system_info import resident
 from app.operations.context import Context

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import numpy as np
 
-from app.errors import OperationError
+from app.errors import OperationError, StaleViewError
 from app.findings import Finding
 from app.guide.calibration.flow import build_view
 from app.guide.calibration.live import CalibrationLive, ConnectedArm, ConnectedSensor
@@ -29,7 +29,6 @@ from app.guide.common.guided_session import (
     NO_PROVENANCE,
     GuidedSession,
     Provenance,
-    StaleViewError,
     StationServices,
     new_session_id,
 )

@@ -10,7 +10,7 @@ from datetime import UTC, datetime
 from pathlib import Path
 from typing import Generic
 
-from app.errors import OperationError, sentence
+from app.errors import OperationError, StaleViewError, sentence
 from app.findings import Finding
 from app.guide.common.arguments import Args, check_arguments
 from app.guide.common.flow import Flow, View
@@ -24,7 +24,6 @@ from app.station.devices.rig import Rig
 from app.station.jobs import Job, Jobs, Progress
 
 log = logging.getLogger(__name__)
-STALE = "stale-view"
 
 
 @dataclass(frozen=True)
@@ -59,18 +58,6 @@ class Provenance:
 
 
 NO_PROVENANCE = Provenance()
-
-
-class StaleViewError(OperationError):
-    """A command was given on a view that is no longer the present one.
-
-    ``view`` is the present one, for a client that shows it at once.
-    """
-
-    def __init__(self, view: object | None) -> None:
-        what = message("session-went-meanwhile-nothing-done")
-        super().__init__(STALE, what, remedy=message("look-present-step-act-2"))
-        self.view = view
 
 
 def new_session_id() -> str:

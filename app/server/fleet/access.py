@@ -11,7 +11,7 @@ from pathlib import Path
 from starlette.requests import HTTPConnection
 
 from app.api.access.admission import admit_person
-from app.api.access.authorization import address_of, token_of
+from app.api.access.browser import address_of, token_of
 from app.errors import OperationError
 from app.messages.message import message
 from app.security.authentication import AccessDeniedError, TooManyAttemptsError

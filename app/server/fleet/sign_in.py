@@ -10,16 +10,16 @@ from starlette.requests import HTTPConnection
 from starlette.responses import Response
 from starlette.types import ASGIApp, Receive, Scope, Send
 
-from app.api.access.auth import current_user
-from app.api.access.authorization import (
+from app.api.access.browser import (
+    BACK,
     address_of,
+    current_user,
     own_address,
     pending_cookie,
     set_cookie,
     set_pending_cookie,
     token_of,
 )
-from app.api.access.provider import BACK
 from app.api.problems import NotFoundError, too_many_attempts
 from app.errors import OperationError
 from app.messages.message import message
