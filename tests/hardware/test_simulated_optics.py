@@ -21,6 +21,8 @@ from hardware.simulator.scene.world import (
     relief_height_mm,
 )
 
+pytestmark = pytest.mark.slow
+
 BLOCK = CrenellatedBlock()
 PLAIN = Light(texture=0.0)
 NOISELESS = Detector(read_dn=0.0, shot_dn=0.0, speckle_contrast=0.0)

@@ -8,6 +8,8 @@ from app.metrology.fitting.cylinder import fit_cylinder, perpendicular_axes
 from app.metrology.performance.plane import least_squares_plane
 from app.metrology.performance.sphere import least_squares_sphere
 
+pytestmark = pytest.mark.slow
+
 mpmath.mp.dps = 50
 
 

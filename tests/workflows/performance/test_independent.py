@@ -33,6 +33,8 @@ from tests.workflows.performance.independent_figures import (
     independent_plane_um,
 )
 
+pytestmark = pytest.mark.slow
+
 WITHIN_UM = 0.1
 NOISE = Faults(point_sd_mm=0.02, outliers=0.02)
 

@@ -23,6 +23,8 @@ from app.timestamps import parse_moment
 from app.workflows.performance.evaluate import evaluate_performance, write_performance
 from app.workflows.performance.measured_data import last_measured_at
 
+pytestmark = pytest.mark.slow
+
 QUIET = {"touch_sd_mm": 0.003, "point_sd_mm": 0.008}
 
 
