@@ -171,6 +171,7 @@ def extract(
         if lines:
             print(f"{output} written")
     _warn_of_axis(axis, stripes)
+    _warn_of_raw(sum(one.looks_raw for one in lines))
     if not lines:
         fail(f"none of the {len(stripes)} pictures has a line: nothing written")
     if len(lines) < len(stripes):
@@ -199,6 +200,15 @@ def _warn_of_axis(axis: Axis, stripes: "list[ImageStripe]") -> None:
         )
 
 
+def _warn_of_raw(pictures: int) -> None:
+    """Says so if pictures that were measured as grey look like raw ones of a colour camera."""
+    if pictures:
+        warn(
+            f"in {pictures} pictures, the pixels alternate as in a raw picture of a colour camera,"
+            " but were measured as grey. State --bayer and --colour"
+        )
+
+
 def _refusal_fields(refusal: "OperationError | None") -> dict[str, str] | None:
     """Why a picture is refused, for programs."""
     return None if refusal is None else {"code": refusal.code, "text": refusal.line}
@@ -216,6 +226,7 @@ def _stripe_fields(found: "ImageStripe") -> dict[str, object]:
         "intensity": found.stripe.intensity.tolist(),
         "sigma_px": found.stripe.sigma_px.tolist(),
         "other_axis_points": found.other_axis_points or None,
+        "looks_raw": found.looks_raw,
         "refusal": _refusal_fields(found.refusal),
     }
 
@@ -297,6 +308,7 @@ def detect(
             {
                 "image": str(one.file),
                 "corners": [vars(corner) for corner in one.corners],
+                "looks_raw": one.looks_raw,
                 "refusal": _refusal_fields(one.refusal),
             }
             for one in found
@@ -306,6 +318,7 @@ def detect(
         _print_detections(target, found)
         if output is not None:
             print(f"{output} written")
+    _warn_of_raw(sum(one.looks_raw for one in found if one.refusal is None))
     if unreadable:
         fail(f"{len(unreadable)} of {len(found)} pictures cannot be read", SOME_LEFT_OUT)
 

@@ -147,6 +147,7 @@ def _show_import(
                 "seconds_of_scan": result.seconds,
                 "without_pose": result.without_pose,
                 "along_other_axis": result.along_other_axis,
+                "looking_raw": result.looking_raw,
                 "without_line": [one.line for one in result.without_line],
                 "unreadable": [one.line for one in result.unreadable],
                 "seconds": seconds,
@@ -164,6 +165,12 @@ def _show_import(
         warn(
             f"in {result.along_other_axis} pictures, the line runs along the other axis, so that "
             "most of it is lost. Set stripe_axis in sensor.json to the other axis, and import again"
+        )
+    if result.looking_raw:
+        warn(
+            f"in {result.looking_raw} pictures, the pixels alternate as in a raw picture of a "
+            "colour camera, but were measured as grey. Set bayer and laser_wavelength_nm in "
+            "sensor.json, and import again"
         )
     if result.without_pose:
         warn(

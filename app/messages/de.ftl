@@ -2978,6 +2978,7 @@ pictures-were-lost = { $count } von { $total } Bildern gingen verloren
 pictures-were-taken-too-fast-up = { $count } von { $total } Bildern wurden in zu schneller Bewegung aufgenommen: bis { $worst } Unschärfe
 pixel-format-unknown = { $title } sendet Bilder im Pixelformat { $name }, das nicht unterstützt wird
 pixel-formats-are = Setzen Sie pixel_format auf eines von { $names }
+pixels-alternate-as-raw = die Pixel wechseln sich ab wie im Rohbild einer Farbkamera, werden aber als Grau gemessen
 place-sensor-so-both-crests-floors = Sensor so halten, dass Zinnen und Nutgründe im Bild sind
 place-sensor-so-stripe-crosses-crests = Sensor so halten, dass die Laserlinie Zinnen und Nutgründe kreuzt
 place-touch = Das ist die Stelle von Antastpunkt { $number }
@@ -3545,6 +3546,7 @@ start-again = Erneut starten
 start-again-2 = erneut starten
 start-new-calibration = Neue Kalibrierung starten
 started-scan = Scan gestartet
+state-bayer = --bayer und --colour angeben (bei einem Ordner: bayer und laser_wavelength_nm in sensor.json; bei der Kamera einer Station: bayer und laser_colour)
 state-laser-colour = laser_wavelength_nm im Datenblatt des Sensors angeben (crenel extract, crenel detect: --colour), oder Graubilder verwenden
 state-uncertainty-in-mm = standard_uncertainty_mm in mm angeben, k = 1
 stated = nicht angegeben

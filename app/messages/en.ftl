@@ -2969,6 +2969,7 @@ pictures-were-lost = { $count } of { $total } pictures were lost
 pictures-were-taken-too-fast-up = { $count } of { $total } pictures were taken too fast: blur up to { $worst }
 pixel-format-unknown = { $title } sends pictures in the pixel format { $name }, which is not supported
 pixel-formats-are = Set pixel_format to one of { $names }
+pixels-alternate-as-raw = the pixels alternate as in a raw picture of a colour camera, but are measured as grey
 place-sensor-so-both-crests-floors = place the sensor so that both crests and floors are in the picture
 place-sensor-so-stripe-crosses-crests = place the sensor so that the stripe crosses crests and floors
 place-touch = This is the position of contact point { $number }
@@ -3532,6 +3533,7 @@ start-again = Start it again
 start-again-2 = start it again
 start-new-calibration = Start a new calibration
 started-scan = started a scan
+state-bayer = State --bayer and --colour (of a folder: bayer and laser_wavelength_nm in sensor.json; of a station's camera: bayer and laser_colour)
 state-laser-colour = State laser_wavelength_nm in the sensor's datasheet (crenel extract, crenel detect: --colour), or give grey pictures
 state-uncertainty-in-mm = Give standard_uncertainty_mm in mm, k = 1
 stated = not stated

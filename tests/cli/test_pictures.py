@@ -234,6 +234,23 @@ def test_raw_pictures_are_measured_at_the_pixels_of_the_lasers_colour(tmp_path: 
     assert "is in colour: a raw Bayer picture" in refused.stderr
 
 
+def test_raw_pictures_that_are_not_said_to_be_raw_are_warned_of(
+    tmp_path: Path, board: Path
+) -> None:
+    raw, off = write_raw(tmp_path / "raw.png"), tmp_path / "off.png"
+    cv2.imwrite(str(off), mosaic(expose(render_colours({}, 6.0), seed=1), "GRBG"))
+    table = tmp_path / "stripe.csv"
+    found = crenel("extract", raw, "-o", table, "--json")
+    assert "in 1 pictures, the pixels alternate" in found.stderr
+    assert json.loads(found.stdout)["images"][0]["looks_raw"]
+    refused = crenel("extract", off, "-o", table)
+    assert "shows no laser stripe: the pixels alternate" in refused.stderr
+    assert "--bayer" in refused.stderr
+    stated = crenel("extract", raw, "-o", table, "--bayer", "GRBG", "--colour", "red")
+    assert "alternate" not in stated.output
+    assert "alternate as in a raw" in crenel("detect", raw, "--object", board).stdout
+
+
 def test_corners_of_raw_pictures_are_in_their_pixels(tmp_path: Path, board: Path) -> None:
     seen = picture(tmp_path / "seen.png")
     grey = cv2.imread(str(seen), cv2.IMREAD_GRAYSCALE)

@@ -16,6 +16,7 @@ from app.metrology.detection.failure_evidence import (
     DetectionError,
     Fault,
     ImageAnnotation,
+    is_raw,
     mark_clipped_regions,
     prefer_image_fault,
 )
@@ -229,10 +230,11 @@ def fail_with_marks(
 
     Args:
         guessed: its causes are only listed, so that a problem of the picture as such replaces
-            them; a picture that is merely soft is named beside them.
+            them; a picture that is merely soft is named beside them. In a raw picture that is taken
+            for grey, nothing else is a cause.
     """
-    if guessed:
-        found_in_image = image_findings(image)
+    found_in_image = image_findings(image)
+    if guessed or is_raw(found_in_image):
         soft = [one for one in found_in_image if one.code == "image-soft"]
         graver = [one for one in found_in_image if one.code != "image-soft"]
         if soft and not graver:

@@ -1,5 +1,6 @@
 """Why the block was not detected in a picture, and where the picture shows it."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Literal
 
@@ -10,14 +11,14 @@ from numpy.typing import NDArray
 from app.errors import OperationError
 from app.messages.message import join
 from app.metrology.detection.edges.measure_all import EdgeMeasurements
-from app.metrology.detection.image_quality import ImageFinding
+from app.metrology.detection.image_quality import RAW, ImageFinding
 from app.metrology.detection.rejection import RejectionReason
 from app.metrology.detection.search.coarse_pose import SearchResult
 from app.metrology.detection.visibility import find_visible_edges
 from app.metrology.sensor.camera import Camera, project
 from app.metrology.transforms import Floats
 
-Fault = Literal["exposure", "focus", "framing", "object", "lighting"]
+Fault = Literal["camera", "exposure", "focus", "framing", "object", "lighting"]
 AnnotationKind = Literal["clipped", "segment", "outline", "disagrees", "outside"]
 
 _FAULTS: dict[str, Fault] = {
@@ -33,6 +34,7 @@ _FAULTS: dict[str, Fault] = {
 }
 # A dim or soft picture is reported before anything that was not detected in it.
 _FINDING_FAULTS: dict[str, Fault] = {
+    RAW: "camera",
     "image-dim": "exposure",
     "image-dark": "exposure",
     "image-saturated": "exposure",
@@ -91,7 +93,8 @@ def with_evidence(
     """
     fault = _FAULTS.get(refusal.code, "object")
     by_light = against is not None and against.alone
-    if refusal.code in ("object-not-found", "object-unclear") and not by_light:
+    unseen = refusal.code in ("object-not-found", "object-unclear") and not by_light
+    if unseen or is_raw(findings):
         fault, refusal = prefer_image_fault(fault, refusal, findings)
     marks = mark_clipped_regions(clipped) if fault == "exposure" else []
     if nearest is not None:
@@ -110,15 +113,20 @@ def prefer_image_fault(
         fault, refusal: the cause if the picture as such has no problem.
         findings: its problems.
         guessed: the reason only lists possible causes, so that a finding replaces it instead
-            of preceding it.
+            of preceding it. Nothing that was seen in a raw picture is a reason.
     """
     named = next((one for one in findings if one.code in _FINDING_FAULTS), None)
     if named is None:
         return fault, refusal
-    kept = ("", "") if guessed else (refusal.why, refusal.remedy)
+    kept = ("", "") if guessed or named.code == RAW else (refusal.why, refusal.remedy)
     why = join([part for part in (named.text, kept[0]) if part], "; ")
     remedy = join([part for part in (named.remedy, kept[1]) if part], "; ")
     return _FINDING_FAULTS[named.code], OperationError(refusal.code, refusal.what, why, remedy)
+
+
+def is_raw(findings: Sequence[ImageFinding]) -> bool:
+    """Whether a picture is in truth a raw one of a colour camera."""
+    return any(one.code == RAW for one in findings)
 
 
 def mark_clipped_regions(clipped: NDArray[np.bool_]) -> list[ImageAnnotation]:

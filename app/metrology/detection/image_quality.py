@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 from app.errors import OperationError
 from app.messages.message import Text, message, quantity
 from app.metrology.image import saturation_level
+from app.metrology.mosaic import shows_mosaic
 from app.metrology.robust import median, sigma_from_median
 from app.metrology.transforms import Floats
 
@@ -29,13 +30,16 @@ NOISY = 0.04
 _SMOOTH_PX = 0.7
 # From 10 % to 90 % of its height, a step is this many standard deviations wide.
 EDGE_WIDTH = 2.56
+# Code of a raw picture of a colour camera that is taken for a grey one.
+RAW = "image-raw"
 
 
 @dataclass(frozen=True)
 class ImageFinding:
     """A problem of a picture that the operator should correct.
 
-    ``value`` and ``limit`` are shares of full scale, of the pixels, or pixels.
+    ``value`` and ``limit`` are shares of full scale, of the pixels, or pixels; 1 and 0 of a raw
+    picture.
     """
 
     code: str
@@ -137,7 +141,8 @@ class ImageQuality:
     ``saturated`` is the share of clipped pixels, ``low`` and ``high`` the levels of the dark and
     bright parts as shares of full scale, ``blur_px`` the standard deviation of the blur at its
     edges: None in a dim or clipped picture, where it would be misleading, and if there are no
-    edges. ``soft_px`` is the limit of the blur.
+    edges. ``soft_px`` is the limit of the blur. ``mosaic``: the pixels alternate as in a raw
+    picture of a colour camera.
     """
 
     saturated: float
@@ -145,6 +150,7 @@ class ImageQuality:
     high: float
     blur_px: float | None
     soft_px: float
+    mosaic: bool = False
 
     @property
     def dark(self) -> bool:
@@ -176,7 +182,14 @@ def measure_image_quality(image: Image) -> ImageQuality:
     thin, clipped = grey_levels(image[::step, ::step])
     low, high = np.percentile(thin[::2, ::2], (1.0, 99.0)) / 255.0
     longer = max(image.shape)
-    found = ImageQuality(float(clipped.mean()), float(low), float(high), None, SOFT * longer)
+    found = ImageQuality(
+        saturated=float(clipped.mean()),
+        low=float(low),
+        high=float(high),
+        blur_px=None,
+        soft_px=SOFT * longer,
+        mosaic=shows_mosaic(image),
+    )
     if found.overexposed or found.dark or found.dim:
         return found
     return replace(found, blur_px=_blur_px(image))
@@ -189,7 +202,7 @@ def image_findings(image: Image) -> list[ImageFinding]:
         image: (H, W) grey, 8 to 16 bits.
 
     Returns:
-        Findings with the codes ``image-dark``, ``image-dim``, ``image-saturated``,
+        Findings with the codes ``image-raw``, ``image-dark``, ``image-dim``, ``image-saturated``,
         ``image-soft`` and ``image-blurred``; none for a good image.
 
     Raises:
@@ -211,6 +224,10 @@ def quality_findings(picture: ImageQuality) -> list[ImageFinding]:
     Returns:
         Findings as of ``image_findings``.
     """
+    if picture.mosaic:
+        return [
+            ImageFinding(RAW, message("pixels-alternate-as-raw"), message("state-bayer"), 1.0, 0.0)
+        ]
     if picture.overexposed:
         return [
             ImageFinding(

@@ -1,7 +1,7 @@
 """What is seen of a calibration target in pictures: corners, or why there are none."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
@@ -21,6 +21,7 @@ from app.metrology.targets.chessboard import Chessboard
 from app.metrology.targets.target import CalibrationTarget
 from app.metrology.transforms import Floats
 from app.progress import Progress, no_progress
+from app.workflows.pictures.extract_stripes import is_unstated_raw
 
 COLUMNS = ("image", "number", "u", "v", "sigma_px", "refusal")
 
@@ -46,6 +47,8 @@ class ImageDetection:
     corners: tuple[DetectedPoint, ...]
     refusal: OperationError | None = None
     readable: bool = True
+    looks_raw: bool = False
+    """The pixels alternate as in a raw picture of a colour camera, but were measured as grey."""
 
 
 def detect_targets(
@@ -76,6 +79,7 @@ def detect_targets(
             seen = ImageDetection(path, _detect(image, target, stripe))
         except OperationError as refusal:
             seen = ImageDetection(path, (), refusal)
+        seen = replace(seen, looks_raw=is_unstated_raw(image, channel))
         found.append(_in_raw_pixels(seen, channel) if isinstance(channel, BayerPlane) else seen)
     progress(1.0, "")
     return found

@@ -18,6 +18,7 @@ from app.metrology.bayer import CELL_PX, BayerPlane
 from app.metrology.channel import Channel
 from app.metrology.colour import ColourWeights, find_weights
 from app.metrology.image import saturation_level
+from app.metrology.mosaic import shows_mosaic
 from app.metrology.stripe import (
     AUTOMATIC,
     FoundLine,
@@ -55,6 +56,8 @@ class ImageStripe:
     refusal: OperationError | None = None
     other_axis_points: int = 0
     """Points along the other axis, where there are far more of them."""
+    looks_raw: bool = False
+    """The pixels alternate as in a raw picture of a colour camera, but were measured as grey."""
 
 
 def extract_stripes(
@@ -103,13 +106,27 @@ def extract_file(
     where = None if mask is None else mask.where()
     line = _extract(picture, axis, where, settings, channel)
     found, other = len(line.stripe.u), 0
+    looks_raw = is_unstated_raw(picture, channel)
     if found < SPARSE * picture.shape[1 if axis == "u" else 0]:
         other = len(_extract(picture, other_axis(axis), where, settings, channel).stripe.u)
     if not found:
-        raise _no_stripe_error(path, picture, axis, mask is not None, other)
+        raise _no_stripe_error(path, picture, axis, mask is not None, other, looks_raw)
     text, width_px = channel_text(path, channel), cell_px * line.width_px
     other = other if other > FAR_MORE * found else 0
-    return ImageStripe(path, line.stripe, text, width_px, line.factor, other_axis_points=other)
+    return ImageStripe(
+        path,
+        line.stripe,
+        text,
+        width_px,
+        line.factor,
+        other_axis_points=other,
+        looks_raw=looks_raw,
+    )
+
+
+def is_unstated_raw(picture: GreyImage, channel: Channel | None) -> bool:
+    """Whether a picture that is measured as grey looks like a raw one of a colour camera."""
+    return not isinstance(channel, BayerPlane) and shows_mosaic(picture)
 
 
 def other_axis(axis: str) -> str:
@@ -153,7 +170,12 @@ def find_laser_weights(lit: Path, unlit: Path) -> ColourWeights:
 
 
 def _no_stripe_error(
-    path: Path, picture: GreyImage, axis: str, masked: bool, other_axis_points: int
+    path: Path,
+    picture: GreyImage,
+    axis: str,
+    masked: bool,
+    other_axis_points: int,
+    looks_raw: bool,
 ) -> OperationError:
     """With the line along the other axis, or the properties of the picture, instead."""
     what = message("shows-no-stripe", path=display_path(path))
@@ -162,6 +184,9 @@ def _no_stripe_error(
     if other_axis_points:
         why = message("line-along-other-axis", axis=axis, points=other_axis_points)
         return OperationError(OTHER_AXIS, what, why, message("give-axis", axis=other_axis(axis)))
+    if looks_raw:
+        why = message("pixels-alternate-as-raw")
+        return OperationError(NOT_FOUND, what, why, message("state-bayer"))
     full = saturation_level(picture)
     clipped = float(np.mean(picture >= full))
     brightest = int(picture.max())

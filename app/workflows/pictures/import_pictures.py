@@ -60,6 +60,8 @@ class ImportedScan:
     """Frames that give no points, since no readings lie closely around their times."""
     along_other_axis: int = 0
     """Pictures whose line runs along the other axis, so that most of it is lost."""
+    looking_raw: int = 0
+    """Pictures with a line whose pixels alternate as in a raw picture of a colour camera."""
     without_line: list[OperationError] = field(default_factory=list)
     """Why a picture shows no line; it is in the recording, without points."""
     unreadable: list[OperationError] = field(default_factory=list)
@@ -73,6 +75,7 @@ class _Frame:
     posed: bool
     refusal: OperationError | None = None
     along_other_axis: bool = False
+    looks_raw: bool = False
 
 
 def import_pictures(
@@ -154,7 +157,13 @@ def _extract_all(
             other = refusal.code == OTHER_AXIS
             why_not = _with_axis_of_sensor(refusal, sensor.stripe_axis) if other else refusal
             return _Frame(picture, empty_stripe(sensor.stripe_axis), has_pose, why_not, other)
-        return _Frame(picture, found.stripe, has_pose, along_other_axis=found.other_axis_points > 0)
+        return _Frame(
+            picture,
+            found.stripe,
+            has_pose,
+            along_other_axis=found.other_axis_points > 0,
+            looks_raw=found.looks_raw,
+        )
 
     with ThreadPoolExecutor(os.cpu_count() or 1, "extract") as pool:
         try:
@@ -192,6 +201,7 @@ def _write_frame(
         result.without_line.append(frame.refusal)
     sensor = scan.sensor
     result.along_other_axis += frame.along_other_axis
+    result.looking_raw += frame.looks_raw
     writer.stripe(frame.picture.stamp_ns, frame.stripe, sensor.width_px, sensor.height_px)
     result.frames += 1
     result.without_pose += not frame.posed
