@@ -166,6 +166,16 @@ class ArmInfo:
 
 
 @dataclass(frozen=True, slots=True)
+class SelectedColour:
+    """What of a colour camera's pictures a driver makes grey ones of."""
+
+    colour: Literal["red", "green", "blue"]
+    bayer: Literal["RGGB", "BGGR", "GRBG", "GBRG"] | None
+    """Of raw pictures: the colours of their first two pixels, and of the two below them; None where
+    a channel of pictures in colour is taken."""
+
+
+@dataclass(frozen=True, slots=True)
 class OptionOffer:
     """What an open device offers for one option of its driver."""
 
@@ -202,6 +212,8 @@ class SensorInfo:
     """What to do on this computer if data are lost, where the driver sees that; otherwise empty."""
     offers: tuple[OptionOffer, ...] = ()
     """What the device offers for the driver's options, where it can be asked."""
+    selected: SelectedColour | None = None
+    """None of a grey camera, and where no colour is stated."""
 
 
 @dataclass(slots=True)

@@ -35,7 +35,7 @@ from app.metrology.adjustment.board.problem import BoardInputs
 from app.metrology.adjustment.core.observations import BlockObservation, FailedPose
 from app.metrology.bayer import BayerPlane
 from app.metrology.calibration.one_pose import OnePoseInputs, calibrate_one_pose
-from app.metrology.channel import Channel
+from app.metrology.channel import Channel, describe_channel
 from app.metrology.colour import find_weights
 from app.metrology.limits import LIMITS, Limits
 from app.progress import Progress, no_progress
@@ -289,8 +289,12 @@ def session_channel(session: BlockSession | BoardSession) -> Channel | None:
     return None
 
 
-def _channel_text(poses: Sequence[Pose], channel: Channel | None) -> Text:
-    """What of the pictures was measured, by the first that can be read."""
+def _channel_text(session: BlockSession | BoardSession, poses: Sequence[Pose]) -> Text:
+    """What of the pictures was measured, by the first that can be read; or was taken of them."""
+    taken = session.sensor.pictures_of
+    if taken is not None:
+        return describe_channel(taken)
+    channel = session_channel(session)
     for pose in poses:
         with suppress(OperationError):
             return channel_text(pose.files[-1], channel)
@@ -311,7 +315,7 @@ def calibration_origin(
             sensor=session.sensor.serial_number,
         ),
         stripe_axis=session.sensor.stripe_axis,
-        channel=_channel_text(poses, session_channel(session)),
+        channel=_channel_text(session, poses),
         inputs=tuple(
             Input(file=path.relative_to(folder).as_posix(), sha256=file_sha256(path))
             for path in (*session.tables, *pictures)

@@ -31,7 +31,7 @@ from app.messages.message import message
 from hardware.errors import DeviceError
 from hardware.options import Options, read_options
 from hardware.sensor.grabbing import GrabbingSensor
-from hardware.sensor.grey import BayerPattern, LaserColour, require_colour, to_grey
+from hardware.sensor.grey import BayerPattern, LaserColour, colour_taken, require_colour, to_grey
 from hardware.sensor.image_source import (
     EndOfRecordingError,
     GrabbedImage,
@@ -99,6 +99,7 @@ class _Folder(ImageSource):
         if raw.dtype in (np.uint8, np.uint16):
             colour, bayer = self._options.laser_colour, self._options.bayer
             image = to_grey(raw, raw.shape[0], colour, bayer)
+            self.selected = self.selected or colour_taken(raw, colour, bayer)
         if image is None:
             raise DeviceError(
                 message("picture-of-numbers", path=path, kind=str(raw.dtype)),

@@ -83,6 +83,7 @@ class GrabbingSensor:
             delivers=source.delivers,
             loss_remedy=source.loss_remedy,
             offers=source.offers,
+            selected=source.selected,
         )
         return self._info
 

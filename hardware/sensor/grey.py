@@ -8,6 +8,7 @@ from cv2.typing import MatLike
 
 from app.messages.message import message
 from hardware.errors import DeviceError
+from hardware.interfaces import SelectedColour
 from hardware.sensor.image_source import GreyImage
 
 BayerPattern = Literal["RGGB", "BGGR", "GRBG", "GBRG"]
@@ -76,6 +77,22 @@ def to_grey(
     if raw.dtype == np.uint16:
         return np.ascontiguousarray(raw[:height_px], dtype=np.uint16)
     return np.ascontiguousarray(raw[:height_px], dtype=np.uint8)
+
+
+def colour_taken(
+    raw: MatLike, laser_colour: LaserColour | None, bayer: BayerPattern | None = None
+) -> SelectedColour | None:
+    """What ``to_grey`` takes of a picture; None of a grey one, or where its luma is taken.
+
+    A JPEG is taken for one in colour.
+    """
+    if laser_colour is None:
+        return None
+    if bayer is None and raw.ndim == 3:
+        in_colour = raw.shape[2] >= 3 and bool((raw[..., :1] != raw[..., :3]).any())
+    else:
+        in_colour = bayer is not None or raw.shape[0] == 1
+    return SelectedColour(laser_colour, bayer) if in_colour else None
 
 
 def require_colour(bayer: BayerPattern | None, laser_colour: LaserColour | None) -> None:

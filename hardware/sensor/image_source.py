@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from app.messages.message import Text, message
 from hardware.clock import now_ns
 from hardware.errors import DeviceError
-from hardware.interfaces import Delivery, OptionOffer, StampKind
+from hardware.interfaces import Delivery, OptionOffer, SelectedColour, StampKind
 
 GreyImage = NDArray[np.uint8] | NDArray[np.uint16]
 StampAt = Literal["exposure-start", "mid-exposure", "exposure-end", "frame-end"]
@@ -94,6 +94,8 @@ class ImageSource(ABC):
     """As of ``SensorInfo``."""
     offers: tuple[OptionOffer, ...] = ()
     """As of ``SensorInfo``."""
+    selected: SelectedColour | None = None
+    """As of ``SensorInfo``; known when the source is open, or with its first picture."""
     delivers: frozenset[Delivery] = frozenset({"picture"})
     """As of ``SensorInfo``; known when the source is open."""
     size_px: tuple[int, int] | None = None

@@ -43,7 +43,7 @@ from hardware.clock import now_ns
 from hardware.errors import DeviceError, device_lost_error
 from hardware.options import Options, read_options
 from hardware.sensor.grabbing import GrabbingSensor
-from hardware.sensor.grey import BayerPattern, LaserColour, require_colour, to_grey
+from hardware.sensor.grey import BayerPattern, LaserColour, colour_taken, require_colour, to_grey
 from hardware.sensor.image_source import (
     EndOfRecordingError,
     GrabbedImage,
@@ -127,6 +127,7 @@ class _Recording(ImageSource):
                     message("video-has-no-picture", title=self._title), message("is-file-complete")
                 )
         image = to_grey(raw, raw.shape[0], self._laser_colour, self._bayer)
+        self.selected = self.selected or colour_taken(raw, self._laser_colour, self._bayer)
         due_ns = self._pace.wait()
         return NoImage.DAMAGED if image is None else GrabbedImage(image, due_ns, 0.0)
 
@@ -177,6 +178,7 @@ class _Camera(ImageSource):
         image = to_grey(raw, self._height_px or raw.shape[0], self._laser_colour, self._bayer)
         if image is None:
             return NoImage.DAMAGED
+        self.selected = self.selected or colour_taken(raw, self._laser_colour, self._bayer)
         exposure_us = self._exposure_us
         mid_ns = event_ns - self._latency_ns - round(exposure_us * 500)
         self._last_ns = max(mid_ns, self._last_ns + 1)

@@ -15,7 +15,7 @@ from app.station.bus import Bus
 from app.station.devices.device_thread import SILENCE_S, LinkState
 from app.station.devices.sensor_device import StationSensor
 from hardware.errors import DeviceError
-from hardware.interfaces import SensorDriver
+from hardware.interfaces import SelectedColour, SensorDriver
 from hardware.sensor.genicam import aravis
 from hardware.sensor.genicam.aravis_source import GenicamSource
 from hardware.sensor.genicam.driver import FIRST_WITHIN_S, camera_title, from_options
@@ -266,6 +266,7 @@ def test_a_raw_colour_camera_shows_the_lasers_pixels(fake: AravisFake) -> None:
     frame = next_frame(driver)
     driver.close()
     assert (info.width_px, info.height_px) == (WIDTH // 2, HEIGHT // 2)
+    assert info.selected == SelectedColour("red", "RGGB")
     assert frame.image.shape == (HEIGHT // 2, WIDTH // 2)
 
 

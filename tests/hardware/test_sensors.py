@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from app.metrology.bayer import BAYER_PATTERNS, BayerPattern, BayerPlane
 from app.metrology.colour import LaserColour
 from hardware.errors import DeviceError
-from hardware.interfaces import SensorDriver
+from hardware.interfaces import SelectedColour, SensorDriver
 from hardware.sensor import folder, opencv_camera
 from hardware.sensor.grey import to_grey
 from tests.hardware.conformance import SensorBench, SensorConformance, next_frame
@@ -383,7 +383,7 @@ def test_a_folder_of_raw_pictures_shows_the_lasers_pixels(tmp_path: Path) -> Non
     cv2.imwrite(str(tmp_path / "a.png"), raw)
     options = {"path": str(tmp_path), "laser_colour": "red", "bayer": "GRBG"}
     driver = folder.from_options(options)
-    driver.open()
+    assert driver.open().selected == SelectedColour("red", "GRBG")
     (seen,) = shown(driver, 1)
     np.testing.assert_array_equal(seen, raw[::2, 1::2])
     driver.close()

@@ -9,11 +9,17 @@ import pytest
 from numpy.typing import NDArray
 
 from app.errors import OperationError
-from app.formats.datasheets.sensor import SensorDatasheet
+from app.formats.datasheets.sensor import SelectedPart, SensorDatasheet
 from app.formats.session.calibration_session import BoardSession, read_any_session
+from app.guide.calibration.session_folder import SessionFolder
 from app.metrology.bayer import BayerPattern, BayerPlane
 from app.metrology.colour import PLANES, ColourWeights
-from app.workflows.calibrate import board_inputs, calibrate_session, session_channel
+from app.workflows.calibrate import (
+    board_inputs,
+    calibrate_session,
+    calibration_origin,
+    session_channel,
+)
 from tests.colours import mosaic
 from tests.real_sessions import write_real_session
 
@@ -114,3 +120,19 @@ def test_weights_are_found_where_the_lasers_colour_is_not_stated(
     weights = session_channel(replace(unstated, poses=(pose,)))
     assert isinstance(weights, ColourWeights)
     assert weights.red > 2 * weights.green > 4 * weights.blue
+
+
+def test_a_station_states_what_of_a_colour_camera_it_took(session: Path) -> None:
+    """Its pictures are grey, and measured as such; so does ``crenel calibrate`` afterwards."""
+    folder, unchanged = SessionFolder(session), (session / "sensor.json").read_bytes()
+    for selected, text in (
+        (SelectedPart(colour="red", bayer="GRBG"), "red pixels of GRBG"),
+        (SelectedPart(colour="green"), "green"),
+        (None, "grey"),
+    ):
+        folder.keep_selected(selected)
+        found = read_session(session)
+        assert session_channel(found) is None
+        assert str(calibration_origin(found, found.poses[:1], "").channel) == text
+    folder.keep_selected(None)
+    assert read_session(session).sensor == SensorDatasheet.model_validate_json(unchanged)

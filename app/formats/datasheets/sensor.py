@@ -5,11 +5,18 @@ from typing import Annotated, ClassVar, Literal, Self
 
 from pydantic import Field, model_validator
 
-from app.formats.json_document import Document, Positive
+from app.formats.json_document import Document, DocumentPart, Positive
 from app.messages.message import message
 from app.metrology.bayer import BayerPattern, BayerPlane
 from app.metrology.channel import Channel
-from app.metrology.colour import laser_colour
+from app.metrology.colour import LaserColour, laser_colour
+
+
+class SelectedPart(DocumentPart):
+    """What a station's driver made grey pictures of: the channel of a colour, or raw pixels."""
+
+    colour: LaserColour
+    bayer: BayerPattern | None = None
 
 
 class SensorDatasheet(Document):
@@ -25,6 +32,8 @@ class SensorDatasheet(Document):
     laser_wavelength_nm: Positive | None = None
     bayer: BayerPattern | None = None
     """Of raw pictures of a colour camera: the colours of a cell of 2 × 2 pixels."""
+    selected: SelectedPart | None = None
+    """In the session of a station with a colour camera; the pictures are grey then."""
     focal_px: Positive | None = None
     standoff_mm: Positive | None = None
 
@@ -41,6 +50,14 @@ class SensorDatasheet(Document):
             return None
         colour = laser_colour(self.laser_wavelength_nm)
         return colour if self.bayer is None else BayerPlane(self.bayer, colour)
+
+    @property
+    def pictures_of(self) -> Channel | None:
+        """What of a colour camera the pictures are, where a station's driver selected that."""
+        if self.selected is None:
+            return None
+        colour, bayer = self.selected.colour, self.selected.bayer
+        return colour if bayer is None else BayerPlane(bayer, colour)
 
 
 def read_sensor(path: Path) -> SensorDatasheet:

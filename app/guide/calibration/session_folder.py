@@ -9,7 +9,7 @@ import numpy as np
 from app.errors import OperationError
 from app.formats.atomic_write import ensure_folder, write_atomically
 from app.formats.datasheets.arm import read_any_arm
-from app.formats.datasheets.sensor import read_sensor
+from app.formats.datasheets.sensor import SelectedPart, read_sensor
 from app.formats.datasheets.target import read_object
 from app.formats.images import write_png
 from app.formats.io_errors import convert_io_errors
@@ -68,6 +68,13 @@ class SessionFolder:
             )
         except OperationError:
             return SelectedDatasheets(None, None, None)
+
+    def keep_selected(self, selected: SelectedPart | None) -> None:
+        """Notes in ``sensor.json`` what of a colour camera the pictures are."""
+        path = self.path / SENSOR
+        sensor = read_sensor(path)
+        if sensor.selected != selected:
+            sensor.model_copy(update={"selected": selected}).write(path)
 
     def keep_contacts(self, contacts: Sequence[Contact]) -> None:
         """Brings ``probing.csv`` up to date; without points there is none."""

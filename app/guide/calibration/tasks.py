@@ -1,6 +1,7 @@
 """What a calibration does at a step: confirming it, taking the picture, and solving."""
 
 from app.errors import OperationError
+from app.formats.datasheets.sensor import SelectedPart
 from app.guide.calibration.flow import HEADINGS
 from app.guide.calibration.guide import CalibrationGuide
 from app.guide.calibration.outcome import from_payload, to_payload
@@ -53,6 +54,7 @@ def capture(guide: CalibrationGuide, progress: Progress) -> None:
     height, width = taken.ambient.image.shape
     with guide.lock:
         names = guide.folder.keep_capture(number, taken)
+        guide.folder.keep_selected(_colour_taken(guide))
         guide.append(
             "image_captured",
             {
@@ -73,6 +75,14 @@ def capture(guide: CalibrationGuide, progress: Progress) -> None:
         guide.station.bus.event("step_done", message("pose-taken", number=number), "good")
     progress(message("working-out-which-pose-would-help"), 0.7)
     keep_advice(guide)
+
+
+def _colour_taken(guide: CalibrationGuide) -> SelectedPart | None:
+    """What the driver takes of a colour camera's pictures."""
+    info = guide.station.rig.sensor.info
+    if info is None or info.selected is None:
+        return None
+    return SelectedPart(colour=info.selected.colour, bayer=info.selected.bayer)
 
 
 def keep_advice(guide: CalibrationGuide) -> None:

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from app.messages.message import Text, join, message
 from hardware.clock import now_ns
 from hardware.errors import DeviceError
-from hardware.interfaces import Delivery
+from hardware.interfaces import Delivery, SelectedColour
 from hardware.sensor.genicam.block_ids import BlockCounter
 from hardware.sensor.genicam.features import FeatureCamera, FeatureError
 from hardware.sensor.genicam.picture_times import PictureTimes, SettingHistory
@@ -101,7 +101,11 @@ class CameraSource(ImageSource):
         fewest = self.queue_length
         most = max(fewest, _QUEUE_BYTES // (2 * width_px * height_px))
         self.queue_length = min(max(fewest, math.ceil(_QUEUE_S * (settings.rate_hz or 0))), most)
-        is_raw = (options.bayer or settings.pixel_format.bayer) is not None
+        bayer = options.bayer or settings.pixel_format.bayer
+        is_raw = bayer is not None
+        in_colour = is_raw or settings.pixel_format.channels is not None
+        if options.laser_colour is not None and in_colour:
+            self.selected = SelectedColour(options.laser_colour, bayer)
         self.size_px = (width_px // 2, height_px // 2) if is_raw else (width_px, height_px)
         if profiles and not is_raw:
             self.delivers = frozenset({"picture", "line"})
