@@ -91,7 +91,9 @@ class ExposureLoop:
     ) -> None:
         self._registers, self._laser, self._take = registers, laser, take
         self._finished = finished
-        self._changed = threading.Condition()
+        # one lock for both: a register that is written may start or stop the exposures, which read
+        # registers
+        self._changed = threading.Condition(registers.lock)
         self._triggers: deque[int] = deque()
         self._running = self._ending = False
         self._acquisition = 0
