@@ -30,6 +30,15 @@ def test_a_set_is_counted_and_its_corners_are_compared(real: Path, tmp_path: Pat
     assert table([found])[0][:6] == ["stereo", "4", "4", "4", "4", "0"]
 
 
+def test_corners_that_one_method_leaves_out_count_for_none(real: Path, tmp_path: Path) -> None:
+    pictures = [real / "boards" / "wide" / f"GOPR00{number}.jpg" for number in (32, 38, 45, 48)]
+    write_set(tmp_path / "sets" / "wide", pictures, 8, 6)
+    (found,) = run(tmp_path / "sets")
+    assert found.wrong == 0
+    assert set(found.rms_px) == {"crenel", "classic", "sectors"}
+    assert max(found.rms_px.values()) < 0.6
+
+
 def test_what_is_no_folder_of_sets_is_refused(tmp_path: Path) -> None:
     with pytest.raises(OperationError, match=r"object\.json"):
         run(tmp_path)

@@ -2,8 +2,8 @@
 
 The folder has one folder for each set, with the pictures of one camera and the board as
 ``object.json``. Without truth, a numbering is wrong where it contradicts that of a finder, and
-the quality of corners is the rms that ``cv2.calibrateCamera`` leaves of those pictures in which
-all three found the whole board.
+the quality of corners is the rms that ``cv2.calibrateCamera`` leaves of those corners that all
+three found.
 """
 
 from collections.abc import Iterable, Sequence
@@ -38,7 +38,7 @@ COLUMNS_RMS = ("rms px: Crenel", "classic", "sectors")
 
 @dataclass
 class BoardSet:
-    """The results of one set. ``rms_px``: by method, of the pictures that all three found."""
+    """The results of one set. ``rms_px``: by method, of the corners that all three found."""
 
     name: str
     pictures: int = 0
@@ -74,7 +74,8 @@ def run(folder: Path, progress: Progress = no_progress) -> list[BoardSet]:
 def measure_boards(name: str, pictures: Iterable[GreyImage], board: Chessboard) -> BoardSet:
     """Looks for the board in each picture of one camera, by all three methods."""
     result = BoardSet(name)
-    whole: dict[str, list[Floats]] = {"crenel": [], "classic": [], "sectors": []}
+    places: list[Floats] = []
+    seen: dict[str, list[Floats]] = {"crenel": [], "classic": [], "sectors": []}
     size = (0, 0)
     for image in pictures:
         size = (image.shape[1], image.shape[0])
@@ -86,14 +87,15 @@ def measure_boards(name: str, pictures: Iterable[GreyImage], board: Chessboard) 
             result.found[name] += 1
         if detection is None:
             continue
-        if theirs and all(_contradicts(detection, uv, board) for uv in theirs.values()):
+        same = _same_corners(detection, theirs, board)
+        if theirs and not same:
             result.wrong += 1
-        elif len(theirs) == 2 and len(detection) == len(corner_points(board)):
-            whole["crenel"].append(detection.uv_px[np.argsort(detection.number)])
-            for name, uv in theirs.items():
-                whole[name].append(uv)
-    if len(whole["crenel"]) >= FEWEST:
-        result.rms_px = {name: _calibration_rms_px(uv, board, size) for name, uv in whole.items()}
+        elif len(same) == 2:
+            places.append(corner_points(board)[detection.number])
+            for name, uv in (("crenel", detection.uv_px), *same.items()):
+                seen[name].append(uv)
+    if len(places) >= FEWEST:
+        result.rms_px = {name: _calibration_rms_px(places, uv, size) for name, uv in seen.items()}
     return result
 
 
@@ -118,23 +120,34 @@ def _find_by_opencv(image: GreyImage, board: Chessboard) -> dict[str, Floats]:
     return found
 
 
-def _contradicts(detection: BoardDetection, theirs: Floats, board: Chessboard) -> bool:
-    """Whether corners differ, from whichever end and side OpenCV counts."""
+def _same_corners(
+    detection: BoardDetection, theirs: dict[str, Floats], board: Chessboard
+) -> dict[str, Floats]:
+    """The corners (N, 2) px of the detection as each finder sees them, from whichever end and side
+    it counts; without finders that contradict it."""
     columns, rows = board.inner_corners
-    grid = theirs.reshape(rows, columns, 2)
-    step_px = float(np.median(np.linalg.norm(np.diff(grid, axis=1), axis=2)))
-    off = [
-        float(np.median(np.linalg.norm(way.reshape(-1, 2)[number] - detection.uv_px, axis=1)))
-        for way in (grid, grid[::-1, ::-1], grid[:, ::-1], grid[::-1])
-        for number in (detection.number, *detection.other_numbers)
-    ]
-    return min(off) > CONTRADICTS * step_px
+    same = {}
+    for name, uv in theirs.items():
+        grid = uv.reshape(rows, columns, 2)
+        step_px = float(np.median(np.linalg.norm(np.diff(grid, axis=1), axis=2)))
+        off_px, corners = min(
+            (
+                (float(np.median(np.linalg.norm(corners - detection.uv_px, axis=1))), corners)
+                for way in (grid, grid[::-1, ::-1], grid[:, ::-1], grid[::-1])
+                for number in (detection.number, *detection.other_numbers)
+                for corners in (way.reshape(-1, 2)[number],)
+            ),
+            key=lambda one: one[0],
+        )
+        if off_px <= CONTRADICTS * step_px:
+            same[name] = corners
+    return same
 
 
 def _calibration_rms_px(
-    pictures: Sequence[Floats], board: Chessboard, size_px: tuple[int, int]
+    places_mm: Sequence[Floats], pictures: Sequence[Floats], size_px: tuple[int, int]
 ) -> float:
-    points = [corner_points(board).astype(np.float32)] * len(pictures)
+    points = [place.astype(np.float32) for place in places_mm]
     corners = [uv.astype(np.float32).reshape(-1, 1, 2) for uv in pictures]
     return float(cv2.calibrateCamera(points, corners, size_px, np.eye(3), np.zeros(5))[0])
 
