@@ -85,7 +85,9 @@ def table(found: CatalogueFigures) -> list[Sequence[Text]]:
         (one.question, f"{one.answers}", f"{one.median_ms:.1f}", f"{one.longest_ms:.1f}")
         for one in found.questions
     ]
-    stored = f"{found.records} records, {found.rows} rows, {found.bytes / 1e6:.0f} MB"
+    stored = f"{found.records} records, {found.rows} rows"
+    if found.bytes:
+        stored += f", {found.bytes / 1e6:.0f} MB"
     rows.append((stored, "", "", ""))
     rows.append((f"stored in {found.store_s:.0f} s, {found.us_per_row:.0f} µs per row", "", "", ""))
     return rows
