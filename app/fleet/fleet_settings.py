@@ -15,7 +15,7 @@ from app.fleet.collection.places import ArchivePlace, FolderPlace, RecordPlace
 from app.formats.settings.toml_table import NonEmpty, SettingsPath, TomlTable, read_secret
 from app.messages.message import message
 from app.settings.settings import Serving
-from app.settings.station_toml import read_tables
+from app.settings.station_toml import find_file, read_tables
 from app.single_sign_on.settings import SignInSettings
 from app.supervision.broker_settings import BrokerSettings
 
@@ -174,11 +174,5 @@ def read_fleet_settings(path: Path | None) -> FleetSettings:
     Raises:
         OperationError: there is no such file, or it is not as docs/fleet.md describes.
     """
-    path = path or Path(DEFAULT_FILE)
-    if not path.exists():
-        raise OperationError(
-            "settings-missing",
-            message("settings-missing", path=path),
-            remedy=message("fleet-write-settings"),
-        )
-    return read_tables(path, FleetSettings, DOCUMENT)
+    file = find_file(path, DEFAULT_FILE, message("fleet-write-settings"))
+    return read_tables(file, FleetSettings, DOCUMENT)

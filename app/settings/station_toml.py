@@ -1,4 +1,5 @@
-"""Reads ``station.toml``; docs/formats.md shows every table and key."""
+"""Finds and reads ``station.toml``, and with the same functions ``fleet.toml``; docs/formats.md and
+docs/fleet.md show every table and key."""
 
 import tomllib
 from pathlib import Path
@@ -9,7 +10,7 @@ from pydantic import BaseModel, ValidationError
 from app.errors import OperationError
 from app.formats.io_errors import convert_io_errors
 from app.formats.open_file import read_bounded
-from app.messages.message import message
+from app.messages.message import Text, message
 from app.messages.validation import validation_text
 from app.settings.settings import Settings
 
@@ -40,15 +41,25 @@ def read_settings(path: Path | None) -> Settings:
         OperationError: there is no such file, it is not TOML, a key is missing, unknown or of
             the wrong kind, values do not go together, or a file that is named is not there.
     """
-    path = path or Path(DEFAULT_FILE)
+    what_it_is, remedy = message("settings-states-devices"), message("settings-write-one")
+    return read_tables(find_file(path, DEFAULT_FILE, remedy, what_it_is), Settings)
+
+
+def find_file(path: Path | None, default: str, remedy: Text, why: Text = "") -> Path:
+    """The file of settings that was named, by default the one in the working folder.
+
+    Args:
+        remedy: for a file that is not there.
+        why: such a file is needed.
+
+    Raises:
+        OperationError: there is no such file.
+    """
+    path = path or Path(default)
     if not path.exists():
-        raise OperationError(
-            "settings-missing",
-            message("settings-missing", path=path),
-            message("settings-states-devices"),
-            message("settings-write-one"),
-        )
-    return read_tables(path, Settings)
+        what = message("settings-missing", path=path)
+        raise OperationError("settings-missing", what, why, remedy)
+    return path
 
 
 def read_tables(path: Path, model: type[Tables], document: str = DOCUMENT) -> Tables:
@@ -58,7 +69,8 @@ def read_tables(path: Path, model: type[Tables], document: str = DOCUMENT) -> Ta
         document: shows its tables and keys.
 
     Raises:
-        OperationError: as ``read_settings``, for a file that is there.
+        OperationError: it is not TOML, a key is missing, unknown or of the wrong kind, values do
+            not go together, or a file that is named is not there.
     """
     with convert_io_errors(path):
         raw = read_bounded(path)
