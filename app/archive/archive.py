@@ -12,7 +12,14 @@ from pathlib import Path
 from app.archive.archive_settings import ArchiveSettings
 from app.archive.manifest import ArchiveNote, Kind, Manifest
 from app.archive.notes import NOTES, archive_lock, read_note, write_note
-from app.archive.ownership import KnownRecords, check_owner, claim_archive, owner_of, read_owner
+from app.archive.ownership import (
+    KnownRecords,
+    Owner,
+    check_owner,
+    claim_archive,
+    owner_of,
+    read_owner,
+)
 from app.archive.pace import Pace
 from app.archive.planning import CLOUD, Retention, StationRecord, plan_copies, plan_removals
 from app.archive.rebuilt_clouds import has_calibrations, leave_cloud_out
@@ -23,6 +30,7 @@ from app.archive.transfer import (
     archive_record,
     download_file,
     find_difference,
+    find_incomplete,
     newest_manifest,
 )
 from app.errors import OperationError
@@ -49,6 +57,16 @@ class ArchiveState:
     """Records that are both here and in the archive."""
     away: int
     """Records that are in the archive only."""
+
+
+@dataclass(frozen=True)
+class ArchiveLook:
+    """What the names and sizes of the files in the archive show."""
+
+    incomplete: list[str]
+    """A missing file, or one of another size, of each record that is not whole there."""
+    read_at: str
+    """Since then, every copy has been read there and compared; empty if there is none."""
 
 
 class Archive:
@@ -85,6 +103,17 @@ class Archive:
             sum(one.is_archived for one in records),
             len(list_away(self.data)),
         )
+
+    def look(self) -> ArchiveLook:
+        """Looks in the archive for what it should have, by names and sizes: ``verify`` reads all.
+
+        Raises:
+            StoreError: the archive cannot be reached, or its disk is not mounted.
+        """
+        present, _ = self._list_known()
+        self._check_mounted(read_owner(self.store))
+        read_at = min((note.verified_at for note in present), default="")
+        return ArchiveLook(find_incomplete(present, self.store), read_at)
 
     def run(self, progress: Progress = no_progress) -> int:
         """Copies everything that is finished, then applies the rules of retention.
@@ -205,13 +234,18 @@ class Archive:
             OperationError: it is that of another station.
         """
         place, found = self.settings.place, read_owner(self.store)
-        if found is None and any((self.data / NOTES).glob("*/*.json")):
-            raise store_error("archive-missing", place, str(message("archive-no-marker")))
+        self._check_mounted(found)
         owner = owner_of(self.data, self._station)
         if found is None:
             claim_archive(self.store, place, owner)
         else:
             check_owner(self.store, place, found, owner, self._list_known)
+
+    def _check_mounted(self, found: Owner | None) -> None:
+        """Raises ``StoreError`` if an archive that had records lacks its marker."""
+        if found is None and any((self.data / NOTES).glob("*/*.json")):
+            place = self.settings.place
+            raise store_error("archive-missing", place, str(message("archive-no-marker")))
 
     def _list_known(self) -> KnownRecords:
         records = list_records(self.data, self._lists, self._now())

@@ -1,9 +1,7 @@
 """The places that an archive can be: a folder or a mount, or anything that fsspec opens."""
 
 import errno
-import logging
 import os
-from asyncio import AbstractEventLoop
 from collections.abc import Iterable, Iterator, Sequence
 from contextlib import closing, contextmanager, suppress
 from io import BufferedReader
@@ -11,6 +9,7 @@ from pathlib import Path
 from typing import Any, Protocol
 
 from app.archive.archive_settings import ArchiveSettings
+from app.archive.filesystem import open_filesystem
 from app.archive.store_errors import (
     DamagedCopyError,
     StorePurpose,
@@ -23,13 +22,9 @@ from app.formats.io_errors import error_from_os
 from app.formats.open_file import LARGEST_DOCUMENT, open_file
 from app.messages.message import message
 
-log = logging.getLogger(__name__)
 PIECE_BYTES = 1 << 18
 PART_BYTES = 5 << 20
 """Of a large object: the least that S3 takes; bursts stay small."""
-CONNECT_S, READ_S = 10, 60
-RETRIES = 2
-"""Within a call; the station itself tries again with growing pauses."""
 Span = tuple[int, int]
 OBJECT_STORES = ("s3://", "s3a://", "gs://", "gcs://")
 """They have no folders, and their libraries would create a missing bucket instead."""
@@ -58,6 +53,10 @@ class RemoteStore(Protocol):
 
     def names(self, folder: str) -> list[str]:
         """The names in a folder, sorted; empty if there is none."""
+
+    def sizes(self, folder: str) -> dict[str, int]:
+        """Bytes of every file in a folder and in those within it, by its whole name; empty if there
+        is none."""
 
     def remove(self, name: str) -> None:
         """Removes a file, if it is there."""
@@ -131,6 +130,14 @@ class FolderStore:
             return sorted(path.name for path in (self._root / folder).iterdir())
         return []
 
+    def sizes(self, folder: str) -> dict[str, int]:
+        found = {}
+        with convert_store_errors(self._place, self._purpose):
+            for path in (self._root / folder).rglob("*"):
+                if path.is_file():
+                    found[path.relative_to(self._root).as_posix()] = path.stat().st_size
+        return found
+
     def remove(self, name: str) -> None:
         with convert_store_errors(self._place, self._purpose):
             (self._root / name).unlink(missing_ok=True)
@@ -150,7 +157,7 @@ class FsspecStore:
     def _at(self, name: str) -> tuple[Any, str]:
         """The library's file system, which connects on its first use, and a path in it."""
         if self._opened is None:
-            self._opened = _open_filesystem(self._settings)
+            self._opened = open_filesystem(self._settings)
         files, root = self._opened
         return files, f"{root.rstrip('/')}/{name}"
 
@@ -213,6 +220,16 @@ class FsspecStore:
                 return []
             return sorted({str(path).rstrip("/").rpartition("/")[2] for path in found} - {""})
 
+    def sizes(self, folder: str) -> dict[str, int]:
+        with convert_store_errors(self._place, self._purpose):
+            files, path = self._at(folder)
+            try:
+                found = files.find(path, detail=True)
+            except FileNotFoundError:
+                return {}
+            start = len(path) - len(folder)
+            return {name[start:]: int(info["size"]) for name, info in found.items()}
+
     def remove(self, name: str) -> None:
         with convert_store_errors(self._place, self._purpose), suppress(FileNotFoundError):
             files, path = self._at(name)
@@ -245,49 +262,3 @@ def open_store(settings: ArchiveSettings, purpose: StorePurpose = "archive") -> 
     if settings.is_folder:
         return FolderStore(Path(settings.url), purpose)
     return FsspecStore(settings, purpose)
-
-
-def _open_filesystem(settings: ArchiveSettings) -> tuple[Any, str]:
-    """The file system of an address, and the path of the archive in it.
-
-    Raises:
-        OperationError: the library for the address is missing, or the secret cannot be read.
-    """
-    protocol = settings.url.split("://", 1)[0]
-    options: dict[str, Any] = {"skip_instance_cache": True, "use_listings_cache": False}
-    if protocol == "s3":
-        options |= {
-            "key": settings.access_key,
-            "secret": settings.secret(),
-            "endpoint_url": settings.endpoint,
-            "config_kwargs": {
-                "connect_timeout": CONNECT_S,
-                "read_timeout": READ_S,
-                "retries": {"max_attempts": 1},  # s3fs tries again
-                # many compatible stores do not know the newer checksums; the content is read back
-                "request_checksum_calculation": "when_required",
-                "response_checksum_validation": "when_required",
-            },
-        }
-    try:
-        from fsspec.core import url_to_fs
-
-        files, root = url_to_fs(settings.url, **options)
-    except (ImportError, ValueError) as error:
-        extra = "crenel[s3]" if protocol == "s3" else f"fsspec, {protocol}"
-        raise OperationError(
-            "archive-library",
-            message("archive-library-missing", place=settings.place),
-            str(error),
-            message("archive-install-library", library=extra),
-        ) from error
-    if protocol == "s3":
-        files.retries = RETRIES
-    if (loop := getattr(files, "loop", None)) is not None:
-        # connections that are cut leave such exceptions behind; each call reports its own error
-        loop.call_soon_threadsafe(loop.set_exception_handler, _note_exception)
-    return files, str(root)
-
-
-def _note_exception(loop: AbstractEventLoop, context: dict[str, Any]) -> None:
-    log.debug("%s", context.get("message"), exc_info=context.get("exception"))

@@ -6,7 +6,7 @@ attempt uses if their content is right.
 """
 
 import hashlib
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import closing
 from pathlib import Path
 
@@ -94,6 +94,26 @@ def find_difference(manifest: Manifest, store: RemoteStore, pace: Pace) -> str |
         if not _holds(store, name, file, pace):
             return name
     return None
+
+
+def find_incomplete(manifests: Sequence[Manifest], store: RemoteStore) -> list[str]:
+    """Of each record that lacks a file in the archive, or has one of another size there, the first
+    such file. Contents are not read.
+
+    Raises:
+        StoreError: the archive cannot be reached, or refuses.
+    """
+    sizes: dict[str, int] = {}
+    for kind in sorted({one.kind for one in manifests}):
+        sizes |= store.sizes(kind)
+    found = []
+    for one in manifests:
+        needed = {f"{one.folder}/{file.path}": file.bytes for file in one.files}
+        wrong = [name for name, size in needed.items() if sizes.get(name) != size]
+        if f"{one.folder}/{MANIFEST}" not in sizes:
+            wrong.append(f"{one.folder}/{MANIFEST}")
+        found += wrong[:1]
+    return found
 
 
 def read_manifest(store: RemoteStore, folder: str) -> Manifest | None:

@@ -114,6 +114,9 @@ class PatientStore:
     def names(self, folder: str) -> list[str]:
         return self._patience.wait_for(lambda: self._store.names(folder))
 
+    def sizes(self, folder: str) -> dict[str, int]:
+        return self._patience.wait_for(lambda: self._store.sizes(folder))
+
     def remove(self, name: str) -> None:
         self._patience.wait_for(lambda: self._store.remove(name))
 

@@ -1,6 +1,6 @@
 """``crenel archive``: what is in the archive of a station, and how it comes back."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
@@ -19,7 +19,7 @@ from app.console import (
 )
 
 if TYPE_CHECKING:
-    from app.archive.archive import Archive
+    from app.archive.archive import Archive, ArchiveLook, ArchiveState
     from app.archive.manifest import Kind
 
 archive = typer.Typer(
@@ -34,30 +34,61 @@ Config = Annotated[
 DataFolder = Annotated[
     Path | None, typer.Option("--data", help="Data folder of the station; it may be running.")
 ]
+MOST_NAMES = 20
+COPIED_AGAIN = "crenel archive run copies again what the station still has."
 
 
 @archive.command()
 @report_errors
 def status(config: Config = None, data: DataFolder = None, as_json: AsJson = False) -> None:
-    """Count what is archived and what is waiting, and list what is in the archive only."""
+    """Count what is archived and waiting, list what is in the archive only, name what it lacks.
+
+    The archive is looked at by names and sizes of its files; verify reads all of it.
+    """
     from dataclasses import asdict
 
     from app.archive.records import list_away
+    from app.errors import OperationError
 
     with _open_archive(config, data) as opened:
         state, away = opened.state(), list_away(opened.data)
+        place, look, problem = opened.settings.place, None, ""
+        try:
+            look = opened.look()
+        except OperationError as error:
+            problem = error.line
     if as_json:
         listed = [{"kind": note.kind, "id": note.id, "bytes": note.size_bytes} for note in away]
-        print_json({"place": opened.settings.place, **asdict(state), "in_archive_only": listed})
-        return
+        seen = {"look": asdict(look) if look is not None else None, "problem": problem}
+        print_json({"place": place, **asdict(state), "in_archive_only": listed, **seen})
+    else:
+        _print_state(place, state, look)
+        for note in away:
+            print(f"{note.kind} {note.id}, {note.size_bytes / 1e6:.1f} MB")
+    if look is None:
+        fail(problem)
+    if look.incomplete:
+        names = _list_names(look.incomplete)
+        fail(
+            f"missing in {place}, or of another size: {names}. After crenel archive verify, "
+            f"{COPIED_AGAIN}"
+        )
+
+
+def _list_names(names: Sequence[str]) -> str:
+    rest = [f"{len(names) - MOST_NAMES} more"] if len(names) > MOST_NAMES else []
+    return ", ".join([*names[:MOST_NAMES], *rest])
+
+
+def _print_state(place: str, state: "ArchiveState", look: "ArchiveLook | None") -> None:
     rows = [
         ("waiting", f"{state.waiting}, {state.waiting_bytes / 1e6:.1f} MB"),
         ("archived and here", f"{state.archived}"),
         ("in the archive only", f"{state.away}"),
     ]
-    print_figures(opened.settings.place, rows)
-    for note in away:
-        print(f"{note.kind} {note.id}, {note.size_bytes / 1e6:.1f} MB")
+    if look is not None and look.read_at:
+        rows.append(("every copy read there since", look.read_at))
+    print_figures(place, rows)
 
 
 @archive.command()
@@ -76,7 +107,8 @@ def verify(config: Config = None, data: DataFolder = None) -> None:
     with _open_archive(config, data) as opened, progress_bar("Verifying", True) as progress:
         damaged = opened.verify(progress)
     if damaged:
-        fail(f"missing or damaged in {opened.settings.place}: {', '.join(damaged)}")
+        place = opened.settings.place
+        fail(f"missing or damaged in {place}: {_list_names(damaged)}. {COPIED_AGAIN}")
     print(f"Everything in {opened.settings.place} is whole.")
 
 

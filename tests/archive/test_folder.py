@@ -2,20 +2,23 @@
 
 import errno
 import os
+import shutil
 from collections.abc import Iterable
 from datetime import timedelta
 from pathlib import Path
 
 import pytest
 
-from app.archive.archive import Archive
+from app.archive.archive import Archive, ArchiveLook
 from app.archive.notes import archive_lock, note_path
 from app.archive.ownership import MARKER
 from app.archive.planning import plan_copies
 from app.archive.records import list_away, list_records
 from app.archive.remote_store import FolderStore
+from app.archive.store_errors import StoreError
 from app.errors import OperationError
 from app.store.store import Store
+from app.timestamps import is_moment
 from tests.archive.filled import (
     LATER,
     add_scan,
@@ -185,6 +188,30 @@ def test_verify_names_what_is_damaged(store: Store, place: Path) -> None:
     assert archive.verify() == [copy.relative_to(place).as_posix()]
     assert archive.run() == 1
     assert archive.verify() == []
+
+
+def test_a_look_names_what_is_missing_or_of_another_size(store: Store, place: Path) -> None:
+    for name in ("one", "two", "three"):
+        add_scan(store, name, 1000)
+    archive = archive_of(store, str(place))
+    assert archive.look() == ArchiveLook([], "")
+    assert list(place.iterdir()) == []
+    archive.run()
+    whole = archive.look()
+    assert whole.incomplete == []
+    assert is_moment(whole.read_at)
+    (short,) = place.glob("scans/one/*/cloud.ply")
+    short.write_bytes(b"")
+    (record,) = place.glob("scans/two/*")
+    shutil.rmtree(record)
+    (manifest,) = place.glob("scans/three/*/manifest.json")
+    manifest.unlink()
+    names = [short, record / "cloud.ply", manifest]
+    wanted = sorted(path.relative_to(place).as_posix() for path in names)
+    assert sorted(archive.look().incomplete) == wanted
+    shutil.rmtree(place)
+    with pytest.raises(StoreError, match="is not there"):
+        archive.look()
 
 
 def test_a_note_that_is_lost_is_written_again_without_a_copy(store: Store, place: Path) -> None:

@@ -67,6 +67,10 @@ def test_records_go_to_the_store_and_come_back(
     (manifest,) = check_whole(server.content(f"{tmp_path.name}/"))
     assert {file.path for file in manifest.files} == set(before)
     assert archive.verify() == []
+    assert archive.look().incomplete == []
+    archive.store.remove(f"{manifest.folder}/empty")
+    assert archive.look().incomplete == [f"{manifest.folder}/empty"]
+    archive.store.write(f"{manifest.folder}/empty", [], 0)
     shutil.rmtree(folder)
     archive.fetch("scans", "a scan + one")
     assert content_of(folder) == before

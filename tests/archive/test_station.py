@@ -107,11 +107,19 @@ def test_the_commands_fill_verify_and_read_an_archive(tmp_path: Path, place: Pat
     assert "already" in run("fetch", "scans", "old", status=1)
     run("fetch", "photos", "old", status=2)
     run("fetch", "scans", "../old", status=2)
+    assert "every copy read there since" in run("status")
     (copy,) = place.glob("scans/old/*/scan.mcap")
     copy.unlink()
+    assert "or of another size: scans/old/" in run("status", status=1)
+    incomplete = json.loads(run("status", "--json", status=1).partition("\ncrenel:")[0])
+    assert incomplete["look"]["incomplete"] == [copy.relative_to(place).as_posix()]
     assert "scan.mcap" in run("verify", status=1)
     run("run")
     assert len(check_whole(content_of(place))) == 1
+    place.rename(place.with_name("away"))
+    answer = run("status", status=1)
+    assert "archived and here" in answer
+    assert "is not there" in answer
     settings_file(tmp_path, "")
     assert "names no archive" in run("status", status=1)
     store.close()
