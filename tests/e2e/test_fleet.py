@@ -6,7 +6,7 @@ from datetime import timedelta
 from pathlib import Path
 
 import pytest
-from playwright.sync_api import Browser, Page, expect
+from playwright.sync_api import Browser, Page, Route, expect
 
 pytest.importorskip("sqlalchemy")
 pytest.importorskip("psycopg")
@@ -21,6 +21,7 @@ from tests.single_sign_on.mock_provider import free_port, mock_provider
 
 pytestmark = pytest.mark.slow
 WRONG_SINCE = START + timedelta(days=120)
+SEARCHES = "**/api/fleet/records?*"
 STEP = PlantedStep("room-2", WRONG_SINCE, WRONG_SINCE + timedelta(days=30), 14.0)
 
 
@@ -122,6 +123,29 @@ def test_days_in_the_wrong_order_are_explained(page: Page, pictures: Path) -> No
     page.get_by_label("Bis").fill("2026-05-01")
     expect(page.get_by_role("alert")).to_contain_text("„Von“ liegt nach „Bis“")
     page.screenshot(path=pictures / "fleet-days-820-de.png")
+
+
+def test_a_search_that_takes_long_shows_it_and_is_tried_again(page: Page, pictures: Path) -> None:
+    held: list[Route] = []
+    open_view(page, "Records")
+    rows, listed = page.locator("tbody tr"), page.locator("tbody")
+    expect(rows).to_have_count(51)
+    page.route(SEARCHES, lambda route: held.append(route))
+    with page.expect_request(SEARCHES):
+        page.get_by_label("Part, operator").fill("Sphere")
+    expect(listed).to_have_attribute("aria-busy", "true")
+    expect(page.get_by_text("Searching…")).to_be_visible()
+    expect(rows.nth(1)).to_have_css("opacity", "0.4")
+    for width in (1280, 820):
+        page.set_viewport_size({"width": width, "height": 800})
+        page.screenshot(path=pictures / f"fleet-searching-{width}.png")
+        assert page.evaluate("document.documentElement.scrollWidth") == width
+    held.pop().abort()
+    page.unroute(SEARCHES)
+    expect(listed).to_have_attribute("aria-busy", "false", timeout=20_000)
+    expect(page.get_by_text("Searching…")).to_have_count(0)
+    expect(rows.first).to_contain_text("Sphere")
+    expect(rows.first).to_have_css("opacity", "1")
 
 
 def test_a_cloud_is_made_with_todays_calibration_and_downloaded(

@@ -74,13 +74,13 @@ def status(config: Config = None, as_json: AsJson = False) -> None:
         listed = [{**asdict(one), **_moments(one.collected_at, one.newest_at)} for one in stations]
         print_json({"place": opened.place, "stations": listed})
         return
-    columns = ("station", "records", "archived", "GB", "newest", "collected", "problem")
+    columns = ("station", "records", "archived", "size", "newest", "collected", "problem")
     rows = [
         (
             one.id,
             str(one.records),
             str(one.archived),
-            f"{one.size_bytes / 1e9:.1f}",
+            _size(one.size_bytes),
             format_moment(one.newest_at),
             format_moment(one.collected_at),
             one.problem,
@@ -88,6 +88,10 @@ def status(config: Config = None, as_json: AsJson = False) -> None:
         for one in stations
     ]
     print_table(opened.place, columns, rows)
+
+
+def _size(count: int) -> str:
+    return f"{count / 1e6:.1f} MB" if count < 1e9 else f"{count / 1e9:.1f} GB"
 
 
 @catalogue.command()

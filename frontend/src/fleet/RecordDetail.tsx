@@ -3,7 +3,7 @@ import { figures, moment } from "../parts/format";
 import { measured } from "../parts/lengths";
 import { QualityMark } from "../parts/QualityMark";
 import { t } from "../state/language";
-import { decimalsOf, qualityOf, useAnswer } from "./answers";
+import { decimalsOf, qualityOf, sizeOf, useAnswer } from "./answers";
 import styles from "./FleetPage.module.css";
 import { kindName } from "./RecordSearch";
 import { ScanCloudsPart } from "./ScanCloudsPart";
@@ -101,7 +101,7 @@ export function RecordDetail({
               {entry.files.map((file) => (
                 <tr key={file.path}>
                   <td>{file.path}</td>
-                  <td>{`${figures(file.bytes / 1e6, 1)} MB`}</td>
+                  <td>{sizeOf(file.bytes)}</td>
                   <td className={styles.hash}>{file.sha256}</td>
                 </tr>
               ))}

@@ -1,7 +1,8 @@
-import { useDeferredValue, useState } from "react";
+import { useState } from "react";
 import type { FleetOverview, FoundFleetRecord, RecordsPage } from "../api/wire";
 import { figures, moment } from "../parts/format";
 import { QualityMark } from "../parts/QualityMark";
+import { useSettled } from "../parts/useSettled";
 import { isolated } from "../state/isolated";
 import { t } from "../state/language";
 import { KINDS, qualityOf, useAnswer } from "./answers";
@@ -37,7 +38,7 @@ export function RecordSearch({ overview }: { overview: FleetOverview }) {
   const [query, setQuery] = useState(EVERYTHING);
   const [pages, setPages] = useState<(FoundFleetRecord | null)[]>([null]);
   const [chosen, choose] = useState<FoundFleetRecord | null>(null);
-  const settled = useDeferredValue(query);
+  const text = useSettled(query.text);
   const names = new Map(overview.stations.map((one) => [one.id, one.name]));
   const isReversed = query.since !== "" && query.until !== "" && query.since > query.until;
   const change = (part: Partial<Query>) => {
@@ -74,26 +75,18 @@ export function RecordSearch({ overview }: { overview: FleetOverview }) {
             ))}
           </select>
         </label>
-        <label>
-          {t("ui-fleet-since")}
-          <input
-            type="date"
-            max={LAST_DAY}
-            value={query.since}
-            aria-invalid={isReversed}
-            onChange={(event) => change({ since: event.target.value })}
-          />
-        </label>
-        <label>
-          {t("ui-fleet-until")}
-          <input
-            type="date"
-            max={LAST_DAY}
-            value={query.until}
-            aria-invalid={isReversed}
-            onChange={(event) => change({ until: event.target.value })}
-          />
-        </label>
+        <DayField
+          label={t("ui-fleet-since")}
+          value={query.since}
+          invalid={isReversed}
+          onChange={(since) => change({ since })}
+        />
+        <DayField
+          label={t("ui-fleet-until")}
+          value={query.until}
+          invalid={isReversed}
+          onChange={(until) => change({ until })}
+        />
         {isReversed && (
           <p className={styles.trouble} role="alert">
             {t("ui-fleet-days-reversed")}
@@ -101,7 +94,7 @@ export function RecordSearch({ overview }: { overview: FleetOverview }) {
         )}
       </form>
       {!isReversed && (
-        <div className={styles.scroll}>
+        <div className={`${styles.scroll} ${styles.found}`}>
           <table className={styles.table}>
             <thead>
               <tr>
@@ -117,7 +110,8 @@ export function RecordSearch({ overview }: { overview: FleetOverview }) {
             {pages.map((before, number) => (
               <Page
                 key={before?.key ?? 0}
-                path={addressOf(settled, before)}
+                path={addressOf({ ...query, text }, before)}
+                typing={text !== query.text}
                 last={number === pages.length - 1}
                 names={names}
                 onChoose={choose}
@@ -131,25 +125,62 @@ export function RecordSearch({ overview }: { overview: FleetOverview }) {
   );
 }
 
+/** A day of the calendar, empty for none. */
+function DayField({
+  label,
+  value,
+  invalid,
+  onChange,
+}: {
+  label: string;
+  value: string;
+  invalid: boolean;
+  onChange: (day: string) => void;
+}) {
+  return (
+    <label>
+      {label}
+      <input
+        type="date"
+        max={LAST_DAY}
+        value={value}
+        aria-invalid={invalid}
+        onChange={(event) => onChange(event.target.value)}
+      />
+    </label>
+  );
+}
+
+/** Records of one answer; those of the search before stay, dimmed, until the answer is there. */
 function Page({
   path,
+  typing,
   last,
   names,
   onChoose,
   onMore,
 }: {
   path: string;
+  typing: boolean;
   last: boolean;
   names: Map<string, string>;
   onChoose: (found: FoundFleetRecord) => void;
   onMore: (end: FoundFleetRecord) => void;
 }) {
-  const { value } = useAnswer<RecordsPage>(path);
-  if (!value) return null;
-  const end = value.records[value.records.length - 1];
+  const { value, waiting } = useAnswer<RecordsPage>(path);
+  const searching = typing || waiting;
+  const { records, more } = value ?? { records: [], more: false };
+  const end = records[records.length - 1];
   return (
-    <tbody>
-      {value.records.map((found) => (
+    <tbody aria-busy={searching}>
+      {searching && (
+        <tr className={styles.searching}>
+          <td colSpan={7}>
+            <span role="status">{t("ui-searching")}</span>
+          </td>
+        </tr>
+      )}
+      {records.map((found) => (
         <tr key={found.key}>
           <td>
             <button type="button" className={styles.link} onClick={() => onChoose(found)}>
@@ -167,14 +198,14 @@ function Page({
           <td className={styles.archived}>{found.archived_at ? moment(found.archived_at) : "–"}</td>
         </tr>
       ))}
-      {last && value.records.length === 0 && (
+      {last && value && !searching && records.length === 0 && (
         <tr>
           <td colSpan={7} className={styles.note}>
             {t("ui-fleet-nothing-found")}
           </td>
         </tr>
       )}
-      {last && value.more && end && (
+      {last && more && end && (
         <tr>
           <td colSpan={7}>
             <button type="button" className={styles.more} onClick={() => onMore(end)}>

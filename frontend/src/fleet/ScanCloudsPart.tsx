@@ -18,7 +18,7 @@ import { PressButton } from "../parts/PressButton";
 import { Busy } from "../parts/Progress";
 import { QualityMark } from "../parts/QualityMark";
 import { t } from "../state/language";
-import { decimalsOf, useAnswer } from "./answers";
+import { decimalsOf, sizeOf, useAnswer } from "./answers";
 import styles from "./FleetPage.module.css";
 
 const READ_MS = 1000;
@@ -174,7 +174,7 @@ function MadeClouds({ made }: { made: MadeCloud[] }) {
               </td>
               <td>{one.name.endsWith(ENDINGS.copc) ? "COPC" : "PLY"}</td>
               <td>{figures(one.points)}</td>
-              <td>{`${figures(one.size_bytes / 1e6, 1)} MB`}</td>
+              <td>{sizeOf(one.size_bytes)}</td>
               <td>{one.software}</td>
               <td>
                 <Download href={`/api/fleet/clouds/${encodeURIComponent(one.name)}`}>{t("ui-fleet-download")}</Download>

@@ -4,7 +4,7 @@ import { QualityMark } from "../parts/QualityMark";
 import { isolated } from "../state/isolated";
 import { t } from "../state/language";
 import { doing, stationState } from "../supervise/stationFacts";
-import { useAnswer } from "./answers";
+import { sizeOf, useAnswer } from "./answers";
 import styles from "./FleetPage.module.css";
 
 const READ_MS = 2000;
@@ -52,7 +52,7 @@ function StationCard({
         <dt>{t("ui-fleet-only-on-station")}</dt>
         <dd>{figures(waiting)}</dd>
         <dt>{t("ui-fleet-size")}</dt>
-        <dd>{`${figures(Math.round(station.size_bytes / 1e9))} GB`}</dd>
+        <dd>{sizeOf(station.size_bytes)}</dd>
         <dt>{t("ui-fleet-newest")}</dt>
         <dd>{station.newest_at ? moment(station.newest_at) : "–"}</dd>
         <dt>{t("ui-fleet-collected")}</dt>

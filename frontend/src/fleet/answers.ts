@@ -4,6 +4,7 @@ import { get, Refused } from "../api/http";
 import { readSession } from "../api/session";
 import type { Quality } from "../api/types";
 import type { PlainId } from "../messages/text";
+import { figures } from "../parts/format";
 
 export const KINDS: Record<string, PlainId> = {
   scan: "ui-fleet-kind-scan",
@@ -29,37 +30,55 @@ export function qualityOf(verdict: string): Quality {
   return QUALITIES[verdict] ?? "neutral";
 }
 
+/** A size in the larger of both units that it reaches. */
+export function sizeOf(bytes: number): string {
+  return bytes < 1e9 ? `${figures(bytes / 1e6, 1)} MB` : `${figures(bytes / 1e9, 1)} GB`;
+}
+
 /** With how many decimals a unit is shown. */
 export function decimalsOf(unit: string): number {
   return { mm: 3, px: 2 }[unit] ?? 1;
 }
 
+const AGAIN_MS = 5000;
+
+interface Answer<T> {
+  value: T | null;
+  /** The last reading failed; it is tried again. */
+  failed: boolean;
+  /** The value is that of an earlier address. */
+  waiting: boolean;
+}
+
 /** The data at an address, read again at intervals; the last answer stays while there is none. An empty address is not read. */
-export function useAnswer<T>(path: string, every_ms = 0): { value: T | null; failed: boolean } {
-  const [value, setValue] = useState<T | null>(null);
+export function useAnswer<T>(path: string, every_ms = 0): Answer<T> {
+  const [read, setRead] = useState<{ path: string; value: T | null }>({ path: "", value: null });
   const [failed, setFailed] = useState(false);
   useEffect(() => {
     if (!path) return;
     let wanted = true;
-    const read = () =>
+    let again: ReturnType<typeof setTimeout> | undefined;
+    const look = () =>
       get<T>(path).then(
-        (answer) => {
+        (value) => {
           if (!wanted) return;
-          setValue(answer);
+          setRead({ path, value });
           setFailed(false);
         },
         (error) => {
           if (!wanted) return;
           setFailed(true);
           if (error instanceof Refused && error.problem.code === "signed-out") void readSession();
+          if (every_ms === 0) again = setTimeout(look, AGAIN_MS);
         },
       );
-    void read();
-    const timer = every_ms > 0 ? setInterval(read, every_ms) : undefined;
+    void look();
+    const timer = every_ms > 0 ? setInterval(look, every_ms) : undefined;
     return () => {
       wanted = false;
       clearInterval(timer);
+      clearTimeout(again);
     };
   }, [path, every_ms]);
-  return { value, failed };
+  return { value: read.value, failed, waiting: read.path !== path };
 }
