@@ -39,6 +39,8 @@ class PostgresServer:
         if self._user is not None:
             os.chown(folder, self._user.pw_uid, self._user.pw_gid)
         self._run("initdb", "-D", "data", "-U", "crenel", "-A", "trust", "-E", "UTF8", "-N")
+        access = folder / "data/pg_hba.conf"
+        access.write_text(f"host all reader 127.0.0.1/32 scram-sha-256\n{access.read_text()}")
         with socket.create_server(("127.0.0.1", 0)) as free:
             self.port = int(free.getsockname()[1])
         self._schemas = 0
@@ -53,14 +55,23 @@ class PostgresServer:
         """At once, as after a power failure."""
         self._run("pg_ctl", "stop", "-w", "-D", "data", "-m", "immediate")
 
+    def add_reader(self) -> None:
+        """Adds the user ``reader``, who has the password ``secret`` and no rights of his own."""
+        with psycopg.connect(self.address, autocommit=True) as connection:
+            connection.execute("CREATE ROLE reader LOGIN PASSWORD 'secret'")
+
+    @property
+    def address(self) -> str:
+        """Of the database of its own user, who may do everything."""
+        return f"postgresql://crenel@127.0.0.1:{self.port}/postgres"
+
     def new_database(self) -> str:
         """The address of an empty schema: it takes far less time than a whole database."""
         self._schemas += 1
         name = f"test_{self._schemas}"
-        address = f"postgresql://crenel@127.0.0.1:{self.port}/postgres"
-        with psycopg.connect(address, autocommit=True) as connection:
+        with psycopg.connect(self.address, autocommit=True) as connection:
             connection.execute(f"CREATE SCHEMA {name}".encode())
-        return f"{address}?options=-csearch_path%3D{name}"
+        return f"{self.address}?options=-csearch_path%3D{name}"
 
     def _run(self, program: str, *arguments: str) -> None:
         user = None if self._user is None else self._user.pw_name

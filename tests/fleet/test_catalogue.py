@@ -3,6 +3,7 @@
 import threading
 from dataclasses import replace
 from datetime import timedelta
+from pathlib import Path
 
 import pytest
 
@@ -19,6 +20,7 @@ from app.fleet.catalogue.reading import (
     summarise_stations,
 )
 from tests.fleet.entries import START, entry_of, figure_of
+from tests.fleet.postgres import PostgresServer
 
 
 def found_ids(catalogue: FleetCatalogue, **query: object) -> list[str]:
@@ -218,3 +220,24 @@ def test_a_database_that_is_away_is_one_clear_line() -> None:
         FleetCatalogue("postgresql://crenel:secret@127.0.0.1:1/plant")
     assert "postgresql://127.0.0.1:1/plant cannot be used now" in caught.value.line
     assert "secret" not in caught.value.line
+
+
+def test_what_a_user_lacks_is_named(postgres: PostgresServer) -> None:
+    postgres.add_reader()
+
+    def refusal(user: str, database: str) -> str:
+        with pytest.raises(CatalogueError) as refused:
+            FleetCatalogue(f"postgresql://{user}@127.0.0.1:{postgres.port}/{database}")
+        assert "LINE" not in refused.value.line
+        assert "\n" not in refused.value.line
+        return str(refused.value.remedy)
+
+    for user, database in (("reader:wrong", "postgres"), ("reader:secret", "none")):
+        assert refusal(user, database).startswith("Check the user, password_file and the name")
+    assert refusal("reader:secret", "postgres").startswith("Let the user own the database")
+
+
+def test_a_folder_that_is_not_there_is_named(tmp_path: Path) -> None:
+    with pytest.raises(CatalogueError) as refused:
+        FleetCatalogue(f"sqlite:///{tmp_path}/none/catalogue.db")
+    assert str(refused.value.remedy).startswith("Check that its folder is there")

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from app.errors import OperationError
 from app.fleet.catalogue.libraries import check_libraries
-from app.messages.message import message
+from app.messages.message import Text, message
 
 if TYPE_CHECKING:
     from alembic.config import Config
@@ -19,6 +19,8 @@ MIGRATIONS = Path(__file__).parent / "migrations"
 FIRST_REVISION, LAST_REVISION = "0001", "0003"
 WRITERS_LOCK = 0x6372656E
 """PostgreSQL's advisory lock of whoever writes."""
+FORBIDDEN_STATES = ("42501", "3F000")
+"""PostgreSQL's states of a missing right, and of no schema in which to create tables."""
 WAIT_S = 10
 PAUSE_S = 0.01
 
@@ -101,13 +103,29 @@ def convert_database_errors(engine: "Engine") -> Iterator[None]:
     try:
         yield
     except (DBAPIError, PoolTimeoutError) as error:
-        reason = str(getattr(error, "orig", None) or error)
+        cause = getattr(error, "orig", None) or error
+        reason = str(cause).partition("\nLINE ")[0]  # without the statement
         raise CatalogueError(
             "catalogue-away",
             message("catalogue-away", place=place),
             " ".join(reason.split())[:300].rstrip("?"),
-            message("catalogue-tried-again"),
+            _remedy_for(cause),
         ) from error
+
+
+def _remedy_for(cause: BaseException) -> Text:
+    """What to do about an error of a driver, whatever language it is in."""
+    connection = getattr(cause, "pgconn", None)  # of psycopg, where none was made
+    if connection is not None and (connection.needs_password or connection.used_password):
+        return message("catalogue-check-user")
+    if getattr(cause, "sqlstate", None) in FORBIDDEN_STATES:
+        return message("catalogue-let-user-own")
+    if getattr(cause, "sqlite_errorcode", 0) & 0xFF in (
+        sqlite3.SQLITE_CANTOPEN,
+        sqlite3.SQLITE_READONLY,
+    ):
+        return message("catalogue-check-folder")
+    return message("catalogue-tried-again")
 
 
 @contextmanager
