@@ -225,8 +225,12 @@ def open_places(
     from app.batch.places import find_places
     from app.errors import OperationError
     from app.messages.message import message
-    from app.settings.station_toml import read_settings
+    from app.settings.station_toml import DEFAULT_FILE, read_settings
 
+    if not given and config is None and not Path(DEFAULT_FILE).exists():
+        raise OperationError(
+            "no-place", message("batch-none-named"), remedy=message("batch-name-a-place")
+        )
     keys = read_settings(config).archive if config is not None or not given else None
     if not given and keys is None:
         raise OperationError(

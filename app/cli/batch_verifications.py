@@ -111,7 +111,7 @@ def measure_verifications(
             progress,
             patience,
         )
-    if not (tasks or refused) and kind != "drift":
+    if not (tasks or refused):
         fail_without_verifications(found, shape, patience)
     tally = Tally(refused=refused)
     known = do_missing(

@@ -307,6 +307,7 @@ batch-no-place = { $place } ist weder Archiv noch Datenordner und enthält kein 
 batch-no-quantity = { $quantity } ist keine Kenngröße einer Prüfung, die neu gemessen werden kann
 batch-no-recording = Die Aufnahme des Scans { $id } ist weder im Archiv noch im Datenordner ihrer Station
 batch-no-scheduler = Der Scheduler { $address } antwortet nicht
+batch-none-named = Weder Archiv noch Datenordner ist angegeben, und hier gibt es keine station.toml
 batch-other-device = Die Kalibrierung { $id } gehört zu einem anderen Arm oder Sensor als der Scan { $scan }
 batch-other-version = Die Worker haben Crenel { $there }, hier läuft Crenel { $here }
 batch-output-in-source = { $place } liegt innerhalb der gelesenen Datensätze

@@ -307,6 +307,7 @@ batch-no-place = { $place } is no archive and no data folder, and has no archive
 batch-no-quantity = { $quantity } is no figure of a verification that can be measured again
 batch-no-recording = The recording of the scan { $id } is neither in the archive nor in the data folder of its station
 batch-no-scheduler = The scheduler { $address } does not answer
+batch-none-named = No archive and no data folder is named, and there is no station.toml here
 batch-other-device = The calibration { $id } is of another arm or sensor than the scan { $scan }
 batch-other-version = The workers have Crenel { $there }, and this is Crenel { $here }
 batch-output-in-source = { $place } is within the records that are read

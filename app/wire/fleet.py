@@ -52,9 +52,9 @@ class FleetOverview(FleetAnswer):
 
 
 class StationsOnBroker(FleetAnswer):
-    """What the stations report over MQTT; ``broker``: it is connected."""
+    """What the stations report over MQTT; ``broker``: it is connected, null without one."""
 
-    broker: bool
+    broker: bool | None
     stations: list[RemoteStation]
 
 

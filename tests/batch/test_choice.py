@@ -99,3 +99,13 @@ def test_of_many_the_last_ones_are_named() -> None:
     assert name_some(f"{number:02d}" for number in range(12)) == (
         "There are: 02, 03, 04, 05, 06, 07, 08, 09, 10, 11, and 2 more."
     )
+
+
+def test_a_command_without_a_place_asks_for_one(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    ran = CliRunner().invoke(cli, ["rebuild"])
+    assert ran.exit_code == 1
+    (line,) = ran.stderr.splitlines()
+    assert "Name the archive or the data folder of a station" in line

@@ -267,8 +267,13 @@ def test_the_commands_print_and_keep_the_table(archive: Path, tmp_path: Path) ->
     found = run("verify", "plane", archive, *args, "--period", "2026-05", cwd=tmp_path)
     assert (found["made"], len(found["rows"])) == (1, 2)
     assert (tmp_path / "out/table.csv").read_text().count("\n") == 3
-    for words in (("verify", "sphere"), ("study", "--period", "2027")):
-        none = CliRunner().invoke(cli, [*words, str(archive), "-o", str(tmp_path / "out")])
+    in_2027 = ("--since", "2027-01-01")
+    for words in (
+        ("verify", "sphere", archive),
+        ("study", archive, "--period", "2027"),
+        ("drift", "gauge-rms", archive, *in_2027),
+    ):
+        none = CliRunner().invoke(cli, [*map(str, words), "-o", str(tmp_path / "out")])
         assert none.exit_code == 1
         assert "is chosen. The places have 2 on a plane." in none.stderr
     studied = run("study", archive, "data", *args, cwd=tmp_path)

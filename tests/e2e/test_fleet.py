@@ -38,6 +38,7 @@ def address(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
     settings.write_text(
         '[catalogue]\ndatabase = "sqlite:///catalogue.db"\n'
         '[stations.room-2]\narchive = { url = "room-2" }\n'
+        f'[mqtt]\nhost = "127.0.0.1"\nport = {free_port()}\n'  # nobody listens
     )
     with running_fleet(settings) as client:
         yield str(client.base_url)
@@ -66,6 +67,8 @@ def open_first(page: Page, text: str) -> None:
 def test_stations_and_records(page: Page) -> None:
     expect(page.get_by_role("heading", name="room-2")).to_be_visible()
     expect(page.locator("dd").filter(has_text="2000").first).to_be_visible()
+    expect(page.get_by_text("The broker cannot be reached")).to_be_visible()
+    expect(page.get_by_text("Not heard")).to_have_count(0)
     open_view(page, "Records")
     rows = page.locator("tbody tr")
     expect(rows).to_have_count(51)

@@ -120,7 +120,7 @@ def test_it_collects_and_answers(store: Store, tmp_path: Path) -> None:
         assert len(period["recordings"]) == 30
         calibrations = client.get("/api/fleet/calibrations").json()["calibrations"]
         assert {one["station"] for one in calibrations} == {"room-1", "room-3"}
-        assert client.get("/api/fleet/stations").json() == {"broker": False, "stations": []}
+        assert client.get("/api/fleet/stations").json() == {"broker": None, "stations": []}
         assert "text/html" in client.get("/").headers["content-type"]
         assert client.get("/api/other").status_code == 404
         for wrong in (

@@ -151,7 +151,7 @@ def _add_lists(app: FastAPI, service: FleetService) -> None:
 
     @app.get("/api/fleet/stations")
     async def stations() -> Response:
-        connected = service.broker is not None and service.broker.state.connected
+        connected = service.broker.state.connected if service.broker is not None else None
         answer = StationsOnBroker(broker=connected, stations=list(service.remote_stations()))
         return json_response(answer)
 

@@ -19,7 +19,12 @@ export function StationList({ stations, place }: { stations: FleetStation[]; pla
     <section aria-label={t("ui-stations")}>
       <ul className={styles.cards}>
         {stations.map((station) => (
-          <StationCard key={station.id} station={station} remote={live.get(station.id)} />
+          <StationCard
+            key={station.id}
+            station={station}
+            remote={live.get(station.id)}
+            isHeard={heard?.broker === true}
+          />
         ))}
         {others.map((remote) => (
           <li key={remote.id} className={styles.card}>
@@ -29,6 +34,7 @@ export function StationList({ stations, place }: { stations: FleetStation[]; pla
           </li>
         ))}
       </ul>
+      {heard?.broker === false && <p className={styles.trouble}>{t("ui-fleet-broker-away")}</p>}
       <p className={styles.note}>{t("ui-fleet-place", { place })}</p>
     </section>
   );
@@ -37,15 +43,19 @@ export function StationList({ stations, place }: { stations: FleetStation[]; pla
 function StationCard({
   station,
   remote,
+  isHeard,
 }: {
   station: FleetStation;
   remote: StationsOnBroker["stations"][number] | undefined;
+  /** There is a broker, on which stations are heard. */
+  isHeard: boolean;
 }) {
   const waiting = station.records - station.archived;
   return (
     <li className={styles.card} data-problem={station.problem ? true : undefined}>
       <h2>{isolated(station.name)}</h2>
-      <Now remote={remote} />
+      {remote && <Now remote={remote} />}
+      {isHeard && !remote && <p className={styles.note}>{t("ui-fleet-not-on-broker")}</p>}
       <dl className={styles.facts}>
         <dt>{t("ui-fleet-records")}</dt>
         <dd>{figures(station.records)}</dd>
@@ -67,8 +77,7 @@ function StationCard({
   );
 }
 
-function Now({ remote }: { remote: StationsOnBroker["stations"][number] | undefined }) {
-  if (!remote) return <p className={styles.note}>{t("ui-fleet-not-on-broker")}</p>;
+function Now({ remote }: { remote: StationsOnBroker["stations"][number] }) {
   const { words, quality } = stationState(remote);
   const activity = remote.state === "live" && remote.report ? doing(remote.report) : null;
   return (

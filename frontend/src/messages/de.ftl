@@ -359,6 +359,7 @@ ui-fleet-ageing = Alterung
 ui-fleet-all-calibrations = Alle Kalibrierungen jedes Sensors; die neueste ist blau und groß. Der Balken ist der Median ± eine Standardabweichung.
 ui-fleet-archived = Archiviert
 ui-fleet-back = Zurück zur Liste
+ui-fleet-broker-away = Der Broker ist nicht erreichbar: Was die Stationen jetzt tun, ist unbekannt.
 ui-fleet-calibration-choice = { $mark ->
     [used] { $name }, { $at }: damals benutzt
     [newest] { $name }, { $at }: die neueste

@@ -359,6 +359,7 @@ ui-fleet-ageing = Ageing
 ui-fleet-all-calibrations = All calibrations of each sensor; the newest is blue and large. The bar is the median ± one standard deviation.
 ui-fleet-archived = Archived
 ui-fleet-back = Back to the list
+ui-fleet-broker-away = The broker cannot be reached: what the stations do now is unknown.
 ui-fleet-calibration-choice = { $mark ->
     [used] { $name }, { $at }: in use then
     [newest] { $name }, { $at }: the newest
