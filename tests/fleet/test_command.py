@@ -57,6 +57,9 @@ def test_a_station_is_collected_searched_and_shown(
     found = json.loads(run(config, "search", "housing 4711", "--json").stdout)["records"]
     assert [one["id"] for one in found] == ["20260504-111500"]
     assert "Housing 4711" in run(config, "search", "--since", "2026-05-04", "--kind", "scan").stdout
+    newest = run(config, "search", "--most", "2").stdout
+    assert newest.startswith("the newest 2 records; there are more")
+    assert run(config, "search", "--most", "7").stdout.startswith("7 records")
     shown = run(config, "show", "room-1", "tip_check", "20260504-080000-dd44")
     assert "tip-diameter-error" in shown.stdout
     assert "-100 µm" in shown.stdout

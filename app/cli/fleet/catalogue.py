@@ -116,12 +116,15 @@ def search(
 
     check_kind(kind)
     first, last = parse_days(since, until)
-    query = SearchQuery(text=text, station=station, kind=kind, since=first, until=last, limit=most)
+    query = SearchQuery(
+        text=text, station=station, kind=kind, since=first, until=last, limit=most + 1
+    )
     with open_catalogue(config) as (_, opened), opened.reading() as connection:
         check_catalogue_stations(connection, [station] if station else [])
         found = search_all(connection, query)
+    more, found = len(found) > most, found[:most]
     if as_json:
-        print_json({"records": [plain_fields(one.entry) for one in found]})
+        print_json({"more": more, "records": [plain_fields(one.entry) for one in found]})
         return
     if not found:
         print("No record is found.")
@@ -138,8 +141,9 @@ def search(
         )
         for one in found
     ]
+    listed = count_words(len(found), "record")
     print_table(
-        count_words(len(found), "record"),
+        f"the newest {listed}; there are more, see --most" if more else listed,
         ("station", "kind", "id", "time", "label", "verdict", "calibration"),
         rows,
     )
