@@ -169,8 +169,8 @@ def test_a_cloud_is_made_with_todays_calibration_and_downloaded(
         part.get_by_role("button", name="Make cloud").click()
         expect(part.get_by_text(f"The cloud with {clouds.TODAYS} is being made")).to_be_visible()
         page.screenshot(path=pictures / "fleet-cloud-being-made.png")
-        with page.expect_download() as begun:
-            part.get_by_role("link", name="Download").click()
+        with page.expect_download(timeout=120_000) as begun:  # a process begins and makes it
+            part.get_by_role("link", name="Download").click(timeout=120_000)
         assert begun.value.path().read_bytes()[:4] == b"LASF"
         assert begun.value.suggested_filename.endswith(".copc.laz")
         expect(part.get_by_text("It is made already")).to_be_visible()
@@ -198,7 +198,7 @@ def choose_for_each_sensor(page: Page, pictures: Path) -> None:
     other = part.get_by_label("Calibration, sensor S-2")
     expect(other.locator("option:checked")).to_have_text("Of the day of the scan")
     part.get_by_role("button", name="Make cloud").click()
-    expect(part.get_by_role("link", name="Download")).to_be_visible(timeout=30_000)
+    expect(part.get_by_role("link", name="Download")).to_be_visible(timeout=120_000)
     expect(part.get_by_role("row").last).to_contain_text(f"{clouds.TODAYS}, {clouds.FOREIGN}")
     for width, language in ((1280, "English"), (820, "English"), (820, "Deutsch")):
         page.set_viewport_size({"width": width, "height": 900})
