@@ -104,11 +104,11 @@ def convert_database_errors(engine: "Engine") -> Iterator[None]:
         yield
     except (DBAPIError, PoolTimeoutError) as error:
         cause = getattr(error, "orig", None) or error
-        reason = str(cause).partition("\nLINE ")[0]  # without the statement
+        reason = str(cause).strip().partition("\n")[0]  # without statement and questions
         raise CatalogueError(
             "catalogue-away",
             message("catalogue-away", place=place),
-            " ".join(reason.split())[:300].rstrip("?"),
+            " ".join(reason.split())[:300],
             _remedy_for(cause),
         ) from error
 
