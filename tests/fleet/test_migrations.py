@@ -84,6 +84,20 @@ def test_the_first_version_is_brought_up_to_date_in_both_databases(url: str) -> 
     check_content(url)
 
 
+@pytest.mark.parametrize("revision", ["0002", LAST_REVISION])
+def test_what_the_first_version_stored_is_there_by_way_of_each_later_one(
+    url: str, revision: str
+) -> None:
+    engine = create_engine(url)
+    upgrade(engine, FIRST_REVISION)
+    with connected(engine) as connection:
+        for one in insertions():
+            connection.execute(text(one))
+    upgrade(engine, revision)
+    engine.dispose()
+    check_content(url)
+
+
 def test_the_migrations_lead_to_the_tables_of_today(url: str) -> None:
     with connected(open_engine(url)) as connection:
         found = MigrationContext.configure(connection)

@@ -1,0 +1,118 @@
+"""Databases of every earlier version open, with all that is in them."""
+
+import hashlib
+import json
+import sqlite3
+from contextlib import closing
+from pathlib import Path
+
+import pytest
+
+from app.store.accounts import Role
+from app.store.schemas import SCHEMA_VERSION, SCHEMAS
+from app.store.store import Store
+from tests.store.test_store import FIGURES
+
+AT = "2026-01-01T10:00:00Z"
+FIGURES_TEXT = json.dumps(FIGURES)
+ROWS = {
+    "session": ("s1", "calibration", AT, AT),
+    "journal": (1, "s1", AT, "point_taken", '{"face": "crest"}', "key"),
+    "calibration": ("s1", "s1", "First", "sessions/s1/calibration.json", AT, FIGURES_TEXT, 1),
+    "scan": ("c1", "Housing", "scans/c1", AT, 5, 6, 1.5, "s1"),
+    "account": ("Ada", "admin", "hash", AT),
+    "sign_in": ("token", "Ada", "tablet", AT, AT),
+    "wall_link": ("w1", "secret", "Hall", "Ada", AT),
+    "audit": (1, AT, "Ada", "127.0.0.1", "signed in", "done"),
+    "scraper": ("t1", "secret", "Prometheus", "Ada", AT),
+    "verification": ("s1", "s1", "verifications/s1", AT, "{}"),
+    "temperature": (1, AT, 20.5, "typed"),
+    "known_browser": ("token", "Ada", AT),
+    "performance": ("s1", "s1", "performance/s1", AT, "{}"),
+}
+"""A row of each table, as the version that added the table wrote it."""
+PRESENT = {"wall_link": "kiosk_link", "scraper": "api_token"}
+"""Tables that have another name since."""
+WRITTEN = [
+    "43664ad9",
+    "56a866f7",
+    "afb7cf46",
+    "45fbed46",
+    "400fd397",
+    "39fed654",
+    "caac4511",
+    "4050eee5",
+    "aab19ca7",
+    "b3e8974b",
+    "507cb5f0",
+    "97a2d17d",
+]
+"""Beginnings of the SHA-256 of each version's additions."""
+
+
+def write_version(path: Path, version: int) -> set[str]:
+    """Makes the database of a version with a row in each of its tables; returns their present
+    names."""
+    written = set()
+    with closing(sqlite3.connect(path)) as made:
+        for number, additions in enumerate(SCHEMAS[:version]):
+            made.executescript(additions)
+            for table, row in ROWS.items():
+                if f"CREATE TABLE {table} (" in additions:
+                    columns = ", ".join("?" * len(row))
+                    made.execute(f"INSERT INTO {table} VALUES ({columns})", row)
+                    written.add(PRESENT.get(table, table))
+            made.commit()
+            made.execute(f"PRAGMA user_version = {number + 1}")
+    return written
+
+
+@pytest.mark.parametrize("version", range(1, SCHEMA_VERSION + 1))
+def test_a_database_of_each_version_opens_with_all_its_rows(tmp_path: Path, version: int) -> None:
+    written = write_version(tmp_path / "station.db", version)
+    store = Store(tmp_path)
+    try:
+        (calibration,) = store.calibrations.all()
+        assert (calibration.id, calibration.active, calibration.sensor) == ("s1", True, "")
+        assert calibration.figures.total_um == FIGURES["total_um"]
+        (scan,) = store.scans.all()
+        assert (scan.id, str(scan.name), scan.points, scan.calibration_id) == (
+            "c1",
+            "Housing",
+            5,
+            "s1",
+        )
+        (row,) = store.journal.rows("s1")
+        assert (row.kind, row.payload) == ("point_taken", {"face": "crest"})
+        if "account" in written:
+            (account,) = store.accounts.all()
+            assert (account.name, account.role) == ("Ada", Role.admin)
+            (entry,) = store.audit.newest(10)
+            assert str(entry.act) == "signed in"
+        if "temperature" in written:
+            assert store.temperatures.celsius_near(AT) == 20.5
+    finally:
+        store.close()
+    with closing(sqlite3.connect(tmp_path / "station.db")) as opened:
+        counts = {
+            name: opened.execute(f"SELECT count(*) FROM {name}").fetchone() for name in written
+        }
+        assert set(counts.values()) == {(1,)}
+        assert opened.execute("PRAGMA user_version").fetchone() == (SCHEMA_VERSION,)
+
+
+def test_every_table_has_a_row_here() -> None:
+    added = {
+        line.split()[2]
+        for additions in SCHEMAS
+        for line in additions.splitlines()
+        if line.startswith("CREATE TABLE")
+    }
+    assert added - {"performance_by_touch"} == set(ROWS)
+
+
+def test_the_additions_of_a_version_stay_as_they_were() -> None:
+    """Databases have them already: a change is a new version."""
+    found = [hashlib.sha256(additions.encode()).hexdigest()[:8] for additions in SCHEMAS]
+    assert found[: len(WRITTEN)] == WRITTEN
+    assert len(found) == len(WRITTEN), "add the digest of the new version"
