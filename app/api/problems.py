@@ -20,7 +20,7 @@ from app.wire.json_response import RequestError, problem
 log = logging.getLogger(__name__)
 
 UNPROCESSABLE = 422
-STATUSES = {STALE: 409, NOT_SAVED: 507, "disk-full": 507}
+STATUSES = {STALE: 409, NOT_SAVED: 507, "disk-full": 507, "catalogue-away": 503}
 """Of refusals that programs recognise by their status."""
 
 

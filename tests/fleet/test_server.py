@@ -141,8 +141,9 @@ def test_the_database_is_lost_and_comes_back(
         postgres.stop()
         try:
             until(lambda: count(client) == -1)
-            problem = client.get("/api/fleet/overview").json()
-            assert "cannot be used now" in problem["detail"]
+            refused = client.get("/api/fleet/overview")
+            assert refused.status_code == 503
+            assert "cannot be used now" in refused.json()["detail"]
             add_recorded_scan(store, "20260504-121500", "Housing 4712")
         finally:
             postgres.start()
