@@ -291,3 +291,26 @@ def test_a_followed_wide_line_of_16_bits_is_that_of_whole_images() -> None:
             assert float(np.median(np.abs(off))) < 0.1
         ratio = np.median(followed.sigma_px) / np.median(whole.sigma_px)
         assert 0.7 < ratio < 1.4
+
+
+@pytest.mark.parametrize(("turn_deg", "slope"), [(5, 0.127), (10, 0.136), (20, 0.324)])
+def test_a_line_along_the_squares_of_a_marked_board_is_found_in_spite_of_its_gaps(
+    turn_deg: float, slope: float
+) -> None:
+    """The edge of a square under the line leaves a gap, where its own peaks are no clutter."""
+    dictionary = cv2.aruco.getPredefinedDictionary(cv2.aruco.DICT_4X4_50)
+    board = cv2.aruco.CharucoBoard((8, 7), 10.0, 7.5, dictionary).generateImage((1120, 980))
+    turned = cv2.getRotationMatrix2D((560, 490), turn_deg, 0.5) + [[0, 0, 80], [0, 0, -10]]
+    size, paper = (1280, 960), 170
+    board = cv2.warpAffine(board, turned, size, flags=cv2.INTER_AREA, borderValue=(paper,))
+    rows, columns = np.mgrid[: size[1], : size[0]]
+    line = 640 + slope * (rows - 480)
+    lit = 20 + 0.45 * board + 220 * np.exp(-0.5 * ((columns - line) / 2.0) ** 2)
+    noisy = cv2.GaussianBlur(lit, (0, 0), 0.8) + np.random.default_rng(3).normal(0, 2, lit.shape)
+    grey = np.clip(np.rint(noisy), 0, 255).astype(np.uint8)
+    sent = cv2.imencode(".jpg", grey, [cv2.IMWRITE_JPEG_QUALITY, 60])[1]
+    stripe = extract_stripe(np.asarray(cv2.imdecode(sent, cv2.IMREAD_GRAYSCALE), np.uint8), "v")
+    assert len(stripe.v) > 0.6 * size[1]
+    off_px = np.abs(stripe.u - line[stripe.v.astype(int), 0])
+    assert float(np.median(off_px)) < 0.1
+    assert float(np.mean(off_px < 4)) > 0.98

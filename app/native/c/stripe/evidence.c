@@ -73,7 +73,9 @@ static bool OF(is_line)(Workspace *work, int64_t count, int64_t n, double bright
     if (!work->is_clipped && (double)(n - points) <= few && columns >= MANY_COLUMNS)
         return true;
     list_points(work, count, point_at);
-    if ((double)find_clutter(work, n, point_at) > few)
+    /* in a gap, the line's own peaks are no clutter */
+    bridge_gaps(work, count, work->levels);
+    if ((double)find_clutter(work, n, point_at, work->levels) > few)
         clutter = clutter_level(work, point_at, 0, work->width, height);
     if (columns >= MANY_COLUMNS && clutter < NEARLY_ALONE)
         return true;

@@ -64,8 +64,10 @@ static double rows_between(const Workspace *work, int32_t peak, int32_t point)
 }
 
 /* Fills the height of the clutter in each column (width): its highest peak beside the line, by n
- * peaks; returns how many peaks are clutter. */
-static int64_t find_clutter(Workspace *work, int64_t n, const int32_t *point_at)
+ * peaks; returns how many peaks are clutter. `bridge` has the line's row in columns without a point
+ * (width), negative where it is not known; or is null. */
+static int64_t find_clutter(Workspace *work, int64_t n, const int32_t *point_at,
+                            const float *bridge)
 {
     float *highest = work->clutter;
     int64_t found = 0;
@@ -73,6 +75,9 @@ static int64_t find_clutter(Workspace *work, int64_t n, const int32_t *point_at)
     for (int64_t p = 0; p < n; p++) {
         const int32_t column = work->peak_columns[p], point = point_at[column];
         if (point >= 0 && rows_between(work, (int32_t)p, point) <= BESIDE_LINE)
+            continue;
+        if (point < 0 && bridge && bridge[column] >= 0 &&
+            fabs((double)bridge[column] - work->peak_rows[p]) <= BESIDE_LINE)
             continue;
         highest[column] = max_f32(highest[column], (float)work->peak_heights[p]);
         found++;
@@ -148,6 +153,26 @@ static bool goes_on_in(const Workspace *work, const Piece *piece, const Piece *n
     const double gap = along[next->begin] - along[end];
     return gap <= BRIDGED &&
            fabs(across[next->begin] - across[end]) <= work->climb * gap + STEP_ROWS;
+}
+
+/* Fills the row of the line (width) in the gaps between `count` pieces, where the line has as many
+ * points before the gap, and behind it, and climbs no more there than in a run; -1 elsewhere. */
+static void bridge_gaps(const Workspace *work, int64_t count, float *bridge)
+{
+    const Piece *pieces = work->pieces;
+    const double *along = work->points, *across = along + ACROSS * work->width;
+    const int64_t points = count_points(work, count);
+    for (int64_t i = 0; i < work->width; i++)
+        bridge[i] = -1;
+    for (int64_t k = 1; k < count; k++) {
+        const int64_t end = pieces[k].begin - 1, next = pieces[k].begin;
+        const double gap = along[next] - along[end], rise = across[next] - across[end];
+        if (gap > (double)min_i64(next, points - next) ||
+            fabs(rise) > work->climb * gap + STEP_ROWS)
+            continue;
+        for (int64_t i = 1; i < (int64_t)gap; i++)
+            bridge[(int64_t)along[end] + i] = (float)(across[end] + rise * (double)i / gap);
+    }
 }
 
 /* Keeps the pieces in which the line goes on from kept ones. */
@@ -229,11 +254,11 @@ static int64_t keep_line(Workspace *work, int64_t count, int64_t n, bool linked)
     list_points(work, count, main_at);
     /* the pieces in question are themselves clutter, as far as a short line shows */
     const bool everywhere = (double)points < MAIN_COLUMNS * (double)work->width;
-    find_clutter(work, n, everywhere ? main_at : point_at);
+    find_clutter(work, n, everywhere ? main_at : point_at, NULL);
     const double least = ABOVE_CLUTTER * height *
                          clutter_level(work, main_at, 0, work->width, everywhere ? height : 0);
     if (everywhere)
-        find_clutter(work, n, point_at);
+        find_clutter(work, n, point_at, NULL);
     for (int64_t k = 0; k < count; k++)
         pieces[k].kept |= is_bright(work, &pieces[k], point_at, least, height);
     keep_continued(work, pieces, count);
