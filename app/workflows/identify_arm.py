@@ -1,6 +1,7 @@
 """From a folder of seats, spheres, ball bars and coordinates to an identified ``arm.json``."""
 
 import os
+from contextlib import nullcontext
 from dataclasses import asdict, dataclass
 from datetime import UTC, datetime
 from pathlib import Path
@@ -53,12 +54,14 @@ def identify_folder(
     check: Path | None = None,
     progress: Progress = no_progress,
     signature: IdentificationProvenance = IdentificationProvenance(),
+    names_folder: bool = True,
 ) -> tuple[ArmFile, Identification]:
     """Identifies the arm of a folder and writes it to ``output``.
 
     Args:
         check: a folder of places that the fit must not see.
         signature: what the file says of where and by whom it was made.
+        names_folder: errors of the data begin with the folder, which a browser does not show.
 
     Raises:
         OperationError: the folder or the place to write to is not in order, or no better arm
@@ -71,7 +74,7 @@ def identify_folder(
     if check is not None:
         inputs += [check / name for name in TABLES if (check / name).exists()]
     check_output_path(output, inputs)
-    with prefix_errors(folder):
+    with prefix_errors(folder) if names_folder else nullcontext():
         result = identify(session.arm, session.observations, held_out, progress)
     document = arm_document(result.arm, identification_part(result, inputs, folder, signature))
     document.write(output)

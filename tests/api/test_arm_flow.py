@@ -228,7 +228,15 @@ def test_coordinates_of_a_tracker_identify_the_arm(
     arm = read_arm(server.data / "arms" / "simulated.json")
     tracker = Tracker.somewhere(rng)
     found = measure(built(arm, rng), postures(arm, 60, rng), tracker, rng)
+    found.points_mm[16, 0] += 12.0
     rows = np.hstack([found.points_mm, np.degrees(found.q_rad)]).tolist()
+    mirrored = [(x, -y, *others) for x, y, *others in rows]
+    text = table_text(("x_mm", "y_mm", "z_mm", *joint_columns(arm.joint_count)), mirrored)
+    do(server, "take_coordinates", text=text)
+    do(server, "fit")
+    view = wait(server, lambda view: view["busy"] is None)
+    said = [english(finding["text"]) for finding in view["findings"]]
+    assert said[-1].startswith("coordinates.csv: in frame instrument"), said
     text = table_text(("x_mm", "y_mm", "z_mm", *joint_columns(arm.joint_count)), rows)
     view = do(server, "take_coordinates", text=text)
     assert view["coordinates"] == 60
@@ -242,6 +250,8 @@ def test_coordinates_of_a_tracker_identify_the_arm(
     (line,) = view["picture"]["result"]["lines"]
     assert english(line["title"]) == "Measured coordinates"
     assert line["after_um"] < line["before_um"] / 4
+    (left_out,) = [one for one in view["findings"] if "Excluded" in english(one["text"])]
+    assert "coordinates.csv line 18" in english(left_out["text"])
     identified = server.http.get("/api/arm/identifications").json()[0]
     report = server.http.get(f"/api/arm/identifications/{identified['id']}/report.html").text
     assert "Measured coordinates" in report

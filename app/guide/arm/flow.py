@@ -185,6 +185,8 @@ def _findings(state: ArmState, live: ArmLive, picture: ArmPicture) -> list[Findi
     if state.solved is not None:
         warnings = [text_from_json(text) for text in state.solved["warnings"]]
         findings += [Finding("attention", sentence(text)) for text in warnings]
+        left_out = [text_from_json(text) for text in state.solved.get("outliers", ())]
+        findings += [Finding("attention", text) for text in left_out]
     return findings
 
 

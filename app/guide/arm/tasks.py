@@ -20,6 +20,7 @@ from app.workflows.identify_arm import (
     IdentificationProvenance,
     identify_folder,
     list_fixed_parameters,
+    outlier_text,
     parameter_lines,
     strong_correlations,
 )
@@ -42,6 +43,7 @@ def fit(guide: ArmGuide, progress: Progress) -> None:
             folder / IDENTIFIED,
             progress=lambda share, text: progress(text, share),
             signature=signature,
+            names_folder=False,
         )
     except OperationError as error:
         guide.append("fit_refused", error_payload(error))
@@ -118,4 +120,5 @@ def _payload(result: Identification) -> dict[str, object]:
             for first, second, rho in strong_correlations(result)
         ],
         "warnings": list(result.warnings),
+        "outliers": [message("left-out-3", text=outlier_text(one)) for one in result.outliers],
     }
