@@ -25,6 +25,8 @@ from hardware.interfaces import (
 
 SETTLE_S = 0.25
 """Samples are observed for this long before the first is returned, to learn the clock."""
+_JUMP_NS = 3_000_000_000
+"""A clock or a count that gains more than this from one packet to the next has been set."""
 _UNIT_TOLERANCE = 1e-3
 _MOST_BAD_POSES = 50
 
@@ -50,6 +52,8 @@ class PacketStream:
         self._first_ns: int | None = None
         self._scale: tuple[float, ...] = ()
         self._settled = False
+        self._was_ready = False
+        self._arrival_ns = 0
         self._pulses_run = False
         self._last_pulse = 0
         self._request: int | None = None
@@ -75,7 +79,8 @@ class PacketStream:
         """Records of the packets that ``data`` completes; none before the stream is ready.
 
         Raises:
-            DeviceError: another arm, other joints or frames, no poses, or pulses that restarted.
+            DeviceError: another arm, other joints or frames, no poses, pulses that restarted, or a
+                clock or count that jumped.
         """
         records: list[ArmRecord] = []
         for packet in self._reader.feed(data):
@@ -83,11 +88,15 @@ class PacketStream:
                 self._greet(packet)
             elif isinstance(packet, PulseAnswer):
                 self._take_answer(packet)
-            elif self._advance(packet):
+            elif self._advance(packet, arrival_ns):
                 self._clock.observe(packet.device_us * 1000, arrival_ns)
                 self._settle(arrival_ns)
                 if self.is_ready:
+                    self._was_ready = True
                     self._append(records, packet)
+                elif self._was_ready:
+                    self._health.received -= 1
+                    self._health.lost += 1
                 else:
                     self._buttons = packet.buttons
         self._health.corrupt = self._reader.corrupt + self._refused
@@ -143,23 +152,39 @@ class PacketStream:
         if answer.done:
             self._pulses_run = answer.rate_hz > 0
 
-    def _advance(self, packet: Sample | PosePacket) -> bool:
-        """Checks the sequence number; False for a repeated sample."""
+    def _advance(self, packet: Sample | PosePacket, arrival_ns: int) -> bool:
+        """Checks sequence number and time; False for a repeated sample."""
         last, self._last = self._last, packet
+        waited_ns, self._arrival_ns = arrival_ns - self._arrival_ns, arrival_ns
         step = 1
         if last is None:
             self._sequence = packet.sequence - 1
         elif packet.device_us < last.device_us or self._step_from(last, packet) >= 1 << 31:
             if self._pulses_run:
                 raise self._pulse_error()
-            self._clock.restart()
+            self._learn_clock_again()
         elif (step := self._step_from(last, packet)) == 0:
             self._refused += 1
             return False
+        elif self._gain_ns(last, packet, step) > waited_ns + _JUMP_NS:
+            raise DeviceError(
+                message("robot-clock-jumped", address=self._options.url), message("opens-again")
+            )
         self._sequence += step
         self._health.received += 1
         self._health.lost += step - 1
         return True
+
+    def _learn_clock_again(self) -> None:
+        """After a restart: the first packets may have waited anywhere on their way."""
+        self._clock.restart()
+        self._settled, self._first_ns = False, None
+
+    def _gain_ns(self, last: Sample | PosePacket, packet: Sample | PosePacket, step: int) -> float:
+        """By how much a packet is later than the one before, by the arm's clock or count."""
+        rate_hz = self.hello.rate_hz if self.hello is not None else 0.0
+        counted_ns = step * 1e9 / rate_hz if rate_hz else 0.0
+        return max((packet.device_us - last.device_us) * 1e3, counted_ns)
 
     @staticmethod
     def _step_from(last: Sample | PosePacket, packet: Sample | PosePacket) -> int:

@@ -165,9 +165,11 @@ What the host does
 - Missing sequence numbers are counted as ``lost``. A sample that repeats the last
   sequence number is dropped and counted as ``corrupt``.
 - If a sequence number or a device time goes backward, the arm was restarted: the host
-  restarts its time mapping and continues. If the pulses were running, the connection ends with an
-  error, because the camera counted pulses that the arm did not. The same applies if a pulse number
-  does not increase.
+  restarts its time mapping, counts what arrives in the next 0.25 s as ``lost``, and continues. If
+  the pulses were running, the connection ends with an error, because the camera counted pulses that
+  the arm did not. The same applies if a pulse number does not increase.
+- If a device time, or a sequence number by the sample rate, goes forward by 3 s more than has
+  passed, the connection ends with an error.
 - Buttons that are already down in the first sample after opening cause no press; a change
   of bits from one sample to the next causes a press or a release, with the device time of
   the later sample.

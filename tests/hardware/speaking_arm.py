@@ -254,6 +254,15 @@ class FakeSerialArm:
         with self._lock:
             self._injected.append(data)
 
+    def device_us(self, now_ns: int) -> int:
+        """Its clock at a host-monotonic time."""
+        return (now_ns - self._born_ns) // 1000
+
+    def set_clock(self, later_s: float) -> None:
+        """The device's clock jumps."""
+        with self._lock:
+            self._born_ns -= round(1e9 * later_s)
+
     def reboot(self) -> None:
         """The sequence and the device's clock start at zero again, without pulses."""
         with self._lock:
@@ -315,7 +324,7 @@ class FakeSerialArm:
         self.line.write(packet(5, struct.pack("<BBI", number, int(refused), rate_mhz), 2))
 
     def _packet(self, now_ns: int) -> bytes:
-        device_us = (now_ns - self._born_ns) // 1000
+        device_us = self.device_us(now_ns)
         if self.joints:
             kind, payload = (
                 1,

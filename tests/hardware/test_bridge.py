@@ -1,6 +1,7 @@
 """Version 2 of the protocol: poses, trigger pulses, properties, in front of a speaking device."""
 
 import threading
+import time
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
@@ -152,7 +153,8 @@ def test_what_is_no_pose_is_dropped_and_ends_the_connection_if_it_goes_on(
     read_until(driver, select_poses)
     bad_y = {"not a number": np.nan, "infinite": np.inf, "length": 0.0}[fault]
     bad_q = [0.0, 0.6, 0.0, 0.9] if fault == "length" else [0.0, 0.6, 0.0, 0.8]
-    bad = pose_payload(poses.sequence + 1000, 1 << 50, 0, 17, (0, bad_y, 0), bad_q)
+    at_us = poses.device_us(time.monotonic_ns()) + 1_000_000
+    bad = pose_payload(poses.sequence + 1000, at_us, 0, 17, (0, bad_y, 0), bad_q)
     poses.inject(packet(3, bad, 2))
     read_until(driver, lambda _: driver.health.corrupt == 1)
     assert all(np.isfinite(p.position_mm).all() for p in select_poses(list(driver.read(0.5))))
@@ -188,7 +190,9 @@ def test_poses_of_another_tool_or_base_are_an_error(
 
 def test_an_arm_sends_what_it_announced(joints: FakeSerialArm, open_driver: Opener) -> None:
     driver = open_driver(joints)
-    joints.inject(packet(3, pose_payload(9, 9, 0, 0, (0, 0, 0), (0, 0, 0, 1)), 2))
+    at_us = joints.device_us(time.monotonic_ns()) + 1_000_000
+    pose = pose_payload(joints.sequence + 1000, at_us, 0, 0, (0, 0, 0), (0, 0, 0, 1))
+    joints.inject(packet(3, pose, 2))
     error = read_until_lost(lambda: driver.read(0.1))
     assert "announced joints, but sends poses" in str(error.what)
 
@@ -294,7 +298,6 @@ def test_a_restart_without_pulses_goes_on(joints: FakeSerialArm, open_driver: Op
     joints.reboot()
     after = select_samples(read_until(driver, lambda got: len(got) > 100))
     assert np.all(np.diff([s.stamp_ns for s in before + after]) > 0)
-    assert driver.health.lost == 0
 
 
 @pytest.mark.parametrize("rate_hz", [0.0, 0.5, 501.0, 1.0, float("nan")])
