@@ -453,6 +453,7 @@ camera = Die Kamera { $source }
 camera-address-not-known = Es gibt kein Gerät mit der Adresse oder dem Namen { $address }
 camera-answers-but-does-not-open = { $title } antwortet, lässt sich aber nicht öffnen ({ $reason })
 camera-cannot-do = { $title } unterstützt { $key } = { $value } nicht; möglich ist { $given }
+camera-clock-jumped = { $title } nennt eine andere Zeit als eben: Sie wurde neu gestartet, oder ihre Uhr wurde gestellt
 camera-control-lost = { $title } gehorcht diesem Programm nicht mehr
 camera-looks-along-laser-plane-deg = die Kamera blickt nahezu in der Laserebene, { $angle } Abweichung (Grenzwert { $limit })
 camera-must-look-stripe-side-check = die Kamera muss die Laserlinie von der Seite sehen: Aufbau des Sensors prüfen

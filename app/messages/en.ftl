@@ -453,6 +453,7 @@ camera = The camera { $source }
 camera-address-not-known = There is no device with the address or name { $address }
 camera-answers-but-does-not-open = { $title } answers, but cannot be opened ({ $reason })
 camera-cannot-do = { $title } does not support { $key } = { $value }; it offers { $given }
+camera-clock-jumped = { $title } states another time than a moment ago: it was restarted, or its clock was set
 camera-control-lost = { $title } no longer obeys this program
 camera-looks-along-laser-plane-deg = the camera looks along the laser plane, at an angle of { $angle } (limit { $limit })
 camera-must-look-stripe-side-check = the camera must view the stripe from the side: check the geometry of the sensor

@@ -145,3 +145,29 @@ def test_a_clock_that_was_compared_badly_at_first_is_used_when_it_is_known() -> 
         off_ns.append(middle_ns - begun_ns - 1_000_000)
     assert max(np.abs(off_ns[100:])) < 200_000_000
     assert max(np.abs(off_ns[175:])) < 1000
+
+
+@pytest.mark.parametrize(
+    ("set_by_ns", "jumps"),
+    [(-3_600_000_000_000, True), (-100_000_000, True), (3_600_000_000_000, True), (0, False)],
+)
+def test_a_clock_that_is_set_between_two_pictures_shows(set_by_ns: int, jumps: bool) -> None:
+    times = PictureTimes(SettingHistory(2000.0), "exposure-start", 0.0)
+    for number in range(100):
+        begun_ns = 10**13 + number * PERIOD_NS
+        way_ns = 2_500_000_000 if number in (20, 60) else DELAY_NS  # as of a busy computer
+        camera_ns = begun_ns + (set_by_ns if number >= 50 else 0)
+        assert times.has_jumped(camera_ns, begun_ns + way_ns) == (jumps and number == 50)
+
+
+def test_a_clock_that_is_set_in_a_pause_shows_by_the_next_comparison() -> None:
+    """A late answer is no sign of it; a camera may begin to stamp from zero when it is started."""
+    times = PictureTimes(SettingHistory(2000.0), "exposure-start", 0.0)
+    for number in range(30):
+        at_ns = 10**13 + number * 1_000_000_000
+        times.compare(at_ns, at_ns + (number % 3) * 300_000_000)
+        assert not times.has_jumped(at_ns, at_ns + DELAY_NS)
+    times.restart()
+    assert not times.has_jumped(0, at_ns + DELAY_NS)
+    times.compare(at_ns + 5_000_000_000, at_ns + 2_000_000_000)
+    assert times.has_jumped(1_000_000, at_ns + DELAY_NS + 2_000_000)

@@ -17,7 +17,7 @@ import pytest
 
 from hardware.clock import now_ns
 from hardware.errors import DeviceError
-from hardware.interfaces import SensorDriver
+from hardware.interfaces import Frame, SensorDriver
 from hardware.sensor.genicam.driver import from_options
 from hardware.sensor.grabbing import GrabbingSensor
 from hardware.simulator.devices.gige_camera.camera import GigeCamera
@@ -356,6 +356,31 @@ def test_a_clock_that_answers_late_gives_true_stamps() -> None:
         camera.stop()
     off_ns = np.min(np.abs(np.subtract.outer(stamps_ns, true_ns)), axis=1)
     assert np.median(off_ns) < 10e6
+
+
+@pytest.mark.parametrize("later_s", [-0.5, 3600.0])
+def test_a_clock_that_is_set_is_named_and_nothing_taken_from_it(
+    camera: GigeCamera, later_s: float
+) -> None:
+    driver = make_driver()
+    driver.open()
+    before = next_frame(driver)
+    camera._born_ns -= round(1e9 * later_s)
+    taken = [before]
+
+    def read() -> None:
+        frame = driver.read(0.1)
+        if isinstance(frame, Frame):
+            taken.append(frame)
+
+    error = read_until_lost(read)
+    assert "states another time" in str(error.what)
+    ages_ns = now_ns() - np.array([frame.mid_exposure_ns for frame in taken])
+    assert ages_ns.min() > 0
+    assert ages_ns.max() < LONG_S * 1e9
+    open_in_time(driver)
+    assert next_frame(driver).mid_exposure_ns > before.mid_exposure_ns
+    driver.close()
 
 
 def test_a_camera_that_answers_again_is_opened_at_once(camera: GigeCamera) -> None:

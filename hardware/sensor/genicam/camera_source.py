@@ -158,6 +158,7 @@ class CameraSource(ImageSource):
             self.stop_stream()
             refusal = self._change(delivery)
             self._blocks.restart()
+            self.times.restart()
             self._restarts += 1
             self.line, self._whole_s, self._incomplete = SlowLine(), time.monotonic(), 0
             self.start_stream()
@@ -202,8 +203,8 @@ class CameraSource(ImageSource):
         ``is_late``: the line is known to be too slow.
 
         Raises:
-            DeviceError: only incomplete ones have arrived for some time, or the pixel format is
-                not known.
+            DeviceError: only incomplete ones have arrived for some time, the pixel format is not
+                known, or the camera's clock was set.
         """
         stamp_ns = picture.device_ns if picture.whole else None
         number = self._blocks.count(picture.block_id, picture.whole, stamp_ns)
@@ -213,6 +214,10 @@ class CameraSource(ImageSource):
         self._incomplete, self._whole_s = 0, time.monotonic()
         if number is None:
             return NoImage.SILENCE
+        if stamp_ns is not None and self.times.has_jumped(stamp_ns, picture.arrival_ns):
+            raise DeviceError(
+                message("camera-clock-jumped", title=self._title), message("opens-again")
+            )
         image: GreyImage | LinePoints | None
         if self._profile is None:
             image = self._decode(picture.image)

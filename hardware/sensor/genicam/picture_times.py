@@ -10,6 +10,8 @@ _KEPT = 16
 _RECENT_NS = 1_000_000_000
 _EARLY_NS, _LONGEST_WAY_NS = 20_000_000, 3_000_000_000
 """How much earlier than possible a picture may seem to arrive, and how late it may be."""
+_LATEST_ANSWER_NS = 1_000_000_000
+"""A reading of the clock is noted later than it was answered, but hardly by more than this."""
 _TO_MIDDLE: dict[StampAt, float] = {
     "exposure-start": 0.5,
     "mid-exposure": 0.0,
@@ -62,7 +64,9 @@ class PictureTimes:
         self._exposures = exposures
         self._latency_us = latency_us
         self._by_arrival, self._by_reading = DeviceClock(), DeviceClock()
-        self._is_compared = False
+        self._is_compared, self._was_set = False, False
+        self._least_ahead_ns: int | None = None
+        self._last_picture_ns: tuple[int, int] | None = None
         self._last_ns: int | None = None
 
     def compare(self, device_ns: int, host_ns: int) -> None:
@@ -71,8 +75,25 @@ class PictureTimes:
         From then on, the arrival of a picture does not matter; unless it seems to arrive before its
         exposure, or long after it: then these are times of different clocks, or not yet well known.
         """
+        ahead_ns = host_ns - device_ns
+        least_ns = ahead_ns if self._least_ahead_ns is None else self._least_ahead_ns
+        self._was_set |= ahead_ns < least_ns - _LATEST_ANSWER_NS
+        self._least_ahead_ns = min(ahead_ns, least_ns)
         self._is_compared = True
         self._by_reading.observe(device_ns, host_ns)
+
+    def restart(self) -> None:
+        """The camera was stopped and starts again; some begin to stamp from zero then."""
+        self._last_picture_ns = None
+
+    def has_jumped(self, device_ns: int, arrival_ns: int) -> bool:
+        """Whether the camera's clock was set while it sends pictures: by the stamp of a picture, or
+        by the last comparison."""
+        last_ns, self._last_picture_ns = self._last_picture_ns, (device_ns, arrival_ns)
+        if self._was_set or last_ns is None:
+            return self._was_set
+        passed_ns = device_ns - last_ns[0]
+        return not 0 <= passed_ns <= arrival_ns - last_ns[1] + _LONGEST_WAY_NS
 
     def middle(
         self, device_ns: int | None, arrival_ns: int, exposure_us: float | None
