@@ -188,9 +188,21 @@ def test_angles_are_right_to_the_bit_and_pass_through_zero(
 
 
 def test_every_sample_is_taken_at_the_stated_rate(line: RawLine) -> None:
+    assert_sampled_every(line, 5000)
+
+
+def test_every_sample_is_taken_at_the_highest_rate(program: Path, tmp_path: Path) -> None:
+    board = Board(program, build_firmware(tmp_path / "build", SAMPLE_HZ=400), tmp_path / "ttyARM")
+    line = RawLine(board)
+    assert_sampled_every(line, 2500)
+    os.close(line.end)
+    board.power_off()
+
+
+def assert_sampled_every(line: RawLine, period_us: int) -> None:
     samples = [packet for packet in line.until(300, Sample) if isinstance(packet, Sample)]
     assert set(np.diff([sample.sequence for sample in samples])) == {1}
-    assert set(np.diff([sample.device_us for sample in samples])) == {5000}
+    assert set(np.diff([sample.device_us for sample in samples])) == {period_us}
 
 
 @pytest.mark.parametrize("rate_hz", [20.0, 33.0, 130.0, 200.0])
