@@ -56,8 +56,9 @@ through full turns without a jump. Sign and zero of a joint belong to the arm mo
 in the host, not to the protocol.
 
 The arm debounces its buttons: a bit changes only when the contact has settled, and then keeps
-its value for at least five samples, so that a lost packet cannot hide a press. The time
-of an edge is that of the first sample that contains it.
+its value for at least five samples, so that a lost packet cannot hide a press; an arm that
+sends nothing while nothing changes sends each change at once. The time of an edge is that of the
+first sample that contains it.
 
 Pose (type 03, version 2)
 =========================

@@ -16,7 +16,13 @@ from scipy.spatial.transform import Rotation
 
 from hardware.arm.serial_encoder import from_options
 from hardware.interfaces import ArmDriver, Button, PoseSample
-from tests.hardware.conformance import ArmBench, ArmConformance, read_until, select_readings
+from tests.hardware.conformance import (
+    ArmBench,
+    ArmConformance,
+    button_edges,
+    read_until,
+    select_readings,
+)
 
 pytestmark = pytest.mark.slow
 
@@ -136,6 +142,26 @@ def test_an_order_that_names_no_axes_is_refused(
     with pytest.raises(SystemExit):
         bridge.read_options(["--angles", order])
     assert "three axes" in capsys.readouterr().err
+
+
+def test_a_press_at_rest_comes_through_if_only_changes_are_sent() -> None:
+    """One update for the press, one for the release, and then none."""
+    options = bridge.read_options(
+        ["--host", "127.0.0.1", "--port", "0", "--rate", "100", "--only-changes"]
+    )
+    source = bridge.Bridge(options)
+    server = source.serve("FARO arm", "F-1")
+    driver = from_options({"url": f"socket://127.0.0.1:{server.port}"})
+    try:
+        driver.open()
+        edges: list[tuple[Button, bool]] = []
+        for pressed in (0, 1, 0):
+            source.take(((600.0, 0.0, 300.0), (0.0, 0.0, 0.0), pressed, 0.0))
+            edges += button_edges(read_until(driver, select_readings))
+        assert edges == [(Button.PRIMARY, True), (Button.PRIMARY, False)]
+    finally:
+        driver.close()
+        server.close()
 
 
 def test_the_file_alone_serves_a_simulated_arm(tmp_path: Path) -> None:

@@ -77,7 +77,9 @@ class PoseServer:
     ) -> None:
         """One pose of the tool in the arm's base frame, at a time on the device's clock."""
         self._held += 1
-        if buttons != self._buttons and self._held >= BUTTON_HOLD:
+        # an arm at rest that sends only changes might send no update after that of a release
+        hold = 1 if self.identity.properties & ONLY_CHANGES else BUTTON_HOLD
+        if buttons != self._buttons and self._held >= hold:
             self._buttons, self._held = buttons, 0
         head = (self._sequence, device_us, self._buttons, self.identity.setting)
         self._sequence = (self._sequence + 1) % (1 << 32)
@@ -203,7 +205,7 @@ class FaroSource:
         if self._arm is None:
             raise SystemExit("No arm was found. Is FARO Manager running, and does it show the arm?")
         self.name = f"FARO {getattr(self._arm, 'ModelName', '') or 'arm'}"
-        self.serial_number = str(self._arm.SerialNumber)
+        self.serial_number = str(getattr(self._arm, "SerialNumber", "") or "")
         self._handler = self._on_update  # the driver keeps only a weak hold of it
         self._arm.FaroArmUpdate += self._handler
         self._arm.EnableFaroArmUpdates(True)
