@@ -29,6 +29,8 @@ REST_GAP_NS = 300_000_000
 """Of readings or pictures that lie further apart, the last one is repeated so often."""
 MOST_AT_ONCE = 1000
 """Readings in one answer."""
+LONGEST_NS = 200_000_000
+"""An answer takes no longer where all readings are due at once."""
 
 Readings = Iterable[tuple[int, tuple[float, ...]]]
 """Stamps (ns) and readings (encoder angles in rad, or a pose) in their order."""
@@ -64,7 +66,11 @@ class ReplayClock:
 
 
 class ReplayArm:
-    """Meets ``ArmDriver``; stays where the recording ends, and between readings far apart."""
+    """Meets ``ArmDriver``; stays where the recording ends, and between readings far apart.
+
+    At speed 0, only the last reading comes: those between would be leaps that no arm makes. Meets
+    ``AnswersWhileSilent``, since reading to there takes a while.
+    """
 
     def __init__(self, info: ArmInfo, clock: ReplayClock, readings: Callable[[], Readings]) -> None:
         self._info, self._clock, self._readings = info, clock, readings
@@ -89,6 +95,8 @@ class ReplayArm:
         wait_s = min(timeout_s, REST_NS / 1e9)
         if self._closed.wait(wait_s):
             return []
+        if not self._clock.speed:
+            return self._read_to_the_end()
         now, found = now_ns(), []
         while self._next is not None and self._clock.due_ns(self._next[0]) <= now:
             stamp_ns, self._last = self._next
@@ -96,14 +104,25 @@ class ReplayArm:
             self._next = next(self._coming, None)
             if len(found) == MOST_AT_ONCE:
                 break
-        if not self._clock.speed:
-            found = found[-1:]  # all of them have one stamp
         rests = self._next is None or now > self._read_ns + REST_GAP_NS
         if not found and rests and self._last is not None:
             found.append(self._sample(now, self._last))
         if found:
             self._read_ns = now
         return found
+
+    def is_alive(self) -> bool:
+        return not self._closed.is_set()
+
+    def _read_to_the_end(self) -> list[ArmRecord]:
+        """The last reading of all; empty while there are more."""
+        until_ns = now_ns() + LONGEST_NS
+        while self._next is not None and now_ns() < until_ns:
+            _, self._last = self._next
+            self._next = next(self._coming, None)
+        if self._next is not None or self._last is None:
+            return []
+        return [self._sample(now_ns(), self._last)]
 
     def _sample(self, stamp_ns: int, reading: tuple[float, ...]) -> ArmReading:
         self._health.received += 1

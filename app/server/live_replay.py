@@ -70,6 +70,7 @@ class Replay:
             self._rate_hz,
             reports=known.reading_kind,
             buttons=frozenset(),
+            free_running=bool(self._clock.speed),
         )
         return ReplayArm(info, self._clock, self._readings)
 

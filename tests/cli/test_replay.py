@@ -183,6 +183,23 @@ def test_as_fast_as_possible_arm_and_pictures_come_to_the_last(tmp_path: Path) -
     assert all(frame.image.max() > 100 for frame in frames)
 
 
+def test_as_fast_as_possible_the_arm_does_not_leap(tmp_path: Path) -> None:
+    """It would be taken for one whose frame was changed."""
+    path = tmp_path / "scan.mcap"
+    with RecordingWriter(path, NAMES) as writer:
+        joints_every(writer, 0, 1600 * MS, MS)
+        record_stripe(writer, 5)
+    arm = Replay(path, little_calibration(), ARM, 0.0).arm()
+    assert not arm.open().free_running
+    samples: list[JointSample] = []
+    while len(samples) < 3:
+        samples += [one for one in arm.read(0.01) if isinstance(one, JointSample)]
+        assert arm.is_alive()
+    assert {one.joints_rad for one in samples} == {tuple(q_at(1600 * MS))}
+    arm.close()
+    assert not arm.is_alive()
+
+
 def test_an_arm_rests_between_readings_that_are_far_apart(tmp_path: Path) -> None:
     with RecordingWriter(tmp_path / "scan.mcap", NAMES) as writer:
         for second in range(3):
