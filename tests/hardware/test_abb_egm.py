@@ -148,6 +148,10 @@ def spoil_position(robot: Any) -> None:
     robot.feedBack.cartesian.pos.x = math.nan
 
 
+def change_tool(robot: Any) -> None:
+    robot.feedBack.cartesian.pos.z += 20.0
+
+
 def stretch_quaternion(robot: Any) -> None:
     robot.feedBack.cartesian.orient.u0 = 1.5
 
@@ -176,6 +180,7 @@ def repeat_sequence(robot: Any) -> None:
     ("change", "words"),
     [
         (spoil_position, "no numbers"),
+        (change_tool, "another tool or base frame is active"),
         (stretch_quaternion, "is no rotation"),
         (clear_pose, "have no cartesian"),
         (clear_clock, "has jumped"),

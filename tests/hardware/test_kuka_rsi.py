@@ -149,6 +149,8 @@ def test_what_is_no_rsi_counts_as_corrupt(robot: UdpRobot, packet: bytes) -> Non
         (lambda data: data.replace(b"350.0000", b"nan"), "no numbers"),
         (lambda data: data.replace(b"350.0000", b"1e300"), "impossibly large"),
         (lambda data: data.replace(b"350.0000", b"up"), "no numbers"),
+        (lambda data: data.replace(b"350.0000", b"370.0000"), "leapt by 20.0 mm and 0.0°"),
+        (lambda data: data.replace(b'"30.0000"', b'"35.0000"'), "leapt by 0.0 mm and 5.0°"),
         (lambda data: data.replace(b"<IPOC>4", b"<IPOC>3"), "has jumped"),
         (lambda data: data.replace(b"<IPOC>4", b"<IPOC>5"), "has jumped"),
     ],

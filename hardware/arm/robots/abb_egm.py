@@ -104,11 +104,19 @@ class EgmStream(ListeningStream):
             raise self._lack_error("cartesian")
         pos, orient = feedback.cartesian.pos, feedback.cartesian.orient
         values = (pos.x, pos.y, pos.z, orient.u0, orient.u1, orient.u2, orient.u3)
-        return self._pose_reading(device_ns, count, values)
+        joints_rad = tuple(map(radians, feedback.joints.joints))
+        return self._pose_reading(device_ns, count, values, joints_rad)
 
-    def _pose_reading(self, device_ns: int, count: int, values: tuple[float, ...]) -> RobotReading:
+    def _pose_reading(
+        self,
+        device_ns: int,
+        count: int,
+        values: tuple[float, ...],
+        joints_rad: tuple[float, ...],
+    ) -> RobotReading:
         require_finite(self._address, values)
         require_unit(self._address, values[3:])
+        self._frames.require_same_frames(device_ns, joints_rad, _frame(values))
         position_mm, orientation = self.flange_of(_frame(values))
         return RobotReading(device_ns, count, position_mm=position_mm, quaternion_xyzw=orientation)
 

@@ -92,6 +92,8 @@ class RsiStream(ListeningStream):
         values = self._values(root)
         if not self._sends_poses:
             return RobotReading(device_ns, joints_rad=tuple(map(radians, values)))
+        joints = _joints_beside(root)
+        self._frames.require_same_frames(device_ns, joints, _frame(values))
         position_mm, orientation = self.flange_of(_frame(values))
         return RobotReading(device_ns, position_mm=position_mm, quaternion_xyzw=orientation)
 
@@ -109,6 +111,15 @@ class RsiStream(ListeningStream):
             values = [float("nan")]
         require_finite(self._address, values)
         return values
+
+
+def _joints_beside(root: ElementTree.Element) -> tuple[float, ...]:
+    """The joints in rad, if the packet has them beside the pose; else none."""
+    element = root.find("AIPos")
+    try:
+        return () if element is None else tuple(radians(float(element.attrib[k])) for k in _JOINTS)
+    except (KeyError, ValueError):
+        return ()
 
 
 def _parse(data: bytes) -> ElementTree.Element | None:

@@ -6,6 +6,7 @@ from typing import Literal, TypeAlias
 from pydantic import Field
 
 from app.messages.message import Text, message
+from hardware.arm.robots.frame_watch import FrameWatch
 from hardware.arm.robots.link import ControllerLink
 from hardware.arm.robots.readings import RobotReading
 from hardware.arm.robots.rotations import Quaternion, Vector, flange_behind_tool, place_in_arm
@@ -46,6 +47,7 @@ class ListeningStream:
         self._link = ControllerLink(options.address)
         self._health = LinkHealth()
         self._tool, self._base = tool, base
+        self._frames = FrameWatch(options.address)
 
     def listen(self, health: LinkHealth) -> None:
         """From here on packets are received; those that cannot be read count in ``health``."""
