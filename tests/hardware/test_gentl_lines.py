@@ -6,6 +6,7 @@ sends. Sockets and the calls of GenTL are left out.
 """
 
 import queue
+import time
 from collections.abc import Iterator
 from pathlib import Path
 from types import SimpleNamespace
@@ -26,6 +27,7 @@ from hardware.simulator.devices.gige_camera.registers import TICKS_PER_S, Camera
 from hardware.simulator.devices.gige_camera.stream import Block
 from hardware.simulator.rendering.line_sensor import find_profile
 from tests.hardware.conformance import (
+    LONG_S,
     SensorBench,
     SensorConformance,
     next_frame,
@@ -201,11 +203,19 @@ class ProfileBench(SensorBench):
         self._driver.close()
 
     def unplug(self) -> None:
-        self._camera.faults.unplugged = True
+        self._set_unplugged(True)
 
     def plug_in(self) -> None:
-        self._camera.power_on()
-        self._camera.faults.unplugged = False
+        self._set_unplugged(False)
+
+    def _set_unplugged(self, unplugged: bool) -> None:
+        """Waits until the camera has noticed it, as it does before it answers at its sockets."""
+        self._camera.faults.unplugged = unplugged
+        assert self._camera._control is not None
+        deadline = time.monotonic() + LONG_S
+        while self._camera._control._was_plugged == unplugged:
+            assert time.monotonic() < deadline
+            time.sleep(0.01)
 
 
 class TestProfileCamera(SensorConformance):
