@@ -26,7 +26,8 @@ from hardware.interfaces import (
 SETTLE_S = 0.25
 """Samples are observed for this long before the first is returned, to learn the clock."""
 _JUMP_NS = 3_000_000_000
-"""A clock or a count that gains more than this from one packet to the next has been set."""
+"""A clock that is ahead by more than this of what is possible, or a count that is of the clock, has
+been set."""
 _UNIT_TOLERANCE = 1e-3
 _MOST_BAD_POSES = 50
 
@@ -53,7 +54,7 @@ class PacketStream:
         self._scale: tuple[float, ...] = ()
         self._settled = False
         self._was_ready = False
-        self._arrival_ns = 0
+        self._least_late_ns: int | None = None
         self._pulses_run = False
         self._last_pulse = 0
         self._request: int | None = None
@@ -155,7 +156,6 @@ class PacketStream:
     def _advance(self, packet: Sample | PosePacket, arrival_ns: int) -> bool:
         """Checks sequence number and time; False for a repeated sample."""
         last, self._last = self._last, packet
-        waited_ns, self._arrival_ns = arrival_ns - self._arrival_ns, arrival_ns
         step = 1
         if last is None:
             self._sequence = packet.sequence - 1
@@ -163,13 +163,11 @@ class PacketStream:
             if self._pulses_run:
                 raise self._pulse_error()
             self._learn_clock_again()
+            last = None
         elif (step := self._step_from(last, packet)) == 0:
             self._refused += 1
             return False
-        elif self._gain_ns(last, packet, step) > waited_ns + _JUMP_NS:
-            raise DeviceError(
-                message("robot-clock-jumped", address=self._options.url), message("opens-again")
-            )
+        self._require_no_jump(last, packet, step, arrival_ns)
         self._sequence += step
         self._health.received += 1
         self._health.lost += step - 1
@@ -178,13 +176,23 @@ class PacketStream:
     def _learn_clock_again(self) -> None:
         """After a restart: the first packets may have waited anywhere on their way."""
         self._clock.restart()
-        self._settled, self._first_ns = False, None
+        self._settled, self._first_ns, self._least_late_ns = False, None, None
 
-    def _gain_ns(self, last: Sample | PosePacket, packet: Sample | PosePacket, step: int) -> float:
-        """By how much a packet is later than the one before, by the arm's clock or count."""
+    def _require_no_jump(
+        self, last: Sample | PosePacket | None, packet: Sample | PosePacket, step: int, now_ns: int
+    ) -> None:
+        """Raises ``DeviceError`` if the packet comes long before its time, or counts far more
+        samples than its time has."""
+        late_ns = now_ns - packet.device_us * 1000
+        least_ns = late_ns if self._least_late_ns is None else self._least_late_ns
+        self._least_late_ns = min(late_ns, least_ns)
         rate_hz = self.hello.rate_hz if self.hello is not None else 0.0
         counted_ns = step * 1e9 / rate_hz if rate_hz else 0.0
-        return max((packet.device_us - last.device_us) * 1e3, counted_ns)
+        passed_ns = 0 if last is None else (packet.device_us - last.device_us) * 1000
+        if late_ns < least_ns - _JUMP_NS or counted_ns > passed_ns + _JUMP_NS:
+            raise DeviceError(
+                message("robot-clock-jumped", address=self._options.url), message("opens-again")
+            )
 
     @staticmethod
     def _step_from(last: Sample | PosePacket, packet: Sample | PosePacket) -> int:

@@ -184,6 +184,17 @@ def test_samples_that_waited_after_a_restart_get_no_wrong_times() -> None:
     assert 50 <= health.lost <= 70
 
 
+def test_a_full_line_after_a_pause_of_the_host_is_no_jump() -> None:
+    """The line kept the oldest samples of ten seconds, and lost the others."""
+    health = LinkHealth()
+    stream = PacketStream(SerialEncoderOptions(url="line"), health)
+    stream.records(hello_packet([COUNTS] * 6, 200.0), 0)
+    for number in [*range(500), *range(2450, 2900)]:
+        arrival_us = 12_250_000 if 400 <= number < 500 else 5000 * number
+        stream.records(sample_packet(number, 5000 * number, 0, [0] * 6), 1000 * arrival_us)
+    assert health.lost == 1950
+
+
 @pytest.mark.parametrize("by", ["clock", "count"])
 def test_a_clock_or_count_that_jumps_is_an_error(
     arm: FakeSerialArm, driver: ArmDriver, by: str

@@ -48,6 +48,20 @@ class SettingHistory:
         return inside | {self.value_at(start_ns)}
 
 
+class _Lead:
+    """How far the device's clock is ahead of the host's: something may arrive late, not early."""
+
+    def __init__(self) -> None:
+        self._least_ns: int | None = None
+
+    def gain_ns(self, device_ns: int, host_ns: int) -> int:
+        """By how much this is earlier than the earliest before."""
+        late_ns = host_ns - device_ns
+        least_ns = late_ns if self._least_ns is None else self._least_ns
+        self._least_ns = min(late_ns, least_ns)
+        return least_ns - late_ns
+
+
 class PictureTimes:
     """Computes the middle of each exposure from the camera's stamp; the results increase.
 
@@ -65,8 +79,8 @@ class PictureTimes:
         self._latency_us = latency_us
         self._by_arrival, self._by_reading = DeviceClock(), DeviceClock()
         self._is_compared, self._was_set = False, False
-        self._least_ahead_ns: int | None = None
-        self._last_picture_ns: tuple[int, int] | None = None
+        self._read, self._arrived = _Lead(), _Lead()
+        self._last_picture_ns: int | None = None
         self._last_ns: int | None = None
 
     def compare(self, device_ns: int, host_ns: int) -> None:
@@ -75,25 +89,21 @@ class PictureTimes:
         From then on, the arrival of a picture does not matter; unless it seems to arrive before its
         exposure, or long after it: then these are times of different clocks, or not yet well known.
         """
-        ahead_ns = host_ns - device_ns
-        least_ns = ahead_ns if self._least_ahead_ns is None else self._least_ahead_ns
-        self._was_set |= ahead_ns < least_ns - _LATEST_ANSWER_NS
-        self._least_ahead_ns = min(ahead_ns, least_ns)
+        self._was_set |= self._read.gain_ns(device_ns, host_ns) > _LATEST_ANSWER_NS
         self._is_compared = True
         self._by_reading.observe(device_ns, host_ns)
 
     def restart(self) -> None:
         """The camera was stopped and starts again; some begin to stamp from zero then."""
-        self._last_picture_ns = None
+        self._last_picture_ns, self._arrived = None, _Lead()
 
     def has_jumped(self, device_ns: int, arrival_ns: int) -> bool:
         """Whether the camera's clock was set while it sends pictures: by the stamp of a picture, or
         by the last comparison."""
-        last_ns, self._last_picture_ns = self._last_picture_ns, (device_ns, arrival_ns)
-        if self._was_set or last_ns is None:
-            return self._was_set
-        passed_ns = device_ns - last_ns[0]
-        return not 0 <= passed_ns <= arrival_ns - last_ns[1] + _LONGEST_WAY_NS
+        last_ns, self._last_picture_ns = self._last_picture_ns, device_ns
+        gain_ns = self._arrived.gain_ns(device_ns, arrival_ns)
+        fell_back = last_ns is not None and device_ns < last_ns
+        return self._was_set or fell_back or gain_ns > _LONGEST_WAY_NS
 
     def middle(
         self, device_ns: int | None, arrival_ns: int, exposure_us: float | None
