@@ -3962,6 +3962,7 @@ turn-off-cameras-mirroring-turn-object = Spiegelung der Kamera ausschalten oder 
 turn-sensor-so-laser-falls-onto = Sensor so drehen, dass der Laser von oben auf die Tafel fällt
 turn-up-light-exposure = mehr beleuchten oder länger belichten
 turn-up-light-exposure-look-object = mehr beleuchten oder länger belichten und den Sensor auf das Objekt richten
+two-reasons = { $first } und { $second }
 two-boards-in-picture = zwei Tafeln mit { $columns } × { $rows } inneren Ecken sind im Bild
 two-pictures-named = zwei Bilder heißen { $name } und wären eine Datei in { $folder }
 two-s-of-distances = 2 s dieser Abstände

@@ -3940,6 +3940,7 @@ turn-off-cameras-mirroring-turn-object = turn off the camera's mirroring, or tur
 turn-sensor-so-laser-falls-onto = turn the sensor so that the laser falls onto the board from above
 turn-up-light-exposure = increase the light or the exposure
 turn-up-light-exposure-look-object = increase the light or the exposure, and check the object
+two-reasons = { $first } and { $second }
 two-boards-in-picture = two boards of { $columns } × { $rows } inner corners are in the picture
 two-pictures-named = two pictures are named { $name }, and would be one file in { $folder }
 two-s-of-distances = 2 s of these distances

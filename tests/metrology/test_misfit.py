@@ -57,12 +57,36 @@ def test_the_fault_is_named(
 
 
 @pytest.mark.slow
-def test_two_faults_keep_the_general_reason(session: Session) -> None:
+@pytest.mark.parametrize(
+    ("first", "second", "says"),
+    [
+        ((1, -1, 0), (2, -1, 0), "sign of joint J2 .*; Reverse the sign of joint J3"),
+        (
+            (1, 1, 90),
+            (3, -1, 0),
+            r"theta_deg of joint J2 .* by \+90.*; Reverse the sign of joint J4",
+        ),
+    ],
+)
+def test_two_faults_of_joints_are_named(
+    session: Session,
+    first: tuple[int, float, float],
+    second: tuple[int, float, float],
+    says: str,
+) -> None:
     arm, found = session
-    q_rad = turned(turned(found.q_rad, 1, -1, 0), 2, -1, 0)
+    spoilt = replace(found, q_rad=turned(turned(found.q_rad, *first), *second))
+    with pytest.raises(OperationError, match=says):
+        check_coordinates(arm, ArmObservations(coordinates=(spoilt,)))
+
+
+@pytest.mark.slow
+def test_three_faults_keep_the_general_reason(session: Session) -> None:
+    arm, found = session
+    q_rad = turned(turned(turned(found.q_rad, 1, -1, 0), 2, -1, 0), 3, 1, 90)
     with pytest.raises(OperationError) as refused:
         check_coordinates(arm, ArmObservations(coordinates=(replace(found, q_rad=q_rad),)))
-    assert "Reverse the sign" not in str(refused.value)
+    assert "joint J" not in str(refused.value)
 
 
 def moved_from(found: Coordinates, row: int, by_mm: float) -> Coordinates:

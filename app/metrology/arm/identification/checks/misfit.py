@@ -1,13 +1,14 @@
-"""What is wrong with an arm or its coordinates if the two do not fit: one joint, the instrument's
-axes, its frame, or the order of the rows."""
+"""What is wrong with an arm or its coordinates if the two do not fit: one joint or two, the
+instrument's axes, its frame, or the order of the rows."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
+from itertools import combinations
 
 import numpy as np
 
 from app.errors import OperationError
-from app.messages.message import Text, message, quantity, signed
+from app.messages.message import Text, join, message, quantity, signed
 from app.metrology.arm.identification.initial_unknowns import TYPICAL, initial_unknowns
 from app.metrology.arm.identification.least_squares import residuals
 from app.metrology.arm.identification.observations import BASE, ArmObservations, Coordinates
@@ -20,6 +21,9 @@ FITS_MM, FITS_SHARE = 20.0, 0.2
 the distance with it."""
 TURNS_DEG = (90, 180, -90)
 """Zero positions of joints differ by these."""
+MOST_OF_NEXT = 0.5
+"""Two faults are named if the arm lies at this share at most of the distance that any two others
+leave."""
 OWN_FRAME = "instrument"
 MIRROR = np.array([-1.0, 1.0, 1.0])
 
@@ -33,6 +37,24 @@ class Misfit:
     coordinates: tuple[Coordinates, ...]
 
 
+@dataclass(frozen=True)
+class JointFault:
+    """A joint whose readings are ``sign`` times what the arm states, and ``offset_rad`` more."""
+
+    joint: int
+    sign: float
+    offset_rad: float
+    reason: Text
+    remedy: Text
+
+    def undone(self, coordinates: tuple[Coordinates, ...]) -> tuple[Coordinates, ...]:
+        """The coordinates with the joint's readings as the arm states them."""
+        signs = np.ones(coordinates[0].q_rad.shape[1])
+        offset = np.zeros(len(signs))
+        signs[self.joint], offset[self.joint] = self.sign, self.offset_rad
+        return tuple(replace(one, q_rad=one.q_rad * signs + offset) for one in coordinates)
+
+
 def explain_misfit(
     arm: Arm, coordinates: tuple[Coordinates, ...], error: OperationError
 ) -> OperationError:
@@ -43,40 +65,61 @@ def explain_misfit(
     """
     if error.code not in ("arm-does-not-fit", "coordinates-unit"):
         return error
-    least_mm = typical_distance_mm(arm, coordinates) * FITS_SHARE
-    best: tuple[float, Misfit] | None = None
-    for fault in possible_faults(arm, coordinates):
-        off_mm = typical_distance_mm(arm, fault.coordinates)
-        if off_mm < min(least_mm, FITS_MM) and (best is None or off_mm < best[0]):
-            best = off_mm, fault
-    if best is None:
-        return error
-    off_mm, fault = best
+    most_mm = min(typical_distance_mm(arm, coordinates) * FITS_SHARE, FITS_MM)
+    found = _distances(arm, possible_faults(arm, coordinates))
+    if not found or found[0][0] >= most_mm:
+        found = _distances(arm, pairs_of_faults(arm, coordinates))
+        if not found or found[0][0] >= most_mm or found[0][0] > MOST_OF_NEXT * found[1][0]:
+            return error
+    off_mm, fault = found[0]
     off = quantity(off_mm, "mm", 1)
     why = message("coordinates-fit-otherwise", reason=fault.reason, off=off)
     return OperationError("arm-does-not-fit", error.what, why, fault.remedy)
 
 
-def possible_faults(arm: Arm, coordinates: tuple[Coordinates, ...]) -> Iterator[Misfit]:
-    """Every fault that is looked for, with the coordinates as they are without it."""
-    names = [joint.name for joint in arm.joints]
-    for k, name in enumerate(names):
-        signs = np.ones(len(names))
-        signs[k] = -1.0
-        yield Misfit(
+def _distances(arm: Arm, faults: Iterator[Misfit]) -> list[tuple[float, Misfit]]:
+    """How far (mm) most points lie off without each fault, the nearest first."""
+    found = [(typical_distance_mm(arm, fault.coordinates), fault) for fault in faults]
+    return sorted(found, key=lambda one: one[0])
+
+
+def joint_faults(arm: Arm) -> Iterator[JointFault]:
+    """Every fault of a joint that is looked for."""
+    for k, joint in enumerate(arm.joints):
+        name = joint.name
+        yield JointFault(
+            k,
+            -1.0,
+            0.0,
             message("if-joint-turned-other-way", joint=name),
             message("reverse-sign-of-joint", joint=name),
-            tuple(replace(one, q_rad=one.q_rad * signs) for one in coordinates),
         )
         for turn_deg in TURNS_DEG:
-            offset = np.zeros(len(names))
-            offset[k] = np.deg2rad(turn_deg)
             turn = signed(turn_deg, "°")
-            yield Misfit(
+            yield JointFault(
+                k,
+                1.0,
+                float(np.deg2rad(turn_deg)),
                 message("if-joint-zero-elsewhere", joint=name, turn=turn),
                 message("change-theta-of-joint", joint=name, turn=turn),
-                tuple(replace(one, q_rad=one.q_rad + offset) for one in coordinates),
             )
+
+
+def pairs_of_faults(arm: Arm, coordinates: tuple[Coordinates, ...]) -> Iterator[Misfit]:
+    """Any two faults of two joints."""
+    for one, other in combinations(joint_faults(arm), 2):
+        if one.joint != other.joint:
+            yield Misfit(
+                message("two-reasons", first=one.reason, second=other.reason),
+                join([one.remedy, other.remedy], "; "),
+                other.undone(one.undone(coordinates)),
+            )
+
+
+def possible_faults(arm: Arm, coordinates: tuple[Coordinates, ...]) -> Iterator[Misfit]:
+    """Every fault that is looked for, with the coordinates as they are without it."""
+    for one in joint_faults(arm):
+        yield Misfit(one.reason, one.remedy, one.undone(coordinates))
     yield Misfit(
         message("if-coordinates-mirrored"),
         message("check-order-and-signs-of-coordinates"),
