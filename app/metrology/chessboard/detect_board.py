@@ -28,6 +28,7 @@ from app.metrology.chessboard.two_boards import (
 )
 from app.metrology.chessboard.window import find_window
 from app.metrology.image import Image
+from app.metrology.mosaic import shows_mosaic
 from app.metrology.robust import median
 from app.metrology.stripe import Stripe
 from app.metrology.targets.chessboard import Chessboard
@@ -124,7 +125,8 @@ def _find_grids(
         lattices = find_lattices(saddles, columns * rows)
         for lattice in lattices[:GRIDS] or [{}]:
             yield saddles, lattice
-    if thorough:
+    # in raw pixels OpenCV's finder sees many thousands of squares, and takes half a minute
+    if thorough and not shows_mosaic(image):
         if unscaled is None:
             unscaled = find_saddles(image, blocked)
         yield from find_by_opencv(image, board.inner_corners, unscaled)
