@@ -68,6 +68,8 @@ def explain_misfit(
     most_mm = min(typical_distance_mm(arm, coordinates) * FITS_SHARE, FITS_MM)
     found = _distances(arm, possible_faults(arm, coordinates))
     if not found or found[0][0] >= most_mm:
+        if error.code == "coordinates-unit":  # another unit rather than two joints
+            return error
         found = _distances(arm, pairs_of_faults(arm, coordinates))
         if not found or found[0][0] >= most_mm or found[0][0] > MOST_OF_NEXT * found[1][0]:
             return error
