@@ -2,9 +2,8 @@
 
 import threading
 
-BATCH_S = 0.016
-"""Samples leave a device in batches as often as this, each with its own time: as through a serial
-adapter whose latency timer is at the usual 16 ms."""
+BATCH_S = 0.01
+"""Samples leave a device in batches as often as this, each with its own time."""
 
 
 class ThreadedDevice:
