@@ -125,3 +125,17 @@ def _hull_slope(points: NDArray[np.float64]) -> float:
 
 def _turns_down(a: tuple[float, float], b: tuple[float, float], c: tuple[float, float]) -> bool:
     return (b[0] - a[0]) * (c[1] - a[1]) <= (b[1] - a[1]) * (c[0] - a[0])
+
+
+class ClockLead:
+    """How far a device's clock is ahead of the host's: something may arrive late, not early."""
+
+    def __init__(self) -> None:
+        self._least_ns: int | None = None
+
+    def gain_ns(self, device_ns: int, host_ns: int) -> int:
+        """By how much this is earlier than the earliest before."""
+        late_ns = host_ns - device_ns
+        least_ns = late_ns if self._least_ns is None else self._least_ns
+        self._least_ns = min(late_ns, least_ns)
+        return least_ns - late_ns

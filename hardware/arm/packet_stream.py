@@ -12,7 +12,7 @@ from hardware.arm.expected_arm import (
 )
 from hardware.arm.packet_reader import PacketReader
 from hardware.arm.protocol import BUTTON_BITS, Hello, PosePacket, PulseAnswer, Sample
-from hardware.device_clock import DeviceClock
+from hardware.device_clock import ClockLead, DeviceClock
 from hardware.errors import DeviceError
 from hardware.interfaces import (
     ArmReading,
@@ -54,7 +54,7 @@ class PacketStream:
         self._scale: tuple[float, ...] = ()
         self._settled = False
         self._was_ready = False
-        self._least_late_ns: int | None = None
+        self._lead = ClockLead()
         self._pulses_run = False
         self._last_pulse = 0
         self._request: int | None = None
@@ -176,20 +176,18 @@ class PacketStream:
     def _learn_clock_again(self) -> None:
         """After a restart: the first packets may have waited anywhere on their way."""
         self._clock.restart()
-        self._settled, self._first_ns, self._least_late_ns = False, None, None
+        self._settled, self._first_ns, self._lead = False, None, ClockLead()
 
     def _require_no_jump(
         self, last: Sample | PosePacket | None, packet: Sample | PosePacket, step: int, now_ns: int
     ) -> None:
         """Raises ``DeviceError`` if the packet comes long before its time, or counts far more
         samples than its time has."""
-        late_ns = now_ns - packet.device_us * 1000
-        least_ns = late_ns if self._least_late_ns is None else self._least_late_ns
-        self._least_late_ns = min(late_ns, least_ns)
+        gain_ns = self._lead.gain_ns(packet.device_us * 1000, now_ns)
         rate_hz = self.hello.rate_hz if self.hello is not None else 0.0
         counted_ns = step * 1e9 / rate_hz if rate_hz else 0.0
         passed_ns = 0 if last is None else (packet.device_us - last.device_us) * 1000
-        if late_ns < least_ns - _JUMP_NS or counted_ns > passed_ns + _JUMP_NS:
+        if gain_ns > _JUMP_NS or counted_ns > passed_ns + _JUMP_NS:
             raise DeviceError(
                 message("robot-clock-jumped", address=self._options.url), message("opens-again")
             )

@@ -48,16 +48,19 @@ class SensorDatasheet(Document):
         """What of a picture shows the laser, where the wavelength is known."""
         if self.laser_wavelength_nm is None:
             return None
-        colour = laser_colour(self.laser_wavelength_nm)
-        return colour if self.bayer is None else BayerPlane(self.bayer, colour)
+        return _channel_of(laser_colour(self.laser_wavelength_nm), self.bayer)
 
     @property
     def pictures_of(self) -> Channel | None:
         """What of a colour camera the pictures are, where a station's driver selected that."""
         if self.selected is None:
             return None
-        colour, bayer = self.selected.colour, self.selected.bayer
-        return colour if bayer is None else BayerPlane(bayer, colour)
+        return _channel_of(self.selected.colour, self.selected.bayer)
+
+
+def _channel_of(colour: LaserColour, bayer: BayerPattern | None) -> Channel:
+    """A colour of pictures in colour, or of raw ones."""
+    return colour if bayer is None else BayerPlane(bayer, colour)
 
 
 def read_sensor(path: Path) -> SensorDatasheet:

@@ -2,7 +2,7 @@
 
 from collections import deque
 
-from hardware.device_clock import DeviceClock
+from hardware.device_clock import ClockLead, DeviceClock
 from hardware.interfaces import StampKind
 from hardware.sensor.image_source import StampAt
 
@@ -48,20 +48,6 @@ class SettingHistory:
         return inside | {self.value_at(start_ns)}
 
 
-class _Lead:
-    """How far the device's clock is ahead of the host's: something may arrive late, not early."""
-
-    def __init__(self) -> None:
-        self._least_ns: int | None = None
-
-    def gain_ns(self, device_ns: int, host_ns: int) -> int:
-        """By how much this is earlier than the earliest before."""
-        late_ns = host_ns - device_ns
-        least_ns = late_ns if self._least_ns is None else self._least_ns
-        self._least_ns = min(late_ns, least_ns)
-        return least_ns - late_ns
-
-
 class PictureTimes:
     """Computes the middle of each exposure from the camera's stamp; the results increase.
 
@@ -79,7 +65,7 @@ class PictureTimes:
         self._latency_us = latency_us
         self._by_arrival, self._by_reading = DeviceClock(), DeviceClock()
         self._is_compared, self._was_set = False, False
-        self._read, self._arrived = _Lead(), _Lead()
+        self._read, self._arrived = ClockLead(), ClockLead()
         self._last_picture_ns: int | None = None
         self._last_ns: int | None = None
 
@@ -95,7 +81,7 @@ class PictureTimes:
 
     def restart(self) -> None:
         """The camera was stopped and starts again; some begin to stamp from zero then."""
-        self._last_picture_ns, self._arrived = None, _Lead()
+        self._last_picture_ns, self._arrived = None, ClockLead()
 
     def has_jumped(self, device_ns: int, arrival_ns: int) -> bool:
         """Whether the camera's clock was set while it sends pictures: by the stamp of a picture, or
