@@ -240,9 +240,10 @@ def test_what_waits_is_made_once_and_in_order_after_a_restart(folder: Path) -> N
         order(client).raise_for_status()
         (first,) = ended(client)["made"]
         order(client, "long").raise_for_status()
-        until_part_of(kept)
-        (working,) = state_of(client, "long")["orders"]
-        assert client.delete(f"/api/fleet/cloud-orders/{working['id']}").status_code == 204
+        with worker_held(kept, settings) as pid:
+            (working,) = state_of(client, "long")["orders"]
+            assert client.delete(f"/api/fleet/cloud-orders/{working['id']}").status_code == 204
+            until(lambda: is_asked_to_end(pid))
         until(lambda: not state_of(client, "long")["orders"])
         assert len(names_in(kept)) == 2
         order(client, "long").raise_for_status()
@@ -252,6 +253,7 @@ def test_what_waits_is_made_once_and_in_order_after_a_restart(folder: Path) -> N
         (cancelled,) = state_of(client, "one")["orders"]
         client.delete(f"/api/fleet/cloud-orders/{cancelled['id']}").raise_for_status()
         until_part_of(kept)
+        hold(worker_of(settings))  # which the server kills, as it does not end
     # it was ended regularly in the middle
     assert [name for name in names_in(kept) if ORDERS_FILE not in name] == [
         first["name"],
@@ -259,8 +261,8 @@ def test_what_waits_is_made_once_and_in_order_after_a_restart(folder: Path) -> N
     ]
     killed = False
     with suppress(AssertionError), running_fleet(settings):
-        until_part_of(kept)
-        os.kill(pid_with(str(settings)), signal.SIGKILL)
+        with worker_held(kept, settings):
+            os.kill(pid_with(str(settings)), signal.SIGKILL)
         killed = True
     assert killed
     with running_fleet(settings) as client:
@@ -302,6 +304,35 @@ def until_part_of(kept: Path) -> None:
         time.sleep(0.002)
 
 
+@contextmanager
+def worker_held(kept: Path, settings: Path) -> Iterator[int]:
+    """The process that makes a cloud, which waits while it is half-written."""
+    until_part_of(kept)
+    pid = worker_of(settings)
+    hold(pid)
+    try:
+        yield pid
+    finally:
+        with suppress(ProcessLookupError):
+            os.kill(pid, signal.SIGCONT)
+
+
+def hold(pid: int) -> None:
+    os.kill(pid, signal.SIGSTOP)
+
+
+def worker_of(settings: Path) -> int:
+    return pid_with("spawn_main", pid_with(str(settings)))
+
+
+def is_asked_to_end(pid: int) -> bool:
+    """Whether SIGTERM waits for a process that is held."""
+    status = dict(
+        line.split(":\t", 1) for line in Path(f"/proc/{pid}/status").read_text().splitlines()
+    )
+    return bool(int(status["ShdPnd"], 16) >> (signal.SIGTERM - 1) & 1)
+
+
 def pid_with(word: str, parent: int | None = None) -> int:
     """Of the process whose command has a word; None: whosever child it is."""
     for entry in Path("/proc").iterdir():
@@ -328,8 +359,8 @@ def test_what_prevents_a_cloud_is_said_in_a_sentence(folder: Path) -> None:
         assert "archive-missing" in ids_in(failed["problem"])
         (folder / "away").rename(archive)
         order(client, "long").raise_for_status()
-        until_part_of(folder / "fleet-clouds")
-        os.kill(pid_with("spawn_main", pid_with(str(settings))), signal.SIGKILL)
+        with worker_held(folder / "fleet-clouds", settings) as pid:
+            os.kill(pid, signal.SIGKILL)
         (failed,) = ended(client, "long")["orders"]
         assert "fleet-cloud-process-ended" in ids_in(failed["problem"])
         assert names_in(folder / "fleet-clouds") == []
