@@ -126,21 +126,27 @@ def link_transforms(arm: Arm, q_rad: Floats) -> Floats:
         Eq. 2 and 3 of the article.
     """
     q = np.asarray(q_rad, dtype=np.float64)
-    links = np.zeros((arm.joint_count, len(q), 4, 4))
-    for i, joint in enumerate(arm.joints):
-        angle = joint.sign * q[:, i] + joint.theta_rad
-        c, s = np.cos(angle), np.sin(angle)
-        ca, sa = np.cos(joint.alpha_rad), np.sin(joint.alpha_rad)
-        A = links[i]
-        A[:, 0, 0], A[:, 0, 1], A[:, 0, 2], A[:, 0, 3] = c, -s * ca, s * sa, joint.a_mm * c
-        A[:, 1, 0], A[:, 1, 1], A[:, 1, 2], A[:, 1, 3] = s, c * ca, -c * sa, joint.a_mm * s
-        A[:, 2, 1], A[:, 2, 2], A[:, 2, 3] = sa, ca, joint.d_mm
-        A[:, 3, 3] = 1.0
+    sign, theta, alpha, a, d = _link_parameters(arm)
+    angle = sign * q.T + theta
+    c, s = np.cos(angle), np.sin(angle)
+    ca, sa = np.cos(alpha), np.sin(alpha)
+    links = A = np.zeros((arm.joint_count, len(q), 4, 4))
+    A[..., 0, 0], A[..., 0, 1], A[..., 0, 2], A[..., 0, 3] = c, -s * ca, s * sa, a * c
+    A[..., 1, 0], A[..., 1, 1], A[..., 1, 2], A[..., 1, 3] = s, c * ca, -c * sa, a * s
+    A[..., 2, 1], A[..., 2, 2], A[..., 2, 3] = sa, ca, d
+    A[..., 3, 3] = 1.0
+    for link, joint in zip(links, arm.joints, strict=True):
         if joint.error != LinkError():
-            links[i] = A @ error_transform(joint.error)
+            link[:] = link @ error_transform(joint.error)
     if arm.base != LinkError():
         links[0] = error_transform(arm.base) @ links[0]
     return links
+
+
+def _link_parameters(arm: Arm) -> Floats:
+    """Signs, theta and alpha (rad), a and d (mm) of the joints: (5, n, 1)."""
+    rows = [(one.sign, one.theta_rad, one.alpha_rad, one.a_mm, one.d_mm) for one in arm.joints]
+    return np.array(rows, dtype=np.float64).T[..., None]
 
 
 def flange_poses(arm: AnyArm, readings: Floats) -> Floats:
@@ -249,24 +255,34 @@ def geometric_jacobians(arm: Arm, q_rad: Floats, point_flange_mm: Floats) -> Flo
     Returns:
         (N, 6, n), rows as in ``geometric_jacobian``.
     """
-    return _points_with_jacobians(arm, q_rad, point_flange_mm)[1]
+    return points_with_jacobians(arm, q_rad, point_flange_mm)[1]
 
 
-def _points_with_jacobians(
+def points_with_jacobians(
     arm: Arm, q_rad: Floats, point_flange_mm: Floats
 ) -> tuple[Floats, Floats]:
-    """The point (N, 3) in the arm frame, and its derivatives (N, 6, n) by the joints."""
+    """The point in the arm frame, and its derivatives by the joints.
+
+    Args, rows and frame are those of ``geometric_jacobians``.
+
+    Returns:
+        (N, 3) mm, and (N, 6, n).
+    """
     links = link_transforms(arm, q_rad)
-    # the frame whose z axis joint i turns about
-    before = [np.broadcast_to(error_transform(arm.base), links.shape[1:]), links[0]]
-    for link in links[1:]:
-        before.append(before[-1] @ link)
-    point = before[-1][:, :3, :3] @ np.asarray(point_flange_mm) + before[-1][:, :3, 3]
-    jacobians = np.zeros((len(point), 6, arm.joint_count))
+    # the frame whose z axis each joint turns about
+    frames = np.empty_like(links)
+    frames[0] = error_transform(arm.base)
+    flange = links[0]
+    for frame, link in zip(frames[1:], links[1:], strict=True):
+        frame[:] = flange
+        flange = flange @ link
+    point = flange[:, :3, :3] @ np.asarray(point_flange_mm) + flange[:, :3, 3]
+    jacobians = np.empty((len(point), 6, arm.joint_count))
     for i, joint in enumerate(arm.joints):
-        axis = joint.sign * before[i][:, :3, 2]
-        jacobians[:, :3, i] = np.cross(axis, point - before[i][:, :3, 3])
-        jacobians[:, 3:, i] = axis
+        axis, lever = joint.sign * frames[i, :, :3, 2].T, (point - frames[i, :, :3, 3]).T
+        for row, (j, k) in enumerate(((1, 2), (2, 0), (0, 1))):
+            jacobians[:, row, i] = axis[j] * lever[k] - axis[k] * lever[j]
+        jacobians[:, 3:, i] = axis.T
     return point, jacobians
 
 
@@ -299,6 +315,6 @@ def tips_with_covariances(arm: Arm, q_rad: Floats) -> tuple[Floats, Floats]:
     Returns:
         (N, 3) mm, and (N, 3, 3) mm², k = 1.
     """
-    tips, jacobians = _points_with_jacobians(arm, q_rad, arm.tip.centre_mm)
+    tips, jacobians = points_with_jacobians(arm, q_rad, arm.tip.centre_mm)
     J = jacobians[:, :3]
     return tips, np.asarray(J @ np.diag(arm.encoder_sd_rad**2) @ np.swapaxes(J, 1, 2))

@@ -1,10 +1,11 @@
 """Poses in which an arm bends or is badly conditioned: touches there are worse than elsewhere."""
 
+import math
 from typing import Literal
 
 import numpy as np
 
-from app.metrology.arm.kinematics import Arm, geometric_jacobian, link_transforms
+from app.metrology.arm.kinematics import Arm, points_with_jacobians
 from app.metrology.transforms import Floats
 
 STOP_RAD = np.radians(3.0)
@@ -33,12 +34,9 @@ def strain_of(arm: Arm, q_rad: Floats) -> Strain | None:
     distance = np.minimum(q_rad - limits[:, 0], limits[:, 1] - q_rad)
     if (distance[bounded] < STOP_RAD).any():
         return "stop"
-    J = geometric_jacobian(arm, q_rad, np.zeros(3))[:3]
-    singular = np.linalg.svd(J, compute_uv=False)
+    origins_mm, jacobians = points_with_jacobians(arm, np.asarray(q_rad)[None], np.zeros(3))
+    singular = np.linalg.svd(jacobians[0, :3], compute_uv=False)
     if singular[-1] < STRAIGHT * singular[0]:
         return "straight"
-    T = np.eye(4)
-    for link in link_transforms(arm, q_rad[None])[:, 0]:
-        T = T @ link
-    reach = sum(np.hypot(joint.a_mm, joint.d_mm) for joint in arm.joints)
-    return "base" if np.hypot(T[0, 3], T[1, 3]) < NEAR_SHARE * reach else None
+    reach = sum(math.hypot(joint.a_mm, joint.d_mm) for joint in arm.joints)
+    return "base" if math.hypot(*origins_mm[0, :2]) < NEAR_SHARE * reach else None
