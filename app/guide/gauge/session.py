@@ -102,8 +102,11 @@ class GaugeSession(GuidedSession[State, Live, View], Generic[State, Live, View, 
 
     def gauges(self) -> Gauges[Gauge]:
         """The data folder's; read again only while one can be chosen."""
-        choosing = not self.running or self.state.step == self._first_step
-        return self._gauges.latest(choosing=choosing)
+        return self._gauges.latest(self.is_choosing())
+
+    def is_choosing(self) -> bool:
+        """Whether a gauge can be chosen now."""
+        return not self.running or self.state.step == self._first_step
 
     def datasheets(self) -> tuple[Gauge | None, AnyArm | None]:
         """Gauge and arm: the session's own copies once the gauge was confirmed; None for what

@@ -13,6 +13,7 @@ from app.formats.session.calibration_session import ARM
 from app.guide.common.datasheet_library import (
     AnyGauge,
     DatasheetEntry,
+    FolderContent,
     Gauges,
     guess_arm,
     read_any_gauge,
@@ -64,6 +65,7 @@ class ArtefactSession(GaugeSession[PerformanceState, Live, View, AnyGauge], Gene
             read_any_gauges,
             read_any_gauge,
         )
+        self._arms = FolderContent(read_arms, data_folder)
         self._calibrated_with: tuple[str, CalibratedWith | OperationError] = (
             "",
             CalibratedWith("", None),
@@ -74,6 +76,7 @@ class ArtefactSession(GaugeSession[PerformanceState, Live, View, AnyGauge], Gene
         """Calibration and artefact; of a test by touch without a calibration, arm and artefact."""
         if test not in BY_TOUCH or self.active() is not None:
             return self.first_payload(message("performance-nothing-to-test"), usable)
+        self._arms.forget()  # the operator may just have put a file there
         guess = self._guess_arm()
         if not guess:
             raise self._no_arm_error()
@@ -86,7 +89,7 @@ class ArtefactSession(GaugeSession[PerformanceState, Live, View, AnyGauge], Gene
         return guess_arm(self._arms_with_tip(), info.serial_number if info else "", self.state.arm)
 
     def _arms_with_tip(self) -> Mapping[str, DatasheetEntry[AnyArm]]:
-        arms = read_arms(self.data_folder).items()
+        arms = self._arms.latest(self.is_choosing()).items()
         return {name: entry for name, entry in arms if entry.datasheet.tip is not None}
 
     def _no_arm_error(self) -> OperationError:
@@ -101,6 +104,7 @@ class ArtefactSession(GaugeSession[PerformanceState, Live, View, AnyGauge], Gene
         """Of a test without a calibration, the arm's alone."""
         if self.state.calibration_id:
             return super().sources()
+        self._arms.forget()
         entry = self._arms_with_tip().get(self.state.arm)
         if entry is None:
             raise self._no_arm_error()
