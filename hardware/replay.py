@@ -23,10 +23,10 @@ from hardware.interfaces import (
     SensorInfo,
 )
 
-REST_NS = 20_000_000
-"""Between readings of an arm that has come to its last."""
+WAIT_S = 0.02
+"""For readings that are not due yet."""
 REST_GAP_NS = 300_000_000
-"""Of readings or pictures that lie further apart, the last one is repeated so often."""
+"""Of pictures that lie further apart, the last one is repeated so often."""
 MOST_AT_ONCE = 1000
 """Readings in one answer."""
 LONGEST_NS = 200_000_000
@@ -66,18 +66,17 @@ class ReplayClock:
 
 
 class ReplayArm:
-    """Meets ``ArmDriver``; stays where the recording ends, and between readings far apart.
+    """Meets ``ArmDriver``; silent where the recording ends, and between readings far apart.
 
-    At speed 0, only the last reading comes: those between would be leaps that no arm makes. Meets
-    ``AnswersWhileSilent``, since reading to there takes a while.
+    A reading that was repeated instead would be that of an arm whose encoders are frozen. So it
+    meets ``AnswersWhileSilent``. At speed 0, only the last reading comes: those between would be
+    leaps that no arm makes.
     """
 
     def __init__(self, info: ArmInfo, clock: ReplayClock, readings: Callable[[], Readings]) -> None:
         self._info, self._clock, self._readings = info, clock, readings
         self._coming: Iterator[tuple[int, tuple[float, ...]]] = iter(())
         self._next: tuple[int, tuple[float, ...]] | None = None
-        self._last: tuple[float, ...] | None = None
-        self._read_ns = 0
         self._health = LinkHealth()
         self._closed = threading.Event()
 
@@ -92,37 +91,31 @@ class ReplayArm:
         return self._info
 
     def read(self, timeout_s: float) -> Sequence[ArmRecord]:
-        wait_s = min(timeout_s, REST_NS / 1e9)
-        if self._closed.wait(wait_s):
+        if self._closed.wait(min(timeout_s, WAIT_S)):
             return []
         if not self._clock.speed:
             return self._read_to_the_end()
         now, found = now_ns(), []
         while self._next is not None and self._clock.due_ns(self._next[0]) <= now:
-            stamp_ns, self._last = self._next
-            found.append(self._sample(self._clock.stamp_again_ns(stamp_ns, now), self._last))
+            stamp_ns, reading = self._next
+            found.append(self._sample(self._clock.stamp_again_ns(stamp_ns, now), reading))
             self._next = next(self._coming, None)
             if len(found) == MOST_AT_ONCE:
                 break
-        rests = self._next is None or now > self._read_ns + REST_GAP_NS
-        if not found and rests and self._last is not None:
-            found.append(self._sample(now, self._last))
-        if found:
-            self._read_ns = now
         return found
 
     def is_alive(self) -> bool:
         return not self._closed.is_set()
 
     def _read_to_the_end(self) -> list[ArmRecord]:
-        """The last reading of all; empty while there are more."""
+        """The last reading of all; empty while there are more, and afterwards."""
         until_ns = now_ns() + LONGEST_NS
         while self._next is not None and now_ns() < until_ns:
-            _, self._last = self._next
+            _, reading = self._next
             self._next = next(self._coming, None)
-        if self._next is not None or self._last is None:
-            return []
-        return [self._sample(now_ns(), self._last)]
+            if self._next is None:
+                return [self._sample(now_ns(), reading)]
+        return []
 
     def _sample(self, stamp_ns: int, reading: tuple[float, ...]) -> ArmReading:
         self._health.received += 1

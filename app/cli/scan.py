@@ -3,6 +3,7 @@
 import time
 from collections.abc import Sequence
 from dataclasses import asdict
+from functools import partial
 from pathlib import Path
 from typing import Annotated
 
@@ -332,10 +333,14 @@ def replay(
     from app.formats.datasheets.arm import read_any_arm
     from app.formats.results.calibration import read_calibration
     from app.server.live_replay import Replay
+    from app.server.replayed_calibration import put_in_use
     from app.server.startup import replay as run_replay
 
     files = paths_by_sensor(calibration or [str(recording.with_name("calibration.json"))])
     sensors = {name: read_calibration(path) for name, path in files.items()}
-    arm_model = read_any_arm(arm or recording.with_name("arm.json"))
-    show = Replay(recording, sensors, arm_model, speed)
-    run_replay(show, f"Replay of {recording.name}", host, port, open_browser)
+    arm_file = arm or recording.with_name("arm.json")
+    show = Replay(recording, sensors, read_any_arm(arm_file), speed)
+    # of several sensors, the first one is shown
+    fill = partial(put_in_use, calibration=next(iter(files.values())), arm=arm_file)
+    # a name that needs no translation
+    run_replay(show, recording.name, host, port, open_browser, fill)

@@ -5,12 +5,18 @@ abandoned = Sitzung abgebrochen
 about-missing-places-longest-start =
     { $stream ->
         [joints]
-            es fehlen etwa { $missing } Gelenkwerte an { $holes ->
+            { $missing ->
+                [one] es fehlt etwa ein Messwert
+               *[other] es fehlen etwa { $missing } Messwerte
+            } des Messarms an { $holes ->
                 [one] { $holes } Stelle
                *[other] { $holes } Stellen
             }, die längste { $longest } lang, { $at } nach Beginn
        *[frames]
-            es fehlen etwa { $missing } Bilder an { $holes ->
+            { $missing ->
+                [one] es fehlt etwa ein Bild
+               *[other] es fehlen etwa { $missing } Bilder
+            } an { $holes ->
                 [one] { $holes } Stelle
                *[other] { $holes } Stellen
             }, die längste { $longest } lang, { $at } nach Beginn
@@ -698,7 +704,7 @@ clock = Uhr
 clock-jumps-times-first-start-points =
     { $stream ->
         [joints]
-            die Uhr der Gelenkwerte springt { $jumps ->
+            die Uhr der Messwerte des Messarms springt { $jumps ->
                 [one] einmal, { $first } nach Beginn
                *[other] { $jumps }-mal, zuerst { $first } nach Beginn
             }; Punkte nahe einem Sprung können falsch liegen
@@ -1468,9 +1474,9 @@ frame-has-pixels = { $path }: Bild { $number } hat { $width_px } × { $height_px
 frame-has-points = coordinates.csv: Koordinatensystem { $name } hat { $count } Punkte
 frame-named = Koordinatensystem { $name }
 frame-shows-only-s-visible-edges = das Bild zeigt nur { $share } der sichtbaren Kanten von „{ $name }“
-frame-without-joints-around-gives-no = Ein Bild ohne benachbarte Gelenkwerte ergibt keine Punkte.
-frames-joint-samples-which-neighbours-up = Bilder von { $frames_from } bis { $frames_to }, Gelenkwerte von { $joints_from } bis { $joints_to }; verwendet werden Nachbarn mit höchstens { $gap } Abstand
-frames-left-out-no-joints-around = { $count } von { $frames } Bildern ausgelassen: keine Gelenkwerte um ihre Zeitstempel, das erste { $first } nach Beginn; { $beyond } vor dem ersten oder nach dem letzten Gelenkwert, { $gaps } in Lücken
+frame-without-joints-around-gives-no = Ein Bild ohne benachbarte Messwerte des Messarms ergibt keine Punkte.
+frames-joint-samples-which-neighbours-up = Bilder von { $frames_from } bis { $frames_to }, Messwerte des Messarms von { $joints_from } bis { $joints_to }; verwendet werden Nachbarn mit höchstens { $gap } Abstand
+frames-left-out-no-joints-around = { $count } von { $frames } Bildern ausgelassen: keine Messwerte des Messarms um ihre Zeitstempel, das erste { $first } nach Beginn; { $beyond } vor dem ersten oder nach dem letzten Messwert, { $gaps } in Lücken
 frames-lost-when-full-scan-more = Ist sie voll, gehen Bilder verloren; langsamer scannen oder andere Programme schließen.
 free = { $free } sind frei.
 free-enough-for-hours = { $free } sind frei, genug für { $hours } Stunden dieses Scans.
@@ -2256,13 +2262,13 @@ joint-reads-same-all-points = Gelenk { $joint } meldet in allen Punkten denselbe
 joint-reads-where-can = Gelenk { $joint } meldet { $reading }, { $step } außerhalb seines Bereichs
 joint-samples-left-out-cannot-true =
     { $count ->
-        [one] { $count } unplausibler Gelenkwert ausgelassen, { $first } nach Beginn: { CLAUSE($error) }
-       *[other] { $count } unplausible Gelenkwerte ausgelassen, der erste { $first } nach Beginn: { CLAUSE($error) }
+        [one] { $count } unplausibler Messwert des Messarms ausgelassen, { $first } nach Beginn: { CLAUSE($error) }
+       *[other] { $count } unplausible Messwerte des Messarms ausgelassen, der erste { $first } nach Beginn: { CLAUSE($error) }
     }
 joint-samples-left-out-numbers =
     { $unusable ->
-        [one] { $unusable } Gelenkwert ausgelassen: keine Zahl
-       *[other] { $unusable } Gelenkwerte ausgelassen: keine Zahlen
+        [one] { $unusable } Messwert des Messarms ausgelassen: keine Zahl
+       *[other] { $unusable } Messwerte des Messarms ausgelassen: keine Zahlen
     }
 journal-has-rows-cannot-read-first =
     { $count ->
@@ -2634,7 +2640,7 @@ no-joint-angle-exceeds = { $path }: Kein Gelenkwinkel übersteigt { $largest }
 no-joint-angles = { $named }: keine Gelenkwinkel
 no-joint-goes-there-back-between = kein Gelenk bewegt sich zwischen zwei Messwerten hin und zurück
 no-joint-turned-more-than = { $label }: Kein Gelenk hat sich um mehr als { $swing } gedreht ({ $joint })
-no-joints-around-any-frames-stamp = { $named }: keine Gelenkwerte um die Zeitstempel der Bilder
+no-joints-around-any-frames-stamp = { $named }: keine Messwerte des Messarms um die Zeitstempel der Bilder
 no-json = es ist kein JSON: { $error }
 no-laser-stripe-found-object = auf dem Objekt wurde keine Laserlinie gefunden
 no-laser-stripe-front-sensor-any = { $named }: in keinem der { $numbered } Bilder ist eine Laserlinie vor dem Sensor
@@ -2777,7 +2783,7 @@ only-ball-bars-are-scanned = durch Scannen werden nur die Kugeln eines Kugelstab
 only-corners-can-measured = nur { $found } seiner Ecken sind messbar
 only-edge-points-lie-edges = nur { $agreeing } der Kantenpunkte liegen auf seinen Kanten
 only-free-disk = nur { $free } sind auf dem Datenträger von { $folder } frei
-only-joint-samples-came = nur { $count } Gelenkwerte in { $duration } empfangen
+only-joint-samples-came = nur { $count } Messwerte des Messarms in { $duration } empfangen
 only-machines-browsers-reach-station = Nur Browser auf diesem Rechner erreichen die Station.
 only-one-row-corners-each-level = mit nur einer Eckenreihe je Höhenstufe ist die Kamera nicht bestimmt
 only-pose-take-another-first = Dies ist die einzige Pose. Zuerst eine weitere aufnehmen.
@@ -3203,7 +3209,7 @@ recording-has-joints =
         [one] { $count } Gelenk
        *[other] { $count } Gelenke
     }
-recording-has-no-joints = { $path }: keine Gelenkwinkel
+recording-has-no-joints = { $path }: keine Messwerte eines Messarms
 recording-has-poses = { $path } enthält Posen eines Arms
 recording-kept = { $name }: Die Aufzeichnung ist erhalten.
 recording-message-at = { $path } { $topic } bei { $stamp_ns } ns

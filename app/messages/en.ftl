@@ -5,12 +5,18 @@ abandoned = abandoned the session
 about-missing-places-longest-start =
     { $stream ->
         [joints]
-            about { $missing } joint samples are missing in { $holes ->
+            about { $missing ->
+                [one] one arm reading is
+               *[other] { $missing } arm readings are
+            } missing in { $holes ->
                 [one] { $holes } gap
                *[other] { $holes } gaps
             }, the longest { $longest }, { $at } from the start
        *[frames]
-            about { $missing } frames are missing in { $holes ->
+            about { $missing ->
+                [one] one frame is
+               *[other] { $missing } frames are
+            } missing in { $holes ->
                 [one] { $holes } gap
                *[other] { $holes } gaps
             }, the longest { $longest }, { $at } from the start
@@ -698,7 +704,7 @@ clock = Clock
 clock-jumps-times-first-start-points =
     { $stream ->
         [joints]
-            the clock of the joint samples jumps { $jumps ->
+            the clock of the arm readings jumps { $jumps ->
                 [one] once, { $first } from the start
                *[other] { $jumps } times, first { $first } from the start
             }; points near a jump may be displaced
@@ -1464,9 +1470,9 @@ frame-has-pixels = { $path }: frame { $number } has { $width_px } × { $height_p
 frame-has-points = coordinates.csv: frame { $name } has { $count } points
 frame-named = frame { $name }
 frame-shows-only-s-visible-edges = the picture shows only { $share } of the visible edges of { $name }
-frame-without-joints-around-gives-no = A frame without joint samples around it gives no points.
-frames-joint-samples-which-neighbours-up = frames from { $frames_from } to { $frames_to }, joint samples from { $joints_from } to { $joints_to }; neighbouring samples are used up to { $gap } apart
-frames-left-out-no-joints-around = { $count } of { $frames } frames excluded: no joint samples around their time stamps, the first { $first } from the start; { $beyond } before the first or after the last sample, { $gaps } in gaps
+frame-without-joints-around-gives-no = A frame without arm readings around it gives no points.
+frames-joint-samples-which-neighbours-up = frames from { $frames_from } to { $frames_to }, arm readings from { $joints_from } to { $joints_to }; neighbouring samples are used up to { $gap } apart
+frames-left-out-no-joints-around = { $count } of { $frames } frames excluded: no arm readings around their time stamps, the first { $first } from the start; { $beyond } before the first or after the last sample, { $gaps } in gaps
 frames-lost-when-full-scan-more = Frames are lost when it is full; scan more slowly or close other programs.
 free = { $free } is free.
 free-enough-for-hours = { $free } is free, enough for { $hours } hours of this scan.
@@ -2252,13 +2258,13 @@ joint-reads-same-all-points = joint { $joint } reads the same in all points
 joint-reads-where-can = joint { $joint } reads { $reading }, { $step } away from where it can be
 joint-samples-left-out-cannot-true =
     { $count ->
-        [one] { $count } implausible joint sample excluded, { $first } from the start: { CLAUSE($error) }
-       *[other] { $count } implausible joint samples excluded, the first { $first } from the start: { CLAUSE($error) }
+        [one] { $count } implausible arm reading excluded, { $first } from the start: { CLAUSE($error) }
+       *[other] { $count } implausible arm readings excluded, the first { $first } from the start: { CLAUSE($error) }
     }
 joint-samples-left-out-numbers =
     { $unusable ->
-        [one] { $unusable } joint sample excluded: not a number
-       *[other] { $unusable } joint samples excluded: not numbers
+        [one] { $unusable } arm reading excluded: not a number
+       *[other] { $unusable } arm readings excluded: not numbers
     }
 journal-has-rows-cannot-read-first =
     { $count ->
@@ -2630,7 +2636,7 @@ no-joint-angle-exceeds = { $path }: no joint angle exceeds { $largest }
 no-joint-angles = { $named }: no joint angles
 no-joint-goes-there-back-between = no joint moves there and back between two readings
 no-joint-turned-more-than = { $label }: no joint rotated by more than { $swing } ({ $joint })
-no-joints-around-any-frames-stamp = { $named }: no joint samples around the time stamp of any frame
+no-joints-around-any-frames-stamp = { $named }: no arm readings around the time stamp of any frame
 no-json = it is not JSON: { $error }
 no-laser-stripe-found-object = no laser stripe was found on the object
 no-laser-stripe-front-sensor-any = { $named }: no laser stripe in front of the sensor in any frame of { $numbered }
@@ -2764,7 +2770,7 @@ only-ball-bars-are-scanned = only the spheres of a ball bar are measured by scan
 only-corners-can-measured = only { $found } of its corners can be measured
 only-edge-points-lie-edges = only { $agreeing } of the edge points lie on its edges
 only-free-disk = only { $free } is free on the disk of { $folder }
-only-joint-samples-came = only { $count } joint samples arrived in { $duration }
+only-joint-samples-came = only { $count } arm readings arrived in { $duration }
 only-machines-browsers-reach-station = Only browsers on this machine reach the station.
 only-one-row-corners-each-level = only one row of corners on each level does not determine the camera
 only-pose-take-another-first = It is the only pose. Capture another first.
@@ -3194,7 +3200,7 @@ recording-has-joints =
         [one] { $count } joint
        *[other] { $count } joints
     }
-recording-has-no-joints = { $path }: no joint angles
+recording-has-no-joints = { $path }: no arm readings
 recording-has-poses = { $path } holds poses of an arm
 recording-kept = { $name }: the recording is kept.
 recording-message-at = { $path } { $topic } at { $stamp_ns } ns

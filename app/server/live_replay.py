@@ -70,7 +70,7 @@ class Replay:
             self._rate_hz,
             reports=known.reading_kind,
             buttons=frozenset(),
-            free_running=bool(self._clock.speed),
+            free_running=False,
         )
         return ReplayArm(info, self._clock, self._readings)
 
@@ -78,7 +78,7 @@ class Replay:
         """A driver for the recorded sensor."""
         camera, serial = self._calibration.camera, self._calibration.serial_numbers.sensor or ""
         info = SensorInfo(
-            "recording", serial, camera.width_px, camera.height_px, (1000.0, 1000.0), False
+            self._path.name, serial, camera.width_px, camera.height_px, (1000.0, 1000.0), False
         )
         return ReplaySensor(info, self._clock, self._pictures)
 

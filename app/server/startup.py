@@ -218,8 +218,18 @@ def demo(
         run(Plan("Demonstration", parts, host, by_link=True), listening, open_browser)
 
 
-def replay(show: "Replay", title: str, host: str, port: int, open_browser: bool) -> None:
+def replay(
+    show: "Replay",
+    title: str,
+    host: str,
+    port: int,
+    open_browser: bool,
+    fill: Callable[[Path], None] = lambda data: None,
+) -> None:
     """Runs the live view with a recording, in a temporary data folder.
+
+    Args:
+        fill: puts into the data folder what the station has besides.
 
     Raises:
         OperationError: no port is free.
@@ -228,6 +238,7 @@ def replay(show: "Replay", title: str, host: str, port: int, open_browser: bool)
 
     listening = listen(host, port, PORTS_TRIED)
     with tempfile.TemporaryDirectory(prefix="crenel-replay-") as data:
+        fill(Path(data))
         parts = StationParts(title, Path(data), show.arm, show.sensor, guest="Replay")
         plan = Plan(title, lambda: parts, host, by_link=True)
         try:

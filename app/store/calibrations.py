@@ -76,13 +76,14 @@ class CalibrationStore:
         key: str | None,
         check: Check = accept_any,
         sensor: str = "",
+        accepted_at: str | None = None,
     ) -> JournalRow:
         """Puts a session's calibration to use, and closes the session.
 
         The journal row ``accepted``, the record and the change of the active
         calibration are one transaction. The calibration's id is its session's.
         ``figures`` has the fields of ``CalibrationFigures``; ``sensor`` is the name of the sensor,
-        empty of the only one.
+        empty of the only one. ``accepted_at`` if it was accepted elsewhere before.
         """
         kept = CalibrationFigures(**figures)
         with self._database.transaction() as connection:
@@ -97,7 +98,7 @@ class CalibrationStore:
                     session_id,
                     name,
                     file.relative_to(self._folder).as_posix(),
-                    row.at,
+                    accepted_at or row.at,
                     json.dumps(asdict(kept), allow_nan=False),
                     sensor,
                 ),

@@ -157,7 +157,7 @@ def test_reconstruct_writes_a_cloud(tmp_path: Path, scan: dict[str, Path]) -> No
     result = crenel(*reconstruct_arguments(scan), "-o", out)
     assert result.exit_code == 0, result.output
     assert len(read_cloud(out).points_mm) == 50
-    assert "1 of 3 frames excluded: no joint samples" in result.stderr
+    assert "1 of 3 frames excluded: no arm readings" in result.stderr
     assert str(out) in result.stdout
 
 

@@ -7,14 +7,17 @@ import pytest
 
 from app.errors import OperationError
 from app.formats.clouds.files import read_cloud
+from app.formats.recording.clock_check import ClockReport
 from app.formats.recording.reader import EXTRACTION
 from app.formats.recording.writer import RecordingWriter
+from app.messages.catalogue import renderer
 from app.metrology.arm.kinematics import AnyArm, RobotArm, flange_pose
 from app.metrology.arm.reported_poses import pose_from_transform
 from app.metrology.stripe import Stripe
 from app.metrology.transforms import Floats, apply, inverse
 from app.workflows.estimate_delay import read_plane_pass
 from app.workflows.reconstruct import Reconstruction, reconstruct_cloud
+from app.workflows.reconstruct_messages import Stream, clock_warnings
 from tests.formats.builders import (
     ARM,
     HEIGHT,
@@ -176,7 +179,7 @@ def test_readings_that_cannot_be_true_are_left_out_and_reported(tmp_path: Path) 
         record_stripe(writer, 102 * MS)
     result, points = rebuilt(tmp_path)
     assert len(result.warnings) == 1
-    assert "1 implausible joint sample excluded, 0.102 s" in str(result.warnings[0])
+    assert "1 implausible arm reading excluded, 0.102 s" in str(result.warnings[0])
     assert "oint J1 reads" in str(result.warnings[0])
     np.testing.assert_allclose(points, expected([102 * MS]), atol=1e-8)
 
@@ -221,7 +224,7 @@ def test_no_joints_around_any_frame_is_refused(tmp_path: Path) -> None:
     with RecordingWriter(tmp_path / "scan.mcap", NAMES) as writer:
         joints_every(writer, 0, 100 * MS, 4 * MS)
         record_stripe(writer, 500 * MS)
-    assert "no joint samples around the time stamp of any frame" in refusal_of(tmp_path).line
+    assert "no arm readings around the time stamp of any frame" in refusal_of(tmp_path).line
 
 
 def test_a_recording_that_lacks_something_is_refused(tmp_path: Path) -> None:
@@ -301,7 +304,7 @@ def test_holes_and_jumps_of_the_clocks_are_said(tmp_path: Path) -> None:
     assert "7 of 57 frames excluded" in said
     assert "0 before the first or after the last sample, 7 in gaps" in said
     assert "about 3 frames are missing in 1 gap, the longest 32.0 ms, 0.172 s" in said
-    assert "the clock of the joint samples jumps once, 0.100 s" in said
+    assert "the clock of the arm readings jumps once, 0.100 s" in said
 
 
 def test_a_steady_recording_has_no_warnings(tmp_path: Path) -> None:
@@ -413,3 +416,20 @@ def test_a_recording_of_another_kind_of_arm_is_refused(
     with pytest.raises(OperationError) as caught:
         reconstruct_cloud(tmp_path / "scan.mcap", little_calibration(), arm, tmp_path / "c.ply")
     assert caught.value.code == code
+
+
+@pytest.mark.parametrize(
+    ("stream", "missing", "english", "german"),
+    [
+        ("joints", 1, "about one arm reading is missing in 1", "es fehlt etwa ein Messwert des"),
+        ("joints", 4, "about 4 arm readings are missing in 1", "es fehlen etwa 4 Messwerte des"),
+        ("frames", 1, "about one frame is missing in 1", "es fehlt etwa ein Bild an 1"),
+        ("frames", 4, "about 4 frames are missing in 1", "es fehlen etwa 4 Bilder an 1"),
+    ],
+)
+def test_what_is_missing_is_said_of_joints_as_of_poses(
+    stream: Stream, missing: int, english: str, german: str
+) -> None:
+    (said,) = clock_warnings(stream, ClockReport(1, missing, 7 * MS, 9 * MS, 0, 0), 0)
+    assert english in renderer("en")(said)
+    assert german in renderer("de")(said)

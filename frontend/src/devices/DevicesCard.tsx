@@ -7,6 +7,7 @@ import { QualityMark } from "../parts/QualityMark";
 import card from "../parts/Section.module.css";
 import { t } from "../state/language";
 import { go } from "../state/router";
+import { useLive } from "../state/store";
 import styles from "./Devices.module.css";
 import { driverTitle, kindTitle } from "./names";
 
@@ -138,7 +139,9 @@ function Used({
   onView: DevicesCardProps["onView"];
 }) {
   const { kind, state, label, driver, simulated } = device;
-  const name = simulated ? t("ui-simulated") : label || (driver ? driverTitle(driver) : t("ui-none"));
+  const replays = useLive((s) => s.replay !== null);
+  const none = replays ? t("ui-from-the-recording") : t("ui-none");
+  const name = simulated ? t("ui-simulated") : label || (driver ? driverTitle(driver) : none);
   const remove = async () => onView(await removeDevice(kind));
   return (
     <div className={styles.used}>

@@ -490,6 +490,7 @@ ui-free = frei
 ui-from = Von
 ui-from-above-arm-below = Von oben, der Arm unten
 ui-from-left-to-right = Von links nach rechts
+ui-from-the-recording = aus der Aufzeichnung
 ui-from-the-side-arm-left = Von der Seite, der Arm links
 ui-from-to = { $from } bis { $to }
 ui-from-top-to-bottom = Von oben nach unten

@@ -490,6 +490,7 @@ ui-free = free
 ui-from = From
 ui-from-above-arm-below = From above, the arm below
 ui-from-left-to-right = Left to right
+ui-from-the-recording = from the recording
 ui-from-the-side-arm-left = From the side, the arm on the left
 ui-from-to = { $from } to { $to }
 ui-from-top-to-bottom = Top to bottom
