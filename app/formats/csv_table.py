@@ -12,6 +12,9 @@ from app.formats.file_names import display_path
 from app.formats.json_document import read_text
 from app.messages.message import Text, message
 
+WORKBOOK = "PK\x03\x04"
+"""How the file of a spreadsheet program begins."""
+
 
 @dataclass(frozen=True)
 class TableRow:
@@ -84,8 +87,15 @@ def parse_table(text: str, path: Path, required: Iterable[str]) -> CsvTable:
 
     Raises:
         OperationError: a required column missing or named twice, a row of another length than
-            the header, columns that are not separated by commas.
+            the header, columns that are not separated by commas, or a file that is no text.
     """
+    if text.startswith(WORKBOOK) or "\0" in text:
+        raise OperationError(
+            "table-is-no-text",
+            display_path(path),
+            message("table-is-workbook"),
+            message("save-table-as-csv"),
+        )
     lines = csv.reader(io.StringIO(text.removeprefix("\ufeff"), newline=""), strict=True)
     columns: tuple[str, ...] = ()
     rows: list[TableRow] = []

@@ -646,6 +646,7 @@ check-tip-one-arms-file-block = Prüfen, ob die Tastkugel die der Armdatei ist u
 check-tip-one-arms-file-board = Prüfen, ob die Tastkugel die der Armdatei ist und ob Tafel und Messarm fest standen.
 check-tip-play-faces-dirt-have = Tastkugel auf Spiel und Flächen auf Schmutz prüfen; das Armmodell prüfen lassen.
 check-tips-diameter-block-then-arms = Tastkugeldurchmesser prüfen; ebenso, ob dies der Zinnenkörper ist; dann das Armmodell.
+check-unit-arm-and-rows = Einheit, Koordinatensystem und Gelenkwinkel der Zeilen prüfen, und ob es dieser Messarm ist
 check-what-robot-sends = Prüfen, was die Steuerung des Arms senden soll.
 check-which-arm-plugged = Prüfen, welcher Messarm angeschlossen ist.
 check-which-face-each-contact-taken = Prüfen, auf welcher Fläche jeder Punkt angetastet wurde, außerdem die Tastkugel und den Kalibrierschein des Objekts
@@ -905,7 +906,7 @@ convert-poses-read-otherwise =
 convert-them-name-columns = Werte umrechnen und die Spalten { $first } bis { $last } nennen
 coordinate-left-out-off = coordinates.csv Zeile { $number } ({ $place }): { $distance } Abweichung
 coordinates = Koordinaten des Objekts
-coordinates-fit-otherwise = { $reason }, liegen sie typischerweise { $off } davon entfernt
+coordinates-fit-otherwise = { $reason }, lägen sie typischerweise { $off } von der Stelle, an der sie laut arm.json sind
 coordinates-give-figures = coordinates.csv: { $poses } Posen ergeben { $figures } Werte
 coordinates-held-out = Gemessene Koordinaten, kreuzvalidiert
 coordinates-identify-only = Koordinaten dienen nur der Identifikation des Messarms
@@ -1190,6 +1191,7 @@ file-has-no-pictures-with-laser = { $path } enthält keine Bilder mit eingeschal
 file-has-no-readings = { $path } enthält keine Messwerte des Arms
 give-each-row-angles-of-its-pose = Jeder Zeile die Gelenkwinkel ihrer eigenen Pose geben
 give-kind-charuco = Die Tafel in object.json mit kind charuco, dictionary und marker_mm beschreiben
+give-pose-of-marker-in-frame = Die Pose der Messmarke im Koordinatensystem des Messgeräts angeben
 give-quaternions-with-more-digits = qx, qy, qz, qw mit mindestens vier Nachkommastellen angeben, den Skalar zuletzt
 give-times-in-seconds = Zeiten in Sekunden angeben, ab einem beliebigen Anfang
 give-times-in-seconds-readings-closer = Alle Zeiten in Sekunden angeben, und Messwerte des Messarms im Abstand von höchstens { $longest }
@@ -1199,10 +1201,17 @@ if-angles-of-next-row =
         [before] wenn jede Zeile die Gelenkwinkel der vorherigen Zeile hätte
        *[after] wenn jede Zeile die Gelenkwinkel der nächsten Zeile hätte
     }
+if-coordinates-in-unit =
+    { $unit ->
+        [inches] wenn sie in Zoll angegeben wären
+       *[centimetres] wenn sie in Zentimetern angegeben wären
+    }
 if-coordinates-mirrored = wenn die Koordinaten gespiegelt wären
 if-frame-is-not-base = wenn ihr Koordinatensystem das des Messgeräts und nicht die Basis wäre
+if-instrument-moved = wenn das Messgerät oder die Basis des Arms vor Zeile { $line } bewegt worden wäre
 if-joint-turned-other-way = wenn sich das Gelenk { $joint } andersherum drehte
 if-joint-zero-elsewhere = wenn das Gelenk { $joint } { $turn } mehr anzeigte
+if-poses-inverted = wenn dies die Posen des Messgeräts im Koordinatensystem der Messmarke wären
 import-with-stripe-axis = stripe_axis in sensor.json auf { $axis } setzen und erneut einlesen
 listen-choose-higher-port = Mit --port einen Port ab 1024 wählen
 listen-failed = Port { $port } von { $host } lässt sich nicht öffnen
@@ -1238,6 +1247,7 @@ one-picture-at-a-time = ein Sensor nimmt nur ein Bild zur selben Zeit auf
 picture-at-time-of-line = { $place } hat dieselbe time_s wie Zeile { $line }
 pictures-are-at = die Bilder beginnen bei { $begin }
 reverse-sign-of-joint = Das Vorzeichen (sign) des Gelenks { $joint } in arm.json umkehren
+save-table-as-csv = Als CSV (UTF-8) mit Kommas zwischen den Spalten speichern
 settings-add-as-shown = Ergänzen, wie { $document } es zeigt
 settings-certificate-and-key = Zertifikat und Schlüssel gehören zusammen
 settings-correct-name = Den Namen berichtigen
@@ -3649,6 +3659,7 @@ switched-laser-off = Laser ausgeschaltet
 table-first-line-names = { $path }: Die erste Zeile nennt { $names }
 table-has-both = { $path } hat die Spalten { $first } und { $second }
 table-is-empty = sie ist leer; erwartet wird eine Zeile mit Spaltennamen
+table-is-workbook = dies ist die Datei einer Tabellenkalkulation oder kein Text
 table-lacks-column = in ihrer Tabelle { $table } fehlt { $column }
 take-again = Neu aufnehmen
 take-again-2 = neu aufnehmen

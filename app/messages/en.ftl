@@ -646,6 +646,7 @@ check-tip-one-arms-file-block = Check that the tip matches the arm's file and th
 check-tip-one-arms-file-board = Check that the tip matches the arm's file and that board and arm were fixed firmly.
 check-tip-play-faces-dirt-have = Check the tip for play and the faces for dirt; then check the arm's model.
 check-tips-diameter-block-then-arms = Check the tip's diameter and that this is the block; then check the arm's model.
+check-unit-arm-and-rows = Check the unit, the frame and the joint angles of the rows, and whether it is this arm
 check-what-robot-sends = Check what the controller of the arm is set to send.
 check-which-arm-plugged = Check which arm is connected.
 check-which-face-each-contact-taken = Check which face each contact point was taken on, the tip, and the object's certificate
@@ -905,7 +906,7 @@ convert-poses-read-otherwise =
 convert-them-name-columns = Convert them, and name the columns { $first } to { $last }
 coordinate-left-out-off = coordinates.csv line { $number } ({ $place }): { $distance } off
 coordinates = Coordinates
-coordinates-fit-otherwise = { $reason }, they typically lie { $off } from there
+coordinates-fit-otherwise = { $reason }, they would typically lie { $off } from where arm.json has them
 coordinates-give-figures = coordinates.csv: { $poses } poses give { $figures } values
 coordinates-held-out = Measured coordinates, cross-validated
 coordinates-identify-only = coordinates are only used to identify the arm
@@ -1186,6 +1187,7 @@ file-has-no-pictures-with-laser = { $path } contains no pictures with the laser 
 file-has-no-readings = { $path } contains no readings
 give-each-row-angles-of-its-pose = Give every row the joint angles of its own pose
 give-kind-charuco = Describe the board in object.json with kind charuco, and its dictionary and marker_mm
+give-pose-of-marker-in-frame = Give the pose of the marker in the frame of the instrument
 give-quaternions-with-more-digits = Give qx, qy, qz, qw with at least four digits after the decimal point, the scalar last
 give-times-in-seconds = Give the times in seconds, from any beginning
 give-times-in-seconds-readings-closer = Give all times in seconds, and readings of the arm at most { $longest } apart
@@ -1195,10 +1197,17 @@ if-angles-of-next-row =
         [before] if every row had the joint angles of the row before
        *[after] if every row had the joint angles of the next row
     }
+if-coordinates-in-unit =
+    { $unit ->
+        [inches] if they were in inches
+       *[centimetres] if they were in centimetres
+    }
 if-coordinates-mirrored = if the coordinates were mirrored
 if-frame-is-not-base = if their frame were the instrument's own and not the base
+if-instrument-moved = if the instrument or the arm's base had moved before line { $line }
 if-joint-turned-other-way = if joint { $joint } turned the other way
 if-joint-zero-elsewhere = if joint { $joint } read { $turn } more
+if-poses-inverted = if these were the poses of the instrument in the frame of the marker
 import-with-stripe-axis = Set stripe_axis to { $axis } in sensor.json, and import again
 listen-choose-higher-port = Choose a port from 1024 on with --port
 listen-failed = Cannot listen on { $host } port { $port }
@@ -1234,6 +1243,7 @@ one-picture-at-a-time = a sensor takes one picture at a time
 picture-at-time-of-line = { $place } has the same time_s as line { $line }
 pictures-are-at = the pictures begin at { $begin }
 reverse-sign-of-joint = Reverse the sign of joint { $joint } in arm.json
+save-table-as-csv = Save it as CSV (UTF-8), with commas between the columns
 settings-add-as-shown = Add it as { $document } shows
 settings-certificate-and-key = certificate and key belong together
 settings-correct-name = Correct its name
@@ -3636,6 +3646,7 @@ switched-laser-off = switched the laser off
 table-first-line-names = { $path }: its first line names { $names }
 table-has-both = { $path } has the columns { $first } and { $second }
 table-is-empty = it is empty; a line of column names is expected
+table-is-workbook = this is the file of a spreadsheet program, or no text
 table-lacks-column = its table { $table } has no { $column }
 take-again = Repeat
 take-again-2 = repeat it

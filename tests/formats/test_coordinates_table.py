@@ -11,7 +11,7 @@ from app.errors import OperationError
 from app.formats.csv_table import table_text
 from app.formats.datasheets.arm import ArmFile, arm_document, read_arm
 from app.formats.session.arm_session import read_observations
-from app.formats.session.coordinates_table import COORDINATES, read_coordinates
+from app.formats.session.coordinates_table import COORDINATES, parse_coordinates, read_coordinates
 from app.formats.session.pose_columns import joint_columns
 from app.metrology.arm.kinematics import Arm
 from app.workflows.identify_arm import identification_summary, identify_folder
@@ -220,3 +220,10 @@ def test_limits_of_the_arm_hold(folder: Path, rows: tuple[Arm, list[list[float |
     with pytest.raises(OperationError) as caught:
         read_coordinates(folder / COORDINATES, replace(arm, joints=joints))
     assert caught.value.code == "joint-outside-limits"
+
+
+@pytest.mark.parametrize("text", ["PK\x03\x04\x14\ufffd,x", "x\0_\0m\0m\0,\0"])
+def test_a_workbook_is_named_as_one(text: str) -> None:
+    """As a browser reads it, whose text has no file to fail at."""
+    with pytest.raises(OperationError, match=r"tracker\.csv: this is the file of a spreadsheet"):
+        parse_coordinates(text, Path("tracker.csv"), robot(6))

@@ -5,6 +5,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from scipy.spatial.transform import Rotation
 
 from app.errors import OperationError
 from app.metrology.arm.identification.checks.coordinates import (
@@ -29,6 +30,13 @@ def session() -> Session:
     return arm, measure(built(arm, rng), postures(arm, 60, rng), Tracker.somewhere(rng), rng)
 
 
+def moved(found: Coordinates, row: int) -> Coordinates:
+    """The instrument stands elsewhere from this row on."""
+    turn, points = Rotation.from_rotvec([0.4, -0.9, 1.7]), found.points_mm.copy()
+    points[row:] = turn.apply(points[row:]) + [9000.0, -2500.0, 900.0]
+    return replace(found, points_mm=points)
+
+
 def turned(q_rad: np.ndarray, joint: int, sign: float, offset_deg: float) -> np.ndarray:
     changed = q_rad.copy()
     changed[:, joint] = sign * changed[:, joint] - np.deg2rad(offset_deg)
@@ -41,8 +49,11 @@ FAULTS: tuple[tuple[Callable[[Coordinates], Coordinates], str], ...] = (
     (lambda c: replace(c, points_mm=c.points_mm[:, [1, 0, 2]]), "must be right-handed"),
     (lambda c: replace(c, q_rad=np.roll(c.q_rad, 1, axis=0)), "angles of the next row"),
     (lambda c: replace(c, frame=BASE), "another name than base"),
+    (lambda c: moved(c, 30), "moved before line 32, .* name of its own in the column frame"),
+    (lambda c: replace(c, points_mm=c.points_mm / 25.4), "if they were in inches, .* millimetres"),
+    (lambda c: replace(c, points_mm=c.points_mm / 10), "if they were in centimetres"),
 )
-NAMES = ("sign", "zero", "mirrored", "row", "base")
+NAMES = ("sign", "zero", "mirrored", "row", "base", "moved", "inches", "centimetres")
 
 
 @pytest.mark.slow
@@ -54,6 +65,18 @@ def test_the_fault_is_named(
     with pytest.raises(OperationError, match=says) as refused:
         check_coordinates(arm, ArmObservations(coordinates=(spoil(found),)))
     assert refused.value.code == "arm-does-not-fit"
+
+
+@pytest.mark.slow
+def test_inverted_poses_are_named(session: Session) -> None:
+    rng, (arm, _) = np.random.default_rng(3), session
+    found = measure(built(arm, rng), postures(arm, 60, rng), Tracker.somewhere(rng), rng, full=True)
+    assert found.rotations is not None
+    back = np.swapaxes(found.rotations, 1, 2)
+    points = -np.einsum("nij,nj->ni", back, found.points_mm)
+    inverted = replace(found, rotations=back, points_mm=points)
+    with pytest.raises(OperationError, match="Give the pose of the marker in the frame of the"):
+        check_coordinates(arm, ArmObservations(coordinates=(inverted,)))
 
 
 @pytest.mark.slow

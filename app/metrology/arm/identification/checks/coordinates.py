@@ -137,13 +137,13 @@ def _check_unit(data: StackedObservations, at: Unknowns) -> None:
             message(
                 "coordinates-spread",
                 name=name,
-                measured=quantity(measured_mm, "mm", 3),
+                measured=quantity(measured_mm, "mm", 3 if metres else 0),
                 expected=quantity(expected_mm, "mm"),
             ),
             message("these-metres-where-millimetres-expected")
             if metres
             else message("another-unit-arm-or-marker"),
-            message("convert-columns-x-mm-y-mm"),
+            message("convert-columns-x-mm-y-mm") if metres else message("check-unit-arm-and-rows"),
         )
 
 
