@@ -9,7 +9,9 @@ import pytest
 from numpy.typing import NDArray
 
 from app.metrology.chessboard.detect_board import detect_board
+from app.metrology.chessboard.failure_evidence import BoardFailure, explain_failure
 from app.metrology.chessboard.laser_light import drop_faint_stripe
+from app.metrology.chessboard.missing_corners import CornerGrid
 from app.metrology.detection.failure_evidence import DetectionError
 from app.metrology.sensor.camera import project
 from app.metrology.stripe import extract_stripe
@@ -145,6 +147,28 @@ def test_a_cover_across_the_middle_of_a_board_as_wide_as_the_picture_is_named() 
         detect_board(image, wide)
     assert (refused.value.code, refused.value.fault) == ("board-partly-seen", "framing")
     assert "Uncover the whole board" in refused.value.line
+
+
+@pytest.mark.parametrize(
+    ("spacing_px", "words"), [(28.0, "the others are covered"), (8.0, "partly out of")]
+)
+def test_another_grid_is_the_other_end_of_a_board_only_if_its_squares_are_about_as_large(
+    spacing_px: float, words: str
+) -> None:
+    image = np.full((480, 330), 90, np.uint8)
+    cut_off = grid_on(image, 3, 6, (245.0, 95.0), 31.0)
+    other = grid_on(image, 5, 6, (20.0, 180.0), spacing_px)
+    failure = BoardFailure(cut_off, np.ones(18, np.bool_), None, (cut_off, other))
+    refusal = explain_failure(replace(BOARD, inner_corners=(9, 6)), failure)
+    assert words in refusal.line
+
+
+def grid_on(
+    image: Grey, columns: int, rows: int, first_px: tuple[float, float], spacing_px: float
+) -> CornerGrid:
+    places = np.stack(np.meshgrid(np.arange(columns), np.arange(rows)), axis=-1).reshape(-1, 2)
+    uv_px = np.array(first_px) + spacing_px * places
+    return CornerGrid(image, np.zeros(image.shape, np.bool_), places, uv_px)
 
 
 def test_a_board_of_which_no_corner_can_be_measured_is_refused_as_blurred() -> None:

@@ -29,6 +29,8 @@ LEAST_SPACING_PX = 5.0
 # Share of a grid's corners that shows it to be a whole board.
 WHOLE = 0.95
 FEWEST_OF_A_GRID, FEWEST_OF_A_SIDE = 4, 3
+# The squares of one end of a board are at most so many times as large as those of the other.
+NEARER_END = 2.0
 
 _CAUSES: dict[Cause, tuple[Fault, Text, Text]] = {
     "outside": (
@@ -163,6 +165,9 @@ def _explain_size(board: Chessboard, failure: BoardFailure) -> DetectionError:
 def _is_divided(board: Chessboard, seen: CornerGrid, other: CornerGrid) -> bool:
     """Whether two grids are the board's ends, with something over the columns between them."""
     if len(other.places) < FEWEST_OF_A_GRID or _overlap(seen, other):
+        return False
+    small, large = sorted((seen.spacing_px(), other.spacing_px()))
+    if large > NEARER_END * small:
         return False
     ends = [sorted(one.extent.tolist()) for one in (seen, other)]
     for along, across in (board.inner_corners, board.inner_corners[::-1]):
