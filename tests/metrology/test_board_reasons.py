@@ -163,6 +163,15 @@ def test_another_grid_is_the_other_end_of_a_board_only_if_its_squares_are_about_
     assert words in refusal.line
 
 
+def test_a_square_part_of_a_board_is_cut_off_on_whichever_side_the_picture_ends() -> None:
+    image = np.full((480, 330), 90, np.uint8)
+    board = replace(BOARD, inner_corners=(9, 6))
+    for first_px in ((20.0, 150.0), (155.0, 150.0), (90.0, 20.0), (90.0, 305.0)):
+        cut_off = grid_on(image, 6, 6, first_px, 31.0)
+        failure = BoardFailure(cut_off, np.ones(36, np.bool_), None, (cut_off,))
+        assert "partly out of" in explain_failure(board, failure).line
+
+
 def grid_on(
     image: Grey, columns: int, rows: int, first_px: tuple[float, float], spacing_px: float
 ) -> CornerGrid:

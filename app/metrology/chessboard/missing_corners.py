@@ -96,7 +96,9 @@ def common_cause(causes: Sequence[Cause]) -> Cause:
 
 
 def _short_axes(extent: NDArray[np.int64], inner_corners: tuple[int, int]) -> list[int]:
-    """The axes of a grid along which a board of this size has more, as it lies best."""
+    """The axes of a grid along which a board of this size has more, as it lies best; of a grid as
+    wide as high, either one."""
     ways = [np.array(inner_corners) - extent, np.array(inner_corners[::-1]) - extent]
-    missing = min(ways, key=lambda way: (int((way < 0).sum()), int(np.abs(way).sum())))
-    return [axis for axis in (0, 1) if missing[axis] > 0]
+    misfits = [(int((way < 0).sum()), int(np.abs(way).sum())) for way in ways]
+    best = [way for way, misfit in zip(ways, misfits, strict=True) if misfit == min(misfits)]
+    return [axis for axis in (0, 1) if any(way[axis] > 0 for way in best)]
