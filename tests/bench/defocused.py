@@ -60,7 +60,7 @@ def main(folder: Path) -> None:
 
 
 def read_rooms(folder: Path) -> Iterator[Grey]:
-    """Those of at most 1400 x 1100 pixels: larger ones would only take longer."""
+    """Those of at most 1400 pixels a side: larger ones would only take longer."""
     for path in sorted(folder.rglob("*")):
         grey = cv2.imread(str(path), cv2.IMREAD_GRAYSCALE)
         if grey is not None and max(grey.shape) <= 1400:

@@ -19,7 +19,7 @@ from app.metrology.arm.identification.observations import (
 )
 from app.metrology.arm.identification.scatter import Scatter
 from app.metrology.arm.kinematics import Arm, flange_poses
-from app.metrology.transforms import Floats
+from app.metrology.transforms import Floats, nearest_rotation
 
 FITS_MM, FITS_SHARE = 20.0, 0.2
 """With its fault undone, an arm lies this close to its coordinates, and at this share at most of
@@ -222,9 +222,7 @@ def _row_of_move(arm: Arm, one: Coordinates) -> int:
     def rest(own: slice) -> float:
         """Sum of squares (mm²) that a rigid motion of these points leaves."""
         a, b = (points[own] - points[own].mean(axis=0) for points in (one.points_mm, predicted_mm))
-        U, sizes, V = np.linalg.svd(a.T @ b)
-        sizes[-1] *= np.sign(np.linalg.det(U @ V))
-        return float(np.sum(a**2) + np.sum(b**2) - 2 * np.sum(sizes))
+        return float(np.sum((a - b @ nearest_rotation(a.T @ b).T) ** 2))
 
     left = [rest(slice(row)) + rest(slice(row, None)) for row in rows]
     return rows[int(np.argmin(left))]
