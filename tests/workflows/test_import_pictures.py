@@ -132,7 +132,7 @@ def test_a_delay_counts_where_the_readings_have_times(tmp_path: Path) -> None:
 def test_poses_of_pictures_without_times_are_never_mixed(tmp_path: Path) -> None:
     folder = write_scan(tmp_path / "scan", timed=False)
     imported(folder)
-    with pytest.raises(OperationError, match="no joint"):
+    with pytest.raises(OperationError, match="no arm readings"):
         reconstruct_cloud(
             folder / "scan.mcap", little_calibration(), ARM, folder / "c.ply", delay_ns=20 * MS
         )

@@ -30,7 +30,7 @@ LEAST_SPACING_PX = 5.0
 WHOLE = 0.95
 FEWEST_OF_A_GRID, FEWEST_OF_A_SIDE = 4, 3
 # The squares of one end of a board are at most so many times as large as those of the other.
-NEARER_END = 2.0
+NEARER_END = 3.0
 
 _CAUSES: dict[Cause, tuple[Fault, Text, Text]] = {
     "outside": (
