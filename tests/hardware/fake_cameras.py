@@ -21,6 +21,7 @@ import pytest
 ADDRESS = "127.0.0.1"
 PORT = 3956
 READY_S = 20.0
+ANSWER_S = 5.0
 FIRST_BLOCK_ID = 65401
 """Of Aravis's camera, whose 16-bit block ids soon begin again."""
 LAST_BLOCK_ID = 65535
@@ -44,7 +45,7 @@ class ControlClient:
 
     def __init__(self) -> None:
         self._socket = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
-        self._socket.settimeout(0.5)
+        self._socket.settimeout(ANSWER_S)
         self._socket.connect((ADDRESS, PORT))
         self._request = 0
 

@@ -321,9 +321,9 @@ def test_nobody_at_the_address_is_said(port: None) -> None:
 def test_a_laser_is_switched_on_its_line_and_off_at_the_end(laser_camera: Path) -> None:
     fake = AravisFake("-g", str(laser_camera))
     driver = from_options(options(laser_line="Line2", exposure_us=5000.0))
+    client = ControlClient()
     try:
         assert driver.open().has_laser_switch
-        client = ControlClient()
         assert client.read(LINE_MODES + 4) == 1
         assert client.read(LINE_SOURCES + 4) == 2
         assert client.read(USER_OUTPUTS + 4) == 0
@@ -337,8 +337,8 @@ def test_a_laser_is_switched_on_its_line_and_off_at_the_end(laser_camera: Path) 
             frame = next_frame(driver)
         driver.close()
         assert client.read(USER_OUTPUTS + 4) == 0
-        client.close()
     finally:
+        client.close()
         driver.close()
         fake.stop()
 
