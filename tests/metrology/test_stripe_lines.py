@@ -247,6 +247,23 @@ def test_a_wide_line_is_followed_and_a_narrow_one_after_it() -> None:
         assert beside < 0.01
 
 
+@pytest.mark.parametrize("first", [1, 4, 7])
+def test_what_comes_into_view_beside_a_wide_line_is_found_within_a_round(first: int) -> None:
+    """Once in six frames the complete image is read, see ``tracking.c``."""
+    tracker = StripeTracker()
+    rows = np.full(WIDTH, 150.0)
+    below = rows + 400
+    columns = np.arange(WIDTH)
+    left, right = (np.where(side, 150.0, 0.0) for side in (columns < 480, columns >= 480))
+    for turn in range(first):
+        tracker.extract(expose(10 + beam(rows, 45, left), turn))
+    both = 10 + beam(rows, 45, left) + beam(below, 45, right)
+    found = [shares(tracker.extract(expose(both, turn)), below, 45)[0] for turn in range(7)]
+    assert found[-1] > 0.45
+    jumped = shares(tracker.extract(expose(10 + beam(below - 150, 45, 150), 0)), below - 150, 45)
+    assert jumped[0] > 0.97
+
+
 @pytest.mark.parametrize("shift", [2, 4, 6])
 def test_pictures_of_more_bits_are_scaled_alike(shift: int) -> None:
     rows = course(10)

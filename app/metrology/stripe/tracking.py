@@ -57,8 +57,9 @@ class StripeTracker:
     Every block of columns is read around the rows of the stripe in the previous frame. A block that
     loses the stripe is read over its full height at once, in the same frame. In addition, one slice
     of the image after the other is read, so that a stripe that appears elsewhere is found after as
-    many frames as there are slices. The noise, which determines the weights and standard deviations
-    of points, is estimated again every few frames; so is the scale if no long line is found.
+    many frames as there are slices; where many rows are made one, the complete image is read once
+    in so many frames instead. The noise, which determines the weights and standard deviations of
+    points, is estimated again every few frames; so is the scale if no long line is found.
     """
 
     def __init__(
@@ -105,7 +106,7 @@ class StripeTracker:
         parts = self._parts(whole)
         found = self._extract(parts, grey)
         lost = self._counts < before - LOST_POINTS
-        if len(parts) > 1 and (lost.any() or not len(self._along)):
+        if not self._is_whole(parts) and (lost.any() or not len(self._along)):
             whole |= lost if len(self._along) else True
             self._known[:] = 0
             found = self._extract(self._parts(whole), grey)
@@ -153,6 +154,11 @@ class StripeTracker:
             parts,
         )
         return parts[:count]
+
+    def _is_whole(self, parts: NDArray[np.int64]) -> bool:
+        """Whether the parts (n, 4) are the complete image."""
+        first, last = parts[0, :2]
+        return len(parts) == 1 and last - first == height_at(self._shape[0], self._scale.factor)
 
     def _extract(self, parts: NDArray[np.int64], grey: Image) -> FoundLine:
         """The stripe in these parts; stores its position."""

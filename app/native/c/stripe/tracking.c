@@ -8,7 +8,8 @@ enum { BLOCK_PX = 256 };
 enum { BESIDE_PX = 24 };
 /* Beginning a row costs as much as reading this many of its pixels. */
 enum { ROW_PX = 2000 };
-/* Slices of the picture, one of which is read in every frame beside the bands. */
+/* Slices of the picture, one of which is read in every frame beside the bands; the whole picture
+ * instead, once in so many frames, where slices with their surroundings would read it twice. */
 enum { SLICES = 6 };
 /* The surroundings, in rows, that a peak's score needs. */
 enum { SURROUNDINGS = ((AWAY + 2) * STEP + CORE_ROWS) / 2 + 4 };
@@ -75,11 +76,13 @@ EXPORT(int64_t, plan_parts)(int64_t n, int64_t blocks, int64_t most, const doubl
     const int64_t first = turn % SLICES * height / SLICES - SURROUNDINGS;
     const int64_t last = first + height / SLICES + 2 * SURROUNDINGS + 1;
     const int64_t slice[4] = {max_i64(first, 0), min_i64(last, height), 0, width};
-    if (found < most)
+    const bool overlap = SLICES * (last - first) > 2 * height;
+    if (found < most && !overlap)
         memcpy(parts + 4 * found++, slice, sizeof slice);
     for (int64_t p = 0; p < found; p++)
         spent += cost_of_part(parts + 4 * p);
-    if (n > 0 && spent < cost_of_part(everything))
+    const bool is_due = overlap && turn % SLICES == 0;
+    if (n > 0 && !is_due && spent < cost_of_part(everything))
         return found;
     memcpy(parts, everything, sizeof everything);
     return 1;
