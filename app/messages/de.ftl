@@ -669,6 +669,7 @@ choose-another-place = Einen anderen Speicherort wählen
 choose-another-port = Hier und an der Robotersteuerung einen anderen Port wählen.
 choose-arm-first = Zuerst den Messarm wählen.
 choose-arm-first-2 = zuerst den Messarm wählen
+choose-bayer-or-grey-pictures = Unter den Optionen das Bayer-Muster und die Farbe des Lasers wählen, oder die Kamera graue Bilder senden lassen
 choose-chessboard-for-poses = { $name } meldet Posen: Wählen Sie ein Schachbrett als Objekt.
 choose-datasheet-connect-other = Datenblatt dieses Geräts ({ $name }) wählen oder das andere Gerät anschließen.
 choose-first = Zuerst wählen: { $things }.

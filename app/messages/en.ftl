@@ -669,6 +669,7 @@ choose-another-place = Choose another location
 choose-another-port = Choose another port here and on the robot's controller.
 choose-arm-first = Choose the arm first.
 choose-arm-first-2 = choose the arm first
+choose-bayer-or-grey-pictures = Choose the Bayer pattern and the colour of the laser among the options, or let the camera send grey pictures
 choose-chessboard-for-poses = { $name } reports poses: choose a chessboard as the object.
 choose-datasheet-connect-other = Choose the datasheet of this { $name }, or connect the other { $name }.
 choose-first = Choose first: { $things }.

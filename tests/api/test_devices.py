@@ -99,6 +99,21 @@ def test_a_tried_camera_shows_pictures_and_is_closed(station: Server, pictures: 
     assert station.http.get("/api/devices/trial/picture.jpg").status_code == HTTPStatus.NO_CONTENT
 
 
+def test_a_tried_camera_whose_pictures_are_raw_says_so(station: Server, pictures: Path) -> None:
+    raw = np.full((HEIGHT, WIDTH), 100, np.uint8)
+    raw[::2, ::2], raw[1::2, 1::2] = 60, 80
+    for path in pictures.iterdir():
+        cv2.imwrite(str(path), raw)
+    station.http.post("/api/devices/trial", json=asked(pictures)).raise_for_status()
+    live = wait_for(lambda: trial(station), lambda one: one["picture"] is not None)
+    assert "raw picture of a colour camera" in english(live["picture_text"])
+    measured = asked(pictures)
+    measured["options"] |= {"bayer": "BGGR", "laser_colour": "red"}  # type: ignore[operator]
+    station.http.post("/api/devices/trial", json=measured).raise_for_status()
+    grey = wait_for(lambda: trial(station), lambda one: one["picture"] is not None)
+    assert not grey["picture_text"]
+
+
 def test_a_tried_arm_shows_its_joints(station: Server) -> None:
     options = {"url": station.simulation.arm_url}
     body = {"kind": "arm", "driver": "serial-encoder", "options": options}

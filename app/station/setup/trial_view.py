@@ -5,7 +5,9 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from typing import Any, Literal, TypeAlias
 
+from app.errors import sentence
 from app.messages.message import Text, join, message, word
+from app.metrology.mosaic import shows_mosaic
 from app.station.devices.arm_device import StationArm
 from app.station.devices.device_thread import DeviceReader, Link, LinkState
 from app.station.devices.rig import DeviceName
@@ -13,10 +15,12 @@ from app.station.devices.sensor_device import StationSensor
 from hardware.interfaces import (
     ArmInfo,
     ArmReading,
+    Frame,
     JointSample,
     OptionOffer,
     PoseSample,
     SensorInfo,
+    SensorReading,
     StampKind,
 )
 
@@ -55,6 +59,8 @@ class TrialView:
     """None if the exposure cannot be set."""
     offers: tuple[OptionOffer, ...]
     """What the device offers for the options; empty where it cannot be asked."""
+    picture_text: Text
+    """What is wrong with the pictures, and what to do; empty otherwise."""
     picture: int | None
     """The number of the newest picture; None before the first."""
     joints_deg: tuple[float, ...]
@@ -102,6 +108,7 @@ def view_sensor(
         exposure_us=latest.exposure_us if latest and info and latest.exposure_us > 0 else None,
         exposure_range_us=(shortest, longest) if shortest < longest else None,
         offers=info.offers if info else (),
+        picture_text=_picture_text(latest),
         picture=latest.sequence if latest and not ended else None,
     )
 
@@ -136,6 +143,7 @@ def _view_link(
         exposure_us=None,
         exposure_range_us=None,
         offers=(),
+        picture_text="",
         picture=None,
         joints_deg=(),
         position_mm=None,
@@ -150,6 +158,13 @@ def _loss_text(kind: DeviceName, link: Link, info: ArmInfo | SensorInfo | None) 
         return join([message("data-lost-now", title=word(kind)), remedy], " ")
     share = (link.lost + link.corrupt) / max(link.received + link.lost + link.corrupt, 1)
     return remedy if share > MUCH_LOST else ""
+
+
+def _picture_text(latest: SensorReading | None) -> Text:
+    if not isinstance(latest, Frame) or not shows_mosaic(latest.image):
+        return ""
+    found, remedy = message("pixels-alternate-as-raw"), message("choose-bayer-or-grey-pictures")
+    return join([sentence(found), sentence(remedy)], " ")
 
 
 def _state(link: Link, error: Text, ended: Text) -> TrialState:

@@ -18,12 +18,12 @@ export function TrialPicture({ trial }: { trial: TrialView }) {
         {trial.kind === "sensor" ? <Picture trial={trial} /> : <JointDials trial={trial} />}
       </div>
       <Readouts wrap readouts={readouts(trial)} />
-      {trial.loss_text && (
-        <p className={styles.failure} role="status" data-quality="attention">
+      {[trial.loss_text, trial.picture_text].filter(Boolean).map((text) => (
+        <p key={text} className={styles.failure} role="status" data-quality="attention">
           <QualityMark quality="attention" size="1.5rem" />
-          {trial.loss_text}
+          {text}
         </p>
-      )}
+      ))}
     </>
   );
 }
