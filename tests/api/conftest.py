@@ -36,7 +36,7 @@ QUICK_HASHER = PasswordHasher(time_cost=1, memory_cost=64)
 """As good in all but what it costs to guess."""
 
 
-def wait_for(read: Callable[[], T], ready: Callable[[T], object], timeout_s: float = 30.0) -> T:
+def wait_for(read: Callable[[], T], ready: Callable[[T], object], timeout_s: float = 60.0) -> T:
     """What is read, once it is as wanted."""
     deadline = time.monotonic() + timeout_s
     while not ready(value := read()):

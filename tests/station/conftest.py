@@ -221,7 +221,7 @@ def collect_readings(rig: Rig, count: int) -> list[SensorReading]:
     return readings
 
 
-def until(condition: Callable[[], object], timeout_s: float = 10.0) -> None:
+def until(condition: Callable[[], object], timeout_s: float = 60.0) -> None:
     """Waits for a condition; fails when it does not come."""
     deadline = time.monotonic() + timeout_s
     while not condition():

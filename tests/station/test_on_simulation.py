@@ -151,7 +151,7 @@ def test_an_unplugged_arm_and_a_lost_camera_come_back(
     simulation: SimulatedStation, rig: Rig
 ) -> None:
     simulation.arm_faults.unplugged = simulation.camera_faults.lost = True
-    until(lambda: rig.arm.link().state == rig.sensor.link().state == "lost", 3)
+    until(lambda: rig.arm.link().state == rig.sensor.link().state == "lost")
     with pytest.raises(OperationError):
         rig.capture_pair()
     simulation.arm_faults.unplugged = simulation.camera_faults.lost = False
@@ -161,6 +161,6 @@ def test_an_unplugged_arm_and_a_lost_camera_come_back(
 
 def test_an_arm_that_stalls_is_lost_and_found(simulation: SimulatedStation, rig: Rig) -> None:
     simulation.arm_faults.stalled = True
-    until(lambda: rig.arm.link().state == "lost", 2)
+    until(lambda: rig.arm.link().state == "lost")
     simulation.arm_faults.stalled = False
     until(lambda: rig.arm.link().state == "connected", 20)

@@ -144,7 +144,7 @@ def test_what_was_found_goes_with_the_hold_that_it_was_found_in(
     began_s = time.monotonic()
     # 0.05 rad a second: between a picture and its search's end the camera is elsewhere
     bench.joints_at = lambda seconds: REST_RAD + 0.05 * (seconds + bench.start_s - began_s)
-    until(lambda: newest(preview).header.corners == (), 3)
+    until(lambda: newest(preview).header.corners == ())
     passing = [newest(preview).header for _ in range(15)]
     assert {(header.corners, header.outline) for header in passing} == {((), ())}
     held_s = time.monotonic()
