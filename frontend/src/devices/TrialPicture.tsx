@@ -19,7 +19,7 @@ export function TrialPicture({ trial }: { trial: TrialView }) {
       </div>
       <Readouts wrap readouts={readouts(trial)} />
       {[trial.loss_text, trial.picture_text].filter(Boolean).map((text) => (
-        <p key={text} className={styles.failure} role="status" data-quality="attention">
+        <p key={text} className={styles.warning} role="status" data-quality="attention">
           <QualityMark quality="attention" size="1.5rem" />
           {text}
         </p>
