@@ -26,7 +26,7 @@ pytestmark = pytest.mark.slow
 
 STATION = SimulationConfig(pace=4.0, width_px=960, height_px=768)
 # A whole calibration by the simulated operator, on a machine with other work.
-PATIENCE_S = 240.0
+PATIENCE_S = 480.0
 
 
 def points(view: dict[str, Any]) -> list[int]:

@@ -28,7 +28,7 @@ from tests.sent_texts import english
 
 pytestmark = pytest.mark.slow
 
-PATIENCE_S = 240.0
+PATIENCE_S = 480.0
 CONFIG = SimulationConfig(camera="gige", width_px=640, height_px=512, pace=3.0)
 LOST_PACKETS = 0.01
 SLOW_BYTES_PER_S = 2e6

@@ -20,7 +20,7 @@ from tests.api.test_verify_flow import Desk
 
 pytestmark = pytest.mark.slow
 
-PATIENCE_S = 240.0
+PATIENCE_S = 480.0
 
 
 @pytest.fixture(scope="module")

@@ -62,16 +62,16 @@ def test_arm_and_frames_are_paired_exactly(simulation: SimulatedStation, rig: Ri
     assert rig.sensor.is_paired
     stamps = np.array([one.mid_exposure_ns for one in frames])
     pulses = np.array([one.pulse for one in frames])
-    # the arm's own clock: pulses are evenly apart, however unevenly their frames arrive
+    # the arm's own clock: pulses are evenly apart, but for its fit to that of a busy machine
     off_ns = stamps - stamps[0] - (pulses - pulses[0]) * 1e9 / RATE_HZ
-    assert np.abs(off_ns).max() < 0.5e6
+    assert np.abs(off_ns).max() < 5e6
     # and each frame shows the arm where it truly was
     frames = [one for one in frames if rig.arm.at(one.mid_exposure_ns) is not None]
     read = np.array([rig.arm.at(one.mid_exposure_ns) for one in frames])
     assert np.ptp(read, axis=0).max() > 0.1
     true = simulation.joints(np.array([one.mid_exposure_ns for one in frames]))
     # of a lost sample, those beside it tell; with a wrong pulse it would be 40 ms and 0.04 rad off
-    assert np.abs(read - true).max() < 3e-3
+    assert np.abs(read - true).max() < 1e-2
 
 
 def test_a_camera_that_comes_back_is_paired_again(simulation: SimulatedStation, rig: Rig) -> None:
