@@ -16,7 +16,7 @@ from app.metrology.transforms import Floats
 pytestmark = pytest.mark.usefixtures("variant")
 
 WIDTH, HEIGHT = 512, 400
-SLICES = 6
+ROUND = 6
 """After so many frames the tracker has looked everywhere, as in ``tracking.c``."""
 U = np.arange(WIDTH)
 MAIN = 200 + 10 * np.sin(U / 60)
@@ -154,16 +154,15 @@ def test_a_second_piece_that_comes_into_view_is_found_within_a_round() -> None:
     half = np.where(U < 256, 100.0, 0.0)
     tracker.extract(picture((MAIN, half)))
     image = picture((MAIN, half), (MAIN + 100, steady(100) - half))
-    for _ in range(SLICES):
+    for _ in range(ROUND):
         stripe = tracker.extract(image)
     assert share_on(stripe, MAIN + 100) > 0.45
 
 
-def test_the_edge_of_a_lit_face_hides_the_stripe_in_no_slice() -> None:
-    """Each of its edges lies once where a slice ends."""
+def test_the_edge_of_a_lit_face_that_moves_by_hides_the_stripe_in_no_frame() -> None:
     tracker = StripeTracker()
     image = picture((MAIN, steady(60)))
-    for n in range(3 * SLICES):
+    for n in range(3 * ROUND):
         edge = 20 + n * 8
         lit = image.copy()
         lit[edge : edge + 60] = np.maximum(lit[edge : edge + 60], 150)

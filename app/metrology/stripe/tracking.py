@@ -55,11 +55,10 @@ class StripeTracker:
     """Extracts the stripe of consecutive frames; for one thread at a time.
 
     Every block of columns is read around the rows of the stripe in the previous frame. A block that
-    loses the stripe is read over its full height at once, in the same frame. In addition, one slice
-    of the image after the other is read, so that a stripe that appears elsewhere is found after as
-    many frames as there are slices; where many rows are made one, the complete image is read once
-    in so many frames instead. The noise, which determines the weights and standard deviations of
-    points, is estimated again every few frames; so is the scale if no long line is found.
+    loses the stripe is read over its full height at once, in the same frame. In every sixth frame
+    the complete image is read, so that a stripe that appears elsewhere is found. The noise, which
+    determines the weights and standard deviations of points, is estimated again every few frames;
+    so is the scale if no long line is found.
     """
 
     def __init__(

@@ -24,6 +24,14 @@ static inline OF(greys) OF(load_some)(const PIXEL *from, int64_t count)
     return value;
 }
 
+/* Asks for pixels that will be read soon. */
+static inline void OF(fetch)(const PIXEL *first, int64_t columns)
+{
+    const int64_t line = 64 / (int64_t)sizeof(PIXEL); /* of the caches */
+    for (int64_t i = 0; i < columns; i += line)
+        __builtin_prefetch(first + i);
+}
+
 static inline OF(greys) OF(all_greys)(PIXEL level)
 {
     return level - (OF(greys)){0};

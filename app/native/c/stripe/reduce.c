@@ -6,6 +6,8 @@
 #include "pixel.h"
 
 #define REDUCED_COLUMNS 64
+/* Rows of the reduced picture whose pixels are asked for before they are needed. */
+#define REDUCED_AHEAD 2
 
 /* The sum of a column's rows: of up to 257 rows of 8 bits. */
 #if BITS == 8
@@ -44,13 +46,19 @@ EXPORT(void, OF(reduce_rows))(int64_t height, int64_t width, int64_t part_count,
     const PIXEL full = (PIXEL)saturated;
     const int64_t rows = min_i64(reduced, height / factor);
     for (const int64_t *part = parts; part < parts + 4 * part_count; part += 4) {
-        for (int64_t row = part[0]; row < min_i64(part[1], rows); row++) {
+        const int64_t behind = min_i64(part[1], rows);
+        for (int64_t row = part[0]; row < behind; row++) {
             const PIXEL *from = pixels + row * factor * width;
+            const PIXEL *ahead =
+                pixels + min_i64(row + REDUCED_AHEAD, behind - 1) * factor * width;
             uint16_t *to = out + row * width;
             int64_t u = part[2];
-            for (; u + REDUCED_COLUMNS <= part[3]; u += REDUCED_COLUMNS)
+            for (; u + REDUCED_COLUMNS <= part[3]; u += REDUCED_COLUMNS) {
+                for (int64_t k = 0; k < factor; k++)
+                    OF(fetch)(ahead + k * width + u, REDUCED_COLUMNS);
                 OF(reduce_columns)(REDUCED_COLUMNS, from + u, width, factor, per_sum,
                                    (uint32_t)gain, full, to + u);
+            }
             if (u < part[3])
                 OF(reduce_columns)(part[3] - u, from + u, width, factor, per_sum, (uint32_t)gain,
                                    full, to + u);

@@ -13,8 +13,8 @@
 enum { STEP = 2, AWAY = 6, CORE_ROWS = 4, STRIP = 8 };
 /* Cores kept while their surroundings are read, and two more for those that a mask darkens. */
 enum { RING = 2 * AWAY + 2 };
-/* Rows that are fetched ahead of their use, and bytes of a line of the caches. */
-enum { AHEAD = 12, LINE_BYTES = 64 };
+/* Rows that are fetched ahead of their use. */
+enum { AHEAD = 12 };
 
 /* Where two cores, and their surroundings, begin in the ring. */
 typedef struct {
@@ -77,13 +77,6 @@ static void OF(keep_highest)(const PIXEL *ring, const Cores *cores, int place, P
         OF(store_greys)(score + i, OF(higher)(high, kept));
         *(bytes *)(at + i) = (better & here) | (~better & before);
     }
-}
-
-/* Asks for pixels that will be read soon. */
-static inline void OF(fetch)(const PIXEL *first, int64_t columns)
-{
-    for (int64_t i = 0; i < columns; i += LINE_BYTES / (int64_t)sizeof(PIXEL))
-        __builtin_prefetch(first + i);
 }
 
 /* Copies a core's row with the columns taken out in which the mask allows no peak. */

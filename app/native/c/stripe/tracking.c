@@ -8,9 +8,8 @@ enum { BLOCK_PX = 256 };
 enum { BESIDE_PX = 24 };
 /* Beginning a row costs as much as reading this many of its pixels. */
 enum { ROW_PX = 2000 };
-/* Slices of the picture, one of which is read in every frame beside the bands; the whole picture
- * instead, once in so many frames, where slices with their surroundings would read it twice. */
-enum { SLICES = 6 };
+/* Once in so many frames the whole picture is read, for what comes into view elsewhere. */
+enum { WHOLE_EVERY = 6 };
 /* The surroundings, in rows, that a peak's score needs. */
 enum { SURROUNDINGS = ((AWAY + 2) * STEP + CORE_ROWS) / 2 + 4 };
 
@@ -49,10 +48,10 @@ static bool merge_parts(int64_t *before, const int64_t *part)
     return true;
 }
 
-/* Fills the parts to read; returns how many: one, the whole picture, where that is no dearer.
+/* Fills the parts to read; returns how many: one, the whole picture, if due or no dearer.
  *
  * along, across (n): where the stripe was. whole (blocks): which blocks are read over their whole
- * height. margin_px: rows that the stripe may have moved by. turn: which slice is read. */
+ * height. margin_px: rows that the stripe may have moved by. turn: counts the frames. */
 EXPORT(int64_t, plan_parts)(int64_t n, int64_t blocks, int64_t most, const double *along,
                             const double *across, const uint8_t *whole, int64_t height,
                             int64_t width, int64_t margin_px, int64_t turn, int64_t *parts)
@@ -73,16 +72,9 @@ EXPORT(int64_t, plan_parts)(int64_t n, int64_t blocks, int64_t most, const doubl
         if ((found == 0 || !merge_parts(parts + 4 * (found - 1), part)) && found < most)
             memcpy(parts + 4 * found++, part, sizeof part);
     }
-    const int64_t first = turn % SLICES * height / SLICES - SURROUNDINGS;
-    const int64_t last = first + height / SLICES + 2 * SURROUNDINGS + 1;
-    const int64_t slice[4] = {max_i64(first, 0), min_i64(last, height), 0, width};
-    const bool overlap = SLICES * (last - first) > 2 * height;
-    if (found < most && !overlap)
-        memcpy(parts + 4 * found++, slice, sizeof slice);
     for (int64_t p = 0; p < found; p++)
         spent += cost_of_part(parts + 4 * p);
-    const bool is_due = overlap && turn % SLICES == 0;
-    if (n > 0 && !is_due && spent < cost_of_part(everything))
+    if (n > 0 && turn % WHOLE_EVERY != 0 && spent < cost_of_part(everything))
         return found;
     memcpy(parts, everything, sizeof everything);
     return 1;
