@@ -13,6 +13,7 @@ from app.formats.clouds.files import read_cloud
 from app.formats.datasheets.arm import read_any_arm
 from app.formats.results.calibration import read_calibration
 from app.metrology.transforms import Floats
+from app.server import demo
 from app.server.demo import ROBOT
 from app.workflows.reconstruct import reconstruct_points
 from tests.api.conftest import Server, running_server
@@ -25,8 +26,10 @@ PATIENCE_S = 480.0
 
 @pytest.fixture(scope="module")
 def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Server]:
-    with running_server(tmp_path_factory.mktemp("robot"), replace(ROBOT, pace=3.0)) as server:
-        yield server
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(demo, "ROBOT_HZ", 125.0)  # as of older controllers: half the work
+        with running_server(tmp_path_factory.mktemp("robot"), replace(ROBOT, pace=3.0)) as server:
+            yield server
     assert not server.sent.untranslated()
 
 

@@ -103,7 +103,8 @@ def test_a_stopped_camera_starts_again_with_larger_buffers(producer: Path) -> No
     features = GentlFeatures(source._camera.remote_device.node_map)
     try:
         for width in (400, 200):
-            assert isinstance(source.grab(), GrabbedImage)
+            while not isinstance(source.grab(), GrabbedImage):
+                pass
             source.stop_stream()
             features.set_region(0, 0, width, 200)
             source.start_stream()

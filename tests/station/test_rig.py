@@ -11,7 +11,7 @@ from app.station.bus import Bus
 from app.station.devices.rig import Rig
 from hardware.clock import now_ns
 from hardware.interfaces import Button, ButtonEvent
-from tests.station.conftest import REST_RAD, TAKEN_S, Bench, until
+from tests.station.conftest import RATE_HZ, REST_RAD, TAKEN_S, Bench, until
 
 pytestmark = pytest.mark.slow
 
@@ -119,7 +119,11 @@ def test_a_driver_that_fails_in_its_own_way_does_not_end_the_station(
 
 
 def test_a_lost_packet_is_counted(rig: Rig, bench: Bench) -> None:
-    bench.arm_skips = set(range(100, 110))
+    until(rig.arm.latest)
+    newest = rig.arm.latest()
+    assert newest is not None
+    first = newest.sequence + int(2 * RATE_HZ)
+    bench.arm_skips = set(range(first, first + 10))
     until(lambda: rig.arm.link().lost == 10)
 
 
