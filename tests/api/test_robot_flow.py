@@ -14,7 +14,6 @@ from app.formats.datasheets.arm import read_any_arm
 from app.formats.results.calibration import read_calibration
 from app.metrology.transforms import Floats
 from app.server import demo
-from app.server.demo import ROBOT
 from app.workflows.reconstruct import reconstruct_points
 from tests.api.conftest import Server, running_server
 from tests.api.test_verify_flow import Desk
@@ -28,7 +27,9 @@ PATIENCE_S = 480.0
 def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Server]:
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(demo, "ROBOT_HZ", 125.0)  # as of older controllers: half the work
-        with running_server(tmp_path_factory.mktemp("robot"), replace(ROBOT, pace=3.0)) as server:
+        with running_server(
+            tmp_path_factory.mktemp("robot"), replace(demo.ROBOT, pace=3.0)
+        ) as server:
             yield server
     assert not server.sent.untranslated()
 

@@ -96,6 +96,12 @@ def test_a_region_is_a_part_of_the_sensor(producer: Path) -> None:
     driver.close()
 
 
+def next_image(source: GentlSource) -> GrabbedImage:
+    while not isinstance(grabbed := source.grab(), GrabbedImage):
+        pass
+    return grabbed
+
+
 def test_a_stopped_camera_starts_again_with_larger_buffers(producer: Path) -> None:
     """As it is when a camera changes between pictures and lines."""
     options = GentlOptions(producer=str(producer), region=[0, 0, 300, 200])
@@ -103,13 +109,11 @@ def test_a_stopped_camera_starts_again_with_larger_buffers(producer: Path) -> No
     features = GentlFeatures(source._camera.remote_device.node_map)
     try:
         for width in (400, 200):
-            while not isinstance(source.grab(), GrabbedImage):
-                pass
+            next_image(source)
             source.stop_stream()
             features.set_region(0, 0, width, 200)
             source.start_stream()
-            while not isinstance(grabbed := source.grab(), GrabbedImage):
-                pass
+            grabbed = next_image(source)
             assert isinstance(grabbed.image, np.ndarray)
             assert grabbed.image.shape == (200, width)
     finally:

@@ -53,9 +53,7 @@ def test_an_unplugged_arm_is_said_lost_and_comes_back(rig: Rig, bench: Bench, bu
     assert rig.arm.link().received >= received
 
 
-def test_an_arm_that_goes_silent_is_lost_within_a_second_and_opened_again(
-    rig: Rig, bench: Bench
-) -> None:
+def test_an_arm_that_goes_silent_is_lost_and_opened_again(rig: Rig, bench: Bench) -> None:
     ready(rig)
     bench.arm_silent = True
     until(lambda: rig.arm.link().state == "lost")
