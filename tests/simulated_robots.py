@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.spatial.transform import Rotation
 
-from app.metrology.arm.identification.observations import TIP, Coordinates, Seat
+from app.metrology.arm.identification.observations import TIP, Bar, Coordinates, Seat
 from app.metrology.arm.identification.parameter_selection import candidates
 from app.metrology.arm.identification.parameters import (
     parameter_names,
@@ -126,6 +126,23 @@ def swing(true: Arm, name: str, rng: np.random.Generator, count: int = 12) -> Se
         if q is not None:
             taken.append(q)
     return Seat(name, np.array(taken))
+
+
+def ball_bar(
+    true: Arm, name: str, position: str, length_mm: float, rng: np.random.Generator
+) -> Bar:
+    """Six touches of each end of a bar of this true length, which lies somewhere."""
+    while True:
+        q = postures(true, 1, rng)[0]
+        away = rng.normal(0, 1, 3)
+        first = tip_centres(true, q[None])[0]
+        ends: list[Floats] = []
+        for place in (first, first + length_mm * away / np.linalg.norm(away)):
+            near = q + rng.normal(0, 0.4, (10, true.joint_count))
+            touches = [one for start in near if (one := reach(true, place, start)) is not None]
+            ends.append(np.array(touches[:6]))
+        if all(len(end) == 6 for end in ends):
+            return Bar(name, position, length_mm, 0.0, ("A", "B"), (ends[0], ends[1]))
 
 
 def reach(true: Arm, place_mm: Floats, q_rad: Floats) -> Floats | None:

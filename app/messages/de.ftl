@@ -291,6 +291,7 @@ bar-position-has-ends = { $path }: Kugelstab { $bar }, Lage { $position } hat di
 bar-without-sphere-diameter = die Datei des Kugelstabs nennt keinen Durchmesser seiner Kugeln: sphere_diameter_mm eintragen
 bars-end = Stabende { $value }
 bars-length-hardly-known = Kugelstab { $bar }: seine Länge ist auf ± { $uncertainty } (k = 1) angegeben, was den Maßstab des Arms kaum bestimmt: prüfen, ob standard_uncertainty_mm in mm angegeben ist
+bars-lengths-coordinates-scatter-without-them = mit den Längen der Kugelstäbe streuen die Koordinaten um { $scatter }, ohne sie um { $without }
 bars-lengths-points-scatter-without-them = mit den Längen der Kugelstäbe streuen die Punkte um { $scatter }, ohne sie um { $without }
 batch-calibration-unusable = Die Kalibrierung { $id } kann nicht verwendet werden
 batch-choose-of-same-arm = Wählen Sie Kalibrierungen aller Sensoren, die mit derselben arm.json entstanden
@@ -603,6 +604,7 @@ check-laser-moved-against-camera-line = prüfen, ob der Laser gegenüber der Kam
 check-laser-picture-pose-sensor-held = Prüfen, ob das Laserbild zu dieser Pose gehört, ob der Sensor zwischen ihren beiden Bildern ruhig gehalten wurde und ob der Laser fest sitzt; die Pose neu aufnehmen.
 check-lasers-interlock-key-switch-capture = Verriegelung und Schlüsselschalter des Lasers prüfen und neu aufnehmen
 check-length-mm-bar-ends = length_mm des Kugelstabs { $bar } und seine Enden prüfen
+check-length-of-bar-and-coordinates = Länge und Enden des Kugelstabs { $bar } sowie den Maßstab der Koordinaten prüfen
 check-length-unless-datasheet-is-as-far-off = { $finding }: Länge prüfen, sofern nicht das Datenblatt des Messarms ebenso weit abweicht
 check-moved-every-picture-has-arms =
     { $thing ->

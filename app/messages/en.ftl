@@ -291,6 +291,7 @@ bar-position-has-ends = { $path }: bar { $bar }, position { $position } has the 
 bar-without-sphere-diameter = the file of the ball bar states no diameter of its spheres: enter sphere_diameter_mm
 bars-end = end { $value } of the bar
 bars-length-hardly-known = bar { $bar }: its length is stated to ± { $uncertainty } (k = 1), which hardly determines the arm's scale: check that standard_uncertainty_mm is in mm
+bars-lengths-coordinates-scatter-without-them = with the bars' lengths the coordinates scatter by { $scatter }, without them by { $without }
 bars-lengths-points-scatter-without-them = with the bars' lengths the points scatter by { $scatter }, without them by { $without }
 batch-calibration-unusable = The calibration { $id } cannot be used
 batch-choose-of-same-arm = Choose calibrations of all sensors that were made with the same arm.json
@@ -603,6 +604,7 @@ check-laser-moved-against-camera-line = check that the laser did not move relati
 check-laser-picture-pose-sensor-held = Check that its laser picture belongs to this pose, that the sensor was held still between its two pictures, and that the laser is mounted firmly; capture the pose again.
 check-lasers-interlock-key-switch-capture = check the laser's interlock and key switch, and capture again
 check-length-mm-bar-ends = Check length_mm of bar { $bar }, and its ends
+check-length-of-bar-and-coordinates = Check the length of bar { $bar }, its ends, and the scale of the coordinates
 check-length-unless-datasheet-is-as-far-off = { $finding }: check its length, unless the arm's datasheet is wrong by as much
 check-moved-every-picture-has-arms =
     { $thing ->

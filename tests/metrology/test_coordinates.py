@@ -33,7 +33,7 @@ from app.metrology.transforms import (
     se3_exp,
     vector_from_rotation,
 )
-from tests.simulated_robots import Tracker, built, measure, postures, robot, swing
+from tests.simulated_robots import Tracker, ball_bar, built, measure, postures, robot, swing
 
 pytestmark = pytest.mark.slow
 
@@ -209,6 +209,22 @@ def test_coordinates_stand_beside_seats() -> None:
     with pytest.raises(OperationError) as caught:
         identify(arm, ArmObservations(seats, coordinates=(unnamed,)))
     assert caught.value.code == "marker-not-tip"
+
+
+def test_a_bar_of_another_length_contradicts_the_coordinates() -> None:
+    rng = np.random.default_rng(7)
+    arm = robot(6)
+    true = built(arm, rng)
+    found = measure(true, postures(arm, 60, rng), Tracker.somewhere(rng), rng)
+    good = [ball_bar(true, "B1", f"P{i}", 300.0, rng) for i in range(3)]
+    result = identify(arm, ArmObservations(bars=tuple(good), coordinates=(found,)))
+    assert not any("B1" in str(text) for text in result.warnings)
+    wrong = tuple(replace(bar, length_mm=300.5) for bar in good)
+    with pytest.raises(OperationError) as caught:
+        identify(arm, ArmObservations(bars=wrong, coordinates=(found,)))
+    assert caught.value.code == "bar-length"
+    assert "bar B1" in str(caught.value.what)
+    assert "coordinates scatter" in str(caught.value.why)
 
 
 def test_a_given_marker_shows_the_last_link() -> None:

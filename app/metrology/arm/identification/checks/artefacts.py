@@ -24,7 +24,7 @@ from app.metrology.arm.identification.parameters import (
     tip_index,
 )
 from app.metrology.arm.identification.robust_solve import ArmFit, fit_arm
-from app.metrology.arm.identification.scatter import deviation_limit
+from app.metrology.arm.identification.scatter import Scatter, deviation_limit
 from app.metrology.arm.identification.volumetric_error import size_uncertainty_mm
 from app.metrology.arm.kinematics import Arm, tip_centres
 from app.metrology.robust import median, sigma_from_median
@@ -180,7 +180,8 @@ def check_bars(arm: Arm, observations: ArmObservations, fit: ArmFit) -> list[Tex
     if not judged.accuses or not _stands_out(arm, observations, fit, judged):
         return []
     finding = _bar_finding(observations, judged)
-    remedy = message("check-length-mm-bar-ends", bar=", ".join(judged.named))
+    named = ", ".join(judged.named)
+    remedy = message("check-length-mm-bar-ends", bar=named)
     if fit.scatter.touch_mm > CONTRADICTION * max(loose.scatter.touch_mm, 2e-3):
         raise OperationError(
             "bar-length",
@@ -191,6 +192,20 @@ def check_bars(arm: Arm, observations: ArmObservations, fit: ArmFit) -> list[Tex
                 without=quantity(1e3 * loose.scatter.touch_mm, "µm"),
             ),
             remedy,
+        )
+    with_bars_mm, without_mm = (
+        _coordinate_scatter_mm(free.stacked, one.scatter) for one in (fit, loose)
+    )
+    if with_bars_mm > CONTRADICTION * without_mm:
+        raise OperationError(
+            "bar-length",
+            finding,
+            message(
+                "bars-lengths-coordinates-scatter-without-them",
+                scatter=quantity(1e3 * with_bars_mm, "µm"),
+                without=quantity(1e3 * without_mm, "µm"),
+            ),
+            message("check-length-of-bar-and-coordinates", bar=named),
         )
     if _spheres_contradict_bars(loose, fit):
         raise OperationError(
@@ -204,6 +219,12 @@ def check_bars(arm: Arm, observations: ArmObservations, fit: ArmFit) -> list[Tex
             remedy,
         )
     return [message("check-length-unless-datasheet-is-as-far-off", finding=finding)]
+
+
+def _coordinate_scatter_mm(data: StackedObservations, scatter: Scatter) -> float:
+    """Standard deviation of the coordinates along each axis, as stated and beyond; 0 for none."""
+    stated_mm = data.coordinates.standard_uncertainty_mm
+    return float(np.hypot(scatter.point_mm, median(stated_mm))) if len(stated_mm) else 0.0
 
 
 def _stands_out(arm: Arm, observations: ArmObservations, fit: ArmFit, judged: BarJudgement) -> bool:
