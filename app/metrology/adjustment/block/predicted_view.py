@@ -1,14 +1,14 @@
 """Prediction, without noise, of what a picture of the block would show from a new pose."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 
 from app.metrology.adjustment.block.observations import BlockView
 from app.metrology.calibration.laser_plane_fit import EDGE_MARGIN_PX
 from app.metrology.detection.detect_block import EdgePoints
-from app.metrology.detection.visibility import visible_parts
+from app.metrology.detection.visibility import VisiblePart, visible_parts
 from app.metrology.sensor.camera import Camera, project
 from app.metrology.sensor.laser_plane import LaserPlane
 from app.metrology.stripe import Stripe
@@ -51,16 +51,9 @@ def predict_view(
     Args:
         camera, plane: with the block's frame as sensor frame.
     """
-    edges = [
-        points
-        for part in visible_parts(block, camera.centre_mm)
-        if part.regions[0] != part.regions[1]
-        and len(
-            (points := _predict_edge(camera, part.edge, part.start_mm, part.end_mm, seeing)).uv_px
-        )
-    ]
+    edges = _predict_edges(camera, visible_parts(block, camera.centre_mm), seeing)
     stripe, level = _predict_stripe(camera, plane, block, seeing)
-    return BlockView(block, tuple(_join_parts(edges)), (), stripe, level)
+    return BlockView(block, tuple(edges), (), stripe, level)
 
 
 def visible_share(camera: Camera, block: Crenellated) -> float:
@@ -76,35 +69,32 @@ def visible_share(camera: Camera, block: Crenellated) -> float:
     return float(np.mean(inside(camera, project(camera, box), 0.0)))
 
 
-def _predict_edge(
-    camera: Camera, name: str, start_mm: Floats, end_mm: Floats, seeing: ObservationNoise
-) -> EdgePoints:
-    ends = project(camera, np.array([start_mm, end_mm]))
-    length = float(np.linalg.norm(ends[1] - ends[0]))
+def _predict_edges(
+    camera: Camera, parts: Sequence[VisiblePart], seeing: ObservationNoise
+) -> list[EdgePoints]:
+    """Points along the parts at which two different regions meet; those of one edge together."""
+    parts = [part for part in parts if part.regions[0] != part.regions[1]]
+    first = np.array([part.start_mm for part in parts]).reshape(-1, 3)
+    last = np.array([part.end_mm for part in parts]).reshape(-1, 3)
+    begin_px, end_px = np.split(project(camera, np.concatenate([first, last])), 2)
+    along = end_px - begin_px
+    length = np.linalg.norm(along, axis=1)
     step = EDGE_STEP_PX * seeing.bin_size
-    count = int(max(length - 2 * END_PX, 0.0) / step)
-    share = (END_PX + step * (np.arange(count) + 0.5)) / max(length, 1.0)
-    uv = project(camera, start_mm + share[:, None] * (end_mm - start_mm))
-    uv = uv[inside(camera, uv, END_PX)]
-    across = np.array([-(ends[1] - ends[0])[1], (ends[1] - ends[0])[0]]) / max(length, 1e-9)
-    sigma = np.full(len(uv), seeing.edge_px * seeing.sd_factor)
-    return EdgePoints(name, uv, np.broadcast_to(across, uv.shape), sigma)
-
-
-def _join_parts(parts: Sequence[EdgePoints]) -> list[EdgePoints]:
-    """The parts of one edge as one edge."""
-    by_name: dict[str, list[EdgePoints]] = {}
-    for part in parts:
-        by_name.setdefault(part.edge, []).append(part)
-    return [
-        replace(
-            own[0],
-            uv_px=np.concatenate([part.uv_px for part in own]),
-            normal=np.concatenate([part.normal for part in own]),
-            sigma_px=np.concatenate([part.sigma_px for part in own]),
-        )
-        for own in by_name.values()
-    ]
+    count = (np.maximum(length - 2 * END_PX, 0.0) / step).astype(np.int64)
+    of = np.repeat(np.arange(len(parts)), count)
+    within = np.arange(len(of)) - np.repeat(np.cumsum(count) - count, count)
+    share = (END_PX + step * (within + 0.5)) / np.maximum(length, 1.0)[of]
+    uv = project(camera, first[of] + share[:, None] * (last - first)[of])
+    seen = inside(camera, uv, END_PX)
+    uv, of = uv[seen], of[seen]
+    across = np.column_stack([-along[:, 1], along[:, 0]]) / np.maximum(length, 1e-9)[:, None]
+    names = np.array([part.edge for part in parts], dtype=object)[of]
+    sigma_px = seeing.edge_px * seeing.sd_factor
+    edges = []
+    for name in dict.fromkeys(names):
+        own = names == name
+        edges.append(EdgePoints(name, uv[own], across[of[own]], np.full(int(own.sum()), sigma_px)))
+    return edges
 
 
 def _predict_stripe(
@@ -112,19 +102,23 @@ def _predict_stripe(
 ) -> tuple[Stripe, np.ndarray[tuple[int, ...], np.dtype[np.str_]]]:
     """The stripe on crests and floors, where the camera sees it."""
     x = np.asarray(block.edges_x_mm)
-    spans = [("crest", block.crest_z_mm, *pair) for pair in zip(x[0::2], x[1::2], strict=True)]
-    spans += [("floor", block.floor_z_mm, *pair) for pair in zip(x[1:-1:2], x[2::2], strict=True)]
+    spans_mm = [(block.crest_z_mm, *pair) for pair in zip(x[0::2], x[1::2], strict=True)]
+    names = ["crest"] * len(spans_mm)
+    spans_mm += [(block.floor_z_mm, *pair) for pair in zip(x[1:-1:2], x[2::2], strict=True)]
+    names += ["floor"] * (len(spans_mm) - len(names))
+    height, left, right = (np.array(own)[:, None] for own in zip(*spans_mm, strict=True))
+    at_x = left + (right - left) * np.linspace(0.0, 1.0, 400)
+    n = plane.normal
+    at_y = (plane.offset_mm - n[0] * at_x - n[2] * height) / n[1]
+    on = (at_y > block.front_y_mm + 0.5) & (at_y < block.back_y_mm - 0.5)
+    points = np.stack([at_x, at_y, np.broadcast_to(height, at_x.shape)], axis=-1)
+    projected = project(camera, points.reshape(-1, 3)).reshape(*at_x.shape, 2)
     uv, level = [np.zeros((0, 2))], [""][:0]
-    for name, z, left, right in spans:
-        at_x = np.linspace(left, right, 400)
-        n = plane.normal
-        y = (plane.offset_mm - n[0] * at_x - n[2] * z) / n[1]
-        on = (y > block.front_y_mm + 0.5) & (y < block.back_y_mm - 0.5)
-        points = np.column_stack([at_x, y, np.full(len(at_x), z)])[on]
-        if len(points) < 2:
+    for name, row, kept in zip(names, projected, on, strict=True):
+        pixels = row[kept]
+        if len(pixels) < 2:
             continue
-        pixels = project(camera, points)
-        step = float(np.linalg.norm(pixels[-1] - pixels[0])) / max(len(pixels) - 1, 1)
+        step = float(np.linalg.norm(pixels[-1] - pixels[0])) / (len(pixels) - 1)
         margin = max(int(EDGE_MARGIN_PX / max(step, 1e-6)), 1)
         chosen = pixels[
             margin : -margin : max(1, round(STRIPE_STEP_PX * seeing.bin_size / max(step, 1e-6)))
