@@ -10,7 +10,7 @@ This line is found as the edge of the lower convex hull of the differences over 
 their mean time; of each half second, only the smallest difference is kept. Any straight line below
 all points has at best the slope of this edge, so that no threshold for "normal" delays is needed.
 During the first five seconds, which are too short for a slope, the line is level and follows the
-smallest difference of the last second.
+smallest difference of the last second, but no faster than clocks drift.
 
 The minimum delay itself cannot be observed here. It is a constant (the option ``latency_us`` of the
 driver), and appears in the data as the distance between a forward and a backward pass over one
@@ -104,10 +104,17 @@ class DeviceClock:
         points = np.array(self._buckets)
         if points[-1, 0] - points[0, 0] < _SLOPE_SPAN_NS:
             self._slope = 0.0
-            self._level_ns = float(points[-_LEVEL_BUCKETS:, 1].min())
+            self._level_ns = _level(points)
         else:
             self._slope = float(np.clip(_hull_slope(points), -_MAX_DRIFT, _MAX_DRIFT))
             self._level_ns = float((points[:, 1] - self._slope * points[:, 0]).min())
+
+
+def _level(points: NDArray[np.float64]) -> float:
+    """The smallest of the newest differences, or what the drift can have made of an earlier one:
+    if the machine is held up for more than a second, all of the newest are late."""
+    possible = points[:, 1] + _MAX_DRIFT * (points[-1, 0] - points[:, 0])
+    return float(min(points[-_LEVEL_BUCKETS:, 1].min(), possible.min()))
 
 
 def _hull_slope(points: NDArray[np.float64]) -> float:

@@ -6,6 +6,7 @@ import time
 from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import contextmanager
+from dataclasses import replace
 from functools import partial
 from pathlib import Path
 from typing import Any
@@ -14,17 +15,17 @@ import httpx
 import numpy as np
 import pytest
 
+from app.bench.faults.served import HALF
 from app.formats.results.acceptance import read_acceptance
 from app.report.reports import render_report
 from app.workflows.calibrate import calibrate_session
 from hardware.clock import now_ns
 from hardware.interfaces import Button
-from hardware.simulator.station import SimulationConfig
 from tests.api.conftest import Server, is_enabled, wait_for
 
 pytestmark = pytest.mark.slow
 
-STATION = SimulationConfig(pace=4.0, width_px=960, height_px=768)
+STATION = replace(HALF, width_px=960, height_px=768)
 # A whole calibration by the simulated operator, on a machine with other work.
 PATIENCE_S = 480.0
 
@@ -90,12 +91,15 @@ def test_the_arms_buttons_take_points_and_take_them_back(touching: Server) -> No
     assert touching.command("undo").status_code == 422
 
 
-def test_a_point_in_motion_is_declined_and_said(touching: Server) -> None:
+def test_a_point_in_motion_is_declined_and_said(
+    touching: Server, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(touching.simulation.operator.planner, "pace", 0.5)
     with ThreadPoolExecutor(1) as elsewhere:
         moving = elsewhere.submit(touching.simulation.operator.hold_over, "block")
         touching.wait(lambda view: not is_enabled(view, "take_point"), 10.0)
         answer = touching.command("take_point")
-        moving.result(30.0)
+        moving.result(PATIENCE_S)
     assert answer.status_code == 422
     assert "still" in answer.json()["detail"]
     assert points(touching.flow()) == []

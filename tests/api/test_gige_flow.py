@@ -8,17 +8,18 @@ import asyncio
 import time
 from collections.abc import Iterator
 from contextlib import contextmanager
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
 import pytest
 
+from app.bench.faults.served import HALF
 from app.formats.clouds.files import read_cloud
 from app.formats.datasheets.arm import read_any_arm
 from app.formats.results.calibration import read_calibration
 from app.workflows.reconstruct import reconstruct_points
 from hardware.simulator.devices.gige_camera.faults import GigeFaults
-from hardware.simulator.station import SimulationConfig
 from tests.api.conftest import Server, running_server
 from tests.api.test_robot_flow import distances_from_plate_um, stated_um
 from tests.api.test_watch import topics, until
@@ -29,7 +30,7 @@ from tests.sent_texts import english
 pytestmark = pytest.mark.slow
 
 PATIENCE_S = 480.0
-CONFIG = SimulationConfig(camera="gige", width_px=640, height_px=512, pace=3.0)
+CONFIG = replace(HALF, camera="gige", frames_hz=25.0)
 LOST_PACKETS = 0.01
 SLOW_BYTES_PER_S = 2e6
 """A quarter of what the pictures need."""

@@ -73,6 +73,16 @@ def test_a_late_first_packet_is_made_good_without_a_step_back() -> None:
     assert np.abs(late[taken - taken[0] > S]).max() < 100
 
 
+def test_a_machine_that_is_held_up_soon_after_the_start_moves_no_stamps_far() -> None:
+    taken = sampled(5)
+    arrival = arrivals(taken, np.random.default_rng(3))
+    since_s = (taken - taken[0]) / S
+    arrival[(since_s > 1.5) & (since_s < 3.2)] += 600 * MS
+    stamps = run(DeviceClock(), taken, np.maximum.accumulate(arrival))
+    assert np.abs(late_us(stamps, taken)).max() < 50_000
+    assert np.abs(late_us(stamps, taken)[since_s > 4.6]).max() < 100
+
+
 def test_steady_sampling_stays_steady() -> None:
     taken = sampled(30)
     stamps = run(DeviceClock(), taken, arrivals(taken, np.random.default_rng(5), 0.5))
