@@ -119,7 +119,7 @@ def serve(
     width_px: Annotated[int, typer.Option("--width", help="Of the pictures, in px.")] = 1280,
 ) -> None:
     """Until SIGINT or SIGTERM."""
-    large = width_px > HALF.width_px
+    large = width_px >= CONFIG.width_px
     sized = replace(CONFIG if large else HALF, width_px=width_px, height_px=width_px * 4 // 5)
     config = SMALL if small else sized
     if robot:
