@@ -19,6 +19,8 @@ from app.server.middleware import LARGEST_BODY, Guard
 from app.store.database import Database
 from tests.api.conftest import Server
 
+pytestmark = pytest.mark.slow
+
 
 @pytest.mark.parametrize("host", ["evil.example", "127.0.0.1.evil.example", "", "[", "localhost."])
 def test_a_name_that_is_not_the_stations_is_not_answered(server: Server, host: str) -> None:

@@ -14,6 +14,8 @@ from websockets.typing import Origin
 from tests.api.conftest import Server
 from tests.sent_texts import english
 
+pytestmark = pytest.mark.slow
+
 
 def message(socket: Connection, timeout_s: float = 5.0) -> dict[str, Any]:
     """The next text message; pictures are passed over."""

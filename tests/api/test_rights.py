@@ -17,6 +17,8 @@ from app.security.permissions import MESSAGES, ROUTES, WEBSOCKET, Right, Rule
 from app.store.accounts import Role
 from tests.api.conftest import Server
 
+pytestmark = pytest.mark.slow
+
 WHO = ("nobody", "kiosk", "viewer", "operator", "admin")
 MAY = {
     Right.enter: {"nobody", "kiosk", "viewer", "operator", "admin"},

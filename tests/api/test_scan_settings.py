@@ -6,6 +6,8 @@ import pytest
 
 from tests.api.conftest import Server
 
+pytestmark = pytest.mark.slow
+
 PLAIN: dict[str, object] = {
     "threshold": None,
     "min_width_px": None,

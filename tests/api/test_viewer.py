@@ -13,6 +13,8 @@ from app.api.viewer.proxy import decode_camera
 from app.bench.station.viewer_client import PROTOCOL
 from tests.api.conftest import Server
 
+pytestmark = pytest.mark.slow
+
 CAMERA = viser_messages.ViewerCameraMessage(
     wxyz=(1.0, 0.0, 0.0, 0.0),
     position=(1.0, 2.0, 3.0),

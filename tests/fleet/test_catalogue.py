@@ -22,6 +22,8 @@ from app.fleet.catalogue.reading import (
 from tests.fleet.entries import START, entry_of, figure_of
 from tests.fleet.postgres import PostgresServer
 
+pytestmark = pytest.mark.slow
+
 
 def found_ids(catalogue: FleetCatalogue, **query: object) -> list[str]:
     with catalogue.reading() as connection:

@@ -32,6 +32,8 @@ from tests.fleet.records import (
     archive_folder,
 )
 
+pytestmark = pytest.mark.slow
+
 
 @pytest.fixture
 def store(tmp_path: Path) -> Iterator[Store]:

@@ -14,6 +14,8 @@ from app.fleet.catalogue.reading import SearchQuery, search
 from app.fleet.questions import drift_of, find_affected, find_calibrations, find_doubted
 from tests.fleet.entries import entry_of, figure_of
 
+pytestmark = pytest.mark.slow
+
 DAY = timedelta(days=1)
 
 

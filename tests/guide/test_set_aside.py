@@ -26,6 +26,8 @@ from app.wire.json_response import encode_json
 from hardware.simulator.station import SimulatedStation
 from tests.api.calibrated import use_truth
 
+pytestmark = pytest.mark.slow
+
 PAGE_BYTES = 4096
 
 

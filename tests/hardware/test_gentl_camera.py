@@ -27,6 +27,8 @@ from tests.hardware.conformance import (
     open_in_time,
 )
 
+pytestmark = pytest.mark.slow
+
 
 @pytest.fixture
 def producer() -> Path:

@@ -37,6 +37,8 @@ from tests.hardware.fake_cameras import ADDRESS, CONTROL_REGISTER, ControlClient
 from tests.hardware.test_genicam import require_aravis
 from tests.hardware.test_simulated_station import SMALL, stripe_in_arm_frame
 
+pytestmark = pytest.mark.slow
+
 WIDTH, HEIGHT = 320, 240
 LIT = 200
 DELAY_MS = 5.0

@@ -16,6 +16,8 @@ from hardware.simulator.operator.swinging import (
 )
 from hardware.simulator.scene.random_scenes import demo_arm, random_arm
 
+pytestmark = pytest.mark.slow
+
 ARMS = {
     "demonstration": demo_arm(),
     "six": random_arm(np.random.default_rng(3), 6),

@@ -36,6 +36,8 @@ from tests.metrology.seen_block import (
     volume_points,
 )
 
+pytestmark = pytest.mark.slow
+
 PLANE = laser_plane()
 
 

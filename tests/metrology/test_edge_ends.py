@@ -15,6 +15,8 @@ from app.metrology.sensor.camera import project
 from app.metrology.targets.crenellated_block import Crenellated, corners
 from tests.metrology.rendered_block import RenderedBlock, render_block
 
+pytestmark = pytest.mark.slow
+
 BLUR_PX, MADE_MM = 0.7, 0.002
 
 

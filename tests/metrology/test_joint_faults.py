@@ -8,6 +8,8 @@ import pytest
 from app.metrology.arm.joint_plausibility import PlausibilityFilter
 from tests.metrology.joint_motions import ARM, Motion, Sample, judged, read, samples, sweep
 
+pytestmark = pytest.mark.slow
+
 RATES = (50.0, 100.0, 250.0, 500.0, 1000.0)
 ENCODERS = (14, 18, 22)
 SLIPS = {50.0: (90,), 100.0: (10, 90), 250.0: (10, 90), 500.0: (2, 10, 90), 1000.0: (2, 10, 90)}

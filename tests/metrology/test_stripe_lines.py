@@ -10,6 +10,8 @@ from app.metrology.stripe import Stripe, StripeSettings, StripeTracker, extract_
 from app.metrology.stripe.scales import follow_scale, scale_of
 from app.metrology.transforms import Floats
 
+pytestmark = pytest.mark.slow
+
 WIDTH, HEIGHT = 960, 720
 PER_FULL_WIDTH = 1 / 2.3548
 Grey = NDArray[np.uint8]

@@ -22,6 +22,8 @@ from app.metrology.stripe.smoothing import smooth_stripe
 from app.metrology.transforms import Floats
 from tests.metrology.test_reconstruct import CAMERA, PLANE
 
+pytestmark = pytest.mark.slow
+
 COLUMNS = np.arange(1200.0)
 
 

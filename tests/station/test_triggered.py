@@ -18,6 +18,8 @@ from hardware.registry import arm_driver
 from hardware.simulator.station import SimulatedStation, SimulationConfig
 from tests.station.conftest import collect_readings, until
 
+pytestmark = pytest.mark.slow
+
 RATE_HZ = 20.0
 CONFIG = SimulationConfig(
     triggered=True, jitter_ms=20.0, width_px=320, height_px=256, rate_hz=200.0

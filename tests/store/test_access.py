@@ -18,6 +18,8 @@ from app.store.database import Database
 from app.store.schemas import FIRST, KIOSKS, KNOWN_BROWSERS, MESSAGES, SCHEMA_VERSION, SCHEMAS
 from app.store.store import Store
 
+pytestmark = pytest.mark.slow
+
 PASSWORD = "three unrelated words"
 
 

@@ -23,6 +23,8 @@ from app.metrology.targets.chessboard import corner_points
 from app.metrology.transforms import Floats, inverse, rigid
 from tests.metrology.boards import BOARD, K1, POSES, ROBOT, SIZE, K, find_flange_pose
 
+pytestmark = pytest.mark.slow
+
 
 def project(T_cam_obj: Floats) -> Floats:
     """The corners (N, 2) in px, with a tenth of a pixel of noise."""

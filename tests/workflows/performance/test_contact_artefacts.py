@@ -16,6 +16,8 @@ from app.workflows.performance.evaluate import evaluate_performance
 from tests.cli.test_cli import crenel
 from tests.workflows.performance.test_contacts import BAR, contact_groups, length_groups, write_test
 
+pytestmark = pytest.mark.slow
+
 BY_SPHERE: tuple[Quantity, ...] = ("effective-diameter",)
 BY_SEATS: tuple[Quantity, ...] = ("articulation-largest", "articulation-two-s")
 BY_BAR: tuple[Quantity, ...] = ("volumetric-largest", "volumetric-two-rms")

@@ -26,6 +26,8 @@ from app.workflows.performance.contact_test import bar_feature, diameter_feature
 from app.workflows.performance.evaluate import evaluate_performance
 from tests.cli.test_cli import crenel
 
+pytestmark = pytest.mark.slow
+
 BAR = LengthStandardFile(
     name="Ball bar",
     serial_number="BB-1",

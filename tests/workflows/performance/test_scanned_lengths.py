@@ -31,6 +31,8 @@ from app.workflows.performance.evaluate import evaluate_performance, write_perfo
 from tests.cli.test_cli import crenel
 from tests.report.test_reports import text_of
 
+pytestmark = pytest.mark.slow
+
 DIAMETER_MM = 20.0
 ALONG = np.array([0.8, 0.5, np.sqrt(1 - 0.89)])
 LIMITS = (LimitPart(quantity="length-scan", a_um=30.0, k=10.0, b_um=60.0),)

@@ -13,6 +13,8 @@ from app.workflows.performance.evaluate import evaluate_performance
 from tests.cli.test_cli import crenel
 from tests.workflows.performance.test_contacts import length_groups, write_test
 
+pytestmark = pytest.mark.slow
+
 LIMITS = (LimitPart(quantity="length-touch", a_um=500.0),)
 EXPANSION, EXPANSION_SD = 11.5e-6, 1e-6
 
