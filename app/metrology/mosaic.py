@@ -66,8 +66,10 @@ def shows_mosaic(picture: Image) -> bool:
 def _block_means(rows_of_blocks: Image) -> tuple[Floats, Floats, Floats, Floats]:
     """The light of each block, and what alternates along rows, along columns and on diagonals.
 
-    ``rows_of_blocks``: (R, BLOCK_PX, W). The weights are second
-    differences: slopes of the light leave nothing in what alternates.
+    The weights are second differences: slopes of the light leave nothing in what alternates.
+
+    Args:
+        rows_of_blocks: (R, BLOCK_PX, W).
     """
     ends = np.array([1.0, 3.0])
     alternating = np.concatenate([ends, np.full(BLOCK_PX - 4, 4.0), ends[::-1]])

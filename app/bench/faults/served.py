@@ -119,8 +119,8 @@ def serve(
     width_px: Annotated[int, typer.Option("--width", help="Of the pictures, in px.")] = 1280,
 ) -> None:
     """Until SIGINT or SIGTERM."""
-    large = width_px >= CONFIG.width_px
-    sized = replace(CONFIG if large else HALF, width_px=width_px, height_px=width_px * 4 // 5)
+    alike = CONFIG if width_px >= CONFIG.width_px else HALF
+    sized = replace(alike, width_px=width_px, height_px=width_px * 4 // 5)
     config = SMALL if small else sized
     if robot:
         config = replace(config, arm=ROBOT.arm, robot=ROBOT.robot)

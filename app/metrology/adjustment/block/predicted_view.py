@@ -8,6 +8,7 @@ import numpy as np
 from app.metrology.adjustment.block.observations import BlockView
 from app.metrology.calibration.laser_plane_fit import EDGE_MARGIN_PX
 from app.metrology.detection.detect_block import EdgePoints
+from app.metrology.detection.edges.stations import number_points
 from app.metrology.detection.visibility import VisiblePart, visible_parts
 from app.metrology.sensor.camera import Camera, project
 from app.metrology.sensor.laser_plane import LaserPlane
@@ -81,8 +82,7 @@ def _predict_edges(
     length = np.linalg.norm(along, axis=1)
     step = EDGE_STEP_PX * seeing.bin_size
     count = (np.maximum(length - 2 * END_PX, 0.0) / step).astype(np.int64)
-    of = np.repeat(np.arange(len(parts)), count)
-    within = np.arange(len(of)) - np.repeat(np.cumsum(count) - count, count)
+    of, within = number_points(count)
     share = (END_PX + step * (within + 0.5)) / np.maximum(length, 1.0)[of]
     uv = project(camera, first[of] + share[:, None] * (last - first)[of])
     seen = inside(camera, uv, END_PX)

@@ -106,8 +106,7 @@ def place_stations(
     most = _LONGEST_PICTURES * (camera.width_px + camera.height_px) / spacing_px
     count = np.clip(np.rint(usable / spacing_px), 1, most)
     count = np.where(usable > 0, count, 0).astype(np.int64)
-    part = np.repeat(np.arange(len(count)), count)
-    within = np.arange(count.sum()) - np.repeat(np.cumsum(count) - count, count)
+    part, within = number_points(count)
     share = (margin_px + (within + 0.5) * (usable / np.maximum(count, 1))[part]) / length[part]
     points = first[part] + share[:, None] * (last - first)[part]
     uv = project(camera, points)
@@ -132,6 +131,18 @@ def place_stations(
         parts.regions,
         half_length,
     )
+
+
+def number_points(count: NDArray[np.int64]) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
+    """For points on lines, ``count`` (L,) on each: the line of every point, and its number there.
+
+    Example:
+        >>> line, within = number_points(np.array([2, 0, 3]))
+        >>> line.tolist(), within.tolist()
+        ([0, 0, 2, 2, 2], [0, 1, 0, 1, 2])
+    """
+    line = np.repeat(np.arange(len(count)), count)
+    return line, np.arange(len(line)) - np.repeat(np.cumsum(count) - count, count)
 
 
 def _just_hidden(

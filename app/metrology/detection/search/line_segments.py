@@ -9,6 +9,7 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+from app.metrology.detection.edges.stations import number_points
 from app.metrology.transforms import Floats
 
 # Minimum length, relative to the picture's longer side.
@@ -87,8 +88,7 @@ def _steps(image: NDArray[np.uint8], lines: Floats) -> Floats:
     length = np.hypot(*along.T)
     normal = np.column_stack([-along[:, 1], along[:, 0]]) / length[:, None]
     count = np.maximum(4, length / 2).astype(np.int64)
-    line = np.repeat(np.arange(len(lines)), count)
-    within = np.arange(len(line)) - np.repeat(np.cumsum(count) - count, count)
+    line, within = number_points(count)
     share = (within + 0.5) / count[line]
     at = (lines[:, :2][line] + share[:, None] * along[line])[:, None] + 0.5
     aside = normal[line][:, None] * np.arange(2, 6)[:, None]

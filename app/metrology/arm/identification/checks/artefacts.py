@@ -193,9 +193,8 @@ def check_bars(arm: Arm, observations: ArmObservations, fit: ArmFit) -> list[Tex
             ),
             remedy,
         )
-    with_bars_mm, without_mm = (
-        _coordinate_scatter_mm(free.stacked, one.scatter) for one in (fit, loose)
-    )
+    with_bars_mm = _coordinate_scatter_mm(free.stacked, fit.scatter)
+    without_mm = _coordinate_scatter_mm(free.stacked, loose.scatter)
     if with_bars_mm > CONTRADICTION * without_mm:
         raise OperationError(
             "bar-length",
