@@ -135,12 +135,8 @@ def test_a_new_scan_removes_the_cloud_and_leaves_the_rest(scene: Scene, viewer: 
     assert "/object/block" not in viewer.listen().nodes
 
 
-def test_the_arm_is_drawn_by_its_own_kinematics(scene: Scene, viewer: Viewer) -> None:
-    """The chain of the drawn frames ends where Eq. 1 has the flange."""
-    arm = six_axis_arm()
-    scene.set_arm_model(arm)
-    scene.set_arm(REST_RAD.tolist())
-    until(lambda: "SetPositionMessage" in viewer.listen(0.1).nodes.get("/arm/1/2/3/4/5/6", {}))
+def drawn_flange(viewer: Viewer) -> np.ndarray:
+    """``T_arm_flange`` (4, 4) of the chain of frames that a viewer has."""
     T, path = np.eye(4), "/arm"
     for number in range(1, 7):
         path += f"/{number}"
@@ -149,9 +145,37 @@ def test_the_arm_is_drawn_by_its_own_kinematics(scene: Scene, viewer: Viewer) ->
         angle = 2 * np.arctan2(np.linalg.norm(vector), w)
         axis = vector / max(np.linalg.norm(vector), 1e-12)
         T = T @ rigid(rotation_from_vector(angle * axis), viewer.position_mm(path))
+    return T
+
+
+def test_the_arm_is_drawn_by_its_own_kinematics(scene: Scene, viewer: Viewer) -> None:
+    """The chain of the drawn frames ends where Eq. 1 has the flange."""
+    arm = six_axis_arm()
+    scene.set_arm_model(arm)
+    scene.set_arm(REST_RAD.tolist())
+    flange = "/arm/1/2/3/4/5/6"
+    until(lambda: "SetPositionMessage" in viewer.listen(0.1).nodes.get(flange, {}))
+    T = drawn_flange(viewer)
     np.testing.assert_allclose(T, flange_pose(arm, REST_RAD), atol=1e-6)
-    tip = T @ [*viewer.position_mm(f"{path}/tip"), 1]
+    tip = T @ [*viewer.position_mm(f"{flange}/tip"), 1]
     np.testing.assert_allclose(tip[:3], tip_centres(arm, REST_RAD[None])[0], atol=1e-4)
+
+
+def await_arm(scene: Scene, T_arm_flange: np.ndarray) -> None:
+    """A new viewer comes, stays until the arm is drawn like this, and leaves."""
+    viewer = Viewer(scene)
+    until(lambda: "/arm/1/2/3/4/5/6" in viewer.listen(0.1).nodes)
+    until(lambda: np.allclose(drawn_flange(viewer.listen(0.1)), T_arm_flange))
+    viewer.close()
+    until(lambda: not scene._server.get_clients())
+
+
+def test_a_viewer_sees_how_the_arm_moved_while_nobody_watched(scene: Scene) -> None:
+    arm = six_axis_arm()
+    scene.set_arm_model(arm)
+    for q_rad in (REST_RAD, REST_RAD + 0.3):
+        scene.set_arm(q_rad.tolist())
+        await_arm(scene, flange_pose(arm, q_rad))
 
 
 def test_the_sensor_shows_its_field_and_the_laser_colours_it(scene: Scene, viewer: Viewer) -> None:

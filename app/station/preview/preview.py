@@ -47,6 +47,8 @@ TOPIC = "preview"
 LONGEST_SIDE_PX = 800
 JPEG_QUALITY = 75
 SHORTEST_PERIOD_S = 1 / 15
+UNWATCHED_PERIOD_S = 0.5
+"""While nobody watches, what is seen of the object is only said in words."""
 WORDS_PERIOD_S = 0.3
 STRIPE_POINTS = 200
 
@@ -85,8 +87,8 @@ class PreviewImage:
 
 
 class Preview:
-    """Publishes the newest picture, at most 15 per second, while someone watches or the object is
-    searched for."""
+    """Publishes the newest picture: at most 15 per second while someone watches, two while the
+    object is searched for and nobody does."""
 
     def __init__(self, bus: Bus, arm: StationArm, sensor: StationSensor) -> None:
         self._bus = bus
@@ -207,7 +209,17 @@ class Preview:
                 log.exception("a preview could not be created")
                 continue
             self._bus.publish(TOPIC, self._latest)
-            time.sleep(max(0.0, SHORTEST_PERIOD_S - (time.monotonic() - started_s)))
+            self._rest_since(started_s)
+
+    def _rest_since(self, started_s: float) -> None:
+        """Until the next picture is due: at once for a new viewer of one that nobody watched."""
+        due_s = started_s + SHORTEST_PERIOD_S
+        time.sleep(max(0.0, due_s - time.monotonic()))
+        with self._watched:
+            self._watched.wait_for(
+                lambda: self._stopping or self._viewers > 0,
+                max(0.0, started_s + UNWATCHED_PERIOD_S - time.monotonic()),
+            )
 
     def _picture(self, frame: Frame, sequence: int) -> PreviewImage:
         stripe = self._stripe(frame)

@@ -61,8 +61,8 @@ class ArmNode:
         """Moves every link to ``A_i E_i`` (n, 4, 4) of Eq. 2-3; of an arm that reports poses, its
         flange to ``T_arm_flange`` (1, 4, 4)."""
         with self._server.atomic():
-            for handle, T in zip(self._links, links, strict=True):
-                handle.position, handle.wxyz = viser_pose(T)
+            for handle, position, wxyz in zip(self._links, *viser_pose(links), strict=True):
+                handle.position, handle.wxyz = position, wxyz
 
     def _build(self, arm: AnyArm) -> None:
         reach = reach_mm(arm)

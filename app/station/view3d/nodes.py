@@ -38,9 +38,10 @@ def add_mesh(
 
 
 def viser_pose(T_ab: Floats) -> tuple[Floats, Floats]:
-    """Position (3,) in metres and quaternion (w, x, y, z) of a transform (4, 4)."""
-    x, y, z, w = Rotation.from_matrix(T_ab[:3, :3]).as_quat()
-    return np.asarray(T_ab[:3, 3] * M_PER_MM), np.array([w, x, y, z])
+    """Positions (..., 3) in metres and quaternions (..., 4), as w, x, y, z, of transforms
+    (..., 4, 4); one or a row of them."""
+    xyzw = Rotation.from_matrix(T_ab[..., :3, :3]).as_quat()
+    return T_ab[..., :3, 3] * M_PER_MM, np.roll(xyzw, 1, axis=-1)
 
 
 TINT: Colour = (64, 120, 235)

@@ -202,7 +202,7 @@ class Scene:
             self._has_aimed = False
 
     def set_arm(self, reading: Sequence[float]) -> None:
-        """The arm's reading (k,); drawn at most ten times per second."""
+        """The arm's reading (k,); drawn at most ten times per second, while someone watches."""
         self._reading = reading
 
     def set_sensor(
@@ -323,13 +323,16 @@ class Scene:
         if arm is None or self._arm_model is None:
             return
         arm.set_laser(*self._laser)
-        if reading is not None and len(reading) == self._arm_model.reading_size:
-            self._reading = None
-            links = _link_chain(self._arm_model, np.array([reading]))
-            arm.pose(links)
-            if not self._has_aimed:
-                self._has_aimed = True
-                self._look_at_arm(self._arm_model, links)
+        if reading is None or len(reading) != self._arm_model.reading_size:
+            return
+        if self._has_aimed and not self._server.get_clients():
+            return  # the newest reading waits for a viewer
+        self._reading = None
+        links = _link_chain(self._arm_model, np.array([reading]))
+        arm.pose(links)
+        if not self._has_aimed:
+            self._has_aimed = True
+            self._look_at_arm(self._arm_model, links)
 
 
 def _link_chain(arm: AnyArm, readings: Floats) -> Floats:

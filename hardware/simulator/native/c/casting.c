@@ -45,13 +45,21 @@ EXPORT(void, cast_room)(int64_t height, int64_t width, int64_t count, int64_t pl
                    (const Look *)look, grain};
     const Bundle *eye = (const Bundle *)eyes;
     const Line *line = (const Line *)lines;
-    for (int64_t i = 0; i < height * width; i++) {
-        Hit hit = trace(&all, eye, (Vector){line[i].x, line[i].y, 1.0});
-        Radiance seen = {0.0, 0};
-        if (hit.thing >= 0)
-            seen = radiance(&hit, &all, eye, &light);
-        out[i] = (float)seen.value;
-        codes[i] = (int32_t)((hit.thing * 1024 + hit.face) * PLACES + seen.lit);
+    for (int64_t start = 0; start < height * width; start += RUN) {
+        Run run = {.count = min_i64(height * width - start, RUN)};
+        for (int64_t i = 0; i < run.count; i++) {
+            run.x[i] = line[start + i].x;
+            run.y[i] = line[start + i].y;
+        }
+        trace_run(&run, &all, eye);
+        for (int64_t i = 0; i < run.count; i++) {
+            Hit hit = hit_of_run(&run, i, &all, eye);
+            Radiance seen = {0.0, 0};
+            if (hit.thing >= 0)
+                seen = radiance(&hit, &all, eye, &light);
+            out[start + i] = (float)seen.value;
+            codes[start + i] = (int32_t)((hit.thing * 1024 + hit.face) * PLACES + seen.lit);
+        }
     }
 }
 
@@ -73,6 +81,28 @@ static inline bool at_edge(const int32_t *code, int64_t width, int32_t place_cou
     return found;
 }
 
+/* Light of a pixel, averaged over places in it. */
+static inline double average_light(const PixelRays *rays, int64_t spot_count, const double *spots,
+                                   const Things *all, const Bundle *eye, const Light *light)
+{
+    double total = 0.0;
+    for (int64_t start = 0; start < spot_count; start += RUN) {
+        Run run = {.count = min_i64(spot_count - start, RUN)};
+        for (int64_t i = 0; i < run.count; i++) {
+            Vector d = ray_at(rays, spots + 2 * (start + i));
+            run.x[i] = d.x;
+            run.y[i] = d.y;
+        }
+        trace_run(&run, all, eye);
+        for (int64_t i = 0; i < run.count; i++) {
+            Hit hit = hit_of_run(&run, i, all, eye);
+            if (hit.thing >= 0)
+                total += radiance(&hit, all, eye, light).value;
+        }
+    }
+    return total / (double)spot_count;
+}
+
 /* Averages many rays over each pixel that an edge may cross.
  *
  * lines to out as of cast_room; spots (spot_count, 2) in a pixel. */
@@ -92,12 +122,6 @@ EXPORT(void, refine_room)(int64_t height, int64_t width, int64_t spot_count, int
             if (!at_edge(codes + pixel, width, (int32_t)place_count))
                 continue;
             PixelRays rays = rays_of((const Line *)lines + pixel, width);
-            double total = 0.0;
-            for (int64_t s = 0; s < spot_count; s++) {
-                Hit hit = trace(&all, eye, ray_at(&rays, spots + 2 * s));
-                if (hit.thing >= 0)
-                    total += radiance(&hit, &all, eye, &light).value;
-            }
-            out[pixel] = (float)(total / (double)spot_count);
+            out[pixel] = (float)average_light(&rays, spot_count, spots, &all, eye, &light);
         }
 }

@@ -59,16 +59,17 @@ static inline Vector along(Vector o, double t, Vector d)
     return (Vector){o.x + t * d.x, o.y + t * d.y, o.z + t * d.z};
 }
 
-/* Narrows a passage to what lies between two parallel planes. */
+/* Narrows a passage to what lies between two parallel planes. Without branches, so that the
+ * compiler can take several rays at once. */
 static inline Passage between(Passage so_far, double o, double d, double low, double high,
                               int low_face, int high_face)
 {
-    if (fabs(d) < 1e-300)
-        return o < low || o > high ? (Passage){1.0, 0.0, TOP} : so_far;
-    bool up = d > 0.0;
-    double inverse = 1.0 / d;
+    bool along = fabs(d) < 1e-300, outside = o < low || o > high, up = d > 0.0;
+    double inverse = 1.0 / (along ? 1.0 : d);
     double enter = ((up ? low : high) - o) * inverse;
     double leave = ((up ? high : low) - o) * inverse;
+    enter = along ? (outside ? MISSED : -MISSED) : enter;
+    leave = along ? (outside ? -MISSED : MISSED) : leave;
     so_far.face = enter > so_far.enter ? (up ? low_face : high_face) : so_far.face;
     so_far.enter = max_f64(enter, so_far.enter);
     so_far.leave = min_f64(leave, so_far.leave);

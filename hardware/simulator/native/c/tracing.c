@@ -53,25 +53,106 @@ static inline Crossing meet(const Things *all, const Bundle *bundle, int64_t k, 
     return cross(all->kinds[k], all->things + k, rays->origin, into_thing(rays->turn, d));
 }
 
+/* What a ray of a bundle along `d` meets: the `thing` at `t` with this face, -1 for nothing. */
+static inline Hit hit_of(const Things *all, const Bundle *bundle, Vector d, double t, int64_t thing,
+                         int face)
+{
+    Hit hit = {.t = t, .thing = thing, .face = face};
+    if (thing >= 0) {
+        const Bundle *rays = bundle + thing;
+        hit.at = along(rays->origin, t, into_thing(rays->turn, d));
+        hit.normal = normal_of(all->kinds[thing], all->things + thing, face, hit.at);
+    }
+    return hit;
+}
+
 /* The first hit of a ray of a bundle along `d`. */
 static inline Hit trace(const Things *all, const Bundle *bundle, Vector d)
 {
-    Hit hit = {.t = MISSED, .thing = -1, .face = -1};
+    Crossing first = {MISSED, -1};
+    int64_t thing = -1;
     double length2 = dot(d, d);
     for (int64_t k = 0; k < all->count; k++) {
         Crossing found = meet(all, bundle, k, d, length2);
-        if (found.t < hit.t) {
-            hit.t = found.t;
-            hit.thing = k;
-            hit.face = found.face;
+        if (found.t < first.t) {
+            first = found;
+            thing = k;
         }
     }
-    if (hit.thing >= 0) {
-        const Bundle *rays = bundle + hit.thing;
-        hit.at = along(rays->origin, hit.t, into_thing(rays->turn, d));
-        hit.normal = normal_of(all->kinds[hit.thing], all->things + hit.thing, hit.face, hit.at);
+    return hit_of(all, bundle, d, first.t, thing, first.face);
+}
+
+enum { RUN = 64 };
+
+/* Up to RUN rays of one bundle, along (x, y, 1), and what each of them meets first. Of things
+ * that are boxes, several rays are followed at once. */
+typedef struct {
+    int64_t count;
+    double x[RUN], y[RUN], t[RUN];
+    int64_t thing[RUN], face[RUN];
+} Run;
+
+static inline Vector direction(const Run *run, int64_t i)
+{
+    return (Vector){run->x[i], run->y[i], 1.0};
+}
+
+/* Whether any ray of a run comes to the bounding sphere of a thing. */
+static inline bool comes_near(const Run *run, const Bundle *rays)
+{
+    double most = -MISSED;
+    for (int64_t i = 0; i < run->count; i++) {
+        Vector d = direction(run, i);
+        double near = dot(rays->centre, d);
+        most = max_f64(near * near - rays->clear * dot(d, d), most);
     }
-    return hit;
+    return most >= 0.0;
+}
+
+static inline void meet_box(Run *run, const Bundle *rays, const Thing *thing, int64_t k)
+{
+    for (int64_t i = 0; i < run->count; i++) {
+        Crossing found = cross_box(thing, rays->origin, into_thing(rays->turn, direction(run, i)));
+        bool first = found.t < run->t[i];
+        run->t[i] = first ? found.t : run->t[i];
+        run->thing[i] = first ? k : run->thing[i];
+        run->face[i] = first ? found.face : run->face[i];
+    }
+}
+
+static inline void meet_other(Run *run, const Things *all, const Bundle *bundle, int64_t k)
+{
+    for (int64_t i = 0; i < run->count; i++) {
+        Vector d = direction(run, i);
+        Crossing found = meet(all, bundle, k, d, dot(d, d));
+        if (found.t < run->t[i]) {
+            run->t[i] = found.t;
+            run->thing[i] = k;
+            run->face[i] = found.face;
+        }
+    }
+}
+
+/* The first hits of a run. */
+static inline void trace_run(Run *run, const Things *all, const Bundle *bundle)
+{
+    for (int64_t i = 0; i < run->count; i++) {
+        run->t[i] = MISSED;
+        run->thing[i] = run->face[i] = -1;
+    }
+    for (int64_t k = 0; k < all->count; k++) {
+        if (!comes_near(run, bundle + k))
+            continue;
+        if (all->kinds[k] == BOX)
+            meet_box(run, bundle + k, all->things + k, k);
+        else
+            meet_other(run, all, bundle, k);
+    }
+}
+
+static inline Hit hit_of_run(const Run *run, int64_t i, const Things *all, const Bundle *bundle)
+{
+    return hit_of(all, bundle, direction(run, i), run->t[i], run->thing[i], (int)run->face[i]);
 }
 
 /* Whether a ray of a bundle meets anything before a share of `d`. */

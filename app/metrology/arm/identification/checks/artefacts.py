@@ -180,44 +180,46 @@ def check_bars(arm: Arm, observations: ArmObservations, fit: ArmFit) -> list[Tex
     if not judged.accuses or not _stands_out(arm, observations, fit, judged):
         return []
     finding = _bar_finding(observations, judged)
-    named = ", ".join(judged.named)
-    remedy = message("check-length-mm-bar-ends", bar=named)
+    contradicted = _contradiction_of_lengths(free.stacked, fit, loose, ", ".join(judged.named))
+    if contradicted is None:
+        return [message("check-length-unless-datasheet-is-as-far-off", finding=finding)]
+    evidence, remedy = contradicted
+    raise OperationError("bar-length", finding, evidence, remedy)
+
+
+def _contradiction_of_lengths(
+    data: StackedObservations, fit: ArmFit, loose: ArmFit, bars: str
+) -> tuple[Text, Text] | None:
+    """What the stated lengths do to the other data, and what to check; None if they bear them.
+
+    Args:
+        loose: the fit in which the lengths are free.
+    """
+    remedy = message("check-length-mm-bar-ends", bar=bars)
     if fit.scatter.touch_mm > CONTRADICTION * max(loose.scatter.touch_mm, 2e-3):
-        raise OperationError(
-            "bar-length",
-            finding,
-            message(
-                "bars-lengths-points-scatter-without-them",
-                scatter=quantity(1e3 * fit.scatter.touch_mm, "µm"),
-                without=quantity(1e3 * loose.scatter.touch_mm, "µm"),
-            ),
-            remedy,
+        evidence = message(
+            "bars-lengths-points-scatter-without-them",
+            scatter=quantity(1e3 * fit.scatter.touch_mm, "µm"),
+            without=quantity(1e3 * loose.scatter.touch_mm, "µm"),
         )
-    with_bars_mm = _coordinate_scatter_mm(free.stacked, fit.scatter)
-    without_mm = _coordinate_scatter_mm(free.stacked, loose.scatter)
+        return evidence, remedy
+    with_bars_mm = _coordinate_scatter_mm(data, fit.scatter)
+    without_mm = _coordinate_scatter_mm(data, loose.scatter)
     if with_bars_mm > CONTRADICTION * without_mm:
-        raise OperationError(
-            "bar-length",
-            finding,
-            message(
-                "bars-lengths-coordinates-scatter-without-them",
-                scatter=quantity(1e3 * with_bars_mm, "µm"),
-                without=quantity(1e3 * without_mm, "µm"),
-            ),
-            message("check-length-of-bar-and-coordinates", bar=named),
+        evidence = message(
+            "bars-lengths-coordinates-scatter-without-them",
+            scatter=quantity(1e3 * with_bars_mm, "µm"),
+            without=quantity(1e3 * without_mm, "µm"),
         )
+        return evidence, message("check-length-of-bar-and-coordinates", bar=bars)
     if _spheres_contradict_bars(loose, fit):
-        raise OperationError(
-            "bar-length",
-            finding,
-            message(
-                "spheres-size-by-certificate-or-datasheet",
-                excess=quantity(2e3 * abs(fit.at.radius_excess_mm), "µm"),
-                sign="larger" if fit.at.radius_excess_mm > 0 else "smaller",
-            ),
-            remedy,
+        evidence = message(
+            "spheres-size-by-certificate-or-datasheet",
+            excess=quantity(2e3 * abs(fit.at.radius_excess_mm), "µm"),
+            sign="larger" if fit.at.radius_excess_mm > 0 else "smaller",
         )
-    return [message("check-length-unless-datasheet-is-as-far-off", finding=finding)]
+        return evidence, remedy
+    return None
 
 
 def _coordinate_scatter_mm(data: StackedObservations, scatter: Scatter) -> float:
