@@ -18,6 +18,7 @@ from fastapi import FastAPI
 from pydantic_core import to_jsonable_python
 
 from app.bench.faults.served import HALF
+from app.guide.calibration import simulated_operator
 from app.operations.context import Context
 from app.operations.services import MonitoringSettings
 from app.server.application import build_app
@@ -34,6 +35,8 @@ LOOK_S = 0.15
 """How often a test looks whether a view is as wanted: each look costs station and test time."""
 QUICK_HASHER = PasswordHasher(time_cost=1, memory_cost=64)
 """As good in all but what it costs to guess."""
+POSES, BOARD_POSES = 3, 6
+"""Of the simulated operator's calibrations: fewer than a demonstration's, as each takes seconds."""
 
 
 def wait_for(read: Callable[[], T], ready: Callable[[T], object], timeout_s: float = 60.0) -> T:
@@ -114,6 +117,7 @@ def running_server(
     """A server on a data folder, with a client that has entered; it ends in order."""
     with (
         patch.object(accounts, "HASHER", QUICK_HASHER),
+        patch.multiple(simulated_operator, POSES=POSES, BOARD_POSES=BOARD_POSES),
         SimulatedStation(config) as simulation,
         socket.socket() as listening,
     ):

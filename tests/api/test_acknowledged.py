@@ -17,6 +17,9 @@ from tests.api.traced import Trace
 LOOK_S = 0.01
 """Short, so that hardly more than the first answer which has something is later than it."""
 
+PICTURES = 3
+"""Of the calibration."""
+
 pytestmark = [pytest.mark.timeout(300), pytest.mark.slow]
 
 
@@ -81,8 +84,10 @@ def test_points_pictures_and_an_acceptance(library: Path, tmp_path: Path) -> Non
                 reported.setdefault((view["step"], view["progress"]["done"]), mark)
             elif view["step"] == "review" and view["busy"] is None:
                 break
-            if view["busy"] is None:
-                station.ask("flow", "run_simulation", all=True)
+            if view["step"] == "solve" and view["progress"]["done"] >= PICTURES:
+                station.ask("flow", "solve")
+            elif view["busy"] is None:
+                station.ask("flow", "run_simulation")
             time.sleep(LOOK_S)
         body = {"name": "accept", "args": {}, "rev": view["rev"], "key": "accepted"}
         accepted, _ = bench.ask("POST", "/api/flow/command", **body)

@@ -27,7 +27,7 @@ from hardware.simulator.station import (
 )
 
 CONFIG = SimulationConfig(pace=8.0)
-HALF = replace(CONFIG, width_px=640, height_px=512, frames_hz=12.5, rate_hz=250.0)
+HALF = replace(CONFIG, width_px=640, height_px=512, frames_hz=8.0, rate_hz=250.0)
 """Drawn four times as fast, half as often, with a quarter of the readings; enough for points and
 scans, and for calibrations if need be."""
 HALF_SIZE = ("--width", str(HALF.width_px))

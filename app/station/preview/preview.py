@@ -47,7 +47,7 @@ TOPIC = "preview"
 LONGEST_SIDE_PX = 800
 JPEG_QUALITY = 75
 SHORTEST_PERIOD_S = 1 / 15
-UNWATCHED_PERIOD_S = 0.5
+UNWATCHED_PERIOD_S = 1.0
 """While nobody watches, what is seen of the object is only said in words."""
 WORDS_PERIOD_S = 0.3
 STRIPE_POINTS = 200
@@ -87,7 +87,7 @@ class PreviewImage:
 
 
 class Preview:
-    """Publishes the newest picture: at most 15 per second while someone watches, two while the
+    """Publishes the newest picture: at most 15 per second while someone watches, one while the
     object is searched for and nobody does."""
 
     def __init__(self, bus: Bus, arm: StationArm, sensor: StationSensor) -> None:
