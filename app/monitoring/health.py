@@ -12,7 +12,7 @@ from app.findings import Quality
 from app.messages.message import Text, join, message, quantity, signed, word
 from app.monitoring.loop_watchdog import Stalls
 from app.monitoring.system_info import Memory
-from app.station.devices.link_state import DeviceState, Losses
+from app.station.devices.link_state import QUALITY, DeviceState, Losses
 from app.station.devices.temperature import Temperature
 
 LOSS_ATTENTION, LOSS_BAD = 0.001, 0.01
@@ -55,7 +55,7 @@ def summarise_health(items: Sequence[HealthItem], at: str) -> Health:
 
 def device(kind: DeviceKind, state: DeviceState) -> HealthItem:
     """Whether a device sends data."""
-    quality: Quality = {"connected": "good", "connecting": "attention"}.get(state.state, "bad")  # type: ignore[assignment]
+    quality = QUALITY[state.state]
     what = sentence(state.text)
     if state.state == "connected" and state.age_s is not None and state.rate_hz is not None:
         what = message(
@@ -70,7 +70,9 @@ def device(kind: DeviceKind, state: DeviceState) -> HealthItem:
         quality,
         what,
         message("without-nothing-measured-what-taken-kept"),
-        "" if quality == "good" else message("check-cable-power-looked-again-itself"),
+        ""
+        if state.state in ("connected", "absent")
+        else message("check-cable-power-looked-again-itself"),
     )
 
 

@@ -9,6 +9,7 @@ import cv2
 import numpy as np
 import pytest
 
+from app.monitoring.health import device
 from app.station.bus import Bus
 from app.station.devices.rig import Rig
 from app.station.setup.drivers import arm_factory, no_device_factory, sensor_factory
@@ -50,6 +51,15 @@ def test_a_station_without_an_arm_says_so_and_its_camera_works(rig: Rig) -> None
     until(lambda: rig.sensor.fresh)
     until(lambda: "No arm is chosen" in str(rig.arm.link().text))
     assert "Devices page" in str(rig.arm.link().text)
+    assert rig.arm.link().state == "absent"
+    assert device("arm", rig.arm.link()).remedy == ""  # the text has it
+
+
+def test_an_arm_that_is_chosen_later_is_connected_to_and_absent_no_more(rig: Rig) -> None:
+    until(lambda: rig.arm.link().state == "absent")
+    rig.use_arm(arm_factory("bridge", {"url": "socket://127.0.0.1:1"}))
+    until(lambda: rig.arm.link().state == "connecting")
+    until(lambda: "127.0.0.1" in str(rig.arm.link().text))
     assert rig.arm.link().state == "connecting"
 
 

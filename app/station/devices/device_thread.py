@@ -32,10 +32,16 @@ RATE_WINDOW_S = 1.0
 
 
 class LinkState(StrEnum):
+    ABSENT = "absent"
+    """The station has no such device; one can be chosen."""
     CONNECTED = "connected"
     CONNECTING = "connecting"
     LOST = "lost"
     OFF = "off"
+
+
+class NoDeviceChosenError(DeviceError):
+    """The station has no such device yet."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -108,7 +114,7 @@ class DeviceReader(Generic[D, I_co]):
         self._driver: D | None = None
         self._info: I_co | None = None
         self._error: Text = ""
-        self._ever_connected = False
+        self._ever_connected = self._absent = False
         self._last_data_s: float | None = None
         self._last_answer_s = 0.0
         self._opened_s = 0.0
@@ -177,6 +183,8 @@ class DeviceReader(Generic[D, I_co]):
             return LinkState.OFF, message("off", title=title)
         if self._replacement is not None:
             return LinkState.CONNECTING, message("connecting", title=title)
+        if self._absent:
+            return LinkState.ABSENT, self._error
         if self._driver is None or self._info is None:
             if self._ever_connected:
                 return LinkState.LOST, self._error or message("lost-reconnecting", title=title)
@@ -233,7 +241,7 @@ class DeviceReader(Generic[D, I_co]):
             if self._replacement is None:
                 return
             self._make, self._replacement = self._replacement, None
-            self._ever_connected, self._error = False, ""
+            self._ever_connected, self._error, self._absent = False, "", False
             self._last_data_s, self._last_answer_s = None, 0.0
             self._counted, self._records = LinkHealth(), 0
             self._arrivals.clear()
@@ -252,6 +260,7 @@ class DeviceReader(Generic[D, I_co]):
             self._pump(driver)
         except DeviceError as error:
             self._error = device_error_text(error)
+            self._absent = isinstance(error, NoDeviceChosenError)
         except Exception as error:  # an error of a driver must not end the station
             log.exception("the driver of the %s failed", self._title)
             self._error = message("s-driver-failed", title=word(self._title), error=error)

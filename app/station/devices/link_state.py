@@ -6,9 +6,19 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Literal
 
+from app.findings import Quality
 from app.messages.message import Text, join, message
 from app.station.devices.device_thread import Link, LinkState
 from hardware.interfaces import ArmInfo, SensorInfo, StampKind
+
+State = Literal["absent", "connected", "connecting", "lost", "off"]
+QUALITY: dict[State, Quality] = {
+    "absent": "attention",
+    "connected": "good",
+    "connecting": "attention",
+    "lost": "bad",
+    "off": "bad",
+}
 
 
 @dataclass(frozen=True, slots=True)
@@ -16,7 +26,7 @@ class DeviceState:
     """State of a device in words and numbers; counts include all its connections."""
 
     title: Text
-    state: Literal["connected", "connecting", "lost", "off"]
+    state: State
     text: Text
     age_s: float | None
     """Age of the newest data at that time."""

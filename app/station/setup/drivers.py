@@ -7,6 +7,7 @@ from typing import NoReturn
 
 from app.errors import OperationError
 from app.messages.message import Text, message, word
+from app.station.devices.device_thread import NoDeviceChosenError
 from app.station.devices.rig import DeviceName, Rig
 from hardware import registry
 from hardware.errors import DeviceError
@@ -71,10 +72,10 @@ def sensor_factory(driver: str, options: Options) -> Callable[[], SensorDriver]:
 
 
 def no_device_factory(kind: DeviceName) -> Callable[[], NoReturn]:
-    """Of a station without such a device: every call raises ``DeviceError``."""
+    """Of a station without such a device: every call raises ``NoDeviceChosenError``."""
 
     def make() -> NoReturn:
-        raise DeviceError(
+        raise NoDeviceChosenError(
             message("no-device-chosen", title=word(kind)), message("choose-one-under-devices")
         )
 

@@ -127,7 +127,7 @@ function LineDrawing({ path }: { path: string }) {
   );
 }
 
-const QUALITIES = { connected: "good", connecting: "attention", lost: "bad", off: "bad" } as const;
+const QUALITIES = { absent: "attention", connected: "good", connecting: "attention", lost: "bad", off: "bad" } as const;
 
 function Used({
   device,

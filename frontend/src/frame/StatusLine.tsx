@@ -45,6 +45,7 @@ function rate(device: DeviceState): string {
 }
 
 const STATES: Record<DeviceState["state"], PlainId> = {
+  absent: "ui-none-chosen",
   connected: "ui-connected",
   connecting: "ui-connecting",
   lost: "ui-lost",

@@ -756,6 +756,7 @@ ui-nobody = niemand
 ui-nobody-control-first-act-takes = Niemand hat die Bedienung. Wer zuerst handelt, übernimmt sie.
 ui-nobody-has-control = Niemand hat die Bedienung.
 ui-none = keine
+ui-none-chosen = nicht gewählt
 ui-none-used-determine-scan-flat-plate = Es wird kein Zeitversatz verwendet. Zum Bestimmen einen Scan starten und mindestens dreimal zügig über eine ebene Platte fahren, näher heran und weiter weg. Den Scan stoppen, dann hier den Zeitversatz bestimmen.
 ui-not-delivered = Nicht zugestellt: { $reason }
 ui-not-done = nicht ausgeführt: { $reason }

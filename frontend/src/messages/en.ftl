@@ -756,6 +756,7 @@ ui-nobody = nobody
 ui-nobody-control-first-act-takes = Nobody has control. The first person to act takes it.
 ui-nobody-has-control = Nobody has control.
 ui-none = none
+ui-none-chosen = not chosen
 ui-none-used-determine-scan-flat-plate = No delay is in use. To determine it, start a scan and pass over a flat plate briskly at least three times, closer and further away. Stop the scan. Then determine the delay here.
 ui-not-delivered = Not delivered: { $reason }
 ui-not-done = not done: { $reason }

@@ -1,4 +1,4 @@
-import type { CalibrationSummary, Home } from "../api/wire";
+import type { CalibrationSummary, DeviceState, Home } from "../api/wire";
 import { Layout } from "../frame/Layout";
 import { TemperatureField } from "../home/TemperatureField";
 import { ValidityList } from "../home/ValidityList";
@@ -52,10 +52,14 @@ function Active({ calibration }: { calibration: CalibrationSummary }) {
   );
 }
 
+function isMissing(device?: DeviceState): boolean {
+  return device?.state === "absent" || device?.state === "connecting";
+}
+
 function Next({ home }: { home: Home }) {
   const { next } = home;
   const admin = useLive((s) => s.session?.you?.role === "admin");
-  const missing = useLive((s) => s.devices?.arm.state === "connecting" || s.devices?.sensor.state === "connecting");
+  const missing = useLive((s) => isMissing(s.devices?.arm) || isMissing(s.devices?.sensor));
   return (
     <>
       {/* on a phone it is read first, as a verdict is */}

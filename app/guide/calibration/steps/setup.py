@@ -1,6 +1,5 @@
 """The steps 'devices' and 'setup'. Pure."""
 
-from app.findings import Quality
 from app.guide.calibration.live import CalibrationLive
 from app.guide.calibration.rules import offer, other_devices
 from app.guide.calibration.state import DEVICE, CalibrationState
@@ -10,14 +9,7 @@ from app.messages.message import Text, message, quantity, rounded
 from app.metrology.arm.kinematics import AnyArm, Arm
 from app.metrology.targets.chessboard import Chessboard, Markers
 from app.metrology.targets.target import CalibrationTarget
-from app.station.devices.link_state import DeviceState
-
-QUALITY: dict[str, Quality] = {
-    "connected": "good",
-    "connecting": "attention",
-    "lost": "bad",
-    "off": "bad",
-}
+from app.station.devices.link_state import QUALITY, DeviceState
 
 
 def devices_step(state: CalibrationState, live: CalibrationLive) -> StepView:
