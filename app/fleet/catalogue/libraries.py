@@ -6,7 +6,6 @@ from app.errors import OperationError
 from app.messages.message import message
 
 OF_CATALOGUE = ("sqlalchemy", "alembic")
-OF_EXPORTS = ("pyarrow", "duckdb")
 
 
 def check_libraries(names: tuple[str, ...] = OF_CATALOGUE) -> None:

@@ -30,7 +30,7 @@ from app.metrology.performance.permissible_error import PermissibleError
 from app.metrology.performance.temperature import TemperatureLimits
 
 PLAN, RESULT, TOUCHES = "plan.json", "performance.json", "touches.csv"
-ARTICULATIONS, LOCATION_TOUCHES, PATTERN_TOUCHES, END_TOUCHES = 5, 5, 25, 5
+ARTICULATIONS, LOCATION_TOUCHES, PATTERN_TOUCHES = 5, 5, 25
 ORIENTATIONS = 2
 """In which a plate is scanned."""
 Kind = Literal["sphere", "lengths", "plane", "contact"]

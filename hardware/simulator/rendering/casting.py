@@ -9,7 +9,6 @@ from hardware.simulator.native import SIMULATOR
 from hardware.simulator.rendering.tracing import BUNDLE, OBJECTS
 
 Image = NDArray[np.float32]
-Lines = NDArray[np.float32]
 Codes = NDArray[np.int32]
 
 LINES = Array(F32, "height", "width", 2)
