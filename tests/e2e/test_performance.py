@@ -319,8 +319,9 @@ def test_the_contact_tests_from_start_to_figures(
         "/api/performance",
         lambda view: view["picture"]["contact"]["lines"][0]["state"] == "done",
     )
-    look_at_both_sizes(visit, "contact-placements")
+    # before the operator is done with the last placement
     page.get_by_role("button", name="Stop the simulated operator").click()
+    look_at_both_sizes(visit, "contact-placements")
     page.get_by_role("button", name="Cancel the test").click()
     page.get_by_role("button", name="Operating error").click()
     begin_test(station, page, "Contact tests")
