@@ -72,8 +72,8 @@ def _device(name: str, state: DeviceState, sensor: str = "") -> DeviceReport:
         {
             "name": name,
             "sensor": sensor[:80],
-            # readers of earlier versions know no device that is absent
-            "state": "off" if state.state == "absent" else state.state,
+            # readers of earlier versions know no device that is absent; its text says so
+            "state": "connecting" if state.state == "absent" else state.state,
             **payload_text(text=state.text),
             "age_s": None if state.age_s is None else round(max(state.age_s, 0.0), 3),
             "rate_hz": None if state.rate_hz is None else round(state.rate_hz, 1),

@@ -28,7 +28,7 @@ from hardware.simulator.station import (
 
 CONFIG = SimulationConfig(pace=8.0)
 HALF = replace(CONFIG, width_px=640, height_px=512, frames_hz=8.0, rate_hz=250.0)
-"""Drawn four times as fast, half as often, with a quarter of the readings; enough for points and
+"""Drawn four times as fast, a third as often, with a quarter of the readings; enough for points and
 scans, and for calibrations if need be."""
 HALF_SIZE = ("--width", str(HALF.width_px))
 """The options of the command for it."""

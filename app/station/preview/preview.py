@@ -213,8 +213,7 @@ class Preview:
 
     def _rest_since(self, started_s: float) -> None:
         """Until the next picture is due: at once for a new viewer of one that nobody watched."""
-        due_s = started_s + SHORTEST_PERIOD_S
-        time.sleep(max(0.0, due_s - time.monotonic()))
+        time.sleep(max(0.0, started_s + SHORTEST_PERIOD_S - time.monotonic()))
         with self._watched:
             self._watched.wait_for(
                 lambda: self._stopping or self._viewers > 0,

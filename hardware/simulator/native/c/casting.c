@@ -46,7 +46,8 @@ EXPORT(void, cast_room)(int64_t height, int64_t width, int64_t count, int64_t pl
     const Bundle *eye = (const Bundle *)eyes;
     const Line *line = (const Line *)lines;
     for (int64_t start = 0; start < height * width; start += RUN) {
-        Run run = {.count = min_i64(height * width - start, RUN)};
+        Run run;
+        run.count = min_i64(height * width - start, RUN);
         for (int64_t i = 0; i < run.count; i++) {
             run.x[i] = line[start + i].x;
             run.y[i] = line[start + i].y;
@@ -87,7 +88,8 @@ static inline double average_light(const PixelRays *rays, int64_t spot_count, co
 {
     double total = 0.0;
     for (int64_t start = 0; start < spot_count; start += RUN) {
-        Run run = {.count = min_i64(spot_count - start, RUN)};
+        Run run;
+        run.count = min_i64(spot_count - start, RUN);
         for (int64_t i = 0; i < run.count; i++) {
             Vector d = ray_at(rays, spots + 2 * (start + i));
             run.x[i] = d.x;

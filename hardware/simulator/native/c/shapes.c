@@ -64,12 +64,12 @@ static inline Vector along(Vector o, double t, Vector d)
 static inline Passage between(Passage so_far, double o, double d, double low, double high,
                               int low_face, int high_face)
 {
-    bool along = fabs(d) < 1e-300, outside = o < low || o > high, up = d > 0.0;
-    double inverse = 1.0 / (along ? 1.0 : d);
+    bool parallel = fabs(d) < 1e-300, outside = o < low || o > high, up = d > 0.0;
+    double inverse = 1.0 / (parallel ? 1.0 : d);
     double enter = ((up ? low : high) - o) * inverse;
     double leave = ((up ? high : low) - o) * inverse;
-    enter = along ? (outside ? MISSED : -MISSED) : enter;
-    leave = along ? (outside ? -MISSED : MISSED) : leave;
+    enter = parallel ? (outside ? MISSED : -MISSED) : enter;
+    leave = parallel ? (outside ? -MISSED : MISSED) : leave;
     so_far.face = enter > so_far.enter ? (up ? low_face : high_face) : so_far.face;
     so_far.enter = max_f64(enter, so_far.enter);
     so_far.leave = min_f64(leave, so_far.leave);

@@ -42,13 +42,20 @@ static inline Vector out_of_thing(const double *turn, Vector d)
                     turn[2] * d.x + turn[5] * d.y + turn[8] * d.z};
 }
 
+/* How far a ray of a bundle goes into the bounding sphere of a thing, as a square that is negative
+ * where it passes the sphere; `length2` is that of `d`, squared. */
+static inline double depth2(const Bundle *rays, Vector d, double length2)
+{
+    double near = dot(rays->centre, d);
+    return near * near - rays->clear * length2;
+}
+
 /* Where a ray of a bundle meets the k-th thing; `length2` is that of `d`, squared. */
 static inline Crossing meet(const Things *all, const Bundle *bundle, int64_t k, Vector d,
                             double length2)
 {
     const Bundle *rays = bundle + k;
-    double near = dot(rays->centre, d);
-    if (rays->clear * length2 > near * near)
+    if (depth2(rays, d, length2) < 0.0)
         return (Crossing){MISSED, TOP};
     return cross(all->kinds[k], all->things + k, rays->origin, into_thing(rays->turn, d));
 }
@@ -103,8 +110,7 @@ static inline bool comes_near(const Run *run, const Bundle *rays)
     double most = -MISSED;
     for (int64_t i = 0; i < run->count; i++) {
         Vector d = direction(run, i);
-        double near = dot(rays->centre, d);
-        most = max_f64(near * near - rays->clear * dot(d, d), most);
+        most = max_f64(depth2(rays, d, dot(d, d)), most);
     }
     return most >= 0.0;
 }
