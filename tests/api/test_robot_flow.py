@@ -9,6 +9,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from app.bench.faults.served import HALF
 from app.formats.clouds.files import read_cloud
 from app.formats.datasheets.arm import read_any_arm
 from app.formats.results.calibration import read_calibration
@@ -28,7 +29,8 @@ def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Server]:
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(demo, "ROBOT_HZ", 125.0)  # as of older controllers: half the work
         with running_server(
-            tmp_path_factory.mktemp("robot"), replace(demo.ROBOT, pace=3.0)
+            tmp_path_factory.mktemp("robot"),
+            replace(HALF, width_px=800, height_px=640, arm=demo.ROBOT.arm, robot=demo.ROBOT.robot),
         ) as server:
             yield server
     assert not server.sent.untranslated()

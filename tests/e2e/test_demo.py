@@ -41,9 +41,7 @@ def look_at_the_record(visit: Visit) -> None:
 def demo(tmp_path: Path) -> Iterator[Demo]:
     """The demonstration with a simulated operator that is four times as quick."""
     data = tmp_path / "data"
-    running = Demo(
-        data, [sys.executable, "-m", "app.bench.faults.served", str(data), "--width", "960"]
-    )
+    running = Demo(data, [sys.executable, "-m", "tests.e2e.quick_station", str(data), "--width", "800"])
     yield running
     running.end()
 
@@ -95,7 +93,7 @@ def calibrate(visit: Visit) -> None:
         visit.look(f"review-{tab.lower().replace(' ', '-')}")
     set_aside_and_back(visit)
     result = visit.ask("/api/flow")["picture"]["result"]
-    assert result["verdict"] == "good"
+    assert result["verdict"] == "good", visit.ask("/api/flow")["picture"]["findings"]
     assert 0 < result["total_um"] < 50
     page.get_by_role("button", name="Accept this calibration").click()
     page.wait_for_timeout(500)

@@ -20,7 +20,7 @@ def robot(tmp_path: Path) -> Iterator[Demo]:
     data = tmp_path / "data"
     running = Demo(
         data,
-        [sys.executable, "-m", "app.bench.faults.served", str(data), "--width", "960", "--robot"],
+        [sys.executable, "-m", "tests.e2e.quick_station", str(data), "--width", "800", "--robot"],
     )
     yield running
     running.end()
@@ -45,7 +45,7 @@ def test_a_robot_station_from_the_first_page_to_a_verification(
     take_poses(visit)
     visit.look("review")
     result = visit.ask("/api/flow")["picture"]["result"]
-    assert result["verdict"] == "good"
+    assert result["verdict"] == "good", visit.ask("/api/flow")["picture"]["findings"]
     assert 0 < result["total_um"] < 50
     page.get_by_role("button", name="Accept this calibration").click()
     page.get_by_role("button", name="Verify", exact=True).click()

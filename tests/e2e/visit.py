@@ -18,11 +18,11 @@ SETTLING_MS = 500
 FEW_PICTURES = """
 if (location.pathname.startsWith("/viewer")) {
   const draw = window.requestAnimationFrame.bind(window);
-  window.requestAnimationFrame = (callback) => setTimeout(() => draw(callback), 200);
+  window.requestAnimationFrame = (callback) => setTimeout(() => draw(callback), 500);
   window.cancelAnimationFrame = clearTimeout;
 }
 """
-"""The 3D view draws five pictures a second, so that it leaves the processor to the station."""
+"""The 3D view draws two pictures a second, so that it leaves the processor to the station."""
 
 
 class Visit:
@@ -87,7 +87,7 @@ def take_poses(visit: Visit) -> None:
         visit.wait_until("the simulated operator", "/api/flow", lambda view: view["busy"] is None)
         view = visit.ask("/api/flow")
         if view["step"] == "review":
-            assert len(poses) >= 3
+            assert len(poses) >= 2
             return
         if view["step"] == "capture":
             poses.add(view["rev"])

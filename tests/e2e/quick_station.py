@@ -1,0 +1,11 @@
+"""The bench's simulated station whose operator takes few pictures: ``python -m`` this, a folder."""
+
+import typer
+
+from app.bench.faults.served import serve
+from app.guide.calibration import simulated_operator
+
+simulated_operator.POSES, simulated_operator.BOARD_POSES = 4, 8
+
+if __name__ == "__main__":
+    typer.run(serve)
