@@ -14,7 +14,7 @@ from pydantic import TypeAdapter
 from pydantic.json_schema import GenerateJsonSchema, JsonSchemaMode
 from pydantic_core import core_schema
 
-from app.api.routers import ROUTERS
+from app.api.routers import ROUTES
 from app.formats.json_document import DocumentPart
 from app.formats.performance.results import PerformanceFile
 from app.formats.results.verification import VerificationFile
@@ -90,7 +90,7 @@ def make_schema() -> Schema:
 
 def _shapes_of_routes() -> Iterator[Any]:
     """The answers of the routes, and the bodies of their requests."""
-    for route in (one for router in ROUTERS for one in router.routes):
+    for route in ROUTES:
         if isinstance(route, APIRoute):
             if route.response_model is not None:
                 yield route.response_model

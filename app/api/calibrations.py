@@ -4,9 +4,10 @@ from dataclasses import asdict
 from pathlib import Path as Folder
 from typing import Annotated
 
-from fastapi import APIRouter, Path
+from fastapi import Path
 from starlette.responses import Response
 
+from app.api.access.authorization import StationRouter
 from app.api.lookups import find_calibration, send_file
 from app.errors import OperationError
 from app.formats.results.acceptance import read_acceptance
@@ -20,7 +21,7 @@ from app.wire.json_response import json_response
 from app.wire.schema import CalibrationPoint, RecordedCalibration
 from app.workflows.calibration_history import HistoryEntry, read_history
 
-router = APIRouter(prefix="/api")
+router = StationRouter(prefix="/api")
 CalibrationId = Annotated[str, Path(max_length=128)]
 
 

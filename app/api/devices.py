@@ -2,18 +2,17 @@
 
 from typing import Annotated, Literal
 
-from fastapi import APIRouter
 from pydantic import Field
 from starlette.responses import Response
 from starlette.status import HTTP_204_NO_CONTENT
 
-from app.api.access.authorization import ThePerson
+from app.api.access.authorization import StationRouter, ThePerson
 from app.operations.context import TheContext
 from app.operations.device_setup import DevicesView
 from app.station.setup.trial_view import TrialView
 from app.wire.schema import RequestBody
 
-router = APIRouter(prefix="/api/devices")
+router = StationRouter(prefix="/api/devices")
 
 OptionValue = (
     bool

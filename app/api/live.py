@@ -8,11 +8,11 @@ import asyncio
 import contextlib
 import time
 
-from fastapi import APIRouter, WebSocket
+from fastapi import WebSocket
 from pydantic import TypeAdapter, ValidationError
 from starlette.websockets import WebSocketDisconnect
 
-from app.api.access.authorization import current_visitor, wait_for_sign_out
+from app.api.access.authorization import StationRouter, current_visitor, wait_for_sign_out
 from app.api.access.browser import current_user
 from app.operations.context import Context, context_of
 from app.security.permissions import MESSAGES, has_right
@@ -31,7 +31,7 @@ from app.wire.live_messages import (
     StationsRequest,
 )
 
-router = APIRouter()
+router = StationRouter()
 BEAT_S = 1.0
 POLICY_VIOLATION = 1008
 LONGEST_REQUEST = 1024

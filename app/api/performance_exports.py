@@ -7,9 +7,10 @@ import zipfile
 from pathlib import Path
 from typing import Annotated, Literal
 
-from fastapi import APIRouter, Query
+from fastapi import Query
 from starlette.responses import Response
 
+from app.api.access.authorization import StationRouter
 from app.api.lookups import find_performance
 from app.formats.exchange.export import export_result
 from app.formats.exchange.write_certificate import Issuer
@@ -19,7 +20,7 @@ from app.formats.performance.results import read_performance
 from app.operations.context import TheContext
 from app.wire.schema import ExportFormats
 
-router = APIRouter(prefix="/api")
+router = StationRouter(prefix="/api")
 Form = Literal["zip", "xlsx", "qif", "dcc"]
 MEDIA: dict[Form, str] = {
     "zip": "application/zip",

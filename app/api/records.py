@@ -2,10 +2,10 @@
 
 from pathlib import Path
 
-from fastapi import APIRouter
 from starlette.responses import Response
 from starlette.status import HTTP_202_ACCEPTED
 
+from app.api.access.authorization import StationRouter
 from app.api.lookups import find_calibration, find_scan, send_file
 from app.api.problems import NotFoundError
 from app.archive.records import is_in_archive_only, is_without_its_cloud
@@ -16,7 +16,7 @@ from app.operations.home import build_home, calibration_summary
 from app.station.jobs import Job, Progress
 from app.wire.schema import CalibrationSummary, Home, ScanSummary
 
-router = APIRouter(prefix="/api")
+router = StationRouter(prefix="/api")
 
 
 @router.get("/home")

@@ -9,9 +9,10 @@ from collections.abc import Callable, Sequence
 from pathlib import Path as Folder
 from typing import Annotated, Literal
 
-from fastapi import APIRouter, Path, Query
+from fastapi import Path, Query
 from starlette.responses import Response
 
+from app.api.access.authorization import StationRouter
 from app.api.lookups import find_calibration, find_performance
 from app.api.problems import NotFoundError
 from app.guide.arm.view import ArmCheckSummary, IdentificationSummary, TipCheckSummary
@@ -19,7 +20,7 @@ from app.messages.message import Text, message
 from app.operations.context import Context, TheContext
 from app.report.reports import render_report
 
-router = APIRouter(prefix="/api")
+router = StationRouter(prefix="/api")
 Form = Literal["html", "pdf"]
 ArmRecordKind = Literal["checks", "tips", "identifications"]
 RecordId = Annotated[str, Path(max_length=128, pattern=r"^[0-9A-Za-z-]+$")]

@@ -3,7 +3,7 @@
 The last one answers what no other does: with the client's built files, or its page.
 """
 
-from fastapi import APIRouter, FastAPI, Request
+from fastapi import FastAPI, Request
 from starlette.exceptions import HTTPException
 from starlette.responses import Response
 
@@ -19,12 +19,13 @@ from app.api import (
     settings,
 )
 from app.api.access import accounts, auth, provider, tokens
+from app.api.access.authorization import StationRouter
 from app.api.monitoring import health, metrics, notifications
 from app.api.sessions import arm, calibration, performance, verification
 from app.api.static_files import file_response, names_a_file, page_response
 from app.api.viewer import proxy
 
-client = APIRouter(include_in_schema=False)
+client = StationRouter(include_in_schema=False)
 
 
 @client.get("/api/openapi.json")
@@ -48,7 +49,7 @@ def client_file(path: str) -> Response:
     return found or page_response("index.html")
 
 
-ROUTERS = (
+ROUTERS: tuple[StationRouter, ...] = (
     auth.router,
     provider.router,
     accounts.router,
@@ -72,3 +73,5 @@ ROUTERS = (
     proxy.router,
     client,
 )
+
+ROUTES = [route for router in ROUTERS for route in router.routes]

@@ -1,15 +1,15 @@
 """Scanning, laser, exposure, and Stop."""
 
-from fastapi import APIRouter
 from starlette.status import HTTP_204_NO_CONTENT
 
+from app.api.access.authorization import StationRouter
 from app.errors import OperationError
 from app.messages.message import message
 from app.operations.context import Context, TheContext
 from app.station.devices.rig import Devices, SensorChoice
 from app.wire.schema import Exposure, OnOff, ScanStart, ScanStatus, SensorName
 
-router = APIRouter(prefix="/api")
+router = StationRouter(prefix="/api")
 
 
 @router.get("/scan")

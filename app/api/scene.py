@@ -4,9 +4,10 @@ import contextlib
 import shutil
 from typing import Annotated
 
-from fastapi import APIRouter, Path
+from fastapi import Path
 from starlette.status import HTTP_204_NO_CONTENT
 
+from app.api.access.authorization import StationRouter
 from app.api.lookups import find_scan
 from app.errors import OperationError
 from app.formats.io_errors import convert_io_errors
@@ -18,7 +19,7 @@ from app.station.view3d.view_controller import StoredScan, ViewState
 from app.store.scans import ScanRecord
 from app.wire.schema import Colouring, OnOff, Region, Rename
 
-router = APIRouter(prefix="/api")
+router = StationRouter(prefix="/api")
 ScanId = Annotated[str, Path(max_length=128)]
 
 

@@ -2,8 +2,7 @@
 
 from pathlib import Path
 
-from fastapi import APIRouter
-
+from app.api.access.authorization import StationRouter
 from app.errors import OperationError
 from app.formats.recording.reader import SCAN_CALIBRATION, open_recording
 from app.formats.recording.topics import sensor_values
@@ -13,7 +12,7 @@ from app.operations.context import Context, TheContext
 from app.station.operator_settings import PassRecord, SettingsChange, StationSettings
 from app.wire.schema import OnOff
 
-router = APIRouter(prefix="/api/settings")
+router = StationRouter(prefix="/api/settings")
 
 
 @router.get("")

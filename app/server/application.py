@@ -5,11 +5,10 @@ import gc
 from collections.abc import AsyncIterator, Callable
 from contextlib import AbstractAsyncContextManager, asynccontextmanager
 
-from fastapi import Depends, FastAPI
+from fastapi import FastAPI
 
 from app.api import problems
-from app.api.access.authorization import authorise
-from app.api.routers import ROUTERS
+from app.api.routers import ROUTES
 from app.formats.json_document import SOFTWARE
 from app.operations.context import Context
 from app.operations.publishers import observe, tick
@@ -33,13 +32,10 @@ def build_app(parts: StationParts) -> FastAPI:
         docs_url=None,
         redoc_url=None,
         openapi_url=None,
-        # actions are in the audit log before they are answered
-        dependencies=[Depends(authorise, scope="function")],
+        routes=ROUTES,
     )
     app.state.context = context
     problems.install(app)
-    for router in ROUTERS:
-        app.include_router(router)
     app.add_middleware(FormerPaths)
     app.add_middleware(Guard, hosts=parts.hosts)
     app.add_middleware(AnonymousQueue)

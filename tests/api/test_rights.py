@@ -6,12 +6,13 @@ from collections.abc import Iterator
 
 import httpx
 import pytest
-from starlette.routing import BaseRoute, Mount, Route, WebSocketRoute
+from fastapi.routing import APIRoute, APIWebSocketRoute
 from websockets.exceptions import ConnectionClosed, InvalidStatus
 from websockets.sync.client import connect
 from websockets.sync.connection import Connection
 
 from app.api import live
+from app.api.access.authorization import authorise
 from app.api.access.browser import cookie_for
 from app.security.permissions import MESSAGES, ROUTES, WEBSOCKET, Right, Rule
 from app.store.accounts import Role
@@ -61,21 +62,17 @@ def test_every_route_has_its_rule_and_every_rule_its_route(server: Server) -> No
     application = server.application
     found = {
         (method, route.path)
-        for route in routes_of(application.routes)
+        for route in application.routes
+        if isinstance(route, APIRoute | APIWebSocketRoute)
         for method in (getattr(route, "methods", None) or {WEBSOCKET})
     }
     assert found == set(ROUTES)
 
 
-def routes_of(routes: list[BaseRoute]) -> Iterator[Route | WebSocketRoute | Mount]:
-    """All of them; the framework's later versions keep an included router whole."""
-    for route in routes:
-        included = getattr(route, "original_router", None)
-        if included is not None:
-            yield from routes_of(included.routes)
-        else:
-            assert isinstance(route, Route | WebSocketRoute | Mount)
-            yield route
+def test_every_route_is_authorised_first(server: Server) -> None:
+    for route in server.application.routes:
+        assert isinstance(route, APIRoute | APIWebSocketRoute)
+        assert route.dependant.dependencies[0].call is authorise, route.path
 
 
 @pytest.mark.parametrize(("method", "path"), HTTP)

@@ -2,9 +2,10 @@
 
 from typing import Annotated
 
-from fastapi import APIRouter, Query, Request
+from fastapi import Query, Request
 from starlette.status import HTTP_204_NO_CONTENT
 
+from app.api.access.authorization import StationRouter
 from app.api.access.browser import ROLE_NAMES
 from app.api.problems import NotFoundError
 from app.messages.catalogue import translator
@@ -15,7 +16,7 @@ from app.store.accounts import Account, Role
 from app.store.audit import AuditEntry
 from app.wire.sign_in import AccountChange, AccountSummary, NewAccount
 
-router = APIRouter(prefix="/api")
+router = StationRouter(prefix="/api")
 AUDIT_LIMIT = 500
 Name = Annotated[str, Query(max_length=200)]
 """Name of an account; not part of a path, because browsers treat some names there as folders."""

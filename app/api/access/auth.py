@@ -4,9 +4,9 @@ import asyncio
 from dataclasses import replace
 from http import HTTPStatus
 
-from fastapi import APIRouter, Request, Response
+from fastapi import Request, Response
 
-from app.api.access.authorization import ThePerson, TheVisitor, visitor_of
+from app.api.access.authorization import StationRouter, ThePerson, TheVisitor, visitor_of
 from app.api.access.browser import (
     address_of,
     browser_token,
@@ -33,7 +33,7 @@ from app.wire.sign_in import (
     TakeoverReason,
 )
 
-router = APIRouter(prefix="/api")
+router = StationRouter(prefix="/api")
 SIGNED_IN = message("signed")
 
 

@@ -7,7 +7,7 @@ from contextlib import contextmanager, nullcontext
 from http import HTTPStatus
 from typing import Annotated, cast
 
-from fastapi import Depends
+from fastapi import APIRouter, Depends
 from fastapi.exceptions import WebSocketException
 from starlette.requests import HTTPConnection
 from starlette.websockets import WebSocket
@@ -150,6 +150,22 @@ async def wait_for_sign_out(socket: WebSocket) -> None:
         await asyncio.sleep(SIGN_IN_CHECK_S)
     context_of(socket).lease.leave(visitor.id)
     await socket.close(SIGNED_OUT, "signed out")
+
+
+class StationRouter(APIRouter):
+    """Routes of the station, each of which ``authorise`` lets a request pass to.
+
+    The application takes them as they are: to include a router builds each route a second time,
+    which delays the first request.
+    """
+
+    def __init__(self, prefix: str = "", include_in_schema: bool = True) -> None:
+        super().__init__(
+            prefix=prefix,
+            include_in_schema=include_in_schema,
+            # actions are in the audit log before they are answered
+            dependencies=[Depends(authorise, scope="function")],
+        )
 
 
 TheVisitor = Annotated[Principal, Depends(current_visitor)]

@@ -9,10 +9,11 @@ import asyncio
 from http import HTTPStatus
 from typing import TYPE_CHECKING
 
-from fastapi import APIRouter, Request, Response
+from fastapi import Request, Response
 
 from app.api.access.admission import admit_person
 from app.api.access.auth import begin_session
+from app.api.access.authorization import StationRouter
 from app.api.access.browser import (
     BACK,
     address_of,
@@ -35,7 +36,7 @@ from app.wire.sign_in import ProviderPage, ProviderReply, SignInState
 if TYPE_CHECKING:
     from app.single_sign_on.provider import Provider
 
-router = APIRouter(prefix="/api/session/provider")
+router = StationRouter(prefix="/api/session/provider")
 
 
 @router.post("")

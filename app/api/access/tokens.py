@@ -1,16 +1,16 @@
 """Access to one thing without an account: kiosk links, and API tokens for the metrics."""
 
-from fastapi import APIRouter, Request
+from fastapi import Request
 from starlette.status import HTTP_204_NO_CONTENT
 
-from app.api.access.authorization import TheVisitor
+from app.api.access.authorization import StationRouter, TheVisitor
 from app.api.problems import NotFoundError
 from app.messages.message import message
 from app.operations.context import TheContext
 from app.store.access_tokens import AccessTokenStore
 from app.wire.sign_in import AccessTokenSummary, NewAccessToken
 
-router = APIRouter(prefix="/api")
+router = StationRouter(prefix="/api")
 
 
 @router.get("/kiosk-links")

@@ -4,9 +4,10 @@ import threading
 from dataclasses import dataclass, replace
 from typing import Annotated
 
-from fastapi import APIRouter, Query
+from fastapi import Query
 from starlette.responses import Response
 
+from app.api.access.authorization import StationRouter
 from app.api.monitoring.support import bundle
 from app.errors import OperationError
 from app.messages.catalogue import translator
@@ -19,7 +20,7 @@ from app.operations.health_checks import HealthChecker
 from app.store.backup import BackupRecord, display_backup
 from app.timestamps import utc_now
 
-router = APIRouter(prefix="/api")
+router = StationRouter(prefix="/api")
 LINES = 300
 BUNDLING = threading.Lock()
 

@@ -5,7 +5,6 @@ import time
 from collections.abc import Iterator
 from typing import TypeVar
 
-from fastapi import APIRouter
 from prometheus_client import CollectorRegistry, ProcessCollector, generate_latest
 from prometheus_client.core import (
     CounterMetricFamily,
@@ -18,6 +17,7 @@ from prometheus_client.metrics_core import Metric
 from prometheus_client.registry import Collector
 from starlette.responses import Response
 
+from app.api.access.authorization import StationRouter
 from app.guide.common.validity import SECONDS_A_DAY
 from app.operations.context import Context, TheContext
 from app.operations.home import calibration_summary
@@ -25,7 +25,7 @@ from app.operations.services import BUCKETS_S
 from app.station.devices.arm_device import StationArm
 from app.station.devices.sensor_device import StationSensor
 
-router = APIRouter()
+router = StationRouter()
 VERDICTS = ("good", "attention", "bad")
 F = TypeVar("F", GaugeMetricFamily, CounterMetricFamily)
 

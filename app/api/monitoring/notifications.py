@@ -3,16 +3,16 @@
 from dataclasses import dataclass
 from typing import Annotated
 
-from fastapi import APIRouter
 from pydantic import Field
 
+from app.api.access.authorization import StationRouter
 from app.errors import OperationError
 from app.messages.message import Text, message
 from app.operations.context import Context, TheContext
 from app.supervision.webhook import WebhookSettings
 from app.wire.schema import RequestBody as Asked
 
-router = APIRouter(prefix="/api")
+router = StationRouter(prefix="/api")
 
 
 @dataclass(frozen=True)

@@ -1,8 +1,8 @@
 """The guided sessions of the arm: its daily check, and its identification."""
 
-from fastapi import APIRouter
 from starlette.responses import Response
 
+from app.api.access.authorization import StationRouter
 from app.api.sessions.routes import add_session_routes
 from app.guide.arm.commands import COMMANDS
 from app.guide.arm.view import (
@@ -15,7 +15,7 @@ from app.operations.context import TheContext
 from app.wire.json_response import json_response
 from app.wire.schema import ArmStart
 
-router = APIRouter(prefix="/api/arm")
+router = StationRouter(prefix="/api/arm")
 add_session_routes(router, "", ArmView, lambda context: context.arm_guide, COMMANDS)
 
 

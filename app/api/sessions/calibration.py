@@ -3,10 +3,10 @@
 from pathlib import Path
 from typing import Annotated
 
-from fastapi import APIRouter
 from fastapi import Path as PathParameter
 from starlette.responses import Response
 
+from app.api.access.authorization import StationRouter
 from app.api.lookups import send_file
 from app.api.problems import NotFoundError
 from app.api.sessions.picture_bundle import bundle_picture
@@ -17,7 +17,7 @@ from app.messages.message import message
 from app.operations.context import TheContext
 from app.wire.json_response import json_response
 
-router = APIRouter(prefix="/api/flow")
+router = StationRouter(prefix="/api/flow")
 add_session_routes(router, "", FlowView, lambda context: context.guide, COMMANDS)
 
 

@@ -1,8 +1,8 @@
 """The guided performance test, and the list of tests."""
 
-from fastapi import APIRouter
 from starlette.responses import Response
 
+from app.api.access.authorization import StationRouter
 from app.api.lookups import find_performance, send_file
 from app.api.sessions.routes import add_session_routes
 from app.formats.performance.plan import RESULT
@@ -15,7 +15,7 @@ from app.wire.json_response import json_response
 from app.wire.schema import PerformanceStart, PerformanceSummary, UploadedCertificate
 from app.workflows.performance.history import PerformanceSymbols, read_symbols
 
-router = APIRouter(prefix="/api")
+router = StationRouter(prefix="/api")
 
 
 add_session_routes(

@@ -2,10 +2,10 @@
 
 from typing import Annotated
 
-from fastapi import APIRouter, Path
+from fastapi import Path
 from starlette.responses import Response
 
-from app.api.access.authorization import TheVisitor
+from app.api.access.authorization import StationRouter, TheVisitor
 from app.api.lookups import find_verification, send_file
 from app.api.sessions.routes import add_session_routes
 from app.errors import OperationError
@@ -21,7 +21,7 @@ from app.wire.schema import NewTemperature, StudyState, VerificationSummary
 from app.workflows.measure_gauge import MAP
 from app.workflows.verification_study import AcceptedCalibration, StudyFile, study_verification
 
-router = APIRouter(prefix="/api")
+router = StationRouter(prefix="/api")
 CloudNumber = Annotated[int, Path(ge=1, le=999)]
 STUDY_TITLE = message("rebuilding-clouds-every-calibration")
 

@@ -13,14 +13,14 @@ from urllib.parse import quote
 
 import httpx
 import msgspec
-from fastapi import APIRouter, WebSocket
+from fastapi import WebSocket
 from starlette.responses import RedirectResponse, Response
 from starlette.websockets import WebSocketDisconnect
 from websockets.asyncio.client import ClientConnection, connect
 from websockets.exceptions import ConnectionClosed, InvalidHandshake
 from websockets.typing import Subprotocol
 
-from app.api.access.authorization import wait_for_sign_out
+from app.api.access.authorization import StationRouter, wait_for_sign_out
 from app.api.problems import NotFoundError
 from app.api.viewer.point_limit import PointLimiter
 from app.messages.message import message
@@ -29,7 +29,7 @@ from app.station.view3d.selection import ViewCamera
 from app.station.view3d.view_controller import ViewController
 from app.wire.json_response import problem
 
-router = APIRouter()
+router = StationRouter()
 PASSED_HEADERS = ("content-type", "content-encoding")
 TRY_AGAIN_LATER = 1013
 Vector = tuple[float, float, float]

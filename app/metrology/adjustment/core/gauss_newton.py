@@ -6,6 +6,7 @@ from functools import cached_property, partial
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.linalg.lapack import dpotrf, dpotri
 
 from app.errors import OperationError
 from app.messages.message import message
@@ -303,10 +304,11 @@ def free_covariance(N: Floats, free: NDArray[np.bool_]) -> Floats:
     if not (np.diag(own) > 0).all():
         raise no_convergence_error()
     scale = 1 / np.sqrt(np.diag(own))
+    both = np.outer(scale, scale)
+    factor, undetermined = dpotrf(own * both, lower=True)
+    if undetermined:
+        raise no_convergence_error()
+    lower, _ = dpotri(factor, lower=True)
     covariance = np.zeros_like(N)
-    try:
-        inverted = np.linalg.inv(own * np.outer(scale, scale)) * np.outer(scale, scale)
-    except np.linalg.LinAlgError:
-        raise no_convergence_error() from None
-    covariance[np.ix_(free, free)] = inverted
+    covariance[np.ix_(free, free)] = (np.tril(lower) + np.tril(lower, -1).T) * both
     return covariance
