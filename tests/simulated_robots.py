@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import islice
 
 import numpy as np
 from scipy.spatial.transform import Rotation
@@ -139,8 +140,8 @@ def ball_bar(
         ends: list[Floats] = []
         for place in (first, first + length_mm * away / np.linalg.norm(away)):
             near = q + rng.normal(0, 0.4, (10, true.joint_count))
-            touches = [one for start in near if (one := reach(true, place, start)) is not None]
-            ends.append(np.array(touches[:6]))
+            touches = (one for start in near if (one := reach(true, place, start)) is not None)
+            ends.append(np.array(list(islice(touches, 6))))
         if all(len(end) == 6 for end in ends):
             return Bar(name, position, length_mm, 0.0, ("A", "B"), (ends[0], ends[1]))
 

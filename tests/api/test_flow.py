@@ -25,7 +25,7 @@ from tests.api.conftest import Server, is_enabled, wait_for
 
 pytestmark = pytest.mark.slow
 
-STATION = replace(HALF, width_px=960, height_px=768)
+STATION = replace(HALF, width_px=800, height_px=640)
 # A whole calibration by the simulated operator, on a machine with other work.
 PATIENCE_S = 480.0
 

@@ -161,7 +161,7 @@ def test_only_figures_that_can_be_measured_again_are_taken() -> None:
 @pytest.mark.slow
 def test_the_command_measures_once_and_names_what_is_affected(tmp_path: Path) -> None:
     place = fill(tmp_path, moved_mm=0.05, recalibrated=False)
-    args = ("drift", "gauge-z-error", place, "--calibration", CALIBRATION, "--workers", 2)
+    args = ("drift", "gauge-z-error", place, "--calibration", CALIBRATION, "--workers", 1)
     found = run(*args, "-o", "out", cwd=tmp_path)
     assert (found["made"], found["refused"], found["without_touches"]) == (len(DAYS), {}, [])
     (station,) = found["stations"]

@@ -263,7 +263,7 @@ def test_a_damaged_file_is_refused_in_the_end(archive: Path, tmp_path: Path) -> 
 
 @pytest.mark.slow
 def test_the_commands_print_and_keep_the_table(archive: Path, tmp_path: Path) -> None:
-    args = ("--workers", 2, "-o", "out")
+    args = ("--workers", 1, "-o", "out")
     found = run("verify", "plane", archive, *args, "--period", "2026-05", cwd=tmp_path)
     assert (found["made"], len(found["rows"])) == (1, 2)
     assert (tmp_path / "out/table.csv").read_text().count("\n") == 3

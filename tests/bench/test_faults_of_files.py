@@ -1,24 +1,46 @@
 """Short forms of the bench: a station with damaged files, on a full disk, flooded, and on a hostile
 broker."""
 
+from collections.abc import Iterator
+from functools import partial
 from pathlib import Path
+from unittest.mock import patch
 
 import pytest
 
-from app.bench.faults import damage, disk, floods
+from app.bench.faults import damage, disk, floods, furnished
 from app.bench.faults.broker import hostile_broker
 from app.bench.faults.broker.mosquitto import BINARY
-from app.bench.faults.furnished import FolderRecords, furnish
+from app.bench.faults.furnished import FolderRecords
 from app.bench.faults.row import FaultRow, table
+from app.bench.faults.served import HALF, HALF_SIZE, prepare
+from app.bench.faults.station import StationProcess
 
 pytestmark = [pytest.mark.timeout(400), pytest.mark.slow]
 
 
+@pytest.fixture(scope="module", autouse=True)
+def small_pictures() -> Iterator[None]:
+    """All stations of these benches draw a quarter of the usual pixels, less often."""
+    station = partial(StationProcess, options=HALF_SIZE)
+    with (
+        patch.object(furnished, "prepare", partial(prepare, config=HALF)),
+        patch.object(floods, "prepare", partial(prepare, config=HALF)),
+        patch.object(furnished, "StationProcess", station),
+        patch.object(damage, "StationProcess", station),
+        patch.object(disk, "StationProcess", station),
+        patch.object(floods, "StationProcess", station),
+    ):
+        yield
+
+
 @pytest.fixture(scope="module")
-def furnished(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, FolderRecords]:
+def folder(
+    small_pictures: None, tmp_path_factory: pytest.TempPathFactory
+) -> tuple[Path, FolderRecords]:
     """A data folder with something in every place; it is copied, and stays as it is."""
     data = tmp_path_factory.mktemp("furnished") / "data"
-    return data, furnish(data)
+    return data, furnished.furnish(data)
 
 
 def assert_survived(row: FaultRow) -> None:
@@ -27,21 +49,21 @@ def assert_survived(row: FaultRow) -> None:
 
 
 def test_a_calibration_of_no_moment_is_reported_and_the_rest_served(
-    furnished: tuple[Path, FolderRecords],
+    folder: tuple[Path, FolderRecords],
 ) -> None:
-    data, kept = furnished
+    data, kept = folder
     assert_survived(damage.run(data, words="calibration: a date that is none", kept=kept))
 
 
 def test_a_disk_that_is_full_for_a_while_loses_nothing(
-    furnished: tuple[Path, FolderRecords],
+    folder: tuple[Path, FolderRecords],
 ) -> None:
-    data, kept = furnished
+    data, kept = folder
     assert_survived(disk.run(data, tries=1, kept=kept))
 
 
 def test_no_flood_is_answered_by_a_fault(tmp_path: Path) -> None:
-    for row in floods.run(tmp_path / "data", seconds=1.0):
+    for row in floods.run(tmp_path / "data", seconds=0.5):
         assert row.tries, row.kind
         assert row.survived == row.tries, table([row])
         assert row.stop_s >= 0, "Stop was never answered"

@@ -1,16 +1,22 @@
 """The bench of performance tests: every row near what it should be."""
 
+from unittest.mock import patch
+
 import pytest
 
+from app.bench.metrology import claimed_uncertainty, synthetic_sphere
 from app.bench.metrology.claimed_plane_and_contact import plane_and_contact_rows
 from app.bench.metrology.claimed_uncertainty import coverage_rows
 from app.bench.metrology.performance import run, table
 
 pytestmark = pytest.mark.slow
+TESTS = 16
+"""By so many a ratio is known to 18 %: the bounds are more than three times as far from 1."""
 
 
 def test_every_row_is_near_its_expectation() -> None:
-    rows = run(200)
+    with patch.object(synthetic_sphere, "STEP_MM", 0.5):  # half of the usual profiles
+        rows = run(200)
     assert len(table(rows)) == len(rows) == 15
     for row in rows:
         if row.expected:
@@ -20,9 +26,9 @@ def test_every_row_is_near_its_expectation() -> None:
 
 
 def test_the_uncertainty_of_every_figure_is_that_of_the_artefact() -> None:
-    ratios = {row.figure: row.ratio for row in coverage_rows(24)}
+    with patch.object(claimed_uncertainty, "POINTS", 2400):
+        ratios = {row.figure: row.ratio for row in coverage_rows(TESTS)}
     assert len(ratios) == 12
-    # by 24 draws a ratio is known to 15 %
     for figure in (
         "size-touch",
         "form-touch",
@@ -36,7 +42,7 @@ def test_the_uncertainty_of_every_figure_is_that_of_the_artefact() -> None:
 
 
 def test_so_is_that_of_plane_lengths_by_scan_and_contact() -> None:
-    ratios = {row.figure: row.ratio for row in plane_and_contact_rows(24)}
+    ratios = {row.figure: row.ratio for row in plane_and_contact_rows(TESTS)}
     assert set(ratios) == {
         "plane-scan",
         "length-scan",

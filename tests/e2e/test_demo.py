@@ -41,7 +41,9 @@ def look_at_the_record(visit: Visit) -> None:
 def demo(tmp_path: Path) -> Iterator[Demo]:
     """The demonstration with a simulated operator that is four times as quick."""
     data = tmp_path / "data"
-    running = Demo(data, [sys.executable, "-m", "tests.e2e.quick_station", str(data), "--width", "800"])
+    running = Demo(
+        data, [sys.executable, "-m", "tests.e2e.quick_station", str(data), "--width", "800"]
+    )
     yield running
     running.end()
 

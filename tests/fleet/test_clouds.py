@@ -199,9 +199,6 @@ def test_a_cloud_is_made_once_with_the_calibration_of_its_day_or_with_todays(
         assert {path.name: path.stat().st_ino for path in kept.iterdir()} == times
         assert len(times) == 4
         check_refusals(client)
-    # what was made is there after a restart
-    with running_fleet(settings) as client:
-        assert [one["name"] for one in state_of(client)["made"]].count(name) == 1
 
 
 def check_points(filled: Path, cloud: Path) -> None:
@@ -249,7 +246,6 @@ def test_what_waits_is_made_once_and_in_order_after_a_restart(folder: Path) -> N
         order(client, "long").raise_for_status()
         order(client, "two").raise_for_status()
         order(client, format="ply").raise_for_status()
-        order(client, "two", format="ply").raise_for_status()
         (cancelled,) = state_of(client, "one")["orders"]
         client.delete(f"/api/fleet/cloud-orders/{cancelled['id']}").raise_for_status()
         until_part_of(kept)
@@ -270,11 +266,11 @@ def test_what_waits_is_made_once_and_in_order_after_a_restart(folder: Path) -> N
         (made,) = ended(client, "long")["made"]
         assert made["points"] > LONG_FRAMES
         assert [one["name"] for one in state_of(client)["made"]] == [first["name"]]
-        later = state_of(client, "two")["made"]
+        (later,) = ended(client, "two")["made"]
     by_time = sorted(kept.glob("*.json"), key=lambda path: path.stat().st_mtime_ns)
-    expected = [first["name"], made["name"], later[1]["name"], later[0]["name"]]
+    expected = [first["name"], made["name"], later["name"]]
     assert [json.loads(path.read_bytes())["cloud"] for path in by_time] == expected
-    assert len(names_in(kept)) == 8
+    assert len(names_in(kept)) == 6
 
 
 def test_orders_that_cannot_be_read_or_written_are_no_hindrance(

@@ -18,18 +18,20 @@ from typing import Any
 
 import httpx
 import pytest
+from fastapi import FastAPI
 from hypothesis import HealthCheck, settings
 from hypothesis import strategies as st
 from hypothesis.stateful import RuleBasedStateMachine, initialize, rule, run_state_machine_as_test
 from starlette.types import ASGIApp
 
+from app.bench.faults.served import SMALL
 from app.guide.arm.rules import RULES as OF_ARM
 from app.guide.calibration.rules import RULES as OF_CALIBRATION
 from app.guide.performance.rules import RULES as OF_PERFORMANCE
 from app.guide.verify.rules import RULES as OF_VERIFICATION
 from app.operations.context import Context
 from app.server.application import build_app
-from app.server.composition import close_context
+from app.server.composition import close_context, open_context
 from app.server.demo import station_parts
 from app.server.station_parts import StationParts
 from app.store.store import Store
@@ -202,8 +204,9 @@ class InProcess:
 class AnyCommands(RuleBasedStateMachine):
     """One data folder: commands, and restarts of the station on it."""
 
-    def __init__(self, simulation: SimulatedStation, template: Path) -> None:
+    def __init__(self, simulation: SimulatedStation, template: Path, app: FastAPI) -> None:
         super().__init__()
+        self.app = app
         self.data = Path(tempfile.mkdtemp(prefix="any-"))
         shutil.copytree(template, self.data, dirs_exist_ok=True)
         self.parts: StationParts = replace(
@@ -220,9 +223,10 @@ class AnyCommands(RuleBasedStateMachine):
         self.open()
 
     def open(self) -> None:
-        app = build_app(self.parts)
-        self.context: Context = app.state.context
-        self.http = InProcess(app)
+        # the same routes for all: making them takes most of a start
+        self.context: Context = open_context(self.parts)
+        self.app.state.context = self.context
+        self.http = InProcess(self.app)
         code = {"code": self.context.authenticator.code}
         self.http.post("/api/session/code", code).raise_for_status()
         assert not any(guide.unreadable_reason for guide in self.guides())
@@ -296,17 +300,21 @@ def answered(answer: httpx.Response, asked: object) -> None:
 
 @pytest.fixture(scope="module")
 def simulation() -> Iterator[SimulatedStation]:
-    with SimulatedStation() as simulation:
+    with SimulatedStation(SMALL) as simulation:
         yield simulation
 
 
 @pytest.fixture(scope="module")
-def template(simulation: SimulatedStation, tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """A data folder with a calibration in use and a gauge."""
-    data = tmp_path_factory.mktemp("template")
-    context = build_app(
-        replace(station_parts(simulation, data), simulated_operator=None)
-    ).state.context
+def template(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    return tmp_path_factory.mktemp("template")
+
+
+@pytest.fixture(scope="module")
+def app(simulation: SimulatedStation, template: Path) -> FastAPI:
+    """The routes; ``template`` becomes a data folder with a calibration in use and gauges."""
+    data = template
+    app = build_app(replace(station_parts(simulation, data), simulated_operator=None))
+    context = app.state.context
     use_truth(SimpleNamespace(simulation=simulation, data=data, context=context), "true")
     (data / "gauges").mkdir(exist_ok=True)
     (data / "gauges" / "plate.json").write_text(json.dumps(PLATE))
@@ -316,15 +324,15 @@ def template(simulation: SimulatedStation, tmp_path_factory: pytest.TempPathFact
     close_context(context)
     context.store.close()
     context.monitoring.close()
-    return data
+    return app
 
 
-def test_any_commands(simulation: SimulatedStation, template: Path) -> None:
+def test_any_commands(simulation: SimulatedStation, template: Path, app: FastAPI) -> None:
     long = settings().max_examples > settings.get_profile("default").max_examples
 
     class OfThisStation(AnyCommands):
         def __init__(self) -> None:
-            super().__init__(simulation, template)
+            super().__init__(simulation, template, app)
 
     run_state_machine_as_test(
         OfThisStation,

@@ -4,6 +4,7 @@ The renderer shares nothing with the program: rays are cast at the board, colour
 """
 
 from dataclasses import dataclass, field
+from functools import cache
 
 import cv2
 import numpy as np
@@ -19,6 +20,8 @@ from app.metrology.transforms import Floats, inverse, rigid
 SIZE = (640, 512)  # width, height
 K = np.array([[1150.0, 0, 322.0], [0, 1150.0, 251.0], [0, 0, 1]])
 K1 = -0.08
+FINE = 2  # rays across a pixel
+PRINTED_PX = 200
 NORMAL, OFFSET_MM = np.array([0.8, 0.1, 0.59]) / np.linalg.norm([0.8, 0.1, 0.59]), 185.0
 BOARD = Chessboard("rendered board", "", (7, 6), 10.0, 0.01, 0.05)
 TIP = Tip(0.0, 0.0, 120.0, 6.0)
@@ -78,15 +81,7 @@ def find_flange_pose(T_cam_obj: Floats) -> Floats:
 
 def picture(T_cam_obj: Floats, look: Look, seed: int = 0) -> NDArray[np.uint8]:
     """A grey picture (512, 640)."""
-    fine = 2
-    v, u = np.mgrid[0 : SIZE[1] * fine, 0 : SIZE[0] * fine]
-    uv = (np.column_stack([u.ravel(), v.ravel()]) + 0.5) / fine - 0.5
-    x, y = (uv[:, 0] - K[0, 2]) / K[0, 0], (uv[:, 1] - K[1, 2]) / K[1, 1]
-    xu, yu = x.copy(), y.copy()
-    for _ in range(8):
-        radial = 1 + K1 * (xu**2 + yu**2)
-        xu, yu = x / radial, y / radial
-    rays = np.column_stack([xu, yu, np.ones(len(xu))])
+    rays = _rays()
     upright, origin = T_cam_obj[:3, 2], T_cam_obj[:3, 3]
     points = rays * ((upright @ origin) / (rays @ upright))[:, None]
     on = (points - origin) @ T_cam_obj[:3, :2] / look.board.square_mm
@@ -100,14 +95,36 @@ def picture(T_cam_obj: Floats, look: Look, seed: int = 0) -> NDArray[np.uint8]:
     if look.laser:
         off = points @ look.normal - look.offset_mm
         level = level + look.line_level * np.exp(-0.5 * (off / 0.35) ** 2)
-    image = level.reshape(SIZE[1], fine, SIZE[0], fine).mean(axis=(1, 3))
+    image = level.reshape(SIZE[1], FINE, SIZE[0], FINE).mean(axis=(1, 3))
     image = cv2.GaussianBlur(image, (0, 0), look.blur_px)
     image += np.random.default_rng(seed).normal(0, look.noise, image.shape)
     return np.asarray(np.clip(np.round(image), 0, 255), dtype=np.uint8)
 
 
+@cache
+def _rays() -> Floats:
+    """Directions (N, 3) of the rays of all pictures, ``FINE`` by ``FINE`` to the pixel."""
+    v, u = np.mgrid[0 : SIZE[1] * FINE, 0 : SIZE[0] * FINE]
+    uv = (np.column_stack([u.ravel(), v.ravel()]) + 0.5) / FINE - 0.5
+    x, y = (uv[:, 0] - K[0, 2]) / K[0, 0], (uv[:, 1] - K[1, 2]) / K[1, 1]
+    xu, yu = x.copy(), y.copy()
+    for _ in range(8):
+        radial = 1 + K1 * (xu**2 + yu**2)
+        xu, yu = x / radial, y / radial
+    return np.column_stack([xu, yu, np.ones(len(xu))])
+
+
 def _is_marked_black(board: Chessboard, on: Floats) -> NDArray[np.bool_]:
     """What OpenCV prints of a ChArUco board at places (N, 2) in squares from the first corner."""
+    printed, rows = _printed(board), board.inner_corners[1]
+    u = np.floor((on[:, 0] + 1) * PRINTED_PX).clip(0, printed.shape[1] - 1).astype(int)
+    v = np.floor((rows - on[:, 1]) * PRINTED_PX).clip(0, printed.shape[0] - 1).astype(int)
+    return np.asarray(printed[v, u] < 128)
+
+
+@cache
+def _printed(board: Chessboard) -> NDArray[np.uint8]:
+    """A ChArUco board as OpenCV prints it, ``PRINTED_PX`` to the square."""
     assert board.markers is not None
     columns, rows = board.inner_corners
     dictionary = cv2.aruco.getPredefinedDictionary(getattr(cv2.aruco, board.markers.dictionary))
@@ -115,11 +132,8 @@ def _is_marked_black(board: Chessboard, on: Floats) -> NDArray[np.bool_]:
         (columns + 1, rows + 1), board.square_mm, board.markers.side_mm, dictionary
     )
     made.setLegacyPattern(board.markers.legacy)
-    fine = 200
-    printed = made.generateImage(((columns + 1) * fine, (rows + 1) * fine))
-    u = np.floor((on[:, 0] + 1) * fine).clip(0, printed.shape[1] - 1).astype(int)
-    v = np.floor((rows - on[:, 1]) * fine).clip(0, printed.shape[0] - 1).astype(int)
-    return np.asarray(printed[v, u] < 128)
+    size = ((columns + 1) * PRINTED_PX, (rows + 1) * PRINTED_PX)
+    return np.asarray(made.generateImage(size), np.uint8)
 
 
 def inputs(look: Look | None = None, robot_mm: float = 0.02) -> BoardInputs:

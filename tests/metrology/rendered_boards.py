@@ -43,7 +43,7 @@ class BoardShot:
 class RenderedBoards:
     """A simulation that is not started, as nothing moves: poses are reached, pictures rendered."""
 
-    def __init__(self, folder: Path, config: SimulationConfig) -> None:
+    def __init__(self, folder: Path, config: SimulationConfig, count: int = COUNT) -> None:
         self.simulation = SimulatedStation(config)
         self._rng = np.random.default_rng(config.seed + 500)
         self._renderer = self.simulation._renderer()
@@ -54,7 +54,7 @@ class RenderedBoards:
         assert isinstance(board, Chessboard)
         self.board = board
         self.axis = str(self.simulation.datasheets()["sensor.json"]["stripe_axis"])
-        self.shots = [self._shot(view) for view in range(COUNT)]
+        self.shots = [self._shot(view) for view in range(count)]
 
     def _shot(self, view: int) -> BoardShot:
         rig, thing = self.simulation._rig, self.simulation._scene.find_object("board")

@@ -55,8 +55,12 @@ def session(
     poses: tuple[Floats, ...] = POSES,
     normal: Floats = NORMAL,
     offset_mm: float = OFFSET_MM,
+    rows_apart: int = 1,
 ) -> BoardInputs:
-    """One session of a robot, all errors drawn again; poses ``T_cam_obj`` a little different."""
+    """One session of a robot, all errors drawn again; poses ``T_cam_obj`` a little different.
+
+    The line has a point in every ``rows_apart``-th row of the pictures.
+    """
     errors = errors or BoardErrors()
     rng = np.random.default_rng(seed)
     prior = board_prior(board)
@@ -67,7 +71,11 @@ def session(
         T = rigid(usual[:3, :3] @ turn, usual[:3, 3] + rng.normal(0, 5, 3))
         drift = errors.drift_mm[k] if k < len(errors.drift_mm) else 0.0
         plane = LaserPlane(normal, offset_mm + drift + rng.normal(0, errors.line_mm))
-        seen.append(_simulate_on_surface(rng, k + 1, board, bend_coordinates, T, plane, errors))
+        seen.append(
+            _simulate_on_surface(
+                rng, k + 1, board, bend_coordinates, T, plane, errors, rows_apart=rows_apart
+            )
+        )
         flange.append(_flange(rng, board, T, errors))
     return BoardInputs(ROBOT, board, tuple(seen), np.array(flange), SIZE)
 
@@ -94,6 +102,7 @@ def _simulate_on_surface(
     T_cam_obj: Floats,
     plane: LaserPlane,
     errors: BoardErrors,
+    rows_apart: int = 1,
 ) -> BoardObservation:
     camera = camera_at(T_cam_obj)
     uv = project(camera, corners_at(board, bend_coordinates))
@@ -104,7 +113,7 @@ def _simulate_on_surface(
     n, t = plane.normal, T_cam_obj[:3, 3]
     in_obj = LaserPlane(T_cam_obj[:3, :3].T @ n, float(plane.offset_mm - n @ t))
     turned = rng.normal(0, errors.line_rad)
-    v = np.arange(SIZE[1], dtype=np.float64)
+    v = np.arange(0, SIZE[1], rows_apart, dtype=np.float64)
 
     def off(u: Floats) -> Floats:
         points = intersect_surface(board, camera, bend_coordinates, np.column_stack([u, v]))

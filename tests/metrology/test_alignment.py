@@ -37,18 +37,22 @@ def test_exact_contacts_give_the_exact_pose(seed: int, faces: tuple[str, ...]) -
 def test_the_covariance_predicts_the_scatter() -> None:
     rng = np.random.default_rng(2)
     T_arm_obj = random_pose(rng)
-    errors, predicted = [], []
+    errors, covariances = [], []
     features, exact = contacts_on(rng, T_arm_obj, per_face=15)
     normals = np.array([_normal_arm(T_arm_obj, face) for face in features])
-    for _ in range(300):
+    for _ in range(80):
         tips = exact + normals * rng.normal(0, 0.01, len(exact))[:, None]
         found = align(features, tips, TIP_RADIUS_MM, BLOCK)
         change = found.T_arm_obj @ inverse(T_arm_obj)
         shift = change[:3, :3] @ found.centre_mm + change[:3, 3] - found.centre_mm
         errors.append(np.concatenate([vector_from_rotation(change[:3, :3]), shift]))
-        predicted.append(np.diag(found.covariance))
-    ratio = np.sqrt(np.mean(predicted, axis=0)) / np.std(errors, axis=0)
-    assert np.all((ratio > 0.85) & (ratio < 1.15)), ratio
+        covariances.append(found.covariance)
+    covariance = np.mean(covariances, axis=0)
+    # over eighty draws each ratio scatters by 8 %, that of all six together by 3 %
+    ratio = np.sqrt(np.diag(covariance)) / np.std(errors, axis=0)
+    assert np.all((ratio > 0.75) & (ratio < 1.33)), ratio
+    whitened = np.linalg.solve(np.linalg.cholesky(covariance), np.transpose(errors))
+    assert 0.88 < 1 / np.sqrt(np.mean(whitened**2)) < 1.14
 
 
 def test_contacts_are_weighed_by_the_encoders_noise() -> None:
@@ -59,7 +63,7 @@ def test_contacts_are_weighed_by_the_encoders_noise() -> None:
     covariances = np.array([np.eye(3) * sd**2 for sd in sds])
     plain: list[float] = []
     weighed: list[float] = []
-    for _ in range(60):
+    for _ in range(20):
         tips = exact + rng.normal(size=exact.shape) * sds[:, None]
         for out, noise in ((plain, None), (weighed, covariances)):
             T = align(features, tips, TIP_RADIUS_MM, BLOCK, noise).T_arm_obj

@@ -1,6 +1,7 @@
 """What a calibration on a chessboard says of itself, and bad input, each in words."""
 
 from dataclasses import replace
+from functools import partial
 
 import numpy as np
 import pytest
@@ -9,7 +10,12 @@ from scipy.spatial.transform import Rotation
 from app.errors import OperationError
 from app.messages.message import Message
 from app.metrology.adjustment.board.bundle import adjust_bundle
-from app.metrology.adjustment.board.calibrate import calibrate_board, observe_board
+from app.metrology.adjustment.board.calibrate import (
+    BoardCalibration,
+    calibrate_board,
+    observe_board,
+)
+from app.metrology.adjustment.board.findings import BoardEvidence, board_findings
 from app.metrology.adjustment.board.initial_guess import board_camera
 from app.metrology.adjustment.board.observations import BoardView
 from app.metrology.adjustment.board.problem import BoardInputs
@@ -20,15 +26,25 @@ from app.metrology.limits import Limits
 from app.metrology.targets.chessboard import pattern_centre
 from app.metrology.transforms import Floats, rigid
 from tests.metrology.boards import POSES, T_ARM_OBJ, T_FLANGE_CAM, TIP, camera_pose
-from tests.metrology.seen_boards import PAPER_BOARD, BoardErrors, error_um, session
+from tests.metrology.seen_boards import PAPER_BOARD, BoardErrors, error_um
+from tests.metrology.seen_boards import session as dense_session
 from tests.metrology.test_board_calibration import touching
 
 pytestmark = pytest.mark.slow
+
+# A line of 128 points says nearly what one of 512 does, in two thirds of the time.
+session = partial(dense_session, rows_apart=4)
 
 
 @pytest.fixture(scope="module")
 def given() -> BoardInputs:
     return session(0)
+
+
+@pytest.fixture(scope="module")
+def dense() -> BoardInputs:
+    """The same with all points of its lines, by which slipped contacts stand out more clearly."""
+    return dense_session(0)
 
 
 def finding(inputs: BoardInputs, code: str) -> CalibrationFinding:
@@ -44,7 +60,8 @@ def refusal(inputs: BoardInputs) -> OperationError:
 
 @pytest.mark.parametrize("errors", [BoardErrors(), BoardErrors(tilt_rad=1.5e-3)])
 def test_claims_are_kept(errors: BoardErrors) -> None:
-    found = [calibrate_board(session(seed, errors)) for seed in range(8)]
+    # the ratio scatters by 15 % over five sessions: half as much again is seen in nearly all sets
+    found = [calibrate_board(session(seed, errors)) for seed in range(5)]
     claimed = np.sqrt(np.mean([one.uncertainty.total_um**2 for one in found]))
     observed = np.sqrt(np.mean([error_um(one) ** 2 for one in found]))
     assert 0.7 < claimed / observed < 1.5
@@ -76,18 +93,34 @@ def test_a_rocking_board_is_named() -> None:
     assert "Fix the board" in str(rocks.remedy)
 
 
-def test_what_helps_against_a_poor_robot_is_said(given: BoardInputs) -> None:
+def test_what_helps_against_a_poor_robot_is_said() -> None:
     poor = session(3, BoardErrors(turn_rad=2e-4, shift_mm=0.2))
-    reported = calibrate_board(replace(poor, limits=Limits(20.0, 100.0))).findings[0]
+    found = calibrate_board(replace(poor, limits=Limits(20.0, 100.0)))
+    reported = found.findings[0]
     assert reported.quality == "bad"
     assert "robot's poses" in str(reported.text)
     assert "more pictures" in str(reported.remedy)
     assert "--usable-um" in str(reported.remedy)
-    nearer = calibrate_board(replace(poor, limits=Limits(20.0, 150.0))).findings[0]
+    nearer = verdict_by(Limits(20.0, 150.0), poor, found)
     assert "like these are sufficient in total" in str(nearer.remedy)
     assert isinstance(nearer.remedy, Message)
-    easy = calibrate_board(replace(given, limits=Limits(1000.0, 2000.0))).findings[0]
-    assert easy.quality == "good"
+    assert verdict_by(Limits(1000.0, 2000.0), poor, found).quality == "good"
+
+
+def verdict_by(limits: Limits, inputs: BoardInputs, found: BoardCalibration) -> CalibrationFinding:
+    """The gravest finding if the user had given other limits, which only the findings go by."""
+    evidence = BoardEvidence(
+        inputs.board,
+        inputs.observations,
+        found.adjustment,
+        found.uncertainty,
+        found.poses,
+        limits,
+        {},
+        {},
+        found.contacts,
+    )
+    return board_findings(evidence)[0]
 
 
 @pytest.mark.parametrize("contacts", [False, True])
@@ -133,9 +166,9 @@ def slipped(rows: tuple[int, ...], by_mm: float) -> Floats:
 
 @pytest.mark.parametrize("rows", [(4,), (1, 7)])
 def test_contacts_that_slipped_are_left_out_and_named(
-    given: BoardInputs, rows: tuple[int, ...]
+    dense: BoardInputs, rows: tuple[int, ...]
 ) -> None:
-    found = calibrate_board(replace(given, contact_readings=slipped(rows, 0.6)))
+    found = calibrate_board(replace(dense, contact_readings=slipped(rows, 0.6)))
     reported = {one.code: str(one.text) for one in found.findings}
     assert f"{12 - len(rows)} contact points fit the board" in reported["contacts"]
     for row in rows:

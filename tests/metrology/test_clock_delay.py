@@ -101,7 +101,7 @@ def test_points_that_share_their_noise_tell_less_of_a_frames_line() -> None:
 def test_the_stated_uncertainty_is_the_scatter() -> None:
     errors = []
     for seed in range(20):
-        found = estimate_delay(passed(Setting(delay_ms=0.0), seed))
+        found = estimate_delay(passed(Setting(delay_ms=0.0, frames_hz=10.0), seed))
         errors.append(found.delay_ms / found.standard_uncertainty_ms)
     # half as much again, or two thirds, would be seen in five of six such sets
     assert 0.75 < np.sqrt(np.mean(np.square(errors))) < 1.25

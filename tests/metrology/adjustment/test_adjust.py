@@ -92,7 +92,7 @@ def test_the_budget_adds_up_to_the_covariance(draw: Draw) -> None:
 
 
 def test_claims_hold_over_many_solves() -> None:
-    (kept,) = run(60, setups=(replace(SET_UPS[0], contacts_per_face=8),))
+    (kept,) = run(30, setups=(replace(SET_UPS[0], contacts_per_face=8),))
     assert kept.failed == 0
     assert 0.8 < kept.over_bound.value < 1.2
     assert 0.9 < kept.without_sampling.value < 1.1

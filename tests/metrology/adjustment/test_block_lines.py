@@ -2,34 +2,21 @@
 
 from collections.abc import Collection
 from dataclasses import replace
-from pathlib import Path
 
 import numpy as np
 import pytest
 
 from app.errors import OperationError
-from app.formats.session.calibration_session import read_session
 from app.metrology.adjustment.block.calibrate import BlockCalibration, calibrate_block
 from app.metrology.adjustment.block.problem import BlockInputs
 from app.metrology.calibration.findings import CalibrationFinding
 from app.metrology.sensor.triangulation import sensor_points
 from app.metrology.transforms import apply
-from app.workflows.calibrate import joint_inputs
 
 pytestmark = pytest.mark.slow
 
 # Points of the picture that are rebuilt with two calibrations and compared.
 PIXELS = np.array([[u, v] for u in (200.0, 640.0, 1080.0) for v in (400.0, 500.0, 600.0)])
-
-
-@pytest.fixture(scope="module")
-def inputs(samples: Path) -> BlockInputs:
-    return joint_inputs(read_session(samples / "many-poses"))
-
-
-@pytest.fixture(scope="module")
-def found(inputs: BlockInputs) -> BlockCalibration:
-    return calibrate_block(inputs)
 
 
 def shifted(inputs: BlockInputs, places: Collection[int], by_px: float) -> BlockInputs:

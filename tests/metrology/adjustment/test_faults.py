@@ -18,6 +18,7 @@ from app.metrology.transforms import Floats
 
 pytestmark = pytest.mark.slow
 
+DRAWS = 6
 THREE = ("crest", "front", "left")
 ALL_AROUND = ("crest", "front", "back", "left", "right")
 # The links of an arm whose tip is off by some 100 and 250 um.
@@ -73,9 +74,9 @@ def test_errors_of_the_arms_links_are_no_fault(
     poses: int, faces: tuple[str, ...], scales: Scales
 ) -> None:
     on = station(poses, faces, scales)
-    doubted = [one.code for seed in range(12) for one in said(on, seed) if one.remedy]
+    doubted = [one.code for seed in range(DRAWS) for one in said(on, seed) if one.remedy]
     unchecked = [code for code in doubted if code == "size-unchecked"]
-    assert len(unchecked) == (12 if faces == THREE else 0)
+    assert len(unchecked) == (DRAWS if faces == THREE else 0)
     # of the poorest arms one in some forty is doubted
     assert len(doubted) - len(unchecked) <= (1 if scales is POOR else 0)
 

@@ -56,10 +56,9 @@ def test_dispersion_of_many_points() -> None:
 
 @pytest.mark.slow
 def test_the_sphere_about_five_centres() -> None:
+    # a thousand leave 0.7 % in the mean and 1.3 % in the quantile
     random = np.random.default_rng(4)
-    found = [
-        smallest_enclosing_sphere(random.normal(size=(5, 3))).diameter_mm for _ in range(DRAWS)
-    ]
+    found = [smallest_enclosing_sphere(random.normal(size=(5, 3))).diameter_mm for _ in range(1000)]
     assert np.mean(found) == pytest.approx(3.65, rel=0.02)
     assert np.quantile(found, 0.95) == pytest.approx(5.05, rel=0.04)
 

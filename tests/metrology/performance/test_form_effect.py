@@ -34,14 +34,21 @@ def form_of(deviations_mm: Floats) -> float:
     return float(np.ptp(deviations_mm))
 
 
+def figure_um(
+    outward: Floats, off_mm: Floats, figure: Callable[[Floats], float]
+) -> tuple[float, Floats, Floats]:
+    """The figure, with the points (N, 3) and the centre (3,) in mm."""
+    points = outward * (RADIUS_MM + off_mm)[:, None]
+    centre_mm = least_squares_sphere(points).centre_mm
+    return 1e3 * figure(np.linalg.norm(points - centre_mm, axis=1)), points, centre_mm
+
+
 def measure(
     outward: Floats, off_mm: Floats, figure: Callable[[Floats], float]
 ) -> tuple[float, float]:
     """The figure and its stated uncertainty, both in µm."""
-    points = outward * (RADIUS_MM + off_mm)[:, None]
-    found = least_squares_sphere(points)
-    distances = np.linalg.norm(points - found.centre_mm, axis=1)
-    return 1e3 * figure(distances), form_effect_um(SPHERE, points, found.centre_mm, figure)
+    found_um, points, centre_mm = figure_um(outward, off_mm, figure)
+    return found_um, form_effect_um(SPHERE, points, centre_mm, figure)
 
 
 @pytest.mark.slow
@@ -64,7 +71,7 @@ def test_the_stated_effect_is_what_spheres_of_that_form_show(
         axis /= np.linalg.norm(axis)
         phase_rad = random.uniform(0, 2 * np.pi)
         form = FORM_UM * deviations_of_lobes(outward, axis, int(random.integers(*LOBES)), phase_rad)
-        perfect_um, _ = measure(outward, noise_mm, figure)
+        perfect_um, *_ = figure_um(outward, noise_mm, figure)
         lobed_um, effect_um = measure(outward, noise_mm + 1e-3 * form, figure)
         changed.append(lobed_um - perfect_um)
         stated.append(effect_um)
