@@ -5,14 +5,18 @@ from dataclasses import replace
 import numpy as np
 
 from app.metrology.adjustment.core.gauss_newton import AdjustmentResult, solve_adjustment
+from app.metrology.adjustment.core.linearise import ContactEquations
 from app.metrology.adjustment.core.variance_components import USUAL_CONTACT_MM
 from app.metrology.robust import sigma_from_median
+from app.metrology.transforms import Floats
 
 # With fewer contact points than this, no outlier can be identified.
 FEWEST_CONTACTS = 5
 SIGMAS = 4.0
 # Share of a contact point that the others must determine before it is judged.
 LEAST_REDUNDANCY = 0.05
+# Deviations beyond this many standard deviations weigh less.
+HUBER, ROBUST_STEPS = 1.5, 15
 
 
 def remove_outlier_contacts(found: AdjustmentResult) -> AdjustmentResult:
@@ -37,11 +41,7 @@ def find_outlier_contact(found: AdjustmentResult) -> int | None:
     contacts, touches = found.linear.contacts, found.problem.contacts
     if contacts is None or touches is None or len(contacts.residuals_mm) < FEWEST_CONTACTS:
         return None
-    J, variance = contacts.jacobian, contacts.variances(found.scales)
-    spare = np.maximum(
-        1 - np.einsum("nu,uv,nv->n", J, found.covariance, J) / variance, LEAST_REDUNDANCY
-    )
-    off_mm = np.abs(contacts.residuals_mm) / np.sqrt(spare)
+    off_mm = _robust_deviations_mm(contacts, found)
     usual_mm = np.sqrt(contacts.variances(replace(found.scales, touch_mm=USUAL_CONTACT_MM)))
     scatter_mm = max(sigma_from_median(off_mm), 1e-9)
     # few contact points determine their scatter poorly
@@ -49,3 +49,27 @@ def find_outlier_contact(found: AdjustmentResult) -> int | None:
     off = np.minimum(off_mm / (limit * scatter_mm), off_mm / (SIGMAS * usual_mm))
     worst = int(np.argmax(off))
     return int(np.flatnonzero(touches.inliers)[worst]) if off[worst] > 1 else None
+
+
+def _robust_deviations_mm(contacts: ContactEquations, found: AdjustmentResult) -> Floats:
+    """(N,) magnitudes of the residuals about what most contact points and the pictures agree on.
+
+    An outlier raises the estimated noise of all touches, so that they hardly move the board any
+    more: all others then lie off it by the same, which hides the outlier. Here their own scatter
+    weighs them (Huber's estimate, by steps of the linear equations), and each residual is divided
+    by the root of its redundancy.
+    """
+    J, residuals_mm = contacts.jacobian, contacts.residuals_mm
+    given = 1 / contacts.variances(found.scales)
+    spread = J @ found.covariance @ J.T
+    weights = given
+    deviations_mm = np.abs(residuals_mm)
+    for _ in range(ROBUST_STEPS):
+        change = spread * (given - weights)
+        redundancy = 1 - np.diag(np.linalg.solve(np.eye(len(given)) - change, spread)) * weights
+        moved_mm = np.linalg.solve(np.eye(len(given)) - change, residuals_mm)
+        deviations_mm = np.abs(moved_mm) / np.sqrt(np.maximum(redundancy, LEAST_REDUNDANCY))
+        scatter_mm = max(sigma_from_median(deviations_mm), 1e-9)
+        weights = np.minimum(1, HUBER * scatter_mm / np.maximum(deviations_mm, 1e-12))
+        weights /= scatter_mm**2
+    return deviations_mm
