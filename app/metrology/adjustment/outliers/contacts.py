@@ -17,6 +17,7 @@ SIGMAS = 4.0
 LEAST_REDUNDANCY = 0.05
 # Deviations beyond this many standard deviations weigh less.
 HUBER, ROBUST_STEPS = 1.5, 15
+LEAST_SCATTER_MM = 1e-6
 
 
 def remove_outlier_contacts(found: AdjustmentResult) -> AdjustmentResult:
@@ -43,7 +44,7 @@ def find_outlier_contact(found: AdjustmentResult) -> int | None:
         return None
     off_mm = _robust_deviations_mm(contacts, found)
     usual_mm = np.sqrt(contacts.variances(replace(found.scales, touch_mm=USUAL_CONTACT_MM)))
-    scatter_mm = max(sigma_from_median(off_mm), 1e-9)
+    scatter_mm = max(sigma_from_median(off_mm), LEAST_SCATTER_MM)
     # few contact points determine their scatter poorly
     limit = SIGMAS * (1 + 4.0 / len(off_mm))
     off = np.minimum(off_mm / (limit * scatter_mm), off_mm / (SIGMAS * usual_mm))
@@ -65,11 +66,12 @@ def _robust_deviations_mm(contacts: ContactEquations, found: AdjustmentResult) -
     weights = given
     deviations_mm = np.abs(residuals_mm)
     for _ in range(ROBUST_STEPS):
-        change = spread * (given - weights)
-        redundancy = 1 - np.diag(np.linalg.solve(np.eye(len(given)) - change, spread)) * weights
-        moved_mm = np.linalg.solve(np.eye(len(given)) - change, residuals_mm)
-        deviations_mm = np.abs(moved_mm) / np.sqrt(np.maximum(redundancy, LEAST_REDUNDANCY))
-        scatter_mm = max(sigma_from_median(deviations_mm), 1e-9)
-        weights = np.minimum(1, HUBER * scatter_mm / np.maximum(deviations_mm, 1e-12))
+        # the residuals and their covariance by the board, once these weights have moved it
+        change = np.eye(len(given)) - spread * (given - weights)
+        moved = np.linalg.solve(change, np.column_stack([spread, residuals_mm]))
+        redundancy = np.maximum(1 - np.diag(moved[:, :-1]) * weights, LEAST_REDUNDANCY)
+        deviations_mm = np.abs(moved[:, -1]) / np.sqrt(redundancy)
+        scatter_mm = max(sigma_from_median(deviations_mm), LEAST_SCATTER_MM)
+        weights = np.minimum(1, HUBER * scatter_mm / np.maximum(deviations_mm, LEAST_SCATTER_MM))
         weights /= scatter_mm**2
     return deviations_mm
