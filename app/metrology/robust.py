@@ -40,3 +40,16 @@ def sigma_from_median(magnitudes: ArrayLike) -> float:
         1.0
     """
     return median(magnitudes) / MEDIAN_OF_NORMAL
+
+
+def huber_weights(magnitudes: Floats, limit: float) -> Floats:
+    """Weights (N,) of deviations by their magnitudes (N,): 1 up to the limit, then ``limit / x``.
+
+    Source:
+        Huber, "Robust estimation of a location parameter" (1964).
+
+    Example:
+        >>> huber_weights(np.array([0.0, 1.0, 4.0]), 2.0).tolist()
+        [1.0, 1.0, 0.5]
+    """
+    return np.minimum(1.0, limit / np.maximum(magnitudes, 1e-12))

@@ -11,7 +11,6 @@ from typing import Any
 
 import pytest
 from fsspec.implementations.memory import MemoryFileSystem
-from typer.testing import CliRunner
 
 pytest.importorskip("distributed")
 
@@ -21,7 +20,6 @@ from app.batch.rebuild import RebuildTask, plan_rebuild
 from app.batch.recordings import Selection
 from app.batch.results import ResultStore
 from app.batch.task import perform
-from app.cli.main import cli
 from app.errors import OperationError
 from app.formats.clouds.files import read_cloud
 from app.formats.datasheets.arm import read_any_arm
@@ -30,6 +28,7 @@ from app.formats.results.calibration import read_calibration
 from app.workflows.reconstruct import reconstruct_cloud
 from tests.archive.filled import archive_of
 from tests.batch.filled import CALIBRATION, fill_archive, fill_station
+from tests.cli.test_cli import crenel
 
 SCANS = ("one", "two", "three")
 CRENEL = Path(sys.executable).with_name("crenel")
@@ -38,7 +37,7 @@ CRENEL = Path(sys.executable).with_name("crenel")
 def run(*arguments: object, cwd: Path, status: int = 0) -> dict[str, Any]:
     """What a command printed as JSON."""
     with contextlib.chdir(cwd):
-        ran = CliRunner().invoke(cli, [*map(str, arguments), "--json"])
+        ran = crenel(*map(str, arguments), "--json")
     assert ran.exit_code == status, ran.output
     found: dict[str, Any] = json.loads(ran.stdout)
     return found

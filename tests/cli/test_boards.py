@@ -105,23 +105,25 @@ def arm_session(pictures: Path, tmp_path_factory: pytest.TempPathFactory) -> Pat
     return folder
 
 
+def calibration_of(session: Path, folder: Path, *words: str) -> Path:
+    """The file that ``crenel calibrate`` makes of a session, and prints these words of."""
+    out = folder / "calibration.json"
+    shown = crenel("calibrate", session, "-o", out)
+    assert shown.exit_code == 0, shown.output
+    for each in words:
+        assert each in shown.stdout
+    return out
+
+
 @pytest.fixture(scope="module")
 def by_arm(arm_session: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
-    out = tmp_path_factory.mktemp("by_arm") / "calibration.json"
-    shown = crenel("calibrate", arm_session, "-o", out)
-    assert shown.exit_code == 0, shown.output
-    assert "arm encoders" in shown.stdout
-    return out
+    return calibration_of(arm_session, tmp_path_factory.mktemp("by_arm"), "arm encoders")
 
 
 @pytest.fixture(scope="module")
 def by_robot(robot_session: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
-    out = tmp_path_factory.mktemp("by_robot") / "calibration.json"
-    shown = crenel("calibrate", robot_session, "-o", out)
-    assert shown.exit_code == 0, shown.output
-    assert "robot's poses" in shown.stdout
-    assert "12 contact points fit the board" in shown.stdout
-    return out
+    words = ("robot's poses", "12 contact points fit the board")
+    return calibration_of(robot_session, tmp_path_factory.mktemp("by_robot"), *words)
 
 
 def keep_pictures(session: Path, numbers: Sequence[int]) -> None:

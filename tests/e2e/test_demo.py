@@ -39,7 +39,7 @@ def look_at_the_record(visit: Visit) -> None:
 
 @pytest.fixture
 def demo(tmp_path: Path) -> Iterator[Demo]:
-    """The demonstration with a simulated operator that is four times as quick."""
+    """The demonstration with a simulated operator that is eight times as quick."""
     data = tmp_path / "data"
     running = Demo(
         data, [sys.executable, "-m", "tests.e2e.quick_station", str(data), "--width", "800"]

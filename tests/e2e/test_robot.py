@@ -16,7 +16,7 @@ pytestmark = pytest.mark.slow
 
 @pytest.fixture
 def robot(tmp_path: Path) -> Iterator[Demo]:
-    """The demonstration with a robot, four times as quick."""
+    """The demonstration with a robot, eight times as quick."""
     data = tmp_path / "data"
     running = Demo(
         data,

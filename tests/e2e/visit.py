@@ -87,7 +87,7 @@ def take_poses(visit: Visit) -> None:
         visit.wait_until("the simulated operator", "/api/flow", lambda view: view["busy"] is None)
         view = visit.ask("/api/flow")
         if view["step"] == "review":
-            assert len(poses) >= 2
+            assert len(poses) >= 3
             return
         if view["step"] == "capture":
             poses.add(view["rev"])

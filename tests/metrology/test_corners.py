@@ -110,7 +110,7 @@ def test_corner_covariances_hold(plain: RenderedBlock) -> None:
 
 
 def test_a_mirrored_picture_is_refused(plain: RenderedBlock) -> None:
-    """Upside down, too."""
+    """Flipped upside down: turned by 180°, that is the picture flipped sideways."""
     refusal = refused(np.ascontiguousarray(plain.image[::-1]), plain.block)
     assert refusal.code == "object-mirrored"
     assert "mirror" in refusal.line

@@ -103,7 +103,7 @@ def test_claims_hold_though_the_points_of_a_frame_err_together(
 ) -> None:
     """The error over the claim is about one; taken for independent the points claim a tenth."""
     scores = []
-    for seed in range(30):
+    for seed in range(60):
         rng = np.random.default_rng(seed)
         frame = frames_of(rng, 3000)
         off = rng.normal(0, 0.01, 3000) + rng.normal(0, 0.02, FRAMES)[frame]
@@ -122,8 +122,7 @@ def test_claims_hold_though_the_points_of_a_frame_err_together(
         fit = measured.fit
         found = float(fit.centre_mm[2]) if isinstance(fit, PlaneFit) else fit.radius_mm
         scores.append((found - true) / np.sqrt(measured.covariance[parameter, parameter]))
-    # over thirty the root mean square of scores scatters by 13 %
-    assert 0.65 < np.sqrt(np.mean(np.square(scores))) < 1.5
+    assert 0.75 < np.sqrt(np.mean(np.square(scores))) < 1.35
 
 
 def test_few_frames_give_no_uncertainty() -> None:

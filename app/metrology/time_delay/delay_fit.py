@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.metrology.arm.reading_interpolation import Stamps
-from app.metrology.robust import sigma_from_median
+from app.metrology.robust import huber_weights, sigma_from_median
 from app.metrology.time_delay.plane_pass import StripeLines
 from app.metrology.transforms import Floats
 
@@ -121,7 +121,7 @@ def _weights(off_mm: Floats, variance: Floats) -> Floats:
         spread = sigma_from_median(np.abs(off)) ** 2
         scale = np.sqrt(np.maximum(spread, variance))
         far = np.abs(off) / scale
-        found.append(np.minimum(1.0, HUBER / np.maximum(far, 1e-9)) / scale**2)
+        found.append(huber_weights(far, HUBER) / scale**2)
     return np.concatenate(found)
 
 

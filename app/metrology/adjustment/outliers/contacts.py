@@ -7,7 +7,7 @@ import numpy as np
 from app.metrology.adjustment.core.gauss_newton import AdjustmentResult, solve_adjustment
 from app.metrology.adjustment.core.linearise import ContactEquations
 from app.metrology.adjustment.core.variance_components import USUAL_CONTACT_MM
-from app.metrology.robust import sigma_from_median
+from app.metrology.robust import huber_weights, sigma_from_median
 from app.metrology.transforms import Floats
 
 # With fewer contact points than this, no outlier can be identified.
@@ -72,6 +72,5 @@ def _robust_deviations_mm(contacts: ContactEquations, found: AdjustmentResult) -
         redundancy = np.maximum(1 - np.diag(moved[:, :-1]) * weights, LEAST_REDUNDANCY)
         deviations_mm = np.abs(moved[:, -1]) / np.sqrt(redundancy)
         scatter_mm = max(sigma_from_median(deviations_mm), LEAST_SCATTER_MM)
-        weights = np.minimum(1, HUBER * scatter_mm / np.maximum(deviations_mm, LEAST_SCATTER_MM))
-        weights /= scatter_mm**2
+        weights = huber_weights(deviations_mm, HUBER * scatter_mm) / scatter_mm**2
     return deviations_mm

@@ -43,6 +43,7 @@ from app.metrology.arm.identification.scatter_estimates import (
 )
 from app.metrology.arm.identification.unknowns import Unknowns
 from app.metrology.arm.kinematics import Arm
+from app.metrology.robust import huber_weights
 from app.metrology.transforms import Floats
 
 HUBER = 2.0
@@ -227,7 +228,7 @@ def _robust(data: StackedObservations, at: Unknowns, columns: Indices) -> tuple[
     for _ in range(ROBUST_STEPS):
         scatter = median_scatter(data, at, len(columns))
         off = residuals(data, at, scatter).whitened
-        weights = np.minimum(1.0, HUBER / np.maximum(off, 1e-9))
+        weights = huber_weights(off, HUBER)
         system = reduce_system(data, at, columns, weights, scatter)
         at, size = step(data, at, columns, system)
         if not np.isfinite(size) or size < 0.1:

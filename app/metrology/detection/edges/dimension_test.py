@@ -22,7 +22,7 @@ from app.metrology.detection.edges.measure_all import EdgeMeasurements
 from app.metrology.detection.edges.stations import EdgeStations
 from app.metrology.detection.edges.step_fit import select_stations
 from app.metrology.detection.visibility import Wireframe
-from app.metrology.robust import sigma_from_median
+from app.metrology.robust import huber_weights, sigma_from_median
 from app.metrology.sensor.camera import Camera, project
 from app.metrology.transforms import Floats
 
@@ -245,7 +245,5 @@ def _estimate_shift(
         scale = max(1.0, float(np.sqrt(left @ left / spare)))
         deviation = float(np.hypot(scale / np.sqrt(square), certificate_mm))
         spread = max(1.0, sigma_from_median(np.abs(left)))
-        weight = weight * np.sqrt(
-            np.minimum(1.0, _HUBER * spread / np.maximum(np.abs(left), 1e-12))
-        )
+        weight = weight * np.sqrt(huber_weights(np.abs(left), _HUBER * spread))
     return by_mm, by_mm / deviation
