@@ -2,7 +2,6 @@
 
 import gc
 from collections.abc import Generator, Iterator
-from itertools import groupby
 from pathlib import Path
 
 import pytest
@@ -10,12 +9,12 @@ from hypothesis import settings
 
 import app  # noqa: F401  # sets the numerical libraries' threads before numpy is loaded
 from app.native.library import CRENEL
+from tests.running.leaks import LeakCheck
+from tests.running.pools import Controller, Worker, pytest_xdist_auto_num_workers
+
+__all__ = ["pytest_xdist_auto_num_workers"]
 
 SHARED = Path(__file__).resolve().parents[2] / "shared"
-SPREAD = ("hardware", "station", "performance", "e2e")
-"""Folders of tests that mostly wait for devices, and of those that keep a browser and a station
-busy: each is spread over the whole run."""
-
 settings.register_profile("usual", deadline=None)
 settings.register_profile("long", max_examples=5_000, deadline=None)
 settings.load_profile("usual")
@@ -30,18 +29,13 @@ def pytest_addoption(parser: pytest.Parser) -> None:
     )
 
 
-def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
-    """Spreads the files of some folders over all others: the workers share processors."""
-    groups: dict[str, list[list[pytest.Item]]] = {}
-    for path, tests in groupby(items, lambda item: item.path):
-        folder = path.parent.name
-        groups.setdefault(folder if folder in SPREAD else "", []).append(list(tests))
-    placed = [
-        ((number + 0.5) / len(files), tests)
-        for files in groups.values()
-        for number, tests in enumerate(files)
-    ]
-    items[:] = [test for _, tests in sorted(placed, key=lambda one: one[0]) for test in tests]
+def pytest_configure(config: pytest.Config) -> None:
+    """In a process that starts workers, their controller; in each that runs tests, their pool."""
+    if not hasattr(config, "workerinput") and config.getoption("tx", None):
+        config.pluginmanager.register(Controller(config))
+    else:
+        config.pluginmanager.register(Worker(config))
+        config.pluginmanager.register(LeakCheck(), LeakCheck.__name__)
 
 
 @pytest.hookimpl(wrapper=True)
@@ -53,6 +47,16 @@ def pytest_collection() -> Generator[None, object, object]:
     finally:
         gc.freeze()
         gc.enable()
+
+
+@pytest.fixture(scope="session", autouse=True)
+def temporary_folder(
+    request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory
+) -> None:
+    """Temporary files of this process and of those that it starts lie in one folder."""
+    check = request.config.pluginmanager.get_plugin(LeakCheck.__name__)
+    assert isinstance(check, LeakCheck)
+    check.begin(tmp_path_factory.getbasetemp() / "temporary")
 
 
 @pytest.fixture(scope="session")

@@ -20,7 +20,7 @@ LOOK_S = 0.01
 PICTURES = 3
 """Of the calibration."""
 
-pytestmark = [pytest.mark.timeout(300), pytest.mark.slow]
+pytestmark = [pytest.mark.timeout(300), pytest.mark.device, pytest.mark.soak]
 
 
 @pytest.fixture(scope="module")

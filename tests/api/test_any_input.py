@@ -20,7 +20,7 @@ from app.bench.station.viewer_client import PROTOCOL
 from tests.api.processes import demonstration
 from tests.entering import cookie
 
-pytestmark = pytest.mark.slow
+pytestmark = [pytest.mark.device, pytest.mark.soak]
 
 ROOT = Path(__file__).resolve().parents[2]
 TRIES = 5

@@ -19,7 +19,7 @@ from tests.metrology.arm_sessions import volumetric_error_um
 from tests.sent_texts import english
 from tests.simulated_robots import Tracker, built, measure, postures
 
-pytestmark = pytest.mark.slow
+pytestmark = pytest.mark.device
 
 View = dict[str, Any]
 

@@ -12,6 +12,8 @@ from app.server import connections
 from app.server.connections import LARGEST_HEAD, LONGEST_URL, MOST_HEADERS
 from tests.api.conftest import Server
 
+pytestmark = pytest.mark.device
+
 HEAD = b"GET /api/session HTTP/1.1\r\nHost: localhost\r\n"
 
 

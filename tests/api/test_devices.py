@@ -25,7 +25,7 @@ from tests.hardware.udp_robot import UdpRobot, free_udp_port
 from tests.sent_texts import english
 from tests.simulated_robots import robot
 
-pytestmark = pytest.mark.slow
+pytestmark = pytest.mark.device
 
 WIDTH, HEIGHT = 160, 120
 

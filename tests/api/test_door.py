@@ -19,7 +19,7 @@ from app.server.middleware import LARGEST_BODY, Guard
 from app.store.database import Database
 from tests.api.conftest import Server
 
-pytestmark = pytest.mark.slow
+pytestmark = pytest.mark.device
 
 
 @pytest.mark.parametrize("host", ["evil.example", "127.0.0.1.evil.example", "", "[", "localhost."])

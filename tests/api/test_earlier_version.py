@@ -20,7 +20,7 @@ from app.formats.clouds.files import read_cloud
 from app.formats.results.calibration import read_calibration
 from tests.api.conftest import Server, run_command, running_server
 
-pytestmark = pytest.mark.slow
+pytestmark = pytest.mark.device
 
 ARCHIVE = Path(__file__).parent / "station-c166f23.tar.xz"
 CALIBRATION, SCAN, VERIFICATION = "20261125-130750-769f", "20261125-130843", "20261125-130847-bdb4"

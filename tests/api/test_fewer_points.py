@@ -11,6 +11,8 @@ from tests.station.conftest import until
 from tests.station.test_scene import records, surface
 from tests.station.viewer import Viewer
 
+pytestmark = pytest.mark.device
+
 MOST = 20_000
 
 

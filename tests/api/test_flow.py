@@ -23,7 +23,7 @@ from hardware.clock import now_ns
 from hardware.interfaces import Button
 from tests.api.conftest import Server, is_enabled, wait_for
 
-pytestmark = pytest.mark.slow
+pytestmark = pytest.mark.device
 
 STATION = replace(HALF, width_px=800, height_px=640)
 # A whole calibration by the simulated operator, on a machine with other work.

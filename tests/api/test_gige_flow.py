@@ -27,7 +27,7 @@ from tests.hardware.fake_cameras import port_for_this_test
 from tests.hardware.test_genicam import require_aravis
 from tests.sent_texts import english
 
-pytestmark = pytest.mark.slow
+pytestmark = pytest.mark.device
 
 PATIENCE_S = 480.0
 CONFIG = replace(HALF, camera="gige", frames_hz=25.0)

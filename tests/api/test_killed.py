@@ -8,7 +8,7 @@ from app.bench.faults import kills
 from app.bench.faults.row import FaultRow, table
 from tests.api.forked_station import ForkedStation
 
-pytestmark = pytest.mark.slow
+pytestmark = [pytest.mark.device, pytest.mark.soak]
 
 ALIKE = {
     *(("flow", "touch", count) for count in (5, 20)),

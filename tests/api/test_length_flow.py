@@ -26,7 +26,7 @@ from tests.api.conftest import LOOK_S, Server
 from tests.api.test_performance_flow import Desk, View, refusal
 from tests.sent_texts import english
 
-pytestmark = pytest.mark.slow
+pytestmark = pytest.mark.device
 
 
 class LengthDesk(Desk):

@@ -14,7 +14,7 @@ from websockets.typing import Origin
 from tests.api.conftest import Server
 from tests.sent_texts import english
 
-pytestmark = pytest.mark.slow
+pytestmark = pytest.mark.device
 
 
 def message(socket: Connection, timeout_s: float = 5.0) -> dict[str, Any]:

@@ -17,7 +17,7 @@ from websockets.sync.client import connect
 from tests.api.processes import demonstration
 from tests.entering import cookie
 
-pytestmark = pytest.mark.slow
+pytestmark = [pytest.mark.device, pytest.mark.soak]
 
 TEXTS = (
     "\ud800",

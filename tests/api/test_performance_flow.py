@@ -19,7 +19,7 @@ from tests.api.conftest import LOOK_S, Server, run_command, wait_for
 from tests.formats.certificates import DIAMETER, FORM, certificate, quantity, real
 from tests.sent_texts import english
 
-pytestmark = pytest.mark.slow
+pytestmark = pytest.mark.device
 
 View = dict[str, Any]
 DIRECTIONS = pattern_directions(POLE, RIM_DEG)

@@ -11,7 +11,7 @@ import pytest
 
 from tests.api.conftest import Server, is_enabled
 
-pytestmark = pytest.mark.slow
+pytestmark = pytest.mark.device
 
 
 @pytest.fixture

@@ -28,7 +28,7 @@ from hardware.simulator.station import SimulatedStation
 from tests.entering import client
 from tests.sent_texts import english
 
-pytestmark = pytest.mark.slow
+pytestmark = pytest.mark.device
 
 ROOT = Path(__file__).resolve().parents[2]
 START_S = 60.0

@@ -23,7 +23,7 @@ from app.store.accounts import Role
 from tests.api.conftest import Server, running_server
 from tests.single_sign_on.mock_provider import MockProvider, answer_of, mock_provider
 
-pytestmark = pytest.mark.slow
+pytestmark = pytest.mark.device
 
 log = logging.getLogger(__name__)
 HOST = "10.9.8.7:8000"

@@ -17,7 +17,7 @@ from tests.api.processes import PATIENCE_S, demonstration
 from tests.formats.test_recording_bombs import LARGE, lz4_zeros, zstd
 from tests.sent_texts import english
 
-pytestmark = pytest.mark.slow
+pytestmark = pytest.mark.device
 
 Scan = dict[str, Any]
 

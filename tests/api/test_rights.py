@@ -18,7 +18,7 @@ from app.security.permissions import MESSAGES, ROUTES, WEBSOCKET, Right, Rule
 from app.store.accounts import Role
 from tests.api.conftest import Server
 
-pytestmark = pytest.mark.slow
+pytestmark = pytest.mark.device
 
 WHO = ("nobody", "kiosk", "viewer", "operator", "admin")
 MAY = {

@@ -19,7 +19,7 @@ from app.workflows.reconstruct import reconstruct_points
 from tests.api.conftest import Server, running_server
 from tests.api.test_verify_flow import Desk
 
-pytestmark = pytest.mark.slow
+pytestmark = pytest.mark.device
 
 PATIENCE_S = 480.0
 

@@ -6,7 +6,7 @@ import pytest
 
 from tests.api.conftest import Server
 
-pytestmark = pytest.mark.slow
+pytestmark = pytest.mark.device
 
 PLAIN: dict[str, object] = {
     "threshold": None,

@@ -15,7 +15,7 @@ from tests.api.conftest import Server
 from tests.entering import cookie
 from tests.sent_texts import english
 
-pytestmark = pytest.mark.slow
+pytestmark = pytest.mark.device
 
 PASSWORD = "three unrelated words"
 

@@ -20,7 +20,7 @@ from app.errors import OperationError
 from app.server.listener import make_server
 from app.server.starting_page import StartingApp, StartStep
 
-pytestmark = pytest.mark.slow
+pytestmark = pytest.mark.device
 
 PATIENCE_S = 20.0
 

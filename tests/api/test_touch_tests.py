@@ -13,7 +13,7 @@ from tests.api.conftest import Server, running_server
 from tests.api.test_performance_flow import Desk, refusal
 from tests.sent_texts import english
 
-pytestmark = pytest.mark.slow
+pytestmark = pytest.mark.device
 
 
 @pytest.fixture(scope="module")

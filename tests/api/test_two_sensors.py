@@ -17,7 +17,7 @@ from app.station.operator_settings import StationSettings
 from hardware.simulator.station import SimulationConfig
 from tests.api.conftest import Server, running_server, wait_for
 
-pytestmark = pytest.mark.slow
+pytestmark = pytest.mark.device
 
 CONFIG = SimulationConfig(
     second_sensor=True, width_px=640, height_px=512, frames_hz=12.0, pace=3.0, imperfection_um=0.0

@@ -33,7 +33,7 @@ from tests.api.calibrated import use_truth
 from tests.api.conftest import Server, run_command, wait_for
 from tests.sent_texts import english
 
-pytestmark = pytest.mark.slow
+pytestmark = pytest.mark.device
 
 View = dict[str, Any]
 

@@ -18,7 +18,7 @@ from app.store.scans import ScanRecord
 from tests.api.conftest import Server
 from tests.sent_texts import english
 
-pytestmark = pytest.mark.slow
+pytestmark = pytest.mark.device
 
 KEY = "0123456789abcdef" * 2
 # From above the middle of the plate: x to the right, y down, z ahead.

@@ -13,7 +13,7 @@ from app.api.viewer.proxy import decode_camera
 from app.bench.station.viewer_client import PROTOCOL
 from tests.api.conftest import Server
 
-pytestmark = pytest.mark.slow
+pytestmark = pytest.mark.device
 
 CAMERA = viser_messages.ViewerCameraMessage(
     wxyz=(1.0, 0.0, 0.0, 0.0),

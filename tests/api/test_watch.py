@@ -36,7 +36,7 @@ from tests.api.conftest import Server
 from tests.sent_texts import english
 from tests.supervision.test_webhook import Receiver, receiver
 
-pytestmark = pytest.mark.slow
+pytestmark = pytest.mark.device
 
 __all__ = ["receiver"]
 PATIENCE_S = 20.0

@@ -19,7 +19,7 @@ from tests.archive.filled import LATER, add_scan, archive_of, check_whole, conte
 
 ROOT = Path(__file__).resolve().parents[2]
 SCANS = ("one", "two")
-pytestmark = pytest.mark.slow
+pytestmark = [pytest.mark.device, pytest.mark.soak]
 
 
 def test_a_process_that_is_killed_anywhere_loses_nothing(tmp_path: Path) -> None:

@@ -20,7 +20,7 @@ from app.store.store import Store
 from tests.archive.filled import add_scan, archive_of, check_whole, content_of, lists_of
 from tests.archive.full_bucket import full_bucket
 
-pytestmark = pytest.mark.slow
+pytestmark = pytest.mark.device
 LARGE = 6 << 20
 """Sent in two parts."""
 

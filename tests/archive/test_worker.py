@@ -13,6 +13,8 @@ from app.messages.message import Text
 from app.store.store import Store
 from tests.archive.filled import add_scan, archive_of, check_whole, content_of
 
+pytestmark = pytest.mark.device
+
 DEADLINE_S = 60.0
 
 

@@ -17,6 +17,8 @@ from tests.archive.filled import archive_of
 from tests.batch.filled import CALIBRATION, fill_station
 from tests.batch.test_rebuild import run
 
+pytestmark = pytest.mark.device
+
 SCANS = ("one", "two", "three")
 
 
@@ -57,7 +59,6 @@ def test_a_scan_that_is_renamed_later_has_its_new_label(archive: Path, tmp_path:
     assert chosen(tmp_path / "data", Selection(labels=frozenset({"4713"}))) == ["three"]
 
 
-@pytest.mark.slow
 def test_the_cloud_of_one_part_with_a_calibration_of_today(archive: Path, tmp_path: Path) -> None:
     calibration = tmp_path / "data/sessions" / CALIBRATION / "calibration.json"
     args = ("--label", "4711", "--calibration", calibration, "--workers", 1, "-o", "parts")

@@ -20,7 +20,7 @@ from app.bench.fleet.dask_processes import DEADLINE_S
 from tests.batch.filled import fill_archive
 from tests.single_sign_on.mock_provider import free_port
 
-pytestmark = pytest.mark.slow
+pytestmark = pytest.mark.device
 COMPOSE = Path(__file__).resolve().parents[2] / "docker/workers.compose.yaml"
 USE = "run --rm crenel "
 """Before the command that the file names as an example."""

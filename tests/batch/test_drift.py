@@ -28,6 +28,8 @@ from tests.formats.builders import ARM, little_calibration, q_at
 from tests.workflows.test_reconstruct import MS
 from tests.workflows.test_study import NORMAL
 
+pytestmark = pytest.mark.device
+
 DAYS = range(1, 9)
 CHANGED = 5
 """The first day of what is different."""
@@ -158,7 +160,6 @@ def test_only_figures_that_can_be_measured_again_are_taken() -> None:
         quantity_of("location-scan")
 
 
-@pytest.mark.slow
 def test_the_command_measures_once_and_names_what_is_affected(tmp_path: Path) -> None:
     place = fill(tmp_path, moved_mm=0.05, recalibrated=False)
     args = ("drift", "gauge-z-error", place, "--calibration", CALIBRATION, "--workers", 1)

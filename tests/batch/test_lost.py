@@ -28,7 +28,7 @@ from app.messages.message import Text
 from tests.archive.filled import lists_of
 from tests.batch.filled import CALIBRATION, fill_station
 
-pytestmark = pytest.mark.slow
+pytestmark = [pytest.mark.device, pytest.mark.soak]
 SCANS = tuple(f"scan-{number}" for number in range(10))
 
 

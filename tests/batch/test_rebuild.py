@@ -30,6 +30,8 @@ from tests.archive.filled import archive_of
 from tests.batch.filled import CALIBRATION, fill_archive, fill_station
 from tests.cli.test_cli import crenel
 
+pytestmark = pytest.mark.device
+
 SCANS = ("one", "two", "three")
 CRENEL = Path(sys.executable).with_name("crenel")
 
@@ -61,7 +63,6 @@ def archive(tmp_path: Path) -> Path:
     return tmp_path / "plant" / "room-2"
 
 
-@pytest.mark.slow
 def test_every_cloud_is_made_once_and_is_that_of_the_recording(
     archive: Path, tmp_path: Path
 ) -> None:
@@ -101,7 +102,6 @@ def test_recordings_are_chosen_by_period_station_and_calibration(
     assert chosen(Selection(taken_with=frozenset({"another"}))) == []
 
 
-@pytest.mark.slow
 def test_another_calibration_or_format_is_another_result(archive: Path, tmp_path: Path) -> None:
     tasks, results = plan(archive, tmp_path / "out")
     assert perform(tasks[0], tmp_path, 1).state == "done"
@@ -118,7 +118,6 @@ def test_another_calibration_or_format_is_another_result(archive: Path, tmp_path
     assert abs(read_cloud(cloud).points_mm - read_cloud(before).points_mm).max() > 0.01
 
 
-@pytest.mark.slow
 def test_a_result_that_is_damaged_later_is_made_again(tmp_path: Path) -> None:
     """A cloud that was removed, one that was cut off, and a document that was; one is whole."""
     archive = tmp_path / "plant" / "room-2"
@@ -163,7 +162,6 @@ def test_recordings_of_other_devices_are_left_out(archive: Path, tmp_path: Path)
     assert (found["made"], found["of_other_devices"]) == (0, 3)
 
 
-@pytest.mark.slow
 def test_what_cannot_be_rebuilt_is_named_and_the_rest_is_made(tmp_path: Path) -> None:
     fill_station(tmp_path / "data", SCANS).close()
     damaged = tmp_path / "data/scans/two/scan.mcap"
@@ -176,7 +174,6 @@ def test_what_cannot_be_rebuilt_is_named_and_the_rest_is_made(tmp_path: Path) ->
     assert left == [".json", ".json", ".ply", ".ply"]
 
 
-@pytest.mark.slow
 def test_a_recording_that_an_archive_lost_keeps_no_other_from_being_rebuilt(
     archive: Path, tmp_path: Path
 ) -> None:

@@ -37,6 +37,8 @@ from tests.batch.filled import CALIBRATION, FIRST, fill_station
 from tests.formats.builders import joints_every
 from tests.workflows.test_reconstruct import MS, NAMES, record_image, record_stripe
 
+pytestmark = pytest.mark.device
+
 FRAMES = 60
 PICTURE = np.random.default_rng(7).integers(0, 255, (400, 500), np.uint8)
 
@@ -106,7 +108,6 @@ def direct_cloud(tmp_path: Path, recording: Path) -> bytes:
     return target.read_bytes()
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize("without_stripe", [None, 8])
 def test_pictures_stay_in_the_store_and_the_cloud_is_the_same(
     without_stripe: int | None, server: S3Server, tmp_path: Path
@@ -129,7 +130,6 @@ def test_pictures_stay_in_the_store_and_the_cloud_is_the_same(
     assert (tmp_path / "out" / made["cloud"]).read_bytes() == direct_cloud(tmp_path, recording)
 
 
-@pytest.mark.slow
 def test_a_copy_that_was_damaged_in_the_store_is_not_used(server: S3Server, tmp_path: Path) -> None:
     proxy = CuttingProxy(server.port, seed=1)
     try:

@@ -12,6 +12,8 @@ from app.errors import OperationError
 from tests.batch.filled import fill_station
 from tests.batch.test_rebuild import CRENEL
 
+pytestmark = pytest.mark.device
+
 
 @pytest.mark.parametrize(
     ("address", "said"),
@@ -29,7 +31,6 @@ def test_what_is_no_address_is_refused_before_a_client_is_made(address: str, sai
         RemoteScheduler(address)
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize("address", ["nonsense", "tcp://127.0.0.1:9"])
 def test_a_scheduler_that_is_not_there_is_one_line(address: str, tmp_path: Path) -> None:
     fill_station(tmp_path / "data", ("one",)).close()

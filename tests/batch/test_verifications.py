@@ -32,6 +32,8 @@ from tests.batch.test_rebuild import run
 from tests.workflows.test_study import scan_a_plane
 from tests.workflows.test_verification import RECORD
 
+pytestmark = pytest.mark.device
+
 OTHER = "20260601-080000-calibration"
 VERIFIED = ("v1", "v2")
 
@@ -252,7 +254,6 @@ def test_a_file_that_comes_incomplete_is_tried_again(archive: Path, tmp_path: Pa
     assert perform(tasks[0], tmp_path, 1).state == "done"
 
 
-@pytest.mark.slow
 def test_a_damaged_file_is_refused_in_the_end(archive: Path, tmp_path: Path) -> None:
     (path,) = archive.glob("verifications/v1/*/cloud-1/scan.mcap")
     path.write_bytes(path.read_bytes()[:-1])
@@ -261,7 +262,6 @@ def test_a_damaged_file_is_refused_in_the_end(archive: Path, tmp_path: Path) -> 
     assert list(found["refused"]) == ["room-2/v1"]
 
 
-@pytest.mark.slow
 def test_the_commands_print_and_keep_the_table(archive: Path, tmp_path: Path) -> None:
     args = ("--workers", 1, "-o", "out")
     found = run("verify", "plane", archive, *args, "--period", "2026-05", cwd=tmp_path)

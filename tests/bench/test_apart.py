@@ -9,7 +9,7 @@ import pytest
 from app.bench.station import subprocess_station as apart
 from app.errors import OperationError
 
-pytestmark = pytest.mark.slow
+pytestmark = [pytest.mark.device, pytest.mark.soak]
 
 
 def _gone(pipe: Connection) -> None:

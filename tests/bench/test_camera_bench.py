@@ -7,7 +7,7 @@ import pytest
 from app.bench.station.camera import PROGRAM, run, table
 from tests.hardware.fake_cameras import port_for_this_test
 
-pytestmark = pytest.mark.slow
+pytestmark = [pytest.mark.device, pytest.mark.soak]
 
 
 def test_what_is_lost_is_counted() -> None:

@@ -15,7 +15,7 @@ from app.bench.metrology.detection import (
 )
 from hardware.simulator.rendering.degradations import DegradedImage, draw_degraded_image
 
-pytestmark = pytest.mark.slow
+pytestmark = pytest.mark.soak
 
 SEED = 3
 

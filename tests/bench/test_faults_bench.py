@@ -9,7 +9,7 @@ from app.bench.faults.devices import FAILURES, run, table
 from app.bench.faults.served import HALF
 from app.guide.calibration import simulated_operator
 
-pytestmark = pytest.mark.slow
+pytestmark = [pytest.mark.device, pytest.mark.soak]
 
 STEPS = ("devices", "setup", "touch", "capture", "review", "scan")
 

@@ -9,6 +9,8 @@ from app.bench.faults.everything import FaultKind
 from app.bench.faults.row import FaultRow
 from app.errors import OperationError
 
+pytestmark = pytest.mark.device
+
 DISK = FaultKind("disk", lambda data, seed, report: [disk.run(data, seed=seed, progress=report)])
 OTHER = FaultKind("other", lambda data, seed, report: [FaultRow("other", 1, 1)])
 

@@ -16,7 +16,7 @@ from app.bench.faults.row import FaultRow, table
 from app.bench.faults.served import HALF, HALF_SIZE, prepare
 from app.bench.faults.station import StationProcess
 
-pytestmark = [pytest.mark.timeout(400), pytest.mark.slow]
+pytestmark = [pytest.mark.timeout(400), pytest.mark.device, pytest.mark.soak]
 
 
 @pytest.fixture(scope="module", autouse=True)

@@ -5,7 +5,7 @@ import pytest
 from app.bench.station.live import run, table
 from hardware.simulator.devices.fast_simulator import FastStationConfig
 
-pytestmark = pytest.mark.slow
+pytestmark = [pytest.mark.device, pytest.mark.soak]
 
 
 def test_a_scan_is_recorded_whole_and_seen_by_its_viewers() -> None:

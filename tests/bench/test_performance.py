@@ -9,7 +9,7 @@ from app.bench.metrology.claimed_plane_and_contact import plane_and_contact_rows
 from app.bench.metrology.claimed_uncertainty import coverage_rows
 from app.bench.metrology.performance import run, table
 
-pytestmark = pytest.mark.slow
+pytestmark = pytest.mark.soak
 TESTS = 16
 """By so many a ratio is known to 18 %: the bounds are more than three times as far from 1."""
 

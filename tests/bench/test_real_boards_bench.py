@@ -8,7 +8,7 @@ import pytest
 from app.bench.metrology.real_boards import run, table
 from app.errors import OperationError
 
-pytestmark = pytest.mark.slow
+pytestmark = pytest.mark.soak
 
 
 def write_set(folder: Path, pictures: list[Path], columns: int, rows: int) -> None:

@@ -23,7 +23,7 @@ from app.metrology.transforms import Floats
 from tests.cli.test_cli import crenel
 from tests.datasheets import write_object
 
-pytestmark = pytest.mark.slow
+pytestmark = pytest.mark.soak
 
 WIDTH, HEIGHT = 400, 240
 Grey = NDArray[np.uint8]

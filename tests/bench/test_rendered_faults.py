@@ -5,7 +5,7 @@ import pytest
 from app.bench.metrology.rendered_faults import FaultTests, PlantedFaultRow, table
 from app.bench.metrology.rendered_sphere import RenderedStation
 
-pytestmark = pytest.mark.slow
+pytestmark = pytest.mark.soak
 
 
 @pytest.fixture(scope="module")

@@ -10,7 +10,7 @@ from app.bench.station.start import Rounds, StartRow, columns, run, table
 from app.bench.station.started import InstalledCopy, find_copy
 from app.errors import OperationError
 
-pytestmark = pytest.mark.slow
+pytestmark = [pytest.mark.device, pytest.mark.soak]
 
 COMPILES = """#!/bin/sh
 if [ ! -e "$PYTHONPYCACHEPREFIX" ]; then sleep 0.3; mkdir "$PYTHONPYCACHEPREFIX"; fi

@@ -4,7 +4,7 @@ import pytest
 
 from app.bench.station.view import PIECE, run, table
 
-pytestmark = pytest.mark.slow
+pytestmark = [pytest.mark.device, pytest.mark.soak]
 
 
 def test_a_second_viewer_gets_all_and_the_colours_change() -> None:

@@ -5,7 +5,7 @@ import pytest
 from app.bench.station.viewers import run, table
 from hardware.simulator.devices.fast_simulator import FastStationConfig
 
-pytestmark = pytest.mark.slow
+pytestmark = [pytest.mark.device, pytest.mark.soak]
 
 
 def test_viewers_get_states_pictures_and_points_while_one_takes_nothing() -> None:

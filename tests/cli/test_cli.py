@@ -25,6 +25,8 @@ from tests.formats.test_documents import calibration_file
 from tests.pictures import read_picture
 from tests.workflows.test_reconstruct import MS, NAMES, record_stripe
 
+pytestmark = pytest.mark.device
+
 ROOT = Path(__file__).resolve().parents[2]
 
 
@@ -429,7 +431,6 @@ def test_a_real_process_refuses_on_one_line_with_status_one(tmp_path: Path) -> N
     assert error == "crenel: none.png: there is no such file or folder. Check the path.\n"
 
 
-@pytest.mark.slow
 def test_a_disk_that_takes_no_more_is_reported(tmp_path: Path, scan: dict[str, Path]) -> None:
     before = names_in(tmp_path)
     limit = "import resource; resource.setrlimit(resource.RLIMIT_FSIZE, (1000, 1000)); "
@@ -460,7 +461,6 @@ def test_help_imports_nothing_heavy(tmp_path: Path) -> None:
     assert run.stderr.strip() == "[]"
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize(("number", "status"), [(signal.SIGINT, 130), (signal.SIGTERM, 143)])
 def test_an_interrupted_job_leaves_nothing(
     tmp_path: Path, scan: dict[str, Path], number: int, status: int

@@ -27,7 +27,7 @@ from tests.formats.builders import ARM, HEIGHT, WIDTH, joints_every, little_cali
 from tests.formats.test_documents import calibration_file
 from tests.workflows.test_reconstruct import MS, NAMES, expected, record_image, record_stripe
 
-pytestmark = pytest.mark.slow
+pytestmark = pytest.mark.device
 
 ROOT = Path(__file__).resolve().parents[2]
 PORT = ("--port", "0")

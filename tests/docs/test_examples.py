@@ -10,7 +10,7 @@ import pytest
 
 from hardware.registry import BUILT_IN
 
-pytestmark = pytest.mark.slow
+pytestmark = pytest.mark.device
 
 ROOT = Path(__file__).parents[2]
 EXAMPLES = ROOT / "docs/examples"

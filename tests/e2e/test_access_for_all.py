@@ -8,7 +8,7 @@ from playwright.sync_api import Browser, Page, Response, ViewportSize
 
 from tests.e2e.conftest import Demo
 
-pytestmark = pytest.mark.slow
+pytestmark = pytest.mark.device
 
 PAGES = (
     *("", "calibrate", "verify", "scan", "arm", "records", "supervise", "health", "settings"),

@@ -15,7 +15,7 @@ from app.formats.clouds.files import read_cloud
 from tests.e2e.conftest import Demo
 from tests.e2e.visit import Visit, is_at, is_verifying, take_poses
 
-pytestmark = pytest.mark.slow
+pytestmark = pytest.mark.device
 
 STEPS = ("devices", "setup", "touch", "place", "capture", "solve")
 

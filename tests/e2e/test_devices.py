@@ -19,7 +19,7 @@ from tests.e2e.visit import Visit
 from tests.hardware.fake_cameras import AravisFake, port_for_this_test
 from tests.hardware.test_registry import install
 
-pytestmark = pytest.mark.slow
+pytestmark = pytest.mark.device
 
 MOST_CLICKS = 6
 WAIT_MS = 30_000

@@ -6,7 +6,7 @@ from playwright.sync_api import Browser, expect
 from tests.e2e.conftest import Demo
 from tests.e2e.visit import Visit
 
-pytestmark = pytest.mark.slow
+pytestmark = pytest.mark.device
 
 SLOW_SIGN_IN = """
     const send = window.fetch;

@@ -11,7 +11,7 @@ from playwright.sync_api import Browser, Page, Response, expect
 
 from tests.e2e.conftest import Demo
 
-pytestmark = pytest.mark.slow
+pytestmark = pytest.mark.device
 
 MM_PER_INCH = Fraction(254, 10)
 TYPED = ("0.5", "0.0123", "0.1", "0.000787", ".02", "0.0000393701")

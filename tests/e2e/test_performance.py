@@ -18,7 +18,7 @@ from tests.e2e.conftest import Demo
 from tests.e2e.visit import Visit
 from tests.formats.certificates import DIAMETER, certificate
 
-pytestmark = pytest.mark.slow
+pytestmark = pytest.mark.device
 
 SIZES = {"desktop": (1280, 800), "tablet": (820, 1180)}
 STEPS = ("pattern", "location", "scan", "end", "review")

@@ -11,7 +11,7 @@ from playwright.sync_api import Browser, Page, expect
 
 from tests.e2e.conftest import Demo, wait_in_page
 
-pytestmark = pytest.mark.slow
+pytestmark = pytest.mark.device
 
 ROUNDS = 2
 DRAWN = """

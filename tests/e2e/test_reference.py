@@ -8,7 +8,7 @@ from playwright.sync_api import Browser, Route, expect
 
 from tests.e2e.conftest import Demo
 
-pytestmark = pytest.mark.slow
+pytestmark = pytest.mark.device
 
 
 def test_the_reference_lists_every_route_for_whoever_is_signed_in(

@@ -8,7 +8,7 @@ from playwright.sync_api import Browser, Page, expect
 
 from tests.e2e.conftest import Demo
 
-pytestmark = pytest.mark.slow
+pytestmark = pytest.mark.device
 
 SLOW_CHOICES = """
     const send = window.fetch;

@@ -13,7 +13,7 @@ from tests.e2e.visit import Visit
 from tests.formats.builders import ARM
 from tests.formats.test_documents import calibration_file
 
-pytestmark = pytest.mark.slow
+pytestmark = pytest.mark.device
 
 
 def test_the_replay_is_the_first_page(

@@ -8,7 +8,7 @@ from playwright.sync_api import Browser, expect
 from tests.e2e.conftest import Demo
 from tests.e2e.visit import Visit
 
-pytestmark = pytest.mark.slow
+pytestmark = pytest.mark.device
 
 
 def test_a_zone_is_drawn_pulled_undone_and_kept(

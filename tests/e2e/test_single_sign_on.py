@@ -13,7 +13,7 @@ from app.store.store import Store
 from tests.e2e.conftest import Demo
 from tests.single_sign_on.mock_provider import SIGN_IN, MockProvider, free_port, mock_provider
 
-pytestmark = pytest.mark.slow
+pytestmark = pytest.mark.device
 
 PASSWORD = "three unrelated words"
 STATION = (

@@ -7,7 +7,7 @@ from playwright.sync_api import Browser, expect
 
 from tests.e2e.conftest import START_UP_S, Demo
 
-pytestmark = pytest.mark.slow
+pytestmark = pytest.mark.device
 
 
 def test_the_starting_page_becomes_the_client(

@@ -24,7 +24,7 @@ from app.store.store import Store
 from app.supervision.messages import schema
 from tests.e2e.conftest import ROOT, Demo, wait_in_page
 
-pytestmark = pytest.mark.slow
+pytestmark = pytest.mark.device
 
 COLLECT_NOTIFICATIONS = """
 const Plain = Notification;

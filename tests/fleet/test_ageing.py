@@ -11,6 +11,8 @@ from app.fleet.catalogue.catalogue import FleetCatalogue
 from app.fleet.catalogue.entry import CatalogueEntry
 from tests.fleet.entries import START, entry_of, figure_of
 
+pytestmark = pytest.mark.device
+
 DAY = timedelta(days=1)
 PER_1000_H, PER_K = 6.0, 1.5
 

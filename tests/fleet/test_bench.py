@@ -9,6 +9,8 @@ from app.bench.fleet.recording_stations import SECRET, make_station
 from app.progress import no_progress
 from app.settings.station_toml import DEFAULT_FILE, read_settings
 
+pytestmark = pytest.mark.soak
+
 
 def test_a_small_catalogue_is_filled_and_asked() -> None:
     found = run(10_000, 20, "", no_progress)
@@ -24,7 +26,6 @@ def test_a_small_catalogue_is_filled_and_asked() -> None:
     assert len(table(found)) == len(found.questions) + 2
 
 
-@pytest.mark.slow
 def test_a_station_in_a_relative_folder_finds_the_secret_of_its_archive(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -22,7 +22,7 @@ from app.fleet.catalogue.reading import (
 from tests.fleet.entries import START, entry_of, figure_of
 from tests.fleet.postgres import PostgresServer
 
-pytestmark = pytest.mark.slow
+pytestmark = pytest.mark.device
 
 
 def found_ids(catalogue: FleetCatalogue, **query: object) -> list[str]:

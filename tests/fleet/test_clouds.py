@@ -45,6 +45,8 @@ from tests.store.test_full_disk import fill
 from tests.store.test_full_disk import small as small
 from tests.workflows.test_reconstruct import MS, NAMES, record_stripe
 
+pytestmark = pytest.mark.device
+
 TODAYS, FOREIGN = "20260601-090000-today", "20260602-090000-other"
 OF_TWO = {"left": CALIBRATION, "right": FOREIGN}
 """The calibrations of a scan of two sensors."""
@@ -168,7 +170,6 @@ def names_in(folder: Path) -> list[str]:
     return sorted(path.name for path in folder.iterdir())
 
 
-@pytest.mark.slow
 def test_a_cloud_is_made_once_with_the_calibration_of_its_day_or_with_todays(
     filled: Path, folder: Path
 ) -> None:
@@ -229,7 +230,6 @@ def check_refusals(client: httpx.Client) -> None:
     assert "batch-other-device" in ids_in(failed["problem"])
 
 
-@pytest.mark.slow
 def test_what_waits_is_made_once_and_in_order_after_a_restart(folder: Path) -> None:
     settings = write_settings(folder, 'archive = { url = "plant/room-2" }')
     kept = folder / "fleet-clouds"
@@ -340,7 +340,6 @@ def pid_with(word: str, parent: int | None = None) -> int:
     raise AssertionError(f"no process has {word}")
 
 
-@pytest.mark.slow
 def test_what_prevents_a_cloud_is_said_in_a_sentence(folder: Path) -> None:
     archive = folder / "plant/room-2"
     settings = write_settings(folder, 'archive = { url = "plant/room-2" }')
@@ -383,7 +382,6 @@ def test_what_prevents_a_cloud_is_said_in_a_sentence(folder: Path) -> None:
     assert "Name a folder of its own" in refused_start(within)
 
 
-@pytest.mark.slow
 def test_viewers_fetch_clouds_and_operators_order_them(folder: Path) -> None:
     (folder / "password").write_text(PASSWORD[1])
     with mock_provider() as provider:
@@ -411,7 +409,6 @@ def test_viewers_fetch_clouds_and_operators_order_them(folder: Path) -> None:
             assert by_password.is_success
 
 
-@pytest.mark.slow
 def test_workers_of_a_scheduler_make_clouds(folder: Path) -> None:
     archive = 'archive = { url = "plant/room-2" }'
     with ExitStack() as stack:
@@ -430,7 +427,6 @@ def test_workers_of_a_scheduler_make_clouds(folder: Path) -> None:
         assert "batch-no-scheduler" in ids_in(failed["problem"])
 
 
-@pytest.mark.slow
 def test_a_full_disk_is_said_and_room_on_it_used(folder: Path, small: Path) -> None:
     archive = 'archive = { url = "plant/room-2" }'
     settings = write_settings(folder, archive, f'[clouds]\nfolder = "{small}/clouds"\n')

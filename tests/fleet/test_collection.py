@@ -32,7 +32,7 @@ from tests.fleet.records import (
     archive_folder,
 )
 
-pytestmark = pytest.mark.slow
+pytestmark = pytest.mark.device
 
 
 @pytest.fixture

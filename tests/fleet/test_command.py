@@ -14,7 +14,7 @@ from tests.fleet.records import add_every_kind
 from tests.fleet.test_ageing import ageing_station
 from tests.fleet.test_questions import ten_months
 
-pytestmark = pytest.mark.slow
+pytestmark = pytest.mark.device
 
 SETTINGS = """
 [catalogue]

@@ -9,7 +9,7 @@ from app.bench.fleet.drift import CASES, LIMIT_CASES, run_limits, run_months, ru
 from app.cli.main import cli
 from app.metrology.calibration_levels import OUTSIDE_SHARE
 
-pytestmark = pytest.mark.slow
+pytestmark = pytest.mark.soak
 
 
 def test_healthy_recordings_are_rarely_accused() -> None:

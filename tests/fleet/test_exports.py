@@ -16,6 +16,8 @@ from app.bench.fleet.invented import START, PlantedStep, invent_entries
 from app.fleet.catalogue.catalogue import FleetCatalogue
 from app.fleet.exports import export_parquet
 
+pytestmark = pytest.mark.device
+
 PAGE = (Path(__file__).parents[2] / "docs/fleet.md").read_text(encoding="utf-8")
 QUESTIONS = re.findall(r"^```sql\n(.*?)^```$", PAGE, re.MULTILINE | re.DOTALL)
 FAILING = PlantedStep(

@@ -29,6 +29,8 @@ from app.fleet.catalogue.reading import (
 )
 from app.fleet.catalogue.tables import CatalogueTable
 
+pytestmark = pytest.mark.device
+
 FIRST = Path(__file__).parent / "revision_1.sql"
 """Of a catalogue that the first version made."""
 

@@ -14,7 +14,7 @@ from app.fleet.catalogue.reading import SearchQuery, search
 from app.fleet.questions import drift_of, find_affected, find_calibrations, find_doubted
 from tests.fleet.entries import entry_of, figure_of
 
-pytestmark = pytest.mark.slow
+pytestmark = pytest.mark.device
 
 DAY = timedelta(days=1)
 

@@ -20,7 +20,7 @@ from tests.fleet.postgres import PostgresServer
 from tests.fleet.records import add_every_kind, add_recorded_scan
 from tests.fleet.test_questions import ten_months
 
-pytestmark = pytest.mark.slow
+pytestmark = pytest.mark.device
 DEADLINE_S = 90.0
 
 

@@ -21,6 +21,8 @@ from tests.single_sign_on.mock_provider import (
     read_table,
 )
 
+pytestmark = pytest.mark.device
+
 HOST = "10.9.8.7:8100"
 """By which browsers reach the server: the provider knows only this address."""
 PASSWORD = ("anyone", "a page's password")
@@ -68,7 +70,6 @@ def state_of(browser: httpx.Client) -> Any:
     return browser.get("/api/session").raise_for_status().json()
 
 
-@pytest.mark.slow
 def test_people_sign_in_with_the_provider_or_with_the_password(tmp_path: Path) -> None:
     with mock_provider() as provider:
         provider.register(f"http://{HOST}{BACK}")

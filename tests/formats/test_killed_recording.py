@@ -15,7 +15,7 @@ from app.formats.recording.reader import open_recording
 from app.workflows.reconstruct import reconstruct_cloud
 from tests.formats.builders import ARM, little_calibration
 
-pytestmark = pytest.mark.slow
+pytestmark = [pytest.mark.device, pytest.mark.soak]
 
 ROOT = Path(__file__).resolve().parents[2]
 RATE_HZ, POINTS = 600, 2000

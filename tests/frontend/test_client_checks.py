@@ -15,7 +15,7 @@ from app.messages.language_file import FOLDER, languages
 from app.messages.message import Message, Value, message, quantity, signed, text_to_json
 from tests.frontend.node import run_node, run_tool
 
-pytestmark = pytest.mark.slow
+pytestmark = pytest.mark.device
 
 
 def test_types() -> None:

@@ -40,7 +40,7 @@ from tests.api.calibrated import use_truth
 from tests.guide.builders import capture_row, point_row
 from tests.guide.test_verify_session import cloud
 
-pytestmark = pytest.mark.slow
+pytestmark = [pytest.mark.device, pytest.mark.soak]
 
 Rows = Sequence[tuple[str, Mapping[str, object]]]
 SEQUENCES, LONG_SEQUENCES, COMMANDS = 4, 850, 12

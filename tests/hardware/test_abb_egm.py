@@ -26,7 +26,7 @@ from tests.hardware.udp_robot import UdpBench, UdpRobot, free_udp_port
 
 egm_pb2 = pytest.importorskip("ABBRobotEGM._egm_protobuf.egm_pb2")
 
-pytestmark = pytest.mark.slow
+pytestmark = pytest.mark.device
 
 JOINTS_DEG = (10.0, -20.0, 30.0, -40.0, 50.0, -60.0)
 POSITION_MM = (500.0, -20.0, 350.0)

@@ -38,7 +38,7 @@ from tests.hardware.speaking_arm import (
 )
 from tests.hardware.test_serial_encoder import SerialBench, open_error
 
-pytestmark = pytest.mark.slow
+pytestmark = pytest.mark.device
 
 
 class TestPosesOverTcp(ArmConformance):

@@ -21,6 +21,8 @@ from hardware.interfaces import (
 )
 from tests.hardware.conformance import ArmBench, ArmConformance
 
+pytestmark = pytest.mark.device
+
 RATE_HZ = 200.0
 FIVE_JOINTS = ArmInfo("Five joints", "S-5", 5, RATE_HZ, buttons=frozenset({Button.PRIMARY}))
 POSES = ArmInfo("Poses", "S-P", 0, RATE_HZ, reports="pose", buttons=frozenset())

@@ -13,7 +13,10 @@ from hardware.errors import DeviceError
 from hardware.sensor.find_cameras import find_cameras
 from tests.hardware.test_registry import install
 
-pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="device files of Linux")
+pytestmark = [
+    pytest.mark.device,
+    pytest.mark.skipif(sys.platform != "linux", reason="device files of Linux"),
+]
 
 MODULE = "finders_of_tests"
 FIND_ONE = (

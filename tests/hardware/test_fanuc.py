@@ -27,7 +27,7 @@ from tests.hardware.udp_robot import free_udp_port
 
 testing = pytest.importorskip("airo_fanuc.testing")
 
-pytestmark = pytest.mark.slow
+pytestmark = pytest.mark.device
 
 JOINTS_DEG = [10.0, -20.0, 30.0, -40.0, 50.0, -60.0]
 FACEPLATE = [500.0, -100.0, 350.0, 10.0, 20.0, 30.0]

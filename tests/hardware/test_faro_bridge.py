@@ -24,7 +24,7 @@ from tests.hardware.conformance import (
     select_readings,
 )
 
-pytestmark = pytest.mark.slow
+pytestmark = pytest.mark.device
 
 SCRIPT = Path(__file__).parents[2] / "docs/examples/faro_bridge/faro_bridge.py"
 BITS = {Button.PRIMARY: 1, Button.UNDO: 2, Button.BACK: 4}

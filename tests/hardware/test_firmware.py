@@ -33,7 +33,7 @@ from tests.hardware.firmware.board import (
 )
 
 pytestmark = [
-    pytest.mark.slow,
+    pytest.mark.device,
     pytest.mark.skipif(missing_tool() is not None, reason=f"{missing_tool()} is not installed"),
 ]
 

@@ -45,7 +45,7 @@ from tests.hardware.fake_cameras import (
     write_laser_camera,
 )
 
-pytestmark = pytest.mark.slow
+pytestmark = pytest.mark.device
 
 WIDTH, HEIGHT = 320, 240
 REGION = [0, 0, WIDTH, HEIGHT]

@@ -27,7 +27,7 @@ from tests.hardware.conformance import (
     open_in_time,
 )
 
-pytestmark = pytest.mark.slow
+pytestmark = pytest.mark.device
 
 
 @pytest.fixture

@@ -36,6 +36,8 @@ from tests.hardware.conformance import (
 )
 from tests.hardware.test_profiles import DARK, DELAY_MS, DETECTOR, HEIGHT, WIDTH, picture, row_in
 
+pytestmark = pytest.mark.device
+
 ADDRESS = "127.0.0.93"
 """Of its own, since tests of other files use 127.0.0.1."""
 

@@ -15,6 +15,8 @@ from hardware.arm.robots.readings import StreamJudge
 from hardware.errors import DeviceError
 from hardware.interfaces import ArmInfo, LinkHealth
 
+pytestmark = [pytest.mark.device, pytest.mark.soak]
+
 POSES = ArmInfo("Robot", "", 0, 250.0, reports="pose")
 DOCUMENT = (
     '<Rob><RIst X="500.0" Y="-20.0" Z="350.0" A="10.0" B="20.0" C="30.0"/><IPOC>{}</IPOC></Rob>'

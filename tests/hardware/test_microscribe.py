@@ -29,7 +29,7 @@ from tests.hardware.speaking_arm import PtyLine
 from tests.hardware.speaking_microscribe import COUNTS, HOME_COUNTS, FakeMicroscribe
 
 pytestmark = [
-    pytest.mark.slow,
+    pytest.mark.device,
     pytest.mark.skipif(not hasattr(os, "openpty"), reason="there are no pseudo-terminals here"),
 ]
 

@@ -31,7 +31,7 @@ from tests.hardware.conformance import (
 )
 
 pytestmark = [
-    pytest.mark.slow,
+    pytest.mark.device,
     pytest.mark.filterwarnings("ignore:module 'sre_:DeprecationWarning"),  # of rclpy's parser
 ]
 

@@ -21,6 +21,8 @@ from hardware.sensor import folder, opencv_camera
 from hardware.sensor.grey import to_grey
 from tests.hardware.conformance import SensorBench, SensorConformance, next_frame
 
+pytestmark = pytest.mark.device
+
 WIDTH, HEIGHT, PICTURES, RATE_HZ = 160, 128, 7, 60.0
 
 

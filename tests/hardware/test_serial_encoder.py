@@ -39,7 +39,7 @@ from tests.hardware.speaking_arm import (
     sample_packet,
 )
 
-pytestmark = pytest.mark.slow
+pytestmark = pytest.mark.device
 
 BITS = {Button.PRIMARY: 1, Button.UNDO: 2, Button.BACK: 4}
 

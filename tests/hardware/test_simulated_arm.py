@@ -35,7 +35,7 @@ from tests.hardware.conformance import (
 )
 from tests.hardware.test_protocol import published_examples
 
-pytestmark = pytest.mark.slow
+pytestmark = pytest.mark.device
 
 REST = np.array([0.1, -0.2, 0.3, -0.4, 0.5, -0.6])
 

@@ -25,7 +25,7 @@ from hardware.simulator.scene.world import (
 from hardware.simulator.station import SimulatedStation, SimulationConfig
 from tests.hardware.conformance import LONG_S, button_edges, read_until
 
-pytestmark = pytest.mark.slow
+pytestmark = pytest.mark.device
 
 SMALL = SimulationConfig(width_px=640, height_px=512, pace=2.0, rate_hz=500.0)
 PLAIN = Detector(blur_px=0.0, speckle_contrast=0.0)

@@ -37,7 +37,7 @@ from tests.hardware.fake_cameras import ADDRESS, CONTROL_REGISTER, ControlClient
 from tests.hardware.test_genicam import require_aravis
 from tests.hardware.test_simulated_station import SMALL, stripe_in_arm_frame
 
-pytestmark = pytest.mark.slow
+pytestmark = pytest.mark.device
 
 WIDTH, HEIGHT = 320, 240
 LIT = 200

@@ -28,7 +28,7 @@ from tests.hardware.conformance import (
     select_samples,
 )
 
-pytestmark = pytest.mark.slow
+pytestmark = pytest.mark.device
 
 SMALL = SimulationConfig(width_px=640, height_px=512, pace=2.0, rate_hz=500.0)
 

@@ -33,7 +33,7 @@ from tests.hardware.conformance import (
     select_samples,
 )
 
-pytestmark = pytest.mark.slow
+pytestmark = pytest.mark.device
 
 TOOL = (0.02, -0.03, 0.15, 0.4, -0.2, 1.1)
 START_NS = now_ns()

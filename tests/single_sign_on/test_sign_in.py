@@ -23,7 +23,7 @@ from app.single_sign_on.provider import AT_ONCE, Provider
 from tests.single_sign_on.mock_provider import BACK
 from tests.single_sign_on.own_provider import OwnProvider, own_provider, rsa_key
 
-pytestmark = pytest.mark.slow
+pytestmark = pytest.mark.device
 
 
 @pytest.fixture

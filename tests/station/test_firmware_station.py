@@ -26,7 +26,7 @@ from tests.hardware.firmware.board import Board, build_board, build_firmware, mi
 from tests.station.conftest import six_axis_arm, until
 
 pytestmark = [
-    pytest.mark.slow,
+    pytest.mark.device,
     pytest.mark.skipif(missing_tool() is not None, reason=f"{missing_tool()} is not installed"),
 ]
 

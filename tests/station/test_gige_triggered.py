@@ -19,7 +19,7 @@ from tests.station.conftest import collect_readings, until
 from tests.station.test_gige_lines import BOTH
 from tests.station.test_on_simulation import CONFIG
 
-pytestmark = pytest.mark.slow
+pytestmark = pytest.mark.device
 
 RATE_HZ = 20.0
 

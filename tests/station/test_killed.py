@@ -10,7 +10,7 @@ import pytest
 from app.formats.recording.decoders import JointRecord, StripeRecord
 from app.formats.recording.reader import open_recording
 
-pytestmark = pytest.mark.slow
+pytestmark = [pytest.mark.device, pytest.mark.soak]
 
 ROOT = Path(__file__).resolve().parents[2]
 SCAN = """

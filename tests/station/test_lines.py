@@ -32,7 +32,7 @@ from hardware.simulator.station import SimulatedStation
 from tests.station.conftest import until
 from tests.station.test_on_simulation import CONFIG, true_calibration
 
-pytestmark = pytest.mark.slow
+pytestmark = pytest.mark.device
 
 BOTH: frozenset[Delivery] = frozenset({"picture", "line"})
 

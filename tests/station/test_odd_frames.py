@@ -12,7 +12,7 @@ from app.station.scan.scanner import Scanner
 from tests.station.conftest import HEIGHT, WIDTH, Bench, until
 from tests.station.test_scanner import scanner, scene
 
-pytestmark = pytest.mark.slow
+pytestmark = pytest.mark.device
 
 __all__ = ["scanner", "scene"]  # fixtures
 

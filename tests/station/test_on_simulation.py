@@ -25,7 +25,7 @@ from hardware.registry import arm_driver
 from hardware.simulator.station import SimulatedStation, SimulationConfig
 from tests.station.conftest import until
 
-pytestmark = pytest.mark.slow
+pytestmark = pytest.mark.device
 
 CONFIG = SimulationConfig(
     imperfection_um=0.0, width_px=640, height_px=512, pace=1.5, frames_hz=20.0

@@ -21,7 +21,7 @@ from app.station.preview.preview import STRIPE_POINTS, Preview, PreviewImage, de
 from tests.pictures import decode_picture
 from tests.station.conftest import HEIGHT, REST_RAD, WIDTH, Bench, until
 
-pytestmark = pytest.mark.slow
+pytestmark = pytest.mark.device
 
 
 @pytest.fixture

@@ -16,7 +16,7 @@ from app.station.setup.drivers import arm_factory, no_device_factory, sensor_fac
 from hardware.simulator.station import SimulatedStation
 from tests.station.conftest import until
 
-pytestmark = pytest.mark.slow
+pytestmark = pytest.mark.device
 
 
 def write_pictures(folder: Path, width: int) -> Path:

@@ -13,7 +13,7 @@ from hardware.clock import now_ns
 from hardware.interfaces import Button, ButtonEvent
 from tests.station.conftest import RATE_HZ, REST_RAD, TAKEN_S, Bench, until
 
-pytestmark = pytest.mark.slow
+pytestmark = pytest.mark.device
 
 
 def ready(rig: Rig) -> None:

@@ -24,6 +24,8 @@ from tests.formats.test_mask import settings
 from tests.station.conftest import HEIGHT, REST_RAD, WIDTH, Bench, until
 from tests.station.test_scanner import calibration, scanner, scene
 
+pytestmark = pytest.mark.device
+
 __all__ = ["scanner", "scene"]  # fixtures
 
 LEFT_HALF = (((-2.0, -2.0), (WIDTH / 2, -2.0), (WIDTH / 2, HEIGHT + 2.0), (-2.0, HEIGHT + 2.0)),)

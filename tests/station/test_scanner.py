@@ -27,7 +27,7 @@ from app.station.view3d.scene import Scene
 from app.workflows.reconstruct import reconstruct_cloud
 from tests.station.conftest import HEIGHT, REST_RAD, WIDTH, Bench, six_axis_arm, until
 
-pytestmark = pytest.mark.slow
+pytestmark = pytest.mark.device
 
 
 def calibration() -> ScanCalibration:

@@ -22,7 +22,7 @@ from app.station.view3d.scene import WINDOW_MESSAGES, Scene
 from tests.station.conftest import REST_RAD, six_axis_arm, until
 from tests.station.viewer import Viewer
 
-pytestmark = pytest.mark.slow
+pytestmark = pytest.mark.device
 
 BLOCK = Crenellated("block", "B-1", (-22, -14, -7, -2, 5, 10, 17, 22), -12, 12, 15, 0, -12, 0.002)
 CAMERA = Camera(

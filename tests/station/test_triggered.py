@@ -18,7 +18,7 @@ from hardware.registry import arm_driver
 from hardware.simulator.station import SimulatedStation, SimulationConfig
 from tests.station.conftest import collect_readings, until
 
-pytestmark = pytest.mark.slow
+pytestmark = pytest.mark.device
 
 RATE_HZ = 20.0
 CONFIG = SimulationConfig(

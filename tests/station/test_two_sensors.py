@@ -27,7 +27,7 @@ from hardware.simulator.station import SECOND_SERIAL_NUMBER, SimulatedStation
 from tests.station.conftest import until
 from tests.station.test_on_simulation import CONFIG, true_calibration
 
-pytestmark = pytest.mark.slow
+pytestmark = pytest.mark.device
 
 
 @pytest.fixture(scope="module")

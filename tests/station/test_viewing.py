@@ -29,6 +29,8 @@ from app.station.working_distance import classify_distance
 from tests.station.conftest import until
 from tests.station.viewer import Viewer
 
+pytestmark = pytest.mark.device
+
 KEY = "ab" * 16
 MIDDLE = Rectangle(0.25, 0.25, 0.75, 0.75)
 FRAMES = 60

@@ -23,7 +23,7 @@ from app.supervision.messages import new_instance, parse_topic, schema
 from app.supervision.remote_stations import Fleet, RemoteStation
 from tests.supervision.publishing import publish
 
-pytestmark = pytest.mark.slow
+pytestmark = pytest.mark.device
 
 ROOT = Path(__file__).resolve().parents[2]
 PATIENCE_S = 20.0

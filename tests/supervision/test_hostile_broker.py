@@ -16,7 +16,7 @@ from app.supervision.bounded_client import LONGEST_PAYLOAD, BoundedClient, Messa
 from app.supervision.remote_stations import MOST_STATIONS
 from tests.supervision.test_broker import PATIENCE_S, Watch, station, watching
 
-pytestmark = pytest.mark.slow
+pytestmark = [pytest.mark.device, pytest.mark.soak]
 
 LONG = b"x" * 20_000_000
 ACCEPTED = b"\x20\x02\x00\x00"

@@ -28,6 +28,8 @@ from app.supervision.webhook import (
     check_url,
 )
 
+pytestmark = pytest.mark.device
+
 SECRET = "a secret of the webhook"
 PAUSES_S = (0.02, 0.02, 0.02)
 

@@ -1,0 +1,1 @@
+"""How the tests are run: what each costs, in which pool, and what none may leave to the next."""

@@ -1,0 +1,125 @@
+"""Gives tests to the workers of two pools: one a core that compute, and more that wait.
+
+A unit of work is a test, or all tests of a file where they share what one of them set up.
+"""
+
+import json
+from collections import deque
+from collections.abc import Sequence
+from pathlib import Path
+
+from xdist.workermanage import WorkerController
+
+from tests.running.marks import Pool
+
+AHEAD = 2
+"""Tests that a worker needs to go on: it begins one when it knows the next."""
+
+
+class PoolScheduler:
+    """Runs each test once, in its pool; implements the interface of pytest-xdist's schedulers.
+
+    Workers of a pool have the same tests; of those that wait, the first two take the costly
+    tests from the front of the queue, and the others the light ones from its end.
+    """
+
+    def __init__(self, expected: int) -> None:
+        self._expected = expected
+        self._ids: dict[WorkerController, list[str]] = {}
+        self._pending: dict[WorkerController, list[int]] = {}
+        self._queues: dict[frozenset[Pool], deque[list[str]]] = {}
+        self._front: dict[frozenset[Pool], list[WorkerController]] = {}
+
+    @property
+    def nodes(self) -> list[WorkerController]:
+        return list(self._pending)
+
+    @property
+    def collected(self) -> int:
+        """How many tests all pools have."""
+        return sum({pools_of_worker(node): len(ids) for node, ids in self._ids.items()}.values())
+
+    @property
+    def collection_is_completed(self) -> bool:
+        """Each worker begins as soon as it knows its tests."""
+        return bool(self._ids)
+
+    @property
+    def tests_finished(self) -> bool:
+        return len(self._ids) >= self._expected and not (
+            any(self._queues.values())
+            or any(len(pending) >= AHEAD for pending in self._pending.values())
+        )
+
+    @property
+    def has_pending(self) -> bool:
+        return any(self._queues.values()) or any(self._pending.values())
+
+    def add_node(self, node: WorkerController) -> None:
+        self._pending[node] = []
+
+    def add_node_collection(self, node: WorkerController, collection: Sequence[str]) -> None:
+        pools = pools_of_worker(node)
+        self._ids[node] = list(collection)
+        if pools not in self._queues:
+            self._queues[pools] = deque(json.loads(units_file(node).read_text("utf-8")))
+        front = self._front.setdefault(pools, [])
+        if Pool.COMPUTING in pools or len(front) < 2:
+            front.append(node)
+
+    def schedule(self) -> None:
+        for node in self._ids:
+            if node in self._pending:
+                self._give(node)
+
+    def mark_test_complete(
+        self, node: WorkerController, item_index: int, duration: float = 0
+    ) -> None:
+        self._pending[node].remove(item_index)
+        self._give(node)
+
+    def remove_node(self, node: WorkerController) -> str | None:
+        """Takes away a worker that ended; what it had not begun is given to others.
+
+        Returns:
+            The test at which it ended, if it did not end in order.
+        """
+        pending = self._pending.pop(node)
+        if not pending:
+            return None
+        ids = self._ids.pop(node)
+        ended_at, *rest = (ids[index] for index in pending)
+        if rest:
+            self._queues[pools_of_worker(node)].appendleft(rest)
+        self.schedule()
+        return ended_at
+
+    def mark_test_pending(self, item: str) -> None:
+        raise NotImplementedError
+
+    def remove_pending_tests_from_node(
+        self, node: WorkerController, indices: Sequence[int]
+    ) -> None:
+        raise NotImplementedError
+
+    def _give(self, node: WorkerController) -> None:
+        pools = pools_of_worker(node)
+        queue = self._queues[pools]
+        while queue and len(self._pending[node]) < AHEAD and not node.shutting_down:
+            unit = queue.popleft() if node in self._front[pools] else queue.pop()
+            places = {test: index for index, test in enumerate(self._ids[node])}
+            given = [places[test] for test in unit]
+            self._pending[node] += given
+            node.send_runtest_some(given)
+        if not queue and not node.shutting_down:
+            node.shutdown()
+
+
+def pools_of_worker(node: WorkerController) -> frozenset[Pool]:
+    """What a worker is for."""
+    return frozenset(Pool(one) for one in node.workerinput["pools"])
+
+
+def units_file(node: WorkerController) -> Path:
+    """Where a worker writes its units before it reports its tests."""
+    return Path(node.workerinput["units"])
