@@ -15,6 +15,7 @@ PROGRAM = ("app", "hardware")
 ALL = (*PROGRAM, "tests")
 
 _readings: list[Reading[Any]] = []
+_found: dict[Path, dict[Reading[Any], Any]] = {}
 
 
 @cache
@@ -30,6 +31,7 @@ def name_of(path: Path) -> str:
 
 @cache
 def text_of(path: Path) -> str:
+    """The text of a file, which does not change while tests run."""
     return path.read_text("utf-8")
 
 
@@ -42,13 +44,11 @@ def reads_tree(reading: Reading[T]) -> Callable[[Path], T]:
     _readings.append(reading)
 
     def read(path: Path) -> T:
-        found: T = _read(path)[reading]
-        return found
+        found = _found.setdefault(path, {})
+        if reading not in found:
+            nodes = list(ast.walk(ast.parse(text_of(path), str(path))))
+            found.update((one, one(nodes)) for one in _readings)
+        known: T = found[reading]
+        return known
 
     return read
-
-
-@cache
-def _read(path: Path) -> dict[Reading[Any], Any]:
-    nodes = list(ast.walk(ast.parse(text_of(path), str(path))))
-    return {reading: reading(nodes) for reading in _readings}

@@ -4,36 +4,52 @@ import ast
 import doctest
 import importlib
 import re
-from collections.abc import Iterator
-from pathlib import Path
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
 
 import pytest
 
-ROOT = Path(__file__).parents[2]
+from tests.sources import ROOT, python_files, reads_tree, text_of
+
 SOURCES = {
-    ".".join(path.relative_to(ROOT).with_suffix("").parts): path.read_text("utf-8")
-    for path in sorted((ROOT / "app/metrology").rglob("*.py"))
+    ".".join(path.relative_to(ROOT).with_suffix("").parts): path
+    for path in python_files("app/metrology")
     if path.name != "__init__.py"
 }
-WITH_EXAMPLES = [module for module, text in SOURCES.items() if ">>> " in text]
+WITH_EXAMPLES = [module for module, path in SOURCES.items() if ">>> " in text_of(path)]
 SECTIONS = ("Args", "Returns", "Raises", "Source", "Example")
 HEADING = re.compile(r"^([A-Z][a-z]+):$", re.MULTILINE)
 ENTRY = re.compile(r"^    (\w[\w, ]*): ", re.MULTILINE)
 ERRORS = {"OperationError", "DetectionError", "ValueError", "KeyError"}
 
 
-def documented() -> Iterator[tuple[str, ast.FunctionDef, dict[str, str]]]:
-    """Functions whose docstring has sections, with the text of each section."""
-    for module, text in SOURCES.items():
-        for node in ast.walk(ast.parse(text)):
-            if isinstance(node, ast.FunctionDef):
-                _, *parts = HEADING.split(ast.get_docstring(node) or "")
-                if parts:
-                    yield (
-                        f"{module}.{node.name}",
-                        node,
-                        dict(zip(parts[::2], parts[1::2], strict=True)),
-                    )
+@dataclass(frozen=True)
+class Documented:
+    """A function whose docstring has sections."""
+
+    name: str
+    arguments: frozenset[str]
+    sections: dict[str, str]
+    """The text of each."""
+
+
+@reads_tree
+def documented_functions(nodes: Sequence[ast.AST]) -> list[Documented]:
+    found = []
+    for node in nodes:
+        if isinstance(node, ast.FunctionDef):
+            _, *parts = HEADING.split(ast.get_docstring(node) or "")
+            if parts:
+                given = (*node.args.posonlyargs, *node.args.args, *node.args.kwonlyargs)
+                sections = dict(zip(parts[::2], parts[1::2], strict=True))
+                found.append(Documented(node.name, frozenset(one.arg for one in given), sections))
+    return found
+
+
+def documented() -> Iterator[tuple[str, Documented]]:
+    """Each such function of the package, by its whole name."""
+    for module, path in SOURCES.items():
+        yield from ((f"{module}.{one.name}", one) for one in documented_functions(path))
 
 
 @pytest.mark.parametrize("module", WITH_EXAMPLES)
@@ -49,25 +65,22 @@ def test_examples_are_found() -> None:
 
 def test_sections_have_one_order() -> None:
     names = []
-    for name, _, sections in documented():
+    for name, function in documented():
+        sections = function.sections
         assert list(sections) == [one for one in SECTIONS if one in sections], name
         names.append(name)
     assert len(names) >= 100
 
 
 def test_arguments_are_those_of_the_function() -> None:
-    for name, function, sections in documented():
-        given = {
-            arg.arg
-            for arg in (*function.args.posonlyargs, *function.args.args, *function.args.kwonlyargs)
-        }
-        for entry in ENTRY.findall(sections.get("Args", "")):
-            assert set(entry.split(", ")) <= given, f"{name}: {entry}"
+    for name, function in documented():
+        for entry in ENTRY.findall(function.sections.get("Args", "")):
+            assert set(entry.split(", ")) <= function.arguments, f"{name}: {entry}"
 
 
 def test_errors_exist() -> None:
-    for name, _, sections in documented():
-        raised = sections.get("Raises")
+    for name, function in documented():
+        raised = function.sections.get("Raises")
         if raised is not None:
             assert set(ENTRY.findall(raised)) <= ERRORS, name
             assert ENTRY.search(raised), name
@@ -75,7 +88,7 @@ def test_errors_exist() -> None:
 
 def test_named_codes_are_raised() -> None:
     """Each code that a docstring names stands in the code of the package."""
-    code = "\n".join(SOURCES.values())
-    for name, _, sections in documented():
-        for named in re.findall(r"``([a-z]+(?:-[a-z]+)+)``", sections.get("Raises", "")):
+    code = "\n".join(map(text_of, SOURCES.values()))
+    for name, function in documented():
+        for named in re.findall(r"``([a-z]+(?:-[a-z]+)+)``", function.sections.get("Raises", "")):
             assert f'"{named}"' in code, f"{name}: {named}"

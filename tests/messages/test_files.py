@@ -1,20 +1,18 @@
 """The language files have exactly what the code uses, each with the same variables."""
 
 import ast
-from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
 from functools import cache
-from pathlib import Path
 
 import pytest
 from fluent.runtime import FluentBundle, FluentResource
-from fluent.syntax import FluentParser
 from fluent.syntax import ast as ftl
 
 from app.messages.catalogue import FUNCTIONS
 from app.messages.language_file import ENGLISH, FOLDER, languages
+from tests.sources import PROGRAM, name_of, python_files, reads_tree
 
-ROOT = Path(__file__).resolve().parents[2]
 OTHERS = languages()[1:]
 MADE_FROM_TERMS = ("word-",)
 """Beginnings of ids that code makes from a term of its own, as ``word`` does."""
@@ -32,16 +30,17 @@ class References:
 class Call:
     """A use of a message in code; ``complete``: all its values are named there."""
 
-    where: str
+    line: int
     message_id: str
     values: frozenset[str]
     complete: bool
+    where: str = ""
 
 
 @cache
-def entries(language: str) -> tuple[ftl.EntryType, ...]:
-    text = (FOLDER / f"{language}.ftl").read_text(encoding="utf-8")
-    return tuple(FluentParser().parse(text).body)
+def resource(language: str) -> ftl.Resource:
+    """A language file, parsed."""
+    return FluentResource((FOLDER / f"{language}.ftl").read_text(encoding="utf-8"))
 
 
 def walk(node: object) -> Iterator[ftl.BaseNode]:
@@ -59,7 +58,7 @@ def walk(node: object) -> Iterator[ftl.BaseNode]:
 def references(language: str) -> Mapping[str, References]:
     """Of each message by its id."""
     messages: dict[str, References] = {}
-    for entry in entries(language):
+    for entry in resource(language).body:
         if isinstance(entry, ftl.Message):
             nodes = list(walk(entry))
             messages[entry.id.name] = References(
@@ -71,30 +70,40 @@ def references(language: str) -> Mapping[str, References]:
 
 @cache
 def calls() -> tuple[Call, ...]:
-    paths = [path for package in ("app", "hardware") for path in (ROOT / package).rglob("*.py")]
-    return tuple(call for path in sorted(paths) for call in calls_of(path))
+    return tuple(
+        replace(call, where=f"{name_of(path)}:{call.line}")
+        for path in python_files(*PROGRAM)
+        for call in calls_of(path)
+    )
 
 
-def calls_of(path: Path) -> Iterator[Call]:
-    for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+@reads_tree
+def calls_of(nodes: Sequence[ast.AST]) -> list[Call]:
+    """The uses of messages in a file; an id that is not written out is empty."""
+    found = []
+    for node in nodes:
         match node:
             case ast.Call(func=ast.Name(id="message"), args=[first], keywords=keywords):
-                where = f"{path.relative_to(ROOT)}:{node.lineno}"
-                assert isinstance(first, ast.Constant), f"{where}: an id is written out"
+                message_id = str(first.value) if isinstance(first, ast.Constant) else ""
                 names = {keyword.arg for keyword in keywords}
                 values = frozenset(name for name in names if name is not None)
-                yield Call(where, str(first.value), values, None not in names)
+                found.append(Call(node.lineno, message_id, values, None not in names))
             case ast.Call(func=ast.Name(id="word"), args=[ast.Constant(value=str(term))]):
-                where = f"{path.relative_to(ROOT)}:{node.lineno}"
-                yield Call(where, f"word-{term.replace(' ', '-')}", frozenset(), True)
+                message_id = f"word-{term.replace(' ', '-')}"
+                found.append(Call(node.lineno, message_id, frozenset(), True))
+    return found
 
 
 @pytest.mark.parametrize("language", languages())
 def test_a_file_parses_and_has_no_id_twice(language: str) -> None:
-    junk = [entry.content for entry in entries(language) if isinstance(entry, ftl.Junk)]
+    junk = [entry.content for entry in resource(language).body if isinstance(entry, ftl.Junk)]
     assert not junk
-    ids = [entry.id.name for entry in entries(language) if isinstance(entry, ftl.Message)]
+    ids = [entry.id.name for entry in resource(language).body if isinstance(entry, ftl.Message)]
     assert not {one for one in ids if ids.count(one) > 1}
+
+
+def test_every_id_is_written_out() -> None:
+    assert not [call.where for call in calls() if not call.message_id]
 
 
 def test_every_message_of_the_code_is_in_english() -> None:
@@ -159,7 +168,7 @@ def test_every_language_has_every_message_with_the_same_variables(language: str)
 @pytest.mark.parametrize("value", [1, 7, "name"])
 def test_every_message_can_be_rendered(language: str, value: int | str) -> None:
     bundle = FluentBundle([language], FUNCTIONS, use_isolating=False)
-    bundle.add_resource(FluentResource((FOLDER / f"{language}.ftl").read_text(encoding="utf-8")))
+    bundle.add_resource(resource(language))
     failed = {}
     for message_id, one in references(language).items():
         pattern = bundle.get_message(message_id).value

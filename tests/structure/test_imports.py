@@ -1,13 +1,13 @@
 """The packages import one way only."""
 
 import ast
+import sys
 from collections import Counter
-from collections.abc import Iterator
-from pathlib import Path
+from collections.abc import Sequence
 
 import pytest
 
-ROOT = Path(__file__).resolve().parents[2]
+from tests.sources import ALL, PROGRAM, ROOT, name_of, python_files, reads_tree, text_of
 
 NUMERICS = {"numpy", "scipy", "cv2"}
 LEAVES = {"app.errors", "app.findings", "app.progress", "app.timestamps"}
@@ -91,14 +91,17 @@ LAYERS: dict[str, set[str]] = {
 """
 
 
-def imported_modules(path: Path) -> Iterator[str]:
-    for node in ast.walk(ast.parse(path.read_text())):
-        if isinstance(node, ast.Import):
-            yield from (alias.name for alias in node.names)
-        elif isinstance(node, ast.ImportFrom):
-            assert node.level == 0, f"{path}: relative import"
-            assert node.module is not None
-            yield node.module
+@reads_tree
+def imported_modules(nodes: Sequence[ast.AST]) -> frozenset[str]:
+    """The modules that a file imports, or imports from; relative ones begin with a point."""
+    found: set[str] = set()
+    for node in nodes:
+        match node:
+            case ast.Import():
+                found.update(alias.name for alias in node.names)
+            case ast.ImportFrom():
+                found.add("." * node.level + (node.module or ""))
+    return frozenset(found)
 
 
 def is_within(module: str, package: str) -> bool:
@@ -107,7 +110,7 @@ def is_within(module: str, package: str) -> bool:
 
 @pytest.mark.parametrize("package", LAYERS)
 def test_a_package_imports_only_what_is_below_it(package: str) -> None:
-    files = sorted((ROOT / package.replace(".", "/")).rglob("*.py"))
+    files = python_files(package.replace(".", "/"))
     assert files
     allowed = {package, *LAYERS[package]}
     if package != MESSAGES:
@@ -116,8 +119,17 @@ def test_a_package_imports_only_what_is_below_it(package: str) -> None:
         for module in imported_modules(path):
             if module.split(".")[0] in {"app", "hardware", "tests"}:
                 assert any(is_within(module, one) for one in allowed), (
-                    f"{path.relative_to(ROOT)} imports {module}"
+                    f"{name_of(path)} imports {module}"
                 )
+
+
+def test_imports_are_absolute() -> None:
+    assert not [
+        f"{name_of(path)} imports {module}"
+        for path in python_files(*ALL)
+        for module in imported_modules(path)
+        if module.startswith(".")
+    ]
 
 
 def test_the_layers_have_an_order() -> None:
@@ -131,35 +143,29 @@ def test_the_layers_have_an_order() -> None:
 
 def test_packages_beside_each_other_import_one_way() -> None:
     edges: dict[tuple[str, str], str] = {}
-    for top in ("app", "hardware"):
-        for path in sorted((ROOT / top).rglob("*.py")):
-            package = ".".join(path.relative_to(ROOT).parent.parts)
-            for module in imported_modules(path):
-                target = (
-                    module
-                    if (ROOT / module.replace(".", "/")).is_dir()
-                    else (module.rpartition(".")[0])
-                )
-                if module.split(".")[0] in {"app", "hardware"} and target != package:
-                    edges[package, target] = f"{path.relative_to(ROOT)} imports {module}"
+    for path in python_files(*PROGRAM):
+        package = ".".join(path.relative_to(ROOT).parent.parts)
+        for module in imported_modules(path):
+            if module.split(".")[0] in PROGRAM:
+                is_package = (ROOT / module.replace(".", "/")).is_dir()
+                target = module if is_package else module.rpartition(".")[0]
+                if target != package:
+                    edges[package, target] = f"{name_of(path)} imports {module}"
     for (package, target), where in edges.items():
         if not (is_within(package, target) or is_within(target, package)):
             assert (target, package) not in edges, f"{where}; {edges[target, package]}"
 
 
 def test_no_folder_has_many_modules_and_few_are_small() -> None:
-    found = [path for top in ("app", "hardware") for path in (ROOT / top).rglob("*.py")]
-    modules = [path for path in found if path.name != "__init__.py"]
+    modules = [path for path in python_files(*PROGRAM) if path.name != "__init__.py"]
     (fullest,) = Counter(path.parent for path in modules).most_common(1)
     assert fullest[1] <= 15, fullest
-    small = [path for path in modules if len(path.read_text().splitlines()) < 40]
+    small = [path for path in modules if len(text_of(path).splitlines()) < 40]
     assert len(small) <= len(modules) / 25, sorted(small)
 
 
 def test_the_mathematics_uses_numerical_libraries_only() -> None:
-    import sys
-
-    for path in sorted((ROOT / "app/metrology").rglob("*.py")):
+    for path in python_files("app/metrology"):
         for module in imported_modules(path):
             top = module.split(".")[0]
             assert top == "app" or top in NUMERICS or top in sys.stdlib_module_names, (
@@ -171,9 +177,7 @@ def test_the_mathematics_uses_numerical_libraries_only() -> None:
 
 
 def test_the_simulator_shares_nothing_with_the_solver() -> None:
-    for path in sorted((ROOT / "hardware").rglob("*.py")):
+    for path in python_files("hardware"):
         for module in imported_modules(path):
             common = is_within(module, "app.native") or is_within(module, MESSAGES)
-            assert common or not is_within(module, "app"), (
-                f"{path.relative_to(ROOT)} imports {module}"
-            )
+            assert common or not is_within(module, "app"), f"{name_of(path)} imports {module}"

@@ -3,10 +3,10 @@
 import ast
 import re
 from collections import defaultdict
-from collections.abc import Iterator
-from pathlib import Path
+from collections.abc import Sequence
 
-ROOT = Path(__file__).parents[2]
+from tests.sources import PROGRAM, name_of, python_files, reads_tree
+
 IRREGULAR = frozenset(
     (
         *("told", "said", "seen", "held", "known", "shown", "drawn", "given", "taken", "made"),
@@ -23,22 +23,28 @@ QUANTITIES = frozenset(
 )
 
 
-def modules() -> Iterator[tuple[str, ast.Module]]:
-    for top in ("app", "hardware"):
-        for path in sorted((ROOT / top).rglob("*.py")):
-            yield path.relative_to(ROOT).as_posix(), ast.parse(path.read_text())
+@reads_tree
+def functions(nodes: Sequence[ast.AST]) -> list[tuple[int, str]]:
+    """Line and name of those of modules and classes.
+
+    Properties are read like fields, and have such names.
+    """
+    return [
+        (child.lineno, child.name)
+        for node in nodes
+        if isinstance(node, ast.Module | ast.ClassDef)
+        for child in node.body
+        if isinstance(child, ast.FunctionDef | ast.AsyncFunctionDef)
+        and not any("property" in ast.unparse(decorator) for decorator in child.decorator_list)
+    ]
 
 
-def functions(tree: ast.Module) -> Iterator[ast.FunctionDef | ast.AsyncFunctionDef]:
-    """Those of modules and classes; properties are read like fields, and have such names."""
-    nodes: list[ast.Module | ast.ClassDef] = [tree]
-    nodes += [one for one in ast.walk(tree) if isinstance(one, ast.ClassDef)]
-    for node in nodes:
-        for child in node.body:
-            if isinstance(child, ast.FunctionDef | ast.AsyncFunctionDef) and not any(
-                "property" in ast.unparse(decorator) for decorator in child.decorator_list
-            ):
-                yield child
+@reads_tree
+def classes(nodes: Sequence[ast.AST]) -> list[str]:
+    """The names of a module's classes."""
+    module = nodes[0]
+    assert isinstance(module, ast.Module)
+    return [node.name for node in module.body if isinstance(node, ast.ClassDef)]
 
 
 def is_participle(word: str) -> bool:
@@ -47,19 +53,17 @@ def is_participle(word: str) -> bool:
 
 def test_no_function_is_named_by_a_participle() -> None:
     named = [
-        f"{name}:{function.lineno} {function.name}"
-        for name, tree in modules()
-        for function in functions(tree)
-        if is_participle(function.name.strip("_").partition("_")[0])
-        and function.name not in QUANTITIES
+        f"{name_of(path)}:{line} {name}"
+        for path in python_files(*PROGRAM)
+        for line, name in functions(path)
+        if is_participle(name.strip("_").partition("_")[0]) and name not in QUANTITIES
     ]
     assert not named
 
 
 def test_a_class_name_has_one_meaning() -> None:
     places: dict[str, list[str]] = defaultdict(list)
-    for name, tree in modules():
-        for node in tree.body:
-            if isinstance(node, ast.ClassDef):
-                places[node.name].append(name)
+    for path in python_files(*PROGRAM):
+        for name in classes(path):
+            places[name].append(name_of(path))
     assert not {name: where for name, where in places.items() if len(where) > 1}

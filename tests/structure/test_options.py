@@ -1,22 +1,13 @@
 """What a layer below the commands says names no option that only some of them have."""
 
 import re
-from pathlib import Path
 
-ROOT = Path(__file__).parents[2]
+from tests.sources import python_files, text_of
+
 OPTION = re.compile(r"(?<![\w-])-o\b")
+BELOW = ("formats", "workflows", "store", "station", "api", "guide", "report", "metrology")
 
 
 def test_files_are_written_for_commands_with_and_without_o() -> None:
-    for folder in (
-        "formats",
-        "workflows",
-        "store",
-        "station",
-        "api",
-        "guide",
-        "report",
-        "metrology",
-    ):
-        for path in sorted((ROOT / "app" / folder).rglob("*.py")):
-            assert not OPTION.search(path.read_text()), path
+    for path in python_files(*(f"app/{folder}" for folder in BELOW)):
+        assert not OPTION.search(text_of(path)), path

@@ -1,9 +1,10 @@
 """Files that anybody may have put there are opened in one place, ordinary ones alone."""
 
 import ast
-from pathlib import Path
+from collections.abc import Sequence
 
-ROOT = Path(__file__).parents[2]
+from tests.sources import name_of, python_files, reads_tree
+
 OF_THE_PROGRAM = (
     "app/bench/",
     "app/native/",
@@ -16,17 +17,19 @@ KERNEL = ("app/monitoring/system_info.py",)
 
 
 def test_nothing_else_opens_files_to_read() -> None:
-    found = []
-    for path in sorted((ROOT / "app").rglob("*.py")):
-        name = path.relative_to(ROOT).as_posix()
-        if not name.startswith((*OF_THE_PROGRAM, *KERNEL)):
-            found += [f"{name}:{line}" for line in _reading(ast.parse(path.read_text()))]
-    assert not found
+    assert not [
+        f"{name_of(path)}:{line}"
+        for path in python_files("app")
+        if not name_of(path).startswith((*OF_THE_PROGRAM, *KERNEL))
+        for line in reading_lines(path)
+    ]
 
 
-def _reading(tree: ast.Module) -> list[int]:
+@reads_tree
+def reading_lines(nodes: Sequence[ast.AST]) -> list[int]:
+    """Where a file reads files."""
     lines = []
-    for node in ast.walk(tree):
+    for node in nodes:
         if not isinstance(node, ast.Call):
             continue
         match node.func:
