@@ -72,11 +72,6 @@ def pools_of_file(path: Path) -> frozenset[Pool]:
     return frozenset(Pool) if Cost.DEVICE in marks.of_some else frozenset({Pool.COMPUTING})
 
 
-def is_soak_file(path: Path) -> bool:
-    """Whether a file has soak tests only."""
-    return Cost.SOAK in read_marks(path).of_all
-
-
 def pool_of_test(item: pytest.Item) -> Pool:
     """The pool that runs a test: what waits for devices waits beside the others that do."""
     return Pool.WAITING if item.get_closest_marker(Cost.DEVICE) else Pool.COMPUTING

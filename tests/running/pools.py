@@ -15,7 +15,7 @@ from pathlib import Path
 import pytest
 from xdist.workermanage import WorkerController
 
-from tests.running.marks import Cost, Pool, is_soak_file, pool_of_test, pools_of_file, test_files
+from tests.running.marks import Cost, Pool, pool_of_test, pools_of_file, read_marks, test_files
 from tests.running.scheduler import PoolScheduler
 
 WAITING_WORKERS = 6
@@ -26,16 +26,44 @@ COSTLY = ("e2e", "api", "bench", "batch", "fleet")
 
 
 def pytest_xdist_auto_num_workers(config: pytest.Config) -> int:
-    """As many workers as the named tests are worth; none, this process itself, for one file."""
-    return len(planned_workers(config)) if len(_named_files(config)) > 1 else 0
+    """As many workers as the chosen tests are worth; none, this process itself, for one file."""
+    choice = Choice(config)
+    return len(planned_workers(choice.files)) if len(choice.files) > 1 else 0
 
 
-def planned_workers(config: pytest.Config, count: int | None = None) -> list[frozenset[Pool]]:
-    """The pools of each worker, for so many workers; None: for as many as the tests are worth."""
-    files = [pools_of_file(path) for path in _named_files(config)]
-    cores = os.cpu_count() or 1
-    computing = min(cores, sum(Pool.COMPUTING in one for one in files))
-    waiting = min(WAITING_WORKERS, sum(Pool.WAITING in one for one in files))
+class Choice:
+    """The tests that a command asks for. Soak tests must be asked for: by a mark, a part of the
+    name, or the name of their file."""
+
+    def __init__(self, config: pytest.Config) -> None:
+        names = (argument.partition("::")[0] for argument in config.args)
+        places = [Path(os.path.abspath(config.invocation_params.dir / name)) for name in names]
+        self.named = frozenset(one for one in places if one.is_file())
+        self.marks: str = config.option.markexpr
+        self.asks = bool(self.marks or config.option.keyword)
+        self.files = [path for path in dict.fromkeys(test_files(places)) if self.may_have(path)]
+        """All files that may have one of the tests."""
+
+    def may_have(self, path: Path) -> bool:
+        """Whether some test of a file can be meant, by the marks in its text."""
+        marks = read_marks(path)
+        match self.marks:
+            case "quick":
+                return not marks.of_all
+            case Cost.SLOW | Cost.DEVICE | Cost.SOAK:
+                return self.marks in marks.of_some
+        return self.asks or path in self.named or Cost.SOAK not in marks.of_all
+
+    def has(self, item: pytest.Item) -> bool:
+        """Whether a test is meant, as far as soak tests are concerned."""
+        return self.asks or item.path in self.named or not item.get_closest_marker(Cost.SOAK)
+
+
+def planned_workers(files: Sequence[Path], count: int | None = None) -> list[frozenset[Pool]]:
+    """The pools of each worker, for so many workers; None: for as many as the files are worth."""
+    pools = [pools_of_file(path) for path in files]
+    computing = min(os.cpu_count() or 1, sum(Pool.COMPUTING in one for one in pools))
+    waiting = min(WAITING_WORKERS, sum(Pool.WAITING in one for one in pools))
     if count is None:
         count = computing + waiting
     if count == 1:
@@ -48,19 +76,12 @@ def planned_workers(config: pytest.Config, count: int | None = None) -> list[fro
     return [frozenset({pool}) for pool, number in of_each for _ in range(number)]
 
 
-def _named_files(config: pytest.Config, folders: bool = True) -> list[Path]:
-    """The test files that the command names, with those in the folders that it names."""
-    names = (argument.partition("::")[0] for argument in config.args)
-    places = [Path(os.path.abspath(config.invocation_params.dir / name)) for name in names]
-    return list(dict.fromkeys(test_files(one for one in places if folders or one.is_file())))
-
-
 class Controller:
     """What the process does that starts the workers."""
 
     def __init__(self, config: pytest.Config) -> None:
         self.folder = Path(tempfile.mkdtemp(prefix="pytest-pools-"))
-        self.vacant = planned_workers(config, len(config.getvalue("tx")))
+        self.vacant = planned_workers(Choice(config).files, len(config.getvalue("tx")))
         self.pools: dict[WorkerController, frozenset[Pool]] = {}
         self.scheduler = PoolScheduler(len(self.vacant))
 
@@ -95,8 +116,7 @@ class Worker:
         self.pools = frozenset(Pool(one) for one in given.get("pools", Pool))
         self.units = Path(given["units"]) if "units" in given else None
         self.config = config
-        self.named = frozenset(_named_files(config, folders=False))
-        self.soaks = _asks_for_soak(config)
+        self.choice = Choice(config)
         if self.pools == {Pool.COMPUTING}:
             os.nice(YIELDED)
 
@@ -104,10 +124,9 @@ class Worker:
         """Leaves files alone that have no test of these pools."""
         if collection_path.suffix != ".py" or not collection_path.name.startswith("test_"):
             return None
-        if not self.pools & pools_of_file(collection_path):
-            return True
-        named = self.soaks or collection_path in self.named
-        return True if not named and is_soak_file(collection_path) else None
+        if self.pools & pools_of_file(collection_path) and self.choice.may_have(collection_path):
+            return None
+        return True
 
     @pytest.hookimpl(tryfirst=True)
     def pytest_itemcollected(self, item: pytest.Item) -> None:
@@ -116,24 +135,13 @@ class Worker:
 
     @pytest.hookimpl(trylast=True)
     def pytest_collection_modifyitems(self, items: list[pytest.Item]) -> None:
-        items[:] = [item for item in items if pool_of_test(item) in self.pools]
-        if not self.soaks:
-            soak = [
-                item
-                for item in items
-                if item.get_closest_marker(Cost.SOAK) and item.path not in self.named
-            ]
-            if soak:
-                self.config.hook.pytest_deselected(items=soak)
-                items[:] = [item for item in items if item not in soak]
+        of_pools = [item for item in items if pool_of_test(item) in self.pools]
+        items[:] = [item for item in of_pools if self.choice.has(item)]
+        if left_out := [item for item in of_pools if not self.choice.has(item)]:
+            self.config.hook.pytest_deselected(items=left_out)
         if self.units is not None:
             units = ordered_units(items)
             self.units.write_text(json.dumps([[item.nodeid for item in unit] for unit in units]))
-
-
-def _asks_for_soak(config: pytest.Config) -> bool:
-    """Whether tests are chosen by their marks or names: who asks for a test gets it."""
-    return bool(config.option.markexpr or config.option.keyword)
 
 
 def ordered_units(items: Sequence[pytest.Item]) -> list[list[pytest.Item]]:
