@@ -1,6 +1,6 @@
 """How good a calibration is, and how long it takes: tables of docs/accuracy.md.
 
-    python -m tests.bench.accuracy [SAMPLES] [--sessions 20]
+    python -m tests.bench.accuracy [SAMPLES] [--sessions 20] [--json]
 
 Simulated sessions of blocks, arms and cameras drawn at random, and the sample sessions
 where their folder is given. Each is calibrated; the truth's pixels are rebuilt and
@@ -15,7 +15,7 @@ import subprocess
 import sys
 import tempfile
 import time
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 
 import numpy as np
@@ -32,7 +32,10 @@ from app.metrology.transforms import Floats, apply, rigid_fit
 from app.workflows.calibrate import joint_inputs, one_pose_inputs
 from hardware.simulator.devices.kinematics import UnreachableError
 from hardware.simulator.session import SessionPlan, render_session
+from tests.bench.rows import Rows, add_json_option, measured_rows
 
+SAMPLES = ("one-pose", "many-poses", "metal")
+COLUMNS = ("sensor, µm", "flange, µm", "claimed, µm", "linear only, µm")
 FIRST_SEED = 9000
 RUNS = 5
 
@@ -129,35 +132,35 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("samples", type=Path, nargs="?")
     parser.add_argument("--sessions", type=int, default=20)
+    add_json_option(parser)
     given = parser.parse_args()
-    head = ("session", "sensor um", "flange um", "claimed um", "linear only um")
-    print(f"{head[0]:<24}" + "".join(f"{name:>16}" for name in head[1:]))
-    if given.samples is not None:
-        for name in ("one-pose", "many-poses", "metal"):
-            figures = measure_session(given.samples / name)
-            print(f"{name:<24}" + "".join(f"{value:>16.2f}" for value in figures))
-            together = f"{name}, joint"
-            print(
-                f"{together:<24}"
-                + "".join(f"{v:>16.2f}" for v in measure_joint(given.samples / name))
-            )
-    with tempfile.TemporaryDirectory() as scratch:
-        rows, refused, last = [], 0, Path()
-        for folder in draw_sessions(given.sessions, Path(scratch)):
-            last = folder
-            try:
-                rows.append(measure_session(folder))
-            except OperationError as refusal:
-                refused += 1
-                print(f"{folder.name}: refused: {refusal}")
-        if rows:
-            for name, of in (("median", np.median), ("worst", np.max)):
-                values = [float(of(np.array(column))) for column in zip(*rows, strict=True)]
-                label = f"{len(rows)} random, {name}"
-                print(f"{label:<24}" + "".join(f"{value:>16.2f}" for value in values))
-        print(f"refused: {refused}")
-        timed = given.samples / "one-pose" if given.samples is not None else last
-        print(f"crenel calibrate, cold process: {cold_process_s(timed, Path(scratch)):.2f} s")
+    with measured_rows(given.json) as rows, tempfile.TemporaryDirectory() as scratch:
+        for name in SAMPLES if given.samples is not None else ():
+            rows.add(name, named(measure_session(given.samples / name)))
+            rows.add(f"{name}, joint", named(measure_joint(given.samples / name)))
+        last = measure_random(given.sessions, Path(scratch), rows)
+        timed = last if given.samples is None else given.samples / SAMPLES[0]
+        rows.add("crenel calibrate, cold process", {"s": cold_process_s(timed, Path(scratch))})
+
+
+def measure_random(count: int, scratch: Path, rows: Rows) -> Path:
+    """Median and worst of random sessions, and how many are refused; the folder of the last."""
+    found, refused, last = [], 0, Path()
+    for folder in draw_sessions(count, scratch):
+        last = folder
+        try:
+            found.append(measure_session(folder))
+        except OperationError as refusal:
+            refused += 1
+            rows.say(f"{folder.name}: refused: {refusal}")
+    for name, of in (("median", np.median), ("worst", np.max)) if found else ():
+        rows.add(f"random, {name}", named([float(of(column)) for column in np.transpose(found)]))
+    rows.add("random", {"measured": len(found), "refused": refused})
+    return last
+
+
+def named(values: Sequence[float]) -> dict[str, float]:
+    return dict(zip(COLUMNS, values, strict=False))
 
 
 if __name__ == "__main__":

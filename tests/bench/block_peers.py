@@ -29,6 +29,7 @@ from app.metrology.transforms import Floats, apply, inverse, rigid, rigid_fit
 from app.workflows.calibrate import joint_inputs
 from tests.bench.board_measures import PeerCalibration, move_camera, plane_through, solve_pose
 from tests.bench.hand_eye import K1_ONLY, hand_eye_methods
+from tests.bench.rows import Rows
 
 SAMPLES = ("one-pose", "many-poses", "metal")
 HALF_WINDOW_PX = 4
@@ -122,8 +123,8 @@ def _rms_um(off_mm: Floats) -> float:
     return 1e3 * float(np.sqrt(np.mean(np.sum(off_mm**2, axis=1))))
 
 
-def print_samples(samples: Path) -> None:
-    print(f"\n{'':<54}{'sensor um':>12}{'flange um':>12}")
+def measure_samples(samples: Path, rows: Rows) -> None:
+    """A row for each sample session and way to calibrate."""
     for name in SAMPLES:
         session = read_session(samples / name)
         inputs = joint_inputs(session)
@@ -141,4 +142,4 @@ def print_samples(samples: Path) -> None:
         )
         for solved in (*calibrate_opencv(session, views), crenel):
             inside, in_flange = errors_um(solved, samples / name)
-            print(f"{f'{name}: {solved.name}':<54}{inside:>12.1f}{in_flange:>12.1f}")
+            rows.add(f"{name}: {solved.name}", {"sensor, µm": inside, "flange, µm": in_flange})

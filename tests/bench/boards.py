@@ -1,6 +1,6 @@
 """Does a calibration on a chessboard keep its word? Claimed against observed errors.
 
-    python -m tests.bench.boards [SESSIONS] [--arms N]
+    python -m tests.bench.boards [SESSIONS] [--arms N] [--json]
 
 Sessions of eight pictures of a bent board on a robot, with everything that errs drawn again; and
 of the simulated station's board, pictures rendered, by arms with datasheets true to 20 µm,
@@ -15,6 +15,7 @@ import numpy as np
 
 from app.metrology.adjustment.board.calibrate import calibrate_board
 from hardware.simulator.station import SimulationConfig
+from tests.bench.rows import add_json_option, measured_rows
 from tests.metrology.rendered_boards import RenderedBoards, errors_um
 from tests.metrology.seen_boards import BoardErrors, error_um, session
 
@@ -32,17 +33,17 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("sessions", type=int, nargs="?", default=60)
     parser.add_argument("--arms", type=int, default=8)
+    add_json_option(parser)
     asked = parser.parse_args()
-    count = asked.sessions
-    print(f"{'':<40}{'observed':>10}{'claimed':>10}{'claimed / observed':>22}")
-    for name, errors in SET_UPS.items():
-        found = [calibrate_board(session(seed, errors)) for seed in range(count)]
-        claimed = np.sqrt(np.mean([one.uncertainty.total_um**2 for one in found]))
-        observed = np.sqrt(np.mean([error_um(one) ** 2 for one in found]))
-        _print_row(name, observed, claimed)
-    for off_um in ARMS_UM if asked.arms else ():
-        name = f"the station's board, arms off by {off_um:.0f} µm"
-        _print_row(name, *_measure_on_arms(asked.arms, off_um))
+    with measured_rows(asked.json) as rows:
+        for name, errors in SET_UPS.items():
+            found = [calibrate_board(session(seed, errors)) for seed in range(asked.sessions)]
+            claimed = np.sqrt(np.mean([one.uncertainty.total_um**2 for one in found]))
+            observed = np.sqrt(np.mean([error_um(one) ** 2 for one in found]))
+            rows.add(name, _values(observed, claimed))
+        for off_um in ARMS_UM if asked.arms else ():
+            name = f"the station's board, arms off by {off_um:.0f} µm"
+            rows.add(name, _values(*_measure_on_arms(asked.arms, off_um)))
 
 
 def _measure_on_arms(count: int, off_um: float) -> tuple[float, float]:
@@ -58,9 +59,9 @@ def _measure_on_arms(count: int, off_um: float) -> tuple[float, float]:
     return float(np.sqrt(np.mean(observed))), float(np.sqrt(np.mean(claimed)))
 
 
-def _print_row(name: str, observed_um: float, claimed_um: float) -> None:
-    share = claimed_um / observed_um
-    print(f"{name:<40}{observed_um:>7.0f} µm{claimed_um:>7.0f} µm{share:>22.2f}")
+def _values(observed_um: float, claimed_um: float) -> dict[str, float]:
+    ratio = claimed_um / observed_um
+    return {"observed, µm": observed_um, "claimed, µm": claimed_um, "claimed / observed": ratio}
 
 
 if __name__ == "__main__":

@@ -1,8 +1,9 @@
 """Corners of rendered ChArUco boards against the truth, beside those of OpenCV's detector.
 
-python -m tests.bench.charuco
+python -m tests.bench.charuco [--json]
 """
 
+import argparse
 from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 
@@ -15,6 +16,7 @@ from app.metrology.chessboard.detect_board import detect_board
 from app.metrology.sensor.camera import project
 from app.metrology.targets.chessboard import Markers, corner_points
 from app.metrology.transforms import Floats
+from tests.bench.rows import add_json_option, measured_rows
 from tests.metrology.boards import BOARD, POSES, Look, picture
 from tests.metrology.seen_boards import camera_at
 
@@ -30,9 +32,13 @@ class Corners:
 
     off_px: list[Floats] = field(default_factory=list)
 
-    def __str__(self) -> str:
+    def values(self, method: str) -> dict[str, float]:
+        """Their number, and the rms."""
         every = np.concatenate(self.off_px)
-        return f"{len(every):>5}{np.sqrt(np.mean(every**2)):>8.3f}"
+        return {
+            f"{method}, found": len(every),
+            f"{method}, px": float(np.sqrt(np.mean(every**2))),
+        }
 
 
 def compress(image: Grey) -> Grey:
@@ -50,21 +56,30 @@ PICTURES: dict[str, tuple[Look, Callable[[Grey], Grey]]] = {
 
 
 def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    add_json_option(parser)
+    with measured_rows(parser.parse_args().json) as rows:
+        for name in PICTURES:
+            ours, theirs = find_corners(name)
+            rows.add(name, ours.values("Crenel") | theirs.values("OpenCV"))
+
+
+def find_corners(name: str) -> tuple[Corners, Corners]:
+    """In the pictures of one kind, by Crenel and by OpenCV."""
+    look, change = PICTURES[name]
+    ours, theirs = Corners(), Corners()
     detector = cv2.aruco.CharucoDetector(charuco_board(CHARUCO, MARKERS))
     columns, rows = CHARUCO.inner_corners
-    print(f"{'of ' + str(len(POSES) * columns * rows) + ' corners':<20}  Crenel, px   OpenCV, px")
-    for name, (look, change) in PICTURES.items():
-        ours, theirs = Corners(), Corners()
-        for k, T in enumerate(POSES):
-            image = change(picture(T, look, k))
-            true = project(camera_at(T), corner_points(CHARUCO))
-            found = detect_board(image, CHARUCO)
-            ours.off_px.append(found.uv_px - true[found.number])
-            corners, ids, _, _ = detector.detectBoard(image)
-            at = ids.ravel()
-            number = (rows - 1 - at // columns) * columns + at % columns
-            theirs.off_px.append(corners.reshape(-1, 2) - true[number])
-        print(f"{name:<20}{ours}{theirs}")
+    for k, T in enumerate(POSES):
+        image = change(picture(T, look, k))
+        true = project(camera_at(T), corner_points(CHARUCO))
+        found = detect_board(image, CHARUCO)
+        ours.off_px.append(found.uv_px - true[found.number])
+        corners, ids, _, _ = detector.detectBoard(image)
+        at = ids.ravel()
+        number = (rows - 1 - at // columns) * columns + at % columns
+        theirs.off_px.append(corners.reshape(-1, 2) - true[number])
+    return ours, theirs
 
 
 if __name__ == "__main__":

@@ -1,6 +1,6 @@
 """How wide lines of a defocused sensor are found in real rooms: lines painted on real pictures.
 
-    python -m tests.bench.defocused FOLDER
+    python -m tests.bench.defocused FOLDER [--json]
 
 The folder has pictures of rooms without a laser line, in it or in folders below. Each is darkened
 as the room's light would be by a short exposure, a laser line is added to it, by the brightness of
@@ -9,9 +9,9 @@ A picture counts as found if at least 30 % of its columns have a point on the li
 off than a quarter of the width is beside it.
 """
 
-import sys
+import argparse
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 from pathlib import Path
 
 import cv2
@@ -20,6 +20,7 @@ from numpy.typing import NDArray
 
 from app.metrology.stripe import Stripe, StripeSettings, extract_stripe
 from app.metrology.transforms import Floats
+from tests.bench.rows import add_json_option, measured_rows
 
 Grey = NDArray[np.uint8]
 WIDTHS_PX = (22, 36, 50)
@@ -43,20 +44,20 @@ class Tally:
     beside: int = 0
 
 
-def main(folder: Path) -> None:
-    rooms = list(read_rooms(folder))
-    print(f"{len(rooms)} rooms, lines {WIDTHS_PX} px wide\n")
-    print("| room's light | line | pictures | found | with widths set | points | beside |")
-    print("| --- | --: | --: | --: | --: | --: | --: |")
-    for light in ROOMS:
-        for height in HEIGHTS:
-            tally = Tally()
-            for number, room in enumerate(rooms):
-                measure(room, light, height, number, tally)
-            print(
-                f"| {light} | {height:.0f} | {tally.pictures} | {tally.found} "
-                f"| {tally.found_as_set} | {tally.points} | {tally.beside} |"
-            )
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("folder", type=Path)
+    add_json_option(parser)
+    given = parser.parse_args()
+    rooms = list(read_rooms(given.folder))
+    with measured_rows(given.json) as rows:
+        rows.say(f"{len(rooms)} rooms, lines {WIDTHS_PX} px wide")
+        for light in ROOMS:
+            for height in HEIGHTS:
+                tally = Tally()
+                for number, room in enumerate(rooms):
+                    measure(room, light, height, number, tally)
+                rows.add(f"room {light:g}, line {height:.0f}", asdict(tally))
 
 
 def read_rooms(folder: Path) -> Iterator[Grey]:
@@ -125,4 +126,4 @@ def bell(width_px: float) -> NDArray[np.float32]:
 
 
 if __name__ == "__main__":
-    main(Path(sys.argv[1]))
+    main()

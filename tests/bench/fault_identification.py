@@ -1,6 +1,6 @@
 """How often a fault in all contacts, or in the block's certificate, is identified correctly.
 
-    python -m tests.bench.fault_identification [--draws 40]
+    python -m tests.bench.fault_identification [--draws 40] [--json]
 
 Sessions of random stations (six poses, forty touches on four faces) are drawn without pictures,
 as ``crenel bench calibration`` does, with arms of three qualities; each is given one fault.
@@ -27,6 +27,7 @@ from app.metrology.adjustment.core.observations import ContactObservations
 from app.metrology.adjustment.outliers.fault_hypotheses import block_fault_findings
 from app.metrology.limits import LIMITS
 from app.metrology.transforms import Floats
+from tests.bench.rows import add_json_option, measured_rows
 
 FACES = ("crest", "front", "left", "right")
 STATIONS, POSES, PER_FACE = 4, 6, 10
@@ -124,22 +125,28 @@ def named_fault(station: SimulatedSetup, fault: Fault, seed: int) -> str:
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--draws", type=int, default=40)
-    draws = parser.parse_args().draws
-    print(f"{'identified, and taken for another one':<42}" + "".join(f"{a:>14}" for a in ARMS))
-    for name, (code, fault) in FAULTS.items():
-        line = f"{name:<42}"
-        for scales in ARMS.values():
-            stations = [
-                draw_setup(
-                    SetUp(name, POSES, 6 + k % 2, FACES, PER_FACE, scales=scales, seed=k + 1)
-                )
-                for k in range(STATIONS)
-            ]
-            codes = [named_fault(stations[k % STATIONS], fault, k) for k in range(draws)]
-            right = sum(one == code for one in codes if code)
-            other = sum(one not in (code, "") for one in codes)
-            line += f"{f'{100 * right / draws:.0f} %, {100 * other / draws:.0f} %':>14}"
-        print(line, flush=True)
+    add_json_option(parser)
+    given = parser.parse_args()
+    with measured_rows(given.json) as rows:
+        for name in FAULTS:
+            shares: dict[str, float] = {}
+            for arm in ARMS:
+                right, other = identified_and_mistaken(name, arm, given.draws)
+                shares |= {f"{arm}, right, %": right, f"{arm}, other, %": other}
+            rows.add(name, shares)
+
+
+def identified_and_mistaken(name: str, arm: str, draws: int) -> tuple[float, float]:
+    """Share in % of the sessions in which a fault is identified, and taken for another one."""
+    code, fault = FAULTS[name]
+    stations = [
+        draw_setup(SetUp(name, POSES, 6 + k % 2, FACES, PER_FACE, scales=ARMS[arm], seed=k + 1))
+        for k in range(STATIONS)
+    ]
+    codes = [named_fault(stations[k % STATIONS], fault, k) for k in range(draws)]
+    right = sum(one == code for one in codes if code)
+    other = sum(one not in (code, "") for one in codes)
+    return 100 * right / draws, 100 * other / draws
 
 
 if __name__ == "__main__":

@@ -1,6 +1,6 @@
 """Eight poses of an arm whose model is off: Crenel beside OpenCV, session by session.
 
-    python -m tests.bench.many_poses [--sessions 12] [--arm-um 100] [--wrong-in parameters]
+    python -m tests.bench.many_poses [--sessions 12] [--arm-um 100] [--wrong-in parameters] [--json]
 
 Sessions of random arms, sensors and blocks are rendered, each calibrated from the same
 pictures and contacts by Crenel and as a competent user of OpenCV would (`block_peers`).
@@ -29,6 +29,7 @@ from hardware.simulator.devices.kinematics import ErrorSource, UnreachableError
 from hardware.simulator.session import SessionPlan, render_session
 from tests.bench.block_peers import calibrate_opencv, click_corners, errors_um
 from tests.bench.board_measures import PeerCalibration
+from tests.bench.rows import Rows, add_json_option, measured_rows
 
 FIRST_SEED = 7000
 POSES = 8
@@ -91,31 +92,44 @@ def main() -> None:
     parser.add_argument("--sessions", type=int, default=12)
     parser.add_argument("--arm-um", type=float, default=100.0)
     parser.add_argument("--wrong-in", choices=get_args(ErrorSource), default="links")
+    add_json_option(parser)
     given = parser.parse_args()
+    with measured_rows(given.json) as rows:
+        measure_sessions(given.sessions, given.arm_um, given.wrong_in, rows)
+
+
+def measure_sessions(count: int, arm_um: float, wrong_in: ErrorSource, rows: Rows) -> None:
+    """A row for each way to calibrate."""
     columns: dict[str, list[tuple[float, float]]] = defaultdict(list)
     refused = 0
     with tempfile.TemporaryDirectory() as scratch:
-        for folder in draw_sessions(given.sessions, given.arm_um, given.wrong_in, Path(scratch)):
+        for folder in draw_sessions(count, arm_um, wrong_in, Path(scratch)):
             try:
                 found = measure_session(folder)
             except OperationError as refusal:
                 refused += 1
-                print(f"{folder.name}: refused: {refusal}")
+                rows.say(f"{folder.name}: refused: {refusal}")
                 continue
-            for name, errors in found.items():
-                columns[name].append(errors)
+            for name, of_session in found.items():
+                columns[name].append(of_session)
     ours = np.array(columns["Crenel"])
-    head = ("sensor um", "flange um", "flange rms", "Crenel ahead")
-    print(f"{len(ours)} sessions, refused: {refused}")
-    print(f"{'median over the sessions':<32}" + "".join(f"{name:>14}" for name in head))
-    for name, rows in columns.items():
-        values = np.array(rows)
+    for name, errors in columns.items():
+        values = np.array(errors)
         sensor, flange = np.median(values, axis=0)
+        medians = {"sensor, median µm": sensor, "flange, median µm": flange}
         ahead = int((ours[:, 1] < values[:, 1]).sum())
-        said = f"{ahead} of {len(ours)}" if name.startswith("OpenCV") else ""
-        print(f"{name:<32}{sensor:>14.2f}{flange:>14.1f}{rms(values[:, 1]):>14.1f}{said:>14}")
+        rows.add(name, medians | {"flange, rms µm": rms(values[:, 1]), "Crenel ahead": ahead})
+    opencv = np.array(
+        [np.array(errors)[:, 1] for name, errors in columns.items() if "Open" in name]
+    )
     over_claim = ours[:, 1] / np.array(columns[CLAIMED])[:, 1]
-    print(f"Crenel's error over its claim, rms over the sessions: {rms(over_claim):.2f}")
+    sessions = {
+        "measured": len(ours),
+        "refused": refused,
+        "Crenel ahead of all": int((ours[:, 1] < opencv.min(axis=0)).sum()),
+        "Crenel's error over its claim, rms": rms(over_claim),
+    }
+    rows.add("sessions", sessions)
 
 
 if __name__ == "__main__":

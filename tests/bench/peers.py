@@ -1,6 +1,6 @@
 """Crenel beside what a competent user of OpenCV does with the same pictures.
 
-    python -m tests.bench.peers REAL [SAMPLES]
+    python -m tests.bench.peers REAL [SAMPLES] [--json]
 
 REAL holds recordings of a robot, a chessboard and a laser's line; SAMPLES the simulated
 sessions with their truth. OpenCV: calibrateCamera on all pictures, solvePnP on each, the
@@ -39,7 +39,7 @@ from app.metrology.transforms import (
     rotation_from_vector,
     vector_from_rotation,
 )
-from tests.bench.block_peers import print_samples
+from tests.bench.block_peers import measure_samples
 from tests.bench.board_measures import (
     BoardFrame,
     PeerCalibration,
@@ -53,6 +53,7 @@ from tests.bench.board_measures import (
     solve_pose,
 )
 from tests.bench.hand_eye import K1_ONLY, hand_eye_methods
+from tests.bench.rows import Rows, add_json_option, measured_rows
 from tests.real_sessions import write_real_session
 
 CRENEL = "Crenel"
@@ -231,52 +232,54 @@ def summary_figures(
     ]
 
 
-def print_recording(folder: Path, scratch: Path) -> None:
+def measure_recording(folder: Path, scratch: Path, rows: Rows) -> None:
+    """A row for each way to calibrate, by the recording's name."""
     session = read_any_session(write_real_session(folder, scratch / folder.name))
     assert isinstance(session, BoardSession)
     made = read_recording(session)
     crenel, out = calibrate_crenel(made, session)
     total = len(made.frames)
-    print(f"\n{folder.name}: {total} pictures, OpenCV finds the board in {len(made.cv_frames)}")
-    print(f"* without pictures {sorted(out) or 'none'}, whose lines contradict the others'")
-    print(f"{'':<42}" + "".join(f"{name:>12}" for name in HEAD))
+    rows.say(f"\n{folder.name}: {total} pictures, OpenCV finds the board in {len(made.cv_frames)}")
+    rows.say(f"* without pictures {sorted(out) or 'none'}, whose lines contradict the others'")
+
+    def add(name: str, frames: Sequence[BoardFrame], solved: PeerCalibration) -> None:
+        values = summary_figures(solved, frames, out)
+        rows.add(f"{folder.name}: {name}", dict(zip(HEAD, values, strict=True)))
+
     for what, frames in (("OpenCV's corners", made.cv_frames), ("Crenel's corners", made.frames)):
         solved = list(calibrate_opencv(what, made, frames))
         best = min(solved, key=lambda one: origin_scatter_mm(one, frames))
         joint = calibrate_least_squares(f"{what}, least squares together", best, frames)
         for one in (*solved, joint):
-            _print_row(one.name, summary_figures(one, frames, out))
-    _print_row(crenel.name, summary_figures(crenel, made.frames, out))
+            add(one.name, frames, one)
+    add(crenel.name, made.frames, crenel)
     rest = [frame for frame in made.frames if frame.number not in out]
     own = [
         measure(crenel, frames)
         for frames in (made.frames, rest)
         for measure in (laser_plane_rms_mm, common_plane_rms_mm)
     ]
-    text = "".join(f"{value:>12.3f}" for value in own)
-    print(f"{'Crenel, the plane of its calibration':<42}{'':>36}{text}")
+    rows.add(
+        f"{folder.name}: Crenel, the plane of its calibration",
+        dict(zip(HEAD[-4:], own, strict=True)),
+    )
     as_flat = replace(
         crenel, corners_mm=corner_points(made.board), board_surface=PeerCalibration.board_surface
     )
-    _print_row(
-        "Crenel's camera and mounting, flat board", summary_figures(as_flat, made.frames, out)
-    )
-
-
-def _print_row(name: str, row: Sequence[float]) -> None:
-    print(f"{name:<42}" + "".join(f"{value:>12.3f}" for value in row))
+    add("Crenel's camera and mounting, flat board", made.frames, as_flat)
 
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("real", type=Path)
     parser.add_argument("samples", type=Path, nargs="?")
+    add_json_option(parser)
     given = parser.parse_args()
-    with tempfile.TemporaryDirectory() as scratch:
+    with measured_rows(given.json) as rows, tempfile.TemporaryDirectory() as scratch:
         for folder in sorted({frame.parent for frame in given.real.rglob("frame*.png")}):
-            print_recording(folder, Path(scratch))
-    if given.samples is not None:
-        print_samples(given.samples)
+            measure_recording(folder, Path(scratch), rows)
+        if given.samples is not None:
+            measure_samples(given.samples, rows)
 
 
 if __name__ == "__main__":

@@ -1,8 +1,9 @@
 """Smoothing of simulated lines against the truth: noise, stated σ, and the line's own shape.
 
-python -m tests.bench.smoothing
+python -m tests.bench.smoothing [--json]
 """
 
+import argparse
 from dataclasses import replace
 
 import numpy as np
@@ -11,6 +12,7 @@ from app.bench.stripe.frames import GRAINS, simulate_frame, simulate_overexposur
 from app.metrology.stripe import Stripe, extract_stripe
 from app.metrology.stripe.smoothing import smooth_stripe
 from app.metrology.transforms import Floats
+from tests.bench.rows import add_json_option, measured_rows
 
 FRAMES = 16
 SMOOTHINGS_PX = (0.0, 1.0, 2.0, 5.0, 10.0)
@@ -38,28 +40,35 @@ def simulated_stripes(kind: str) -> list[tuple[Stripe, Floats]]:
 
 
 def main() -> None:
-    print(f"{'':<24}" + "".join(f"{smoothing_px:>8.0f} px" for smoothing_px in SMOOTHINGS_PX))
-    for kind in (*GRAINS, "saturated patch"):
-        stripes = simulated_stripes(kind)
-        noise, claimed, bend = [], [], []
-        for smoothing_px in SMOOTHINGS_PX:
-            off, sigma, moved = [], [], []
-            for stripe, truth in stripes:
-                smoothed = smooth_stripe(stripe, smoothing_px, SATURATED)
-                line = smooth_stripe(replace(stripe, v=truth), smoothing_px).v
-                off.append(smoothed.v - line)
-                sigma.append(smoothed.sigma_px)
-                moved.append(line - truth)
-            noise.append(np.sqrt(np.mean(np.concatenate(off) ** 2)))
-            pull = np.concatenate(off) / np.concatenate(sigma)
-            claimed.append(1 / np.sqrt(np.mean(pull**2)))
-            bend.append(np.sqrt(np.mean(np.concatenate(moved) ** 2)))
-        for what, values in (
-            ("noise, px", noise),
-            ("claimed / observed", claimed),
-            ("shape lost, px", bend),
-        ):
-            print(f"{kind + ', ' + what:<44}" + "".join(f"{value:>8.3f}" for value in values))
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    add_json_option(parser)
+    with measured_rows(parser.parse_args().json) as rows:
+        for kind in (*GRAINS, "saturated patch"):
+            stripes = simulated_stripes(kind)
+            found = {f"{px:.0f} px": measure(stripes, px) for px in SMOOTHINGS_PX}
+            for what in ("noise, px", "claimed / observed", "shape lost, px"):
+                rows.add(f"{kind}: {what}", {of: values[what] for of, values in found.items()})
+
+
+def measure(stripes: list[tuple[Stripe, Floats]], smoothing_px: float) -> dict[str, float]:
+    """Rms over all points of the stripes."""
+    off, sigma, moved = [], [], []
+    for stripe, truth in stripes:
+        smoothed = smooth_stripe(stripe, smoothing_px, SATURATED)
+        line = smooth_stripe(replace(stripe, v=truth), smoothing_px).v
+        off.append(smoothed.v - line)
+        sigma.append(smoothed.sigma_px)
+        moved.append(line - truth)
+    every = np.concatenate(off)
+    return {
+        "noise, px": rms(every),
+        "claimed / observed": 1 / rms(every / np.concatenate(sigma)),
+        "shape lost, px": rms(np.concatenate(moved)),
+    }
+
+
+def rms(values: Floats) -> float:
+    return float(np.sqrt(np.mean(values**2)))
 
 
 if __name__ == "__main__":

@@ -49,6 +49,10 @@ def test_the_table_counts_every_picture(shot: DegradedImage) -> None:
     assert (bench.right, bench.wrong, bench.wrongly_accepted) == (1, 1, 0)
     assert any(line.split()[:5] == ["all", "3", "33.3", "%", "1"] for line in bench.lines())
     assert "refused as object-unclear: 1" in bench.lines()
+    figures = bench.figures()
+    assert (figures["right"], figures["refused"], figures["wrong"]) == (1, 1, 1)
+    assert figures["rms_px"] == one.rms_px
+    assert DetectionBench([refused], []).figures()["rms_px"] is None
 
 
 def test_shadows_that_run_along_hidden_sides_are_no_wrong_size() -> None:

@@ -1,8 +1,7 @@
 """How surely the object is found: pictures with everything that may spoil them, and their truth.
 
-The pictures come from the simulated station, a ray tracer that shares no code with
-what is measured here. Each is searched with the block's certificate, and once more with
-a certificate that is wrong.
+The pictures come from the simulated station, a ray tracer that shares no code with what is
+measured here. Each is searched with the block's certificate, and with one that is wrong.
 """
 
 import time
@@ -105,9 +104,20 @@ class DetectionBench:
         """Wrong certificates that were accepted though the picture shows them to be wrong."""
         return sum(one.wrongly_accepted for one in self.wrong_certificates)
 
+    def figures(self) -> dict[str, float | None]:
+        """Of all pictures together; None for the corners where no detection was right."""
+        right = [s for s in self.searches if s.outcome == "right"]
+        return {
+            "right": self.right,
+            "refused": len(self.searches) - self.right - self.wrong,
+            "wrong": self.wrong,
+            "rms_px": float(np.median([s.rms_px for s in right])) if right else None,
+            "normalised": float(np.median([s.normalised for s in right])) if right else None,
+            "wrongly_accepted": self.wrongly_accepted,
+        }
+
     def lines(self) -> list[str]:
         """The figures as lines of text."""
-        total = len(self.searches)
         found = [f"{'with':16}{'images':>8}{'right':>8}{'refused':>9}{'wrong':>7}"]
         for name in NUISANCES:
             found.append(self._row(name, [s for s in self.searches if name in s.nuisances]))
@@ -116,11 +126,9 @@ class DetectionBench:
         found += [f"refused as {code}: {count}" for code, count in refused.most_common()]
         right = [s for s in self.searches if s.outcome == "right"]
         if right:
-            rms = float(np.median([s.rms_px for s in right]))
-            worst = max(s.rms_px for s in right)
+            rms, worst = np.percentile([s.rms_px for s in right], (50, 100))
             found.append(f"corners: rms {rms:.3f} px in the median picture, {worst:.3f} at most")
-            spread = [s.normalised for s in right]
-            low, middle, high = np.percentile(spread, (5, 50, 95))
+            low, middle, high = np.percentile([s.normalised for s in right], (5, 50, 95))
             found.append(
                 f"error over predicted deviation: {middle:.2f} median,"
                 f" {low:.2f} to {high:.2f} in nine pictures of ten"
@@ -133,15 +141,14 @@ class DetectionBench:
             found.append(f"time: {np.mean(seconds):.2f} s mean, {max(seconds):.2f} s at most")
         visible = [d for d in self.wrong_certificates if d.shift_px >= VISIBLE_SHIFT_PX]
         named = sum(d.wrongly_accepted and d.named for d in visible)
+        hidden = [d for d in self.wrong_certificates if d.shift_px < VISIBLE_SHIFT_PX]
         found.append(
             f"wrong certificates: {len(visible)} that the picture shows to be wrong,"
             f" {self.wrongly_accepted} accepted ({named} of them with the remark that the picture"
-            f" hides what is wrong); {len(self.wrong_certificates) - len(visible)} that it does not"
-            " show,"
-            f" {sum(d.accepted for d in self.wrong_certificates) - self.wrongly_accepted} accepted"
+            f" hides what is wrong); {len(hidden)} that it does not show,"
+            f" {sum(d.accepted for d in hidden)} accepted"
         )
-        found.append(f"right: {self.right} of {total}, wrong: {self.wrong}")
-        return found
+        return [*found, f"right: {self.right} of {len(self.searches)}, wrong: {self.wrong}"]
 
     @staticmethod
     def _row(name: str, group: Sequence[SearchOutcome]) -> str:

@@ -7,7 +7,7 @@ from typing import Annotated
 import typer
 
 from app.cli.bench.group import Shown, bench, measure
-from app.console import AsJson, progress_bar, report_errors
+from app.console import AsJson, print_json, progress_bar, report_errors
 
 
 @bench.command()
@@ -68,12 +68,16 @@ def performance(
 def detection(
     images: Annotated[int, typer.Option(min=1, help="Pictures to render and search.")] = 300,
     seed: Annotated[int, typer.Option(help="Seed of the first picture.")] = 0,
+    as_json: AsJson = False,
 ) -> None:
     """Test the detection of the object in spoilt pictures: right, refused or wrong."""
     from app.bench.metrology.detection import run
 
-    with progress_bar("Searching", True) as progress:
+    with progress_bar("Searching", not as_json) as progress:
         found = run(images, seed, lambda done, of: progress(done / of, f"{done} of {of} pictures"))
+    if as_json:
+        print_json(found.figures())
+        return
     print("\n".join(found.lines()))
 
 

@@ -1,0 +1,1 @@
+"""The figures that the documents print, measured again: ``.ci/figures``."""

@@ -1,0 +1,38 @@
+"""Every figure that is measured again, and the commands and rows that are not, with the reason."""
+
+from tests.bench.figures import blocks, claims, performance_tests, pictures, stripes
+
+FIGURES = (
+    *blocks.FIGURES,
+    *claims.FIGURES,
+    *pictures.FIGURES,
+    *stripes.FIGURES,
+    *performance_tests.FIGURES,
+)
+
+IDLE = "its times and its lost frames are those of a machine that does nothing else"
+FAULTS_TESTED = "what must not be lost is tested (tests/bench/test_faults_*.py); the rest are times"
+NOT_MEASURED = {
+    "crenel bench live --seconds 600": IDLE,
+    "crenel bench view": IDLE,
+    "crenel bench viewers": IDLE,
+    "crenel bench camera --minutes 10": IDLE,
+    "crenel bench faults": FAULTS_TESTED,
+    "crenel bench faults --only kills-in-scans": FAULTS_TESTED,
+    "crenel bench faults --only floods": FAULTS_TESTED,
+    "crenel bench faults --only broker": FAULTS_TESTED,
+    "crenel bench start --session SAMPLES/one-pose": IDLE,
+    "crenel bench extraction --against PYTHON": "it needs another checkout, with its Python",
+    "pytest -n0 -s tests/e2e/test_picture.py": "a test, which states its own bound",
+    "pytest tests/metrology/test_coordinates.py": "a test, which compares with least squares",
+}
+"""Commands of docs/accuracy.md."""
+
+README_NOT_MEASURED = {
+    "Live scanning with recording": IDLE,
+    "Industrial cameras by GigE Vision": "of the tests of the drivers, by the simulated robot",
+    "Reports as a page": "no figure",
+    "Accounts, control": "no figure",
+    "English and German": "no figure",
+}
+"""Rows of the README's table, by their beginning."""

@@ -1,0 +1,103 @@
+"""Runs the commands that measure figures, each once."""
+
+import json
+import subprocess
+import sys
+from collections.abc import Iterator, Sequence
+from pathlib import Path
+from typing import Any
+
+from tests.bench.figures.figure import Command, Figure, Outcome, Verdict, compare
+from tests.bench.figures.pictures import LAID_OUT
+from tests.bench.figures.printed import ROOT
+from tests.bench.real_folder import lay_out
+
+SHARED = ROOT.parent / "shared"
+STARTED_MODULES = ()  # benches, which no test runs
+END = 400
+"""Characters of what a failed command says."""
+
+
+class MeasureError(Exception):
+    """A command failed, or printed something else than JSON."""
+
+
+class MissingError(Exception):
+    """A folder that a command needs is not beside the checkout."""
+
+
+def outcomes(figures: Sequence[Figure], scratch: Path) -> Iterator[Outcome]:
+    """Each figure measured; those of one command follow each other.
+
+    Args:
+        scratch: a folder for what commands print and for links to pictures. What another run has
+            left there is read instead of measured again.
+    """
+    for command in dict.fromkeys(figure.command for figure in figures):
+        of_command = [figure for figure in figures if figure.command == command]
+        try:
+            output = measure(command, scratch)
+        except MissingError as missing:
+            for figure in of_command:
+                yield Outcome(figure, Verdict.NOT_MEASURED, why=str(missing))
+        except MeasureError as error:
+            for figure in of_command:
+                yield Outcome(figure, Verdict.UNREADABLE, why=str(error))
+        else:
+            yield from (compare(figure, output) for figure in of_command)
+
+
+def measure(command: Command, scratch: Path) -> Any:
+    """What a command prints, parsed; from ``scratch`` if it is there.
+
+    Raises:
+        MissingError: a folder is missing.
+        MeasureError: the command failed.
+    """
+    kept = scratch / f"{file_name(command)}.json"
+    if not kept.exists():
+        words = arguments(command, scratch)
+        print(f"+ {command}", file=sys.stderr, flush=True)
+        done = subprocess.run(words, cwd=ROOT, capture_output=True, text=True)
+        if done.returncode:
+            raise MeasureError(f"status {done.returncode}: {done.stderr.strip()[-END:]}")
+        kept.write_text(done.stdout, "utf-8")
+    try:
+        return json.loads(kept.read_text("utf-8"))
+    except ValueError as error:
+        raise MeasureError(f"{kept} is no JSON: {error}") from error
+
+
+def file_name(command: Command) -> str:
+    """A file's name for a command."""
+    return "".join(letter if letter.isalnum() else "-" for letter in str(command))
+
+
+def arguments(command: Command, scratch: Path) -> list[str]:
+    """The command as a process, with JSON as its output.
+
+    Raises:
+        MissingError: a folder is missing.
+    """
+    program, *words = command.documented.split()
+    here = Path(sys.executable).parent
+    programs = {"python": sys.executable, "crenel": str(here / "crenel")}
+    stands_for = dict(command.folders)
+    found = [_word(stands_for.get(word, word), word in stands_for, scratch) for word in words]
+    return [programs[program], *found, *command.more, "--json"]
+
+
+def _word(word: str, replaced: bool, scratch: Path) -> str:
+    """A word of a command, or the folder that it stands for."""
+    if not replaced or word.isdigit():
+        return word
+    laid_out, real = scratch / "pictures", SHARED / "real"
+    if word.startswith(LAID_OUT):
+        if not real.is_dir():
+            raise MissingError(f"{real} is missing")
+        if not laid_out.exists():
+            lay_out(real, laid_out)
+        return str(laid_out / word.removeprefix(LAID_OUT).strip("/"))
+    if not (SHARED / word).is_dir():
+        raise MissingError(f"{SHARED / word} is missing")
+    return str(SHARED / word)
