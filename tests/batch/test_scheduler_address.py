@@ -14,6 +14,8 @@ from tests.batch.test_rebuild import CRENEL
 
 pytestmark = pytest.mark.device
 
+STARTED_MODULES = ("app.cli.main",)
+
 
 @pytest.mark.parametrize(
     ("address", "said"),

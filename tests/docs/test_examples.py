@@ -12,6 +12,7 @@ from hardware.registry import BUILT_IN
 
 pytestmark = pytest.mark.device
 
+STARTED_MODULES = ("docs.examples",)
 ROOT = Path(__file__).parents[2]
 EXAMPLES = ROOT / "docs/examples"
 

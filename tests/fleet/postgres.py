@@ -12,6 +12,7 @@ from pathlib import Path
 
 import psycopg
 
+STARTED_MODULES = ()  # PostgreSQL
 PROGRAMS = sorted(Path("/usr/lib/postgresql").glob("*/bin"), reverse=True)
 START_S = 60
 

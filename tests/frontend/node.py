@@ -7,6 +7,7 @@ from pathlib import Path
 
 import pytest
 
+STARTED_MODULES = ()  # Node
 FRONTEND = Path(__file__).resolve().parents[2] / "frontend"
 
 

@@ -30,6 +30,7 @@ from tests.hardware.udp_robot import UdpBench, UdpRobot, free_udp_port
 
 pytestmark = pytest.mark.device
 
+STARTED_MODULES = ()  # an emulator of others
 TOOL_MM_DEG = (10.0, 20.0, 120.0, 30.0, -20.0, 10.0)
 BASE_MM_DEG = (1000.0, 0.0, -200.0, 90.0, 0.0, 0.0)
 FIRST_IPOC = 4_208_163_634

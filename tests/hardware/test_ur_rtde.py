@@ -35,6 +35,7 @@ from tests.hardware.conformance import (
 
 pytestmark = pytest.mark.device
 
+STARTED_MODULES = ()  # a client of others
 TOOL = (0.02, -0.03, 0.15, 0.4, -0.2, 1.1)
 START_NS = now_ns()
 

@@ -17,6 +17,7 @@ import pytest
 from app.single_sign_on.pending import ProviderAnswer
 from app.single_sign_on.settings import SignInSettings
 
+STARTED_MODULES = ()  # a provider of others
 PATIENCE_S = 60.0
 BACK = "http://127.0.0.1:9/sign-in"
 ROLES = {"sensor-viewers": "viewer", "sensor-operators": "operator", "sensor-admins": "admin"}

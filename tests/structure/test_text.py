@@ -4,6 +4,7 @@ import re
 import subprocess
 from pathlib import Path
 
+STARTED_MODULES = ()  # Git
 ROOT = Path(__file__).resolve().parents[2]
 
 UNWANTED = {

@@ -11,6 +11,7 @@ from pathlib import Path
 
 import pytest
 
+STARTED_MODULES = ()  # compilers, and what they make
 FIRMWARE = Path(__file__).parents[3] / "hardware/firmware/avr"
 SOURCE = Path(__file__).with_name("board.c")
 CLOCK_HZ = 16_000_000
