@@ -55,7 +55,7 @@ def findings(view: Any) -> dict[str, Any]:
     return {item["id"]: item for item in view["health"]["items"]}
 
 
-@pytest.mark.slow
+@pytest.mark.device
 def test_a_scan_that_left_the_disk_is_listed_and_comes_back_while_the_station_runs(
     tmp_path: Path, place: Path
 ) -> None:
@@ -125,7 +125,7 @@ def test_the_commands_fill_verify_and_read_an_archive(tmp_path: Path, place: Pat
     store.close()
 
 
-@pytest.mark.slow
+@pytest.mark.device
 def test_a_scan_that_comes_back_without_its_cloud_gets_it_again(
     tmp_path: Path, place: Path
 ) -> None:

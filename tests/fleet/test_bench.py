@@ -9,7 +9,7 @@ from app.bench.fleet.recording_stations import SECRET, make_station
 from app.progress import no_progress
 from app.settings.station_toml import DEFAULT_FILE, read_settings
 
-pytestmark = pytest.mark.soak
+pytestmark = [pytest.mark.device, pytest.mark.soak]
 
 
 def test_a_small_catalogue_is_filled_and_asked() -> None:

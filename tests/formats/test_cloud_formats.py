@@ -219,7 +219,7 @@ def test_a_library_that_is_missing_is_named(
     assert not list(tmp_path.iterdir())
 
 
-@pytest.mark.slow
+@pytest.mark.device
 @pytest.mark.parametrize("suffix", [*SUFFIXES, COPC])
 def test_a_full_disk_leaves_nothing(tmp_path: Path, suffix: str) -> None:
     """In a process whose files may not grow beyond 200 kB."""
@@ -273,7 +273,7 @@ def test_text_has_the_numbers_to_their_last_digit(tmp_path: Path) -> None:
         assert int(frame) == point["frame"]
 
 
-@pytest.mark.slow
+@pytest.mark.device
 def test_memory_stays_bounded_however_large_the_cloud(tmp_path: Path) -> None:
     """Four times the points of every format, and no more memory."""
     script = """

@@ -23,6 +23,8 @@ from app.server.station_parts import StationParts
 from hardware.simulator.station import SimulatedStation
 from tests.api.calibrated import use_truth
 
+pytestmark = pytest.mark.device
+
 ADDRESSES = ("http://[", "http://a[b]/", "http://x:99999999/", "http://x\u202e/", "ftp://x/")
 
 

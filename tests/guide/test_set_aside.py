@@ -26,7 +26,7 @@ from app.wire.json_response import encode_json
 from hardware.simulator.station import SimulatedStation
 from tests.api.calibrated import use_truth
 
-pytestmark = pytest.mark.slow
+pytestmark = pytest.mark.device
 
 PAGE_BYTES = 4096
 

@@ -49,6 +49,7 @@ def test_the_hash_distinguishes_files(tmp_path: Path) -> None:
     assert source_hash(LibrarySource("some", tmp_path)) != before
 
 
+@pytest.mark.device
 def test_an_unknown_variant_is_refused_with_those_that_run() -> None:
     script = "from app.native.library import CRENEL; print(CRENEL.variant)"
     environment = os.environ | {VARIANT_SETTING: "v1"}

@@ -42,7 +42,7 @@ class Reach:
     """A changed file that can reach any test."""
 
 
-def test_files() -> tuple[str, ...]:
+def all_tests() -> tuple[str, ...]:
     """The names of all test files."""
     names = (name for name in known_files() if name.startswith("tests/"))
     return tuple(sorted(name for name in names if PurePath(name).name.startswith("test_")))
@@ -58,9 +58,9 @@ def reached_tests(changed: Iterable[str], text_before: Callable[[str], str]) -> 
     try:
         first = {file for name in changed for file in first_reached(name, text_before)}
     except AllError as error:
-        return Reach(test_files(), str(error))
+        return Reach(all_tests(), str(error))
     reached = reached_files(first)
-    return Reach(tuple(one for one in test_files() if one in reached or _is_in(one, OF_ALL_FILES)))
+    return Reach(tuple(one for one in all_tests() if one in reached or _is_in(one, OF_ALL_FILES)))
 
 
 def first_reached(name: str, text_before: Callable[[str], str]) -> set[str]:
@@ -149,10 +149,10 @@ def text_at(base: str) -> Callable[[str], str]:
 def main() -> None:
     base = base_commit()
     changed = changed_files(base) if base else []
-    reach = reached_tests(changed, text_at(base)) if base else Reach(test_files())
+    reach = reached_tests(changed, text_at(base)) if base else Reach(all_tests())
     soak, reached = (
         [name for name in names if Cost.SOAK in read_marks(ROOT / name).of_some]
-        for names in (test_files(), reach.tests)
+        for names in (all_tests(), reach.tests)
     )
     since = f"{len(changed)} files changed since {base[:8]}" if base else FIRST_DAY
     because = f", all by {reach.all_by}" if reach.all_by else ""

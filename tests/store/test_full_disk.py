@@ -16,6 +16,8 @@ from app.store.database import Database
 from app.store.scans import ScanRecord
 from app.store.store import Store
 
+pytestmark = pytest.mark.device
+
 STARTED_MODULES = ()  # mount
 DISK_FULL = message("stations-disk-full")
 

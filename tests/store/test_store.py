@@ -273,6 +273,7 @@ for i in range(100000):
 """
 
 
+@pytest.mark.device
 def test_a_killed_process_loses_no_row_that_it_acknowledged(tmp_path: Path) -> None:
     with subprocess.Popen(
         [sys.executable, "-c", WRITER, str(tmp_path)], stdout=subprocess.PIPE, cwd=ROOT, text=True
