@@ -9,6 +9,7 @@ from starlette.requests import HTTPConnection
 
 from app.guide.arm.guide import ArmGuide
 from app.guide.calibration.guide import CalibrationGuide
+from app.guide.common.buttons import Buttons
 from app.guide.common.simulated_scan import SimulatedScan
 from app.guide.common.validity import DUE, DueLimits
 from app.guide.performance.guide import PerformanceGuide
@@ -44,6 +45,7 @@ class Context:
     """What it is with simulated devices, if it has those."""
     bus: Bus
     rig: Rig
+    buttons: Buttons
     preview: Preview
     scene: Scene
     scanner: Scanner

@@ -69,9 +69,8 @@ def _build_context(parts: StationParts, store: Store) -> Context:
     recovery = Recovery(store, scanner, jobs, bus, live.view_controller.note_records)
     recovery.list_unlisted()
     scanner.on_finished = lambda result: _record_scan(result, store, watch)
-    rig.arm.on_button = Buttons(
-        guides.press, there=lambda: rig.arm.link().state == "connected"
-    ).edge
+    buttons = Buttons(guides.press, there=lambda: rig.arm.link().state == "connected")
+    rig.arm.on_button = buttons.edge
     simulated = parts.simulated_operator is not None
     return Context(
         opened_as=StationInfo(
@@ -79,6 +78,7 @@ def _build_context(parts: StationParts, store: Store) -> Context:
         ),
         bus=bus,
         rig=rig,
+        buttons=buttons,
         preview=live.preview,
         scene=live.scene,
         scanner=scanner,
@@ -160,6 +160,7 @@ def close_context(context: Context) -> None:
     context.scanner.close()
     context.preview.stop()
     context.rig.stop()
+    context.buttons.close()
     context.view_controller.close()
     context.scene.close()
 

@@ -16,6 +16,8 @@ import pytest
 from argon2 import PasswordHasher
 from fastapi import FastAPI
 from pydantic_core import to_jsonable_python
+from websockets.exceptions import ConnectionClosed
+from websockets.sync.connection import Connection
 
 from app.bench.faults.served import HALF
 from app.guide.calibration import simulated_operator
@@ -28,9 +30,14 @@ from app.single_sign_on.settings import SignInSettings
 from app.store import accounts
 from hardware.simulator.station import SimulatedStation, SimulationConfig
 from tests.entering import cookie, enter
+from tests.forked import fork_server
 from tests.sent_texts import TextCollector
 
+__all__ = ["fork_server"]
+
 T = TypeVar("T")
+PATIENCE_S = 240.0
+"""For everything that is waited for: a machine with other work takes long."""
 LOOK_S = 0.15
 """How often a test looks whether a view is as wanted: each look costs station and test time."""
 QUICK_HASHER = PasswordHasher(time_cost=1, memory_cost=64)
@@ -39,22 +46,27 @@ POSES, BOARD_POSES = 3, 6
 """Of the simulated operator's calibrations: fewer than a demonstration's, as each takes seconds."""
 
 
-def wait_for(read: Callable[[], T], ready: Callable[[T], object], timeout_s: float = 60.0) -> T:
+def wait_for(read: Callable[[], T], ready: Callable[[T], object]) -> T:
     """What is read, once it is as wanted."""
-    deadline = time.monotonic() + timeout_s
+    deadline = time.monotonic() + PATIENCE_S
     while not ready(value := read()):
         assert time.monotonic() < deadline, value
         time.sleep(LOOK_S)
     return value
 
 
+def until_closed(socket: Connection) -> int:
+    """Takes what comes; the code that the server closes with."""
+    try:
+        while True:
+            socket.recv(PATIENCE_S)
+    except ConnectionClosed as closed:
+        return closed.rcvd.code if closed.rcvd else 0
+
+
 def run_command(command: Callable[[], httpx.Response]) -> dict[str, Any]:
     """The answer to a command that must be done; on a busy machine a device may be late for it."""
-    deadline = time.monotonic() + 20.0
-    while (answer := command()).status_code != 200:
-        assert time.monotonic() < deadline, answer.text
-        time.sleep(0.1)
-    return dict(answer.json())
+    return dict(wait_for(command, lambda answer: answer.status_code == 200).json())
 
 
 @dataclass
@@ -102,9 +114,9 @@ class Server:
         """A command that must be done; the view after it."""
         return run_command(lambda: self.command(name, **args))
 
-    def wait(self, ready: Callable[[dict[str, Any]], bool], timeout_s: float = 90.0) -> None:
-        """Until the flow's view is as wanted."""
-        wait_for(self.flow, ready, timeout_s)
+    def wait(self, ready: Callable[[dict[str, Any]], bool]) -> dict[str, Any]:
+        """The flow's view, once it is as wanted."""
+        return wait_for(self.flow, ready)
 
 
 @contextmanager
@@ -132,7 +144,7 @@ def running_server(
         sent = TextCollector()
         hooks = {"response": [sent.answer]}
         address = f"http://127.0.0.1:{port}"
-        with httpx.Client(base_url=address, timeout=20.0, event_hooks=hooks) as http:
+        with httpx.Client(base_url=address, timeout=PATIENCE_S, event_hooks=hooks) as http:
             enter(http, app.state.context.authenticator.code)
             context = app.state.context
             yield Server(port, data, context, simulation, http, app, sent)
@@ -142,7 +154,7 @@ def running_server(
             for event in latest.events:
                 sent.text(event.text)
         running.should_exit = True
-        thread.join(20.0)
+        thread.join(PATIENCE_S)
         assert not thread.is_alive()
 
 

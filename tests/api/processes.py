@@ -1,7 +1,6 @@
 """The demonstration in a process of its own, begun in a moment and killed at will."""
 
 import contextlib
-import multiprocessing
 import socket
 import threading
 from collections.abc import Iterator
@@ -13,11 +12,9 @@ import httpx
 
 from tests.api.calibrated import use_truth
 from tests.entering import enter
+from tests.forked import CONTEXT
 
 PATIENCE_S = 200.0
-# what the server imports is imported once, and each process begins with it
-CONTEXT = multiprocessing.get_context("forkserver")
-CONTEXT.set_forkserver_preload(["app.server.application", "app.bench.faults.served"])
 
 
 def _serve(pipe: Connection, data: Path, calibrated: bool) -> None:
@@ -48,13 +45,15 @@ def demonstration(data: Path, calibrated: bool = False) -> Iterator[tuple[httpx.
 
     ``calibrated``: a true calibration of the simulated sensor is in use from the beginning.
     """
-    ours, theirs = CONTEXT.Pipe()
+    ours, theirs = CONTEXT.Pipe(duplex=False)
     process = CONTEXT.Process(target=_serve, args=(theirs, data, calibrated), daemon=True)
-    process.start()
-    assert ours.poll(PATIENCE_S)
-    port, code = ours.recv()
+    with ours:
+        with theirs:
+            process.start()
+        assert ours.poll(PATIENCE_S)
+        port, code = ours.recv()
     try:
-        with httpx.Client(base_url=f"http://127.0.0.1:{port}", timeout=20.0) as http:
+        with httpx.Client(base_url=f"http://127.0.0.1:{port}", timeout=PATIENCE_S) as http:
             # its socket listens before it serves
             enter(http, code)
             yield http, process.pid or 0

@@ -11,11 +11,10 @@ from websockets.sync.client import connect
 from app.api import browser_types
 from app.messages.message import text_from_json
 from app.wire.live_messages import Topics
-from tests.api.conftest import Server
+from tests.api.conftest import PATIENCE_S, Server
 
-pytestmark = pytest.mark.slow
+pytestmark = pytest.mark.device
 
-PATIENCE_S = 20.0
 OF_A_STATION = {"control", "devices", "flow", "scan", "settings", "home", "view", "report"}
 """Topics that every station has from its start."""
 SCHEMA: dict[str, Any] = json.loads(browser_types.FILE.read_text(encoding="utf-8"))

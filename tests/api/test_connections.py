@@ -10,7 +10,7 @@ import pytest
 
 from app.server import connections
 from app.server.connections import LARGEST_HEAD, LONGEST_URL, MOST_HEADERS
-from tests.api.conftest import Server
+from tests.api.conftest import PATIENCE_S, Server, wait_for
 
 pytestmark = pytest.mark.device
 
@@ -19,7 +19,7 @@ HEAD = b"GET /api/session HTTP/1.1\r\nHost: localhost\r\n"
 
 @contextlib.contextmanager
 def connected(server: Server) -> Iterator[socket.socket]:
-    with socket.create_connection(("127.0.0.1", server.port), timeout=10.0) as own:
+    with socket.create_connection(("127.0.0.1", server.port), timeout=PATIENCE_S) as own:
         yield own
 
 
@@ -101,12 +101,11 @@ def test_a_crowd_that_asks_nothing_leaves_its_places_to_others(
             with contextlib.suppress(ConnectionError):
                 one.sendall(HEAD)
         for _ in range(5):
-            with httpx.Client(base_url=server.address, timeout=5.0) as other:
+            with httpx.Client(base_url=server.address, timeout=PATIENCE_S) as other:
                 assert other.get("/api/session").status_code == 200
-        deadline = time.monotonic() + 10.0
-        while len(left := [one for one in silent if is_open(one)]) > 20:
-            assert time.monotonic() < deadline, len(left)
-            time.sleep(0.1)
+        left = wait_for(
+            lambda: [one for one in silent if is_open(one)], lambda left: len(left) <= 20
+        )
         assert left, "a few may wait"
 
 

@@ -4,9 +4,9 @@ import contextlib
 import http.client
 import socket
 import threading
-import time
 from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
+from types import SimpleNamespace
 
 import httpx
 import pytest
@@ -17,7 +17,7 @@ from app.server import listener as serving
 from app.server import middleware as guard
 from app.server.middleware import LARGEST_BODY, Guard
 from app.store.database import Database
-from tests.api.conftest import Server
+from tests.api.conftest import PATIENCE_S, Server, wait_for
 
 pytestmark = pytest.mark.device
 
@@ -119,7 +119,7 @@ def test_what_a_stranger_sends_is_small(server: Server) -> None:
         for _ in range(100):
             yield b" " * LARGEST_BODY
 
-    with httpx.Client(base_url=server.address, timeout=20.0) as nobody:
+    with httpx.Client(base_url=server.address, timeout=PATIENCE_S) as nobody:
         answer = nobody.post("/api/session", content=much(), headers=headers)
     assert answer.status_code == 413
     assert answer.json()["detail"] == "The request is larger than 256 kB."
@@ -127,7 +127,7 @@ def test_what_a_stranger_sends_is_small(server: Server) -> None:
 
 def test_what_is_sent_comes_soon(server: Server, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(guard, "BODY_S", 0.2)
-    with socket.create_connection(("127.0.0.1", server.port), timeout=10.0) as slow:
+    with socket.create_connection(("127.0.0.1", server.port), timeout=PATIENCE_S) as slow:
         asked = f"POST /api/session HTTP/1.1\r\nHost: localhost:{server.port}\r\n"
         slow.sendall(f"{asked}Content-Length: 50\r\n\r\n{{".encode())
         assert slow.recv(100).startswith(b"HTTP/1.1 408")
@@ -139,8 +139,8 @@ def test_a_connection_that_asks_nothing_is_closed(
     monkeypatch.setattr(serving, "SILENT_S", 0.5)
     address = ("127.0.0.1", server.port)
     with (
-        socket.create_connection(address, timeout=10.0) as silent,
-        socket.create_connection(address, timeout=10.0) as begun,
+        socket.create_connection(address, timeout=PATIENCE_S) as silent,
+        socket.create_connection(address, timeout=PATIENCE_S) as begun,
     ):
         begun.sendall(b"GET /api/home HTTP/1.1\r\nHost: loc")
         assert silent.recv(100) == b""
@@ -150,17 +150,26 @@ def test_a_connection_that_asks_nothing_is_closed(
 def test_a_connection_that_goes_on_asking_is_kept(
     server: Server, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(serving, "SILENT_S", 0.5)
-    kept = http.client.HTTPConnection("127.0.0.1", server.port, timeout=10.0)
+    now_s, looks, look = [0.0], [0], serving.StationServer._close_silent
+
+    def counted(station: serving.StationServer) -> None:
+        look(station)
+        looks[0] += 1
+
+    monkeypatch.setattr(serving, "time", SimpleNamespace(monotonic=lambda: now_s[0]))
+    monkeypatch.setattr(serving.StationServer, "_close_silent", counted)
+    kept = http.client.HTTPConnection("127.0.0.1", server.port, timeout=PATIENCE_S)
     kept.connect()
     kept.auto_open = 0
     with contextlib.closing(kept):
-        for _ in range(50):
+        for _ in range(4):
             kept.request("GET", "/api/health")
             with kept.getresponse() as answer:
                 assert answer.status < 500
                 assert answer.read()
-            time.sleep(0.1)
+            looked = looks[0]
+            wait_for(lambda: looks[0], lambda count: count > looked + 1)  # noqa: B023
+            now_s[0] += 0.6 * serving.SILENT_S
 
 
 def test_what_is_ones_own_stays_in_no_browser(server: Server) -> None:
@@ -308,7 +317,7 @@ def test_many_reports_keep_nobody_from_stop(
     printed = threading.Event()
 
     def slow(*_: object) -> bytes:
-        printed.wait(60.0)
+        printed.wait(PATIENCE_S)
         return b"%PDF"
 
     monkeypatch.setattr(reports, "_verification", lambda *_: server.data)
@@ -317,7 +326,7 @@ def test_many_reports_keep_nobody_from_stop(
         asked = [many.submit(server.http.get, "/api/verifications/1/report.pdf") for _ in range(60)]
         try:
             for _ in range(5):
-                assert server.http.post("/api/stop", timeout=20.0).status_code == 204
+                assert server.http.post("/api/stop").status_code == 204
         finally:
             printed.set()
         assert {one.result().status_code for one in asked} == {200}

@@ -6,7 +6,6 @@ accepted; a scan of two seconds; and a verification that was left open at its to
 
 import shutil
 import tarfile
-import time
 import uuid
 from collections.abc import Iterator
 from pathlib import Path
@@ -18,7 +17,7 @@ from typer.testing import CliRunner
 from app.cli.main import cli
 from app.formats.clouds.files import read_cloud
 from app.formats.results.calibration import read_calibration
-from tests.api.conftest import Server, run_command, running_server
+from tests.api.conftest import Server, run_command, running_server, wait_for
 
 pytestmark = pytest.mark.device
 
@@ -75,11 +74,7 @@ def test_the_session_that_was_open_goes_on(station: Server) -> None:
     run_command(
         lambda: station.http.post("/api/verify/command", json=body | {"rev": view()["rev"]})
     )
-    deadline = time.monotonic() + 60.0
-    while view()["step"] == "touch":
-        assert time.monotonic() < deadline, view()
-        time.sleep(0.1)
-    assert view()["step"] == "scan"
+    assert wait_for(view, lambda view: view["step"] != "touch")["step"] == "scan"
 
 
 def test_its_session_calibrates_to_the_same_figures(earlier: Path, tmp_path: Path) -> None:

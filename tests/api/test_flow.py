@@ -21,13 +21,11 @@ from app.report.reports import render_report
 from app.workflows.calibrate import calibrate_session
 from hardware.clock import now_ns
 from hardware.interfaces import Button
-from tests.api.conftest import Server, is_enabled, wait_for
+from tests.api.conftest import PATIENCE_S, Server, is_enabled, wait_for
 
 pytestmark = pytest.mark.device
 
 STATION = replace(HALF, width_px=800, height_px=640)
-# A whole calibration by the simulated operator, on a machine with other work.
-PATIENCE_S = 480.0
 
 
 def points(view: dict[str, Any]) -> list[int]:
@@ -72,14 +70,14 @@ def test_the_arms_buttons_take_points_and_take_them_back(touching: Server) -> No
     simulated_operator = touching.simulation.operator
     for index in (0, 1):
         assert simulated_operator.touch("crest", index)
-        touching.wait(partial(has_points, index + 1), 10.0)
+        touching.wait(partial(has_points, index + 1))
     press = touching.simulation.device.press
     press(Button.UNDO, True, now_ns())
     press(Button.UNDO, False, now_ns() + 50_000_000)
-    touching.wait(lambda view: points(view) == [0], 10.0)
+    touching.wait(lambda view: points(view) == [0])
     press(Button.UNDO, True, now_ns())
     # held, it counts before it is let go
-    touching.wait(lambda view: view["step"] == "setup", 10.0)
+    touching.wait(lambda view: view["step"] == "setup")
     press(Button.UNDO, False)
     assert touching.do("confirm_setup")["step"] == "touch"
     assert points(touching.flow()) == [0], "what was taken is kept"
@@ -97,7 +95,7 @@ def test_a_point_in_motion_is_declined_and_said(
     monkeypatch.setattr(touching.simulation.operator.planner, "pace", 0.5)
     with ThreadPoolExecutor(1) as elsewhere:
         moving = elsewhere.submit(touching.simulation.operator.hold_over, "block")
-        touching.wait(lambda view: not is_enabled(view, "take_point"), 10.0)
+        touching.wait(lambda view: not is_enabled(view, "take_point"))
         answer = touching.command("take_point")
         moving.result(PATIENCE_S)
     assert answer.status_code == 422
@@ -131,10 +129,10 @@ def test_starting_twice_resumes_the_open_session(touching: Server) -> None:
 
 def test_the_simulated_operator_stops_on_command(touching: Server) -> None:
     touching.do("run_simulation")
-    touching.wait(lambda view: len(points(view)) >= 2, 20.0)
+    touching.wait(lambda view: len(points(view)) >= 2)
     # stopping needs no fresh view
     assert touching.command("stop_simulation", rev=0).status_code == 200
-    touching.wait(lambda view: view["busy"] is None, 10.0)
+    touching.wait(lambda view: view["busy"] is None)
     taken = points(touching.flow())
     time.sleep(0.5)
     view = touching.flow()
@@ -146,7 +144,7 @@ def test_a_whole_calibration_by_the_simulated_operator(at_setup: Server, tmp_pat
     server, http = at_setup, at_setup.http
     with first_picture_in_the_dark(server):
         server.do("run_simulation", all=True)
-    server.wait(lambda view: view["busy"] is None, PATIENCE_S)
+    server.wait(lambda view: view["busy"] is None)
     view = http.get("/api/flow").json()
     assert view["step"] == "review", view["findings"]
     # the picture in which nothing is seen was taken again
@@ -204,10 +202,7 @@ def first_picture_in_the_dark(server: Server) -> Iterator[None]:
     server.simulation.lighting.room = 0.0
     try:
         yield
-        deadline = time.monotonic() + PATIENCE_S
-        while not list(images.glob("*.png")):
-            assert time.monotonic() < deadline
-            time.sleep(0.02)
+        wait_for(lambda: list(images.glob("*.png")), bool)
     finally:
         server.simulation.lighting.room = 1.0
 
@@ -275,20 +270,18 @@ def scan_with_it(http: httpx.Client, server: Server) -> None:
     assert http.post("/api/scan/start", json={"name": "Shell"}).json()["state"] == "running"
     assert http.post("/api/scan/start", json={}).json()["code"] == "busy"
     assert http.post("/api/scan/simulation", json={"on": True}).json()["simulation_running"] is True
-    deadline = time.monotonic() + 30
-    while http.get("/api/scan").json()["points"] < 1000:
-        assert time.monotonic() < deadline
-        time.sleep(0.1)
+    wait_for(lambda: http.get("/api/scan").json()["points"], lambda points: points >= 1000)
     assert http.post("/api/stop").status_code == 204
     devices = http.post("/api/laser/off").json()
     assert devices["laser_on"] is False
-    scans = wait_for(lambda: http.get("/api/scans").json(), bool, 10.0)
+    scans = wait_for(lambda: http.get("/api/scans").json(), bool)
     assert scans[0]["name"] == "Shell"
     assert scans[0]["points"] >= 1000
     cloud = http.get(f"/api/scans/{scans[0]['id']}/cloud.ply").content
     assert f"element vertex {scans[0]['points']}".encode() in cloud[:500]
 
 
+@pytest.mark.soak
 def test_a_whole_calibration_on_the_chessboard_by_the_simulated_operator(
     at_setup: Server, tmp_path: Path
 ) -> None:
@@ -298,7 +291,7 @@ def test_a_whole_calibration_on_the_chessboard_by_the_simulated_operator(
     assert view["picture"]["object"]["kind"] == "board"
     server.do("confirm_setup")
     server.do("run_simulation", all=True)
-    server.wait(lambda view: view["busy"] is None, PATIENCE_S)
+    server.wait(lambda view: view["busy"] is None)
     view = http.get("/api/flow").json()
     assert view["step"] == "review", view["findings"]
 

@@ -11,19 +11,17 @@ from websockets.sync.client import connect
 from websockets.sync.connection import Connection
 from websockets.typing import Origin
 
-from tests.api.conftest import Server
+from tests.api.conftest import PATIENCE_S, Server, wait_for
 from tests.sent_texts import english
 
 pytestmark = pytest.mark.device
 
 
-def message(socket: Connection, timeout_s: float = 5.0) -> dict[str, Any]:
+def message(socket: Connection) -> dict[str, Any]:
     """The next text message; pictures are passed over."""
-    deadline = time.monotonic() + timeout_s
-    while True:
-        received = socket.recv(max(deadline - time.monotonic(), 0.0))
-        if isinstance(received, str):
-            return dict(json.loads(received))
+    while not isinstance(received := socket.recv(PATIENCE_S), str):
+        continue
+    return dict(json.loads(received))
 
 
 def picture(socket: Connection, timeout_s: float) -> dict[str, Any] | None:
@@ -46,9 +44,7 @@ def test_hello_comes_first_then_the_whole_state_then_beats(server: Server) -> No
         assert message(socket)["type"] == "hello"
         seen: set[object] = set()
         beats = 0
-        deadline = time.monotonic() + 10
         while beats < 2 or not {"devices", "flow", "scan", "home"} <= seen:
-            assert time.monotonic() < deadline, seen
             received = message(socket)
             assert received["type"] in ("topic", "beat", "event")
             seen.add(received.get("name"))
@@ -59,12 +55,10 @@ def test_what_one_tab_does_the_other_sees(touching: Server) -> None:
     with connect(touching.live, additional_headers=touching.cookie) as socket:
         assert message(socket)["type"] == "hello"
         rev = touching.do("select_face", face="front")["rev"]
-        deadline = time.monotonic() + 5
-        while True:
-            assert time.monotonic() < deadline
-            received = message(socket)
-            if received.get("name") == "flow" and received["value"]["rev"] == rev:
-                break
+        received = wait_for(
+            lambda: message(socket),
+            lambda sent: sent.get("name") == "flow" and sent["value"]["rev"] == rev,
+        )
         assert english(received["value"]["instruction"]).startswith("Touch the front face")
 
 
@@ -93,12 +87,12 @@ def test_the_next_picture_waits_for_the_last_to_be_acknowledged(server: Server) 
     with connect(server.live, additional_headers=server.cookie) as socket:
         assert picture(socket, 0.5) is None
         socket.send(json.dumps({"type": "preview", "on": True}))
-        first = picture(socket, 10.0)
+        first = picture(socket, PATIENCE_S)
         assert first is not None
         assert first["width_px"] == server.simulation.config.width_px
         assert picture(socket, 1.0) is None
         socket.send(json.dumps({"type": "preview_ack", "seq": first["seq"]}))
-        second = picture(socket, 10.0)
+        second = picture(socket, PATIENCE_S)
         assert second is not None
         assert second["seq"] > first["seq"]
         socket.send(json.dumps({"type": "preview", "on": False}))
@@ -109,7 +103,7 @@ def test_the_next_picture_waits_for_the_last_to_be_acknowledged(server: Server) 
 def send_and_drain(socket: Connection, sent: str | bytes) -> None:
     socket.send(sent)
     for _ in range(1000):
-        socket.recv(5.0)
+        socket.recv(PATIENCE_S)
 
 
 @pytest.mark.parametrize(

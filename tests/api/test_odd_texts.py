@@ -14,7 +14,7 @@ import pytest
 from websockets.exceptions import ConnectionClosed
 from websockets.sync.client import connect
 
-from tests.api.processes import demonstration
+from tests.api.processes import PATIENCE_S, demonstration
 from tests.entering import cookie
 
 pytestmark = [pytest.mark.device, pytest.mark.soak]
@@ -83,7 +83,7 @@ class Page:
         """Whether it lived until now."""
         lived = not self.ended
         self._live.close()
-        self._thread.join(10.0)
+        self._thread.join(PATIENCE_S)
         return lived
 
 

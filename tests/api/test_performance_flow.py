@@ -42,8 +42,8 @@ class Desk:
         """A command that must be done; the view after it."""
         return run_command(lambda: self.command(name, **args))
 
-    def wait(self, ready: Callable[[View], bool], timeout_s: float = 60.0) -> View:
-        return wait_for(self.view, ready, timeout_s)
+    def wait(self, ready: Callable[[View], bool]) -> View:
+        return wait_for(self.view, ready)
 
     def start(self) -> View:
         self.wait(lambda view: view["busy"] is None)
@@ -52,20 +52,24 @@ class Desk:
         self.server.http.post("/api/performance/start").raise_for_status()
         return self.view()
 
+    def is_taken(self, touch: Callable[[], bool]) -> bool:
+        """Touches; whether that was taken, and not declined."""
+        guide = self.server.context.performance_guide
+        with guide.lock:
+            before, declined = len(guide.state.touches), guide.declined
+        assert touch()
+        wait_for(lambda: (len(guide.state.touches) > before, guide.declined > declined), any)
+        return len(guide.state.touches) > before
+
     def touch(self, place: int) -> View:
         """Touches a place of the pattern until it is taken; a busy machine's arm may come late."""
-        before = self.view()["progress"]["done"]
-        outward = DIRECTIONS[place]
+        outward, operator = DIRECTIONS[place], self.server.simulation.operator
         for _ in range(5):
-            operator = self.server.simulation.operator
-            assert operator.touch_sphere(outward.tolist(), (outward + POLE).tolist())
-            deadline = time.monotonic() + 2.0
-            while time.monotonic() < deadline:
-                view = self.view()
-                if view["progress"]["done"] > before:
-                    return view
-                time.sleep(LOOK_S)
-        raise AssertionError(view["findings"])
+            if self.is_taken(
+                lambda: operator.touch_sphere(outward.tolist(), (outward + POLE).tolist())
+            ):
+                return self.view()
+        raise AssertionError(self.view()["findings"])
 
     def list(self) -> list[dict[str, Any]]:
         return list(self.server.http.get("/api/performances").json())
@@ -102,13 +106,9 @@ def test_touches_count_for_free_places_and_the_plan_stands_from_the_first(desk: 
     view = desk.touch(7)
     assert view["picture"]["places"][7]["state"] == "done"
     # the same place again, and one between places
-    answer = desk.command("touch")
-    for _ in range(20):  # the arm may still move away
-        if answer.json().get("code") == "no-free-place":
-            break
-        time.sleep(0.1)
-        answer = desk.command("touch")
-    assert answer.json()["code"] == "no-free-place", answer.text
+    wait_for(  # the arm may still move away
+        lambda: desk.command("touch").json(), lambda answer: answer.get("code") == "no-free-place"
+    )
     assert desk.view()["progress"]["done"] == 2
     assert desk.do("undo")["progress"]["done"] == 1
     assert desk.do("redo")["progress"]["done"] == 2

@@ -1,18 +1,15 @@
-"""The server as a process: killed, started twice, asked to end."""
+"""The server as a process: started twice, asked to end, refused."""
 
 import json
 import os
 import re
 import signal
 import socket
-import sqlite3
 import ssl
-import subprocess
-import sys
 import time
 import tomllib
-from collections.abc import Iterator
-from contextlib import AbstractContextManager, contextmanager
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 from urllib.parse import urlsplit
@@ -25,36 +22,18 @@ import trustme
 from app.formats.images import write_png
 from app.formats.json_document import SOFTWARE
 from hardware.simulator.station import SimulatedStation
-from tests.entering import client
+from tests.api.conftest import PATIENCE_S, wait_for
+from tests.forked import COMMAND_LINE, ROOT, ForkedProgram
 from tests.sent_texts import english
 
-pytestmark = pytest.mark.device
-
-ROOT = Path(__file__).resolve().parents[2]
-START_S = 60.0
-Running = tuple[subprocess.Popen[str], str]
-
-
-def command(*arguments: str) -> list[str]:
-    return [sys.executable, "-c", "from app.cli.main import main; main()", *arguments]
-
-
-def demo(data: Path, port: int = 0) -> AbstractContextManager[Running]:
-    return running("demo", "--no-open", "--port", str(port), "--data", str(data))
+pytestmark = [pytest.mark.device, pytest.mark.usefixtures("fork_server")]
 
 
 @contextmanager
-def running(*arguments: str, folder: Path = ROOT) -> Iterator[Running]:
+def running(*arguments: str, folder: Path = ROOT) -> Iterator[tuple[ForkedProgram, str]]:
     """A server's process and its address; killed at the end if it still runs."""
-    with subprocess.Popen(
-        command(*arguments),
-        cwd=folder,
-        stdout=subprocess.PIPE,
-        stderr=subprocess.DEVNULL,
-        text=True,
-    ) as process:
+    with ForkedProgram(COMMAND_LINE, arguments, folder) as process:
         try:
-            assert process.stdout is not None
             reported = ""
             for line in process.stdout:
                 reported += line
@@ -65,69 +44,39 @@ def running(*arguments: str, folder: Path = ROOT) -> Iterator[Running]:
             process.kill()
 
 
-def run(*arguments: str) -> subprocess.CompletedProcess[str]:
-    return subprocess.run(
-        command(*arguments), cwd=ROOT, capture_output=True, text=True, timeout=START_S, check=False
-    )
+def refusal(*arguments: str) -> str:
+    """The one line with which a command is refused."""
+    with ForkedProgram(COMMAND_LINE, arguments) as process:
+        (line,) = process.stderr.read().strip().splitlines()
+        assert process.wait(PATIENCE_S) == 1
+        return line
 
 
-def test_a_server_killed_at_the_touch_step_loses_no_point(tmp_path: Path) -> None:
-    with demo(tmp_path) as (process, address), client(address) as http:
-        http.post("/api/flow/start").raise_for_status()
-        view = start_operator(http)
-        deadline = time.monotonic() + START_S
-        while view["step"] != "touch" or len(view["picture"]["points"]) < 3:
-            assert time.monotonic() < deadline
-            time.sleep(0.1)
-            view = http.get("/api/flow").json()
-        process.send_signal(signal.SIGKILL)
-        process.wait()
-
-    with demo(tmp_path) as (process, address), client(address) as http:
-        again = http.get("/api/flow").json()
-        assert again["session_id"] == view["session_id"]
-        assert again["step"] == "touch"
-        kept = again["picture"]["points"]
-        assert kept[: len(view["picture"]["points"])] == view["picture"]["points"]
-        assert len(kept) <= len(view["picture"]["points"]) + 1
-        probing = (tmp_path / "sessions" / again["session_id"] / "probing.csv").read_text()
-        assert abs(len(probing.splitlines()) - 1 - len(kept)) <= 1
-
-        second = run("demo", "--no-open", "--port", "0", "--data", str(tmp_path))
-        assert second.returncode == 1
-        assert f"process {process.pid}" in second.stderr
-        assert len(second.stderr.strip().splitlines()) == 1
-
-        process.send_signal(signal.SIGTERM)
-        process.wait(15.0)
-        assert process.returncode in (0, 128 + signal.SIGTERM)
-    check = sqlite3.connect(tmp_path / "station.db")
-    assert check.execute("PRAGMA integrity_check").fetchone() == ("ok",)
-    check.close()
+def wait_in(path: str, http: httpx.Client, ready: Callable[[Any], bool]) -> Any:
+    """What a station answers, once it is as wanted."""
+    return wait_for(lambda: http.get(path).json(), ready)
 
 
-def start_operator(http: httpx.Client) -> dict[str, Any]:
-    view = http.get("/api/flow").json()
-    asked = {"name": "run_simulation", "args": {"all": True}, "rev": view["rev"], "key": "k"}
-    answer = http.post("/api/flow/command", json=asked)
-    assert answer.status_code == 200, answer.text
-    return dict(answer.json())
+def end(process: ForkedProgram) -> None:
+    process.send_signal(signal.SIGTERM)
+    assert process.wait(PATIENCE_S) in (0, 128 + signal.SIGTERM)
 
 
-def test_the_demo_takes_the_next_port_and_ends_without_fault_at_two_interrupts(
+def test_the_demo_takes_the_next_port_and_its_folder_and_ends_without_fault_at_two_interrupts(
     tmp_path: Path,
 ) -> None:
+    asked = ("demo", "--no-open", "--data", str(tmp_path), "--port")
     with socket.socket() as taken:
         taken.bind(("127.0.0.1", 0))
         taken.listen()
         port = taken.getsockname()[1]
-        with demo(tmp_path, port) as (process, address):
+        with running(*asked, str(port)) as (process, address):
             assert int(urlsplit(address).port or 0) > port
+            assert f"process {process.pid}" in refusal(*asked, "0")
             process.send_signal(signal.SIGINT)
             time.sleep(0.02)
             process.send_signal(signal.SIGINT)
-            process.wait(15.0)
-            assert process.returncode in (0, 128 + signal.SIGINT, -signal.SIGINT)
+            assert process.wait(PATIENCE_S) in (0, 128 + signal.SIGINT, -signal.SIGINT)
 
 
 NOWHERE = "socket://127.0.0.1:9"
@@ -162,18 +111,14 @@ def test_a_station_on_real_drivers(tmp_path: Path) -> None:
                 "simulated": False,
             }
             http.post("/api/flow/start").raise_for_status()
-            deadline = time.monotonic() + START_S
-            while not (view := http.get("/api/flow").json())["actions"][0]["enabled"]:
-                assert time.monotonic() < deadline, view
-                time.sleep(0.1)
+            view = wait_in("/api/flow", http, lambda view: view["actions"][0]["enabled"])
             assert "TWIN-A1" in english(view["picture"]["devices"][0]["text"])
             assert "run_simulation" not in [action["name"] for action in view["actions"]]
             laser = http.post("/api/laser/on")
             assert laser.status_code == 422
             assert laser.json()["code"] == "no-laser-switch"
             assert http.post("/api/laser/off").status_code == 200
-            process.send_signal(signal.SIGTERM)
-            process.wait(15.0)
+            end(process)
 
 
 def test_a_new_station_gets_its_devices_in_the_browser(tmp_path: Path) -> None:
@@ -187,14 +132,10 @@ def test_a_new_station_gets_its_devices_in_the_browser(tmp_path: Path) -> None:
         options = {"path": str(tmp_path)}
         chosen = {"kind": "sensor", "driver": "folder", "options": options}
         http.post("/api/devices", json=chosen).raise_for_status()
-        deadline = time.monotonic() + START_S
-        while (state := http.get("/api/devices").json()["devices"][1]["state"]["state"]) != (
-            "connected"
-        ):
-            assert time.monotonic() < deadline, state
-            time.sleep(0.1)
-        process.send_signal(signal.SIGTERM)
-        process.wait(15.0)
+        wait_in(
+            "/api/devices", http, lambda view: view["devices"][1]["state"]["state"] == "connected"
+        )
+        end(process)
     tables = tomllib.loads((tmp_path / "station.toml").read_text())
     assert tables == {"sensor": {"driver": "folder", "path": str(tmp_path)}}
 
@@ -218,8 +159,7 @@ def test_a_station_over_tls(tmp_path: Path) -> None:
             answer = http.post("/api/session", json={"name": "Ada", "password": "correct horse"})
             assert "secure" in answer.headers["set-cookie"].lower()
             assert http.get("/api/home").status_code == 200
-        process.send_signal(signal.SIGTERM)
-        process.wait(15.0)
+        end(process)
 
 
 @pytest.mark.parametrize(
@@ -237,15 +177,11 @@ def test_a_certificate_that_will_not_do_is_refused_in_one_line(
     text = SETTINGS.format(folder=tmp_path, url=NOWHERE)
     (tmp_path / "station.toml").write_text(text.replace("[station]", f"[station]\n{keys}"))
     config, data = str(tmp_path / "station.toml"), str(tmp_path / "data")
-    done = run("serve", "--config", config, "--data", data, "--port", "0")
-    assert done.returncode == 1
-    assert reported in done.stderr
-    assert len(done.stderr.strip().splitlines()) == 1
+    assert reported in refusal("serve", "--config", config, "--data", data, "--port", "0")
 
 
-def make_admin(process: subprocess.Popen[str], http: httpx.Client) -> None:
+def make_admin(process: ForkedProgram, http: httpx.Client) -> None:
     """What the one who sets the station up does with the code on the console."""
-    assert process.stdout is not None
     code = re.search(r"code (\w+)", process.stdout.readline())
     assert code
     asked = {"code": code.group(1), "name": "Ada", "password": "correct horse"}
@@ -261,11 +197,8 @@ def test_serving_on_a_busy_port_is_refused_in_one_line(tmp_path: Path) -> None:
         taken.bind(("127.0.0.1", 0))
         taken.listen()
         port = str(taken.getsockname()[1])
-        done = run("serve", "--config", str(tmp_path / "station.toml"), "--port", port)
-    assert done.returncode == 1
-    assert port in done.stderr
-    assert len(done.stderr.strip().splitlines()) == 1
-    assert "Traceback" not in done.stderr
+        config = str(tmp_path / "station.toml")
+        assert port in refusal("serve", "--config", config, "--port", port)
 
 
 def test_an_unknown_driver_is_refused_in_one_line(tmp_path: Path) -> None:
@@ -273,16 +206,14 @@ def test_an_unknown_driver_is_refused_in_one_line(tmp_path: Path) -> None:
         '"serial-encoder"', '"serial-encodr"'
     )
     (tmp_path / "station.toml").write_text(text)
-    done = run("serve", "--config", str(tmp_path / "station.toml"), "--port", "0")
-    assert done.returncode == 1
-    assert "serial-encodr" in done.stderr
-    assert "serial-encoder" in done.stderr
+    line = refusal("serve", "--config", str(tmp_path / "station.toml"), "--port", "0")
+    assert "serial-encodr" in line
+    assert "serial-encoder" in line
     assert not (tmp_path / "data").exists()
 
 
 @pytest.mark.skipif(not hasattr(os, "geteuid") or os.geteuid() == 0, reason="root may write all")
 def test_a_folder_that_may_not_be_written_is_refused(tmp_path: Path) -> None:
     tmp_path.chmod(0o500)
-    done = run("demo", "--no-open", "--port", "0", "--data", str(tmp_path / "data"))
-    assert done.returncode == 1
-    assert json.dumps(str(tmp_path))[1:-1] in done.stderr
+    line = refusal("demo", "--no-open", "--port", "0", "--data", str(tmp_path / "data"))
+    assert json.dumps(str(tmp_path))[1:-1] in line

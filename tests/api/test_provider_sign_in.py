@@ -20,7 +20,7 @@ from app.security import login_throttle
 from app.single_sign_on import provider as provider_module
 from app.single_sign_on.pending import ProviderAnswer
 from app.store.accounts import Role
-from tests.api.conftest import Server, running_server
+from tests.api.conftest import PATIENCE_S, Server, running_server
 from tests.single_sign_on.mock_provider import MockProvider, answer_of, mock_provider
 
 pytestmark = pytest.mark.device
@@ -41,7 +41,9 @@ class Station:
 
     def browser(self, host: str = HOST) -> httpx.Client:
         """A new browser."""
-        return httpx.Client(base_url=self.server.address, headers={"Host": host}, timeout=20.0)
+        return httpx.Client(
+            base_url=self.server.address, headers={"Host": host}, timeout=PATIENCE_S
+        )
 
     def sign_in(self, browser: httpx.Client, subject: str) -> httpx.Response:
         """A person signs in with an account of the provider."""

@@ -17,7 +17,7 @@ from tests.api.processes import PATIENCE_S, demonstration
 from tests.formats.test_recording_bombs import LARGE, lz4_zeros, zstd
 from tests.sent_texts import english
 
-pytestmark = pytest.mark.device
+pytestmark = [pytest.mark.device, pytest.mark.usefixtures("fork_server")]
 
 Scan = dict[str, Any]
 
@@ -85,11 +85,9 @@ def test_recordings_that_open_to_gigabytes_hold_up_no_start(tmp_path: Path) -> N
         (tmp_path / "scans" / name).mkdir(parents=True)
         (tmp_path / "scans" / name / "scan.mcap").write_bytes(MAGIC + bomb)
     os.truncate(tmp_path / "scans" / "holes" / "scan.mcap", 1 << 40)
-    began = time.monotonic()
     with demonstration(tmp_path, calibrated=True) as (http, pid):
         scans = http.get("/api/scans").json()
         assert {scan["name"] for scan in scans} == set(bombs)
-        assert time.monotonic() - began < 20
         until(
             http,
             "/api/scans",

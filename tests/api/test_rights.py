@@ -7,16 +7,15 @@ from collections.abc import Iterator
 import httpx
 import pytest
 from fastapi.routing import APIRoute, APIWebSocketRoute
-from websockets.exceptions import ConnectionClosed, InvalidStatus
+from websockets.exceptions import InvalidStatus
 from websockets.sync.client import connect
-from websockets.sync.connection import Connection
 
 from app.api import live
 from app.api.access.authorization import authorise
 from app.api.access.browser import cookie_for
 from app.security.permissions import MESSAGES, ROUTES, WEBSOCKET, Right, Rule
 from app.store.accounts import Role
-from tests.api.conftest import Server
+from tests.api.conftest import PATIENCE_S, Server, until_closed
 
 pytestmark = pytest.mark.device
 
@@ -138,19 +137,10 @@ def test_a_message_is_obeyed_or_ends_the_connection(
         socket.send(f'{{"type": "{kind}"{rest}}}')
         if kind in MESSAGES and who in MAY[MESSAGES[kind]]:
             for _ in range(2):
-                while '"beat"' not in str(socket.recv(10.0)):
+                while '"beat"' not in str(socket.recv(PATIENCE_S)):
                     continue
         else:
             assert until_closed(socket) == 1008
-
-
-def until_closed(socket: Connection) -> int:
-    """Takes what comes; the code that the server closes with."""
-    try:
-        while True:
-            socket.recv(10.0)
-    except ConnectionClosed as closed:
-        return closed.rcvd.code if closed.rcvd else 0
 
 
 def test_a_route_without_a_rule_is_denied_to_everyone(

@@ -1,7 +1,6 @@
 """A simulated robot that carries the sensor, by RTDE: calibrated, scanned, verified, rebuilt."""
 
 import json
-import time
 from collections.abc import Iterator
 from dataclasses import replace
 from pathlib import Path
@@ -16,12 +15,10 @@ from app.formats.results.calibration import read_calibration
 from app.metrology.transforms import Floats
 from app.server import demo
 from app.workflows.reconstruct import reconstruct_points
-from tests.api.conftest import Server, running_server
+from tests.api.conftest import Server, running_server, wait_for
 from tests.api.test_verify_flow import Desk
 
 pytestmark = pytest.mark.device
-
-PATIENCE_S = 480.0
 
 
 @pytest.fixture(scope="module")
@@ -48,7 +45,7 @@ def calibrated(server: Server) -> Server:
     server.do("confirm_setup")
     assert server.flow()["step"] == "place"  # it has no tip, and touches nothing
     server.do("run_simulation", all=True)
-    server.wait(lambda view: view["busy"] is None and view["step"] == "review", PATIENCE_S)
+    server.wait(lambda view: view["busy"] is None and view["step"] == "review")
     view = server.flow()
     assert view["picture"]["result"]["verdict"] in ("good", "usable"), view["findings"]
     server.do("accept")
@@ -84,10 +81,7 @@ def test_a_scan_is_rebuilt_to_the_same_points(calibrated: Server, tmp_path: Path
     assert http.post("/api/scan/start", json={"name": "Plate"}).json()["state"] == "running"
     assert calibrated.simulation.operator.scan_part("plate")
     http.post("/api/stop")
-    deadline = time.monotonic() + 20
-    while not (scans := http.get("/api/scans").json()):
-        assert time.monotonic() < deadline
-        time.sleep(0.1)
+    scans = wait_for(lambda: http.get("/api/scans").json(), bool)
     folder = calibrated.data / "scans" / scans[0]["id"]
     live = read_cloud(folder / "cloud.ply")
     assert len(live.points_mm) == scans[0]["points"] > 1000
@@ -117,7 +111,7 @@ def test_a_verification_needs_no_touches(calibrated: Server) -> None:
     desk.do("choose_gauge", id="plate")
     assert desk.do("confirm_gauge")["step"] == "scan"
     desk.do("run_simulation", all=True)
-    view = desk.wait(lambda view: view["busy"] is None and view["step"] == "review", PATIENCE_S)
+    view = desk.wait(lambda view: view["busy"] is None and view["step"] == "review")
     assert len([one for one in view["picture"]["clouds"] if one["state"] == "good"]) == 3
     figures = {one["name"]: one for one in view["picture"]["figures"]}
     assert {"form", "rms", "angle_range"} <= set(figures)

@@ -1,10 +1,8 @@
 """The settings' routes on the running server, whatever other tests have set there before."""
 
-import time
-
 import pytest
 
-from tests.api.conftest import Server
+from tests.api.conftest import Server, wait_for
 
 pytestmark = pytest.mark.device
 
@@ -23,10 +21,7 @@ PLAIN: dict[str, object] = {
 @pytest.fixture
 def no_delay(server: Server) -> None:
     """What the pass of another test has found is applied, and dropped."""
-    deadline = time.monotonic() + 60.0
-    while server.http.get("/api/settings").json()["finding_delay"]:
-        assert time.monotonic() < deadline
-        time.sleep(0.1)
+    wait_for(lambda: server.http.get("/api/settings").json(), lambda now: not now["finding_delay"])
     for on in (True, False):
         server.http.post("/api/settings/delay", json={"on": on})
     assert server.http.get("/api/settings").json()["delay"] is None

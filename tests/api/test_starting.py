@@ -2,7 +2,6 @@
 
 import socket
 import threading
-import time
 from collections.abc import AsyncIterator, Callable, Iterator
 from contextlib import asynccontextmanager, contextmanager, suppress
 from pathlib import Path
@@ -19,10 +18,9 @@ from app.api import static_files
 from app.errors import OperationError
 from app.server.listener import make_server
 from app.server.starting_page import StartingApp, StartStep
+from tests.api.conftest import PATIENCE_S, wait_for
 
 pytestmark = pytest.mark.device
-
-PATIENCE_S = 20.0
 
 
 class Station:
@@ -69,10 +67,7 @@ def served(starting: StartingApp) -> Iterator[tuple[httpx.Client, Callable[[], N
 
 
 def wait_until(true: Callable[[], bool]) -> None:
-    deadline = time.monotonic() + PATIENCE_S
-    while not true():
-        assert time.monotonic() < deadline
-        time.sleep(0.01)
+    wait_for(true, bool)
 
 
 def test_until_it_is_ready_it_says_how_far_it_is_and_nothing_else(

@@ -18,7 +18,7 @@ pytestmark = pytest.mark.device
 
 @pytest.fixture(scope="module")
 def desk(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Desk]:
-    with running_server(tmp_path_factory.mktemp("touch"), replace(SMALL, pace=4.0)) as server:
+    with running_server(tmp_path_factory.mktemp("touch"), replace(SMALL, pace=12.0)) as server:
         yield Desk(server)
     assert not server.sent.untranslated()
 
@@ -42,7 +42,7 @@ def test_the_contact_test_needs_no_calibration(desk: Desk) -> None:
     assert (folder / "arm.json").read_bytes() == arm
     assert not (folder / "calibration.json").exists()
     desk.do("run_simulation", all=True)
-    desk.wait(lambda view: view["step"] == "seats" and view["progress"]["done"] > 0, 120.0)
+    desk.wait(lambda view: view["step"] == "seats" and view["progress"]["done"] > 0)
     server.http.post("/api/stop").raise_for_status()
     desk.wait(lambda view: view["busy"] is None)
     found = evaluate_performance(folder)

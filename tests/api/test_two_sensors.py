@@ -29,12 +29,12 @@ SENSORS = {"left": False, "right": True}
 @pytest.fixture(scope="module")
 def station(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Server]:
     with running_server(tmp_path_factory.mktemp("two"), CONFIG) as server:
-        until(lambda: all(one.fresh for one in server.context.rig.sensors.values()), 120)
+        until(lambda: all(one.fresh for one in server.context.rig.sensors.values()))
         yield server
 
 
-def until(condition: Callable[[], object], timeout_s: float = 60.0) -> None:
-    wait_for(condition, bool, timeout_s)
+def until(condition: Callable[[], object]) -> None:
+    wait_for(condition, bool)
 
 
 def select(station: Server, name: str) -> int:

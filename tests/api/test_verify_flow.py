@@ -1,14 +1,11 @@
 """The guided verification over HTTP, simulated: each cloud once, none lost, judged and kept."""
 
-import contextlib
 import hashlib
 import json
 import shutil
-import time
 import uuid
 from collections.abc import Callable, Iterator
 from concurrent.futures import ThreadPoolExecutor
-from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -30,7 +27,7 @@ from app.workflows.measure_gauge import filters_of
 from hardware.clock import now_ns
 from hardware.interfaces import Button
 from tests.api.calibrated import use_truth
-from tests.api.conftest import Server, run_command, wait_for
+from tests.api.conftest import PATIENCE_S, Server, run_command, wait_for
 from tests.sent_texts import english
 
 pytestmark = pytest.mark.device
@@ -64,8 +61,8 @@ class Desk:
         """A command that must be done; the view after it."""
         return run_command(lambda: self.command(name, **args))
 
-    def wait(self, ready: Callable[[View], bool], timeout_s: float = 60.0) -> View:
-        return wait_for(self.view, ready, timeout_s)
+    def wait(self, ready: Callable[[View], bool]) -> View:
+        return wait_for(self.view, ready)
 
     def start(self, gauge: str) -> View:
         self.wait(lambda view: view["busy"] is None)
@@ -113,7 +110,7 @@ def test_a_plate_is_verified_by_the_simulated_operator_and_kept(
     desk.do("back")
     server.http.post("/api/temperature", json={"celsius": 20.5}).raise_for_status()
     desk.do("run_simulation", all=True)
-    view = desk.wait(lambda view: view["step"] == "review" and view["busy"] is None, 120.0)
+    view = desk.wait(lambda view: view["step"] == "review" and view["busy"] is None)
     # how well a busy machine's pass is known differs; what is found does not
     result = view["picture"]["verdict"]["result"]
     decisions = {figure["decision"] for figure in view["picture"]["figures"]} - {"none"}
@@ -158,11 +155,10 @@ def test_a_plate_is_verified_by_the_simulated_operator_and_kept(
     other = use_truth(server, f"{calibration}-again")
     made = server.http.post(f"/api/verifications/{newest['id']}/study")
     assert made.status_code == 200, made.text
-    deadline = time.monotonic() + 60
-    while (state := study_of(server, newest["id"]))["running"] or state["study"] is None:
-        assert time.monotonic() < deadline, state
-        time.sleep(0.1)
-    study = state["study"]
+    study = wait_for(
+        lambda: study_of(server, newest["id"]),
+        lambda state: not state["running"] and state["study"] is not None,
+    )["study"]
     assert {calibration, other} <= set(study["calibration_ids"])
     assert len(study["rows"]) == 3 * len(study["calibrations"])
     rows = {(row["cloud"], row["calibration"]): row for row in study["rows"]}
@@ -216,13 +212,14 @@ def test_a_cloud_that_stop_ends_is_measured_and_another_thing_is_named(desk: Des
 def test_touches_come_from_the_button_and_are_taken_back(desk: Desk) -> None:
     desk.start("plate")
     server = desk.server
+    guide, operator = server.context.verify_guide, server.simulation.operator
     for attempt in range(12):  # a busy machine's arm may come late for a press
-        taken = len(desk.view()["picture"]["touches"])
+        with guide.lock:
+            taken, declined = len(guide.state.touches), guide.declined
         if taken == 4:
             break
-        assert server.simulation.operator.touch_gauge("plate", taken + 10 * (attempt - taken))
-        with contextlib.suppress(AssertionError):
-            desk.wait(partial(has_touches, taken + 1), 2.0)
+        assert operator.touch_gauge("plate", taken + 10 * (attempt - taken))
+        wait_for(lambda: len(guide.state.touches) > taken or guide.declined > declined, bool)  # noqa: B023
     view = desk.view()
     assert view["number"]["value"] < 30
     assert view["picture"]["touches"][3]["x_mm"] is not None
@@ -288,10 +285,10 @@ def test_a_server_killed_while_it_scans_loses_no_cloud(desk: Desk, tmp_path: Pat
     session = desk.do("begin_cloud")["session_id"]
     with ThreadPoolExecutor(1) as elsewhere:
         moving = elsewhere.submit(simulated_operator.scan_part, "plate")
-        time.sleep(2.5)
+        wait_for(lambda: server.context.scanner.state().points, lambda points: points > 3000)
         left = tmp_path / "left"
         shutil.copytree(server.data, left)
-        moving.result(30.0)
+        moving.result(PATIENCE_S)
     desk.do("finish_cloud")
 
     store, bus = Store(left), Bus()
@@ -305,7 +302,7 @@ def test_a_server_killed_while_it_scans_loses_no_cloud(desk: Desk, tmp_path: Pat
         assert guide.state.open_cloud is not None
         assert guide.view().step == "scan"
         measure_waiting(guide)
-        jobs.wait(30.0)
+        jobs.wait(PATIENCE_S)
         (cloud,) = guide.view().picture.clouds
         assert cloud.state == "good", cloud.text
         assert cloud.points > 1000

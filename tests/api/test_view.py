@@ -1,7 +1,6 @@
 """The 3D view's commands through the server: scans shown, renamed, deleted, colours, fits."""
 
 import contextlib
-import time
 from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
@@ -15,7 +14,7 @@ from app.bench.station.viewer_client import PROTOCOL
 from app.formats.clouds.files import cloud_writer
 from app.formats.clouds.points import pack_points
 from app.store.scans import ScanRecord
-from tests.api.conftest import Server
+from tests.api.conftest import Server, run_command, wait_for
 from tests.sent_texts import english
 
 pytestmark = pytest.mark.device
@@ -60,11 +59,7 @@ def view(server: Server) -> dict[str, Any]:
 
 
 def wait(server: Server, ready: Callable[[dict[str, Any]], bool]) -> dict[str, Any]:
-    deadline = time.monotonic() + 20.0
-    while not ready(found := view(server)):
-        assert time.monotonic() < deadline, found
-        time.sleep(0.05)
-    return found
+    return wait_for(lambda: view(server), ready)
 
 
 def show(server: Server) -> None:
@@ -106,10 +101,7 @@ def test_a_rectangle_of_a_page_is_fitted_by_where_that_page_looks_from(
         close_timeout=0.5,
     ) as socket:
         socket.send(msgspec.msgpack.encode(LOOK))
-        deadline = time.monotonic() + 10.0
-        while server.http.post("/api/view/fits", json=region).status_code != 200:
-            assert time.monotonic() < deadline
-            time.sleep(0.05)
+        run_command(lambda: server.http.post("/api/view/fits", json=region))
     (fitted,) = wait(server, lambda view: bool(view["fits"]))["fits"]
     figures = {english(figure["label"]): figure for figure in fitted["figures"]}
     offset = figures["Distance from the arm's origin"]

@@ -11,7 +11,7 @@ from websockets.typing import Subprotocol
 
 from app.api.viewer.proxy import decode_camera
 from app.bench.station.viewer_client import PROTOCOL
-from tests.api.conftest import Server
+from tests.api.conftest import PATIENCE_S, Server
 
 pytestmark = pytest.mark.device
 
@@ -96,12 +96,12 @@ def test_the_scene_comes_through_and_cameras_do_not_end_it(server: Server) -> No
         close_timeout=0.5,
     ) as socket:
         assert socket.subprotocol == PROTOCOL
-        assert isinstance(socket.recv(10.0), bytes)
+        assert isinstance(socket.recv(PATIENCE_S), bytes)
         socket.send(as_sent(viser_messages.ShareUrlRequest()))
         socket.send(b"\x00 nonsense")
         socket.send(as_sent(CAMERA))
         server.context.scene.set_laser(True)
-        assert isinstance(socket.recv(10.0), bytes)
+        assert isinstance(socket.recv(PATIENCE_S), bytes)
 
 
 def test_a_page_of_another_version_is_turned_away_as_viser_does(server: Server) -> None:
@@ -111,4 +111,4 @@ def test_a_page_of_another_version_is_turned_away_as_viser_does(server: Server) 
         connect(address, additional_headers=server.cookie, subprotocols=other) as socket,
         pytest.raises(ConnectionClosed),
     ):
-        socket.recv(10.0)
+        socket.recv(PATIENCE_S)

@@ -1,6 +1,7 @@
 """What the arm's buttons mean, by how long they are held."""
 
 import threading
+from collections.abc import Iterator
 from dataclasses import dataclass, field
 
 import pytest
@@ -8,7 +9,7 @@ import pytest
 from app.guide.common import buttons
 from app.guide.common.buttons import Buttons, Press
 
-PATIENCE_S = 20.0
+PATIENCE_S = 240.0
 
 
 @dataclass(frozen=True)
@@ -27,14 +28,14 @@ class Pressed:
     _came: threading.Semaphore = field(default_factory=lambda: threading.Semaphore(0))
 
     def __post_init__(self) -> None:
-        self._buttons = Buttons(self._press, lambda: self.there)
+        self.buttons = Buttons(self._press, lambda: self.there)
 
     def _press(self, press: Press) -> None:
         self.presses.append(press)
         self._came.release()
 
     def edge(self, seconds: float, button: str, pressed: bool) -> None:
-        self._buttons.edge(Edge(round(seconds * 1e9), button, pressed))
+        self.buttons.edge(Edge(round(seconds * 1e9), button, pressed))
 
     def wait(self) -> Press:
         assert self._came.acquire(timeout=PATIENCE_S)
@@ -42,11 +43,16 @@ class Pressed:
 
 
 @pytest.fixture
-def pressed() -> Pressed:
-    return Pressed()
+def pressed() -> Iterator[Pressed]:
+    made = Pressed()
+    yield made
+    made.buttons.close()
 
 
-def test_the_main_button_counts_as_it_goes_down_and_undo_as_it_is_let_go(pressed: Pressed) -> None:
+def test_the_main_button_counts_as_it_goes_down_and_undo_as_it_is_let_go(
+    pressed: Pressed, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(buttons, "LONG_PRESS_S", PATIENCE_S)
     pressed.edge(1.0, "undo", True)
     pressed.edge(1.2, "undo", False)
     assert pressed.wait() == Press(1_000_000_000, "undo")

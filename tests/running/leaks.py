@@ -15,6 +15,12 @@ import pytest
 GRACE_S = 10.0
 """What ends by itself after a test, such as a connection whose peer has gone, has so long."""
 LOOK_S = 0.02
+STANDING = ("multiprocessing.forkserver", "multiprocessing.resource_tracker")
+"""Processes of Python's own that begin with the first one that needs them, and end with us; those
+that they start count as ours."""
+THEIR_FILES = "pymp-"
+LASTING_THREAD = "awake"
+"""The clock of a program with devices, which begins with the first one and ends with us."""
 
 
 @dataclass(frozen=True)
@@ -46,33 +52,40 @@ class Held:
 def look(temporary: Path) -> Held:
     """What is held now; on systems without /proc, threads and files only."""
     return Held(
-        frozenset(threading.enumerate()),
+        frozenset(one for one in threading.enumerate() if one.name != LASTING_THREAD),
         frozenset(_processes()),
         frozenset(_sockets()),
-        frozenset(os.listdir(temporary)),
+        frozenset(one for one in os.listdir(temporary) if not one.startswith(THEIR_FILES)),
     )
 
 
-def _processes() -> list[str]:
+def _processes(of: str = "self") -> list[str]:
     found = []
-    for task in Path("/proc/self/task").glob("*/children"):
-        for number in task.read_text().split():
-            try:
+    for task in Path(f"/proc/{of}/task").glob("*/children"):
+        try:
+            for number in task.read_text().split():
                 command = Path(f"/proc/{number}/cmdline").read_bytes().replace(b"\0", b" ")
-            except OSError:
-                continue
-            found.append(f"{number} {command.decode(errors='replace')[:120]}")
+                text = command.decode(errors="replace")
+                # one that is forked has the command of the process that forked it
+                is_standing = of == "self" and any(one in text for one in STANDING)
+                found += _processes(number) if is_standing else [f"{number} {text[:120]}"]
+        except OSError:
+            continue
     return found
 
 
 def _sockets() -> list[str]:
+    """Without the one by which GLib follows the network as long as the process lives."""
     found = []
+    netlink = Path("/proc/net/netlink")
+    lines = netlink.read_text("utf-8").splitlines() if netlink.exists() else []
+    lasting = {line.split()[-1] for line in lines}
     for name in os.listdir("/proc/self/fd") if Path("/proc/self/fd").is_dir() else ():
         try:
             target = os.readlink(f"/proc/self/fd/{name}")
         except OSError:
             continue
-        if target.startswith("socket:"):
+        if target.startswith("socket:") and target[8:-1] not in lasting:
             found.append(target)
     return found
 
@@ -105,7 +118,7 @@ class LeakCheck:
             return (yield)
         finally:
             added = look(self.temporary).without(before)
-            if added and fixturedef.scope == "session":
+            if added and fixturedef.scope in ("session", "package"):
                 self.known = self.known.with_(added)
             elif added:
                 self.shared.add(_name(fixturedef))

@@ -3,6 +3,7 @@
 An arm may have a button of its own for back; on one that has none, undo is held.
 """
 
+import contextlib
 import logging
 import threading
 from collections.abc import Callable
@@ -54,7 +55,17 @@ class Buttons:
 
     def edge(self, event: ButtonEdge) -> None:
         """From the thread that reads the arm; returns at once."""
-        self._worker.submit(self._run_safely, self._edge, event)
+        self._do_next(self._edge, event)
+
+    def close(self) -> None:
+        """Ends its thread once the presses so far are reported; later ones mean nothing."""
+        self._worker.shutdown()
+        if self._pending is not None:
+            self._pending[1].cancel()
+
+    def _do_next(self, act: Callable[[T], None], what: T) -> None:
+        with contextlib.suppress(RuntimeError):  # closed meanwhile
+            self._worker.submit(self._run_safely, act, what)
 
     @staticmethod
     def _run_safely(act: Callable[[T], None], what: T) -> None:
@@ -76,9 +87,7 @@ class Buttons:
 
     def _hold(self, stamp_ns: int) -> None:
         press = Press(stamp_ns, "back")
-        timer = threading.Timer(
-            LONG_PRESS_S, self._worker.submit, (self._run_safely, self._long, press)
-        )
+        timer = threading.Timer(LONG_PRESS_S, self._do_next, (self._long, press))
         timer.daemon = True
         self._pending = (press, timer)
         timer.start()
