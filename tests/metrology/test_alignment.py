@@ -12,6 +12,7 @@ from app.metrology.probing.alignment import align, refuse_wrong_faces
 from app.metrology.probing.contacts import missing_contacts
 from app.metrology.transforms import Floats, inverse, vector_from_rotation
 from tests.metrology.builders import BLOCK, TIP_RADIUS_MM, contacts_on, random_pose
+from tests.uncertainty_ratio import EXACT, ratio_of_pulls, ratio_of_rms
 
 pytestmark = pytest.mark.slow
 
@@ -48,10 +49,10 @@ def test_the_covariance_predicts_the_scatter() -> None:
         errors.append(np.concatenate([vector_from_rotation(change[:3, :3]), shift]))
         covariances.append(found.covariance)
     covariance = np.mean(covariances, axis=0)
-    ratio = np.sqrt(np.diag(covariance)) / np.std(errors, axis=0)
-    assert np.all((ratio > 0.85) & (ratio < 1.15)), ratio
+    for claimed, observed in zip(np.sqrt(np.diag(covariance)), np.std(errors, axis=0), strict=True):
+        ratio_of_rms(claimed, observed, len(errors)).assert_within(*EXACT)
     whitened = np.linalg.solve(np.linalg.cholesky(covariance), np.transpose(errors))
-    assert 0.88 < 1 / np.sqrt(np.mean(whitened**2)) < 1.14
+    ratio_of_pulls(whitened.T).assert_within(*EXACT)
 
 
 def test_contacts_are_weighed_by_the_encoders_noise() -> None:

@@ -80,7 +80,8 @@ def test_the_tip_scatters_as_its_covariance_says() -> None:
     noisy = q + rng.normal(0, 1, (20000, 6)) * arm.encoder_sd_rad
     observed = np.cov(tip_centres(arm, noisy).T)
     predicted = tip_covariances(arm, q[None])[0]
-    np.testing.assert_allclose(observed, predicted, atol=0.05 * np.trace(predicted))
+    # 20 000 readings know a variance to 1 %
+    np.testing.assert_allclose(observed, predicted, atol=0.03 * np.trace(predicted))
 
 
 def test_the_error_transform_follows_its_definition() -> None:

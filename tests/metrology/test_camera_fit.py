@@ -35,6 +35,7 @@ from tests.metrology.seen_block import (
     simulate_stripe,
     volume_points,
 )
+from tests.uncertainty_ratio import ratio_of_pulls
 
 pytestmark = pytest.mark.slow
 
@@ -105,13 +106,13 @@ def test_the_covariance_foretells_the_scatter_of_points() -> None:
     """Points in the frame of the certificate, over fits with new noise and a new block each."""
     camera = camera_over(BLOCK)
     uv, points = volume_points(camera, PLANE, BLOCK)
-    ratios = []
+    pulls = []
     for seed in range(12):
         fit = fitted(camera, seed)
         off = (sensor_points(fit.camera, fit.plane, uv) - points) @ PLANE.normal
         expected = np.sqrt(np.einsum("gi,ij,gj->g", *_heights(fit, uv)))
-        ratios.append(np.mean((off / expected) ** 2))
-    assert 0.5 < np.mean(ratios) < 1.7
+        pulls.append(off / expected)
+    ratio_of_pulls(np.array(pulls)).assert_within(k=2)
     for part in ("edges", "stripe", "certificate", "distortion"):
         assert np.linalg.eigvalsh(fit.sources[part]).min() > -1e-9 * fit.sources[part].max()
     np.testing.assert_allclose(sum(fit.sources.values()), fit.covariance, rtol=1e-6, atol=1e-12)

@@ -34,6 +34,7 @@ from app.metrology.transforms import (
     vector_from_rotation,
 )
 from tests.simulated_robots import Tracker, ball_bar, built, measure, postures, robot, swing
+from tests.uncertainty_ratio import EXACT, ratio_of_rms
 
 pytestmark = pytest.mark.slow
 
@@ -142,9 +143,9 @@ def test_the_covariance_is_the_scatter_of_repeated_measurements(full: bool) -> N
     covariance = np.mean([fit.covariance for fit in fits], axis=0)
     off = (values - values.mean(axis=0)).T
     whitened = np.linalg.solve(np.linalg.cholesky(covariance), off)
-    observed = np.sqrt(np.sum(whitened**2) / (len(fits) - 1) / len(moved))
-    # twelve fits of some thirty parameters leave 4 % of scatter
-    assert 0.8 < 1 / observed < 1.25
+    freedom = (len(fits) - 1) * len(moved)
+    observed = float(np.sqrt(np.sum(whitened**2) / freedom))
+    ratio_of_rms(1.0, observed, freedom).assert_within(*EXACT)
 
 
 @pytest.mark.parametrize("axes", [6, 7])

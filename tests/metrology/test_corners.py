@@ -24,6 +24,7 @@ from app.metrology.targets.crenellated_block import corners as corners_of
 from app.metrology.transforms import Floats
 from tests.metrology.rendered_block import RenderedBlock, render_block
 from tests.pictures import blur
+from tests.uncertainty_ratio import ratio_of_pulls, rows_of
 
 pytestmark = pytest.mark.slow
 
@@ -93,7 +94,7 @@ def test_deviations_of_edge_points_are_those_of_their_scatter(plain: RenderedBlo
         off = ((edge.uv_px - line[nearest]) * edge.normal).sum(axis=1)
         if len(off) >= 20:
             z.append((off - off.mean()) / edge.sigma_px)
-    assert 0.5 < np.concatenate(z).std() < 1.3
+    ratio_of_pulls(rows_of(np.concatenate(z), 10)).assert_within()
 
 
 def test_corner_covariances_hold(plain: RenderedBlock) -> None:

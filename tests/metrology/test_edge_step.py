@@ -8,6 +8,7 @@ from scipy.special import erf
 from app.metrology.detection.edges.stations import EdgeStations
 from app.metrology.detection.edges.step_fit import measure_steps
 from app.metrology.transforms import Floats
+from tests.uncertainty_ratio import EXACT, ratio_of_pulls
 
 SIDE = 160
 # The pixels' own width blurs a lens blur of 0.8 px to this.
@@ -74,7 +75,7 @@ def test_deviations_are_those_of_the_scatter() -> None:
     for seed in range(12):
         seen = measure_steps(picture(0.3, 0.2, 0.8, noise=4.0, seed=seed), stations(0.3), BLUR)
         z.append((seen.offset_px - 0.2) / seen.sigma_px)
-    assert 0.85 < np.concatenate(z).std() < 1.15
+    ratio_of_pulls(np.concatenate(z)).assert_within(*EXACT, k=2)
 
 
 def test_the_step_has_the_sign_of_the_normal() -> None:

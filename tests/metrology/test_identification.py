@@ -22,6 +22,7 @@ from tests.metrology.arm_sessions import (
     volumetric_error_um,
 )
 from tests.simulated_arm_sessions import ArmSessionPlan, SimulatedArmSession, draw_arm_session
+from tests.uncertainty_ratio import EXACT, ratio_of_rms
 
 pytestmark = pytest.mark.slow
 
@@ -121,9 +122,9 @@ def test_noisy_solves_scatter_as_the_covariance_says(joints: int) -> None:
     values = np.array([parameter_values(fit.at.arm)[columns] for fit in fits])
     covariance = np.mean([fit.covariance for fit in fits], axis=0)
     whitened = np.linalg.solve(np.linalg.cholesky(covariance), (values - values.mean(axis=0)).T)
-    observed_to_predicted = np.sqrt(np.sum(whitened**2) / (len(fits) - 1) / len(columns))
-    # eighteen fits of some forty parameters leave 3 % of scatter
-    assert 0.9 < 1 / observed_to_predicted < 1.1
+    freedom = (len(fits) - 1) * len(columns)
+    observed = float(np.sqrt(np.sum(whitened**2) / freedom))
+    ratio_of_rms(1.0, observed, freedom).assert_within(*EXACT, k=2.5)
 
 
 def test_the_touch_noise_is_found(identified: Identification) -> None:

@@ -14,6 +14,7 @@ from app.metrology.fitting.cylinder import (
 )
 from app.metrology.fitting.plane_sphere import PlaneFit
 from app.metrology.fitting.shape import ShapeName, measure_shape, parameter_covariance
+from tests.uncertainty_ratio import ratio_of_pulls
 
 pytestmark = pytest.mark.slow
 
@@ -122,7 +123,7 @@ def test_claims_hold_though_the_points_of_a_frame_err_together(
         fit = measured.fit
         found = float(fit.centre_mm[2]) if isinstance(fit, PlaneFit) else fit.radius_mm
         scores.append((found - true) / np.sqrt(measured.covariance[parameter, parameter]))
-    assert 0.75 < np.sqrt(np.mean(np.square(scores))) < 1.35
+    ratio_of_pulls(np.array(scores)).assert_within(k=2)
 
 
 def test_few_frames_give_no_uncertainty() -> None:

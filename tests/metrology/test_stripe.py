@@ -15,6 +15,7 @@ from app.metrology.image import saturation_level
 from app.metrology.stripe import Stripe, empty_stripe, extract_stripe, usual_steepness
 from app.metrology.transforms import Floats
 from tests.pictures import read_picture
+from tests.uncertainty_ratio import ratio_of_pulls, rows_of
 
 WIDTH, HEIGHT = 640, 256
 
@@ -96,7 +97,7 @@ def test_an_overexposed_stripe_is_placed_by_its_flanks() -> None:
     assert len(error) > 0.98 * WIDTH
     assert np.std(error) < 0.03
     assert abs(np.mean(error)) < 0.003
-    assert np.sqrt(np.mean((error / stripe.sigma_px) ** 2)) < 1.3
+    ratio_of_pulls(rows_of(error / stripe.sigma_px, 32)).assert_within()
 
 
 @pytest.mark.parametrize(("width_px", "amplitude"), [(2.0, 1000), (3.0, 1000), (4.5, 2000)])
@@ -112,8 +113,8 @@ def test_an_overexposed_stripe_scatters_as_the_noise_allows_and_as_it_says(
         pull.append(error[-1] / stripe.sigma_px)
     # a single column resolves 0.022 px; as many as the core is wide, a third of that
     assert np.std(np.concatenate(error)) < 0.016
-    # neighbours share an average: some 200 independent points give this to 5 %
-    assert 0.8 < np.sqrt(np.mean(np.concatenate(pull) ** 2)) < 1.12
+    # neighbours share an average
+    ratio_of_pulls(rows_of(np.concatenate(pull), 32)).assert_within(k=2.5)
 
 
 def test_an_overexposed_stripe_is_followed_to_the_images_border() -> None:

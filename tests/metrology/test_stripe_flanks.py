@@ -6,6 +6,7 @@ from numpy.typing import NDArray
 
 from app.metrology.stripe import Stripe, extract_stripe
 from app.metrology.transforms import Floats
+from tests.uncertainty_ratio import ratio_of_pulls, rows_of
 
 WIDTH, HEIGHT = 640, 320
 U = np.arange(WIDTH)
@@ -51,7 +52,7 @@ def test_an_overexposed_line_lies_between_its_flanks(name: str, signal: Floats) 
     assert len(stripe.u) > 0.98 * WIDTH
     assert np.sqrt(np.mean(error**2)) < 0.03
     assert abs(np.mean(error)) < 0.01
-    assert 0.6 < np.sqrt(np.mean((error / stripe.sigma_px) ** 2)) < 1.5
+    ratio_of_pulls(rows_of(error / stripe.sigma_px, 32)).assert_within()
 
 
 def test_a_patch_that_is_overexposed_goes_on_where_the_line_ends() -> None:

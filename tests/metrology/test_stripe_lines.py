@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 from app.metrology.stripe import Stripe, StripeSettings, StripeTracker, extract_stripe, find_stripe
 from app.metrology.stripe.scales import follow_scale, scale_of
 from app.metrology.transforms import Floats
+from tests.uncertainty_ratio import ratio_of_pulls, rows_of
 
 pytestmark = pytest.mark.slow
 
@@ -86,15 +87,15 @@ def test_a_line_of_any_width_is_found_and_nothing_beside_it(
 
 @pytest.mark.parametrize("width_px", [1.2, 1.5])
 def test_a_line_of_hardly_a_pixel_is_found_with_a_true_uncertainty(width_px: float) -> None:
-    squares = []
+    pulls = []
     for seed in range(4):
         rows = course(seed)
         stripe = extract_stripe(expose(15 + beam(rows, width_px, 120), seed))
         on, beside = shares(stripe, rows, width_px)
         assert on > 0.98
         assert beside == 0
-        squares.append(((stripe.v - rows[stripe.u.astype(int)]) / stripe.sigma_px) ** 2)
-    assert 0.5 < np.sqrt(np.mean(np.concatenate(squares))) < 1.25
+        pulls.append((stripe.v - rows[stripe.u.astype(int)]) / stripe.sigma_px)
+    ratio_of_pulls(rows_of(np.concatenate(pulls), 32)).assert_within()
 
 
 def test_the_width_is_stated() -> None:

@@ -2,6 +2,8 @@
 
 import numpy as np
 import pytest
+from scipy.special import stdtrit
+from scipy.stats import norm
 
 from app.errors import OperationError
 from app.metrology.arm.kinematics import Arm, Joint, Tip, flange_pose, tip_centres
@@ -11,6 +13,7 @@ from app.metrology.fitting.shape import measure_shape
 from app.metrology.gauges.probed_gauge import fit_probed_plane, fit_probed_sphere
 from app.metrology.gauges.scanned_gauge import fit_gauge_plane, fit_gauge_sphere, zone_mm
 from tests.guide.builders import REST_RAD, reach_tip
+from tests.uncertainty_ratio import ratio_of_deviations
 
 RNG = np.random.default_rng(7)
 
@@ -78,8 +81,10 @@ def test_the_stated_uncertainty_of_a_touched_sphere_is_how_it_scatters(arm: Arm)
         off.append(found.nominal.centre_mm - centre)
         stated.append(np.sqrt(np.trace(found.covariance)))
         assert abs(found.radius_mm - 10.0) < 6 * found.radius_sd_mm
-    scatter = float(np.sqrt(np.mean(np.sum(np.square(off), axis=1))))
-    assert 0.8 < np.mean(stated) / scatter < 1.8
+    scatter = np.linalg.norm(off, axis=1)
+    # stated by Student's distribution of five degrees of freedom: twice it holds 95 %
+    student = float(stdtrit(5, norm.cdf(2))) / 2
+    ratio_of_deviations(np.array(stated), scatter).assert_within(student, student)
 
 
 def test_one_ring_about_a_sphere_fixes_no_centre(arm: Arm) -> None:

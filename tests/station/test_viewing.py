@@ -28,6 +28,7 @@ from app.station.view3d.view_controller import StoredScan, ViewController
 from app.station.working_distance import classify_distance
 from tests.station.conftest import until
 from tests.station.viewer import Viewer
+from tests.uncertainty_ratio import ratio_of_pulls
 
 pytestmark = pytest.mark.device
 
@@ -298,4 +299,4 @@ def test_a_plane_far_from_the_arm_is_known_the_worse_at_its_zero() -> None:
         distance = shape_parameters(measure_shape("plane", points, frame))[0]
         assert distance.uncertainty is not None
         scores.append(1e3 * (distance.value - 30.0) / distance.uncertainty)
-    assert 0.75 < np.sqrt(np.mean(np.square(scores))) < 1.35
+    ratio_of_pulls(np.array(scores)).assert_within(k=2)

@@ -15,6 +15,7 @@ from app.metrology.performance.value_uncertainty import (
     form_uncertainty_um,
 )
 from app.metrology.transforms import Floats
+from tests.uncertainty_ratio import EXACT, ratio_of_deviations
 
 RADIUS_MM, FORM_UM = 12.5, 1.0
 SPHERE = SphereCertificate(2 * RADIUS_MM, 0.5, FORM_UM)
@@ -75,8 +76,9 @@ def test_the_stated_effect_is_what_spheres_of_that_form_show(
         lobed_um, effect_um = measure(outward, noise_mm + 1e-3 * form, figure)
         changed.append(lobed_um - perfect_um)
         stated.append(effect_um)
-    ratio = np.sqrt(np.mean(np.square(stated)) / np.mean(np.square(changed)))
-    assert 0.8 < ratio < 1.25
+    # the form of the sphere is hardly hidden by noise of half of it, and shows a tenth larger
+    expected = (0.92, 0.92) if figure is dispersion_mm and noise_um < FORM_UM else EXACT
+    ratio_of_deviations(np.array(stated), np.array(changed)).assert_within(*expected, k=2)
 
 
 def test_where_nothing_but_the_form_is_seen_the_whole_of_it_counts() -> None:

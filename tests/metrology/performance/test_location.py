@@ -6,6 +6,7 @@ from scipy.spatial.transform import Rotation
 
 from app.errors import OperationError
 from app.metrology.performance.location import estimate_offset, location_error_mm
+from tests.uncertainty_ratio import EXACT, ratio_of_rms
 
 CENTRE = np.array([700.0, 100.0, 200.0])
 
@@ -58,7 +59,8 @@ def test_the_stated_scatter_of_the_offset_is_true() -> None:
     found = [estimate_offset(centres(R, np.zeros(3), 0.005, seed), R) for seed in range(500)]
     observed = np.array([one.offset_mm for one in found]).std(axis=0)
     stated = np.sqrt(np.mean([np.diag(one.covariance) for one in found], axis=0))
-    np.testing.assert_allclose(stated / observed, 1.0, atol=0.1)
+    for claimed, scatter in zip(stated, observed, strict=True):
+        ratio_of_rms(claimed, scatter, len(found)).assert_within(*EXACT, k=2.5)
 
 
 def test_articulations_from_one_side_tell_nothing() -> None:
