@@ -15,6 +15,7 @@ from tests.sources import ROOT
 pytestmark = pytest.mark.device
 STARTED_MODULES = ()  # scripts, with stubs of what they call
 
+CONTRIBUTING = ROOT / "CONTRIBUTING.md"
 CHECK = re.compile(r"\.venv/bin/(?:ruff|mypy)(?: [\w.-]+)*")
 OF_THE_SYSTEM = ("chromium", "mosquitto", "arv-fake-gv-camera-0.8", "avr-gcc", "apt-get", "python3")
 OF_THE_ENVIRONMENT = ("pip", "pytest", "python", "ruff", "mypy")
@@ -71,14 +72,14 @@ def test_the_hooks_run_what_ci_runs() -> None:
     assert hooks == CHECK.findall((ROOT / ".ci/run").read_text("utf-8"))
 
 
-def test_the_tests_that_the_scripts_name_exist() -> None:
-    for script in (ROOT / ".ci").iterdir():
-        for named in re.findall(r"\btests/[\w./{,}]+", script.read_text("utf-8")):
+def test_the_tests_that_are_named_exist() -> None:
+    for file in (CONTRIBUTING, *(ROOT / ".ci").iterdir()):
+        for named in re.findall(r"\btests/[\w./{,}]+", file.read_text("utf-8")):
             before, *braces = re.split(r"[{}]", named.rstrip(".,"))
             choices, after = braces or ("", "")
             for choice in choices.split(","):
                 path = f"{before}{choice}{after}"
-                assert (ROOT / path).exists(), f"{script.name} names {path}"
+                assert (ROOT / path).exists(), f"{file.name} names {path}"
 
 
 def test_a_landing_runs_the_checks_the_tests_and_the_soak_tests_that_it_reaches(
@@ -136,6 +137,14 @@ def test_the_nightly_parts_run_whatever_became_of_the_others(script: Script) -> 
     ]
     assert said["tests"] == "failed with status 1"
     assert said["figures"] == "failed with status 3"
+
+
+def test_the_nightly_parts_are_documented() -> None:
+    table = CONTRIBUTING.read_text("utf-8").split("\n| part | does |\n")[1].split("\n\n")[0]
+    (parts,) = re.findall(
+        r"^parts=\((.*)\)$", (ROOT / ".ci/nightly").read_text("utf-8"), re.MULTILINE
+    )
+    assert re.findall(r"^\| `(\w+)` \|", table, re.MULTILINE) == parts.split()
 
 
 def test_parts_of_the_night_can_be_named(script: Script) -> None:
