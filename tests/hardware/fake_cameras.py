@@ -18,6 +18,7 @@ from pathlib import Path
 
 import pytest
 
+STARTED_MODULES = ()  # Aravis
 ADDRESS = "127.0.0.1"
 PORT = 3956
 READY_S = 20.0

@@ -39,6 +39,7 @@ from tests.hardware.test_simulated_station import SMALL, stripe_in_arm_frame
 
 pytestmark = pytest.mark.device
 
+STARTED_MODULES = ()  # Aravis
 WIDTH, HEIGHT = 320, 240
 LIT = 200
 DELAY_MS = 5.0
