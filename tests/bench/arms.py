@@ -4,7 +4,6 @@ python -m tests.bench.arms [--arms 30] [--json]
 """
 
 import argparse
-from dataclasses import replace
 
 import numpy as np
 
@@ -14,20 +13,11 @@ from tests.metrology.arm_sessions import collect_observations, nominal_arm, volu
 from tests.simulated_arm_sessions import ArmSessionPlan, draw_arm_session
 
 FIRST_SEED = 100
-PLAN = ArmSessionPlan(
-    seats=7,
-    points_per_seat=20,
-    spheres=2,
-    points_per_sphere=18,
-    bar_lengths_mm=(500.0, 850.0),
-    positions_per_bar=3,
-    points_per_end=3,
-)
 
 
 def errors_um(seed: int) -> tuple[float, float]:
     """Rms on poses outside the fit: of the datasheet's arm, and of the identified one."""
-    session = draw_arm_session(seed, replace(PLAN, joints=6 + seed % 2))
+    session = draw_arm_session(seed, ArmSessionPlan(joints=6 + seed % 2))
     arm = nominal_arm(session.nominal_arm)
     result = identify(arm, collect_observations(session))
     return volumetric_error_um(session.arm, arm), volumetric_error_um(session.arm, result.arm)

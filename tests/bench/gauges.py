@@ -43,7 +43,7 @@ def main() -> None:
     session = given.samples / "one-pose"
     with measured_rows(given.json) as rows, tempfile.TemporaryDirectory() as scratch:
         calibration = Path(scratch) / "calibration.json"
-        crenel("calibrate", session, "-o", calibration)
+        crenel("calibrate", session, "--method", "one-pose", "-o", calibration)
         for name in GAUGES:
             cloud = Path(scratch) / f"{name}.ply"
             rows.add(name, measure_gauge(session, name, calibration, cloud))
