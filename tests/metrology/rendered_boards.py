@@ -28,6 +28,8 @@ from hardware.simulator.scene.world import Board
 from hardware.simulator.station import SimulatedStation, SimulationConfig
 
 COUNT = 8
+RAYS = 34
+"""Over a pixel at an edge."""
 
 
 @dataclass(frozen=True)
@@ -67,7 +69,7 @@ class RenderedBoards:
             rig.arm, T @ inverse(rig.T_flange_sensor), self.simulation._home, self._rng
         )
         noise = self._rng.normal(0.0, rig.arm.encoder_sd_rad, len(q))
-        pictures = (self._renderer.render(T, 1.0, 0.0), self._renderer.render(T, 0.0, 1.0))
+        pictures = (self._renderer.render(T, 1.0, 0.0, RAYS), self._renderer.render(T, 0.0, 1.0))
         return BoardShot(*pictures, q + noise, T_board_sensor)
 
     @cached_property

@@ -28,6 +28,7 @@ from tests.metrology.boards import (
     picture,
 )
 from tests.metrology.seen_boards import camera_at
+from tests.running.usual import usual
 
 pytestmark = pytest.mark.slow
 
@@ -42,6 +43,7 @@ def off_px(found: BoardDetection, board: Chessboard, T: Floats) -> Floats:
     return np.asarray(found.uv_px - true)
 
 
+@pytest.mark.parametrize("pose", usual([4, 1, 6], 1, pytest.mark.soak))
 @pytest.mark.parametrize(
     "board",
     [
@@ -52,15 +54,14 @@ def off_px(found: BoardDetection, board: Chessboard, T: Floats) -> Floats:
         replace(BOARD, markers=Markers("DICT_APRILTAG_36h11", 8.0)),
     ],
 )
-def test_every_corner_is_where_it_is_and_numbered(board: Chessboard) -> None:
-    for k in (1, 4, 6):
-        found = detect_board(picture(POSES[k], replace(UNLIT, board=board), k), board)
-        assert len(found) == len(corner_points(board))
-        assert not found.other_numbers
-        off = off_px(found, board, POSES[k])
-        assert np.abs(off).max() < 0.1
-        said = np.sqrt(np.mean(np.trace(found.covariance_px2, axis1=1, axis2=2)) / 2)
-        assert np.sqrt(np.mean(off**2)) < 2.5 * said
+def test_every_corner_is_where_it_is_and_numbered(board: Chessboard, pose: int) -> None:
+    found = detect_board(picture(POSES[pose], replace(UNLIT, board=board), pose), board)
+    assert len(found) == len(corner_points(board))
+    assert not found.other_numbers
+    off = off_px(found, board, POSES[pose])
+    assert np.abs(off).max() < 0.1
+    said = np.sqrt(np.mean(np.trace(found.covariance_px2, axis1=1, axis2=2)) / 2)
+    assert np.sqrt(np.mean(off**2)) < 2.5 * said
 
 
 def test_the_corners_are_better_than_opencvs() -> None:
@@ -139,7 +140,7 @@ def test_soft_noisy_compressed_and_clipped_pictures_are_taken() -> None:
         assert np.abs(off_px(found, CHARUCO, POSES[1])).max() < 0.3
 
 
-@pytest.mark.parametrize("strength", [0.15, 0.3, 0.6])
+@pytest.mark.parametrize("strength", usual([0.6, 0.15, 0.3], 1, pytest.mark.soak))
 def test_a_wide_angle_lens_is_no_hindrance(strength: float) -> None:
     """A picture bent as by a barrel; the corners lie where the bend puts the true ones."""
     T = camera_pose(15, 40, 5, 170)
@@ -196,6 +197,7 @@ def test_a_mirrored_picture_and_a_plain_board_are_refused() -> None:
     assert refused.value.fault == "focus"
 
 
+@pytest.mark.soak
 def test_the_calibration_is_that_of_a_chessboard() -> None:
     found = calibrate_board(inputs(Look(board=CHARUCO)))
     assert [pose.number for pose in found.poses if pose.used] == list(range(1, 9))

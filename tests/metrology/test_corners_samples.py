@@ -16,10 +16,11 @@ from app.metrology.targets.crenellated_block import Crenellated
 from app.metrology.targets.crenellated_block import corners as corners_of
 from app.metrology.transforms import Floats, rotation_from_vector
 from tests.pictures import read_picture
+from tests.running.usual import usual
 
 pytestmark = pytest.mark.slow
 
-PICTURES = [("one-pose", 0), ("many-poses", 0), ("many-poses", 7), ("metal", 0), ("metal", 2)]
+PICTURES = [("many-poses", 7), ("metal", 0), ("one-pose", 0), ("many-poses", 0), ("metal", 2)]
 
 
 def block_of(session: Path) -> Crenellated:
@@ -57,7 +58,7 @@ def off_the_true_lens(found: ObjectDetection, session: Path) -> float:
     return float(np.sqrt(np.mean(off(least_squares(off, np.zeros(6)).x) ** 2)))
 
 
-@pytest.mark.parametrize(("name", "pose"), PICTURES)
+@pytest.mark.parametrize(("name", "pose"), usual(PICTURES, 2, pytest.mark.soak))
 def test_corners_lie_where_the_true_lens_puts_them(samples: Path, name: str, pose: int) -> None:
     session = samples / name
     found = detect_object(picture_of(session, pose), block_of(session))
@@ -67,7 +68,7 @@ def test_corners_lie_where_the_true_lens_puts_them(samples: Path, name: str, pos
     assert found.rms_px < 0.25
 
 
-@pytest.mark.parametrize("quarter", [1, 2, 3])
+@pytest.mark.parametrize("quarter", usual([1, 2, 3], 1, pytest.mark.soak))
 def test_the_camera_may_be_rolled(samples: Path, quarter: int) -> None:
     session = samples / "one-pose"
     image = picture_of(session, 0)
@@ -77,7 +78,9 @@ def test_the_camera_may_be_rolled(samples: Path, quarter: int) -> None:
     assert {c.name for c in rolled.corners} == {c.name for c in upright.corners}
 
 
-@pytest.mark.parametrize(("angle_deg", "zoom"), [(87.0, 1.0), (0.0, 1.18)])
+@pytest.mark.parametrize(
+    ("angle_deg", "zoom"), usual([(87.0, 1.0), (0.0, 1.18)], 1, pytest.mark.soak)
+)
 def test_merlons_of_one_pitch_are_read_from_the_right_side(
     samples: Path, angle_deg: float, zoom: float
 ) -> None:

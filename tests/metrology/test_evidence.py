@@ -19,6 +19,7 @@ from app.metrology.targets.crenellated_block import corners as corners_of
 from hardware.simulator.rendering.degradations import draw_degraded_image
 from tests.metrology.rendered_block import RenderedBlock, render_block
 from tests.pictures import blur
+from tests.running.usual import usual
 
 pytestmark = pytest.mark.slow
 
@@ -86,7 +87,7 @@ def test_a_wrong_size_is_marked_where_it_disagrees(plain: RenderedBlock) -> None
     assert len(marks_of(refusal, "outline")) > 10
 
 
-@pytest.mark.parametrize("begin", [440, 480])
+@pytest.mark.parametrize("begin", usual([440, 480], 1, pytest.mark.soak))
 def test_what_is_out_of_the_frame_is_marked(plain: RenderedBlock, begin: int) -> None:
     # A window on the right of the picture shows one whole merlon.
     refusal = refused(np.ascontiguousarray(plain.image[:, begin:]), plain.block)
@@ -121,6 +122,7 @@ def refused_shot(seed: int) -> DetectionError:
     return caught.value
 
 
+@pytest.mark.soak
 def test_no_wrong_size_is_reported_from_a_placing_that_hardly_shows() -> None:
     """A bar, noise and tool marks: what is placed is not quite the block."""
     refusal = refused_shot(6023)

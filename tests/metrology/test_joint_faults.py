@@ -7,11 +7,11 @@ import pytest
 
 from app.metrology.arm.joint_plausibility import PlausibilityFilter
 from tests.metrology.joint_motions import ARM, Motion, Sample, judged, read, samples, sweep
+from tests.running.usual import usual
 
 pytestmark = pytest.mark.slow
 
 RATES = (50.0, 100.0, 250.0, 500.0, 1000.0)
-ENCODERS = (14, 18, 22)
 SLIPS = {50.0: (90,), 100.0: (10, 90), 250.0: (10, 90), 500.0: (2, 10, 90), 1000.0: (2, 10, 90)}
 """In degrees; a knock may do what is smaller."""
 SPIKES = {
@@ -21,11 +21,12 @@ SPIKES = {
     500.0: (1, 5, 14, 90),
     1000.0: (0.5, 1, 5, 14, 90),
 }
-OF_RATES = "rate_hz", RATES
+OF_RATES = pytest.mark.parametrize("rate_hz", usual(RATES, {1, 3}, pytest.mark.soak))
+OF_ENCODERS = pytest.mark.parametrize("bits", usual((14, 18, 22), {0}, pytest.mark.soak))
 
 
-@pytest.mark.parametrize("bits", ENCODERS)
-@pytest.mark.parametrize(*OF_RATES)
+@OF_ENCODERS
+@OF_RATES
 def test_single_wrong_readings_are_left_out_and_nothing_else(rate_hz: float, bits: int) -> None:
     for degrees in SPIKES[rate_hz]:
         q = sweep(rate_hz)
@@ -37,8 +38,8 @@ def test_single_wrong_readings_are_left_out_and_nothing_else(rate_hz: float, bit
         assert found.judge.first.joint == "J3"
 
 
-@pytest.mark.parametrize("bits", ENCODERS)
-@pytest.mark.parametrize(*OF_RATES)
+@OF_ENCODERS
+@OF_RATES
 def test_an_encoder_that_slipped_is_refused_until_the_arm_connects_again(
     rate_hz: float, bits: int
 ) -> None:
@@ -58,8 +59,8 @@ def test_an_encoder_that_slipped_is_refused_until_the_arm_connects_again(
         assert len(judge.filter(readings[again:])) + len(judge.flush()) == len(q) - again
 
 
-@pytest.mark.parametrize("bits", ENCODERS)
-@pytest.mark.parametrize(*OF_RATES)
+@OF_ENCODERS
+@OF_RATES
 def test_an_encoder_that_jumps_back_is_believed_at_once(rate_hz: float, bits: int) -> None:
     for lasts_s in (0.08, 1.0):
         q = sweep(rate_hz)
@@ -88,7 +89,7 @@ def test_a_wrong_first_reading_is_not_what_the_others_are_held_against() -> None
     assert found.passed[600:].all()
 
 
-@pytest.mark.parametrize(*OF_RATES)
+@OF_RATES
 def test_a_fine_encoder_frozen_from_the_start_is_found(rate_hz: float) -> None:
     """By the noise of the others, at rest as in motion."""
     for rest_s in (0.0, 1.5):
@@ -102,7 +103,11 @@ def test_a_fine_encoder_frozen_from_the_start_is_found(rate_hz: float) -> None:
 
 @pytest.mark.parametrize(
     ("rate_hz", "bits"),
-    [(rate, 22) for rate in RATES] + [(rate, bits) for rate in RATES[3:] for bits in (14, 18)],
+    usual(
+        [(rate, 22) for rate in RATES] + [(rate, bits) for rate in RATES[3:] for bits in (14, 18)],
+        {1, 5},
+        pytest.mark.soak,
+    ),
 )
 def test_an_encoder_frozen_in_mid_sweep_is_found_and_reported_within_a_second(
     rate_hz: float, bits: int
@@ -146,9 +151,8 @@ def honest(motion: Motion, rate_hz: float, bits: int, seed: int) -> None:
         assert found.passed.all()
 
 
-@pytest.mark.slow
-@pytest.mark.parametrize("bits", ENCODERS)
-@pytest.mark.parametrize(*OF_RATES)
+@OF_ENCODERS
+@OF_RATES
 @pytest.mark.parametrize("kind", ["smooth", "tremor", "hard stops", "touches", "knocks"])
 def test_honest_motion_loses_nothing(kind: str, rate_hz: float, bits: int) -> None:
     for seed in range(2):
@@ -164,7 +168,7 @@ def test_honest_motion_loses_nothing(kind: str, rate_hz: float, bits: int) -> No
         honest(motion, rate_hz, bits, seed)
 
 
-@pytest.mark.parametrize("bits", [14, 17, 18, 19, 20, 22])
+@pytest.mark.parametrize("bits", usual([14, 17, 18, 19, 20, 22], {2}, pytest.mark.soak))
 def test_an_arm_that_creeps_and_stands_is_not_frozen(bits: int) -> None:
     """Nor one whose encoders show their noise between two steps only, or have none."""
     rng = np.random.default_rng(bits)
@@ -177,7 +181,7 @@ def test_an_arm_that_creeps_and_stands_is_not_frozen(bits: int) -> None:
         assert found.judge.newest is None, noise_rad
 
 
-@pytest.mark.parametrize("bits", ENCODERS)
+@OF_ENCODERS
 def test_joints_that_stand_while_others_move_are_not_frozen(bits: int) -> None:
     q = sweep(1000.0)
     q[:, [1, 4]] = 0.2

@@ -18,6 +18,7 @@ from app.metrology.arm.identification.parameter_selection import candidates_of
 from app.metrology.arm.identification.parameters import tip_index
 from app.metrology.arm.identification.robust_solve import fit_arm
 from app.metrology.arm.kinematics import Arm
+from tests.running.usual import usual
 from tests.simulated_robots import Tracker, built, measure, postures, robot
 
 Session = tuple[Arm, Coordinates]
@@ -91,14 +92,18 @@ def test_inverted_poses_are_named(session: Session) -> None:
 @pytest.mark.slow
 @pytest.mark.parametrize(
     ("first", "second", "says"),
-    [
-        ((1, -1, 0), (2, -1, 0), "sign of joint J2 .*; Reverse the sign of joint J3"),
-        (
-            (1, 1, 90),
-            (3, -1, 0),
-            r"theta_deg of joint J2 .* by \+90.*; Reverse the sign of joint J4",
-        ),
-    ],
+    usual(
+        [
+            (
+                (1, 1, 90),
+                (3, -1, 0),
+                r"theta_deg of joint J2 .* by \+90.*; Reverse the sign of joint J4",
+            ),
+            ((1, -1, 0), (2, -1, 0), "sign of joint J2 .*; Reverse the sign of joint J3"),
+        ],
+        1,
+        pytest.mark.soak,
+    ),
 )
 def test_two_faults_of_joints_are_named(
     short_session: Session,
@@ -112,7 +117,7 @@ def test_two_faults_of_joints_are_named(
         check_coordinates(arm, ArmObservations(coordinates=(spoilt,)))
 
 
-@pytest.mark.slow
+@pytest.mark.soak
 def test_three_faults_keep_the_general_reason(short_session: Session) -> None:
     arm, found = short_session
     q_rad = turned(turned(turned(found.q_rad, 1, -1, 0), 2, -1, 0), 3, 1, 90)

@@ -26,6 +26,7 @@ from app.metrology.arm.link_error import LinkError, error_from_transform, error_
 from app.metrology.arm.modified_dh import standard_from_modified
 from app.metrology.transforms import Floats, apply, rigid, rigid_fit, vector_from_rotation
 from tests.metrology.builders import random_arm
+from tests.running.usual import usual
 from tests.simulated_robots import Tracker, built, measure, postures, swing
 
 JOINTS = [5, 6, 7]
@@ -164,7 +165,7 @@ def test_links_lead_from_the_arm_frame_to_the_flange() -> None:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("with_base", [False, True])
+@pytest.mark.parametrize("with_base", usual([True, False], 1, pytest.mark.soak))
 def test_five_joints_are_identified_from_coordinates_and_seats(with_base: bool) -> None:
     rng = np.random.default_rng(4)
     nominal = random_arm(rng, 5)

@@ -23,6 +23,7 @@ from app.metrology.sensor.triangulation import sensor_points
 from app.metrology.targets.crenellated_block import Crenellated, corners
 from app.metrology.transforms import Floats, apply, rigid, rigid_fit, rotation_from_vector
 from tests.pictures import read_picture
+from tests.running.usual import usual
 
 pytestmark = pytest.mark.slow
 
@@ -138,7 +139,10 @@ def test_the_first_pose_alone_is_enough_for_the_sensor(
     assert Truth(samples / session).sensor_rms_um(calibrated[session]) <= 4
 
 
-@pytest.mark.parametrize(("session", "pose"), [("many-poses", 3), ("many-poses", 6), ("metal", 2)])
+@pytest.mark.parametrize(
+    ("session", "pose"),
+    usual([("many-poses", 3), ("many-poses", 6), ("metal", 2)], 1, pytest.mark.soak),
+)
 def test_every_other_pose_is_as_good(session: str, pose: int, samples: Path) -> None:
     found = calibrate_one_pose(read_inputs(samples / session, pose))
     assert Truth(samples / session).sensor_rms_um(found) <= 4

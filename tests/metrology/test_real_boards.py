@@ -12,6 +12,7 @@ from app.metrology.chessboard.detect_board import detect_board
 from app.metrology.image import Image
 from app.metrology.targets.chessboard import Chessboard
 from app.metrology.transforms import Floats
+from tests.running.usual import usual
 
 pytestmark = pytest.mark.slow
 
@@ -30,7 +31,7 @@ def board(columns: int, rows: int) -> Chessboard:
     return Chessboard("board", "", (columns, rows), 25.0, 0.1)
 
 
-@pytest.mark.parametrize("name", SETS)
+@pytest.mark.parametrize("name", usual(SETS, 1, pytest.mark.soak))
 def test_what_opencv_finds_is_found_and_numbered_alike(real: Path, name: str) -> None:
     columns, rows = SETS[name]
     for path in sorted((real / "boards" / name).glob("*.jpg"))[::EVERY]:
@@ -114,11 +115,15 @@ def test_a_board_on_a_screen_is_not_taken_for_the_one_that_is_cut_off(real: Path
 
 @pytest.mark.parametrize(
     ("folder", "name", "first", "last"),
-    [
-        ("opencv-stereo", "left01.jpg", 3, 5),
-        ("opencv-stereo", "left10.jpg", 3, 4),
-        ("wide", "GOPR0054.jpg", 3, 5),
-    ],
+    usual(
+        [
+            ("opencv-stereo", "left10.jpg", 3, 4),
+            ("opencv-stereo", "left01.jpg", 3, 5),
+            ("wide", "GOPR0054.jpg", 3, 5),
+        ],
+        1,
+        pytest.mark.soak,
+    ),
 )
 def test_a_strip_across_a_board_is_named(
     real: Path, folder: str, name: str, first: int, last: int
@@ -145,7 +150,7 @@ def test_a_board_cut_off_beside_a_whole_one_is_not_ignored(real: Path) -> None:
     assert refused.value.code == "two-boards"
 
 
-@pytest.mark.parametrize("blur_px", [5.0, 6.0, 7.0])
+@pytest.mark.parametrize("blur_px", usual([5.0, 6.0, 7.0], {1}, pytest.mark.soak))
 def test_a_picture_far_out_of_focus_is_refused_with_this_reason(real: Path, blur_px: float) -> None:
     image = cv2.GaussianBlur(
         read(real / "boards" / "opencv-stereo" / "left01.jpg"), (0, 0), blur_px

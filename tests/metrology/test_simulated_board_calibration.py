@@ -18,11 +18,16 @@ from hardware.simulator.scene.world import (
 )
 from hardware.simulator.station import SimulationConfig
 from tests.metrology.rendered_boards import RenderedBoards, errors_um
+from tests.running.usual import usual
 
 pytestmark = pytest.mark.slow
 
 
-@pytest.fixture(scope="module", params=[None, BoardMarkers()], ids=["plain", "charuco"])
+@pytest.fixture(
+    scope="module",
+    params=usual([None, BoardMarkers()], {1}, pytest.mark.soak),
+    ids=["plain", "charuco"],
+)
 def session(
     request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory
 ) -> RenderedBoards:

@@ -13,6 +13,7 @@ from app.metrology.arm.identification.observations import ArmObservations, Bar
 from app.metrology.arm.identification.parameters import parameter_names, parameter_values
 from app.metrology.arm.kinematics import Arm, tip_centres
 from app.metrology.transforms import Floats
+from tests.running.usual import usual
 from tests.simulated_robots import Tracker, built, measure, postures, reach, robot, swing
 
 pytestmark = pytest.mark.slow
@@ -50,8 +51,9 @@ def what_is_said(arm: Arm, observations: ArmObservations) -> list[str]:
         return [str(refusal.what)]
 
 
-@pytest.mark.parametrize("axes", [6, 7])
-@pytest.mark.parametrize("count", [35, 60])
+@pytest.mark.parametrize(
+    ("axes", "count"), usual([(7, 35), (6, 60), (6, 35), (7, 60)], 1, pytest.mark.soak)
+)
 def test_true_bars_are_not_accused(axes: int, count: int) -> None:
     rng = np.random.default_rng(axes + count)
     arm = robot(axes)
@@ -64,7 +66,7 @@ def test_true_bars_are_not_accused(axes: int, count: int) -> None:
     assert moved.isdisjoint(one.name for one in result.fixed)
 
 
-@pytest.mark.parametrize("seed", range(3))
+@pytest.mark.parametrize("seed", usual(range(3), 1, pytest.mark.soak))
 def test_true_seats_are_not_accused(seed: int) -> None:
     rng = np.random.default_rng(seed)
     arm = robot(6)

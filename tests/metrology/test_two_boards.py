@@ -10,6 +10,7 @@ from app.metrology.chessboard.detect_board import detect_board
 from app.metrology.detection.failure_evidence import DetectionError
 from app.metrology.targets.chessboard import Chessboard, Markers
 from tests.metrology.boards import BOARD, POSES, SIZE, Look, camera_pose, picture
+from tests.running.usual import usual
 
 pytestmark = pytest.mark.slow
 
@@ -27,7 +28,7 @@ def beside(board: Chessboard, *poses: NDArray[np.float64]) -> NDArray[np.uint8]:
     return np.hstack([picture(T, look, seed) for seed, T in enumerate(poses)])
 
 
-@pytest.mark.parametrize("board", [BOARD, CHARUCO])
+@pytest.mark.parametrize("board", usual([BOARD, CHARUCO], 1, pytest.mark.soak))
 def test_two_equal_boards_are_refused_and_drawn(board: Chessboard) -> None:
     for thorough in (True, False):
         with pytest.raises(DetectionError, match="two boards of 7 × 6") as refused:
@@ -37,7 +38,7 @@ def test_two_equal_boards_are_refused_and_drawn(board: Chessboard) -> None:
         assert {mark.u0 > WIDTH for mark in refused.value.marks} == {False, True}
 
 
-@pytest.mark.parametrize("board", [BOARD, CHARUCO])
+@pytest.mark.parametrize("board", usual([CHARUCO, BOARD], 1, pytest.mark.soak))
 def test_a_board_cut_off_beside_a_whole_one_is_counted(board: Chessboard) -> None:
     cut = beside(board, POSES[1], POSES[2])[:, : WIDTH + WIDTH // 2]
     with pytest.raises(DetectionError) as refused:

@@ -12,6 +12,7 @@ from app.metrology.sensor.triangulation import sensor_points
 from app.metrology.transforms import apply, rigid_fit
 from app.workflows.calibrate import one_pose_inputs
 from hardware.simulator.session import SessionPlan, render_session
+from tests.running.usual import usual
 
 pytestmark = pytest.mark.slow
 
@@ -25,7 +26,11 @@ PLANS = {
 }
 
 
-@pytest.mark.parametrize(("seed", "plan"), list(enumerate(PLANS.values(), 501)), ids=PLANS)
+@pytest.mark.parametrize(
+    ("seed", "plan"),
+    usual(enumerate(PLANS.values(), 501), {0, 3, 4}, pytest.mark.soak),
+    ids=PLANS,
+)
 def test_points_are_rebuilt_where_the_light_fell(
     seed: int, plan: SessionPlan, tmp_path: Path
 ) -> None:

@@ -15,6 +15,7 @@ from app.metrology.adjustment.outliers.fault_hypotheses import block_fault_findi
 from app.metrology.calibration.findings import CalibrationFinding
 from app.metrology.limits import LIMITS
 from app.metrology.transforms import Floats
+from tests.running.usual import usual
 
 pytestmark = pytest.mark.slow
 
@@ -68,7 +69,7 @@ def inward(on: SimulatedSetup, mm: dict[str, float]) -> Floats:
 
 
 @pytest.mark.parametrize("scales", [USUAL, MIDDLING, POOR])
-@pytest.mark.parametrize("poses", [1, 6])
+@pytest.mark.parametrize("poses", usual([1, 6], 1, pytest.mark.soak))
 @pytest.mark.parametrize("faces", [THREE, ALL_AROUND])
 def test_errors_of_the_arms_links_are_no_fault(
     poses: int, faces: tuple[str, ...], scales: Scales

@@ -19,6 +19,7 @@ from app.metrology.limits import Limits
 from app.metrology.sensor.triangulation import sensor_points
 from app.metrology.transforms import apply, rigid_fit
 from app.workflows.calibrate import joint_inputs
+from tests.running.usual import usual
 
 pytestmark = pytest.mark.slow
 
@@ -105,7 +106,7 @@ def test_poses_all_alike_are_reported(inputs: BlockInputs) -> None:
 
 
 # A tenth of a millimetre hides in the noise that it makes the arm seem to have.
-@pytest.mark.parametrize("by_mm", [-1.0, -0.1, 0.1, 1.0])
+@pytest.mark.parametrize("by_mm", usual([-0.1, 1.0, 0.1, -1.0], 2, pytest.mark.soak))
 def test_a_wrong_tip_is_seen_and_its_diameter_estimated(inputs: BlockInputs, by_mm: float) -> None:
     tip = inputs.arm.tip
     other = replace(inputs.arm, tip=replace(tip, diameter_mm=tip.diameter_mm + by_mm))
@@ -165,7 +166,7 @@ def test_touches_are_asked_for_until_the_target_is_reached(
     assert next_touches(found.alignment, inputs.features, inputs.block, 2 * now).more == ()
 
 
-@pytest.mark.parametrize("times", [0.997, 1.02])
+@pytest.mark.parametrize("times", usual([0.997, 1.02], 1, pytest.mark.soak))
 def test_a_block_of_another_size_is_found_by_the_arms_motion(
     samples: Path, inputs: BlockInputs, times: float
 ) -> None:
