@@ -31,7 +31,7 @@ Floats = NDArray[np.float64]
 SETTING = 1
 """The number of tool and coordinate system of the poses."""
 BUTTON_BIT = {Button.PRIMARY: 1, Button.UNDO: 2, Button.BACK: 4}
-CATCH_UP_NS = 500_000_000
+CATCH_UP_NS = 5_000_000_000
 """A device that was not scheduled for longer than this loses what it should have taken."""
 
 

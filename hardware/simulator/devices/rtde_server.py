@@ -21,7 +21,7 @@ Floats = NDArray[np.float64]
 
 WAITING_BYTES = 65_536
 """What a client that does not read may leave waiting; the controller then skips packages."""
-CATCH_UP_NS = 500_000_000
+CATCH_UP_NS = 5_000_000_000
 """A server that was not scheduled for longer than this loses what it should have sent."""
 TYPES = {
     "timestamp": "DOUBLE",
