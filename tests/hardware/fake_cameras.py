@@ -1,16 +1,17 @@
-"""GigE Vision cameras that others wrote, for tests: Aravis's and that of viva-genicam.
+"""GigE Vision cameras for tests: Aravis's in a process of its own, and what all of them need.
 
-Both listen on port 3956, which the standard fixes, so one of them runs at a time on 127.0.0.1, in
-all processes of a test run.
+All listen on port 3956, which the standard fixes. Those that may choose have an address of this
+process. Aravis's takes 127.0.0.1 alone, so one of them runs at a time, in all processes of a test
+run.
 """
 
-import fcntl
+import os
 import shutil
 import signal
 import socket
 import struct
 import subprocess
-import tempfile
+import threading
 import time
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -19,9 +20,9 @@ from pathlib import Path
 import pytest
 
 STARTED_MODULES = ()  # Aravis
-ADDRESS = "127.0.0.1"
+ARAVIS_ADDRESS = "127.0.0.1"
 PORT = 3956
-READY_S = 20.0
+READY_S = 120.0
 ANSWER_S = 5.0
 FIRST_BLOCK_ID = 65401
 """Of Aravis's camera, whose 16-bit block ids soon begin again."""
@@ -33,21 +34,45 @@ _CONTROL = 0b10
 _READ, _WRITE = 0x80, 0x82
 
 
+def own_address(last: int) -> str:
+    """An address of this computer that no other process of these tests uses."""
+    high, low = divmod(os.getpid(), 1 << 14)
+    return f"127.{64 + high % 128}.{low >> 6}.{last + 2 * (low & 63)}"
+
+
+ADDRESS, SECOND_ADDRESS = own_address(1), own_address(2)
+
+
 @contextmanager
 def port_for_this_test() -> Iterator[None]:
-    """Waits until no other test uses the port."""
-    with open(Path(tempfile.gettempdir()) / "crenel-test-gige-vision.lock", "w") as lock:
-        fcntl.flock(lock, fcntl.LOCK_EX)
+    """Waits until no other test uses the port at 127.0.0.1: who has it for TCP has it for UDP."""
+    with socket.socket() as held:
+        while True:
+            try:
+                held.bind((ARAVIS_ADDRESS, PORT))
+                break
+            except OSError:
+                time.sleep(0.05)
         yield
+
+
+def given_up() -> list[threading.Thread]:
+    """What still frees cameras that did not answer; where one answers again, it ends soon."""
+    return [one for one in threading.enumerate() if one.name == "giving up a camera"]
+
+
+def await_freed() -> None:
+    for thread in given_up():
+        thread.join(READY_S)
 
 
 class ControlClient:
     """A second client of a camera: plain GVCP packets."""
 
-    def __init__(self) -> None:
+    def __init__(self, address: str = ADDRESS) -> None:
         self._socket = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
         self._socket.settimeout(ANSWER_S)
-        self._socket.connect((ADDRESS, PORT))
+        self._socket.connect((address, PORT))
         self._request = 0
 
     def read(self, address: int) -> int:
@@ -87,7 +112,7 @@ class AravisFake:
         program = shutil.which("arv-fake-gv-camera-0.8")
         if program is None:
             pytest.skip("aravis-tools is not installed")
-        self._command = [program, "-i", ADDRESS, *arguments]
+        self._command = [program, "-i", ARAVIS_ADDRESS, *arguments]
         self._process: subprocess.Popen[bytes] | None = None
         self.start()
 
@@ -104,7 +129,7 @@ class AravisFake:
     def _wait_until_ready(self, process: subprocess.Popen[bytes]) -> None:
         deadline = time.monotonic() + READY_S
         while time.monotonic() < deadline:
-            client = ControlClient()
+            client = ControlClient(ARAVIS_ADDRESS)
             try:
                 client.read(CONTROL_REGISTER)
                 assert process.poll() is None, "another camera has the port"

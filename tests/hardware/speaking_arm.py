@@ -20,6 +20,8 @@ from serial.rfc2217 import PortManager
 
 REQUEST = bytes.fromhex("A75C0181002F1A1BDC")
 COUNTS = 1 << 20
+WAITING_BYTES = 1 << 16
+"""What a host that is held up may leave unread, beyond what the terminal holds."""
 
 
 def packet(kind: int, payload: bytes, version: int = 1) -> bytes:
@@ -95,6 +97,7 @@ class PtyLine:
     def __init__(self, folder: os.PathLike[str]) -> None:
         self.url = os.path.join(folder, "ttyARM")
         self._ends: tuple[int, int] | None = None
+        self._waiting = b""
         self.plug_in()
 
     def plug_in(self) -> None:
@@ -106,15 +109,18 @@ class PtyLine:
 
     def unplug(self) -> None:
         ends, self._ends = self._ends, None
+        self._waiting = b""
         if ends is not None:
             os.unlink(self.url)
             for end in ends:
                 os.close(end)
 
     def write(self, data: bytes) -> None:
-        with contextlib.suppress(OSError):  # nobody reads and the terminal is full
+        if len(self._waiting) < WAITING_BYTES:  # else nobody reads
+            self._waiting += data
+        with contextlib.suppress(OSError):  # the terminal is full
             if self._ends is not None:
-                os.write(self._ends[0], data)
+                self._waiting = self._waiting[os.write(self._ends[0], self._waiting) :]
 
     def read(self) -> bytes:
         with contextlib.suppress(OSError):

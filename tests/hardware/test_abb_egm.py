@@ -66,13 +66,11 @@ def robot() -> Iterator[UdpRobot]:
 
 
 def make_driver(robot: UdpRobot, **options: object) -> ArmDriver:
-    return arm_driver(
-        "abb-egm", {"address": "127.0.0.1", "port": robot.port, "timeout_s": 1.0, **options}
-    )
+    return arm_driver("abb-egm", {"address": "127.0.0.1", "port": robot.port, **options})
 
 
 class TestAbbEgm(ArmConformance):
-    @pytest.fixture(params=["flange", "joints"])
+    @pytest.fixture(params=["flange", pytest.param("joints", marks=pytest.mark.soak)])
     def bench(self, request: pytest.FixtureRequest, robot: UdpRobot) -> ArmBench:
         return UdpBench(robot, lambda: make_driver(robot, report=request.param))
 
@@ -215,7 +213,7 @@ def test_what_is_no_egm_counts_as_corrupt(robot: UdpRobot) -> None:
     assert driver.health.corrupt > 3
     assert "has sent only packets that cannot be read" in str(error.what)
     with pytest.raises(DeviceError, match="is no EGM"):
-        make_driver(robot, timeout_s=0.3).open()
+        make_driver(robot, timeout_s=1.0).open()
     robot.silent = True
     with pytest.raises(DeviceError, match="sends nothing to UDP port"):
         make_driver(robot, timeout_s=0.3).open()

@@ -16,6 +16,7 @@ from hardware.errors import DeviceError
 from hardware.interfaces import ArmDriver, PoseSample
 from hardware.registry import arm_driver
 from tests.hardware.conformance import (
+    LONG_S,
     ArmBench,
     ArmConformance,
     read_until,
@@ -45,7 +46,7 @@ class FanucBench(ArmBench):
         return arm_driver("fanuc", self.options())
 
     def options(self) -> dict[str, object]:
-        return {"address": "127.0.0.1", "port": self.port, "report": self.report, "timeout_s": 1.0}
+        return {"address": "127.0.0.1", "port": self.port, "report": self.report, "timeout_s": 3.0}
 
     def contacts(self) -> int:
         return int(self.controller.sm.streaming)
@@ -73,7 +74,7 @@ class FanucBench(ArmBench):
         self.controller.sm.inject_seq_gap(count)
 
 
-@pytest.fixture(params=["flange", "joints"])
+@pytest.fixture(params=["flange", pytest.param("joints", marks=pytest.mark.soak)])
 def bench(request: pytest.FixtureRequest) -> Iterator[FanucBench]:
     bench = FanucBench(request.param)
     yield bench
@@ -113,7 +114,7 @@ def test_closing_stops_the_stream(bench: FanucBench) -> None:
     driver.open()
     assert bench.controller.sm.streaming
     driver.close()
-    deadline = time.monotonic() + 5.0
+    deadline = time.monotonic() + LONG_S
     while bench.controller.sm.streaming:
         assert time.monotonic() < deadline
         time.sleep(0.01)
@@ -130,7 +131,7 @@ def test_closing_stops_the_stream_while_another_thread_waits(bench: FanucBench) 
     driver.close()
     reader.join()
     bench.silence(False)
-    deadline = time.monotonic() + 5.0
+    deadline = time.monotonic() + LONG_S
     while bench.controller.sm.streaming:
         assert time.monotonic() < deadline
         time.sleep(0.01)

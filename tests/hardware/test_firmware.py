@@ -131,6 +131,11 @@ def line(board: Board) -> Iterator[RawLine]:
     os.close(made.end)
 
 
+def numbers_of(records: list[ArmRecord]) -> list[int]:
+    """Those of the pulses, which count from 1 after each start."""
+    return [sample.pulse for sample in select_samples(records) if sample.pulse is not None]
+
+
 def counts_of(sample: JointSample) -> list[float]:
     return [angle * PER_TURN / (2 * pi) for angle in sample.joints_rad]
 
@@ -246,14 +251,15 @@ def test_pulses_start_from_one_after_a_pause(board: Board, driver: SerialEncoder
     driver.open()
     for start in range(1, 4):
         driver.start_pulses(100.0)
-        read_until(driver, lambda got: sum(s.pulse is not None for s in select_samples(got)) > 20)
+        read_until(driver, lambda got: len(numbers_of(got)) > 20)
+        board.pulses_by_now()
         gaps_s = np.diff([rose for rose, _, _ in board.pulses]) / CLOCK_HZ
         assert np.sum(gaps_s >= 0.3) == start - 1
     driver.stop_pulses()
     read_until(driver, lambda got: len(got) > 50)
-    count = len(board.pulses)
-    read_until(driver, lambda got: len(got) > 50)
-    assert len(board.pulses) == count
+    count = board.pulses_by_now()
+    assert not numbers_of(read_until(driver, lambda got: len(got) > 50))
+    assert board.pulses_by_now() == count
 
 
 @pytest.mark.parametrize("rate_hz", [0.5, 200.1, 4_000_000.0])

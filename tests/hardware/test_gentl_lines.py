@@ -34,12 +34,10 @@ from tests.hardware.conformance import (
     read_until_delivery,
     read_until_lost,
 )
+from tests.hardware.fake_cameras import ADDRESS
 from tests.hardware.test_profiles import DARK, DELAY_MS, DETECTOR, HEIGHT, WIDTH, picture, row_in
 
 pytestmark = pytest.mark.device
-
-ADDRESS = "127.0.0.93"
-"""Of its own, since tests of other files use 127.0.0.1."""
 
 genapi = pytest.importorskip("genicam.genapi")
 gentl = pytest.importorskip("genicam.gentl")

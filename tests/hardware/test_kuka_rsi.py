@@ -56,13 +56,11 @@ def robot() -> Iterator[UdpRobot]:
 
 
 def make_driver(robot: UdpRobot, **options: object) -> ArmDriver:
-    return arm_driver(
-        "kuka-rsi", {"address": "127.0.0.1", "port": robot.port, "timeout_s": 1.0, **options}
-    )
+    return arm_driver("kuka-rsi", {"address": "127.0.0.1", "port": robot.port, **options})
 
 
 class TestKukaRsi(ArmConformance):
-    @pytest.fixture(params=["flange", "joints"])
+    @pytest.fixture(params=["flange", pytest.param("joints", marks=pytest.mark.soak)])
     def bench(self, request: pytest.FixtureRequest, robot: UdpRobot) -> ArmBench:
         return UdpBench(robot, lambda: make_driver(robot, report=request.param))
 
@@ -169,10 +167,10 @@ def test_what_cannot_be_true_is_an_error(
 def test_what_is_wrong_at_opening_is_said(robot: UdpRobot) -> None:
     robot.spoil = lambda data: b"hello"
     with pytest.raises(DeviceError, match="is no RSI"):
-        make_driver(robot, timeout_s=0.3).open()
+        make_driver(robot, timeout_s=1.0).open()
     robot.spoil = lambda data: data
     with pytest.raises(DeviceError, match=r"comes from 127\.0\.0\.1, not from"):
-        make_driver(robot, timeout_s=0.3, address="127.0.0.7").open()
+        make_driver(robot, timeout_s=1.0, address="127.0.0.7").open()
     robot.silent = True
     with pytest.raises(DeviceError, match=f"sends nothing to UDP port {robot.port}"):
         make_driver(robot, timeout_s=0.3).open()

@@ -15,10 +15,13 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from hardware.arm.microscribe import microscribe
+from hardware.arm.robots import streaming_arm
 from hardware.errors import DeviceError
 from hardware.interfaces import ArmDriver, Button
 from hardware.registry import arm_driver
 from tests.hardware.conformance import (
+    LONG_S,
     ArmBench,
     ArmConformance,
     button_edges,
@@ -66,6 +69,11 @@ def make_driver(arm: FakeMicroscribe, **options: object) -> ArmDriver:
     return arm_driver("microscribe", {"url": arm.line.url, **options})
 
 
+def be_patient(monkeypatch: pytest.MonkeyPatch, answer_s: float) -> None:
+    """No answer of a busy machine is late."""
+    monkeypatch.setattr(microscribe, "_ANSWER_S", answer_s)
+
+
 @pytest.fixture
 def arm(tmp_path: Path) -> Iterator[FakeMicroscribe]:
     arm = FakeMicroscribe(PtyLine(tmp_path))
@@ -75,7 +83,9 @@ def arm(tmp_path: Path) -> Iterator[FakeMicroscribe]:
 
 class TestMicroscribe(ArmConformance):
     @pytest.fixture
-    def bench(self, arm: FakeMicroscribe) -> ArmBench:
+    def bench(self, arm: FakeMicroscribe, monkeypatch: pytest.MonkeyPatch) -> ArmBench:
+        be_patient(monkeypatch, 0.5)
+        monkeypatch.setattr(streaming_arm, "_SILENCE_S", LONG_S)
         return MicroscribeBench(arm)
 
 
@@ -100,7 +110,10 @@ def test_angles_pass_through_zero_without_a_jump(arm: FakeMicroscribe) -> None:
     driver.close()
 
 
-def test_a_damaged_answer_is_lost_and_the_next_is_read(arm: FakeMicroscribe) -> None:
+def test_a_damaged_answer_is_lost_and_the_next_is_read(
+    arm: FakeMicroscribe, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    be_patient(monkeypatch, LONG_S)
     driver = make_driver(arm)
     driver.open()
     arm.damage = 3
@@ -114,7 +127,7 @@ def test_a_late_answer_is_not_that_of_the_next_question(arm: FakeMicroscribe) ->
     driver = make_driver(arm)
     driver.open()
     read_until(driver, select_samples)
-    arm.late_s = 0.25  # after the next question
+    arm.late_s = 1.0  # after the next questions
     read_until(driver, lambda _: driver.health.corrupt > 3)
     arm.counts[0], arm.late_s = 1010, 0.0
     later = select_samples(read_until(driver, lambda got: len(got) > 5))
@@ -168,7 +181,7 @@ def test_what_is_wrong_at_opening_is_said(arm: FakeMicroscribe) -> None:
 
 def test_another_device_is_not_taken_for_an_arm(tmp_path: Path) -> None:
     arm = FakeMicroscribe(PtyLine(tmp_path), baud_rounds=1_000_000)
-    driver = make_driver(arm, timeout_s=1.0)
+    driver = make_driver(arm, timeout_s=3.0)
     chatter = threading.Timer(0.2, arm.line.write, [b"$GPGGA,123519\r\n"])
     chatter.start()
     with pytest.raises(DeviceError, match="does not answer as a MicroScribe does"):

@@ -19,7 +19,7 @@ from hardware.errors import DeviceError
 from hardware.interfaces import SelectedColour, SensorDriver
 from hardware.sensor import folder, opencv_camera
 from hardware.sensor.grey import to_grey
-from tests.hardware.conformance import SensorBench, SensorConformance, next_frame
+from tests.hardware.conformance import LONG_S, SensorBench, SensorConformance, next_frame
 
 pytestmark = pytest.mark.device
 
@@ -65,7 +65,9 @@ class PathBench(SensorBench):
         self._away.rename(self._path)
 
 
-@pytest.mark.parametrize("codec", ["FFV1", "MJPG"], scope="class")
+@pytest.mark.parametrize(
+    "codec", ["FFV1", pytest.param("MJPG", marks=pytest.mark.soak)], scope="class"
+)
 class TestVideoFile(SensorConformance):
     @pytest.fixture
     def bench(self, tmp_path: Path, codec: str) -> Iterator[SensorBench]:
@@ -90,7 +92,7 @@ class MjpegServer:
     """A network camera: motion JPEG over HTTP."""
 
     def __init__(self) -> None:
-        self.connected = threading.Semaphore(0)
+        self.sent = 0
         self._port = 0
         self._server: ThreadingHTTPServer | None = None
         self._running = threading.Event()
@@ -98,7 +100,8 @@ class MjpegServer:
         self.url = f"http://127.0.0.1:{self._port}/video.mjpg"
 
     def plug_in(self) -> None:
-        running = self._running = threading.Event()
+        camera, running = self, threading.Event()
+        self._running = running
         running.set()
 
         class Handler(BaseHTTPRequestHandler):
@@ -116,6 +119,7 @@ class MjpegServer:
                     except OSError:
                         return
                     index += 1
+                    camera.sent += 1
                     time.sleep(1 / RATE_HZ)
                 with contextlib.suppress(OSError):
                     self.connection.shutdown(socket.SHUT_RDWR)
@@ -215,7 +219,10 @@ def test_a_slow_reader_of_a_camera_gets_fresh_pictures_and_the_loss_is_counted()
     server = MjpegServer()
     driver = opencv_camera.from_options({"source": server.url})
     driver.open()
-    time.sleep(0.5)
+    sent, deadline = server.sent, time.monotonic() + LONG_S
+    while server.sent < sent + 15:
+        assert time.monotonic() < deadline
+        time.sleep(0.02)
     frames = [next_frame(driver) for _ in range(6)]
     assert 0 < frames[0].sequence <= driver.health.lost
     driver.close()
@@ -272,12 +279,12 @@ def test_a_folder_says_which_picture_is_wrong(tmp_path: Path) -> None:
     driver.open()
     shown(driver, 3)
     with pytest.raises(DeviceError, match=r"3\.png cannot be read"):
-        driver.read(5.0)
+        driver.read(LONG_S)
     cv2.imwrite(str(tmp_path / "f" / "3.png"), picture(0)[:, :50])
     driver.open()
     shown(driver, 3)
     with pytest.raises(DeviceError, match="from 160 × 128 to 50 × 128 pixels"):
-        driver.read(5.0)
+        driver.read(LONG_S)
     (tmp_path / "g").mkdir()
     cv2.imwrite(str(tmp_path / "g" / "0.tif"), picture(0).astype(np.float32))
     with pytest.raises(DeviceError, match=r"0\.tif contains float32 numbers"):

@@ -11,7 +11,7 @@ from scipy.spatial.transform import Rotation
 from hardware.arm.serial_encoder import from_options
 from hardware.clock import now_ns
 from hardware.errors import DeviceError
-from hardware.interfaces import ArmDriver, Button, PoseSample, PulseSource
+from hardware.interfaces import ArmDriver, Button, ButtonEvent, PoseSample, PulseSource
 from hardware.simulator.devices.arm_device import ArmDevice, ArmFaults, Encoders
 from hardware.simulator.devices.arm_packets import (
     RequestReader,
@@ -26,7 +26,6 @@ from hardware.simulator.devices.motion import JointPath, Motion, min_jerk_progre
 from hardware.simulator.devices.ports import DevicePort, PtyPort, TcpPort
 from hardware.simulator.scene.random_scenes import demo_arm
 from tests.hardware.conformance import (
-    LONG_S,
     ArmBench,
     ArmConformance,
     button_edges,
@@ -79,7 +78,7 @@ class SimulatedArmBench(ArmBench):
             self.device.press(button, button in pressed)
 
 
-@pytest.fixture(params=["tcp", "pty"])
+@pytest.fixture(params=[pytest.param("tcp", marks=pytest.mark.soak), "pty"])
 def bench(request: pytest.FixtureRequest) -> Iterator[SimulatedArmBench]:
     if request.param == "pty" and not hasattr(os, "openpty"):
         pytest.skip("there are no pseudo-terminals on this system")
@@ -170,20 +169,31 @@ def test_the_angles_at_a_pulse_are_those_of_its_time(tcp_bench: SimulatedArmBenc
     assert np.abs(between).max() < 2e-4
 
 
+LATE_NS = 1_000_000_000
+"""By so much a busy machine may stamp something too late at first; nothing is stamped early."""
+
+
 def test_the_driver_reads_the_true_angles_at_the_true_times(tcp_bench: SimulatedArmBench) -> None:
     driver = tcp_bench.driver()
     info = driver.open()
     assert (info.joint_count, info.rate_hz) == (6, 1000.0)
     share = min_jerk_progress(np.linspace(0.0, 1.0, 30))[:, None]
-    tcp_bench.motion.play(JointPath(np.linspace(0.0, 0.6, 30), REST + share), now_ns() + 10_000_000)
+    start_ns, motion = now_ns() + 10_000_000, tcp_bench.motion
+    motion.play(JointPath(np.linspace(0.0, 0.6, 30), REST + share), start_ns)
     samples = select_samples(read_until(driver, lambda got: len(got) > 700))
     driver.close()
     read = np.array([s.joints_rad for s in samples])
-    true = np.array([tcp_bench.motion.at(s.stamp_ns) for s in samples])
     assert np.ptp(read[:, 0]) > 0.9
     moving = np.abs(np.gradient(read[:, 0])) > 1e-3
-    lag_s = np.median((true - read)[moving, 0] / (np.gradient(read[:, 0]) * 1000)[moving])
-    assert abs(lag_s) < 0.02  # stamps may run late by the line's delay, never by more
+    times_ns = start_ns + np.arange(0, 600_000_000, 100_000)
+    latched_ns = np.interp(read[moving, 0], motion.at_all(times_ns)[:, 0], times_ns)
+    true = motion.at_all(latched_ns.astype(np.int64))
+    assert np.abs(true - read[moving]).max() < 1e-4
+    sequence = np.array([s.sequence for s in samples])[moving]
+    assert np.ptp(latched_ns - 1e6 * sequence) < 100_000
+    late_ns = np.array([s.stamp_ns for s in samples])[moving] - latched_ns
+    assert late_ns.min() > -20_000_000
+    assert late_ns.max() < LATE_NS
     assert np.abs(read[-1] - REST - 1).max() < 1e-4
 
 
@@ -237,15 +247,16 @@ def test_a_press_is_where_and_when_it_was_made(tcp_bench: SimulatedArmBench) -> 
     records = read_until(driver, lambda got: len(button_edges(got)) == 2)
     driver.close()
     assert button_edges(records) == [(Button.PRIMARY, True), (Button.PRIMARY, False)]
-    pressed = next(r for r in records if not hasattr(r, "joints_rad"))
-    assert abs(pressed.stamp_ns - at) < 20_000_000
+    press, release = (r for r in records if isinstance(r, ButtonEvent))
+    assert release.sequence - press.sequence == 40  # ms, and samples
+    assert -20_000_000 < press.stamp_ns - at < LATE_NS
 
 
 def test_a_client_that_does_not_read_holds_up_nobody(tcp_bench: SimulatedArmBench) -> None:
     sleeper, reader = tcp_bench.driver(), tcp_bench.driver()
     sleeper.open()
     reader.open()
-    samples = select_samples(read_until(reader, lambda got: len(got) > 1500, LONG_S))
+    samples = select_samples(read_until(reader, lambda got: len(got) > 1500))
     assert np.all(np.diff([s.sequence for s in samples]) == 1)
     sleeper.close()
     reader.close()

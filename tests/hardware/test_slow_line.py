@@ -7,8 +7,6 @@ import pytest
 from hardware.sensor.genicam.gige_vision.receive_buffer import receive_buffer_remedy
 from hardware.sensor.genicam.slow_line import SlowLine
 
-pytestmark = pytest.mark.device
-
 MS = 1_000_000
 PERIOD_MS = 40
 

@@ -84,7 +84,7 @@ def server() -> Iterator[RtdeServer]:
 
 
 class TestUrRtde(ArmConformance):
-    @pytest.fixture(params=["flange", "joints"])
+    @pytest.fixture(params=["flange", pytest.param("joints", marks=pytest.mark.soak)])
     def bench(self, request: pytest.FixtureRequest, server: RtdeServer) -> ArmBench:
         return RtdeBench(server, request.param)
 
@@ -102,11 +102,18 @@ def test_poses_are_of_the_flange_at_their_stamps(server: RtdeServer, driver: Arm
     readings = select_readings(read_until(driver, lambda got: len(got) > 100))
     for pose in readings:
         assert isinstance(pose, PoseSample)
-        T = swing(pose.stamp_ns).T_base_flange  # the server's clock runs like the host's
-        off_mm = np.linalg.norm(np.subtract(pose.position_mm, T[:3, 3]))
-        assert off_mm < 0.4  # 10 ms of motion
+        T = swing(taken_ns(np.arctan2(*pose.position_mm[1::-1]), pose.stamp_ns)).T_base_flange
+        assert pose.position_mm == pytest.approx(T[:3, 3], abs=1e-3)
         turned = Rotation.from_quat(pose.quaternion_xyzw) * Rotation.from_matrix(T[:3, :3]).inv()
-        assert turned.magnitude() < 1e-3
+        assert turned.magnitude() < 1e-6
+
+
+def taken_ns(first_joint_rad: float, stamp_ns: int) -> int:
+    """When the robot was so; a busy machine may stamp it late, but not early."""
+    since_s = (stamp_ns - START_NS) / 1e9
+    late_s = float(np.angle(np.exp(1j * (0.1 * since_s - first_joint_rad)))) / 0.1
+    assert -0.01 < late_s < 1.0
+    return stamp_ns - round(1e9 * late_s)
 
 
 def test_joints_are_those_of_the_robot(server: RtdeServer) -> None:
@@ -116,7 +123,8 @@ def test_joints_are_those_of_the_robot(server: RtdeServer) -> None:
     info = driver.open()
     assert (info.joint_count, info.rate_hz) == (6, 125.0)
     for sample in select_samples(read_until(driver, lambda got: len(got) > 50)):
-        assert sample.joints_rad == pytest.approx(swing(sample.stamp_ns).joints_rad, abs=1e-3)
+        true = swing(taken_ns(sample.joints_rad[0], sample.stamp_ns))
+        assert sample.joints_rad == pytest.approx(true.joints_rad, abs=1e-6)
     driver.close()
 
 
@@ -302,7 +310,7 @@ import json, sys, time
 from rtde_receive import RTDEReceiveInterface
 client = RTDEReceiveInterface(sys.argv[1], 500.0, ["timestamp", "actual_q", "actual_TCP_pose"])
 stamps = set()
-deadline = time.monotonic() + 10.0
+deadline = time.monotonic() + 100.0
 while len(stamps) < 50 and time.monotonic() < deadline:
     stamps.add(client.getTimestamp())
     time.sleep(0.001)
@@ -322,7 +330,7 @@ def test_a_client_of_others_reads_the_simulated_robot() -> None:
             [sys.executable, "-c", READ_BY_OTHERS, "127.0.30.4"],
             capture_output=True,
             text=True,
-            timeout=60,
+            timeout=240,
             check=True,
         )
         expected = server.values_at(now_ns())

@@ -4,7 +4,9 @@
    board FIRMWARE.elf JOINTS LINK
    makes LINK a symbolic link to the terminal. Commands come as lines on standard input:
      angle JOINT VALUE    error JOINT    noise JOINT (wrong parity, once)
+     glide MS (the encoders turn to new angles, all together, in so many milliseconds)
      button BIT DOWN      reset          hang (no timer interrupt any more)
+     mark (says "mark", after all that was said before)
      drop COUNT (samples that the line swallows)
      step VALUE (the first encoder turns by this after each trigger pulse)
    On standard output, a line "running" says that the arm sends, "host" that bytes arrived from the
@@ -34,6 +36,7 @@ static int joints, terminal;
 /* ---- encoders ---- */
 
 static int angle[MOST_JOINTS], has_error[MOST_JOINTS], is_noisy[MOST_JOINTS];
+static int target[MOST_JOINTS], glide_ms = 1, left_ms;
 static int step_at_pulse;
 static unsigned answer[MOST_JOINTS];
 static unsigned char chain[2 * MOST_JOINTS];
@@ -63,6 +66,14 @@ static void end_frame(void) {
         }
     }
     latched_at = avr->cycle;
+}
+
+static void turn_on(void) {
+    if (!left_ms)
+        return;
+    for (int i = 0; i < joints; i++)
+        angle[i] += (((target[i] - angle[i] + 0x2000) & 0x3FFF) - 0x2000) / left_ms;
+    left_ms--;
 }
 
 static void on_select(avr_irq_t *irq, uint32_t value, void *param) {
@@ -101,7 +112,7 @@ static void on_trigger(avr_irq_t *irq, uint32_t value, void *param) {
         printf("pulse %llu %llu %llu\n", rose, (unsigned long long)latched_at,
                (unsigned long long)avr->cycle);
         fflush(stdout);
-        angle[0] += step_at_pulse;
+        target[0] = angle[0] += step_at_pulse;
     }
     high = value != 0;
 }
@@ -164,9 +175,12 @@ static void exchange_with_host(void) {
             printf("running\n");
             fflush(stdout);
         }
-        /* a host that does not read loses bytes, as on a line without flow control */
-        (void)!write(terminal, to_host, to_host_count);
-        to_host_count = 0;
+        /* what the host has not read waits; a packet that finds no room is lost */
+        ssize_t written = write(terminal, to_host, to_host_count);
+        if (written > 0) {
+            to_host_count -= written;
+            memmove(to_host, to_host + written, to_host_count);
+        }
     }
 }
 
@@ -196,7 +210,9 @@ static void press(int bit, int down) {
 static void obey(const char *line) {
     int joint, value;
     if (sscanf(line, "angle %d %d", &joint, &value) == 2)
-        angle[joint] = value;
+        target[joint] = value, left_ms = glide_ms;
+    else if (sscanf(line, "glide %d", &value) == 1)
+        glide_ms = value;
     else if (sscanf(line, "error %d", &joint) == 1)
         has_error[joint] = 1;
     else if (sscanf(line, "noise %d", &joint) == 1)
@@ -209,7 +225,10 @@ static void obey(const char *line) {
         step_at_pulse = value;
     else if (!strcmp(line, "reset"))
         avr_reset(avr);
-    else if (!strcmp(line, "hang"))
+    else if (!strcmp(line, "mark")) {
+        printf("mark\n");
+        fflush(stdout);
+    } else if (!strcmp(line, "hang"))
         avr->data[TIMSK1_ADDRESS] = 0;
 }
 
@@ -280,6 +299,7 @@ int main(int argc, char **argv) {
             continue;
         due = avr->cycle + SLICE;
         obey_input();
+        turn_on();
         exchange_with_host();
         /* the arm's clock keeps step with the host's, or is slower if this machine is too slow; it
            never makes up for that, since a real one does not run fast */
