@@ -49,6 +49,7 @@ class Bench:
         self.noise_rad = 1e-5
         self.arm_plugged = True
         self.arm_silent = False
+        self.silent_reads = 0
         self.arm_skips: set[int] = set()
         self.arm_opened = 0
         self.sensor_plugged = True
@@ -105,6 +106,7 @@ class ScriptedArm:
             raise DeviceError("The arm at bench:1 was unplugged")
         if self.bench.arm_silent:
             time.sleep(timeout_s)
+            self.bench.silent_reads += 1
             self.next_ns = now_ns()
             return []
         records: list[ArmRecord] = []
@@ -213,7 +215,7 @@ def collect_readings(rig: Rig, count: int) -> list[SensorReading]:
     """So many pictures or lines of the sensor, as they come."""
     tap = rig.sensor.frames.tap(count)
     readings: list[SensorReading] = []
-    deadline = time.monotonic() + 60
+    deadline = time.monotonic() + 240
     while len(readings) < count:
         assert time.monotonic() < deadline, f"only {len(readings)}"
         readings += tap.get(count, 0.2)
@@ -221,7 +223,7 @@ def collect_readings(rig: Rig, count: int) -> list[SensorReading]:
     return readings
 
 
-def until(condition: Callable[[], object], timeout_s: float = 60.0) -> None:
+def until(condition: Callable[[], object], timeout_s: float = 240.0) -> None:
     """Waits for a condition; fails when it does not come."""
     deadline = time.monotonic() + timeout_s
     while not condition():

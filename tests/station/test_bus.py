@@ -53,7 +53,7 @@ def test_publishing_from_many_threads_reaches_the_loop() -> None:
             thread.start()
         newest: dict[str, object] = {}
         while newest != {f"topic{n}": 99 for n in range(4)}:
-            newest |= (await asyncio.wait_for(reader.next(), 5)).topics
+            newest |= (await asyncio.wait_for(reader.next(), 240)).topics
         for thread in threads:
             thread.join()
         await asyncio.sleep(0)

@@ -12,6 +12,8 @@ from app.station.view3d.scene import Scene
 from tests.station.conftest import until
 from tests.station.viewer import Viewer
 
+pytestmark = pytest.mark.device
+
 
 @pytest.fixture
 def scene() -> Iterator[Scene]:

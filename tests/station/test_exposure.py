@@ -7,8 +7,6 @@ from app.station.devices.auto_exposure import TARGET, better_exposure_us, bright
 from hardware.interfaces import Frame
 from tests.pictures import of_depth
 
-pytestmark = pytest.mark.device
-
 RANGE_US = (20.0, 100_000.0)
 RIGHT_US = 2000.0
 

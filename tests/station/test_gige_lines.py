@@ -20,7 +20,7 @@ from app.station.view3d.scene import Scene
 from app.workflows.reconstruct import reconstruct_points
 from hardware.interfaces import Delivery, Frame
 from hardware.simulator.station import SimulatedStation
-from tests.hardware.fake_cameras import port_for_this_test
+from tests.hardware.fake_cameras import ADDRESS
 from tests.hardware.test_genicam import require_aravis
 from tests.station.conftest import until
 from tests.station.test_lines import start_rig
@@ -35,10 +35,8 @@ LOST_PACKETS = 0.01
 @pytest.fixture(scope="module")
 def simulation() -> Iterator[SimulatedStation]:
     require_aravis()
-    with (
-        port_for_this_test(),
-        SimulatedStation(replace(CONFIG, delivers=BOTH, camera="gige")) as simulation,
-    ):
+    config = replace(CONFIG, delivers=BOTH, camera="gige", camera_address=ADDRESS)
+    with SimulatedStation(config) as simulation:
         simulation.gige_camera.faults.packet_drop_rate = LOST_PACKETS
         yield simulation
 
@@ -97,5 +95,5 @@ def test_a_scan_of_lines_lies_on_the_plate_within_its_uncertainty(
         use.arm,
     )
     np.testing.assert_allclose(again, cloud.points_mm, atol=1e-6)
-    until(lambda: isinstance(rig.sensor.frames.newest, Frame), 30)
+    until(lambda: isinstance(rig.sensor.frames.newest, Frame))
     assert simulation.gige_camera.packets_lost > 0

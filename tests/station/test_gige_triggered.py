@@ -11,13 +11,13 @@ from app.station.bus import Bus
 from app.station.devices.rig import Rig
 from app.station.pulses.pulse_trigger import TriggerSettings
 from hardware.interfaces import Frame, Line, SensorDriver, SensorReading
-from hardware.registry import arm_driver
 from hardware.simulator.station import SimulatedStation
-from tests.hardware.fake_cameras import port_for_this_test
+from tests.hardware.fake_cameras import ADDRESS
 from tests.hardware.test_genicam import require_aravis
 from tests.station.conftest import collect_readings, until
 from tests.station.test_gige_lines import BOTH
 from tests.station.test_on_simulation import CONFIG
+from tests.station.test_triggered import half_ns, noting_arm
 
 pytestmark = pytest.mark.device
 
@@ -29,6 +29,7 @@ def test_pulses_and_lines_are_paired_exactly_after_each_change(
 ) -> None:
     """The camera misses pulses while it is stopped for the change, and does not count them."""
     require_aravis()
+    pulses: dict[int, int] = {}
     camera_times_ns: dict[int, int] = {}
     """By the camera's own clock, which is good to a few ms: by sequence."""
 
@@ -45,21 +46,28 @@ def test_pulses_and_lines_are_paired_exactly_after_each_change(
         monkeypatch.setattr(driver, "read", read_and_note)
         return driver
 
-    config = replace(CONFIG, delivers=BOTH, camera="gige", triggered=True, rate_hz=200.0)
-    with port_for_this_test(), SimulatedStation(config) as simulation:
+    config = replace(
+        CONFIG,
+        delivers=BOTH,
+        camera="gige",
+        camera_address=ADDRESS,
+        triggered=True,
+        rate_hz=200.0,
+    )
+    with SimulatedStation(config) as simulation:
         rig = Rig(
             bus,
-            lambda: arm_driver("serial-encoder", {"url": simulation.arm_url}),
+            lambda: noting_arm(simulation.arm_url, pulses),
             make_sensor,
             tmp_path,
             TriggerSettings(RATE_HZ),
         )
         rig.start()
         try:
-            until(lambda: rig.sensor.is_paired, 60)
+            until(lambda: rig.sensor.is_paired)
             for lines, kind in ((True, Line), (False, Frame)):
                 rig.sensor.want_lines(lines)
-                until(lambda kind=kind: isinstance(rig.sensor.frames.newest, kind), 60)  # type: ignore[misc]
+                until(lambda kind=kind: isinstance(rig.sensor.frames.newest, kind))  # type: ignore[misc]
                 mover = threading.Thread(target=simulation.operator.hold_over, args=("board", 1))
                 mover.start()
                 readings = collect_readings(rig, 40)
@@ -67,10 +75,11 @@ def test_pulses_and_lines_are_paired_exactly_after_each_change(
                 mover.join()
                 assert all(isinstance(one, kind) for one in readings)
                 stamps = np.array([one.mid_exposure_ns for one in readings])
-                pulses = np.array([one.pulse for one in readings])
-                off_ns = stamps - stamps[0] - (pulses - pulses[0]) * 1e9 / RATE_HZ
-                assert np.abs(off_ns).max() < 0.5e6
+                begins = {one.mid_exposure_ns - half_ns(one): one.pulse or 0 for one in readings}
+                offsets = [begins[at] - number for at, number in pulses.items() if at in begins]
+                assert len(offsets) == len(readings)
+                assert len(set(offsets)) == 1, "the counts of arm and camera go together"
                 late_ns = stamps - np.array([camera_times_ns[one.sequence] for one in readings])
-                assert np.abs(late_ns).max() < 0.25e9 / RATE_HZ
+                assert abs(np.median(late_ns)) < 0.5e9 / RATE_HZ, "and by the right offset"
         finally:
             rig.stop()

@@ -17,7 +17,7 @@ def run(bus: Bus, jobs: Jobs, work: Callable[[Progress], int]) -> Job[int]:
         bus.attach(loop)
         ended: asyncio.Future[Job[int]] = loop.create_future()
         jobs.start("Solving", work, ended.set_result)
-        return await asyncio.wait_for(ended, 10)
+        return await asyncio.wait_for(ended, 240)
 
     return asyncio.run(scenario())
 
@@ -56,10 +56,10 @@ def test_a_refusal_and_a_mistake_both_end_as_a_reason(bus: Bus) -> None:
 
 def test_one_job_at_a_time(bus: Bus) -> None:
     jobs, go_on = Jobs(bus), threading.Event()
-    jobs.start("Solving", lambda progress: go_on.wait(10), lambda job: None)
+    jobs.start("Solving", lambda progress: go_on.wait(240), lambda job: None)
     with pytest.raises(OperationError, match="Solving is still running"):
         jobs.start("Another", lambda progress: 1, lambda job: None)
     go_on.set()
-    jobs.wait(10)
+    jobs.wait(240)
     jobs.start("Another", lambda progress: 1, lambda job: None)
-    jobs.wait(10)
+    jobs.wait(240)

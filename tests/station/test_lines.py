@@ -48,7 +48,7 @@ def start_rig(simulation: SimulatedStation, bus: Bus, folder: Path) -> Rig:
     rig = Rig(bus, lambda: arm_driver("serial-encoder", options), simulation.sensor, folder)
     rig.arm.set_model(true_calibration(simulation, folder).arm)
     rig.start()
-    until(lambda: rig.arm.fresh and rig.sensor.fresh, 240)
+    until(lambda: rig.arm.fresh and rig.sensor.fresh)
     return rig
 
 
@@ -111,7 +111,7 @@ def test_lines_and_pictures_give_the_same_sphere(
     assert len(stripes) == results[0].frames
     assert not pictures
     assert records_of(results[1])[1]
-    assert isinstance(rig.sensor.frames.wait(lambda _: True, 10), Frame)
+    assert isinstance(rig.sensor.frames.wait(lambda _: True, 240), Frame)
 
     use = true_calibration(simulation, tmp_path)
     serials = SerialNumbers(arm=use.arm_serial, sensor=use.sensor_serial, object="B-1")
@@ -137,32 +137,32 @@ def test_captures_and_exposure_get_pictures_while_a_scan_has_lines(
     simulation: SimulatedStation, rig: Rig, scanner: Scanner
 ) -> None:
     assert simulation.operator.hold_over("block", 0)
-    until(lambda: rig.arm.stillness().still, 60)
+    until(lambda: rig.arm.stillness().still)
     scanner.start("lines")
-    until(lambda: is_line(rig), 60)
+    until(lambda: is_line(rig))
     taken = rig.capture_pair()
     assert taken.laser is not None
     assert taken.ambient.image.shape == taken.laser.image.shape
-    until(lambda: is_line(rig), 60)
+    until(lambda: is_line(rig))
     assert rig.sensor.auto_exposure() > 0
-    until(lambda: is_line(rig), 60)
+    until(lambda: is_line(rig))
     scanner.stop()
-    until(lambda: not is_line(rig), 60)
+    until(lambda: not is_line(rig))
 
 
 def test_a_sensor_that_comes_back_in_a_scan_sends_lines_again(
     simulation: SimulatedStation, rig: Rig, scanner: Scanner
 ) -> None:
     scanner.start("lines")
-    until(lambda: is_line(rig), 60)
+    until(lambda: is_line(rig))
     simulation.camera_faults.lost = True
-    until(lambda: rig.sensor.info is None, 30)
+    until(lambda: rig.sensor.info is None)
     rig.sensor.frames.clear()
     simulation.camera_faults.lost = False
-    until(lambda: rig.sensor.frames.newest is not None, 60)
-    until(lambda: is_line(rig), 60)
+    until(lambda: rig.sensor.frames.newest is not None)
+    until(lambda: is_line(rig))
     assert scanner.stop() is not None
-    until(lambda: not is_line(rig), 60)
+    until(lambda: not is_line(rig))
 
 
 def test_the_preview_draws_the_line_that_a_scan_gets(
@@ -173,9 +173,9 @@ def test_the_preview_draws_the_line_that_a_scan_gets(
     preview.start()
     try:
         with preview.watch():
-            until(lambda: preview.latest() is not None, 60)
+            until(lambda: preview.latest() is not None)
             scanner.start("lines")
-            until(lambda: (latest := preview.latest()) is not None and latest.header.stripe, 60)
+            until(lambda: (latest := preview.latest()) is not None and latest.header.stripe)
             latest = preview.latest()
             assert latest is not None
             assert (latest.header.width_px, latest.header.height_px) == (640, 512)
@@ -197,13 +197,13 @@ def test_a_sensor_of_lines_alone_scans_and_refuses_captures(bus: Bus, tmp_path: 
         try:
             scanner.set_calibration(true_calibration(simulation, tmp_path))
             assert simulation.operator.hold_over("block", 0)
-            until(lambda: rig.arm.stillness().still, 60)
+            until(lambda: rig.arm.stillness().still)
             for needs_picture in (rig.capture_pair, rig.sensor.auto_exposure):
                 with pytest.raises(OperationError) as caught:
                     needs_picture()
                 assert caught.value.code == "no-pictures"
             scanner.start("lines")
-            until(lambda: scanner.state().points > 1000, 60)
+            until(lambda: scanner.state().points > 1000)
             assert scanner.stop() is not None
         finally:
             scanner.close()

@@ -120,14 +120,14 @@ def test_the_object_is_found_in_the_live_picture_and_lost_with_its_reason(
     ambient = read_grey(session / "images/pose00_ambient.png")
     bench.picture = ambient
     preview.detect(read_block(session / "object.json"))
-    until(lambda: len(newest(preview).header.corners) > 8, 30)
+    until(lambda: len(newest(preview).header.corners) > 8)
     header = newest(preview).header
     assert header.width_px == ambient.shape[1]
     assert len(header.outline) > 10
     residuals = [corner.residual_px for corner in header.corners]
     assert max(r for r in residuals if r is not None) < 1.0
     bench.picture = np.full_like(ambient, 90)
-    until(lambda: not newest(preview).header.corners, 30)
+    until(lambda: not newest(preview).header.corners)
     assert any(finding.remedy for finding in newest(preview).header.findings)
     preview.detect(None)
     with preview.watch():
@@ -140,16 +140,16 @@ def test_what_was_found_goes_with_the_hold_that_it_was_found_in(
     session = samples / "one-pose"
     bench.picture = read_grey(session / "images/pose00_ambient.png")
     preview.detect(read_block(session / "object.json"))
-    until(lambda: len(newest(preview).header.corners) > 8, 30)
+    until(lambda: len(newest(preview).header.corners) > 8)
     began_s = time.monotonic()
     # 0.05 rad a second: between a picture and its search's end the camera is elsewhere
     bench.joints_at = lambda seconds: REST_RAD + 0.05 * (seconds + bench.start_s - began_s)
     until(lambda: newest(preview).header.corners == ())
-    passing = [newest(preview).header for _ in range(15)]
+    passing = [newest(preview).header for _ in range(8)]
     assert {(header.corners, header.outline) for header in passing} == {((), ())}
     held_s = time.monotonic()
     bench.joints_at = lambda seconds: REST_RAD + 0.05 * (held_s - began_s)
-    until(lambda: len(newest(preview).header.corners) > 8, 30)
+    until(lambda: len(newest(preview).header.corners) > 8)
     preview.detect(None)
 
 

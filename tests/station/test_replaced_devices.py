@@ -103,7 +103,7 @@ def test_an_arm_that_never_answers_gives_way_at_once(rig: Rig) -> None:
     with socket.create_server(("127.0.0.1", 0)) as silent, SimulatedStation() as simulation:
         url = f"socket://127.0.0.1:{silent.getsockname()[1]}"
         rig.use_arm(arm_factory("bridge", {"url": url, "timeout_s": 60.0}))
-        silent.settimeout(20.0)
+        silent.settimeout(240.0)
         connection, _ = silent.accept()
         with connection:
             rig.use_arm(arm_factory("bridge", {"url": simulation.arm_url}))
@@ -116,7 +116,7 @@ def test_a_station_ends_while_a_device_is_being_opened(tmp_path: Path) -> None:
         options: dict[str, object] = {"url": url, "timeout_s": 60.0}
         running = Rig(Bus(), arm_factory("bridge", options), no_device_factory("sensor"), tmp_path)
         running.start()
-        silent.settimeout(20.0)
+        silent.settimeout(240.0)
         connection, _ = silent.accept()
         with connection:
             running.stop()

@@ -26,13 +26,11 @@ def swing(seconds: float) -> np.ndarray:
 
 def test_both_devices_are_found_and_shown_with_their_rates(rig: Rig) -> None:
     ready(rig)
-    until(lambda: rig.devices().arm.rate_hz is not None)
+    until(lambda: rig.devices().arm.rate_hz == pytest.approx(500, rel=0.3))
+    until(lambda: (age_s := rig.devices().arm.age_s) is not None and age_s < 0.5)
     devices = rig.devices()
     assert (devices.arm.state, devices.sensor.state) == ("connected", "connected")
     assert "A-1" in str(devices.arm.text)
-    assert devices.arm.rate_hz == pytest.approx(500, rel=0.3)
-    assert devices.arm.age_s is not None
-    assert devices.arm.age_s < 0.5
     assert devices.tip_mm is not None
     assert devices.disk_free_gb > 0
 
@@ -72,12 +70,14 @@ def test_a_slow_sensor_is_lost_only_where_it_does_not_say_that_it_is_slow(
     bench.longest_gap_s, bench.frame_period_s = longest_gap_s, 1.2
     bench.sensor_plugged = True
     until(lambda: rig.sensor.fresh)
-    received = rig.sensor.link().received
-    states = set()
-    while rig.sensor.link().received < received + 2:
-        states.add(rig.sensor.link().state)
-        time.sleep(0.02)
-    assert ("lost" in states) == (longest_gap_s == 0.0)
+    if longest_gap_s:
+        received = rig.sensor.link().received
+        while (link := rig.sensor.link()).received < received + 2:
+            assert link.state == "connected"
+            time.sleep(0.02)
+    else:
+        until(lambda: rig.sensor.link().state == "lost")
+        until(lambda: rig.sensor.link().state == "connected")
     bench.sensor_plugged = False
     until(lambda: rig.sensor.link().state == "lost")
 
@@ -91,10 +91,10 @@ def test_losing_and_finding_a_device_is_reported_as_events(
         with bus.subscribe() as reader:
             while "sensor-lost" not in kinds:
                 bench.sensor_plugged = not rig.sensor.fresh and not bench.sensor_opened
-                kinds += [e.kind for e in (await asyncio.wait_for(reader.next(), 5)).events]
+                kinds += [e.kind for e in (await asyncio.wait_for(reader.next(), 240)).events]
             bench.sensor_plugged = True
             while kinds[-1] != "sensor-connected":
-                kinds += [e.kind for e in (await asyncio.wait_for(reader.next(), 5)).events]
+                kinds += [e.kind for e in (await asyncio.wait_for(reader.next(), 240)).events]
         bus.detach()
         return kinds
 
@@ -145,7 +145,7 @@ def test_an_arm_that_was_away_for_a_moment_is_not_called_still(rig: Rig, bench: 
     newest = rig.arm.latest()
     assert newest is not None
     bench.arm_silent = True
-    time.sleep(0.15)
+    until(lambda: bench.silent_reads >= 2)
     bench.arm_silent = False
     until(lambda: (now := rig.arm.latest()) and now.stamp_ns > newest.stamp_ns + 50_000_000)
     latest = rig.arm.latest()
@@ -157,7 +157,6 @@ def test_an_arm_that_was_away_for_a_moment_is_not_called_still(rig: Rig, bench: 
 
 def test_a_press_is_averaged_over_what_came_before_it(rig: Rig, bench: Bench) -> None:
     ready(rig)
-    time.sleep(0.1)
     newest = rig.arm.latest()
     assert newest is not None
     bench.joints_at = swing
@@ -175,7 +174,7 @@ def test_a_button_reaches_its_subscriber_on_the_event_loop(
         pressed: asyncio.Future[ButtonEvent] = loop.create_future()
         rig.arm.on_button = pressed.set_result
         bench.presses.append(Button.UNDO)
-        return await asyncio.wait_for(pressed, 5)
+        return await asyncio.wait_for(pressed, 240)
 
     ready(rig)
     event = asyncio.run(scenario())
@@ -190,12 +189,14 @@ def test_the_joints_at_a_frames_stamp_are_found(rig: Rig, bench: Bench) -> None:
     swinging_since_ns = now_ns()
     checked = 0
     while checked < 10:
-        (frame,) = ready_frames.get(1, 2.0)
-        if frame.mid_exposure_ns < swinging_since_ns:
+        (frame,) = ready_frames.get(1, 240.0)
+        at_ns = frame.mid_exposure_ns
+        if at_ns < swinging_since_ns:
             continue
-        q = rig.arm.at(frame.mid_exposure_ns)
+        until(lambda at_ns=at_ns: rig.arm.at(at_ns) is not None)  # type: ignore[misc]
+        q = rig.arm.at(at_ns)
         assert q is not None
-        truth = swing(frame.mid_exposure_ns / 1e9 - bench.start_s)
+        truth = swing(at_ns / 1e9 - bench.start_s)
         np.testing.assert_allclose(q, truth, atol=2e-6)
         checked += 1
 
@@ -228,10 +229,12 @@ def test_a_capture_is_refused_while_the_arm_moves(rig: Rig, bench: Bench) -> Non
 def test_a_capture_is_refused_when_the_arm_moved_meanwhile(rig: Rig, bench: Bench) -> None:
     ready(rig)
     bench.frame_period_s = 0.4
-    moves_from = time.monotonic() - bench.start_s + 0.35
+    since: list[float] = []
 
     def late_move(seconds: float) -> np.ndarray:
-        return REST_RAD + 0.01 * max(0.0, seconds - moves_from)
+        if bench.laser_on or since:  # between the two pictures
+            since.append(seconds)
+        return REST_RAD + 0.01 * (seconds - since[0] if since else 0.0)
 
     bench.joints_at = late_move
     with pytest.raises(OperationError) as refused:

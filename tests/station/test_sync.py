@@ -68,7 +68,7 @@ def test_a_late_arm_is_found_out_and_put_right(
     rig.start()
     scene = Scene(point_budget=100_000)
     scanner = Scanner(bus, rig, scene, tmp_path / "scans")
-    until(lambda: rig.arm.fresh and rig.sensor.fresh, 240)
+    until(lambda: rig.arm.fresh and rig.sensor.fresh)
     scanner.set_calibration(use)
     until(lambda: scanner.why_not() is None)
     scanner.start("pass")

@@ -43,7 +43,7 @@ def rig(simulation: SimulatedStation, bus: Bus, tmp_path: Path) -> Iterator[Rig]
     rig = Rig(bus, lambda: arm_driver("serial-encoder", options), sensors, tmp_path)
     rig.arm.set_model(true_calibration(simulation, tmp_path).arm)
     rig.start()
-    until(lambda: rig.arm.fresh and all(one.fresh for one in rig.sensors.values()), 240)
+    until(lambda: rig.arm.fresh and all(one.fresh for one in rig.sensors.values()))
     yield rig
     rig.stop()
     simulation.clear_faults()
@@ -124,9 +124,9 @@ def test_a_sensor_that_is_lost_names_itself_and_the_other_goes_on(
     scanner.start("one lost")
     assert all(sensor.laser_on for sensor in rig.sensors.values())
     simulation.second_camera_faults.lost = True
-    until(lambda: any("right" in str(one.text) for one in scanner.state().findings), 60)
+    until(lambda: any("right" in str(one.text) for one in scanner.state().findings))
     frames = scanner.state().frames
-    until(lambda: scanner.state().frames > frames + 3, 60)
+    until(lambda: scanner.state().frames > frames + 3)
     assert scanner.stop() is not None
     assert not any(sensor.laser_on for sensor in rig.sensors.values())
     error = scanner.why_not()
@@ -151,7 +151,7 @@ def test_each_scans_with_its_own_stored_exposure(
     known = ScanSettings(exposure_us=300.0).with_exposure_us("left", 700.0)
     scanner.set_settings(known.with_exposure_us("right", 900.0))
     scanner.start("exposures")
-    until(lambda: [one.exposure_us for one in rig.sensors.values()] == [700.0, 900.0], 60)
+    until(lambda: [one.exposure_us for one in rig.sensors.values()] == [700.0, 900.0])
     scanner.stop()
 
 
@@ -165,7 +165,7 @@ def test_zones_belong_to_the_sensor_in_whose_picture_they_were_drawn(
     )
     scanner.set_settings(ScanSettings(mask=everything))
     scan_id = scanner.start("zones")
-    until(lambda: scanner.state().points > 1000, 60)
+    until(lambda: scanner.state().points > 1000)
     scanner.stop()
     records = open_recording(tmp_path / "scans" / scan_id / "scan.mcap").records()
     points = {"left": 0, "right": 0}
@@ -184,7 +184,7 @@ def test_a_verification_scans_with_the_selected_sensor_alone(
     rig.select("right")
     folder = tmp_path / "verification" / "cloud-1"
     scanner.start("verification", into=folder)
-    until(lambda: scanner.state().points > 1000, 60)
+    until(lambda: scanner.state().points > 1000)
     assert not rig.sensors["left"].laser_on
     assert scanner.stop() is not None
     use = calibrations(simulation, tmp_path)["right"]
