@@ -1,5 +1,6 @@
 """An archive in an S3-compatible store that fails in every way."""
 
+import asyncio
 from collections.abc import Iterator
 from contextlib import suppress
 from pathlib import Path
@@ -8,6 +9,8 @@ import pytest
 
 pytest.importorskip("moto")
 pytest.importorskip("s3fs")
+
+import fsspec.asyn
 
 from app.archive.archive import Archive
 from app.archive.archive_settings import ArchiveSettings
@@ -23,6 +26,13 @@ from tests.archive.full_bucket import full_bucket
 pytestmark = pytest.mark.device
 LARGE = 6 << 20
 """Sent in two parts."""
+
+
+@pytest.fixture(scope="session", autouse=True)
+def loop_of_s3fs() -> None:
+    """s3fs runs one loop for all stores, and a thread that finds hosts, for good."""
+    loop = fsspec.asyn.get_loop()
+    asyncio.run_coroutine_threadsafe(loop.getaddrinfo("127.0.0.1", 1), loop).result()
 
 
 @pytest.fixture(scope="module")

@@ -91,7 +91,7 @@ def sending(webhook: Webhook, act: Callable[[], Awaitable[None]]) -> None:
     async def run() -> None:
         running = asyncio.create_task(webhook.run())
         try:
-            await asyncio.wait_for(act(), 10.0)
+            await asyncio.wait_for(act(), 240.0)
         finally:
             running.cancel()
             await asyncio.gather(running, return_exceptions=True)
@@ -206,7 +206,7 @@ def test_an_answer_that_never_ends_holds_nobody_up(monkeypatch: pytest.MonkeyPat
     """One receiver talks on for ever, the other begins to answer and never gets to the point."""
     monkeypatch.setattr(webhook_module, "ANSWER_S", 0.5)
 
-    def drip(words: bytes, more: bytes) -> tuple[socket.socket, str]:
+    def drip(words: bytes, more: bytes) -> tuple[socket.socket, threading.Thread]:
         listening = socket.create_server(("127.0.0.1", 0))
 
         def serve() -> None:
@@ -220,14 +220,16 @@ def test_an_answer_that_never_ends_holds_nobody_up(monkeypatch: pytest.MonkeyPat
                             connection.sendall(more)
                             time.sleep(0.05)
 
-        threading.Thread(target=serve, daemon=True).start()
-        return listening, f"http://127.0.0.1:{listening.getsockname()[1]}/"
+        thread = threading.Thread(target=serve, daemon=True)
+        thread.start()
+        return listening, thread
 
     for words, sent, trouble in (
         (b"HTTP/1.1 200 OK\r\n\r\n", 1, ""),
         (b"HTTP/1.1 200 OK\r\nX: ", 0, "no answer within 0 s"),
     ):
-        listening, url = drip(words, b"x" * 100)
+        listening, serving = drip(words, b"x" * 100)
+        url = f"http://127.0.0.1:{listening.getsockname()[1]}/"
         webhook = Webhook(WebhookSettings(url=url), PAUSES_S[:1])
 
         async def act(webhook: Webhook = webhook) -> None:
@@ -235,6 +237,8 @@ def test_an_answer_that_never_ends_holds_nobody_up(monkeypatch: pytest.MonkeyPat
             await until(lambda: webhook.sent + webhook.failed)
 
         sending(webhook, act)
+        listening.shutdown(socket.SHUT_RDWR)
+        serving.join()
         listening.close()
         assert (webhook.sent, str(webhook.trouble)) == (sent, trouble)
 
