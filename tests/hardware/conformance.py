@@ -11,6 +11,7 @@ import threading
 import time
 from abc import ABC, abstractmethod
 from collections.abc import Callable
+from typing import Protocol, TypeVar
 
 import numpy as np
 import pytest
@@ -41,6 +42,9 @@ LONG_S = 120.0
 
 STALE_NS = 30 * 10**9
 """What arrives first may have waited for so long; the clocks of devices are off by much more."""
+
+
+InfoT_co = TypeVar("InfoT_co", covariant=True)
 
 
 class ArmBench(ABC):
@@ -330,7 +334,7 @@ class ArmConformance:
         with pytest.raises(DeviceError):
             driver.open()
         bench.plug_in()
-        driver.open()
+        open_in_time(driver)
         read_until(driver, lambda got: len(got) > 3)
         driver.close()
 
@@ -651,8 +655,14 @@ def read_past(driver: SensorDriver, sequence: int) -> set[int]:
     return seen
 
 
-def open_in_time(driver: SensorDriver) -> SensorInfo:
-    """Opens a device that may still be busy with its last user."""
+class Opens(Protocol[InfoT_co]):
+    """An arm or a sensor."""
+
+    def open(self) -> InfoT_co: ...
+
+
+def open_in_time(driver: Opens[InfoT_co]) -> InfoT_co:
+    """Opens a device that may still be busy with its last user, or be on its way back."""
     deadline = time.monotonic() + LONG_S
     while True:
         try:

@@ -1,7 +1,6 @@
 """The simulated arm in front of the real serial driver, with and without faults."""
 
 import os
-import time
 from collections.abc import Iterator
 
 import numpy as np
@@ -61,11 +60,9 @@ class SimulatedArmBench(ArmBench):
 
     def unplug(self) -> None:
         self.faults.unplugged = True
-        time.sleep(0.1)
 
     def plug_in(self) -> None:
         self.faults.unplugged = False
-        time.sleep(0.1)
 
     def silence(self, silent: bool) -> None:
         self.faults.stalled = silent

@@ -10,7 +10,6 @@ import struct
 import subprocess
 import sys
 import threading
-import time
 from collections.abc import Iterator
 
 import numpy as np
@@ -62,11 +61,9 @@ class RtdeBench(ArmBench):
 
     def unplug(self) -> None:
         self.server.faults.unplugged = True
-        time.sleep(0.05)
 
     def plug_in(self) -> None:
         self.server.faults.unplugged = False
-        time.sleep(0.05)
 
     def silence(self, silent: bool) -> None:
         self.server.faults.silent = silent
