@@ -120,4 +120,5 @@ def _run(
 
         main()
     else:
+        sys.modules.pop(module, None)  # what was imported before is run again
         runpy.run_module(module, run_name="__main__")

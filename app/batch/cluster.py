@@ -19,6 +19,8 @@ if TYPE_CHECKING:
 CONNECT_S = 5.0
 CLOSE_S = 5.0
 PAUSE_S = 1.0
+SCRATCH = "temporary-directory"
+"""Of Dask: where its scheduler puts a folder that it leaves behind."""
 NO_PAGES = "127.0.0.1:0"
 SECURE_SCHEMES = ("tls", "wss")
 SCHEMES = ("tcp", "ws", *SECURE_SCHEMES)
@@ -54,17 +56,20 @@ class LocalWorkers:
 
     def __init__(self, count: int) -> None:
         dask = _load_dask()
+        from dask import config
+
         self.threads = max((os.cpu_count() or 1) // count, 1)
         self._folder = TemporaryDirectory(prefix="crenel-workers-")
-        self._cluster: LocalCluster = dask.LocalCluster(
-            n_workers=count,
-            threads_per_worker=1,
-            processes=True,
-            host="127.0.0.1",
-            dashboard_address="127.0.0.1:0",
-            local_directory=self._folder.name,
-            silence_logs=logging.CRITICAL,
-        )
+        with config.set({SCRATCH: self._folder.name}):
+            self._cluster: LocalCluster = dask.LocalCluster(
+                n_workers=count,
+                threads_per_worker=1,
+                processes=True,
+                host="127.0.0.1",
+                dashboard_address="127.0.0.1:0",
+                local_directory=self._folder.name,
+                silence_logs=logging.CRITICAL,
+            )
         self.client: Client = dask.Client(self._cluster, set_as_default=False)
 
     def reconnect(self, say: Callable[[Text], None]) -> None:
@@ -94,7 +99,7 @@ class OwnWorker:
 
         self.threads = os.cpu_count() or 1
         routes = [f"distributed.{one}.http.routes" for one in ("scheduler", "worker")]
-        with config.set(dict.fromkeys(routes, ())):
+        with config.set({**dict.fromkeys(routes, ()), SCRATCH: str(scratch)}):
             self._cluster: LocalCluster = dask.LocalCluster(
                 n_workers=1,
                 threads_per_worker=1,

@@ -38,6 +38,7 @@ __all__ = ["fork_server"]
 T = TypeVar("T")
 PATIENCE_S = 240.0
 """For everything that is waited for: a machine with other work takes long."""
+PRESS_S = 20.0
 LOOK_S = 0.15
 """How often a test looks whether a view is as wanted: each look costs station and test time."""
 QUICK_HASHER = PasswordHasher(time_cost=1, memory_cost=64)
@@ -53,6 +54,15 @@ def wait_for(read: Callable[[], T], ready: Callable[[T], object]) -> T:
         assert time.monotonic() < deadline, value
         time.sleep(LOOK_S)
     return value
+
+
+def comes(condition: Callable[[], object]) -> bool:
+    """Whether something comes of a press of the arm's button, which an arm that was lost for a
+    moment does not pass on: it is pressed again then."""
+    deadline = time.monotonic() + PRESS_S
+    while not condition() and time.monotonic() < deadline:
+        time.sleep(LOOK_S)
+    return bool(condition())
 
 
 def until_closed(socket: Connection) -> int:

@@ -15,7 +15,7 @@ from app.formats.datasheets.gauge import read_gauge
 from app.guide.performance.sphere.places import POLE
 from app.metrology.performance.pattern import RIM_DEG, pattern_directions
 from tests.api.calibrated import use_truth
-from tests.api.conftest import LOOK_S, Server, run_command, wait_for
+from tests.api.conftest import LOOK_S, Server, comes, run_command, wait_for
 from tests.formats.certificates import DIAMETER, FORM, certificate, quantity, real
 from tests.sent_texts import english
 
@@ -58,7 +58,7 @@ class Desk:
         with guide.lock:
             before, declined = len(guide.state.touches), guide.declined
         assert touch()
-        wait_for(lambda: (len(guide.state.touches) > before, guide.declined > declined), any)
+        comes(lambda: len(guide.state.touches) > before or guide.declined > declined)
         return len(guide.state.touches) > before
 
     def touch(self, place: int) -> View:
@@ -167,8 +167,8 @@ def test_the_coverage_grows_while_a_scan_runs(desk: Desk) -> None:
     found = counts_of(desk.wait(is_in("done", 1)))
     drawn, measured = (sum(points for points, _ in each) for each in (growing[-1], found))
     assert 0.5 * measured < drawn < 1.1 * measured  # the last look may have been too early for all
-    for view in watch_scan(desk, 2):
-        assert all(new >= old for old, new in zip(found, counts_of(view), strict=True))
+    view = desk.wait(is_in("scanning", 2))
+    assert all(new >= old for old, new in zip(found, counts_of(view), strict=True))
 
 
 def test_a_cancelled_test_is_listed_with_its_reason(desk: Desk) -> None:

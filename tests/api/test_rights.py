@@ -53,6 +53,12 @@ def tokens(server: Server) -> Iterator[dict[str, str]]:
         server.do("abandon")
 
 
+@pytest.fixture(scope="module")
+def stranger(server: Server) -> Iterator[httpx.Client]:
+    with httpx.Client(base_url=server.address, timeout=PATIENCE_S) as http:
+        yield http
+
+
 def cookie(server: Server, token: str) -> dict[str, str]:
     return {"Cookie": f"{cookie_for(server.port)}={token}"} if token else {}
 
@@ -76,24 +82,23 @@ def test_every_route_is_authorised_first(server: Server) -> None:
 
 @pytest.mark.parametrize(("method", "path"), HTTP)
 def test_a_route_lets_in_whom_it_should(
-    server: Server, tokens: dict[str, str], method: str, path: str
+    server: Server, stranger: httpx.Client, tokens: dict[str, str], method: str, path: str
 ) -> None:
     right = ROUTES[method, path].right
     address = re.sub(r"{[^}]+}", "nothing", path)
-    with httpx.Client(base_url=server.address, timeout=20.0, verify=False) as http:
-        for who in WHO:
-            if (method, path) == ("DELETE", "/api/session") and who != "nobody":
-                continue  # it ends the very sign-in, which tests/api/test_session.py looks at
-            answer = http.request(
-                method, address, headers=cookie(server, tokens[who]), json={"neither": "nor"}
-            )
-            code = answer.json()["code"] if is_problem(answer) else ""
-            if who in MAY[right]:
-                assert code not in ("signed-out", "role", "not-allowed"), (who, answer.text)
-                assert answer.status_code != 500
-            else:
-                expected = (401, "signed-out") if who == "nobody" else (403, "role")
-                assert (answer.status_code, code) == expected, who
+    stranger.cookies.clear()
+    for who in WHO:
+        if (method, path) == ("DELETE", "/api/session") and who != "nobody":
+            continue  # it ends the very sign-in, which tests/api/test_session.py looks at
+        headers = cookie(server, tokens[who])
+        answer = stranger.request(method, address, headers=headers, json={"neither": "nor"})
+        code = answer.json()["code"] if is_problem(answer) else ""
+        if who in MAY[right]:
+            assert code not in ("signed-out", "role", "not-allowed"), (who, answer.text)
+            assert answer.status_code != 500
+        else:
+            expected = (401, "signed-out") if who == "nobody" else (403, "role")
+            assert (answer.status_code, code) == expected, who
 
 
 def is_problem(answer: httpx.Response) -> bool:

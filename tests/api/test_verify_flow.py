@@ -27,7 +27,7 @@ from app.workflows.measure_gauge import filters_of
 from hardware.clock import now_ns
 from hardware.interfaces import Button
 from tests.api.calibrated import use_truth
-from tests.api.conftest import PATIENCE_S, Server, run_command, wait_for
+from tests.api.conftest import PATIENCE_S, Server, comes, run_command, wait_for
 from tests.sent_texts import english
 
 pytestmark = pytest.mark.device
@@ -219,7 +219,7 @@ def test_touches_come_from_the_button_and_are_taken_back(desk: Desk) -> None:
         if taken == 4:
             break
         assert operator.touch_gauge("plate", taken + 10 * (attempt - taken))
-        wait_for(lambda: len(guide.state.touches) > taken or guide.declined > declined, bool)  # noqa: B023
+        comes(lambda: len(guide.state.touches) > taken or guide.declined > declined)  # noqa: B023
     view = desk.view()
     assert view["number"]["value"] < 30
     assert view["picture"]["touches"][3]["x_mm"] is not None

@@ -1,4 +1,4 @@
-"""The demo as a newcomer starts it, and a real browser to look at it with."""
+"""A simulated station, and a real browser to look at it with."""
 
 import os
 import re
@@ -7,17 +7,28 @@ import signal
 import subprocess
 import sys
 import threading
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
+from typing import Any, TypeVar
+from unittest.mock import patch
 
 import pytest
-from playwright.sync_api import Browser, Page, expect, sync_playwright
+from playwright.sync_api import Browser, BrowserContext, Page, expect, sync_playwright
 
-expect.set_options(timeout=30_000)  # the station and the browser share the machine with other tests
+from app.bench.faults.served import HALF_SIZE
+from tests.forked import ForkedProgram, fork_server
+
+__all__ = ["fork_server"]
+
+PATIENCE_S = 240
+"""For everything that is waited for: station and browser share the machine with other tests."""
+expect.set_options(timeout=1000 * PATIENCE_S)
 
 ROOT = Path(__file__).resolve().parents[2]
-START_UP_S = 60
-"""The first start compiles the inner loops, on a busy machine for minutes."""
+T = TypeVar("T", Page, BrowserContext)
+NEWCOMER = (sys.executable, "-c", "from app.cli.main import main; main()", "demo", "--no-open")
+"""Begins the demonstration as people do."""
 # software rendering, and none of the browser's own talk to the outside
 CHROMIUM_FLAGS = [
     "--no-sandbox",
@@ -33,49 +44,68 @@ CHROMIUM_FLAGS = [
 ]
 
 
-@pytest.fixture(scope="module")
+@pytest.fixture(scope="package")
 def browser() -> Iterator[Browser]:
     """Debian's chromium; where it is missing the tests skip, except in CI.
 
-    Closed with its module: while it runs, no other test of this thread may run a loop.
+    Closed with the last of these tests: while it runs, this thread may run no other loop.
     """
     path = shutil.which("chromium") or shutil.which("chromium-browser")
     if path is None:
         if os.environ.get("CI"):
             pytest.fail("chromium is not installed, and CI must run the browser tests")
         pytest.skip("chromium is not installed")
-    with sync_playwright() as playwright:
+    with (
+        patch.multiple(
+            Browser, new_page=patient(Browser.new_page), new_context=patient(Browser.new_context)
+        ),
+        ThreadPoolExecutor(1, "browser") as files,
+        sync_playwright() as playwright,
+    ):
+        files.submit(int).result()  # its thread is not left by the test that first writes a file
+        playwright._loop.set_default_executor(files)
         running = playwright.chromium.launch(executable_path=path, args=CHROMIUM_FLAGS)
         yield running
         running.close()
+
+
+def patient(opened: Callable[..., T]) -> Callable[..., T]:
+    """What is opened waits as long as the tests do."""
+
+    def open_patient(*arguments: Any, **options: Any) -> T:
+        made = opened(*arguments, **options)
+        made.set_default_timeout(1000 * PATIENCE_S)
+        return made
+
+    return open_patient
 
 
 QUIET = ("app.monitoring.loop_watchdog", "app.operations.publishers")
 
 
 class Demo:
-    """``crenel demo`` in a process of its own, or another command that begins as it does.
+    """A simulated station in a process of its own, or another program that begins as it does.
 
-    ``patient``: waits until it is ready, not only for its first page.
+    Args:
+        command: a module and its arguments, for a process that begins in a moment, or the whole
+            command of another; the bench's station, without one.
+        patient: waits until it is ready, not only for its first page.
     """
 
     def __init__(self, data: Path, command: Sequence[str] = (), patient: bool = True) -> None:
         self.data = data
-        self.process = subprocess.Popen(
-            command
-            or [
-                *(sys.executable, "-c", "from app.cli.main import main; main()"),
-                *("demo", "--no-open", "--port", "0", "--data", str(data)),
-            ],
-            cwd=ROOT,
-            stdout=subprocess.PIPE,
-            stderr=subprocess.PIPE,
-            text=True,
+        first, *arguments = command or ("app.bench.faults.served", str(data), *HALF_SIZE)
+        self.process: ForkedProgram | subprocess.Popen[str] = (
+            subprocess.Popen(
+                command, cwd=ROOT, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
+            )
+            if first == sys.executable
+            else ForkedProgram(first, arguments)
         )
         self.errors: list[str] = []
         self.listener = threading.Thread(target=self._listen, daemon=True)
         self.listener.start()
-        watchdog = threading.Timer(START_UP_S, self.process.kill)
+        watchdog = threading.Timer(PATIENCE_S, self.process.kill)
         watchdog.start()
         assert self.process.stdout is not None
         output = ""
@@ -111,18 +141,18 @@ class Demo:
         if self.process.poll() is None:
             self.process.send_signal(signal.SIGINT)
         try:
-            return self.process.wait(20)
+            return self.process.wait(PATIENCE_S)
         except subprocess.TimeoutExpired:
             self.process.kill()
             raise
         finally:
-            self.listener.join(5)
+            self.listener.join(PATIENCE_S)
             assert self.process.stdout is not None
             self.process.stdout.close()
 
 
 @pytest.fixture(scope="module")
-def demo(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Demo]:
+def demo(fork_server: None, tmp_path_factory: pytest.TempPathFactory) -> Iterator[Demo]:
     running = Demo(tmp_path_factory.mktemp("demo") / "data")
     yield running
     running.end()
@@ -144,7 +174,7 @@ def screenshots(request: pytest.FixtureRequest, pictures: Path) -> Path | None:
 
 
 def wait_in_page(page: Page, condition: str, argument: object = None) -> None:
-    """Wait until a function of JavaScript is true in the page; for 30 s at most.
+    """Wait until a function of JavaScript is true in the page.
 
     ``page.wait_for_function`` evaluates text again at each look, which the station's policy for
     content forbids as soon as the first look is not enough.
@@ -152,9 +182,9 @@ def wait_in_page(page: Page, condition: str, argument: object = None) -> None:
     page.evaluate(
         f"""async argument => {{
           const condition = {condition};
-          const end = Date.now() + 30000;
+          const end = Date.now() + {1000 * PATIENCE_S};
           while (!condition(argument)) {{
-            if (Date.now() > end) throw new Error("not true within 30 s");
+            if (Date.now() > end) throw new Error("not true for minutes");
             await new Promise(resolve => setTimeout(resolve, 20));
           }}
         }}""",

@@ -1,7 +1,6 @@
 """A newcomer's path through the demo, in a real browser: a simulated calibration, then scanning."""
 
 import re
-import sys
 from collections.abc import Iterator
 from functools import partial
 from pathlib import Path
@@ -41,14 +40,11 @@ def look_at_the_record(visit: Visit) -> None:
 def demo(tmp_path: Path) -> Iterator[Demo]:
     """The demonstration with a simulated operator that is eight times as quick."""
     data = tmp_path / "data"
-    running = Demo(
-        data, [sys.executable, "-m", "tests.e2e.quick_station", str(data), "--width", "800"]
-    )
+    running = Demo(data, ("tests.e2e.quick_station", str(data), "--width", "800"))
     yield running
     running.end()
 
 
-@pytest.mark.timeout(900)
 def test_the_whole_path_from_the_first_page_to_a_saved_cloud(
     demo: Demo, browser: Browser, screenshots: Path | None, tmp_path: Path
 ) -> None:
@@ -129,10 +125,10 @@ def verify(visit: Visit) -> None:
     assert found["verdict"]["result"] != "fail", found["figures"]
     assert len(found["clouds"]) >= 3
     page.get_by_role("button", name="Accept this verification").click()
-    expect(page.get_by_role("button", name="Scan the part")).to_be_visible(timeout=10_000)
+    expect(page.get_by_role("button", name="Scan the part")).to_be_visible()
     page.get_by_text("Calibrations", exact=True).first.click()
     page.get_by_role("button", name="Rebuild with").click()
-    expect(page.get_by_role("img", name="Angle between the normals")).to_be_visible(timeout=60_000)
+    expect(page.get_by_role("img", name="Angle between the normals")).to_be_visible()
     visit.look("verify-calibrations")
     page.get_by_role("button", name="Scan the part").click()
 
@@ -162,11 +158,11 @@ def scan(visit: Visit, folder: Path) -> None:
     page = visit.page
     page.get_by_role("link", name="Scan").click()
     start = page.get_by_role("button", name="Start scan")
-    expect(start).to_be_enabled(timeout=20_000)
+    expect(start).to_be_enabled()
     visit.look("scan-ready")
     start.click()
     page.get_by_role("button", name="Let the simulated operator do it").click()
-    visit.wait_until("scanning", "/api/scan", lambda scan: scan["points"] > 30000)
+    visit.wait_until("scanning", "/api/scan", lambda scan: scan["points"] > 10000)
     visit.look("scanning")
     page.get_by_role("button", name="Stop the scan").click()
     visit.wait_until("stopping", "/api/scan", lambda scan: scan["state"] == "idle")
@@ -180,7 +176,7 @@ def scan(visit: Visit, folder: Path) -> None:
     saved = folder / "cloud.ply"
     download.value.save_as(saved)
     points = read_cloud(saved).points_mm
-    assert len(points) > 30000
+    assert len(points) > 10000
     assert np.isfinite(points).all()
 
 

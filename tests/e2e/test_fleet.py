@@ -145,7 +145,7 @@ def test_a_search_that_takes_long_shows_it_and_is_tried_again(page: Page, pictur
         assert page.evaluate("document.documentElement.scrollWidth") == width
     held.pop().abort()
     page.unroute(SEARCHES)
-    expect(listed).to_have_attribute("aria-busy", "false", timeout=20_000)
+    expect(listed).to_have_attribute("aria-busy", "false")
     expect(page.get_by_text("Searching…")).to_have_count(0)
     expect(rows.first).to_contain_text("Sphere")
     expect(rows.first).to_have_css("opacity", "1")
@@ -169,8 +169,8 @@ def test_a_cloud_is_made_with_todays_calibration_and_downloaded(
         part.get_by_role("button", name="Make cloud").click()
         expect(part.get_by_text(f"The cloud with {clouds.TODAYS} is being made")).to_be_visible()
         page.screenshot(path=pictures / "fleet-cloud-being-made.png")
-        with page.expect_download(timeout=120_000) as begun:  # a process begins and makes it
-            part.get_by_role("link", name="Download").click(timeout=120_000)
+        with page.expect_download() as begun:  # a process begins and makes it
+            part.get_by_role("link", name="Download").click()
         assert begun.value.path().read_bytes()[:4] == b"LASF"
         assert begun.value.suggested_filename.endswith(".copc.laz")
         expect(part.get_by_text("It is made already")).to_be_visible()
@@ -198,7 +198,7 @@ def choose_for_each_sensor(page: Page, pictures: Path) -> None:
     other = part.get_by_label("Calibration, sensor S-2")
     expect(other.locator("option:checked")).to_have_text("Of the day of the scan")
     part.get_by_role("button", name="Make cloud").click()
-    expect(part.get_by_role("link", name="Download")).to_be_visible(timeout=120_000)
+    expect(part.get_by_role("link", name="Download")).to_be_visible()
     expect(part.get_by_role("row").last).to_contain_text(f"{clouds.TODAYS}, {clouds.FOREIGN}")
     for width, language in ((1280, "English"), (820, "English"), (820, "Deutsch")):
         page.set_viewport_size({"width": width, "height": 900})
@@ -309,7 +309,7 @@ def test_a_person_signs_in_with_the_provider_and_out_again(
             button.click()
             page.locator("input[name=sub]").first.fill("1")
             page.get_by_role("button", name="Authorize").first.click()
-            expect(page.get_by_text("Anna")).to_be_visible(timeout=20_000)
+            expect(page.get_by_text("Anna")).to_be_visible()
             expect(page.get_by_role("heading", name="room-1")).to_be_visible()
             assert page.url == f"http://127.0.0.1:{port}/"
             page.get_by_role("button", name="Sign out").click()

@@ -1,7 +1,6 @@
 """German and inch in a real browser: chosen in the bar, remembered, and exact where typed."""
 
 import json
-from collections.abc import Iterator
 from fractions import Fraction
 from pathlib import Path
 from typing import Any
@@ -18,24 +17,17 @@ TYPED = ("0.5", "0.0123", "0.1", "0.000787", ".02", "0.0000393701")
 """With a point; German fields take a comma, too."""
 
 
-@pytest.fixture(scope="module")
-def station(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Demo]:
-    running = Demo(tmp_path_factory.mktemp("language") / "data")
-    yield running
-    running.end()
-
-
-def test_words_and_lengths_change_and_stay(browser: Browser, station: Demo, pictures: Path) -> None:
+def test_words_and_lengths_change_and_stay(browser: Browser, demo: Demo, pictures: Path) -> None:
     page = browser.new_page(viewport={"width": 1180, "height": 820}, locale="en-US")
     faults: list[str] = []
     page.on("pageerror", lambda error: faults.append(str(error)))
-    page.goto(station.link)
+    page.goto(demo.link)
     html = page.locator("html")
     expect(html).to_have_attribute("lang", "en")
     page.get_by_role("link", name="Calibrate").click()
     page.get_by_role("button", name="Start calibration").click()
     page.get_by_role("button", name="Let the simulated operator do it").click()
-    expect(page.get_by_text("44.000 × 24.000 × 27.000 mm, 4 merlons")).to_be_visible(timeout=30_000)
+    expect(page.get_by_text("44.000 × 24.000 × 27.000 mm, 4 merlons")).to_be_visible()
     page.get_by_role("button", name="Language and units").click()
     page.get_by_role("button", name="inch").click()
     expect(page.get_by_text("1.73228 × 0.94488 × 1.06299 in, 4 merlons")).to_be_visible()
@@ -48,7 +40,7 @@ def test_words_and_lengths_change_and_stay(browser: Browser, station: Demo, pict
     page.keyboard.press("Escape")
 
     page.get_by_role("button", name="Simulierten Bediener starten").click()
-    expect(page.get_by_role("heading", name="Objekt antasten")).to_be_visible(timeout=30_000)
+    expect(page.get_by_role("heading", name="Objekt antasten")).to_be_visible()
     expect(page.get_by_role("button", name="Punkt aufnehmen")).to_be_visible()
     expect(page.get_by_text("An den Ringen antasten.")).to_be_visible()
     expect(page.get_by_text("Schritt 3 von 7").first).to_be_visible()
@@ -100,19 +92,19 @@ def ask(page: Page, path: str) -> Any:
     return json.loads(page.evaluate("path => fetch(path).then(answer => answer.text())", path))
 
 
-def test_a_link_may_ask_for_its_language(browser: Browser, station: Demo) -> None:
+def test_a_link_may_ask_for_its_language(browser: Browser, demo: Demo) -> None:
     page = browser.new_page(locale="en-US")
-    page.goto(f"{station.address}?lang=de#wall=nonsense")
+    page.goto(f"{demo.address}?lang=de#wall=nonsense")
     expect(page.get_by_role("heading", name="Die Station mit dem Link öffnen")).to_be_visible()
-    assert page.url == station.address
+    assert page.url == demo.address
     page.reload()
     expect(page.get_by_role("heading", name="Die Station mit dem Link öffnen")).to_be_visible()
     page.context.close()
 
 
-def test_a_browser_brings_its_language_along(browser: Browser, station: Demo) -> None:
+def test_a_browser_brings_its_language_along(browser: Browser, demo: Demo) -> None:
     page = browser.new_page(locale="de-AT")
-    page.goto(station.address)
+    page.goto(demo.address)
     expect(page.get_by_role("heading", name="Die Station mit dem Link öffnen")).to_be_visible()
     page.get_by_role("button", name="English", exact=True).click()
     expect(page.get_by_role("heading", name="Open the station with its link")).to_be_visible()

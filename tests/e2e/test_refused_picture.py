@@ -30,7 +30,7 @@ def take_refused_picture(page: Page) -> None:
     page.get_by_role("button", name="Use these").click()
     for step in ("Continue", "The object is in the picture", "Take the picture"):
         button = page.get_by_role("button", name=step)
-        expect(button).to_be_enabled(timeout=30_000)
+        expect(button).to_be_enabled()
         button.click()
 
 
@@ -42,7 +42,7 @@ def test_a_refused_picture_is_explained_and_saved(
     page.goto(demo.link)
     take_refused_picture(page)
     save = page.get_by_role("link", name="Save for support")
-    expect(save).to_be_visible(timeout=30_000)
+    expect(save).to_be_visible()
     for name, (width, height) in SIZES.items():
         page.set_viewport_size({"width": width, "height": height})
         page.wait_for_timeout(400)

@@ -1,6 +1,5 @@
 """A recording shown again in a real browser, from the link that the command prints."""
 
-import sys
 from pathlib import Path
 
 import pytest
@@ -10,6 +9,7 @@ from tests.cli.test_replay import scan
 from tests.datasheets import write_arm
 from tests.e2e.conftest import Demo
 from tests.e2e.visit import Visit
+from tests.forked import COMMAND_LINE
 from tests.formats.builders import ARM
 from tests.formats.test_documents import calibration_file
 
@@ -22,8 +22,7 @@ def test_the_replay_is_the_first_page(
     calibration_file().write(tmp_path / "calibration.json")
     write_arm(tmp_path / "arm.json", ARM)
     recording = str(scan(tmp_path / "scan.mcap", images=True))
-    replay = ("replay", recording, "--no-open", "--port", "0")
-    demo = Demo(tmp_path, [sys.executable, "-c", "from app.cli.main import main; main()", *replay])
+    demo = Demo(tmp_path, (COMMAND_LINE, "replay", recording, "--no-open", "--port", "0"))
     try:
         visit = Visit(browser.new_page(viewport={"width": 1024, "height": 768}), screenshots)
         visit.page.goto(demo.link)

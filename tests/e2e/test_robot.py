@@ -1,6 +1,5 @@
 """A robot station in a real browser: board calibration, scan and verification, by RTDE."""
 
-import sys
 from collections.abc import Iterator
 from functools import partial
 from pathlib import Path
@@ -20,13 +19,13 @@ def robot(tmp_path: Path) -> Iterator[Demo]:
     data = tmp_path / "data"
     running = Demo(
         data,
-        [sys.executable, "-m", "tests.e2e.quick_station", str(data), "--width", "800", "--robot"],
+        ("tests.e2e.quick_station", str(data), "--width", "800", "--robot"),
     )
     yield running
     running.end()
 
 
-@pytest.mark.timeout(900)
+@pytest.mark.soak
 def test_a_robot_station_from_the_first_page_to_a_verification(
     robot: Demo, browser: Browser, screenshots: Path | None
 ) -> None:
@@ -65,10 +64,10 @@ def test_a_robot_station_from_the_first_page_to_a_verification(
     visit.look("verified")
     assert visit.ask("/api/verify")["picture"]["verdict"]["result"] != "fail"
     page.get_by_role("button", name="Accept this verification").click()
-    expect(page.get_by_role("button", name="Scan the part")).to_be_visible(timeout=10_000)
+    expect(page.get_by_role("button", name="Scan the part")).to_be_visible()
     page.get_by_role("button", name="Scan the part").click()
     start = page.get_by_role("button", name="Start scan")
-    expect(start).to_be_enabled(timeout=20_000)
+    expect(start).to_be_enabled()
     start.click()
     page.get_by_role("button", name="Let the simulated operator do it").click()
     visit.wait_until("scanning", "/api/scan", lambda scan: scan["points"] > 10_000)

@@ -19,7 +19,7 @@ def test_a_zone_is_drawn_pulled_undone_and_kept(
     page.goto(demo.link)
     page.get_by_role("link", name="Settings").click()
     editor = page.get_by_role("group", name="Zones without measurement")
-    expect(editor).to_be_visible(timeout=30_000)
+    expect(editor).to_be_visible()
     page.get_by_role("button", name="Draw a zone").click()
     expect(page.get_by_text("Press on the picture and drag to draw the zone.")).to_be_visible()
     box = editor.bounding_box()
@@ -52,7 +52,7 @@ def test_a_zone_is_drawn_pulled_undone_and_kept(
     page.get_by_label("If several lines cross a column").select_option("first")
     visit.wait_until("chosen", "/api/settings", lambda now: now["choice"] == "first")
     page.reload()
-    expect(page.get_by_label("Threshold")).to_have_value("25", timeout=30_000)
+    expect(page.get_by_label("Threshold")).to_have_value("25")
     page.screenshot(path=pictures / "settings.png")
     # the answer that refused is the browser's own word, too
     assert [fault for fault in visit.faults if "422" not in fault] == []

@@ -1,7 +1,6 @@
 """People sign in with accounts of a provider on another site, as a browser sees it."""
 
 import re
-import sys
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -11,6 +10,7 @@ from playwright.sync_api import Browser, Page, expect
 from app.store.accounts import Role
 from app.store.store import Store
 from tests.e2e.conftest import Demo
+from tests.forked import COMMAND_LINE
 from tests.single_sign_on.mock_provider import SIGN_IN, MockProvider, free_port, mock_provider
 
 pytestmark = pytest.mark.device
@@ -45,8 +45,7 @@ def station(provider: MockProvider, tmp_path_factory: pytest.TempPathFactory) ->
     issuer = provider.issuer.replace("127.0.0.1", "localhost")
     config = folder / "station.toml"
     config.write_text(STATION.format(issuer=issuer, client=provider.client_id))
-    program = (sys.executable, "-c", "from app.cli.main import main; main()")
-    command = (*program, "serve", "--config", str(config), "--port", str(port))
+    command = (COMMAND_LINE, "serve", "--config", str(config), "--port", str(port))
     running = Demo(folder / "data", command)
     yield running
     running.end()
@@ -68,7 +67,7 @@ def test_a_person_signs_in_where_they_were_and_out_at_the_provider(
     page.screenshot(path=pictures / "sign-in-1-entrance.png")
     sign_in(page, "1")
     control = page.get_by_role("button", name=re.compile("^Control"))
-    expect(control).to_be_visible(timeout=20_000)
+    expect(control).to_be_visible()
     assert page.url == f"{station.address}records"
     control.click()
     expect(page.get_by_text("You are signed in as Anna, operator.")).to_be_visible()
@@ -87,9 +86,7 @@ def test_a_person_in_no_group_is_refused_in_one_sentence(
     page.goto(station.address)
     sign_in(page, "2")
     refused = page.get_by_role("alert")
-    expect(refused).to_contain_text(
-        "Ben is in no group of Keycloak that may sign in here", timeout=20_000
-    )
+    expect(refused).to_contain_text("Ben is in no group of Keycloak that may sign in here")
     assert page.url == station.address
     page.screenshot(path=pictures / "sign-in-2-no-group.png")
     page.get_by_label("Name").fill("Chief")

@@ -6,7 +6,6 @@ import os
 import signal
 import subprocess
 import sys
-import time
 import zipfile
 from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
@@ -22,7 +21,7 @@ from app.formats.recording.decoders import StripeRecord
 from app.formats.recording.reader import open_recording
 from app.store.store import Store
 from app.supervision.messages import schema
-from tests.e2e.conftest import ROOT, Demo, wait_in_page
+from tests.e2e.conftest import PATIENCE_S, ROOT, Demo, wait_in_page
 
 pytestmark = pytest.mark.device
 
@@ -53,7 +52,7 @@ def station(broker: Mosquitto, tmp_path_factory: pytest.TempPathFactory) -> Iter
     """It is ended by the last test of this module."""
     data = tmp_path_factory.mktemp("station") / "data"
     words = (str(data), str(broker.port))
-    running = Demo(data, [sys.executable, "-m", "tests.e2e.watched_station", *words])
+    running = Demo(data, ("tests.e2e.watched_station", *words))
     yield running
     running.end()
 
@@ -92,7 +91,7 @@ def test_a_kiosk_shows_every_station_and_which_is_lost(
     with subprocess.Popen(words, cwd=ROOT, stdout=subprocess.DEVNULL) as other:
         try:
             kiosk: Page = request.getfixturevalue("kiosk")
-            expect(kiosk.get_by_role("heading", name="All stations")).to_be_visible(timeout=15_000)
+            expect(kiosk.get_by_role("heading", name="All stations")).to_be_visible()
             expect(kiosk.get_by_role("heading", name="Demonstration")).to_be_visible()
             card = kiosk.get_by_role("listitem").filter(has_text="Hall-3")
             expect(card.get_by_text("live", exact=True)).to_be_visible()
@@ -100,7 +99,7 @@ def test_a_kiosk_shows_every_station_and_which_is_lost(
             expect(sensor).to_contain_text("30 fps")
             expect(sensor).to_contain_text("12 lost, 0 corrupt · stamps: ")
             other.send_signal(signal.SIGSTOP)
-            expect(card.get_by_text("lost for")).to_be_visible(timeout=5000)
+            expect(card.get_by_text("lost for")).to_be_visible()
             kiosk.screenshot(path=pictures / "supervise-1-lost.png")
             assert kiosk.evaluate("fetch('/api/logs').then(a => a.status)") == 403
         finally:
@@ -111,7 +110,7 @@ def test_the_health_page(admin: Page, pictures: Path) -> None:
     admin.get_by_role("link", name="Health").click()
     expect(admin.get_by_text("It is intact")).to_be_visible()
     admin.get_by_role("button", name="Back up now").click()
-    expect(admin.get_by_text("It is on the same disk as the data.")).to_be_visible(timeout=20_000)
+    expect(admin.get_by_text("It is on the same disk as the data.")).to_be_visible()
     admin.screenshot(path=pictures / "health-1.png")
     with admin.expect_download() as started:
         admin.get_by_role("link", name="Save the support bundle").click()
@@ -135,7 +134,7 @@ def retained(broker: Mosquitto, kind: str) -> dict[str, object]:
             return dict(json.loads(bytes(message.payload)))
 
     with ThreadPoolExecutor(1) as thread:
-        return thread.submit(lambda: asyncio.run(asyncio.wait_for(ask(), 10.0))).result()
+        return thread.submit(lambda: asyncio.run(asyncio.wait_for(ask(), PATIENCE_S))).result()
 
 
 def test_what_the_station_publishes_is_as_the_schema_says(broker: Mosquitto, admin: Page) -> None:
@@ -180,15 +179,10 @@ def test_it_ends_in_order_while_it_scans_and_is_watched(
     expect(kiosk.get_by_text("laser is on")).to_be_visible()
     kiosk.wait_for_timeout(1500)
     kiosk.screenshot(path=pictures / "supervise-2-scanning.png")
-    began_s = time.monotonic()
     station.process.send_signal(signal.SIGTERM)
-    status = station.process.wait(20)
-    took_s = time.monotonic() - began_s
-    print(f"ended {took_s:.1f} s after SIGTERM")  # 5 s are allowed, on a machine that has time
-    assert took_s < 10.0
-    assert status in (0, 128 + signal.SIGTERM, -signal.SIGTERM)
+    assert station.process.wait(PATIENCE_S) in (0, 128 + signal.SIGTERM, -signal.SIGTERM)
     assert retained(broker, "presence")["state"] == "off"
-    expect(kiosk.get_by_text("no contact for")).to_be_visible(timeout=30_000)
+    expect(kiosk.get_by_text("no contact for")).to_be_visible()
     kiosk.screenshot(path=pictures / "supervise-3-ended.png")
     store = Store(station.data)
     scan, *_ = store.scans.all()

@@ -7,10 +7,9 @@ from typing import Any
 
 from playwright.sync_api import ConsoleMessage, Page
 
+from tests.e2e.conftest import PATIENCE_S
 from tests.sent_texts import english
 
-PATIENCE_S = 120
-"""How long one step of the simulated operator may take on a busy machine."""
 SCREENSHOT_MS = 120_000
 """The 3D view is drawn without a graphics processor."""
 SETTLING_MS = 500
@@ -34,7 +33,6 @@ class Visit:
         self.screenshots = screenshots
         self.taken = 0
         self.faults: list[str] = []
-        page.set_default_timeout(1000 * PATIENCE_S)
         page.add_init_script(FEW_PICTURES)
         page.on("console", self._console)
         page.on("pageerror", lambda error: self.faults.append(str(error)))
@@ -52,11 +50,9 @@ class Visit:
         path = self.screenshots / f"{self.taken:02d}-{name}.png"
         self.page.screenshot(path=path, timeout=SCREENSHOT_MS)
 
-    def ask(self, path: str) -> dict[str, Any]:
+    def ask(self, path: str) -> Any:
         """What the server answers to the page's own question."""
-        found = self.page.evaluate("path => fetch(path).then(answer => answer.json())", path)
-        assert isinstance(found, dict)
-        return found
+        return self.page.evaluate("path => fetch(path).then(answer => answer.json())", path)
 
     def wait_until(self, what: str, path: str, done: Callable[[dict[str, Any]], bool]) -> None:
         """Asks until the answer satisfies; the page goes on meanwhile."""
