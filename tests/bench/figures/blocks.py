@@ -63,7 +63,7 @@ def beside_opencv() -> Iterator[Figure]:
         ):
             place = Place(ACCURACY, "Many poses", (label,), column)
             places = (place, readme) if key == "flange, median µm" else (place,)
-            read = at(rows, key) if rows == "Crenel" else smallest_of_rows(rows, key)
+            read = at(rows, key) if rows == "Crenel" else smallest_of_rows(key, rows)
             yield Figure(f"16 sessions, {rows}: {column}", PEERS, places, read, better, tolerance)
     claim = Place(ACCURACY, "Many poses", ("Crenel (claims",), 0)
     read = at("Crenel, as claimed", "flange, median µm")

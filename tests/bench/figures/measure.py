@@ -12,9 +12,8 @@ from tests.bench.figures.pictures import LAID_OUT
 from tests.bench.figures.printed import ROOT
 from tests.bench.real_folder import lay_out
 
-STARTED_MODULES = ("app.cli.main", "tests.bench")
-SHARED = ROOT.parent / "shared"
 STARTED_MODULES = ()  # benches, which no test runs
+SHARED = ROOT.parent / "shared"
 END = 400
 """Characters of what a failed command says."""
 

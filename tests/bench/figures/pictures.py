@@ -151,7 +151,9 @@ def defocused() -> Iterator[Figure]:
 
 
 def robot() -> Iterator[Figure]:
-    for recording, own, opencv in (("calib1", 1, 2), ("calib3", 4, 5)):
+    for recording, first in (("calib1", 1), ("calib3", 4)):
+        theirs = f"{recording}: OpenCV's corners"
+        hand_eye, together = (f"{theirs}, k1", f"{theirs}, 5 terms"), f"{theirs}, least squares"
         for label, which, key in (
             ("corners to the board", 0, "corners px"),
             ("board's origin", 0, "origin mm"),
@@ -163,19 +165,20 @@ def robot() -> Iterator[Figure]:
         ):
             if "*" in key and recording == "calib3":
                 continue  # no picture of it is left out
-            reads = (
-                (own, at(f"{recording}: Crenel", key), Better.SMALLER),
-                (
-                    opencv,
-                    smallest_of_rows(f"{recording}: OpenCV's corners", key),
-                    Better.AS_PRINTED,
-                ),
-            )
-            for column, read, better in reads:
-                place = Place(ACCURACY, "Chessboard", (label,), column, which)
-                who = "Crenel" if column == own else "OpenCV"
+            for who, column, read, better in (
+                ("Crenel", 0, at(f"{recording}: Crenel", key), Better.SMALLER),
+                ("OpenCV", 1, smallest_of_rows(key, *hand_eye), Better.AS_PRINTED),
+                ("least squares", 2, smallest_of_rows(key, together), Better.AS_PRINTED),
+            ):
+                place = Place(ACCURACY, "Chessboard", (label,), first + column, which)
                 what = f"robot, {recording}, {key}: {who}"
                 yield Figure(what, ROBOT, (place,), read, better, NOISE)
+        sentence = r"mounting give ([^(]*)\(" if first == 1 else r"second recording ([^(]*) mm\."
+        for which, key in enumerate(("origin mm", "laser mm", "plane mm")):
+            place = Place(ACCURACY, "Chessboard", which=which, pattern=sentence)
+            read = at(f"{recording}: Crenel's camera and mounting, flat board", key)
+            what = f"robot, {recording}, {key}: flat board"
+            yield Figure(what, ROBOT, (place,), read, Better.SMALLER, NOISE)
 
 
 def simulated_boards() -> Iterator[Figure]:

@@ -48,8 +48,8 @@ def reduced(of: Callable[[list[float]], float], reads: list[Read]) -> Read:
     return lambda found: float(of([read(found) for read in reads]))
 
 
-def smallest_of_rows(begins: str, key: str) -> Read:
-    """Of the rows whose name begins so: the best of several ways."""
+def smallest_of_rows(key: str, *begins: str) -> Read:
+    """Of the rows whose name begins in one of these ways: the best of several methods."""
     return lambda found: min(
         float(row[key]) for name, row in found.items() if name.startswith(begins)
     )
