@@ -46,6 +46,7 @@ from tests.metrology.boards import (
 from tests.metrology.seen_boards import camera_at
 from tests.metrology.test_board_calibration import touching
 from tests.real_sessions import write_real_session
+from tests.running.usual import usual
 
 pytestmark = pytest.mark.slow
 
@@ -453,7 +454,9 @@ def test_a_recording_with_bad_pictures_calibrates_from_the_rest(real: Path, tmp_
     assert np.sqrt(np.mean(np.square(used))) < 500
 
 
-@pytest.mark.parametrize(("name", "scatter_mm"), [("calib1", 0.3), ("calib3", 0.5)])
+@pytest.mark.parametrize(
+    ("name", "scatter_mm"), usual([("calib1", 0.3), ("calib3", 0.5)], 1, pytest.mark.soak)
+)
 def test_recorded_pictures(real: Path, tmp_path: Path, name: str, scatter_mm: float) -> None:
     """A real robot's recordings: the poses agree on the board's place."""
     session = write_real_session(real / "robot-laser-chessboard" / name, tmp_path / "session")

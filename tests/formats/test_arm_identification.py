@@ -1,6 +1,7 @@
 """Folders for an arm's identification, as files: read, identified, written, and refused."""
 
 import json
+import shutil
 from collections.abc import Callable
 from pathlib import Path
 
@@ -30,9 +31,17 @@ PLAN = ArmSessionPlan(
 )
 
 
+@pytest.fixture(scope="module")
+def rendered(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, SimulatedArmSession]:
+    folder = tmp_path_factory.mktemp("rendered") / "s"
+    return folder, render_arm_session(folder, 3, PLAN)
+
+
 @pytest.fixture
-def session(tmp_path: Path) -> SimulatedArmSession:
-    return render_arm_session(tmp_path / "s", 3, PLAN)
+def session(rendered: tuple[Path, SimulatedArmSession], tmp_path: Path) -> SimulatedArmSession:
+    folder, session = rendered
+    shutil.copytree(folder, tmp_path / "s")
+    return session
 
 
 def test_what_is_read_is_what_was_touched(tmp_path: Path, session: SimulatedArmSession) -> None:

@@ -29,6 +29,7 @@ from tests.metrology.boards import POSES, T_ARM_OBJ, T_FLANGE_CAM, TIP, camera_p
 from tests.metrology.seen_boards import PAPER_BOARD, BoardErrors, error_um
 from tests.metrology.seen_boards import session as session_of_every_row
 from tests.metrology.test_board_calibration import touching
+from tests.running.usual import usual
 from tests.uncertainty_ratio import ratio_of_deviations
 
 pytestmark = pytest.mark.slow
@@ -53,7 +54,9 @@ def refusal(inputs: BoardInputs) -> OperationError:
     return refused.value
 
 
-@pytest.mark.parametrize("errors", [BoardErrors(), BoardErrors(tilt_rad=1.5e-3)])
+@pytest.mark.parametrize(
+    "errors", usual([BoardErrors(), BoardErrors(tilt_rad=1.5e-3)], 1, pytest.mark.soak)
+)
 def test_claims_are_kept(errors: BoardErrors) -> None:
     found = [calibrate_board(session(seed, errors)) for seed in range(5)]
     claimed = np.array([one.uncertainty.total_um for one in found])
@@ -117,7 +120,7 @@ def verdict_by(limits: Limits, inputs: BoardInputs, found: BoardCalibration) -> 
     return board_findings(evidence)[0]
 
 
-@pytest.mark.parametrize("contacts", [False, True])
+@pytest.mark.parametrize("contacts", usual([True, False], 1, pytest.mark.soak))
 def test_a_size_that_is_slightly_wrong_is_flagged(given: BoardInputs, contacts: bool) -> None:
     touched = touching(12, TIP.radius_mm) if contacts else None
     wrong = replace(PAPER_BOARD, square_mm=10.2)
@@ -158,7 +161,9 @@ def slipped(rows: tuple[int, ...], by_mm: float) -> Floats:
     return readings
 
 
-@pytest.mark.parametrize(("seed", "rows"), [(4, (4,)), (1, (1, 7)), (3, (1, 7))])
+@pytest.mark.parametrize(
+    ("seed", "rows"), usual([(1, (1, 7)), (4, (4,)), (3, (1, 7))], 1, pytest.mark.soak)
+)
 def test_contacts_that_slipped_are_left_out_and_named(seed: int, rows: tuple[int, ...]) -> None:
     found = calibrate_board(replace(session(seed), contact_readings=slipped(rows, 0.6)))
     reported = {one.code: str(one.text) for one in found.findings}

@@ -33,6 +33,7 @@ from app.metrology.transforms import (
     se3_exp,
     vector_from_rotation,
 )
+from tests.running.usual import usual
 from tests.simulated_robots import Tracker, ball_bar, built, measure, postures, robot, swing
 from tests.uncertainty_ratio import EXACT, ratio_of_rms
 
@@ -67,8 +68,8 @@ def identified(arm: Arm, *found: Coordinates) -> Identification:
     return identify(arm, ArmObservations(coordinates=found))
 
 
-@pytest.mark.parametrize("axes", [6, 7])
-@pytest.mark.parametrize("poses", [50, 200])
+@pytest.mark.parametrize("axes", usual([7, 6], 1, pytest.mark.soak))
+@pytest.mark.parametrize("poses", usual([50, 200], 1, pytest.mark.soak))
 def test_as_good_as_least_squares_on_the_same_coordinates(axes: int, poses: int) -> None:
     rng = np.random.default_rng(axes * poses)
     arm = robot(axes)
@@ -125,7 +126,7 @@ def test_full_poses_know_the_arm_better() -> None:
     assert np.deg2rad(angle) == pytest.approx(np.sqrt(3) * 2e-4, rel=0.35)
 
 
-@pytest.mark.parametrize("full", [False, True])
+@pytest.mark.parametrize("full", usual([True, False], 1, pytest.mark.soak))
 def test_the_covariance_is_the_scatter_of_repeated_measurements(full: bool) -> None:
     rng = np.random.default_rng(17)
     arm = robot(6)
@@ -301,7 +302,7 @@ def test_coordinates_in_metres_are_recognised(
     assert "millimetres" in str(refusal.remedy)
 
 
-@pytest.mark.parametrize("later", [10, 30])
+@pytest.mark.parametrize("later", usual([10, 30], 1, pytest.mark.soak))
 def test_points_of_two_set_ups_under_one_name_are_refused(
     session: tuple[Arm, Arm, Tracker, Coordinates], later: int
 ) -> None:

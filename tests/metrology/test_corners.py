@@ -24,6 +24,7 @@ from app.metrology.targets.crenellated_block import corners as corners_of
 from app.metrology.transforms import Floats
 from tests.metrology.rendered_block import RenderedBlock, render_block
 from tests.pictures import blur
+from tests.running.usual import usual
 from tests.uncertainty_ratio import ratio_of_pulls, rows_of
 
 pytestmark = pytest.mark.slow
@@ -50,15 +51,19 @@ def plain() -> RenderedBlock:
 
 @pytest.mark.parametrize(
     ("seed", "look"),
-    [
-        (2, {}),
-        (3, {"roll": 3.0, "merlons": 3}),
-        (4, {"roll": 1.3, "azimuth": -0.5, "merlons": 5}),
-        (5, {"roll": -0.6, "azimuth": 0.45, "elevation": 0.75}),
-        (6, {"fill": 0.4, "table": 0.3, "elevation": 1.1}),
-        (7, {"table": 1.3, "shade": 0.7}),
-        (8, {"merlons": 6, "azimuth": -0.2, "shade": 0.0}),
-    ],
+    usual(
+        [
+            (2, {}),
+            (3, {"roll": 3.0, "merlons": 3}),
+            (4, {"roll": 1.3, "azimuth": -0.5, "merlons": 5}),
+            (5, {"roll": -0.6, "azimuth": 0.45, "elevation": 0.75}),
+            (6, {"fill": 0.4, "table": 0.3, "elevation": 1.1}),
+            (7, {"table": 1.3, "shade": 0.7}),
+            (8, {"merlons": 6, "azimuth": -0.2, "shade": 0.0}),
+        ],
+        {1, 3, 4},
+        pytest.mark.soak,
+    ),
 )
 def test_any_block_from_any_side(seed: int, look: dict[str, Any]) -> None:
     shown = render_block(seed, **look)
@@ -117,6 +122,7 @@ def test_a_mirrored_picture_is_refused(plain: RenderedBlock) -> None:
     assert "mirror" in refusal.line
 
 
+@pytest.mark.soak
 def test_a_mirrored_certificate_is_refused(plain: RenderedBlock) -> None:
     edges = tuple(-x for x in reversed(plain.block.edges_x_mm))
     refusal = refused(plain.image, replace(plain.block, edges_x_mm=edges))
@@ -124,7 +130,9 @@ def test_a_mirrored_certificate_is_refused(plain: RenderedBlock) -> None:
 
 
 # Outer and inner edges, each by little and by much.
-@pytest.mark.parametrize(("edge", "by_mm"), [(0, 0.15), (7, 1.0), (3, 1.0), (4, 0.15)])
+@pytest.mark.parametrize(
+    ("edge", "by_mm"), usual([(0, 0.15), (7, 1.0), (3, 1.0), (4, 0.15)], {0, 2}, pytest.mark.soak)
+)
 def test_one_edge_of_other_measure_is_refused(
     plain: RenderedBlock, edge: int, by_mm: float
 ) -> None:

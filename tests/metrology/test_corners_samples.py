@@ -99,6 +99,7 @@ def test_merlons_of_one_pitch_are_read_from_the_right_side(
     assert max(off) < 1.0
 
 
+@pytest.mark.soak
 def test_a_mirrored_picture_is_refused(samples: Path) -> None:
     image = picture_of(samples / "metal", 0)
     with pytest.raises(OperationError) as caught:
@@ -106,6 +107,7 @@ def test_a_mirrored_picture_is_refused(samples: Path) -> None:
     assert caught.value.code == "object-mirrored"
 
 
+@pytest.mark.soak
 def test_another_block_is_refused(samples: Path) -> None:
     image = picture_of(samples / "one-pose", 0)
     with pytest.raises(OperationError) as caught:

@@ -21,6 +21,7 @@ from tests.metrology.arm_sessions import (
     nominal_arm,
     volumetric_error_um,
 )
+from tests.running.usual import usual
 from tests.simulated_arm_sessions import ArmSessionPlan, SimulatedArmSession, draw_arm_session
 from tests.uncertainty_ratio import EXACT, ratio_of_rms
 
@@ -48,7 +49,7 @@ def identified(session: SimulatedArmSession) -> Identification:
     return identify(nominal_arm(session.nominal_arm), collect_observations(session))
 
 
-@pytest.mark.parametrize("joints", [6, 7])
+@pytest.mark.parametrize("joints", usual([7, 6], 1, pytest.mark.soak))
 def test_perfect_points_give_the_true_arm(joints: int) -> None:
     exact = replace(PLAN, joints=joints, touch_sd_mm=0.0, bar_sd_mm=0.0, encoder_noise=False)
     session = draw_arm_session(20 + joints, exact)
@@ -59,7 +60,7 @@ def test_perfect_points_give_the_true_arm(joints: int) -> None:
     assert result.outliers == ()
 
 
-@pytest.mark.parametrize("seed", range(6))
+@pytest.mark.parametrize("seed", usual(range(6), 2, pytest.mark.soak))
 def test_a_250_um_arm_falls_to_its_encoders_noise(seed: int) -> None:
     session = draw_arm_session(100 + seed, replace(PLAN, joints=6 + seed % 2))
     arm = nominal_arm(session.nominal_arm)
@@ -99,7 +100,7 @@ def noisy(observations: ArmObservations, arm: Arm, rng: np.random.Generator) -> 
     )
 
 
-@pytest.mark.parametrize("joints", [6, 7])
+@pytest.mark.parametrize("joints", usual([7, 6], 1, pytest.mark.soak))
 def test_noisy_solves_scatter_as_the_covariance_says(joints: int) -> None:
     plan = ArmSessionPlan(
         joints=joints,
@@ -188,7 +189,7 @@ def refused(
     return caught.value
 
 
-@pytest.mark.parametrize("moved_um", [150, 2000])
+@pytest.mark.parametrize("moved_um", usual([150, 2000], 1, pytest.mark.soak))
 def test_a_seat_that_moved_is_refused(session: SimulatedArmSession, moved_um: float) -> None:
     good = collect_observations(session)
     shifted = draw_arm_session(11, PLAN)

@@ -14,6 +14,7 @@ from app.metrology.fitting.cylinder import (
 )
 from app.metrology.fitting.plane_sphere import PlaneFit
 from app.metrology.fitting.shape import ShapeName, measure_shape, parameter_covariance
+from tests.running.usual import usual
 from tests.uncertainty_ratio import ratio_of_pulls
 
 pytestmark = pytest.mark.slow
@@ -98,7 +99,10 @@ def test_what_is_no_cylinder_is_refused() -> None:
         fit_cylinder(flat[:4])
 
 
-@pytest.mark.parametrize(("shape", "parameter"), [("plane", 0), ("sphere", 3), ("cylinder", 4)])
+@pytest.mark.parametrize(
+    ("shape", "parameter"),
+    usual([("plane", 0), ("sphere", 3), ("cylinder", 4)], 2, pytest.mark.soak),
+)
 def test_claims_hold_though_the_points_of_a_frame_err_together(
     shape: ShapeName, parameter: int
 ) -> None:

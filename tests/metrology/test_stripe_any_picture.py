@@ -8,6 +8,7 @@ import pytest
 from numpy.typing import NDArray
 
 from app.metrology.stripe import PeakChoice, Stripe, StripeSettings, StripeTracker, extract_stripe
+from tests.running.usual import usual
 
 Picture = NDArray[np.uint8] | NDArray[np.uint16]
 
@@ -50,7 +51,7 @@ def check_points(stripe: Stripe, image: Picture, axis: str) -> None:
     assert np.all(np.isfinite(stripe.sigma_px) & (stripe.sigma_px >= 0))
 
 
-@pytest.mark.parametrize("seed", range(60))
+@pytest.mark.parametrize("seed", usual(range(60), 12, pytest.mark.soak))
 def test_points_of_any_picture_lie_in_it(seed: int) -> None:
     rng = np.random.default_rng(seed)
     image, settings = any_picture(rng), any_settings(rng)

@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 from app.metrology.stripe import Stripe, StripeSettings, StripeTracker, extract_stripe, find_stripe
 from app.metrology.stripe.scales import follow_scale, scale_of
 from app.metrology.transforms import Floats
+from tests.running.usual import usual
 from tests.uncertainty_ratio import ratio_of_pulls, rows_of
 
 pytestmark = pytest.mark.slow
@@ -105,7 +106,7 @@ def test_the_width_is_stated() -> None:
         assert line.width_px == pytest.approx(width_px, rel=0.1)
 
 
-@pytest.mark.parametrize("seed", range(12))
+@pytest.mark.parametrize("seed", usual(range(12), 2, pytest.mark.soak))
 @pytest.mark.parametrize("brightest", [60, 200, 400])
 def test_a_room_without_a_line_shows_none(seed: int, brightest: float) -> None:
     image = expose(room(seed, brightest), seed)
@@ -227,7 +228,7 @@ def test_the_uncertainty_of_a_flat_top_is_what_it_scatters_by(
     assert 0.6 < float(1.4826 * np.median(np.abs(off - np.median(off)))) < 1.25
 
 
-@pytest.mark.parametrize("seed", range(12))
+@pytest.mark.parametrize("seed", usual(range(12), 2, pytest.mark.soak))
 @pytest.mark.parametrize("slope", [0.0, 1.0, -3.0])
 def test_the_noise_on_a_flat_top_with_sharp_edges_is_no_thin_line(slope: float, seed: int) -> None:
     rows = np.asarray(HEIGHT / 2 + slope * (np.arange(float(WIDTH)) - WIDTH / 2), np.float64)

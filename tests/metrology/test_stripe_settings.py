@@ -119,7 +119,7 @@ def test_reflections_spots_and_hot_pixels_give_no_points() -> None:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("grains", [None, (0.0, 2.0)])
+@pytest.mark.parametrize("grains", [None, pytest.param((0.0, 2.0), marks=pytest.mark.soak)])
 def test_stripes_of_all_widths_are_placed_at_the_bound_and_say_so(
     grains: tuple[float, float] | None,
 ) -> None:

@@ -13,6 +13,7 @@ from app.metrology.stripe.workspace import BLOCK, PROFILE_ROWS, Fields, Workspac
 from app.native.arguments import F32, I32, Array, Function, Integer, Record
 from app.native.library import CRENEL
 from tests.pictures import Depth, of_depth
+from tests.running.usual import usual
 
 KINDS = [np.uint8, np.uint16]
 STEP, STRIP, AWAY = 2, 8, 6
@@ -60,12 +61,15 @@ def scores(image: Image, where: NDArray[np.bool_] | None) -> NDArray[np.int64]:
 
 
 @pytest.mark.parametrize("kind", KINDS)
-@pytest.mark.parametrize("shape", [(40, 1), (61, 63), (47, 64), (100, 65), (48, 200)])
+@pytest.mark.parametrize(
+    ("height", "width"),
+    usual([(40, 1), (47, 64), (48, 200), (61, 63), (100, 65)], 3, pytest.mark.soak),
+)
 @pytest.mark.parametrize("masked", [False, True])
 def test_a_strip_keeps_its_highest_score(
-    variant: str, kind: Depth, shape: tuple[int, int], masked: bool
+    variant: str, kind: Depth, height: int, width: int, masked: bool
 ) -> None:
-    rng = np.random.default_rng(shape[1])
+    shape, rng = (height, width), np.random.default_rng(width)
     image = of_depth(rng.integers(0, np.iinfo(kind).max, shape, endpoint=True), kind)
     where = rng.random(shape) < 0.7 if masked else None
     workspace = workspace_for(image, where)

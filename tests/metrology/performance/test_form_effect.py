@@ -15,6 +15,7 @@ from app.metrology.performance.value_uncertainty import (
     form_uncertainty_um,
 )
 from app.metrology.transforms import Floats
+from tests.running.usual import usual
 from tests.uncertainty_ratio import EXACT, ratio_of_deviations
 
 RADIUS_MM, FORM_UM = 12.5, 1.0
@@ -53,7 +54,7 @@ def measure(
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("noise_um", [0.5, 3.0, 10.0])
+@pytest.mark.parametrize("noise_um", usual([0.5, 3.0, 10.0], {1}, pytest.mark.soak))
 @pytest.mark.parametrize(
     ("outward", "figure"),
     [

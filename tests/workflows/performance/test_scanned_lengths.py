@@ -108,7 +108,7 @@ def test_noise_scatters_the_lengths_and_form_and_temperature_are_their_uncertain
     all_scans = [(place, repeat) for place in range(1, 8) for repeat in range(1, 4)]
     scans = {length_scan(*one): spheres_at(0.0, 80.0) for one in all_scans}
     noisy = Faults(point_sd_mm=0.02, matrix_offset_mm=(0.05, -0.03, 0.02))
-    with patch.object(synthetic_bar, "STEP_MM", 1.0):  # half of the usual profiles
+    with patch.object(synthetic_bar, "STEP_MM", 2.0):  # a quarter of the usual profiles
         folder = bar_test(tmp_path / "t", standard, scans, noisy)
     printed = crenel("performance", "evaluate", folder).stdout
     assert "E_Uni:ODS.AArm" in printed

@@ -22,6 +22,7 @@ from app.messages.message import Message, Text, message
 from app.timestamps import parse_moment
 from app.workflows.performance.evaluate import evaluate_performance, write_performance
 from app.workflows.performance.measured_data import last_measured_at
+from tests.running.usual import usual
 
 pytestmark = pytest.mark.slow
 
@@ -33,6 +34,18 @@ def with_faults(folder: Path, **faults: Any) -> Path:
     return SphereSession(folder, Faults(**faults)).write()
 
 
+@pytest.fixture(scope="module")
+def perfect(tmp_path_factory: pytest.TempPathFactory) -> PerformanceFile:
+    """What a test without faults gives."""
+    return evaluate_performance(with_faults(tmp_path_factory.mktemp("perfect") / "t"))
+
+
+@pytest.fixture(scope="module")
+def quiet(tmp_path_factory: pytest.TempPathFactory) -> PerformanceFile:
+    """What a test with little noise gives."""
+    return evaluate_performance(with_faults(tmp_path_factory.mktemp("quiet") / "t", **QUIET))
+
+
 def values(result: PerformanceFile) -> dict[str, float | None]:
     return {figure.quantity: figure.value for figure in result.figures}
 
@@ -41,9 +54,8 @@ def problem(result: PerformanceFile, quantity: str) -> Text:
     return next(one.problem for one in result.figures if one.quantity == quantity)
 
 
-def test_a_perfect_station_has_no_errors(tmp_path: Path) -> None:
-    result = evaluate_performance(with_faults(tmp_path / "t"))
-    found = values(result)
+def test_a_perfect_station_has_no_errors(perfect: PerformanceFile) -> None:
+    result, found = perfect, values(perfect)
     assert len(found) == 11
     assert all(value is not None and abs(value) < 1e-3 for value in found.values()), found
     assert result.spheres[0].moved_um == pytest.approx(0, abs=1e-6)
@@ -59,8 +71,8 @@ def test_a_perfect_station_has_no_errors(tmp_path: Path) -> None:
     assert {one.file for one in result.inputs} >= {PLAN, TOUCHES, f"{sphere_scan(1, 5)}/scan.mcap"}
 
 
-def test_noise_shows_as_the_standards_let_expect(tmp_path: Path) -> None:
-    found = values(evaluate_performance(with_faults(tmp_path / "t", **QUIET)))
+def test_noise_shows_as_the_standards_let_expect(quiet: PerformanceFile) -> None:
+    found = values(quiet)
     dispersion, form_touch = found["dispersion-scan"], found["form-touch"]
     assert dispersion is not None
     # noise lies in the plane of the light, and counts along the sphere's normal
@@ -73,7 +85,7 @@ def test_noise_shows_as_the_standards_let_expect(tmp_path: Path) -> None:
     assert location < 8
 
 
-@pytest.mark.parametrize("axis", [0, 1, 2])
+@pytest.mark.parametrize("axis", usual([1, 0, 2], 1, pytest.mark.soak))
 def test_a_wrong_probe_matrix_is_named_with_its_direction(tmp_path: Path, axis: int) -> None:
     offset = tuple(0.05 * np.eye(3)[axis])
     result = evaluate_performance(with_faults(tmp_path / "t", matrix_offset_mm=offset, **QUIET))
@@ -107,8 +119,8 @@ def test_a_worn_tip_shows_in_the_touched_size_alone(tmp_path: Path) -> None:
     assert not result.problems
 
 
-def test_outliers_show_in_form_and_dispersion(tmp_path: Path) -> None:
-    clean = values(evaluate_performance(with_faults(tmp_path / "a", **QUIET)))
+def test_outliers_show_in_form_and_dispersion(quiet: PerformanceFile, tmp_path: Path) -> None:
+    clean = values(quiet)
     spoilt = values(evaluate_performance(with_faults(tmp_path / "b", outliers=0.04, **QUIET)))
     for quantity in ("form-scan", "dispersion-scan"):
         a, b = clean[quantity], spoilt[quantity]
@@ -201,8 +213,10 @@ def test_two_articulations_that_are_nearly_the_same_give_no_location(tmp_path: P
     assert "the camera looked" in notes[1]
 
 
-def test_articulations_that_were_held_as_wanted_are_not_mentioned(tmp_path: Path) -> None:
-    result = evaluate_performance(with_faults(tmp_path / "t"))
+def test_articulations_that_were_held_as_wanted_are_not_mentioned(
+    perfect: PerformanceFile,
+) -> None:
+    result = perfect
     assert not [note for note in result.notes if "articulation" in str(note)]
     assert len(result.spheres[0].stylus_directions) == 5
     assert len(result.spheres[0].view_directions) == 5
@@ -357,9 +371,10 @@ def set_extraction(monkeypatch: pytest.MonkeyPatch, *texts: str) -> None:
     monkeypatch.setattr(synthetic_sphere, "RecordingWriter", writer)
 
 
-def test_every_filter_is_declared(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    plain = evaluate_performance(with_faults(tmp_path / "plain"))
-    assert any("no filter is applied" in str(note) for note in plain.notes)
+def test_every_filter_is_declared(
+    perfect: PerformanceFile, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    assert any("no filter is applied" in str(note) for note in perfect.notes)
     set_extraction(monkeypatch, *['{"smoothing_px": 3.0, "threshold": 40.0}'] * 5)
     result = evaluate_performance(with_faults(tmp_path / "t"))
     assert not result.problems
@@ -392,7 +407,15 @@ def shake(row: str, random: np.random.Generator) -> str:
 
 @pytest.mark.parametrize(
     ("part", "said"),
-    [("pattern", "in the 25 places"), ("location", "in the articulations"), ("end", "at the end")],
+    usual(
+        [
+            ("location", "in the articulations"),
+            ("pattern", "in the 25 places"),
+            ("end", "at the end"),
+        ],
+        1,
+        pytest.mark.soak,
+    ),
 )
 def test_a_sphere_that_gives_way_while_it_is_touched_has_no_symbols(
     tmp_path: Path, part: str, said: str
