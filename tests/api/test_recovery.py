@@ -76,6 +76,9 @@ def test_scans_under_way_when_the_process_dies_are_listed_with_their_clouds(
             "bad",
             "Bracket: the recording is empty.",
         )
+    store = Store(tmp_path)
+    assert store.check() == ""
+    store.close()
 
 
 def test_recordings_that_open_to_gigabytes_hold_up_no_start(tmp_path: Path) -> None:
