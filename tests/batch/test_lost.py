@@ -26,6 +26,7 @@ from app.bench.fleet.s3_server import BUCKET, CuttingProxy, S3Server
 from app.cli.main import cli
 from app.messages.message import Text
 from tests.archive.filled import lists_of
+from tests.archive.test_s3 import loop_of_s3fs as loop_of_s3fs
 from tests.batch.filled import CALIBRATION, fill_station
 
 pytestmark = [pytest.mark.device, pytest.mark.soak]

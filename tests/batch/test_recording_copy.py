@@ -33,8 +33,10 @@ from app.formats.recording.writer import RecordingWriter
 from app.formats.results.calibration import read_calibration
 from app.workflows.reconstruct import reconstruct_cloud
 from tests.archive.filled import lists_of
+from tests.archive.test_s3 import loop_of_s3fs as loop_of_s3fs
 from tests.batch.filled import CALIBRATION, FIRST, fill_station
 from tests.formats.builders import joints_every
+from tests.running.usual import usual
 from tests.workflows.test_reconstruct import MS, NAMES, record_image, record_stripe
 
 pytestmark = pytest.mark.device
@@ -108,7 +110,7 @@ def direct_cloud(tmp_path: Path, recording: Path) -> bytes:
     return target.read_bytes()
 
 
-@pytest.mark.parametrize("without_stripe", [None, 8])
+@pytest.mark.parametrize("without_stripe", usual([8, None], 1, pytest.mark.soak))
 def test_pictures_stay_in_the_store_and_the_cloud_is_the_same(
     without_stripe: int | None, server: S3Server, tmp_path: Path
 ) -> None:

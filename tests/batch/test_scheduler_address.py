@@ -11,6 +11,7 @@ from app.batch.cluster import RemoteScheduler
 from app.errors import OperationError
 from tests.batch.filled import fill_station
 from tests.batch.test_rebuild import CRENEL
+from tests.running.usual import usual
 
 pytestmark = pytest.mark.device
 
@@ -33,7 +34,7 @@ def test_what_is_no_address_is_refused_before_a_client_is_made(address: str, sai
         RemoteScheduler(address)
 
 
-@pytest.mark.parametrize("address", ["nonsense", "tcp://127.0.0.1:9"])
+@pytest.mark.parametrize("address", usual(["tcp://127.0.0.1:9", "nonsense"], 1, pytest.mark.soak))
 def test_a_scheduler_that_is_not_there_is_one_line(address: str, tmp_path: Path) -> None:
     fill_station(tmp_path / "data", ("one",)).close()
     ran = subprocess.run(

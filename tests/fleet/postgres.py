@@ -93,8 +93,8 @@ class PostgresServer:
 
 @contextmanager
 def running_postgres() -> Iterator[PostgresServer]:
-    # outside of pytest's folders, which only root may enter
-    folder = Path(tempfile.mkdtemp(prefix="crenel-postgres-"))
+    # outside of the folders of pytest and of these tests, which only root may enter
+    folder = Path(tempfile.mkdtemp(prefix="crenel-postgres-", dir="/tmp"))
     server = None
     try:
         server = PostgresServer(folder)

@@ -230,6 +230,7 @@ def check_refusals(client: httpx.Client) -> None:
     assert "batch-other-device" in ids_in(failed["problem"])
 
 
+@pytest.mark.soak
 def test_what_waits_is_made_once_and_in_order_after_a_restart(folder: Path) -> None:
     settings = write_settings(folder, 'archive = { url = "plant/room-2" }')
     kept = folder / "fleet-clouds"
@@ -340,6 +341,7 @@ def pid_with(word: str, parent: int | None = None) -> int:
     raise AssertionError(f"no process has {word}")
 
 
+@pytest.mark.soak
 def test_what_prevents_a_cloud_is_said_in_a_sentence(folder: Path) -> None:
     archive = folder / "plant/room-2"
     settings = write_settings(folder, 'archive = { url = "plant/room-2" }')
@@ -409,6 +411,7 @@ def test_viewers_fetch_clouds_and_operators_order_them(folder: Path) -> None:
             assert by_password.is_success
 
 
+@pytest.mark.soak
 def test_workers_of_a_scheduler_make_clouds(folder: Path) -> None:
     archive = 'archive = { url = "plant/room-2" }'
     with ExitStack() as stack:
@@ -427,6 +430,7 @@ def test_workers_of_a_scheduler_make_clouds(folder: Path) -> None:
         assert "batch-no-scheduler" in ids_in(failed["problem"])
 
 
+@pytest.mark.soak
 def test_a_full_disk_is_said_and_room_on_it_used(folder: Path, small: Path) -> None:
     archive = 'archive = { url = "plant/room-2" }'
     settings = write_settings(folder, archive, f'[clouds]\nfolder = "{small}/clouds"\n')

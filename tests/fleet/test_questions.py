@@ -13,6 +13,7 @@ from app.fleet.catalogue.entry import CatalogueEntry
 from app.fleet.catalogue.reading import SearchQuery, search
 from app.fleet.questions import drift_of, find_affected, find_calibrations, find_doubted
 from tests.fleet.entries import entry_of, figure_of
+from tests.running.usual import usual
 
 pytestmark = pytest.mark.device
 
@@ -159,7 +160,7 @@ def test_a_calibration_that_is_perhaps_wrong_names_what_would_be_affected(
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("seed", [1, 2])
+@pytest.mark.parametrize("seed", usual([1, 2], 1, pytest.mark.soak))
 def test_a_planted_month_is_found_among_invented_stations(seed: int, tmp_path: object) -> None:
     begin, end = START + 120 * DAY, START + 150 * DAY
     step = PlantedStep("room-2", begin, end, 14.0)
