@@ -160,6 +160,17 @@ def test_a_clock_that_is_set_between_two_pictures_shows(set_by_ns: int, jumps: b
         assert times.has_jumped(camera_ns, begun_ns + way_ns) == (jumps and number == 50)
 
 
+def test_one_picture_that_was_overtaken_is_a_straggler_and_the_next_one_shows_a_set_clock() -> None:
+    times = PictureTimes(SettingHistory(2000.0), "exposure-start", 0.0)
+    seen = []
+    for at_ns in (100, 200, 150, 300, 250, 400, 350, 360):
+        if times.is_straggler(at_ns):
+            seen.append("straggler")
+        else:
+            seen.append("jumped" if times.has_jumped(at_ns, at_ns + DELAY_NS) else "picture")
+    assert [seen.index("jumped"), seen.count("straggler"), seen.count("picture")] == [7, 3, 4]
+
+
 def test_a_clock_that_is_set_in_a_pause_shows_by_the_next_comparison() -> None:
     """A late answer is no sign of it; a camera may begin to stamp from zero when it is started."""
     times = PictureTimes(SettingHistory(2000.0), "exposure-start", 0.0)

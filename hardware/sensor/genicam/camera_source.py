@@ -207,6 +207,8 @@ class CameraSource(ImageSource):
                 known, or the camera's clock was set.
         """
         stamp_ns = picture.device_ns if picture.whole else None
+        if stamp_ns is not None and self.times.is_straggler(stamp_ns):
+            return NoImage.SILENCE
         number = self._blocks.count(picture.block_id, picture.whole, stamp_ns)
         if not picture.whole:
             self._note_incomplete()

@@ -67,6 +67,7 @@ class PictureTimes:
         self._is_compared, self._was_set = False, False
         self._read, self._arrived = ClockLead(), ClockLead()
         self._last_picture_ns: int | None = None
+        self._behind = 0
         self._last_ns: int | None = None
 
     def compare(self, device_ns: int, host_ns: int) -> None:
@@ -82,6 +83,15 @@ class PictureTimes:
     def restart(self) -> None:
         """The camera was stopped and starts again; some begin to stamp from zero then."""
         self._last_picture_ns, self._arrived = None, ClockLead()
+
+    def is_straggler(self, device_ns: int) -> bool:
+        """Whether a picture that arrives now was overtaken by the one before, as one of the
+        acquisition before can be. Two in a row show a clock that was set: ``has_jumped``."""
+        if self._last_picture_ns is None or device_ns >= self._last_picture_ns:
+            self._behind = 0
+            return False
+        self._behind += 1
+        return self._behind == 1
 
     def has_jumped(self, device_ns: int, arrival_ns: int) -> bool:
         """Whether the camera's clock was set while it sends pictures: by the stamp of a picture, or
