@@ -37,6 +37,7 @@ from app.server.fleet.clouds.orders_file import ORDERS_FILE, KeptOrder, KeptOrde
 from app.workflows.reconstruct import reconstruct_cloud
 from tests.archive.filled import archive_of
 from tests.batch.filled import CALIBRATION, fill_station
+from tests.batch.standing_dask import standing_dask as standing_dask
 from tests.fleet.test_server import count, refused_start, running_fleet, until
 from tests.fleet.test_sign_in import HOST, PASSWORD, browser_of, sign_in
 from tests.formats.builders import q_at
