@@ -2,6 +2,7 @@
 
 import logging
 import os
+import socket
 import time
 from collections.abc import Callable
 from contextlib import suppress
@@ -169,6 +170,10 @@ class RemoteScheduler:
             self.client.close(CLOSE_S)
 
     def _connect(self) -> "Client":
+        from distributed.comm.addressing import get_address_host_port
+
+        # a client that finds no scheduler leaves its thread and sockets behind
+        socket.create_connection(get_address_host_port(self._address), CONNECT_S).close()
         client: Client = self._dask.Client(
             self._address, timeout=CONNECT_S, set_as_default=False, name="crenel"
         )

@@ -3,6 +3,7 @@
 import json
 import os
 import shlex
+import socket
 import subprocess
 import sys
 import time
@@ -95,12 +96,16 @@ def test_three_workers_rebuild_an_archive(tmp_path: Path) -> None:
 def until_it_answers(command: list[str]) -> list[str]:
     """The command, which waits for no scheduler, after the scheduler answers."""
     from distributed import Client
+    from distributed.comm.addressing import get_address_host_port
 
     deadline_s = time.monotonic() + DEADLINE_S
     while True:
         try:
-            with Client(command[-1], timeout=5, set_as_default=False) as client:
+            # a client that finds no scheduler leaves its thread and sockets behind
+            socket.create_connection(get_address_host_port(command[-1]), 5).close()
+            with Client(command[-1], timeout=DEADLINE_S, set_as_default=False) as client:
                 client.wait_for_workers(3, timeout=DEADLINE_S)
                 return command
         except OSError:
             assert time.monotonic() < deadline_s, "the scheduler does not answer"
+            time.sleep(0.1)

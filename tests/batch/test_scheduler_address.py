@@ -1,6 +1,7 @@
 """Addresses of schedulers that cannot work end the command with one line."""
 
 import subprocess
+import threading
 from pathlib import Path
 
 import pytest
@@ -48,3 +49,10 @@ def test_a_scheduler_that_is_not_there_is_one_line(address: str, tmp_path: Path)
     assert ran.returncode == 1
     (line,) = ran.stderr.splitlines()
     assert address in line
+
+
+def test_a_scheduler_that_is_waited_for_costs_no_threads() -> None:
+    before = set(threading.enumerate())
+    with pytest.raises(OperationError, match=r"127\.0\.0\.1:9"):
+        RemoteScheduler("tcp://127.0.0.1:9")
+    assert set(threading.enumerate()) <= before
