@@ -28,7 +28,7 @@ from tests.hardware.fake_cameras import port_for_this_test
 from tests.hardware.test_genicam import require_aravis
 from tests.sent_texts import english
 
-pytestmark = pytest.mark.device
+pytestmark = [pytest.mark.device, pytest.mark.xdist_group("gige")]
 
 CONFIG = replace(HALF, camera="gige", frames_hz=25.0)
 LOST_PACKETS = 0.01

@@ -10,6 +10,9 @@ from tests.api.forked_station import ForkedStation
 
 pytestmark = [pytest.mark.device, pytest.mark.soak]
 
+BUSY_LOST_S = 2.9
+"""Nearly a whole one of these scans; how little is lost on a quiet machine, a bench measures."""
+
 ALIKE = {
     *(("flow", "touch", count) for count in (5, 20)),
     *(("verify", step, count) for step, count in (("touch", 2), ("scan", 1))),
@@ -45,4 +48,6 @@ def test_kills_in_every_step_lose_nothing(tmp_path: Path, flow: str) -> None:
 
 @pytest.mark.timeout(300)
 def test_kills_in_scans_lose_nothing(tmp_path: Path) -> None:
-    assert_kept(kills.kill_scans(tmp_path / "data", kills=3, start=ForkedStation))
+    assert_kept(
+        kills.kill_scans(tmp_path / "data", kills=3, start=ForkedStation, most_lost_s=BUSY_LOST_S)
+    )

@@ -14,7 +14,7 @@ from hardware.sensor.genicam import aravis
 from hardware.sensor.genicam.driver import from_options
 from hardware.sensor.genicam.find_genicam import find_forbidden_cameras, find_genicam
 
-pytestmark = pytest.mark.device
+pytestmark = [pytest.mark.device, pytest.mark.xdist_group("gige")]
 
 IN_A_NETWORK = """
 from hardware.discovery import FoundDevice

@@ -48,7 +48,7 @@ from tests.hardware.fake_cameras import (
     write_laser_camera,
 )
 
-pytestmark = pytest.mark.device
+pytestmark = [pytest.mark.device, pytest.mark.xdist_group("gige")]
 
 WIDTH, HEIGHT = 320, 240
 REGION = [0, 0, WIDTH, HEIGHT]

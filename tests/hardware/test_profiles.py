@@ -34,7 +34,7 @@ from tests.hardware.test_genicam import require_aravis
 from tests.hardware.test_simulated_gige import GigeBench, serve
 from tests.hardware.test_simulated_gige import make_driver as make_gige_driver
 
-pytestmark = pytest.mark.device
+pytestmark = [pytest.mark.device, pytest.mark.xdist_group("gige")]
 
 WIDTH, HEIGHT = 320, 240
 DELAY_MS = 5.0

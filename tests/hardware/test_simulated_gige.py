@@ -45,7 +45,7 @@ from tests.hardware.fake_cameras import (
 from tests.hardware.test_genicam import require_aravis, viva
 from tests.hardware.test_simulated_station import SMALL, stripe_in_arm_frame
 
-pytestmark = pytest.mark.device
+pytestmark = [pytest.mark.device, pytest.mark.xdist_group("gige")]
 
 __all__ = ["viva"]  # fixture
 

@@ -12,7 +12,7 @@ from pathlib import Path
 
 import pytest
 
-GRACE_S = 10.0
+GRACE_S = 60.0
 """What ends by itself after a test, such as a connection whose peer has gone, has so long."""
 LOOK_S = 0.02
 STANDING = ("multiprocessing.forkserver", "multiprocessing.resource_tracker")

@@ -97,12 +97,8 @@ class Controller:
     def pytest_xdist_make_scheduler(self) -> PoolScheduler:
         return self.scheduler
 
-    @pytest.hookimpl(wrapper=True)
-    def pytest_runtestloop(self, session: pytest.Session) -> object:
-        done = yield
-        # pytest-xdist counts those of the worker that was last to report them
-        session.testscollected = self.scheduler.collected
-        return done
+    def pytest_sessionstart(self, session: pytest.Session) -> None:
+        self.scheduler.session = session
 
     def pytest_unconfigure(self) -> None:
         shutil.rmtree(self.folder, ignore_errors=True)
@@ -145,13 +141,20 @@ class Worker:
 
 
 def ordered_units(items: Sequence[pytest.Item]) -> list[list[pytest.Item]]:
-    """Tests that one worker runs one after another, the costly first."""
-    units: list[list[pytest.Item]] = []
-    for _, group in groupby(items, lambda item: item.path):
+    """Tests that one worker runs one after another, the costly first.
+
+    These are single tests that wait, the files of those that share something or compute, and all
+    tests with one name of the mark ``xdist_group``, which cannot run beside each other.
+    """
+    units: dict[str, list[pytest.Item]] = {}
+    for path, group in groupby(items, lambda item: item.path):
         tests = list(group)
         together = pool_of_test(tests[0]) == Pool.COMPUTING or any(map(_shares, tests))
-        units += [tests] if together else [[test] for test in tests]
-    return sorted(units, key=_rank)
+        for test in tests:
+            grouped = test.get_closest_marker("xdist_group")
+            name = str(grouped.args[0]) if grouped else str(path) if together else test.nodeid
+            units.setdefault(name, []).append(test)
+    return sorted(units.values(), key=_rank)
 
 
 def _shares(item: pytest.Item) -> bool:
@@ -163,6 +166,8 @@ def _shares(item: pytest.Item) -> bool:
 
 def _rank(unit: list[pytest.Item]) -> int:
     first = unit[0]
+    if first.get_closest_marker("xdist_group"):
+        return -1
     if pool_of_test(first) == Pool.COMPUTING:
         return 0 if first.get_closest_marker(Cost.SLOW) else 1
     folder = first.path.parent.name

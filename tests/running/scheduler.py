@@ -8,6 +8,7 @@ from collections import deque
 from collections.abc import Sequence
 from pathlib import Path
 
+import pytest
 from xdist.workermanage import WorkerController
 
 from tests.running.marks import Pool
@@ -24,6 +25,7 @@ class PoolScheduler:
     """
 
     def __init__(self, expected: int) -> None:
+        self.session: pytest.Session | None = None
         self._expected = expected
         self._ids: dict[WorkerController, list[str]] = {}
         self._pending: dict[WorkerController, list[int]] = {}
@@ -68,6 +70,9 @@ class PoolScheduler:
             front.append(node)
 
     def schedule(self) -> None:
+        if self.session is not None:
+            # pytest-xdist has counted those of the worker that was last to report them
+            self.session.testscollected = self.collected
         for node in self._ids:
             if node in self._pending:
                 self._give(node)

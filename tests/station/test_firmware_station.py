@@ -96,6 +96,7 @@ def is_at(rig: Rig, expected: np.ndarray) -> bool:
     return bool(np.abs(shortest_turn(np.array(newest.reading) - expected)).max() < 1e-9)
 
 
+@pytest.mark.soak  # pictures of a listener that is held up for longer than a pulse are others'
 def test_its_pulses_pair_arm_and_camera(board: Board, tmp_path: Path) -> None:
     """The first encoder turns on after each pulse, so that its angle numbers the pulses; frames
     arrive with ± 20 ms of jitter, and 1 % of them are lost."""

@@ -26,7 +26,7 @@ from tests.station.conftest import until
 from tests.station.test_lines import start_rig
 from tests.station.test_on_simulation import CONFIG, true_calibration
 
-pytestmark = pytest.mark.device
+pytestmark = [pytest.mark.device, pytest.mark.xdist_group("gige")]
 
 BOTH: frozenset[Delivery] = frozenset({"picture", "line"})
 LOST_PACKETS = 0.01

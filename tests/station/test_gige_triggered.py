@@ -19,7 +19,7 @@ from tests.station.test_gige_lines import BOTH
 from tests.station.test_on_simulation import CONFIG
 from tests.station.test_triggered import half_ns, noting_arm
 
-pytestmark = pytest.mark.device
+pytestmark = [pytest.mark.device, pytest.mark.xdist_group("gige")]
 
 RATE_HZ = 20.0
 

@@ -138,8 +138,13 @@ def speaking(words: bytes) -> Iterator[tuple[int, list[socket.socket]]]:
                     held[-1].recv(4096)
                     held[-1].sendall(words)
 
-        threading.Thread(target=serve, daemon=True).start()
+        serving = threading.Thread(target=serve)
+        serving.start()
         yield listening.getsockname()[1], held
+        for one in (listening, *held):
+            with contextlib.suppress(OSError):  # which ends a wait, as closing does not
+                one.shutdown(socket.SHUT_RDWR)
+        serving.join()
         for one in held:
             one.close()
 

@@ -78,6 +78,8 @@ def run_in_process(
         process.join(20.0)
     finally:
         process.kill()
+        process.join()
+        ours.close()
 
 
 @contextlib.contextmanager

@@ -84,6 +84,8 @@ class GenicamSource(CameraSource):
             if block is not None:
                 self._heard_s = time.monotonic()
                 self._compare_clocks()
+                if self._is_of_before(block):
+                    return NoImage.SILENCE
                 return self.show(self._complete(self._stream, block), is_slow)
         if time.monotonic() - self._heard_s > _SILENT_S:
             self.require_answer()
@@ -139,6 +141,12 @@ class GenicamSource(CameraSource):
         if self._parser is not None:
             self.camera.aravis.call("g_object_unref", self._parser)
         self.camera.close()
+
+    def _is_of_before(self, block: StreamBlock) -> bool:
+        """Whether the camera took a picture before it was set to append data to each."""
+        if not self._chunks or not block.whole:
+            return False
+        return not self.camera.aravis.call("arv_buffer_has_chunks", block.handle)
 
     def _complete(self, stream: CameraStream, block: StreamBlock) -> ArrivedPicture:
         # of an incomplete block, not even the format may be known

@@ -6,6 +6,7 @@
      angle JOINT VALUE    error JOINT    noise JOINT (wrong parity, once)
      glide MS (the encoders turn to new angles, all together, in so many milliseconds)
      button BIT DOWN      reset          hang (no timer interrupt any more)
+     bounce BIT COUNT MS (so many changes of the contact, each for so long; an odd count presses)
      mark (says "mark", after all that was said before)
      drop COUNT (samples that the line swallows)
      step VALUE (the first encoder turns by this after each trigger pulse)
@@ -207,8 +208,22 @@ static void press(int bit, int down) {
         avr_io_getirq(avr, AVR_IOCTL_IOPORT_GETIRQ('D'), IOPORT_IRQ_PIN2 + bit), !down);
 }
 
+static int bouncing_bit, bounces_left, bounce_ms, bounce_due;
+
+/* Each millisecond of the arm's clock, so that a host that is held up makes no contact longer. */
+static void bounce(void) {
+    if (!bounces_left || --bounce_due > 0)
+        return;
+    bounce_due = bounce_ms;
+    press(bouncing_bit, bounces_left-- & 1);
+}
+
 static void obey(const char *line) {
     int joint, value;
+    if (sscanf(line, "bounce %d %d %d", &bouncing_bit, &bounces_left, &bounce_ms) == 3) {
+        bounce_due = 0;
+        return;
+    }
     if (sscanf(line, "angle %d %d", &joint, &value) == 2)
         target[joint] = value, left_ms = glide_ms;
     else if (sscanf(line, "glide %d", &value) == 1)
@@ -300,6 +315,7 @@ int main(int argc, char **argv) {
         due = avr->cycle + SLICE;
         obey_input();
         turn_on();
+        bounce();
         exchange_with_host();
         /* the arm's clock keeps step with the host's, or is slower if this machine is too slow; it
            never makes up for that, since a real one does not run fast */
