@@ -1,5 +1,6 @@
 """Connects the parts of the station, and closes them in order."""
 
+from contextlib import ExitStack
 from typing import TYPE_CHECKING
 
 from app.api.scan import stop_everything
@@ -41,18 +42,22 @@ def open_context(parts: StationParts) -> Context:
     Raises:
         OperationError: the data folder cannot be used, or is in use by another server.
     """
-    store = Store(parts.data)
-    try:
-        return _build_context(parts, store)
-    except BaseException:
-        store.close()
-        raise
+    with ExitStack() as opened:
+        store = Store(parts.data)
+        opened.callback(store.close)
+        context = _build_context(parts, store, opened)
+        opened.pop_all()
+        return context
 
 
-def _build_context(parts: StationParts, store: Store) -> Context:
+def _build_context(parts: StationParts, store: Store, opened: ExitStack) -> Context:
     live = open_live_station(parts, store)
+    opened.callback(live.scene.close)
+    opened.callback(live.view_controller.close)
+    opened.callback(live.scanner.close)
     bus, rig, jobs, scanner = live.bus, live.rig, live.jobs, live.scanner
     watch = MonitoringServices(parts.monitoring, parts.name, bus, store, jobs)
+    opened.callback(watch.close)
     lease = Lease(bus)
 
     def use_calibrations() -> None:

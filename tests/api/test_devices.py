@@ -1,5 +1,6 @@
 """Finding, trying and choosing devices of a running station."""
 
+import socket
 from collections.abc import Iterator
 from dataclasses import replace
 from http import HTTPStatus
@@ -11,6 +12,7 @@ import numpy as np
 import pytest
 
 from app.api.monitoring.support import context_redactor
+from app.bench.station.subprocess_station import free_port
 from app.errors import OperationError
 from app.formats.datasheets.arm import read_any_arm
 from app.formats.datasheets.sensor import read_sensor
@@ -21,7 +23,7 @@ from app.station.setup.trials import DeviceTrials
 from hardware.simulator.devices.rtde_server import RobotState, RtdeServer
 from tests.api.conftest import Server, running_server, wait_for
 from tests.hardware.test_kuka_rsi import rsi_packet
-from tests.hardware.udp_robot import UdpRobot, free_udp_port
+from tests.hardware.udp_robot import UdpRobot
 from tests.sent_texts import english
 from tests.simulated_robots import robot
 
@@ -124,7 +126,7 @@ def test_a_tried_arm_shows_its_joints(station: Server) -> None:
 
 
 def test_a_tried_robot_whose_packets_are_damaged_says_so(station: Server) -> None:
-    controller = UdpRobot(free_udp_port(), 4, rsi_packet)
+    controller = UdpRobot(free_port(socket.SOCK_DGRAM), 4, rsi_packet)
     body = {
         "kind": "arm",
         "driver": "kuka-rsi",

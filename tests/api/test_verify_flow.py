@@ -286,9 +286,9 @@ def test_a_server_killed_while_it_scans_loses_no_cloud(desk: Desk, tmp_path: Pat
     with ThreadPoolExecutor(1) as elsewhere:
         moving = elsewhere.submit(simulated_operator.scan_part, "plate")
         wait_for(lambda: server.context.scanner.state().points, lambda points: points > 3000)
-        left = tmp_path / "left"
-        shutil.copytree(server.data, left)
         moving.result(PATIENCE_S)
+    left = tmp_path / "left"
+    shutil.copytree(server.data, left)
     desk.do("finish_cloud")
 
     store, bus = Store(left), Bus()

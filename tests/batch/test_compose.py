@@ -18,8 +18,8 @@ import yaml
 pytest.importorskip("distributed")
 
 from app.bench.fleet.dask_processes import DEADLINE_S
+from app.bench.station.subprocess_station import free_port
 from tests.batch.filled import fill_archive
-from tests.single_sign_on.mock_provider import free_port
 
 pytestmark = pytest.mark.device
 COMPOSE = Path(__file__).resolve().parents[2] / "docker/workers.compose.yaml"

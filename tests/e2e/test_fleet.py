@@ -13,11 +13,12 @@ pytest.importorskip("psycopg")
 
 from app.archive.ownership import MARKER
 from app.bench.fleet.invented import START, PlantedStep, invent_entries
+from app.bench.station.subprocess_station import free_port
 from app.fleet.catalogue.catalogue import FleetCatalogue
 from tests.fleet import test_clouds as clouds
 from tests.fleet.test_server import running_fleet
 from tests.fleet.test_sign_in import write_settings
-from tests.single_sign_on.mock_provider import free_port, mock_provider
+from tests.single_sign_on.mock_provider import mock_provider
 
 pytestmark = pytest.mark.device
 WRONG_SINCE = START + timedelta(days=120)

@@ -7,11 +7,12 @@ from pathlib import Path
 import pytest
 from playwright.sync_api import Browser, Page, expect
 
+from app.bench.station.subprocess_station import free_port
 from app.store.accounts import Role
 from app.store.store import Store
 from tests.e2e.conftest import Demo
 from tests.forked import COMMAND_LINE
-from tests.single_sign_on.mock_provider import SIGN_IN, MockProvider, free_port, mock_provider
+from tests.single_sign_on.mock_provider import SIGN_IN, MockProvider, mock_provider
 
 pytestmark = pytest.mark.device
 

@@ -3,7 +3,6 @@
 import os
 import pwd
 import shutil
-import socket
 import subprocess
 import tempfile
 from collections.abc import Iterator
@@ -11,6 +10,8 @@ from contextlib import contextmanager
 from pathlib import Path
 
 import psycopg
+
+from app.bench.station.subprocess_station import free_port
 
 STARTED_MODULES = ()  # PostgreSQL
 PROGRAMS = sorted(Path("/usr/lib/postgresql").glob("*/bin"), reverse=True)
@@ -42,8 +43,7 @@ class PostgresServer:
         self._run("initdb", "-D", "data", "-U", "crenel", "-A", "trust", "-E", "UTF8", "-N")
         access = folder / "data/pg_hba.conf"
         access.write_text(f"host all reader 127.0.0.1/32 scram-sha-256\n{access.read_text()}")
-        with socket.create_server(("127.0.0.1", 0)) as free:
-            self.port = int(free.getsockname()[1])
+        self.port = free_port()
         self._schemas = 0
 
     def start(self) -> None:

@@ -2,6 +2,7 @@
 another team's client (``ABBRobotEGM``) reads as well."""
 
 import math
+import socket
 from collections.abc import Callable, Iterator
 from typing import Any
 
@@ -10,6 +11,7 @@ import pytest
 from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
+from app.bench.station.subprocess_station import free_port
 from hardware.arm.robots.egm_message import decode_robot
 from hardware.errors import DeviceError
 from hardware.interfaces import ArmDriver, PoseSample
@@ -22,7 +24,7 @@ from tests.hardware.conformance import (
     select_readings,
     select_samples,
 )
-from tests.hardware.udp_robot import UdpBench, UdpRobot, free_udp_port
+from tests.hardware.udp_robot import UdpBench, UdpRobot
 
 egm_pb2 = pytest.importorskip("ABBRobotEGM._egm_protobuf.egm_pb2")
 
@@ -60,7 +62,7 @@ def egm_packet(cycle: int, stamp_ns: int) -> bytes:
 
 @pytest.fixture
 def robot() -> Iterator[UdpRobot]:
-    robot = UdpRobot(free_udp_port(), 4, egm_packet)
+    robot = UdpRobot(free_port(socket.SOCK_DGRAM), 4, egm_packet)
     yield robot
     robot.stop()
 
@@ -121,7 +123,9 @@ def frame(values: list[float]) -> NDArray[np.float64]:
 
 def test_the_header_counts_the_milliseconds_where_there_is_no_clock() -> None:
     robot = UdpRobot(
-        free_udp_port(), 4, lambda cycle, _: bytes(robot_message(cycle, False).SerializeToString())
+        free_port(socket.SOCK_DGRAM),
+        4,
+        lambda cycle, _: bytes(robot_message(cycle, False).SerializeToString()),
     )
     driver = make_driver(robot)
     driver.open()

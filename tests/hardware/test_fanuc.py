@@ -12,6 +12,7 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
+from app.bench.station.subprocess_station import free_port
 from hardware.errors import DeviceError
 from hardware.interfaces import ArmDriver, PoseSample
 from hardware.registry import arm_driver
@@ -24,7 +25,6 @@ from tests.hardware.conformance import (
     select_readings,
     select_samples,
 )
-from tests.hardware.udp_robot import free_udp_port
 
 testing = pytest.importorskip("airo_fanuc.testing")
 
@@ -38,7 +38,7 @@ class FanucBench(ArmBench):
     """``unplug`` ends the emulator; ``plug_in`` starts another one at the same port."""
 
     def __init__(self, report: str = "flange", **config: Any) -> None:
-        self.port, self.report, self._config = free_udp_port(), report, config
+        self.port, self.report, self._config = free_port(socket.SOCK_DGRAM), report, config
         self.controller: Any = None
         self.plug_in()
 

@@ -1,7 +1,6 @@
 """The example bridge for FARO arms, without the vendor's driver, in front of the driver."""
 
 import importlib.util
-import socket
 import subprocess
 import sys
 import threading
@@ -14,6 +13,7 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
+from app.bench.station.subprocess_station import free_port
 from hardware.arm.serial_encoder import from_options
 from hardware.interfaces import ArmDriver, Button, PoseSample
 from tests.hardware.conformance import (
@@ -166,8 +166,7 @@ def test_a_press_at_rest_comes_through_if_only_changes_are_sent() -> None:
 
 def test_the_file_alone_serves_a_simulated_arm(tmp_path: Path) -> None:
     """With the standard library only: no installed package is visible to it."""
-    with socket.create_server(("127.0.0.1", 0)) as free:
-        port = free.getsockname()[1]
+    port = free_port()
     alone = tmp_path / "faro_bridge.py"
     alone.write_bytes(SCRIPT.read_bytes())
     command = [sys.executable, "-I", "-S", str(alone), "--simulate", "--host", "127.0.0.1"]

@@ -15,6 +15,7 @@ import pytest
 from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
+from app.bench.station.subprocess_station import free_port
 from hardware.errors import DeviceError
 from hardware.interfaces import ArmDriver, PoseSample
 from hardware.registry import arm_driver
@@ -26,7 +27,7 @@ from tests.hardware.conformance import (
     select_readings,
     select_samples,
 )
-from tests.hardware.udp_robot import UdpBench, UdpRobot, free_udp_port
+from tests.hardware.udp_robot import UdpBench, UdpRobot
 
 pytestmark = pytest.mark.device
 
@@ -49,7 +50,7 @@ def rsi_packet(cycle: int, stamp_ns: int, cycle_ms: int = 4) -> bytes:
 
 @pytest.fixture
 def robot() -> Iterator[UdpRobot]:
-    port = free_udp_port()
+    port = free_port(socket.SOCK_DGRAM)
     robot = UdpRobot(port, 4, rsi_packet)
     yield robot
     robot.stop()
@@ -77,7 +78,7 @@ def test_joints_and_cycle_are_as_sent(robot: UdpRobot) -> None:
 
 
 def test_a_cycle_of_12_ms_is_found() -> None:
-    port = free_udp_port()
+    port = free_port(socket.SOCK_DGRAM)
     robot = UdpRobot(port, 12, lambda cycle, stamp_ns: rsi_packet(cycle, stamp_ns, 12))
     driver = make_driver(robot)
     assert driver.open().rate_hz == pytest.approx(1000 / 12)
@@ -202,7 +203,7 @@ CONFIG = """<ROOT><CONFIG><IP_NUMBER>127.0.0.1</IP_NUMBER><PORT>{port}</PORT>
 @pytest.mark.parametrize("report", ["flange", "joints"])
 def test_an_emulator_of_others_is_read(tmp_path: Path, report: str) -> None:
     pytest.importorskip("RSIPI", exc_type=ImportError)
-    port = free_udp_port()
+    port = free_port(socket.SOCK_DGRAM)
     config = tmp_path / "RSI_EthernetConfig.xml"
     config.write_text(CONFIG.format(port=port))
     emulator = subprocess.Popen(

@@ -2,7 +2,6 @@
 
 import os
 import re
-import socket
 import threading
 import time
 from collections.abc import Iterator
@@ -15,6 +14,7 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
+from app.bench.station.subprocess_station import free_port
 from hardware.arm.expected_arm import SerialEncoderOptions
 from hardware.arm.packet_stream import PacketStream
 from hardware.arm.serial_encoder import from_options
@@ -348,10 +348,7 @@ def test_a_port_that_cannot_be_opened_says_why(tmp_path: Path) -> None:
     assert re.search(
         "cannot be opened .*(Available|No serial) port", open_error({"url": str(plain)})
     )
-    free = socket.create_server(("127.0.0.1", 0))
-    port = free.getsockname()[1]
-    free.close()
-    assert "No program listens at" in open_error({"url": f"socket://127.0.0.1:{port}"})
+    assert "No program listens at" in open_error({"url": f"socket://127.0.0.1:{free_port()}"})
     assert "is not known" in open_error({"url": "socket://no-such-host.invalid:1"})
 
 

@@ -13,12 +13,6 @@ AT_ONCE = 50
 """Packets that a robot which was held up makes up for in one go: more would find no room."""
 
 
-def free_udp_port() -> int:
-    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as taken:
-        taken.bind(("127.0.0.1", 0))
-        return int(taken.getsockname()[1])
-
-
 class UdpRobot:
     """Sends ``packet(cycle, host-monotonic ns)`` every ``cycle_ms``, from an address of its own.
 

@@ -1,6 +1,5 @@
 """The provider of the package oidc-provider-mock, in a process of its own."""
 
-import socket
 import subprocess
 import sys
 import time
@@ -14,6 +13,7 @@ from urllib.parse import parse_qsl, urlsplit
 import httpx
 import pytest
 
+from app.bench.station.subprocess_station import free_port
 from app.single_sign_on.pending import ProviderAnswer
 from app.single_sign_on.settings import SignInSettings
 
@@ -104,13 +104,6 @@ def _wait(provider: MockProvider, process: "subprocess.Popen[bytes]") -> None:
             assert process.poll() is None
             assert time.monotonic() < deadline
             time.sleep(0.1)
-
-
-def free_port() -> int:
-    """A port on which nobody listens now."""
-    with socket.socket() as own:
-        own.bind(("127.0.0.1", 0))
-        return int(own.getsockname()[1])
 
 
 def answer_of(page: str, subject: str, action: str = "") -> ProviderAnswer:

@@ -120,7 +120,7 @@ def test_what_starts_is_seen_through_fixtures_and_other_files() -> None:
     assert of_fixture("api", "at_setup") == {"a station"}
     assert of_fixture("e2e", "browser") == {"a browser"}
     assert of_fixture("e2e", "demo") == {"a process"}
-    assert of_fixture("fleet", "catalogue") == {"a process", "a server"}
+    assert of_fixture("fleet", "catalogue") == {"a process"}
     assert of_fixture("supervision", "broker") == {"a process"}
     assert not of_fixture("archive", "store")
     assert not of_fixture("guide", "arm")

@@ -1,10 +1,11 @@
 """A scheduler and workers of Dask as processes, as an administrator starts them."""
 
-import socket
 import subprocess
 import sys
 from collections.abc import Mapping
 from pathlib import Path
+
+from app.bench.station.subprocess_station import free_port
 
 DEADLINE_S = 60.0
 
@@ -13,8 +14,7 @@ class DaskProcesses:
     """A scheduler on a fixed port, and workers that can be lost."""
 
     def __init__(self, folder: Path, environment: Mapping[str, str]) -> None:
-        with socket.create_server(("127.0.0.1", 0)) as free:
-            self._port = free.getsockname()[1]
+        self._port = free_port()
         self._folder, self._environment = folder, dict(environment)
         self._scheduler: subprocess.Popen[bytes] | None = None
         self._workers: list[subprocess.Popen[bytes]] = []

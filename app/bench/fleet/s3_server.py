@@ -15,7 +15,7 @@ from types import TracebackType
 from typing import Any, Self
 from urllib.request import Request, urlopen
 
-from app.bench.station.subprocess_station import stuck_error
+from app.bench.station.subprocess_station import free_port, stuck_error
 from app.errors import OperationError
 
 BINARY = shutil.which("moto_server") or shutil.which(
@@ -42,8 +42,7 @@ class S3Server:
             )
         import boto3  # comes with moto
 
-        with socket.create_server(("127.0.0.1", 0)) as free:
-            self.port = free.getsockname()[1]
+        self.port = free_port()
         self._process = subprocess.Popen(
             [BINARY, "-H", "127.0.0.1", "-p", f"{self.port}"],
             stdout=subprocess.DEVNULL,

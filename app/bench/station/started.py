@@ -4,7 +4,6 @@ import contextlib
 import os
 import re
 import signal
-import socket
 import subprocess
 import sys
 import time
@@ -16,7 +15,7 @@ from typing import Any
 
 import httpx
 
-from app.bench.station.subprocess_station import memory_mb
+from app.bench.station.subprocess_station import free_port, memory_mb
 from app.errors import OperationError
 
 PATIENCE_S = 900.0
@@ -125,9 +124,7 @@ class DemoProcess:
 
     def __init__(self, copy: InstalledCopy, cache: Path, data: Path) -> None:
         self._copy = copy
-        with socket.socket() as free:
-            free.bind(("127.0.0.1", 0))
-            self._address = f"http://127.0.0.1:{free.getsockname()[1]}"
+        self._address = f"http://127.0.0.1:{free_port()}"
         port = self._address.rpartition(":")[2]
         self._output = data / "output.txt"
         data.mkdir()

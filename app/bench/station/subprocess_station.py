@@ -2,6 +2,7 @@
 
 import contextlib
 import multiprocessing
+import random
 import socket
 import threading
 import time
@@ -20,6 +21,9 @@ from app.server.listener import make_server
 from app.server.station_parts import StationParts
 
 PATIENCE_S = 120.0
+_PORTS = range(12_000, 32_000)
+"""Below those that systems give to whoever asks for any: nobody else gets one in the meantime."""
+_TRIES = 100
 MB = 1 << 20
 GUEST = "Bench"
 
@@ -80,6 +84,22 @@ def run_in_process(
         process.kill()
         process.join()
         ours.close()
+
+
+def free_port(kind: socket.SocketKind = socket.SOCK_STREAM) -> int:
+    """A port of 127.0.0.1 that nobody uses, of TCP or UDP, for a server that begins later.
+
+    Raises:
+        OSError: none of many ports can be used.
+    """
+    for port in random.SystemRandom().sample(_PORTS, _TRIES):
+        with socket.socket(socket.AF_INET, kind) as own:
+            try:
+                own.bind(("127.0.0.1", port))
+                return port
+            except OSError:
+                continue
+    raise OSError(f"none of {_TRIES} ports from {_PORTS.start} to {_PORTS.stop} can be used")
 
 
 @contextlib.contextmanager

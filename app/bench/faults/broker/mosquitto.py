@@ -9,7 +9,7 @@ from pathlib import Path
 from types import TracebackType
 from typing import Self
 
-from app.bench.station.subprocess_station import stuck_error
+from app.bench.station.subprocess_station import free_port, stuck_error
 
 BINARY = shutil.which("mosquitto") or shutil.which("mosquitto", path="/usr/sbin:/usr/local/sbin")
 START_S = 10.0
@@ -20,9 +20,7 @@ class Mosquitto:
     """Can be killed and started again on the same port."""
 
     def __init__(self, folder: Path, passwords: bool = False) -> None:
-        with socket.socket() as free:
-            free.bind(("127.0.0.1", 0))
-            self.port: int = free.getsockname()[1]
+        self.port = free_port()
         self._config = folder / "mosquitto.conf"
         # started by root it would become a user who may not read the passwords
         lines = [f"listener {self.port} 127.0.0.1", f"user {getpass.getuser()}"]
