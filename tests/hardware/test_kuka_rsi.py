@@ -7,7 +7,9 @@ the conformance suite runs on the sender.
 import socket
 import subprocess
 import sys
+import time
 from collections.abc import Callable, Iterator
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 import numpy as np
@@ -20,6 +22,7 @@ from hardware.errors import DeviceError
 from hardware.interfaces import ArmDriver, PoseSample
 from hardware.registry import arm_driver
 from tests.hardware.conformance import (
+    LONG_S,
     ArmBench,
     ArmConformance,
     read_until,
@@ -200,26 +203,33 @@ CONFIG = """<ROOT><CONFIG><IP_NUMBER>127.0.0.1</IP_NUMBER><PORT>{port}</PORT>
 </ELEMENTS></SEND><RECEIVE><ELEMENTS/></RECEIVE></ROOT>"""
 
 
+def await_bound(port: int) -> None:
+    deadline = time.monotonic() + LONG_S
+    while f":{port:04X} " not in Path("/proc/net/udp").read_text():
+        assert time.monotonic() < deadline, "the driver does not listen"
+        time.sleep(0.01)
+
+
 @pytest.mark.parametrize("report", ["flange", "joints"])
 def test_an_emulator_of_others_is_read(tmp_path: Path, report: str) -> None:
     pytest.importorskip("RSIPI", exc_type=ImportError)
     port = free_port(socket.SOCK_DGRAM)
     config = tmp_path / "RSI_EthernetConfig.xml"
     config.write_text(CONFIG.format(port=port))
-    emulator = subprocess.Popen(
-        [sys.executable, "-c", EMULATOR, str(config)], cwd=tmp_path, stdout=subprocess.DEVNULL
-    )
-    try:
-        driver = arm_driver(
-            "kuka-rsi",
-            {"address": "127.0.0.1", "port": port, "report": report, "timeout_s": 30.0},
-        )
-        driver.open()
-        reading = select_readings(read_until(driver, select_readings))[0]
-        driver.close()
-    finally:
-        emulator.kill()
-        emulator.wait()
+    options = {"address": "127.0.0.1", "port": port, "report": report, "timeout_s": LONG_S}
+    driver = arm_driver("kuka-rsi", options)
+    with ThreadPoolExecutor(1) as elsewhere:
+        opening = elsewhere.submit(driver.open)
+        await_bound(port)  # the emulator gives up soon where nobody listens
+        command = [sys.executable, "-c", EMULATOR, str(config)]
+        emulator = subprocess.Popen(command, cwd=tmp_path, stdout=subprocess.DEVNULL)
+        try:
+            opening.result()
+            reading = select_readings(read_until(driver, select_readings))[0]
+            driver.close()
+        finally:
+            emulator.kill()
+            emulator.wait()
     if isinstance(reading, PoseSample):
         assert reading.position_mm == pytest.approx((500.0, -20.0, 350.0))
         expected = Rotation.from_euler("ZYX", [10.0, 20.0, 30.0], degrees=True)
