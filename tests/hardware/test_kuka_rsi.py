@@ -216,7 +216,7 @@ def test_an_emulator_of_others_is_read(tmp_path: Path, report: str) -> None:
     port = free_port(socket.SOCK_DGRAM)
     config = tmp_path / "RSI_EthernetConfig.xml"
     config.write_text(CONFIG.format(port=port))
-    options = {"address": "127.0.0.1", "port": port, "report": report, "timeout_s": LONG_S}
+    options = {"address": "127.0.0.1", "port": port, "report": report, "timeout_s": 60.0}
     driver = arm_driver("kuka-rsi", options)
     with ThreadPoolExecutor(1) as elsewhere:
         opening = elsewhere.submit(driver.open)
