@@ -1,5 +1,6 @@
 """What is said of pictures that are dark, overexposed or blurred."""
 
+from pathlib import Path
 from typing import Any
 
 import cv2
@@ -10,6 +11,7 @@ from numpy.typing import NDArray
 from app.errors import OperationError
 from app.metrology.detection.image_quality import edge_blur_px, grey_levels, image_findings
 from app.metrology.image import Image
+from hardware.simulator.session import SessionPlan, render_session
 from tests.metrology.rendered_block import render_block
 from tests.pictures import Depth, blur, of_depth
 
@@ -45,6 +47,14 @@ def test_a_sharp_picture_that_is_half_black_is_not_called_blurred(image: NDArray
     half = image.copy()
     half[half.shape[0] // 2 :] = 0
     assert codes(half) == []
+
+
+@pytest.mark.parametrize("width_px", [640, 800, 1280])
+def test_the_picture_of_a_small_camera_is_not_called_soft(width_px: int, tmp_path: Path) -> None:
+    """Lens and pixels blur by the same number of pixels, however few the pixels are."""
+    render_session(tmp_path, 5, SessionPlan(width_px=width_px, height_px=width_px * 4 // 5))
+    (sharp,) = tmp_path.glob("images/*ambient*")
+    assert codes(cv2.imread(str(sharp), cv2.IMREAD_GRAYSCALE)) == []
 
 
 @pytest.mark.parametrize("sigma_px", [1.5, 2.5, 4.0, 6.0])

@@ -2,6 +2,7 @@
 
 import threading
 import time
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -92,6 +93,61 @@ def test_a_loss_at_the_pause_asks_for_another_start(lost_side: str) -> None:
     assert not pairing.is_paired
     found = run_train(pairing, camera, 5 * 10**9, 30)
     np.testing.assert_array_equal(errors_ns(found, camera), 0)
+
+
+@pytest.mark.parametrize(("held_up", "period_ns"), [(1, 160 * MS), (4, PERIOD_NS)])
+def test_frames_that_were_held_up_over_the_pause_give_no_other_frame_their_time(
+    held_up: int, period_ns: int
+) -> None:
+    """The last frames before the pause arrive with the first one after it."""
+    camera, pairing = Camera(0, 7), PulsePairing()
+    run_train(pairing, camera, 10**9, 15)
+    pairing.restart()
+    start_ns = 3 * 10**9
+    for pulse in range(1, 40):  # pairing waits for the sample of the pulse that it supposes
+        pairing.note_pulse(pulse, start_ns + (pulse - 1) * period_ns)
+    arrived = [camera.expose(start_ns - 400 * MS, keep=True) for _ in range(held_up)]
+    arrived += [camera.expose(start_ns + at * period_ns, keep=True) for at in range(20)]
+    for frame in arrived:
+        assert frame is not None
+        stamp_ns = max(frame.mid_exposure_ns, start_ns + 30 * MS)
+        paired = pairing.pair(replace(frame, mid_exposure_ns=stamp_ns))
+        assert paired is None or paired.sequence <= 15 + held_up  # of before the pause
+        if pairing.needs_start:
+            return
+    raise AssertionError("the wrong pairs were never noticed")
+
+
+def test_a_pause_that_a_late_frame_hides_is_not_seen_between_two_later_ones() -> None:
+    """The last frame before the pause arrives shortly before the first one after it; then one
+    arrives late."""
+    camera, pairing = Camera(0, 8, late_ms=20.0), PulsePairing()
+    run_train(pairing, camera, 10**9, 15)
+    last = camera.expose(3 * 10**9 - 300 * MS, keep=True)
+    assert last is not None
+    pairing.restart()
+    pairing.pair(replace(last, mid_exposure_ns=3 * 10**9 - 120 * MS))
+    for pulse in range(1, 8):
+        pulse_ns = 3 * 10**9 + (pulse - 1) * PERIOD_NS
+        pairing.note_pulse(pulse, pulse_ns)
+        frame = camera.expose(pulse_ns, keep=True)
+        assert frame is not None
+        stamp_ns = frame.mid_exposure_ns + (220 * MS if pulse > 1 else 0)
+        assert pairing.pair(replace(frame, mid_exposure_ns=stamp_ns)) is None
+    assert pairing.needs_start
+
+
+def test_a_frame_that_arrives_before_its_pulse_is_anothers() -> None:
+    camera, pairing = Camera(0, 9), PulsePairing()
+    run_train(pairing, camera, 10**9, 15)
+    run_train(pairing, camera, 3 * 10**9, 30)
+    pulse_ns = 3 * 10**9 + 30 * PERIOD_NS
+    pairing.note_pulse(31, pulse_ns)
+    frame = camera.expose(pulse_ns, keep=True)
+    assert frame is not None
+    assert pairing.pair(replace(frame, mid_exposure_ns=pulse_ns - 80 * MS)) is None
+    assert pairing.needs_start
+    assert not pairing.is_paired
 
 
 def test_a_camera_that_misses_triggers_is_noticed() -> None:

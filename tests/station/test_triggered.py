@@ -65,6 +65,14 @@ class Noted:
         self.exposed_ns: dict[int, int] = {}
         """When exposures began, by the camera's count."""
 
+    def by_train(self) -> Iterator[tuple[int, int, int]]:
+        """The train, the stamp and the number of each pulse."""
+        train, before = 0, 0
+        for at_ns, pulse in self.pulses.items():
+            train += pulse <= before
+            before = pulse
+            yield train, at_ns, pulse
+
     def arm(self) -> ArmDriver:
         return noting_arm(self._simulation.arm_url, self.pulses)
 
@@ -117,11 +125,12 @@ def test_arm_and_frames_are_paired_exactly(
     simulation.operator.cancel()
     mover.join()
     assert rig.sensor.is_paired
-    # the counts of arm and camera go together, without one exception
+    # the counts of arm and camera go together, without one exception; a busy machine hands frames
+    # over so late that the pulses are started once more, which counts them from 1 again
     begins = {one.mid_exposure_ns - half_ns(one): one.sequence for one in frames}
-    offsets = [begins[at] - pulse for at, pulse in noted.pulses.items() if at in begins]
-    assert len(offsets) > 40, "few pulses were lost"
-    assert len(set(offsets)) == 1
+    known = [(train, begins[at] - of) for train, at, of in noted.by_train() if at in begins]
+    assert len(known) > 40, "few pulses were lost"
+    assert len(set(known)) == len({train for train, _ in known})
     # and each frame is given the joints that the arm truly had
     frames = [one for one in frames if rig.arm.at(one.mid_exposure_ns) is not None]
     read = np.array([rig.arm.at(one.mid_exposure_ns) for one in frames])

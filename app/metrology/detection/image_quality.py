@@ -25,6 +25,8 @@ CLIPPED = 0.03
 # the second, the two edges of a groove's side merge.
 SOFT = 0.0016
 BLURRED = 0.004
+# Lens and pixels blur this much in focus: in a small picture, less is no fault.
+IN_FOCUS_PX = 1.5
 # Ratio of noise to contrast at which the smaller steps between faces are lost.
 NOISY = 0.04
 _SMOOTH_PX = 0.7
@@ -187,7 +189,7 @@ def measure_image_quality(image: Image) -> ImageQuality:
         low=float(low),
         high=float(high),
         blur_px=None,
-        soft_px=SOFT * longer,
+        soft_px=max(SOFT * longer, IN_FOCUS_PX),
         mosaic=shows_mosaic(image),
     )
     if found.overexposed or found.dark or found.dim:

@@ -3,8 +3,10 @@
 The arm counts its pulses from 1 at each start. The camera counts its triggers from any number on,
 those of frames that are lost on the way among them. Which of them was the arm's first pulse is
 seen at the pause before a start: the last frame before it and the first one after it have adjacent
-counts, unless one of the two was lost; then the pulses are started once more. From then on, a
-frame's pulse gives its time by the arm's own clock, however late the frame arrives.
+counts, unless one of the two was lost, or frames of before the pause were held up until after it;
+then the pulses are started once more. From then on, a frame's pulse gives its time by the arm's own
+clock, however late the frame arrives. A frame that arrives before its pulse is another one's, and
+the pulses are started once more.
 
 A camera that is stopped to change between pictures and lines misses triggers meanwhile: where its
 count has a gap at the change, the pulses are started once more.
@@ -106,7 +108,8 @@ class PulsePairing:
             if pulse_ns is None:
                 return None
             middle_ns = pulse_ns + self._delay_ns + round(500 * frame.exposure_us)
-            if self._has_slipped(frame.mid_exposure_ns - middle_ns):
+            late_ns = frame.mid_exposure_ns - middle_ns
+            if late_ns < -EARLY_NS or self._has_slipped(late_ns):
                 self._forget()
                 self._needs_start = True
                 return None
@@ -129,9 +132,9 @@ class PulsePairing:
         if first_ns is None:
             return
         for (before, before_ns), (after, after_ns) in pairwise(frames):
-            if after_ns < first_ns - EARLY_NS or after_ns - before_ns < PAUSE_SEEN_NS:
+            if after_ns < first_ns - EARLY_NS:
                 continue
-            if after == before + 1:
+            if before_ns < after_ns - PAUSE_SEEN_NS and after == before + 1:
                 self._offset = before
             else:
                 self._needs_start = True
