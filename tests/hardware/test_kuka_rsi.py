@@ -187,7 +187,11 @@ def test_what_is_wrong_at_opening_is_said(robot: UdpRobot) -> None:
 
 
 EMULATOR = """
-import sys, time
+import socket, sys, time
+class AnyPort(socket.socket):
+    def bind(self, address):  # EchoServer binds port 50000, which somebody else may have
+        super().bind((address[0], 0))
+socket.socket = AnyPort
 from RSIPI.rsi_echo_server import EchoServer
 server = EchoServer(sys.argv[1], onlysend=True)
 server.state["AIPos"] = {f"A{joint}": 10.0 * joint for joint in range(1, 7)}
