@@ -1,9 +1,8 @@
 """Copies of data folders, also while they are written; and API tokens."""
 
 import json
-import sqlite3
 import threading
-from collections.abc import Iterator
+from contextlib import closing
 from pathlib import Path
 
 import pytest
@@ -11,16 +10,8 @@ import pytest
 from app.errors import OperationError
 from app.store.accounts import Role
 from app.store.backup import LAST, NOTE, backup, last_backup
-from app.store.database import Database
-from app.store.schemas import ACCESS, FIRST
 from app.store.store import Store
-
-
-@pytest.fixture
-def store(tmp_path: Path) -> Iterator[Store]:
-    opened = Store(tmp_path / "data")
-    yield opened
-    opened.close()
+from tests.store.conftest import open_database
 
 
 def test_a_backup_of_a_folder_that_is_written_is_of_one_moment(store: Store) -> None:
@@ -54,15 +45,14 @@ def test_a_backup_of_a_folder_that_is_written_is_of_one_moment(store: Store) -> 
     assert not (copy / "station.lock").exists()
     assert not (copy / "logs").exists()
     assert copy.stat().st_mode & 0o077 == 0
-    again = Store(copy)
-    rows = again.journal.rows("s")
+    with closing(Store(copy)) as again:
+        rows = again.journal.rows("s")
+        assert again.accounts.authenticate("Ada", "three unrelated words")
+        assert again.check() == ""
     assert 20 <= len(rows) <= before
     assert [row.payload["n"] for row in rows] == list(range(len(rows)))
     for number in range(len(rows) - 1):
         assert (copy / f"sessions/{number}.csv").is_file()
-    assert again.accounts.authenticate("Ada", "three unrelated words")
-    assert again.check() == ""
-    again.close()
 
 
 def test_what_cannot_be_backed_up_is_refused_and_leaves_nothing(
@@ -103,19 +93,6 @@ def test_a_damaged_database_is_reported(store: Store, tmp_path: Path) -> None:
         backup(store.folder, tmp_path / "out")
 
 
-def test_a_database_of_the_version_before_gets_the_new_tables(tmp_path: Path) -> None:
-    path = tmp_path / "station.db"
-    old = sqlite3.connect(path)
-    old.executescript(f"{FIRST} {ACCESS} PRAGMA user_version = 2;")
-    old.execute("INSERT INTO account VALUES ('Ada', 'admin', '!', '2026-01-01')")
-    old.commit()
-    old.close()
-    database = Database(path)
-    assert database.read("SELECT name FROM account")[0]["name"] == "Ada"
-    assert database.read("SELECT * FROM api_token") == []
-    database.close()
-
-
 @pytest.mark.parametrize(
     ("change", "reported"),
     [
@@ -124,16 +101,13 @@ def test_a_database_of_the_version_before_gets_the_new_tables(tmp_path: Path) ->
     ],
 )
 def test_a_database_without_one_of_its_columns_is_refused(
-    tmp_path: Path, change: str, reported: str
+    store: Store, change: str, reported: str
 ) -> None:
-    path = tmp_path / "station.db"
-    Database(path).close()
-    changing = sqlite3.connect(path)
-    changing.execute(change)
-    changing.commit()
-    changing.close()
+    store.close()
+    with open_database(store) as database, database:
+        database.execute(change)
     with pytest.raises(OperationError, match=reported):
-        Database(path)
+        Store(store.folder)
 
 
 def test_an_api_token_is_shown_once_and_can_be_ended(store: Store) -> None:

@@ -9,12 +9,14 @@ from pathlib import Path
 import pytest
 
 from app.store.accounts import Role
-from app.store.schemas import SCHEMA_VERSION, SCHEMAS
+from app.store.database import Database
+from app.store.schemas import RECORDINGS, SCHEMA_VERSION, SCHEMAS, SENSORS
 from app.store.store import Store
-from tests.store.test_store import FIGURES
+from tests.store.conftest import FIGURES
 
 AT = "2026-01-01T10:00:00Z"
 FIGURES_TEXT = json.dumps(FIGURES)
+SECRET_HASH = hashlib.sha256(b"secret").hexdigest()
 ROWS = {
     "session": ("s1", "calibration", AT, AT),
     "journal": (1, "s1", AT, "point_taken", '{"face": "crest"}', "key"),
@@ -22,9 +24,9 @@ ROWS = {
     "scan": ("c1", "Housing", "scans/c1", AT, 5, 6, 1.5, "s1"),
     "account": ("Ada", "admin", "hash", AT),
     "sign_in": ("token", "Ada", "tablet", AT, AT),
-    "wall_link": ("w1", "secret", "Hall", "Ada", AT),
+    "wall_link": ("w1", SECRET_HASH, "Hall", "Ada", AT),
     "audit": (1, AT, "Ada", "127.0.0.1", "signed in", "done"),
-    "scraper": ("t1", "secret", "Prometheus", "Ada", AT),
+    "scraper": ("t1", SECRET_HASH, "Prometheus", "Ada", AT),
     "verification": ("s1", "s1", "verifications/s1", AT, "{}"),
     "temperature": (1, AT, 20.5, "typed"),
     "known_browser": ("token", "Ada", AT),
@@ -62,6 +64,8 @@ def write_version(path: Path, version: int) -> set[str]:
                     columns = ", ".join("?" * len(row))
                     made.execute(f"INSERT INTO {table} VALUES ({columns})", row)
                     written.add(PRESENT.get(table, table))
+            if "ADD COLUMN interrupted TEXT" in additions:
+                made.execute("UPDATE scan SET interrupted = 'The disk.'")
             made.commit()
             made.execute(f"PRAGMA user_version = {number + 1}")
     return written
@@ -69,36 +73,51 @@ def write_version(path: Path, version: int) -> set[str]:
 
 @pytest.mark.parametrize("version", range(1, SCHEMA_VERSION + 1))
 def test_a_database_of_each_version_opens_with_all_its_rows(tmp_path: Path, version: int) -> None:
-    written = write_version(tmp_path / "station.db", version)
-    store = Store(tmp_path)
-    try:
+    path = tmp_path / "station.db"
+    written = write_version(path, version)
+    path.chmod(0o644)
+    with closing(Store(tmp_path)) as store:
+        assert path.stat().st_mode & 0o777 == 0o600
+        assert store.journal.latest_session("calibration") is not None
         (calibration,) = store.calibrations.all()
         assert (calibration.id, calibration.active, calibration.sensor) == ("s1", True, "")
         assert calibration.figures.total_um == FIGURES["total_um"]
         (scan,) = store.scans.all()
-        assert (scan.id, str(scan.name), scan.points, scan.calibration_id) == (
-            "c1",
-            "Housing",
-            5,
-            "s1",
-        )
+        assert (scan.id, scan.name, scan.points, scan.calibration_id) == ("c1", "Housing", 5, "s1")
+        assert scan.interrupted == ("The disk." if version > SCHEMAS.index(RECORDINGS) else "")
         (row,) = store.journal.rows("s1")
         assert (row.kind, row.payload) == ("point_taken", {"face": "crest"})
         if "account" in written:
             (account,) = store.accounts.all()
             assert (account.name, account.role) == ("Ada", Role.admin)
             (entry,) = store.audit.newest(10)
-            assert str(entry.act) == "signed in"
+            assert entry.act == "signed in"
+            assert [link.name for link in store.kiosk_links.all()] == ["Hall"]
+        if "api_token" in written:
+            assert [token.name for token in store.api_tokens.all()] == ["Prometheus"]
+            assert store.api_tokens.find("secret") is not None
         if "temperature" in written:
             assert store.temperatures.celsius_near(AT) == 20.5
-    finally:
-        store.close()
-    with closing(sqlite3.connect(tmp_path / "station.db")) as opened:
-        counts = {
-            name: opened.execute(f"SELECT count(*) FROM {name}").fetchone() for name in written
-        }
-        assert set(counts.values()) == {(1,)}
-        assert opened.execute("PRAGMA user_version").fetchone() == (SCHEMA_VERSION,)
+    with closing(Database(path)) as again:
+        tables = {PRESENT.get(table, table) for table in ROWS}
+        counts = {name: again.read(f"SELECT count(*) FROM {name}")[0][0] for name in tables}
+        assert counts == {name: int(name in written) for name in tables}
+        assert again.read("PRAGMA user_version")[0][0] == SCHEMA_VERSION
+
+
+def test_calibrations_of_an_earlier_version_are_those_of_the_only_sensor(tmp_path: Path) -> None:
+    path = tmp_path / "station.db"
+    write_version(path, SCHEMAS.index(SENSORS))
+    later = ("s2", "s2", "Second", "c.json", AT, FIGURES_TEXT, 1)
+    with closing(sqlite3.connect(path)) as old, old:
+        old.execute("UPDATE calibration SET active = 0")
+        old.execute("INSERT INTO session VALUES ('s2', 'calibration', ?, NULL)", (AT,))
+        old.execute("INSERT INTO calibration VALUES (?, ?, ?, ?, ?, ?, ?)", later)
+    with closing(Store(tmp_path)) as store:
+        now = store.calibrations.active()
+        assert now is not None
+        assert (now.id, now.sensor) == ("s2", "")
+        assert [one.active for one in store.calibrations.all()].count(True) == 1
 
 
 def test_every_table_has_a_row_here() -> None:

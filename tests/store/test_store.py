@@ -1,52 +1,40 @@
 """The station's memory: nothing acknowledged is lost, nothing written is changed."""
 
-import json
 import os
 import signal
 import sqlite3
 import subprocess
 import sys
 from collections.abc import Callable
+from contextlib import closing
 from pathlib import Path
-from typing import Any
 
 import pytest
 
 from app.errors import OperationError
 from app.store.calibrations import CalibrationFigures
 from app.store.scans import ScanRecord
-from app.store.schemas import SCHEMAS, SENSORS
 from app.store.store import Store
+from tests.refusals import refused
+from tests.store.conftest import FIGURES, accept_calibration, open_database, reopened
 
-FIGURES: dict[str, Any] = {
-    "total_um": 20.5,
-    "verdict": "good",
-    "arm_serial": "A1",
-    "object_serial": "B1",
-    "sensor_serial": "S1",
-}
 ROOT = Path(__file__).resolve().parents[2]
 
 
-def test_a_journal_comes_back_in_order_after_reopening(tmp_path: Path) -> None:
-    store = Store(tmp_path)
+def test_a_journal_comes_back_in_order_after_reopening(store: Store) -> None:
     store.journal.begin_session("s1", "calibration")
     first = store.journal.append("s1", "point_taken", {"face": "crest", "joints_rad": [0.1, 0.2]})
     second = store.journal.append("s1", "point_voided", {"index": 0})
-    store.close()
-
-    again = Store(tmp_path)
-    assert again.journal.rows("s1") == [first, second]
-    assert again.journal.last_number() == second.number > first.number
-    assert again.journal.latest("calibration", "point_taken") == first
-    assert again.journal.latest("verification", "point_taken") is None
-    assert again.journal.latest_session("calibration") is not None
-    assert again.journal.latest_session("verification") is None
-    again.close()
+    with reopened(store) as again:
+        assert again.journal.rows("s1") == [first, second]
+        assert again.journal.last_number() == second.number > first.number
+        assert again.journal.latest("calibration", "point_taken") == first
+        assert again.journal.latest("verification", "point_taken") is None
+        assert again.journal.latest_session("calibration") is not None
+        assert again.journal.latest_session("verification") is None
 
 
-def test_an_idempotency_key_acts_once_over_all_sessions(tmp_path: Path) -> None:
-    store = Store(tmp_path)
+def test_an_idempotency_key_acts_once_over_all_sessions(store: Store) -> None:
     store.journal.begin_session("s1", "calibration")
     store.journal.begin_session("s2", "calibration")
     store.journal.append("s1", "point_taken", {}, "k1")
@@ -55,40 +43,33 @@ def test_an_idempotency_key_acts_once_over_all_sessions(tmp_path: Path) -> None:
     with pytest.raises(sqlite3.IntegrityError):
         store.journal.append("s2", "point_taken", {}, "k1")
     assert store.journal.rows("s2") == []
-    store.close()
 
 
 @pytest.mark.parametrize("statement", ["DELETE FROM journal", "UPDATE journal SET kind = 'x'"])
-def test_the_journal_refuses_to_be_rewritten(tmp_path: Path, statement: str) -> None:
-    store = Store(tmp_path)
+def test_the_journal_refuses_to_be_rewritten(store: Store, statement: str) -> None:
     store.journal.begin_session("s1", "calibration")
     row = store.journal.append("s1", "point_taken", {})
     store.close()
-    connection = sqlite3.connect(tmp_path / "station.db")
-    with pytest.raises(sqlite3.IntegrityError, match="append-only"):
-        connection.execute(statement)
-    connection.close()
-    again = Store(tmp_path)
-    assert again.journal.rows("s1") == [row]
-    again.close()
+    with (
+        open_database(store) as database,
+        pytest.raises(sqlite3.IntegrityError, match="append-only"),
+    ):
+        database.execute(statement)
+    with reopened(store) as again:
+        assert again.journal.rows("s1") == [row]
 
 
-def test_no_number_that_is_not_one_enters_the_journal(tmp_path: Path) -> None:
-    store = Store(tmp_path)
+def test_no_number_that_is_not_one_enters_the_journal(store: Store) -> None:
     store.journal.begin_session("s1", "calibration")
     with pytest.raises(OperationError, match="JSON compliant"):
         store.journal.append("s1", "point_taken", {"residual": float("nan")})
     assert store.journal.rows("s1") == []
-    store.close()
 
 
-def test_only_the_last_accepted_calibration_is_active(tmp_path: Path) -> None:
-    store = Store(tmp_path)
+def test_only_the_last_accepted_calibration_is_active(store: Store) -> None:
     assert store.calibrations.active() is None
     for session in ("s1", "s2"):
-        store.journal.begin_session(session, "calibration")
-        file = store.folder / "sessions" / session / "calibration.json"
-        store.calibrations.accept(session, f"Calibration {session}", file, FIGURES, None)
+        accept_calibration(store, session)
     active = store.calibrations.active()
     assert active is not None
     assert active.id == "s2"
@@ -99,58 +80,28 @@ def test_only_the_last_accepted_calibration_is_active(tmp_path: Path) -> None:
     latest = store.journal.latest_session("calibration")
     assert latest is not None
     assert latest.ended_at is not None
-    store.close()
 
 
-def test_each_sensor_has_its_own_active_calibration(tmp_path: Path) -> None:
-    store = Store(tmp_path)
+def test_each_sensor_has_its_own_active_calibration(store: Store) -> None:
     for session, sensor in (("s1", "left"), ("s2", "right"), ("s3", "left")):
-        store.journal.begin_session(session, "calibration")
-        file = store.folder / "sessions" / session / "calibration.json"
-        store.calibrations.accept(session, session, file, FIGURES, None, sensor=sensor)
+        accept_calibration(store, session, sensor)
     found = {name: store.calibrations.active(name) for name in ("left", "right")}
     assert {name: one.id for name, one in found.items() if one} == {"left": "s3", "right": "s2"}
     assert store.calibrations.active() is None
-    store.close()
 
 
-def test_calibrations_of_an_earlier_version_are_those_of_the_only_sensor(tmp_path: Path) -> None:
-    place = SCHEMAS.index(SENSORS)
-    old = sqlite3.connect(tmp_path / "station.db")
-    old.executescript(f"{' '.join(SCHEMAS[:place])} PRAGMA user_version = {place};")
-    for session, active in (("s1", 0), ("s2", 1)):
-        at = "2026-01-01T10:00:00Z"
-        old.execute("INSERT INTO session VALUES (?, 'calibration', ?, ?)", (session, at, at))
-        old.execute(
-            "INSERT INTO calibration VALUES (?, ?, ?, 'c.json', ?, ?, ?)",
-            (session, session, session, at, json.dumps(FIGURES), active),
-        )
-    old.commit()
-    old.close()
-    store = Store(tmp_path)
-    now = store.calibrations.active()
-    assert now is not None
-    assert (now.id, now.sensor) == ("s2", "")
-    assert [one.active for one in store.calibrations.all()].count(True) == 1
-    store.close()
-
-
-def test_a_failed_acceptance_changes_nothing(tmp_path: Path) -> None:
-    store = Store(tmp_path)
-    store.journal.begin_session("s1", "calibration")
+def test_a_failed_acceptance_changes_nothing(store: Store) -> None:
+    accept_calibration(store, "s1")
     file = store.folder / "sessions/s1/calibration.json"
-    store.calibrations.accept("s1", "first", file, FIGURES, None)
     with pytest.raises(sqlite3.IntegrityError):
         store.calibrations.accept("s1", "the same once more", file, FIGURES, None)
     active = store.calibrations.active()
     assert active is not None
-    assert active.name == "first"
+    assert active.name == "Calibration s1"
     assert len(store.journal.rows("s1")) == 1
-    store.close()
 
 
-def test_scans_are_listed_newest_first(tmp_path: Path) -> None:
-    store = Store(tmp_path)
+def test_scans_are_listed_newest_first(store: Store) -> None:
     scans = [
         ScanRecord(f"n{i}", f"Scan {i}", store.folder / "scans" / f"n{i}", at, 10, 2, 0.5, "s1")
         for i, at in enumerate(("2026-01-01T10:00:00Z", "2026-01-01T11:00:00Z"))
@@ -161,43 +112,33 @@ def test_scans_are_listed_newest_first(tmp_path: Path) -> None:
     assert store.scans.newest() == scans[1]
     assert store.scans.get("n0") == scans[0]
     assert store.scans.get("n9") is None
-    store.close()
 
 
-def test_a_data_folder_can_be_moved(tmp_path: Path) -> None:
-    store = Store(tmp_path / "before")
-    store.journal.begin_session("s1", "calibration")
-    store.calibrations.accept(
-        "s1", "c", store.folder / "sessions/s1/calibration.json", FIGURES, None
-    )
+def test_a_data_folder_can_be_moved(store: Store, tmp_path: Path) -> None:
+    accept_calibration(store, "s1")
     store.close()
-    (tmp_path / "before").rename(tmp_path / "after")
-    moved = Store(tmp_path / "after")
-    active = moved.calibrations.active()
+    store.folder.rename(tmp_path / "after")
+    with closing(Store(tmp_path / "after")) as moved:
+        active = moved.calibrations.active()
     assert active is not None
     assert active.file == tmp_path / "after/sessions/s1/calibration.json"
-    moved.close()
 
 
-def test_a_second_server_is_refused_naming_the_first(tmp_path: Path) -> None:
-    store = Store(tmp_path)
-    with pytest.raises(OperationError) as caught:
-        Store(tmp_path)
-    assert caught.value.code == "data-folder-in-use"
+def test_a_second_server_is_refused_naming_the_first(store: Store) -> None:
+    with refused("data-folder-in-use") as caught:
+        Store(store.folder)
     assert str(os.getpid()) in caught.value.line
+    with reopened(store):
+        pass
+
+
+def test_a_database_of_a_later_version_is_left_alone(store: Store) -> None:
     store.close()
-    Store(tmp_path).close()
-
-
-def test_a_database_of_a_later_version_is_left_alone(tmp_path: Path) -> None:
-    Store(tmp_path).close()
-    connection = sqlite3.connect(tmp_path / "station.db")
-    connection.execute("PRAGMA user_version = 99")
-    connection.close()
+    with open_database(store) as database:
+        database.execute("PRAGMA user_version = 99")
     for _ in range(2):  # the refusal must also let the lock go
-        with pytest.raises(OperationError) as caught:
-            Store(tmp_path)
-        assert caught.value.code == "database-newer"
+        with refused("database-newer"):
+            Store(store.folder)
 
 
 @pytest.mark.parametrize("version", [0, 2, 99])
@@ -248,17 +189,15 @@ def test_a_link_beside_the_database_that_leads_nowhere_is_named(tmp_path: Path) 
 
 def test_what_is_not_a_database_is_named(tmp_path: Path) -> None:
     (tmp_path / "station.db").write_text("no database at all, but long enough to be read as one")
-    with pytest.raises(OperationError) as caught:
+    with refused("database-unreadable") as caught:
         Store(tmp_path)
-    assert caught.value.code == "database-unreadable"
     assert "station.db" in caught.value.line
 
 
 def test_a_folder_that_cannot_be_made_is_refused(tmp_path: Path) -> None:
     (tmp_path / "file").write_text("")
-    with pytest.raises(OperationError) as caught:
+    with refused("data-folder-unwritable"):
         Store(tmp_path / "file" / "data")
-    assert caught.value.code == "data-folder-unwritable"
 
 
 WRITER = """
@@ -274,9 +213,13 @@ for i in range(100000):
 
 
 @pytest.mark.device
-def test_a_killed_process_loses_no_row_that_it_acknowledged(tmp_path: Path) -> None:
+def test_a_killed_process_loses_no_row_that_it_acknowledged(store: Store) -> None:
+    store.close()
     with subprocess.Popen(
-        [sys.executable, "-c", WRITER, str(tmp_path)], stdout=subprocess.PIPE, cwd=ROOT, text=True
+        [sys.executable, "-c", WRITER, str(store.folder)],
+        stdout=subprocess.PIPE,
+        cwd=ROOT,
+        text=True,
     ) as writer:
         assert writer.stdout is not None
         acknowledged = -1
@@ -286,7 +229,6 @@ def test_a_killed_process_loses_no_row_that_it_acknowledged(tmp_path: Path) -> N
                 writer.send_signal(signal.SIGKILL)
                 break
         acknowledged = max([acknowledged, *(int(n) for n in writer.stdout.read().split())])
-    store = Store(tmp_path)
-    kept = [row.payload["i"] for row in store.journal.rows("s1")]
+    with reopened(store) as again:
+        kept = [row.payload["i"] for row in again.journal.rows("s1")]
     assert kept[: acknowledged + 1] == list(range(acknowledged + 1))
-    store.close()
