@@ -9,6 +9,8 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from app.formats.datasheets.sensor import SensorDatasheet
+from app.guide.arm.view import ArmView
+from app.guide.calibration.flow import build_view
 from app.guide.calibration.live import (
     CalibrationLive,
     ConnectedArm,
@@ -20,13 +22,29 @@ from app.guide.calibration.state import CalibrationState, apply_row
 from app.guide.calibration.touch.report import touch_report
 from app.guide.common.datasheet_library import DatasheetLibrary
 from app.guide.common.journal import fold
-from app.metrology.arm.kinematics import Arm, geometric_jacobian, tip_centres
+from app.guide.common.view import Action, FlowView
+from app.metrology.arm.kinematics import Arm, Joint, Tip, geometric_jacobian, tip_centres
 from app.metrology.targets.crenellated_block import Crenellated, probing_face
 from app.metrology.targets.target import CalibrationTarget
 from app.station.devices.link_state import DeviceState
 from app.station.devices.stillness import Stillness
 
+Row = tuple[str, Mapping[str, object]]
+"""Kind and payload of a row of a journal."""
 CHOICES = {"arm": "a", "object": "b", "sensor": "s"}
+_SHAPE = [(0, -90, 280), (450, 0, 0), (60, -90, 0), (0, 90, 400), (0, -90, 0), (0, 0, 90)]
+ARM = Arm(
+    "test arm",
+    "A-1",
+    tuple(
+        Joint(f"J{i + 1}", a, np.radians(alpha), d, 0.0, encoder_sd_rad=1e-5)
+        for i, (a, alpha, d) in enumerate(_SHAPE)
+    ),
+    Tip(0.0, 0.0, 120.0, 6.0),
+)
+"""Of six axes, with a long reach."""
+_EDGES_MM = (-22.0, -14.0, -7.0, -2.0, 5.0, 10.0, 17.0, 22.0)
+BLOCK = Crenellated("block", "B-1", _EDGES_MM, -12.0, 12.0, 15.0, 0.0, -12.0, 0.002)
 
 
 @dataclass(frozen=True)
@@ -38,25 +56,25 @@ class FakeRow:
     at: str = "2026-01-01T00:00:00Z"
 
 
-def journal_of(*rows: tuple[str, Mapping[str, object]]) -> list[FakeRow]:
+def journal_of(*rows: Row) -> list[FakeRow]:
     """A journal with these rows, after passing through JSON as on the disk."""
     return [FakeRow(i + 1, kind, json.loads(json.dumps(p))) for i, (kind, p) in enumerate(rows)]
 
 
-def state_after(*rows: tuple[str, Mapping[str, object]]) -> CalibrationState:
+def state_after(*rows: Row) -> CalibrationState:
     """The state that rows lead to."""
     return fold(journal_of(*rows), CalibrationState(), apply_row)
 
 
-def start_row(step: str = "devices") -> tuple[str, dict[str, object]]:
+def start_row(step: str = "devices") -> Row:
     return "started", {"choices": CHOICES, "step": step}
 
 
-def point_row(face: str, q_rad: ArrayLike = (0.0,) * 6) -> tuple[str, dict[str, object]]:
+def point_row(face: str, q_rad: ArrayLike = (0.0,) * 6) -> Row:
     return "point_taken", {"face": face, "q_rad": [float(q) for q in np.ravel(q_rad)]}
 
 
-def capture_row(**changes: object) -> tuple[str, dict[str, object]]:
+def capture_row(**changes: object) -> Row:
     payload: dict[str, object] = {
         "ambient": "images/capture-1-ambient.png",
         "laser": "images/capture-1-laser.png",
@@ -100,7 +118,10 @@ SENSOR = SensorDatasheet(
 
 
 def make_live(
-    state: CalibrationState, arm: Arm | None, item: CalibrationTarget | None, **changes: Any
+    state: CalibrationState,
+    item: CalibrationTarget | None = BLOCK,
+    arm: Arm | None = ARM,
+    **changes: Any,
 ) -> CalibrationLive:
     """A station on which all is well, changed where a test says so."""
     report = touch_report(state.counted, arm, item, 15.0) if arm and item else None
@@ -129,3 +150,14 @@ def make_live(
         trouble=None,
     )
     return replace(live, **changes)
+
+
+def view_of(
+    state: CalibrationState, item: CalibrationTarget | None = BLOCK, **changes: Any
+) -> FlowView:
+    """The view on a station on which all is well, changed where a test says so."""
+    return build_view(state, make_live(state, item, **changes))
+
+
+def action(view: FlowView | ArmView, name: str) -> Action:
+    return next(action for action in view.actions if action.name == name)

@@ -9,9 +9,8 @@ import json
 import shutil
 import tempfile
 import uuid
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from contextlib import suppress
-from dataclasses import replace
 from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
@@ -31,18 +30,17 @@ from app.guide.performance.rules import RULES as OF_PERFORMANCE
 from app.guide.verify.rules import RULES as OF_VERIFICATION
 from app.operations.context import Context
 from app.server.application import build_app
-from app.server.composition import close_context, open_context
-from app.server.demo import station_parts
-from app.server.station_parts import StationParts
+from app.server.composition import open_context
 from app.store.store import Store
 from hardware.simulator.station import SimulatedStation
 from tests.api.calibrated import use_truth
-from tests.guide.builders import capture_row, point_row
+from tests.guide.builders import Row, capture_row, point_row
+from tests.guide.stations import Station, closed
 from tests.guide.test_verify_session import cloud
 
 pytestmark = [pytest.mark.device, pytest.mark.soak]
 
-Rows = Sequence[tuple[str, Mapping[str, object]]]
+Rows = Sequence[Row]
 SEQUENCES, LONG_SEQUENCES, COMMANDS = 4, 850, 12
 PURPOSES = ("check", "tip", "identify")
 CHOICES = dict.fromkeys(("arm", "object", "sensor"), "simulated")
@@ -164,21 +162,15 @@ ARGS = st.one_of(
 JSON = {"Content-Type": "application/json"}
 PLATE = {"format": "crenel/nominal", "version": 1, "shape": "plane", "name": "Plate"}
 BALL = {"format": "crenel/nominal", "version": 1, "shape": "sphere", "radius_mm": 12.5}
-STEPS = {
+LENGTH_PARTS = [{"length_mm": mm, "standard_uncertainty_um": 1} for mm in (100, 300)]
+STEPS: dict[str, object] = {
     "format": "crenel/length-standard",
     "version": 1,
     "kind": "step-gauge",
     "name": "Steps",
-    "lengths": [{"length_mm": mm, "standard_uncertainty_um": 1} for mm in (100, 300)],
 }
-
-
-BAR = {
-    **STEPS,
-    "kind": "ball-bar",
-    "sphere_diameter_mm": 25,
-    "lengths": [{"length_mm": 300, "standard_uncertainty_um": 1}],
-}
+STEPS["lengths"] = LENGTH_PARTS
+BAR = {**STEPS, "kind": "ball-bar", "sphere_diameter_mm": 25, "lengths": LENGTH_PARTS[1:]}
 
 
 class InProcess:
@@ -209,9 +201,7 @@ class AnyCommands(RuleBasedStateMachine):
         self.app = app
         self.data = Path(tempfile.mkdtemp(prefix="any-"))
         shutil.copytree(template, self.data, dirs_exist_ok=True)
-        self.parts: StationParts = replace(
-            station_parts(simulation, self.data), simulated_operator=None
-        )
+        self.parts = Station(simulation, self.data).parts
 
     @initialize(at=st.fixed_dictionaries({kind: st.sampled_from(AT[kind]) for kind in AT}))
     def begin(self, at: dict[str, Rows]) -> None:
@@ -264,9 +254,7 @@ class AnyCommands(RuleBasedStateMachine):
 
     def close(self) -> None:
         self.http.close()
-        close_context(self.context)
-        self.context.store.close()
-        self.context.monitoring.close()
+        closed(self.context)
 
     def teardown(self) -> None:
         with suppress(AttributeError):  # nothing was begun
@@ -312,18 +300,13 @@ def template(tmp_path_factory: pytest.TempPathFactory) -> Path:
 @pytest.fixture(scope="module")
 def app(simulation: SimulatedStation, template: Path) -> FastAPI:
     """The routes; ``template`` becomes a data folder with a calibration in use and gauges."""
-    data = template
-    app = build_app(replace(station_parts(simulation, data), simulated_operator=None))
+    app = build_app(Station(simulation, template).parts)
     context = app.state.context
-    use_truth(SimpleNamespace(simulation=simulation, data=data, context=context), "true")
-    (data / "gauges").mkdir(exist_ok=True)
-    (data / "gauges" / "plate.json").write_text(json.dumps(PLATE))
-    (data / "gauges" / "ball.json").write_text(json.dumps(BALL))
-    (data / "gauges" / "steps.json").write_text(json.dumps(STEPS))
-    (data / "gauges" / "bar.json").write_text(json.dumps(BAR))
-    close_context(context)
-    context.store.close()
-    context.monitoring.close()
+    use_truth(SimpleNamespace(simulation=simulation, context=context), "true")
+    (template / "gauges").mkdir(exist_ok=True)
+    for name, gauge in (("plate", PLATE), ("ball", BALL), ("steps", STEPS), ("bar", BAR)):
+        (template / "gauges" / f"{name}.json").write_text(json.dumps(gauge))
+    closed(context)
     return app
 
 

@@ -8,7 +8,6 @@ import pytest
 
 from app.errors import OperationError
 from app.formats.datasheets.arm import arm_document
-from app.guide.calibration.flow import build_view
 from app.guide.calibration.live import SelectedDatasheets
 from app.guide.calibration.outcome import to_payload
 from app.guide.calibration.poses.board_views import VIEWS, next_view, plan_view, still_missing
@@ -22,21 +21,26 @@ from app.guide.calibration.touch.report import face_in_use, face_names
 from app.guide.common.view import BoardGeometry, CameraPicture, ChoicesPicture, ObjectPicture
 from app.metrology.adjustment.board.initial_guess import BoardObservation
 from app.metrology.adjustment.planning.next_pose import PoseDelta
-from app.metrology.arm.kinematics import Arm, tip_centres
+from app.metrology.arm.kinematics import tip_centres
 from app.metrology.targets.chessboard import Chessboard
-from app.metrology.targets.crenellated_block import FACES, Crenellated
+from app.metrology.targets.crenellated_block import FACES
 from app.station.devices.capture import Capture, Lighting
 from app.station.devices.reading_buffer import ReadingMean
 from hardware.interfaces import Frame
 from tests.guide.builders import (
+    ARM,
+    BLOCK,
     REST_RAD,
     SENSOR,
+    Row,
+    action,
     capture_row,
     make_live,
     point_row,
     reach_tip,
     start_row,
     state_after,
+    view_of,
 )
 from tests.metrology.boards import BOARD as RENDERED_BOARD
 from tests.metrology.boards import POSES, Look
@@ -45,81 +49,81 @@ from tests.metrology.boards import picture as board_picture
 BOARD = Chessboard("board 7", "C-7", (7, 6), 10.0, 0.05, 0.05)
 SEEN: dict[str, object] = {"corners": [{"name": "0,0", "u": 5.0, "v": 5.0, "residual_px": 0.1}]}
 NOTHING: dict[str, object] = {"corners": []}
+AT_REST = ReadingMean(REST_RAD, REST_RAD, 10, 0, 1)
+CHOSEN = SelectedDatasheets(ARM, RENDERED_BOARD, SENSOR.model_copy(update={"stripe_axis": "v"}))
 
 
-def touched_at(arm: Arm, x_mm: float, y_mm: float, z_mm: float) -> tuple[str, dict[str, object]]:
-    origin = tip_centres(arm, REST_RAD[None])[0]
-    return point_row("board", reach_tip(arm, origin + [x_mm, y_mm, z_mm], REST_RAD))
+def touched_at(x_mm: float, y_mm: float, z_mm: float) -> Row:
+    origin = tip_centres(ARM, REST_RAD[None])[0]
+    return point_row("board", reach_tip(ARM, origin + [x_mm, y_mm, z_mm], REST_RAD))
 
 
-def pictures(count: int, seen: dict[str, object]) -> list[tuple[str, dict[str, object]]]:
+def pictures(count: int, seen: dict[str, object]) -> list[Row]:
     outcome = {"outline": [], "stripe": [], "findings": [], "result": None, **seen}
     return [capture_row(outcome=outcome)] * count
 
 
-def at(step: str, *rows: tuple[str, dict[str, object]]) -> CalibrationState:
+def at(step: str, *rows: Row) -> CalibrationState:
     back = [] if step == "touch" else [("went_back", {"to": step})]
     return state_after(start_row("touch"), *rows, *back)
 
 
-def test_a_board_is_drawn_from_its_certificate(arm: Arm) -> None:
+def test_a_board_is_drawn_from_its_certificate() -> None:
     setup = state_after(start_row("setup"))
-    picture = build_view(setup, make_live(setup, arm, BOARD)).picture
+    picture = view_of(setup, BOARD).picture
     assert isinstance(picture, ChoicesPicture)
     assert picture.object == BoardGeometry((7, 6), 10.0)
 
 
-def test_a_board_need_not_be_touched(arm: Arm) -> None:
+def test_a_board_need_not_be_touched() -> None:
     state = at("touch")
-    view = build_view(state, make_live(state, arm, BOARD))
+    view = view_of(state, BOARD)
     assert isinstance(view.picture, ObjectPicture)
     (face,) = view.picture.faces
     assert (face.face, face.taken, face.wanted, face.selected) == ("board", 0, WANTED, True)
-    go_on = next(action for action in view.actions if action.name == "confirm_touch")
+    go_on = action(view, "confirm_touch")
     assert go_on.enabled
     assert go_on.primary
     assert face_names(BOARD) == ("board",)
     assert face_in_use("crest", BOARD) == "board"
 
 
-def test_a_block_is_touched_after_a_board_was(arm: Arm, block: Crenellated) -> None:
+def test_a_block_is_touched_after_a_board_was() -> None:
     """A point of the board that was undone leaves its face selected, which a block has not."""
     state = at("touch", ("face_selected", {"face": "board"}))
-    view = build_view(state, make_live(state, arm, block))
+    view = view_of(state, BLOCK)
     assert isinstance(view.picture, ObjectPicture)
-    assert [one.face for one in view.picture.faces if one.selected] == [face_in_use("board", block)]
+    assert [one.face for one in view.picture.faces if one.selected] == [face_in_use("board", BLOCK)]
     assert str(view.instruction).startswith("Touch the")
 
 
-def test_touches_of_a_board_are_judged_by_the_plane_through_them(
-    arm: Arm, block: Crenellated
-) -> None:
+def test_touches_of_a_board_are_judged_by_the_plane_through_them() -> None:
     places = [(x, y, 0.0) for x, y, _ in suggest_board_places(BOARD)]
-    good = [touched_at(arm, *place) for place in places]
+    good = [touched_at(*place) for place in places]
     state = at("touch", *good)
-    view = build_view(state, make_live(state, arm, BOARD))
+    view = view_of(state, BOARD)
     assert isinstance(view.picture, ObjectPicture)
     assert view.progress is not None
     assert str(view.progress.text) == f"{WANTED} of {WANTED} points"
     assert all(abs(one.residual_um or 0.0) < 1.0 for one in view.picture.points)
     assert not view.findings
 
-    state = at("touch", *good, touched_at(arm, 30.0, 25.0, 1.0))
-    view = build_view(state, make_live(state, arm, BOARD))
+    state = at("touch", *good, touched_at(30.0, 25.0, 1.0))
+    view = view_of(state, BOARD)
     assert isinstance(view.picture, ObjectPicture)
     assert [one.outlier for one in view.picture.points] == [False] * WANTED + [True]
     assert "Point 7 is +1000 µm off the plane" in str(view.findings[0].text)
     assert any(one.name == "void_point" and one.args == {"index": 6} for one in view.actions)
     # a board that bends by half a millimetre has slipped no point
     bent = Chessboard("bent", "", (7, 6), 10.0, 0.05, 0.6)
-    assert not build_view(state, make_live(state, arm, bent)).findings
+    assert not view_of(state, bent).findings
 
 
-def test_the_first_views_are_planned_and_shown(arm: Arm) -> None:
+def test_the_first_views_are_planned_and_shown() -> None:
     outlines = set()
     for taken, view in enumerate(VIEWS):
         state = at("place", *pictures(taken, SEEN))
-        shown = build_view(state, make_live(state, arm, BOARD, corners_detected=0))
+        shown = view_of(state, BOARD, corners_detected=0)
         assert isinstance(shown.picture, CameraPicture)
         outlines.add(tuple(shown.picture.target))
         assert plan_view(state.listed) == view
@@ -134,10 +138,10 @@ def test_the_first_views_are_planned_and_shown(arm: Arm) -> None:
 
 
 def test_a_view_that_was_set_aside_is_asked_for_again() -> None:
-    def wanted(*rows: tuple[str, dict[str, object]]) -> int | None:
+    def wanted(*rows: Row) -> int | None:
         return next_view(at("place", *rows).listed)
 
-    def aside(number: int) -> tuple[str, dict[str, object]]:
+    def aside(number: int) -> Row:
         return "pose_voided", {"number": number}
 
     three, all_views = pictures(3, SEEN), pictures(len(VIEWS), SEEN)
@@ -165,14 +169,10 @@ def test_a_planned_view_looks_as_described() -> None:
         lines = np.array(first_outline(BOARD, *size, True, view))[:4].reshape(-1, 2, 2)
         return np.asarray(np.linalg.norm(lines[:, 1] - lines[:, 0], axis=1))
 
-    near, right, far, left = sides(1, 0)
-    assert right > 1.05 * left
-    near, right, far, left = sides(-1, 0)
-    assert left > 1.05 * right
-    near, right, far, left = sides(0, 1)
-    assert far > 1.05 * near
-    near, right, far, left = sides(0, -1)
-    assert near > 1.05 * far
+    # the sides are the near, right, far and left ones
+    for right, back, larger, smaller in ((1, 0, 1, 3), (-1, 0, 3, 1), (0, 1, 2, 0), (0, -1, 0, 2)):
+        lengths_px = sides(right, back)
+        assert lengths_px[larger] > 1.05 * lengths_px[smaller]
     straight = np.array(first_outline(BOARD, *size, True, VIEWS[0]))
     assert straight.min() >= 0
     assert straight[:, [0, 2]].max() < size[0]
@@ -202,63 +202,53 @@ def test_a_board_fills_the_picture_and_tilts_as_it_shows(
 @pytest.mark.parametrize(
     ("usable", "unusable", "more"), [(1, 0, "2 more pictures"), (2, 2, "one more picture")]
 )
-def test_too_few_pictures_are_not_solved(arm: Arm, usable: int, unusable: int, more: str) -> None:
+def test_too_few_pictures_are_not_solved(usable: int, unusable: int, more: str) -> None:
     state = at("solve", *pictures(unusable, NOTHING), *pictures(usable, SEEN))
-    view = build_view(state, make_live(state, arm, BOARD))
-    solve = next(action for action in view.actions if action.name == "solve")
+    view = view_of(state, BOARD)
+    solve = action(view, "solve")
     assert not solve.enabled
     assert more in str(solve.why_not)
     assert still_missing(3) == ""
 
 
-def test_another_pose_is_asked_for_until_the_plan_is_through(arm: Arm) -> None:
+def test_another_pose_is_asked_for_until_the_plan_is_through() -> None:
     state = at("solve", *pictures(2, SEEN))
-    view = build_view(state, make_live(state, arm, BOARD))
+    view = view_of(state, BOARD)
     assert str(VIEWS[2].words) in str(view.instruction)
     primary = [action.name for action in view.actions if action.primary]
     assert primary == ["another_pose"]
 
 
-def test_what_was_found_in_a_refused_picture_is_drawn_and_can_be_saved(arm: Arm) -> None:
+def test_what_was_found_in_a_refused_picture_is_drawn_and_can_be_saved() -> None:
     T = POSES[1].copy()
     T[0, 3] += 45.0  # partly out of the picture
     image = board_picture(T, Look(laser=False))
-    mean = ReadingMean(REST_RAD, REST_RAD, 10, 0, 1)
-    taken = Capture(Frame(0, 0, image, 5000.0, False), None, "both", mean)
-    sensor = SENSOR.model_copy(update={"stripe_axis": "v"})
-    seen, refusal = detect_in_capture(taken, SelectedDatasheets(arm, RENDERED_BOARD, sensor), 1)
+    taken = Capture(Frame(0, 0, image, 5000.0, False), None, "both", AT_REST)
+    seen, refusal = detect_in_capture(taken, CHOSEN, 1)
     assert isinstance(refusal, OperationError)
     assert seen.fault == "framing"
     assert "partly out of the picture" in str(seen.findings[0].text)
     assert len(seen.marks) > 30
     state = at("solve", capture_row(outcome=to_payload(seen)), *pictures(1, SEEN))
-    refused, good = pose_pictures(state, make_live(state, arm, RENDERED_BOARD))
+    refused, good = pose_pictures(state, make_live(state, RENDERED_BOARD))
     assert refused.marks == seen.marks
     assert "framing" in str(refused.note)
     assert refused.bundle_url == "/api/flow/picture/1.zip?session=s1"
     assert (good.note, good.bundle_url) == ("", "")
-    aside = state_after(
-        start_row("touch"), capture_row(outcome=to_payload(seen)), ("pose_voided", {"number": 1})
-    )
-    (gone,) = pose_pictures(aside, make_live(aside, arm, RENDERED_BOARD))
+    aside = at("touch", capture_row(outcome=to_payload(seen)), ("pose_voided", {"number": 1}))
+    (gone,) = pose_pictures(aside, make_live(aside, RENDERED_BOARD))
     assert gone.bundle_url == ""
 
 
-def test_a_picture_without_the_line_is_kept_and_named(arm: Arm) -> None:
+def test_a_picture_without_the_line_is_kept_and_named() -> None:
     """Of a sensor that switches its laser, and of one that does not."""
     unlit = board_picture(POSES[0], Look(laser=False))
     dark = np.random.default_rng(0).normal(3, 1, unlit.shape).clip(0, 255).astype(np.uint8)
     lit = Frame(1, 0, dark, 5000.0, True)
     captures: list[tuple[Frame | None, Lighting]] = [(None, "both"), (lit, "pair")]
     for laser, lighting in [*captures, (None, "ambient")]:
-        taken = Capture(
-            Frame(0, 0, unlit, 5000.0, False),
-            laser,
-            lighting,
-            ReadingMean(REST_RAD, REST_RAD, 10, 0, 1),
-        )
-        sensor = SENSOR.model_copy(update={"stripe_axis": "v"})
-        seen, pose = detect_in_capture(taken, SelectedDatasheets(arm, RENDERED_BOARD, sensor), 1)
+        taken = Capture(Frame(0, 0, unlit, 5000.0, False), laser, lighting, AT_REST)
+        seen, pose = detect_in_capture(taken, CHOSEN, 1)
         assert isinstance(pose, BoardObservation)
         assert len(seen.corners) == 42
         (finding,) = (one for one in seen.findings if "camera and mounting" in str(one.text))
@@ -268,41 +258,34 @@ def test_a_picture_without_the_line_is_kept_and_named(arm: Arm) -> None:
         assert ("did not switch on" in str(finding.text)) == (lighting == "ambient")
 
 
-def test_pictures_are_listed_as_they_were_lit(tmp_path: Path, arm: Arm) -> None:
+def test_pictures_are_listed_as_they_were_lit(tmp_path: Path) -> None:
     """Rows of earlier versions name no lighting."""
     folder = SessionFolder(tmp_path)
-    arm_document(arm).write(tmp_path / "arm.json")
-    state = at(
-        "solve",
-        capture_row(),
-        capture_row(laser=None),
-        capture_row(laser=None, lighting="both"),
-        capture_row(laser=None, lighting="ambient"),
-    )
-    folder.keep_images(state.pictures)
+    arm_document(ARM).write(tmp_path / "arm.json")
+    lightings = [{"lighting": lighting} for lighting in ("both", "ambient")]
+    taken = [capture_row(), *(capture_row(laser=None, **one) for one in ({}, *lightings))]
+    folder.keep_images(at("solve", *taken).pictures)
     rows = (tmp_path / "images.csv").read_text().splitlines()[1:]
     lit = [row.split(",")[2] for row in rows]
     assert lit == ["ambient", "laser", "both", "both", "ambient"]
 
 
-def test_another_pose_is_asked_for_where_only_lines_are_missing(
-    arm: Arm, block: Crenellated
-) -> None:
+def test_another_pose_is_asked_for_where_only_lines_are_missing() -> None:
     """The pictures taken serve camera and mounting: none is to be taken again."""
     taken = at("solve", *pictures(6, SEEN))
     error = {"code": "stripe-not-found", "what": "one line", "why": "two needed", "remedy": "more"}
-    row: tuple[str, dict[str, object]] = ("solve_refused", {"inputs": taken.inputs, **error})
+    row: Row = ("solve_refused", {"inputs": taken.inputs, **error})
     state = at("solve", *pictures(6, SEEN), row)
-    view = build_view(state, make_live(state, arm, BOARD))
+    view = view_of(state, BOARD)
     assert [action.name for action in view.actions if action.primary] == ["another_pose"]
     assert [(one.quality, str(one.text)) for one in view.findings] == [
         ("attention", "One line: two needed.")
     ]
-    of_block = build_view(state, make_live(state, arm, block))
+    of_block = view_of(state, BLOCK)
     assert [action.name for action in of_block.actions if action.primary] == ["retake"]
 
 
-def test_a_block_keeps_its_faces(block: Crenellated) -> None:
-    assert face_names(block) == FACES
-    assert face_in_use("floor", block) == "floor"
+def test_a_block_keeps_its_faces() -> None:
+    assert face_names(BLOCK) == FACES
+    assert face_in_use("floor", BLOCK) == "floor"
     assert asdict(BoardGeometry((7, 6), 10.0))["kind"] == "board"

@@ -1,15 +1,10 @@
 """The guided contact test without a station: its order, what a touch counts for, what is named."""
 
-from dataclasses import dataclass, field
-from typing import Any
-
 import numpy as np
 import pytest
-from scipy.spatial.transform import Rotation
 
 from app.errors import OperationError
 from app.formats.datasheets.gauge import GaugeFile
-from app.formats.datasheets.length_standard import LengthPart, LengthStandardFile
 from app.guide.common.guided_session import NO_PROVENANCE
 from app.guide.performance.contact.picture import contact_findings, contact_lines
 from app.guide.performance.contact.placements import placement_words
@@ -17,60 +12,35 @@ from app.guide.performance.contact.sequence import FEATURES, TOUCHES_EACH, next_
 from app.guide.performance.contact.so_far import measure_contact_so_far
 from app.guide.performance.contact.touches import check_contact, least_turn_deg
 from app.guide.performance.plan import build_plan, quantities_of
-from app.guide.performance.state import PerformanceState, apply_row
-from app.metrology.arm.kinematics import Arm, RobotArm, Tip
+from app.guide.performance.state import PerformanceState
 from app.metrology.decision import SIMPLE
 from app.metrology.performance.contact_tests import PLACEMENTS
 from app.metrology.performance.length_places import TWENTY, ArmReach, propose_places
 from app.metrology.performance.pattern import pattern_directions
 from app.metrology.transforms import Floats
 from app.workflows.performance.contact_test import contact_features
-
-ROBOT = RobotArm("Robot", "R-1", Tip(0.0, 0.0, 0.0, 4.0))
-SPHERE = GaugeFile(shape="sphere", radius_mm=12.5, standard_uncertainty_um=0.4)
-BAR = LengthStandardFile(
-    name="Bar",
-    sphere_diameter_mm=20.0,
-    lengths=(LengthPart(length_mm=300.0, standard_uncertainty_um=0.5),),
+from tests.guide.builders import ARM
+from tests.guide.performance_sessions import (
+    ROBOT,
+    ball_bar,
+    reading,
+    started,
+    state_after,
+    touched,
 )
+
+SPHERE = GaugeFile(shape="sphere", radius_mm=12.5, standard_uncertainty_um=0.4)
+BAR = ball_bar(300.0)
 PLACES = pattern_directions(np.array([0.0, 0.0, 1.0]))[[0, 5, 7, 9, 11, 18, 20, 22, 24]]
 CENTRE = np.array([500.0, 0.0, 200.0])
 
 
-@dataclass(frozen=True)
-class Row:
-    kind: str
-    payload: dict[str, Any] = field(default_factory=dict)
-    number: int = 1
-    session_id: str = "t"
-    at: str = "2026-11-27T10:00:00Z"
-
-
 def begun(gauge: str = "sphere", bar: str = "bar") -> PerformanceState:
-    started = {
-        "test": "contact",
-        "calibration_id": "c",
-        "gauge": gauge,
-        "bar": bar,
-        "positions": 1,
-        "limits": {},
-    }
-    state = apply_row(PerformanceState(), Row("started", started))
-    return apply_row(state, Row("step_confirmed"))
-
-
-def reading(tip_mm: Floats, turn_deg: float = 0.0) -> Floats:
-    """Of an arm that reports poses, turned about the vertical."""
-    return np.array([*tip_mm, *Rotation.from_euler("z", turn_deg, degrees=True).as_quat()])
-
-
-def touched(state: PerformanceState, of_arm: Floats) -> PerformanceState:
-    row = {"feature": state.feature, "place": 0, "reading": of_arm.tolist()}
-    return apply_row(state, Row("touched", row))
+    return state_after(started("contact", gauge=gauge, bar=bar), ("step_confirmed", {}))
 
 
 def confirmed(state: PerformanceState) -> PerformanceState:
-    return apply_row(state, Row("step_confirmed"))
+    return state_after(("step_confirmed", {}), before=state)
 
 
 def on_sphere(state: PerformanceState, count: int) -> PerformanceState:
@@ -154,12 +124,10 @@ def test_the_next_seat_is_another_one() -> None:
     assert check_contact(state, None, BAR, ROBOT, reading(CENTRE + 100.0)) == 0
 
 
-def test_joints_tell_how_much_an_arm_was_turned(arm: Arm) -> None:
-    earlier = np.zeros((2, arm.joint_count))
-    earlier[1, 2] = 0.5
-    now = np.zeros(arm.joint_count)
-    now[2] = 0.4
-    assert least_turn_deg(arm, earlier, now) == pytest.approx(np.degrees(0.1))
+def test_joints_tell_how_much_an_arm_was_turned() -> None:
+    earlier, now = np.zeros((2, ARM.joint_count)), np.zeros(ARM.joint_count)
+    earlier[1, 2], now[2] = 0.5, 0.4
+    assert least_turn_deg(ARM, earlier, now) == pytest.approx(np.degrees(0.1))
 
 
 def on_bar(state: PerformanceState, length_mm: float) -> PerformanceState:
@@ -189,12 +157,12 @@ def test_another_length_is_refused() -> None:
     assert refusal(state, reading(far)) == "another-length"
 
 
-def test_seats_that_are_not_near_and_far_enough_are_named(arm: Arm) -> None:
+def test_seats_that_are_not_near_and_far_enough_are_named() -> None:
     state = begun(gauge="")
-    rows = np.random.default_rng(1).normal(0, 0.2, (TOUCHES_EACH["seats"], arm.joint_count))
+    rows = np.random.default_rng(1).normal(0, 0.2, (TOUCHES_EACH["seats"], ARM.joint_count))
     for row in rows:
         state = touched(state, row)
-    so_far = measure_contact_so_far(state, None, BAR, arm)
+    so_far = measure_contact_so_far(state, None, BAR, ARM)
     assert so_far.seats[0].share > 0.3
     (finding,) = contact_findings(state, so_far)
     assert "asks for at most 20 %" in str(finding.text)

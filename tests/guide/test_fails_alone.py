@@ -5,9 +5,7 @@ import json
 import time
 import zipfile
 from collections.abc import Iterator
-from dataclasses import replace
 from pathlib import Path
-from types import SimpleNamespace
 
 import pytest
 
@@ -17,11 +15,8 @@ from app.operations.context import Context
 from app.operations.health_checks import HealthChecker
 from app.operations.status_report import build_report
 from app.operations.unreadable_files import list_unreadable
-from app.server.composition import close_context, open_context
-from app.server.demo import station_parts
-from app.server.station_parts import StationParts
 from hardware.simulator.station import SimulatedStation
-from tests.api.calibrated import use_truth
+from tests.guide.stations import Station
 
 pytestmark = pytest.mark.device
 
@@ -35,17 +30,14 @@ def simulation() -> Iterator[SimulatedStation]:
 
 
 @pytest.fixture
-def parts(simulation: SimulatedStation, tmp_path: Path) -> StationParts:
-    return replace(station_parts(simulation, tmp_path), simulated_operator=None)
+def station(simulation: SimulatedStation, tmp_path: Path) -> Station:
+    return Station(simulation, tmp_path)
 
 
 @pytest.fixture
-def context(parts: StationParts) -> Iterator[Context]:
-    context = open_context(parts)
-    yield context
-    close_context(context)
-    context.store.close()
-    context.monitoring.close()
+def context(station: Station) -> Iterator[Context]:
+    with station.opened() as context:
+        yield context
 
 
 def bundled(context: Context) -> dict[str, str]:
@@ -60,20 +52,17 @@ def are_made(files: dict[str, str]) -> bool:
     return not any(text.startswith("This part could not be created") for text in files.values())
 
 
+def all_are_checked(context: Context) -> bool:
+    return not any(item.id.startswith("not-made") for item in HealthChecker(context).look().items)
+
+
 @pytest.mark.parametrize("url", ADDRESSES)
-def test_an_address_that_is_none_is_not_read_from_the_file(parts: StationParts, url: str) -> None:
-    (parts.data / "notifications.json").write_text(json.dumps({"url": url, "secret": "s"}))
-    context = open_context(parts)
-    try:
+def test_an_address_that_is_none_is_not_read_from_the_file(station: Station, url: str) -> None:
+    (station.data / "notifications.json").write_text(json.dumps({"url": url, "secret": "s"}))
+    with station.opened() as context:
         assert context.monitoring.webhook.settings.url == ""
-        assert all(
-            not item.id.startswith("not-made") for item in HealthChecker(context).look().items
-        )
+        assert all_are_checked(context)
         assert are_made(bundled(context))
-    finally:
-        close_context(context)
-        context.store.close()
-        context.monitoring.close()
 
 
 def test_a_check_that_fails_is_a_finding_and_the_others_are_made(
@@ -133,17 +122,15 @@ def test_odd_rows_and_endless_logs_are_bundled(context: Context) -> None:
 
 
 @pytest.mark.parametrize("total_um", ["-1e308", "1e308", "-1", "1e999", "NaN", '"many"'])
-def test_figures_that_no_calibration_has_are_set_aside(
-    simulation: SimulatedStation, parts: StationParts, context: Context, total_um: str
-) -> None:
-    use_truth(SimpleNamespace(simulation=simulation, data=parts.data, context=context), "true")
-    (record,) = context.store.calibrations.all()
+def test_figures_that_no_calibration_has_are_set_aside(station: Station, total_um: str) -> None:
     figures = json.dumps({"verdict": "good", **dict.fromkeys(("arm_serial", "object_serial"), "")})
     figures = f'{figures[:-1]}, "sensor_serial": "", "total_um": {total_um}}}'
-    with context.store._database.transaction() as connection:
-        connection.execute("UPDATE calibration SET figures = ?", (figures,))
-    assert context.store.calibrations.all() == []
-    assert [one.id for one in context.store.calibrations.unreadable()] == [record.id]
-    assert any("is unreadable" in str(text) for text in list_unreadable(context))
-    assert build_report(context).calibration is None
-    assert all(not item.id.startswith("not-made") for item in HealthChecker(context).look().items)
+    with station.opened(calibrated=True) as context:
+        (record,) = context.store.calibrations.all()
+        with context.store._database.transaction() as connection:
+            connection.execute("UPDATE calibration SET figures = ?", (figures,))
+        assert context.store.calibrations.all() == []
+        assert [one.id for one in context.store.calibrations.unreadable()] == [record.id]
+        assert any("is unreadable" in str(text) for text in list_unreadable(context))
+        assert build_report(context).calibration is None
+        assert all_are_checked(context)

@@ -5,7 +5,6 @@ from collections.abc import Mapping
 
 import pytest
 
-from app.formats.datasheets.length_standard import LengthPart, LengthStandardFile
 from app.formats.performance.plan import LimitPart, length_scan
 from app.guide.common.guided_session import NO_PROVENANCE
 from app.guide.performance.commands import button_command
@@ -16,22 +15,13 @@ from app.guide.performance.length.sequence import LengthEnd
 from app.guide.performance.length.so_far import measure_so_far
 from app.guide.performance.plan import build_plan, quantities_of, why_no_scans
 from app.guide.performance.state import PerformanceState
-from app.metrology.arm.kinematics import RobotArm, Tip
 from app.metrology.decision import SIMPLE
-from tests.guide.test_performance_temperatures import state_after
+from tests.guide.builders import Row
+from tests.guide.performance_sessions import ROBOT, ball_bar, started, state_after
 
-Row = tuple[str, Mapping[str, object]]
-ARM = RobotArm("Robot", "R-1", Tip(0.0, 0.0, 0.0, 4.0))
-BAR = LengthStandardFile(
-    name="Bar",
-    sphere_diameter_mm=20.0,
-    lengths=tuple(LengthPart(length_mm=mm, standard_uncertainty_um=0.5) for mm in (100.0, 200.0)),
-)
+BAR = ball_bar(100.0, 200.0)
 LIMITS = {"length-touch": {"a_um": 40.0}, "length-scan": {"a_um": 60.0, "k": 10.0, "b_um": 75.0}}
-START: Row = (
-    "started",
-    {"test": "lengths", "calibration_id": "c", "gauge": "bar", "positions": 1, "limits": LIMITS},
-)
+START = started("lengths", limits=LIMITS)
 BY_SCAN: Row = ("by_scan_set", {"by_scan": True})
 CONFIRMED: Row = ("step_confirmed", {"lengths": 2, "touches_each": 1, "by_scan": True})
 BEGIN = (START, BY_SCAN, CONFIRMED)
@@ -126,12 +116,11 @@ def test_an_accepted_scan_is_repeated_only_until_the_bar_was_touched_elsewhere()
 
 def test_a_length_that_the_bar_has_twice_takes_a_scan_of_its_own() -> None:
     whole = scanned(1, BarPass(1, 1), {2: 200.01}, alone=(1,))
-    state = state_after(*BEGIN, *touched(1), *whole)
-    assert state.due == BarPass(1, 1, 1)
-    rows = (*BEGIN, *touched(1), *whole, *scanned(2, BarPass(1, 1, 1), {1: 100.02}))
-    state = state_after(*rows)
+    rows = [*BEGIN, *touched(1), *whole]
+    assert state_after(*rows).due == BarPass(1, 1, 1)
+    state = state_after(*rows, *scanned(2, BarPass(1, 1, 1), {1: 100.02}))
     assert state.due == BarPass(1, 2)
-    so_far = measure_so_far(state, BAR, ARM)
+    so_far = measure_so_far(state, BAR, ROBOT)
     errors = {one.nominal.length_mm: one.error_um for one in so_far.scanned}
     assert errors == pytest.approx({100.0: 20.0, 200.0: 10.0})
     lines = lengths_picture(state, so_far).scans
@@ -145,7 +134,7 @@ def test_a_length_that_the_bar_has_twice_takes_a_scan_of_its_own() -> None:
 def test_the_picture_has_the_errors_by_scan_with_their_own_limit() -> None:
     rows = (*BEGIN, *touched(1), *scanned(1, BarPass(1, 1), {1: 100.08, 2: 200.0}))
     state = state_after(*rows)
-    picture = lengths_picture(state, measure_so_far(state, BAR, ARM))
+    picture = lengths_picture(state, measure_so_far(state, BAR, ROBOT))
     assert picture.scanned is not None
     assert [(one.length_mm, one.limit_um) for one in picture.scanned.limits] == [
         (100.0, 70.0), (200.0, 75.0),
@@ -175,7 +164,7 @@ def test_a_journal_without_the_choice_is_by_touch() -> None:
     assert (state.by_scan, state.due) == (False, None)
     assert state.end == LengthEnd(2, 1, 1, 0)
     assert "by touch alone" in str(bar_pass_reason(state, {}))
-    assert lengths_picture(state, measure_so_far(state, BAR, ARM)).scanned is None
+    assert lengths_picture(state, measure_so_far(state, BAR, ROBOT)).scanned is None
 
 
 def test_the_button_begins_and_ends_the_scans_of_a_place() -> None:

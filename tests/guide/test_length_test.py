@@ -1,63 +1,39 @@
 """The guided length test without a station: its order, what a touch counts for, what is named."""
 
-from dataclasses import dataclass, field, replace
-from typing import Any
+from dataclasses import replace
 
 import numpy as np
 import pytest
 
 from app.errors import OperationError
-from app.formats.datasheets.length_standard import LengthPart, LengthStandardFile
+from app.formats.datasheets.length_standard import LengthPart
 from app.formats.performance.plan import LimitPart
 from app.guide.common.guided_session import NO_PROVENANCE
 from app.guide.performance.entries import DatasheetLimit
 from app.guide.performance.length.sequence import LengthEnd, LengthSequence
 from app.guide.performance.length.so_far import check_touch, measure_so_far, touches_on_end
 from app.guide.performance.plan import build_plan, choose_lengths
-from app.guide.performance.state import PerformanceState, apply_row
-from app.metrology.arm.kinematics import RobotArm, Tip
+from app.guide.performance.state import PerformanceState
 from app.metrology.decision import SIMPLE
 from app.metrology.performance.pattern import pattern_directions
 from app.workflows.performance.length_test import length_features
-
-ARM = RobotArm("Robot", "R-1", Tip(0.0, 0.0, 0.0, 4.0))
-BAR = LengthStandardFile(
-    name="Bar",
-    sphere_diameter_mm=20.0,
-    lengths=(LengthPart(length_mm=300.0, standard_uncertainty_um=0.5),),
+from tests.guide.performance_sessions import (
+    ROBOT,
+    ball_bar,
+    reading,
+    started,
+    state_after,
+    touched,
 )
+
+BAR = ball_bar(300.0)
 AROUND = pattern_directions(np.array([0.0, 0.0, 1.0]))[[0, 13, 15, 17]]
 
 
-@dataclass(frozen=True)
-class Row:
-    kind: str
-    payload: dict[str, Any] = field(default_factory=dict)
-    number: int = 1
-    session_id: str = "t"
-    at: str = "2026-11-26T10:00:00Z"
-
-
 def begun(lengths: int, touches_each: int) -> PerformanceState:
-    started = {
-        "test": "lengths",
-        "calibration_id": "c",
-        "gauge": "bar",
-        "positions": 1,
-        "limits": {"length-touch": {"a_um": 40.0, "k": 10.0, "b_um": None}, "form-touch": 20.0},
-    }
-    confirmed = {"lengths": lengths, "touches_each": touches_each}
-    state = apply_row(PerformanceState(), Row("started", started))
-    return apply_row(state, Row("step_confirmed", confirmed))
-
-
-def reading(tip_mm: np.ndarray) -> np.ndarray:
-    return np.array([*tip_mm, 0.0, 0.0, 0.0, 1.0])
-
-
-def touched(state: PerformanceState, tip_mm: np.ndarray) -> PerformanceState:
-    row = {"feature": state.feature, "place": 0, "reading": reading(tip_mm).tolist()}
-    return apply_row(state, Row("touched", row))
+    limits = {"length-touch": {"a_um": 40.0, "k": 10.0, "b_um": None}, "form-touch": 20.0}
+    confirmed = ("step_confirmed", {"lengths": lengths, "touches_each": touches_each})
+    return state_after(started("lengths", limits=limits), confirmed)
 
 
 def test_the_order_has_every_end_that_the_evaluation_knows() -> None:
@@ -89,12 +65,12 @@ def test_five_lengths_are_spread_over_those_of_the_standard() -> None:
 def test_the_first_touch_of_the_next_length_confirms_the_one_before() -> None:
     state = begun(2, 1)
     for at in (0.0, 100.0):
-        state = touched(state, np.array([at, 0.0, 0.0]))
+        state = touched(state, reading(np.array([at, 0.0, 0.0])))
     assert state.confirmed == 0
     assert state.end == LengthEnd(1, 1, 2, 0)
-    state = touched(state, np.zeros(3))
+    state = touched(state, reading(np.zeros(3)))
     assert state.confirmed == 2
-    undone = apply_row(state, Row("touch_voided", {"index": 2}))
+    undone = state_after(("touch_voided", {"index": 2}), before=state)
     assert (len(undone.counted), undone.confirmed) == (2, 2)  # the length stays confirmed
     assert undone.feature == state.touches[2].feature
 
@@ -105,33 +81,34 @@ def test_a_ball_bar_takes_four_touches_all_around_each_sphere() -> None:
     for centre in centres:
         for n, outward in enumerate(AROUND):
             tip = centre + 12.0 * outward
-            assert check_touch(state, BAR, ARM, reading(tip)) == n
-            state = touched(state, tip)
+            assert check_touch(state, BAR, ROBOT, reading(tip)) == n
+            state = touched(state, reading(tip))
             if len(state.counted) % 4 > 0:
                 with pytest.raises(OperationError) as refused:
-                    check_touch(state, BAR, ARM, reading(tip + 1.0))
+                    check_touch(state, BAR, ROBOT, reading(tip + 1.0))
                 assert refused.value.code == "same-place"
-    (value,) = measure_so_far(state, BAR, ARM).values
+    (value,) = measure_so_far(state, BAR, ROBOT).values
     assert value.error_um == pytest.approx(50, abs=0.01)
 
 
 def test_another_sphere_than_that_of_the_length_is_refused() -> None:
     state = begun(1, 4)
     for outward in AROUND:
-        state = touched(state, 12.0 * outward)
+        state = touched(state, reading(12.0 * outward))
     with pytest.raises(OperationError) as refused:
-        check_touch(state, BAR, ARM, reading(np.array([0.0, 400.0, 0.0])))
+        check_touch(state, BAR, ROBOT, reading(np.array([0.0, 400.0, 0.0])))
     assert refused.value.code == "another-length"
-    check_touch(state, BAR, ARM, reading(np.array([0.0, 300.0, 12.0])))
+    check_touch(state, BAR, ROBOT, reading(np.array([0.0, 300.0, 12.0])))
 
 
 def test_a_standard_far_off_the_drawn_direction_is_named() -> None:
     gauge = BAR.model_copy(update={"sphere_diameter_mm": None, "kind": "step-gauge"})
     state = replace(begun(1, 1), gauge="gauge")
-    first, last = measure_so_far(state, gauge, ARM).places_mm[0]
+    first, last = measure_so_far(state, gauge, ROBOT).places_mm[0]
+    first_touched = touched(state, reading(first))
     along = (last - first) / np.linalg.norm(last - first)
-    lying = touched(touched(state, first), first + 300.0 * along)
-    assert measure_so_far(lying, gauge, ARM).off_deg is None
+    lying = touched(first_touched, reading(first + 300.0 * along))
+    assert measure_so_far(lying, gauge, ROBOT).off_deg is None
     across = np.cross(along, [0.0, 0.0, 1.0])
-    turned = touched(touched(state, first), first + 300.0 * across)
-    assert measure_so_far(turned, gauge, ARM).off_deg == pytest.approx(90)
+    turned = touched(first_touched, reading(first + 300.0 * across))
+    assert measure_so_far(turned, gauge, ROBOT).off_deg == pytest.approx(90)

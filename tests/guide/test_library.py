@@ -12,6 +12,7 @@ from app.guide.common.datasheet_library import DatasheetLibrary, read_library
 from app.metrology.targets.chessboard import Chessboard
 from app.metrology.targets.crenellated_block import Crenellated
 from tests.datasheets import write_object
+from tests.guide.builders import BLOCK
 
 BOARD = Chessboard("board 7", "", (7, 6), 10.0, 0.05)
 
@@ -23,22 +24,18 @@ def library_with(folder: Path, **objects: Crenellated | Chessboard) -> Datasheet
     return read_library(folder)
 
 
-def test_blocks_and_chessboards_can_be_chosen_and_damaged_files_are_named(
-    tmp_path: Path, block: Crenellated
-) -> None:
-    library_with(tmp_path, block=block, board=BOARD)
+def test_blocks_and_chessboards_can_be_chosen_and_damaged_files_are_named(tmp_path: Path) -> None:
+    library_with(tmp_path, block=BLOCK, board=BOARD)
     (tmp_path / "objects/damaged.json").write_text(json.dumps({"format": "crenel/object"}))
     library = read_library(tmp_path)
-    assert {name: entry.datasheet for name, entry in library.objects.items()} == {
-        "block": block,
-        "board": BOARD,
-    }
+    known = {name: entry.datasheet for name, entry in library.objects.items()}
+    assert known == {"block": BLOCK, "board": BOARD}
     (damaged,) = library.findings
     assert str(damaged.remedy) == "Correct or remove the file."
 
 
-def test_the_only_block_is_guessed_beside_chessboards(tmp_path: Path, block: Crenellated) -> None:
-    library = library_with(tmp_path, a_board=BOARD, block=block, other_board=BOARD)
+def test_the_only_block_is_guessed_beside_chessboards(tmp_path: Path) -> None:
+    library = library_with(tmp_path, a_board=BOARD, block=BLOCK, other_board=BOARD)
     assert best_guess(library, CalibrationState(), None, None)["object"] == "block"
     before = CalibrationState(choices={"object": "other_board"})
     assert best_guess(library, before, None, None)["object"] == "other_board"
@@ -52,9 +49,9 @@ def test_of_several_chessboards_none_is_guessed(tmp_path: Path) -> None:
 ROBOT = ConnectedArm("R-1", 6, "pose")
 
 
-def test_an_arm_that_connects_late_has_its_own_choices(tmp_path: Path, block: Crenellated) -> None:
+def test_an_arm_that_connects_late_has_its_own_choices(tmp_path: Path) -> None:
     """The session began with what an arm with joints would use."""
-    library = library_with(tmp_path, block=block, board=BOARD)
+    library = library_with(tmp_path, block=BLOCK, board=BOARD)
     begun = CalibrationState(choices=best_guess(library, CalibrationState(), None, None))
     assert begun.choices["object"] == "block"
     assert guess_for_connected(library, begun, ROBOT, None) == {"object": "board"}
@@ -64,10 +61,8 @@ def test_an_arm_that_connects_late_has_its_own_choices(tmp_path: Path, block: Cr
     assert guess_for_connected(library, CalibrationState(), ROBOT, None) == {"object": "board"}
 
 
-def test_a_robot_is_guessed_no_block_that_was_chosen_last(
-    tmp_path: Path, block: Crenellated
-) -> None:
-    library = library_with(tmp_path, block=block, one=BOARD, two=BOARD)
+def test_a_robot_is_guessed_no_block_that_was_chosen_last(tmp_path: Path) -> None:
+    library = library_with(tmp_path, block=BLOCK, one=BOARD, two=BOARD)
     before = CalibrationState(choices={"object": "block"})
     assert "object" not in best_guess(library, before, ROBOT, None)
 

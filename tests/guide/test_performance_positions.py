@@ -1,14 +1,11 @@
 """The one-sphere test at two positions of the sphere."""
 
-from collections.abc import Mapping
-
 from app.formats.performance.plan import sphere_features
-from tests.guide.test_performance_temperatures import state_after
+from tests.guide.builders import Row
+from tests.guide.performance_sessions import started, state_after
 
 ARTICULATIONS = 5
-Row = tuple[str, Mapping[str, object]]
-TEST = {"test": "sphere", "calibration_id": "c", "gauge": "sphere", "positions": 1, "limits": {}}
-START: Row = ("started", TEST)
+START = started("sphere", gauge="sphere")
 CONFIRM: Row = ("step_confirmed", {})
 
 

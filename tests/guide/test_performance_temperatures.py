@@ -1,34 +1,24 @@
 """The temperatures in the journal of a performance test, also in those of earlier versions."""
 
-from collections.abc import Mapping
-
 import pytest
 
 from app.guide.common.guided_session import NO_PROVENANCE
-from app.guide.common.journal import fold
 from app.guide.performance.entries import Temperatures
 from app.guide.performance.plan import build_plan
-from app.guide.performance.state import PerformanceState, apply_row
 from app.metrology.decision import SIMPLE
 from app.metrology.performance.temperature import TemperatureLimits
-from tests.guide.builders import journal_of
+from tests.guide.builders import Row
+from tests.guide.performance_sessions import started, state_after
 from tests.guide.test_performance_plan import SPHERE
 
-START = {
-    "test": "lengths", "calibration_id": "c", "gauge": "bar", "positions": 1, "limits": {},
-}  # fmt: skip
-TO_THE_END: tuple[tuple[str, Mapping[str, object]], ...] = (
-    ("started", START),
+TO_THE_END: tuple[Row, ...] = (
+    started("lengths"),
     ("temperature_set", {"celsius": 20.4, "arm_c": 21.0, "expanded_c": 0.4}),
     ("step_confirmed", {"lengths": 1, "touches_each": 1}),
     ("step_confirmed", {}),
 )
 CONFIRMED = ("step_confirmed", {"artefact_c": 20.4, "arm_c": 21.0})
 EVALUATED = ("evaluated", {"result": "pass"})
-
-
-def state_after(*rows: tuple[str, Mapping[str, object]]) -> PerformanceState:
-    return fold(journal_of(*rows), PerformanceState(), apply_row)
 
 
 def test_at_the_end_the_first_temperatures_are_filled_in() -> None:
@@ -58,12 +48,11 @@ def test_temperatures_changed_after_the_result_have_it_computed_again() -> None:
 
 def test_rows_of_earlier_versions_have_no_temperature_of_the_arm() -> None:
     old = ("temperature_set", {"celsius": 20.4, "expanded_c": 0.4})
-    assert state_after(("started", START), old).at_begin == Temperatures(20.4, None)
+    assert state_after(started("lengths"), old).at_begin == Temperatures(20.4, None)
 
 
 def test_the_plan_has_the_temperatures_and_the_limits_of_the_station() -> None:
-    sphere = {**START, "test": "sphere", "gauge": "sphere"}
-    state = state_after(("started", sphere), TO_THE_END[1])
+    state = state_after(started("sphere", gauge="sphere"), TO_THE_END[1])
     plan = build_plan(state, SPHERE, NO_PROVENANCE, SIMPLE, TemperatureLimits(0.5, 3.0))
     assert (plan.artefact_c, plan.arm_c, plan.temperature_sd_c) == (20.4, 21.0, 0.2)
     assert plan.temperature_limits.limits == TemperatureLimits(0.5, 3.0)

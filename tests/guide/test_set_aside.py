@@ -2,29 +2,23 @@
 
 import json
 from collections.abc import Iterator
-from contextlib import suppress
-from dataclasses import replace
+from contextlib import ExitStack, suppress
 from pathlib import Path
-from types import SimpleNamespace
 
 import pytest
 
 from app.errors import OperationError
 from app.guide.common.datasheet_library import read_library
 from app.messages.message import mentions
-from app.operations.context import Context
 from app.operations.health_checks import HealthChecker
 from app.operations.home import build_home
 from app.operations.unreadable_files import list_unreadable
-from app.server.composition import close_context, open_context
-from app.server.demo import station_parts
-from app.server.station_parts import StationParts
 from app.store.scans import ScanRecord
 from app.store.store import Store
 from app.timestamps import utc_now
 from app.wire.json_response import encode_json
 from hardware.simulator.station import SimulatedStation
-from tests.api.calibrated import use_truth
+from tests.guide.stations import Station
 
 pytestmark = pytest.mark.device
 
@@ -38,22 +32,14 @@ def simulation() -> Iterator[SimulatedStation]:
 
 
 @pytest.fixture
-def parts(simulation: SimulatedStation, tmp_path: Path) -> StationParts:
-    return replace(station_parts(simulation, tmp_path), simulated_operator=None)
-
-
-def closed(context: Context) -> None:
-    close_context(context)
-    context.store.close()
-    context.monitoring.close()
+def station(simulation: SimulatedStation, tmp_path: Path) -> Station:
+    return Station(simulation, tmp_path)
 
 
 @pytest.mark.parametrize("payload", ["no JSON", "[1, 2]", '{"to": null}', "{" * 3000])
 @pytest.mark.parametrize("kind", ["calibration", "arm", "verify"])
-def test_a_session_with_a_bad_row_is_set_aside(
-    parts: StationParts, kind: str, payload: str
-) -> None:
-    store = Store(parts.data)
+def test_a_session_with_a_bad_row_is_set_aside(station: Station, kind: str, payload: str) -> None:
+    store = Store(station.data)
     store.journal.begin_session("bad", kind)
     with store._database.transaction() as connection:
         connection.execute(
@@ -61,13 +47,10 @@ def test_a_session_with_a_bad_row_is_set_aside(
             ("2026-01-01T00:00:00Z", "of_a_newer_version", payload),
         )
     store.close()
-    context = open_context(parts)
-    try:
+    with station.opened() as context:
         assert any("bad cannot be read" in str(text) for text in list_unreadable(context))
         assert context.guide.start().running
         assert build_home(context).next.page == "calibrate"
-    finally:
-        closed(context)
 
 
 @pytest.mark.parametrize(
@@ -80,33 +63,24 @@ def test_a_session_with_a_bad_row_is_set_aside(
     ],
 )
 def test_damaged_rows_do_not_keep_health_and_home_from_being_shown(
-    simulation: SimulatedStation, parts: StationParts, change: str
+    station: Station, change: str
 ) -> None:
-    context = open_context(parts)
-    try:
-        use_truth(SimpleNamespace(simulation=simulation, data=parts.data, context=context), "true")
-        context.store.scans.add(
-            ScanRecord("one", "One", parts.data / "scans/one", utc_now(), 7, 3, 1.0, "true")
-        )
+    folder = station.data / "scans/one"
+    with station.opened(calibrated=True) as context:
+        context.store.scans.add(ScanRecord("one", "One", folder, utc_now(), 7, 3, 1.0, "true"))
         with context.store._database.transaction() as connection:
             connection.execute(change)
-        (parts.data / "scans/one").mkdir()
-        (parts.data / "scans/one/scan.mcap").write_bytes(b"no recording")
+        folder.mkdir()
+        (folder / "scan.mcap").write_bytes(b"no recording")
         context.recovery.list_unlisted()
         assert HealthChecker(context).look().items
         assert encode_json(build_home(context))
         assert len(context.store.scans.all()) == 1
         assert encode_json(context.store.scans.all()[0].name)
-    finally:
-        closed(context)
 
 
-def test_a_calibration_that_is_emptied_while_in_use_is_not_scanned_with(
-    simulation: SimulatedStation, parts: StationParts
-) -> None:
-    context = open_context(parts)
-    try:
-        use_truth(SimpleNamespace(simulation=simulation, data=parts.data, context=context), "true")
+def test_a_calibration_that_is_emptied_while_in_use_is_not_scanned_with(station: Station) -> None:
+    with station.opened(calibrated=True) as context:
         file = context.store.calibrations.all()[0].file
         whole = file.read_text()
         assert context.scanner.trouble is None
@@ -120,36 +94,27 @@ def test_a_calibration_that_is_emptied_while_in_use_is_not_scanned_with(
         file.write_text(whole)
         assert context.scanner.trouble is None
         assert build_home(context).checks[0].state == "valid"
-    finally:
-        closed(context)
 
 
-def test_a_cut_calibration_is_not_valid(simulation: SimulatedStation, parts: StationParts) -> None:
-    context = open_context(parts)
-    use_truth(SimpleNamespace(simulation=simulation, data=parts.data, context=context), "true")
-    file = context.store.calibrations.all()[0].file
-    closed(context)
+def test_a_cut_calibration_is_not_valid(station: Station) -> None:
+    with station.opened(calibrated=True) as context:
+        file = context.store.calibrations.all()[0].file
     file.write_text(file.read_text()[:200])
-    context = open_context(parts)
-    try:
+    with station.opened() as context:
         line = build_home(context).checks[0]
         assert (line.state, line.quality) == ("failed", "bad")
         refusal = context.scanner.why_not()
         assert refusal is not None
         assert refusal.code == "calibration-unreadable"
-        assert str(parts.data) not in refusal.line
+        assert str(station.data) not in refusal.line
         assert list_unreadable(context)
-    finally:
-        closed(context)
 
 
 def test_a_calibration_whose_files_go_while_the_station_runs_is_not_valid(
-    simulation: SimulatedStation, parts: StationParts
+    station: Station,
 ) -> None:
-    context = open_context(parts)
-    use_truth(SimpleNamespace(simulation=simulation, data=parts.data, context=context), "true")
-    file = context.store.calibrations.all()[0].file
-    try:
+    with station.opened(calibrated=True) as context:
+        file = context.store.calibrations.all()[0].file
         assert build_home(context).checks[0].state == "valid"
         for spoiled in (file, file.parent / "arm.json"):
             content = spoiled.read_bytes()
@@ -160,12 +125,10 @@ def test_a_calibration_whose_files_go_while_the_station_runs_is_not_valid(
                 line = build_home(context).checks[0]
                 assert line.state == "failed"
                 assert mentions(line.text, f"sessions/true/{spoiled.name}")
-                assert str(parts.data) not in str(line.text)
+                assert str(station.data) not in str(line.text)
             spoiled.rmdir()
             spoiled.write_bytes(content)
             assert build_home(context).checks[0].state == "valid"
-    finally:
-        closed(context)
 
 
 def test_an_empty_database_beside_sessions_is_refused(tmp_path: Path) -> None:
@@ -176,45 +139,36 @@ def test_an_empty_database_beside_sessions_is_refused(tmp_path: Path) -> None:
         Store(tmp_path)
 
 
-def test_a_damaged_page_of_the_database_is_said_to_be_one(
-    simulation: SimulatedStation, parts: StationParts
-) -> None:
-    context = open_context(parts)
-    use_truth(SimpleNamespace(simulation=simulation, data=parts.data, context=context), "true")
-    context.guide.start()
-    closed(context)
-    database = parts.data / "station.db"
+def test_a_damaged_page_of_the_database_is_said_to_be_one(station: Station) -> None:
+    with station.opened(calibrated=True) as context:
+        context.guide.start()
+    database = station.data / "station.db"
     whole, refused = database.read_bytes(), []
     for at in range(0, len(whole), PAGE_BYTES):
-        for beside in parts.data.glob("station.db-*"):
+        for beside in station.data.glob("station.db-*"):
             beside.unlink()
         database.write_bytes(whole[:at] + bytes(PAGE_BYTES) + whole[at + PAGE_BYTES :])
-        try:
-            context = open_context(parts)
-        except OperationError as refusal:
-            refused.append(refusal.code)
-            continue
-        try:
+        with ExitStack() as stack:
+            try:
+                context = stack.enter_context(station.opened())
+            except OperationError as refusal:
+                refused.append(refusal.code)
+                continue
             for look in (build_home, list_unreadable, lambda context: context.guide.start()):
                 with suppress(OperationError):
                     look(context)
-        finally:
-            closed(context)
     assert set(refused) == {"database-unreadable"}
     assert len(refused) < len(whole) // PAGE_BYTES
 
 
-def test_a_row_that_cannot_be_folded_is_not_kept(parts: StationParts) -> None:
-    context = open_context(parts)
-    try:
+def test_a_row_that_cannot_be_folded_is_not_kept(station: Station) -> None:
+    with station.opened() as context:
         context.guide.start()
         before = context.store.journal.last_number()
         with pytest.raises(OperationError, match="not saved"):
             context.guide.append("went_back", {"to": "nowhere"})
         assert context.store.journal.last_number() == before
         assert context.guide.state.step == "devices"
-    finally:
-        closed(context)
 
 
 def test_texts_that_are_no_unicode(tmp_path: Path) -> None:

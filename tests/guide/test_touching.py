@@ -6,15 +6,25 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from numpy.typing import ArrayLike
 
 from app.guide.calibration.flow import build_view
-from app.guide.calibration.state import CalibrationState
+from app.guide.calibration.live import TouchReport
+from app.guide.calibration.state import Contact
 from app.guide.calibration.touch.block import WANTED, points_wanted, suggest_places
 from app.guide.calibration.touch.report import face_progress, next_face, same_place, touch_report
-from app.metrology.arm.kinematics import Arm
 from app.metrology.arm.strained_pose import Strain
 from app.metrology.targets.crenellated_block import FACES, Crenellated, probing_face
-from tests.guide.builders import contact_joints, make_live, point_row, start_row, state_after
+from tests.guide.builders import (
+    ARM,
+    BLOCK,
+    Row,
+    contact_joints,
+    make_live,
+    point_row,
+    start_row,
+    state_after,
+)
 
 widths = st.floats(1.5, 12.0)
 
@@ -28,10 +38,12 @@ def blocks(draw: st.DrawFn) -> Crenellated:
 
 
 @given(blocks(), st.sampled_from(FACES))
-def test_every_suggested_place_lies_on_its_face_clear_of_the_edges(
+def test_every_suggested_place_lies_on_its_face_clear_of_the_edges_and_of_one_line(
     block: Crenellated, face: str
 ) -> None:
     places = np.array(suggest_places(block, face))
+    spread = np.linalg.svd(places - places.mean(axis=0), compute_uv=False)
+    assert spread[1] > 0.2
     assert WANTED - 1 <= len(places) <= WANTED
     normal, offset_mm = probing_face(block, face)
     assert places @ normal == pytest.approx(offset_mm)
@@ -52,54 +64,43 @@ def test_every_suggested_place_lies_on_its_face_clear_of_the_edges(
         assert (places[:, 1] < block.back_y_mm).all()
 
 
-@given(blocks(), st.sampled_from(FACES))
-def test_suggested_places_do_not_lie_on_one_line(block: Crenellated, face: str) -> None:
-    places = np.array(suggest_places(block, face))
-    spread = np.linalg.svd(places - places.mean(axis=0), compute_uv=False)
-    assert spread[1] > 0.2
+def touch(face: str, place_mm: ArrayLike) -> Row:
+    return point_row(face, contact_joints(ARM, BLOCK, face, np.asarray(place_mm)))
 
 
-def session(arm: Arm, block: Crenellated, faces: tuple[str, ...], count: int) -> CalibrationState:
-    rows = [start_row("touch")]
-    for face in faces:
-        for place in suggest_places(block, face)[:count]:
-            rows.append(point_row(face, contact_joints(arm, block, face, place)))
-    return state_after(*rows)
+def touches(*faces: str, count: int = 9) -> list[Row]:
+    return [touch(face, place) for face in faces for place in suggest_places(BLOCK, face)[:count]]
 
 
-def test_what_is_missing_is_said_until_an_alignment_is_possible(
-    arm: Arm, block: Crenellated
-) -> None:
-    report = touch_report(session(arm, block, ("crest", "front"), 9).counted, arm, block, 15.0)
+def counted(*rows: Row) -> tuple[Contact, ...]:
+    return state_after(start_row("touch"), *rows).counted
+
+
+def judged(*rows: Row) -> TouchReport:
+    return touch_report(counted(*rows), ARM, BLOCK, 15.0)
+
+
+def test_what_is_missing_is_said_until_an_alignment_is_possible() -> None:
+    report = judged(*touches("crest", "front"))
     assert report.alignment is None
     assert "left" in str(report.missing)
     assert all(p.at_mm is None and p.residual_um is None for p in report.points)
 
 
-def test_points_that_agree_have_small_residuals_and_their_place(
-    arm: Arm, block: Crenellated
-) -> None:
-    report = touch_report(
-        session(arm, block, ("crest", "front", "right"), 9).counted, arm, block, 15.0
-    )
+def test_points_that_agree_have_small_residuals_and_their_place() -> None:
+    report = judged(*touches("crest", "front", "right"))
     assert report.missing == ""
     assert report.alignment is not None
     assert report.alignment.rms_mm == pytest.approx(0.0, abs=1e-5)
     assert report.questionable == ()
     places = [p.at_mm for p in report.points]
-    expected = [q for f in ("crest", "front", "right") for q in suggest_places(block, f)]
+    expected = [q for f in ("crest", "front", "right") for q in suggest_places(BLOCK, f)]
     assert np.array(places) == pytest.approx(np.array(expected), abs=1e-4)
 
 
-def test_a_point_on_another_face_is_named_with_the_face_it_misses(
-    arm: Arm, block: Crenellated
-) -> None:
-    rows = [start_row("touch")]
-    for face in ("crest", "front", "right"):
-        for place in suggest_places(block, face):
-            rows.append(point_row(face, contact_joints(arm, block, face, place)))
-    rows.append(point_row("crest", contact_joints(arm, block, "front", (1.0, -12.0, 7.5))))
-    report = touch_report(state_after(*rows).counted, arm, block, 15.0)
+def test_a_point_on_another_face_is_named_with_the_face_it_misses() -> None:
+    wrong = point_row("crest", contact_joints(ARM, BLOCK, "front", (1.0, -12.0, 7.5)))
+    report = judged(*touches("crest", "front", "right"), wrong)
     assert report.questionable == (27,)
     (finding,) = report.findings
     assert finding.quality == "bad"
@@ -107,40 +108,40 @@ def test_a_point_on_another_face_is_named_with_the_face_it_misses(
     assert finding.remedy
 
 
-def test_a_point_off_its_face_is_named_an_outlier(arm: Arm, block: Crenellated) -> None:
-    rows = [start_row("touch")]
+def test_a_point_off_its_face_is_named_an_outlier() -> None:
+    rows = []
     rng = np.random.default_rng(5)
     for face in ("crest", "front", "right"):
-        normal, _ = probing_face(block, face)
-        for i, place in enumerate(suggest_places(block, face)):
+        normal, _ = probing_face(BLOCK, face)
+        for i, place in enumerate(suggest_places(BLOCK, face)):
             off_mm = 0.2 if (face, i) == ("front", 4) else rng.normal(0.0, 0.005)
-            rows.append(point_row(face, contact_joints(arm, block, face, place + off_mm * normal)))
-    report = touch_report(state_after(*rows).counted, arm, block, 15.0)
+            rows.append(touch(face, place + off_mm * normal))
+    report = judged(*rows)
     assert report.questionable == (13,)
     assert report.findings[0].quality == "attention"
     assert "µm" in str(report.findings[0].text)
     assert report.points[13].residual_um == pytest.approx(200.0, abs=15.0)
 
 
-def test_a_point_with_an_impossible_joint_can_be_removed(arm: Arm, block: Crenellated) -> None:
+def test_a_point_with_an_impossible_joint_can_be_removed() -> None:
     """Its place may be right: the joint is turns on."""
-    contacts = session(arm, block, ("crest", "front", "left"), 5).counted
+    contacts = counted(*touches("crest", "front", "left", count=5))
     reading = (contacts[3].reading[0] + 6 * np.pi, *contacts[3].reading[1:])
     wrong = replace(contacts[3], reading=reading)
-    report = touch_report([*contacts[:3], wrong, *contacts[4:]], arm, block, 15.0)
+    report = touch_report([*contacts[:3], wrong, *contacts[4:]], ARM, BLOCK, 15.0)
     assert report.questionable[0] == 3
     assert "Point 4 is implausible: " in str(report.findings[0].text)
     assert report.alignment is not None
 
 
-def test_the_same_place_twice_is_noticed(arm: Arm, block: Crenellated) -> None:
-    state = session(arm, block, ("crest",), 3)
-    place = np.array(suggest_places(block, "crest")[1])
-    near = contact_joints(arm, block, "crest", place + [0.1, 0.1, 0.0])
-    far = contact_joints(arm, block, "crest", place + [1.0, 0.0, 0.0])
-    assert same_place(near, state.counted, arm) == 1
-    assert same_place(far, state.counted, arm) is None
-    assert same_place(near, (), arm) is None
+def test_the_same_place_twice_is_noticed() -> None:
+    contacts = counted(*touches("crest", count=3))
+    place = np.array(suggest_places(BLOCK, "crest")[1])
+    near = contact_joints(ARM, BLOCK, "crest", place + [0.1, 0.1, 0.0])
+    far = contact_joints(ARM, BLOCK, "crest", place + [1.0, 0.0, 0.0])
+    assert same_place(near, contacts, ARM) == 1
+    assert same_place(far, contacts, ARM) is None
+    assert same_place(near, (), ARM) is None
 
 
 def test_either_end_and_either_long_side_will_do() -> None:
@@ -152,22 +153,19 @@ def test_either_end_and_either_long_side_will_do() -> None:
     assert wanted["right"] == wanted["front"] == wanted["floor"] == 0
 
 
-def test_a_complete_face_gives_way_to_the_next(arm: Arm, block: Crenellated) -> None:
-    report = touch_report(session(arm, block, ("crest",), 9).counted, arm, block, 15.0)
-    assert next_face(face_progress(report, "crest", block), "crest") == "front"
-    report = touch_report(session(arm, block, ("crest",), 8).counted, arm, block, 15.0)
-    assert next_face(face_progress(report, "crest", block), "crest") == "crest"
+def test_a_complete_face_gives_way_to_the_next() -> None:
+    for count, face in ((9, "front"), (8, "crest")):
+        report = judged(*touches("crest", count=count))
+        assert next_face(face_progress(report, "crest", BLOCK), "crest") == face
 
 
 @pytest.mark.parametrize(
     ("strain", "words"),
     [("stop", "at its stop"), ("straight", "stretched out"), ("base", "close to its base")],
 )
-def test_a_pose_that_strains_the_arm_is_named(
-    arm: Arm, block: Crenellated, strain: Strain, words: str
-) -> None:
-    state = session(arm, block, ("crest",), 1)
-    live = make_live(state, arm, block)
+def test_a_pose_that_strains_the_arm_is_named(strain: Strain, words: str) -> None:
+    state = state_after(start_row("touch"), *touches("crest", count=1))
+    live = make_live(state)
     assert not any(words in str(one.text) for one in build_view(state, live).findings)
     live = replace(live, stillness=replace(live.stillness, strain=strain))
     assert any(words in str(one.text) for one in build_view(state, live).findings)
