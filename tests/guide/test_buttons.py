@@ -56,12 +56,11 @@ def test_the_main_button_counts_as_it_goes_down_and_undo_as_it_is_let_go(
     pressed.edge(1.0, "undo", True)
     pressed.edge(1.2, "undo", False)
     assert pressed.wait() == Press(1_000_000_000, "undo")
-    pressed.edge(2.0, "primary", True)
-    assert pressed.wait() == Press(2_000_000_000, "primary")
-    pressed.edge(2.1, "primary", False)
-    pressed.edge(3.0, "back", True)
-    assert pressed.wait() == Press(3_000_000_000, "back")
-    pressed.edge(3.1, "back", False)
+    for second, button in ((2, "primary"), (3, "back")):
+        pressed.edge(second, button, True)
+        press = pressed.wait()
+        assert (press.stamp_ns, press.button) == (second * 10**9, button)
+        pressed.edge(second + 0.1, button, False)
     pressed.edge(4.0, "primary", True)
     pressed.wait()
     assert [press.button for press in pressed.presses] == ["undo", "primary", "back", "primary"]

@@ -23,17 +23,14 @@ from app.guide.common.validity import (
 NOW = datetime(2026, 11, 21, 12, 0, tzinfo=UTC)
 
 
-def done(
-    days: float, result: State = "valid", text: str = "Every figure keeps its limit."
-) -> CheckResult:
+def done(days: float, result: State = "valid", text: str = "Every limit is kept.") -> CheckResult:
     at = (NOW - timedelta(days=days)).isoformat().replace("+00:00", "Z")
     return CheckResult(at, result, text)
 
 
 NOTHING = ValidityInputs(None, None, False, None, None, None)
-ALL = ValidityInputs(
-    done(2, text="8 µm (k = 1)"), done(1), True, done(0.1), done(3), 0.4, done(200)
-)
+CALIBRATED = done(2, text="8 µm (k = 1)")
+ALL = ValidityInputs(CALIBRATED, done(1), True, done(0.1), done(3), 0.4, done(200))
 
 
 def lines(known: ValidityInputs) -> dict[str, Validity]:
@@ -77,11 +74,7 @@ def test_a_newcomer_is_led_from_calibrating_over_verifying_to_scanning() -> None
         ({"warmer_c": -5.0}, "calibrate", "5.0 °C lower"),
         ({"verification": None}, "verify", "older than this calibration"),
         ({"verification": done(8)}, "verify", "8 days old"),
-        (
-            {"verification": done(1, "failed", "Not every figure keeps its limit.")},
-            "verify",
-            "failed",
-        ),
+        ({"verification": done(1, "failed", "Not every limit is kept.")}, "verify", "failed"),
         ({"verification": done(1, "unsure", "Not known.")}, "verify", "was undecided"),
         ({"tip": done(0.1, "failed", "The tip is worn.")}, "arm", "worn"),
         ({"arm": done(1, "failed", "400 µm, limit 250 µm.")}, "arm", "400 µm"),

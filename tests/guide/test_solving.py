@@ -60,9 +60,8 @@ def test_a_session_is_solved_as_it_is_shown(folder: SessionFolder) -> None:
     assert first.result.verdict == "good"
     assert first.result.comparison is None
     assert first.result.worst
-    assert first.result.total_um == pytest.approx(
-        float(np.sqrt(np.sum([row.value_um**2 for row in first.result.budget])))
-    )
+    total_um = np.linalg.norm([row.value_um for row in first.result.budget])
+    assert first.result.total_um == pytest.approx(total_um)
     assert (first.result.good_um, first.result.usable_um) == (LIMITS.good_um, LIMITS.usable_um)
     (pose,) = first.poses
     assert pose.number == first.result.shown_pose
@@ -78,8 +77,7 @@ def test_what_is_graver_than_the_uncertainty_is_pointed_to(
     shutil.copytree(folder.path, tmp_path / "slipped")
     probing = tmp_path / "slipped" / "probing.csv"
     head, *rows = probing.read_text().splitlines()
-    joint = head.split(",").index("q2_deg")
-    cells = rows[3].split(",")
+    joint, cells = head.split(",").index("q2_deg"), rows[3].split(",")
     cells[joint] = str(float(cells[joint]) + 0.05)
     rows[3] = ",".join(cells)
     probing.write_text("\n".join([head, *rows]) + "\n")
@@ -108,10 +106,8 @@ def test_the_worst_points_have_their_place(folder: SessionFolder) -> None:
         else:
             assert point.pose == pose.number
             assert point.at_px is not None
-            if point.kind == "corner":
-                assert point.at_px in corners
-            else:
-                assert min(along) <= point.at_px[0] <= max(along)
+            on_stripe = min(along) <= point.at_px[0] <= max(along)
+            assert point.at_px in corners if point.kind == "corner" else on_stripe
 
 
 def test_a_calibration_is_compared_with_the_one_in_use(
@@ -171,13 +167,11 @@ def capture_of(folder: SessionFolder, ambient: np.ndarray) -> tuple[Capture, Sel
     session = read_session(folder.path)
     pose = session.poses[0]
     assert pose.laser is not None
-    frames = [
-        Frame(i, 0, image, 5000.0, i > 0)
-        for i, image in enumerate((ambient, read_grey(pose.laser)))
-    ]
+    dark = Frame(0, 0, ambient, 5000.0, False)
+    lit = Frame(1, 0, read_grey(pose.laser), 5000.0, True)
     mean = ReadingMean(pose.q_rad, pose.q_rad * 0, 10, 0, 1)
     chosen = SelectedDatasheets(session.arm, session.block, session.sensor)
-    return Capture(frames[0], frames[1], "pair", mean), chosen
+    return Capture(dark, lit, "pair", mean), chosen
 
 
 def test_a_fresh_picture_is_looked_at_at_once(folder: SessionFolder) -> None:

@@ -1,7 +1,6 @@
 """The fold: whatever the rows, the state follows from them and from nothing else."""
 
 import re
-from collections.abc import Mapping
 from pathlib import Path
 
 import pytest
@@ -12,34 +11,25 @@ from app.guide.calibration import state as state_module
 from app.guide.calibration.state import CHANGES, ENDS, FORWARD, NOTES, STEPS
 from app.guide.calibration.tasks import CONFIRMATIONS
 from app.guide.common.journal import FORMER_NOTES
-from tests.guide.builders import capture_row, point_row, start_row, state_after
+from tests.guide.builders import Row, capture_row, point_row, start_row, state_after
 
-CONFIRMED = {
-    "setup": "devices_confirmed",
-    "touch": "setup_confirmed",
-    "place": "touch_confirmed",
-    "capture": "place_confirmed",
-}
-
-
-def confirmed_up_to(step: str) -> list[tuple[str, dict[str, object]]]:
-    order = list(CONFIRMED)
-    return [(CONFIRMED[name], {}) for name in order[: order.index(step) + 1]]
+CONFIRMED = ("devices_confirmed", "setup_confirmed", "touch_confirmed", "place_confirmed")
+TWO_POSES: list[Row] = [start_row("capture"), capture_row(), ("another_pose", {}), capture_row()]
+RETAKEN: list[Row] = [start_row("capture"), capture_row(), ("retaken", {}), capture_row()]
 
 
 def test_each_confirmation_leads_to_the_next_step() -> None:
-    for step in CONFIRMED:
-        assert state_after(start_row(), *confirmed_up_to(step)).step == step
+    rows = [start_row()]
+    for kind, step in zip(CONFIRMED, ("setup", "touch", "place", "capture"), strict=True):
+        rows.append((kind, {}))
+        assert state_after(*rows).step == step
 
 
 def test_undoing_keeps_the_point_in_the_journal_and_its_number() -> None:
-    state = state_after(
-        start_row("touch"), point_row("crest"), point_row("crest"), ("point_voided", {"index": 1})
-    )
+    touched = [start_row("touch"), point_row("crest")]
+    state = state_after(*touched, point_row("crest"), ("point_voided", {"index": 1}))
     assert [c.index for c in state.counted] == [0]
-    state = state_after(
-        start_row("touch"), point_row("crest"), ("point_voided", {"index": 0}), point_row("front")
-    )
+    state = state_after(*touched, ("point_voided", {"index": 0}), point_row("front"))
     assert [(c.index, c.face) for c in state.counted] == [(1, "front")]
 
 
@@ -55,7 +45,6 @@ def test_points_that_were_taken_back_come_back_last_first_until_another_is_taken
 
 
 def test_points_of_another_object_do_not_count_until_it_is_chosen_again() -> None:
-    rows: list[tuple[str, Mapping[str, object]]]
     rows = [start_row("touch"), point_row("crest"), ("chosen", {"field": "object", "id": "other"})]
     assert state_after(*rows).counted == ()
     rows.append(("chosen", {"field": "object", "id": "b"}))
@@ -70,13 +59,8 @@ def test_a_picture_of_another_sensor_does_not_count() -> None:
 
 
 def test_going_back_keeps_everything_and_says_what_is_stale() -> None:
-    rows = [
-        start_row("touch"),
-        point_row("crest"),
-        ("touch_confirmed", {}),
-        ("place_confirmed", {}),
-    ]
-    rows += [capture_row(), ("went_back", {"to": "touch"})]
+    rows = [start_row("touch"), point_row("crest"), ("touch_confirmed", {})]
+    rows += [("place_confirmed", {}), capture_row(), ("went_back", {"to": "touch"})]
     state = state_after(*rows)
     assert state.step == "touch"
     assert state.reached == "solve"
@@ -109,32 +93,32 @@ def test_a_solve_that_was_overtaken_does_not_open_the_review() -> None:
     assert state.outcome is None
 
 
-def test_every_capture_has_a_number_of_its_own() -> None:
-    rows = [start_row("capture"), capture_row(), ("retaken", {}), capture_row()]
-    state = state_after(*rows)
+def test_every_capture_has_a_number_of_its_own_and_a_retaken_one_is_not_offered_again() -> None:
+    state = state_after(*RETAKEN)
     assert state.picture is not None
     assert state.picture.number == 2
-    assert len(state_after(*rows, ("retaken", {})).captures) == 2
+    assert len(state_after(*RETAKEN, ("retaken", {})).captures) == 2
+    # and a retaken one is not offered again
+    state = state_after(*RETAKEN, ("pose_restored", {"number": 1}))
+    assert [picture.number for picture in state.listed] == [2]
 
 
 def test_poses_add_up_and_one_can_be_set_aside() -> None:
-    rows = [start_row("capture"), capture_row(), ("another_pose", {}), capture_row()]
-    state = state_after(*rows)
+    state = state_after(*TWO_POSES)
     assert state.step == "solve"
     assert [picture.number for picture in state.pictures] == [1, 2]
-    fewer = state_after(*rows, ("pose_voided", {"number": 1}))
+    fewer = state_after(*TWO_POSES, ("pose_voided", {"number": 1}))
     assert [picture.number for picture in fewer.pictures] == [2]
     assert fewer.inputs != state.inputs
-    none = state_after(*rows, ("pose_voided", {"number": 1}), ("pose_voided", {"number": 2}))
+    none = state_after(*TWO_POSES, ("pose_voided", {"number": 1}), ("pose_voided", {"number": 2}))
     assert none.picture is None
     assert none.step == "place"
 
 
 def test_a_pose_taken_back_brings_its_result_back_with_it() -> None:
-    rows = [start_row("capture"), capture_row(), ("another_pose", {}), capture_row()]
-    inputs = state_after(*rows).inputs
-    rows += [("solved", {"inputs": inputs, "outcome": {"total_um": 1.0}})]
-    rows += [("pose_voided", {"number": 1})]
+    inputs = state_after(*TWO_POSES).inputs
+    solved = ("solved", {"inputs": inputs, "outcome": {"total_um": 1.0}})
+    rows = [*TWO_POSES, solved, ("pose_voided", {"number": 1})]
     aside = state_after(*rows)
     assert aside.step == "review"
     assert aside.outcome is None
@@ -147,12 +131,6 @@ def test_a_pose_taken_back_brings_its_result_back_with_it() -> None:
     gone = state_after(*rows, ("solve_refused", refused), ("pose_restored", {"number": 1}))
     assert gone.step == "solve"
     assert gone.outcome is None
-
-
-def test_a_retaken_picture_is_not_offered_again() -> None:
-    rows = [start_row("capture"), capture_row(), ("retaken", {}), capture_row()]
-    state = state_after(*rows, ("pose_restored", {"number": 1}))
-    assert [picture.number for picture in state.listed] == [2]
 
 
 def test_a_row_of_an_unknown_kind_is_not_passed_over() -> None:
@@ -172,7 +150,7 @@ def test_every_row_that_is_written_is_known() -> None:
 
 SOME_ROWS = st.sampled_from(
     [
-        *((kind, {}) for kind in CONFIRMED.values()),
+        *((kind, {}) for kind in CONFIRMED),
         point_row("crest"),
         point_row("front"),
         ("point_voided", {"index": 0}),
@@ -192,11 +170,10 @@ SOME_ROWS = st.sampled_from(
 
 
 @given(st.lists(SOME_ROWS, max_size=30))
-def test_whatever_happened_the_state_is_whole(rows: list[tuple[str, dict[str, object]]]) -> None:
+def test_whatever_happened_the_state_is_whole(rows: list[Row]) -> None:
     state = state_after(start_row(), *rows)
     assert state.step in STEPS
     assert STEPS.index(state.reached) >= STEPS.index(state.step)
     assert state.rev == len(rows) + 1
     assert [c.index for c in state.contacts] == list(range(len(state.contacts)))
-    taken = sum(kind == "point_taken" for kind, _ in rows)
-    assert len(state.contacts) == taken
+    assert len(state.contacts) == sum(kind == "point_taken" for kind, _ in rows)

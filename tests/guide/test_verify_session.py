@@ -1,6 +1,6 @@
 """A verification's fold, what is allowed when, and what goes stale."""
 
-from collections.abc import Mapping
+from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -8,7 +8,8 @@ from typing import Any
 import numpy as np
 import pytest
 
-from app.formats.datasheets.gauge import DEFAULT_LIMITS, GaugeFile
+from app.formats.datasheets.gauge import DEFAULT_LIMITS, GaugeFile, VerificationLimits
+from app.formats.results.verification import FigurePart
 from app.guide.common.datasheet_library import DatasheetEntry, Gauges
 from app.guide.common.journal import fold
 from app.guide.verify.flow import build_view
@@ -21,19 +22,18 @@ from app.metrology.gauges.probed_gauge import ProbedPlane, ProbedSphere
 from app.metrology.performance.value_uncertainty import DIAMETER_BY_FORM
 from app.workflows.measure_gauge import GaugeFit
 from app.workflows.verification_metrics import cloud_errors, gauge_figures, verification_verdict
-from tests.guide.builders import CONNECTED, journal_of
+from tests.guide.builders import CONNECTED, Row, journal_of
 
 PLANE = GaugeFile(shape="plane", name="Plate")
 SPHERE = GaugeFile(shape="sphere", radius_mm=10.0, name="Sphere", standard_uncertainty_um=1.0)
-Entry = tuple[str, Mapping[str, object]]
 
 
-def state_after(*rows: Entry) -> VerifyState:
+def state_after(*rows: Row) -> VerifyState:
     return fold(journal_of(*rows), VerifyState(), apply_row)
 
 
-STARTED: Entry = ("started", {"calibration_id": "c1", "gauge": "plate"})
-TOUCHED: Entry = ("touched", {"q_rad": [0.0] * 6})
+STARTED: Row = ("started", {"calibration_id": "c1", "gauge": "plate"})
+TOUCHED: Row = ("touched", {"q_rad": [0.0] * 6})
 
 
 def fit(**changes: object) -> dict[str, object]:
@@ -51,7 +51,7 @@ def fit(**changes: object) -> dict[str, object]:
     return {**values, **changes}
 
 
-def cloud(number: int, **changes: object) -> list[Entry]:
+def cloud(number: int, **changes: object) -> list[Row]:
     return [
         ("cloud_begun", {"number": number}),
         ("cloud_ended", {"number": number, "ended": True}),
@@ -59,18 +59,18 @@ def cloud(number: int, **changes: object) -> list[Entry]:
     ]
 
 
-TO_SCAN: list[Entry] = [STARTED, ("gauge_confirmed", {}), ("touch_skipped", {})]
-
-
-def _entry(name: str, gauge: GaugeFile) -> DatasheetEntry[GaugeFile]:
-    return DatasheetEntry(name, Path(f"{name}.json"), gauge)
+TO_SCAN: list[Row] = [STARTED, ("gauge_confirmed", {}), ("touch_skipped", {})]
 
 
 def live_of(**changes: Any) -> VerifyLive:
+    known = {
+        name: DatasheetEntry(name, Path(f"{name}.json"), gauge)
+        for name, gauge in (("plate", PLANE), ("sphere", SPHERE))
+    }
     live = VerifyLive(
         active_id="c1",
         active_name="First",
-        gauges=Gauges({"plate": _entry("plate", PLANE), "sphere": _entry("sphere", SPHERE)}, ()),
+        gauges=Gauges(known, ()),
         gauge=PLANE,
         limits=DEFAULT_LIMITS,
         arm=None,
@@ -92,9 +92,8 @@ def live_of(**changes: Any) -> VerifyLive:
 
 
 def test_steps_go_on_and_back_and_what_comes_after_is_stale() -> None:
-    state = state_after(
-        *TO_SCAN, *cloud(1), ("clouds_confirmed", {}), ("went_back", {"to": "touch"})
-    )
+    rows = [*TO_SCAN, *cloud(1), ("clouds_confirmed", {}), ("went_back", {"to": "touch"})]
+    state = state_after(*rows)
     view = build_view(state, live_of())
     assert [step.state for step in view.steps] == ["done", "current", "stale", "stale"]
     assert len(state.good) == 1
@@ -110,27 +109,20 @@ def test_another_gauge_keeps_what_was_taken_and_does_not_count_it() -> None:
 
 
 def test_a_cloud_is_voided_and_taken_back() -> None:
-    rows = [*TO_SCAN, *cloud(1), *cloud(2)]
-    state = state_after(*rows, ("cloud_voided", {"number": 1, "voided": True}))
-    assert [c.number for c in state.good] == [2]
-    state = state_after(
-        *rows,
-        ("cloud_voided", {"number": 1, "voided": True}),
-        ("cloud_restored", {"number": 1, "voided": False}),
-    )
+    rows = [*TO_SCAN, *cloud(1), *cloud(2), ("cloud_voided", {"number": 1, "voided": True})]
+    assert [c.number for c in state_after(*rows).good] == [2]
+    state = state_after(*rows, ("cloud_restored", {"number": 1, "voided": False}))
     assert [c.number for c in state.good] == [1, 2]
 
 
 def test_while_a_cloud_is_scanned_it_is_ended_or_dropped_first() -> None:
-    state = state_after(*TO_SCAN, ("cloud_begun", {"number": 1}))
-    live = live_of()
+    begun, live = [*TO_SCAN, *cloud(1)[:1]], live_of()
+    state = state_after(*begun)
     assert state.open_cloud is not None
     for name in ("begin_cloud", "confirm_clouds", "back", "abandon", "undo"):
         assert RULES.rejection_reason(state, live, name, {}), name
     assert RULES.rejection_reason(state, live, "finish_cloud", {}) == ""
-    ended = state_after(
-        *TO_SCAN, ("cloud_begun", {"number": 1}), ("cloud_ended", {"number": 1, "ended": True})
-    )
+    ended = state_after(*begun, ("cloud_ended", {"number": 1, "ended": True}))
     assert ended.clouds[0].waiting
     assert "not evaluated" in str(RULES.rejection_reason(ended, live, "begin_cloud", {}))
 
@@ -166,14 +158,29 @@ def touched_plane(height_mm: float = 0.0) -> ProbedPlane:
     return ProbedPlane(nominal, np.zeros(6), np.diag([4e-6, 1e-9, 1e-9]))
 
 
+FLAT = GaugeFit.model_validate(fit())
+
+
+def figures_of(
+    fits: Sequence[GaugeFit],
+    gauge: GaugeFile,
+    touched: ProbedPlane | ProbedSphere | None,
+    limits: VerificationLimits = DEFAULT_LIMITS,
+    rule: DecisionRule = GUARDED_95,
+) -> dict[str, FigurePart]:
+    return {one.name: one for one in gauge_figures(fits, gauge, touched, limits, rule)}
+
+
+def sphere_fit(centre_mm: list[float], variances: list[float], **changes: object) -> GaugeFit:
+    """A sphere of 9.98 mm, 0.02 mm less than the gauge's radius."""
+    values = fit(radius_mm=9.98, centre_mm=centre_mm, covariance=np.diag(variances).tolist())
+    return GaugeFit.model_validate({**values, "normal": None, "offset_mm": None, **changes})
+
+
 def test_a_plane_is_compared_with_the_probe_only_where_it_was_touched() -> None:
-    fits = [
-        GaugeFit.model_validate(fit()),
-        GaugeFit.model_validate(fit(offset_mm=0.05, centre_mm=[0, 0, 0.05])),
-    ]
-    names = {f.name for f in gauge_figures(fits, PLANE, None, DEFAULT_LIMITS)}
-    assert names == {"form", "rms", "angle_range", "offset_range"}
-    figures = {f.name: f for f in gauge_figures(fits, PLANE, touched_plane(), DEFAULT_LIMITS)}
+    fits = [FLAT, GaugeFit.model_validate(fit(offset_mm=0.05, centre_mm=[0, 0, 0.05]))]
+    assert set(figures_of(fits, PLANE, None)) == {"form", "rms", "angle_range", "offset_range"}
+    figures = figures_of(fits, PLANE, touched_plane())
     assert figures["offset"].value == pytest.approx(50.0)
     assert figures["offset"].clouds == pytest.approx((20.0, 50.0))
     assert figures["offset"].expanded_uncertainty == pytest.approx(2e3 * np.sqrt(5e-6), rel=1e-6)
@@ -186,20 +193,17 @@ def test_a_plane_is_compared_with_the_probe_only_where_it_was_touched() -> None:
 
 def test_a_figure_fails_or_stays_undecided_by_its_uncertainty() -> None:
     limits = DEFAULT_LIMITS.model_copy(update={"offset": 20.0})
-    near = [GaugeFit.model_validate(fit())]
-    figures = gauge_figures(near, PLANE, touched_plane(), limits)
+    figures = gauge_figures([FLAT], PLANE, touched_plane(), limits)
     assert verification_verdict(figures, True).result == "uncertain"
-    far = gauge_figures(near, PLANE, touched_plane(-0.5), limits)
+    far = gauge_figures([FLAT], PLANE, touched_plane(-0.5), limits)
     verdict = verification_verdict(far, True)
     assert verdict.result == "fail"
     assert "520 µm, beyond the limit of 20 µm" in str(verdict.reasons[0])
 
 
 def test_a_sphere_is_judged_by_its_nominal_and_its_touched_centre() -> None:
-    covariance = np.diag([1e-6, 1e-6, 4e-6, 1e-6]).tolist()
-    values = fit(radius_mm=9.98, centre_mm=[0.03, 0.0, 0.04], covariance=covariance)
-    one = GaugeFit.model_validate({**values, "normal": None, "offset_mm": None})
-    alone = {f.name: f for f in gauge_figures([one], SPHERE, None, DEFAULT_LIMITS)}
+    one = sphere_fit([0.03, 0.0, 0.04], [1e-6, 1e-6, 4e-6, 1e-6])
+    alone = figures_of([one], SPHERE, None)
     assert set(alone) == {"form", "rms", "radius_error"}
     assert alone["radius_error"].value == pytest.approx(20.0)
     assert alone["radius_error"].expanded_uncertainty == pytest.approx(2 * np.hypot(1.0, 1.0))
@@ -212,13 +216,11 @@ def test_a_sphere_is_judged_by_its_nominal_and_its_touched_centre() -> None:
 
 def test_performance_is_judged_by_the_test_uncertainty_and_places_by_the_measurement() -> None:
     gauge = SPHERE.model_copy(update={"form_um": 2.0})
-    covariance = np.diag([1e-4, 1e-4, 1e-4, 1e-4]).tolist()
-    values = fit(radius_mm=9.98, centre_mm=[0.03, 0.0, 0.04], covariance=covariance)
-    values |= {"form_all_um": 90.0, "range_all_um": 200.0, "normal": None, "offset_mm": None}
-    one = GaugeFit.model_validate(values)
+    all_points = {"form_all_um": 90.0, "range_all_um": 200.0}
+    one = sphere_fit([0.03, 0.0, 0.04], [1e-4] * 4, **all_points)
     touched = ProbedSphere(NominalSphere(np.zeros(3), 10.0), np.zeros(7), 9e-6 * np.eye(3), 10, 0.1)
     limits = DEFAULT_LIMITS.model_copy(update={"radius_error": 25.0, "centre_error": 60.0})
-    found = {f.name: f for f in gauge_figures([one], gauge, touched, limits)}
+    found = figures_of([one], gauge, touched, limits)
     by = {name: figure.judged_by for name, figure in found.items()}
     assert [name for name, which in by.items() if which == "measurement"] == ["centre_error"]
     assert found["form"].test_uncertainty == pytest.approx(1.0)  # half the sphere's own form
@@ -231,17 +233,17 @@ def test_performance_is_judged_by_the_test_uncertainty_and_places_by_the_measure
     # all points are stated, without a limit unless one is given
     assert (found["form_all"].value, found["form_all"].decision) == (90.0, "none")
     given = limits.model_copy(update={"form_all": 80.0})
-    judged = {f.name: f for f in gauge_figures([one], gauge, touched, given)}
+    judged = figures_of([one], gauge, touched, given)
     assert (judged["form_all"].decision, judged["form"].decision) == ("fail", "pass")
 
 
 def test_the_sentence_of_a_figure_is_that_of_its_rule() -> None:
     limits = DEFAULT_LIMITS.model_copy(update={"offset": 24.0})
-    near = [GaugeFit.model_validate(fit())]  # 20 µm, known to 2.2 µm, k = 1
 
     def offset(rule: DecisionRule) -> tuple[str, str]:
-        figures = {f.name: f for f in gauge_figures(near, PLANE, touched_plane(), limits, rule)}
-        return figures["offset"].decision, str(figures["offset"].reason)
+        """Of 20 µm, known to 2.2 µm, k = 1."""
+        figure = figures_of([FLAT], PLANE, touched_plane(), limits, rule)["offset"]
+        return figure.decision, str(figure.reason)
 
     decision, words = offset(GUARDED_95)
     assert (decision, "guard band of 3.7 µm" in words, "k = 2" in words) == ("pass", True, False)
@@ -254,23 +256,23 @@ def test_the_sentence_of_a_figure_is_that_of_its_rule() -> None:
     assert (decision, words.endswith("within the limit of 24 µm.")) == ("pass", True)
 
 
+AT_GAUGE: list[Row] = [STARTED]
+AT_TOUCH: list[Row] = [STARTED, ("gauge_confirmed", {}), TOUCHED]
+
+
 @pytest.mark.parametrize(
-    ("name", "args"),
+    ("rows", "name", "args"),
     [
-        ("choose_gauge", {"id": ["plate"]}),
-        ("choose_gauge", {}),
-        ("void_touch", {"index": False}),
-        ("void_cloud", {"number": True}),
-        ("void_cloud", {"number": {}}),
-        ("back", {"to": ["gauge"]}),
-        ("back", {"to": "review"}),
+        (AT_GAUGE, "choose_gauge", {"id": ["plate"]}),
+        (AT_GAUGE, "choose_gauge", {}),
+        (AT_TOUCH, "void_touch", {"index": False}),
+        ([*TO_SCAN, *cloud(1)], "void_cloud", {"number": True}),
+        ([*TO_SCAN, *cloud(1)], "void_cloud", {"number": {}}),
+        (TO_SCAN, "back", {"to": ["gauge"]}),
+        (TO_SCAN, "back", {"to": "review"}),
     ],
 )
-def test_arguments_that_name_nothing_are_declined(name: str, args: dict[str, object]) -> None:
-    rows = {
-        "choose_gauge": [STARTED],
-        "void_touch": [STARTED, ("gauge_confirmed", {}), TOUCHED],
-        "void_cloud": [*TO_SCAN, *cloud(1)],
-        "back": [*TO_SCAN],
-    }[name]
+def test_arguments_that_name_nothing_are_declined(
+    rows: list[Row], name: str, args: dict[str, object]
+) -> None:
     assert RULES.rejection_reason(state_after(*rows), live_of(), name, args)
