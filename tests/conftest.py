@@ -1,6 +1,8 @@
 """Fixtures that all tests share."""
 
 import gc
+import os
+import sys
 from collections.abc import Generator, Iterator
 from pathlib import Path
 
@@ -18,6 +20,9 @@ SHARED = Path(__file__).resolve().parents[2] / "shared"
 settings.register_profile("usual", deadline=None)
 settings.register_profile("long", max_examples=5_000, deadline=None)
 settings.load_profile("usual")
+# where the environment forbids it, a thousand processes would each compile the same modules
+os.environ.pop("PYTHONDONTWRITEBYTECODE", None)
+sys.dont_write_bytecode = False
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:

@@ -27,6 +27,7 @@ list(map(__import__, ("pye57", "laspy", "lazrs")))
 path, rng = Path(sys.argv[1]), np.random.default_rng(0)
 with cloud_writer(path.with_name("small{suffix}")) as cloud:  # kernels are compiled, then
     cloud.write(np.ones((3, 3)), *np.ones((2, 3)), 0)
+sys.dont_write_bytecode = True
 resource.setrlimit(resource.RLIMIT_FSIZE, (200_000, 200_000))
 try:
     with cloud_writer(path) as cloud:

@@ -37,6 +37,7 @@ stripes = [
 largest = int(sys.argv[2])
 if largest:
     signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+    sys.dont_write_bytecode = True
     resource.setrlimit(resource.RLIMIT_FSIZE, (largest, largest))
 q_rad, start_s, flushed_s = np.deg2rad(POSE_DEG), time.monotonic(), time.monotonic()
 try:
