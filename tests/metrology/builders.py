@@ -43,6 +43,16 @@ def random_arm(rng: np.random.Generator, joints: int = 6, with_errors: bool = Fa
     return Arm("arm", "A-3", tuple(links), Tip(2.0, -9.0, 140.0, 2 * TIP_RADIUS_MM))
 
 
+def six_axis_arm(encoder_sd_rad: float) -> Arm:
+    """An arm without errors, its tip on the axis of the last joint."""
+    shape = [(0, -90, 280), (450, 0, 0), (60, -90, 0), (0, 90, 400), (0, -90, 0), (0, 0, 90)]
+    joints = tuple(
+        Joint(f"J{i + 1}", a, np.radians(alpha), d, 0.0, encoder_sd_rad=encoder_sd_rad)
+        for i, (a, alpha, d) in enumerate(shape)
+    )
+    return Arm("test arm", "A-1", joints, Tip(0.0, 0.0, 120.0, 6.0))
+
+
 def random_pose(rng: np.random.Generator) -> Floats:
     """A rigid transform (4, 4) anywhere in an arm's reach."""
     return rigid(rotation_from_vector(rng.normal(0, 1.5, 3)), rng.uniform(-600, 600, 3))

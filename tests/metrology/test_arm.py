@@ -1,12 +1,9 @@
 """The arm's kinematics against the robotics toolbox and numerical derivatives."""
 
-import warnings
-
 import numpy as np
 import pytest
 
 from app.metrology.arm.kinematics import (
-    Arm,
     flange_pose,
     flange_poses,
     geometric_jacobian,
@@ -14,23 +11,11 @@ from app.metrology.arm.kinematics import (
     tip_covariances,
 )
 from app.metrology.arm.link_error import LinkError, error_transform
-from app.metrology.transforms import Floats, vector_from_rotation
 from tests.metrology.builders import random_arm
+from tests.metrology.numerics import flange_slopes
+from tests.metrology.toolbox import toolbox_pose
 
 pytestmark = pytest.mark.usefixtures("variant")
-
-
-def toolbox_pose(arm: Arm, q: Floats) -> Floats:
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore")
-        from roboticstoolbox import DHRobot, RevoluteDH
-
-        T = np.eye(4)
-        for joint, angle in zip(arm.joints, q, strict=True):
-            link = RevoluteDH(d=joint.d_mm, a=joint.a_mm, alpha=joint.alpha_rad)
-            A = DHRobot([link]).fkine([joint.sign * angle + joint.theta_rad]).A
-            T = T @ A @ error_transform(joint.error)
-        return T
 
 
 @pytest.mark.parametrize("joints", [6, 7])
@@ -39,7 +24,7 @@ def test_forward_kinematics_agree_with_the_robotics_toolbox(joints: int, with_er
     rng = np.random.default_rng(joints)
     arm = random_arm(rng, joints, with_errors)
     for q in rng.uniform(-3, 3, (5, joints)):
-        np.testing.assert_allclose(flange_pose(arm, q), toolbox_pose(arm, q), atol=1e-9)
+        np.testing.assert_allclose(flange_pose(arm, q), toolbox_pose(arm, q, "standard"), atol=1e-9)
 
 
 def test_many_poses_at_once_equal_one_at_a_time() -> None:
@@ -61,16 +46,9 @@ def test_the_jacobian_agrees_with_numerical_differences(joints: int) -> None:
     arm = random_arm(rng, joints, with_errors=True)
     q = rng.uniform(-3, 3, joints)
     point = np.array([10.0, -20.0, 150.0])
-    J = geometric_jacobian(arm, q, point)
-    h = 1e-6
-    for i in range(joints):
-        step = np.zeros(joints)
-        step[i] = h
-        before, after = flange_pose(arm, q - step), flange_pose(arm, q + step)
-        velocity = ((after - before) @ [*point, 1.0])[:3] / (2 * h)
-        turn = vector_from_rotation(after[:3, :3] @ before[:3, :3].T) / (2 * h)
-        np.testing.assert_allclose(J[:3, i], velocity, atol=1e-4)
-        np.testing.assert_allclose(J[3:, i], turn, atol=1e-6)
+    J, slopes = geometric_jacobian(arm, q, point), flange_slopes(arm, q, point)
+    np.testing.assert_allclose(J[:3], slopes[:3], atol=1e-4)
+    np.testing.assert_allclose(J[3:], slopes[3:], atol=1e-6)
 
 
 def test_the_tip_scatters_as_its_covariance_says() -> None:

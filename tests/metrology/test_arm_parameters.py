@@ -24,6 +24,7 @@ from app.metrology.arm.kinematics import Arm, tip_centres, tip_covariances
 from hardware.simulator.devices.kinematics import ArmLink, ArmModel
 from tests.metrology.arm_sessions import collect_observations, nominal_arm
 from tests.metrology.builders import random_arm
+from tests.metrology.numerics import differences
 from tests.simulated_arm_sessions import ArmSessionPlan, draw_arm_session
 
 RIGHT = np.pi / 2
@@ -38,13 +39,9 @@ def test_every_derivative_agrees_with_numerical_differences(joints: int) -> None
     np.testing.assert_allclose(tips, tip_centres(arm, q), atol=1e-9)
     values = parameter_values(arm)
     assert J.shape == (4, 3, len(values)) == (4, 3, len(parameter_names(arm)))
-    for k, name in enumerate(parameter_names(arm)):
-        h = 1e-6 if name.endswith("_rad") else 1e-3
-        step = np.zeros(len(values))
-        step[k] = h
-        ahead = tip_centres(with_parameters(arm, values + step), q)
-        behind = tip_centres(with_parameters(arm, values - step), q)
-        np.testing.assert_allclose(J[:, :, k], (ahead - behind) / (2 * h), atol=2e-4, err_msg=name)
+    steps = [1e-6 if name.endswith("_rad") else 1e-3 for name in parameter_names(arm)]
+    slopes = differences(lambda by: tip_centres(with_parameters(arm, values + by), q), steps)
+    np.testing.assert_allclose(J, slopes, atol=2e-4)
 
 
 def test_the_vector_holds_the_whole_geometry() -> None:
@@ -85,7 +82,6 @@ LAYOUTS = {
     ),
 }
 SMALL = ArmSessionPlan(
-    seats=6,
     points_per_seat=16,
     spheres=1,
     points_per_sphere=16,
@@ -95,11 +91,14 @@ SMALL = ArmSessionPlan(
 )
 
 
-def chosen(
-    arm: Arm, observations: ArmObservations, columns_mm: float = 0.01
-) -> tuple[set[str], Arm]:
+def exact_session(seed: int, model: ArmModel, seats: int = 6) -> ArmObservations:
+    plan = replace(SMALL, imperfection_um=0.0, seats=seats)
+    return collect_observations(draw_arm_session(seed, plan, model))
+
+
+def chosen(arm: Arm, observations: ArmObservations) -> set[str]:
     data = observations.stacked
-    everything, scatter = np.ones(data.points), Scatter(touch_mm=columns_mm)
+    everything, scatter = np.ones(data.points), Scatter(touch_mm=0.01)
     at = settle_centres(data, initial_unknowns(arm, data), everything, scatter)
     choice = candidates(arm, bool(observations.bars))
     system = reduce_system(data, at, choice.order, everything, scatter)
@@ -108,15 +107,15 @@ def chosen(
     )
     names = parameter_names(arm)
     assert {*moved.tolist(), *held, *choice.fixed} == set(range(len(names)))
-    return {names[i] for i in moved}, arm
+    return {names[i] for i in moved}
 
 
 @pytest.mark.parametrize("name", LAYOUTS)
 def test_as_many_parameters_move_as_a_chain_has(name: str) -> None:
     """4 a joint; 4 less for the flange, 2 less for the base, 3 more for the tip."""
     model = LAYOUTS[name]
-    session = draw_arm_session(4, replace(SMALL, imperfection_um=0.0), model)
-    moved, arm = chosen(nominal_arm(model), collect_observations(session))
+    arm = nominal_arm(model)
+    moved = chosen(arm, exact_session(4, model))
     assert len(moved) == 4 * model.joint_count - 3
     assert {"tip.x_mm", "tip.y_mm", "tip.z_mm"} <= moved
     last = arm.joints[-1].name
@@ -126,8 +125,7 @@ def test_as_many_parameters_move_as_a_chain_has(name: str) -> None:
 @pytest.mark.parametrize("name", LAYOUTS)
 def test_parallel_axes_are_described_by_an_error_term(name: str) -> None:
     model = LAYOUTS[name]
-    session = draw_arm_session(4, replace(SMALL, imperfection_um=0.0), model)
-    moved, _ = chosen(nominal_arm(model), collect_observations(session))
+    moved = chosen(nominal_arm(model), exact_session(4, model))
     parallel = [i for i, link in enumerate(model.links[:-1]) if link.alpha_rad == 0]
     assert {n for n in moved if ".error." in n} == {f"J{i + 1}.error.ry_rad" for i in parallel}
     for i in parallel:  # of the two d along parallel axes one is redundant
@@ -135,33 +133,26 @@ def test_parallel_axes_are_described_by_an_error_term(name: str) -> None:
 
 
 def test_without_a_length_the_longest_link_holds_the_scale() -> None:
-    model = LAYOUTS["elbow"]
-    session = draw_arm_session(4, replace(SMALL, imperfection_um=0.0, seats=9), model)
-    seats = ArmObservations(collect_observations(session).seats)
-    moved, _ = chosen(nominal_arm(model), seats)
+    arm = nominal_arm(LAYOUTS["elbow"])
+    moved = chosen(arm, ArmObservations(exact_session(4, LAYOUTS["elbow"], seats=9).seats))
     assert "J2.a_mm" not in moved
     assert len(moved) == 4 * 6 - 4
-    choice = candidates(nominal_arm(model), with_lengths=False)
-    assert [parameter_names(nominal_arm(model))[i] for i, r in choice.fixed.items() if r == "scale"]
+    assert "scale" in candidates(arm, with_lengths=False).fixed.values()
 
 
 def test_a_tip_on_the_last_axis_shows_nothing_of_that_joint() -> None:
     model = replace(LAYOUTS["elbow"], tip_mm=(0.0, 0.0, 150.0))
-    session = draw_arm_session(4, replace(SMALL, imperfection_um=0.0), model)
-    moved, _ = chosen(nominal_arm(model), collect_observations(session))
+    moved = chosen(nominal_arm(model), exact_session(4, model))
     assert len(moved) == 4 * 6 - 3 - 2
     assert len(moved & {"J5.a_mm", "J5.alpha_rad", "J5.d_mm", "J5.theta_rad"}) == 2
 
 
 def test_joints_that_stand_still_show_nothing_of_their_links() -> None:
     model = LAYOUTS["elbow"]
-    session = collect_observations(draw_arm_session(1, replace(SMALL, imperfection_um=0.0), model))
-    stiff = []
+    session = exact_session(1, model)
     for seat in session.seats:
-        q = seat.q_rad.copy()
-        q[:, 3:] = 0.4
-        stiff.append(replace(seat, q_rad=q))
-    moved, _ = chosen(nominal_arm(model), ArmObservations(tuple(stiff)))
+        seat.q_rad[:, 3:] = 0.4
+    moved = chosen(nominal_arm(model), ArmObservations(session.seats))
     # what is behind the third joint is one rigid body: three coordinates of the tip
     assert not any(name.startswith(("J4", "J5", "J6")) for name in moved)
     assert len(moved) <= 4 * 3 - 3

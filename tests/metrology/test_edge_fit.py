@@ -12,6 +12,7 @@ from app.metrology.detection.edges.camera_from_edges import (
 )
 from app.metrology.sensor.camera import Camera, project
 from app.metrology.transforms import Floats, rotation_from_vector
+from tests.metrology.numerics import differences
 
 
 def _camera() -> Camera:
@@ -33,12 +34,11 @@ def test_derivatives_are_those_of_small_steps() -> None:
     uv = project(camera, points) + 0.7
     off, J = residuals_with_jacobian(camera, points, uv, normal)
     assert_allclose(off, residuals(camera, points, uv, normal), atol=1e-10)
-    for k in range(12):
-        step = np.zeros(12)
-        step[k] = 1e-6
-        there = residuals(apply_camera_step(camera, step), points, uv, normal)
-        back = residuals(apply_camera_step(camera, -step), points, uv, normal)
-        assert_allclose(J[:, k], (there - back) / 2e-6, atol=2e-6 * np.abs(J[:, k]).max())
+    slopes = differences(
+        lambda step: residuals(apply_camera_step(camera, step), points, uv, normal), [1e-6] * 12
+    )
+    for by, slope in zip(J.T, slopes.T, strict=True):
+        assert_allclose(by, slope, atol=2e-6 * np.abs(by).max())
 
 
 def test_fit_returns_to_the_camera_that_drew_the_edges() -> None:

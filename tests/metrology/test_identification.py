@@ -6,13 +6,12 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from app.errors import OperationError
 from app.metrology.arm.identification.identify import Identification, identify
 from app.metrology.arm.identification.observations import ArmObservations
 from app.metrology.arm.identification.parameter_selection import candidates
 from app.metrology.arm.identification.parameters import parameter_values
 from app.metrology.arm.identification.robust_solve import fit_arm
-from app.metrology.arm.kinematics import Arm, Tip, tip_covariances
+from app.metrology.arm.kinematics import Arm, tip_covariances
 from app.metrology.transforms import Floats
 from tests.metrology.arm_sessions import (
     collect_observations,
@@ -21,6 +20,7 @@ from tests.metrology.arm_sessions import (
     nominal_arm,
     volumetric_error_um,
 )
+from tests.metrology.refusals import refusal_of
 from tests.running.usual import usual
 from tests.simulated_arm_sessions import ArmSessionPlan, SimulatedArmSession, draw_arm_session
 from tests.uncertainty_ratio import EXACT, ratio_of_rms
@@ -44,9 +44,20 @@ def session() -> SimulatedArmSession:
 
 
 @pytest.fixture(scope="module")
-def identified(session: SimulatedArmSession) -> Identification:
-    """By everything that was touched."""
-    return identify(nominal_arm(session.nominal_arm), collect_observations(session))
+def arm(session: SimulatedArmSession) -> Arm:
+    """As its datasheet has it."""
+    return nominal_arm(session.nominal_arm)
+
+
+@pytest.fixture(scope="module")
+def good(session: SimulatedArmSession) -> ArmObservations:
+    """Everything that was touched."""
+    return collect_observations(session)
+
+
+@pytest.fixture(scope="module")
+def identified(arm: Arm, good: ArmObservations) -> Identification:
+    return identify(arm, good)
 
 
 @pytest.mark.parametrize("joints", usual([7, 6], 1, pytest.mark.soak))
@@ -135,19 +146,18 @@ def test_the_touch_noise_is_found(identified: Identification) -> None:
     assert result.scatter.touch_mm == pytest.approx(0.02, rel=0.15)
 
 
-def test_a_separate_set_shows_the_improvement(session: SimulatedArmSession) -> None:
-    everything = collect_observations(session)
-    fitted = everything.part([0, 1, 2, 3, 4, 7, 9, 10, 12, 13])
-    check = everything.part([5, 6, 8, 11, 14])
-    result = identify(nominal_arm(session.nominal_arm), fitted, check)
+def test_a_separate_set_shows_the_improvement(arm: Arm, good: ArmObservations) -> None:
+    fitted, check = good.part([0, 1, 2, 3, 4, 7, 9, 10, 12, 13]), good.part([5, 6, 8, 11, 14])
+    result = identify(arm, fitted, check)
     assert result.validation.separate
     assert result.validation.places == 5
     assert result.validation.ratio > 5
 
 
-def test_seats_alone_keep_the_nominal_scale(session: SimulatedArmSession) -> None:
-    arm = nominal_arm(session.nominal_arm)
-    result = identify(arm, ArmObservations(collect_observations(session).seats))
+def test_seats_alone_keep_the_nominal_scale(
+    session: SimulatedArmSession, arm: Arm, good: ArmObservations
+) -> None:
+    result = identify(arm, ArmObservations(good.seats))
     assert any("ball bar" in str(text) for text in result.warnings)
     assert [held.name for held in result.fixed if held.reason == "scale"]
     before, after = (volumetric_error_um(session.arm, a) for a in (arm, result.arm))
@@ -157,196 +167,164 @@ def test_seats_alone_keep_the_nominal_scale(session: SimulatedArmSession) -> Non
 
 def test_an_arm_that_is_right_is_left_alone() -> None:
     session = draw_arm_session(30, replace(PLAN, imperfection_um=0.0))
-    with pytest.raises(OperationError) as caught:
-        identify(nominal_arm(session.nominal_arm), collect_observations(session))
-    assert caught.value.code == "identification-no-better"
-    assert "already" in str(caught.value.why)
+    arm = nominal_arm(session.nominal_arm)
+    refusal = refusal_of(identify, arm, collect_observations(session))
+    assert refusal.code == "identification-no-better"
+    assert "already" in str(refusal.why)
 
 
-def test_bad_points_are_named_and_do_no_harm(session: SimulatedArmSession) -> None:
-    arm, good = nominal_arm(session.nominal_arm), collect_observations(session)
+def with_seat(good: ArmObservations, at: int, q_rad: Floats) -> ArmObservations:
+    """The same with other angles of one seat."""
+    seats = [*good.seats]
+    seats[at] = replace(seats[at], q_rad=q_rad)
+    return replace(good, seats=tuple(seats))
+
+
+def test_bad_points_are_named_and_do_no_harm(
+    session: SimulatedArmSession, arm: Arm, good: ArmObservations
+) -> None:
     seat, sphere = good.seats[2], good.spheres[1]
     q_seat, q_sphere = seat.q_rad.copy(), sphere.q_rad.copy()
     q_seat[4, 1] += 0.002
     q_sphere[6, 2] -= 0.003
-    bad = replace(
-        good,
-        seats=(*good.seats[:2], replace(seat, q_rad=q_seat), *good.seats[3:]),
-        spheres=(good.spheres[0], replace(sphere, q_rad=q_sphere)),
-    )
-    result = identify(arm, bad)
+    spheres = (good.spheres[0], replace(sphere, q_rad=q_sphere))
+    result = identify(arm, replace(with_seat(good, 2, q_seat), spheres=spheres))
     named = {(str(outlier.place), outlier.number) for outlier in result.outliers}
     assert {(f"seat {seat.name}", 5), (f"sphere {sphere.name}", 7)} <= named
     assert len(named) <= 3
     assert volumetric_error_um(session.arm, result.arm) < 10
 
 
-def refused(
-    session: SimulatedArmSession, bad: ArmObservations, arm: Arm | None = None
-) -> OperationError:
-    with pytest.raises(OperationError) as caught:
-        identify(arm or nominal_arm(session.nominal_arm), bad)
-    return caught.value
-
-
 @pytest.mark.parametrize("moved_um", usual([150, 2000], 1, pytest.mark.soak))
-def test_a_seat_that_moved_is_refused(session: SimulatedArmSession, moved_um: float) -> None:
-    good = collect_observations(session)
-    shifted = draw_arm_session(11, PLAN)
-    seat = good.seats[3]
+def test_a_seat_that_moved_is_refused(arm: Arm, good: ArmObservations, moved_um: float) -> None:
     # the same postures, the base turned a little: the tip lies elsewhere from then on
-    q = seat.q_rad.copy()
-    distance = 600.0
-    q[12:, 0] += moved_um * 1e-3 / distance
-    assert shifted.arm == session.arm
-    refusal = refused(
-        session,
-        replace(good, seats=(*good.seats[:3], replace(seat, q_rad=q), *good.seats[4:])),
-    )
+    q, distance_mm = good.seats[3].q_rad.copy(), 600.0
+    q[12:, 0] += moved_um * 1e-3 / distance_mm
+    refusal = refusal_of(identify, arm, with_seat(good, 3, q))
     assert refusal.code == "seat-moved"
-    assert seat.name in str(refusal.what)
+    assert good.seats[3].name in str(refusal.what)
     assert "1 to 12" in str(refusal.what)
 
 
-def test_points_of_two_seats_under_one_name_are_refused(session: SimulatedArmSession) -> None:
-    good = collect_observations(session)
+def test_points_of_two_seats_under_one_name_are_refused(arm: Arm, good: ArmObservations) -> None:
     mixed = np.concatenate([good.seats[0].q_rad[:10], good.seats[1].q_rad[:10]])
-    refusal = refused(session, replace(good, seats=(replace(good.seats[0], q_rad=mixed),)))
+    one_name = replace(good, seats=(replace(good.seats[0], q_rad=mixed),))
+    refusal = refusal_of(identify, arm, one_name)
     assert refusal.code in ("seat-moved", "place-disagrees")
     assert good.seats[0].name in str(refusal.what)
 
 
-def test_a_wrong_tip_diameter_is_seen_in_the_spheres(session: SimulatedArmSession) -> None:
-    arm = nominal_arm(session.nominal_arm)
-    tip = arm.tip
-    wrong = replace(arm, tip=Tip(tip.x_mm, tip.y_mm, tip.z_mm, tip.diameter_mm + 1.0))
-    refusal = refused(session, collect_observations(session), wrong)
+def test_a_wrong_tip_diameter_is_seen_in_the_spheres(arm: Arm, good: ArmObservations) -> None:
+    wrong = replace(arm, tip=replace(arm.tip, diameter_mm=arm.tip.diameter_mm + 1.0))
+    refusal = refusal_of(identify, wrong, good)
     assert refusal.code == "tip-diameter"
     (reported,) = re.findall(r"diameter is probably ([\d.]+) mm", str(refusal.why))
-    assert float(reported) == pytest.approx(tip.diameter_mm, abs=0.02)
+    assert float(reported) == pytest.approx(arm.tip.diameter_mm, abs=0.02)
 
 
-def test_an_arm_that_hardly_moved_is_refused(session: SimulatedArmSession) -> None:
-    good = collect_observations(session)
+def test_an_arm_that_hardly_moved_is_refused(arm: Arm, good: ArmObservations) -> None:
     q = good.seats[0].q_rad[0] + np.random.default_rng(0).normal(0, 0.01, (12, 6))
-    refusal = refused(
-        session, replace(good, seats=(*good.seats[1:], replace(good.seats[0], q_rad=q)))
-    )
-    assert refusal.code == "arm-hardly-moved"
+    still = replace(good, seats=(*good.seats[1:], replace(good.seats[0], q_rad=q)))
+    assert refusal_of(identify, arm, still).code == "arm-hardly-moved"
 
 
 @pytest.mark.parametrize(("part", "code"), [([0, 1], "too-few-places"), ([0, 1, 2, 3], "too-few")])
-def test_too_little_is_refused(session: SimulatedArmSession, part: list[int], code: str) -> None:
-    few = collect_observations(session).part(part)
+def test_too_little_is_refused(arm: Arm, good: ArmObservations, part: list[int], code: str) -> None:
+    few = good.part(part)
     few = replace(few, seats=tuple(replace(s, q_rad=s.q_rad[:5]) for s in few.seats))
-    assert refused(session, few).code.startswith(code)
+    assert refusal_of(identify, arm, few).code.startswith(code)
 
 
-def test_angles_of_another_arm_are_refused(session: SimulatedArmSession) -> None:
+def test_angles_of_another_arm_are_refused(arm: Arm, good: ArmObservations) -> None:
     other = draw_arm_session(12, replace(PLAN, seats=1, spheres=0, bar_lengths_mm=()))
-    refusal = refused(session, collect_observations(session), nominal_arm(other.nominal_arm))
+    refusal = refusal_of(identify, nominal_arm(other.nominal_arm), good)
     assert refusal.code == "arm-does-not-fit"
-    arm = nominal_arm(session.nominal_arm)
     joints = list(arm.joints)
     joints[3] = replace(joints[3], sign=-joints[3].sign)
-    assert refused(
-        session, collect_observations(session), replace(arm, joints=tuple(joints))
-    ).remedy
+    assert refusal_of(identify, replace(arm, joints=tuple(joints)), good).remedy
 
 
-def test_a_wrong_length_of_a_bar_is_found_by_the_others(session: SimulatedArmSession) -> None:
-    good = collect_observations(session)
+def test_a_wrong_length_of_a_bar_is_found_by_the_others(arm: Arm, good: ArmObservations) -> None:
     bars = tuple(replace(b, length_mm=b.length_mm + (b.name == "B2") * 0.5) for b in good.bars)
-    refusal = refused(session, replace(good, bars=bars))
+    refusal = refusal_of(identify, arm, replace(good, bars=bars))
     assert refusal.code == "bar-length"
     assert "bar B2" in str(refusal.what)
-    only = tuple(bar for bar in bars if bar.name == "B2")
-    result = identify(
-        nominal_arm(session.nominal_arm),
-        replace(good, spheres=(), bars=tuple(replace(b, length_mm=851.5) for b in only)),
-    )
+
+    def only(length_mm: float) -> ArmObservations:
+        wrong = tuple(replace(b, length_mm=length_mm) for b in bars if b.name == "B2")
+        return replace(good, bars=wrong)
+
+    result = identify(arm, replace(only(851.5), spheres=()))
     assert any("bar B2" in str(text) for text in result.warnings)
     # spheres show it, too: they are seen larger with the whole arm
-    of_all = replace(good, bars=tuple(replace(b, length_mm=852.5) for b in only))
-    assert "bar's length" in str(refused(session, of_all).why)
+    assert "bar's length" in str(refusal_of(identify, arm, only(852.5)).why)
 
 
-def test_a_joint_that_reads_the_same_everywhere_is_refused(session: SimulatedArmSession) -> None:
+def test_a_joint_that_reads_the_same_everywhere_is_refused(arm: Arm, good: ArmObservations) -> None:
     def stuck(q: Floats) -> Floats:
         return np.column_stack([q[:, :5], np.full(len(q), 0.5)])
 
-    good = collect_observations(session)
     bad = ArmObservations(tuple(replace(s, q_rad=stuck(s.q_rad)) for s in good.seats))
-    refusal = refused(session, bad)
+    refusal = refusal_of(identify, arm, bad)
     assert refusal.code == "joint-still"
     assert "J6" in str(refusal.what)
 
 
-def test_the_same_points_again_are_refused(session: SimulatedArmSession) -> None:
-    seat = collect_observations(session).seats[0]
-    assert refused(session, ArmObservations((seat,) * 5)).code == "points-twice"
+def test_the_same_points_again_are_refused(arm: Arm, good: ArmObservations) -> None:
+    assert refusal_of(identify, arm, ArmObservations((good.seats[0],) * 5)).code == "points-twice"
 
 
-def test_a_tip_that_was_exchanged_is_found(session: SimulatedArmSession) -> None:
-    arm = nominal_arm(session.nominal_arm)
+def test_a_tip_that_was_exchanged_is_found(
+    session: SimulatedArmSession, arm: Arm, good: ArmObservations
+) -> None:
     other = replace(arm, tip=replace(arm.tip, x_mm=arm.tip.x_mm + 20, z_mm=arm.tip.z_mm - 25))
-    result = identify(other, collect_observations(session))
+    result = identify(other, good)
     assert volumetric_error_um(session.arm, result.arm) < 10
     assert any("tip.z_mm changes" in str(text) for text in result.warnings)
 
 
 def test_the_arms_reach_decides_what_the_covariance_is_worth(
-    session: SimulatedArmSession, identified: Identification
+    arm: Arm, good: ArmObservations, identified: Identification
 ) -> None:
-    few = collect_observations(session).part([0, 2, 4, 5, 7, 9, 12, 13])
-    less = identify(nominal_arm(session.nominal_arm), few)
+    less = identify(arm, good.part([0, 2, 4, 5, 7, 9, 12, 13]))
     assert less.volume_after_mm > identified.volume_after_mm
 
 
 def test_one_sphere_of_another_size_is_named(
-    session: SimulatedArmSession, identified: Identification
+    arm: Arm, good: ArmObservations, identified: Identification
 ) -> None:
-    good = collect_observations(session)
-    third = replace(good.spheres[0], name="K3")
-
     def with_wrong(by_mm: float) -> ArmObservations:
         wrong = replace(good.spheres[0], diameter_mm=good.spheres[0].diameter_mm + by_mm)
         return replace(good, spheres=(wrong, *good.spheres[1:]))
 
-    refusal = refused(session, with_wrong(0.2))
+    refusal = refusal_of(identify, arm, with_wrong(0.2))
     assert refusal.code == "sphere-diameter"
-    assert f"sphere {third.name[:1]}" in str(refusal.what)
-    assert refused(session, with_wrong(-1.0)).code == "sphere-diameter"
+    assert "sphere K" in str(refusal.what)
+    assert refusal_of(identify, arm, with_wrong(-1.0)).code == "sphere-diameter"
     assert not any("sphere" in str(text) for text in identified.warnings)
 
 
-def test_a_length_in_another_unit_is_recognised(session: SimulatedArmSession) -> None:
-    good = collect_observations(session)
+def test_a_length_in_another_unit_is_recognised(arm: Arm, good: ArmObservations) -> None:
     metres = tuple(replace(bar, length_mm=bar.length_mm / 1000) for bar in good.bars)
-    refusal = refused(session, replace(good, bars=metres))
+    refusal = refusal_of(identify, arm, replace(good, bars=metres))
     assert refusal.code == "bar-length"
     assert "millimetres" in str(refusal.remedy)
 
 
-def test_spheres_and_nominals_outvote_a_single_bar(session: SimulatedArmSession) -> None:
-    good = collect_observations(session)
+def test_spheres_and_nominals_outvote_a_single_bar(arm: Arm, good: ArmObservations) -> None:
     only = tuple(replace(b, length_mm=b.length_mm + 1.2) for b in good.bars if b.name == "B2")
-    refusal = refused(session, replace(good, bars=only))
+    refusal = refusal_of(identify, arm, replace(good, bars=only))
     assert refusal.code == "bar-length"
     assert "bar B2" in str(refusal.what)
 
 
-def test_points_of_the_fit_do_not_check_it(session: SimulatedArmSession) -> None:
-    good = collect_observations(session)
-    with pytest.raises(OperationError) as caught:
-        identify(nominal_arm(session.nominal_arm), good, replace(good, seats=(), bars=()))
-    assert caught.value.code == "check-seen"
+def test_points_of_the_fit_do_not_check_it(arm: Arm, good: ArmObservations) -> None:
+    check = replace(good, seats=(), bars=())
+    assert refusal_of(identify, arm, good, check).code == "check-seen"
 
 
-def test_strongly_correlated_parameters_are_named(session: SimulatedArmSession) -> None:
-    result = identify(
-        nominal_arm(session.nominal_arm), collect_observations(session).part([0, 1, 2, 3, 4, 5, 6])
-    )
+def test_strongly_correlated_parameters_are_named(arm: Arm, good: ArmObservations) -> None:
+    result = identify(arm, good.part([0, 1, 2, 3, 4, 5, 6]))
     moved = {one.name for one in result.changes}
     strengths = [abs(rho) for _, _, rho in result.correlations]
     assert strengths == sorted(strengths, reverse=True)

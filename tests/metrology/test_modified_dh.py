@@ -24,26 +24,14 @@ from app.metrology.arm.kinematics import (
 )
 from app.metrology.arm.link_error import LinkError, error_from_transform, error_transform
 from app.metrology.arm.modified_dh import standard_from_modified
-from app.metrology.transforms import Floats, apply, rigid, rigid_fit, vector_from_rotation
+from app.metrology.transforms import apply, rigid, rigid_fit
 from tests.metrology.builders import random_arm
+from tests.metrology.numerics import flange_slopes, rms_length
+from tests.metrology.toolbox import toolbox_pose
 from tests.running.usual import usual
 from tests.simulated_robots import Tracker, built, measure, postures, swing
 
 JOINTS = [5, 6, 7]
-
-
-def toolbox_pose(modified: Arm, q: Floats) -> Floats:
-    """The flange by the toolbox, with the modified parameters and error transforms of an arm."""
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore")
-        from roboticstoolbox import DHRobot, RevoluteMDH
-
-        T = np.eye(4)
-        for joint, angle in zip(modified.joints, q, strict=True):
-            link = RevoluteMDH(d=joint.d_mm, a=joint.a_mm, alpha=joint.alpha_rad)
-            A = DHRobot([link]).fkine([joint.sign * angle + joint.theta_rad]).A
-            T = T @ A @ error_transform(joint.error)
-        return T
 
 
 def converted(modified: Arm) -> Arm:
@@ -62,7 +50,9 @@ def test_the_converted_arm_is_the_modified_one_of_the_toolbox(
         arm = converted(modified)
         assert arm.base.x_mm == modified.joints[0].a_mm
         for q in rng.uniform(-3, 3, (4, joints)):
-            np.testing.assert_allclose(flange_pose(arm, q), toolbox_pose(modified, q), atol=1e-9)
+            np.testing.assert_allclose(
+                flange_pose(arm, q), toolbox_pose(modified, q, "modified"), atol=1e-9
+            )
 
 
 def test_a_whole_arm_of_the_toolbox_agrees_too() -> None:
@@ -100,9 +90,8 @@ def test_a_file_in_the_modified_convention_is_read_and_written_in_the_standard_o
     T = error_transform(LinkError(3.0, -2.0, 0.0, 0.0, np.radians(5.0), np.radians(40.0)))
     q = rng.uniform(-3, 3, (5, joints))
     for row in q:
-        np.testing.assert_allclose(
-            flange_pose(arm, row), T @ toolbox_pose(modified, row), atol=1e-9
-        )
+        expected = T @ toolbox_pose(modified, row, "modified")
+        np.testing.assert_allclose(flange_pose(arm, row), expected, atol=1e-9)
     again = tmp_path / "again.json"
     arm_document(arm).write(again)
     assert json.loads(again.read_text())["convention"] == "dh-standard"
@@ -110,23 +99,11 @@ def test_a_file_in_the_modified_convention_is_read_and_written_in_the_standard_o
 
 
 def test_every_transform_has_error_terms() -> None:
-    for seed in range(50):
-        R = Rotation.random(random_state=seed).as_matrix()
-        T = rigid(R, np.array([1.0, -2.0, 3.0]))
+    turns = [Rotation.random(random_state=seed).as_matrix() for seed in range(50)]
+    anywhere = [rigid(R, np.array([1.0, -2.0, 3.0])) for R in turns]
+    upright = [LinkError(rx_rad=0.3, ry_rad=ry, rz_rad=-0.5) for ry in (np.pi / 2, -np.pi / 2)]
+    for T in (*anywhere, *map(error_transform, upright)):
         np.testing.assert_allclose(error_transform(error_from_transform(T)), T, atol=1e-12)
-    for ry in (np.pi / 2, -np.pi / 2):
-        T = error_transform(LinkError(rx_rad=0.3, ry_rad=ry, rz_rad=-0.5))
-        np.testing.assert_allclose(error_transform(error_from_transform(T)), T, atol=1e-12)
-
-
-def numerical(arm: Arm, q: Floats, point: Floats) -> Floats:
-    """(6, n) derivatives of a point on the flange and of its rotation by the encoders."""
-    h, columns = 1e-6, []
-    for step in h * np.eye(arm.joint_count):
-        before, after = flange_pose(arm, q - step), flange_pose(arm, q + step)
-        turn = vector_from_rotation(after[:3, :3] @ before[:3, :3].T)
-        columns.append([*((after - before) @ [*point, 1.0])[:3], *turn])
-    return np.array(columns).T / (2 * h)
 
 
 @pytest.mark.parametrize("joints", JOINTS)
@@ -134,7 +111,7 @@ def test_derivatives_hold_with_a_base(joints: int) -> None:
     rng = np.random.default_rng(30 + joints)
     arm = converted(random_arm(rng, joints, with_errors=True))
     q, point = rng.uniform(-3, 3, joints), np.array([10.0, -20.0, 150.0])
-    J = numerical(arm, q, point)
+    J = flange_slopes(arm, q, point)
     np.testing.assert_allclose(geometric_jacobian(arm, q, point), J, atol=1e-4)
 
     motion = arm_motion(arm, q[None])
@@ -148,7 +125,7 @@ def test_derivatives_hold_with_a_base(joints: int) -> None:
     poses = pose_jacobian(arm, q[None])
     np.testing.assert_allclose(poses.tips_mm, tip_centres(arm, q[None]), atol=1e-9)
     signs = np.array([joint.sign for joint in arm.joints])
-    tip = numerical(arm, q, arm.tip.centre_mm)
+    tip = flange_slopes(arm, q, arm.tip.centre_mm)
     by_theta = slice(3, 10 * joints, 10)
     np.testing.assert_allclose(poses.by_parameters[0, :, by_theta] * signs, tip[:3], atol=1e-4)
     np.testing.assert_allclose(poses.turns[0, :, by_theta] * signs, tip[3:], atol=1e-6)
@@ -183,5 +160,4 @@ def test_five_joints_are_identified_from_coordinates_and_seats(with_base: bool) 
     q = postures(nominal, 200, rng)
     # the arm is known up to where its base stands
     is_, ought = tip_centres(found.arm, q), tip_centres(true, q)
-    left = apply(rigid_fit(is_, ought), is_) - ought
-    assert np.sqrt(np.mean(np.sum(left**2, axis=1))) < 0.03
+    assert rms_length(apply(rigid_fit(is_, ought), is_) - ought) < 0.03

@@ -1,7 +1,5 @@
 """The article's one-pose calibration: on the samples with their truth, and in its refusals."""
 
-import csv
-import json
 from dataclasses import replace
 from pathlib import Path
 
@@ -9,9 +7,8 @@ import cv2
 import numpy as np
 import pytest
 
-from app.errors import OperationError
-from app.metrology.arm.kinematics import Arm, Joint, Tip, flange_pose
-from app.metrology.arm.link_error import LinkError
+from app.formats.session.calibration_session import read_session
+from app.metrology.arm.kinematics import flange_pose
 from app.metrology.calibration.one_pose import (
     OnePoseCalibration,
     OnePoseInputs,
@@ -20,9 +17,11 @@ from app.metrology.calibration.one_pose import (
 )
 from app.metrology.sensor.laser_plane import in_frame
 from app.metrology.sensor.triangulation import sensor_points
-from app.metrology.targets.crenellated_block import Crenellated, corners
-from app.metrology.transforms import Floats, apply, rigid, rigid_fit, rotation_from_vector
-from tests.pictures import read_picture
+from app.metrology.targets.crenellated_block import corners
+from app.metrology.transforms import apply, rigid, rigid_fit, rotation_from_vector
+from app.workflows.calibrate import one_pose_inputs
+from tests.metrology.refusals import refusal_of
+from tests.metrology.true_points import Truth
 from tests.running.usual import usual
 
 pytestmark = pytest.mark.slow
@@ -30,90 +29,19 @@ pytestmark = pytest.mark.slow
 SESSIONS = ("one-pose", "many-poses", "metal")
 
 
-def read_arm(path: Path) -> Arm:
-    document = json.loads(path.read_text())
-    turn = np.radians
-    joints = []
-    for j in document["joints"]:
-        e = j.get("error") or dict.fromkeys(
-            ("x_mm", "y_mm", "z_mm", "rx_deg", "ry_deg", "rz_deg"), 0
-        )
-        error = LinkError(
-            e["x_mm"],
-            e["y_mm"],
-            e["z_mm"],
-            *(float(turn(e[k])) for k in ("rx_deg", "ry_deg", "rz_deg")),
-        )
-        joints.append(
-            Joint(
-                j["name"],
-                j["a_mm"],
-                float(turn(j["alpha_deg"])),
-                j["d_mm"],
-                float(turn(j["theta_deg"])),
-                j["sign"],
-                (-np.pi, np.pi),
-                float(turn(j["encoder_sd_deg"])),
-                error,
-            )
-        )
-    tip = document["tip"]
-    return Arm(
-        "arm", "1", tuple(joints), Tip(tip["x_mm"], tip["y_mm"], tip["z_mm"], tip["diameter_mm"])
-    )
-
-
 def read_inputs(folder: Path, pose: int = 0) -> OnePoseInputs:
-    document = json.loads((folder / "object.json").read_text())
-    keys = ("front_y_mm", "back_y_mm", "crest_z_mm", "floor_z_mm", "base_z_mm")
-    block = Crenellated(
-        "b",
-        "1",
-        tuple(document["edges_x_mm"]),
-        **{key: document[key] for key in (*keys, "standard_uncertainty_mm")},
-    )
-    with (folder / "probing.csv").open() as file:
-        contacts = list(csv.DictReader(file))
-    with (folder / "images.csv").open() as file:
-        rows = [row for row in csv.DictReader(file) if int(row["pose"]) == pose]
-
-    def angles(row: dict[str, str]) -> list[float]:
-        return [float(np.radians(float(row[key]))) for key in row if key.startswith("q")]
-
-    pictures = {row["lighting"]: read_picture(folder / row["file"]) for row in rows}
-    return OnePoseInputs(
-        arm=read_arm(folder / "arm.json"),
-        block=block,
-        features=tuple(row["feature"] for row in contacts),
-        contact_q_rad=np.array([angles(row) for row in contacts]),
-        pose_q_rad=np.array(angles(rows[0])),
-        ambient=pictures["ambient"],
-        laser=pictures["laser"],
-        size_px=(1280, 1024),
-    )
+    session = read_session(folder)
+    return one_pose_inputs(session, session.poses[pose])
 
 
-class Truth:
-    """Pixels, and where the light that fell there came from."""
-
-    def __init__(self, folder: Path) -> None:
-        document = json.loads((folder / "truth.json").read_text())
-        self.uv_px = np.array(document["pixels"])
-        self.sensor_mm = np.array(document["points_sensor_frame_mm"])
-        self.flange_mm = np.array(document["points_flange_frame_mm"])
-
-    def sensor_rms_um(self, found: OnePoseCalibration) -> float:
-        points = sensor_points(found.camera, found.plane, self.uv_px)
-        T = rigid_fit(self.sensor_mm, points)
-        return rms_um(apply(T, points) - self.sensor_mm)
-
-    def flange_rms_um(self, found: OnePoseCalibration) -> float:
-        points = sensor_points(found.camera, found.plane, self.uv_px)
-        return rms_um(apply(found.T_flange_sensor, points) - self.flange_mm)
+@pytest.fixture(scope="module")
+def inputs(samples: Path) -> OnePoseInputs:
+    return read_inputs(samples / "one-pose")
 
 
-def rms_um(off_mm: Floats) -> float:
-    return 1e3 * float(np.sqrt(np.mean(np.sum(off_mm**2, axis=1))))
+@pytest.fixture(scope="module")
+def truth(samples: Path) -> Truth:
+    return Truth(samples / "one-pose")
 
 
 @pytest.fixture(scope="module")
@@ -121,10 +49,12 @@ def calibrated(samples: Path) -> dict[str, OnePoseCalibration]:
     return {name: calibrate_one_pose(read_inputs(samples / name)) for name in SESSIONS}
 
 
-def test_the_articles_case_reaches_micrometres(
-    samples: Path, calibrated: dict[str, OnePoseCalibration]
-) -> None:
-    truth, found = Truth(samples / "one-pose"), calibrated["one-pose"]
+@pytest.fixture
+def found(calibrated: dict[str, OnePoseCalibration]) -> OnePoseCalibration:
+    return calibrated["one-pose"]
+
+
+def test_the_articles_case_reaches_micrometres(found: OnePoseCalibration, truth: Truth) -> None:
     assert truth.sensor_rms_um(found) <= 3
     assert truth.flange_rms_um(found) <= 20
     assert found.faugeras.condition_number < 10
@@ -148,17 +78,15 @@ def test_every_other_pose_is_as_good(session: str, pose: int, samples: Path) -> 
     assert Truth(samples / session).sensor_rms_um(found) <= 4
 
 
-def test_one_picture_with_both_lights_is_as_good(samples: Path) -> None:
-    inputs = read_inputs(samples / "one-pose")
+def test_one_picture_with_both_lights_is_as_good(inputs: OnePoseInputs, truth: Truth) -> None:
     assert inputs.laser is not None
     both = np.asarray(cv2.add(inputs.ambient, inputs.laser), dtype=np.uint8)
     found = calibrate_one_pose(replace(inputs, ambient=both, laser=None))
-    assert Truth(samples / "one-pose").sensor_rms_um(found) <= 4
+    assert truth.sensor_rms_um(found) <= 4
 
 
-def test_a_rotated_camera_is_as_good(samples: Path) -> None:
+def test_a_rotated_camera_is_as_good(samples: Path, inputs: OnePoseInputs) -> None:
     """The same picture turned by a quarter: one stripe point a row, u and v exchanged."""
-    inputs = read_inputs(samples / "one-pose")
     assert inputs.laser is not None
     turned = replace(
         inputs,
@@ -173,9 +101,8 @@ def test_a_rotated_camera_is_as_good(samples: Path) -> None:
 
 
 def test_the_budget_adds_up_and_contains_the_error(
-    samples: Path, calibrated: dict[str, OnePoseCalibration]
+    found: OnePoseCalibration, inputs: OnePoseInputs, truth: Truth
 ) -> None:
-    found = calibrated["one-pose"]
     squares = [row.value_um**2 for row in found.budget]
     assert found.total_um == pytest.approx(np.sqrt(sum(squares)))
     assert [row.source for row in found.budget] == [
@@ -186,18 +113,14 @@ def test_the_budget_adds_up_and_contains_the_error(
         "stripe",
         "distortion",
     ]
-    assert Truth(samples / "one-pose").flange_rms_um(found) < 2 * found.total_um
+    assert truth.flange_rms_um(found) < 2 * found.total_um
     assert found.covariance.shape == (23, 23)
     assert np.linalg.eigvalsh(found.covariance).min() > -1e-9
     near, far = found.depth_range_mm
-    step = read_inputs(samples / "one-pose").block
-    assert 0.5 * (step.crest_z_mm - step.floor_z_mm) < far - near < 40
+    assert 0.5 * (inputs.block.crest_z_mm - inputs.block.floor_z_mm) < far - near < 40
 
 
-def test_the_worst_points_and_the_findings_are_named(
-    calibrated: dict[str, OnePoseCalibration],
-) -> None:
-    found = calibrated["one-pose"]
+def test_the_worst_points_and_the_findings_are_named(found: OnePoseCalibration) -> None:
     kinds = [point.kind for point in found.worst]
     assert {kinds.count(kind) for kind in ("contact", "corner", "stripe")} == {3}
     contacts = [point.value for point in found.worst if point.kind == "contact"]
@@ -206,20 +129,18 @@ def test_the_worst_points_and_the_findings_are_named(
 
 
 def test_any_other_sensor_frame_gives_the_same_points(
-    samples: Path, calibrated: dict[str, OnePoseCalibration]
+    found: OnePoseCalibration, inputs: OnePoseInputs, truth: Truth
 ) -> None:
     """Eq. 5 in place of Eq. 6: conjugated pairs of the object's corners, least squares."""
-    found, inputs = calibrated["one-pose"], read_inputs(samples / "one-pose")
     T_new_obj = rigid(rotation_from_vector(np.array([0.4, -1.1, 0.7])), np.array([30.0, -80, 250]))
     camera, plane = in_frame(found.camera, found.plane, T_new_obj)
     in_obj = np.array(list(corners(inputs.block).values()), dtype=np.float64)
     T_arm_new = rigid_fit(apply(found.alignment.T_arm_obj, in_obj), apply(T_new_obj, in_obj))
     T_arm_flange = flange_pose(inputs.arm, inputs.pose_q_rad)
-    uv = Truth(samples / "one-pose").uv_px
     T_arm_sensor = T_arm_flange @ found.T_flange_sensor
-    one = apply(T_arm_sensor, sensor_points(found.camera, found.plane, uv))
+    one = apply(T_arm_sensor, sensor_points(found.camera, found.plane, truth.uv_px))
     T_arm_other = T_arm_flange @ probe_matrix(T_arm_flange, T_arm_new)
-    other = apply(T_arm_other, sensor_points(camera, plane, uv))
+    other = apply(T_arm_other, sensor_points(camera, plane, truth.uv_px))
     np.testing.assert_allclose(one, other, atol=1e-6)
 
 
@@ -231,16 +152,10 @@ def test_progress_is_reported_from_beginning_to_end(samples: Path) -> None:
     assert len(shares) >= 5
 
 
-@pytest.fixture(scope="module")
-def inputs(samples: Path) -> OnePoseInputs:
-    return read_inputs(samples / "one-pose")
-
-
 def refused(inputs: OnePoseInputs) -> str:
-    with pytest.raises(OperationError) as refusal:
-        calibrate_one_pose(inputs)
-    assert refusal.value.what
-    return refusal.value.code
+    refusal = refusal_of(calibrate_one_pose, inputs)
+    assert refusal.what
+    return refusal.code
 
 
 def test_what_does_not_belong_together_is_refused(inputs: OnePoseInputs) -> None:

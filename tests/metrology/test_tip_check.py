@@ -5,21 +5,18 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from app.metrology.arm.kinematics import Arm, Joint, Tip, flange_poses, tip_centres
+from app.metrology.arm.kinematics import Arm, Tip, tip_centres
 from app.metrology.gauges.tip_check import check_tip
 from tests.guide.builders import REST_RAD, reach_tip
+from tests.metrology.builders import six_axis_arm
+from tests.metrology.numerics import on_sphere
 
 RADIUS_MM = 12.5
 
 
 @pytest.fixture(scope="module")
 def arm() -> Arm:
-    shape = [(0, -90, 280), (450, 0, 0), (60, -90, 0), (0, 90, 400), (0, -90, 0), (0, 0, 90)]
-    joints = tuple(
-        Joint(f"J{i + 1}", a, np.radians(alpha), d, 0.0, encoder_sd_rad=1e-6)
-        for i, (a, alpha, d) in enumerate(shape)
-    )
-    return Arm("test arm", "A-1", joints, Tip(0.0, 0.0, 120.0, 6.0))
+    return six_axis_arm(encoder_sd_rad=1e-6)
 
 
 def touches(arm: Arm, true: Tip, count: int = 9, noise_mm: float = 0.004) -> np.ndarray:
@@ -27,10 +24,7 @@ def touches(arm: Arm, true: Tip, count: int = 9, noise_mm: float = 0.004) -> np.
     rng = np.random.default_rng(3)
     real = replace(arm, tip=true)
     centre = tip_centres(arm, REST_RAD[None])[0]
-    height = np.linspace(1.0, 0.1, count)
-    turn = 2.4 * np.arange(count)
-    flat = np.sqrt(1 - height**2)
-    outward = np.column_stack([flat * np.cos(turn), flat * np.sin(turn), height])
+    outward = on_sphere(np.linspace(1.0, 0.1, count), 2.4 * np.arange(count))
     far = RADIUS_MM + true.radius_mm + rng.normal(0, noise_mm, count)
     found = []
     for place in centre + far[:, None] * outward:
@@ -72,10 +66,8 @@ def test_a_touch_beside_the_sphere_is_scatter_not_a_bend(arm: Arm) -> None:
 
 
 def test_without_the_wrist_turned_no_bend_is_claimed(arm: Arm) -> None:
-    q = touches(arm, arm.tip)
-    R = flange_poses(arm, q)[:, :3, :3]
-    assert R.shape == (9, 3, 3)
-    assert check_tip(arm, q[:5], 2 * RADIUS_MM, limit_um=80).bend_um is None
+    q = touches(arm, arm.tip)[:5]
+    assert check_tip(arm, q, 2 * RADIUS_MM, limit_um=80).bend_um is None
 
 
 def test_without_a_limit_nothing_is_decided(arm: Arm) -> None:

@@ -1,6 +1,5 @@
 """Whole sessions of blocks, arms and cameras drawn at random, against their truth."""
 
-import json
 from pathlib import Path
 
 import numpy as np
@@ -8,10 +7,9 @@ import pytest
 
 from app.formats.session.calibration_session import read_session
 from app.metrology.calibration.one_pose import calibrate_one_pose
-from app.metrology.sensor.triangulation import sensor_points
-from app.metrology.transforms import apply, rigid_fit
 from app.workflows.calibrate import one_pose_inputs
 from hardware.simulator.session import SessionPlan, render_session
+from tests.metrology.true_points import Truth
 from tests.running.usual import usual
 
 pytestmark = pytest.mark.slow
@@ -27,9 +25,7 @@ PLANS = {
 
 
 @pytest.mark.parametrize(
-    ("seed", "plan"),
-    usual(enumerate(PLANS.values(), 501), {0, 3, 4}, pytest.mark.soak),
-    ids=PLANS,
+    ("seed", "plan"), usual(enumerate(PLANS.values(), 501), {0, 3, 4}, pytest.mark.soak), ids=PLANS
 )
 def test_points_are_rebuilt_where_the_light_fell(
     seed: int, plan: SessionPlan, tmp_path: Path
@@ -37,10 +33,6 @@ def test_points_are_rebuilt_where_the_light_fell(
     render_session(tmp_path, seed, plan)
     session = read_session(tmp_path)
     found = calibrate_one_pose(one_pose_inputs(session, session.poses[0]))
-    truth = json.loads((tmp_path / "truth.json").read_text())
-    rebuilt = sensor_points(found.camera, found.plane, np.array(truth["pixels"]))
-    true_sensor = np.array(truth["points_sensor_frame_mm"])
-    off = apply(rigid_fit(true_sensor, rebuilt), rebuilt) - true_sensor
-    assert np.sqrt(np.mean(np.sum(off**2, axis=1))) < 0.004
-    off = apply(found.T_flange_sensor, rebuilt) - np.array(truth["points_flange_frame_mm"])
-    assert np.sqrt(np.mean(np.sum(off**2, axis=1))) * 1e3 < 3 * found.total_um
+    truth = Truth(tmp_path)
+    assert truth.sensor_rms_um(found) < 4
+    assert truth.flange_rms_um(found) < 3 * found.total_um

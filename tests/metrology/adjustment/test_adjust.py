@@ -18,9 +18,9 @@ from app.metrology.adjustment.core.uncertainty import (
     estimate_uncertainty,
     measuring_volume,
 )
-from app.metrology.sensor.camera import Camera
 from app.metrology.sensor.triangulation import sensor_points
 from app.metrology.transforms import apply, inverse, rigid, rotation_from_vector
+from tests.metrology.numerics import differences
 from tests.uncertainty_ratio import EXACT, UncertaintyRatio
 
 pytestmark = pytest.mark.slow
@@ -49,10 +49,9 @@ def everything(draw: Draw, step: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
 def test_the_derivatives_by_every_unknown_are_those_that_differences_give(draw: Draw) -> None:
     count = parameter_layout(draw.problem).count
     _, found = everything(draw, np.zeros(count))
-    for k in range(count):
-        step = np.zeros(count)
-        step[k] = 1e-3 if k < 4 else 1e-6
-        slope = (everything(draw, step)[0] - everything(draw, -step)[0]) / (2 * step[k])
+    steps = np.where(np.arange(count) < 4, 1e-3, 1e-6)
+    slopes = differences(lambda step: everything(draw, step)[0], steps)
+    for k, slope in enumerate(slopes.T):
         largest = max(float(np.abs(slope).max()), 1e-3)
         np.testing.assert_allclose(found[:, k], slope, atol=1e-3 * largest, err_msg=f"{k}")
 
@@ -72,12 +71,9 @@ def test_the_budget_adds_up_to_the_covariance(draw: Draw) -> None:
     found = solve_adjustment(draw.problem, draw.start)
     parts = covariance_by_source(found)
     assert set(parts) == {name for name, _ in BUDGET} | {"distortion"}
-    np.testing.assert_allclose(
-        np.sum(list(parts.values()), axis=0)[SENSOR, SENSOR],
-        found.uncertainty[SENSOR, SENSOR],
-        rtol=1e-6,
-        atol=1e-12,
-    )
+    of_sensor = np.sum(list(parts.values()), axis=0)[SENSOR, SENSOR]
+    expected = found.uncertainty[SENSOR, SENSOR]
+    np.testing.assert_allclose(of_sensor, expected, rtol=1e-6, atol=1e-12)
     T_cam_sensor = rigid(rotation_from_vector(np.array([0.3, 0.1, 2.0])), np.array([1.0, 2, 130]))
     worth = estimate_uncertainty(found, T_cam_sensor)
     total = np.sqrt(sum(row.value_um**2 for row in worth.rows))
@@ -108,9 +104,8 @@ def test_more_poses_are_known_better() -> None:
     claims = []
     for poses in (1, 4, 8):
         setup = SetUp("", poses, seed=7)
-        exact = bound_adjustment(
-            draw_session(draw_setup(setup), np.random.default_rng(0), noisy=False), setup.scales
-        )
+        draw = draw_session(draw_setup(setup), np.random.default_rng(0), noisy=False)
+        exact = bound_adjustment(draw, setup.scales)
         claims.append(estimate_uncertainty(exact, np.eye(4)).total_um)
     assert claims[0] > claims[1] > claims[2]
 
@@ -147,6 +142,6 @@ def test_turns_about_one_axis_are_refused_and_the_axis_named() -> None:
 
 
 def test_the_camera_of_a_state_is_its_own_frame(draw: Draw) -> None:
-    camera: Camera = solve_adjustment(draw.problem, draw.start).state.camera
+    camera = solve_adjustment(draw.problem, draw.start).state.camera
     np.testing.assert_array_equal(camera.rotation, np.eye(3))
     np.testing.assert_array_equal(camera.translation_mm, np.zeros(3))

@@ -16,11 +16,12 @@ from app.metrology.adjustment.planning.inverse_kinematics import (
     solve_inverse_kinematics,
 )
 from app.metrology.adjustment.planning.next_pose import PoseAdvice, next_poses, pose_delta
-from app.metrology.arm.kinematics import Arm, Joint, Tip, flange_pose
+from app.metrology.arm.kinematics import Arm, flange_pose
 from app.metrology.sensor.laser_plane import LaserPlane
 from app.metrology.targets.chessboard import pattern_centre
 from app.metrology.transforms import Floats, inverse, rigid
 from tests.metrology.boards import NORMAL, POSES, SIZE, T_FLANGE_CAM, camera_pose
+from tests.metrology.builders import six_axis_arm
 from tests.metrology.seen_boards import PAPER_BOARD, BoardErrors, simulate_detection
 
 pytestmark = pytest.mark.slow
@@ -32,12 +33,7 @@ PLANE = LaserPlane(NORMAL, 137.0)  # across the board's middle where it is looke
 
 @pytest.fixture(scope="module")
 def arm() -> Arm:
-    shape = [(0, -90, 280), (450, 0, 0), (60, -90, 0), (0, 90, 400), (0, -90, 0), (0, 0, 90)]
-    joints = tuple(
-        Joint(f"J{i + 1}", a, np.radians(alpha), d, 0.0, encoder_sd_rad=ENCODER_SD_RAD)
-        for i, (a, alpha, d) in enumerate(shape)
-    )
-    return Arm("test arm", "A-1", joints, Tip(0.0, 0.0, 120.0, 6.0))
+    return six_axis_arm(ENCODER_SD_RAD)
 
 
 def taken(arm: Arm, poses: tuple[Floats, ...], seed: int = 1) -> BoardInputs:
@@ -70,17 +66,19 @@ def advice(arm: Arm, five: BoardInputs, found: BoardCalibration) -> list[PoseAdv
     return next_poses(found.adjustment, arm, PAPER_BOARD, five.readings)
 
 
+def check_reached(arm: Arm, found: BoardCalibration, advice: PoseAdvice) -> None:
+    """The advised joint angles bring the camera to the advised pose."""
+    state = found.adjustment.state
+    wished = state.T_arm_obj @ advice.T_obj_cam @ inverse(state.T_flange_cam)
+    np.testing.assert_allclose(flange_pose(arm, advice.reading), wished, atol=REACHED_MM)
+
+
 def test_the_advised_pose_brings_what_was_foretold(
     arm: Arm, five: BoardInputs, found: BoardCalibration, advice: list[PoseAdvice]
 ) -> None:
     best, worst = advice[0], advice[-1]
     assert best.total_um < worst.total_um <= 1.02 * found.uncertainty.total_um
-    reached = (
-        found.adjustment.state.T_arm_obj
-        @ best.T_obj_cam
-        @ inverse(found.adjustment.state.T_flange_cam)
-    )
-    np.testing.assert_allclose(flange_pose(arm, best.reading), reached, atol=REACHED_MM)
+    check_reached(arm, found, best)
     uv = measuring_volume(found.adjustment).uv_px
     after = {}
     for one in (best, worst):
@@ -104,13 +102,11 @@ def test_an_arm_of_five_joints_is_advised_what_it_can_reach(arm: Arm) -> None:
         angles.append(q + rng.normal(0, ENCODER_SD_RAD, 5))
     inputs = BoardInputs(short, PAPER_BOARD, tuple(seen), np.array(angles), SIZE)
     found = calibrate_board(inputs)
-    state = found.adjustment.state
     advice = next_poses(found.adjustment, short, PAPER_BOARD, inputs.readings)
     assert len(advice) >= 5
     assert advice[0].total_um < found.uncertainty.total_um
     for one in advice:
-        reached = state.T_arm_obj @ one.T_obj_cam @ inverse(state.T_flange_cam)
-        np.testing.assert_allclose(flange_pose(short, one.reading), reached, atol=REACHED_MM)
+        check_reached(short, found, one)
 
 
 def rms_um(found: BoardCalibration, uv_px: Floats) -> float:

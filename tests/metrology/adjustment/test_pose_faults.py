@@ -22,6 +22,7 @@ from app.metrology.stripe import empty_stripe
 from app.metrology.targets.chessboard import corner_points
 from app.metrology.transforms import Floats, inverse, rigid
 from tests.metrology.boards import BOARD, K1, POSES, ROBOT, SIZE, K, find_flange_pose
+from tests.metrology.refusals import refusal_of
 
 pytestmark = pytest.mark.slow
 
@@ -38,11 +39,10 @@ def project(T_cam_obj: Floats) -> Floats:
 def given(readings: Floats) -> BoardInputs:
     """All poses without lines, with these poses (P, 4, 4) of the flange."""
     count = BOARD.inner_corners[0] * BOARD.inner_corners[1]
+    covariance = np.tile(0.01 * np.eye(2), (count, 1, 1))
     seen = []
     for number, T in enumerate(POSES):
-        detection = BoardDetection(
-            project(T), np.tile(0.01 * np.eye(2), (count, 1, 1)), np.arange(count)
-        )
+        detection = BoardDetection(project(T), covariance, np.arange(count))
         seen.append(BoardObservation(number, detection, empty_stripe("v")))
     return BoardInputs(ROBOT, BOARD, tuple(seen), readings, SIZE)
 
@@ -63,6 +63,7 @@ def misread(flange: Floats, fault: PoseFault) -> Floats:
     return poses
 
 
+FLANGE = np.array([find_flange_pose(T) for T in POSES])
 FAULTS: tuple[tuple[PoseFault, str], ...] = (
     ("scalar-first", "the columns hold qw, qx, qy, qz. Write qx"),
     ("scalar-first-inverted", "base in the flange frame, and the columns hold qw"),
@@ -74,42 +75,36 @@ FAULTS: tuple[tuple[PoseFault, str], ...] = (
 
 @pytest.mark.parametrize(("fault", "says"), FAULTS, ids=[fault for fault, _ in FAULTS])
 def test_the_fault_of_all_poses_is_named(fault: PoseFault, says: str) -> None:
-    flange = np.array([find_flange_pose(T) for T in POSES])
     with pytest.raises(OperationError, match=says) as refused:
-        calibrate_board(given(misread(flange, fault)))
+        calibrate_board(given(misread(FLANGE, fault)))
     assert refused.value.code == "poses-read-otherwise"
 
 
 def test_inverted_poses_that_nearly_agree_are_named() -> None:
     """Most pictures are only tilted about the middle of the board: five of eight agree."""
-    flange = np.array([find_flange_pose(T) for T in POSES])
-    inverted = given(misread(flange, "inverted"))
+    inverted = given(misread(FLANGE, "inverted"))
     boards = np.array(POSES)
     mounting = mounting_by_motion(inverted.readings, boards, BOARD.size_mm)
     refuse_contradictions(mounting, range(len(POSES)), "board")
     with pytest.raises(OperationError, match="poses of the arm's base in the flange frame"):
         refuse_misread_poses(inverted, mounting)
-    right = given(flange)
-    refuse_misread_poses(right, mounting_by_motion(flange, boards, BOARD.size_mm))
+    right = given(FLANGE)
+    refuse_misread_poses(right, mounting_by_motion(FLANGE, boards, BOARD.size_mm))
 
 
 def test_squares_of_another_size_are_no_fault_of_the_poses() -> None:
-    flange = np.array([find_flange_pose(T) for T in POSES])
-    wrong = replace(given(flange), board=replace(BOARD, square_mm=12.0))
+    wrong = replace(given(FLANGE), board=replace(BOARD, square_mm=12.0))
     with pytest.raises(OperationError, match="wide: its certificate states 12 mm"):
         calibrate_board(wrong)
 
 
 def test_poses_that_no_fault_explains_keep_their_reason() -> None:
-    flange = np.array([find_flange_pose(T) for T in POSES])
     reason = OperationError("poses-contradict", "these contradict")
-    mixed = flange[np.random.default_rng(3).permutation(len(flange))]
+    mixed = FLANGE[np.random.default_rng(3).permutation(len(FLANGE))]
     assert explain_poses(given(mixed), reason) is reason
 
 
 def test_the_commonest_reason_is_named_where_no_picture_serves() -> None:
     codes = ("board-partly-seen", "another-board", "another-board")
     failed = [FailedPose(n, OperationError(code, code)) for n, code in enumerate(codes)]
-    with pytest.raises(OperationError) as refused:
-        require_observations([], failed, "board")
-    assert refused.value is failed[1].error
+    assert refusal_of(require_observations, [], failed, "board") is failed[1].error
