@@ -112,12 +112,12 @@ def judge(figure: Figure, printed: PrintedNumber, measured: float) -> Verdict:
 
 def compare(figure: Figure, output: Any) -> Outcome:
     """A figure against the output of its command, as parsed from JSON."""
+    printed = None
     try:
         printed = read_printed(figure)
+        measured = float(figure.read(output))
     except UnreadableError as error:
         return Outcome(figure, Verdict.UNREADABLE, why=str(error))
-    try:
-        measured = float(figure.read(output))
     except (ArithmeticError, AttributeError, LookupError, TypeError, ValueError) as error:
         why = f"the command's output: {type(error).__name__}: {error}"
         return Outcome(figure, Verdict.UNREADABLE, printed, why=why)

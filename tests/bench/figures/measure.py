@@ -21,9 +21,13 @@ END = 400
 class MeasureError(Exception):
     """A command failed, or printed something else than JSON."""
 
+    verdict = Verdict.UNREADABLE
 
-class MissingError(Exception):
+
+class MissingError(MeasureError):
     """A folder that a command needs is not beside the checkout."""
+
+    verdict = Verdict.NOT_MEASURED
 
 
 def outcomes(figures: Sequence[Figure], scratch: Path) -> Iterator[Outcome]:
@@ -37,12 +41,8 @@ def outcomes(figures: Sequence[Figure], scratch: Path) -> Iterator[Outcome]:
         of_command = [figure for figure in figures if figure.command == command]
         try:
             output = measure(command, scratch)
-        except MissingError as missing:
-            for figure in of_command:
-                yield Outcome(figure, Verdict.NOT_MEASURED, why=str(missing))
         except MeasureError as error:
-            for figure in of_command:
-                yield Outcome(figure, Verdict.UNREADABLE, why=str(error))
+            yield from (Outcome(one, error.verdict, why=str(error)) for one in of_command)
         else:
             yield from (compare(figure, output) for figure in of_command)
 

@@ -39,10 +39,6 @@ def percent(read: Read) -> Read:
     return lambda found: 100 * read(found)
 
 
-def inverse(read: Read) -> Read:
-    return lambda found: 1 / read(found)
-
-
 def reduced(of: Callable[[list[float]], float], reads: list[Read]) -> Read:
     """The smallest or largest of several values, or their sum."""
     return lambda found: float(of([read(found) for read in reads]))
