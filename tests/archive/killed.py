@@ -8,6 +8,7 @@ import os
 import shutil
 import signal
 import sys
+from collections.abc import Callable
 from pathlib import Path
 
 from app.archive.pace import Pace
@@ -15,17 +16,17 @@ from app.store.store import Store
 from tests.archive.filled import LATER, Content, archive_of, check_whole, content_of
 
 
-class DeadlyPace(Pace):
-    """Kills this process with SIGKILL when so many pieces were moved."""
+class EndingPace(Pace):
+    """Ends the archive in some way when so many pieces were moved."""
 
-    def __init__(self, pieces: int) -> None:
+    def __init__(self, pieces: int, end: Callable[[], None]) -> None:
         super().__init__(1.0, lambda: False)
-        self._left = pieces
+        self._left, self._end = pieces, end
 
     def take(self, count: int) -> None:
         self._left -= 1
         if self._left < 0:
-            os.kill(os.getpid(), signal.SIGKILL)
+            self._end()
 
 
 def attempt(data: Path, place: Path, pieces: int, later: bool) -> bool:
@@ -34,7 +35,8 @@ def attempt(data: Path, place: Path, pieces: int, later: bool) -> bool:
     if not child:
         store = Store(data)
         rules, seen = ({"keep_days": 1.0}, LATER) if later else ({}, LATER * 0)
-        archive_of(store, str(place), pace=DeadlyPace(pieces), later=seen, rules=rules).run()
+        pace = EndingPace(pieces, lambda: os.kill(os.getpid(), signal.SIGKILL))
+        archive_of(store, str(place), pace=pace, later=seen, rules=rules).run()
         os._exit(0)
     status = os.waitpid(child, 0)[1]
     if os.WIFSIGNALED(status):

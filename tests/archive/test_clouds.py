@@ -3,6 +3,7 @@
 import os
 import shutil
 from collections.abc import Callable, Iterator
+from contextlib import closing
 from datetime import timedelta
 from pathlib import Path
 
@@ -21,9 +22,8 @@ OLD = {"keep_days": 90.0}
 
 @pytest.fixture
 def store(tmp_path: Path) -> Iterator[Store]:
-    opened = fill_station(tmp_path / "data", ["one"])
-    yield opened
-    opened.close()
+    with closing(fill_station(tmp_path / "data", ["one"])) as opened:
+        yield opened
 
 
 def folder_of(store: Store) -> Path:

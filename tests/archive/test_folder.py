@@ -4,6 +4,7 @@ import errno
 import os
 import shutil
 from collections.abc import Iterable
+from dataclasses import replace
 from datetime import timedelta
 from pathlib import Path
 
@@ -16,7 +17,6 @@ from app.archive.planning import plan_copies
 from app.archive.records import list_away, list_records
 from app.archive.remote_store import FolderStore
 from app.archive.store_errors import StoreError
-from app.errors import OperationError
 from app.store.store import Store
 from app.timestamps import is_moment
 from tests.archive.filled import (
@@ -28,6 +28,9 @@ from tests.archive.filled import (
     content_of,
     lists_of,
 )
+from tests.refusals import refused
+from tests.store.conftest import FIGURES
+from tests.store.test_verifications import FOUND
 
 
 def away_of(store: Store) -> list[str]:
@@ -61,18 +64,14 @@ def test_everything_finished_is_copied_once_and_what_is_open_stays(
 
 
 def test_a_record_that_changed_is_copied_again_and_the_earlier_content_stays(
-    store: Store, place: Path
+    store: Store, place: Path, archived: Path
 ) -> None:
-    folder = add_scan(store, "one", 1000)
-    archive_of(store, str(place)).run()
-    (folder / "cloud.ply").write_bytes(b"computed again")
+    (archived / "cloud.ply").write_bytes(b"computed again")
     assert archive_of(store, str(place)).run() == 1
     assert len(check_whole(content_of(place))) == 2
 
 
 def test_an_interrupted_scan_waits_for_its_cloud(store: Store, place: Path) -> None:
-    from dataclasses import replace
-
     folder = add_scan(store, "cut", 1000)
     (folder / "cloud.ply").unlink()
     scan = store.scans.get("cut")
@@ -102,9 +101,8 @@ def test_an_old_record_leaves_the_disk_and_comes_back_as_it_was(store: Store, pl
     near = archive_of(store, str(place), later=timedelta(days=50), rules={"keep_days": 90})
     assert near.run() == 0
     assert folder.exists()
-    with pytest.raises(OperationError) as refused:
+    with refused("archive-here"):
         near.fetch("scans", "one")
-    assert refused.value.code == "archive-here"
 
 
 def test_the_oldest_leave_a_full_disk_first_but_none_on_its_first_day(
@@ -123,9 +121,8 @@ def test_the_oldest_leave_a_full_disk_first_but_none_on_its_first_day(
     assert (store.folder / "scans/today").exists()
 
 
+@pytest.mark.usefixtures("archived")
 def test_without_a_rule_nothing_leaves_the_disk(store: Store, place: Path) -> None:
-    add_scan(store, "one", 1000)
-    archive_of(store, str(place)).run()
     archive_of(store, str(place), later=10 * LATER).run()
     assert away_of(store) == []
 
@@ -133,46 +130,28 @@ def test_without_a_rule_nothing_leaves_the_disk(store: Store, place: Path) -> No
 def test_verifications_of_the_calibrations_in_use_and_the_last_one_stay(
     store: Store, place: Path
 ) -> None:
-    figures = {
-        "total_um": 20.0,
-        "verdict": "good",
-        "arm_serial": "A",
-        "object_serial": "B",
-        "sensor_serial": "S",
-    }
     for calibration, sensor in (("c0", ""), ("c1", ""), ("c2", "blue")):
         folder = add_session(store, "calibration", calibration, ended=False)
         (folder / "calibration.json").write_text("{}")
         file = folder / "calibration.json"
-        store.calibrations.accept(calibration, "name", file, figures, None, sensor=sensor)
+        store.calibrations.accept(calibration, "name", file, FIGURES, None, sensor=sensor)
     verified = {"former": "c0", "used": "c1", "blue": "c2", "other": "", "last": ""}
     for name, of in verified.items():
         folder = add_session(store, "verification", name, ended=not of)
         if of:
-            verdict = {
-                "result": "pass",
-                "text": "",
-                "shape": "plane",
-                "gauge": "G",
-                "clouds": 1,
-                "touched": False,
-                "operator": "",
-            }
-            store.verifications.accept(name, of, folder, verdict, None)
+            store.verifications.accept(name, of, folder, FOUND, None)
     archive_of(store, str(place)).run()
     archive_of(store, str(place), later=LATER, rules={"keep_days": 90}).run()
     assert sorted(away_of(store)) == ["former", "other"]
 
 
 def test_what_is_damaged_in_the_archive_stays_on_the_disk_and_is_copied_again(
-    store: Store, place: Path
+    store: Store, place: Path, archived: Path
 ) -> None:
-    folder = add_scan(store, "one", 1000)
-    archive_of(store, str(place)).run()
     (copy,) = place.glob("scans/one/*/scan.mcap")
     copy.write_bytes(bytes(1000))
     archive_of(store, str(place), later=LATER, rules={"keep_days": 90}).run()
-    assert folder.exists()
+    assert archived.exists()
     assert archive_of(store, str(place)).run() == 1
     check_whole(content_of(place))
 
@@ -214,9 +193,8 @@ def test_a_look_names_what_is_missing_or_of_another_size(store: Store, place: Pa
         archive.look()
 
 
+@pytest.mark.usefixtures("archived")
 def test_a_note_that_is_lost_is_written_again_without_a_copy(store: Store, place: Path) -> None:
-    add_scan(store, "one", 1000)
-    archive_of(store, str(place)).run()
     (copy,) = place.glob("scans/one/*/scan.mcap")
     written = copy.stat().st_mtime_ns
     note_path(store.folder, "scans", "one").unlink()
@@ -224,18 +202,16 @@ def test_a_note_that_is_lost_is_written_again_without_a_copy(store: Store, place
     assert copy.stat().st_mtime_ns == written
 
 
+@pytest.mark.usefixtures("archived")
 def test_an_archive_whose_disk_is_not_mounted_gets_nothing(store: Store, place: Path) -> None:
-    add_scan(store, "one", 1000)
-    archive_of(store, str(place)).run()
     place.rename(place.with_name("elsewhere"))
     add_scan(store, "two", 1000)
     for there in (False, True):  # no mount point, then an empty one
         if there:
             place.mkdir()
-        with pytest.raises(OperationError) as refused:
+        with refused("archive-missing") as failed:
             archive_of(store, str(place)).run()
-        assert refused.value.code == "archive-missing"
-        assert refused.value.remedy
+        assert failed.value.remedy
     assert list(place.iterdir()) == []
 
 
@@ -264,9 +240,8 @@ def test_a_full_archive_keeps_what_is_whole_and_goes_on_with_more_room(
     add_scan(store, "two", 300_000)
     full = FullStore(place, 600_000)
     archive = archive_of(store, str(place), full)
-    with pytest.raises(OperationError) as refused:
+    with refused("archive-full"):
         archive.run()
-    assert refused.value.code == "archive-full"
     assert [one.id for one in check_whole(content_of(place))] == ["one"]
     assert not [name for name in content_of(place) if name.endswith(".part")]
     full.room = 10_000_000
@@ -290,9 +265,8 @@ def test_one_record_that_cannot_be_read_keeps_no_other_from_the_archive(
                     file.write(b"more")
             return super().size(name)
 
-    with pytest.raises(OperationError) as refused:
+    with refused("archive-changed"):
         archive_of(store, str(place), Growing(place)).run()
-    assert refused.value.code == "archive-changed"
     assert [one.id for one in check_whole(content_of(place))] == ["two"]
 
 
@@ -306,34 +280,27 @@ def test_a_link_in_a_record_keeps_it_on_the_disk(store: Store, place: Path) -> N
 
 def test_two_processes_do_not_copy_at_once(store: Store, place: Path) -> None:
     archive: Archive = archive_of(store, str(place))
-    with archive_lock(store.folder), pytest.raises(OperationError) as refused:
+    with archive_lock(store.folder), refused("archive-busy"):
         archive.run()
-    assert refused.value.code == "archive-busy"
     assert not (place / MARKER).exists()
 
 
 def test_a_record_is_fetched_by_its_manifest_where_the_note_is_lost(
-    store: Store, place: Path
+    store: Store, place: Path, archived: Path
 ) -> None:
-    import shutil
-
-    folder = add_scan(store, "one", 1000)
-    before = content_of(folder)
+    before = content_of(archived)
     archive = archive_of(store, str(place))
-    archive.run()
-    shutil.rmtree(folder)
+    shutil.rmtree(archived)
     note_path(store.folder, "scans", "one").unlink()
     add_scan(store, "two", 10)
     archive.run()
     archive.fetch("scans", "one")
-    assert content_of(folder) == before
+    assert content_of(archived) == before
     (copy,) = place.glob("scans/one/*/scan.mcap")
     copy.write_bytes(bytes(1000))
-    shutil.rmtree(folder)
-    with pytest.raises(OperationError) as refused:
+    shutil.rmtree(archived)
+    with refused("archive-differs"):
         archive.fetch("scans", "one")
-    assert refused.value.code == "archive-differs"
-    assert not folder.exists()
-    with pytest.raises(OperationError) as refused:
+    assert not archived.exists()
+    with refused("archive-unknown"):
         archive.fetch("scans", "none")
-    assert refused.value.code == "archive-unknown"

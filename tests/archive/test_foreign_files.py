@@ -7,13 +7,20 @@ from pathlib import Path
 
 import pytest
 
-from app.archive.archive import Archive
 from app.archive.records import list_away
 from app.archive.remote_store import FolderStore
 from app.archive.transfer import newest_manifest
 from app.errors import OperationError
 from app.store.store import Store
 from tests.archive.filled import LATER, add_scan, archive_of, check_whole, content_of
+from tests.refusals import refused
+
+
+@pytest.fixture
+def copy(archived: Path, place: Path) -> Path:
+    """The archive's folder of the scan ``one``."""
+    (manifest,) = place.rglob("manifest.json")
+    return manifest.parent
 
 
 @pytest.mark.parametrize(
@@ -26,10 +33,9 @@ def test_a_file_name_that_no_manifest_can_hold_keeps_no_other_record_from_the_ar
     path.parent.mkdir(parents=True, exist_ok=True)
     path.write_text("the operator's")
     add_scan(store, "two", 1000)
-    with pytest.raises(OperationError) as refused:
+    with refused("archive-name") as failed:
         archive_of(store, str(place)).run()
-    assert refused.value.code == "archive-name"
-    assert refused.value.line.isprintable()
+    assert failed.value.line.isprintable()
     assert [one.id for one in check_whole(content_of(place))] == ["two"]
 
 
@@ -45,18 +51,15 @@ def test_a_file_time_outside_the_calendar_is_the_nearest_in_it(
 @pytest.mark.parametrize("foreign", [os.mkfifo, os.mkdir])
 @pytest.mark.parametrize("name", ["scan.mcap", "manifest.json"])
 def test_what_is_no_file_in_the_archive_keeps_no_other_record_from_it(
-    store: Store, place: Path, name: str, foreign: Callable[[Path], None]
+    store: Store, place: Path, copy: Path, name: str, foreign: Callable[[Path], None]
 ) -> None:
-    add_scan(store, "one", 1000)
     archive = archive_of(store, str(place), later=LATER, rules={"keep_days": 1})
-    (folder,) = copies_of(archive_of(store, str(place)), place)
-    (folder / name).unlink()
-    foreign(folder / name)
+    (copy / name).unlink()
+    foreign(copy / name)
     add_scan(store, "two", 1000)
     archive.run()
-    with pytest.raises(OperationError) as refused:
+    with refused("archive-differs"):
         archive.run()
-    assert refused.value.code == "archive-differs"
     assert [note.id for note in list_away(store.folder)] == ["two"]
     assert (store.folder / "scans" / "one").exists()
     with pytest.raises(OperationError):
@@ -64,20 +67,14 @@ def test_what_is_no_file_in_the_archive_keeps_no_other_record_from_it(
 
 
 @pytest.mark.parametrize("name", ["scan.mcap", "manifest.json"])
-def test_a_link_to_itself_in_the_archive_is_replaced(store: Store, place: Path, name: str) -> None:
-    add_scan(store, "one", 1000)
-    (folder,) = copies_of(archive_of(store, str(place)), place)
-    (folder / name).unlink()
-    (folder / name).symlink_to(name)
+def test_a_link_to_itself_in_the_archive_is_replaced(
+    store: Store, place: Path, copy: Path, name: str
+) -> None:
+    (copy / name).unlink()
+    (copy / name).symlink_to(name)
     assert archive_of(store, str(place)).verify()
     assert archive_of(store, str(place)).run() == 1
     assert archive_of(store, str(place)).verify() == []
-
-
-def copies_of(archive: Archive, place: Path) -> list[Path]:
-    """The folders of the archive's records after a run."""
-    archive.run()
-    return [path.parent for path in place.rglob("manifest.json")]
 
 
 @pytest.mark.parametrize(
@@ -93,11 +90,9 @@ def copies_of(archive: Archive, place: Path) -> list[Path]:
     ids=lambda damage: ascii(damage)[:30],
 )
 def test_a_manifest_that_says_nothing_usable_is_none(
-    store: Store, place: Path, damage: dict[str, object]
+    place: Path, copy: Path, damage: dict[str, object]
 ) -> None:
-    add_scan(store, "one", 1000)
-    (folder,) = copies_of(archive_of(store, str(place)), place)
-    manifest = folder / "manifest.json"
+    manifest = copy / "manifest.json"
     changed = json.loads(manifest.read_text()) | damage
     manifest.write_text(json.dumps(changed))
     assert newest_manifest(FolderStore(place), "scans", "one") is None

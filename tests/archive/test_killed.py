@@ -4,7 +4,7 @@ manifest."""
 import shutil
 import subprocess
 import sys
-from contextlib import suppress
+from contextlib import closing, suppress
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
@@ -12,18 +12,17 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from app.archive.pace import Pace
 from app.errors import OperationError
 from app.store.store import Store
 from tests.archive.filled import LATER, add_scan, archive_of, check_whole, content_of
+from tests.archive.killed import EndingPace
 
 ROOT = Path(__file__).resolve().parents[2]
 SCANS = ("one", "two")
 pytestmark = [pytest.mark.device, pytest.mark.soak]
 
 
-def test_a_process_that_is_killed_anywhere_loses_nothing(tmp_path: Path) -> None:
-    store = Store(tmp_path / "data")
+def test_a_process_that_is_killed_anywhere_loses_nothing(store: Store, tmp_path: Path) -> None:
     for scan_id in SCANS:
         add_scan(store, scan_id, 300_000)
     store.close()
@@ -43,17 +42,8 @@ class _InterruptedError(BaseException):
     """As a signal would end the process."""
 
 
-class InterruptedPace(Pace):
-    """Interrupts when so many pieces were moved."""
-
-    def __init__(self, pieces: int) -> None:
-        super().__init__(1.0, lambda: False)
-        self._left = pieces
-
-    def take(self, count: int) -> None:
-        self._left -= 1
-        if self._left < 0:
-            raise _InterruptedError
+def interrupt() -> None:
+    raise _InterruptedError
 
 
 def damage(place: Path, scan_id: str, how: str) -> None:
@@ -73,10 +63,7 @@ def damage(place: Path, scan_id: str, how: str) -> None:
 STEPS = st.one_of(
     st.tuples(st.just("run"), st.integers(0, 40)),
     st.tuples(st.just("retain"), st.integers(0, 60)),
-    st.tuples(
-        st.sampled_from(("flip", "shorten", "missing", "manifest")),
-        st.sampled_from((0, 1)),
-    ),
+    st.tuples(st.sampled_from(("flip", "shorten", "missing", "manifest")), st.sampled_from((0, 1))),
 )
 
 
@@ -86,11 +73,8 @@ def test_only_what_is_whole_in_the_archive_leaves_the_disk(steps: list[tuple[str
     with TemporaryDirectory() as top:
         place = Path(top) / "archive"
         place.mkdir()
-        store = Store(Path(top) / "data")
-        try:
+        with closing(Store(Path(top) / "data")) as store:
             _follow(steps, store, place)
-        finally:
-            store.close()
 
 
 def _follow(steps: list[tuple[str, int]], store: Store, place: Path) -> None:
@@ -100,9 +84,8 @@ def _follow(steps: list[tuple[str, int]], store: Store, place: Path) -> None:
         if what in ("run", "retain"):
             later, rules = (LATER, {"keep_days": 90.0}) if what == "retain" else (LATER * 0, {})
             here = {name for name, folder in scans.items() if folder.exists()}
-            archive = archive_of(
-                store, str(place), pace=InterruptedPace(number), later=later, rules=rules
-            )
+            pace = EndingPace(number, interrupt)
+            archive = archive_of(store, str(place), pace=pace, later=later, rules=rules)
             with suppress(_InterruptedError, OperationError):
                 archive.run()
             archived = content_of(place)

@@ -1,8 +1,9 @@
 """An archive in an S3-compatible store that fails in every way."""
 
 import asyncio
+import shutil
 from collections.abc import Iterator
-from contextlib import suppress
+from contextlib import closing, suppress
 from pathlib import Path
 
 import pytest
@@ -67,8 +68,6 @@ def refusal(archive: Archive) -> OperationError:
 def test_records_go_to_the_store_and_come_back(
     store: Store, tmp_path: Path, server: S3Server
 ) -> None:
-    import shutil
-
     folder = add_scan(store, "a scan + one", LARGE)
     (folder / "empty").touch()
     before = content_of(folder)
@@ -92,10 +91,9 @@ def test_the_place_of_another_station_is_refused(
     add_scan(store, "one", 1000)
     assert open_archive(store, tmp_path, server.port).run() == 1
     before = server.content(f"{tmp_path.name}/")
-    other = Store(tmp_path / "other")
-    add_scan(other, "two", 1000)
-    refused = refusal(open_archive(other, tmp_path, server.port))
-    other.close()
+    with closing(Store(tmp_path / "other")) as other:
+        add_scan(other, "two", 1000)
+        refused = refusal(open_archive(other, tmp_path, server.port))
     assert refused.code == "archive-foreign"
     assert "Room 2" in refused.line
     assert server.content(f"{tmp_path.name}/") == before

@@ -4,6 +4,7 @@ import json
 import os
 import time
 from collections.abc import Callable
+from contextlib import AbstractContextManager
 from pathlib import Path
 from typing import Any
 
@@ -19,7 +20,7 @@ from app.formats.results.calibration import read_calibration
 from app.operations.services import MonitoringSettings
 from app.store.store import Store
 from app.workflows.reconstruct import reconstruct_cloud
-from tests.api.conftest import running_server
+from tests.api.conftest import Server, running_server
 from tests.archive.filled import add_scan, check_whole, content_of
 from tests.batch.filled import CALIBRATION, fill_station
 from tests.sent_texts import english
@@ -51,21 +52,25 @@ def until(http: httpx.Client, path: str, ready: Callable[[Any], bool]) -> Any:
     return found
 
 
+def archiving_server(store: Store, place: Path) -> AbstractContextManager[Server]:
+    """A station that keeps what it archives for 90 days."""
+    rules = {"url": str(place), "keep_days": 90}
+    settings = ArchiveSettings.model_validate(rules, context=place.parent / "station.toml")
+    return running_server(store.folder, monitoring=MonitoringSettings(archive=settings))
+
+
 def findings(view: Any) -> dict[str, Any]:
     return {item["id"]: item for item in view["health"]["items"]}
 
 
 @pytest.mark.device
 def test_a_scan_that_left_the_disk_is_listed_and_comes_back_while_the_station_runs(
-    tmp_path: Path, place: Path
+    store: Store, place: Path
 ) -> None:
-    store = Store(tmp_path / "data")
     folder = add_old_scan(store, "old")
     before = content_of(folder)
     store.close()
-    rules = {"url": str(place), "keep_days": 90}
-    settings = ArchiveSettings.model_validate(rules, context=tmp_path / "station.toml")
-    with running_server(store.folder, monitoring=MonitoringSettings(archive=settings)) as server:
+    with archiving_server(store, place) as server:
         (scan,) = until(server.http, "/api/scans", lambda scans: bool(scans[0]["note"]))
         assert english(scan["note"]).endswith("crenel archive fetch scans old")
         assert not folder.exists()
@@ -85,8 +90,9 @@ def test_a_scan_that_left_the_disk_is_listed_and_comes_back_while_the_station_ru
         assert server.http.get("/api/scans/old/cloud.ply").content == before["cloud.ply"]
 
 
-def test_the_commands_fill_verify_and_read_an_archive(tmp_path: Path, place: Path) -> None:
-    store = Store(tmp_path / "data")
+def test_the_commands_fill_verify_and_read_an_archive(
+    store: Store, tmp_path: Path, place: Path
+) -> None:
     folder = add_old_scan(store, "old")
     before = content_of(folder)
     file = settings_file(tmp_path, f'[archive]\nurl = "{place}"\nkeep_days = 90\n')
@@ -122,7 +128,6 @@ def test_the_commands_fill_verify_and_read_an_archive(tmp_path: Path, place: Pat
     assert "is not there" in answer
     settings_file(tmp_path, "")
     assert "names no archive" in run("status", status=1)
-    store.close()
 
 
 @pytest.mark.device
@@ -141,16 +146,12 @@ def test_a_scan_that_comes_back_without_its_cloud_gets_it_again(
     recorded_s = (folder / "scan.mcap").stat().st_mtime
     os.utime(folder / "cloud.ply", (recorded_s, recorded_s))
     store.close()
-    rules = {"url": str(place), "keep_days": 90}
-    settings = ArchiveSettings.model_validate(rules, context=tmp_path / "station.toml")
-    with running_server(store.folder, monitoring=MonitoringSettings(archive=settings)) as server:
+    with archiving_server(store, place) as server:
         until(server.http, "/api/scans", lambda scans: scans[0]["away"])
         assert not list(place.glob("scans/old/*/cloud.ply"))
         assert server.http.post("/api/scans/old/fetch").status_code == 202
         until(
-            server.http,
-            "/api/scans",
-            lambda scans: not scans[0]["away"] and not scans[0]["note"],
+            server.http, "/api/scans", lambda scans: not scans[0]["away"] and not scans[0]["note"]
         )
         made = server.http.get("/api/scans/old/cloud.ply")
         assert made.content == expected.read_bytes()

@@ -1,8 +1,6 @@
 """The thread of the archive: at its own pace, again after a failure, and at an end."""
 
 import threading
-import time
-from collections.abc import Callable
 from pathlib import Path
 
 import pytest
@@ -12,17 +10,11 @@ from app.archive.worker import FIRST_PAUSE_S, LONGEST_PAUSE_S, ArchiveWorker, pa
 from app.messages.message import Text
 from app.store.store import Store
 from tests.archive.filled import add_scan, archive_of, check_whole, content_of
+from tests.station.conftest import until
 
 pytestmark = pytest.mark.device
 
 DEADLINE_S = 60.0
-
-
-def wait_until(ready: Callable[[], bool]) -> None:
-    deadline_s = time.monotonic() + DEADLINE_S
-    while not ready():
-        assert time.monotonic() < deadline_s
-        time.sleep(0.01)
 
 
 def test_a_place_that_is_away_is_tried_again_and_reported_once(store: Store, place: Path) -> None:
@@ -32,12 +24,12 @@ def test_a_place_that_is_away_is_tried_again_and_reported_once(store: Store, pla
     worker = ArchiveWorker(archive_of(store, str(place)), said.append, 0.01, 0.01)
     worker.start()
     try:
-        wait_until(lambda: worker.failures >= 3)
+        until(lambda: worker.failures >= 3)
         assert worker.trouble is not None
         assert worker.trouble.code == "archive-missing"
         assert len(said) == 1
         place.mkdir()
-        wait_until(lambda: worker.state().waiting == 0 and worker.trouble is None)
+        until(lambda: worker.state().waiting == 0 and worker.trouble is None)
     finally:
         worker.close()
     assert len(check_whole(content_of(place))) == 1
@@ -61,7 +53,7 @@ def test_a_copy_waits_only_while_a_scan_runs(store: Store, place: Path) -> None:
     slow = Pace(0.01, scanning.is_set)  # a byte takes a hundred seconds
     working = threading.Thread(target=archive_of(store, str(place), pace=slow).run)
     working.start()
-    wait_until(lambda: slow.waited_s > 0)
+    until(lambda: slow.waited_s > 0)
     assert len(check_whole(content_of(place))) == 1
     scanning.clear()
     working.join(DEADLINE_S)
@@ -73,7 +65,7 @@ def test_the_end_of_the_station_ends_a_copy_which_goes_on_later(store: Store, pl
     slow = Pace(0.01, lambda: True)
     worker = ArchiveWorker(archive_of(store, str(place), pace=slow), lambda text: None)
     worker.start()
-    wait_until(lambda: slow.waited_s > 0)
+    until(lambda: slow.waited_s > 0)
     worker.close()
     assert worker.trouble is None
     with pytest.raises(ArchiveEndedError):
