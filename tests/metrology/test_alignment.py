@@ -131,7 +131,7 @@ def test_a_whole_face_mislabelled_is_refused(swap: dict[str, str]) -> None:
     ],
 )
 @pytest.mark.parametrize("count", [1, 3])
-def test_some_contacts_on_a_face_of_their_own_are_refused_by_name(
+def test_some_contacts_on_an_own_face_are_refused_by_name(
     taken: str, called: str, count: int
 ) -> None:
     rng = np.random.default_rng(12)

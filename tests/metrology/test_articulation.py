@@ -70,9 +70,7 @@ def test_every_axis_keeps_every_limit_that_is_set(limits: ArticulationLimits, ve
     assert articulation_verdict(half_range, two_sigma, limits) == verdict
 
 
-def test_too_few_points_and_an_arm_that_hardly_moved_are_refused(
-    session: SimulatedArmSession,
-) -> None:
+def test_few_points_and_an_arm_that_hardly_moved_are_refused(session: SimulatedArmSession) -> None:
     arm, seat = nominal_arm(session.nominal_arm), collect_observations(session).seats[0]
     with pytest.raises(OperationError) as few:
         check_articulation(arm, seat.q_rad[:9], label="set 1")

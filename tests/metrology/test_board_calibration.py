@@ -143,7 +143,7 @@ def without_lines(given: BoardInputs, poses: Sequence[int]) -> BoardInputs:
     return replace(given, observations=tuple(seen))
 
 
-def test_poses_without_a_line_serve_camera_and_mounting(
+def test_poses_without_a_line_still_tell_the_rest(
     given: BoardInputs, found: BoardCalibration
 ) -> None:
     """Better than without them; the plane follows from the others, and they are named."""

@@ -1,6 +1,6 @@
 """The joint refinement against known cameras, and its covariance against scatter."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 
 import cv2
@@ -17,16 +17,18 @@ from app.metrology.calibration.observation_model import (
     edge_rows,
     stripe_rows,
 )
-from app.metrology.detection.detect_block import Corner
+from app.metrology.detection.detect_block import Corner, EdgePoints
 from app.metrology.detection.visibility import visible_corners
 from app.metrology.sensor.camera import Camera, project
 from app.metrology.sensor.faugeras import solve_faugeras
+from app.metrology.sensor.laser_plane import LaserPlane
 from app.metrology.sensor.projection import COUNT, project_with_jacobian, step_camera
 from app.metrology.sensor.triangulation import sensor_points
-from app.metrology.stripe import empty_stripe
+from app.metrology.stripe import Stripe, empty_stripe
 from app.metrology.targets.crenellated_block import corners
 from app.metrology.transforms import Floats, apply, rigid_fit
 from tests.metrology.builders import BLOCK
+from tests.metrology.numerics import differences, rms_length
 from tests.metrology.seen_block import (
     camera_over,
     draw_true_block,
@@ -49,31 +51,41 @@ def linear_start(camera: Camera) -> Camera:
     return solve_faugeras(points, project(camera, points), 1280, 1024).camera
 
 
-def fitted(camera: Camera, seed: int, edge_sd: float = 0.1, stripe_sd: float = 0.14) -> CameraFit:
+def steps_of(count: int, of_matrix: float = 1e-4) -> Floats:
+    """A step of each parameter, of which the first four are those of the camera's matrix."""
+    return np.where(np.arange(count) < 4, of_matrix, 1e-6)
+
+
+def fit_to(
+    camera: Camera, stripe: Stripe, edges: Sequence[EdgePoints] = (), seen: Sequence[Corner] = ()
+) -> CameraFit:
+    """A fit to what ``camera`` shows, which begins without distortion."""
+    start = linear_start(camera)
+    levels = fit_laser_plane(start, BLOCK, stripe)
+    return fit_camera(start, BLOCK, ImageObservations(edges, seen, stripe, levels))
+
+
+def fitted(camera: Camera, seed: int) -> CameraFit:
     """A fit to what ``camera`` shows of a block as far off its certificate as that allows."""
     rng = np.random.default_rng(seed)
     made = draw_true_block(BLOCK, rng)
-    stripe = simulate_stripe(camera, made, PLANE, rng, stripe_sd)
-    stripe = type(stripe)(stripe.u, stripe.v, stripe.intensity, np.full(len(stripe.u), 0.14))
-    start = linear_start(camera)
-    levels = fit_laser_plane(start, BLOCK, stripe)
-    edges = simulate_edges(camera, made, rng, max(edge_sd, 1e-6))
-    return fit_camera(start, BLOCK, ImageObservations(edges, (), stripe, levels))
+    stripe = simulate_stripe(camera, made, PLANE, rng, 0.14)
+    return fit_to(camera, stripe, simulate_edges(camera, made, rng, 0.1))
 
 
-def error_um(fit: CameraFit, camera: Camera) -> float:
+def error_um(camera: Camera, found: Camera, plane: LaserPlane) -> float:
     """Rms error of reconstructed points over the volume, after a rigid fit."""
     uv, points = volume_points(camera, PLANE, BLOCK)
-    found = sensor_points(fit.camera, fit.plane, uv)
-    off = apply(rigid_fit(points, found), found) - points
-    return 1e3 * float(np.sqrt(np.mean(np.sum(off**2, axis=1))))
+    rebuilt = sensor_points(found, plane, uv)
+    return 1e3 * rms_length(apply(rigid_fit(points, rebuilt), rebuilt) - points)
 
 
 @pytest.mark.parametrize("k1", [-0.15, -0.04, 0.0, 0.08])
 @pytest.mark.parametrize("roll", [0.0, 0.4])
 def test_points_come_out_to_micrometres_whatever_the_lens(k1: float, roll: float) -> None:
     camera = camera_over(BLOCK, k1=k1, roll=roll)
-    errors = [error_um(fitted(camera, seed), camera) for seed in range(3)]
+    fits = [fitted(camera, seed) for seed in range(3)]
+    errors = [error_um(camera, fit.camera, fit.plane) for fit in fits]
     assert np.sqrt(np.mean(np.square(errors))) < 2.5
     assert max(errors) < 4
 
@@ -91,15 +103,10 @@ def test_distortion_is_kept_only_where_the_picture_shows_it() -> None:
 
 def test_neglected_distortion_would_cost_much_more() -> None:
     camera = camera_over(BLOCK, k1=-0.1)
-    start = linear_start(camera)
-    rng = np.random.default_rng(0)
-    stripe = simulate_stripe(camera, BLOCK, PLANE, rng, 0.1)
-    linear = fit_laser_plane(start, BLOCK, stripe)
-    uv, points = volume_points(camera, PLANE, BLOCK)
-    found = sensor_points(start, linear.plane, uv)
-    off = apply(rigid_fit(points, found), found) - points
-    neglected = 1e3 * float(np.sqrt(np.mean(np.sum(off**2, axis=1))))
-    assert error_um(fitted(camera, 1), camera) < 0.3 * neglected
+    start, fit = linear_start(camera), fitted(camera, 1)
+    stripe = simulate_stripe(camera, BLOCK, PLANE, np.random.default_rng(0), 0.1)
+    neglected = error_um(camera, start, fit_laser_plane(start, BLOCK, stripe).plane)
+    assert error_um(camera, fit.camera, fit.plane) < 0.3 * neglected
 
 
 def test_the_covariance_foretells_the_scatter_of_points() -> None:
@@ -120,15 +127,13 @@ def test_the_covariance_foretells_the_scatter_of_points() -> None:
 
 def _heights(fit: CameraFit, uv: Floats) -> tuple[Floats, Floats, Floats]:
     """How the points' heights over the plane move with the parameters, and the covariance."""
-    J = np.zeros((len(uv), len(fit.scene.names)))
-    for k in range(COUNT + 3):
-        step = np.zeros(J.shape[1])
-        step[k] = 1e-3 if k < 4 else 1e-6
-        ahead, behind = (
-            sensor_points(moved.camera, moved.plane, uv)
-            for moved in (fit.scene.apply_step(step), fit.scene.apply_step(-step))
-        )
-        J[:, k] = (ahead - behind) @ PLANE.normal / (2 * step[k])
+
+    def heights(step: Floats) -> Floats:
+        moved = fit.scene.apply_step(step)
+        return np.asarray(sensor_points(moved.camera, moved.plane, uv) @ PLANE.normal)
+
+    J = differences(heights, steps_of(len(fit.scene.names), 1e-3))
+    J[:, COUNT + 3 :] = 0.0
     return J, fit.covariance, J
 
 
@@ -138,16 +143,13 @@ def test_a_wrong_edge_and_wild_points_are_left_out() -> None:
     edges = simulate_edges(camera, BLOCK, rng, 0.1)
     for edge in edges[::4]:
         edge.uv_px[::7] += edge.normal[::7] * rng.choice([-4.0, 4.0], (len(edge.uv_px[::7]), 1))
-    stripe = simulate_stripe(camera, BLOCK, PLANE, rng, 0.1)
-    start = linear_start(camera)
-    levels = fit_laser_plane(start, BLOCK, stripe)
-    fit = fit_camera(start, BLOCK, ImageObservations(edges, (), stripe, levels))
+    fit = fit_to(camera, simulate_stripe(camera, BLOCK, PLANE, rng, 0.1), edges)
     wild = np.concatenate(
         [(np.arange(len(e.uv_px)) % 7 == 0) & (i % 4 == 0) for i, e in enumerate(edges)]
     )
     assert not fit.edges.inliers[wild].any()
     assert fit.edges.inliers[~wild].mean() > 0.99
-    assert error_um(fit, camera) < 3
+    assert error_um(camera, fit.camera, fit.plane) < 3
 
 
 def test_corners_alone_serve_where_there_are_no_edges() -> None:
@@ -158,18 +160,14 @@ def test_corners_alone_serve_where_there_are_no_edges() -> None:
     for name in sorted(visible_corners(BLOCK, camera.centre_mm)):
         u, v = project(camera, at[name][None])[0] + rng.normal(0, 0.03, 2)
         seen.append(Corner(name, float(u), float(v), np.eye(2) * 0.03**2))
-    stripe = simulate_stripe(camera, BLOCK, PLANE, rng, 0.1)
-    start = linear_start(camera)
-    levels = fit_laser_plane(start, BLOCK, stripe)
-    fit = fit_camera(start, BLOCK, ImageObservations((), seen, stripe, levels))
-    assert error_um(fit, camera) < 4
+    fit = fit_to(camera, simulate_stripe(camera, BLOCK, PLANE, rng, 0.1), seen=seen)
+    assert error_um(camera, fit.camera, fit.plane) < 4
 
 
 def test_a_picture_without_edges_is_refused() -> None:
     camera = camera_over(BLOCK)
     stripe = simulate_stripe(camera, BLOCK, PLANE, np.random.default_rng(0), 0.1)
     levels = fit_laser_plane(camera, BLOCK, stripe)
-    nothing = ImageObservations((), (), empty_stripe("u"), levels)
     empty = replace(
         levels,
         used=levels.used[:0],
@@ -178,19 +176,12 @@ def test_a_picture_without_edges_is_refused() -> None:
         residuals_mm=np.zeros(0),
     )
     with pytest.raises(OperationError, match="do not determine"):
-        fit_camera(camera, BLOCK, ImageObservations((), (), nothing.stripe, empty))
+        fit_camera(camera, BLOCK, ImageObservations((), (), empty_stripe("u"), empty))
 
 
 def test_projection_and_its_jacobian_agree_with_opencv_and_differences() -> None:
     camera = camera_over(BLOCK, roll=0.3)
-    camera = Camera(
-        camera.matrix,
-        camera.rotation,
-        camera.translation_mm,
-        1280,
-        1024,
-        np.array([-0.1, 0.2, 0.003, -0.002, 0.05]),
-    )
+    camera = replace(camera, distortion=np.array([-0.1, 0.2, 0.003, -0.002, 0.05]))
     points = np.random.default_rng(0).uniform([-25, -11, -11], [21, 13, 16], (40, 3))
     uv, J, by_point = project_with_jacobian(camera, points)
     rvec, _ = cv2.Rodrigues(camera.rotation)
@@ -198,20 +189,10 @@ def test_projection_and_its_jacobian_agree_with_opencv_and_differences() -> None
         points, rvec, camera.translation_mm, camera.matrix, camera.distortion
     )
     np.testing.assert_allclose(uv, reference[:, 0], atol=1e-9)
-    for k in range(COUNT):
-        step = np.zeros(COUNT)
-        step[k] = 1e-4 if k < 4 else 1e-6
-        ahead, behind = (
-            project(step_camera(camera, step), points),
-            project(step_camera(camera, -step), points),
-        )
-        np.testing.assert_allclose(
-            J[:, :, k], (ahead - behind) / (2 * step[k]), rtol=1e-5, atol=1e-4
-        )
-    for k in range(3):
-        shift = np.eye(3)[k] * 1e-5
-        slope = (project(camera, points + shift) - project(camera, points - shift)) / 2e-5
-        np.testing.assert_allclose(by_point[:, :, k], slope, rtol=1e-6, atol=1e-6)
+    slopes = differences(lambda step: project(step_camera(camera, step), points), steps_of(COUNT))
+    np.testing.assert_allclose(J, slopes, rtol=1e-5, atol=1e-4)
+    slopes = differences(lambda shift: project(camera, points + shift), [1e-5] * 3)
+    np.testing.assert_allclose(by_point, slopes, rtol=1e-6, atol=1e-6)
 
 
 @pytest.mark.parametrize("kind", ["edges", "stripe", "corners"])
@@ -234,13 +215,8 @@ def test_observation_rows_have_the_derivatives_that_differences_show(kind: str) 
     rows = of_kind[kind]
     scene = SceneModel(camera, levels.plane, BLOCK)
     found = rows(scene).jacobian
-    for k in range(len(scene.names)):
-        step = np.zeros(len(scene.names))
-        step[k] = 1e-4 if k < 4 else 1e-6
-        ahead, behind = (
-            rows(scene.apply_step(step)).residuals,
-            rows(scene.apply_step(-step)).residuals,
-        )
-        slope = (ahead - behind) / (2 * step[k])
+    steps = steps_of(len(scene.names))
+    slopes = differences(lambda step: rows(scene.apply_step(step)).residuals, steps)
+    for name, by, slope in zip(scene.names, found.T, slopes.T, strict=True):
         largest = max(float(np.abs(slope).max()), 1e-3)
-        np.testing.assert_allclose(found[:, k], slope, atol=2e-4 * largest, err_msg=scene.names[k])
+        np.testing.assert_allclose(by, slope, atol=2e-4 * largest, err_msg=name)

@@ -80,9 +80,7 @@ def test_a_board_that_reads_alike_both_ways_says_so() -> None:
         (replace(BOARD, inner_corners=(9, 6)), "another-board", "object"),
     ],
 )
-def test_another_board_is_refused_with_what_was_found(
-    board: Chessboard, code: str, fault: str
-) -> None:
+def test_another_board_is_refused_and_marked(board: Chessboard, code: str, fault: str) -> None:
     with pytest.raises(DetectionError, match=r"7 × 6|6 × 7") as refused:
         detect_board(picture(POSES[1], Look(laser=False)), board)
     assert (refused.value.code, refused.value.fault) == (code, fault)

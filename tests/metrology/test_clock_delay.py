@@ -154,9 +154,7 @@ def moved(across: Path, along_mm: float = 30.0) -> Path:
         (Setting(seconds=0.9), "pass-too-short"),
     ],
 )
-def test_a_pass_that_does_not_show_the_delay_is_refused_in_words(
-    setting: Setting, code: str
-) -> None:
+def test_a_pass_that_does_not_show_the_delay_is_refused(setting: Setting, code: str) -> None:
     with pytest.raises(OperationError) as refused:
         estimate_delay(passed(setting))
     assert refused.value.code == code

@@ -37,9 +37,7 @@ def rms(values: Floats) -> float:
 
 @pytest.mark.parametrize("pattern", BAYER_PATTERNS)
 @pytest.mark.parametrize("colour", ["red", "green", "blue"])
-def test_raw_pixels_are_those_under_the_colours_filter(
-    pattern: BayerPattern, colour: LaserColour
-) -> None:
+def test_raw_pixels_are_those_under_the_filter(pattern: BayerPattern, colour: LaserColour) -> None:
     levels = {"blue": 10, "green": 20, "red": 30}
     colours = np.zeros((7, 9, 3), np.uint8)
     for name, index in PLANES.items():

@@ -1,21 +1,16 @@
 """Robots identified from what a laser tracker measured: as good as least squares can be, honest."""
 
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
 import numpy as np
 import pytest
 from scipy.optimize import least_squares
 
-from app.errors import OperationError
 from app.metrology.arm.identification.coordinate_rows import coordinate_residuals, coordinate_rows
 from app.metrology.arm.identification.identify import Identification, identify
 from app.metrology.arm.identification.initial_unknowns import initial_unknowns
 from app.metrology.arm.identification.least_squares import apply_change, reduce_system
-from app.metrology.arm.identification.observations import (
-    BASE,
-    ArmObservations,
-    Coordinates,
-)
+from app.metrology.arm.identification.observations import BASE, ArmObservations, Coordinates
 from app.metrology.arm.identification.parameter_selection import candidates_of
 from app.metrology.arm.identification.parameters import (
     parameter_names,
@@ -33,11 +28,15 @@ from app.metrology.transforms import (
     se3_exp,
     vector_from_rotation,
 )
+from tests.metrology.numerics import differences, rms_length
+from tests.metrology.refusals import refusal_of
 from tests.running.usual import usual
 from tests.simulated_robots import Tracker, ball_bar, built, measure, postures, robot, swing
 from tests.uncertainty_ratio import EXACT, ratio_of_rms
 
 pytestmark = pytest.mark.slow
+
+REFLECTOR = Tip(-40.0, 60.0, 25.0, 1.0)
 
 
 def plain_least_squares(arm: Arm, found: Coordinates, names: list[str]) -> tuple[Arm, Floats]:
@@ -58,10 +57,30 @@ def plain_least_squares(arm: Arm, found: Coordinates, names: list[str]) -> tuple
     return unpacked(least_squares(off, np.zeros(6 + len(moved)), x_scale="jac").x)
 
 
+@dataclass(frozen=True)
+class Measured:
+    """A robot by its datasheet and as it is built, and a tracker beside it."""
+
+    rng: np.random.Generator
+    arm: Arm
+    true: Arm
+    tracker: Tracker
+
+    def exact(self, count: int) -> Coordinates:
+        """Points without noise to check a fit by."""
+        tracker = replace(self.tracker, sd_mm=0.0)
+        return measure(self.true, postures(self.arm, count, self.rng), tracker, self.rng)
+
+
+def drawn(seed: int, axes: int = 6) -> Measured:
+    rng = np.random.default_rng(seed)
+    arm = robot(axes)
+    return Measured(rng, arm, built(arm, rng), Tracker.somewhere(rng))
+
+
 def held_out_mm(arm: Arm, T_tracker_arm: Floats, check: Coordinates) -> float:
     """Rms distance of points that no fit has seen."""
-    off = apply(T_tracker_arm, tip_centres(arm, check.q_rad)) - check.points_mm
-    return float(np.sqrt(np.mean(np.sum(off**2, axis=1))))
+    return rms_length(apply(T_tracker_arm, tip_centres(arm, check.q_rad)) - check.points_mm)
 
 
 def identified(arm: Arm, *found: Coordinates) -> Identification:
@@ -71,11 +90,10 @@ def identified(arm: Arm, *found: Coordinates) -> Identification:
 @pytest.mark.parametrize("axes", usual([7, 6], 1, pytest.mark.soak))
 @pytest.mark.parametrize("poses", usual([50, 200], 1, pytest.mark.soak))
 def test_as_good_as_least_squares_on_the_same_coordinates(axes: int, poses: int) -> None:
-    rng = np.random.default_rng(axes * poses)
-    arm = robot(axes)
-    true, tracker = built(arm, rng), Tracker.somewhere(rng)
-    found = measure(true, postures(arm, poses, rng), tracker, rng)
-    check = measure(true, postures(arm, 400, rng), replace(tracker, sd_mm=0.0), rng)
+    case = drawn(axes * poses, axes)
+    arm = case.arm
+    found = measure(case.true, postures(arm, poses, case.rng), case.tracker, case.rng)
+    check = case.exact(400)
     result = identified(arm, found)
     peer, T = plain_least_squares(arm, found, [one.name for one in result.changes])
     ours = held_out_mm(result.arm, result.frames[0].T_frame_arm, check)
@@ -91,31 +109,27 @@ def test_as_good_as_least_squares_on_the_same_coordinates(axes: int, poses: int)
 
 
 def test_wrong_points_are_named_and_do_no_harm() -> None:
-    rng = np.random.default_rng(3)
-    arm = robot(6)
-    true, tracker = built(arm, rng), Tracker.somewhere(rng)
-    q = postures(arm, 80, rng)
-    bad = measure(true, q, tracker, np.random.default_rng(1), outliers=6)
-    good = measure(true, q, tracker, np.random.default_rng(1))
+    case = drawn(3)
+    arm, q = case.arm, postures(case.arm, 80, case.rng)
+    bad = measure(case.true, q, case.tracker, np.random.default_rng(1), outliers=6)
+    good = measure(case.true, q, case.tracker, np.random.default_rng(1))
     wrong = np.flatnonzero(np.linalg.norm(bad.points_mm - good.points_mm, axis=1) > 1.0)
     result = identified(arm, bad)
     assert {one.number for one in result.outliers} == {bad.lines[i] for i in wrong}
     right = good.part(~np.isin(np.arange(80), wrong))
     peer, T = plain_least_squares(arm, right, [one.name for one in result.changes])
-    check = measure(true, postures(arm, 300, rng), replace(tracker, sd_mm=0.0), rng)
+    check = case.exact(300)
     ours = held_out_mm(result.arm, result.frames[0].T_frame_arm, check)
     assert ours < 1.03 * held_out_mm(peer, T, check)
 
 
 def test_full_poses_know_the_arm_better() -> None:
-    rng = np.random.default_rng(8)
-    arm = robot(6)
-    true, tracker = built(arm, rng), Tracker.somewhere(rng)
-    q = postures(arm, 60, rng)
-    check = measure(true, postures(arm, 400, rng), replace(tracker, sd_mm=0.0), rng)
+    case = drawn(8)
+    q, check = postures(case.arm, 60, case.rng), case.exact(400)
     errors: list[float] = []
     for full in (False, True):
-        result = identified(arm, measure(true, q, tracker, np.random.default_rng(2), full))
+        found = measure(case.true, q, case.tracker, np.random.default_rng(2), full)
+        result = identified(case.arm, found)
         errors.append(held_out_mm(result.arm, result.frames[0].T_frame_arm, check))
     assert errors[1] < errors[0]
     turned = result.markers[0].rotation
@@ -128,13 +142,12 @@ def test_full_poses_know_the_arm_better() -> None:
 
 @pytest.mark.parametrize("full", usual([True, False], 1, pytest.mark.soak))
 def test_the_covariance_is_the_scatter_of_repeated_measurements(full: bool) -> None:
-    rng = np.random.default_rng(17)
-    arm = robot(6)
-    true, tracker = built(arm, rng), Tracker.somewhere(rng)
-    q = postures(arm, 60, rng)
+    case = drawn(17)
+    arm, q = case.arm, postures(case.arm, 60, case.rng)
 
     def repeated() -> ArmObservations:
-        return ArmObservations(coordinates=(measure(true, q, tracker, rng, full),))
+        found = measure(case.true, q, case.tracker, case.rng, full)
+        return ArmObservations(coordinates=(found,))
 
     first = repeated()
     choice = candidates_of(arm, first)
@@ -155,11 +168,8 @@ def test_held_is_held_and_what_moved_is_listed(axes: int, poses: int) -> None:
     rng = np.random.default_rng(poses)
     arm = robot(axes)
     found = measure(built(arm, rng), postures(arm, poses, rng), Tracker.somewhere(rng, 0.3), rng)
-    fit = fit_arm(
-        arm,
-        ArmObservations(coordinates=(found,)).stacked,
-        candidates_of(arm, ArmObservations(coordinates=(found,))),
-    )
+    given = ArmObservations(coordinates=(found,))
+    fit = fit_arm(arm, given.stacked, candidates_of(arm, given))
     before, after = parameter_values(arm), parameter_values(fit.at.arm)
     held = np.setdiff1d(np.arange(len(before)), fit.moved)
     np.testing.assert_array_equal(after[held], before[held])
@@ -172,7 +182,7 @@ def test_markers_and_set_ups_are_found() -> None:
     rng = np.random.default_rng(5)
     arm = robot(6)
     true = built(arm, rng)
-    reflector = replace(true, tip=Tip(-40.0, 60.0, 25.0, 1.0))
+    reflector = replace(true, tip=REFLECTOR)
     first, second = Tracker.somewhere(rng), Tracker.somewhere(rng)
     found = (
         measure(true, postures(arm, 40, rng), first, rng, frame="a"),
@@ -188,7 +198,7 @@ def test_markers_and_set_ups_are_found() -> None:
         assert np.linalg.norm(off) < 2.0
     marker = next(one for one in result.markers if one.name == "r")
     assert marker.standard_uncertainty_mm is not None
-    assert np.linalg.norm(marker.offset_mm - [-40.0, 60.0, 25.0]) < 2.0
+    assert np.linalg.norm(marker.offset_mm - REFLECTOR.centre_mm) < 2.0
     check = measure(reflector, postures(arm, 100, rng), first, rng)
     x, y, z = (float(one) for one in marker.offset_mm)
     seen = replace(result.arm, tip=Tip(x, y, z, 1.0))
@@ -196,22 +206,18 @@ def test_markers_and_set_ups_are_found() -> None:
 
 
 def test_coordinates_stand_beside_seats() -> None:
-    rng = np.random.default_rng(6)
-    arm = robot(6)
-    true, tracker = built(arm, rng), Tracker.somewhere(rng)
-    reflector = replace(true, tip=Tip(-40.0, 60.0, 25.0, 1.0))
-    measured = measure(reflector, postures(arm, 60, rng), tracker, rng, marker="r")
-    seats = tuple(swing(true, f"S{i}", rng) for i in range(3))
+    case = drawn(6)
+    rng, arm = case.rng, case.arm
+    reflector = replace(case.true, tip=REFLECTOR)
+    measured = measure(reflector, postures(arm, 60, rng), case.tracker, rng, marker="r")
+    seats = tuple(swing(case.true, f"S{i}", rng) for i in range(3))
     result = identify(arm, ArmObservations(seats, coordinates=(measured,)))
     assert {"tip.x_mm", "tip.y_mm", "tip.z_mm"} <= {one.name for one in result.changes}
     assert result.validation.after.seats_um is not None
     assert result.validation.after.coordinates_um is not None
-    check = measure(true, postures(arm, 200, rng), replace(tracker, sd_mm=0.0), rng)
-    assert held_out_mm(result.arm, result.frames[0].T_frame_arm, check) < 0.1
-    unnamed = replace(measured, marker="tip")
-    with pytest.raises(OperationError) as caught:
-        identify(arm, ArmObservations(seats, coordinates=(unnamed,)))
-    assert caught.value.code == "marker-not-tip"
+    assert held_out_mm(result.arm, result.frames[0].T_frame_arm, case.exact(200)) < 0.1
+    unnamed = ArmObservations(seats, coordinates=(replace(measured, marker="tip"),))
+    assert refusal_of(identify, arm, unnamed).code == "marker-not-tip"
 
 
 def test_a_bar_of_another_length_contradicts_the_coordinates() -> None:
@@ -223,22 +229,26 @@ def test_a_bar_of_another_length_contradicts_the_coordinates() -> None:
     result = identify(arm, ArmObservations(bars=tuple(good), coordinates=(found,)))
     assert not any("B1" in str(text) for text in result.warnings)
     wrong = tuple(replace(bar, length_mm=300.5) for bar in good)
-    with pytest.raises(OperationError) as caught:
-        identify(arm, ArmObservations(bars=wrong, coordinates=(found,)))
-    assert caught.value.code == "bar-length"
-    assert "bar B1" in str(caught.value.what)
-    assert "coordinates scatter" in str(caught.value.why)
+    refusal = refusal_of(identify, arm, ArmObservations(bars=wrong, coordinates=(found,)))
+    assert refusal.code == "bar-length"
+    assert "bar B1" in str(refusal.what)
+    assert "coordinates scatter" in str(refusal.why)
+
+
+def with_longer(arm: Arm, name: str, by_mm: float) -> Arm:
+    """An arm of which one parameter is larger."""
+    values = parameter_values(arm)
+    values[parameter_names(arm).index(name)] += by_mm
+    return with_parameters(arm, values)
 
 
 def test_a_given_marker_shows_the_last_link() -> None:
     rng = np.random.default_rng(9)
     arm = robot(6)
     true = built(arm, rng)
-    values, names = parameter_values(true), parameter_names(true)
-    values[names.index("J6.d_mm")] += 0.4
-    true = replace(with_parameters(true, values), tip=Tip(-40.0, 60.0, 25.0, 1.0))
+    true = replace(with_longer(true, "J6.d_mm", 0.4), tip=REFLECTOR)
     found = measure(true, postures(arm, 80, rng), Tracker.somewhere(rng), rng, marker="r")
-    result = identified(arm, replace(found, offset_mm=np.array([-40.0, 60.0, 25.0])))
+    result = identified(arm, replace(found, offset_mm=REFLECTOR.centre_mm))
     change = next(one for one in result.changes if one.name == "J6.d_mm")
     assert abs(change.after - 72.4) < 4 * change.standard_uncertainty
     assert result.markers[0].standard_uncertainty_mm is None
@@ -248,10 +258,7 @@ def test_a_given_marker_shows_the_last_link() -> None:
 def test_coordinates_in_the_arms_own_frame_move_its_base() -> None:
     rng = np.random.default_rng(10)
     arm = robot(6)
-    true = built(arm, rng)
-    values, names = parameter_values(true), parameter_names(true)
-    values[names.index("J1.d_mm")] += 0.5
-    true = with_parameters(true, values)
+    true = with_longer(built(arm, rng), "J1.d_mm", 0.5)
     found = measure(true, postures(arm, 80, rng), Tracker(np.eye(4)), rng, frame=BASE)
     result = identified(arm, found)
     change = next(one for one in result.changes if one.name == "J1.d_mm")
@@ -269,34 +276,25 @@ def test_every_derivative_agrees_with_numerical_differences() -> None:
     at, scatter = initial_unknowns(arm, data), Scatter(1.0, 1.0, 1.0)
     rows = coordinate_rows(data, at, columns, scatter)
     system = reduce_system(data, at, columns, np.ones(8), scatter)
-    for k in range(rows.shape[2] - 1):
-        change = np.zeros(rows.shape[2] - 1)
-        change[k] = 1e-5
-        ahead = apply_change(data, at, columns, change, system)
-        behind = apply_change(data, at, columns, -change, system)
-        off = [coordinate_residuals(data, one, scatter).whitened for one in (ahead, behind)]
-        np.testing.assert_allclose(rows[:, :, k], (off[0] - off[1]) / 2e-5, atol=2e-2, rtol=1e-3)
+
+    def whitened(change: Floats) -> Floats:
+        changed = apply_change(data, at, columns, change, system)
+        return coordinate_residuals(data, changed, scatter).whitened
+
+    slopes = differences(whitened, [1e-5] * (rows.shape[2] - 1))
+    np.testing.assert_allclose(rows[:, :, :-1], slopes, atol=2e-2, rtol=1e-3)
 
 
 @pytest.fixture(scope="module")
-def session() -> tuple[Arm, Arm, Tracker, Coordinates]:
-    rng = np.random.default_rng(2)
-    arm = robot(6)
-    true, tracker = built(arm, rng), Tracker.somewhere(rng)
-    return arm, true, tracker, measure(true, postures(arm, 60, rng), tracker, rng, True)
+def session() -> tuple[Measured, Coordinates]:
+    case = drawn(2)
+    q = postures(case.arm, 60, case.rng)
+    return case, measure(case.true, q, case.tracker, case.rng, True)
 
 
-def refused(arm: Arm, *found: Coordinates) -> OperationError:
-    with pytest.raises(OperationError) as caught:
-        identified(arm, *found)
-    return caught.value
-
-
-def test_coordinates_in_metres_are_recognised(
-    session: tuple[Arm, Arm, Tracker, Coordinates],
-) -> None:
-    arm, _, _, found = session
-    refusal = refused(arm, replace(found, points_mm=found.points_mm / 1000))
+def test_coordinates_in_metres_are_recognised(session: tuple[Measured, Coordinates]) -> None:
+    case, found = session
+    refusal = refusal_of(identified, case.arm, replace(found, points_mm=found.points_mm / 1000))
     assert refusal.code == "coordinates-unit"
     assert "metres" in str(refusal.why)
     assert "millimetres" in str(refusal.remedy)
@@ -304,14 +302,15 @@ def test_coordinates_in_metres_are_recognised(
 
 @pytest.mark.parametrize("later", usual([10, 30], 1, pytest.mark.soak))
 def test_points_of_two_set_ups_under_one_name_are_refused(
-    session: tuple[Arm, Arm, Tracker, Coordinates], later: int
+    session: tuple[Measured, Coordinates], later: int
 ) -> None:
-    arm, true, _, found = session
+    case, found = session
+    arm, true = case.arm, case.true
     rng = np.random.default_rng(1)
     other = measure(true, postures(arm, later, rng), Tracker.somewhere(rng), rng, True)
     other = replace(other, lines=tuple(range(100, 100 + later)))
     first = found.part(np.arange(60) < 40)
-    refusal = refused(arm, first, other)
+    refusal = refusal_of(identified, arm, first, other)
     assert refusal.code == "frames-mixed"
     assert "column frame" in str(refusal.remedy)
     assert "line 100" in str(refusal.what)
@@ -319,27 +318,27 @@ def test_points_of_two_set_ups_under_one_name_are_refused(
     assert len(identified(arm, first, named).frames) == 2
 
 
-def test_rotations_in_another_order_are_refused(
-    session: tuple[Arm, Arm, Tracker, Coordinates],
-) -> None:
-    arm, _, _, found = session
+def test_rotations_in_another_order_are_refused(session: tuple[Measured, Coordinates]) -> None:
+    case, found = session
     assert found.rotations is not None
-    refusal = refused(arm, replace(found, rotations=np.swapaxes(found.rotations, 1, 2)))
-    assert refusal.code == "rotations-do-not-fit"
+    other = replace(found, rotations=np.swapaxes(found.rotations, 1, 2))
+    assert refusal_of(identified, case.arm, other).code == "rotations-do-not-fit"
 
 
-def test_fewer_poses_than_unknowns_are_refused(
-    session: tuple[Arm, Arm, Tracker, Coordinates],
-) -> None:
-    arm, true, tracker, _ = session
+def test_fewer_poses_than_unknowns_are_refused(session: tuple[Measured, Coordinates]) -> None:
+    case, _ = session
     rng = np.random.default_rng(1)
-    refusal = refused(arm, measure(true, postures(arm, 8, rng), tracker, rng))
+
+    def of_poses(count: int) -> Coordinates:
+        return measure(case.true, postures(case.arm, count, rng), case.tracker, rng)
+
+    refusal = refusal_of(identified, case.arm, of_poses(8))
     assert refusal.code == "too-few-points"
     assert "coordinates.csv" in str(refusal.what)
     assert "8 poses" in str(refusal.what)
-    few = identified(arm, measure(true, postures(arm, 15, rng), tracker, rng))
+    few = identified(case.arm, of_poses(15))
     assert any("15 poses" in str(text) for text in few.warnings)
-    assert refused(arm, measure(true, postures(arm, 3, rng), tracker, rng)).code.startswith("too")
+    assert refusal_of(identified, case.arm, of_poses(3)).code.startswith("too")
 
 
 def test_angles_of_other_poses_are_refused() -> None:
@@ -348,28 +347,25 @@ def test_angles_of_other_poses_are_refused() -> None:
     arm = robot(6)
     arm = replace(arm, joints=arm.joints[:4])
     found = measure(built(arm, rng), postures(arm, 30, rng), Tracker.somewhere(rng), rng, True)
-    assert refused(arm, replace(found, q_rad=found.q_rad[::-1])).code == "arm-does-not-fit"
+    backwards = replace(found, q_rad=found.q_rad[::-1])
+    assert refusal_of(identified, arm, backwards).code == "arm-does-not-fit"
     joints = list(arm.joints)
     joints[1] = replace(joints[1], sign=-1)
-    assert refused(replace(arm, joints=tuple(joints)), found).code in (
-        "arm-does-not-fit",
-        "coordinates-unit",
-    )
+    refusal = refusal_of(identified, replace(arm, joints=tuple(joints)), found)
+    assert refusal.code in ("arm-does-not-fit", "coordinates-unit")
 
 
-def test_a_separate_set_up_checks_the_result(
-    session: tuple[Arm, Arm, Tracker, Coordinates],
-) -> None:
-    arm, true, tracker, found = session
+def test_a_separate_set_up_checks_the_result(session: tuple[Measured, Coordinates]) -> None:
+    case, found = session
+    arm, true, tracker = case.arm, case.true, case.tracker
     rng = np.random.default_rng(7)
     moved = replace(tracker, T_tracker_arm=inverse(tracker.T_tracker_arm))
     check = (
         measure(true, postures(arm, 20, rng), tracker, rng, True),
         measure(true, postures(arm, 20, rng), moved, rng, True, frame="another day"),
     )
-    result = identify(
-        arm, ArmObservations(coordinates=(found,)), ArmObservations(coordinates=check)
-    )
+    given = ArmObservations(coordinates=(found,))
+    result = identify(arm, given, ArmObservations(coordinates=check))
     assert result.validation.separate
     assert result.validation.places == 40
     assert result.validation.after.coordinates_um == pytest.approx(87, rel=0.3)

@@ -133,9 +133,7 @@ def test_a_mirrored_certificate_is_refused(plain: RenderedBlock) -> None:
 @pytest.mark.parametrize(
     ("edge", "by_mm"), usual([(0, 0.15), (7, 1.0), (3, 1.0), (4, 0.15)], {0, 2}, pytest.mark.soak)
 )
-def test_one_edge_of_other_measure_is_refused(
-    plain: RenderedBlock, edge: int, by_mm: float
-) -> None:
+def test_one_edge_of_other_size_is_refused(plain: RenderedBlock, edge: int, by_mm: float) -> None:
     edges = list(plain.block.edges_x_mm)
     edges[edge] += by_mm
     refusal = refused(plain.image, replace(plain.block, edges_x_mm=tuple(edges)))

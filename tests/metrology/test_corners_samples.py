@@ -81,9 +81,7 @@ def test_the_camera_may_be_rolled(samples: Path, quarter: int) -> None:
 @pytest.mark.parametrize(
     ("angle_deg", "zoom"), usual([(87.0, 1.0), (0.0, 1.18)], 1, pytest.mark.soak)
 )
-def test_merlons_of_one_pitch_are_read_from_the_right_side(
-    samples: Path, angle_deg: float, zoom: float
-) -> None:
+def test_merlons_of_one_pitch_are_read_right(samples: Path, angle_deg: float, zoom: float) -> None:
     session = samples / "one-pose"
     image = picture_of(session, 0)
     height, width = image.shape

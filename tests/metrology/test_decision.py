@@ -11,9 +11,7 @@ from app.metrology.decision import EXPANDED_K2, GUARDED_95, SIMPLE, Bearer, deci
     ("value", "decision"),
     [(79.9, "pass"), (-80.0, "pass"), (80.1, "uncertain"), (120.0, "uncertain"), (-120.1, "fail")],
 )
-def test_a_limit_is_kept_or_passed_only_by_more_than_the_guard_band(
-    value: float, decision: str
-) -> None:
+def test_a_limit_is_kept_or_passed_by_more_than_the_guard_band(value: float, decision: str) -> None:
     assert decide(value, 100.0, 10.0, EXPANDED_K2) == decision
     assert decide(value, None, 10.0, EXPANDED_K2) == "none"
 

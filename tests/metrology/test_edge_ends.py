@@ -59,9 +59,7 @@ def test_a_block_that_is_as_its_certificate_says(shown: RenderedBlock) -> None:
 
 @pytest.mark.parametrize("edge", [0, 1, 4, 7])
 @pytest.mark.parametrize("by_mm", [-1.4, -0.9, 0.9, 1.4])
-def test_the_size_that_is_wrong_is_named_and_by_how_much(
-    shown: RenderedBlock, edge: int, by_mm: float
-) -> None:
+def test_a_wrong_size_is_named_with_amount(shown: RenderedBlock, edge: int, by_mm: float) -> None:
     grey = shown.image.astype(float)
     found = surveyed(shown, grey, with_wrong_size(shown.block, edge, by_mm))
     against = elsewhere_by_ends(grey, found)
@@ -78,7 +76,7 @@ def test_the_size_that_is_wrong_is_named_and_by_how_much(
 
 
 @pytest.mark.parametrize("other_end_shows", [True, False])
-def test_a_thing_over_one_corner_is_no_wrong_size(
+def test_a_thing_over_a_corner_is_no_wrong_size(
     shown: RenderedBlock, other_end_shows: bool
 ) -> None:
     grey = covered(shown, shown.image.astype(float), "crest:1:R:back")
@@ -140,9 +138,7 @@ def striped(
     return grey
 
 
-def test_an_end_of_the_base_where_it_should_be_outweighs_crests_that_end_short(
-    shown: RenderedBlock,
-) -> None:
+def test_an_end_of_the_base_in_place_outweighs_crests_that_end_short(shown: RenderedBlock) -> None:
     grey = striped(shown, "crest:3:R", 14, 15, 128.0)
     assert elsewhere_by_ends(grey, surveyed(shown, grey, shown.block)) is None
 

@@ -39,9 +39,7 @@ def test_the_block_itself_is_nowhere_shifted(plain: RenderedBlock) -> None:
 
 
 @pytest.mark.parametrize(("edge", "by_mm"), [(2, 0.08), (3, -0.08), (5, 0.08)])
-def test_a_side_of_a_merlon_is_reported_with_its_amount(
-    plain: RenderedBlock, edge: int, by_mm: float
-) -> None:
+def test_a_merlons_side_is_named_with_amount(plain: RenderedBlock, edge: int, by_mm: float) -> None:
     x = list(plain.block.edges_x_mm)
     x[edge] += by_mm
     shift = reported(plain, replace(plain.block, edges_x_mm=tuple(x)))
@@ -65,7 +63,7 @@ def test_a_side_whose_edges_do_not_show_is_named(plain: RenderedBlock) -> None:
 
 
 @pytest.mark.parametrize(("aside_mm", "measured"), [(-0.05, False), (0.05, False), (25.0, True)])
-def test_a_face_seen_edge_on_is_not_measured(
+def test_a_face_edge_on_is_not_measured(
     plain: RenderedBlock, aside_mm: float, measured: bool
 ) -> None:
     """A camera in the plane of the block's left end: what it sees there may be either edge."""
@@ -83,7 +81,7 @@ def test_a_face_seen_edge_on_is_not_measured(
 
 
 @pytest.mark.parametrize("enlarged", [1e4, 1e7])
-def test_a_hypothesis_with_an_absurd_camera_takes_no_memory(
+def test_a_guess_with_an_absurd_camera_takes_no_memory(
     plain: RenderedBlock, enlarged: float
 ) -> None:
     """Its edges appear millions of pixels long."""
@@ -98,7 +96,7 @@ def test_a_hypothesis_with_an_absurd_camera_takes_no_memory(
     assert align_camera_to_edges(grey, frame, absurd, 8.0) is None
 
 
-def test_a_hypothesis_with_the_block_behind_the_camera_is_given_up(plain: RenderedBlock) -> None:
+def test_a_guess_with_the_block_behind_the_camera_is_given_up(plain: RenderedBlock) -> None:
     behind = replace(plain.camera, translation_mm=plain.camera.translation_mm * [1, 1, -1])
     grey, _ = grey_levels(plain.image)
     assert align_camera_to_edges(grey, wireframe(plain.block), behind, 8.0) is None

@@ -40,9 +40,7 @@ def test_single_wrong_readings_are_left_out_and_nothing_else(rate_hz: float, bit
 
 @OF_ENCODERS
 @OF_RATES
-def test_an_encoder_that_slipped_is_refused_until_the_arm_connects_again(
-    rate_hz: float, bits: int
-) -> None:
+def test_a_slipped_encoder_is_refused_until_the_arm_reconnects(rate_hz: float, bits: int) -> None:
     for degrees in SLIPS[rate_hz]:
         q = sweep(rate_hz, 6.0)
         slips, again = int(2.2 * rate_hz), int(4.5 * rate_hz)
@@ -109,7 +107,7 @@ def test_a_fine_encoder_frozen_from_the_start_is_found(rate_hz: float) -> None:
         pytest.mark.soak,
     ),
 )
-def test_an_encoder_frozen_in_mid_sweep_is_found_and_reported_within_a_second(
+def test_an_encoder_frozen_in_a_sweep_is_reported_within_a_second(
     rate_hz: float, bits: int
 ) -> None:
     q, freezes = read(sweep(rate_hz, 5.0, 3.0), bits), int(3.2 * rate_hz)

@@ -82,7 +82,7 @@ def first_met(camera: Camera, uv: Floats) -> list[str]:
 
 
 @pytest.mark.parametrize(("azimuth", "elevation"), [(0.0, 1.0), (0.45, 0.8), (-0.4, 1.3)])
-def test_each_pixel_is_given_the_level_that_its_ray_meets_first(
+def test_a_pixel_is_given_the_level_that_its_ray_meets_first(
     azimuth: float, elevation: float
 ) -> None:
     camera = camera_over(BLOCK, azimuth, elevation)

@@ -103,7 +103,7 @@ def test_what_is_no_cylinder_is_refused() -> None:
     ("shape", "parameter"),
     usual([("plane", 0), ("sphere", 3), ("cylinder", 4)], 2, pytest.mark.soak),
 )
-def test_claims_hold_though_the_points_of_a_frame_err_together(
+def test_claims_hold_though_points_of_a_frame_err_together(
     shape: ShapeName, parameter: int
 ) -> None:
     """The error over the claim is about one; taken for independent the points claim a tenth."""

@@ -41,9 +41,7 @@ def converted(modified: Arm) -> Arm:
 
 @pytest.mark.parametrize("joints", JOINTS)
 @pytest.mark.parametrize("with_errors", [False, True])
-def test_the_converted_arm_is_the_modified_one_of_the_toolbox(
-    joints: int, with_errors: bool
-) -> None:
+def test_the_converted_arm_is_that_of_the_toolbox(joints: int, with_errors: bool) -> None:
     rng = np.random.default_rng(joints)
     for _ in range(5):
         modified = random_arm(rng, joints, with_errors)

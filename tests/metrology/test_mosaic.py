@@ -39,9 +39,7 @@ def raw_of(colours: NDArray[np.uint8], pattern: BayerPattern) -> NDArray[np.uint
 @pytest.mark.parametrize("pattern", BAYER_PATTERNS)
 @pytest.mark.parametrize("colour", ["red", "green", "blue"])
 @pytest.mark.parametrize("width_px", [3.0, 20.0])
-def test_a_laser_line_alone_shows_a_mosaic(
-    pattern: BayerPattern, colour: LaserColour, width_px: float
-) -> None:
+def test_a_line_shows_a_mosaic(pattern: BayerPattern, colour: LaserColour, width_px: float) -> None:
     light = render_colours(colour, width_px)
     assert shows_mosaic(mosaic(expose(light, seed=1), pattern))
     assert shows_mosaic(mosaic(expose(4.0 * light, seed=1), pattern))  # clipped

@@ -86,7 +86,7 @@ def test_a_certificate_that_counts_more_is_recognised(
 
 
 @pytest.mark.parametrize("share", [0.2, 0.3])
-def test_corners_too_near_to_the_edge_of_the_picture_are_not_called_blurred(
+def test_corners_near_the_edge_of_the_picture_are_not_called_blurred(
     real: Path, share: float
 ) -> None:
     image = read(real / "boards" / "carnd" / "calibration9.jpg")
@@ -125,9 +125,7 @@ def test_a_board_on_a_screen_is_not_taken_for_the_one_that_is_cut_off(real: Path
         pytest.mark.soak,
     ),
 )
-def test_a_strip_across_a_board_is_named(
-    real: Path, folder: str, name: str, first: int, last: int
-) -> None:
+def test_a_strip_across_is_named(real: Path, folder: str, name: str, first: int, last: int) -> None:
     columns, rows = SETS[folder]
     image = read(real / "boards" / folder / name)
     whole = detect_board(image, board(columns, rows))

@@ -58,9 +58,7 @@ def bound(width_px: float, amplitude: float, read: float, gain: float) -> float:
 @pytest.mark.parametrize(
     ("width_px", "amplitude"), [(1.2, 150), (2.0, 150), (2.0, 30), (3.5, 150), (2.0, 60)]
 )
-def test_points_scatter_as_the_noise_allows_and_as_they_say(
-    width_px: float, amplitude: float
-) -> None:
+def test_points_scatter_as_noise_allows_and_as_they_say(width_px: float, amplitude: float) -> None:
     found = [
         (extract_stripe(image), centre)
         for image, centre in (
@@ -77,9 +75,7 @@ def test_points_scatter_as_the_noise_allows_and_as_they_say(
 
 @given(st.integers(0, 2**32 - 1), st.floats(1.1, 4.0), st.floats(75, 220), st.floats(-0.2, 0.25))
 @settings(max_examples=25, deadline=None)
-def test_any_stripe_is_followed_without_bias(
-    seed: int, width_px: float, amplitude: float, tilt: float
-) -> None:
+def test_any_stripe_is_unbiased(seed: int, width_px: float, amplitude: float, tilt: float) -> None:
     image, centre = rendered(width_px, amplitude, tilt=tilt, seed=seed)
     stripe = extract_stripe(image)
     error = errors(stripe, centre)
@@ -101,9 +97,7 @@ def test_an_overexposed_stripe_is_placed_by_its_flanks() -> None:
 
 
 @pytest.mark.parametrize(("width_px", "amplitude"), [(2.0, 1000), (3.0, 1000), (4.5, 2000)])
-def test_an_overexposed_stripe_scatters_as_the_noise_allows_and_as_it_says(
-    width_px: float, amplitude: float
-) -> None:
+def test_an_overexposed_stripe_scatters_as_it_says(width_px: float, amplitude: float) -> None:
     error, pull = [], []
     for seed in range(6):
         image, centre = rendered(width_px, amplitude, gain=0.15, tilt=0.03 * seed, seed=seed)

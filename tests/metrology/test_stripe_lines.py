@@ -218,7 +218,7 @@ def test_a_compressed_saturated_line_is_found(quality: int, width_px: float) -> 
 
 
 @pytest.mark.parametrize(("width_px", "height", "power"), [(30.0, 220, 8.0), (40.0, 150, 6.0)])
-def test_the_uncertainty_of_a_flat_top_is_what_it_scatters_by(
+def test_the_scatter_of_a_flat_top_is_as_stated(
     width_px: float, height: float, power: float
 ) -> None:
     bent = 8 * np.sin(np.arange(WIDTH) / 200)

@@ -47,9 +47,7 @@ REFLECTION = np.where(np.abs(U - 250) < 20, 160.0, np.where(np.abs(U - 250) < 15
     ("rule", "on_main", "on_upper"),
     [("continuity", 1, 0), ("strength", 0.92, 0.08), ("first", 0.42, 0.58), ("last", 1, 0)],
 )
-def test_of_several_peaks_the_rule_chooses(
-    rule: PeakChoice, on_main: float, on_upper: float
-) -> None:
+def test_of_many_peaks_the_rule_chooses(rule: PeakChoice, on_main: float, on_upper: float) -> None:
     image = picture((MAIN, steady(100)), (MAIN - 70, REFLECTION))
     stripe = extract_stripe(image, settings=StripeSettings(choice=rule))
     assert share_on(stripe, MAIN) == pytest.approx(on_main, abs=0.03)

@@ -27,9 +27,7 @@ PLANS = {
 @pytest.mark.parametrize(
     ("seed", "plan"), usual(enumerate(PLANS.values(), 501), {0, 3, 4}, pytest.mark.soak), ids=PLANS
 )
-def test_points_are_rebuilt_where_the_light_fell(
-    seed: int, plan: SessionPlan, tmp_path: Path
-) -> None:
+def test_points_lie_where_the_light_fell(seed: int, plan: SessionPlan, tmp_path: Path) -> None:
     render_session(tmp_path, seed, plan)
     session = read_session(tmp_path)
     found = calibrate_one_pose(one_pose_inputs(session, session.poses[0]))

@@ -57,9 +57,7 @@ def spans(block: Crenellated, eye: Floats) -> dict[str, list[tuple[float, float]
 
 @settings(max_examples=12, deadline=None)
 @given(eye=SEEN_FROM, at=st.lists(st.floats(0.02, 0.98), min_size=3, max_size=3))
-def test_a_point_is_visible_just_when_no_material_is_before_it(
-    eye: Floats, at: list[float]
-) -> None:
+def test_a_point_is_visible_just_when_nothing_is_before_it(eye: Floats, at: list[float]) -> None:
     visible = spans(BLOCK, eye)
     for edge in edges(BLOCK):
         for share in at:

@@ -70,9 +70,7 @@ def test_no_line_is_named_where_all_agree(found: BlockCalibration) -> None:
     assert about(found, "laser-plane")[0].quality == "good"
 
 
-def test_a_laser_picture_without_a_line_is_named(
-    inputs: BlockInputs, found: BlockCalibration
-) -> None:
+def test_a_picture_without_a_line_is_named(inputs: BlockInputs, found: BlockCalibration) -> None:
     seen = inputs.observations[3]
     result = calibrate_block(with_stripes(inputs, {3: empty_stripe(seen.stripe.axis)}))
     (said,) = about(result, "line-missing")
@@ -85,9 +83,7 @@ def test_a_laser_picture_without_a_line_is_named(
     assert not about(found, "line-missing")
 
 
-def test_laser_pictures_that_were_exchanged_are_named(
-    inputs: BlockInputs, found: BlockCalibration
-) -> None:
+def test_laser_pictures_exchanged_are_named(inputs: BlockInputs, found: BlockCalibration) -> None:
     third, sixth = inputs.observations[2].stripe, inputs.observations[5].stripe
     result = calibrate_block(with_stripes(inputs, {2: sixth, 5: third}))
     assert {said.pose for said in about(result, "laser-moved")} == {2, 5}

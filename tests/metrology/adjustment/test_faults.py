@@ -71,7 +71,7 @@ def inward(on: SimulatedSetup, mm: dict[str, float]) -> Floats:
 @pytest.mark.parametrize("scales", [USUAL, MIDDLING, POOR])
 @pytest.mark.parametrize("poses", usual([1, 6], 1, pytest.mark.soak))
 @pytest.mark.parametrize("faces", [THREE, ALL_AROUND])
-def test_errors_of_the_arms_links_are_no_fault(
+def test_errors_of_the_links_are_no_fault(
     poses: int, faces: tuple[str, ...], scales: Scales
 ) -> None:
     on = station(poses, faces, scales)
@@ -84,7 +84,7 @@ def test_errors_of_the_arms_links_are_no_fault(
 
 @pytest.mark.parametrize("pair", [("front", "back"), ("left", "right")])
 @pytest.mark.parametrize("by_mm", [-0.08, 0.08])
-def test_a_wrong_size_of_the_block_is_reported_with_its_faces(
+def test_a_wrong_size_of_the_block_is_named_by_its_faces(
     pair: tuple[str, str], by_mm: float
 ) -> None:
     on = station(3, ALL_AROUND)
@@ -105,9 +105,7 @@ def test_what_is_wrong_all_around_is_the_tips_diameter(by_mm: float, quality: st
 
 @pytest.mark.parametrize("poses", [1, 6])
 @pytest.mark.parametrize("off_mm", [(0.0, 0.12, 0.0), (-0.3, 0.2, 0.1)])
-def test_a_tip_off_its_place_is_named_with_where_it_is(
-    poses: int, off_mm: tuple[float, float, float]
-) -> None:
+def test_a_tip_off_its_place_is_located(poses: int, off_mm: tuple[float, float, float]) -> None:
     on = station(poses, ALL_AROUND)
     (reported,) = said(on, 3, touches_on(on).R_arm_flange @ np.array(off_mm))
     assert reported.code == "tip-place"
@@ -125,7 +123,7 @@ def test_a_poor_arm_does_not_hide_a_tip_far_off() -> None:
 
 
 @pytest.mark.parametrize(("shift_mm", "turn_deg"), [(0.15, 0.0), (0.0, 0.2), (2.0, 0.5)])
-def test_an_object_moved_after_it_was_touched_is_distinguished_from_the_tip(
+def test_an_object_moved_after_it_was_touched_is_no_fault_of_the_tip(
     shift_mm: float, turn_deg: float
 ) -> None:
     on = station(6, THREE)

@@ -48,9 +48,7 @@ def test_points_lie_where_the_truth_has_them(found: BlockCalibration, samples: P
     assert (worst.face, worst.contact, str(worst.name)) == ("crest", 9, "crest 10")
 
 
-def test_poses_with_swapped_joints_are_left_out_with_the_pose_that_they_fit(
-    inputs: BlockInputs,
-) -> None:
+def test_swapped_poses_are_left_out_with_the_pose_that_they_fit(inputs: BlockInputs) -> None:
     q = inputs.q_rad.copy()
     q[[2, 5]] = q[[5, 2]]
     result = calibrate_block(replace(inputs, q_rad=q))
@@ -60,9 +58,7 @@ def test_poses_with_swapped_joints_are_left_out_with_the_pose_that_they_fit(
     assert "pose-left-out" in codes(result)
 
 
-def test_a_slightly_wrong_pose_is_left_out_too(
-    inputs: BlockInputs, found: BlockCalibration
-) -> None:
+def test_a_slightly_wrong_pose_is_left_out(inputs: BlockInputs, found: BlockCalibration) -> None:
     q = inputs.q_rad.copy()
     q[2, 2] += np.radians(0.05)
     result = calibrate_block(replace(inputs, q_rad=q))
@@ -133,7 +129,7 @@ def test_the_verdict_goes_by_the_users_limits(inputs: BlockInputs) -> None:
     assert "the limit is 10 µm" in str(strict.findings[0].text)
 
 
-def test_the_advised_pose_helps_more_than_the_same_again(
+def test_the_advised_pose_helps_more_than_another(
     inputs: BlockInputs, alone: BlockCalibration
 ) -> None:
     advice = next_poses(alone.adjustment, inputs.arm, inputs.block, inputs.q_rad[:1])
@@ -145,7 +141,7 @@ def test_the_advised_pose_helps_more_than_the_same_again(
     assert str(none.words) == "keep this pose"
 
 
-def test_touches_are_asked_for_until_the_target_is_reached(
+def test_touches_are_asked_for_up_to_the_target(
     inputs: BlockInputs, found: BlockCalibration
 ) -> None:
     now = next_touches(found.alignment, inputs.features, inputs.block, np.inf).now_um

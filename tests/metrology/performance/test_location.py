@@ -27,9 +27,7 @@ def centres(R: np.ndarray, offset_mm: np.ndarray, noise_mm: float, seed: int = 0
 
 @pytest.mark.parametrize("axis", [0, 1, 2])
 @pytest.mark.parametrize(("tilt_deg", "least", "most"), [(90, 1.41, 2.0), (45, 1.0, 1.42)])
-def test_an_offset_shows_in_the_location_error(
-    axis: int, tilt_deg: float, least: float, most: float
-) -> None:
+def test_an_offset_shows_as_an_error(axis: int, tilt_deg: float, least: float, most: float) -> None:
     """50 µm show as 2.0 or 1.41 times as much at 90°, depending on the direction."""
     offset = 0.05 * np.eye(3)[axis]
     found = location_error_mm(centres(articulations(tilt_deg), offset, 0.0))

@@ -12,10 +12,11 @@ CENTRE = np.array([120.0, -340.0, 80.0])
 DIAMETER_MM = 25.0
 POLE = np.array([0.1, 0.0, 1.0])
 GATE = SphereGate(shell_mm=3.0)
+Cloud = tuple[Floats, Floats, NDArray[np.int64]]
 
 
 @pytest.fixture(scope="module")
-def cloud() -> tuple[Floats, Floats, NDArray[np.int64]]:
+def cloud() -> Cloud:
     """Points all around the sphere and beside it, their views, and the frames that they are of."""
     rng = np.random.default_rng(3)
     outward = rng.normal(size=(40_000, 3))
@@ -27,9 +28,7 @@ def cloud() -> tuple[Floats, Floats, NDArray[np.int64]]:
     return points, views, np.arange(len(points)) // 250
 
 
-def test_the_counts_are_those_of_the_whole_cloud(
-    cloud: tuple[Floats, Floats, NDArray[np.int64]],
-) -> None:
+def test_the_counts_are_those_of_the_whole_cloud(cloud: Cloud) -> None:
     points, views, frame = cloud
     coverage = PatchCoverage(CENTRE, DIAMETER_MM, POLE, GATE)
     sums = []
@@ -46,9 +45,7 @@ def test_the_counts_are_those_of_the_whole_cloud(
     assert sums[0] < sums[58] < sums[-1]
 
 
-def test_what_is_beside_the_sphere_covers_nothing(
-    cloud: tuple[Floats, Floats, NDArray[np.int64]],
-) -> None:
+def test_what_is_beside_the_sphere_covers_nothing(cloud: Cloud) -> None:
     points, views, frame = cloud
     coverage = PatchCoverage(CENTRE + [0.0, 0.0, 400.0], DIAMETER_MM, POLE, GATE)
     coverage.add(points, views, frame)
