@@ -27,8 +27,16 @@ from app.server.application import build_app
 from app.server.demo import station_parts
 from app.server.listener import make_server
 from app.single_sign_on.settings import SignInSettings
+from app.station.bus import Bus
+from app.station.devices.rig import Rig
+from app.station.scan.scanner import Scanner
+from app.station.view3d.scene import Scene
 from app.store import accounts
+from app.store.store import Store
+from hardware.clock import now_ns
+from hardware.interfaces import Button
 from hardware.simulator.station import SimulatedStation, SimulationConfig
+from tests.api.calibrated import use_truth
 from tests.entering import cookie, enter
 from tests.forked import fork_server
 from tests.sent_texts import TextCollector
@@ -36,6 +44,8 @@ from tests.sent_texts import TextCollector
 __all__ = ["fork_server"]
 
 T = TypeVar("T")
+View = dict[str, Any]
+"""Of a guide, as a browser gets it."""
 PATIENCE_S = 240.0
 """For everything that is waited for: a machine with other work takes long."""
 PRESS_S = 20.0
@@ -79,8 +89,54 @@ def run_command(command: Callable[[], httpx.Response]) -> dict[str, Any]:
     return dict(wait_for(command, lambda answer: answer.status_code == 200).json())
 
 
+def code_of(answer: httpx.Response) -> tuple[int, str]:
+    """The status and the code of a problem."""
+    return answer.status_code, answer.json()["code"]
+
+
+def refusal(answer: httpx.Response) -> str:
+    """Why a command is refused."""
+    assert answer.status_code == 422, answer.text
+    return str(answer.json()["detail"])
+
+
+class Desk:
+    """The operator's end of a guide: its view, and its commands."""
+
+    http: httpx.Client
+    path = "/api/flow"
+    closing = "abandon"
+    """The command that ends what is open."""
+
+    def view(self) -> View:
+        return dict(self.http.get(self.path).json())
+
+    def command(self, name: str, rev: object = None, key: str = "", **args: object) -> Any:
+        """Posts a command, by default on the present view."""
+        rev = self.view()["rev"] if rev is None else rev
+        body = {"name": name, "args": args, "rev": rev, "key": key or uuid.uuid4().hex}
+        return self.http.post(f"{self.path}/command", json=body)
+
+    def do(self, name: str, **args: Any) -> View:
+        """A command that must be done; the view after it."""
+        return run_command(lambda: self.command(name, **args))
+
+    def wait(self, ready: Callable[[View], bool]) -> View:
+        """The view, once it is as wanted."""
+        return wait_for(self.view, ready)
+
+    def wait_until_idle(self) -> View:
+        return self.wait(lambda view: view["busy"] is None)
+
+    def close(self) -> None:
+        """Ends what is open, once nothing is under way."""
+        self.wait_until_idle()
+        if self.view()["running"]:
+            self.do(self.closing)
+
+
 @dataclass
-class Server:
+class Server(Desk):
     """A running server, its context, and its simulation."""
 
     port: int
@@ -105,28 +161,45 @@ class Server:
         """The header of a live connection."""
         return cookie(self.http)
 
-    def flow(self) -> dict[str, Any]:
-        return dict(self.http.get("/api/flow").json())
+    def flow(self) -> View:
+        return self.view()
 
-    def command(
-        self, name: str, rev: object = None, key: str = "", **args: object
-    ) -> httpx.Response:
-        """Posts a command, by default on the present view."""
-        body = {
-            "name": name,
-            "args": args,
-            "rev": self.flow()["rev"] if rev is None else rev,
-            "key": key or uuid.uuid4().hex,
-        }
-        return self.http.post("/api/flow/command", json=body)
+    def press(self, button: Button) -> None:
+        """A short press of a button of the arm."""
+        self.simulation.device.press(button, True, now_ns())
+        self.simulation.device.press(button, False, now_ns() + 50_000_000)
 
-    def do(self, name: str, **args: Any) -> dict[str, Any]:
-        """A command that must be done; the view after it."""
-        return run_command(lambda: self.command(name, **args))
 
-    def wait(self, ready: Callable[[dict[str, Any]], bool]) -> dict[str, Any]:
-        """The flow's view, once it is as wanted."""
-        return wait_for(self.flow, ready)
+class GuideDesk(Desk):
+    """The operator's end of another guide than the calibration's."""
+
+    def __init__(self, server: Server) -> None:
+        self.server, self.http = server, server.http
+
+
+GuideDeskT = TypeVar("GuideDeskT", bound=GuideDesk)
+
+
+@contextmanager
+def left_in_order(desk: GuideDeskT) -> Iterator[GuideDeskT]:
+    """A desk at which nothing is open afterwards."""
+    yield desk
+    desk.http.post("/api/stop").raise_for_status()
+    desk.close()
+
+
+@contextmanager
+def next_station(server: Server, left: Path) -> Iterator[tuple[Store, Bus, Rig, Scanner, Scene]]:
+    """Parts of a next server's station, on what a killed one left on the disk."""
+    store, bus = Store(left), Bus()
+    rig, scene = Rig(bus, server.simulation.sensor, server.simulation.sensor, left), Scene()  # type: ignore[arg-type]
+    scanner = Scanner(bus, rig, scene, left / "scans")
+    try:
+        yield store, bus, rig, scanner, scene
+    finally:
+        scanner.close()
+        scene.close()
+        store.close()
 
 
 @contextmanager
@@ -189,9 +262,7 @@ def at_setup(server: Server) -> Server:
 
     What was used last is preselected, and a test before may have used the chessboard.
     """
-    server.wait(lambda view: view["busy"] is None)
-    if server.flow()["running"]:
-        server.do("abandon")
+    server.close()
     server.http.post("/api/flow/start").raise_for_status()
     server.do("confirm_devices")
     server.do("choose", field="object", id="simulated")
@@ -201,13 +272,16 @@ def at_setup(server: Server) -> Server:
 @pytest.fixture
 def touching(at_setup: Server) -> Server:
     """A new session at the touch step of the block, with the arm at rest."""
-    server = at_setup
-    server.do("confirm_setup")
-    server.wait(lambda view: is_enabled(view, "take_point"))
-    return server
+    at_setup.do("confirm_setup")
+    at_setup.wait(lambda view: is_enabled(view, "take_point"))
+    return at_setup
 
 
-def is_enabled(view: dict[str, Any], name: str) -> bool:
-    actions = view["actions"]
-    assert isinstance(actions, list)
-    return any(action["name"] == name and action["enabled"] for action in actions)
+@pytest.fixture(scope="module")
+def calibration(server: Server) -> str:
+    """The true one, which is in use."""
+    return use_truth(server, f"truth-{uuid.uuid4().hex[:6]}")
+
+
+def is_enabled(view: View, name: str) -> bool:
+    return any(action["name"] == name and action["enabled"] for action in view["actions"])

@@ -71,14 +71,12 @@ def test_the_arms_buttons_take_points_and_take_them_back(touching: Server) -> No
     for index in (0, 1):
         assert simulated_operator.touch("crest", index)
         touching.wait(partial(has_points, index + 1))
-    press = touching.simulation.device.press
-    press(Button.UNDO, True, now_ns())
-    press(Button.UNDO, False, now_ns() + 50_000_000)
+    touching.press(Button.UNDO)
     touching.wait(lambda view: points(view) == [0])
-    press(Button.UNDO, True, now_ns())
+    touching.simulation.device.press(Button.UNDO, True, now_ns())
     # held, it counts before it is let go
     touching.wait(lambda view: view["step"] == "setup")
-    press(Button.UNDO, False)
+    touching.simulation.device.press(Button.UNDO, False)
     assert touching.do("confirm_setup")["step"] == "touch"
     assert points(touching.flow()) == [0], "what was taken is kept"
     assert touching.command("redo").status_code == 200
@@ -144,7 +142,7 @@ def test_a_whole_calibration_by_the_simulated_operator(at_setup: Server, tmp_pat
     server, http = at_setup, at_setup.http
     with first_picture_in_the_dark(server):
         server.do("run_simulation", all=True)
-    server.wait(lambda view: view["busy"] is None)
+    server.wait_until_idle()
     view = http.get("/api/flow").json()
     assert view["step"] == "review", view["findings"]
     # the picture in which nothing is seen was taken again
@@ -247,16 +245,14 @@ def step_by_step_to_the_review(server: Server) -> dict[str, Any]:
     """A new picture by the arm's button, then back to the points, the picture kept."""
     assert server.do("retake")["step"] == "capture"
     server.wait(lambda view: is_enabled(view, "capture"))
-    server.simulation.device.press(Button.PRIMARY, True, now_ns())
-    server.simulation.device.press(Button.PRIMARY, False, now_ns() + 50_000_000)
+    server.press(Button.PRIMARY)
     server.wait(lambda view: view["step"] == "solve" and view["busy"] is None)
     server.do("solve")
     server.wait(lambda view: view["step"] == "review")
     server.do("back", to="touch")
     server.do("confirm_touch")
     server.wait(lambda view: is_enabled(view, "confirm_place"))
-    server.simulation.device.press(Button.PRIMARY, True, now_ns())
-    server.simulation.device.press(Button.PRIMARY, False, now_ns() + 50_000_000)
+    server.press(Button.PRIMARY)
     server.wait(lambda view: view["step"] == "capture")
     view = server.do("keep_picture")
     assert view["step"] == "solve"
@@ -291,7 +287,7 @@ def test_a_whole_calibration_on_the_chessboard_by_the_simulated_operator(
     assert view["picture"]["object"]["kind"] == "board"
     server.do("confirm_setup")
     server.do("run_simulation", all=True)
-    server.wait(lambda view: view["busy"] is None)
+    server.wait_until_idle()
     view = http.get("/api/flow").json()
     assert view["step"] == "review", view["findings"]
 

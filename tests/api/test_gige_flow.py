@@ -56,7 +56,7 @@ def test_a_whole_calibration_through_its_stream(server: Server) -> None:
     server.do("choose", field="object", id="simulated")
     server.do("confirm_setup")
     server.do("run_simulation", all=True)
-    view = server.wait(lambda view: view["busy"] is None)
+    view = server.wait_until_idle()
     assert view["step"] == "review", view["findings"]
     result = view["picture"]["result"]
     # at half the size, block edges look soft: attention is called to that

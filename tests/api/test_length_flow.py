@@ -13,31 +13,20 @@ import pytest
 
 from app.formats.performance.plan import read_plan
 from app.guide.performance.guide import PerformanceGuide, PerformanceServices
-from app.station.bus import Bus
-from app.station.devices.rig import Rig
 from app.station.jobs import Jobs
-from app.station.scan.scanner import Scanner
-from app.station.view3d.scene import Scene
-from app.store.store import Store
 from app.workflows.performance.evaluate import evaluate_performance
-from tests.api.calibrated import use_truth
-from tests.api.conftest import Server, wait_for
-from tests.api.test_performance_flow import Desk, View, refusal
+from tests.api.conftest import Server, View, left_in_order, next_station, refusal, wait_for
+from tests.api.test_performance_flow import SphereDesk
 from tests.sent_texts import english
 
 pytestmark = pytest.mark.device
 
 
-class LengthDesk(Desk):
+class LengthDesk(SphereDesk):
     """The operator's end of a length test."""
 
-    def start(self) -> View:
-        self.wait(lambda view: view["busy"] is None)
-        if self.view()["running"]:
-            self.do("abandon")
-        answer = self.server.http.post("/api/performance/start", json={"test": "lengths"})
-        answer.raise_for_status()
-        return self.view()
+    def start(self, **body: str) -> View:
+        return super().start(test="lengths", **body)
 
     def add(self, name: str, **changes: object) -> dict[str, Any]:
         """Puts a step gauge into the folder; what it is offered as."""
@@ -62,19 +51,10 @@ class LengthDesk(Desk):
         raise AssertionError(self.view()["findings"])
 
 
-@pytest.fixture(scope="module")
-def calibration(server: Server) -> str:
-    return use_truth(server, f"truth-{uuid.uuid4().hex[:6]}")
-
-
 @pytest.fixture
 def desk(server: Server, calibration: str) -> Iterator[LengthDesk]:
-    desk = LengthDesk(server)
-    yield desk
-    server.http.post("/api/stop").raise_for_status()
-    desk.wait(lambda view: view["busy"] is None)
-    if desk.view()["running"]:
-        desk.do("abandon")
+    with left_in_order(LengthDesk(server)) as desk:
+        yield desk
     for path in (server.data / "gauges").glob("made-*.json"):
         path.unlink()
 
@@ -82,17 +62,10 @@ def desk(server: Server, calibration: str) -> Iterator[LengthDesk]:
 @contextmanager
 def reopened(server: Server, left: Path) -> Iterator[PerformanceGuide]:
     """The guide of a next server on what is on the disk."""
-    store, bus = Store(left), Bus()
-    rig, scene = Rig(bus, server.simulation.sensor, server.simulation.sensor, left), Scene()  # type: ignore[arg-type]
-    scanner = Scanner(bus, rig, scene, left / "scans")
     setup = server.context.settings.settings.model_dump(mode="json")
-    station = PerformanceServices(bus, rig, Jobs(bus), None, scanner, scene, lambda: setup)
-    try:
+    with next_station(server, left) as (store, bus, rig, scanner, scene):
+        station = PerformanceServices(bus, rig, Jobs(bus), None, scanner, scene, lambda: setup)
         yield PerformanceGuide(station, store.journal, store.calibrations, store.performances, left)
-    finally:
-        scanner.close()
-        scene.close()
-        store.close()
 
 
 def test_lengths_count_in_their_order_and_survive_a_killed_server(
@@ -103,21 +76,15 @@ def test_lengths_count_in_their_order_and_survive_a_killed_server(
     assert (view["test"], ids) == ("lengths", ["ball-bar", "step-gauge"])
     desk.do("choose_gauge", id="step-gauge")
     assert "spheres of a ball bar" in refusal(desk.command("set_by_scan", by_scan=True))
-    assert "cap B" in refusal(
-        desk.command("set_limit", quantity="length-touch", a_um=90.0, k=10.0, b_um=80.0)
-    )
-    desk.do("set_limit", quantity="length-touch", a_um=90.0, k=10.0, b_um=120.0)
+    stated: dict[str, Any] = {"quantity": "length-touch", "a_um": 90.0, "k": 10.0}
+    assert "cap B" in refusal(desk.command("set_limit", **stated, b_um=80.0))
+    desk.do("set_limit", **stated, b_um=120.0)
     desk.do("set_temperature", celsius=20.0, expanded_c=0.4)
     view = desk.do("confirm_artefact")
     picture = view["picture"]["lengths"]
     assert [place["state"] for place in picture["places"]] == ["now", *["todo"] * 6]
-    assert [limit["limit_um"] for limit in picture["touched"]["limits"]] == [
-        100,
-        112.5,
-        120,
-        120,
-        120,
-    ]
+    limits_um = [limit["limit_um"] for limit in picture["touched"]["limits"]]
+    assert limits_um == [100, 112.5, 120, 120, 120]
     view = desk.touch_end(100.0, 0)
     assert view["frozen"]
     plan = read_plan(server.data / "performance" / view["session_id"])
@@ -206,9 +173,8 @@ def test_a_scan_of_a_bar_that_is_cut_short_is_repeated(desk: LengthDesk, tmp_pat
     desk.do("begin_scan")
     wait_for(lambda: server.context.scanner.state().frames, bool)
     desk.do("finish_scan")
-    view = desk.wait(
-        lambda view: view["busy"] is None and scan_states(view) == ["done", "refused", "todo"]
-    )
+    refused = ["done", "refused", "todo"]
+    view = desk.wait(lambda view: view["busy"] is None and scan_states(view) == refused)
     said = [english(finding["text"]) for finding in view["findings"]]
     assert any("laser stripe" in text or "sphere" in text for text in said), said
 
@@ -219,7 +185,7 @@ def test_a_bar_is_touched_and_scanned_in_its_place(desk: LengthDesk, tmp_path: P
     desk.do("run_simulation")
     view = desk.wait(lambda view: view["picture"]["lengths"]["places"][0]["state"] == "done")
     server.http.post("/api/stop").raise_for_status()
-    view = desk.wait(lambda view: view["busy"] is None)
+    view = desk.wait_until_idle()
     lengths = view["picture"]["lengths"]
     assert (lengths["places"][0]["scanned"], lengths["places"][1]["state"]) == (3, "now")
     errors = lengths["scanned"]["errors"]
@@ -273,5 +239,5 @@ def test_a_standard_without_coefficient_is_named_away_from_20_degrees(desk: Leng
 
 
 def test_a_one_sphere_test_does_not_offer_standards(desk: LengthDesk) -> None:
-    assert {gauge["id"] for gauge in Desk.start(desk)["gauges"]} == {"sphere"}
+    assert {gauge["id"] for gauge in SphereDesk.start(desk)["gauges"]} == {"sphere"}
     assert desk.view()["test"] == "sphere"

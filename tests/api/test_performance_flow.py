@@ -3,10 +3,8 @@ is in ``tests/e2e``."""
 
 import json
 import time
-import uuid
 from collections.abc import Callable, Iterator
 from itertools import pairwise
-from typing import Any
 
 import httpx
 import pytest
@@ -14,42 +12,32 @@ import pytest
 from app.formats.datasheets.gauge import read_gauge
 from app.guide.performance.sphere.places import POLE
 from app.metrology.performance.pattern import RIM_DEG, pattern_directions
-from tests.api.calibrated import use_truth
-from tests.api.conftest import LOOK_S, Server, comes, run_command, wait_for
+from tests.api.conftest import (
+    LOOK_S,
+    GuideDesk,
+    Server,
+    View,
+    comes,
+    left_in_order,
+    refusal,
+    wait_for,
+)
 from tests.formats.certificates import DIAMETER, FORM, certificate, quantity, real
 from tests.sent_texts import english
 
 pytestmark = pytest.mark.device
 
-View = dict[str, Any]
 DIRECTIONS = pattern_directions(POLE, RIM_DEG)
 
 
-class Desk:
+class SphereDesk(GuideDesk):
     """The operator's end of the test."""
 
-    def __init__(self, server: Server) -> None:
-        self.server = server
+    path = "/api/performance"
 
-    def view(self) -> View:
-        return dict(self.server.http.get("/api/performance").json())
-
-    def command(self, name: str, **args: object) -> httpx.Response:
-        body = {"name": name, "args": args, "rev": self.view()["rev"], "key": uuid.uuid4().hex}
-        return self.server.http.post("/api/performance/command", json=body)
-
-    def do(self, name: str, **args: Any) -> View:
-        """A command that must be done; the view after it."""
-        return run_command(lambda: self.command(name, **args))
-
-    def wait(self, ready: Callable[[View], bool]) -> View:
-        return wait_for(self.view, ready)
-
-    def start(self) -> View:
-        self.wait(lambda view: view["busy"] is None)
-        if self.view()["running"]:
-            self.do("abandon")
-        self.server.http.post("/api/performance/start").raise_for_status()
+    def start(self, **body: str) -> View:
+        self.close()
+        self.http.post("/api/performance/start", json=body or None).raise_for_status()
         return self.view()
 
     def is_taken(self, touch: Callable[[], bool]) -> bool:
@@ -71,31 +59,25 @@ class Desk:
                 return self.view()
         raise AssertionError(self.view()["findings"])
 
-    def list(self) -> list[dict[str, Any]]:
-        return list(self.server.http.get("/api/performances").json())
+    def touch_first(self) -> View:
+        """A new test, with the first place of its pattern touched."""
+        self.start()
+        self.do("confirm_artefact")
+        return self.touch(0)
 
-
-@pytest.fixture(scope="module")
-def calibration(server: Server) -> str:
-    return use_truth(server, f"truth-{uuid.uuid4().hex[:6]}")
+    def list(self) -> list[View]:
+        return list(self.http.get("/api/performances").json())
 
 
 @pytest.fixture
-def desk(server: Server, calibration: str) -> Iterator[Desk]:
-    desk = Desk(server)
-    yield desk
-    server.http.post("/api/stop").raise_for_status()
-    desk.wait(lambda view: view["busy"] is None)
-    if desk.view()["running"]:
-        desk.do("abandon")
+def desk(server: Server, calibration: str) -> Iterator[SphereDesk]:
+    with left_in_order(SphereDesk(server)) as desk:
+        yield desk
 
 
-def refusal(answer: httpx.Response) -> str:
-    assert answer.status_code == 422, answer.text
-    return str(answer.json()["detail"])
-
-
-def test_touches_count_for_free_places_and_the_plan_stands_from_the_first(desk: Desk) -> None:
+def test_touches_count_for_free_places_and_the_plan_stands_from_the_first(
+    desk: SphereDesk,
+) -> None:
     desk.start()
     assert "Choose" not in english(desk.do("confirm_artefact")["instruction"])
     view = desk.touch(0)
@@ -115,12 +97,12 @@ def test_touches_count_for_free_places_and_the_plan_stands_from_the_first(desk: 
     assert "23 touches" in refusal(desk.command("confirm"))
 
 
-def test_stop_ends_the_simulated_operator(desk: Desk) -> None:
+def test_stop_ends_the_simulated_operator(desk: SphereDesk) -> None:
     desk.start()
     desk.do("run_simulation", all=True)
     desk.wait(lambda view: view["progress"]["done"] > 1 and view["step"] == "pattern")
     desk.server.http.post("/api/stop").raise_for_status()
-    done = desk.wait(lambda view: view["busy"] is None)["progress"]["done"]
+    done = desk.wait_until_idle()["progress"]["done"]
     assert done < len(DIRECTIONS)
 
 
@@ -133,7 +115,7 @@ def is_in(state: str, articulation: int) -> Callable[[View], bool]:
     return lambda view: view["picture"]["articulations"][articulation - 1]["state"] == state
 
 
-def watch_scan(desk: Desk, articulation: int) -> list[View]:
+def watch_scan(desk: SphereDesk, articulation: int) -> list[View]:
     """The different views of a scan while it runs, of the simulated operator."""
     views = [desk.wait(is_in("scanning", articulation))]
     while is_in("scanning", articulation)(view := desk.view()):
@@ -143,7 +125,7 @@ def watch_scan(desk: Desk, articulation: int) -> list[View]:
     return views
 
 
-def test_the_coverage_grows_while_a_scan_runs(desk: Desk) -> None:
+def test_the_coverage_grows_while_a_scan_runs(desk: SphereDesk) -> None:
     desk.start()
     desk.do("confirm_artefact")
     for place in range(5):
@@ -157,9 +139,9 @@ def test_the_coverage_grows_while_a_scan_runs(desk: Desk) -> None:
     growing = [counts_of(view) for view in views]
     assert len(growing) > 3
     for before, after in pairwise(growing):
-        assert all(
-            new[0] >= old[0] and new[1] >= old[1] for old, new in zip(before, after, strict=True)
-        )
+        for (points, frames), (more_points, more_frames) in zip(before, after, strict=True):
+            assert more_points >= points
+            assert more_frames >= frames
     covered = [[patch["covered"] for patch in view["picture"]["patches"]] for view in views]
     assert sum(covered[0]) < sum(covered[-1])
     assert "25 patches" in english(views[-1]["picture"]["articulations"][0]["text"])
@@ -171,11 +153,8 @@ def test_the_coverage_grows_while_a_scan_runs(desk: Desk) -> None:
     assert all(new >= old for old, new in zip(found, counts_of(view), strict=True))
 
 
-def test_a_cancelled_test_is_listed_with_its_reason(desk: Desk) -> None:
-    desk.start()
-    desk.do("confirm_artefact")
-    desk.touch(0)
-    session = desk.view()["session_id"]
+def test_a_cancelled_test_is_listed_with_its_reason(desk: SphereDesk) -> None:
+    session = desk.touch_first()["session_id"]
     desk.do("abandon", reason="moved")
     newest, *_ = desk.list()
     assert (newest["id"], newest["result"]) == (session, "cancelled")
@@ -190,11 +169,8 @@ def test_a_cancelled_test_is_listed_with_its_reason(desk: Desk) -> None:
     assert judged is None or judged.figures.result != "cancelled"
 
 
-def test_a_recording_of_a_test_that_is_gone_is_named(desk: Desk) -> None:
-    desk.start()
-    desk.do("confirm_artefact")
-    desk.touch(0)
-    session = desk.view()["session_id"]
+def test_a_recording_of_a_test_that_is_gone_is_named(desk: SphereDesk) -> None:
+    session = desk.touch_first()["session_id"]
     desk.do("abandon", reason="other")
     recovery = desk.server.context.recovery
     assert not recovery.find_damage()
@@ -207,12 +183,9 @@ def test_a_recording_of_a_test_that_is_gone_is_named(desk: Desk) -> None:
         result.unlink()
 
 
-def test_a_changed_plan_or_setting_makes_the_set_invalid(desk: Desk) -> None:
+def test_a_changed_plan_or_setting_makes_the_set_invalid(desk: SphereDesk) -> None:
     server = desk.server
-    desk.start()
-    desk.do("confirm_artefact")
-    view = desk.touch(0)
-    plan = server.data / "performance" / view["session_id"] / "plan.json"
+    plan = server.data / "performance" / desk.touch_first()["session_id"] / "plan.json"
     kept = plan.read_bytes()
     plan.write_bytes(kept.replace(b'"positions": 1', b'"positions": 2'))
     view = desk.view()
@@ -230,10 +203,11 @@ def test_a_changed_plan_or_setting_makes_the_set_invalid(desk: Desk) -> None:
     assert not any("settings for scans" in english(f["text"]) for f in desk.view()["findings"])
 
 
-def test_a_sphere_with_an_expired_certificate_cannot_be_chosen(desk: Desk) -> None:
-    path = desk.server.data / "gauges" / "old.nominal.json"
-    sphere = json.loads((desk.server.data / "gauges" / "sphere.nominal.json").read_text())
-    path.write_text(json.dumps({**sphere, "valid_until": "2020-01-31"}))
+def test_a_sphere_with_an_expired_certificate_cannot_be_chosen(desk: SphereDesk) -> None:
+    gauges = desk.server.data / "gauges"
+    path, chosen = gauges / "old.nominal.json", gauges / "sphere.nominal.json"
+    whole = chosen.read_text()
+    path.write_text(json.dumps({**json.loads(whole), "valid_until": "2020-01-31"}))
     try:
         desk.start()
         desk.do("choose_gauge", id="sphere")
@@ -243,27 +217,22 @@ def test_a_sphere_with_an_expired_certificate_cannot_be_chosen(desk: Desk) -> No
         assert not why_not["sphere"]
         assert "2020-01-31" in refusal(desk.command("choose_gauge", id="old"))
         # one that expires after it was chosen
-        chosen = desk.server.data / "gauges" / "sphere.nominal.json"
-        whole = chosen.read_text()
         chosen.write_text(path.read_text())
-        try:
-            desk.wait(lambda view: any("2020-01" in english(f["text"]) for f in view["findings"]))
-            assert "2020-01-31" in refusal(desk.command("confirm_artefact"))
-        finally:
-            chosen.write_text(whole)
+        desk.wait(lambda view: any("2020-01" in english(f["text"]) for f in view["findings"]))
+        assert "2020-01-31" in refusal(desk.command("confirm_artefact"))
     finally:
+        chosen.write_text(whole)
         path.unlink()
 
 
-def test_a_certificate_that_was_uploaded_is_a_sphere_of_the_test(desk: Desk) -> None:
+def test_a_certificate_that_was_uploaded_is_a_sphere_of_the_test(desk: SphereDesk) -> None:
     def upload(name: str, text: str) -> httpx.Response:
         body = {"name": name, "text": text}
         return desk.server.http.post("/api/performance/certificate", json=body)
 
     assert "no Digital Calibration Certificate" in refusal(upload("k.xml", "<a/>"))
-    bare = upload(
-        "bare.xml", certificate(quantity("Diameter", real("25", "\\milli\\metre")))
-    ).json()
+    diameter = quantity("Diameter", real("25", "\\milli\\metre"))
+    bare = upload("bare.xml", certificate(diameter)).json()
     assert "uncertainty" in english(bare["why_not"])
     added = upload("K-17.xml", certificate(DIAMETER, FORM)).json()
     try:

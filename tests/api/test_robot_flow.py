@@ -16,7 +16,7 @@ from app.metrology.transforms import Floats
 from app.server import demo
 from app.workflows.reconstruct import reconstruct_points
 from tests.api.conftest import Server, running_server, wait_for
-from tests.api.test_verify_flow import Desk
+from tests.api.test_verify_flow import VerifyDesk
 
 pytestmark = pytest.mark.device
 
@@ -106,7 +106,7 @@ def test_a_scan_is_rebuilt_to_the_same_points(calibrated: Server, tmp_path: Path
 
 
 def test_a_verification_needs_no_touches(calibrated: Server) -> None:
-    desk = Desk(calibrated)
+    desk = VerifyDesk(calibrated)
     calibrated.http.post("/api/verify/start").raise_for_status()
     desk.do("choose_gauge", id="plate")
     assert desk.do("confirm_gauge")["step"] == "scan"

@@ -9,17 +9,17 @@ import pytest
 from app.bench.faults.served import SMALL
 from app.formats.performance.plan import read_plan
 from app.workflows.performance.evaluate import evaluate_performance
-from tests.api.conftest import Server, running_server
-from tests.api.test_performance_flow import Desk, refusal
+from tests.api.conftest import Server, refusal, running_server
+from tests.api.test_performance_flow import SphereDesk
 from tests.sent_texts import english
 
 pytestmark = pytest.mark.device
 
 
 @pytest.fixture(scope="module")
-def desk(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Desk]:
+def desk(tmp_path_factory: pytest.TempPathFactory) -> Iterator[SphereDesk]:
     with running_server(tmp_path_factory.mktemp("touch"), replace(SMALL, pace=12.0)) as server:
-        yield Desk(server)
+        yield SphereDesk(server)
     assert not server.sent.untranslated()
 
 
@@ -29,7 +29,7 @@ def start(server: Server, test: str) -> str:
     return "" if answer.status_code == 200 else str(answer.json()["detail"])
 
 
-def test_the_contact_test_needs_no_calibration(desk: Desk) -> None:
+def test_the_contact_test_needs_no_calibration(desk: SphereDesk) -> None:
     server = desk.server
     assert "calibration" in start(server, "sphere")
     assert "calibration" in start(server, "plane")
@@ -44,7 +44,7 @@ def test_the_contact_test_needs_no_calibration(desk: Desk) -> None:
     desk.do("run_simulation", all=True)
     desk.wait(lambda view: view["step"] == "seats" and view["progress"]["done"] > 0)
     server.http.post("/api/stop").raise_for_status()
-    desk.wait(lambda view: view["busy"] is None)
+    desk.wait_until_idle()
     found = evaluate_performance(folder)
     assert found.serial_numbers.arm == "TWIN-A1"
     problems = {one.quantity: str(one.problem) for one in found.figures}
@@ -56,7 +56,7 @@ def test_the_contact_test_needs_no_calibration(desk: Desk) -> None:
     assert (listed["id"], listed["result"]) == (session, "cancelled")
 
 
-def test_lengths_are_touched_without_a_calibration_and_not_scanned(desk: Desk) -> None:
+def test_lengths_are_touched_without_a_calibration_and_not_scanned(desk: SphereDesk) -> None:
     server = desk.server
     assert not start(server, "lengths")
     desk.do("choose_gauge", id="ball-bar")
@@ -69,11 +69,13 @@ def test_lengths_are_touched_without_a_calibration_and_not_scanned(desk: Desk) -
     desk.wait(lambda view: view["progress"]["done"] > 0)
     assert not read_plan(folder).by_scan
     server.http.post("/api/stop").raise_for_status()
-    desk.wait(lambda view: view["busy"] is None)
+    desk.wait_until_idle()
     desk.do("abandon", reason="other")
 
 
-def test_without_a_calibration_bad_artefacts_are_refused_before_the_test(desk: Desk) -> None:
+def test_without_a_calibration_bad_artefacts_are_refused_before_the_test(
+    desk: SphereDesk,
+) -> None:
     gauges = desk.server.data / "gauges"
     good = json.loads((gauges / "step-gauge.json").read_text())
     (long,) = good["lengths"][-1:]
@@ -96,11 +98,11 @@ def test_without_a_calibration_bad_artefacts_are_refused_before_the_test(desk: D
     desk.do("abandon", reason="other")
 
 
-def test_an_arm_that_is_not_known_is_named(desk: Desk) -> None:
+def test_an_arm_that_is_not_known_is_named(desk: SphereDesk) -> None:
     arms = desk.server.data / "arms"
     (arms / "simulated.json").rename(arms / "kept")
     try:
-        desk.wait(lambda view: view["busy"] is None)
+        desk.wait_until_idle()
         assert "arms" in start(desk.server, "contact")
     finally:
         (arms / "kept").rename(arms / "simulated.json")

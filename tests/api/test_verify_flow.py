@@ -4,12 +4,11 @@ import hashlib
 import json
 import shutil
 import uuid
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from typing import Any
 
-import httpx
 import pytest
 
 from app.formats.results.verification import read_verification
@@ -17,93 +16,65 @@ from app.guide.gauge.session import GaugeServices
 from app.guide.verify.commands import measure_waiting
 from app.guide.verify.guide import VerifyGuide
 from app.metrology.decision import GUARDED_95
-from app.station.bus import Bus
-from app.station.devices.rig import Rig
 from app.station.jobs import Jobs
-from app.station.scan.scanner import Scanner
-from app.station.view3d.scene import Scene
-from app.store.store import Store
 from app.workflows.measure_gauge import filters_of
-from hardware.clock import now_ns
 from hardware.interfaces import Button
 from tests.api.calibrated import use_truth
-from tests.api.conftest import PATIENCE_S, Server, comes, run_command, wait_for
+from tests.api.conftest import (
+    PATIENCE_S,
+    GuideDesk,
+    Server,
+    View,
+    comes,
+    is_enabled,
+    left_in_order,
+    next_station,
+    refusal,
+    wait_for,
+)
 from tests.sent_texts import english
 
 pytestmark = pytest.mark.device
 
-View = dict[str, Any]
 
-
-def has_touches(count: int, view: View) -> bool:
-    return len(view["picture"]["touches"]) >= count
-
-
-class Desk:
+class VerifyDesk(GuideDesk):
     """The operator's end of the verification."""
 
-    def __init__(self, server: Server) -> None:
-        self.server = server
-
-    def view(self) -> View:
-        return dict(self.server.http.get("/api/verify").json())
-
-    def command(self, name: str, rev: int | None = None, key: str = "", **args: object) -> Any:
-        body = {
-            "name": name,
-            "args": args,
-            "rev": self.view()["rev"] if rev is None else rev,
-            "key": key or uuid.uuid4().hex,
-        }
-        return self.server.http.post("/api/verify/command", json=body)
-
-    def do(self, name: str, **args: Any) -> View:
-        """A command that must be done; the view after it."""
-        return run_command(lambda: self.command(name, **args))
-
-    def wait(self, ready: Callable[[View], bool]) -> View:
-        return wait_for(self.view, ready)
+    path = "/api/verify"
 
     def start(self, gauge: str) -> View:
-        self.wait(lambda view: view["busy"] is None)
-        if self.view()["running"]:
-            self.do("abandon")
-        self.server.http.post("/api/verify/start").raise_for_status()
+        self.close()
+        self.http.post("/api/verify/start").raise_for_status()
         self.do("choose_gauge", id=gauge)
         return self.do("confirm_gauge")
+
+    def start_without_touches(self, gauge: str) -> View:
+        self.start(gauge)
+        return self.do("skip_touch")
 
     def cloud(self, part: str) -> View:
         """Scans one cloud over a part of the table, and waits for what it shows."""
         number = len(self.do("begin_cloud")["picture"]["clouds"])
         assert self.server.simulation.operator.scan_part(part)
         self.do("finish_cloud")
+        return self.wait_for_cloud(number, "good", "refused")
+
+    def wait_for_cloud(self, number: int, *states: str) -> View:
         return self.wait(
             lambda view: (
-                view["busy"] is None
-                and view["picture"]["clouds"][number - 1]["state"] in ("good", "refused")
+                view["busy"] is None and view["picture"]["clouds"][number - 1]["state"] in states
             )
         )
 
 
-@pytest.fixture(scope="module")
-def calibration(server: Server) -> str:
-    if server.flow()["running"]:
-        server.do("abandon")
-    return use_truth(server, f"truth-{uuid.uuid4().hex[:6]}")
-
-
 @pytest.fixture
-def desk(server: Server, calibration: str) -> Iterator[Desk]:
-    desk = Desk(server)
-    yield desk
-    server.http.post("/api/stop").raise_for_status()
-    desk.wait(lambda view: view["busy"] is None)
-    if desk.view()["running"]:
-        desk.do("abandon")
+def desk(server: Server, calibration: str) -> Iterator[VerifyDesk]:
+    with left_in_order(VerifyDesk(server)) as desk:
+        yield desk
 
 
 def test_a_plate_is_verified_by_the_simulated_operator_and_kept(
-    desk: Desk, calibration: str
+    desk: VerifyDesk, calibration: str
 ) -> None:
     server = desk.server
     desk.start("plate")
@@ -172,11 +143,9 @@ def study_of(server: Server, verification: str) -> Any:
     return server.http.get(f"/api/verifications/{verification}/study").json()
 
 
-def test_two_tabs_and_a_repeated_key_take_a_cloud_once(desk: Desk) -> None:
-    desk.start("plate")
-    desk.do("skip_touch")
-    rev = desk.view()["rev"]
-    desk.wait(lambda view: enabled(view, "begin_cloud"))
+def test_two_tabs_and_a_repeated_key_take_a_cloud_once(desk: VerifyDesk) -> None:
+    rev = desk.start_without_touches("plate")["rev"]
+    desk.wait(lambda view: is_enabled(view, "begin_cloud"))
     with ThreadPoolExecutor(5) as tabs:
         answers = list(tabs.map(lambda _: desk.command("begin_cloud", rev=rev), range(5)))
     assert sorted(answer.status_code for answer in answers) == [200, 409, 409, 409, 409]
@@ -189,16 +158,14 @@ def test_two_tabs_and_a_repeated_key_take_a_cloud_once(desk: Desk) -> None:
     assert [cloud["state"] for cloud in again.json()["picture"]["clouds"]] == ["aside"]
 
 
-def test_a_cloud_that_stop_ends_is_measured_and_another_thing_is_named(desk: Desk) -> None:
+def test_a_cloud_that_stop_ends_is_measured_and_another_thing_is_named(desk: VerifyDesk) -> None:
     desk.start("sphere")
     assert "5" in refusal(desk.command("confirm_touch"))
     desk.do("skip_touch")
     desk.do("begin_cloud")
     assert desk.server.simulation.operator.scan_part("plate")
     desk.server.http.post("/api/stop").raise_for_status()
-    view = desk.wait(
-        lambda view: view["busy"] is None and view["picture"]["clouds"][0]["state"] == "refused"
-    )
+    view = desk.wait_for_cloud(1, "refused")
     assert "no sphere of 25.40 mm" in english(view["picture"]["clouds"][0]["text"])
     assert "No cloud covers the gauge" in refusal(desk.command("confirm_clouds"))
     view = desk.cloud("sphere")
@@ -209,7 +176,7 @@ def test_a_cloud_that_stop_ends_is_measured_and_another_thing_is_named(desk: Des
     assert "were not compared" in english(view["picture"]["verdict"]["text"])
 
 
-def test_touches_come_from_the_button_and_are_taken_back(desk: Desk) -> None:
+def test_touches_come_from_the_button_and_are_taken_back(desk: VerifyDesk) -> None:
     desk.start("plate")
     server = desk.server
     guide, operator = server.context.verify_guide, server.simulation.operator
@@ -223,9 +190,7 @@ def test_touches_come_from_the_button_and_are_taken_back(desk: Desk) -> None:
     view = desk.view()
     assert view["number"]["value"] < 30
     assert view["picture"]["touches"][3]["x_mm"] is not None
-    press = server.simulation.device.press
-    press(Button.UNDO, True, now_ns())
-    press(Button.UNDO, False, now_ns() + 50_000_000)
+    server.press(Button.UNDO)
     view = desk.wait(lambda view: len(view["picture"]["touches"]) == 3)
     assert "3 of at least 4" in refusal(desk.command("confirm_touch"))
     assert len(desk.do("redo")["picture"]["touches"]) == 4
@@ -234,15 +199,13 @@ def test_touches_come_from_the_button_and_are_taken_back(desk: Desk) -> None:
     # as soon as the arm rests, and there only once
     desk.do("touch")
     assert desk.command("touch").json()["code"] == "same-place"
-    press(Button.BACK, True, now_ns())
-    press(Button.BACK, False, now_ns() + 50_000_000)
+    server.press(Button.BACK)
     view = desk.wait(lambda view: view["step"] == "gauge")
     assert [step["state"] for step in view["steps"]] == ["current", "stale", "todo", "todo"]
 
 
-def test_another_calibration_meanwhile_is_reported_in_one_sentence(desk: Desk) -> None:
-    desk.start("plate")
-    desk.do("skip_touch")
+def test_another_calibration_meanwhile_is_reported_in_one_sentence(desk: VerifyDesk) -> None:
+    desk.start_without_touches("plate")
     use_truth(desk.server, f"meanwhile-{uuid.uuid4().hex[:6]}")
     view = desk.view()
     assert any("The calibration in use has changed" in english(f["text"]) for f in view["findings"])
@@ -250,10 +213,10 @@ def test_another_calibration_meanwhile_is_reported_in_one_sentence(desk: Desk) -
     assert "calibration in use has changed" in refusal(desk.command("begin_cloud"))
     view = desk.do("again")
     assert view["step"] == "gauge"
-    assert enabled(view, "confirm_gauge")
+    assert is_enabled(view, "confirm_gauge")
 
 
-def test_a_broken_nominal_is_named_beside_the_others(desk: Desk) -> None:
+def test_a_broken_nominal_is_named_beside_the_others(desk: VerifyDesk) -> None:
     broken = desk.server.data / "gauges" / "broken.nominal.json"
     broken.write_text('{"format": "crenel/nominal", "version": 1, "shape": "sphere"}')
     try:
@@ -268,34 +231,19 @@ def test_a_broken_nominal_is_named_beside_the_others(desk: Desk) -> None:
         broken.unlink()
 
 
-def enabled(view: View, name: str) -> bool:
-    return any(action["name"] == name and action["enabled"] for action in view["actions"])
-
-
-def refusal(answer: httpx.Response) -> str:
-    assert answer.status_code == 422, answer.text
-    return str(answer.json()["detail"])
-
-
-def test_a_server_killed_while_it_scans_loses_no_cloud(desk: Desk, tmp_path: Path) -> None:
+def test_a_server_killed_while_it_scans_loses_no_cloud(desk: VerifyDesk, tmp_path: Path) -> None:
     """What is on the disk at that moment is all that a next server has."""
     server, simulated_operator = desk.server, desk.server.simulation.operator
-    desk.start("plate")
-    desk.do("skip_touch")
+    desk.start_without_touches("plate")
     session = desk.do("begin_cloud")["session_id"]
     with ThreadPoolExecutor(1) as elsewhere:
         moving = elsewhere.submit(simulated_operator.scan_part, "plate")
         wait_for(lambda: server.context.scanner.state().points, lambda points: points > 3000)
         moving.result(PATIENCE_S)
-    left = tmp_path / "left"
-    shutil.copytree(server.data, left)
+    shutil.copytree(server.data, left := tmp_path / "left")
     desk.do("finish_cloud")
-
-    store, bus = Store(left), Bus()
-    rig, scene = Rig(bus, server.simulation.sensor, server.simulation.sensor, left), Scene()  # type: ignore[arg-type]
-    scanner = Scanner(bus, rig, scene, left / "scans")
-    jobs = Jobs(bus)
-    try:
+    with next_station(server, left) as (store, bus, rig, scanner, scene):
+        jobs = Jobs(bus)
         station = GaugeServices(bus, rig, jobs, None, scanner, scene)
         guide = VerifyGuide(station, store.journal, store.calibrations, store.verifications, left)
         assert guide.state.session_id == session
@@ -306,7 +254,3 @@ def test_a_server_killed_while_it_scans_loses_no_cloud(desk: Desk, tmp_path: Pat
         (cloud,) = guide.view().picture.clouds
         assert cloud.state == "good", cloud.text
         assert cloud.points > 1000
-    finally:
-        scanner.close()
-        scene.close()
-        store.close()

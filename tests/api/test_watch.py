@@ -164,7 +164,7 @@ def test_metrics_are_named_and_counted_as_prometheus_wants_them(server: Server) 
 
 
 def test_jobs_are_timed(server: Server) -> None:
-    server.wait(lambda view: view["busy"] is None)
+    server.wait_until_idle()
     server.context.jobs.start("A test's job", lambda progress: time.sleep(0.6), lambda job: None)
     until(lambda: "A test's job" in server.context.monitoring.job_times)
     text = server.http.get("/metrics").text
