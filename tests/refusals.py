@@ -1,4 +1,4 @@
-"""What the program refuses, by the code of its reason."""
+"""What is asserted of an operation that is refused."""
 
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -10,7 +10,21 @@ from app.errors import OperationError
 
 @contextmanager
 def refused(code: str) -> Iterator[pytest.ExceptionInfo[OperationError]]:
-    """The block ends with an error of this code."""
-    with pytest.raises(OperationError) as failed:
-        yield failed
-    assert failed.value.code == code
+    """What is done within ends in an error of this code."""
+    with pytest.raises(OperationError) as caught:
+        yield caught
+    assert caught.value.code == code
+
+
+@contextmanager
+def refused_as(code: str, *words: str, where: object = "") -> Iterator[None]:
+    """What is done within ends in this error, whose line has these words.
+
+    Args:
+        where: what its first part names, such as a file.
+    """
+    with refused(code) as caught:
+        yield
+    assert str(where) in str(caught.value.what)
+    for said in words:
+        assert said in caught.value.line
