@@ -50,6 +50,16 @@ def real(value: str, unit: str, uncertainty: str = "") -> str:
     return f"<si:real><si:value>{value}</si:value><si:unit>{unit}</si:unit>{uncertainty}</si:real>"
 
 
+def real_list(values: str, units: str, expanded_uncertainties: str) -> str:
+    return (
+        f"<si:realListXMLList><si:valueXMLList>{values}</si:valueXMLList>"
+        f"<si:unitXMLList>{units}</si:unitXMLList><si:expandedUncXMLList>"
+        f"<si:uncertaintyXMLList>{expanded_uncertainties}</si:uncertaintyXMLList>"
+        "<si:coverageFactorXMLList>2</si:coverageFactorXMLList>"
+        "</si:expandedUncXMLList></si:realListXMLList>"
+    )
+
+
 def expanded(value: str, factor: str = "2") -> str:
     """As D-SI 1 has it."""
     return (

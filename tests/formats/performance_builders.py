@@ -1,5 +1,6 @@
 """Results of performance tests from made-up measurements, by the program's own computations."""
 
+from collections.abc import Callable
 from pathlib import Path
 from typing import Literal
 
@@ -350,3 +351,7 @@ def written(
     )
     document.write(folder / RESULT)
     return document
+
+
+Build = Callable[[Path], PerformanceFile]
+BUILDERS: tuple[Build, ...] = (sphere_result, lengths_result, contact_result, plane_result)

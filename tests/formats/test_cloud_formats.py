@@ -12,13 +12,7 @@ from hypothesis import strategies as st
 
 from app.errors import OperationError
 from app.formats.clouds import pcd
-from app.formats.clouds.files import (
-    CHUNK_POINTS,
-    POINT,
-    SUFFIXES,
-    cloud_writer,
-    read_cloud,
-)
+from app.formats.clouds.files import CHUNK_POINTS, POINT, SUFFIXES, cloud_writer, read_cloud
 from app.formats.clouds.xyz import XyzSink
 from app.metrology.sensor.camera import project
 from app.metrology.sensor.triangulation import scan_points, sensor_points
@@ -139,12 +133,8 @@ def compress_lzf(plain: bytes) -> bytes:
             literals.append(plain[at])
             at += 1
             continue
-        count = 3
-        while (
-            count < 264
-            and at + count < len(plain)
-            and plain[at + count - back] == plain[at + count]
-        ):
+        count, most = 3, min(264, len(plain) - at)
+        while count < most and plain[at + count - back] == plain[at + count]:
             count += 1
         flush()
         length = count - 2
@@ -229,8 +219,9 @@ def test_text_has_the_numbers_to_their_last_digit(tmp_path: Path) -> None:
     lines = (tmp_path / "c.xyz").read_text().splitlines()[1:]
     for line, point in zip(lines, points, strict=True):
         x, y, z, intensity, uncertainty_um, frame = line.split(" ")
-        for text, value in zip((x, y, z), (point["x"], point["y"], point["z"]), strict=True):
-            assert text in (f"{value:.4f}", f"{value:.4f}".replace("-0.0000", "0.0000"))
+        for text, axis in ((x, "x"), (y, "y"), (z, "z")):
+            digits = f"{point[axis]:.4f}"
+            assert text in (digits, digits.replace("-0.0000", "0.0000"))
         assert abs(float(intensity) - point["intensity"]) <= 0.0501
         assert abs(float(uncertainty_um) - point["uncertainty_um"]) <= 0.00501
         assert int(frame) == point["frame"]
@@ -243,10 +234,8 @@ def test_a_points_uncertainty_is_the_stripes_seen_from_there(axis: str) -> None:
     _, uv = stripe_points()
     sigma = np.linspace(0.02, 0.3, len(uv))
     step = np.array([0.0, 1.0]) if axis == "u" else np.array([1.0, 0.0])
-    moved = [
-        sensor_points(use.camera, use.plane, uv + sign * 0.5 * sigma[:, None] * step)
-        for sign in (1, -1)
-    ]
+    half = 0.5 * sigma[:, None] * step
+    moved = [sensor_points(use.camera, use.plane, uv + sign * half) for sign in (1, -1)]
     points = sensor_points(use.camera, use.plane, uv)
     np.testing.assert_allclose(project(use.camera, points), uv, atol=1e-9)
     expected = 1e3 * np.linalg.norm(moved[0] - moved[1], axis=1)

@@ -10,18 +10,32 @@ from hypothesis import strategies as st
 
 from app.errors import OperationError
 from app.formats.clouds.files import cloud_writer, read_cloud
+from app.metrology.transforms import Floats
+from tests.refusals import refused_as
 
 POINTS = np.random.default_rng(3).uniform(-1000, 1000, (257, 3))
 
 
-def write_pieces(path: Path, sizes: list[int]) -> int:
-    rng = np.random.default_rng(4)
+def write_pieces(path: Path, sizes: list[int]) -> Floats:
+    """Writes pieces of so many points, each with its number as frame, and gives the points."""
+    rng, pieces = np.random.default_rng(4), []
     with cloud_writer(path) as cloud:
         for frame, size in enumerate(sizes):
-            cloud.write(
-                rng.uniform(-1000, 1000, (size, 3)), np.full(size, 50.0), np.full(size, 0.1), frame
-            )
-    return sum(sizes)
+            points = rng.uniform(-1000, 1000, (size, 3))
+            cloud.write(points, np.full(size, 50.0), np.full(size, 0.1), frame)
+            pieces.append(points)
+    return np.concatenate(pieces)
+
+
+def ascii_ply(*lines: str) -> bytes:
+    """The header of a PLY file in text."""
+    return "\n".join(["ply", "format ascii 1.0", *lines, "end_header\n"]).encode()
+
+
+def of_points(count: int, content: bytes) -> bytes:
+    """A PLY file in text with coordinates alone."""
+    axes = (f"property float {axis}" for axis in "xyz")
+    return ascii_ply(f"element vertex {count}", *axes) + content
 
 
 @given(st.lists(st.integers(0, 300), min_size=1, max_size=6))
@@ -29,16 +43,13 @@ def write_pieces(path: Path, sizes: list[int]) -> int:
 def test_pieces_read_back_here_and_elsewhere(tmp_path: Path, sizes: list[int]) -> None:
     path = tmp_path / "cloud.ply"
     sizes = [*sizes, 1]
-    count = write_pieces(path, sizes)
-    rng = np.random.default_rng(4)
-    points = np.concatenate([rng.uniform(-1000, 1000, (size, 3)) for size in sizes])
+    points = write_pieces(path, sizes)
     cloud = read_cloud(path)
     np.testing.assert_array_equal(cloud.points_mm, points)
     assert cloud.frame is not None
     np.testing.assert_array_equal(cloud.frame, np.repeat(np.arange(len(sizes)), sizes))
     elsewhere = trimesh.load(path)
     assert isinstance(elsewhere, trimesh.PointCloud)
-    assert np.asarray(elsewhere.vertices).shape == (count, 3)
     np.testing.assert_array_equal(np.asarray(elsewhere.vertices), points)
 
 
@@ -114,15 +125,11 @@ def test_decimal_commas_are_named(tmp_path: Path, separator: str, head: str) -> 
     rows = [separator.join(["-1,25", "3e-2", "7", "17"]), separator.join(["1,5", "2", "0,5", "9"])]
     text = head.replace(" ", separator) + "\n".join(rows) + "\n"
     (tmp_path / "c.xyz").write_text(text)
-    ply = "ply\nformat ascii 1.0\nelement vertex 1\n"
-    ply += "".join(f"property float {axis}\n" for axis in "xyz") + "end_header\n1,5 2,5 3\n"
-    (tmp_path / "c.ply").write_text(ply)
+    (tmp_path / "c.ply").write_bytes(of_points(1, b"1,5 2,5 3\n"))
     for name in ("c.xyz", "c.ply"):
-        with pytest.raises(OperationError, match="numbers have decimal commas") as refused:
+        words = ("numbers have decimal commas", name, "decimal points")
+        with refused_as("cloud-decimal-commas", *words):
             read_cloud(tmp_path / name)
-        assert refused.value.code == "cloud-decimal-commas"
-        assert name in refused.value.line
-        assert "decimal points" in refused.value.line
 
 
 @pytest.mark.parametrize("separator", [" ", ",", ";"])
@@ -134,6 +141,10 @@ def test_columns_named_above_the_points_are_found(
     path = tmp_path / "c.xyz"
     path.write_text("\n".join([start + separator.join(["id", "Z", "Y", "X"]), *rows]) + "\n")
     np.testing.assert_array_equal(read_cloud(path).points_mm, POINTS)
+
+
+X, ONE = "property float x", "element vertex 1"
+FACES = ("element face 1", "property list uchar int i")
 
 
 @pytest.mark.parametrize(
@@ -148,20 +159,12 @@ def test_columns_named_above_the_points_are_found(
         (b"\x00\x01\x02", "not a cloud of a known format"),
         (b"ply\nformat ascii 1.0\n", "does not end"),
         (b"ply\nformat morse 1.0\nend_header\n", "format"),
-        (b"ply\nformat ascii 1.0\nend_header\n", "no element vertex"),
-        (b"ply\nformat ascii 1.0\nelement vertex many\nend_header\n", "many"),
-        (b"ply\nformat ascii 1.0\nproperty float x\nend_header\n", "property float x"),
-        (b"ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nend_header\n1\n", "no y, z"),
-        (
-            b"ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float x\n"
-            b"end_header\n1 2\n",
-            "two properties with the same name",
-        ),
-        (
-            b"ply\nformat ascii 1.0\nelement face 1\nproperty list uchar int i\n"
-            b"element vertex 1\nproperty float x\nend_header\n",
-            "lists",
-        ),
+        (ascii_ply(), "no element vertex"),
+        (ascii_ply("element vertex many"), "many"),
+        (ascii_ply(X), "property float x"),
+        (ascii_ply(ONE, X) + b"1\n", "no y, z"),
+        (ascii_ply(ONE, X, X) + b"1 2\n", "two properties with the same name"),
+        (ascii_ply(*FACES, ONE, X), "lists"),
     ],
 )
 def test_what_is_no_cloud_is_refused(tmp_path: Path, content: bytes, said: str) -> None:
@@ -187,11 +190,9 @@ def test_a_cut_cloud_is_refused_wherever_it_ends(tmp_path: Path) -> None:
 
 def test_an_ascii_cloud_that_ends_early_is_refused(tmp_path: Path) -> None:
     path = tmp_path / "c.ply"
-    head = "ply\nformat ascii 1.0\nelement vertex 3\n"
-    head += "".join(f"property float {axis}\n" for axis in "xyz") + "end_header\n"
-    path.write_text(head + "1 2 3\n4 5 6\n")
+    path.write_bytes(of_points(3, b"1 2 3\n4 5 6\n"))
     with pytest.raises(OperationError, match="2 of 3 points"):
         read_cloud(path)
-    path.write_text(head + "1 2 3\n4 5 6\n7 8\n")
+    path.write_bytes(of_points(3, b"1 2 3\n4 5 6\n7 8\n"))
     with pytest.raises(OperationError, match=r"c\.ply"):
         read_cloud(path)

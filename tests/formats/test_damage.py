@@ -1,6 +1,5 @@
 """Whatever happens to the bytes of a file, reading it ends well or in a refusal."""
 
-import struct
 import zlib
 from contextlib import suppress
 from pathlib import Path
@@ -19,16 +18,18 @@ from app.workflows.reconstruct import reconstruct_cloud
 from tests.formats.builders import ARM, joints_every, little_calibration, write_session
 from tests.formats.test_clouds import POINTS
 from tests.formats.test_documents import calibration_file
+from tests.formats.test_image_sizes import png
 from tests.workflows.test_reconstruct import MS, NAMES, record_stripe
 
 pytestmark = pytest.mark.slow
 
+Damage = list[tuple[float, bytes, int]]
 changes = st.lists(
     st.tuples(st.floats(0, 1), st.binary(max_size=4), st.integers(0, 4)), min_size=1, max_size=3
 )
 
 
-def damaged(whole: bytes, damage: list[tuple[float, bytes, int]]) -> bytes:
+def damaged(whole: bytes, damage: Damage) -> bytes:
     """Some bytes replaced, put in or taken out, at places from 0 (start) to 1 (end)."""
     content = bytearray(whole)
     for place, put_in, taken_out in damage:
@@ -52,9 +53,7 @@ def session(tmp_path: Path) -> Path:
     changes,
 )
 @relaxed
-def test_a_damaged_session(
-    session: Path, name: str, damage: list[tuple[float, bytes, int]]
-) -> None:
+def test_a_damaged_session(session: Path, name: str, damage: Damage) -> None:
     whole = (session / name).read_bytes()
     (session / name).write_bytes(damaged(whole, damage))
     with suppress(OperationError):
@@ -64,7 +63,7 @@ def test_a_damaged_session(
 
 @given(changes)
 @relaxed
-def test_a_damaged_calibration(tmp_path: Path, damage: list[tuple[float, bytes, int]]) -> None:
+def test_a_damaged_calibration(tmp_path: Path, damage: Damage) -> None:
     path = tmp_path / "c.json"
     calibration_file().write(path)
     path.write_bytes(damaged(path.read_bytes(), damage))
@@ -74,7 +73,7 @@ def test_a_damaged_calibration(tmp_path: Path, damage: list[tuple[float, bytes, 
 
 @given(changes)
 @relaxed
-def test_a_damaged_cloud(tmp_path: Path, damage: list[tuple[float, bytes, int]]) -> None:
+def test_a_damaged_cloud(tmp_path: Path, damage: Damage) -> None:
     path = tmp_path / "c.ply"
     with cloud_writer(path) as cloud:
         cloud.write(POINTS[:9], POINTS[:9, 0], POINTS[:9, 0], 0)
@@ -94,9 +93,7 @@ def recording(tmp_path: Path) -> bytes:
 
 @given(changes)
 @relaxed
-def test_a_damaged_recording(
-    tmp_path: Path, recording: bytes, damage: list[tuple[float, bytes, int]]
-) -> None:
+def test_a_damaged_recording(tmp_path: Path, recording: bytes, damage: Damage) -> None:
     path = tmp_path / "scan.mcap"
     path.write_bytes(damaged(recording, damage))
     with suppress(OperationError):
@@ -123,15 +120,7 @@ def test_a_text_cloud_that_announces_more_than_any_disk_holds(tmp_path: Path) ->
 
 def test_a_picture_larger_than_can_be_read(tmp_path: Path) -> None:
     """A whole PNG of 60,000 x 60,000 black pixels, which takes no space in the file."""
-
-    def chunk(kind: bytes, body: bytes) -> bytes:
-        return (
-            struct.pack(">I", len(body)) + kind + body + struct.pack(">I", zlib.crc32(kind + body))
-        )
-
-    header = struct.pack(">IIBBBBB", 60_000, 60_000, 8, 0, 0, 0, 0)
-    body = chunk(b"IHDR", header) + chunk(b"IDAT", zlib.compress(b"")) + chunk(b"IEND", b"")
     path = tmp_path / "huge.png"
-    path.write_bytes(b"\x89PNG\r\n\x1a\n" + body)
+    path.write_bytes(png(60_000, 60_000, data=zlib.compress(b"")))
     with pytest.raises(OperationError, match=r"huge\.png"):
         read_grey(path)

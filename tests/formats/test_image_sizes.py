@@ -15,17 +15,18 @@ from app.errors import OperationError
 from app.formats import images
 from app.formats.image_sizes import PNG_SIGNATURE, ImageHeader, read_header
 from app.formats.images import decode_grey
+from tests.refusals import refused_as
 
 KINDS = ("png", "jpg", "bmp", "tiff", "pnm", "webp")
 
 
-def png(width: int, height: int, colour: int = 0, bits: int = 8) -> bytes:
+def png(width: int, height: int, colour: int = 0, bits: int = 8, data: bytes = b"") -> bytes:
     def chunk(kind: bytes, content: bytes) -> bytes:
         checked = kind + content
         return struct.pack(">I", len(content)) + checked + struct.pack(">I", zlib.crc32(checked))
 
     head = struct.pack(">IIBBBBB", width, height, bits, colour, 0, 0, 0)
-    return PNG_SIGNATURE + chunk(b"IHDR", head) + chunk(b"IDAT", b"") + chunk(b"IEND", b"")
+    return PNG_SIGNATURE + chunk(b"IHDR", head) + chunk(b"IDAT", data) + chunk(b"IEND", b"")
 
 
 def tiff(width: int, height: int, order: str = "<", big: bool = False) -> bytes:
@@ -98,10 +99,9 @@ def test_a_tiff_of_several_pages_is_refused_and_one_with_a_thumbnail_is_read() -
         if read:
             np.testing.assert_array_equal(decode_grey(encoded.tobytes(), "a.tif"), first)
             continue
-        with pytest.raises(OperationError, match=r"a\.tif has more than one page") as refused:
+        words = ("a.tif has more than one page", "Save each page as a file of its own")
+        with refused_as("image-has-pages", *words):
             decode_grey(encoded.tobytes(), "a.tif")
-        assert refused.value.code == "image-has-pages"
-        assert "Save each page as a file of its own" in refused.value.line
 
 
 def test_pages_that_follow_in_a_circle_end() -> None:
@@ -125,9 +125,8 @@ def test_what_would_be_refused_once_decoded_is_not_decoded(
         (b"P7\nWIDTH 100000\nHEIGHT 100000\nDEPTH 4\n", "image-unreadable"),
         (b"", "image-unreadable"),
     ):
-        with pytest.raises(OperationError) as refused:
+        with refused_as(code):
             decode_grey(raw, "a.png")
-        assert refused.value.code == code
 
 
 def test_a_picture_of_the_largest_size_is_no_refusal_of_it() -> None:

@@ -1,6 +1,5 @@
 """Results of performance tests as QIF 3.0."""
 
-from collections.abc import Callable
 from pathlib import Path
 from statistics import stdev
 from xml.etree import ElementTree as ET
@@ -12,15 +11,14 @@ from app.formats.exchange.write_qif import qif_bytes
 from app.formats.exchange.xml_text import local_name
 from app.formats.performance.results import PerformanceFile
 from tests.formats.performance_builders import (
+    BUILDERS,
     SPHERE,
+    Build,
     contact_result,
-    lengths_result,
     plane_result,
     sphere_result,
 )
 
-BUILDERS = (sphere_result, lengths_result, contact_result, plane_result)
-Build = Callable[[Path], PerformanceFile]
 NAMES = {"q": QIF}
 LINEAR = "UserDefinedLinearCharacteristic"
 ORDER = {

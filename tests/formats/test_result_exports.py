@@ -3,7 +3,6 @@
 import csv
 import io
 import sys
-from collections.abc import Callable
 from pathlib import Path
 
 import openpyxl
@@ -16,16 +15,12 @@ from app.formats.exchange.write_tables import (
     write_csv_tables,
     write_workbook,
 )
-from app.formats.performance.results import PerformanceFile
 from tests.formats.performance_builders import (
-    contact_result,
+    BUILDERS,
+    Build,
     lengths_result,
-    plane_result,
     sphere_result,
 )
-
-BUILDERS = (sphere_result, lengths_result, contact_result, plane_result)
-Build = Callable[[Path], PerformanceFile]
 
 
 def rows_of(path: Path) -> list[dict[str, str]]:
