@@ -57,16 +57,16 @@ class MockProvider:
 
     def settings(self, folder: Path, **others: object) -> SignInSettings:
         """Those of a station that is this client."""
-        secret = folder / "client-secret"
-        secret.write_text(f"{self.secret}\n")
-        table = {
-            "name": "Plant accounts",
-            "issuer": self.issuer,
-            "client_id": self.client_id,
-            "client_secret_file": str(secret),
-            "roles": ROLES,
-        }
-        return read_table(folder, table | others)
+        client = {"issuer": self.issuer, "client_id": self.client_id}
+        return client_settings(folder, f"{self.secret}\n", **client | others)
+
+
+def client_settings(folder: Path, secret: str, **table: object) -> SignInSettings:
+    """Those of a client, whose secret is written into the folder."""
+    file = folder / "client-secret"
+    file.write_text(secret)
+    usual = {"name": "Plant accounts", "client_secret_file": str(file), "roles": ROLES}
+    return read_table(folder, usual | table)
 
 
 def read_table(folder: Path, table: Mapping[str, object]) -> SignInSettings:

@@ -21,7 +21,7 @@ from joserfc.jwk import RSAKey
 
 from app.single_sign_on.pending import ProviderAnswer, base64url
 from app.single_sign_on.settings import SignInSettings
-from tests.single_sign_on.mock_provider import ROLES, read_answer, read_table
+from tests.single_sign_on.mock_provider import client_settings, read_answer
 
 CLIENT, SECRET = "station-2", "kept secret by both"
 
@@ -58,16 +58,8 @@ class OwnProvider:
 
     def settings(self, folder: Path, **others: object) -> SignInSettings:
         """Those of its only client."""
-        secret = folder / "client-secret"
-        secret.write_text(SECRET)
-        table = {
-            "name": "Plant accounts",
-            "issuer": self.issuer,
-            "client_id": CLIENT,
-            "client_secret_file": str(secret),
-            "roles": ROLES,
-        }
-        return read_table(folder, table | others)
+        client = {"issuer": self.issuer, "client_id": CLIENT}
+        return client_settings(folder, SECRET, **client | others)
 
     def answer_to(self, page: str) -> ProviderAnswer:
         """The answer after somebody signed in on its page."""

@@ -5,7 +5,6 @@ import socket
 import ssl
 import time
 from collections.abc import Iterator
-from contextlib import contextmanager
 from dataclasses import replace
 from pathlib import Path
 
@@ -20,6 +19,7 @@ from app.single_sign_on.id_token import SKEW_S
 from app.single_sign_on.pending import ProviderAnswer
 from app.single_sign_on.person import ProviderPerson
 from app.single_sign_on.provider import AT_ONCE, Provider
+from tests.refusals import refused
 from tests.single_sign_on.mock_provider import BACK
 from tests.single_sign_on.own_provider import OwnProvider, own_provider, rsa_key
 
@@ -32,18 +32,15 @@ def own() -> Iterator[OwnProvider]:
         yield running
 
 
+@pytest.fixture
+def provider(own: OwnProvider, tmp_path: Path) -> Provider:
+    return Provider(own.settings(tmp_path))
+
+
 def sign_in(provider: Provider, own: OwnProvider) -> ProviderPerson:
     """A whole sign-in."""
     page, cookie = asyncio.run(provider.begin(BACK))
     return asyncio.run(provider.finish(own.answer_to(page), cookie, BACK))
-
-
-@contextmanager
-def refused(code: str) -> Iterator[None]:
-    """The block ends with this error."""
-    with pytest.raises(SignInError) as failed:
-        yield
-    assert failed.value.code == code
 
 
 def failure_of(provider: Provider, own: OwnProvider) -> str:
@@ -53,8 +50,7 @@ def failure_of(provider: Provider, own: OwnProvider) -> str:
     return failed.value.code
 
 
-def test_a_person_signs_in(own: OwnProvider, tmp_path: Path) -> None:
-    provider = Provider(own.settings(tmp_path))
+def test_a_person_signs_in(own: OwnProvider, provider: Provider) -> None:
     assert sign_in(provider, own) == ProviderPerson("1234", "anna", "operator")
     assert provider.trouble == ""
 
@@ -85,10 +81,10 @@ def test_a_person_signs_in(own: OwnProvider, tmp_path: Path) -> None:
     ],
 )
 def test_a_token_for_something_else_is_refused(
-    own: OwnProvider, tmp_path: Path, claims: dict[str, object], code: str
+    own: OwnProvider, provider: Provider, claims: dict[str, object], code: str
 ) -> None:
     own.claims = claims
-    assert failure_of(Provider(own.settings(tmp_path)), own) == f"sign-in-{code}"
+    assert failure_of(provider, own) == f"sign-in-{code}"
 
 
 @pytest.mark.parametrize(
@@ -100,30 +96,30 @@ def test_a_token_for_something_else_is_refused(
     ids=["several audiences", "at_hash"],
 )
 def test_a_token_with_what_may_differ_is_taken(
-    own: OwnProvider, tmp_path: Path, claims: dict[str, object]
+    own: OwnProvider, provider: Provider, claims: dict[str, object]
 ) -> None:
     own.claims = claims
-    assert sign_in(Provider(own.settings(tmp_path)), own).name == "anna"
+    assert sign_in(provider, own).name == "anna"
 
 
 @pytest.mark.parametrize(
     ("claim", "off_s"), [("exp", -SKEW_S - 5), ("iat", SKEW_S + 60), ("nbf", SKEW_S + 60)]
 )
 def test_clocks_that_differ_too_much_are_named(
-    own: OwnProvider, tmp_path: Path, claim: str, off_s: int
+    own: OwnProvider, provider: Provider, claim: str, off_s: int
 ) -> None:
     own.claims = {claim: int(time.time()) + off_s}
-    assert failure_of(Provider(own.settings(tmp_path)), own) == "sign-in-clock"
+    assert failure_of(provider, own) == "sign-in-clock"
 
 
-def test_clocks_may_differ_a_little(own: OwnProvider, tmp_path: Path) -> None:
+def test_clocks_may_differ_a_little(own: OwnProvider, provider: Provider) -> None:
     own.claims = {"exp": int(time.time()) - SKEW_S // 4}
-    assert sign_in(Provider(own.settings(tmp_path)), own).name == "anna"
+    assert sign_in(provider, own).name == "anna"
 
 
-def test_a_forged_signature_is_refused(own: OwnProvider, tmp_path: Path) -> None:
+def test_a_forged_signature_is_refused(own: OwnProvider, provider: Provider) -> None:
     own.published = [rsa_key("first").as_dict(private=False)]
-    assert failure_of(Provider(own.settings(tmp_path)), own) == "sign-in-signature"
+    assert failure_of(provider, own) == "sign-in-signature"
 
 
 @pytest.mark.parametrize("algorithm", ["none", "HS256", "HS512"])
@@ -131,16 +127,15 @@ def test_a_token_that_anyone_could_make_is_refused(
     own: OwnProvider, tmp_path: Path, algorithm: str
 ) -> None:
     own.header = {"alg": algorithm}
-    provider = Provider(own.settings(tmp_path))
-    assert failure_of(provider, own) == "sign-in-signature"
+    assert failure_of(Provider(own.settings(tmp_path)), own) == "sign-in-signature"
     own.published = [OctKey.import_key("a public secret", {"kid": "first"}).as_dict(private=True)]
     assert failure_of(Provider(own.settings(tmp_path)), own) == "sign-in-signature"
 
 
 @pytest.mark.parametrize("token", ["", "a.b.c", "x" * 300_000, "..", "e30.e30.e30"])
-def test_what_is_no_token_is_refused(own: OwnProvider, tmp_path: Path, token: str) -> None:
+def test_what_is_no_token_is_refused(own: OwnProvider, provider: Provider, token: str) -> None:
     own.token_answer = 200, {"access_token": "one", "id_token": token}
-    assert failure_of(Provider(own.settings(tmp_path)), own) == "sign-in-signature"
+    assert failure_of(provider, own) == "sign-in-signature"
 
 
 @pytest.mark.parametrize(
@@ -154,20 +149,19 @@ def test_what_is_no_token_is_refused(own: OwnProvider, tmp_path: Path, token: st
     ids=ascii,
 )
 def test_addresses_that_are_none_are_refused(
-    own: OwnProvider, tmp_path: Path, metadata: dict[str, object]
+    own: OwnProvider, provider: Provider, metadata: dict[str, object]
 ) -> None:
     own.metadata = metadata
-    assert failure_of(Provider(own.settings(tmp_path)), own).startswith("sign-in-provider-")
+    assert failure_of(provider, own).startswith("sign-in-provider-")
 
 
-def test_an_error_that_is_no_text_is_refused(own: OwnProvider, tmp_path: Path) -> None:
+def test_an_error_that_is_no_text_is_refused(own: OwnProvider, provider: Provider) -> None:
     own.metadata = {"token_endpoint_auth_methods_supported": 7}
     own.token_answer = 400, {"error": "\ud800"}
-    assert failure_of(Provider(own.settings(tmp_path)), own) == "sign-in-provider-unusable"
+    assert failure_of(provider, own) == "sign-in-provider-unusable"
 
 
-def test_new_keys_of_the_provider_are_fetched(own: OwnProvider, tmp_path: Path) -> None:
-    provider = Provider(own.settings(tmp_path))
+def test_new_keys_of_the_provider_are_fetched(own: OwnProvider, provider: Provider) -> None:
     sign_in(provider, own)
     sign_in(provider, own)
     assert own.asked.count("/keys") == 1
@@ -178,18 +172,17 @@ def test_new_keys_of_the_provider_are_fetched(own: OwnProvider, tmp_path: Path) 
     assert own.asked.count("/keys") == 3
 
 
-def test_keys_that_are_no_use_are_left_out(own: OwnProvider, tmp_path: Path) -> None:
+def test_keys_that_are_no_use_are_left_out(own: OwnProvider, provider: Provider) -> None:
     encryption = {**rsa_key("first").as_dict(private=False), "use": "enc"}
     other = ECKey.generate_key("P-256", {"kid": "other"}).as_dict(private=False)
     strange = [{"kty": "lattice", "kid": "first"}, {"kty": "RSA", "kid": "first"}, "none", {}]
     own.published = [encryption, *strange, other, own.key.as_dict(private=False)]  # type: ignore[list-item]
-    assert sign_in(Provider(own.settings(tmp_path)), own).name == "anna"
+    assert sign_in(provider, own).name == "anna"
 
 
 def test_a_sign_in_is_finished_once_and_in_its_own_browser(
-    own: OwnProvider, tmp_path: Path
+    own: OwnProvider, provider: Provider, tmp_path: Path
 ) -> None:
-    provider = Provider(own.settings(tmp_path))
     page, cookie = asyncio.run(provider.begin(BACK))
     _, other = asyncio.run(provider.begin(BACK))
     answer = own.answer_to(page)
@@ -199,16 +192,14 @@ def test_a_sign_in_is_finished_once_and_in_its_own_browser(
     with refused("sign-in-begin-again"):
         asyncio.run(provider.finish(replace(answer, state="x"), cookie, BACK))
     assert asyncio.run(provider.finish(answer, cookie, BACK)).name == "anna"
-    with refused("sign-in-begin-again"):
-        asyncio.run(provider.finish(answer, cookie, BACK))
-    with refused("sign-in-begin-again"):
-        asyncio.run(Provider(own.settings(tmp_path)).finish(answer, cookie, BACK))
+    for one in (provider, Provider(own.settings(tmp_path))):
+        with refused("sign-in-begin-again"):
+            asyncio.run(one.finish(answer, cookie, BACK))
 
 
 def test_a_code_of_another_sign_in_is_refused_by_its_verifier(
-    own: OwnProvider, tmp_path: Path
+    own: OwnProvider, provider: Provider
 ) -> None:
-    provider = Provider(own.settings(tmp_path))
     page, cookie = asyncio.run(provider.begin(BACK))
     stolen = own.answer_to(asyncio.run(provider.begin(BACK))[0])
     answer = replace(own.answer_to(page), code=stolen.code)
@@ -228,10 +219,10 @@ def test_a_code_of_another_sign_in_is_refused_by_its_verifier(
     ],
 )
 def test_what_the_provider_says_to_a_code_is_reported(
-    own: OwnProvider, tmp_path: Path, answer: tuple[int, dict[str, object]], code: str
+    own: OwnProvider, provider: Provider, answer: tuple[int, dict[str, object]], code: str
 ) -> None:
     own.token_answer = answer
-    assert failure_of(Provider(own.settings(tmp_path)), own) == f"sign-in-{code}"
+    assert failure_of(provider, own) == f"sign-in-{code}"
 
 
 @pytest.mark.parametrize(
@@ -239,22 +230,22 @@ def test_what_the_provider_says_to_a_code_is_reported(
     [("access_denied", "cancelled"), ("server_error", "refused"), ("", "refused")],
 )
 def test_what_the_provider_says_in_place_of_a_code_is_reported(
-    own: OwnProvider, tmp_path: Path, error: str, code: str
+    own: OwnProvider, provider: Provider, error: str, code: str
 ) -> None:
-    provider = Provider(own.settings(tmp_path))
     page, cookie = asyncio.run(provider.begin(BACK))
     answer = ProviderAnswer(own.answer_to(page).state, error=error)
     with refused(f"sign-in-{code}"):
         asyncio.run(provider.finish(answer, cookie, BACK))
 
 
-def test_groups_come_from_where_the_provider_has_them(own: OwnProvider, tmp_path: Path) -> None:
+def test_groups_come_from_where_the_provider_has_them(
+    own: OwnProvider, provider: Provider, tmp_path: Path
+) -> None:
     own.claims = {"groups": None, "realm_access": {"roles": ["sensor-admins", "sensor-viewers"]}}
     nested = Provider(own.settings(tmp_path, groups_claim="realm_access.roles"))
     assert sign_in(nested, own).role == "admin"
     own.metadata = {"userinfo_endpoint": f"{own.issuer}/user"}
     own.user_info = {"sub": "1234", "groups": "sensor-viewers"}
-    provider = Provider(own.settings(tmp_path))
     assert sign_in(provider, own).role == "viewer"
     own.user_info = {"sub": "another", "groups": "sensor-admins"}
     assert sign_in(provider, own).role is None
@@ -270,10 +261,9 @@ def test_only_allowed_groups_sign_in(own: OwnProvider, tmp_path: Path) -> None:
 
 
 def test_a_provider_that_is_away_differs_from_one_that_is_none(
-    own: OwnProvider, tmp_path: Path
+    own: OwnProvider, provider: Provider
 ) -> None:
     own.metadata = {"issuer": "https://another.example.org"}
-    provider = Provider(own.settings(tmp_path))
     assert failure_of(provider, own) == "sign-in-other-issuer"
     assert provider.trouble
     own.metadata = {"token_endpoint": "http://sso.example.org/token"}
@@ -306,10 +296,8 @@ def test_a_provider_that_nobody_reaches_or_that_is_silent(
 
 
 def test_more_sign_ins_at_once_than_the_provider_gets_are_asked_to_wait(
-    own: OwnProvider, tmp_path: Path
+    own: OwnProvider, provider: Provider
 ) -> None:
-    provider = Provider(own.settings(tmp_path))
-
     async def crowd() -> list[object]:
         return await asyncio.gather(
             *(provider.begin(BACK) for _ in range(2 * AT_ONCE)), return_exceptions=True

@@ -6,11 +6,11 @@ from typing import Any
 import pytest
 from pydantic import ValidationError
 
-from app.errors import OperationError
 from app.settings.settings import Settings
 from app.single_sign_on.errors import SignInError
 from app.single_sign_on.pending import LASTS_S, PendingSignIns
 from app.single_sign_on.settings import SECRET_VARIABLE
+from tests.refusals import refused
 from tests.single_sign_on.mock_provider import read_table
 
 TABLE: dict[str, Any] = {
@@ -47,10 +47,9 @@ def test_the_table_is_read_with_its_defaults(tmp_path: Path) -> None:
 )
 def test_what_cannot_work_is_named(tmp_path: Path, wrong: dict[str, object], named: str) -> None:
     (tmp_path / "station.toml").write_text("no certificate")
-    with pytest.raises(OperationError) as refused:
+    with refused("settings-sign-in") as failed:
         read_table(tmp_path, TABLE | wrong)
-    assert refused.value.code == "settings-sign-in"
-    assert named in refused.value.line
+    assert named in failed.value.line
 
 
 @pytest.mark.parametrize(
