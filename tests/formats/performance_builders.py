@@ -1,8 +1,9 @@
 """Results of performance tests from made-up measurements, by the program's own computations."""
 
 from collections.abc import Callable
+from itertools import product
 from pathlib import Path
-from typing import Literal
+from typing import Any, Literal
 
 import numpy as np
 
@@ -124,14 +125,13 @@ def sphere_measurement(
     def off_um(points: Floats) -> list[float]:
         found = least_squares_sphere(points)
         away = np.linalg.norm(points - found.centre_mm, axis=1) - found.diameter_mm / 2
-        return [float(value) for value in 1e3 * away]
+        return [*(1e3 * away).tolist()]
 
-    patches = tuple(
-        PatchPart(
-            points=int(rng.integers(120, 900)), frames=int(rng.integers(4, 30)), deviation_um=off
-        )
-        for off in off_um(scanned)
-    )
+    def patch(off: float) -> PatchPart:
+        points, frames = (int(rng.integers(*between)) for between in ((120, 900), (4, 30)))
+        return PatchPart(points=points, frames=frames, deviation_um=off)
+
+    patches = tuple(patch(off) for off in off_um(scanned))
     measured = SphereMeasurement(
         position=position,
         touched_centre_mm=vector(least_squares_sphere(touches).centre_mm),
@@ -164,20 +164,18 @@ def sphere_result(folder: Path, seed: int = 5) -> PerformanceFile:
     """The one-sphere test at two positions, with the probe matrix 50 µm off."""
     rng = np.random.default_rng(seed)
     offset = np.array([0.05, 0.0, 0.0])
-    pairs = [sphere_measurement(position, rng, offset) for position in (1, 2)]
-    spheres = [measured for measured, _ in pairs]
-    points = [found for _, found in pairs]
+    spheres, points = zip(*(sphere_measurement(n, rng, offset) for n in (1, 2)), strict=True)
     features = tuple(sphere_features(2))
     scans = tuple(sphere_scan(p, a) for p in (1, 2) for a in range(1, 6))
     pattern = tuple(sphere_feature(p, "pattern") for p in (1, 2))
     located = tuple(sphere_feature(p, "location", n) for p in (1, 2) for n in range(1, 6))
-    touched = [least_squares_sphere(one[:25]) for one in points]
-    scanned = [least_squares_sphere(one[25:]) for one in points]
-    both = [least_squares_sphere(one) for one in points]
-    nominal = SPHERE.diameter_mm
+    touched, scanned, both = (
+        [least_squares_sphere(one[part]) for one in points]
+        for part in (slice(25), slice(25, None), slice(None))
+    )
 
     def sizes(found: list[SphereOfPoints]) -> list[float]:
-        return [1e3 * (one.diameter_mm - nominal) for one in found]
+        return [1e3 * (one.diameter_mm - SPHERE.diameter_mm) for one in found]
 
     def forms(found: list[SphereOfPoints]) -> list[float]:
         return [1e3 * one.form_mm for one in found]
@@ -216,7 +214,7 @@ def sphere_result(folder: Path, seed: int = 5) -> PerformanceFile:
         figures,
         (*features, *scans),
         sphere=SPHERE,
-        spheres=tuple(spheres),
+        spheres=spheres,
         offset=ImpliedOffsetPart(
             offset_mm=vector(implied.offset_mm),
             standard_uncertainty_mm=vector(np.sqrt(np.diag(implied.covariance))),
@@ -234,46 +232,27 @@ def lengths_result(folder: Path, seed: int = 5) -> PerformanceFile:
     rng = np.random.default_rng(seed)
     limit = LimitPart(quantity="length-touch", a_um=20.0, k=40.0, b_um=50.0)
     points = []
-    for place in range(1, 8):
-        for part in BAR.lengths:
-            for repeat in range(1, 4):
-                off_mm = rng.normal(0.002, 0.008) + (0.07 if (place, repeat) == (4, 2) else 0)
-                one = MeasuredLength(
-                    place,
-                    repeat,
-                    CalibratedLength(part.length_mm, part.standard_uncertainty_um, 0.5e-6),
-                    part.length_mm + off_mm,
-                )
-                points.append(
-                    LengthPoint(
-                        place=place,
-                        repeat=repeat,
-                        length_mm=part.length_mm,
-                        measured_mm=one.measured_mm,
-                        error_um=one.error_um,
-                        test_uncertainty_um=2 * one.test_uncertainty_um,
-                        limit_um=limit.error.at(part.length_mm),
-                    )
-                )
-    data = tuple(
-        length_feature(place, repeat, length, end)
-        for place in range(1, 8)
-        for repeat in range(1, 4)
-        for length in range(1, 6)
-        for end in (0, 1)
-    )
+    for place, part, repeat in product(range(1, 8), BAR.lengths, range(1, 4)):
+        off_mm = rng.normal(0.002, 0.008) + (0.07 if (place, repeat) == (4, 2) else 0)
+        known = CalibratedLength(part.length_mm, part.standard_uncertainty_um, 0.5e-6)
+        one = MeasuredLength(place, repeat, known, part.length_mm + off_mm)
+        points.append(
+            LengthPoint(
+                place=place,
+                repeat=repeat,
+                length_mm=part.length_mm,
+                measured_mm=one.measured_mm,
+                error_um=one.error_um,
+                test_uncertainty_um=2 * one.test_uncertainty_um,
+                limit_um=limit.error.at(part.length_mm),
+            )
+        )
+    ends = product(range(1, 8), range(1, 4), range(1, 6), (0, 1))
+    data = tuple(length_feature(*end) for end in ends)
     errors = [point.error_um for point in points]
     found = figure("length-touch", errors, 2.3, 45.0, data)
-    return written(
-        folder,
-        "lengths",
-        (found,),
-        data,
-        length=BAR,
-        lengths=tuple(points),
-        notes=("All kept.",),
-        temperatures=TEMPERATURES,
-    )
+    fields: dict[str, Any] = {"length": BAR, "temperatures": TEMPERATURES, "notes": ("All kept.",)}
+    return written(folder, "lengths", (found,), data, lengths=tuple(points), **fields)
 
 
 def contact_result(folder: Path, seed: int = 5) -> PerformanceFile:

@@ -6,6 +6,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from scipy.spatial.transform import Rotation
 
 from app.errors import OperationError
 from app.formats.csv_table import table_text
@@ -15,17 +16,18 @@ from app.formats.session.coordinates_table import COORDINATES, parse_coordinates
 from app.formats.session.pose_columns import joint_columns
 from app.metrology.arm.kinematics import Arm
 from app.workflows.identify_arm import identification_summary, identify_folder
+from tests.refusals import refused_as
 from tests.simulated_robots import Tracker, built, measure, postures, robot
 
 HEAD: tuple[str, ...] = ("frame", "marker", "x_mm", "y_mm", "z_mm", "qx", "qy", "qz", "qw")
 HEAD += ("standard_uncertainty_mm", "rotation_standard_uncertainty_deg")
+MARKER = "marker_x_mm,marker_y_mm,marker_z_mm"
+Rows = tuple[Arm, list[list[float | str]]]
 
 
 @pytest.fixture(scope="module")
-def rows() -> tuple[Arm, list[list[float | str]]]:
+def rows() -> Rows:
     """A robot, and the cells of fifty full poses."""
-    from scipy.spatial.transform import Rotation
-
     rng = np.random.default_rng(1)
     arm = robot(6)
     found = measure(built(arm, rng), postures(arm, 50, rng), Tracker.somewhere(rng), rng, True)
@@ -39,7 +41,7 @@ def rows() -> tuple[Arm, list[list[float | str]]]:
 
 
 @pytest.fixture
-def folder(tmp_path: Path, rows: tuple[Arm, list[list[float | str]]]) -> Path:
+def folder(tmp_path: Path, rows: Rows) -> Path:
     arm, cells = rows
     arm_document(arm).write(tmp_path / "arm.json")
     text = table_text((*HEAD, *joint_columns(6)), cells)
@@ -47,9 +49,7 @@ def folder(tmp_path: Path, rows: tuple[Arm, list[list[float | str]]]) -> Path:
     return tmp_path
 
 
-def test_what_is_read_is_what_was_measured(
-    folder: Path, rows: tuple[Arm, list[list[float | str]]]
-) -> None:
+def test_what_is_read_is_what_was_measured(folder: Path, rows: Rows) -> None:
     (found,) = read_coordinates(folder / COORDINATES, rows[0])
     assert (found.frame, found.marker) == ("hall", "tip")
     assert found.lines == tuple(range(2, 52))
@@ -62,15 +62,21 @@ def test_what_is_read_is_what_was_measured(
     assert found.offset_mm is None
 
 
+def read_cells(folder: Path) -> list[list[str]]:
+    return [line.split(",") for line in (folder / COORDINATES).read_text().splitlines()]
+
+
+def write_cells(folder: Path, rows: list[list[str]]) -> None:
+    (folder / COORDINATES).write_text("".join(",".join(row) + "\n" for row in rows))
+
+
 def columns(folder: Path, names: str, change: Callable[[list[str]], list[str]]) -> None:
     """The table with other columns: ``change`` is given the cells of each row."""
-    _, *lines = (folder / COORDINATES).read_text().splitlines()
-    new = [",".join(change(line.split(","))) for line in lines]
-    joints = ",".join(joint_columns(6))
-    (folder / COORDINATES).write_text("\n".join([f"{names},{joints}", *new]) + "\n")
+    _, *rows = read_cells(folder)
+    write_cells(folder, [[*names.split(","), *joint_columns(6)], *map(change, rows)])
 
 
-def test_points_alone_are_enough(folder: Path, rows: tuple[Arm, list[list[float | str]]]) -> None:
+def test_points_alone_are_enough(folder: Path, rows: Rows) -> None:
     columns(folder, "x_mm,y_mm,z_mm", lambda row: row[2:5] + row[11:])
     (found,) = read_coordinates(folder / COORDINATES, rows[0])
     assert (found.frame, found.marker) == ("instrument", "tip")
@@ -79,18 +85,13 @@ def test_points_alone_are_enough(folder: Path, rows: tuple[Arm, list[list[float 
     assert not found.standard_uncertainty_mm.any()
 
 
-def test_angles_and_a_given_marker_are_read(
-    folder: Path, rows: tuple[Arm, list[list[float | str]]]
-) -> None:
-    from scipy.spatial.transform import Rotation
-
+def test_angles_and_a_given_marker_are_read(folder: Path, rows: Rows) -> None:
     def turned(row: list[str]) -> list[str]:
         rz, ry, rx = Rotation.from_quat([float(one) for one in row[5:9]]).as_euler("ZYX", True)
         return [*row[2:5], str(rx), str(ry), str(rz), "10", "20", "30", *row[11:]]
 
     (by_quaternion,) = read_coordinates(folder / COORDINATES, rows[0])
-    given = "marker_x_mm,marker_y_mm,marker_z_mm"
-    columns(folder, f"x_mm,y_mm,z_mm,rx_deg,ry_deg,rz_deg,{given}", turned)
+    columns(folder, f"x_mm,y_mm,z_mm,rx_deg,ry_deg,rz_deg,{MARKER}", turned)
     (by_angles,) = read_coordinates(folder / COORDINATES, rows[0])
     assert by_quaternion.rotations is not None
     assert by_angles.rotations is not None
@@ -167,10 +168,9 @@ def without_column(column: int) -> Edit:
     ],
 )
 def test_bad_tables_are_refused(folder: Path, edit: Edit, code: str, place: str) -> None:
-    path = folder / COORDINATES
-    cells = [line.split(",") for line in path.read_text().splitlines()]
+    cells = read_cells(folder)
     edit(cells)
-    path.write_text("\n".join(",".join(row) for row in cells) + "\n")
+    write_cells(folder, cells)
     with pytest.raises(OperationError) as caught:
         identify_folder(folder, folder / "new.json")
     assert caught.value.code == code
@@ -180,46 +180,35 @@ def test_bad_tables_are_refused(folder: Path, edit: Edit, code: str, place: str)
     assert not (folder / "new.json").exists()
 
 
-def test_angles_in_radians_and_two_rotations_are_refused(
-    folder: Path, rows: tuple[Arm, list[list[float | str]]]
-) -> None:
-    both = (folder / COORDINATES).read_text().replace("qw,", "qw,rx_deg,ry_deg,rz_deg,", 1)
-    lines = both.splitlines()
-    doubled = [",".join([*c[:9], "1", "2", "3", *c[9:]]) for c in (x.split(",") for x in lines[1:])]
-    (folder / COORDINATES).write_text("\n".join([lines[0], *doubled]) + "\n")
-    with pytest.raises(OperationError) as caught:
+def test_angles_in_radians_and_two_rotations_are_refused(folder: Path, rows: Rows) -> None:
+    angles, whole = "rx_deg,ry_deg,rz_deg", read_cells(folder)
+    columns(folder, f"{','.join(HEAD[:9])},{angles},{','.join(HEAD[9:])}", both_rotations)
+    with refused_as("two-rotations"):
         read_observations(folder, rows[0])
-    assert caught.value.code == "two-rotations"
-    joints = ",".join(joint_columns(6))
-    radians = [",".join([*c[2:5], "1.1", "-0.2", "3.1", *c[14:]]) for c in map(_cells, doubled)]
-    head = f"x_mm,y_mm,z_mm,rx_deg,ry_deg,rz_deg,{joints}"
-    (folder / COORDINATES).write_text("\n".join([head, *radians]) + "\n")
-    with pytest.raises(OperationError) as caught:
+    write_cells(folder, whole)
+    columns(folder, f"x_mm,y_mm,z_mm,{angles}", lambda c: [*c[2:5], "1.1", "-0.2", "3.1", *c[11:]])
+    with refused_as("rotations-in-radians"):
         read_observations(folder, rows[0])
-    assert caught.value.code == "rotations-in-radians"
 
 
-def _cells(line: str) -> list[str]:
-    return line.split(",")
+def both_rotations(row: list[str]) -> list[str]:
+    """Angles beside the quaternion."""
+    return [*row[:9], "1", "2", "3", *row[9:]]
 
 
-def test_a_marker_has_one_place(folder: Path, rows: tuple[Arm, list[list[float | str]]]) -> None:
-    given = "marker_x_mm,marker_y_mm,marker_z_mm"
-    columns(folder, f"x_mm,y_mm,z_mm,{given}", lambda row: [*row[2:5], "1", "2", "3", *row[11:]])
+def test_a_marker_has_one_place(folder: Path, rows: Rows) -> None:
+    columns(folder, f"x_mm,y_mm,z_mm,{MARKER}", lambda row: [*row[2:5], "1", "2", "3", *row[11:]])
     text = (folder / COORDINATES).read_text()
     (folder / COORDINATES).write_text(text.replace(",1,2,3,", ",1,2,4,", 1))
-    with pytest.raises(OperationError) as caught:
+    with refused_as("marker-moved", where="line 3"):
         read_coordinates(folder / COORDINATES, rows[0])
-    assert caught.value.code == "marker-moved"
-    assert "line 3" in str(caught.value.what)
 
 
-def test_limits_of_the_arm_hold(folder: Path, rows: tuple[Arm, list[list[float | str]]]) -> None:
+def test_limits_of_the_arm_hold(folder: Path, rows: Rows) -> None:
     arm = rows[0]
     joints = (replace(arm.joints[0], limits_rad=(-0.1, 0.1)), *arm.joints[1:])
-    with pytest.raises(OperationError) as caught:
+    with refused_as("joint-outside-limits"):
         read_coordinates(folder / COORDINATES, replace(arm, joints=joints))
-    assert caught.value.code == "joint-outside-limits"
 
 
 @pytest.mark.parametrize("text", ["PK\x03\x04\x14\ufffd,x", "x\0_\0m\0m\0,\0"])

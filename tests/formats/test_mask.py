@@ -19,13 +19,9 @@ WIDTH, HEIGHT = 200, 100
 ZONE = [[50.0, -5.0], [120.0, -5.0], [120.0, 110.0], [50.0, 110.0]]
 
 
-def document(**change: object) -> dict[str, object]:
-    fields: dict[str, object] = {"width_px": WIDTH, "height_px": HEIGHT, "zones": [ZONE]}
-    return {"format": "crenel/mask", "version": 1, **fields, **change}
-
-
 def written(path: Path, **change: object) -> Path:
-    path.write_text(json.dumps(document(**change)))
+    fields: dict[str, object] = {"width_px": WIDTH, "height_px": HEIGHT, "zones": [ZONE]}
+    path.write_text(json.dumps({"format": "crenel/mask", "version": 1, **fields, **change}))
     return path
 
 

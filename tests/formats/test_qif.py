@@ -9,7 +9,7 @@ import pytest
 from app.formats.exchange.qif_elements import QIF
 from app.formats.exchange.write_qif import qif_bytes
 from app.formats.exchange.xml_text import local_name
-from app.formats.performance.results import PerformanceFile
+from app.formats.performance.results import PerformanceFigure, PerformanceFile
 from tests.formats.performance_builders import (
     BUILDERS,
     SPHERE,
@@ -147,15 +147,17 @@ def test_a_standard_is_split(tmp_path: Path, name: str, parts: tuple[str | None,
     publisher = standard.findtext("q:Organization/*", None, NAMES)
     kind = local_name(standard[0][0])
     assert (kind == "StandardsOrganizationEnum") == (publisher in ("ASME", "ISO"))
-    designator, year = (
-        standard.findtext(f"q:{one}", None, NAMES) for one in ("Designator", "Year")
-    )
-    assert (publisher, designator, year) == parts
+    stated = [standard.findtext(f"q:{one}", None, NAMES) for one in ("Designator", "Year")]
+    assert (publisher, *stated) == parts
 
 
 def numbers(part: ET.Element | None) -> list[float]:
     assert part is not None
     return [float(one.text or "nan") for one in part]
+
+
+def values_mm(figure: PerformanceFigure) -> list[float]:
+    return [1e-3 * (value or 0.0) for value in figure.values]
 
 
 def test_the_contact_test_is_the_accuracy_of_the_arm(tmp_path: Path) -> None:
@@ -165,18 +167,15 @@ def test_the_contact_test_is_the_accuracy_of_the_arm(tmp_path: Path) -> None:
     assert test is not None
     found = {one.quantity: one for one in document.figures}
     diameter = numbers(test.find("q:EffectiveDiameterPerformanceTest", NAMES))
-    errors_mm = [1e-3 * (value or 0.0) for value in found["effective-diameter"].values]
+    errors_mm = values_mm(found["effective-diameter"])
     mean = SPHERE.diameter_mm + sum(errors_mm) / 3
     assert diameter == pytest.approx([mean, stdev(errors_mm)], abs=6e-7)
     # near, far and in the middle
-    seats = [
-        1e-3 * (found[quantity].values[place] or 0.0)
-        for quantity in ("articulation-largest", "articulation-two-s")
-        for place in (0, 2, 1)
-    ]
+    of_seats = (found["articulation-largest"], found["articulation-two-s"])
+    seats = [values_mm(figure)[place] for figure in of_seats for place in (0, 2, 1)]
     articulation = test.find("q:SinglePointArticulationPerformanceTest", NAMES)
     assert numbers(articulation) == pytest.approx(seats, abs=6e-7)
-    deviations = [1e-3 * (value or 0.0) for value in found["volumetric-largest"].values]
+    deviations = values_mm(found["volumetric-largest"])
     listed = test.find("q:VolumetricPerformanceTest/q:DeviationsFromCalibration", NAMES)
     assert numbers(listed) == pytest.approx(deviations, abs=6e-7)
     twice = test.findtext("q:VolumetricPerformanceTest/q:TwiceStandardDeviation", "", NAMES)

@@ -1,5 +1,7 @@
 """Recordings: what is written reads back, up to any cut; the joints between their samples."""
 
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 
 import cv2
@@ -8,18 +10,14 @@ import pytest
 from foxglove import Channel, Context, open_mcap
 from foxglove.channels import CompressedImageChannel, JointStatesChannel, RawImageChannel
 from foxglove.mcap import MCAPCompression, MCAPWriteOptions
-from foxglove.messages import (
-    CompressedImage,
-    JointState,
-    JointStates,
-    RawImage,
-    Timestamp,
-)
+from foxglove.messages import CompressedImage, JointState, JointStates, RawImage, Timestamp
 from hypothesis import given
 from hypothesis import strategies as st
 from mcap.reader import make_reader
+from mcap.summary import Summary
 
 from app.errors import OperationError
+from app.formats.images import GreyImage
 from app.formats.recording.decoders import ImageRecord, JointRecord, Record, StripeRecord
 from app.formats.recording.reader import Recording, open_recording
 from app.formats.recording.reading_track import ReadingTrack
@@ -28,6 +26,7 @@ from app.formats.recording.writer import RecordingWriter
 from app.metrology.stripe import Stripe
 
 NAMES = tuple(f"J{i + 1}" for i in range(6))
+FIRST_NS = 1_700_000_000_123_456_789
 
 
 def stripe_of_length(count: int) -> Stripe:
@@ -37,6 +36,15 @@ def stripe_of_length(count: int) -> Stripe:
     return Stripe(u, v, height, sigma, axis="v" if count % 2 else "u")
 
 
+@pytest.fixture
+def path(tmp_path: Path) -> Path:
+    return tmp_path / "scan.mcap"
+
+
+def grey_picture(seed: int, shape: tuple[int, int] = (1024, 1280)) -> GreyImage:
+    return np.random.default_rng(seed).integers(0, 255, shape).astype(np.uint8)
+
+
 def read(path: Path) -> tuple[Recording, list[Record]]:
     recording = open_recording(path)
     return recording, list(recording.records())
@@ -44,60 +52,56 @@ def read(path: Path) -> tuple[Recording, list[Record]]:
 
 def written(path: Path, frames: int = 20, images: bool = True) -> list[Stripe]:
     stripes = [stripe_of_length(100 + i) for i in range(frames)]
-    rng = np.random.default_rng(0)
     with RecordingWriter(path, NAMES, {"sensor_serial": "S-1", "arm_serial": "A-1"}) as writer:
         for i, stripe in enumerate(stripes):
-            stamp_ns = 1_700_000_000_123_456_789 + i * 10_000_000
+            stamp_ns = FIRST_NS + i * 10_000_000
             writer.joints(stamp_ns, [0.1 * i + k for k in range(6)])
             writer.stripe(stamp_ns + 1, stripe, 1280, 1024)
             if images:
-                writer.image(stamp_ns + 1, rng.integers(0, 255, (1024, 1280)).astype(np.uint8))
+                writer.image(stamp_ns + 1, grey_picture(i))
     return stripes
 
 
-def test_what_was_written_reads_back(tmp_path: Path) -> None:
-    stripes = written(tmp_path / "scan.mcap")
-    recording, records = read(tmp_path / "scan.mcap")
+def test_what_was_written_reads_back(path: Path) -> None:
+    stripes = written(path)
+    recording, records = read(path)
     assert recording.cut == ""
     assert recording.station == {"sensor_serial": "S-1", "arm_serial": "A-1"}
     joints = [record for record in records if isinstance(record, JointRecord)]
     found = [record for record in records if isinstance(record, StripeRecord)]
     images = [record for record in records if isinstance(record, ImageRecord)]
     assert (len(joints), len(found), len(images)) == (20, 20, 20)
-    assert joints[3] == JointRecord(
-        1_700_000_000_153_456_789, NAMES, tuple(0.1 * 3 + k for k in range(6))
-    )
+    fourth_ns = FIRST_NS + 30_000_000
+    assert joints[3] == JointRecord(fourth_ns, NAMES, tuple(0.1 * 3 + k for k in range(6)))
     for record, stripe in zip(found, stripes, strict=True):
         for name in ("u", "v", "intensity", "sigma_px"):
             np.testing.assert_array_equal(getattr(record.stripe, name), getattr(stripe, name))
         assert record.stripe.axis == stripe.axis
-    assert (found[3].stamp_ns, found[3].width_px, found[3].height_px) == (
-        1_700_000_000_153_456_790,
-        1280,
-        1024,
-    )
-    rng = np.random.default_rng(0)
-    for image in images:
-        expected = rng.integers(0, 255, (1024, 1280)).astype(np.uint8)
-        np.testing.assert_array_equal(image.picture(), expected)
+    size_px = (found[3].width_px, found[3].height_px)
+    assert (found[3].stamp_ns, size_px) == (fourth_ns + 1, (1280, 1024))
+    for i, image in enumerate(images):
+        np.testing.assert_array_equal(image.picture(), grey_picture(i))
 
 
-def test_the_file_is_a_whole_mcap_to_others(tmp_path: Path) -> None:
-    written(tmp_path / "scan.mcap", frames=3)
-    with open(tmp_path / "scan.mcap", "rb") as file:
+def summary_of(path: Path) -> Summary:
+    with open(path, "rb") as file:
         summary = make_reader(file).get_summary()
     assert summary is not None
+    return summary
+
+
+def test_the_file_is_a_whole_mcap_to_others(path: Path) -> None:
+    written(path, frames=3)
+    summary = summary_of(path)
     assert summary.statistics is not None
     assert summary.statistics.message_count == 9
     topics = {channel.topic for channel in summary.channels.values()}
     assert topics == {"/arm/joints", "/sensor/image", "/sensor/stripe"}
 
 
-def test_pictures_have_chunks_of_their_own(tmp_path: Path) -> None:
-    written(tmp_path / "scan.mcap", frames=5)
-    with open(tmp_path / "scan.mcap", "rb") as file:
-        summary = make_reader(file).get_summary()
-    assert summary is not None
+def test_pictures_have_chunks_of_their_own(path: Path) -> None:
+    written(path, frames=5)
+    summary = summary_of(path)
     topics = {number: channel.topic for number, channel in summary.channels.items()}
     held = [
         {topics[channel] for channel in chunk.message_index_offsets}
@@ -107,21 +111,20 @@ def test_pictures_have_chunks_of_their_own(tmp_path: Path) -> None:
     assert held.count({"/arm/joints", "/sensor/stripe"}) == len(held) - 5 > 0
 
 
-def test_sixteen_bit_pictures_read_back(tmp_path: Path) -> None:
+def test_sixteen_bit_pictures_read_back(path: Path) -> None:
     grey = np.random.default_rng(2).integers(0, 65535, (30, 41)).astype(np.uint16)
-    with RecordingWriter(tmp_path / "scan.mcap", NAMES) as writer:
+    with RecordingWriter(path, NAMES) as writer:
         writer.image(5, grey)
-    _, records = read(tmp_path / "scan.mcap")
+    _, records = read(path)
     assert isinstance(records[0], ImageRecord)
     np.testing.assert_array_equal(records[0].picture(), grey)
 
 
-def test_a_recording_still_being_written_reads_up_to_its_last_chunk(tmp_path: Path) -> None:
-    path = tmp_path / "scan.mcap"
+def test_a_recording_still_being_written_reads_up_to_its_last_chunk(path: Path) -> None:
     writer = RecordingWriter(path, NAMES)
     for i in range(8):
         writer.joints(i, [0.0] * 6)
-        writer.image(i, np.random.default_rng(i).integers(0, 255, (1024, 1280)).astype(np.uint8))
+        writer.image(i, grey_picture(i))
     recording, records = read(path)
     writer.close()
     assert sum(isinstance(record, ImageRecord) for record in records) >= 6
@@ -133,9 +136,9 @@ def test_a_recording_still_being_written_reads_up_to_its_last_chunk(tmp_path: Pa
 @pytest.mark.parametrize("compression", [None, MCAPCompression.Zstd, MCAPCompression.Lz4])
 @pytest.mark.parametrize("chunks", [True, False])
 def test_a_cut_file_reads_up_to_the_cut(
-    tmp_path: Path, compression: MCAPCompression | None, chunks: bool
+    path: Path, compression: MCAPCompression | None, chunks: bool
 ) -> None:
-    path, cut = tmp_path / "scan.mcap", tmp_path / "cut.mcap"
+    cut = path.with_name("cut.mcap")
     context = Context()
     options = MCAPWriteOptions(compression=compression, chunk_size=2000, use_chunks=chunks)
     with open_mcap(path, context=context, writer_options=options):
@@ -160,8 +163,7 @@ def test_a_cut_file_reads_up_to_the_cut(
     assert counts[len(counts) // 2] > 50
 
 
-def test_a_damaged_chunk_ends_the_reading(tmp_path: Path) -> None:
-    path = tmp_path / "scan.mcap"
+def test_a_damaged_chunk_ends_the_reading(path: Path) -> None:
     written(path, frames=8)
     damaged = bytearray(path.read_bytes())
     damaged[len(damaged) // 2] ^= 1
@@ -172,8 +174,7 @@ def test_a_damaged_chunk_ends_the_reading(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("content", [b"", b"\x89MCAP", b"PK\x03\x04 and more than eight bytes"])
-def test_what_is_no_mcap_is_refused(tmp_path: Path, content: bytes) -> None:
-    path = tmp_path / "scan.mcap"
+def test_what_is_no_mcap_is_refused(path: Path, content: bytes) -> None:
     path.write_bytes(content)
     with pytest.raises(OperationError, match=r"scan\.mcap"):
         read(path)
@@ -185,55 +186,54 @@ def test_a_recording_that_is_not_there_is_refused(tmp_path: Path) -> None:
             read(path)
 
 
-def test_an_existing_recording_is_not_overwritten(tmp_path: Path) -> None:
-    (tmp_path / "scan.mcap").write_bytes(b"precious")
+def test_an_existing_recording_is_not_overwritten(path: Path) -> None:
+    path.write_bytes(b"precious")
     with pytest.raises(OperationError, match=r"scan\.mcap"):
-        RecordingWriter(tmp_path / "scan.mcap", NAMES)
-    assert (tmp_path / "scan.mcap").read_bytes() == b"precious"
+        RecordingWriter(path, NAMES)
+    assert path.read_bytes() == b"precious"
 
 
 @pytest.mark.skipif(not Path("/dev/full").exists(), reason="this system has no /dev/full")
 def test_a_full_disk_is_reported_at_once(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capfd: pytest.CaptureFixture[str]
+    path: Path, monkeypatch: pytest.MonkeyPatch, capfd: pytest.CaptureFixture[str]
 ) -> None:
     real_open = open
     monkeypatch.setattr(
         "builtins.open", lambda path, mode, **rest: real_open("/dev/full", "wb", **rest)
     )
-    picture = np.random.default_rng(0).integers(0, 255, (1024, 1280)).astype(np.uint8)
 
     def fill() -> None:
-        with RecordingWriter(tmp_path / "scan.mcap", NAMES) as writer:
+        with RecordingWriter(path, NAMES) as writer:
             for stamp in range(5):
-                writer.image(stamp, picture)
+                writer.image(stamp, grey_picture(0))
 
     with pytest.raises(OperationError, match="the disk is full"):
         fill()
     assert capfd.readouterr().err == ""
 
 
-def test_a_topic_of_another_type_is_refused(tmp_path: Path) -> None:
-    path = tmp_path / "scan.mcap"
+@contextmanager
+def by_others(path: Path) -> Iterator[Context]:
+    """The channels of what another program records."""
     context = Context()
     with open_mcap(path, context=context):
+        yield context
+
+
+def test_joints_of_another_type_are_refused(path: Path) -> None:
+    with by_others(path) as context:
         RawImageChannel("/arm/joints", context=context).log(RawImage(width=1, height=1))
     with pytest.raises(OperationError, match=r"/arm/joints contains foxglove\.RawImage"):
         read(path)
-
-
-def test_json_joints_are_refused(tmp_path: Path) -> None:
-    path = tmp_path / "scan.mcap"
-    context = Context()
-    with open_mcap(path, context=context):
+    path.unlink()
+    with by_others(path) as context:
         Channel("/arm/joints", context=context).log({"joints": []})
     with pytest.raises(OperationError, match="/arm/joints contains"):
         read(path)
 
 
-def test_foreign_topics_are_left_alone(tmp_path: Path) -> None:
-    path = tmp_path / "scan.mcap"
-    context = Context()
-    with open_mcap(path, context=context):
+def test_foreign_topics_are_left_alone(path: Path) -> None:
+    with by_others(path) as context:
         Channel("/rosout", context=context).log({"text": "hello"})
         JointStatesChannel("/arm/joints", context=context).log(
             JointStates(joints=[JointState(name="J1", position=0.5)]), log_time=77
@@ -244,8 +244,7 @@ def test_foreign_topics_are_left_alone(tmp_path: Path) -> None:
 
 
 def one_image(path: Path, image: RawImage | CompressedImage) -> ImageRecord:
-    context = Context()
-    with open_mcap(path, context=context):
+    with by_others(path) as context:
         if isinstance(image, RawImage):
             RawImageChannel("/sensor/image", context=context).log(image)
         else:
@@ -256,20 +255,20 @@ def one_image(path: Path, image: RawImage | CompressedImage) -> ImageRecord:
 
 
 @pytest.mark.parametrize("kind", ["png", "jpeg"])
-def test_compressed_pictures_are_read(tmp_path: Path, kind: str) -> None:
+def test_compressed_pictures_are_read(path: Path, kind: str) -> None:
     smooth = np.add.outer(np.arange(48), 2 * np.arange(64)).astype(np.uint8)
     _, packed = cv2.imencode(f".{kind}", smooth)
     image = CompressedImage(format=kind, data=packed.tobytes(), timestamp=Timestamp(sec=3))
-    record = one_image(tmp_path / "scan.mcap", image)
+    record = one_image(path, image)
     assert record.stamp_ns == 3_000_000_000
     difference = record.picture().astype(int) - smooth
     assert np.abs(difference).max() <= (0 if kind == "png" else 3)
 
 
-def test_rows_with_padding_are_read(tmp_path: Path) -> None:
+def test_rows_with_padding_are_read(path: Path) -> None:
     data = np.arange(3 * 10, dtype=np.uint8).reshape(3, 10)
     image = RawImage(width=7, height=3, encoding="mono8", step=10, data=data.tobytes())
-    record = one_image(tmp_path / "scan.mcap", image)
+    record = one_image(path, image)
     np.testing.assert_array_equal(record.picture(), data[:, :7])
 
 
@@ -285,29 +284,27 @@ def test_rows_with_padding_are_read(tmp_path: Path) -> None:
     ],
 )
 def test_a_picture_that_is_none_is_refused(
-    tmp_path: Path, image: RawImage | CompressedImage, said: str
+    path: Path, image: RawImage | CompressedImage, said: str
 ) -> None:
-    record = one_image(tmp_path / "scan.mcap", image)
+    record = one_image(path, image)
     with pytest.raises(OperationError, match=said):
         record.picture()
 
 
-def test_the_stripe_schema_in_the_file_is_the_published_one(tmp_path: Path) -> None:
+def test_the_stripe_schema_in_the_file_is_the_published_one(path: Path) -> None:
     """The bytes in the recording, decoded by the schema in it alone."""
     from mcap.well_known import MessageEncoding
     from mcap_protobuf.decoder import DecoderFactory
 
-    written(tmp_path / "scan.mcap", frames=1, images=False)
-    with open(tmp_path / "scan.mcap", "rb") as file:
+    written(path, frames=1, images=False)
+    with open(path, "rb") as file:
         ((schema, _, message),) = make_reader(file).iter_messages(topics="/sensor/stripe")
     assert schema is not None
     assert schema.data == stripe_descriptors()
     decode = DecoderFactory().decoder_for(MessageEncoding.Protobuf, schema)
     assert decode is not None
     assert list(decode(message.data).u) == stripe_of_length(100).u.tolist()
-    assert message.data == encode_stripe(
-        stripe_of_length(100), 1_700_000_000_123_456_790, 1280, 1024
-    )
+    assert message.data == encode_stripe(stripe_of_length(100), FIRST_NS + 1, 1280, 1024)
 
 
 def test_joints_between_samples_lie_on_the_straight_line() -> None:

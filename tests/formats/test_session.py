@@ -1,6 +1,6 @@
 """A session's folder: the samples, round trips, and everything that can be wrong with it."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from pathlib import Path
 
 import cv2
@@ -19,6 +19,7 @@ from app.formats.session.calibration_session import (
 )
 from app.formats.session.pose_pictures import ImageRow, write_images
 from tests.formats.builders import ARM, BLOCK, HEIGHT, POSE_DEG, WIDTH, edit_text, write_session
+from tests.refusals import refused_as
 
 
 def test_a_session_reads(tmp_path: Path) -> None:
@@ -99,38 +100,30 @@ def rewrite(name: str, old: str, new: str) -> Callable[[Path], None]:
     return lambda folder: edit_text(folder / name, old, new)
 
 
-def drop_lines(name: str, keep: int) -> Callable[[Path], None]:
-    def spoil(folder: Path) -> None:
-        lines = (folder / name).read_text().splitlines(keepends=True)
-        (folder / name).write_text("".join(lines[:keep]))
-
-    return spoil
-
-
-def picture(image: np.ndarray) -> Callable[[Path], None]:
-    def spoil(folder: Path) -> None:
-        cv2.imwrite(str(folder / "images/l.png"), image)
-
-    return spoil
+def replace_lines(
+    name: str, change: Callable[[list[str]], Iterable[str]]
+) -> Callable[[Path], object]:
+    return lambda folder: (folder / name).write_text(
+        "\n".join(change((folder / name).read_text().splitlines())) + "\n"
+    )
 
 
-def seven_joints(folder: Path) -> None:
-    path = folder / "probing.csv"
-    header, *rows = path.read_text().splitlines()
-    path.write_text("\n".join([header + ",q7_deg", *(row + ",1.0" for row in rows)]))
+def drop_lines(name: str, keep: int) -> Callable[[Path], object]:
+    return replace_lines(name, lambda lines: lines[:keep])
 
 
-def radians(name: str) -> Callable[[Path], None]:
-    def spoil(folder: Path) -> None:
-        text = (folder / name).read_text()
-        for angle in POSE_DEG:
-            text = text.replace(f"{angle}", f"{np.deg2rad(angle):.6f}")
-        (folder / name).write_text(text)
-
-    return spoil
+def radians(name: str) -> Callable[[Path], object]:
+    in_radians = ",".join(f"{np.deg2rad(angle):.6f}" for angle in POSE_DEG)
+    return replace_lines(name, lambda lines: (line.replace(POSE, in_radians) for line in lines))
 
 
+seven_joints = replace_lines(
+    "probing.csv", lambda lines: [f"{lines[0]},q7_deg", *(f"{line},1.0" for line in lines[1:])]
+)
+WIDER = np.zeros((HEIGHT, WIDTH + 1), np.uint8)
 POSE = ",".join(str(angle) for angle in POSE_DEG)
+AMBIENT = f"0,images/a.png,ambient,{POSE}\n"
+ARABIC = "-\u2068٨٤\u2069"
 
 
 @pytest.mark.parametrize(
@@ -145,11 +138,7 @@ POSE = ",".join(str(angle) for angle in POSE_DEG)
         (drop_lines("images.csv", 1), "no-images", "no pictures"),
         (drop_lines("images.csv", 2), "pose-incomplete", "no 'laser' picture"),
         (rewrite("images.csv", ",ambient,", ",laser,"), "image-twice", "line 3"),
-        (
-            rewrite("images.csv", f"0,images/a.png,ambient,{POSE}\n", ""),
-            "pose-incomplete",
-            "no 'ambient' picture",
-        ),
+        (rewrite("images.csv", AMBIENT, ""), "pose-incomplete", "no 'ambient' picture"),
         (rewrite("images.csv", "0,images/l", "1,images/l"), "pose-incomplete", "pose 0"),
         (rewrite("images.csv", ",ambient,", ",dark,"), "lighting-unknown", "'dark'"),
         (rewrite("images.csv", "0,images/a", "-1,images/a"), "cell-not-a-number", "'-1'"),
@@ -161,11 +150,7 @@ POSE = ",".join(str(angle) for angle in POSE_DEG)
         (rewrite("probing.csv", "q3_deg", "q2_deg"), "columns-twice", "q2_deg"),
         (rewrite("probing.csv", "q6_deg", "q7_deg"), "joint-count", "q1_deg to q6_deg"),
         (rewrite("probing.csv", "crest", "top"), "feature-unknown", "line 2: feature 'top'"),
-        (
-            rewrite("probing.csv", "-84.5", "-٨٤"),
-            "cell-not-a-number",
-            "q3_deg is '-\u2068٨٤\u2069'",
-        ),
+        (rewrite("probing.csv", "-84.5", "-٨٤"), "cell-not-a-number", f"q3_deg is '{ARABIC}'"),
         (rewrite("probing.csv", "-84.5", "nan"), "cell-not-a-number", "q3_deg is 'nan'"),
         (rewrite("probing.csv", "-84.5", "inf"), "cell-not-a-number", "q3_deg is 'inf'"),
         (rewrite("probing.csv", "-84.5", "8_4"), "cell-not-a-number", "8_4"),
@@ -176,7 +161,7 @@ POSE = ",".join(str(angle) for angle in POSE_DEG)
         (seven_joints, "joint-count", "7 joint columns"),
         (radians("probing.csv"), "joints-in-radians", "radians, but degrees"),
         (radians("images.csv"), "joints-in-radians", "images.csv"),
-        (picture(np.zeros((HEIGHT, WIDTH + 1), np.uint8)), "image-size", "65 × 48"),
+        (lambda s: cv2.imwrite(str(s / "images/l.png"), WIDER), "image-size", "65 × 48"),
         (lambda s: (s / "images/l.png").write_text("no"), "image-unreadable", "not a picture"),
         (lambda s: (s / "images/l.png").write_bytes(b""), "image-unreadable", "empty"),
         (rewrite("sensor.json", '"width_px": 64', '"width_px": 65'), "image-size", "64 × 48"),
@@ -189,11 +174,8 @@ def test_a_spoilt_session_is_refused(
 ) -> None:
     folder = write_session(tmp_path / "s")
     spoil(folder)
-    with pytest.raises(OperationError) as refused:
+    with refused_as(code, said, where=folder):
         read_session(folder)
-    assert refused.value.code == code
-    assert said in refused.value.line
-    assert str(folder) in str(refused.value.what)
 
 
 def test_semicolons_are_named(tmp_path: Path) -> None:
@@ -243,9 +225,8 @@ def test_a_colour_picture_is_read_in_its_lasers_channel(tmp_path: Path) -> None:
     cv2.imwrite(str(path), colours)
     np.testing.assert_array_equal(read_grey(path, "red"), colours[..., 2])
     np.testing.assert_array_equal(read_grey(path, "green"), colours[..., 1])
-    with pytest.raises(OperationError, match="laser_wavelength_nm") as refused:
+    with refused_as("image-in-colour", "laser_wavelength_nm"):
         read_grey(path)
-    assert refused.value.code == "image-in-colour"
 
 
 @pytest.mark.parametrize("kind", ["png", "tiff"])
@@ -273,9 +254,8 @@ def test_pictures_of_a_session_may_be_of_any_kind_that_is_read(tmp_path: Path, k
     assert pose.files == tuple(file.with_suffix(f".{kind}") for file in before.files)
     smaller = cv2.resize(read_grey(pose.ambient), None, fx=0.5, fy=0.5)
     cv2.imwrite(str(pose.ambient), smaller)
-    with pytest.raises(OperationError) as refused:
+    with refused_as("image-size"):
         read_session(folder)
-    assert refused.value.code == "image-size"
 
 
 @pytest.mark.parametrize(
@@ -291,6 +271,5 @@ def test_kinds_of_pictures_that_are_not_read_are_named(
 ) -> None:
     path = tmp_path / "picture"
     path.write_bytes(start + bytes(64))
-    with pytest.raises(OperationError, match=f"{kind} file.*Save it as PNG") as refused:
+    with refused_as("image-kind", f"{kind} file", "Save it as PNG"):
         read_grey(path)
-    assert refused.value.code == "image-kind"

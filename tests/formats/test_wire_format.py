@@ -17,11 +17,7 @@ from mcap.records import Channel, Message, Schema
 from app.errors import OperationError
 from app.formats.recording import wire_format as wire
 from app.formats.recording.blocks import ChunkRecords, read_profiles
-from app.formats.recording.decoders import (
-    Decoders,
-    JointRecord,
-    StripeRecord,
-)
+from app.formats.recording.decoders import Decoders, JointRecord, StripeRecord
 from app.formats.recording.stripe_message import STRIPE_SCHEMA, encode_stripe, stripe_descriptors
 from app.formats.recording.topics import JOINTS_TOPIC, STRIPE_TOPIC
 from app.metrology.stripe import Stripe
@@ -125,10 +121,8 @@ def messages(draw: st.DrawFn, usual: list[bytes], others: list[bytes]) -> bytes:
     """A message in which some parts are others, more or missing; and some bytes, at times."""
     parts = list(usual)
     for _ in range(draw(st.integers(0, 2))):
-        at, more = (
-            draw(st.integers(0, len(parts))),
-            draw(st.lists(st.sampled_from(others), max_size=2)),
-        )
+        at = draw(st.integers(0, len(parts)))
+        more = draw(st.lists(st.sampled_from(others), max_size=2))
         parts[at : at + draw(st.integers(0, 1))] = more
     data = bytearray(b"".join(parts))
     for _ in range(draw(st.sampled_from([0, 0, 1, 3]))):
@@ -194,15 +188,11 @@ def check_stripes(message: bytes) -> None:
     if message in (stripe_message(), b"".join(STRIPE_PARTS)):
         assert rows[0, wire.POINTS] == 2
     if rows[0, wire.POINTS] >= 0:
-        record, read = (
-            decoded(STRIPES, message),
-            read_profiles(ChunkRecords(data.tobytes(), table), rows),
-        )
+        record = decoded(STRIPES, message)
+        read = read_profiles(ChunkRecords(data.tobytes(), table), rows)
         assert isinstance(record, StripeRecord)
-        assert (record.stamp_ns, record.width_px, record.height_px, record.stripe.axis) == (
-            *rows[0, : wire.U],
-            read.axis,
-        )
+        assert (record.stamp_ns, record.width_px, record.height_px) == (*rows[0, : wire.U],)
+        assert record.stripe.axis == read.axis
         for name in ("u", "v", "intensity", "sigma_px"):
             np.testing.assert_array_equal(getattr(record.stripe, name), getattr(read, name))
 
