@@ -8,12 +8,14 @@ from typing import Any
 import cv2
 import numpy as np
 
+from app.formats.images import GreyImage
 from app.formats.recording.writer import RecordingWriter
 from app.formats.results.calibration import Calibration, SerialNumbers
 from app.metrology.arm.kinematics import Arm, Joint, Tip
 from app.metrology.arm.link_error import LinkError
 from app.metrology.sensor.camera import Camera, project
 from app.metrology.sensor.laser_plane import LaserPlane
+from app.metrology.stripe import Stripe
 from app.metrology.targets.crenellated_block import Crenellated
 from app.metrology.transforms import Floats
 
@@ -121,6 +123,22 @@ def stripe_points() -> tuple[Floats, Floats]:
     """Points (N, 3) on the laser plane along x, and the pixels (N, 2) where they are seen."""
     points = np.column_stack([np.linspace(-12, 12, 25), np.full(25, 1.5), np.zeros(25)])
     return points, project(little_calibration().camera, points)
+
+
+def little_stripe() -> Stripe:
+    """What is extracted of ``stripe_points``."""
+    _, uv = stripe_points()
+    return Stripe(uv[:, 0], uv[:, 1], np.full(len(uv), 99.0), np.full(len(uv), 0.05))
+
+
+def lit_picture(seed: int) -> GreyImage:
+    """The stripe of ``stripe_points``, with noise."""
+    _, uv = stripe_points()
+    v = np.interp(np.arange(WIDTH), uv[:, 0], uv[:, 1])
+    rows = np.arange(HEIGHT)[:, None]
+    grey = 8 + 200 * np.exp(-((rows - v) ** 2) / (2 * 1.5**2))
+    noise = np.random.default_rng(seed).normal(0, 1, grey.shape)
+    return np.asarray(np.clip(np.rint(grey + noise), 0, 255), np.uint8)
 
 
 def q_at(stamp_ns: int) -> Floats:

@@ -12,13 +12,13 @@ import pytest
 from app.errors import OperationError
 from app.formats.clouds.files import read_cloud
 from app.formats.csv_table import table_text
-from app.formats.images import GreyImage, read_grey, write_png
+from app.formats.images import read_grey, write_png
 from app.formats.session.pose_columns import COLUMNS, joint_columns, pose_cells
 from app.formats.session.scan_folder import read_scan_folder
 from app.metrology.arm.kinematics import AnyArm, RobotArm, flange_pose
 from app.metrology.fitting.plane_sphere import fit_plane
 from app.metrology.stripe import StripeSettings
-from app.metrology.transforms import Floats, apply
+from app.metrology.transforms import Floats
 from app.workflows.pictures.import_pictures import ImportedScan, import_pictures
 from app.workflows.reconstruct import Reconstruction, reconstruct_cloud
 from tests.cli.test_cli import crenel, refused
@@ -29,29 +29,19 @@ from tests.formats.builders import (
     SENSOR,
     WIDTH,
     edit_text,
+    lit_picture,
     little_calibration,
     q_at,
-    stripe_points,
 )
 from tests.real_sessions import write_real_session
+from tests.workflows.test_reconstruct import MS, expected
 
-MS = 1_000_000
 STAMPS_NS = [int(t * MS) for t in (100, 140, 180, 220, 260)]
 ROBOT = RobotArm("robot", "A-1")
 PICTURES = 7
 """Of the real robot's sixteen: enough for a calibration."""
 TOLERANCE_MM = 0.05
 """A tenth of a pixel, at the little camera's 200 px focal length and 100 mm."""
-
-
-def lit_picture(seed: int) -> GreyImage:
-    """The stripe of ``stripe_points``."""
-    _, uv = stripe_points()
-    v = np.interp(np.arange(WIDTH), uv[:, 0], uv[:, 1])
-    rows = np.arange(HEIGHT)[:, None]
-    grey = 8 + 200 * np.exp(-((rows - v) ** 2) / (2 * 1.5**2))
-    noise = np.random.default_rng(seed).normal(0, 1, grey.shape)
-    return np.asarray(np.clip(np.rint(grey + noise), 0, 255), np.uint8)
 
 
 def arm_cells(arm: AnyArm, stamp_ns: int) -> list[float]:
@@ -86,19 +76,18 @@ def imported(folder: Path, settings: StripeSettings | None = None) -> ImportedSc
     return import_pictures(scan, out, "Bracket", settings or StripeSettings())
 
 
-def rebuilt(folder: Path, arm: AnyArm = ARM) -> tuple[Reconstruction, Floats]:
-    cloud = folder / "cloud.ply"
-    result = reconstruct_cloud(folder / "scan.mcap", little_calibration(), arm, cloud)
+def rebuilt(
+    folder: Path, arm: AnyArm = ARM, delay_ns: int | None = None
+) -> tuple[Reconstruction, Floats]:
+    recording, cloud = folder / "scan.mcap", folder / "cloud.ply"
+    result = reconstruct_cloud(recording, little_calibration(), arm, cloud, delay_ns=delay_ns)
     return result, read_cloud(cloud).points_mm
 
 
 def distances_mm(points: Floats, stamps_ns: Sequence[int]) -> Floats:
-    """Of each point from the lines that were drawn, by the definition of Eq. 9."""
-    drawn, _ = stripe_points()
-    T_flange_sensor = little_calibration().T_flange_sensor
-    truth = [apply(flange_pose(ARM, q_at(t)) @ T_flange_sensor, drawn) for t in stamps_ns]
+    """Of each point from the lines that were drawn."""
     off = []
-    for line in truth:
+    for line in (expected([stamp_ns]) for stamp_ns in stamps_ns):
         along = (line[-1] - line[0]) / np.linalg.norm(line[-1] - line[0])
         from_first = points - line[0]
         off.append(np.linalg.norm(from_first - np.outer(from_first @ along, along), axis=1))
@@ -124,20 +113,15 @@ def test_pictures_and_readings_become_the_cloud(
 def test_a_delay_counts_where_the_readings_have_times(tmp_path: Path) -> None:
     folder = write_scan(tmp_path / "scan", apart=True)
     imported(folder)
-    cloud = folder / "cloud.ply"
-    late_ns = 20 * MS
-    reconstruct_cloud(folder / "scan.mcap", little_calibration(), ARM, cloud, delay_ns=late_ns)
-    points = read_cloud(cloud).points_mm
-    assert distances_mm(points, [t + late_ns for t in STAMPS_NS]).max() < TOLERANCE_MM
+    _, points = rebuilt(folder, delay_ns=20 * MS)
+    assert distances_mm(points, [t + 20 * MS for t in STAMPS_NS]).max() < TOLERANCE_MM
 
 
 def test_poses_of_pictures_without_times_are_never_mixed(tmp_path: Path) -> None:
     folder = write_scan(tmp_path / "scan", timed=False)
     imported(folder)
     with pytest.raises(OperationError, match="no arm readings"):
-        reconstruct_cloud(
-            folder / "scan.mcap", little_calibration(), ARM, folder / "c.ply", delay_ns=20 * MS
-        )
+        rebuilt(folder, delay_ns=20 * MS)
 
 
 def test_rows_may_be_in_any_order_and_without_the_laser(tmp_path: Path) -> None:
@@ -158,9 +142,8 @@ def test_pictures_that_cannot_be_read_or_are_dark_are_named(tmp_path: Path) -> N
     write_png(folder / "images/2.png", np.zeros((HEIGHT, WIDTH), np.uint8))
     write_png(folder / "images/3.png", np.zeros((HEIGHT, WIDTH - 1), np.uint8))
     result = imported(folder)
-    assert [name for name in "013" if any(f"{name}.png" in e.line for e in result.unreadable)] == [
-        *"013"
-    ]
+    for name in "013":
+        assert any(f"{name}.png" in error.line for error in result.unreadable)
     (dark,) = result.without_line
     assert "2.png" in dark.line
     again, points = rebuilt(folder)

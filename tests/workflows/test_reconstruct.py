@@ -1,5 +1,8 @@
 """From a recording to a cloud."""
 
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -23,10 +26,13 @@ from tests.formats.builders import (
     HEIGHT,
     WIDTH,
     joints_every,
+    lit_picture,
     little_calibration,
+    little_stripe,
     q_at,
     stripe_points,
 )
+from tests.refusals import refused_as
 
 NAMES = tuple(joint.name for joint in ARM.joints)
 MS = 1_000_000
@@ -35,20 +41,25 @@ MS = 1_000_000
 def record_stripe(
     writer: RecordingWriter, stamp_ns: int, width: int = WIDTH, sensor: str = ""
 ) -> None:
-    _, uv = stripe_points()
-    count = len(uv)
-    stripe = Stripe(uv[:, 0], uv[:, 1], np.full(count, 99.0), np.full(count, 0.05))
-    writer.stripe(stamp_ns, stripe, width, HEIGHT, sensor)
+    writer.stripe(stamp_ns, little_stripe(), width, HEIGHT, sensor)
 
 
 def record_image(writer: RecordingWriter, stamp_ns: int) -> None:
-    """A picture of the same stripe."""
-    _, uv = stripe_points()
-    v = np.interp(np.arange(WIDTH), uv[:, 0], uv[:, 1])
-    rows = np.arange(HEIGHT)[:, None]
-    grey = 8 + 200 * np.exp(-((rows - v) ** 2) / (2 * 1.5**2))
-    noise = np.random.default_rng(stamp_ns).normal(0, 1, grey.shape)
-    writer.image(stamp_ns, np.clip(np.rint(grey + noise), 0, 255).astype(np.uint8))
+    writer.image(stamp_ns, lit_picture(stamp_ns))
+
+
+@contextmanager
+def recording(
+    folder: Path,
+    names: Sequence[str] | None = NAMES,
+    station: Mapping[str, str] | None = None,
+    until_ms: int = 0,
+) -> Iterator[RecordingWriter]:
+    """``scan.mcap``, which begins with the joints every 4 ms, if any are wanted."""
+    with RecordingWriter(folder / "scan.mcap", names, station) as writer:
+        if until_ms:
+            joints_every(writer, 0, until_ms * MS, 4 * MS)
+        yield writer
 
 
 def expected(stamps: list[int]) -> Floats:
@@ -60,15 +71,15 @@ def expected(stamps: list[int]) -> Floats:
     )
 
 
-def rebuilt(tmp_path: Path, name: str = "scan.mcap") -> tuple[Reconstruction, Floats]:
-    result = reconstruct_cloud(tmp_path / name, little_calibration(), ARM, tmp_path / "cloud.ply")
-    return result, read_cloud(tmp_path / "cloud.ply").points_mm
+def rebuilt(folder: Path, arm: AnyArm = ARM) -> tuple[Reconstruction, Floats]:
+    cloud = folder / "cloud.ply"
+    result = reconstruct_cloud(folder / "scan.mcap", little_calibration(), arm, cloud)
+    return result, read_cloud(cloud).points_mm
 
 
 def test_stripes_and_joints_become_points(tmp_path: Path) -> None:
     stamps = [int(100 * MS + i * 3.7 * MS) for i in range(150)]
-    with RecordingWriter(tmp_path / "scan.mcap", NAMES) as writer:
-        joints_every(writer, 0, 400 * MS, 4 * MS)
+    with recording(tmp_path, until_ms=400) as writer:
         for stamp in stamps:
             record_stripe(writer, stamp)
         joints_every(writer, 404 * MS, 900 * MS, 4 * MS)
@@ -91,8 +102,7 @@ def test_stripes_and_joints_become_points(tmp_path: Path) -> None:
     ],
 )
 def test_the_cost_of_smoothing_is_said(tmp_path: Path, extraction: str, words: list[str]) -> None:
-    with RecordingWriter(tmp_path / "scan.mcap", NAMES, {EXTRACTION: extraction}) as writer:
-        joints_every(writer, 0, 400 * MS, 4 * MS)
+    with recording(tmp_path, station={EXTRACTION: extraction}, until_ms=400) as writer:
         record_stripe(writer, 100 * MS)
     warnings = [str(one) for one in rebuilt(tmp_path)[0].warnings]
     assert len(warnings) == (1 if words else 0)
@@ -106,8 +116,7 @@ def test_a_delay_counts_points_that_share_their_noise(
     smoothed = {EXTRACTION: '{"smoothing_px": 3.0}'}
     u = np.linspace(0, WIDTH - 1, points)
     stripe = Stripe(u, np.full(points, HEIGHT / 2), np.full(points, 99.0), np.full(points, 0.05))
-    with RecordingWriter(tmp_path / "scan.mcap", NAMES, smoothed) as writer:
-        joints_every(writer, 0, 400 * MS, 4 * MS)
+    with recording(tmp_path, station=smoothed, until_ms=400) as writer:
         writer.stripe(100 * MS, stripe, WIDTH, HEIGHT)
     passed, _ = read_plane_pass(tmp_path / "scan.mcap", little_calibration(), ARM)
     assert passed.number_sharing_noise == pytest.approx(sharing, abs=0.05)
@@ -115,7 +124,7 @@ def test_a_delay_counts_points_that_share_their_noise(
 
 def test_the_order_in_the_file_does_not_matter(tmp_path: Path) -> None:
     stamps = [100 * MS + i * 5 * MS for i in range(100)]
-    with RecordingWriter(tmp_path / "scan.mcap", NAMES) as writer:
+    with recording(tmp_path) as writer:
         for stamp in stamps:
             record_stripe(writer, stamp)
         joints_every(writer, 0, 900 * MS, 4 * MS)
@@ -124,8 +133,7 @@ def test_the_order_in_the_file_does_not_matter(tmp_path: Path) -> None:
 
 
 def test_pictures_are_extracted(tmp_path: Path) -> None:
-    with RecordingWriter(tmp_path / "scan.mcap", NAMES) as writer:
-        joints_every(writer, 0, 400 * MS, 4 * MS)
+    with recording(tmp_path, until_ms=400) as writer:
         for stamp in (101 * MS, 155 * MS):
             record_image(writer, stamp)
     result, points = rebuilt(tmp_path)
@@ -138,8 +146,7 @@ def test_pictures_are_extracted(tmp_path: Path) -> None:
 
 
 def test_a_picture_beside_its_stripe_is_not_extracted_again(tmp_path: Path) -> None:
-    with RecordingWriter(tmp_path / "scan.mcap", NAMES) as writer:
-        joints_every(writer, 0, 400 * MS, 4 * MS)
+    with recording(tmp_path, until_ms=400) as writer:
         record_stripe(writer, 101 * MS)
         record_image(writer, 101 * MS)
     result, points = rebuilt(tmp_path)
@@ -147,8 +154,7 @@ def test_a_picture_beside_its_stripe_is_not_extracted_again(tmp_path: Path) -> N
 
 
 def test_frames_without_joints_are_counted_and_named(tmp_path: Path) -> None:
-    with RecordingWriter(tmp_path / "scan.mcap", NAMES) as writer:
-        joints_every(writer, 0, 100 * MS, 4 * MS)
+    with recording(tmp_path, until_ms=100) as writer:
         joints_every(writer, 300 * MS, 400 * MS, 4 * MS)
         for stamp in (50 * MS, 150 * MS, 250 * MS, 350 * MS, 450 * MS):
             record_stripe(writer, stamp)
@@ -160,8 +166,7 @@ def test_frames_without_joints_are_counted_and_named(tmp_path: Path) -> None:
 
 
 def test_a_lost_joint_reading_is_left_out(tmp_path: Path) -> None:
-    with RecordingWriter(tmp_path / "scan.mcap", NAMES) as writer:
-        joints_every(writer, 0, 100 * MS, 4 * MS)
+    with recording(tmp_path, until_ms=100) as writer:
         writer.joints(102 * MS, [np.nan] * 6)
         joints_every(writer, 104 * MS, 200 * MS, 4 * MS)
         record_stripe(writer, 102 * MS)
@@ -172,8 +177,7 @@ def test_a_lost_joint_reading_is_left_out(tmp_path: Path) -> None:
 
 def test_readings_that_cannot_be_true_are_left_out_and_reported(tmp_path: Path) -> None:
     """Of recordings from before they were judged as they came."""
-    with RecordingWriter(tmp_path / "scan.mcap", NAMES) as writer:
-        joints_every(writer, 0, 100 * MS, 4 * MS)
+    with recording(tmp_path, until_ms=100) as writer:
         writer.joints(102 * MS, q_at(102 * MS) + np.array([6 * np.pi, 0, 0, 0, 0, 0]))
         joints_every(writer, 104 * MS, 200 * MS, 4 * MS)
         record_stripe(writer, 102 * MS)
@@ -185,7 +189,7 @@ def test_readings_that_cannot_be_true_are_left_out_and_reported(tmp_path: Path) 
 
 
 def test_joints_go_by_name(tmp_path: Path) -> None:
-    with RecordingWriter(tmp_path / "scan.mcap", NAMES[::-1]) as writer:
+    with recording(tmp_path, NAMES[::-1]) as writer:
         for stamp in range(0, 100 * MS, 4 * MS):
             writer.joints(stamp, q_at(stamp)[::-1])
         record_stripe(writer, 50 * MS)
@@ -209,47 +213,54 @@ def test_a_cut_recording_gives_the_points_before_the_cut(tmp_path: Path) -> None
     np.testing.assert_allclose(points, expected(stamps[: result.frames]), atol=1e-8)
 
 
-def refusal_of(tmp_path: Path, sensor: str = "S-1", arm: str = "A-1") -> OperationError:
-    """Rebuilds ``scan.mcap``, which is refused, and leaves no cloud behind."""
+def refusal_of(tmp_path: Path, *serials: str) -> OperationError:
+    """Rebuilds ``scan.mcap``, which is refused, and leaves no cloud behind.
+
+    Args:
+        serials: of sensor and arm in the calibration; those of the recording if not given.
+    """
+    path, calibration = tmp_path / "scan.mcap", little_calibration(*serials)
     before = sorted(path.name for path in tmp_path.iterdir())
     with pytest.raises(OperationError) as refused:
-        reconstruct_cloud(
-            tmp_path / "scan.mcap", little_calibration(sensor, arm), ARM, tmp_path / "c.ply"
-        )
+        reconstruct_cloud(path, calibration, ARM, tmp_path / "c.ply")
     assert sorted(path.name for path in tmp_path.iterdir()) == before
     return refused.value
 
 
 def test_no_joints_around_any_frame_is_refused(tmp_path: Path) -> None:
-    with RecordingWriter(tmp_path / "scan.mcap", NAMES) as writer:
-        joints_every(writer, 0, 100 * MS, 4 * MS)
+    with recording(tmp_path, until_ms=100) as writer:
         record_stripe(writer, 500 * MS)
     assert "no arm readings around the time stamp of any frame" in refusal_of(tmp_path).line
 
 
-def test_a_recording_that_lacks_something_is_refused(tmp_path: Path) -> None:
-    path = tmp_path / "scan.mcap"
-    with RecordingWriter(path, NAMES):
-        pass
-    assert refusal_of(tmp_path).code == "recording-foreign"
-    path.unlink()
-    with RecordingWriter(path, NAMES) as writer:
-        joints_every(writer, 0, 100 * MS, 4 * MS)
-    assert refusal_of(tmp_path).code == "recording-without-frames"
-    path.unlink()
-    with RecordingWriter(path, NAMES) as writer:
-        record_stripe(writer, 5)
-    assert refusal_of(tmp_path).code == "recording-without-joints"
-    path.unlink()
-    with RecordingWriter(path, NAMES) as writer:
-        joints_every(writer, 0, 100 * MS, 4 * MS)
-        writer.image(50 * MS, np.zeros((HEIGHT, WIDTH), np.uint8))
-    assert refusal_of(tmp_path).code == "recording-without-stripes"
+def with_joints(writer: RecordingWriter) -> None:
+    joints_every(writer, 0, 100 * MS, 4 * MS)
+
+
+def with_joints_and_dark_picture(writer: RecordingWriter) -> None:
+    with_joints(writer)
+    writer.image(50 * MS, np.zeros((HEIGHT, WIDTH), np.uint8))
+
+
+@pytest.mark.parametrize(
+    ("record", "code"),
+    [
+        (lambda writer: None, "recording-foreign"),
+        (with_joints, "recording-without-frames"),
+        (lambda writer: record_stripe(writer, 5), "recording-without-joints"),
+        (with_joints_and_dark_picture, "recording-without-stripes"),
+    ],
+)
+def test_a_recording_that_lacks_something_is_refused(
+    tmp_path: Path, record: Callable[[RecordingWriter], None], code: str
+) -> None:
+    with recording(tmp_path) as writer:
+        record(writer)
+    assert refusal_of(tmp_path).code == code
 
 
 def test_pictures_of_another_size_are_refused(tmp_path: Path) -> None:
-    with RecordingWriter(tmp_path / "scan.mcap", NAMES) as writer:
-        joints_every(writer, 0, 100 * MS, 4 * MS)
+    with recording(tmp_path, until_ms=100) as writer:
         record_stripe(writer, 50 * MS, width=WIDTH + 1)
     assert "65 × 48" in refusal_of(tmp_path).line
 
@@ -265,8 +276,7 @@ def test_pictures_of_another_size_are_refused(tmp_path: Path) -> None:
 def test_files_that_do_not_belong_together_are_refused(
     tmp_path: Path, station: dict[str, str], sensor: str, arm: str, code: str
 ) -> None:
-    with RecordingWriter(tmp_path / "scan.mcap", NAMES, station) as writer:
-        joints_every(writer, 0, 100 * MS, 4 * MS)
+    with recording(tmp_path, station=station, until_ms=100) as writer:
         record_stripe(writer, 50 * MS)
     assert refusal_of(tmp_path, sensor, arm).code == code
 
@@ -283,15 +293,14 @@ def test_files_that_do_not_belong_together_are_refused(
 def test_joints_of_another_arm_or_unit_are_refused(
     tmp_path: Path, names: tuple[str, ...], angles: list[float], said: str
 ) -> None:
-    with RecordingWriter(tmp_path / "scan.mcap", names) as writer:
+    with recording(tmp_path, names) as writer:
         writer.joints(0, angles)
         record_stripe(writer, 1)
     assert said in refusal_of(tmp_path).line
 
 
 def test_holes_and_jumps_of_the_clocks_are_said(tmp_path: Path) -> None:
-    with RecordingWriter(tmp_path / "scan.mcap", NAMES) as writer:
-        joints_every(writer, 0, 200 * MS, 4 * MS)
+    with recording(tmp_path, until_ms=200) as writer:
         joints_every(writer, 260 * MS, 500 * MS, 4 * MS)
         for i in range(60):
             if not 20 <= i < 23:
@@ -308,8 +317,7 @@ def test_holes_and_jumps_of_the_clocks_are_said(tmp_path: Path) -> None:
 
 
 def test_a_steady_recording_has_no_warnings(tmp_path: Path) -> None:
-    with RecordingWriter(tmp_path / "scan.mcap", NAMES) as writer:
-        joints_every(writer, 0, 500 * MS, 4 * MS)
+    with recording(tmp_path, until_ms=500) as writer:
         for i in range(50):
             record_stripe(writer, 20 * MS + i * 8 * MS + i % 3 * MS)
     result, _ = rebuilt(tmp_path)
@@ -319,20 +327,17 @@ def test_a_steady_recording_has_no_warnings(tmp_path: Path) -> None:
 @pytest.mark.parametrize("beside", ["image", "other axis", "other writer"])
 def test_blocks_of_all_kinds_give_the_same_points(tmp_path: Path, beside: str) -> None:
     """What is not as this program writes it goes through the general decoders."""
-    points, uv = stripe_points()
     stamps = [100 * MS + i * 5 * MS for i in range(12)]
-    with RecordingWriter(tmp_path / "scan.mcap", NAMES) as writer:
-        joints_every(writer, 0, 400 * MS, 4 * MS)
+    with recording(tmp_path, until_ms=400) as writer:
         for k, stamp in enumerate(stamps):
             axis = "v" if beside == "other axis" and k % 2 else "u"
-            stripe = Stripe(uv[:, 0], uv[:, 1], np.full(25, 99.0), np.full(25, 0.05), axis)
-            writer.stripe(stamp, stripe, WIDTH, HEIGHT)
+            writer.stripe(stamp, replace(little_stripe(), axis=axis), WIDTH, HEIGHT)
             if beside == "image" and k == 5:
                 record_image(writer, stamp)  # of a frame that has its stripe already
     if beside == "other writer":
         rewritten_unpacked(tmp_path / "scan.mcap")
     result, found = rebuilt(tmp_path)
-    assert (result.frames, len(points) * 12) == (12, result.points)
+    assert (result.frames, result.points) == (12, 12 * 25)
     np.testing.assert_allclose(found, expected(stamps), atol=1e-8)
 
 
@@ -374,32 +379,26 @@ def poses_every(writer: RecordingWriter, first_ns: int, last_ns: int, step_ns: i
 
 def test_poses_become_the_same_points_as_joints(tmp_path: Path) -> None:
     stamps = [int(100 * MS + i * 3.7 * MS) for i in range(50)]
-    with RecordingWriter(tmp_path / "scan.mcap", None) as writer:
+    with recording(tmp_path, None) as writer:
         poses_every(writer, 0, 400 * MS, 4 * MS)
         for stamp in stamps:
             record_stripe(writer, stamp)
-    result = reconstruct_cloud(
-        tmp_path / "scan.mcap", little_calibration(), ROBOT, tmp_path / "cloud.ply"
-    )
+    result, points = rebuilt(tmp_path, ROBOT)
     assert (result.frames, result.frames_without_joints, result.joint_samples) == (50, 0, 101)
     # between its poses, the flange moves along an arc of the joints
-    points = read_cloud(tmp_path / "cloud.ply").points_mm
     np.testing.assert_allclose(points, expected(stamps), atol=3e-4)
 
 
 def test_a_pose_that_cannot_be_is_left_out_and_reported(tmp_path: Path) -> None:
-    with RecordingWriter(tmp_path / "scan.mcap", None) as writer:
+    with recording(tmp_path, None) as writer:
         poses_every(writer, 0, 100 * MS, 4 * MS)
         writer.reading(102 * MS, [9000.0, 0, 0, 0, 0, 0, 1])
         writer.reading(103 * MS, [np.nan] * 7)
         poses_every(writer, 104 * MS, 200 * MS, 4 * MS)
         record_stripe(writer, 102 * MS)
-    result = reconstruct_cloud(
-        tmp_path / "scan.mcap", little_calibration(), ROBOT, tmp_path / "cloud.ply"
-    )
+    result, points = rebuilt(tmp_path, ROBOT)
     assert result.joint_samples_unusable == 1
     assert any("0.102 s" in str(one) for one in result.warnings)
-    points = read_cloud(tmp_path / "cloud.ply").points_mm
     np.testing.assert_allclose(points, expected([102 * MS]), atol=3e-4)
 
 
@@ -410,12 +409,11 @@ def test_a_pose_that_cannot_be_is_left_out_and_reported(tmp_path: Path) -> None:
 def test_a_recording_of_another_kind_of_arm_is_refused(
     tmp_path: Path, names: tuple[str, ...] | None, arm: AnyArm, code: str
 ) -> None:
-    with RecordingWriter(tmp_path / "scan.mcap", names) as writer:
+    with recording(tmp_path, names) as writer:
         (poses_every if names is None else joints_every)(writer, 0, 400 * MS, 4 * MS)
         record_stripe(writer, 102 * MS)
-    with pytest.raises(OperationError) as caught:
-        reconstruct_cloud(tmp_path / "scan.mcap", little_calibration(), arm, tmp_path / "c.ply")
-    assert caught.value.code == code
+    with refused_as(code):
+        rebuilt(tmp_path, arm)
 
 
 @pytest.mark.parametrize(
