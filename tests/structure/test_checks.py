@@ -32,7 +32,8 @@ REACH = "python -m tests.running.reach"
 TWO_REACHED = f'"{REACH}") echo tests/a/test_a.py; echo tests/b/test_b.py ;;'
 SOAK = "pytest -m soak tests/a/test_a.py tests/b/test_b.py"
 
-Script = Callable[..., tuple[subprocess.CompletedProcess[str], list[str]]]
+Ran = tuple[subprocess.CompletedProcess[str], list[str]]
+Script = Callable[..., Ran]
 
 
 @pytest.fixture
@@ -42,9 +43,7 @@ def script(tmp_path: Path) -> Script:
     ``answers`` has lines of ``case`` for programs that do.
     """
 
-    def run(
-        name: str, *arguments: str, answers: str = ""
-    ) -> tuple[subprocess.CompletedProcess[str], list[str]]:
+    def run(name: str, *arguments: str, answers: str = "") -> Ran:
         stub = STUB.format(answers=answers)
         stubs = {"bin": OF_THE_SYSTEM, "programs": OF_THE_ENVIRONMENT, ".ci": PARTS}
         for folder, programs in (stubs | {".venv/bin": OF_THE_ENVIRONMENT}).items():
@@ -121,29 +120,24 @@ def test_the_nightly_parts_run_whatever_became_of_the_others(script: Script) -> 
     done, calls = script("nightly", answers="figures) exit 3 ;;\npytest*soak*) exit 1 ;;")
     assert done.returncode == 1
     assert calls == [
-        "pytest -m soak or not soak",
-        "pytest -m hypothesis --hypothesis-profile=long --timeout=0",
-        "figures",
-        "sanitize",
-        "cross",
-        "python3 .ci/installs.py",
-        "python3 .ci/container.py",
+        *(
+            "pytest -m soak or not soak",
+            "pytest -m hypothesis --hypothesis-profile=long --timeout=0",
+        ),
+        *("figures", "sanitize", "cross", "python3 .ci/installs.py", "python3 .ci/container.py"),
     ]
-    said = dict(
-        re.findall(r"^(\w+) +(passed|failed with status \d+) after 0 min$", done.stdout, re.M)
-    )
-    assert [name for name, what in said.items() if what == "passed"] == [
-        *("properties", "sanitize", "cross", "installs", "container")
-    ]
-    assert said["tests"] == "failed with status 1"
-    assert said["figures"] == "failed with status 3"
+    line = r"^(\w+) +(passed|failed with status \d+) after 0 min$"
+    said = dict(re.findall(line, done.stdout, re.MULTILINE))
+    assert said.pop("tests") == "failed with status 1"
+    assert said.pop("figures") == "failed with status 3"
+    passed = ("properties", "sanitize", "cross", "installs", "container")
+    assert list(said.items()) == [(name, "passed") for name in passed]
 
 
 def test_the_nightly_parts_are_documented() -> None:
     table = CONTRIBUTING.read_text("utf-8").split("\n| part | does |\n")[1].split("\n\n")[0]
-    (parts,) = re.findall(
-        r"^parts=\((.*)\)$", (ROOT / ".ci/nightly").read_text("utf-8"), re.MULTILINE
-    )
+    script = (ROOT / ".ci/nightly").read_text("utf-8")
+    (parts,) = re.findall(r"^parts=\((.*)\)$", script, re.MULTILINE)
     assert re.findall(r"^\| `(\w+)` \|", table, re.MULTILINE) == parts.split()
 
 

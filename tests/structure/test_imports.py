@@ -3,86 +3,52 @@
 import ast
 import sys
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from pathlib import Path
 
 import pytest
 
 from tests.sources import ALL, PROGRAM, ROOT, name_of, python_files, reads_tree, text_of
 
 NUMERICS = {"numpy", "scipy", "cv2"}
+OUTSIDE = {"time", "socket", "os", "io", "pathlib", "threading"}
+"""Modules by which mathematics would depend on more than its arguments."""
 LEAVES = {"app.errors", "app.findings", "app.progress", "app.timestamps"}
 """Modules that every package but ``hardware`` may import."""
 MESSAGES = "app.messages"
 """The package that every other may import; it imports none of them."""
+
+
+def in_app(*names: str) -> set[str]:
+    return {f"app.{name}" for name in names}
+
+
+DATA = ("formats", "metrology")
+BELOW_OPERATIONS = (
+    *("archive", "security", "single_sign_on", "supervision", "monitoring"),
+    *("guide", "store", "station", "workflows", "formats"),
+)
 LAYERS: dict[str, set[str]] = {
     MESSAGES: set(),
     "app.native": set(),
-    "app.metrology": {"app.native"},
-    "app.formats": {"app.metrology", "app.native"},
-    "app.workflows": {"app.formats", "app.metrology"},
-    "app.store": {"app.formats"},
-    "app.archive": {"app.store", "app.formats"},
-    "app.batch": {"app.archive", "app.workflows", "app.formats", "app.metrology"},
-    "app.security": {"app.store"},
-    "app.single_sign_on": {"app.formats"},
-    "app.station": {"app.workflows", "app.formats", "app.metrology", "app.native", "hardware"},
-    "app.guide": {"app.station", "app.workflows", "app.formats", "app.metrology"},
-    "app.monitoring": {"app.station", "app.formats"},
-    "app.supervision": {"app.station", "app.formats"},
-    "app.report": {"app.workflows", "app.formats", "app.metrology"},
-    "app.settings": {
-        "app.single_sign_on",
-        "app.archive",
-        "app.guide",
-        "app.supervision",
-        "app.formats",
-        "app.metrology",
-    },
-    "app.fleet": {
-        "app.archive",
-        "app.settings",
-        "app.single_sign_on",
-        "app.supervision",
-        "app.formats",
-        "app.metrology",
-    },
-    "app.wire": {
-        "app.guide",
-        "app.supervision",
-        "app.workflows",
-        "app.station",
-        "app.formats",
-        "app.metrology",
-    },
-    "app.operations": {
-        "app.wire",
-        "app.settings",
-        "app.archive",
-        "app.security",
-        "app.single_sign_on",
-        "app.supervision",
-        "app.monitoring",
-        "app.guide",
-        "app.store",
-        "app.station",
-        "app.workflows",
-        "app.formats",
-    },
-    "app.api": {
-        "app.archive",
-        "app.operations",
-        "app.wire",
-        "app.report",
-        "app.security",
-        "app.single_sign_on",
-        "app.supervision",
-        "app.monitoring",
-        "app.guide",
-        "app.store",
-        "app.station",
-        "app.workflows",
-        "app.formats",
-    },
+    "app.metrology": in_app("native"),
+    "app.formats": in_app("metrology", "native"),
+    "app.workflows": in_app(*DATA),
+    "app.store": in_app("formats"),
+    "app.archive": in_app("store", "formats"),
+    "app.batch": in_app("archive", "workflows", *DATA),
+    "app.security": in_app("store"),
+    "app.single_sign_on": in_app("formats"),
+    "app.station": in_app("workflows", *DATA, "native") | {"hardware"},
+    "app.guide": in_app("station", "workflows", *DATA),
+    "app.monitoring": in_app("station", "formats"),
+    "app.supervision": in_app("station", "formats"),
+    "app.report": in_app("workflows", *DATA),
+    "app.settings": in_app("single_sign_on", "archive", "guide", "supervision", *DATA),
+    "app.fleet": in_app("archive", "settings", "single_sign_on", "supervision", *DATA),
+    "app.wire": in_app("guide", "supervision", "workflows", "station", *DATA),
+    "app.operations": in_app("wire", "settings", *BELOW_OPERATIONS),
+    "app.api": in_app("operations", "wire", "report", *BELOW_OPERATIONS),
     "hardware": {"app.native"},
 }
 """What each package may import apart from itself, ``MESSAGES`` and ``LEAVES``.
@@ -104,32 +70,32 @@ def imported_modules(nodes: Sequence[ast.AST]) -> frozenset[str]:
     return frozenset(found)
 
 
+def imports(*folders: str) -> Iterator[tuple[Path, str]]:
+    """Each file below folders of the project with each module that it imports."""
+    for path in python_files(*folders):
+        yield from ((path, module) for module in imported_modules(path))
+
+
 def is_within(module: str, package: str) -> bool:
     return module == package or module.startswith(package + ".")
 
 
 @pytest.mark.parametrize("package", LAYERS)
 def test_a_package_imports_only_what_is_below_it(package: str) -> None:
-    files = python_files(package.replace(".", "/"))
-    assert files
+    folder = package.replace(".", "/")
+    assert python_files(folder)
     allowed = {package, *LAYERS[package]}
     if package != MESSAGES:
         allowed |= {MESSAGES} if package == "hardware" else {MESSAGES, *LEAVES}
-    for path in files:
-        for module in imported_modules(path):
-            if module.split(".")[0] in {"app", "hardware", "tests"}:
-                assert any(is_within(module, one) for one in allowed), (
-                    f"{name_of(path)} imports {module}"
-                )
+    for path, module in imports(folder):
+        if module.split(".")[0] in {"app", "hardware", "tests"}:
+            within = any(is_within(module, one) for one in allowed)
+            assert within, f"{name_of(path)} imports {module}"
 
 
 def test_imports_are_absolute() -> None:
-    assert not [
-        f"{name_of(path)} imports {module}"
-        for path in python_files(*ALL)
-        for module in imported_modules(path)
-        if module.startswith(".")
-    ]
+    relative = [(name_of(path), module) for path, module in imports(*ALL) if module[:1] == "."]
+    assert not relative
 
 
 def test_the_layers_have_an_order() -> None:
@@ -143,14 +109,13 @@ def test_the_layers_have_an_order() -> None:
 
 def test_packages_beside_each_other_import_one_way() -> None:
     edges: dict[tuple[str, str], str] = {}
-    for path in python_files(*PROGRAM):
+    for path, module in imports(*PROGRAM):
         package = ".".join(path.relative_to(ROOT).parent.parts)
-        for module in imported_modules(path):
-            if module.split(".")[0] in PROGRAM:
-                is_package = (ROOT / module.replace(".", "/")).is_dir()
-                target = module if is_package else module.rpartition(".")[0]
-                if target != package:
-                    edges[package, target] = f"{name_of(path)} imports {module}"
+        if module.split(".")[0] in PROGRAM:
+            is_package = (ROOT / module.replace(".", "/")).is_dir()
+            target = module if is_package else module.rpartition(".")[0]
+            if target != package:
+                edges[package, target] = f"{name_of(path)} imports {module}"
     for (package, target), where in edges.items():
         if not (is_within(package, target) or is_within(target, package)):
             assert (target, package) not in edges, f"{where}; {edges[target, package]}"
@@ -165,19 +130,13 @@ def test_no_folder_has_many_modules_and_few_are_small() -> None:
 
 
 def test_the_mathematics_uses_numerical_libraries_only() -> None:
-    for path in python_files("app/metrology"):
-        for module in imported_modules(path):
-            top = module.split(".")[0]
-            assert top == "app" or top in NUMERICS or top in sys.stdlib_module_names, (
-                f"{path.name} imports {module}"
-            )
-            assert top not in {"time", "socket", "os", "io", "pathlib", "threading"}, (
-                f"{path.name} imports {module}"
-            )
+    for path, module in imports("app/metrology"):
+        top = module.split(".")[0]
+        allowed = top == "app" or top in NUMERICS or top in sys.stdlib_module_names - OUTSIDE
+        assert allowed, f"{path.name} imports {module}"
 
 
 def test_the_simulator_shares_nothing_with_the_solver() -> None:
-    for path in python_files("hardware"):
-        for module in imported_modules(path):
-            common = is_within(module, "app.native") or is_within(module, MESSAGES)
-            assert common or not is_within(module, "app"), f"{name_of(path)} imports {module}"
+    for path, module in imports("hardware"):
+        common = is_within(module, "app.native") or is_within(module, MESSAGES)
+        assert common or not is_within(module, "app"), f"{name_of(path)} imports {module}"

@@ -1,11 +1,14 @@
-"""Names of functions and classes: verbs or quantities, one meaning each."""
+"""Names of functions and classes: verbs or quantities, one meaning each, no retired words."""
 
 import ast
 import re
 from collections import defaultdict
 from collections.abc import Sequence
+from pathlib import Path
 
-from tests.sources import PROGRAM, name_of, python_files, reads_tree
+import pytest
+
+from tests.sources import ALL, PROGRAM, ROOT, name_of, python_files, reads_tree, text_of
 
 IRREGULAR = frozenset(
     (
@@ -21,6 +24,26 @@ QUANTITIES = frozenset(
     # an adjective before its noun, or with the noun "quantity" left out
     ("bound_adjustment", "saturated_rms_px", "signed", "rounded")
 )
+
+RETIRED = frozenset(
+    ("told", "papers", "luck", "lucky", "stray", "strays", "suspect", "suspects", "suspected")
+    + ("twin", "twins", "sheet", "sheets", "deed", "deeds", "anew", "forthwith", "astray")
+)
+WORD = re.compile(r"[A-Za-z][a-z]*")
+RETIRED_NAMES = re.compile(
+    r"\b((let|stop|has)_hand|hand_(running|started|stopped)|no-hand(?!-)|wall_link|wall_id|scrapers?)\b"
+)
+"""Of words that are right elsewhere: a person's hand, the wall of a groove."""
+FORMER = (
+    "app/guide/common/journal.py",
+    "app/server/middleware.py",
+    "app/store/schemas.py",
+    "app/wire/schema.py",
+    "tests/api/test_earlier_version.py",
+    "tests/store/test_access.py",
+    "tests/store/test_earlier_versions.py",
+)
+"""Files with names of earlier versions, whose requests and data are still understood."""
 
 
 @reads_tree
@@ -67,3 +90,41 @@ def test_a_class_name_has_one_meaning() -> None:
         for name in classes(path):
             places[name].append(name_of(path))
     assert not {name: where for name, where in places.items() if len(where) > 1}
+
+
+def retired_words(text: str) -> list[tuple[int, str]]:
+    """Each word that the glossary replaced, in a name or a text, with its line."""
+    small = text.lower()
+    likely = [word for word in RETIRED if word in small]  # most files have none
+    return [
+        (number, word)
+        for number, line in enumerate(text.splitlines() if likely else (), 1)
+        if any(one in line.lower() for one in likely)
+        for word in map(str.lower, WORD.findall(line))
+        if word in RETIRED
+    ]
+
+
+def test_python_uses_no_retired_word_and_no_retired_name() -> None:
+    assert not [
+        f"{name_of(path)}:{line}: {word}"
+        for path in python_files(*ALL)
+        if path != Path(__file__)
+        for line, word in retired_words(text_of(path))
+    ]
+    assert not [
+        f"{name_of(path)}: {one[0]}"
+        for path in python_files(*ALL)
+        if path != Path(__file__) and name_of(path) not in FORMER
+        for one in RETIRED_NAMES.finditer(text_of(path))
+    ]
+
+
+@pytest.mark.parametrize("file", ["app/messages/en.ftl", "frontend/src/messages/en.ftl"])
+def test_english_messages_use_no_retired_word(file: str) -> None:
+    assert not retired_words((ROOT / file).read_text("utf-8"))
+
+
+def test_a_retired_word_is_found_in_a_name_and_in_a_comment() -> None:
+    text = "told_mm = 1  # by luck\nisTwin = 'anew'\nstraight = 2\n"
+    assert retired_words(text) == [(1, "told"), (1, "luck"), (2, "twin"), (2, "anew")]

@@ -22,9 +22,13 @@ from tests.sources import ROOT, name_of
 ENGLISH = "app/messages/en.ftl"
 
 
+def reach_of(*changed: str) -> reach.Reach:
+    return reached_tests(changed, lambda name: "")
+
+
 def reached(*changed: str) -> set[str]:
     """Files of tests reached by changes of code, without those that look at every file."""
-    found = reached_tests(changed, lambda name: "")
+    found = reach_of(*changed)
     assert not found.all_by
     return {name for name in found.tests if not name.startswith(OF_ALL_FILES)}
 
@@ -42,11 +46,8 @@ def test_a_module_reaches_the_tests_that_import_it_themselves_or_by_others() -> 
     assert "tests/hardware/test_microscribe.py" not in found
 
 
-def test_an_import_within_a_function_counts() -> None:
+def test_imports_within_functions_and_the_packages_of_modules_count() -> None:
     assert "app/workflows/repeatability_study.py" in used_files(ROOT / "app/cli/scan.py")
-
-
-def test_a_package_is_imported_with_its_modules() -> None:
     assert "app/metrology/stripe/__init__.py" in used_files(ROOT / "app/metrology/stripe/bands.py")
 
 
@@ -54,10 +55,7 @@ def test_a_module_reaches_the_tests_that_start_it() -> None:
     assert {"e2e", "api", "cli"} <= folders(reached("app/server/startup.py"))
     assert "tests/supervision/test_broker.py" in reached("tests/supervision/publishing.py")
     assert "tests/batch/test_scheduler_address.py" in reached("app/cli/batch.py")
-    assert (
-        "tests/docs/test_examples.py"
-        in reached_tests(["docs/examples/write_a_driver.py"], lambda name: "").tests
-    )
+    assert "tests/docs/test_examples.py" in reach_of("docs/examples/write_a_driver.py").tests
 
 
 def test_a_text_names_modules_that_it_imports_and_files() -> None:
@@ -79,32 +77,24 @@ def test_a_text_names_modules_that_it_imports_and_files() -> None:
 @pytest.mark.parametrize(
     "name",
     [
-        ".ci/run",
-        "app/native/c/stripe/fit.c",
-        "docker/Dockerfile",
-        "frontend/package.json",
-        "hardware/firmware/avr/Makefile",
-        "pyproject.toml",
-        "tests/api/conftest.py",
-        "tests/unknown.bin",
+        *(".ci/run", "app/native/c/stripe/fit.c", "docker/Dockerfile", "frontend/package.json"),
+        *("hardware/firmware/avr/Makefile", "pyproject.toml"),
+        *("tests/api/conftest.py", "tests/unknown.bin"),
     ],
 )
 def test_what_can_change_anything_reaches_all(name: str) -> None:
-    found = reached_tests(["docs/formats.md", name], lambda name: "")
+    found = reach_of("docs/formats.md", name)
     assert found.all_by == name
     assert set(found.tests) == {name_of(path) for path in ROOT.glob("tests/**/test_*.py")}
 
 
 def test_a_page_reaches_the_tests_that_read_it() -> None:
-    assert "tests/docs/test_formats.py" in reached_tests(["docs/formats.md"], lambda name: "").tests
+    assert "tests/docs/test_formats.py" in reach_of("docs/formats.md").tests
     assert not reached("docs/glossary.md", "LICENSE", "frontend/screenshots/review.png")
 
 
-def test_the_browsers_part_reaches_the_tests_of_browsers() -> None:
+def test_the_browsers_part_and_data_files_reach_their_tests() -> None:
     assert folders(reached("frontend/src/main.tsx")) == {"e2e", "frontend"}
-
-
-def test_a_data_file_reaches_the_tests_that_name_it() -> None:
     assert folders(reached("tests/fleet/revision_1.sql")) == {"fleet"}
 
 

@@ -1,11 +1,11 @@
 """The steps of the stripe's extraction carry one numbering, in the package and in the C files."""
 
 import re
-from pathlib import Path
 
 import app.metrology.stripe as stripe
+from tests.sources import ROOT
 
-SOURCES = Path(__file__).resolve().parents[2] / "app/native/c/stripe"
+SOURCES = ROOT / "app/native/c/stripe"
 
 
 def test_each_file_names_its_step() -> None:

@@ -4,26 +4,28 @@ import re
 import subprocess
 from pathlib import Path
 
-STARTED_MODULES = ()  # Git
-ROOT = Path(__file__).resolve().parents[2]
+from tests.sources import ROOT, python_files, text_of
 
+STARTED_MODULES = ()  # Git
+OPTION = re.compile(r"(?<![\w-])-o\b")
+BELOW = ("formats", "workflows", "store", "station", "api", "guide", "report", "metrology")
+"""Layers below the commands, of which only some have the option."""
 UNWANTED = {
     "an unfinished place": re.compile(r"\b(TODO|FIXME|XXX|HACK)\b"),
     "a download address": re.compile(r'"resolved":|registry\.[a-z]+js\.|files\.python' + "hosted"),
 }
 
 
-def tracked_files() -> list[Path]:
-    listed = subprocess.run(
-        ["git", "ls-files", "-z"], cwd=ROOT, capture_output=True, text=True, check=True
-    ).stdout
-    return [ROOT / name for name in listed.split("\0") if name and (ROOT / name).is_file()]
+def test_files_are_written_for_commands_with_and_without_o() -> None:
+    for path in python_files(*(f"app/{folder}" for folder in BELOW)):
+        assert not OPTION.search(text_of(path)), path
 
 
 def test_no_file_holds_what_must_not_be_there() -> None:
-    found = []
-    for path in tracked_files():
-        if path == Path(__file__) or path.name == "LICENSE":
+    command, found = ["git", "ls-files", "-z"], []
+    listed = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=True).stdout
+    for path in [ROOT / name for name in listed.split("\0") if name]:
+        if not path.is_file() or path == Path(__file__) or path.name == "LICENSE":
             continue
         try:
             text = path.read_text(encoding="utf-8")
