@@ -49,21 +49,20 @@ def test_the_hash_distinguishes_files(tmp_path: Path) -> None:
     assert source_hash(LibrarySource("some", tmp_path)) != before
 
 
+def report_variant(variant: str) -> subprocess.CompletedProcess[str]:
+    script = "from app.native.library import CRENEL; print(CRENEL.variant)"
+    environment = os.environ | {VARIANT_SETTING: variant}
+    command = [sys.executable, "-c", script]
+    return subprocess.run(command, env=environment, capture_output=True, text=True, check=False)
+
+
 @pytest.mark.device
 def test_an_unknown_variant_is_refused_with_those_that_run() -> None:
-    script = "from app.native.library import CRENEL; print(CRENEL.variant)"
-    environment = os.environ | {VARIANT_SETTING: "v1"}
-    reported = subprocess.run(
-        [sys.executable, "-c", script], env=environment, capture_output=True, text=True, check=True
-    )
-    assert reported.stdout == "v1\n"
-    environment[VARIANT_SETTING] = "v9"
-    reported = subprocess.run(
-        [sys.executable, "-c", script], env=environment, capture_output=True, text=True, check=False
-    )
-    assert reported.returncode
-    assert "The variant v9 does not run on this processor" in reported.stderr
-    assert "one of: v1" in reported.stderr
+    assert report_variant("v1").stdout == "v1\n"
+    refused = report_variant("v9")
+    assert refused.returncode
+    assert "The variant v9 does not run on this processor" in refused.stderr
+    assert "one of: v1" in refused.stderr
 
 
 def test_a_compiler_that_fails_is_quoted(tmp_path: Path) -> None:

@@ -2,8 +2,8 @@
 
 import numpy as np
 import pytest
-from numpy.typing import NDArray
 
+from app.metrology.transforms import Floats
 from app.native.arguments import F64, I32, Array, Function, Integer, Real
 from app.native.library import CRENEL
 
@@ -21,9 +21,7 @@ keep_long_runs = Function(
 speckle_variance = Function(
     CRENEL,
     "speckle_variance",
-    Array(F64, "n"),
-    Array(F64, "n"),
-    Array(F64, "n"),
+    *[Array(F64, "n")] * 3,
     Array(F64, 2, "n", written=True),
     Integer(),
     Integer(),
@@ -31,12 +29,7 @@ speckle_variance = Function(
 )
 
 
-def kept_of(
-    along: NDArray[np.float64],
-    across: NDArray[np.float64],
-    sigma: NDArray[np.float64] | None,
-    shortest: int,
-) -> list[int]:
+def kept_of(along: Floats, across: Floats, sigma: Floats | None, shortest: int) -> list[int]:
     kept = np.empty(len(along), np.int32)
     found = keep_long_runs(along, across, sigma, shortest, 4.0, kept)
     return [int(i) for i in kept[:found]]

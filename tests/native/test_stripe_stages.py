@@ -1,7 +1,6 @@
 """Stages of the stripe's extraction in C say the same as numpy, in every variant."""
 
 import ctypes
-from collections.abc import Iterator
 
 import numpy as np
 import pytest
@@ -19,12 +18,6 @@ KINDS = [np.uint8, np.uint16]
 STEP, STRIP, AWAY = 2, 8, 6
 REACH = 7
 HEIGHT, WIDTH = 60, 150
-
-
-@pytest.fixture(params=CRENEL.variants)
-def variant(request: pytest.FixtureRequest) -> Iterator[str]:
-    with CRENEL.using(request.param):
-        yield request.param
 
 
 KEPT: list[object] = []
@@ -73,9 +66,8 @@ def test_a_strip_keeps_its_highest_score(
     image = of_depth(rng.integers(0, np.iinfo(kind).max, shape, endpoint=True), kind)
     where = rng.random(shape) < 0.7 if masked else None
     workspace = workspace_for(image, where)
-    highest = Function(CRENEL, f"search_{8 * image.itemsize}", Record(Fields), returns=int)(
-        workspace.fields
-    )
+    search = Function(CRENEL, f"search_{8 * image.itemsize}", Record(Fields), returns=int)
+    highest = search(workspace.fields)
     expected = scores(image, where)
     whole = np.zeros((-(-len(expected) // STRIP) * STRIP, shape[1]), np.int64)
     whole[: len(expected)] = expected
@@ -94,26 +86,17 @@ def test_a_strip_keeps_its_highest_score(
 @pytest.mark.parametrize(
     ("columns", "rows"),
     [
-        (np.arange(64) + 5, np.full(64, 30)),
-        (np.arange(64) + 5, 30 + np.arange(64) % 5),
-        (np.arange(64) + 86, 15 + np.arange(64) // 2),
-        (np.arange(64) + 5, 30 + 13 * (np.arange(64) % 2)),
-        (np.arange(64) + 5, 15 + np.random.default_rng(2).permutation(64) % 30),
-        (np.arange(64) + 5, 8 + 35 * (np.arange(64) % 2)),
-        (2 * np.arange(64) + 5, 30 + np.arange(64) % 3),
-        (np.arange(40) + 20, 25 + np.arange(40) % 3),
-        (np.arange(64) + 5, np.arange(64) % HEIGHT),
-    ],
-    ids=[
-        "level",
-        "jagged",
-        "sloped",
-        "apart",
-        "all-ways",
-        "too-far",
-        "every-other",
-        "not-full",
-        "over-the-border",
+        pytest.param(np.arange(64) + 5, np.full(64, 30), id="level"),
+        pytest.param(np.arange(64) + 5, 30 + np.arange(64) % 5, id="jagged"),
+        pytest.param(np.arange(64) + 86, 15 + np.arange(64) // 2, id="sloped"),
+        pytest.param(np.arange(64) + 5, 30 + 13 * (np.arange(64) % 2), id="apart"),
+        pytest.param(
+            np.arange(64) + 5, 15 + np.random.default_rng(2).permutation(64) % 30, id="all-ways"
+        ),
+        pytest.param(np.arange(64) + 5, 8 + 35 * (np.arange(64) % 2), id="too-far"),
+        pytest.param(2 * np.arange(64) + 5, 30 + np.arange(64) % 3, id="every-other"),
+        pytest.param(np.arange(40) + 20, 25 + np.arange(40) % 3, id="not-full"),
+        pytest.param(np.arange(64) + 5, np.arange(64) % HEIGHT, id="over-the-border"),
     ],
 )
 def test_each_lane_holds_the_pixels_about_its_peak(
