@@ -1,6 +1,5 @@
 """Reports of performance tests: what they say and draw, in every language, byte for byte."""
 
-from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
@@ -11,7 +10,6 @@ from app.bench.metrology.synthetic_sphere import Faults, SphereSession
 from app.formats.exchange.export import NAMES, export_result
 from app.formats.exchange.write_certificate import Issuer
 from app.formats.performance.plan import RESULT, LimitPart
-from app.formats.performance.results import PerformanceFile
 from app.formats.performance.symbols import TITLES
 from app.messages.catalogue import renderer
 from app.messages.language_file import languages
@@ -31,26 +29,24 @@ from app.report.pdf_figure import PLAIN
 from app.report.reports import render_report
 from app.workflows.performance.evaluate import write_performance
 from tests.formats.performance_builders import (
+    BUILDERS,
     STATUS,
+    Build,
     contact_result,
     lengths_result,
-    plane_result,
     sphere_result,
 )
 from tests.report.test_reports import assert_german, text_of
 
 pytestmark = pytest.mark.slow
 
-BUILDERS = (sphere_result, lengths_result, contact_result, plane_result)
 OWN = (STATUS, "See the figures.", "Patch 17 has no points.", "The probe matrix is off.")
 
 
 @pytest.mark.parametrize("build", BUILDERS)
-def test_a_report_names_every_figure_and_every_file(
-    tmp_path: Path, build: Callable[[Path], PerformanceFile]
-) -> None:
+def test_a_report_names_every_figure_and_every_file(tmp_path: Path, build: Build) -> None:
     document = build(tmp_path / "test-1")
-    text = text_of(render_report(tmp_path / "test-1", ".pdf"))
+    text = printed(tmp_path / "test-1")
     together = text.replace(" ", "")
     assert STATUS in text
     for figure in document.figures:
@@ -67,21 +63,23 @@ def test_a_report_names_every_figure_and_every_file(
 
 
 @pytest.mark.parametrize("build", BUILDERS)
-def test_a_report_is_translated_and_the_same_again(
-    tmp_path: Path, build: Callable[[Path], PerformanceFile]
-) -> None:
+def test_a_report_is_translated_and_the_same_again(tmp_path: Path, build: Build) -> None:
     document = build(tmp_path)
     names = [document.sphere, document.length, document.plate]
     own = [text for one in names if one is not None for text in (one.name, one.certificate)]
     assert_german(tmp_path, *OWN, *own, "Points seen once are kept.", "All kept.", "Room 2")
 
 
+def printed(folder: Path) -> str:
+    return text_of(render_report(folder, ".pdf"))
+
+
 def test_values_limits_and_uncertainties_are_those_of_the_file(tmp_path: Path) -> None:
     document = sphere_result(tmp_path)
-    text = text_of(render_report(tmp_path, ".pdf"))
-    location = next(one for one in document.figures if one.quantity == "location-scan")
+    text = printed(tmp_path)
+    figures = {one.quantity: one for one in document.figures}
+    location, size = figures["location-scan"], figures["size-scan"]
     assert f"{location.value:.1f} µm ≤ 80 µm ± 1.1 µm fail" in text
-    size = next(one for one in document.figures if one.quantity == "size-scan")
     assert f"{size.value:.1f} µm".replace("-", "−") + " ± 40 µm" in text
     assert "within 10 mm of the surface" in text
     assert "Ceramic sphere 25" in text
@@ -91,14 +89,14 @@ def test_values_limits_and_uncertainties_are_those_of_the_file(tmp_path: Path) -
 def test_a_laboratory_with_the_standards_has_no_status_line(tmp_path: Path) -> None:
     document = sphere_result(tmp_path)
     document.model_copy(update={"status": ""}).write(tmp_path / RESULT)
-    assert STATUS not in text_of(render_report(tmp_path, ".pdf"))
+    assert STATUS not in printed(tmp_path)
 
 
 def test_a_changed_scan_is_named(tmp_path: Path) -> None:
     sphere_result(tmp_path)
-    assert "cannot be traced" not in text_of(render_report(tmp_path, ".pdf"))
+    assert "cannot be traced" not in printed(tmp_path)
     (tmp_path / "p1-a3" / "scan.mcap").write_bytes(b"other")
-    assert " changed " in text_of(render_report(tmp_path, ".pdf"))
+    assert " changed " in printed(tmp_path)
 
 
 def test_places_are_drawn_where_the_pattern_has_them() -> None:
@@ -136,11 +134,11 @@ def test_the_drawn_sphere_is_the_location_error(tmp_path: Path) -> None:
 def test_where_no_location_is_stated_no_sphere_about_the_centres_is_drawn(tmp_path: Path) -> None:
     drawn = "Location over the articulations"
     sphere_result(tmp_path / "a")
-    assert drawn in text_of(render_report(tmp_path / "a", ".pdf"))
+    assert drawn in printed(tmp_path / "a")
     moved = Faults(articulations=0, touch_sd_mm=0.003, moved_mm=(0.1, 0.0, 0.0))
     folder = SphereSession(tmp_path / "b", moved).write()
     write_performance(folder)
-    text = text_of(render_report(folder, ".pdf"))
+    text = printed(folder)
     assert "Sphere or arm moved by" in text
     assert drawn not in text
 
@@ -174,9 +172,7 @@ def test_every_placement_has_a_bar(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("build", BUILDERS)
-def test_every_test_has_a_figure_without_limits_too(
-    tmp_path: Path, build: Callable[[Path], PerformanceFile]
-) -> None:
+def test_every_test_has_a_figure_without_limits_too(tmp_path: Path, build: Build) -> None:
     document = build(tmp_path)
     plain = [one.model_copy(update={"limit": None, "decision": "none"}) for one in document.figures]
     (tmp_path / RESULT).unlink()
@@ -200,7 +196,7 @@ def test_a_test_from_touches_and_recordings_is_reported_and_exported(tmp_path: P
     limits = (LimitPart(quantity="location-scan", a_um=60.0),)
     folder = SphereSession(tmp_path / "test", faults, limits=limits).write()
     document = write_performance(folder)
-    text = text_of(render_report(folder, ".pdf"))
+    text = printed(folder)
     location = next(one for one in document.figures if one.quantity == "location-scan")
     assert f"{location.value:.1f} µm ≤ 60 µm" in text
     assert "calibrate the sensor again" in text

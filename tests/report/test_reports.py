@@ -21,11 +21,7 @@ from app.formats.results.acceptance import ACCEPTANCE, Acceptance, ComparisonPar
 from app.formats.results.arm_checks import ARM_CHECK, TIP_CHECK, ArmCheckFile, TipCheckFile
 from app.formats.results.calibration import CalibrationFile, Input
 from app.formats.results.decision_rule import RulePart
-from app.formats.results.verification import (
-    FIGURE_TITLES,
-    VerificationFile,
-    write_verification,
-)
+from app.formats.results.verification import FIGURE_TITLES, VerificationFile, write_verification
 from app.formats.session.arm_session import write_observations
 from app.messages.catalogue import renderer
 from app.messages.language_file import languages
@@ -47,8 +43,9 @@ from app.workflows.identify_arm import IdentificationProvenance, identify_folder
 from app.workflows.measure_gauge import MAP, MapFile, filters_of
 from hardware.simulator.session import SessionPlan, render_session
 from tests.datasheets import write_arm
-from tests.formats.builders import ARM
-from tests.simulated_arm_sessions import ArmSessionPlan, render_arm_session
+from tests.formats.builders import ARM, edit_text
+from tests.formats.test_arm_identification import PLAN
+from tests.simulated_arm_sessions import render_arm_session
 from tests.workflows.test_verification import RECORD
 
 pytestmark = pytest.mark.slow
@@ -95,8 +92,22 @@ def text_of(pdf: bytes) -> str:
     return " ".join(text.replace("\u00a0", " ").split())
 
 
-def english_page(folder: Path) -> bytes:
-    return html_page(translate_report(calibration_report(folder), "en"))
+def printed(folder: Path) -> str:
+    return text_of(render_report(folder, ".pdf"))
+
+
+def shown(folder: Path, language: str = "en") -> str:
+    page = render_report(folder, ".html", language).decode()
+    return html.unescape(page).replace("\u00a0", " ")
+
+
+def assert_says(text: str, *said: str) -> None:
+    """A text has all of these, which are given in rows, with a bar between them."""
+    assert not [one for row in said for one in row.split(" | ") if one not in text]
+
+
+def copied(folder: Path, copy: Path) -> Path:
+    return Path(shutil.copytree(folder, copy))
 
 
 def plain_texts(value: object) -> Iterator[str]:
@@ -130,14 +141,8 @@ def test_a_report_in_german(folder: Path, tmp_path: Path) -> None:
     asked = ["report", str(folder), "-o", str(written), "--language", "de"]
     result = CliRunner().invoke(cli, asked)
     assert result.exit_code == 0, result.output
-    shown = html.unescape(written.read_text(encoding="utf-8"))
-    for reported in (
-        '<html lang="de">',
-        "Kalibrierbericht",
-        "Bediener: Anna",
-        "Standardunsicherheit",
-    ):
-        assert reported in shown, reported
+    page = html.unescape(written.read_text(encoding="utf-8"))
+    assert_says(page, '<html lang="de"> | Kalibrierbericht | Bediener: Anna | Standardunsicherheit')
     assert "Kalibrierbericht" in text_of(render_report(folder, ".pdf", "de"))
     with pytest.raises(OperationError, match="no language 'xx'"):
         render_report(folder, ".pdf", "xx")
@@ -147,65 +152,46 @@ def test_a_calibrations_report_says_what_a_certificate_does(folder: Path) -> Non
     record = CalibrationFile.read(folder / "calibration.json")
     assert record.uncertainty is not None
     total_um = record.uncertainty.total_um
-    shown = html.unescape(render_report(folder, ".html").decode()).replace("\u00a0", " ")
-    printed = text_of(render_report(folder, ".pdf"))
-    for text in (shown, printed):
-        for reported in (
-            "Anna",
-            "Room 2",
-            "session-7",
-            "20.4 °C",
-            "2026-11-21 10:00 UTC",
-            *(number for number in record.serial_numbers.model_dump().values()),
-            "Certificate",
-            "simulated",
-            f"{total_um:.1f} µm",
-            f"{total_um / 1e3:.4f} mm",
-            f"{2 * total_um:.1f} µm",
-            "good ≤ 50 µm",
-            "ISO 14253-1:1998",
-            f"the guard band is {2 * total_um:.1f} µm",
+    page = shown(folder)
+    for text in (page, printed(folder)):
+        assert_says(
+            text,
+            "Anna | Room 2 | session-7 | 20.4 °C | 2026-11-21 10:00 UTC | Certificate | simulated",
+            *record.serial_numbers.model_dump().values(),
+            f"{total_um:.1f} µm | {total_um / 1e3:.4f} mm | {2 * total_um:.1f} µm | good ≤ 50 µm",
+            f"ISO 14253-1:1998 | the guard band is {2 * total_um:.1f} µm",
             "Whoever has to prove something bears the uncertainty",
-            "Calibration 0",
-            "4.2 µm",
-            "Operator: Anna",
-            "Approved",
+            "Calibration 0 | 4.2 µm | Operator: Anna | Approved",
             "Every file has the content that the result was computed from.",
-        ):
-            assert reported in text, reported
-    assert all(one.sha256 in shown and one.file in shown for one in record.inputs)
+        )
+    assert all(one.sha256 in page and one.file in page for one in record.inputs)
     assert record.verdict is not None
     for finding in record.verdict.findings:
         assert isinstance(finding.text, Message)
-        assert join_units(str(finding.text)).replace("\u00a0", " ") in shown
+        assert join_units(str(finding.text)).replace("\u00a0", " ") in page
 
 
 def test_a_pose_without_its_laser_line_is_marked(folder: Path, tmp_path: Path) -> None:
-    copy = tmp_path / "copy"
-    shutil.copytree(folder, copy)
+    copy = copied(folder, tmp_path / "copy")
     calibration = json.loads((copy / "calibration.json").read_text())
     reason = "its laser line was excluded, 2 mm off the plane of the others"
     pose = calibration["poses"][0]
     pose.update(reason=reason, stripe_rms_px=0.0, stripe_points=0, stripe_off_px=[])
     (copy / "calibration.json").write_text(json.dumps(calibration))
-    shown = html.unescape(english_page(copy).decode()).replace("\u00a0", " ")
-    assert shown.count(f"used, but {reason}") == 1
-    assert shown.count("no stripe. Edges") == 1
-    assert ">0.000<" not in shown
+    page = shown(copy)
+    assert page.count(f"used, but {reason}") == 1
+    assert page.count("no stripe. Edges") == 1
+    assert ">0.000<" not in page
     assert_german(copy, reason, *SIMULATED)
 
 
 def test_its_pictures_are_in_both_forms(folder: Path) -> None:
-    shown = render_report(folder, ".html").decode()
-    for title in (
-        "Residuals of the contact points on the object",
-        "Residuals of pose 0 in its picture",
-        "Residuals of pose 1 in its picture",
-        "Uncertainty over the measuring volume",
-        "Error budget",
-    ):
-        assert f'aria-label="{title}"' in shown
-    assert shown.count("data:image/jpeg;base64,") == 2
+    page = render_report(folder, ".html").decode()
+    titles = ["Residuals of the contact points on the object", "Error budget"]
+    titles += [f"Residuals of pose {number} in its picture" for number in (0, 1)]
+    for title in (*titles, "Uncertainty over the measuring volume"):
+        assert f'aria-label="{title}"' in page
+    assert page.count("data:image/jpeg;base64,") == 2
     document = pypdfium2.PdfDocument(render_report(folder, ".pdf"))
     kinds = [item.type for page in document for item in page.get_objects()]
     document.close()
@@ -220,32 +206,43 @@ def test_the_same_folder_gives_the_same_bytes(folder: Path, tmp_path: Path) -> N
 
 
 def test_a_page_needs_nothing_and_runs_nothing(folder: Path, tmp_path: Path) -> None:
-    own = tmp_path / "hostile"
-    shutil.copytree(folder, own)
+    own = copied(folder, tmp_path / "hostile")
     accept(own, HOSTILE)
     for name in ("object.json", "arm.json", "sensor.json"):
         fields = json.loads((own / name).read_text())
         fields["name"] = fields["serial_number"] = HOSTILE
         (own / name).write_text(json.dumps(fields))
-    shown = render_report(own, ".html").decode()
-    assert "<script" not in shown
-    assert "<img" not in shown
-    assert html.escape(HOSTILE) in shown
-    assert "http" not in shown.replace("http-equiv", "")
-    assert "default-src 'none'" in shown
+    page = render_report(own, ".html").decode()
+    assert "<script" not in page
+    assert "<img" not in page
+    assert html.escape(HOSTILE) in page
+    assert "http" not in page.replace("http-equiv", "")
+    assert "default-src 'none'" in page
     # a face without these letters shows boxes, and nothing fails
-    assert "<script>" in text_of(render_report(own, ".pdf"))
+    assert "<script>" in printed(own)
 
 
 def test_changed_inputs_are_marked(folder: Path, tmp_path: Path) -> None:
-    own = tmp_path / "changed"
-    shutil.copytree(folder, own)
+    own = copied(folder, tmp_path / "changed")
     with open(own / "probing.csv", "a") as table:
         table.write("\n")
-    shown = english_page(own).decode()
-    assert "1 of these files differs from what the result was computed from" in shown
+    assert "1 of these files differs from what the result was computed from" in shown(own)
     (own / ACCEPTANCE).unlink()
-    assert "was not accepted at a station" in english_page(own).decode()
+    assert "was not accepted at a station" in shown(own)
+
+
+BY_BEN = {
+    "checked_at": "2026-11-21T07:30:00+00:00",
+    "operator": "Ben",
+    "arm_name": ARM.name,
+    "arm_serial": ARM.serial_number,
+    "limit_um": 60.0,
+    "software": SOFTWARE,
+}
+
+
+def inputs_of(folder: Path, *names: str) -> list[Input]:
+    return [Input(file=name, sha256=file_sha256(folder / name)) for name in names]
 
 
 def test_an_arm_checks_report(tmp_path: Path) -> None:
@@ -254,38 +251,22 @@ def test_an_arm_checks_report(tmp_path: Path) -> None:
     write_observations(tmp_path, ArmObservations((Seat("Seat 1", swing),), (), ()))
     ArmCheckFile.model_validate(
         {
-            "checked_at": "2026-11-21T07:30:00+00:00",
-            "operator": "Ben",
-            "arm_name": ARM.name,
-            "arm_serial": ARM.serial_number,
+            **BY_BEN,
             "points": 40,
             "half_range_um": (20.0, 71.0, 30.0),
             "two_sigma_um": (15.0, 40.0, 20.0),
             "encoders_two_sigma_um": (10.0, 10.0, 10.0),
             "largest_um": 83.4,
             "two_s_um": 55.1,
-            "limit_um": 60.0,
             "verdict": "bad",
-            "inputs": [
-                Input(file=name, sha256=file_sha256(tmp_path / name))
-                for name in ("arm.json", "articulation.csv")
-            ],
-            "software": SOFTWARE,
+            "inputs": inputs_of(tmp_path, "arm.json", "articulation.csv"),
         }
     ).write(tmp_path / ARM_CHECK)
-    printed = text_of(render_report(tmp_path, ".pdf"))
-    for reported in (
-        "Beyond the limit",
-        "71.0 µm",
-        "0.0710 mm",
-        "83.4 µm",
-        "55.1 µm",
-        "ILAC-G8",
-        "≤ 60 µm",
-        "Ben",
-        "Not according to a standard",
-    ):
-        assert reported in printed, reported
+    assert_says(
+        printed(tmp_path),
+        "Beyond the limit | 71.0 µm | 0.0710 mm | 83.4 µm | 55.1 µm | ≤ 60 µm",
+        "ILAC-G8 | Ben | Not according to a standard",
+    )
     assert render_report(tmp_path, ".pdf") == render_report(tmp_path, ".pdf")
     assert_german(tmp_path, ARM.name)
 
@@ -296,10 +277,7 @@ def test_a_tip_checks_report(tmp_path: Path) -> None:
     write_observations(tmp_path, ArmObservations((), (Sphere("Sphere 1", 25.0, touches),), ()))
     TipCheckFile.model_validate(
         {
-            "checked_at": "2026-11-21T07:30:00+00:00",
-            "operator": "Ben",
-            "arm_name": ARM.name,
-            "arm_serial": ARM.serial_number,
+            **BY_BEN,
             "sphere_mm": 25.0,
             "touches": 9,
             "diameter_mm": 5.9,
@@ -307,63 +285,37 @@ def test_a_tip_checks_report(tmp_path: Path) -> None:
             "error_um": -100.0,
             "expanded_uncertainty_um": 20.0,
             "scatter_um": 12.0,
-            "limit_um": 60.0,
             "rule": RulePart.of(replace(GUARDED_95, bearer="user")),
             "decision": "fail",
             "words": "The tip is worn.",
-            "inputs": [Input(file="arm.json", sha256=file_sha256(tmp_path / "arm.json"))],
-            "software": SOFTWARE,
+            "inputs": inputs_of(tmp_path, "arm.json"),
         }
     ).write(tmp_path / TIP_CHECK)
-    printed = text_of(render_report(tmp_path, ".pdf"))
-    for reported in (
-        "Fail",
-        "The tip is worn.",
-        "−100.0 µm",
-        "± 20.0 µm",
-        "5.9000 mm",
-        "not stated",
+    assert_says(
+        printed(tmp_path),
+        "Fail | The tip is worn. | −100.0 µm | ± 20.0 µm | 5.9000 mm | not stated",
         "The user bears the uncertainty",
-    ):
-        assert reported in printed, reported
+    )
     assert_german(tmp_path, ARM.name, "The tip is worn.")
 
 
 def test_an_identifications_report(tmp_path: Path) -> None:
-    plan = ArmSessionPlan(
-        seats=6,
-        points_per_seat=14,
-        spheres=2,
-        points_per_sphere=14,
-        bar_lengths_mm=(600.0,),
-        positions_per_bar=4,
-        points_per_end=3,
-    )
-    render_arm_session(tmp_path, 3, plan)
+    render_arm_session(tmp_path, 3, PLAN)
     identified = tmp_path / "identified.json"
     signature = IdentificationProvenance(
         operator="Ben", station="Room 2", simulated=True, temperature_c=21.5
     )
     record, _ = identify_folder(tmp_path, identified, signature=signature)
-    printed = text_of(render_report(tmp_path, ".pdf"))
-    reported = (
-        "Identified",
-        "Ben",
-        "Room 2",
-        "21.5 °C",
-        record.serial_number,
-        "k = 1",
-        "unchanged",
+    assert_says(
+        printed(tmp_path),
+        f"Identified | Ben | Room 2 | 21.5 °C | {record.serial_number} | k = 1 | unchanged",
+        "articulation.csv | ballbars.csv | Approved | a demonstration",
     )
-    for words in (*reported, "articulation.csv", "ballbars.csv", "Approved", "a demonstration"):
-        assert words in printed, words
     assert render_report(tmp_path, ".pdf") == render_report(tmp_path, ".pdf")
     assert_german(tmp_path, record.name, "Room 2")
     assert "1 in 4 Lagen" in text_of(render_report(tmp_path, ".pdf", "de"))
-    (tmp_path / "articulation.csv").write_text(
-        (tmp_path / "articulation.csv").read_text().replace("\n", "\n\n", 1)
-    )
-    assert "changed" in text_of(render_report(tmp_path, ".pdf"))
+    edit_text(tmp_path / "articulation.csv", "\n", "\n\n")
+    assert "changed" in printed(tmp_path)
     write_arm(identified, ARM)
     with pytest.raises(OperationError, match="contains no identification"):
         folder_report(tmp_path)
@@ -373,18 +325,18 @@ def test_a_verifications_report(tmp_path: Path) -> None:
     more = [{**RECORD["clouds"][0], "name": f"Cloud {n}"} for n in (1, 2)]
     write_verification(tmp_path, VerificationFile.model_validate({**RECORD, "clouds": more}))
     (tmp_path / "cloud-1").mkdir()
-    MapFile(cell_mm=2, x_mm=(0, 2, 4), y_mm=(0, 0, 2), deviation_um=(5, -8, 1)).write(
-        tmp_path / "cloud-1" / MAP
+    residuals = MapFile(cell_mm=2, x_mm=(0, 2, 4), y_mm=(0, 0, 2), deviation_um=(5, -8, 1))
+    residuals.write(tmp_path / "cloud-1" / MAP)
+    assert_says(
+        printed(tmp_path),
+        "Pass | Radius error | −20.0 µm | ± 6.0 µm | Not according to a standard",
+        # a record that does not state its rule is of before it did
+        "acceptance with the expanded uncertainty (k = 2) as guard band",
     )
-    printed = text_of(render_report(tmp_path, ".pdf"))
-    shown = html.unescape(render_report(tmp_path, ".html").decode())
-    for reported in ("Pass", "Radius error", "−20.0 µm", "± 6.0 µm", "Not according to a standard"):
-        assert reported in printed, reported
-    assert "Verification on a gauge sphere" in shown
-    assert "cloud by cloud" in shown
-    assert "Residuals of Cloud 1 on the gauge" in shown
-    # a record that does not state its rule is of before it did
-    assert "acceptance with the expanded uncertainty (k = 2) as guard band" in printed
+    assert_says(
+        html.unescape(render_report(tmp_path, ".html").decode()),
+        "Verification on a gauge sphere | cloud by cloud | Residuals of Cloud 1 on the gauge",
+    )
     assert_german(tmp_path, *plain_texts(RECORD))
 
 
@@ -395,25 +347,17 @@ def test_a_verifications_report_states_rule_uncertainties_and_filters(tmp_path: 
     values = {"clouds": [cloud], "figures": [figure], "filters": filters_of("sphere"), "rule": rule}
     document = VerificationFile.model_validate({**RECORD, **values})
     write_verification(tmp_path, document)
-    printed = text_of(render_report(tmp_path, ".pdf"))
-    for reported in (
-        "ISO 14253-1:2017",
-        "1.65 times the standard uncertainty",
-        "The supplier bears the uncertainty",
-        "± 6.0 µm",
-        "± 0.8 µm *",
-        "3 standard deviations",
-        "within 0.05 mm of an earlier one",
-        "within 3 mm of the calibrated sphere",
-        "130.5",
-        "410.5",
-    ):
-        assert reported in printed, reported
-    assert "as guard band" not in printed
+    text = printed(tmp_path)
+    assert_says(
+        text,
+        "ISO 14253-1:2017 | 1.65 times the standard uncertainty | ± 6.0 µm | ± 0.8 µm *",
+        "The supplier bears the uncertainty | 3 standard deviations | 130.5 | 410.5",
+        "within 0.05 mm of an earlier one | within 3 mm of the calibrated sphere",
+    )
+    assert "as guard band" not in text
     simple = document.model_copy(update={"rule": RulePart.of(SIMPLE)})
     write_verification(tmp_path, simple)
-    printed = text_of(render_report(tmp_path, ".pdf"))
-    assert "ILAC-G8:09/2019. There is no guard band" in printed
+    assert "ILAC-G8:09/2019. There is no guard band" in printed(tmp_path)
     assert_german(tmp_path, *plain_texts(RECORD))
 
 
