@@ -9,11 +9,11 @@ from pathlib import Path
 import pytest
 
 from hardware.registry import BUILT_IN
+from tests.sources import ROOT
 
 pytestmark = pytest.mark.device
 
 STARTED_MODULES = ("docs.examples",)
-ROOT = Path(__file__).parents[2]
 EXAMPLES = ROOT / "docs/examples"
 
 

@@ -52,8 +52,9 @@ from app.metrology.targets.chessboard import Chessboard, Markers
 from app.settings.settings import Settings
 from app.settings.station_toml import read_settings
 from hardware.arm.robots.rotations import axis_angles_quaternion, rotation_vector_quaternion
+from tests.sources import ROOT
 
-PAGE = (Path(__file__).parents[2] / "docs/formats.md").read_text(encoding="utf-8")
+PAGE = (ROOT / "docs/formats.md").read_text(encoding="utf-8")
 EXAMPLE = re.compile(r"^```(?:json|csv|toml|xyz) (\S+)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 DEFAULTS_SHOWN = ("limits", "verification", "decision", "due")
 WITHOUT_DEFAULT = {"form_all", "range_all"}
@@ -201,12 +202,11 @@ def test_mask_delay_and_scan_settings_are_read(examples: Path) -> None:
 
 
 def test_clouds_are_as_described(examples: Path) -> None:
-    given = examples / "cloud.xyz"
+    given, ply, xyz = (examples / name for name in ("cloud.xyz", "cloud.ply", "again.xyz"))
     cloud = read_cloud(given)
     assert cloud.intensity is not None
     assert cloud.uncertainty_um is not None
     assert cloud.frame is not None
-    ply, xyz = examples / "cloud.ply", examples / "again.xyz"
     for path in (ply, xyz):
         with cloud_writer(path) as writer:
             writer.write(cloud.points_mm, cloud.intensity, cloud.uncertainty_um, cloud.frame)
@@ -257,11 +257,8 @@ def test_every_document_of_the_package_is_named() -> None:
 
 
 def test_limits_of_a_performance_test_are_read(examples: Path) -> None:
-    limits = read_station_limits(examples)
-    assert [(one.quantity, one.a_um) for one in limits] == [
-        ("form-touch", 25),
-        ("location-scan", 60),
-    ]
+    limits = [(one.quantity, one.a_um) for one in read_station_limits(examples)]
+    assert limits == [("form-touch", 25), ("location-scan", 60)]
 
 
 def test_a_length_standard_and_a_plan_of_a_performance_test_are_read(examples: Path) -> None:

@@ -10,8 +10,8 @@ from typer.main import get_command
 
 from app.cli.bench import bench
 from app.cli.main import cli
+from tests.sources import ROOT
 
-ROOT = Path(__file__).parents[2]
 PAGES = sorted([*ROOT.glob("*.md"), *ROOT.glob("docs/*.md"), *ROOT.glob("docker/*.md")])
 LINK = re.compile(r"!?\[[^\]]+\]\(([^)\s]+)\)")
 FENCED = re.compile(r"^ *```.*?^ *```$", re.MULTILINE | re.DOTALL)
@@ -57,10 +57,8 @@ def test_the_readme_is_short() -> None:
 
 
 def test_the_command_line_page_names_the_commands() -> None:
-    commands = commands_of(cli)
-    page = "docs/command-line.md"
-    synopsis = re.findall(r"^crenel ([a-z-]+)", (ROOT / page).read_text("utf-8"), re.MULTILINE)
-    assert set(synopsis) == commands
+    page = (ROOT / "docs/command-line.md").read_text("utf-8")
+    assert set(re.findall(r"^crenel ([a-z-]+)", page, re.MULTILINE)) == commands_of(cli)
 
 
 @pytest.mark.parametrize("page", ["README.md", "docs/accuracy.md", "docs/operating.md"])

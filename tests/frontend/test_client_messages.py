@@ -14,6 +14,7 @@ from tests.frontend.test_client_checks import places_by_id
 
 SOURCES = FRONTEND / "src"
 FILES = SOURCES / "messages"
+DRIVER_NAMES = (SOURCES / "devices/names.ts").read_text(encoding="utf-8")
 USED = re.compile(r'"(ui-[a-z0-9-]+)"')
 
 
@@ -43,8 +44,7 @@ def test_the_ids_are_those_that_are_used() -> None:
 
 
 def test_every_option_of_a_built_in_driver_has_a_label() -> None:
-    names = (SOURCES / "devices/names.ts").read_text(encoding="utf-8")
-    labelled = set(re.findall(r'^  ([a-z0-9_]+): "ui-', names, re.MULTILINE))
+    labelled = set(re.findall(r'^  ([a-z0-9_]+): "ui-', DRIVER_NAMES, re.MULTILINE))
     kinds: tuple[DeviceKind, ...] = ("arm", "sensor")
     models = [driver_options(kind, name) for kind in kinds for name in BUILT_IN[f"crenel.{kind}s"]]
     keys = {field.key for model in models if model for field in option_fields(model)}
@@ -53,8 +53,7 @@ def test_every_option_of_a_built_in_driver_has_a_label() -> None:
 
 
 def test_every_built_in_driver_has_a_name_for_people() -> None:
-    names = (SOURCES / "devices/names.ts").read_text(encoding="utf-8")
-    titled = set(re.findall(r'^  "?([a-z0-9-]+)"?: "ui-driver-', names, re.MULTILINE))
+    titled = set(re.findall(r'^  "?([a-z0-9-]+)"?: "ui-driver-', DRIVER_NAMES, re.MULTILINE))
     drivers = {name for group, table in BUILT_IN.items() if group != FINDERS for name in table}
     assert titled == drivers
 

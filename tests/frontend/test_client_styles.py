@@ -3,7 +3,8 @@
 import re
 from pathlib import Path
 
-SOURCES = Path(__file__).parents[2] / "frontend/src"
+from tests.frontend.node import FRONTEND
+
 IMPORT = re.compile(r'import (\w+) from "(\.[^"]+\.module\.css)"')
 
 
@@ -20,7 +21,7 @@ def unknown_classes(component: Path) -> list[str]:
 
 
 def test_every_class_is_in_its_css_module() -> None:
-    components = sorted(SOURCES.rglob("*.tsx"))
+    components = sorted((FRONTEND / "src").rglob("*.tsx"))
     assert len(components) > 100
     assert not [one for component in components for one in unknown_classes(component)]
 
