@@ -115,9 +115,7 @@ def test_pages_that_follow_in_a_circle_end() -> None:
     assert header.more_pages
 
 
-def test_what_would_be_refused_once_decoded_is_not_decoded(
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
+def test_what_would_be_refused_once_decoded_is_not_decoded(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(cv2, "imdecode", None)
     for raw, code in (
         (png(9000, 9000, colour=6, bits=16), "image-too-large"),

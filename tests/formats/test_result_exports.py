@@ -11,12 +11,7 @@ import pytest
 from app.formats.exchange.result_tables import result_tables
 from app.formats.exchange.write_tables import workbook_obstacle, write_csv_tables, write_workbook
 from app.formats.performance.results import PerformanceFile
-from tests.formats.performance_builders import (
-    BUILDERS,
-    Build,
-    lengths_result,
-    sphere_result,
-)
+from tests.formats.performance_builders import BUILDERS, Build, lengths_result, sphere_result
 from tests.refusals import refused_as
 
 

@@ -20,14 +20,7 @@ from app.metrology.performance.pattern import pattern_directions
 from app.metrology.transforms import Floats
 from app.workflows.performance.contact_test import contact_features
 from tests.guide.builders import ARM
-from tests.guide.performance_sessions import (
-    ROBOT,
-    ball_bar,
-    reading,
-    started,
-    state_after,
-    touched,
-)
+from tests.guide.performance_sessions import ROBOT, ball_bar, reading, started, state_after, touched
 
 SPHERE = GaugeFile(shape="sphere", radius_mm=12.5, standard_uncertainty_um=0.4)
 BAR = ball_bar(300.0)

@@ -17,14 +17,7 @@ from app.guide.performance.state import PerformanceState
 from app.metrology.decision import SIMPLE
 from app.metrology.performance.pattern import pattern_directions
 from app.workflows.performance.length_test import length_features
-from tests.guide.performance_sessions import (
-    ROBOT,
-    ball_bar,
-    reading,
-    started,
-    state_after,
-    touched,
-)
+from tests.guide.performance_sessions import ROBOT, ball_bar, reading, started, state_after, touched
 
 BAR = ball_bar(300.0)
 AROUND = pattern_directions(np.array([0.0, 0.0, 1.0]))[[0, 13, 15, 17]]

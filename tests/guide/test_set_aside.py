@@ -110,9 +110,7 @@ def test_a_cut_calibration_is_not_valid(station: Station) -> None:
         assert list_unreadable(context)
 
 
-def test_a_calibration_whose_files_go_while_the_station_runs_is_not_valid(
-    station: Station,
-) -> None:
+def test_a_calibration_whose_files_go_while_the_station_runs_is_not_valid(station: Station) -> None:
     with station.opened(calibrated=True) as context:
         file = context.store.calibrations.all()[0].file
         assert build_home(context).checks[0].state == "valid"
