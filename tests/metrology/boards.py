@@ -140,10 +140,8 @@ def inputs(look: Look | None = None, robot_mm: float = 0.02) -> BoardInputs:
     """All poses, the robot's place off by ``robot_mm`` and its turns likewise."""
     look = look or Look()
     rng = np.random.default_rng(3)
-    seen = tuple(
-        observe_board(k + 1, look.board, picture(T, look, k), None, "v")
-        for k, T in enumerate(POSES)
-    )
+    pictures = [picture(T, look, k) for k, T in enumerate(POSES)]
+    seen = tuple(observe_board(k, look.board, one, None, "v") for k, one in enumerate(pictures, 1))
     flange = []
     for T in POSES:
         turn = Rotation.from_rotvec(rng.normal(0, robot_mm / 400, 3)).as_matrix()

@@ -71,11 +71,10 @@ def session(
         T = rigid(usual[:3, :3] @ turn, usual[:3, 3] + rng.normal(0, 5, 3))
         drift = errors.drift_mm[k] if k < len(errors.drift_mm) else 0.0
         plane = LaserPlane(normal, offset_mm + drift + rng.normal(0, errors.line_mm))
-        seen.append(
-            _simulate_on_surface(
-                rng, k + 1, board, bend_coordinates, T, plane, errors, rows_apart=rows_apart
-            )
+        shown = _simulate_on_surface(
+            rng, k + 1, board, bend_coordinates, T, plane, errors, rows_apart
         )
+        seen.append(shown)
         flange.append(_flange(rng, board, T, errors))
     return BoardInputs(ROBOT, board, tuple(seen), np.array(flange), SIZE)
 

@@ -1,5 +1,6 @@
 """The calibration on a chessboard: truth, Jacobians, contacts, and bad input in words."""
 
+import re
 from collections.abc import Sequence
 from dataclasses import replace
 from functools import cache
@@ -23,10 +24,8 @@ from app.metrology.adjustment.board.observations import BoardView
 from app.metrology.adjustment.board.problem import BoardInputs
 from app.metrology.adjustment.board.surface import board_prior, evaluate_surface, surface_height_mm
 from app.metrology.calibration.observation_model import SceneModel
-from app.metrology.sensor.camera import Camera
 from app.metrology.sensor.laser_plane import LaserPlane
 from app.metrology.sensor.projection import COUNT
-from app.metrology.sensor.triangulation import sensor_points
 from app.metrology.transforms import Floats, apply, inverse, rigid
 from tests.metrology.boards import (
     BOARD,
@@ -43,7 +42,8 @@ from tests.metrology.boards import (
     picture,
 )
 from tests.metrology.builders import BLOCK
-from tests.metrology.seen_boards import BoardErrors, session
+from tests.metrology.refusals import refusal_of
+from tests.metrology.seen_boards import BoardErrors, camera_at, error_um, session
 from tests.real_sessions import write_real_session
 from tests.running.usual import usual
 
@@ -74,14 +74,8 @@ def test_the_truth_is_found(found: BoardCalibration) -> None:
 
 
 def test_reconstructed_points_are_as_good_as_said(found: BoardCalibration) -> None:
-    state, known = found.adjustment.state, found.uncertainty
-    true = Camera(K, np.eye(3), np.zeros(3), 640, 512, np.array([K1, 0, 0, 0, 0]))
-    uv = known.volume.uv_px
-    right = apply(T_FLANGE_CAM, sensor_points(true, LaserPlane(NORMAL, OFFSET_MM), uv))
-    ours = apply(state.T_flange_cam, sensor_points(state.camera, state.plane, uv))
-    rms_um = 1e3 * np.sqrt(np.mean(np.sum((ours - right) ** 2, axis=1)))
-    assert rms_um < 3 * known.total_um
-    assert known.total_um < 150
+    assert error_um(found) < 3 * found.uncertainty.total_um
+    assert found.uncertainty.total_um < 150
 
 
 def test_the_surfaces_slopes_are_its_derivatives() -> None:
@@ -97,7 +91,7 @@ def test_the_surfaces_slopes_are_its_derivatives() -> None:
 def test_the_views_jacobian_is_right(given: BoardInputs, found: BoardCalibration) -> None:
     """Against differences, for every parameter, on a bent board."""
     seen, T = given.observations[6], POSES[6]
-    camera = Camera(K, T[:3, :3], T[:3, 3], 640, 512, np.array([K1, 0.1, 1e-3, -1e-3, 0]))
+    camera = replace(camera_at(T), distortion=np.array([K1, 0.1, 1e-3, -1e-3, 0]))
     plane = LaserPlane(T[:3, :3].T @ NORMAL, float(OFFSET_MM - NORMAL @ T[:3, 3]))
     rng = np.random.default_rng(1)
     prior = board_prior(BOARD)
@@ -143,6 +137,12 @@ def without_lines(given: BoardInputs, poses: Sequence[int]) -> BoardInputs:
     return replace(given, observations=tuple(seen))
 
 
+def of_poses(given: BoardInputs, kept: Sequence[int]) -> BoardInputs:
+    """Those of these indices alone."""
+    seen = tuple(given.observations[k] for k in kept)
+    return replace(given, observations=seen, readings=given.readings[kept])
+
+
 def test_poses_without_a_line_still_tell_the_rest(
     given: BoardInputs, found: BoardCalibration
 ) -> None:
@@ -152,34 +152,30 @@ def test_poses_without_a_line_still_tell_the_rest(
     assert [pose.number for pose in some.poses if pose.used] == list(range(1, 9))
     assert [pose.number for pose in some.poses if not pose.stripe_points] == [2, 3, 4, 6, 7]
     assert not any(pose.reason for pose in some.poses)
-    stripe = next(one for one in some.findings if one.code == "stripe")
-    assert "Poses 2, 3, 4, 6, 7 have none and determine only camera and mounting" in str(
-        stripe.text
-    )
-    kept = [k for k in range(len(POSES)) if k not in dark]
-    fewer = calibrate_board(
-        replace(
-            given,
-            observations=tuple(given.observations[k] for k in kept),
-            readings=given.readings[kept],
-        )
-    )
+    (stripe,) = (str(one.text) for one in some.findings if one.code == "stripe")
+    assert "Poses 2, 3, 4, 6, 7 have none and determine only camera and mounting" in stripe
+    fewer = calibrate_board(of_poses(given, [k for k in range(len(POSES)) if k not in dark]))
     assert found.uncertainty.total_um <= some.uncertainty.total_um < fewer.uncertainty.total_um
     assert np.degrees(np.arccos(abs(some.adjustment.state.plane.normal @ NORMAL))) < 0.2
+
+
+def contradicting(given: BoardInputs, k: int) -> BoardInputs:
+    """The same, but that the pose of this index is elsewhere."""
+    readings = given.readings.copy()
+    readings[k, :3, 3] += [15.0, -10.0, 5.0]
+    return replace(given, readings=readings)
 
 
 def test_two_lines_are_enough_and_one_is_not(given: BoardInputs) -> None:
     two = calibrate_board(without_lines(given, range(1, 7)))
     assert [pose.number for pose in two.poses if pose.stripe_points] == [1, 8]
     assert abs(two.adjustment.state.plane.offset_mm) == pytest.approx(OFFSET_MM, abs=0.5)
-    with pytest.raises(OperationError, match=r"in 1 of 8 pictures.*one more picture") as refused:
-        calibrate_board(without_lines(given, range(1, 8)))
-    assert refused.value.code == "stripe-not-found"
+    refusal = refusal_of(calibrate_board, without_lines(given, range(1, 8)))
+    assert refusal.code == "stripe-not-found"
+    assert re.search("in 1 of 8 pictures.*one more picture", refusal.line)
     # the last line but one is that of a pose that contradicts
-    readings = given.readings.copy()
-    readings[0, :3, 3] += [15.0, -10.0, 5.0]
     with pytest.raises(OperationError, match="in 1 of 7 pictures"):
-        calibrate_board(without_lines(replace(given, readings=readings), range(1, 7)))
+        calibrate_board(without_lines(contradicting(given, 0), range(1, 7)))
 
 
 def touching(count: int, radius_mm: float) -> Floats:
@@ -203,24 +199,15 @@ def test_contacts_are_used_where_given(given: BoardInputs, found: BoardCalibrati
     assert "contact points" not in {row.source for row in found.uncertainty.rows}
 
 
-def test_contacts_off_the_board_are_refused(given: BoardInputs) -> None:
-    with pytest.raises(OperationError, match="off the board") as refused:
-        calibrate_board(replace(given, contact_readings=touching(12, 9.0)))
-    assert refused.value.code == "contacts-off-board"
-
-
 def test_a_wrong_square_size_is_refused(given: BoardInputs) -> None:
     wrong = replace(BOARD, square_mm=12.0)
-    with pytest.raises(
-        OperationError, match=r"(9\.9|10\.0)\d* mm wide: its certificate states 12 mm"
-    ):
+    words = r"(9\.9|10\.0)\d* mm wide: its certificate states 12 mm"
+    with pytest.raises(OperationError, match=words):
         calibrate_board(replace(given, board=wrong))
 
 
 def test_a_pose_that_contradicts_is_named(given: BoardInputs) -> None:
-    readings = given.readings.copy()
-    readings[3, :3, 3] += [15.0, -10.0, 5.0]
-    result = calibrate_board(replace(given, readings=readings))
+    result = calibrate_board(contradicting(given, 3))
     assert [pose.number for pose in result.poses if not pose.used] == [4]
     assert any("Pose 4" in str(finding.text) for finding in result.findings)
 
@@ -235,33 +222,21 @@ def test_a_line_that_contradicts_is_named(given: BoardInputs) -> None:
     assert abs(result.adjustment.state.plane.offset_mm) == pytest.approx(OFFSET_MM, abs=0.1)
 
 
-def test_poses_all_alike_are_refused(given: BoardInputs) -> None:
-    readings = np.array([rigid(np.eye(3), T[:3, 3]) for T in given.readings])
-    with pytest.raises(OperationError) as refused:
-        calibrate_board(replace(given, readings=readings))
-    assert refused.value.code == "poses-alike"
-
-
-def test_two_pictures_are_refused(given: BoardInputs) -> None:
-    with pytest.raises(OperationError) as refused:
-        calibrate_board(
-            replace(given, observations=given.observations[:2], readings=given.readings[:2])
-        )
-    assert refused.value.code == "too-few-poses"
-
-
-def test_pictures_without_the_line_are_refused(given: BoardInputs) -> None:
+def test_what_does_not_determine_it_is_refused(given: BoardInputs) -> None:
+    off_board = refusal_of(calibrate_board, replace(given, contact_readings=touching(12, 9.0)))
+    assert off_board.code == "contacts-off-board"
+    assert "off the board" in off_board.line
+    alike = np.array([rigid(np.eye(3), T[:3, 3]) for T in given.readings])
+    assert refusal_of(calibrate_board, replace(given, readings=alike)).code == "poses-alike"
+    assert refusal_of(calibrate_board, of_poses(given, [0, 1])).code == "too-few-poses"
     empty = given.observations[2].stripe
     seen = tuple(replace(pose, stripe=empty) for pose in given.observations)
-    with pytest.raises(OperationError) as refused:
-        calibrate_board(replace(given, observations=seen))
-    assert refused.value.code == "stripe-not-found"
+    assert refusal_of(calibrate_board, replace(given, observations=seen)).code == "stripe-not-found"
 
 
 def real_inputs(real: Path, tmp_path: Path, name: str) -> BoardInputs:
-    session = read_any_session(
-        write_real_session(real / "robot-laser-chessboard" / name, tmp_path / "s")
-    )
+    folder = write_real_session(real / "robot-laser-chessboard" / name, tmp_path / "s")
+    session = read_any_session(folder)
     assert isinstance(session, BoardSession)
     seen = tuple(
         observe_board(pose.number, session.board, read_grey(pose.ambient), None, "v")

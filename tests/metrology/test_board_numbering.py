@@ -6,12 +6,12 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-from app.errors import OperationError
 from app.metrology.adjustment.board.calibrate import calibrate_board
 from app.metrology.adjustment.board.initial_guess import BoardObservation
 from app.metrology.adjustment.board.problem import BoardInputs
 from app.metrology.targets.chessboard import Chessboard, corner_grid
 from app.metrology.transforms import Floats, rigid
+from tests.metrology.refusals import refusal_of
 from tests.metrology.seen_boards import error_um, session
 
 pytestmark = pytest.mark.slow
@@ -61,6 +61,5 @@ def test_where_most_poses_do_not_tell_the_board_is_refused() -> None:
     given = ambiguous_session((False,) * 8)
     readings = given.readings.copy()
     readings[:, :3, :3] = Rotation.random(len(readings), random_state=0).as_matrix()
-    with pytest.raises(OperationError) as refused:
-        calibrate_board(replace(given, readings=readings))
-    assert refused.value.code == "board-ambiguous"
+    refusal = refusal_of(calibrate_board, replace(given, readings=readings))
+    assert refusal.code == "board-ambiguous"

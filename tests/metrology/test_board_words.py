@@ -7,7 +7,6 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-from app.errors import OperationError
 from app.messages.message import Message
 from app.metrology.adjustment.board.bundle import adjust_bundle
 from app.metrology.adjustment.board.calibrate import (
@@ -26,6 +25,8 @@ from app.metrology.limits import Limits
 from app.metrology.targets.chessboard import pattern_centre
 from app.metrology.transforms import Floats, rigid
 from tests.metrology.boards import POSES, T_ARM_OBJ, T_FLANGE_CAM, TIP, camera_pose
+from tests.metrology.numerics import unit
+from tests.metrology.refusals import refusal_of
 from tests.metrology.seen_boards import PAPER_BOARD, BoardErrors, error_um
 from tests.metrology.seen_boards import session as session_of_every_row
 from tests.metrology.test_board_calibration import touching
@@ -48,12 +49,6 @@ def finding(inputs: BoardInputs, code: str) -> CalibrationFinding:
     return found
 
 
-def refusal(inputs: BoardInputs) -> OperationError:
-    with pytest.raises(OperationError) as refused:
-        calibrate_board(inputs)
-    return refused.value
-
-
 @pytest.mark.parametrize(
     "errors", usual([BoardErrors(), BoardErrors(tilt_rad=1.5e-3)], 1, pytest.mark.soak)
 )
@@ -72,9 +67,8 @@ def test_a_robots_noise_is_distinguished_from_a_rocking_board() -> None:
         BoardView(PAPER_BOARD, one.detection, one.stripe, np.zeros(len(one.stripe.u), np.bool_))
         for one in inputs.observations
     ]
-    found = adjust_bundle(
-        views, [replace(camera, rotation=t[:3, :3], translation_mm=t[:3, 3]) for t in T]
-    )
+    cameras = [replace(camera, rotation=t[:3, :3], translation_mm=t[:3, 3]) for t in T]
+    found = adjust_bundle(views, cameras)
     T_cam_obj = np.array([rigid(one.rotation, one.translation_mm) for one in found.cameras])
     mounting = mounting_by_motion(inputs.readings, T_cam_obj, PAPER_BOARD.size_mm)
     seen = PosePairs(inputs.readings, T_cam_obj, found.covariance, pattern_centre(PAPER_BOARD))
@@ -106,16 +100,9 @@ def test_what_helps_against_a_poor_robot_is_said() -> None:
 
 def verdict_by(limits: Limits, inputs: BoardInputs, found: BoardCalibration) -> CalibrationFinding:
     """The gravest finding if the user had given other limits, which only the findings go by."""
+    fit, known = found.adjustment, found.uncertainty
     evidence = BoardEvidence(
-        inputs.board,
-        inputs.observations,
-        found.adjustment,
-        found.uncertainty,
-        found.poses,
-        limits,
-        {},
-        {},
-        found.contacts,
+        inputs.board, inputs.observations, fit, known, found.poses, limits, {}, {}, found.contacts
     )
     return board_findings(evidence)[0]
 
@@ -175,10 +162,8 @@ def test_contacts_that_slipped_are_left_out_and_named(seed: int, rows: tuple[int
 
 
 def test_contacts_that_only_scatter_are_all_kept(given: BoardInputs) -> None:
-    codes = [
-        one.code
-        for one in calibrate_board(replace(given, contact_readings=slipped((), 0.0))).findings
-    ]
+    touched = replace(given, contact_readings=slipped((), 0.0))
+    codes = [one.code for one in calibrate_board(touched).findings]
     assert "contacts" in codes
     assert "contact-outliers" not in codes
 
@@ -248,28 +233,23 @@ def test_a_laser_along_the_board_is_refused() -> None:
     upright = POSES[0][:3, 2]
     offset_mm = float(upright @ POSES[0][:3, 3])
     poses = tuple(camera_pose(5, about, 10 * about, 230) for about in range(0, 360, 45))
-    along = np.array([0.06, 0.0, upright[2]])
-    along /= np.linalg.norm(along)
-    refused = refusal(session(5, poses=poses, normal=along, offset_mm=offset_mm))
-    assert refused.code in ("laser-along-board", "stripe-not-found")
+    along = unit([0.06, 0.0, upright[2]])
+    given = session(5, poses=poses, normal=along, offset_mm=offset_mm)
+    assert refusal_of(calibrate_board, given).code in ("laser-along-board", "stripe-not-found")
 
 
 def test_boards_all_parallel_are_refused() -> None:
     turned = [rigid(POSES[0][:3, :3], POSES[0][:3, 3] + [0, 0, 5.0 * k]) for k in range(6)]
     inputs = session(6)
-    seen = tuple(
-        replace(inputs.observations[0], number=k + 1, detection=inputs.observations[0].detection)
-        for k in range(len(turned))
-    )
-    refused = refusal(replace(inputs, observations=seen, readings=inputs.readings[: len(seen)]))
-    assert refused.code == "boards-parallel"
+    seen = tuple(replace(inputs.observations[0], number=k + 1) for k in range(len(turned)))
+    alike = replace(inputs, observations=seen, readings=inputs.readings[: len(seen)])
+    assert refusal_of(calibrate_board, alike).code == "boards-parallel"
 
 
 @pytest.mark.parametrize("level", [0, 90, 255])
 def test_a_picture_of_nothing_is_refused(level: int) -> None:
-    with pytest.raises(OperationError) as refused:
-        observe_board(1, PAPER_BOARD, np.full((480, 640), level, np.uint8), None, "v")
-    assert refused.value.code == "board-not-found"
+    nothing = np.full((480, 640), level, np.uint8)
+    assert refusal_of(observe_board, 1, PAPER_BOARD, nothing, None, "v").code == "board-not-found"
 
 
 def test_the_truth_is_where_it_was_put() -> None:
@@ -281,6 +261,5 @@ def test_the_truth_is_where_it_was_put() -> None:
 
 
 def test_a_laser_plane_through_the_camera_is_refused() -> None:
-    normal = np.array([1.0, 0.1, 0.0]) / np.hypot(1.0, 0.1)
-    reported = refusal(session(0, normal=normal, offset_mm=0.5))
-    assert reported.code == "laser-through-camera"
+    through = session(0, normal=unit([1.0, 0.1, 0.0]), offset_mm=0.5)
+    assert refusal_of(calibrate_board, through).code == "laser-through-camera"

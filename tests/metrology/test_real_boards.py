@@ -5,13 +5,15 @@ from pathlib import Path
 import cv2
 import numpy as np
 import pytest
+from numpy.typing import NDArray
 
 from app.errors import OperationError
 from app.metrology.chessboard.board_detection import BoardDetection
 from app.metrology.chessboard.detect_board import detect_board
-from app.metrology.image import Image
 from app.metrology.targets.chessboard import Chessboard
 from app.metrology.transforms import Floats
+from tests.metrology.refusals import refusal_of
+from tests.pictures import blur
 from tests.running.usual import usual
 
 pytestmark = pytest.mark.slow
@@ -23,8 +25,13 @@ PAIR = ("left13.jpg", "left14.jpg")
 CLASSIC = cv2.CALIB_CB_ADAPTIVE_THRESH | cv2.CALIB_CB_NORMALIZE_IMAGE
 
 
-def read(path: Path) -> Image:
+def read(path: Path) -> NDArray[np.uint8]:
     return np.asarray(cv2.imread(str(path), cv2.IMREAD_GRAYSCALE), np.uint8)
+
+
+def read_stereo(real: Path, name: str) -> NDArray[np.uint8]:
+    """A picture of a board of 9 by 6."""
+    return read(real / "boards" / "opencv-stereo" / name)
 
 
 def board(columns: int, rows: int) -> Chessboard:
@@ -54,7 +61,7 @@ def off_px(detection: BoardDetection, theirs: Floats) -> float:
 
 
 def test_white_that_is_clipped_costs_no_corner(real: Path) -> None:
-    image = read(real / "boards" / "opencv-stereo" / "left01.jpg")
+    image = read_stereo(real, "left01.jpg")
     bright = np.clip(image * 1.6, 0, 255).astype(np.uint8)
     assert np.mean(bright == 255) > 0.1
     assert len(detect_board(bright, board(9, 6))) == 54
@@ -62,10 +69,9 @@ def test_white_that_is_clipped_costs_no_corner(real: Path) -> None:
 
 @pytest.mark.parametrize("size", [(8, 6), (9, 5), (7, 6), (10, 6)])
 def test_a_certificate_of_another_size_is_refused(real: Path, size: tuple[int, int]) -> None:
-    image = read(real / "boards" / "opencv-stereo" / "left02.jpg")
-    with pytest.raises(OperationError) as refused:
-        detect_board(image, board(*size))
-    assert refused.value.code in ("another-board", "board-partly-seen")
+    image = read_stereo(real, "left02.jpg")
+    code = refusal_of(detect_board, image, board(*size)).code
+    assert code in ("another-board", "board-partly-seen")
 
 
 @pytest.mark.parametrize(
@@ -79,10 +85,9 @@ def test_a_certificate_of_another_size_is_refused(real: Path, size: tuple[int, i
 def test_a_certificate_that_counts_more_is_recognised(
     real: Path, size: tuple[int, int], name: str, words: str
 ) -> None:
-    with pytest.raises(OperationError) as refused:
-        detect_board(read(real / "boards" / "opencv-stereo" / name), board(*size))
-    assert refused.value.code == "another-board"
-    assert words in refused.value.line
+    refusal = refusal_of(detect_board, read_stereo(real, name), board(*size))
+    assert refusal.code == "another-board"
+    assert words in refusal.line
 
 
 @pytest.mark.parametrize("share", [0.2, 0.3])
@@ -100,14 +105,14 @@ def test_corners_near_the_edge_of_the_picture_are_not_called_blurred(
 
 
 def test_a_row_out_of_the_picture_is_not_made_up_by_an_outline(real: Path) -> None:
-    image = read(real / "boards" / "opencv-stereo" / "left04.jpg")
+    image = read_stereo(real, "left04.jpg")
     top = float(detect_board(image, board(9, 6)).uv_px[:, 1].min())
     with pytest.raises(OperationError):
         detect_board(image[int(top) + 60 :].copy(), board(9, 6))
 
 
 def test_a_board_on_a_screen_is_not_taken_for_the_one_that_is_cut_off(real: Path) -> None:
-    image = read(real / "boards" / "opencv-stereo" / "left12.jpg")
+    image = read_stereo(real, "left12.jpg")
     right = float(detect_board(image, board(9, 6)).uv_px[:, 0].max())
     with pytest.raises(OperationError):
         detect_board(image[:, : int(right) - 15].copy(), board(9, 6))
@@ -141,7 +146,7 @@ def test_a_strip_across_is_named(real: Path, folder: str, name: str, first: int,
 
 
 def test_a_board_cut_off_beside_a_whole_one_is_not_ignored(real: Path) -> None:
-    one, other = (read(real / "boards" / "opencv-stereo" / name) for name in PAIR)
+    one, other = (read_stereo(real, name) for name in PAIR)
     both = np.hstack([one, other[:, : other.shape[1] * 2 // 3]]).astype(np.uint8)
     with pytest.raises(OperationError, match="a part of a second one") as refused:
         detect_board(both, board(9, 6))
@@ -150,8 +155,6 @@ def test_a_board_cut_off_beside_a_whole_one_is_not_ignored(real: Path) -> None:
 
 @pytest.mark.parametrize("blur_px", usual([5.0, 6.0, 7.0], {1}, pytest.mark.soak))
 def test_a_picture_far_out_of_focus_is_refused_with_this_reason(real: Path, blur_px: float) -> None:
-    image = cv2.GaussianBlur(
-        read(real / "boards" / "opencv-stereo" / "left01.jpg"), (0, 0), blur_px
-    )
+    image = read_stereo(real, "left01.jpg")
     with pytest.raises(OperationError, match="is blurred: its edges"):
-        detect_board(np.asarray(image, np.uint8), board(9, 6))
+        detect_board(blur(image, blur_px), board(9, 6))
