@@ -16,6 +16,7 @@ from app.formats.session.coordinates_table import COORDINATES, parse_coordinates
 from app.formats.session.pose_columns import joint_columns
 from app.metrology.arm.kinematics import Arm
 from app.workflows.identify_arm import identification_summary, identify_folder
+from tests.present import present
 from tests.refusals import refused_as
 from tests.simulated_robots import Tracker, built, measure, postures, robot
 
@@ -31,8 +32,7 @@ def rows() -> Rows:
     rng = np.random.default_rng(1)
     arm = robot(6)
     found = measure(built(arm, rng), postures(arm, 50, rng), Tracker.somewhere(rng), rng, True)
-    assert found.rotations is not None
-    quaternions = Rotation.from_matrix(found.rotations).as_quat()
+    quaternions = Rotation.from_matrix(present(found.rotations)).as_quat()
     cells = zip(found.points_mm, quaternions, found.q_rad, strict=True)
     return arm, [
         ["hall", "tip", *point, *quaternion, 0.05, np.degrees(2e-4), *np.degrees(q)]
@@ -57,8 +57,7 @@ def test_what_is_read_is_what_was_measured(folder: Path, rows: Rows) -> None:
     np.testing.assert_allclose(found.points_mm, written, rtol=1e-12)
     assert found.rotations is not None
     np.testing.assert_allclose(found.standard_uncertainty_mm, 0.05)
-    assert found.rotation_uncertainty_rad is not None
-    np.testing.assert_allclose(found.rotation_uncertainty_rad, 2e-4)
+    np.testing.assert_allclose(present(found.rotation_uncertainty_rad), 2e-4)
     assert found.offset_mm is None
 
 
@@ -94,22 +93,18 @@ def test_angles_and_a_given_marker_are_read(folder: Path, rows: Rows) -> None:
     columns(folder, f"x_mm,y_mm,z_mm,rx_deg,ry_deg,rz_deg,{MARKER}", turned)
     (by_angles,) = read_coordinates(folder / COORDINATES, rows[0])
     assert by_quaternion.rotations is not None
-    assert by_angles.rotations is not None
-    np.testing.assert_allclose(by_angles.rotations, by_quaternion.rotations, atol=1e-9)
-    assert by_angles.offset_mm is not None
-    assert by_angles.offset_mm.tolist() == [10.0, 20.0, 30.0]
+    np.testing.assert_allclose(present(by_angles.rotations), by_quaternion.rotations, atol=1e-9)
+    assert present(by_angles.offset_mm).tolist() == [10.0, 20.0, 30.0]
 
 
 @pytest.mark.slow
 def test_the_result_says_where_instrument_and_markers_were(folder: Path) -> None:
     document, result = identify_folder(folder, folder / "new.json")
     assert ArmFile.read(folder / "new.json") == document
-    part = document.identification
-    assert part is not None
+    part = present(document.identification)
     assert part.scatter_um is None
     assert part.coordinates_scatter_um is not None
-    assert part.validation.after.coordinates_um is not None
-    assert part.validation.after.coordinates_um < 150
+    assert present(part.validation.after.coordinates_um) < 150
     (frame,), (marker,) = part.frames, part.markers
     assert (frame.name, marker.name) == ("hall", "tip")
     assert marker.quaternion is not None

@@ -15,6 +15,7 @@ from app.errors import OperationError
 from app.formats import images
 from app.formats.image_sizes import PNG_SIGNATURE, ImageHeader, read_header
 from app.formats.images import decode_grey
+from tests.present import present
 from tests.refusals import refused_as
 
 KINDS = ("png", "jpg", "bmp", "tiff", "pnm", "webp")
@@ -75,10 +76,8 @@ def test_headers_announce_what_decoding_finds(
     picture = np.random.default_rng(0).integers(0, 255, (*shape, 3) if colour else shape)
     done, encoded = cv2.imencode(f".{kind}", picture.astype(np.uint8))
     assert done
-    header = read_header(encoded.tobytes())
-    assert header is not None
-    found = cv2.imdecode(encoded, cv2.IMREAD_UNCHANGED)
-    assert found is not None
+    header = present(read_header(encoded.tobytes()))
+    found = present(cv2.imdecode(encoded, cv2.IMREAD_UNCHANGED))
     assert (header.height, header.width) == found.shape[:2]
     assert header.channels == (found.shape[2] if found.ndim == 3 else 1)
     assert header.bits == 8
@@ -110,8 +109,7 @@ def test_pages_that_follow_in_a_circle_end() -> None:
     (first,) = struct.unpack_from("<I", raw, 4)
     (count,) = struct.unpack_from("<H", raw, first)
     struct.pack_into("<I", raw, first + 2 + 12 * count, first)
-    header = read_header(bytes(raw))
-    assert header is not None
+    header = present(read_header(bytes(raw)))
     assert header.more_pages
 
 

@@ -18,6 +18,7 @@ from tests.formats.performance_builders import (
     plane_result,
     sphere_result,
 )
+from tests.present import present
 
 NAMES = {"q": QIF}
 LINEAR = "UserDefinedLinearCharacteristic"
@@ -142,8 +143,7 @@ def test_lists_state_how_much_they_hold(tmp_path: Path, build: Build) -> None:
 )
 def test_a_standard_is_split(tmp_path: Path, name: str, parts: tuple[str | None, ...]) -> None:
     document = plane_result(tmp_path).model_copy(update={"standards": (name,)})
-    standard = ET.fromstring(qif_bytes(document)).find(".//q:Standard", NAMES)
-    assert standard is not None
+    standard = present(ET.fromstring(qif_bytes(document)).find(".//q:Standard", NAMES))
     publisher = standard.findtext("q:Organization/*", None, NAMES)
     kind = local_name(standard[0][0])
     assert (kind == "StandardsOrganizationEnum") == (publisher in ("ASME", "ISO"))
@@ -163,8 +163,7 @@ def values_mm(figure: PerformanceFigure) -> list[float]:
 def test_the_contact_test_is_the_accuracy_of_the_arm(tmp_path: Path) -> None:
     document = contact_result(tmp_path)
     root = ET.fromstring(qif_bytes(document))
-    test = root.find("q:MeasurementResources//q:AACMMB89Test", NAMES)
-    assert test is not None
+    test = present(root.find("q:MeasurementResources//q:AACMMB89Test", NAMES))
     found = {one.quantity: one for one in document.figures}
     diameter = numbers(test.find("q:EffectiveDiameterPerformanceTest", NAMES))
     errors_mm = values_mm(found["effective-diameter"])
@@ -182,8 +181,7 @@ def test_the_contact_test_is_the_accuracy_of_the_arm(tmp_path: Path) -> None:
     assert float(twice) == pytest.approx(2 * stdev(deviations), abs=6e-7)
     conditions = root.find(".//q:EnvironmentalRange", NAMES)
     assert numbers(conditions) == [20.9, 20.4]
-    arm = root.find(".//q:AACMM", NAMES)
-    assert arm is not None
+    arm = present(root.find(".//q:AACMM", NAMES))
     assert arm.findtext("q:SerialNumber", "", NAMES) == "A-1"
 
 
@@ -196,8 +194,7 @@ def test_incomplete_parts_of_the_contact_test_are_left_out(tmp_path: Path) -> No
         for one in document.figures
     )
     root = ET.fromstring(qif_bytes(document.model_copy(update={"figures": figures})))
-    test = root.find(".//q:AACMMB89Test", NAMES)
-    assert test is not None
+    test = present(root.find(".//q:AACMMB89Test", NAMES))
     assert [local_name(one) for one in test] == ["VolumetricPerformanceTest"]
     other = ET.fromstring(qif_bytes(sphere_result(tmp_path)))
     assert other.find(".//q:MeasurementResources", NAMES) is None

@@ -24,6 +24,7 @@ from app.formats.recording.reading_track import ReadingTrack
 from app.formats.recording.stripe_message import encode_stripe, stripe_descriptors
 from app.formats.recording.writer import RecordingWriter
 from app.metrology.stripe import Stripe
+from tests.present import present
 
 NAMES = tuple(f"J{i + 1}" for i in range(6))
 FIRST_NS = 1_700_000_000_123_456_789
@@ -93,8 +94,7 @@ def summary_of(path: Path) -> Summary:
 def test_the_file_is_a_whole_mcap_to_others(path: Path) -> None:
     written(path, frames=3)
     summary = summary_of(path)
-    assert summary.statistics is not None
-    assert summary.statistics.message_count == 9
+    assert present(summary.statistics).message_count == 9
     topics = {channel.topic for channel in summary.channels.values()}
     assert topics == {"/arm/joints", "/sensor/image", "/sensor/stripe"}
 
@@ -301,8 +301,7 @@ def test_the_stripe_schema_in_the_file_is_the_published_one(path: Path) -> None:
         ((schema, _, message),) = make_reader(file).iter_messages(topics="/sensor/stripe")
     assert schema is not None
     assert schema.data == stripe_descriptors()
-    decode = DecoderFactory().decoder_for(MessageEncoding.Protobuf, schema)
-    assert decode is not None
+    decode = present(DecoderFactory().decoder_for(MessageEncoding.Protobuf, schema))
     assert list(decode(message.data).u) == stripe_of_length(100).u.tolist()
     assert message.data == encode_stripe(stripe_of_length(100), FIRST_NS + 1, 1280, 1024)
 
@@ -315,8 +314,7 @@ def test_joints_between_samples_lie_on_the_straight_line() -> None:
     track.add(20_000_000, np.array([9.0, 9.0]))  # a repeated stamp changes nothing
     assert len(track) == 4
     for stamp_ns in (0, 1, 9_999_999, 10_000_000, 12_345_678, 25_000_000, 30_000_000):
-        found = track.at(stamp_ns)
-        assert found is not None
+        found = present(track.at(stamp_ns))
         np.testing.assert_allclose(found, [stamp_ns * 1e-9, -2.0], rtol=1e-12)
     assert track.at(-1) is None
     assert track.at(30_000_001) is None
@@ -329,8 +327,7 @@ def test_a_joint_is_followed_the_short_way_round(start: float, turn: float, shar
     track.add(0, np.array([start]))
     track.add(10_000_000, np.array([end]))
     stamp_ns = int(share * 10_000_000)
-    found = track.at(stamp_ns)
-    assert found is not None
+    found = present(track.at(stamp_ns))
     away = float(found[0]) - (start + turn * stamp_ns / 1e7)
     assert abs((away + np.pi) % (2 * np.pi) - np.pi) < 1e-9
 
@@ -349,6 +346,5 @@ def test_a_slow_arm_may_have_its_own_periods() -> None:
     track = ReadingTrack("joints", 1)
     for i in range(20):
         track.add(i * 33_000_000, np.array([float(i)]))
-    found = track.at(5 * 33_000_000 + 16_500_000)
-    assert found is not None
+    found = present(track.at(5 * 33_000_000 + 16_500_000))
     np.testing.assert_allclose(found, [5.5])

@@ -17,6 +17,7 @@ from app.guide.common.view import Busy
 from app.metrology.arm.kinematics import Arm, tip_centres
 from app.station.devices.reading_buffer import ReadingWindow
 from tests.guide.builders import ARM, CONNECTED, REST_RAD, Row, action, journal_of, reach_tip
+from tests.present import present
 
 MS = 1_000_000
 rejection_reason = RULES.rejection_reason
@@ -112,8 +113,7 @@ def test_no_point_counts_near_the_moment_when_the_tip_leaves() -> None:
     step = 10 * MS
     samples = window(np.vstack([q, out]), step)
     picked = sample_points(ARM, (), samples, 0, 300 * step)
-    assert picked.left_mm is not None
-    assert picked.left_mm > 3
+    assert present(picked.left_mm) > 3
     kept = [int(np.argmin(np.abs(q - p).max(axis=1))) for p in np.array(picked.q_rad)]
     assert max(kept) * step <= 300 * step - HOLD_NS
     back = sample_points(ARM, picked.q_rad, window(q[:1]), 0, step)
@@ -183,8 +183,7 @@ def test_a_bar_has_two_ends_and_half_of_one_is_not_used(tmp_path: Path) -> None:
     # to the fit it is one place, and so it counts
     text = "1 of at least 4 places are taken."
     assert str(rejection_reason(state, live, "fit", {})) == text
-    progress = build_view(state, live).progress
-    assert progress is not None
+    progress = present(build_view(state, live).progress)
     assert str(progress.text) == "1 of 6 places"
     # 60 mm and 80 mm are 100 mm, of a bar that is said to have 100.05
     assert str(build_view(state, live).picture.seats[1].note) == "length −50 µm"
@@ -233,8 +232,7 @@ def test_the_view_shows_each_axis_against_the_limit() -> None:
     view = build_view(state, live_of(left_mm=7.0))
     tips_um = tip_centres(ARM, q) * 1e3
     assert view.picture.half_range_um == pytest.approx(np.ptp(tips_um, axis=0) / 2)
-    assert view.number is not None
-    assert view.number.quality == "bad"
+    assert present(view.number).quality == "bad"
     assert any("7 mm away from the seat" in str(finding.text) for finding in view.findings)
     assert [step.state for step in view.steps] == ["done", "current", "todo"]
     assert len(view.picture.tips_um) == 60

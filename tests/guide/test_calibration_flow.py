@@ -33,6 +33,7 @@ from tests.guide.builders import (
     state_after,
     view_of,
 )
+from tests.present import present
 
 Rows = list[Row]
 FACES = ("crest", "front", "right")
@@ -136,8 +137,7 @@ def test_the_touch_step_goes_on_only_once_the_object_is_fixed(contacts: Rows) ->
     assert view.progress is not None
     assert (view.progress.done, view.progress.of) == (27, 27)
     assert view.number is not None
-    assert view.number.value is not None
-    assert 0 < view.number.value < 15
+    assert 0 < present(view.number.value) < 15
     assert view.number.quality == "good"
     assert not view.findings
 
@@ -232,8 +232,7 @@ def test_a_bad_calibration_cannot_be_accepted(contacts: Rows) -> None:
     assert action(view, "repeat").primary
     live = make_live(state, latest_outcome=outcome("attention"))
     assert action(build_view(state, live), "accept").enabled
-    assert live.arm is not None
-    exchanged = replace(live, arm=replace(live.arm, serial_number="A-9"))
+    exchanged = replace(live, arm=replace(present(live.arm), serial_number="A-9"))
     assert "A-9" in str(action(build_view(state, exchanged), "accept").why_not)
 
 
@@ -252,8 +251,7 @@ def test_a_pose_set_aside_in_the_review_makes_the_result_of_before(contacts: Row
     view, picture = shown()
     assert not picture.stale
     assert [pose.state for pose in picture.poses] == ["used", "used"]
-    offered = picture.poses[0].action
-    assert offered is not None
+    offered = present(picture.poses[0].action)
     assert (offered.name, offered.args, offered.enabled) == ("void_pose", {"number": 1}, True)
 
     view, picture = shown(("pose_voided", {"number": 1}))
@@ -303,12 +301,10 @@ def test_with_few_points_it_is_shown_how_many_more_help(contacts: Rows) -> None:
     state = state_after(start_row("touch"), *some)
     live = make_live(state)
     assert live.touch is not None
-    assert live.touch.advice is not None
-    known = live.touch.advice.now_um
+    known = present(live.touch.advice).now_um
     live = replace(live, touch=touch_report(state.counted, ARM, BLOCK, 0.6 * known))
     view = build_view(state, live)
-    assert view.number is not None
-    assert view.number.value == pytest.approx(known)
+    assert present(view.number).value == pytest.approx(known)
     reported = view.findings[-1]
     expected = r"Unc.*: \d+ µm \(k = 1\); \d+ more on the \w+ face.* reduces? it to \d+ µm\."
     assert re.fullmatch(expected, str(reported.text))

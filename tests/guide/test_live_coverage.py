@@ -11,6 +11,7 @@ from app.guide.performance.state import PerformanceState
 from app.metrology.performance.gate import SphereGate
 from app.metrology.performance.pattern import PatchCoverage, pattern_directions
 from app.station.scan.points import NewPoints
+from tests.present import present
 
 CENTRE = np.array([300.0, 0.0, 100.0])
 RADIUS_MM = 12.5
@@ -41,8 +42,7 @@ def seen_patches(seen: SeenPatches | None) -> dict[int, tuple[int, int]]:
 
 def test_points_and_frames_grow_until_the_scan_is_judged() -> None:
     coverage = LiveCoverage()
-    watch = coverage.begin(1, empty())
-    assert watch is not None
+    watch = present(coverage.begin(1, empty()))
     assert seen_patches(coverage.counts(scanning())) == {}
     watch(points_of(3, frame=0))
     assert seen_patches(coverage.counts(scanning())) == {3: (10, 1)}
@@ -59,11 +59,9 @@ def test_points_and_frames_grow_until_the_scan_is_judged() -> None:
 
 def test_a_scan_begins_without_the_points_of_the_one_before() -> None:
     coverage = LiveCoverage()
-    first = coverage.begin(1, empty())
-    assert first is not None
+    first = present(coverage.begin(1, empty()))
     first(points_of(3, frame=0))
-    second = coverage.begin(2, empty())
-    assert second is not None
+    present(coverage.begin(2, empty()))
     first(points_of(4, frame=1))  # late
     assert coverage.counts(scanning()) is None
     scan = SphereScan(number=2, at="", position=1, articulation=2)

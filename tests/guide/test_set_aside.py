@@ -19,6 +19,7 @@ from app.timestamps import utc_now
 from app.wire.json_response import encode_json
 from hardware.simulator.station import SimulatedStation
 from tests.guide.stations import Station
+from tests.present import present
 
 pytestmark = pytest.mark.device
 
@@ -86,8 +87,7 @@ def test_a_calibration_that_is_emptied_while_in_use_is_not_scanned_with(station:
         assert context.scanner.trouble is None
         file.write_text("")
         assert build_home(context).checks[0].state == "failed"
-        refusal = context.scanner.why_not()
-        assert refusal is not None
+        refusal = present(context.scanner.why_not())
         assert refusal.code == "calibration-unreadable"
         with pytest.raises(OperationError, match="cannot be read"):
             context.scanner.start("")
@@ -103,8 +103,7 @@ def test_a_cut_calibration_is_not_valid(station: Station) -> None:
     with station.opened() as context:
         line = build_home(context).checks[0]
         assert (line.state, line.quality) == ("failed", "bad")
-        refusal = context.scanner.why_not()
-        assert refusal is not None
+        refusal = present(context.scanner.why_not())
         assert refusal.code == "calibration-unreadable"
         assert str(station.data) not in refusal.line
         assert list_unreadable(context)

@@ -28,6 +28,7 @@ from app.station.devices.reading_buffer import ReadingMean
 from app.workflows.calibrate import calibration_origin, joint_inputs
 from hardware.interfaces import Frame
 from hardware.simulator.session import SessionPlan, render_session
+from tests.present import present
 
 pytestmark = pytest.mark.slow
 
@@ -94,11 +95,10 @@ def test_what_is_graver_than_the_uncertainty_is_pointed_to(
 def test_the_worst_points_have_their_place(folder: SessionFolder) -> None:
     """Contacts by the touched point's own index, the others in the picture of their pose."""
     solved = solve(folder, None, quiet, {}, LIMITS, range(100, 145))
-    assert solved.result is not None
     (pose,) = solved.poses
     corners = {(corner.u, corner.v) for corner in pose.corners}
     along = {round(u) for u, _ in pose.stripe}
-    for point in solved.result.worst:
+    for point in present(solved.result).worst:
         if point.kind == "contact":
             assert point.point is not None
             assert str(point.name).endswith(f", point {point.point + 1}")
@@ -124,22 +124,19 @@ def test_a_calibration_is_compared_with_the_one_in_use(
         in_use.file.write_text(json.dumps({"format": "crenel/calibration", "version": 1} | changed))
         return compare(document, volume_px, in_use)
 
-    same = compared()
-    assert same is not None
+    same = present(compared())
     assert same.with_name == "the first"
     assert same.max_um == pytest.approx(0.0, abs=1e-6)
     assert len(same.map) > 20
     moved = np.array(document.probe_matrix)
     moved[2, 3] += 0.1
-    shifted = compared(probe_matrix=moved.tolist())
-    assert shifted is not None
+    shifted = present(compared(probe_matrix=moved.tolist()))
     assert shifted.rms_um == pytest.approx(100.0, rel=1e-6)
     assert shifted.max_um == pytest.approx(100.0, rel=1e-6)
     assert {point.moved_um for point in shifted.map} == {100.0}
     turned = np.array(document.probe_matrix)
     turned[:3, :3] @= cv2.Rodrigues(np.array([0.0, 0.0, 1e-3]))[0]
-    tilted = compared(probe_matrix=turned.tolist())
-    assert tilted is not None
+    tilted = present(compared(probe_matrix=turned.tolist()))
     drawn = zip(tilted.map, result.uncertainty.map.calibrated, strict=True)
     assert tilted.max_um > max(point.moved_um for point, inside in drawn if inside) - 0.01
     other = {"arm": "A", "object": "B", "sensor": "another"}

@@ -1,6 +1,7 @@
 """Texts in the words of a language: numbers, plurals, texts within texts, and what is unknown."""
 
 import json
+from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pytest
@@ -75,13 +76,11 @@ def test_plurals(count: int, english: str, german: str) -> None:
 
 def test_texts_within_texts() -> None:
     known = message("known-k-1", known=quantity(2.5, "µm", 1))
-    board = message(
-        "inner-corners-mm-apart", columns=8, rows=5, square=rounded(12.5, "mm"), known=known
-    )
+    square = rounded(12.5, "mm")
+    board = message("inner-corners-mm-apart", columns=8, rows=5, square=square, known=known)
     assert ENGLISH(board) == "8 × 5 inner corners, 12.5 mm apart, uncertainty 2.5 µm (k = 1)"
-    assert (
-        GERMAN(board) == "8 × 5 innere Ecken, Abstand 12,5 mm, Standardunsicherheit 2,5 µm (k = 1)"
-    )
+    german = "8 × 5 innere Ecken, Abstand 12,5 mm, Standardunsicherheit 2,5 µm (k = 1)"
+    assert GERMAN(board) == german
     left_out = message("left-out-3", text=message("arm-model-arm", serial_number="A7"))
     assert ENGLISH(left_out) == "Excluded: the arm model belongs to arm A7."
 
@@ -122,37 +121,37 @@ def test_a_missing_value_leaves_the_rest() -> None:
     assert "serial number" in ENGLISH(Message("serial-number"))
 
 
-def test_what_a_language_lacks_is_in_english(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    (tmp_path / "en.ftl").write_text("here = here\nsize = { $size } wide\n")
-    (tmp_path / "fr.ftl").write_text("here = ici\n")
-    monkeypatch.setattr("app.messages.language_file.FOLDER", tmp_path)
-    renderer.cache_clear()
-    read_sources.cache_clear()
-    try:
-        assert languages() == ("en", "fr")
-        french = renderer("fr")
-        assert french(message("here")) == "ici"
-        assert french(message("size", size=quantity(2, "mm"))) == "2 mm wide"
-    finally:
+@pytest.fixture
+def own_files(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Callable[..., None]]:
+    """Writes language files by their names; the languages are then these alone."""
+
+    def forget() -> None:
         renderer.cache_clear()
         read_sources.cache_clear()
 
+    def write(**texts: str) -> None:
+        for language, text in texts.items():
+            (tmp_path / f"{language}.ftl").write_text(text)
+        forget()
 
-def test_messages_that_refer_to_each_other_end(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    (tmp_path / "en.ftl").write_text("first = 1 { second }\nsecond = 2 { third }\nthird = 3\n")
     monkeypatch.setattr("app.messages.language_file.FOLDER", tmp_path)
-    read_sources.cache_clear()
-    try:
-        assert Catalogue("en").render(message("first")) == "1 2 3"
-        (tmp_path / "en.ftl").write_text("first = 1 { second }\nsecond = 2 { first }\n")
-        read_sources.cache_clear()
-        assert Catalogue("en").render(message("second")).startswith("2 1")
-    finally:
-        read_sources.cache_clear()
+    yield write
+    forget()
+
+
+def test_what_a_language_lacks_is_in_english(own_files: Callable[..., None]) -> None:
+    own_files(en="here = here\nsize = { $size } wide\n", fr="here = ici\n")
+    assert languages() == ("en", "fr")
+    french = renderer("fr")
+    assert french(message("here")) == "ici"
+    assert french(message("size", size=quantity(2, "mm"))) == "2 mm wide"
+
+
+def test_messages_that_refer_to_each_other_end(own_files: Callable[..., None]) -> None:
+    own_files(en="first = 1 { second }\nsecond = 2 { third }\nthird = 3\n")
+    assert Catalogue("en").render(message("first")) == "1 2 3"
+    own_files(en="first = 1 { second }\nsecond = 2 { first }\n")
+    assert Catalogue("en").render(message("second")).startswith("2 1")
 
 
 def test_an_unknown_language_is_an_error() -> None:

@@ -5,6 +5,7 @@ from typing import Annotated, Any, Literal
 
 import pytest
 from pydantic import AnyUrl, BaseModel, ConfigDict, Field, ValidationError, field_validator
+from pydantic_core import ErrorDetails
 
 from app.messages.catalogue import renderer
 from app.messages.message import Message, message
@@ -47,6 +48,13 @@ class Values(BaseModel):
         return value
 
 
+def error_of(values: dict[str, Any]) -> ErrorDetails:
+    with pytest.raises(ValidationError) as caught:
+        Values.model_validate(values)
+    (error,) = caught.value.errors()
+    return error
+
+
 @pytest.mark.parametrize(
     ("values", "english"),
     [
@@ -80,9 +88,7 @@ class Values(BaseModel):
     ],
 )
 def test_every_usual_error_has_a_message(values: dict[str, Any], english: str) -> None:
-    with pytest.raises(ValidationError) as caught:
-        Values.model_validate(values)
-    text = validation_text(caught.value.errors()[0])
+    text = validation_text(error_of(values))
     assert isinstance(text, Message)
     assert str(text) == english
     assert renderer("de")(text) not in (english, text.message_id)
@@ -95,14 +101,10 @@ def test_what_is_no_json_says_where() -> None:
 
 
 def test_what_is_not_known_is_in_pydantics_words() -> None:
-    with pytest.raises(ValidationError) as caught:
-        Values.model_validate({"url": "no address"})
-    (error,) = caught.value.errors()
+    error = error_of({"url": "no address"})
     assert validation_text(error) == error["msg"]
 
 
 def test_an_error_raised_with_a_plain_text_keeps_it() -> None:
-    with pytest.raises(ValidationError) as caught:
-        Values.model_validate({"checked": "words"})
-    assert validation_text(caught.value.errors()[0]) == "it is refused in words"
+    assert validation_text(error_of({"checked": "words"})) == "it is refused in words"
     assert exception_text(ValueError()) == ""

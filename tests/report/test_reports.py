@@ -45,6 +45,7 @@ from hardware.simulator.session import SessionPlan, render_session
 from tests.datasheets import write_arm
 from tests.formats.builders import ARM, edit_text
 from tests.formats.test_arm_identification import PLAN
+from tests.present import present
 from tests.simulated_arm_sessions import render_arm_session
 from tests.workflows.test_verification import RECORD
 
@@ -150,8 +151,7 @@ def test_a_report_in_german(folder: Path, tmp_path: Path) -> None:
 
 def test_a_calibrations_report_says_what_a_certificate_does(folder: Path) -> None:
     record = CalibrationFile.read(folder / "calibration.json")
-    assert record.uncertainty is not None
-    total_um = record.uncertainty.total_um
+    total_um = present(record.uncertainty).total_um
     page = shown(folder)
     for text in (page, printed(folder)):
         assert_says(
@@ -165,8 +165,7 @@ def test_a_calibrations_report_says_what_a_certificate_does(folder: Path) -> Non
             "Every file has the content that the result was computed from.",
         )
     assert all(one.sha256 in page and one.file in page for one in record.inputs)
-    assert record.verdict is not None
-    for finding in record.verdict.findings:
+    for finding in present(record.verdict).findings:
         assert isinstance(finding.text, Message)
         assert join_units(str(finding.text)).replace("\u00a0", " ") in page
 

@@ -76,6 +76,10 @@ def imported(folder: Path, settings: StripeSettings | None = None) -> ImportedSc
     return import_pictures(scan, out, "Bracket", settings or StripeSettings())
 
 
+def import_refused(folder: Path) -> str:
+    return refused("import", folder, "-o", folder.parent / "scan.mcap")
+
+
 def rebuilt(
     folder: Path, arm: AnyArm = ARM, delay_ns: int | None = None
 ) -> tuple[Reconstruction, Floats]:
@@ -177,7 +181,7 @@ def test_readings_in_milliseconds_are_refused(tmp_path: Path) -> None:
     cells = [row.split(",", 1) for row in rows]
     late = [f"{1000 * float(time)},{rest}" for time, rest in cells]
     (folder / "readings.csv").write_text("\n".join([head, *late]))
-    said = refused("import", folder, "-o", tmp_path / "scan.mcap")
+    said = import_refused(folder)
     assert "the readings are 4.000 s apart on average" in said
     assert not (tmp_path / "scan.mcap").exists()
 
@@ -193,7 +197,7 @@ def test_pictures_that_cannot_be_used_are_not_said_to_be_without_a_line(tmp_path
     for file in (folder / "images").iterdir():
         grey = read_grey(file)
         cv2.imwrite(str(file), np.dstack([0 * grey, 0 * grey, grey]))
-    said = refused("import", folder, "-o", tmp_path / "scan.mcap")
+    said = import_refused(folder)
     assert "none of the 5 pictures can be used" in said
     assert "laser_wavelength_nm" in said
 
@@ -204,7 +208,7 @@ def test_folders_may_be_separated_as_windows_does(tmp_path: Path) -> None:
     table.write_text(table.read_text().replace("images/", "images\\"))
     assert imported(folder).frames == 5
     table.write_text(table.read_text().replace("images\\", "C:\\cell\\images\\"))
-    assert "must be inside its folder" in refused("import", folder, "-o", tmp_path / "scan.mcap")
+    assert "must be inside its folder" in import_refused(folder)
 
 
 SPOILT = {
@@ -223,7 +227,7 @@ def test_a_table_that_is_not_in_order_is_refused(
 ) -> None:
     folder = write_scan(tmp_path / "scan", apart=True)
     edit_text(folder / file, old, new)
-    assert words in refused("import", folder, "-o", tmp_path / "scan.mcap")
+    assert words in import_refused(folder)
     assert not (tmp_path / "scan.mcap").exists()
 
 
@@ -231,7 +235,7 @@ def test_pictures_and_readings_of_two_clocks_are_refused(tmp_path: Path) -> None
     folder = write_scan(tmp_path / "scan", apart=True)
     rows = (folder / "images.csv").read_text().replace("png,0.", "png,5000.")
     (folder / "images.csv").write_text(rows)
-    said = refused("import", folder, "-o", tmp_path / "scan.mcap")
+    said = import_refused(folder)
     assert "from 0.000 s to 0.396 s: the pictures begin at 5000.100 s" in said
     assert "one clock" in said
 
@@ -241,7 +245,7 @@ def test_without_any_line_nothing_is_written(tmp_path: Path) -> None:
     for file in (folder / "images").iterdir():
         write_png(file, np.zeros((HEIGHT, WIDTH), np.uint8))
     (tmp_path / "scan.mcap").write_bytes(b"the scan before")
-    said = refused("import", folder, "-o", tmp_path / "scan.mcap")
+    said = import_refused(folder)
     assert "none of the 5 pictures shows a line" in said
     assert "Switch on the laser" in said
     assert [path.name for path in tmp_path.glob("*.mcap")] == ["scan.mcap"]

@@ -1,6 +1,6 @@
 """From a recording to a cloud."""
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import replace
 from pathlib import Path
@@ -44,6 +44,11 @@ def record_stripe(
     writer.stripe(stamp_ns, little_stripe(), width, HEIGHT, sensor)
 
 
+def record_stripes(writer: RecordingWriter, stamps_ns: Iterable[int]) -> None:
+    for stamp_ns in stamps_ns:
+        record_stripe(writer, stamp_ns)
+
+
 def record_image(writer: RecordingWriter, stamp_ns: int) -> None:
     writer.image(stamp_ns, lit_picture(stamp_ns))
 
@@ -77,15 +82,22 @@ def rebuilt(folder: Path, arm: AnyArm = ARM) -> tuple[Reconstruction, Floats]:
     return result, read_cloud(cloud).points_mm
 
 
+def rebuilt_as(
+    folder: Path, stamps_ns: list[int], arm: AnyArm = ARM, within_mm: float = 1e-8
+) -> Reconstruction:
+    """Rebuilds ``scan.mcap``, which gives the points of these frames."""
+    result, points = rebuilt(folder, arm)
+    np.testing.assert_allclose(points, expected(stamps_ns), atol=within_mm)
+    return result
+
+
 def test_stripes_and_joints_become_points(tmp_path: Path) -> None:
     stamps = [int(100 * MS + i * 3.7 * MS) for i in range(150)]
     with recording(tmp_path, until_ms=400) as writer:
-        for stamp in stamps:
-            record_stripe(writer, stamp)
+        record_stripes(writer, stamps)
         joints_every(writer, 404 * MS, 900 * MS, 4 * MS)
-    result, points = rebuilt(tmp_path)
+    result = rebuilt_as(tmp_path, stamps)
     assert (result.points, result.frames, result.frames_without_joints) == (150 * 25, 150, 0)
-    np.testing.assert_allclose(points, expected(stamps), atol=1e-8)
     frame = read_cloud(tmp_path / "cloud.ply").frame
     np.testing.assert_array_equal(frame, np.repeat(np.arange(150), 25))
 
@@ -125,11 +137,9 @@ def test_a_delay_counts_points_that_share_their_noise(
 def test_the_order_in_the_file_does_not_matter(tmp_path: Path) -> None:
     stamps = [100 * MS + i * 5 * MS for i in range(100)]
     with recording(tmp_path) as writer:
-        for stamp in stamps:
-            record_stripe(writer, stamp)
+        record_stripes(writer, stamps)
         joints_every(writer, 0, 900 * MS, 4 * MS)
-    _, points = rebuilt(tmp_path)
-    np.testing.assert_allclose(points, expected(stamps), atol=1e-8)
+    rebuilt_as(tmp_path, stamps)
 
 
 def test_pictures_are_extracted(tmp_path: Path) -> None:
@@ -156,13 +166,11 @@ def test_a_picture_beside_its_stripe_is_not_extracted_again(tmp_path: Path) -> N
 def test_frames_without_joints_are_counted_and_named(tmp_path: Path) -> None:
     with recording(tmp_path, until_ms=100) as writer:
         joints_every(writer, 300 * MS, 400 * MS, 4 * MS)
-        for stamp in (50 * MS, 150 * MS, 250 * MS, 350 * MS, 450 * MS):
-            record_stripe(writer, stamp)
-    result, points = rebuilt(tmp_path)
+        record_stripes(writer, (50 * MS, 150 * MS, 250 * MS, 350 * MS, 450 * MS))
+    result = rebuilt_as(tmp_path, [50 * MS, 350 * MS])
     assert (result.frames, result.frames_without_joints) == (2, 3)
     assert result.first_without_joints_s == pytest.approx(0.15)
     assert "3 of 5 frames excluded" in str(result.warnings[0])
-    np.testing.assert_allclose(points, expected([50 * MS, 350 * MS]), atol=1e-8)
 
 
 def test_a_lost_joint_reading_is_left_out(tmp_path: Path) -> None:
@@ -170,9 +178,8 @@ def test_a_lost_joint_reading_is_left_out(tmp_path: Path) -> None:
         writer.joints(102 * MS, [np.nan] * 6)
         joints_every(writer, 104 * MS, 200 * MS, 4 * MS)
         record_stripe(writer, 102 * MS)
-    result, points = rebuilt(tmp_path)
+    result = rebuilt_as(tmp_path, [102 * MS])
     assert result.joint_samples_unusable == 1
-    np.testing.assert_allclose(points, expected([102 * MS]), atol=1e-8)
 
 
 def test_readings_that_cannot_be_true_are_left_out_and_reported(tmp_path: Path) -> None:
@@ -181,11 +188,10 @@ def test_readings_that_cannot_be_true_are_left_out_and_reported(tmp_path: Path) 
         writer.joints(102 * MS, q_at(102 * MS) + np.array([6 * np.pi, 0, 0, 0, 0, 0]))
         joints_every(writer, 104 * MS, 200 * MS, 4 * MS)
         record_stripe(writer, 102 * MS)
-    result, points = rebuilt(tmp_path)
+    result = rebuilt_as(tmp_path, [102 * MS])
     assert len(result.warnings) == 1
     assert "1 implausible arm reading excluded, 0.102 s" in str(result.warnings[0])
     assert "oint J1 reads" in str(result.warnings[0])
-    np.testing.assert_allclose(points, expected([102 * MS]), atol=1e-8)
 
 
 def test_joints_go_by_name(tmp_path: Path) -> None:
@@ -193,8 +199,7 @@ def test_joints_go_by_name(tmp_path: Path) -> None:
         for stamp in range(0, 100 * MS, 4 * MS):
             writer.joints(stamp, q_at(stamp)[::-1])
         record_stripe(writer, 50 * MS)
-    _, points = rebuilt(tmp_path)
-    np.testing.assert_allclose(points, expected([50 * MS]), atol=1e-8)
+    rebuilt_as(tmp_path, [50 * MS])
 
 
 def test_a_cut_recording_gives_the_points_before_the_cut(tmp_path: Path) -> None:
@@ -336,9 +341,8 @@ def test_blocks_of_all_kinds_give_the_same_points(tmp_path: Path, beside: str) -
                 record_image(writer, stamp)  # of a frame that has its stripe already
     if beside == "other writer":
         rewritten_unpacked(tmp_path / "scan.mcap")
-    result, found = rebuilt(tmp_path)
+    result = rebuilt_as(tmp_path, stamps)
     assert (result.frames, result.points) == (12, 12 * 25)
-    np.testing.assert_allclose(found, expected(stamps), atol=1e-8)
 
 
 def rewritten_unpacked(path: Path) -> None:
@@ -381,12 +385,10 @@ def test_poses_become_the_same_points_as_joints(tmp_path: Path) -> None:
     stamps = [int(100 * MS + i * 3.7 * MS) for i in range(50)]
     with recording(tmp_path, None) as writer:
         poses_every(writer, 0, 400 * MS, 4 * MS)
-        for stamp in stamps:
-            record_stripe(writer, stamp)
-    result, points = rebuilt(tmp_path, ROBOT)
-    assert (result.frames, result.frames_without_joints, result.joint_samples) == (50, 0, 101)
+        record_stripes(writer, stamps)
     # between its poses, the flange moves along an arc of the joints
-    np.testing.assert_allclose(points, expected(stamps), atol=3e-4)
+    result = rebuilt_as(tmp_path, stamps, ROBOT, 3e-4)
+    assert (result.frames, result.frames_without_joints, result.joint_samples) == (50, 0, 101)
 
 
 def test_a_pose_that_cannot_be_is_left_out_and_reported(tmp_path: Path) -> None:
@@ -396,10 +398,9 @@ def test_a_pose_that_cannot_be_is_left_out_and_reported(tmp_path: Path) -> None:
         writer.reading(103 * MS, [np.nan] * 7)
         poses_every(writer, 104 * MS, 200 * MS, 4 * MS)
         record_stripe(writer, 102 * MS)
-    result, points = rebuilt(tmp_path, ROBOT)
+    result = rebuilt_as(tmp_path, [102 * MS], ROBOT, 3e-4)
     assert result.joint_samples_unusable == 1
     assert any("0.102 s" in str(one) for one in result.warnings)
-    np.testing.assert_allclose(points, expected([102 * MS]), atol=3e-4)
 
 
 @pytest.mark.parametrize(

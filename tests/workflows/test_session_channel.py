@@ -21,6 +21,7 @@ from app.workflows.calibrate import (
     session_channel,
 )
 from tests.colours import mosaic
+from tests.present import present
 from tests.real_sessions import write_real_session
 
 pytestmark = pytest.mark.slow
@@ -37,8 +38,7 @@ def colour_pictures(folder: Path) -> dict[Path, NDArray[np.uint8]]:
     """The session's pictures as a camera takes them whose channels see less of the light."""
     coloured = {}
     for path in sorted((folder / "images").glob("*.png")):
-        grey = cv2.imread(str(path), cv2.IMREAD_GRAYSCALE)
-        assert grey is not None
+        grey = present(cv2.imread(str(path), cv2.IMREAD_GRAYSCALE))
         shares = np.array([LASER[name] for name in PLANES])
         coloured[path] = np.rint(grey[..., None] * shares).astype(np.uint8)
     return coloured
@@ -110,8 +110,7 @@ def test_weights_are_found_where_the_lasers_colour_is_not_stated(
     files = []
     rng = np.random.default_rng(0)
     for path in session.poses[0].files:
-        grey = cv2.imread(str(path), cv2.IMREAD_GRAYSCALE)
-        assert grey is not None
+        grey = present(cv2.imread(str(path), cv2.IMREAD_GRAYSCALE))
         colours = grey[..., None] * np.array([LASER[name] for name in PLANES])
         noisy = np.clip(np.rint(colours + rng.normal(0, 2, colours.shape)), 0, 255)
         files.append(tmp_path / path.name)

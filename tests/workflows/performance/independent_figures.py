@@ -9,6 +9,7 @@ import csv
 import json
 from collections.abc import Mapping
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,14 +20,13 @@ from app.formats.recording.decoders import JointRecord, StripeRecord
 from app.formats.recording.reader import Recording
 
 Floats = NDArray[np.float64]
+Frames = NDArray[np.int64]
 RINGS = ((0.0, 1, 0.0), (22.5, 4, 0.0), (45.0, 8, 22.5), (67.5, 4, 45.0), (90.0, 8, 22.5))
 
 
 def independent_figures_um(folder: Path) -> dict[str, float]:
     """All figures in µm by the names of their quantities."""
-    plan, arm, calibration = (
-        json.loads((folder / f"{name}.json").read_text()) for name in ("plan", "arm", "calibration")
-    )
+    plan, arm, calibration = _documents(folder)
     diameter, pole = plan["sphere"]["diameter_mm"], np.array(plan["gate"]["pole"])
     tips = _tips(folder, arm)
     tip_diameter = arm["tip"]["diameter_mm"]
@@ -55,10 +55,8 @@ def independent_figures_um(folder: Path) -> dict[str, float]:
     points = np.concatenate([one for one, _ in scans])
     frames = np.concatenate([1000 * i + one for i, (_, one) in enumerate(scans)])
     centre, radius = _sphere(points)
-    distances = np.sort(np.linalg.norm(points - centre, axis=1))
-    held = int(np.ceil(0.95 * len(distances)))
     found["size-all-scan"] = 2 * radius - diameter
-    found["dispersion-scan"] = float((distances[held - 1 :] - distances[: 1 - held or None]).min())
+    found["dispersion-scan"] = _holding_95_percent(np.linalg.norm(points - centre, axis=1))
     radii = _patches(points, frames, centre, directions)[2]
     of_25 = centre + radii[:, None] * directions
     scanned_centre, radius = _sphere(of_25)
@@ -74,17 +72,26 @@ def independent_figures_um(folder: Path) -> dict[str, float]:
 
 def independent_plane_um(folder: Path) -> list[float]:
     """The form of the plane in each orientation, in µm."""
-    plan, arm, calibration = (
-        json.loads((folder / f"{name}.json").read_text()) for name in ("plan", "arm", "calibration")
-    )
+    plan, arm, calibration = _documents(folder)
     found = []
     for number in (1, 2):
         points = _scan(folder / f"plane-{number}" / "scan.mcap", arm, calibration)[0]
         off = _off_plane(points, _on_plate(points, plan["gate"]["shell_mm"]))
-        off = np.sort(off)
-        held = int(np.ceil(0.95 * len(off)))
-        found.append(1e3 * float((off[held - 1 :] - off[: 1 - held or None]).min()))
+        found.append(1e3 * _holding_95_percent(off))
     return found
+
+
+def _documents(folder: Path) -> list[Any]:
+    """Plan, arm and calibration."""
+    names = ("plan", "arm", "calibration")
+    return [json.loads((folder / f"{name}.json").read_text()) for name in names]
+
+
+def _holding_95_percent(values: Floats) -> float:
+    """The width of the narrowest interval with so many of the values."""
+    values = np.sort(values)
+    held = int(np.ceil(0.95 * len(values)))
+    return float((values[held - 1 :] - values[: 1 - held or None]).min())
 
 
 def _plane(points: Floats) -> tuple[Floats, Floats]:
@@ -134,22 +141,21 @@ def _flange(arm: Mapping[str, list[Mapping[str, float]]], q_rad: Floats) -> Floa
     return T
 
 
-def _tips(folder: Path, arm: Mapping[str, object]) -> dict[str, Floats]:
+def _tips(folder: Path, arm: Mapping[str, Any]) -> dict[str, Floats]:
     """Tip centres (N, 3) by the feature of the touches."""
     with (folder / "touches.csv").open() as file:
         rows = list(csv.DictReader(file))
     angles = [[float(v) for k, v in row.items() if k.endswith("_deg")] for row in rows]
-    T = _flange(arm, np.radians(angles))  # type: ignore[arg-type]
+    T = _flange(arm, np.radians(angles))
     tip = arm["tip"]
-    assert isinstance(tip, dict)
     tips = T[:, :3, :3] @ [tip["x_mm"], tip["y_mm"], tip["z_mm"]] + T[:, :3, 3]
     names = np.array([row["feature"] for row in rows])
     return {name: tips[names == name] for name in set(names.tolist())}
 
 
 def _scan(
-    path: Path, arm: Mapping[str, object], calibration: Mapping[str, object]
-) -> tuple[Floats, Floats, NDArray[np.int64]]:
+    path: Path, arm: Mapping[str, Any], calibration: Mapping[str, Any]
+) -> tuple[Floats, Floats, Frames]:
     """Points (N, 3), unit directions to the camera (N, 3), and frames (N,) of a recording."""
     stamps, readings, stripes = [], [], []
     for record in Recording(path, path.stat().st_size).records():
@@ -162,12 +168,10 @@ def _scan(
     q = np.array(readings)
     when = np.array([float(one.stamp_ns) for one in stripes])
     joints = np.column_stack([np.interp(when, at, column) for column in q.T])
-    T = _flange(arm, joints) @ np.array(calibration["probe_matrix"])  # type: ignore[arg-type]
+    T = _flange(arm, joints) @ np.array(calibration["probe_matrix"])
     camera, plane = calibration["camera"], calibration["laser_plane"]
-    assert isinstance(camera, dict)
-    assert isinstance(plane, dict)
-    R, eye = np.array(camera["rotation"]), np.array(camera["translation_mm"])
-    eye = -R.T @ eye
+    R = np.array(camera["rotation"])
+    eye = -R.T @ np.array(camera["translation_mm"])
     n = np.array(plane["normal"])
     points, views, frames = [], [], []
     for i, stripe in enumerate(stripes):
@@ -195,12 +199,8 @@ def _undistort(camera: Mapping[str, list[float]], uv: Floats) -> Floats:
 
 
 def _gate(
-    points: Floats,
-    views: Floats,
-    frames: NDArray[np.int64],
-    plan: Mapping[str, dict[str, float]],
-    centre: Floats,
-) -> tuple[Floats, NDArray[np.int64]]:
+    points: Floats, views: Floats, frames: Frames, plan: Mapping[str, Any], centre: Floats
+) -> tuple[Floats, Frames]:
     """Points within the gate about the calibrated sphere, with their frames."""
     gate, radius = plan["gate"], plan["sphere"]["diameter_mm"] / 2
     inside = np.zeros(len(points), dtype=np.bool_)
@@ -239,8 +239,8 @@ def _pattern(pole: Floats) -> Floats:
 
 
 def _patches(
-    points: Floats, frames: NDArray[np.int64], centre: Floats, directions: Floats
-) -> tuple[NDArray[np.int64], NDArray[np.int64], Floats]:
+    points: Floats, frames: Frames, centre: Floats, directions: Floats
+) -> tuple[Frames, Frames, Floats]:
     """Number of points and frames, and mean distance, of each place."""
     away = points - centre
     distance = np.linalg.norm(away, axis=1)
@@ -261,14 +261,11 @@ def _sphere(points: Floats) -> tuple[Floats, float]:
     A = np.column_stack([2 * local, np.ones(len(local))])
     start = np.linalg.lstsq(A, (local**2).sum(axis=1), rcond=None)[0]
     start[3] = np.sqrt(start[3] + start[:3] @ start[:3])
-    found = least_squares(
-        lambda x: np.linalg.norm(local - x[:3], axis=1) - x[3],
-        start,
-        xtol=1e-15,
-        ftol=1e-15,
-        gtol=1e-15,
-        x_scale="jac",
-    ).x
+
+    def off(x: Floats) -> Floats:
+        return np.asarray(np.linalg.norm(local - x[:3], axis=1) - x[3])
+
+    found = least_squares(off, start, xtol=1e-15, ftol=1e-15, gtol=1e-15, x_scale="jac").x
     return middle + found[:3], float(found[3])
 
 

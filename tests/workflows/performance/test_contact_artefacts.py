@@ -9,12 +9,21 @@ import pytest
 from app.bench.metrology.synthetic_sphere import SPHERE
 from app.errors import OperationError
 from app.formats.datasheets.length_standard import LengthPart
-from app.formats.performance.plan import PLAN, LimitPart, read_plan
-from app.formats.performance.results import PerformanceFigure, PerformanceFile
+from app.formats.performance.plan import LimitPart
+from app.formats.performance.results import PerformanceFile
 from app.formats.performance.symbols import Quantity
 from app.workflows.performance.evaluate import evaluate_performance
 from tests.cli.test_cli import crenel
-from tests.workflows.performance.test_contacts import BAR, contact_groups, length_groups, write_test
+from tests.workflows.performance.test_contacts import (
+    BAR,
+    STEEL,
+    contact_groups,
+    figures_of,
+    length_groups,
+    planned,
+    scattered,
+    write_test,
+)
 
 pytestmark = pytest.mark.slow
 
@@ -22,8 +31,11 @@ BY_SPHERE: tuple[Quantity, ...] = ("effective-diameter",)
 BY_SEATS: tuple[Quantity, ...] = ("articulation-largest", "articulation-two-s")
 BY_BAR: tuple[Quantity, ...] = ("volumetric-largest", "volumetric-two-rms")
 LIMITS = tuple(LimitPart(quantity=one, a_um=500.0) for one in (*BY_SPHERE, *BY_SEATS, *BY_BAR))
-STEEL = {"expansion_per_c": 11.5e-6, "expansion_sd_per_c": 1e-6}
 Changes = Mapping[str, object]
+
+
+def known_length(length_mm: float, sd_um: float = 0.5) -> LengthPart:
+    return LengthPart(length_mm=length_mm, standard_uncertainty_um=sd_um)
 
 
 @pytest.fixture
@@ -47,14 +59,7 @@ def evaluated(
     }
     if without:
         changes[without] = None
-    changed = read_plan(folder).model_copy(update=changes)
-    (folder / PLAN).unlink()
-    changed.write(folder / PLAN)
-    return evaluate_performance(folder)
-
-
-def figures(result: PerformanceFile) -> dict[Quantity, PerformanceFigure]:
-    return {one.quantity: one for one in result.figures}
+    return evaluate_performance(planned(folder, **changes))
 
 
 def test_artefacts_that_can_serve_decide_every_figure(folder: Path) -> None:
@@ -68,17 +73,15 @@ def test_artefacts_that_can_serve_decide_every_figure(folder: Path) -> None:
     [
         ({"valid_until": "2020-01-31"}, "valid until 2020-01-31"),
         ({"valid_until": "soon"}, "soon"),
-        (
-            {"lengths": (LengthPart(length_mm=400.0, standard_uncertainty_um=0.0),)},
-            "states no uncertainty",
-        ),
+        ({"lengths": (known_length(400.0, 0.0),)}, "states no uncertainty"),
+        ({"lengths": (*BAR.lengths, known_length(19.0))}, "less than the diameter of the spheres"),
     ],
 )
 def test_a_bar_that_cannot_serve_states_no_volume(
     folder: Path, changes: Changes, said: str
 ) -> None:
     result = evaluated(folder, bar=changes)
-    found = figures(result)
+    found = figures_of(result)
     for one in BY_BAR:
         assert found[one].value is None
         assert found[one].values == ()
@@ -104,7 +107,7 @@ def test_a_sphere_that_cannot_serve_states_no_diameter(
     folder: Path, changes: Changes, said: str
 ) -> None:
     result = evaluated(folder, sphere=changes)
-    found = figures(result)
+    found = figures_of(result)
     assert found["effective-diameter"].value is None
     assert said in str(found["effective-diameter"].problem)
     for one in (*BY_SEATS, *BY_BAR):
@@ -114,21 +117,13 @@ def test_a_sphere_that_cannot_serve_states_no_diameter(
 
 
 def test_a_plan_with_one_artefact_states_the_figures_of_it(folder: Path) -> None:
-    without_bar = figures(evaluated(folder, without="length"))
+    without_bar = figures_of(evaluated(folder, without="length"))
     assert without_bar["effective-diameter"].decision == "pass"
     for one in BY_BAR:
         assert "names no ball bar" in str(without_bar[one].problem)
-    without_sphere = figures(evaluated(folder, without="sphere"))
+    without_sphere = figures_of(evaluated(folder, without="sphere"))
     assert "names no master sphere" in str(without_sphere["effective-diameter"].problem)
     assert without_sphere["volumetric-largest"].decision == "pass"
-
-
-def require_shrunk(warm: PerformanceFigure, cold: PerformanceFigure, shrunk_um: float) -> None:
-    """Every single value is so much smaller when it is brought to 20 °C."""
-    for warm_um, cold_um in zip(warm.values, cold.values, strict=True):
-        assert warm_um is not None
-        assert cold_um is not None
-        assert warm_um == pytest.approx(cold_um - shrunk_um, abs=0.01)
 
 
 def test_figures_of_an_artefact_that_was_left_out_are_not_stated(tmp_path: Path) -> None:
@@ -137,11 +132,9 @@ def test_figures_of_an_artefact_that_was_left_out_are_not_stated(tmp_path: Path)
         ("sphere", "d", BY_SPHERE, "effective diameter"),
         ("length", "b", BY_BAR, "volumetric lengths"),
     ):
-        folder = write_test(
-            tmp_path / without, "contact", [one for one in groups if one[0][0] != prefix], LIMITS
-        )
-        result = evaluated(folder, without=without)
-        assert not set(by) & set(figures(result))
+        left = [one for one in groups if one[0][0] != prefix]
+        result = evaluated(write_test(tmp_path / without, "contact", left, LIMITS), without=without)
+        assert not set(by) & set(figures_of(result))
         assert all(one.decision == "pass" for one in result.figures)
         notes = " ".join(map(str, result.notes))
         assert f"{word} was left out" in notes or f"{word} were left out" in notes
@@ -154,7 +147,8 @@ def test_diameter_and_lengths_are_brought_to_20_degrees(folder: Path) -> None:
     assert "temperature was not stated" in str(cold.notes[-1])
     warm = evaluated(folder, sphere=STEEL, bar=STEEL, artefact_c=24.0, temperature_sd_c=0.5)
     assert "brought to 20 °C" in str(warm.notes[-1])
-    before, after = figures(cold), figures(warm)
+    before, after = figures_of(cold), figures_of(warm)
+    sizes_mm: dict[Quantity, float] = {"effective-diameter": 25.0, "volumetric-largest": 400.0}
 
     def expected_um(of: Quantity, size_mm: float, times: float = 1.0) -> float:
         size_um, stated_um = 1e3 * size_mm, before[of].test_uncertainty
@@ -162,16 +156,12 @@ def test_diameter_and_lengths_are_brought_to_20_degrees(folder: Path) -> None:
         by_heat = np.array([size_um * 11.5e-6 * 0.5, size_um * 1e-6 * 4.0])
         return float(np.hypot(stated_um, 2 * times * np.linalg.norm(by_heat)))
 
-    shrunk_um = 1e3 * 25.0 * 11.5e-6 * 4.0
-    require_shrunk(after["effective-diameter"], before["effective-diameter"], shrunk_um)
-    assert after["effective-diameter"].test_uncertainty == pytest.approx(
-        expected_um("effective-diameter", 25.0), rel=1e-6
-    )
-    shrunk_um = 1e3 * 400.0 * 11.5e-6 * 4.0
-    require_shrunk(after["volumetric-largest"], before["volumetric-largest"], shrunk_um)
-    assert after["volumetric-largest"].test_uncertainty == pytest.approx(
-        expected_um("volumetric-largest", 400.0), rel=1e-6
-    )
+    for quantity, size_mm in sizes_mm.items():
+        warm_um, cold_um = after[quantity].values, np.array(before[quantity].values, dtype=float)
+        shrunk_um = 1e3 * size_mm * 11.5e-6 * 4.0
+        assert warm_um == pytest.approx(cold_um - shrunk_um, abs=0.01)
+        known_um = expected_um(quantity, size_mm)
+        assert after[quantity].test_uncertainty == pytest.approx(known_um, rel=1e-6)
     assert after["volumetric-two-rms"].value == pytest.approx(60 - 2 * shrunk_um, abs=0.5) or (
         after["volumetric-two-rms"].value == pytest.approx(2 * shrunk_um - 60, abs=0.5)
     )
@@ -181,11 +171,18 @@ def test_diameter_and_lengths_are_brought_to_20_degrees(folder: Path) -> None:
     )
 
 
-def test_a_bar_without_sphere_diameter_states_no_volume(folder: Path) -> None:
-    found = figures(evaluated(folder, bar={"sphere_diameter_mm": None}))
+@pytest.mark.parametrize(
+    ("changes", "said"),
+    [
+        ({"sphere_diameter_mm": None}, "sphere_diameter_mm"),
+        ({"kind": "step-gauge"}, "names no ball bar"),
+    ],
+)
+def test_a_bar_without_spheres_states_no_volume(folder: Path, changes: Changes, said: str) -> None:
+    found = figures_of(evaluated(folder, bar=changes))
     for one in BY_BAR:
         assert found[one].value is None
-        assert "sphere_diameter_mm" in str(found[one].problem)
+        assert said in str(found[one].problem)
     assert found["effective-diameter"].decision == "pass"
 
 
@@ -193,10 +190,8 @@ def test_a_bar_without_sphere_diameter_states_no_volume(folder: Path) -> None:
 def test_a_length_that_is_none_of_the_certificate_is_that_of_another_bar(
     folder: Path, certified_mm: float, is_other: bool
 ) -> None:
-    lengths = tuple(
-        LengthPart(length_mm=one, standard_uncertainty_um=0.5) for one in (600.0, certified_mm)
-    )
-    found = figures(evaluated(folder, bar={"lengths": lengths}))
+    lengths = (known_length(600.0), known_length(certified_mm))
+    found = figures_of(evaluated(folder, bar={"lengths": lengths}))
     for one in BY_BAR:
         assert (found[one].value is None) == is_other
     if is_other:
@@ -208,38 +203,24 @@ def test_a_length_that_is_none_of_the_certificate_is_that_of_another_bar(
 def test_a_diameter_that_is_far_off_the_certificate_is_that_of_another_sphere(
     folder: Path, diameter_mm: float, is_other: bool
 ) -> None:
-    figure = figures(evaluated(folder, sphere={"diameter_mm": diameter_mm}))["effective-diameter"]
+    result = evaluated(folder, sphere={"diameter_mm": diameter_mm})
+    figure = figures_of(result)["effective-diameter"]
     assert (figure.value is None) == is_other
     assert ("2.2 mm off the certificate" in str(figure.problem)) == is_other
-
-
-def test_a_step_gauge_is_no_ball_bar(folder: Path) -> None:
-    found = figures(evaluated(folder, bar={"kind": "step-gauge"}))
-    for one in BY_BAR:
-        assert "names no ball bar" in str(found[one].problem)
-
-
-def test_lengths_that_are_shorter_than_the_spheres_are_mistyped(folder: Path) -> None:
-    short = LengthPart(length_mm=19.0, standard_uncertainty_um=0.5)
-    result = evaluated(folder, bar={"lengths": (*BAR.lengths, short)})
-    assert figures(result)["volumetric-largest"].value is None
-    assert "less than the diameter of the spheres" in str(result.problems[0])
 
 
 def test_touches_in_one_place_state_no_diameter(tmp_path: Path) -> None:
     groups = contact_groups(0.02)
     groups[0] = (groups[0][0], np.tile(groups[0][1][:1], (9, 1)))
     result = evaluated(write_test(tmp_path / "t", "contact", groups, LIMITS))
-    found = figures(result)
+    found = figures_of(result)
     assert "too small a part of a sphere" in str(found["effective-diameter"].problem)
     assert found["volumetric-largest"].decision == "pass"
 
 
 @pytest.mark.parametrize("kind", ["lengths", "plane", "sphere"])
 def test_a_plan_without_its_artefact_is_refused(folder: Path, kind: str) -> None:
-    changed = read_plan(folder).model_copy(update={"sphere": None, "length": None, "kind": kind})
-    (folder / PLAN).unlink()
-    changed.write(folder / PLAN)
+    planned(folder, sphere=None, length=None, kind=kind)
     with pytest.raises(OperationError, match="the plan names no"):
         evaluate_performance(folder)
 
@@ -255,7 +236,7 @@ def test_five_lengths_are_asked_of_the_test_of_lengths_alone(folder: Path, tmp_p
     contact = evaluated(folder, bar=one_length)
     said = (*contact.notes, *contact.problems)
     assert not any("five" in str(text) for text in said)
-    assert figures(contact)["volumetric-largest"].decision == "pass"
+    assert figures_of(contact)["volumetric-largest"].decision == "pass"
     groups = [one for one in length_groups(1.0) if one[0].split("-")[2] == "1"]
     lengths = write_test(tmp_path / "l", "lengths", groups, ())
     result = evaluated(lengths, bar={"lengths": BAR.lengths[:1]}, without="sphere")
@@ -264,7 +245,7 @@ def test_five_lengths_are_asked_of_the_test_of_lengths_alone(folder: Path, tmp_p
 
 def test_a_figure_whose_artefact_has_no_coefficient_is_not_decided(folder: Path) -> None:
     result = evaluated(folder, sphere=STEEL, artefact_c=20.0 + 0.3)
-    found = figures(result)
+    found = figures_of(result)
     for one in BY_BAR:
         assert found[one].value is not None
         assert found[one].decision == "uncertain"
@@ -275,7 +256,7 @@ def test_a_figure_whose_artefact_has_no_coefficient_is_not_decided(folder: Path)
     (problem,) = result.problems
     assert "no coefficient of expansion" in str(problem)
     both = evaluated(folder, artefact_c=20.3)
-    assert figures(both)["effective-diameter"].decision == "uncertain"
+    assert figures_of(both)["effective-diameter"].decision == "uncertain"
     assert len(both.problems) == 2
     assert "are not brought to 20 °C" in str(both.notes[-1])
 
@@ -293,15 +274,9 @@ def test_a_figure_whose_artefact_has_no_coefficient_is_not_decided(folder: Path)
 def test_artefacts_that_give_way_state_no_figures(
     tmp_path: Path, loose: str, said: str, missing: tuple[Quantity, ...]
 ) -> None:
-    random = np.random.default_rng(5)
-
-    def touched(name: str, tips: np.ndarray) -> np.ndarray:
-        sd_mm = 0.3 if loose and name.startswith(loose) else 0.004
-        return np.asarray(tips + sd_mm * random.normal(size=tips.shape))
-
-    groups = [(name, touched(name, tips)) for name, tips in contact_groups(0.02)]
+    groups = scattered(contact_groups(0.02), loose or "none", 0.3, np.random.default_rng(5))
     result = evaluate_performance(write_test(tmp_path / "t", "contact", groups, LIMITS))
-    found = figures(result)
+    found = figures_of(result)
     assert {one for one, figure in found.items() if figure.value is None} == set(missing)
     assert bool(result.problems) == bool(said)
     assert all(said in str(one) for one in result.problems)

@@ -19,6 +19,8 @@ from app.formats.performance.plan import (
     length_feature,
     read_plan,
 )
+from app.formats.performance.results import PerformanceFigure, PerformanceFile
+from app.formats.performance.symbols import Quantity
 from app.formats.session.calibration_session import ContactReadings, write_contacts
 from app.metrology.performance.pattern import RIM_DEG, pattern_directions
 from app.metrology.transforms import rigid
@@ -37,6 +39,7 @@ BAR = LengthStandardFile(
         for length in (100.0, 200.0, 400.0, 600.0, 800.0)
     ),
 )
+STEEL = {"expansion_per_c": 11.5e-6, "expansion_sd_per_c": 1e-6}
 PATTERN = pattern_directions(np.array([0.0, 0.0, 1.0]), RIM_DEG)
 Groups = list[tuple[str, np.ndarray]]
 
@@ -69,6 +72,14 @@ def write_test(folder: Path, kind: Kind, groups: Groups, limits: tuple[LimitPart
     return folder
 
 
+def planned(folder: Path, **changes: object) -> Path:
+    """The folder, with other fields in its plan."""
+    plan = read_plan(folder).model_copy(update=changes)
+    (folder / PLAN).unlink()
+    plan.write(folder / PLAN)
+    return folder
+
+
 def on_sphere(centre: np.ndarray, diameter: float, which: list[int] | slice) -> np.ndarray:
     return np.asarray(centre + PATTERN[which] * (diameter + TIP.diameter_mm) / 2)
 
@@ -86,6 +97,18 @@ def length_groups(scale: float, places: range = range(1, 8)) -> Groups:
                     name = length_feature(place, repeat, number, end)
                     groups.append((name, on_sphere(centre, 20.0, FIVE)))
     return groups
+
+
+def scattered(groups: Groups, loose: str, sd_mm: float, random: np.random.Generator) -> Groups:
+    """Touches with noise: of groups whose names begin so, and much less of all others."""
+    return [
+        (name, tips + (sd_mm if name.startswith(loose) else 0.004) * random.normal(size=tips.shape))
+        for name, tips in groups
+    ]
+
+
+def figures_of(result: PerformanceFile) -> dict[Quantity, PerformanceFigure]:
+    return {one.quantity: one for one in result.figures}
 
 
 def test_a_scale_error_shows_in_the_lengths(tmp_path: Path) -> None:
@@ -107,11 +130,7 @@ def test_lengths_are_brought_to_20_degrees(tmp_path: Path) -> None:
     folder = write_test(tmp_path / "t", "lengths", length_groups(1.0, range(1, 2)), ())
     cold = evaluate_performance(folder)
     assert "temperature was not stated" in str(cold.notes[-1])
-    plan = read_plan(folder)
-    assert plan.length is not None
-    steel = plan.length.model_copy(update={"expansion_per_c": 11.5e-6, "expansion_sd_per_c": 1e-6})
-    (folder / PLAN).unlink()
-    plan.model_copy(update={"artefact_c": 25.0, "length": steel}).write(folder / PLAN)
+    planned(folder, artefact_c=25.0, length=BAR.model_copy(update=STEEL))
     warm = evaluate_performance(folder)
     for before, after in zip(cold.lengths, warm.lengths, strict=True):
         shrunk_um = 1e3 * before.length_mm * 11.5e-6 * 5
@@ -122,11 +141,10 @@ def test_lengths_are_brought_to_20_degrees(tmp_path: Path) -> None:
 
 
 def test_no_length_is_stated_of_a_standard_that_rocks(tmp_path: Path) -> None:
-    groups = length_groups(1.0)
     random = np.random.default_rng(5)
     shaken = [
         (name, tips + (0.1 * random.normal(size=3) if name.startswith("l4-") else 0.0))
-        for name, tips in groups
+        for name, tips in length_groups(1.0)
     ]
     folder = write_test(tmp_path / "t", "lengths", shaken, ())
     result = evaluate_performance(folder)
@@ -134,8 +152,7 @@ def test_no_length_is_stated_of_a_standard_that_rocks(tmp_path: Path) -> None:
     assert "rocks in place 4" in str(problem)
     assert result.figures[0].value is None
     assert len(result.lengths) == 105
-    shown = crenel("performance", "evaluate", folder)
-    assert "rocks in place 4" in shown.stdout
+    assert "rocks in place 4" in crenel("performance", "evaluate", folder).stdout
 
 
 def test_lengths_in_some_places_are_what_there_is(tmp_path: Path) -> None:
@@ -150,24 +167,16 @@ def test_lengths_in_some_places_are_what_there_is(tmp_path: Path) -> None:
 
 def test_a_bar_that_gives_way_at_each_touch_rocks(tmp_path: Path) -> None:
     """Its touches scatter with its repeats: only other places show it."""
-    random = np.random.default_rng(5)
-
-    def touched(loose: str) -> Groups:
-        return [
-            (
-                name,
-                tips + (0.1 if name.startswith(loose) else 0.004) * random.normal(size=tips.shape),
-            )
-            for name, tips in length_groups(1.0)
-        ]
-
-    folder = write_test(tmp_path / "loose", "lengths", touched("l3-"), ())
+    random, groups = np.random.default_rng(5), length_groups(1.0)
+    loose = scattered(groups, "l3-", 0.1, random)
+    folder = write_test(tmp_path / "loose", "lengths", loose, ())
     result = evaluate_performance(folder)
     (figure,) = result.figures
     assert figure.value is None
     assert len(result.problems) == 1
     assert "rocks in place 3: touches of its spheres scatter by" in str(result.problems[0])
-    steady = evaluate_performance(write_test(tmp_path / "steady", "lengths", touched("none"), ()))
+    still = scattered(groups, "none", 0.1, random)
+    steady = evaluate_performance(write_test(tmp_path / "steady", "lengths", still, ()))
     assert not steady.problems
 
 
@@ -190,7 +199,7 @@ def contact_groups(wobble_mm: float) -> Groups:
 
 def test_the_contact_tests_state_their_figures(tmp_path: Path) -> None:
     folder = write_test(tmp_path / "t", "contact", contact_groups(0.02), ())
-    found = {one.quantity: one for one in evaluate_performance(folder).figures}
+    found = figures_of(evaluate_performance(folder))
     assert found["effective-diameter"].value == pytest.approx(10, abs=0.1)
     assert found["effective-diameter"].values == pytest.approx([10, 10, 10], abs=0.1)
     largest, two_s = found["articulation-largest"], found["articulation-two-s"]
@@ -205,7 +214,7 @@ def test_missing_seats_and_placements_are_named(tmp_path: Path) -> None:
     groups = [group for group in contact_groups(0.02) if group[0] not in ("s3", "b20-1")]
     folder = write_test(tmp_path / "t", "contact", groups, ())
     result = evaluate_performance(folder)
-    found = {one.quantity: one for one in result.figures}
+    found = figures_of(result)
     assert "3 seats" in str(found["articulation-largest"].problem)
     assert "19 of 20" in str(found["volumetric-largest"].problem)
     # the test was stopped: what was measured before is not stated either

@@ -27,6 +27,7 @@ from app.formats.performance.plan import PLAN, PerformancePlan, PlatePart, plane
 from app.formats.recording.writer import RecordingWriter
 from app.metrology.transforms import inverse, rigid
 from app.workflows.performance.evaluate import write_performance
+from tests.present import present
 from tests.workflows.performance import independent_figures
 from tests.workflows.performance.independent_figures import (
     independent_figures_um,
@@ -87,12 +88,10 @@ def write_plane_test(folder: Path) -> Path:
         with RecordingWriter(path, arm.joint_names) as writer:
             for i, step in enumerate(np.arange(-30.0, 30.0, 1.0)):
                 stamp_ns = 10**9 + i * FRAME_NS
-                q = arm.reading(rigid(R, CENTRE + step * along) @ inverse(T_FLANGE_SENSOR))
-                assert q is not None
+                q = present(arm.reading(rigid(R, CENTRE + step * along) @ inverse(T_FLANGE_SENSOR)))
                 for ms in (-4, 4):
                     writer.reading(stamp_ns + ms * 10**6, q)
-                stripe = stripe_of_points(camera, line, normals, NOISE, random)
-                assert stripe is not None
+                stripe = present(stripe_of_points(camera, line, normals, NOISE, random))
                 writer.stripe(stamp_ns, stripe, WIDTH, HEIGHT)
     return folder
 

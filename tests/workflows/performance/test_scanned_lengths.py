@@ -1,6 +1,7 @@
 """Lengths of ball bars by scan, on recordings of synthetic bars."""
 
 from collections.abc import Mapping, Sequence
+from itertools import product
 from pathlib import Path
 from unittest.mock import patch
 
@@ -13,7 +14,7 @@ from app.bench.metrology.synthetic_bar import NO_FAULTS, write_bar_scan
 from app.bench.metrology.synthetic_sphere import CENTRE, Faults, write_calibration
 from app.errors import OperationError
 from app.formats.datasheets.arm import read_any_arm
-from app.formats.datasheets.length_standard import LengthPart, LengthStandardFile
+from app.formats.datasheets.length_standard import LengthStandardFile
 from app.formats.exchange.result_tables import result_tables
 from app.formats.performance.plan import (
     PLAN,
@@ -31,7 +32,9 @@ from app.metrology.transforms import rigid
 from app.report.reports import render_report
 from app.workflows.performance.evaluate import evaluate_performance
 from tests.cli.test_cli import crenel
+from tests.present import present
 from tests.report.test_reports import text_of
+from tests.workflows.performance.test_contacts import figures_of
 
 pytestmark = pytest.mark.slow
 
@@ -46,9 +49,7 @@ def bar(*lengths_mm: float, **fields: object) -> LengthStandardFile:
             "name": "Ball bar",
             "serial_number": "BB-1",
             "sphere_diameter_mm": DIAMETER_MM,
-            "lengths": [
-                LengthPart(length_mm=one, standard_uncertainty_um=0.5) for one in lengths_mm
-            ],
+            "lengths": [{"length_mm": mm, "standard_uncertainty_um": 0.5} for mm in lengths_mm],
             **fields,
         }
     )
@@ -100,25 +101,22 @@ def test_the_lengths_of_a_scanned_bar_are_the_distances_of_its_spheres(tmp_path:
     assert f"{length_scan(1, 1)}/scan.mcap" in {one.file for one in result.inputs}
 
 
-@pytest.mark.slow
 def test_noise_scatters_the_lengths_and_form_and_temperature_are_their_uncertainty(
     tmp_path: Path,
 ) -> None:
     standard = bar(80.0, sphere_form_um=1.0, expansion_per_c=11.5e-6)
-    all_scans = [(place, repeat) for place in range(1, 8) for repeat in range(1, 4)]
+    all_scans = list(product(range(1, 8), range(1, 4)))
     scans = {length_scan(*one): spheres_at(0.0, 80.0) for one in all_scans}
     noisy = Faults(point_sd_mm=0.02, matrix_offset_mm=(0.05, -0.03, 0.02))
     with patch.object(synthetic_bar, "STEP_MM", 2.0):  # a quarter of the usual profiles
         folder = bar_test(tmp_path / "t", standard, scans, noisy)
-    printed = crenel("performance", "evaluate", folder).stdout
-    assert "E_Uni:ODS.AArm" in printed
+    assert "E_Uni:ODS.AArm" in crenel("performance", "evaluate", folder).stdout
     result = read_performance(folder)
     assert [(one.place, one.repeat) for one in result.lengths] == all_scans
     # the probe matrix shifts both spheres, seen from the same side, by the same
     assert all(abs(one.error_um) < 4 for one in result.lengths)
     (figure,) = result.figures
-    assert figure.value is not None
-    assert abs(figure.value) < 4
+    assert abs(present(figure.value)) < 4
     assert (figure.limit, figure.decision) == (38.0, "uncertain")
     assert "the standard has only one length" in str(figure.reason)
     assert result.lengths[0].test_uncertainty_um > 2 * 0.5
@@ -139,14 +137,12 @@ def test_a_bar_that_gives_way_in_all_places_differs_from_its_scans(
     around = np.array([[0.0, 0, 1], [1, 0, 0], [0, 1, 0], [-0.6, -0.6, 0.53]])
     reach_mm = (DIAMETER_MM + TIP.diameter_mm) / 2
     features, readings = [], []
-    for place in range(1, 8):
-        for repeat in range(1, 4):
-            for end, centre in enumerate(centres):
-                tips = centre + reach_mm * around / np.linalg.norm(around, axis=1)[:, None]
-                tips += (0.2 if loose else 0.004) * random.normal(size=tips.shape)
-                features += [length_feature(place, repeat, 1, end)] * len(tips)
-                flanges = tips - [TIP.x_mm, TIP.y_mm, TIP.z_mm]
-                readings += [pose_from_transform(rigid(np.eye(3), one)) for one in flanges]
+    for place, repeat, end in product(range(1, 8), range(1, 4), (0, 1)):
+        tips = centres[end] + reach_mm * around / np.linalg.norm(around, axis=1)[:, None]
+        tips += (0.2 if loose else 0.004) * random.normal(size=tips.shape)
+        features += [length_feature(place, repeat, 1, end)] * len(tips)
+        flanges = tips - [TIP.x_mm, TIP.y_mm, TIP.z_mm]
+        readings += [pose_from_transform(rigid(np.eye(3), one)) for one in flanges]
     arm = read_any_arm(folder / "arm.json")
     write_contacts(folder / TOUCHES, contact_readings(features, arm, np.array(readings)))
     rocks = [one for one in evaluate_performance(folder).problems if "rocks in place" in str(one)]
@@ -188,9 +184,7 @@ def test_scans_that_do_not_show_a_length_are_named(
 def test_a_plan_with_scans_has_no_figure_by_scan_without_them(tmp_path: Path) -> None:
     folder = bar_test(tmp_path / "t", bar(40.0), {})
     read_plan(folder).model_copy(update={"by_scan": True}).write(folder / PLAN)
-    by_scan = next(
-        one for one in evaluate_performance(folder).figures if one.quantity == "length-scan"
-    )
+    by_scan = figures_of(evaluate_performance(folder))["length-scan"]
     assert by_scan.value is None
     assert "no length was measured" in str(by_scan.problem)
 

@@ -16,17 +16,20 @@ from app.formats.exchange.export import export_result
 from app.formats.exchange.write_certificate import Issuer
 from app.formats.performance.plan import PLAN, RESULT, TOUCHES, LimitPart, read_plan, sphere_scan
 from app.formats.performance.results import PerformanceFile, read_performance
+from app.formats.performance.symbols import Quantity
 from app.formats.recording.reader import EXTRACTION, SCAN_STARTED
 from app.formats.recording.writer import RecordingWriter
-from app.messages.message import Message, Text, message
+from app.messages.message import Message, message
 from app.timestamps import parse_moment
 from app.workflows.performance.evaluate import evaluate_performance, write_performance
 from app.workflows.performance.measured_data import last_measured_at
+from tests.present import present
 from tests.running.usual import usual
+from tests.workflows.performance.test_contacts import figures_of, planned
 
 pytestmark = pytest.mark.slow
 
-QUIET = {"touch_sd_mm": 0.003, "point_sd_mm": 0.008}
+QUIET: dict[str, Any] = {"touch_sd_mm": 0.003, "point_sd_mm": 0.008}
 
 
 def with_faults(folder: Path, **faults: Any) -> Path:
@@ -37,21 +40,35 @@ def with_faults(folder: Path, **faults: Any) -> Path:
 @pytest.fixture(scope="module")
 def perfect(tmp_path_factory: pytest.TempPathFactory) -> PerformanceFile:
     """What a test without faults gives."""
-    return evaluate_performance(with_faults(tmp_path_factory.mktemp("perfect") / "t"))
+    return evaluated(tmp_path_factory.mktemp("perfect") / "t")
 
 
 @pytest.fixture(scope="module")
 def quiet(tmp_path_factory: pytest.TempPathFactory) -> PerformanceFile:
     """What a test with little noise gives."""
-    return evaluate_performance(with_faults(tmp_path_factory.mktemp("quiet") / "t", **QUIET))
+    return evaluated(tmp_path_factory.mktemp("quiet") / "t", **QUIET)
 
 
 def values(result: PerformanceFile) -> dict[str, float | None]:
     return {figure.quantity: figure.value for figure in result.figures}
 
 
-def problem(result: PerformanceFile, quantity: str) -> Text:
-    return next(one.problem for one in result.figures if one.quantity == quantity)
+def known(result: PerformanceFile) -> dict[str, float]:
+    """The values of figures that have one."""
+    return {name: value for name, value in values(result).items() if value is not None}
+
+
+def limits_um(of: dict[Quantity, float]) -> tuple[LimitPart, ...]:
+    return tuple(LimitPart(quantity=name, a_um=a_um) for name, a_um in of.items())
+
+
+def problem(result: PerformanceFile, quantity: Quantity) -> str:
+    return str(figures_of(result)[quantity].problem)
+
+
+def evaluated(folder: Path, **faults: Any) -> PerformanceFile:
+    """Of a test with these faults."""
+    return evaluate_performance(with_faults(folder, **faults))
 
 
 def test_a_perfect_station_has_no_errors(perfect: PerformanceFile) -> None:
@@ -59,59 +76,51 @@ def test_a_perfect_station_has_no_errors(perfect: PerformanceFile) -> None:
     assert len(found) == 11
     assert all(value is not None and abs(value) < 1e-3 for value in found.values()), found
     assert result.spheres[0].moved_um == pytest.approx(0, abs=1e-6)
-    for deviations in (
-        result.spheres[0].touch_deviations_um,
-        [patch.deviation_um for patch in result.spheres[0].patches],
-    ):
+    by_scan = [patch.deviation_um for patch in result.spheres[0].patches]
+    for deviations in (result.spheres[0].touch_deviations_um, by_scan):
         assert len(deviations) == 25
         assert all(off is not None and abs(off) < 0.01 for off in deviations)
-    assert result.offset is not None
-    assert not result.offset.significant
+    assert not present(result.offset).significant
+    # and articulations that were held as wanted are not mentioned
+    assert not [note for note in result.notes if "articulation" in str(note)]
+    assert len(result.spheres[0].stylus_directions) == 5
+    assert len(result.spheres[0].view_directions) == 5
     assert "no conformity" in str(result.status)
     assert {one.file for one in result.inputs} >= {PLAN, TOUCHES, f"{sphere_scan(1, 5)}/scan.mcap"}
 
 
 def test_noise_shows_as_the_standards_let_expect(quiet: PerformanceFile) -> None:
-    found = values(quiet)
-    dispersion, form_touch = found["dispersion-scan"], found["form-touch"]
-    assert dispersion is not None
+    found = known(quiet)
     # noise lies in the plane of the light, and counts along the sphere's normal
-    assert 0.7 < dispersion / (3.92 * 8) < 1
-    assert form_touch == pytest.approx(3.66 * 3, rel=0.5)
-    form_scan, location = found["form-scan"], found["location-scan"]
-    assert form_scan is not None
-    assert location is not None
-    assert form_scan < 4  # hundreds of points a patch
-    assert location < 8
+    assert 0.7 < found["dispersion-scan"] / (3.92 * 8) < 1
+    assert found["form-touch"] == pytest.approx(3.66 * 3, rel=0.5)
+    assert found["form-scan"] < 4  # hundreds of points a patch
+    assert found["location-scan"] < 8
 
 
 @pytest.mark.parametrize("axis", usual([1, 0, 2], 1, pytest.mark.soak))
 def test_a_wrong_probe_matrix_is_named_with_its_direction(tmp_path: Path, axis: int) -> None:
     offset = tuple(0.05 * np.eye(3)[axis])
-    result = evaluate_performance(with_faults(tmp_path / "t", matrix_offset_mm=offset, **QUIET))
-    location = values(result)["location-scan"]
-    assert location is not None
+    result = evaluated(tmp_path / "t", matrix_offset_mm=offset, **QUIET)
     # 1.5 to 1.7 times the offset for articulations tilted by 40°
-    assert 70 < location < 90
+    assert 70 < known(result)["location-scan"] < 90
     assert result.offset is not None
     np.testing.assert_allclose(result.offset.offset_mm, offset, atol=0.004)
     assert result.offset.significant
     assert result.offset.left_um < 8
     assert "Calibrating again would help" in str(result.offset.text)
-    size = values(result)["size-touch"]
-    assert size is not None
-    assert abs(size) < 8
+    assert abs(known(result)["size-touch"]) < 8
 
 
 def test_a_wrong_scale_shows_in_the_size(tmp_path: Path) -> None:
     """In the plane of the light, not along the arm's motion: half of 25 µm."""
-    found = values(evaluate_performance(with_faults(tmp_path / "t", scale=1.001)))
+    found = values(evaluated(tmp_path / "t", scale=1.001))
     assert found["size-all-scan"] == pytest.approx(13, abs=3)
     assert found["size-touch"] == pytest.approx(0, abs=0.01)
 
 
 def test_a_worn_tip_shows_in_the_touched_size_alone(tmp_path: Path) -> None:
-    result = evaluate_performance(with_faults(tmp_path / "t", tip_excess_mm=-0.02))
+    result = evaluated(tmp_path / "t", tip_excess_mm=-0.02)
     found = values(result)
     assert found["size-touch"] == pytest.approx(-20, abs=0.01)
     for quantity in ("form-touch", "location-touch", "size-scan", "location-scan"):
@@ -120,17 +129,13 @@ def test_a_worn_tip_shows_in_the_touched_size_alone(tmp_path: Path) -> None:
 
 
 def test_outliers_show_in_form_and_dispersion(quiet: PerformanceFile, tmp_path: Path) -> None:
-    clean = values(quiet)
-    spoilt = values(evaluate_performance(with_faults(tmp_path / "b", outliers=0.04, **QUIET)))
+    clean, spoilt = known(quiet), known(evaluated(tmp_path / "b", outliers=0.04, **QUIET))
     for quantity in ("form-scan", "dispersion-scan"):
-        a, b = clean[quantity], spoilt[quantity]
-        assert a is not None
-        assert b is not None
-        assert b > a + 1, quantity
+        assert spoilt[quantity] > clean[quantity] + 1, quantity
 
 
 def test_a_sphere_that_moved_has_no_symbols(tmp_path: Path) -> None:
-    result = evaluate_performance(with_faults(tmp_path / "t", moved_mm=(0.1, 0.0, 0.0), **QUIET))
+    result = evaluated(tmp_path / "t", moved_mm=(0.1, 0.0, 0.0), **QUIET)
     assert result.spheres[0].moved_um == pytest.approx(100, abs=10)
     assert set(values(result).values()) == {None}
     assert "moved by" in str(result.problems[0])
@@ -165,13 +170,10 @@ def test_an_artefact_that_cannot_serve_is_named(
 
 def test_a_form_is_not_decided_by_a_sphere_without_one(tmp_path: Path) -> None:
     sphere = SPHERE.model_copy(update={"form_um": 0.0, "form_sd_um": 0.0})
-    session = SphereSession(tmp_path / "t", Faults(articulations=0, touch_sd_mm=0.003), sphere)
-    session.limits = (
-        LimitPart(quantity="form-touch", a_um=60.0),
-        LimitPart(quantity="size-touch", a_um=60.0),
-    )
-    result = write_performance(session.write())
-    found = {one.quantity: one for one in result.figures}
+    faults = Faults(articulations=0, touch_sd_mm=0.003)
+    limits = limits_um({"form-touch": 60, "size-touch": 60})
+    result = write_performance(SphereSession(tmp_path / "t", faults, sphere, limits).write())
+    found = figures_of(result)
     assert found["form-touch"].value == pytest.approx(11, abs=8)
     assert found["form-touch"].decision == "uncertain"
     file = tmp_path / "certificate.xml"
@@ -185,25 +187,25 @@ def test_a_form_is_not_decided_by_a_sphere_without_one(tmp_path: Path) -> None:
 
 
 def test_a_run_that_was_stopped_says_what_is_missing(tmp_path: Path) -> None:
-    result = evaluate_performance(with_faults(tmp_path / "t", articulations=3))
+    result = evaluated(tmp_path / "t", articulations=3)
     assert set(values(result).values()) == {None}
-    assert "only 3 of the 5 articulations" in str(problem(result, "location-scan"))
-    assert "only 3 of the 5 articulations" in str(problem(result, "size-touch"))
+    assert "only 3 of the 5 articulations" in problem(result, "location-scan")
+    assert "only 3 of the 5 articulations" in problem(result, "size-touch")
     assert result.spheres[0].moved_um == pytest.approx(0, abs=0.01)
 
 
 def test_uncovered_patches_are_named(tmp_path: Path) -> None:
-    result = evaluate_performance(with_faults(tmp_path / "t", articulations=1))
+    result = evaluated(tmp_path / "t", articulations=1)
     assert values(result)["form-scan"] is None
-    assert "do not cover the patches" in str(problem(result, "form-scan"))
+    assert "do not cover the patches" in problem(result, "form-scan")
 
 
 def test_two_articulations_that_are_nearly_the_same_give_no_location(tmp_path: Path) -> None:
-    result = evaluate_performance(with_faults(tmp_path / "t", second_like_first=True))
+    result = evaluated(tmp_path / "t", second_like_first=True)
     found = values(result)
     for quantity in ("location-touch", "location-scan"):
         assert found[quantity] is None
-        assert "articulations 1 and 2 are nearly the same" in str(problem(result, quantity))
+        assert "articulations 1 and 2 are nearly the same" in problem(result, quantity)
     assert found["size-touch"] == pytest.approx(0, abs=0.01)
     assert result.offset is None
     assert result.spheres[0].location_fixed_um is None
@@ -213,15 +215,6 @@ def test_two_articulations_that_are_nearly_the_same_give_no_location(tmp_path: P
     assert "the camera looked" in notes[1]
 
 
-def test_articulations_that_were_held_as_wanted_are_not_mentioned(
-    perfect: PerformanceFile,
-) -> None:
-    result = perfect
-    assert not [note for note in result.notes if "articulation" in str(note)]
-    assert len(result.spheres[0].stylus_directions) == 5
-    assert len(result.spheres[0].view_directions) == 5
-
-
 def test_sizes_are_brought_to_20_degrees_with_their_uncertainty(tmp_path: Path) -> None:
     warm = SPHERE.model_copy(
         update={"expansion_per_c": 11.5e-6, "expansion_sd_per_c": 2e-6, "form_um": 0.0}
@@ -229,28 +222,19 @@ def test_sizes_are_brought_to_20_degrees_with_their_uncertainty(tmp_path: Path) 
     folder = SphereSession(tmp_path / "t", Faults(articulations=0), warm).write()
     unstated = evaluate_performance(folder)
     assert "temperature was not stated" in str(unstated.notes[-1])
-    plan = read_plan(folder).model_copy(update={"artefact_c": 30.0, "temperature_sd_c": 0.5})
-    (folder / PLAN).unlink()
-    plan.write(folder / PLAN)
-    result = evaluate_performance(folder)
+    result = evaluate_performance(planned(folder, artefact_c=30.0, temperature_sd_c=0.5))
     # what measures 25 mm at 30 °C is 25 mm * 11.5e-6 * 10 smaller at 20 °C
     assert values(result)["size-touch"] == pytest.approx(-25e3 * 11.5e-5, abs=0.01)
-    size = next(one for one in result.figures if one.quantity == "size-touch")
+    size = figures_of(result)["size-touch"]
     expected = 2 * np.sqrt(0.2**2 + (25e3 * 11.5e-6 * 0.5) ** 2 + (25e3 * 2e-6 * 10) ** 2)
     assert size.test_uncertainty == pytest.approx(expected, rel=1e-6)
     assert "30.0 °C" in str(result.notes[-1]) or "30 °C" in str(result.notes[-1])
 
 
 def test_limits_decide_by_the_rule_of_the_plan(tmp_path: Path) -> None:
-    limits = (
-        LimitPart(quantity="form-touch", a_um=30.0),
-        LimitPart(quantity="size-touch", a_um=1.0),
-        LimitPart(quantity="dispersion-scan", a_um=60.0),
-    )
-    faults = Faults(touch_sd_mm=0.003, point_sd_mm=0.008, tip_excess_mm=0.01)
-    session = SphereSession(tmp_path / "t", faults)
-    session.limits = limits
-    result = write_performance(session.write())
+    limits = limits_um({"form-touch": 30, "size-touch": 1, "dispersion-scan": 60})
+    faults = Faults(tip_excess_mm=0.01, **QUIET)
+    result = write_performance(SphereSession(tmp_path / "t", faults, limits=limits).write())
     decisions = {one.quantity: one.decision for one in result.figures if one.limit is not None}
     assert decisions == {"form-touch": "pass", "size-touch": "fail", "dispersion-scan": "pass"}
     assert result.verdict.result == "fail"
@@ -259,24 +243,21 @@ def test_limits_decide_by_the_rule_of_the_plan(tmp_path: Path) -> None:
 
 def test_a_limit_that_nothing_is_measured_for_is_named(tmp_path: Path) -> None:
     folder = with_faults(tmp_path / "t")
-    plan = read_plan(folder)
-    limits = (LimitPart(quantity="form-touch", a_um=9), LimitPart(quantity="length-touch", a_um=9))
-    plan.model_copy(update={"limits": limits}).write(folder / PLAN)
-    notes = [str(note) for note in evaluate_performance(folder).notes]
+    limits = limits_um({"form-touch": 9, "length-touch": 9})
+    notes = [str(note) for note in evaluate_performance(planned(folder, limits=limits)).notes]
     assert [note for note in notes if "a limit for" in note] == [
         "The plan has a limit for “error of length by touch”, which this test does not measure: "
         "it is not used."
     ]
-    plan.model_copy(update={"limits": limits[:1] * 2}).write(folder / PLAN)
+    planned(folder, limits=limits[:1] * 2)
     with pytest.raises(OperationError, match="form-touch has more than one limit"):
         evaluate_performance(folder)
 
 
 def test_the_same_folder_gives_the_same_figures(tmp_path: Path) -> None:
     folder = with_faults(tmp_path / "t", **QUIET)
-    assert evaluate_performance(folder, "2026-11-26T11:00:00+00:00") == evaluate_performance(
-        folder, "2026-11-26T11:00:00+00:00"
-    )
+    ended_at = "2026-11-26T11:00:00+00:00"
+    assert evaluate_performance(folder, ended_at) == evaluate_performance(folder, ended_at)
 
 
 def test_a_folder_without_a_plan_is_refused(tmp_path: Path) -> None:
@@ -293,12 +274,9 @@ def test_a_wrong_link_shows_in_the_location(tmp_path: Path) -> None:
     assert found["size-scan"] is None
     faults = Faults(link_mm=0.1, articulations=0)
     wrong = SphereSession(tmp_path / "w", faults, joints=True).write()
-    found = values(evaluate_performance(wrong))
-    location, size = found["location-touch"], found["size-touch"]
-    assert location is not None
-    assert size is not None
-    assert location > 10
-    assert abs(size) < location
+    shown = known(evaluate_performance(wrong))
+    assert shown["location-touch"] > 10
+    assert abs(shown["size-touch"]) < shown["location-touch"]
 
 
 def change_touches(folder: Path, change: Callable[[list[str]], list[str]]) -> None:
@@ -309,12 +287,11 @@ def change_touches(folder: Path, change: Callable[[list[str]], list[str]]) -> No
 
 
 def test_nothing_is_stated_of_a_sphere_that_was_not_touched_again(tmp_path: Path) -> None:
-    session = SphereSession(tmp_path / "t", Faults(articulations=0, touch_sd_mm=0.003))
-    session.limits = (LimitPart(quantity="form-touch", a_um=30.0),)
-    folder = session.write()
+    faults, limits = Faults(articulations=0, touch_sd_mm=0.003), limits_um({"form-touch": 30})
+    folder = SphereSession(tmp_path / "t", faults, limits=limits).write()
     change_touches(folder, lambda rows: [row for row in rows if "p1-end" not in row])
     result = evaluate_performance(folder)
-    figure = next(one for one in result.figures if one.quantity == "form-touch")
+    figure = figures_of(result)["form-touch"]
     assert figure.value is None
     assert (figure.decision, result.verdict.result) == ("none", "uncertain")
     assert "not touched again at the end" in str(figure.reason)
@@ -331,7 +308,7 @@ def test_touches_on_too_few_places_give_no_size_and_no_form(tmp_path: Path) -> N
     change_touches(folder, crowd)
     result = evaluate_performance(folder)
     assert values(result)["size-touch"] is values(result)["form-touch"] is None
-    assert "no touch lies near the places 14, 15" in str(problem(result, "size-touch"))
+    assert "no touch lies near the places 14, 15" in problem(result, "size-touch")
 
 
 def test_a_sphere_that_stands_still_is_not_said_to_have_moved(tmp_path: Path) -> None:
@@ -349,12 +326,9 @@ def test_of_two_positions_each_is_judged(tmp_path: Path) -> None:
     change_touches(folder, lambda own: [*own, *(row.replace("p1-", "p2-") for row in rows)])
     for number in range(1, 6):
         shutil.copytree(off / sphere_scan(1, number), folder / sphere_scan(2, number))
-    plan = read_plan(folder).model_copy(update={"positions": 2})
-    plan.write(folder / PLAN)
-    result = evaluate_performance(folder)
+    result = evaluate_performance(planned(folder, positions=2))
     assert not result.problems
-    assert result.offset is not None
-    assert result.offset.offset_mm[0] == pytest.approx(0.05, abs=0.005)
+    assert present(result.offset).offset_mm[0] == pytest.approx(0.05, abs=0.005)
     causes = [str(note) for note in result.notes if "far off the sphere" in str(note)]
     assert [cause.startswith("position 2: ") for cause in causes] == [True]
     shutil.rmtree(folder / sphere_scan(2, 5))
@@ -376,7 +350,7 @@ def test_every_filter_is_declared(
 ) -> None:
     assert any("no filter is applied" in str(note) for note in perfect.notes)
     set_extraction(monkeypatch, *['{"smoothing_px": 3.0, "threshold": 40.0}'] * 5)
-    result = evaluate_performance(with_faults(tmp_path / "t"))
+    result = evaluated(tmp_path / "t")
     assert not result.problems
     notes = " ".join(map(str, result.notes))
     assert "smoothed along the laser line by 3 px" in notes
@@ -405,26 +379,17 @@ def shake(row: str, random: np.random.Generator) -> str:
     return ",".join([feature, *map(repr, xyz.tolist()), *cells[3:]])
 
 
-@pytest.mark.parametrize(
-    ("part", "said"),
-    usual(
-        [
-            ("location", "in the articulations"),
-            ("pattern", "in the 25 places"),
-            ("end", "at the end"),
-        ],
-        1,
-        pytest.mark.soak,
-    ),
-)
+LOOSE = [("location", "in the articulations"), ("pattern", "in the 25 places")]
+LOOSE += [("end", "at the end")]
+
+
+@pytest.mark.parametrize(("part", "said"), usual(LOOSE, 1, pytest.mark.soak))
 def test_a_sphere_that_gives_way_while_it_is_touched_has_no_symbols(
     tmp_path: Path, part: str, said: str
 ) -> None:
     folder, random = with_faults(tmp_path / "t", **QUIET), np.random.default_rng(1)
-    change_touches(
-        folder,
-        lambda rows: [shake(row, random) if f"p1-{part}" in row else row for row in rows],
-    )
+    of_part = f"p1-{part}"
+    change_touches(folder, lambda rows: [shake(r, random) if of_part in r else r for r in rows])
     result = evaluate_performance(folder)
     assert set(values(result).values()) == {None}
     assert f"gives way while it is touched {said}" in str(result.problems[-1])

@@ -7,37 +7,28 @@ import pytest
 
 from app.errors import OperationError
 from app.formats.performance.end_temperatures import END_TEMPERATURES, EndTemperatures
-from app.formats.performance.plan import PLAN, LimitPart, TemperatureLimitsPart, read_plan
+from app.formats.performance.plan import LimitPart, TemperatureLimitsPart
 from app.formats.performance.results import PerformanceFile
 from app.workflows.performance.evaluate import evaluate_performance
 from tests.cli.test_cli import crenel
-from tests.workflows.performance.test_contacts import length_groups, write_test
+from tests.present import present
+from tests.workflows.performance.test_contacts import BAR, STEEL, length_groups, planned, write_test
 
 pytestmark = pytest.mark.slow
 
 LIMITS = (LimitPart(quantity="length-touch", a_um=500.0),)
-EXPANSION, EXPANSION_SD = 11.5e-6, 1e-6
+EXPANSION, EXPANSION_SD = STEEL.values()
 
 
 @pytest.fixture
 def folder(tmp_path: Path) -> Path:
     """A test of steel lengths, without temperatures."""
     folder = write_test(tmp_path / "t", "lengths", length_groups(1.0), LIMITS)
-    standard = read_plan(folder).length
-    assert standard is not None
-    changes = {"expansion_per_c": EXPANSION, "expansion_sd_per_c": EXPANSION_SD}
-    return planned(folder, length=standard.model_copy(update=changes))
-
-
-def planned(folder: Path, **changes: object) -> Path:
-    plan = read_plan(folder).model_copy(update=changes)
-    (folder / PLAN).unlink()
-    plan.write(folder / PLAN)
-    return folder
+    return planned(folder, length=BAR.model_copy(update=STEEL))
 
 
 def measured(
-    folder: Path, artefact_c: tuple[float, float | None], arm_c: tuple[float, float | None]
+    folder: Path, artefact_c: tuple[float, float], arm_c: tuple[float, float]
 ) -> PerformanceFile:
     """The result with these temperatures at the beginning and at the end."""
     planned(folder, artefact_c=artefact_c[0], arm_c=arm_c[0], temperature_sd_c=0.1)
@@ -62,9 +53,8 @@ def test_lengths_are_brought_to_20_degrees_by_the_mean_and_its_change_counts(fol
         assert before.error_um - after.error_um == pytest.approx(shrunk_um, rel=1e-3)
         by_temperature = length_um * EXPANSION * np.sqrt(0.1**2 + 0.6**2 / 12)
         by_coefficient = length_um * EXPANSION_SD * 4.5
-        expected = np.sqrt(
-            before.test_uncertainty_um**2 + (2 * by_temperature) ** 2 + (2 * by_coefficient) ** 2
-        )
+        parts = [before.test_uncertainty_um, 2 * by_temperature, 2 * by_coefficient]
+        expected = np.linalg.norm(parts)
         assert after.test_uncertainty_um == pytest.approx(expected, rel=1e-6)
     assert warm.figures[0].decision == "pass"
 
@@ -79,10 +69,7 @@ def test_lengths_are_brought_to_20_degrees_by_the_mean_and_its_change_counts(fol
     ],
 )
 def test_nothing_is_decided_where_temperatures_were_not_steady(
-    folder: Path,
-    artefact_c: tuple[float, float],
-    arm_c: tuple[float, float],
-    said: str,
+    folder: Path, artefact_c: tuple[float, float], arm_c: tuple[float, float], said: str
 ) -> None:
     result = measured(folder, artefact_c, arm_c)
     (problem,) = result.problems
@@ -92,8 +79,7 @@ def test_nothing_is_decided_where_temperatures_were_not_steady(
     assert figure.decision == "uncertain"
     assert said in str(figure.reason)
     assert result.verdict.result == "uncertain"
-    assert result.temperatures is not None
-    assert result.temperatures.steady is False
+    assert present(result.temperatures).steady is False
     assert said.removeprefix("the ") in crenel("performance", "evaluate", folder).stderr
 
 

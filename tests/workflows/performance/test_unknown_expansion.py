@@ -7,7 +7,7 @@ import pytest
 from app.bench.metrology.synthetic_sphere import SPHERE
 from app.formats.datasheets.gauge import GaugeFile
 from app.formats.performance.end_temperatures import END_TEMPERATURES, EndTemperatures
-from app.formats.performance.plan import PLAN, LimitPart, PerformancePlan, read_plan
+from app.formats.performance.plan import LimitPart, PerformancePlan
 from app.metrology.performance.temperature import TemperatureSpan
 from app.workflows.performance.checks.temperatures import (
     BY_LENGTHS,
@@ -17,7 +17,7 @@ from app.workflows.performance.checks.temperatures import (
 )
 from app.workflows.performance.evaluate import evaluate_performance
 from tests.cli.test_cli import crenel
-from tests.workflows.performance.test_contacts import BAR, length_groups, write_test
+from tests.workflows.performance.test_contacts import BAR, length_groups, planned, write_test
 
 pytestmark = pytest.mark.slow
 
@@ -28,13 +28,6 @@ LIMITS = (LimitPart(quantity="length-touch", a_um=500.0),)
 def folder(tmp_path: Path) -> Path:
     """A complete test of lengths, whose limit is kept."""
     return write_test(tmp_path / "t", "lengths", length_groups(1.0), LIMITS)
-
-
-def planned(folder: Path, **changes: object) -> Path:
-    plan = read_plan(folder).model_copy(update=changes)
-    (folder / PLAN).unlink()
-    plan.write(folder / PLAN)
-    return folder
 
 
 def test_away_from_20_degrees_lengths_are_stated_but_not_decided(folder: Path) -> None:
