@@ -1,11 +1,11 @@
-"""A station's data folder, and a folder for its archive."""
+"""A station's data folder with its archive in another folder."""
 
 from pathlib import Path
 
 import pytest
 
 from app.store.store import Store
-from tests.archive.filled import add_scan, archive_of
+from tests.archive.filled import Room
 from tests.store.conftest import store
 
 __all__ = ["store"]  # a fixture
@@ -19,8 +19,13 @@ def place(tmp_path: Path) -> Path:
 
 
 @pytest.fixture
-def archived(store: Store, place: Path) -> Path:
+def room(store: Store, place: Path) -> Room:
+    return Room(store, place)
+
+
+@pytest.fixture
+def archived(room: Room) -> Path:
     """The folder of the scan ``one``, which is in the archive."""
-    folder = add_scan(store, "one", 1000)
-    archive_of(store, str(place)).run()
+    folder = room.add_scan("one", 1000)
+    room.archive().run()
     return folder

@@ -1,14 +1,16 @@
 """A data folder with records, and what an archive of it must hold."""
 
+import hashlib
 import random
 from datetime import UTC, datetime, timedelta
+from functools import partial
 from pathlib import Path
 
 from app.archive.archive import Archive
 from app.archive.archive_settings import ArchiveSettings
 from app.archive.manifest import MANIFEST, Manifest
 from app.archive.pace import Pace, full_speed
-from app.archive.records import RecordLists
+from app.archive.records import RecordLists, list_away
 from app.archive.remote_store import RemoteStore
 from app.store.scans import ScanRecord
 from app.store.store import Store
@@ -69,7 +71,6 @@ def archive_of(
 
 
 def content_of(folder: Path) -> Content:
-    """All files of a folder."""
     return {
         path.relative_to(folder).as_posix(): path.read_bytes()
         for path in sorted(folder.rglob("*"))
@@ -79,8 +80,6 @@ def content_of(folder: Path) -> Content:
 
 def check_whole(archived: Content) -> list[Manifest]:
     """Every manifest of an archive, after a check that its record is whole."""
-    import hashlib
-
     found = []
     for name, content in archived.items():
         if name.rpartition("/")[2] != MANIFEST:
@@ -91,3 +90,20 @@ def check_whole(archived: Content) -> list[Manifest]:
             assert hashlib.sha256(held).hexdigest() == file.sha256, (name, file.path)
         found.append(manifest)
     return found
+
+
+class Room:
+    """A station whose archive is in a folder."""
+
+    def __init__(self, store: Store, place: Path) -> None:
+        self.store, self.place = store, place
+        self.add_scan = partial(add_scan, store)
+        self.archive = partial(archive_of, store, str(place))
+
+    def away(self) -> list[str]:
+        """Scans that have left the disk."""
+        return [note.id for note in list_away(self.store.folder)]
+
+    def manifests(self) -> list[Manifest]:
+        """Those in the archive, each of a whole record."""
+        return check_whole(content_of(self.place))

@@ -10,9 +10,9 @@ from pathlib import Path
 import pytest
 
 from app.archive.notes import note_path
-from app.archive.records import is_without_its_cloud, list_away, list_records
+from app.archive.records import is_without_its_cloud, list_records
 from app.store.store import Store
-from tests.archive.filled import LATER, archive_of, check_whole, content_of, lists_of
+from tests.archive.filled import LATER, Room, content_of, lists_of
 from tests.batch.filled import CALIBRATION, FIRST, fill_station, write_recording
 
 FILES = {"scan.mcap"}
@@ -30,29 +30,29 @@ def folder_of(store: Store) -> Path:
     return store.folder / "scans/one"
 
 
-def archived_files(place: Path) -> list[set[str]]:
+def archived_files(room: Room) -> list[set[str]]:
     """Of each content of the scan."""
-    manifests = [one for one in check_whole(content_of(place)) if one.kind == "scans"]
+    manifests = [one for one in room.manifests() if one.kind == "scans"]
     ordered = sorted(manifests, key=lambda one: one.archived_at)
     return [{file.path for file in one.files} for one in ordered]
 
 
-def archive_as_earlier(store: Store, place: Path) -> None:
+def archive_as_earlier(room: Room) -> None:
     """With the cloud, as earlier versions did."""
-    session, hidden = (store.folder / name for name in (f"sessions/{CALIBRATION}", "hidden"))
+    session, hidden = (room.store.folder / name for name in (f"sessions/{CALIBRATION}", "hidden"))
     session.rename(hidden)
-    archive_of(store, str(place)).run()
+    room.archive().run()
     hidden.rename(session)
-    assert archived_files(place) == [WITH_CLOUD]
+    assert archived_files(room) == [WITH_CLOUD]
 
 
-def test_a_cloud_that_can_be_made_again_stays_on_the_station(store: Store, place: Path) -> None:
-    archive = archive_of(store, str(place))
+def test_a_cloud_that_can_be_made_again_stays_on_the_station(room: Room) -> None:
+    archive = room.archive()
     archive.run()
-    assert archived_files(place) == [FILES]
+    assert archived_files(room) == [FILES]
     assert (archive.state().waiting, archive.state().archived) == (0, 2)
     assert archive.verify() == []
-    (folder_of(store) / "cloud.ply").write_bytes(b"made again")
+    (folder_of(room.store) / "cloud.ply").write_bytes(b"made again")
     assert archive.run() == 0
 
 
@@ -80,78 +80,73 @@ def remove_calibration(store: Store) -> None:
     "spoil", [cut_recording, damage_recording, remove_recording, remove_calibration]
 )
 def test_a_cloud_that_cannot_be_made_again_is_archived(
-    spoil: Callable[[Store], None], store: Store, place: Path
+    room: Room, spoil: Callable[[Store], None]
 ) -> None:
-    spoil(store)
-    before = content_of(folder_of(store))
-    archive = archive_of(store, str(place))
+    spoil(room.store)
+    before = content_of(folder_of(room.store))
+    archive = room.archive()
     archive.run()
-    (held,) = archived_files(place)
+    (held,) = archived_files(room)
     assert held == set(before)
     assert "cloud.ply" in held
-    archive_of(store, str(place), later=LATER, rules=OLD).run()
-    assert not folder_of(store).exists()
+    room.archive(later=LATER, rules=OLD).run()
+    assert not folder_of(room.store).exists()
     archive.fetch("scans", "one")
-    assert content_of(folder_of(store)) == before
+    assert content_of(folder_of(room.store)) == before
 
 
-def test_a_scan_without_its_cloud_in_the_archive_leaves_and_comes_back(
-    store: Store, place: Path
-) -> None:
-    recording = content_of(folder_of(store))["scan.mcap"]
-    archive_of(store, str(place)).run()
-    archive_of(store, str(place), later=LATER, rules=OLD).run()
-    assert [note.id for note in list_away(store.folder)] == ["one"]
-    archive_of(store, str(place)).fetch("scans", "one")
-    assert content_of(folder_of(store)) == {"scan.mcap": recording}
-    assert is_without_its_cloud(store.folder, "one")
-    (folder_of(store) / "cloud.ply").write_bytes(b"made again")
-    assert not is_without_its_cloud(store.folder, "one")
-    assert archive_of(store, str(place)).run() == 0
+def test_a_scan_without_its_cloud_in_the_archive_leaves_and_comes_back(room: Room) -> None:
+    recording = content_of(folder_of(room.store))["scan.mcap"]
+    room.archive().run()
+    room.archive(later=LATER, rules=OLD).run()
+    assert room.away() == ["one"]
+    room.archive().fetch("scans", "one")
+    assert content_of(folder_of(room.store)) == {"scan.mcap": recording}
+    assert is_without_its_cloud(room.store.folder, "one")
+    (folder_of(room.store) / "cloud.ply").write_bytes(b"made again")
+    assert not is_without_its_cloud(room.store.folder, "one")
+    assert room.archive().run() == 0
 
 
-def test_a_scan_whose_calibration_was_lost_later_stays_with_its_cloud(
-    store: Store, place: Path
-) -> None:
-    archive_of(store, str(place)).run()
-    remove_calibration(store)
-    note_path(store.folder, "sessions", CALIBRATION).unlink()
-    archive_of(store, str(place), later=LATER, rules=OLD).run()
-    assert set(content_of(folder_of(store))) == WITH_CLOUD
+def test_a_scan_whose_calibration_was_lost_later_stays_with_its_cloud(room: Room) -> None:
+    room.archive().run()
+    remove_calibration(room.store)
+    note_path(room.store.folder, "sessions", CALIBRATION).unlink()
+    room.archive(later=LATER, rules=OLD).run()
+    assert set(content_of(folder_of(room.store))) == WITH_CLOUD
 
 
-def test_a_cloud_that_an_earlier_version_archived_stays_there_and_comes_back(
-    store: Store, place: Path
-) -> None:
-    before = content_of(folder_of(store))
-    archive_as_earlier(store, place)
-    note_path(store.folder, "scans", "one").unlink()
-    archive = archive_of(store, str(place))
+def test_a_cloud_that_an_earlier_version_archived_stays_there_and_comes_back(room: Room) -> None:
+    before = content_of(folder_of(room.store))
+    archive_as_earlier(room)
+    note_path(room.store.folder, "scans", "one").unlink()
+    archive = room.archive()
     archive.run()  # its note is written again
-    assert archived_files(place) == [WITH_CLOUD]
+    assert archived_files(room) == [WITH_CLOUD]
     assert archive.state().waiting == 0
-    store.scans.rename("one", "Housing 4711")
+    room.store.scans.rename("one", "Housing 4711")
     archive.run()
-    assert archived_files(place) == [WITH_CLOUD]
-    archive_of(store, str(place), later=LATER, rules=OLD).run()
+    assert archived_files(room) == [WITH_CLOUD]
+    room.archive(later=LATER, rules=OLD).run()
     archive.fetch("scans", "one")
-    assert content_of(folder_of(store)) == before
-    assert not is_without_its_cloud(store.folder, "one")
+    assert content_of(folder_of(room.store)) == before
+    assert not is_without_its_cloud(room.store.folder, "one")
 
 
-def test_the_archive_states_how_many_points_the_cloud_has(store: Store, place: Path) -> None:
-    archive_of(store, str(place)).run()
-    (scan,) = (one for one in check_whole(content_of(place)) if one.kind == "scans")
+def test_the_archive_states_how_many_points_the_cloud_has(room: Room) -> None:
+    room.archive().run()
+    (scan,) = (one for one in room.manifests() if one.kind == "scans")
     assert scan.points == 5
     (record,) = (
         one
-        for one in list_records(store.folder, lists_of(store), FIRST + timedelta(days=1))
+        for one in list_records(room.store.folder, lists_of(room.store), FIRST + timedelta(days=1))
         if one.kind == "scans"
     )
     assert record.is_cloud_left_out
 
 
-def test_the_cloud_of_a_recording_without_frames_is_archived(store: Store, place: Path) -> None:
-    write_recording(folder_of(store) / "other.mcap", 0).replace(folder_of(store) / "scan.mcap")
-    archive_of(store, str(place)).run()
-    assert archived_files(place) == [WITH_CLOUD]
+def test_the_cloud_of_a_recording_without_frames_is_archived(room: Room) -> None:
+    folder = folder_of(room.store)
+    write_recording(folder / "other.mcap", 0).replace(folder / "scan.mcap")
+    room.archive().run()
+    assert archived_files(room) == [WITH_CLOUD]

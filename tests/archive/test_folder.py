@@ -14,49 +14,34 @@ from app.archive.archive import Archive, ArchiveLook
 from app.archive.notes import archive_lock, note_path
 from app.archive.ownership import MARKER
 from app.archive.planning import plan_copies
-from app.archive.records import list_away, list_records
+from app.archive.records import list_records
 from app.archive.remote_store import FolderStore
 from app.archive.store_errors import StoreError
-from app.store.store import Store
 from app.timestamps import is_moment
-from tests.archive.filled import (
-    LATER,
-    add_scan,
-    add_session,
-    archive_of,
-    check_whole,
-    content_of,
-    lists_of,
-)
+from tests.archive.filled import LATER, Room, add_session, content_of, lists_of
 from tests.refusals import refused
 from tests.store.conftest import FIGURES
 from tests.store.test_verifications import FOUND
 
 
-def away_of(store: Store) -> list[str]:
-    return [note.id for note in list_away(store.folder)]
-
-
-def test_everything_finished_is_copied_once_and_what_is_open_stays(
-    store: Store, place: Path
-) -> None:
-    add_scan(store, "one", 700_000)
-    add_session(store, "calibration", "c1")
-    add_session(store, "verification", "v1")
-    add_session(store, "performance", "p1")
-    add_session(store, "arm", "a1", ended=False)  # another one began after it
-    add_session(store, "arm", "a2", ended=False)
-    (store.folder / "scans/running").mkdir()
-    (store.folder / "scans/running/scan.mcap").write_bytes(b"not finished")
-    archive = archive_of(store, str(place))
+def test_everything_finished_is_copied_once_and_what_is_open_stays(room: Room) -> None:
+    room.add_scan("one", 700_000)
+    add_session(room.store, "calibration", "c1")
+    add_session(room.store, "verification", "v1")
+    add_session(room.store, "performance", "p1")
+    add_session(room.store, "arm", "a1", ended=False)  # another one began after it
+    add_session(room.store, "arm", "a2", ended=False)
+    (room.store.folder / "scans/running").mkdir()
+    (room.store.folder / "scans/running/scan.mcap").write_bytes(b"not finished")
+    archive = room.archive()
     assert archive.state().waiting == 5
     assert archive.run() == 5
-    manifests = check_whole(content_of(place))
+    manifests = room.manifests()
     assert {one.id for one in manifests} == {"one", "c1", "v1", "p1", "a1"}
     (scan,) = (one for one in manifests if one.id == "one")
-    folder = store.folder / "scans/one"
+    folder = room.store.folder / "scans/one"
     assert content_of(folder) == {
-        file.path: (place / scan.folder / file.path).read_bytes() for file in scan.files
+        file.path: (room.place / scan.folder / file.path).read_bytes() for file in scan.files
     }
     state = archive.state()
     assert (state.waiting, state.archived, state.away) == (0, 5, 0)
@@ -64,155 +49,151 @@ def test_everything_finished_is_copied_once_and_what_is_open_stays(
 
 
 def test_a_record_that_changed_is_copied_again_and_the_earlier_content_stays(
-    store: Store, place: Path, archived: Path
+    room: Room, archived: Path
 ) -> None:
     (archived / "cloud.ply").write_bytes(b"computed again")
-    assert archive_of(store, str(place)).run() == 1
-    assert len(check_whole(content_of(place))) == 2
+    assert room.archive().run() == 1
+    assert len(room.manifests()) == 2
 
 
-def test_an_interrupted_scan_waits_for_its_cloud(store: Store, place: Path) -> None:
-    folder = add_scan(store, "cut", 1000)
+def test_an_interrupted_scan_waits_for_its_cloud(room: Room) -> None:
+    folder = room.add_scan("cut", 1000)
     (folder / "cloud.ply").unlink()
-    scan = store.scans.get("cut")
+    scan = room.store.scans.get("cut")
     assert scan is not None
-    store.scans.delete("cut")
-    store.scans.add(replace(scan, interrupted="the power failed"))
-    assert archive_of(store, str(place)).run() == 0
-    assert archive_of(store, str(place), later=timedelta(days=2)).run() == 1
+    room.store.scans.delete("cut")
+    room.store.scans.add(replace(scan, interrupted="the power failed"))
+    assert room.archive().run() == 0
+    assert room.archive(later=timedelta(days=2)).run() == 1
 
 
-def test_an_old_record_leaves_the_disk_and_comes_back_as_it_was(store: Store, place: Path) -> None:
-    folder = add_scan(store, "one", 600_000)
+def test_an_old_record_leaves_the_disk_and_comes_back_as_it_was(room: Room) -> None:
+    folder = room.add_scan("one", 600_000)
     before = content_of(folder)
-    calibration = add_session(store, "calibration", "c1")
-    archive_of(store, str(place), rules={"keep_days": 90}).run()
+    calibration = add_session(room.store, "calibration", "c1")
+    room.archive(rules={"keep_days": 90}).run()
     assert folder.exists()
-    later = archive_of(store, str(place), later=LATER, rules={"keep_days": 90})
+    later = room.archive(later=LATER, rules={"keep_days": 90})
     later.run()
     assert not folder.exists()
     assert calibration.exists()
-    assert store.scans.get("one") is not None
-    assert away_of(store) == ["one"]
+    assert room.store.scans.get("one") is not None
+    assert room.away() == ["one"]
     later.fetch("scans", "one")
     assert content_of(folder) == before
-    assert away_of(store) == []
+    assert room.away() == []
     # it is on the disk again, and archived already
-    near = archive_of(store, str(place), later=timedelta(days=50), rules={"keep_days": 90})
+    near = room.archive(later=timedelta(days=50), rules={"keep_days": 90})
     assert near.run() == 0
     assert folder.exists()
     with refused("archive-here"):
         near.fetch("scans", "one")
 
 
-def test_the_oldest_leave_a_full_disk_first_but_none_on_its_first_day(
-    store: Store, place: Path
-) -> None:
+def test_the_oldest_leave_a_full_disk_first_but_none_on_its_first_day(room: Room) -> None:
     for name, days in (("old", 9), ("newer", 5)):
-        for path in add_scan(store, name, 1000).iterdir():
+        for path in room.add_scan(name, 1000).iterdir():
             seconds = path.stat().st_mtime - days * 86_400
             os.utime(path, (seconds, seconds))
-    add_scan(store, "today", 1000)
-    archive_of(store, str(place)).run()
-    archive_of(store, str(place), rules={"free_gb": 1e-6}).run()
-    assert away_of(store) == []
-    archive_of(store, str(place), rules={"free_gb": 900_000}).run()
-    assert sorted(away_of(store)) == ["newer", "old"]
-    assert (store.folder / "scans/today").exists()
+    room.add_scan("today", 1000)
+    room.archive().run()
+    room.archive(rules={"free_gb": 1e-6}).run()
+    assert room.away() == []
+    room.archive(rules={"free_gb": 900_000}).run()
+    assert sorted(room.away()) == ["newer", "old"]
+    assert (room.store.folder / "scans/today").exists()
 
 
 @pytest.mark.usefixtures("archived")
-def test_without_a_rule_nothing_leaves_the_disk(store: Store, place: Path) -> None:
-    archive_of(store, str(place), later=10 * LATER).run()
-    assert away_of(store) == []
+def test_without_a_rule_nothing_leaves_the_disk(room: Room) -> None:
+    room.archive(later=10 * LATER).run()
+    assert room.away() == []
 
 
-def test_verifications_of_the_calibrations_in_use_and_the_last_one_stay(
-    store: Store, place: Path
-) -> None:
+def test_verifications_of_the_calibrations_in_use_and_the_last_one_stay(room: Room) -> None:
     for calibration, sensor in (("c0", ""), ("c1", ""), ("c2", "blue")):
-        folder = add_session(store, "calibration", calibration, ended=False)
+        folder = add_session(room.store, "calibration", calibration, ended=False)
         (folder / "calibration.json").write_text("{}")
         file = folder / "calibration.json"
-        store.calibrations.accept(calibration, "name", file, FIGURES, None, sensor=sensor)
+        room.store.calibrations.accept(calibration, "name", file, FIGURES, None, sensor=sensor)
     verified = {"former": "c0", "used": "c1", "blue": "c2", "other": "", "last": ""}
     for name, of in verified.items():
-        folder = add_session(store, "verification", name, ended=not of)
+        folder = add_session(room.store, "verification", name, ended=not of)
         if of:
-            store.verifications.accept(name, of, folder, FOUND, None)
-    archive_of(store, str(place)).run()
-    archive_of(store, str(place), later=LATER, rules={"keep_days": 90}).run()
-    assert sorted(away_of(store)) == ["former", "other"]
+            room.store.verifications.accept(name, of, folder, FOUND, None)
+    room.archive().run()
+    room.archive(later=LATER, rules={"keep_days": 90}).run()
+    assert sorted(room.away()) == ["former", "other"]
 
 
 def test_what_is_damaged_in_the_archive_stays_on_the_disk_and_is_copied_again(
-    store: Store, place: Path, archived: Path
+    room: Room, archived: Path
 ) -> None:
-    (copy,) = place.glob("scans/one/*/scan.mcap")
+    (copy,) = room.place.glob("scans/one/*/scan.mcap")
     copy.write_bytes(bytes(1000))
-    archive_of(store, str(place), later=LATER, rules={"keep_days": 90}).run()
+    room.archive(later=LATER, rules={"keep_days": 90}).run()
     assert archived.exists()
-    assert archive_of(store, str(place)).run() == 1
-    check_whole(content_of(place))
+    assert room.archive().run() == 1
+    room.manifests()
 
 
-def test_verify_names_what_is_damaged(store: Store, place: Path) -> None:
-    add_scan(store, "one", 1000)
-    add_scan(store, "two", 1000)
-    archive = archive_of(store, str(place))
+def test_verify_names_what_is_damaged(room: Room) -> None:
+    room.add_scan("one", 1000)
+    room.add_scan("two", 1000)
+    archive = room.archive()
     archive.run()
     assert archive.verify() == []
-    (copy,) = place.glob("scans/two/*/cloud.ply")
+    (copy,) = room.place.glob("scans/two/*/cloud.ply")
     copy.unlink()
-    assert archive.verify() == [copy.relative_to(place).as_posix()]
+    assert archive.verify() == [copy.relative_to(room.place).as_posix()]
     assert archive.run() == 1
     assert archive.verify() == []
 
 
-def test_a_look_names_what_is_missing_or_of_another_size(store: Store, place: Path) -> None:
+def test_a_look_names_what_is_missing_or_of_another_size(room: Room) -> None:
     for name in ("one", "two", "three"):
-        add_scan(store, name, 1000)
-    archive = archive_of(store, str(place))
+        room.add_scan(name, 1000)
+    archive = room.archive()
     assert archive.look() == ArchiveLook([], "")
-    assert list(place.iterdir()) == []
+    assert list(room.place.iterdir()) == []
     archive.run()
     whole = archive.look()
     assert whole.incomplete == []
     assert is_moment(whole.read_at)
-    (short,) = place.glob("scans/one/*/cloud.ply")
+    (short,) = room.place.glob("scans/one/*/cloud.ply")
     short.write_bytes(b"")
-    (record,) = place.glob("scans/two/*")
+    (record,) = room.place.glob("scans/two/*")
     shutil.rmtree(record)
-    (manifest,) = place.glob("scans/three/*/manifest.json")
+    (manifest,) = room.place.glob("scans/three/*/manifest.json")
     manifest.unlink()
     names = [short, record / "cloud.ply", manifest]
-    wanted = sorted(path.relative_to(place).as_posix() for path in names)
+    wanted = sorted(path.relative_to(room.place).as_posix() for path in names)
     assert sorted(archive.look().incomplete) == wanted
-    shutil.rmtree(place)
+    shutil.rmtree(room.place)
     with pytest.raises(StoreError, match="is not there"):
         archive.look()
 
 
 @pytest.mark.usefixtures("archived")
-def test_a_note_that_is_lost_is_written_again_without_a_copy(store: Store, place: Path) -> None:
-    (copy,) = place.glob("scans/one/*/scan.mcap")
+def test_a_note_that_is_lost_is_written_again_without_a_copy(room: Room) -> None:
+    (copy,) = room.place.glob("scans/one/*/scan.mcap")
     written = copy.stat().st_mtime_ns
-    note_path(store.folder, "scans", "one").unlink()
-    assert archive_of(store, str(place)).run() == 1
+    note_path(room.store.folder, "scans", "one").unlink()
+    assert room.archive().run() == 1
     assert copy.stat().st_mtime_ns == written
 
 
 @pytest.mark.usefixtures("archived")
-def test_an_archive_whose_disk_is_not_mounted_gets_nothing(store: Store, place: Path) -> None:
-    place.rename(place.with_name("elsewhere"))
-    add_scan(store, "two", 1000)
+def test_an_archive_whose_disk_is_not_mounted_gets_nothing(room: Room) -> None:
+    room.place.rename(room.place.with_name("elsewhere"))
+    room.add_scan("two", 1000)
     for there in (False, True):  # no mount point, then an empty one
         if there:
-            place.mkdir()
+            room.place.mkdir()
         with refused("archive-missing") as failed:
-            archive_of(store, str(place)).run()
+            room.archive().run()
         assert failed.value.remedy
-    assert list(place.iterdir()) == []
+    assert list(room.place.iterdir()) == []
 
 
 class FullStore(FolderStore):
@@ -233,29 +214,25 @@ class FullStore(FolderStore):
             yield piece
 
 
-def test_a_full_archive_keeps_what_is_whole_and_goes_on_with_more_room(
-    store: Store, place: Path
-) -> None:
-    add_scan(store, "one", 300_000)
-    add_scan(store, "two", 300_000)
-    full = FullStore(place, 600_000)
-    archive = archive_of(store, str(place), full)
+def test_a_full_archive_keeps_what_is_whole_and_goes_on_with_more_room(room: Room) -> None:
+    room.add_scan("one", 300_000)
+    room.add_scan("two", 300_000)
+    full = FullStore(room.place, 600_000)
+    archive = room.archive(full)
     with refused("archive-full"):
         archive.run()
-    assert [one.id for one in check_whole(content_of(place))] == ["one"]
-    assert not [name for name in content_of(place) if name.endswith(".part")]
+    assert [one.id for one in room.manifests()] == ["one"]
+    assert not [name for name in content_of(room.place) if name.endswith(".part")]
     full.room = 10_000_000
     assert archive.run() == 1
-    assert len(check_whole(content_of(place))) == 2
+    assert len(room.manifests()) == 2
 
 
-def test_one_record_that_cannot_be_read_keeps_no_other_from_the_archive(
-    store: Store, place: Path
-) -> None:
-    folder = add_scan(store, "one", 1000)
-    add_scan(store, "two", 1000)
-    growing = archive_of(store, str(place))
-    records = list_records(store.folder, lists_of(store), growing._now())
+def test_one_record_that_cannot_be_read_keeps_no_other_from_the_archive(room: Room) -> None:
+    folder = room.add_scan("one", 1000)
+    room.add_scan("two", 1000)
+    growing = room.archive()
+    records = list_records(room.store.folder, lists_of(room.store), growing._now())
     assert [one.id for one in plan_copies(records)] == ["one", "two"]
 
     class Growing(FolderStore):
@@ -266,37 +243,37 @@ def test_one_record_that_cannot_be_read_keeps_no_other_from_the_archive(
             return super().size(name)
 
     with refused("archive-changed"):
-        archive_of(store, str(place), Growing(place)).run()
-    assert [one.id for one in check_whole(content_of(place))] == ["two"]
+        room.archive(Growing(room.place)).run()
+    assert [one.id for one in room.manifests()] == ["two"]
 
 
-def test_a_link_in_a_record_keeps_it_on_the_disk(store: Store, place: Path) -> None:
-    folder = add_scan(store, "one", 1000)
+def test_a_link_in_a_record_keeps_it_on_the_disk(room: Room) -> None:
+    folder = room.add_scan("one", 1000)
     (folder / "other").symlink_to("/etc/hostname")
-    archive_of(store, str(place), later=LATER, rules={"keep_days": 1}).run()
+    room.archive(later=LATER, rules={"keep_days": 1}).run()
     assert folder.exists()
-    assert check_whole(content_of(place)) == []
+    assert room.manifests() == []
 
 
-def test_two_processes_do_not_copy_at_once(store: Store, place: Path) -> None:
-    archive: Archive = archive_of(store, str(place))
-    with archive_lock(store.folder), refused("archive-busy"):
+def test_two_processes_do_not_copy_at_once(room: Room) -> None:
+    archive: Archive = room.archive()
+    with archive_lock(room.store.folder), refused("archive-busy"):
         archive.run()
-    assert not (place / MARKER).exists()
+    assert not (room.place / MARKER).exists()
 
 
 def test_a_record_is_fetched_by_its_manifest_where_the_note_is_lost(
-    store: Store, place: Path, archived: Path
+    room: Room, archived: Path
 ) -> None:
     before = content_of(archived)
-    archive = archive_of(store, str(place))
+    archive = room.archive()
     shutil.rmtree(archived)
-    note_path(store.folder, "scans", "one").unlink()
-    add_scan(store, "two", 10)
+    note_path(room.store.folder, "scans", "one").unlink()
+    room.add_scan("two", 10)
     archive.run()
     archive.fetch("scans", "one")
     assert content_of(archived) == before
-    (copy,) = place.glob("scans/one/*/scan.mcap")
+    (copy,) = room.place.glob("scans/one/*/scan.mcap")
     copy.write_bytes(bytes(1000))
     shutil.rmtree(archived)
     with refused("archive-differs"):

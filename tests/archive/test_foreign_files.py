@@ -7,12 +7,10 @@ from pathlib import Path
 
 import pytest
 
-from app.archive.records import list_away
 from app.archive.remote_store import FolderStore
 from app.archive.transfer import newest_manifest
 from app.errors import OperationError
-from app.store.store import Store
-from tests.archive.filled import LATER, add_scan, archive_of, check_whole, content_of
+from tests.archive.filled import LATER, Room
 from tests.refusals import refused
 
 
@@ -27,54 +25,50 @@ def copy(archived: Path, place: Path) -> Path:
     "name", [b"Pr\xfcf.txt", b"\xfc/inner", b"a\\b", b"manifest.json", b"/".join([b"d" * 90] * 5)]
 )
 def test_a_file_name_that_no_manifest_can_hold_keeps_no_other_record_from_the_archive(
-    store: Store, place: Path, name: bytes
+    room: Room, name: bytes
 ) -> None:
-    path = add_scan(store, "one", 1000) / os.fsdecode(name)
+    path = room.add_scan("one", 1000) / os.fsdecode(name)
     path.parent.mkdir(parents=True, exist_ok=True)
     path.write_text("the operator's")
-    add_scan(store, "two", 1000)
+    room.add_scan("two", 1000)
     with refused("archive-name") as failed:
-        archive_of(store, str(place)).run()
+        room.archive().run()
     assert failed.value.line.isprintable()
-    assert [one.id for one in check_whole(content_of(place))] == ["two"]
+    assert [one.id for one in room.manifests()] == ["two"]
 
 
 @pytest.mark.parametrize("time_s", [-1e6, 1e13], ids=["before 1970", "year 300000"])
-def test_a_file_time_outside_the_calendar_is_the_nearest_in_it(
-    store: Store, place: Path, time_s: float
-) -> None:
-    os.utime(add_scan(store, "one", 1000) / "cloud.ply", (time_s, time_s))
-    archive = archive_of(store, str(place))
+def test_a_file_time_outside_the_calendar_is_the_nearest_in_it(room: Room, time_s: float) -> None:
+    os.utime(room.add_scan("one", 1000) / "cloud.ply", (time_s, time_s))
+    archive = room.archive()
     assert (archive.run(), archive.run()) == (1, 0)
 
 
 @pytest.mark.parametrize("foreign", [os.mkfifo, os.mkdir])
 @pytest.mark.parametrize("name", ["scan.mcap", "manifest.json"])
 def test_what_is_no_file_in_the_archive_keeps_no_other_record_from_it(
-    store: Store, place: Path, copy: Path, name: str, foreign: Callable[[Path], None]
+    room: Room, copy: Path, name: str, foreign: Callable[[Path], None]
 ) -> None:
-    archive = archive_of(store, str(place), later=LATER, rules={"keep_days": 1})
+    archive = room.archive(later=LATER, rules={"keep_days": 1})
     (copy / name).unlink()
     foreign(copy / name)
-    add_scan(store, "two", 1000)
+    room.add_scan("two", 1000)
     archive.run()
     with refused("archive-differs"):
         archive.run()
-    assert [note.id for note in list_away(store.folder)] == ["two"]
-    assert (store.folder / "scans" / "one").exists()
+    assert room.away() == ["two"]
+    assert (room.store.folder / "scans" / "one").exists()
     with pytest.raises(OperationError):
         archive.fetch("scans", "three")
 
 
 @pytest.mark.parametrize("name", ["scan.mcap", "manifest.json"])
-def test_a_link_to_itself_in_the_archive_is_replaced(
-    store: Store, place: Path, copy: Path, name: str
-) -> None:
+def test_a_link_to_itself_in_the_archive_is_replaced(room: Room, copy: Path, name: str) -> None:
     (copy / name).unlink()
     (copy / name).symlink_to(name)
-    assert archive_of(store, str(place)).verify()
-    assert archive_of(store, str(place)).run() == 1
-    assert archive_of(store, str(place)).verify() == []
+    assert room.archive().verify()
+    assert room.archive().run() == 1
+    assert room.archive().verify() == []
 
 
 @pytest.mark.parametrize(

@@ -13,7 +13,7 @@ from app.archive.ownership import FIRST_LINE, IDENTITY, MARKER
 from app.archive.remote_store import FolderStore
 from app.archive.store_errors import store_error
 from app.store.store import Store
-from tests.archive.filled import add_scan, archive_of, content_of
+from tests.archive.filled import Room, add_scan, archive_of, content_of
 from tests.refusals import refused
 
 Calls = dict[str, Callable[[Archive], object]]
@@ -70,22 +70,20 @@ def test_the_archive_of_another_station_is_refused_and_gets_nothing(
     check_refused(archive_of(store, str(theirs)), theirs, owner)
 
 
-def test_a_new_archive_without_records_is_that_of_its_station(
-    store: Store, other: Store, place: Path
-) -> None:
-    archive_of(other, str(place), station="Messraum 3").run()
-    check_refused(archive_of(store, str(place)), place, "Messraum 3")
+def test_a_new_archive_without_records_is_that_of_its_station(room: Room, other: Store) -> None:
+    archive_of(other, str(room.place), station="Messraum 3").run()
+    check_refused(room.archive(), room.place, "Messraum 3")
 
 
 @pytest.mark.usefixtures("archived")
 def test_the_archive_of_an_earlier_version_goes_on_and_then_names_its_station(
-    store: Store, other: Store, place: Path
+    room: Room, other: Store
 ) -> None:
-    forget_owner(place)
-    add_scan(store, "two", 1000)
-    assert archive_of(store, str(place)).run() == 1
-    assert "Name: Room 2\n" in (place / MARKER).read_text()
-    check_refused(archive_of(other, str(place)), place, "Room 2")
+    forget_owner(room.place)
+    room.add_scan("two", 1000)
+    assert room.archive().run() == 1
+    assert "Name: Room 2\n" in (room.place / MARKER).read_text()
+    check_refused(archive_of(other, str(room.place)), room.place, "Room 2")
 
 
 class WriteOnceStore(FolderStore):
@@ -98,24 +96,20 @@ class WriteOnceStore(FolderStore):
 
 
 @pytest.mark.usefixtures("archived")
-def test_an_archive_of_an_earlier_version_that_takes_new_files_only_goes_on(
-    store: Store, place: Path
-) -> None:
-    forget_owner(place)
-    add_scan(store, "two", 1000)
-    assert archive_of(store, str(place), WriteOnceStore(place)).run() == 1
-    assert "Name:" not in (place / MARKER).read_text()
+def test_an_archive_of_an_earlier_version_that_takes_new_files_only_goes_on(room: Room) -> None:
+    forget_owner(room.place)
+    room.add_scan("two", 1000)
+    assert room.archive(WriteOnceStore(room.place)).run() == 1
+    assert "Name:" not in (room.place / MARKER).read_text()
 
 
 @pytest.mark.usefixtures("archived")
-def test_a_station_without_its_notes_knows_its_archive_by_the_records(
-    store: Store, place: Path
-) -> None:
-    shutil.rmtree(store.folder / NOTES)
-    assert archive_of(store, str(place)).run() == 1
+def test_a_station_without_its_notes_knows_its_archive_by_the_records(room: Room) -> None:
+    shutil.rmtree(room.store.folder / NOTES)
+    assert room.archive().run() == 1
     # and with the notes of a backup that is older than the identity
-    (store.folder / NOTES / IDENTITY).unlink()
-    assert archive_of(store, str(place)).run() == 0
+    (room.store.folder / NOTES / IDENTITY).unlink()
+    assert room.archive().run() == 0
 
 
 def test_a_new_data_folder_takes_an_archive_over_without_its_marker(

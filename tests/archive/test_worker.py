@@ -1,15 +1,13 @@
 """The thread of the archive: at its own pace, again after a failure, and at an end."""
 
 import threading
-from pathlib import Path
 
 import pytest
 
 from app.archive.pace import ArchiveEndedError, Pace
 from app.archive.worker import FIRST_PAUSE_S, LONGEST_PAUSE_S, ArchiveWorker, pause_after
 from app.messages.message import Text
-from app.store.store import Store
-from tests.archive.filled import add_scan, archive_of, check_whole, content_of
+from tests.archive.filled import Room
 from tests.station.conftest import until
 
 pytestmark = pytest.mark.device
@@ -17,22 +15,22 @@ pytestmark = pytest.mark.device
 DEADLINE_S = 60.0
 
 
-def test_a_place_that_is_away_is_tried_again_and_reported_once(store: Store, place: Path) -> None:
-    place.rmdir()
-    add_scan(store, "one", 1000)
+def test_a_place_that_is_away_is_tried_again_and_reported_once(room: Room) -> None:
+    room.place.rmdir()
+    room.add_scan("one", 1000)
     said: list[Text] = []
-    worker = ArchiveWorker(archive_of(store, str(place)), said.append, 0.01, 0.01)
+    worker = ArchiveWorker(room.archive(), said.append, 0.01, 0.01)
     worker.start()
     try:
         until(lambda: worker.failures >= 3)
         assert worker.trouble is not None
         assert worker.trouble.code == "archive-missing"
         assert len(said) == 1
-        place.mkdir()
+        room.place.mkdir()
         until(lambda: worker.state().waiting == 0 and worker.trouble is None)
     finally:
         worker.close()
-    assert len(check_whole(content_of(place))) == 1
+    assert len(room.manifests()) == 1
 
 
 def test_pauses_grow_up_to_an_hour() -> None:
@@ -42,33 +40,33 @@ def test_pauses_grow_up_to_an_hour() -> None:
     assert pauses[-1] == LONGEST_PAUSE_S
 
 
-def test_a_copy_waits_only_while_a_scan_runs(store: Store, place: Path) -> None:
-    add_scan(store, "one", 1000)
+def test_a_copy_waits_only_while_a_scan_runs(room: Room) -> None:
+    room.add_scan("one", 1000)
     idle = Pace(1.0, lambda: False)
-    archive_of(store, str(place), pace=idle).run()
+    room.archive(pace=idle).run()
     assert idle.waited_s == 0.0
     scanning = threading.Event()
     scanning.set()
-    add_scan(store, "two", 1000)
+    room.add_scan("two", 1000)
     slow = Pace(0.01, scanning.is_set)  # a byte takes a hundred seconds
-    working = threading.Thread(target=archive_of(store, str(place), pace=slow).run)
+    working = threading.Thread(target=room.archive(pace=slow).run)
     working.start()
     until(lambda: slow.waited_s > 0)
-    assert len(check_whole(content_of(place))) == 1
+    assert len(room.manifests()) == 1
     scanning.clear()
     working.join(DEADLINE_S)
-    assert len(check_whole(content_of(place))) == 2
+    assert len(room.manifests()) == 2
 
 
-def test_the_end_of_the_station_ends_a_copy_which_goes_on_later(store: Store, place: Path) -> None:
-    add_scan(store, "one", 1000)
+def test_the_end_of_the_station_ends_a_copy_which_goes_on_later(room: Room) -> None:
+    room.add_scan("one", 1000)
     slow = Pace(0.01, lambda: True)
-    worker = ArchiveWorker(archive_of(store, str(place), pace=slow), lambda text: None)
+    worker = ArchiveWorker(room.archive(pace=slow), lambda text: None)
     worker.start()
     until(lambda: slow.waited_s > 0)
     worker.close()
     assert worker.trouble is None
     with pytest.raises(ArchiveEndedError):
         slow.take(1)
-    assert check_whole(content_of(place)) == []
-    assert archive_of(store, str(place)).run() == 1
+    assert room.manifests() == []
+    assert room.archive().run() == 1
