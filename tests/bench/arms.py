@@ -3,12 +3,10 @@
 python -m tests.bench.arms [--arms 30] [--json]
 """
 
-import argparse
-
 import numpy as np
 
 from app.metrology.arm.identification.identify import identify
-from tests.bench.rows import add_json_option, measured_rows
+from tests.bench.rows import bench_parser, measured_rows
 from tests.metrology.arm_sessions import collect_observations, nominal_arm, volumetric_error_um
 from tests.simulated_arm_sessions import ArmSessionPlan, draw_arm_session
 
@@ -24,9 +22,8 @@ def errors_um(seed: int) -> tuple[float, float]:
 
 
 def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser = bench_parser(__doc__)
     parser.add_argument("--arms", type=int, default=30)
-    add_json_option(parser)
     given = parser.parse_args()
     found = np.array([errors_um(FIRST_SEED + number) for number in range(given.arms)])
     with measured_rows(given.json) as rows:

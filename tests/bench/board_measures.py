@@ -5,7 +5,7 @@ that every way to calibrate is measured alike.
 """
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import cv2
 import numpy as np
@@ -15,6 +15,8 @@ from app.metrology.sensor.camera import Camera, project, rays
 from app.metrology.sensor.laser_plane import LaserPlane
 from app.metrology.sensor.triangulation import sensor_points
 from app.metrology.transforms import Floats, apply, inverse, rigid
+from tests.bench.rows import rms
+from tests.metrology.numerics import rms_length
 
 NEAR_PX = 170.0
 TRIMMED_SIGMAS = 3.5
@@ -61,6 +63,18 @@ class PeerCalibration:
     board_surface: Callable[[Camera, Floats], Floats] = flat
 
 
+def calibrate_camera(
+    seen: Sequence[tuple[Floats, Floats]], size_px: tuple[int, int], guess: Floats, flags: int
+) -> Camera:
+    """By points (N, 3) and their pixels (N, 2) in each picture (calibrateCamera)."""
+    points, uv = ([one.astype(np.float32) for one in each] for each in zip(*seen, strict=True))
+    _, K, distortion, _, _ = cv2.calibrateCamera(
+        points, uv, size_px, guess, np.zeros(5), flags=flags
+    )
+    lens = np.ravel(distortion)[:5].astype(np.float64)
+    return Camera(np.asarray(K, np.float64), np.eye(3), np.zeros(3), *size_px, lens)
+
+
 def solve_pose(camera: Camera, points_mm: Floats, uv_px: Floats) -> Floats:
     """``T_cam_obj`` (4, 4) of points (N, 3) by their pixels in one picture (solvePnP)."""
     _, turn, shift = cv2.solvePnP(points_mm, uv_px, camera.matrix, camera.distortion)
@@ -78,14 +92,7 @@ def board_from(solved: PeerCalibration, frame: BoardFrame) -> Camera:
 
 def move_camera(camera: Camera, T_cam_frame: Floats) -> Camera:
     """The same camera as seen from another frame."""
-    return Camera(
-        camera.matrix,
-        T_cam_frame[:3, :3],
-        T_cam_frame[:3, 3],
-        camera.width_px,
-        camera.height_px,
-        camera.distortion,
-    )
+    return replace(camera, rotation=T_cam_frame[:3, :3], translation_mm=T_cam_frame[:3, 3])
 
 
 def camera_pose_of(camera: Camera) -> Floats:
@@ -94,11 +101,11 @@ def camera_pose_of(camera: Camera) -> Floats:
 
 def corner_rms_px(solved: PeerCalibration, frames: Sequence[BoardFrame]) -> float:
     """Corners of each picture to the board placed by them: rms over corners."""
-    square = []
-    for frame in frames:
-        seen = project(board_from(solved, frame), solved.corners_mm[frame.corner])
-        square.append(np.sum((seen - frame.uv_px) ** 2, axis=1))
-    return float(np.sqrt(np.mean(np.concatenate(square))))
+    off_px = [
+        project(board_from(solved, frame), solved.corners_mm[frame.corner]) - frame.uv_px
+        for frame in frames
+    ]
+    return rms_length(np.concatenate(off_px))
 
 
 def origin_scatter_mm(solved: PeerCalibration, frames: Sequence[BoardFrame]) -> float:
@@ -113,16 +120,12 @@ def pattern_scatter_mm(solved: PeerCalibration, frames: Sequence[BoardFrame]) ->
 
 def _scatter_mm(solved: PeerCalibration, frames: Sequence[BoardFrame], points_mm: Floats) -> float:
     T_flange_cam = solved.T_flange_sensor @ inverse(camera_pose_of(solved.camera))
-    at = np.array(
-        [
-            apply(
-                frame.T_arm_flange @ T_flange_cam @ camera_pose_of(board_from(solved, frame)),
-                points_mm,
-            )
-            for frame in frames
-        ]
-    )
-    return float(np.sqrt(np.mean(np.sum((at - at.mean(axis=0)) ** 2, axis=2))))
+    T_cam_board = [camera_pose_of(board_from(solved, frame)) for frame in frames]
+    T_arm_board = [
+        f.T_arm_flange @ T_flange_cam @ T for f, T in zip(frames, T_cam_board, strict=True)
+    ]
+    at = np.array([apply(T, points_mm) for T in T_arm_board])
+    return rms_length((at - at.mean(axis=0)).reshape(-1, 3))
 
 
 def line_on_board(solved: PeerCalibration, frame: BoardFrame) -> Floats:
@@ -135,7 +138,7 @@ def line_on_board(solved: PeerCalibration, frame: BoardFrame) -> Floats:
 def laser_plane_rms_mm(solved: PeerCalibration, frames: Sequence[BoardFrame]) -> float:
     """The line's points on the board, each placed by its own picture, to the laser's plane."""
     points = np.concatenate([line_on_board(solved, frame) for frame in frames])
-    return float(np.sqrt(np.mean((points @ solved.plane.normal - solved.plane.offset_mm) ** 2)))
+    return rms(points @ solved.plane.normal - solved.plane.offset_mm)
 
 
 def common_plane_rms_mm(solved: PeerCalibration, frames: Sequence[BoardFrame]) -> float:
@@ -155,8 +158,17 @@ def common_plane_rms_mm(solved: PeerCalibration, frames: Sequence[BoardFrame]) -
         off = points @ plane.normal - plane.offset_mm
         kept = np.abs(off) < TRIMMED_SIGMAS * float(np.std(off))
         if kept.all():
-            return float(np.sqrt(np.mean(off**2)))
+            return rms(off)
         points = points[kept]
+
+
+MEASURES = {
+    "corners px": corner_rms_px,
+    "origin mm": origin_scatter_mm,
+    "pattern mm": pattern_scatter_mm,
+}
+OF_LINE = {"laser": laser_plane_rms_mm, "plane": common_plane_rms_mm}
+"""In mm."""
 
 
 def plane_through(points_mm: Floats) -> LaserPlane:

@@ -7,7 +7,6 @@ of the simulated station's board, pictures rendered, by arms with datasheets tru
 as is usual, and to 45 µm.
 """
 
-import argparse
 import tempfile
 from pathlib import Path
 
@@ -15,7 +14,7 @@ import numpy as np
 
 from app.metrology.adjustment.board.calibrate import calibrate_board
 from hardware.simulator.station import SimulationConfig
-from tests.bench.rows import add_json_option, measured_rows
+from tests.bench.rows import Rows, bench_parser, measured_rows, rms
 from tests.metrology.rendered_boards import RenderedBoards, errors_um
 from tests.metrology.seen_boards import BoardErrors, error_um, session
 
@@ -30,38 +29,33 @@ ARMS_UM = (20.0, 45.0)
 
 
 def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser = bench_parser(__doc__)
     parser.add_argument("sessions", type=int, nargs="?", default=60)
     parser.add_argument("--arms", type=int, default=8)
-    add_json_option(parser)
     asked = parser.parse_args()
     with measured_rows(asked.json) as rows:
         for name, errors in SET_UPS.items():
             found = [calibrate_board(session(seed, errors)) for seed in range(asked.sessions)]
-            claimed = np.sqrt(np.mean([one.uncertainty.total_um**2 for one in found]))
-            observed = np.sqrt(np.mean([error_um(one) ** 2 for one in found]))
-            rows.add(name, _values(observed, claimed))
+            _add(rows, name, [(error_um(one), one.uncertainty.total_um) for one in found])
         for off_um in ARMS_UM if asked.arms else ():
+            seeds = range(1, asked.arms + 1)
+            plans = [SimulationConfig(seed=seed, imperfection_um=off_um) for seed in seeds]
             name = f"the station's board, arms off by {off_um:.0f} µm"
-            rows.add(name, _values(*_measure_on_arms(asked.arms, off_um)))
+            _add(rows, name, [_measure_station(plan) for plan in plans])
 
 
-def _measure_on_arms(count: int, off_um: float) -> tuple[float, float]:
-    """Observed and claimed error over so many simulated stations, rms, µm."""
-    observed, claimed = [], []
-    for seed in range(1, count + 1):
-        with tempfile.TemporaryDirectory() as folder:
-            station = RenderedBoards(
-                Path(folder), SimulationConfig(seed=seed, imperfection_um=off_um)
-            )
-            observed.append(np.mean(errors_um(station) ** 2))
-            claimed.append(station.calibration.uncertainty.total_um**2)
-    return float(np.sqrt(np.mean(observed))), float(np.sqrt(np.mean(claimed)))
+def _measure_station(plan: SimulationConfig) -> tuple[float, float]:
+    """Observed and claimed error of a simulated station, µm."""
+    with tempfile.TemporaryDirectory() as folder:
+        station = RenderedBoards(Path(folder), plan)
+        return rms(errors_um(station)), station.calibration.uncertainty.total_um
 
 
-def _values(observed_um: float, claimed_um: float) -> dict[str, float]:
-    ratio = claimed_um / observed_um
-    return {"observed, µm": observed_um, "claimed, µm": claimed_um, "claimed / observed": ratio}
+def _add(rows: Rows, name: str, pairs: list[tuple[float, float]]) -> None:
+    """The rms over sessions of observed and claimed errors."""
+    observed, claimed = (rms(np.array(each)) for each in zip(*pairs, strict=True))
+    ratio = claimed / observed
+    rows.add(name, {"observed, µm": observed, "claimed, µm": claimed, "claimed / observed": ratio})
 
 
 if __name__ == "__main__":

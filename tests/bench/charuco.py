@@ -3,9 +3,8 @@
 python -m tests.bench.charuco [--json]
 """
 
-import argparse
 from collections.abc import Callable
-from dataclasses import dataclass, field, replace
+from dataclasses import replace
 
 import cv2
 import numpy as np
@@ -16,7 +15,7 @@ from app.metrology.chessboard.detect_board import detect_board
 from app.metrology.sensor.camera import project
 from app.metrology.targets.chessboard import Markers, corner_points
 from app.metrology.transforms import Floats
-from tests.bench.rows import add_json_option, measured_rows
+from tests.bench.rows import bench_parser, measured_rows, rms
 from tests.metrology.boards import BOARD, POSES, Look, picture
 from tests.metrology.seen_boards import camera_at
 
@@ -24,21 +23,6 @@ MARKERS = Markers("DICT_4X4_50", 7.5)
 CHARUCO = replace(BOARD, markers=MARKERS)
 UNLIT = Look(laser=False, board=CHARUCO)
 Grey = NDArray[np.uint8]
-
-
-@dataclass
-class Corners:
-    """Deviations from the truth of all corners found, px."""
-
-    off_px: list[Floats] = field(default_factory=list)
-
-    def values(self, method: str) -> dict[str, float]:
-        """Their number, and the rms."""
-        every = np.concatenate(self.off_px)
-        return {
-            f"{method}, found": len(every),
-            f"{method}, px": float(np.sqrt(np.mean(every**2))),
-        }
 
 
 def compress(image: Grey) -> Grey:
@@ -56,30 +40,32 @@ PICTURES: dict[str, tuple[Look, Callable[[Grey], Grey]]] = {
 
 
 def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    add_json_option(parser)
+    parser = bench_parser(__doc__)
     with measured_rows(parser.parse_args().json) as rows:
         for name in PICTURES:
-            ours, theirs = find_corners(name)
-            rows.add(name, ours.values("Crenel") | theirs.values("OpenCV"))
+            values: dict[str, float] = {}
+            for method, off_px in find_corners(name).items():
+                every = np.concatenate(off_px)
+                values |= {f"{method}, found": len(every), f"{method}, px": rms(every)}
+            rows.add(name, values)
 
 
-def find_corners(name: str) -> tuple[Corners, Corners]:
-    """In the pictures of one kind, by Crenel and by OpenCV."""
+def find_corners(name: str) -> dict[str, list[Floats]]:
+    """Their deviations from the truth in the pictures of one kind, in px, by method."""
     look, change = PICTURES[name]
-    ours, theirs = Corners(), Corners()
+    ours, theirs = [], []
     detector = cv2.aruco.CharucoDetector(charuco_board(CHARUCO, MARKERS))
     columns, rows = CHARUCO.inner_corners
     for k, T in enumerate(POSES):
         image = change(picture(T, look, k))
         true = project(camera_at(T), corner_points(CHARUCO))
         found = detect_board(image, CHARUCO)
-        ours.off_px.append(found.uv_px - true[found.number])
+        ours.append(found.uv_px - true[found.number])
         corners, ids, _, _ = detector.detectBoard(image)
         at = ids.ravel()
         number = (rows - 1 - at // columns) * columns + at % columns
-        theirs.off_px.append(corners.reshape(-1, 2) - true[number])
-    return ours, theirs
+        theirs.append(corners.reshape(-1, 2) - true[number])
+    return {"Crenel": ours, "OpenCV": theirs}
 
 
 if __name__ == "__main__":

@@ -9,7 +9,6 @@ A picture counts as found if at least 30 % of its columns have a point on the li
 off than a quarter of the width is beside it.
 """
 
-import argparse
 from collections.abc import Iterator
 from dataclasses import asdict, dataclass
 from pathlib import Path
@@ -20,7 +19,7 @@ from numpy.typing import NDArray
 
 from app.metrology.stripe import Stripe, StripeSettings, extract_stripe
 from app.metrology.transforms import Floats
-from tests.bench.rows import add_json_option, measured_rows
+from tests.bench.rows import bench_parser, measured_rows
 
 Grey = NDArray[np.uint8]
 WIDTHS_PX = (22, 36, 50)
@@ -45,9 +44,8 @@ class Tally:
 
 
 def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser = bench_parser(__doc__)
     parser.add_argument("folder", type=Path)
-    add_json_option(parser)
     given = parser.parse_args()
     rooms = list(read_rooms(given.folder))
     with measured_rows(given.json) as rows:

@@ -7,9 +7,9 @@ as ``crenel bench calibration`` does, with arms of three qualities; each is give
 Counted is how often it is identified, and how often taken for another one.
 """
 
-import argparse
 from collections.abc import Callable
 from dataclasses import replace
+from functools import partial
 
 import numpy as np
 from scipy.spatial.transform import Rotation
@@ -27,7 +27,7 @@ from app.metrology.adjustment.core.observations import ContactObservations
 from app.metrology.adjustment.outliers.fault_hypotheses import block_fault_findings
 from app.metrology.limits import LIMITS
 from app.metrology.transforms import Floats
-from tests.bench.rows import add_json_option, measured_rows
+from tests.bench.rows import bench_parser, measured_rows
 
 FACES = ("crest", "front", "left", "right")
 STATIONS, POSES, PER_FACE = 4, 6, 10
@@ -39,58 +39,42 @@ ARMS = {
     "250 um": replace(USUAL, links_mm=0.03, links_rad=7.5e-5),
 }
 
-Fault = Callable[[Draw, SimulatedSetup, np.random.Generator], Draw]
+Fault = Callable[[Draw, np.random.Generator], Draw]
 
 
-def none(session: Draw, _station: SimulatedSetup, _rng: np.random.Generator) -> Draw:
-    return session
+def diameter(by_mm: float, session: Draw, _rng: np.random.Generator) -> Draw:
+    touches = session_contacts(session)
+    return with_contacts(session, replace(touches, radius_mm=touches.radius_mm + by_mm / 2))
 
 
-def diameter(by_mm: float) -> Fault:
-    def spoilt(session: Draw, _station: SimulatedSetup, _rng: np.random.Generator) -> Draw:
-        touches = session_contacts(session)
-        return with_contacts(session, replace(touches, radius_mm=touches.radius_mm + by_mm / 2))
-
-    return spoilt
+def place(by_mm: float, session: Draw, rng: np.random.Generator) -> Draw:
+    R_arm_flange = session_contacts(session).R_arm_flange
+    return move_contacts(session, R_arm_flange @ (by_mm * direction(rng)))
 
 
-def place(by_mm: float) -> Fault:
-    def spoilt(session: Draw, _station: SimulatedSetup, rng: np.random.Generator) -> Draw:
-        touches = session_contacts(session)
-        return move_contacts(session, touches.R_arm_flange @ (by_mm * direction(rng)))
-
-    return spoilt
-
-
-def nudge(by_mm: float, by_deg: float) -> Fault:
-    def spoilt(session: Draw, _station: SimulatedSetup, rng: np.random.Generator) -> Draw:
-        tips = session_contacts(session).tips_mm
-        turn = Rotation.from_rotvec(np.radians(by_deg) * direction(rng)).as_matrix()
-        arms = tips - tips.mean(axis=0)
-        return move_contacts(session, arms @ turn.T - arms + by_mm * direction(rng))
-
-    return spoilt
+def nudge(by_mm: float, by_deg: float, session: Draw, rng: np.random.Generator) -> Draw:
+    tips = session_contacts(session).tips_mm
+    turn = Rotation.from_rotvec(np.radians(by_deg) * direction(rng)).as_matrix()
+    arms = tips - tips.mean(axis=0)
+    return move_contacts(session, arms @ turn.T - arms + by_mm * direction(rng))
 
 
-def scale_block(share: float) -> Fault:
-    def spoilt(session: Draw, _station: SimulatedSetup, _rng: np.random.Generator) -> Draw:
-        prior, state = session.problem.prior, session.start
-        prior = replace(prior, coordinates=prior.coordinates * (1 + share))
-        state = replace(state, coordinates=state.coordinates * (1 + share))
-        return replace(session, problem=replace(session.problem, prior=prior), start=state)
-
-    return spoilt
+def scale_block(share: float, session: Draw, _rng: np.random.Generator) -> Draw:
+    prior, state = session.problem.prior, session.start
+    prior = replace(prior, coordinates=prior.coordinates * (1 + share))
+    state = replace(state, coordinates=state.coordinates * (1 + share))
+    return replace(session, problem=replace(session.problem, prior=prior), start=state)
 
 
 FAULTS: dict[str, tuple[str, Fault]] = {
-    "none": ("", none),
-    "tip 0.1 mm too large": ("tip-diameter", diameter(0.1)),
-    "tip 0.1 mm from its place": ("tip-place", place(0.1)),
-    "tip 0.3 mm from its place": ("tip-place", place(0.3)),
-    "block moved by 0.1 mm, 0.05 deg": ("object-moved", nudge(0.1, 0.05)),
-    "block moved by 0.3 mm, 0.2 deg": ("object-moved", nudge(0.3, 0.2)),
-    "certificate 0.3 % too large": ("object-size", scale_block(0.003)),
-    "certificate 1 % too large": ("object-size", scale_block(0.01)),
+    "none": ("", lambda session, _: session),
+    "tip 0.1 mm too large": ("tip-diameter", partial(diameter, 0.1)),
+    "tip 0.1 mm from its place": ("tip-place", partial(place, 0.1)),
+    "tip 0.3 mm from its place": ("tip-place", partial(place, 0.3)),
+    "block moved by 0.1 mm, 0.05 deg": ("object-moved", partial(nudge, 0.1, 0.05)),
+    "block moved by 0.3 mm, 0.2 deg": ("object-moved", partial(nudge, 0.3, 0.2)),
+    "certificate 0.3 % too large": ("object-size", partial(scale_block, 0.003)),
+    "certificate 1 % too large": ("object-size", partial(scale_block, 0.01)),
 }
 
 
@@ -116,16 +100,15 @@ def direction(rng: np.random.Generator) -> Floats:
 def named_fault(station: SimulatedSetup, fault: Fault, seed: int) -> str:
     """The fault that is named, or none."""
     rng = np.random.default_rng(seed)
-    session = fault(draw_session(station, rng), station, rng)
+    session = fault(draw_session(station, rng), rng)
     found = block_fault_findings(solve_adjustment(session.problem, session.start), LIMITS)
     named = [one.code for one in found if one.code in CODES and one.quality != "good"]
     return named[0] if named else ""
 
 
 def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser = bench_parser(__doc__)
     parser.add_argument("--draws", type=int, default=40)
-    add_json_option(parser)
     given = parser.parse_args()
     with measured_rows(given.json) as rows:
         for name in FAULTS:

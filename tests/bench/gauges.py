@@ -3,7 +3,6 @@
 python -m tests.bench.gauges SAMPLES [--json]
 """
 
-import argparse
 import json
 import subprocess
 import sys
@@ -11,7 +10,7 @@ import tempfile
 from pathlib import Path
 from typing import Any
 
-from tests.bench.rows import add_json_option, measured_rows
+from tests.bench.rows import bench_parser, measured_rows
 
 CRENEL = (sys.executable, "-c", "from app.cli.main import main; main()")
 GAUGES = {"plane": "plane", "plane_tilted": "plane", "sphere": "sphere"}
@@ -36,9 +35,8 @@ def measure_gauge(session: Path, name: str, calibration: Path, cloud: Path) -> d
 
 
 def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser = bench_parser(__doc__)
     parser.add_argument("samples", type=Path)
-    add_json_option(parser)
     given = parser.parse_args()
     session = given.samples / "one-pose"
     with measured_rows(given.json) as rows, tempfile.TemporaryDirectory() as scratch:

@@ -9,7 +9,6 @@ it is measured alike; the plane of its own calibration beside it). Beside it a j
 least-squares over camera, mounting and board, without noise model, bend or outliers.
 """
 
-import argparse
 import tempfile
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
@@ -41,19 +40,18 @@ from app.metrology.transforms import (
 )
 from tests.bench.block_peers import measure_samples
 from tests.bench.board_measures import (
+    MEASURES,
+    OF_LINE,
     BoardFrame,
     PeerCalibration,
-    common_plane_rms_mm,
-    corner_rms_px,
-    laser_plane_rms_mm,
+    calibrate_camera,
     line_on_board,
     origin_scatter_mm,
-    pattern_scatter_mm,
     plane_through,
     solve_pose,
 )
 from tests.bench.hand_eye import K1_ONLY, hand_eye_methods
-from tests.bench.rows import Rows, add_json_option, measured_rows
+from tests.bench.rows import Rows, bench_parser, measured_rows
 from tests.real_sessions import write_real_session
 
 CRENEL = "Crenel"
@@ -119,17 +117,9 @@ def calibrate_opencv(
     """calibrateCamera with k1 and with all five terms, then each of the hand-eye methods."""
     points = corner_points(made.board)
     for terms, flags in (("k1", K1_ONLY), ("5 terms", 0)):
-        _, K, distortion, _, _ = cv2.calibrateCamera(
-            [points[frame.corner].astype(np.float32) for frame in frames],
-            [frame.uv_px.astype(np.float32) for frame in frames],
-            made.size_px,
-            np.eye(3),
-            np.zeros(5),
-            flags=flags,
-        )
-        lens = np.ravel(distortion)[:5].astype(np.float64)
-        camera = Camera(np.asarray(K, np.float64), np.eye(3), np.zeros(3), *made.size_px, lens)
-        T_cam_obj = [solve_pose(camera, points[frame.corner], frame.uv_px) for frame in frames]
+        seen = [(points[frame.corner], frame.uv_px) for frame in frames]
+        camera = calibrate_camera(seen, made.size_px, np.eye(3), flags)
+        T_cam_obj = [solve_pose(camera, *one) for one in seen]
         T_arm_flange = [frame.T_arm_flange for frame in frames]
         start = PeerCalibration("", camera, np.eye(4), points, NO_PLANE)
         start = with_plane(start, frames)
@@ -211,25 +201,25 @@ def calibrate_crenel(
     return solved, said
 
 
-HEAD = ("corners px", "origin mm", "pattern mm", "laser mm", "plane mm", "laser*", "plane*")
+def line_figures(
+    solved: Sequence[PeerCalibration], by: Sequence[Sequence[BoardFrame]]
+) -> dict[str, float]:
+    """Of a calibration by all pictures, and of one by some of them."""
+    return {
+        f"{name}{end}": measure(one, frames)
+        for one, frames, end in zip(solved, by, (" mm", "*"), strict=True)
+        for name, measure in OF_LINE.items()
+    }
 
 
 def summary_figures(
     solved: PeerCalibration, frames: Sequence[BoardFrame], out: set[int]
-) -> list[float]:
+) -> dict[str, float]:
     """Of all pictures; those of the line also without the pictures ``out``. The laser's plane is
     the one through the points, in either case."""
-    rest = [frame for frame in frames if frame.number not in out]
-    every, again = with_plane(solved, frames), with_plane(solved, rest)
-    return [
-        corner_rms_px(solved, frames),
-        origin_scatter_mm(solved, frames),
-        pattern_scatter_mm(solved, frames),
-        laser_plane_rms_mm(every, frames),
-        common_plane_rms_mm(every, frames),
-        laser_plane_rms_mm(again, rest),
-        common_plane_rms_mm(again, rest),
-    ]
+    both = (frames, [frame for frame in frames if frame.number not in out])
+    found = {name: measure(solved, frames) for name, measure in MEASURES.items()}
+    return found | line_figures([with_plane(solved, by) for by in both], both)
 
 
 def measure_recording(folder: Path, scratch: Path, rows: Rows) -> None:
@@ -243,8 +233,7 @@ def measure_recording(folder: Path, scratch: Path, rows: Rows) -> None:
     rows.say(f"* without pictures {sorted(out) or 'none'}, whose lines contradict the others'")
 
     def add(name: str, frames: Sequence[BoardFrame], solved: PeerCalibration) -> None:
-        values = summary_figures(solved, frames, out)
-        rows.add(f"{folder.name}: {name}", dict(zip(HEAD, values, strict=True)))
+        rows.add(f"{folder.name}: {name}", summary_figures(solved, frames, out))
 
     for what, frames in (("OpenCV's corners", made.cv_frames), ("Crenel's corners", made.frames)):
         solved = list(calibrate_opencv(what, made, frames))
@@ -254,15 +243,8 @@ def measure_recording(folder: Path, scratch: Path, rows: Rows) -> None:
             add(one.name, frames, one)
     add(crenel.name, made.frames, crenel)
     rest = [frame for frame in made.frames if frame.number not in out]
-    own = [
-        measure(crenel, frames)
-        for frames in (made.frames, rest)
-        for measure in (laser_plane_rms_mm, common_plane_rms_mm)
-    ]
-    rows.add(
-        f"{folder.name}: Crenel, the plane of its calibration",
-        dict(zip(HEAD[-4:], own, strict=True)),
-    )
+    own = line_figures((crenel, crenel), (made.frames, rest))
+    rows.add(f"{folder.name}: Crenel, the plane of its calibration", own)
     as_flat = replace(
         crenel, corners_mm=corner_points(made.board), board_surface=PeerCalibration.board_surface
     )
@@ -270,10 +252,9 @@ def measure_recording(folder: Path, scratch: Path, rows: Rows) -> None:
 
 
 def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser = bench_parser(__doc__)
     parser.add_argument("real", type=Path)
     parser.add_argument("samples", type=Path, nargs="?")
-    add_json_option(parser)
     given = parser.parse_args()
     with measured_rows(given.json) as rows, tempfile.TemporaryDirectory() as scratch:
         for folder in sorted({frame.parent for frame in given.real.rglob("frame*.png")}):

@@ -10,6 +10,7 @@ or two a pose, any roll of the camera, and calibrated as the command line does.
 import argparse
 import tempfile
 from collections import Counter, defaultdict
+from collections.abc import Iterable
 from pathlib import Path
 
 import numpy as np
@@ -17,15 +18,13 @@ import numpy as np
 from app.errors import OperationError
 from app.formats.session.calibration_session import read_session
 from app.metrology.adjustment.block.calibrate import calibrate_block
-from app.metrology.targets.crenellated_block import corners
 from app.workflows.calibrate import joint_inputs
-from hardware.simulator.devices.kinematics import ErrorSource, UnreachableError
-from hardware.simulator.session import SessionPlan, render_session
-from tests.bench.block_peers import errors_um
-from tests.bench.board_measures import PeerCalibration
-from tests.bench.many_poses import rms
+from hardware.simulator.devices.kinematics import ErrorSource
+from hardware.simulator.session import SessionPlan
+from tests.bench.rows import rms
+from tests.bench.sessions import draw_camera, draw_sessions, errors_um
 
-FIRST_SEED = 8000
+FIRST_SEED = 8001
 FACES = ("crest", "front", "left", "right", "back")
 KINDS: tuple[ErrorSource, ...] = ("links", "parameters")
 
@@ -37,52 +36,36 @@ def draw_plan(rng: np.random.Generator) -> SessionPlan:
         imperfection_um=float(rng.choice([0, 30, 100, 250])),
         wrong_in=KINDS[int(rng.integers(2))],
         lighting=str(rng.choice(["pair", "both"])),
-        roll_rad=float(rng.uniform(-np.pi, np.pi)),
-        distortion=(float(rng.uniform(-0.1, 0.05)), 0.0, 0.0, 0.0, 0.0),
+        **draw_camera(rng),
         faces=FACES[: int(rng.integers(3, 6))],
         contacts_per_face=int(rng.choice([8, 15])),
     )
-
-
-def measure_session(folder: Path) -> tuple[float, float, list[str]]:
-    """Error and claim in the flange frame (um), and what is bad or needs attention.
-
-    Raises:
-        Refusal: the session is not calibrated.
-    """
-    session = read_session(folder)
-    found = calibrate_block(joint_inputs(session))
-    nominal = np.array(list(corners(session.block).values()))
-    solved = PeerCalibration("", found.camera, found.T_flange_sensor, nominal, found.plane)
-    doubts = [one.code for one in found.findings if one.quality in ("bad", "attention")]
-    return errors_um(solved, folder)[1], found.uncertainty.total_um, doubts
 
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--sessions", type=int, default=60)
     wanted = parser.parse_args().sessions
+    with tempfile.TemporaryDirectory() as scratch:
+        measure_sessions(draw_sessions(wanted, FIRST_SEED, draw_plan, Path(scratch)))
+
+
+def measure_sessions(folders: Iterable[Path]) -> None:
+    """Prints error over claim in the flange frame, and what is bad or needs attention."""
     ratios: dict[str, list[float]] = defaultdict(list)
     doubted: Counter[str] = Counter()
-    seed = FIRST_SEED
-    while len(ratios["all"]) + doubted["refused"] < wanted:
-        seed += 1
-        plan = draw_plan(np.random.default_rng(seed))
-        with tempfile.TemporaryDirectory() as scratch:
-            folder = Path(scratch) / "session"
-            try:
-                render_session(folder, seed, plan)
-                error_um, claim_um, doubts = measure_session(folder)
-            except UnreachableError:
-                continue
-            except OperationError as refusal:
-                doubted["refused"] += 1
-                print(f"{seed} refused: {refusal}", flush=True)
-                continue
-        doubted.update(doubts)
+    for folder in folders:
+        try:
+            found = calibrate_block(joint_inputs(read_session(folder)))
+        except OperationError as refusal:
+            doubted["refused"] += 1
+            print(f"{folder.name} refused: {refusal}", flush=True)
+            continue
+        doubted.update(one.code for one in found.findings if one.quality in ("bad", "attention"))
+        plan = draw_plan(np.random.default_rng(int(folder.name)))
         kinds = ("all", f"{plan.poses:2d} poses", f"arm off by {plan.imperfection_um:3.0f} um")
         for kind in (*kinds, f"{len(plan.faces)} faces"):
-            ratios[kind].append(error_um / claim_um)
+            ratios[kind].append(errors_um(found, folder)[1] / found.uncertainty.total_um)
     print(f"{'error over claim, flange frame':<34}{'sessions':>10}{'rms':>8}{'largest':>10}")
     for kind, values in sorted(ratios.items()):
         print(f"{kind:<34}{len(values):>10}{rms(np.array(values)):>8.2f}{max(values):>10.2f}")

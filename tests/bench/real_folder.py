@@ -1,9 +1,5 @@
-"""The real pictures beside the checkout, laid out as ``crenel bench real`` wants them.
+"""The real pictures beside the checkout, laid out as ``crenel bench real`` wants them."""
 
-python -m tests.bench.real_folder REAL FOLDER
-"""
-
-import argparse
 import json
 from pathlib import Path
 
@@ -36,15 +32,3 @@ def _link(source: Path, place: Path) -> Path:
         if path.suffix.lower() in PICTURES:
             (place / path.name).symlink_to(path.resolve())
     return place
-
-
-def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("real", type=Path)
-    parser.add_argument("folder", type=Path)
-    given = parser.parse_args()
-    lay_out(given.real, given.folder)
-
-
-if __name__ == "__main__":
-    main()

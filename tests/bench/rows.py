@@ -5,6 +5,10 @@ import json
 from collections.abc import Generator, Mapping
 from contextlib import contextmanager
 
+import numpy as np
+
+from app.metrology.transforms import Floats
+
 WIDTH = 44
 
 
@@ -32,8 +36,15 @@ class Rows:
             print(text, flush=True)
 
 
-def add_json_option(parser: argparse.ArgumentParser) -> None:
+def rms(values: Floats) -> float:
+    return float(np.sqrt(np.mean(values**2)))
+
+
+def bench_parser(doc: str) -> argparse.ArgumentParser:
+    """The options of a bench, by its docstring: ``--json``, and what it adds."""
+    parser = argparse.ArgumentParser(description=doc.splitlines()[0])
     parser.add_argument("--json", action="store_true", help="print one JSON object of all rows")
+    return parser
 
 
 @contextmanager

@@ -3,7 +3,6 @@
 python -m tests.bench.smoothing [--json]
 """
 
-import argparse
 from dataclasses import replace
 
 import numpy as np
@@ -12,7 +11,7 @@ from app.bench.stripe.frames import GRAINS, simulate_frame, simulate_overexposur
 from app.metrology.stripe import Stripe, extract_stripe
 from app.metrology.stripe.smoothing import smooth_stripe
 from app.metrology.transforms import Floats
-from tests.bench.rows import add_json_option, measured_rows
+from tests.bench.rows import bench_parser, measured_rows, rms
 
 FRAMES = 16
 SMOOTHINGS_PX = (0.0, 1.0, 2.0, 5.0, 10.0)
@@ -40,9 +39,7 @@ def simulated_stripes(kind: str) -> list[tuple[Stripe, Floats]]:
 
 
 def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    add_json_option(parser)
-    with measured_rows(parser.parse_args().json) as rows:
+    with measured_rows(bench_parser(__doc__).parse_args().json) as rows:
         for kind in (*GRAINS, "saturated patch"):
             stripes = simulated_stripes(kind)
             found = {f"{px:.0f} px": measure(stripes, px) for px in SMOOTHINGS_PX}
@@ -65,10 +62,6 @@ def measure(stripes: list[tuple[Stripe, Floats]], smoothing_px: float) -> dict[s
         "claimed / observed": 1 / rms(every / np.concatenate(sigma)),
         "shape lost, px": rms(np.concatenate(moved)),
     }
-
-
-def rms(values: Floats) -> float:
-    return float(np.sqrt(np.mean(values**2)))
 
 
 if __name__ == "__main__":

@@ -2,6 +2,7 @@
 broker."""
 
 from collections.abc import Iterator
+from contextlib import ExitStack
 from functools import partial
 from pathlib import Path
 from unittest.mock import patch
@@ -17,27 +18,23 @@ from app.bench.faults.served import HALF, HALF_SIZE, prepare
 from app.bench.faults.station import StationProcess
 
 pytestmark = [pytest.mark.timeout(400), pytest.mark.device, pytest.mark.soak]
+Folder = tuple[Path, FolderRecords]
 
 
 @pytest.fixture(scope="module", autouse=True)
 def small_pictures() -> Iterator[None]:
     """All stations of these benches draw a quarter of the usual pixels, less often."""
     station = partial(StationProcess, options=HALF_SIZE)
-    with (
-        patch.object(furnished, "prepare", partial(prepare, config=HALF)),
-        patch.object(floods, "prepare", partial(prepare, config=HALF)),
-        patch.object(furnished, "StationProcess", station),
-        patch.object(damage, "StationProcess", station),
-        patch.object(disk, "StationProcess", station),
-        patch.object(floods, "StationProcess", station),
-    ):
+    with ExitStack() as stack:
+        for module in (furnished, floods):
+            stack.enter_context(patch.object(module, "prepare", partial(prepare, config=HALF)))
+        for module in (furnished, damage, disk, floods):
+            stack.enter_context(patch.object(module, "StationProcess", station))
         yield
 
 
 @pytest.fixture(scope="module")
-def folder(
-    small_pictures: None, tmp_path_factory: pytest.TempPathFactory
-) -> tuple[Path, FolderRecords]:
+def folder(small_pictures: None, tmp_path_factory: pytest.TempPathFactory) -> Folder:
     """A data folder with something in every place; it is copied, and stays as it is."""
     data = tmp_path_factory.mktemp("furnished") / "data"
     return data, furnished.furnish(data)
@@ -48,16 +45,12 @@ def assert_survived(row: FaultRow) -> None:
     assert (row.survived, row.lost) == (row.tries, 0), table([row])
 
 
-def test_a_calibration_of_no_moment_is_reported_and_the_rest_served(
-    folder: tuple[Path, FolderRecords],
-) -> None:
+def test_a_calibration_of_no_moment_is_reported_and_the_rest_served(folder: Folder) -> None:
     data, kept = folder
     assert_survived(damage.run(data, words="calibration: a date that is none", kept=kept))
 
 
-def test_a_disk_that_is_full_for_a_while_loses_nothing(
-    folder: tuple[Path, FolderRecords],
-) -> None:
+def test_a_disk_that_is_full_for_a_while_loses_nothing(folder: Folder) -> None:
     data, kept = folder
     assert_survived(disk.run(data, tries=1, kept=kept))
 

@@ -1,21 +1,20 @@
 """``crenel bench boards``: sets of real pictures beside OpenCV's finders."""
 
-import json
 from pathlib import Path
 
 import pytest
 
 from app.bench.metrology.real_boards import run, table
 from app.errors import OperationError
+from app.metrology.targets.chessboard import Chessboard
+from tests.datasheets import write_object
 
 pytestmark = pytest.mark.soak
 
 
 def write_set(folder: Path, pictures: list[Path], columns: int, rows: int) -> None:
     folder.mkdir(parents=True)
-    fields = {"format": "crenel/object", "version": 1, "kind": "chessboard", "name": "B"}
-    board = {"serial_number": "1", "inner_corners": [columns, rows], "square_mm": 25.0}
-    (folder / "object.json").write_text(json.dumps({**fields, **board}))
+    write_object(folder / "object.json", Chessboard("B", "1", (columns, rows), 25.0, 0.1))
     for path in pictures:
         (folder / path.name).symlink_to(path)
 

@@ -1,7 +1,6 @@
 """``crenel bench real``: what it counts, on lines whose truth is known, and its folder."""
 
 import json
-from collections.abc import Sequence
 from functools import partial
 from pathlib import Path
 
@@ -40,10 +39,12 @@ def render_line(
     return np.clip(np.rint(noisy), 0, 255).astype(np.uint8), rows
 
 
-def lazily(images: Sequence[GreyImage]) -> list[LazyPicture]:
-    return [
-        LazyPicture(str(number), partial(np.asarray, image)) for number, image in enumerate(images)
-    ]
+def lazily(*images: GreyImage) -> list[LazyPicture]:
+    return [LazyPicture(str(number), partial(np.asarray, one)) for number, one in enumerate(images)]
+
+
+def saved_line(path: Path, width_px: float) -> None:
+    cv2.imwrite(str(path), render_line(width_px)[0])
 
 
 @pytest.mark.parametrize("width_px", [2.5, 6.0, 15.0, 29.0])
@@ -53,8 +54,7 @@ def test_the_peers_find_lines_of_any_width(width_px: float) -> None:
     assert measured == pytest.approx(width_px, rel=0.12)
     assert measured is not None
     for name, found in find_by_peers(image, measured).items():
-        middle = slice(30, -30)
-        off = found[middle] - rows[middle]
+        off = found[30:-30] - rows[30:-30]
         assert np.isfinite(off).all(), name
         assert float(np.sqrt(np.mean(off**2))) < 0.02 * width_px + 0.05, name
 
@@ -123,7 +123,7 @@ def test_noise_is_that_of_the_points_with_gaps_and_outliers() -> None:
 
 def test_a_line_is_measured_beside_its_peers() -> None:
     frames = [render_line(15.0, seed=seed)[0] for seed in range(8)]
-    found = measure_lines("clean", lazily(frames), PictureSetNotes(repeated=True))
+    found = measure_lines("clean", lazily(*frames), PictureSetNotes(repeated=True))
     assert (found.axis, found.pictures, found.with_line) == ("u", 8, 8)
     assert found.missed == 0
     assert found.agreed > 0.95 * 8 * WIDTH
@@ -134,7 +134,7 @@ def test_a_line_is_measured_beside_its_peers() -> None:
     assert own < theirs
     assert found.sigma_px == pytest.approx(own, rel=0.2)
     assert found.scatter_ratio == pytest.approx(1.0, abs=0.15)
-    turned = measure_lines("turned", lazily([frame.T for frame in frames[:2]]))
+    turned = measure_lines("turned", lazily(*(frame.T for frame in frames[:2])))
     assert (turned.axis, turned.with_line, turned.scatter_ratio) == ("v", 2, None)
     (row,) = line_table([found])
     assert row[6:9] == ["0.0 %", "0", "0"]
@@ -143,10 +143,10 @@ def test_a_line_is_measured_beside_its_peers() -> None:
 def test_pictures_without_a_line_have_no_points() -> None:
     noise = np.random.default_rng(8).normal(20, 2, (HEIGHT, WIDTH))
     image = np.clip(np.rint(noise), 0, 255).astype(np.uint8)
-    found = measure_no_line("room", lazily([image]))
+    found = measure_no_line("room", lazily(image))
     assert (found.columns, found.points, found.share) == (WIDTH + HEIGHT, 0, 0.0)
     assert no_line_table([found]) == [["room", "1", str(WIDTH + HEIGHT), "0", "0.00 %"]]
-    nothing = measure_lines("nothing", lazily([image]))
+    nothing = measure_lines("nothing", lazily(image))
     assert (nothing.width_px, nothing.agreed, nothing.noise_px) == (None, 0, {})
     assert line_table([nothing])[0][6] == "–"
 
@@ -157,13 +157,13 @@ def test_harder_pictures_still_show_the_line(name: str, kind: type[np.generic]) 
     image, _ = render_line(5.0)
     harder = HARDER[name](image.astype(kind) * (16 if kind is np.uint16 else 1))
     assert harder.dtype in (np.uint8, np.uint16)
-    found = measure_lines(name, lazily([harder]))
+    found = measure_lines(name, lazily(harder))
     assert found.agreed > 0.9 * harder.shape[1]
 
 
 def write_set(folder: Path, **about: object) -> None:
     folder.mkdir(parents=True)
-    cv2.imwrite(str(folder / "a.png"), render_line(5.0)[0])
+    saved_line(folder / "a.png", 5.0)
     fields = {"format": "crenel/picture-set", "version": 1, **about}
     (folder / "set.json").write_text(json.dumps(fields))
 
@@ -173,12 +173,8 @@ def test_a_folder_is_read_by_its_layout(tmp_path: Path) -> None:
     write_set(tmp_path / "lines" / "two", several=True, width_px=5.0, stripe_axis="u")
     write_set(tmp_path / "boards" / "wall")
     write_set(tmp_path / "boards" / "lit", no_line=False)
-    assert [one.name for one in find_sets(tmp_path)] == [
-        "boards/lit",
-        "boards/wall",
-        "lines/dark",
-        "lines/two",
-    ]
+    names = [one.name for one in find_sets(tmp_path)]
+    assert names == ["boards/lit", "boards/wall", "lines/dark", "lines/two"]
     found = run(tmp_path, harder=False, drawings=tmp_path / "drawn")
     assert (tmp_path / "drawn" / "lines" / "two" / "a, u.png").is_file()
     assert (tmp_path / "drawn" / "boards" / "wall" / "a, v.png").is_file()
@@ -194,7 +190,7 @@ def test_a_folder_is_read_by_its_layout(tmp_path: Path) -> None:
 
 
 def test_pictures_without_a_folder_for_their_set_are_one_set(tmp_path: Path) -> None:
-    cv2.imwrite(str(tmp_path / "a.png"), render_line(5.0)[0])
+    saved_line(tmp_path / "a.png", 5.0)
     (lines,) = find_sets(tmp_path)
     assert (lines.kind, lines.board) == ("lines", None)
     board = Chessboard("board", "", (9, 6), 25.0, 0.1)
@@ -207,15 +203,13 @@ def test_pictures_without_a_folder_for_their_set_are_one_set(tmp_path: Path) -> 
 
 def test_a_damaged_picture_is_left_out_and_named(tmp_path: Path) -> None:
     (tmp_path / "a").mkdir()
-    cv2.imwrite(str(tmp_path / "a/1.png"), render_line(6.0)[0])
+    saved_line(tmp_path / "a/1.png", 6.0)
     (tmp_path / "a/2.png").write_bytes(b"no picture")
     found = run(tmp_path / "a", harder=False)
     assert found.lines[0].pictures == 1
     assert "2.png" in found.unreadable[0]
-    cv2.imwrite(
-        str(tmp_path / "a/3.png"),
-        np.dstack([render_line(6.0)[0]] * 2 + [np.full((HEIGHT, WIDTH), 9)]),
-    )
+    coloured = np.dstack([render_line(6.0)[0]] * 2 + [np.full((HEIGHT, WIDTH), 9)])
+    cv2.imwrite(str(tmp_path / "a/3.png"), coloured)
     with pytest.raises(OperationError, match="State colour"):
         run(tmp_path / "a", harder=False)
 
@@ -227,7 +221,7 @@ def test_a_wrong_folder_is_refused(tmp_path: Path) -> None:
     with pytest.raises(OperationError, match="contains no pictures"):
         find_sets(tmp_path)
     write_set(tmp_path / "boards" / "b")
-    cv2.imwrite(str(tmp_path / "lines" / "weld" / "a.png"), render_line(5.0)[0])
+    saved_line(tmp_path / "lines" / "weld" / "a.png", 5.0)
     (tmp_path / "boards" / "b" / "object.json").write_text("{}")
     with pytest.raises(OperationError, match=r"object\.json"):
         find_sets(tmp_path)

@@ -1,7 +1,8 @@
 """What the bench of the start makes of its figures, on copies of the program that are scripts."""
 
-from collections.abc import Iterator
+from contextlib import nullcontext
 from pathlib import Path
+from types import SimpleNamespace
 
 import pytest
 
@@ -29,23 +30,9 @@ def script(folder: Path, text: str) -> Path:
 def test_cold_rounds_find_nothing_that_another_left_and_warm_ones_do(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    def no_demo(*_: object, **__: object) -> Iterator[start.Sample]:
-        return iter(())
-
-    class Rested:
-        def __init__(self, *_: object) -> None: ...
-        def __enter__(self) -> "Rested":
-            return self
-
-        def __exit__(self, *_: object) -> None: ...
-        def ready_s(self) -> float:
-            return 0.0
-
-        def idle_mb(self) -> float:
-            return 200.0
-
-    monkeypatch.setattr(start, "_demo", no_demo)
-    monkeypatch.setattr(start, "DemoProcess", Rested)
+    rested = SimpleNamespace(ready_s=lambda: 0.0, idle_mb=lambda: 200.0)
+    monkeypatch.setattr(start, "_demo", lambda *_, **__: iter(()))
+    monkeypatch.setattr(start, "DemoProcess", lambda *_: nullcontext(rested))
     monkeypatch.setattr(InstalledCopy, "size_mb", lambda self: 500.0)
     (tmp_path / "session" / "images").mkdir(parents=True)
     script(tmp_path / "one", COMPILES)

@@ -19,8 +19,6 @@ from tests.bench.figures.everything import FIGURES
 from tests.bench.figures.figure import Figure, Outcome, Verdict
 from tests.bench.figures.measure import outcomes
 
-WIDTHS = (64, 10, 10, 10)
-
 
 def main(words: Sequence[str] | None = None) -> int:
     """The status of the process."""
@@ -32,15 +30,10 @@ def main(words: Sequence[str] | None = None) -> int:
     )
     parser.add_argument("name", nargs="*")
     parser.add_argument("--list", action="store_true", help="print figures and their commands")
-    parser.add_argument(
-        "--keep",
-        type=Path,
-        metavar="FOLDER",
-        help="keep what the commands print here, and measure only what is missing here",
-    )
-    parser.add_argument(
-        "--complete", action="store_true", help="status 2 also if a figure is not measured"
-    )
+    keep = "keep what the commands print here, and measure only what is missing here"
+    parser.add_argument("--keep", type=Path, metavar="FOLDER", help=keep)
+    complete = "status 2 also if a figure is not measured"
+    parser.add_argument("--complete", action="store_true", help=complete)
     given = parser.parse_args(words)
     chosen = choose(given.name)
     if not chosen:
@@ -49,20 +42,15 @@ def main(words: Sequence[str] | None = None) -> int:
         for figure in chosen:
             print(f"{figure.name}\n    {figure.command}\n    tolerance {figure.tolerance.reason}")
         return 0
-    return show(measured(chosen, given.keep), given.complete)
+    with tempfile.TemporaryDirectory() as scratch:
+        folder = given.keep or Path(scratch)
+        folder.mkdir(parents=True, exist_ok=True)
+        return show(outcomes(chosen, folder), given.complete)
 
 
 def choose(names: Sequence[str]) -> list[Figure]:
     """The figures whose name begins with one of the names."""
     return [one for one in FIGURES if not names or one.name.startswith(tuple(names))]
-
-
-def measured(figures: Sequence[Figure], keep: Path | None) -> Iterable[Outcome]:
-    """Each figure beside what was measured."""
-    with tempfile.TemporaryDirectory() as scratch:
-        folder = keep or Path(scratch)
-        folder.mkdir(parents=True, exist_ok=True)
-        yield from outcomes(figures, folder)
 
 
 def show(found: Iterable[Outcome], complete: bool) -> int:
@@ -83,11 +71,7 @@ def show(found: Iterable[Outcome], complete: bool) -> int:
 
 
 def _print_row(name: str, printed: str, value: str, allowed: str, verdict: str) -> None:
-    numbers = (
-        f"{text:>{width}}"
-        for text, width in zip((printed, value, allowed), WIDTHS[1:], strict=True)
-    )
-    print(f"{name:<{WIDTHS[0]}}{''.join(numbers)}  {verdict}", flush=True)
+    print(f"{name:<64}{printed:>10}{value:>10}{allowed:>10}  {verdict}", flush=True)
 
 
 if __name__ == "__main__":

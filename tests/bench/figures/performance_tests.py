@@ -12,20 +12,19 @@ DRAWN = Section(Command("crenel bench performance"), "Performance tests")
 RENDERED = Section(Command("crenel bench performance --rendered"), "Performance tests")
 MATRIX = "probe matrix off by 50"
 STATED = ", stated / observed"
-TOUCHED_UM, IMPLIED_UM, TIP_UM, MOVED_UM, GROWTH_UM = 0.1, 1.3, 1.7, 2.4, 1.0
-"""Standard deviations: of what is touched with the same noise; of the direction of five centres
-that scatter by 3 µm; of the size and of the movement of a sphere touched with 3 µm; of the form of
-25 patches of a scan."""
+TIP_UM, MOVED_UM = 1.7, 2.4
+"""Standard deviations of the size and of the movement of a sphere touched with 3 µm."""
 IMPLIED_OFFSETS = "implied offset along x, y, z"
 OUTLIERS = ("P_Form.Sph.D95% by scan", "P_Form.Sph.1x25 by scan", "P_Size.Sph.All by scan")
 IMPLIED = [f"probe matrix off along {axis}, implied" for axis in "xyz"]
-OF_IMPLIED = within(3 * IMPLIED_UM, f"3·{IMPLIED_UM} µm: the centre of a sphere of five scans")
+# five centres that scatter by 3 µm
+OF_IMPLIED = within(3 * 1.3, "3·1.3 µm: the centre of a sphere of five scans")
 OF_TOUCHES = "3 standard deviations of a sphere that is touched with 3 µm"
-OF_PATCHES = within(3.0, f"3·{GROWTH_UM} µm: the range of 25 patches")
+OF_PATCHES = within(3.0, "3·1.0 µm: the range of 25 patches")
 # the sphere about five centres, each of which scatters by some µm
 OF_CENTRES = within(24.0, "3·8 µm: the sphere about the centres of five scans")
 OF_SCANS = within(3.0, "3·1 µm: the size or form of a sphere by five scans")
-OF_SAME_TOUCHES = within(3 * TOUCHED_UM, "the same touches with the same noise")
+OF_SAME_TOUCHES = within(3 * 0.1, "the same touches with the same noise")
 
 
 def drawn() -> Iterator[Figure]:

@@ -79,24 +79,18 @@ class Place:
         """The only cell of the row and the column in the tables of the section."""
         exact, beginning = [], []
         for head, rows in tables(lines):
-            at = self._index(head)
-            if at is None:
-                continue
-            for cells in rows:
+            names = range(len(head)) if isinstance(self.column, int) else head
+            at = [index for index, name in enumerate(names) if name == self.column]
+            for cells in rows if len(at) == 1 else ():
                 pairs = list(zip(self.row, cells, strict=False))
                 if all(cell == name for name, cell in pairs):
-                    exact.append(cells[at])
+                    exact.append(cells[at[0]])
                 elif all(cell.startswith(name) for name, cell in pairs):
-                    beginning.append(cells[at])
+                    beginning.append(cells[at[0]])
         found = exact or beginning
         if len(found) != 1:
             raise UnreadableError(f"{self}: {len(found)} cells under {self.column!r}")
         return found[0]
-
-    def _index(self, head: Cells) -> int | None:
-        if isinstance(self.column, int):
-            return self.column if self.column < len(head) else None
-        return head.index(self.column) if head.count(self.column) == 1 else None
 
 
 @dataclass(frozen=True)

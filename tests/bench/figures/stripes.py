@@ -84,16 +84,12 @@ def clipped() -> Iterator[Figure]:
         "all of the line",
     )
     for kind in (spot, *of_the_line):
-        for column, bits, key in (
-            ("8 bit", 8, "full_search_share"),
-            ("16 bit", 16, "full_search_share"),
-            ("8 bit, tracked", 8, "followed_share"),
-            ("16 bit, tracked", 16, "followed_share"),
-        ):
-            place = CLIPPED.place(kind, column, pattern=r"\((\d+) %\)")
-            read = percent(at("kinds", {"kind": kind, "bits": bits}, key))
-            what = f"clipped, {kind}, {column}: rate over plain, %"
-            yield CLIPPED(what, place, read, LARGER, speed())
+        for bits in (8, 16):
+            for how, key in (("", "full_search_share"), (", tracked", "followed_share")):
+                place = CLIPPED.place(kind, f"{bits} bit{how}", pattern=r"\((\d+) %\)")
+                read = percent(at("kinds", {"kind": kind, "bits": bits}, key))
+                what = f"clipped, {kind}, {bits} bit{how}: rate over plain, %"
+                yield CLIPPED(what, place, read, LARGER, speed())
     for kind in of_the_line:
         where = (kind, "rms error, clipped columns")
         read = at("kinds", {"kind": kind, "bits": 8}, "error_px")
