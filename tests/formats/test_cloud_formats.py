@@ -194,13 +194,16 @@ def test_an_unknown_suffix_is_refused_before_the_work(tmp_path: Path) -> None:
     assert not list(tmp_path.iterdir())
 
 
-@pytest.mark.parametrize(("suffix", "name"), [(".e57", "pye57"), (".laz", "laspy")])
+@pytest.mark.parametrize(
+    ("suffix", "name", "extra"),
+    [(".e57", "pye57", "clouds"), (".laz", "laspy", "clouds"), (".copc.laz", "copclib", "copc")],
+)
 def test_a_library_that_is_missing_is_named(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, suffix: str, name: str
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, suffix: str, name: str, extra: str
 ) -> None:
     monkeypatch.setitem(sys.modules, name, None)
     with (
-        pytest.raises(OperationError, match=rf"{name}.*crenel\[clouds\]"),
+        pytest.raises(OperationError, match=rf"{name}.*crenel\[{extra}\]"),
         cloud_writer(tmp_path / f"c{suffix}"),
     ):
         pass

@@ -1,5 +1,6 @@
 """An arm session: its fold, the points that take themselves, and what is allowed when."""
 
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
@@ -20,7 +21,6 @@ from tests.guide.builders import ARM, CONNECTED, REST_RAD, Row, action, journal_
 from tests.present import present
 
 MS = 1_000_000
-rejection_reason = RULES.rejection_reason
 SEAT_ENDED: Row = ("seat_ended", {})
 
 
@@ -120,10 +120,16 @@ def test_no_point_counts_near_the_moment_when_the_tip_leaves() -> None:
     assert back.left_mm is None
 
 
+def why_not(
+    state: ArmState, name: str, args: Mapping[str, object] | None = None, **live: Any
+) -> str:
+    """Why a command is rejected in a state; empty if it is not."""
+    return str(RULES.rejection_reason(state, live_of(**live), name, args or {}))
+
+
 def test_a_swing_is_finished_only_with_points_and_swing() -> None:
     def reason(q: np.ndarray) -> str:
-        state = state_after(started(), begun(), points(q))
-        return str(rejection_reason(state, live_of(), "finish", {}))
+        return why_not(state_after(started(), begun(), points(q)), "finish")
 
     assert f"{LEAST} points" in reason(swung(5))
     assert "Swing further" in reason(swung(60, 0.3))
@@ -131,26 +137,22 @@ def test_a_swing_is_finished_only_with_points_and_swing() -> None:
 
 
 def test_commands_belong_to_their_step() -> None:
-    live = live_of()
     state = state_after(started())
-    assert rejection_reason(state, live, "begin", {}) == ""
-    assert "another step" in str(rejection_reason(state, live, "finish", {}))
-    assert "no command" in str(rejection_reason(state, live, "fly", {}))
-    assert "one seat" in str(rejection_reason(state, live, "fit", {}))
-    assert "Choose the arm" in str(rejection_reason(state, live_of(None), "begin", {}))
-    assert "7 joints" in str(rejection_reason(state, live_of(connected_joints=7), "begin", {}))
-    busy = live_of(busy=Busy("At work", None))
-    assert str(rejection_reason(state, busy, "begin", {})) == "Wait: At work."
-    assert "simulated operator" in str(rejection_reason(state, live, "run_simulation", {}))
-    assert rejection_reason(state, live, "set_limit", {"limit_um": 40}) == ""
+    assert why_not(state, "begin") == ""
+    assert "another step" in why_not(state, "finish")
+    assert "no command" in why_not(state, "fly")
+    assert "one seat" in why_not(state, "fit")
+    assert "Choose the arm" in why_not(state, "begin", arm=None)
+    assert "7 joints" in why_not(state, "begin", connected_joints=7)
+    assert why_not(state, "begin", busy=Busy("At work", None)) == "Wait: At work."
+    assert "simulated operator" in why_not(state, "run_simulation")
+    assert why_not(state, "set_limit", {"limit_um": 40}) == ""
     for wrong in (0, -3, "40", True):
-        assert "must be 1 to 100 000 micrometres" in str(
-            rejection_reason(state, live, "set_limit", {"limit_um": wrong})
-        )
-    closed = state_after(started(), ("ended", {}))
-    assert "closed" in str(rejection_reason(closed, live, "begin", {}))
+        said = why_not(state, "set_limit", {"limit_um": wrong})
+        assert "must be 1 to 100 000 micrometres" in said
+    assert "closed" in why_not(state_after(started(), ("ended", {})), "begin")
     few = state_after(started("identify"), begun(), SEAT_ENDED)
-    assert "1 of at least" in str(rejection_reason(few, live, "fit", {}))
+    assert "1 of at least" in why_not(few, "fit")
 
 
 def seat(kind: str, size_mm: float | None, name: str, q_rad: np.ndarray) -> list[Any]:
@@ -168,7 +170,7 @@ def test_a_bar_has_two_ends_and_half_of_one_is_not_used(tmp_path: Path) -> None:
     state = state_after(*one)
     live = live_of()
     assert state.half_bar
-    assert "other end" in str(rejection_reason(state, live, "choose_artefact", {"kind": "seat"}))
+    assert "other end" in why_not(state, "choose_artefact", {"kind": "seat"})
     assert "other end" in str(build_view(state, live).title)
     assert collect_observations(state).bars == ()
     away = tip_centres(ARM, q[:1])[0] + np.array([0.0, 60.0, 80.0])
@@ -181,8 +183,7 @@ def test_a_bar_has_two_ends_and_half_of_one_is_not_used(tmp_path: Path) -> None:
     (back,) = read_bars(tmp_path / "ballbars.csv", ARM)
     np.testing.assert_allclose(back.q_rad[1], other, atol=1e-12)
     # to the fit it is one place, and so it counts
-    text = "1 of at least 4 places are taken."
-    assert str(rejection_reason(state, live, "fit", {})) == text
+    assert why_not(state, "fit") == "1 of at least 4 places are taken."
     progress = present(build_view(state, live).progress)
     assert str(progress.text) == "1 of 6 places"
     # 60 mm and 80 mm are 100 mm, of a bar that is said to have 100.05
@@ -201,10 +202,10 @@ def test_a_sphere_is_touched_by_the_button_and_fitted_by_its_distances() -> None
     rows = [started("identify"), *seat("sphere", 20.0, "Sphere 1", q)]
     state, live = state_after(*rows), live_of()
     assert state.touching
-    assert rejection_reason(state, live, "touch", {}) == ""
-    assert rejection_reason(state, live, "finish", {}) == ""
+    assert why_not(state, "touch") == ""
+    assert why_not(state, "finish") == ""
     few = state_after(*rows[:-1], points(q[:5]))
-    assert "of at least 8" in str(rejection_reason(few, live, "finish", {}))
+    assert "of at least 8" in why_not(few, "finish")
     view = build_view(state, live)
     assert action(view, "touch").primary
     off_um = np.linalg.norm(view.picture.tips_um, axis=1)
@@ -215,14 +216,13 @@ def test_a_sphere_is_touched_by_the_button_and_fitted_by_its_distances() -> None
 
 
 def test_an_artefact_needs_its_size() -> None:
-    live = live_of()
     state = state_after(started("identify"), ("artefact_chosen", {"kind": "bar"}))
-    assert "bar's certificate" in str(rejection_reason(state, live, "begin", {}))
+    assert "bar's certificate" in why_not(state, "begin")
     for wrong in ({"size_mm": 1}, {"size_mm": True}, {"standard_uncertainty_mm": 2}):
-        assert rejection_reason(state, live, "choose_artefact", {"kind": "bar", **wrong})
-    assert rejection_reason(state, live, "choose_artefact", {"kind": "bar", "size_mm": 300}) == ""
-    assert rejection_reason(state, live, "choose_artefact", {"kind": "spoon"})
-    assert rejection_reason(state_after(started()), live, "choose_artefact", {"kind": "bar"})
+        assert why_not(state, "choose_artefact", {"kind": "bar", **wrong})
+    assert why_not(state, "choose_artefact", {"kind": "bar", "size_mm": 300}) == ""
+    assert why_not(state, "choose_artefact", {"kind": "spoon"})
+    assert why_not(state_after(started()), "choose_artefact", {"kind": "bar"})
 
 
 def test_the_view_shows_each_axis_against_the_limit() -> None:

@@ -1,6 +1,8 @@
 """Sessions of colour cameras: what of their pictures is measured, and in whose pixels."""
 
+from collections.abc import Iterator
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 
 import cv2
@@ -13,7 +15,9 @@ from app.formats.datasheets.sensor import SelectedPart, SensorDatasheet
 from app.formats.session.calibration_session import BoardSession, read_any_session
 from app.guide.calibration.session_folder import SessionFolder
 from app.metrology.bayer import BayerPattern, BayerPlane
+from app.metrology.chessboard.board_detection import BoardDetection
 from app.metrology.colour import PLANES, ColourWeights
+from app.metrology.transforms import Floats
 from app.workflows.calibrate import (
     board_inputs,
     calibrate_session,
@@ -21,6 +25,7 @@ from app.workflows.calibrate import (
     session_channel,
 )
 from tests.colours import mosaic
+from tests.formats.builders import edit_json
 from tests.present import present
 from tests.real_sessions import write_real_session
 
@@ -34,13 +39,17 @@ def session(real: Path, tmp_path: Path) -> Path:
     return write_real_session(real / "robot-laser-chessboard" / "calib3", tmp_path / "session")
 
 
+def seen_colours(path: Path) -> Floats:
+    """(height, width, 3) of a grey picture's light, of which each channel sees its share."""
+    grey = present(cv2.imread(str(path), cv2.IMREAD_GRAYSCALE))
+    return np.asarray(grey[..., None] * np.array([LASER[name] for name in PLANES]))
+
+
 def colour_pictures(folder: Path) -> dict[Path, NDArray[np.uint8]]:
     """The session's pictures as a camera takes them whose channels see less of the light."""
     coloured = {}
     for path in sorted((folder / "images").glob("*.png")):
-        grey = present(cv2.imread(str(path), cv2.IMREAD_GRAYSCALE))
-        shares = np.array([LASER[name] for name in PLANES])
-        coloured[path] = np.rint(grey[..., None] * shares).astype(np.uint8)
+        coloured[path] = np.rint(seen_colours(path)).astype(np.uint8)
     return coloured
 
 
@@ -55,6 +64,10 @@ def read_session(folder: Path) -> BoardSession:
     return session
 
 
+def numbered(found: BoardDetection) -> Iterator[tuple[int, Floats]]:
+    return zip(map(int, found.number), found.uv_px, strict=True)
+
+
 def test_raw_pictures_are_calibrated_in_their_own_pixels(session: Path) -> None:
     whole = read_session(session)
     few = replace(whole, poses=whole.poses[:3])
@@ -66,14 +79,8 @@ def test_raw_pictures_are_calibrated_in_their_own_pixels(session: Path) -> None:
     assert session_channel(raw) == BayerPlane(PATTERN, "red")
     seen = board_inputs(replace(raw, poses=raw.poses[:3])).observations
     for one, other in zip(seen, expected, strict=True):
-        at = {
-            int(number): uv
-            for number, uv in zip(other.detection.number, other.detection.uv_px, strict=True)
-        }
-        off = [
-            uv - at[int(number)]
-            for number, uv in zip(one.detection.number, one.detection.uv_px, strict=True)
-        ]
+        at = dict(numbered(other.detection))
+        off = [uv - at[number] for number, uv in numbered(one.detection)]
         assert float(np.abs(np.median(off, axis=0)).max()) < 0.05
         assert len(off) == len(at)
         assert one.stripe.v.max() > 900
@@ -84,17 +91,10 @@ def test_raw_pictures_are_calibrated_in_their_own_pixels(session: Path) -> None:
 
 
 def test_a_raw_picture_needs_the_lasers_colour(session: Path) -> None:
-    text = (session / "sensor.json").read_text()
-    (session / "sensor.json").write_text(
-        text.replace('"stripe_axis"', '"bayer": "RGGB", "stripe_axis"')
-    )
-    with pytest.raises(OperationError, match="bayer requires laser_wavelength_nm"):
-        read_any_session(session)
-    (session / "sensor.json").write_text(
-        text.replace('"stripe_axis"', '"bayer": "RGBG", "stripe_axis"')
-    )
-    with pytest.raises(OperationError, match="bayer"):
-        read_any_session(session)
+    for pattern, said in (("RGGB", "bayer requires laser_wavelength_nm"), ("RGBG", "bayer")):
+        edit_json(session / "sensor.json", partial(dict.update, bayer=pattern))
+        with pytest.raises(OperationError, match=said):
+            read_any_session(session)
 
 
 def test_weights_are_found_where_the_lasers_colour_is_not_stated(
@@ -103,15 +103,13 @@ def test_weights_are_found_where_the_lasers_colour_is_not_stated(
     """From the first pose with a picture of each kind."""
     session = read_any_session(samples / "one-pose")
     assert session_channel(session) == "red"
-    unstated = replace(
-        session, sensor=session.sensor.model_copy(update={"laser_wavelength_nm": None})
-    )
+    sensor = session.sensor.model_copy(update={"laser_wavelength_nm": None})
+    unstated = replace(session, sensor=sensor)
     assert session_channel(unstated) is None
     files = []
     rng = np.random.default_rng(0)
     for path in session.poses[0].files:
-        grey = present(cv2.imread(str(path), cv2.IMREAD_GRAYSCALE))
-        colours = grey[..., None] * np.array([LASER[name] for name in PLANES])
+        colours = seen_colours(path)
         noisy = np.clip(np.rint(colours + rng.normal(0, 2, colours.shape)), 0, 255)
         files.append(tmp_path / path.name)
         cv2.imwrite(str(files[-1]), noisy.astype(np.uint8))

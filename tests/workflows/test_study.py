@@ -1,6 +1,7 @@
 """The article's study: clouds of one plane by calibrations."""
 
 import csv
+import json
 from dataclasses import replace
 from pathlib import Path
 
@@ -21,18 +22,18 @@ from tests.formats.builders import ARM, HEIGHT, WIDTH, joints_every, little_cali
 from tests.workflows.test_reconstruct import MS, NAMES
 
 NORMAL = np.array([0.2, -0.3, 0.9]) / np.linalg.norm([0.2, -0.3, 0.9])
+MIDDLE = (flange_pose(ARM, q_at(200 * MS)) @ little_calibration().T_flange_sensor)[:3, 3]
 
 
 def scan_a_plane(path: Path, offset_mm: float) -> Path:
     """True pixels of the plane that the sensor passes over; one sensor line a frame."""
     use = little_calibration()
-    middle = apply(flange_pose(ARM, q_at(200 * MS)) @ use.T_flange_sensor, np.zeros((1, 3)))[0]
     with RecordingWriter(path, NAMES) as writer:
         joints_every(writer, 0, 600 * MS, 4 * MS)
         for i in range(40):
             stamp = 50 * MS + i * 10 * MS
             T = inverse(flange_pose(ARM, q_at(stamp)) @ use.T_flange_sensor)
-            n, p = T[:3, :3] @ NORMAL, apply(T, (middle + offset_mm * NORMAL)[None])[0]
+            n, p = T[:3, :3] @ NORMAL, apply(T, (MIDDLE + offset_mm * NORMAL)[None])[0]
             x = np.linspace(-10, 10, 30)
             y = (n @ p - n[0] * x) / n[1]
             uv = project(use.camera, np.column_stack([x, y, np.zeros(30)]))
@@ -77,12 +78,9 @@ def test_planes_turn_and_shift_by_what_the_calibrations_differ(tmp_path: Path) -
 def test_against_a_nominal(tmp_path: Path) -> None:
     recording = scan_a_plane(tmp_path / "a.mcap", 0.0)
     use = little_calibration()
-    middle = apply(flange_pose(ARM, q_at(200 * MS)) @ use.T_flange_sensor, np.zeros((1, 3)))[0]
-    point = middle - 0.013 * NORMAL
-    (tmp_path / "n.json").write_text(
-        '{"format": "crenel/nominal", "version": 1, "shape": "plane", '
-        f'"point_mm": {point.tolist()}, "normal": {(-NORMAL).tolist()}}}'
-    )
+    place = {"point_mm": (MIDDLE - 0.013 * NORMAL).tolist(), "normal": (-NORMAL).tolist()}
+    nominal = {"format": "crenel/nominal", "version": 1, "shape": "plane", **place}
+    (tmp_path / "n.json").write_text(json.dumps(nominal))
     done: Study = run_study([recording] * 2, [(Path("c.json"), use)], ARM, tmp_path / "n.json")
     assert done.rows[0].offset_um == pytest.approx(-13, abs=0.01)
     assert done.rows[0].angle_arcsec < 0.1

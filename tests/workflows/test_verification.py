@@ -10,6 +10,7 @@ from app.errors import OperationError
 from app.formats.datasheets.gauge import DEFAULT_LIMITS, VerificationLimits, read_gauge
 from app.formats.results.verification import VerificationFile, read_verification, write_verification
 from app.metrology.decision import EXPANDED_K2
+from tests.formats.builders import edit_json
 
 RECORD: dict[str, Any] = {
     "id": "20261121-101500-aa11",
@@ -80,10 +81,8 @@ def test_an_older_record_was_judged_by_its_expanded_uncertainty() -> None:
 
 
 def test_a_record_without_clouds_is_none(tmp_path: Path) -> None:
-    path = tmp_path / "verification.json"
-    path.write_text(
-        json.dumps({"format": "crenel/verification", "version": 1, **RECORD, "clouds": []})
-    )
+    write_verification(tmp_path, VerificationFile.model_validate(RECORD))
+    edit_json(tmp_path / "verification.json", lambda fields: fields.update(clouds=[]))
     with pytest.raises(OperationError, match="clouds"):
         read_verification(tmp_path)
 
@@ -96,9 +95,8 @@ def gauge(tmp_path: Path, **fields: object) -> Path:
 
 def test_a_gauge_needs_no_place_but_a_sphere_its_size(tmp_path: Path) -> None:
     found = read_gauge(gauge(tmp_path, shape="plane", limits={"form": 40}))
-    assert found.limits.with_defaults(DEFAULT_LIMITS) == DEFAULT_LIMITS.model_copy(
-        update={"form": 40.0}
-    )
+    with_form = DEFAULT_LIMITS.model_copy(update={"form": 40.0})
+    assert found.limits.with_defaults(DEFAULT_LIMITS) == with_form
     with pytest.raises(OperationError, match="radius_mm"):
         read_gauge(gauge(tmp_path, shape="sphere"))
     with pytest.raises(OperationError, match="radius_mm"):
