@@ -46,54 +46,45 @@ def quantity(name: str, inner: str, kind: str = "") -> str:
     )
 
 
+def si(path: str, *inner: str) -> str:
+    """Elements of D-SI within each other, by their names, and what is within the last."""
+    text = "".join(inner)
+    for name in reversed(path.split("/")):
+        text = f"<si:{name}>{text}</si:{name}>"
+    return text
+
+
 def real(value: str, unit: str, uncertainty: str = "") -> str:
-    return f"<si:real><si:value>{value}</si:value><si:unit>{unit}</si:unit>{uncertainty}</si:real>"
+    return si("real", si("value", value), si("unit", unit), uncertainty)
 
 
 def real_list(values: str, units: str, expanded_uncertainties: str) -> str:
-    return (
-        f"<si:realListXMLList><si:valueXMLList>{values}</si:valueXMLList>"
-        f"<si:unitXMLList>{units}</si:unitXMLList><si:expandedUncXMLList>"
-        f"<si:uncertaintyXMLList>{expanded_uncertainties}</si:uncertaintyXMLList>"
-        "<si:coverageFactorXMLList>2</si:coverageFactorXMLList>"
-        "</si:expandedUncXMLList></si:realListXMLList>"
-    )
+    uncertainties = si("uncertaintyXMLList", expanded_uncertainties)
+    known = si("expandedUncXMLList", uncertainties, si("coverageFactorXMLList", "2"))
+    return si("realListXMLList", si("valueXMLList", values), si("unitXMLList", units), known)
 
 
 def expanded(value: str, factor: str = "2") -> str:
     """As D-SI 1 has it."""
-    return (
-        f"<si:expandedUnc><si:uncertainty>{value}</si:uncertainty>"
-        f"<si:coverageFactor>{factor}</si:coverageFactor></si:expandedUnc>"
-    )
+    return si("expandedUnc", si("uncertainty", value), si("coverageFactor", factor))
 
 
 def expanded_mu(value: str, factor: str = "2") -> str:
     """As D-SI 2 has it."""
-    return (
-        "<si:measurementUncertaintyUnivariate><si:expandedMU>"
-        f"<si:valueExpandedMU>{value}</si:valueExpandedMU>"
-        f"<si:coverageFactor>{factor}</si:coverageFactor>"
-        "</si:expandedMU></si:measurementUncertaintyUnivariate>"
-    )
+    known = (si("valueExpandedMU", value), si("coverageFactor", factor))
+    return si("measurementUncertaintyUnivariate/expandedMU", *known)
 
 
 def standard_mu(value: str) -> str:
     """As D-SI 2 has it."""
-    return (
-        "<si:measurementUncertaintyUnivariate><si:standardMU>"
-        f"<si:valueStandardMU>{value}</si:valueStandardMU>"
-        "</si:standardMU></si:measurementUncertaintyUnivariate>"
-    )
+    return si("measurementUncertaintyUnivariate/standardMU/valueStandardMU", value)
 
 
 def coverage_interval(value: str) -> str:
     """As D-SI 1 has it."""
-    return (
-        f"<si:coverageInterval><si:standardUnc>{value}</si:standardUnc>"
-        "<si:intervalMin>24.9</si:intervalMin><si:intervalMax>25.1</si:intervalMax>"
-        "<si:coverageProbability>0.95</si:coverageProbability></si:coverageInterval>"
-    )
+    interval = si("intervalMin", "24.9") + si("intervalMax", "25.1")
+    known = (si("standardUnc", value), interval, si("coverageProbability", "0.95"))
+    return si("coverageInterval", *known)
 
 
 def certificate(*quantities: str, version: str = "3.3.0") -> str:

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from app.messages.catalogue import Catalogue, in_english, renderer
+from app.messages.catalogue import Catalogue, in_english, isolate_names, renderer
 from app.messages.language_file import languages, read_sources
 from app.messages.message import (
     Message,
@@ -21,8 +21,10 @@ from app.messages.message import (
     text_to_json,
     word,
 )
+from app.report.html import escape
+from app.report.pdf import _replace_missing
 
-HEBREW = "זרוע מדידה"
+HEBREW, ARABIC = "זרוע מדידה", "ذراع القياس"
 ENGLISH, GERMAN = renderer("en"), renderer("de")
 
 
@@ -104,6 +106,27 @@ def test_names_from_right_to_left_leave_the_rest_in_its_place() -> None:
     text = message("name-and-serial-number", name=HEBREW, serial_number="12")
     assert ENGLISH(text) == f"\u2068{HEBREW}\u2069, serial number 12"
     assert "\u202e" not in ENGLISH(message("serial-number", serial_number="a\u202eb"))
+
+
+@pytest.mark.parametrize(
+    ("text", "shown"),
+    [
+        ("plain, Ø 3 µm and 臂 and 🦾", "plain, Ø 3 µm and 臂 and 🦾"),
+        (f"{HEBREW} 12, serial number 7", f"\u2068{HEBREW}\u2069 12, serial number 7"),
+        (f"{HEBREW}, {ARABIC}", f"\u2068{HEBREW}\u2069, \u2068{ARABIC}\u2069"),
+        ("scan \u202egnp.exe", "scan \ufffdgnp.exe"),
+        ("a \u2069\u2067b", "a \ufffd\ufffdb"),
+    ],
+)
+def test_a_text_with_names_in_any_script(text: str, shown: str) -> None:
+    assert isolate_names(text) == shown
+    assert isolate_names(shown) == shown
+
+
+def test_reports_isolate_whatever_they_show() -> None:
+    assert escape(f"{HEBREW} <12>") == f"\u2068{HEBREW}\u2069 &lt;12&gt;"
+    assert "\u202e" not in escape("a\u202eb")
+    assert _replace_missing("a\u202eb") == "a□b"
 
 
 def test_a_missing_value_leaves_the_rest() -> None:
