@@ -16,28 +16,19 @@ def count_all(ids: list[int]) -> list[int | None]:
     return [counter.count(block_id) for block_id in ids]
 
 
-def test_zero_is_skipped_at_the_wrap() -> None:
-    assert count_all([65533, 65534, 65535, 1, 2]) == [0, 1, 2, 3, 4]
-
-
-def test_losses_across_the_wrap_are_counted() -> None:
-    assert count_all([65534, 3, 4]) == [0, 4, 5]
-
-
-def test_ids_of_64_bits_go_on() -> None:
-    assert count_all([65534, 65535, 65536, 65537, 70000]) == [0, 1, 2, 3, 4466]
-
-
-def test_usb_counts_from_zero() -> None:
-    assert count_all([0, 1, 2, 5]) == [0, 1, 2, 5]
-
-
-def test_a_repeated_or_late_block_has_no_number() -> None:
-    assert count_all([10, 11, 11, 12, 11, 13]) == [0, 1, None, 2, None, 3]
-
-
-def test_a_long_counter_that_begins_again_loses_nothing() -> None:
-    assert count_all([100_000, 100_001, 1, 2]) == [0, 1, 2, 3]
+@pytest.mark.parametrize(
+    ("ids", "numbers"),
+    [
+        pytest.param([65533, 65534, 65535, 1, 2], [0, 1, 2, 3, 4], id="zero-is-skipped"),
+        pytest.param([65534, 3, 4], [0, 4, 5], id="losses-across-the-wrap"),
+        pytest.param([65534, 65535, 65536, 65537, 70000], [0, 1, 2, 3, 4466], id="64-bits"),
+        pytest.param([0, 1, 2, 5], [0, 1, 2, 5], id="usb-begins-at-zero"),
+        pytest.param([10, 11, 11, 12, 11, 13], [0, 1, None, 2, None, 3], id="repeated-or-late"),
+        pytest.param([100_000, 100_001, 1, 2], [0, 1, 2, 3], id="a-long-counter-begins-again"),
+    ],
+)
+def test_pictures_are_numbered_from_zero(ids: list[int], numbers: list[int | None]) -> None:
+    assert count_all(ids) == numbers
 
 
 PERIOD_NS = 40_000_000
@@ -59,18 +50,13 @@ def test_a_count_that_begins_again_goes_on(last: int, first: int, clock: int) ->
     assert count_stamped(before + after) == [0, 1, 2, 3, 4, 5, 6, 7]
 
 
-def test_stamps_leave_a_late_picture_late() -> None:
-    pictures = [(11, 11), (12, 12), (14, 14), (13, 13), (15, 15), (9, 9), (16, 16)]
-    assert count_stamped(pictures) == [0, 1, 3, None, 4, None, 5]
-
-
-def test_losses_across_the_wrap_are_counted_where_the_stamps_agree() -> None:
-    pictures = [(65_000, 0), (65_001, 1), (500, 1035), (501, 1036)]
-    assert count_stamped(pictures) == [0, 1, 1035, 1036]
-
-
-def test_a_pause_of_the_trigger_before_the_wrap_is_no_new_start() -> None:
-    assert count_stamped([(65_534, 0), (65_535, 1), (1, 90_000), (2, 90_001)]) == [0, 1, 2, 3]
+def test_stamps_do_not_mislead_the_count() -> None:
+    with_late_ones = [(11, 11), (12, 12), (14, 14), (13, 13), (15, 15), (9, 9), (16, 16)]
+    assert count_stamped(with_late_ones) == [0, 1, 3, None, 4, None, 5]
+    lost_across_the_wrap = [(65_000, 0), (65_001, 1), (500, 1035), (501, 1036)]
+    assert count_stamped(lost_across_the_wrap) == [0, 1, 1035, 1036]
+    paused_before_the_wrap = [(65_534, 0), (65_535, 1), (1, 90_000), (2, 90_001)]
+    assert count_stamped(paused_before_the_wrap) == [0, 1, 2, 3]
 
 
 @given(st.integers(1, 65535), steps)
@@ -82,28 +68,21 @@ def test_stamps_change_nothing_for_a_count_that_goes_on(first: int, gaps: list[i
 
 @given(st.integers(1, 65535), steps)
 def test_any_16_bit_counter_is_unwrapped(first: int, gaps: list[int]) -> None:
-    wanted = [0]
-    for gap in gaps:
-        wanted.append(wanted[-1] + gap)
+    wanted = list(accumulate(gaps, initial=0))
     assert count_all([(first - 1 + number) % 65535 + 1 for number in wanted]) == wanted
 
 
 @given(st.integers(65536, 2**63), steps)
 def test_any_64_bit_counter_is_taken_as_it_is(first: int, gaps: list[int]) -> None:
-    wanted = [0]
-    for gap in gaps:
-        wanted.append(wanted[-1] + gap)
+    wanted = list(accumulate(gaps, initial=0))
     assert count_all([first + number for number in wanted]) == wanted
 
 
 def test_an_incomplete_picture_may_have_no_number() -> None:
     counter = BlockCounter()
     assert counter.count(0, whole=False) is None
-    assert [counter.count(65_401), counter.count(0, whole=False), counter.count(65_403)] == [
-        0,
-        None,
-        2,
-    ]
+    numbers = [counter.count(65_401), counter.count(0, whole=False), counter.count(65_403)]
+    assert numbers == [0, None, 2]
 
 
 def test_a_whole_picture_may_have_the_number_zero() -> None:

@@ -6,13 +6,12 @@ from numpy.typing import NDArray
 
 from hardware.device_clock import DeviceClock
 
+Times = NDArray[np.int64]
 MS, S = 1_000_000, 1_000_000_000
 LEAST_DELAY_NS = 100_000
 
 
-def arrivals(
-    taken_ns: NDArray[np.int64], rng: np.random.Generator, busy_share: float = 0.0
-) -> NDArray[np.int64]:
+def arrivals(taken_ns: Times, rng: np.random.Generator, busy_share: float = 0.0) -> Times:
     """In order, late by 0.1 ms and a little; in busy spells of 0.2 s all come at the end."""
     delay = LEAST_DELAY_NS + rng.exponential(60_000, taken_ns.size).astype(np.int64)
     arrival = taken_ns + delay
@@ -22,9 +21,7 @@ def arrivals(
     return np.maximum.accumulate(arrival)
 
 
-def run(
-    clock: DeviceClock, device_ns: NDArray[np.int64], arrival_ns: NDArray[np.int64]
-) -> NDArray[np.int64]:
+def run(clock: DeviceClock, device_ns: Times, arrival_ns: Times) -> Times:
     stamps = []
     for device, arrival in zip(device_ns.tolist(), arrival_ns.tolist(), strict=True):
         clock.observe(device, arrival)
@@ -32,12 +29,12 @@ def run(
     return np.array(stamps)
 
 
-def late_us(stamps: NDArray[np.int64], taken_ns: NDArray[np.int64]) -> NDArray[np.float64]:
+def late_us(stamps: Times, taken_ns: Times) -> NDArray[np.float64]:
     """How far stamps lie behind truth, the constant least delay aside."""
     return (stamps - taken_ns - LEAST_DELAY_NS) / 1000
 
 
-def sampled(seconds: float, start_s: float = 1000.0, rate_hz: float = 200.0) -> NDArray[np.int64]:
+def sampled(seconds: float, start_s: float = 1000.0, rate_hz: float = 200.0) -> Times:
     return (start_s * S + np.arange(int(seconds * rate_hz)) * (S / rate_hz)).astype(np.int64)
 
 

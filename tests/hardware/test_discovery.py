@@ -132,12 +132,9 @@ def test_a_port_of_another_user_names_the_group_to_join(
     port.touch()
     assert permission_error(port, "Adapter") is None
     monkeypatch.setattr(os, "access", lambda path, mode: False)
-    monkeypatch.setattr(Path, "group", lambda path: "dialout")
-    refused = permission_error(port, "Adapter")
-    assert refused is not None
-    assert "may not open" in str(refused.what)
-    assert "sudo usermod -aG dialout " in str(refused.remedy)
-    monkeypatch.setattr(Path, "group", lambda path: "root")
-    other = permission_error(port, "Adapter")
-    assert other is not None
-    assert "administrator" in str(other.remedy)
+    for group, remedy in (("dialout", "sudo usermod -aG dialout "), ("root", "administrator")):
+        monkeypatch.setattr(Path, "group", lambda path, group=group: group)
+        refused = permission_error(port, "Adapter")
+        assert refused is not None
+        assert "may not open" in str(refused.what)
+        assert remedy in str(refused.remedy)

@@ -87,15 +87,13 @@ def mutated(packet: bytes) -> st.SearchStrategy[bytes]:
 
 
 @pytest.mark.parametrize(
-    ("make", "packet"), [(rsi, DOCUMENT.format(4_208_163_634).encode()), (egm, egm_packet())]
+    ("make", "data"), [(rsi, DOCUMENT.format(4_208_163_634).encode()), (egm, egm_packet())]
 )
-def test_any_datagram_is_read_or_refused(
-    make: Callable[[], ListeningStream], packet: bytes
-) -> None:
-    @given(st.lists(mutated(packet) | st.binary(max_size=200), max_size=6))
-    @example([packet, packet])
+def test_any_datagram_is_read_or_refused(make: Callable[[], ListeningStream], data: bytes) -> None:
+    @given(st.lists(mutated(data) | st.binary(max_size=200), max_size=6))
+    @example([data, data])
     def check(packets: list[bytes]) -> None:
         take(make, *packets)
 
-    assert take(make, packet) == 1
+    assert take(make, data) == 1
     check()

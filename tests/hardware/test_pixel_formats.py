@@ -35,6 +35,14 @@ def as_array(data: bytes) -> NDArray[np.uint8]:
     return np.frombuffer(data, np.uint8)
 
 
+def decoded(
+    data: NDArray[np.uint8], pixel_format: PixelFormat, width: int, height: int, padding: int = 0
+) -> NDArray[np.integer]:
+    image = decode(data, pixel_format, width, height, padding)
+    assert image is not None
+    return image
+
+
 @pytest.mark.parametrize(
     ("name", "data", "pixels"),
     [
@@ -53,8 +61,7 @@ def as_array(data: bytes) -> NDArray[np.uint8]:
 )
 def test_known_bytes(name: str, data: str, pixels: list[int]) -> None:
     pixel_format = FORMATS[name]
-    image = decode(as_array(bytes.fromhex(data)), pixel_format, 4, 1)
-    assert image is not None
+    image = decoded(as_array(bytes.fromhex(data)), pixel_format, 4, 1)
     assert image.tolist() == [pixels]
     assert image.dtype == (np.uint8 if pixel_format.bits == 8 else np.uint16)
     assert image.max() <= pixel_format.full_scale
@@ -66,8 +73,7 @@ def test_every_grey_and_raw_format_gives_its_pixels(data: st.DataObject) -> None
     width, height = data.draw(st.integers(1, 9)), data.draw(st.integers(1, 5))
     level = st.integers(0, pixel_format.full_scale)
     pixels = data.draw(st.lists(level, min_size=width * height, max_size=width * height))
-    image = decode(as_array(pack(pixels, pixel_format)), pixel_format, width, height)
-    assert image is not None
+    image = decoded(as_array(pack(pixels, pixel_format)), pixel_format, width, height)
     assert image.reshape(-1).tolist() == pixels
     assert decode(as_array(pack(pixels, pixel_format)[:-1]), pixel_format, width, height) is None
 
@@ -77,30 +83,23 @@ def test_padded_lines_begin_at_a_byte(data: st.DataObject, padding: int) -> None
     pixel_format = FORMATS[data.draw(st.sampled_from(MONO))]
     width, height = data.draw(st.integers(1, 9)), data.draw(st.integers(1, 5))
     level = st.integers(0, pixel_format.full_scale)
-    rows = data.draw(
-        st.lists(st.lists(level, min_size=width, max_size=width), min_size=height, max_size=height)
-    )
+    row = st.lists(level, min_size=width, max_size=width)
+    rows = data.draw(st.lists(row, min_size=height, max_size=height))
     lines = (bytes(padding) + b"").join(pack(row, pixel_format) for row in rows)
-    image = decode(as_array(lines), pixel_format, width, height, padding)
-    assert image is not None
+    image = decoded(as_array(lines), pixel_format, width, height, padding)
     assert image.tolist() == rows
 
 
 def test_colours_become_blue_green_red() -> None:
     data = as_array(bytes([1, 2, 3, 4, 5, 6]))
-    swapped = decode(data, FORMATS["RGB8"], 2, 1)
-    kept = decode(data, FORMATS["BGR8"], 2, 1)
-    assert swapped is not None
-    assert kept is not None
-    assert swapped.tolist() == [[[3, 2, 1], [6, 5, 4]]]
-    assert kept.tolist() == [[[1, 2, 3], [4, 5, 6]]]
+    assert decoded(data, FORMATS["RGB8"], 2, 1).tolist() == [[[3, 2, 1], [6, 5, 4]]]
+    assert decoded(data, FORMATS["BGR8"], 2, 1).tolist() == [[[1, 2, 3], [4, 5, 6]]]
 
 
 def test_a_picture_does_not_share_the_cameras_memory() -> None:
     for pixel_format in FORMATS.values():
         memory = np.zeros(4 * 2 * 6, np.uint8)
-        image = decode(memory, pixel_format, 4, 2)
-        assert image is not None
+        image = decoded(memory, pixel_format, 4, 2)
         memory[:] = 255
         assert image.max() == 0, pixel_format.name
 

@@ -130,14 +130,10 @@ def test_edges_of_buttons_follow_their_sample() -> None:
 
 
 @given(
-    st.integers(2, 1 << 32),
-    st.integers(0, 1 << 40),
-    st.lists(st.floats(-0.49, 0.49), max_size=20),
+    st.integers(2, 1 << 32), st.integers(0, 1 << 40), st.lists(st.floats(-0.49, 0.49), max_size=20)
 )
 @example(modulus=3, start=0, turns=[0.375])
-def test_a_counter_goes_on_beyond_its_largest_value(
-    modulus: int, start: int, turns: list[float]
-) -> None:
+def test_a_counter_goes_on_beyond_its_maximum(modulus: int, start: int, turns: list[float]) -> None:
     values = np.cumsum([start, *(int(turn * modulus) for turn in turns)]).tolist()
     counter = WrappingCounter(modulus)
     unwrapped = [counter.unwrap(value % modulus) for value in values]

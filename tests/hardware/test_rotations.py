@@ -16,6 +16,7 @@ from hardware.arm.robots.rotations import (
 )
 from hardware.arm.universal_robots.ur_rtde import flange_pose
 
+Vector = tuple[float, float, float]
 ANGLE = st.floats(-3.2, 3.2)
 VECTORS = st.tuples(ANGLE, ANGLE, ANGLE)
 
@@ -26,7 +27,7 @@ def assert_same_rotation(quaternion: tuple[float, ...], expected: Rotation) -> N
 
 
 @given(VECTORS)
-def test_a_rotation_vector(vector: tuple[float, float, float]) -> None:
+def test_a_rotation_vector(vector: Vector) -> None:
     assert_same_rotation(rotation_vector_quaternion(vector), Rotation.from_rotvec(vector))
 
 
@@ -42,11 +43,7 @@ def test_angles_about_fixed_axes(x: float, y: float, z: float) -> None:
 
 
 @given(VECTORS, VECTORS, VECTORS)
-def test_products_and_rotated_vectors(
-    a: tuple[float, float, float],
-    b: tuple[float, float, float],
-    v: tuple[float, float, float],
-) -> None:
+def test_products_and_rotated_vectors(a: Vector, b: Vector, v: Vector) -> None:
     A, B = Rotation.from_rotvec(a), Rotation.from_rotvec(b)
     qa, qb = rotation_vector_quaternion(a), rotation_vector_quaternion(b)
     assert_same_rotation(multiply(qa, qb), A * B)
@@ -55,10 +52,7 @@ def test_products_and_rotated_vectors(
 
 @given(VECTORS, VECTORS, VECTORS, VECTORS)
 def test_the_flange_behind_a_tool(
-    flange_m: tuple[float, float, float],
-    flange: tuple[float, float, float],
-    offset_m: tuple[float, float, float],
-    offset: tuple[float, float, float],
+    flange_m: Vector, flange: Vector, offset_m: Vector, offset: Vector
 ) -> None:
     T_base_flange, T_flange_tool = matrix(flange_m, flange), matrix(offset_m, offset)
     T = T_base_flange @ T_flange_tool
@@ -70,16 +64,13 @@ def test_the_flange_behind_a_tool(
 
 def test_a_tool_without_offset_is_the_flange() -> None:
     turned = axis_angles_quaternion(0.1, 0.2, 0.3)
-    position, quaternion = flange_behind_tool(
-        (1.0, 2.0, 3.0), turned, (0.0, 0.0, 0.0), (0.0, 0.0, 0.0, 1.0)
-    )
+    none = (0.0, 0.0, 0.0), (0.0, 0.0, 0.0, 1.0)
+    position, quaternion = flange_behind_tool((1.0, 2.0, 3.0), turned, *none)
     assert position == (1.0, 2.0, 3.0)
     assert quaternion == pytest.approx(turned)
 
 
-def matrix(
-    position: tuple[float, float, float], vector: tuple[float, float, float]
-) -> NDArray[np.float64]:
+def matrix(position: Vector, vector: Vector) -> NDArray[np.float64]:
     T = np.eye(4)
     T[:3, :3], T[:3, 3] = Rotation.from_rotvec(vector).as_matrix(), position
     return T

@@ -3,12 +3,7 @@
 import numpy as np
 import pytest
 
-from hardware.simulator.operator.on_bar import (
-    LOWEST,
-    ROD_DEG,
-    touch_directions,
-    view_directions,
-)
+from hardware.simulator.operator.on_bar import LOWEST, ROD_DEG, touch_directions, view_directions
 from hardware.simulator.scene.ball_bar import bar_ends, with_bar
 from hardware.simulator.scene.world import GaugeSphere, SimulatedScene, make_table
 

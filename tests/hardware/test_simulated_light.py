@@ -1,9 +1,11 @@
 """The simulated lamp: its shadows, its fading and its highlights against plain geometry."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
-from hardware.simulator.devices.kinematics import Floats, translation
+from hardware.simulator.devices.kinematics import Floats
 from hardware.simulator.rendering.degradations import NUISANCES, USABLE, draw_degraded_image
 from hardware.simulator.rendering.noise import Detector
 from hardware.simulator.rendering.render import Renderer
@@ -15,30 +17,25 @@ from hardware.simulator.scene.camera import (
 )
 from hardware.simulator.scene.world import Box, Light, SceneObject, SimulatedScene, SurfaceFinish
 
-OPTICS = Optics(
-    320,
-    256,
-    400.0,
-    400.0,
-    159.5,
-    127.5,
-    (0.0,) * 5,
-    camera_looking_at(np.array([0.0, -60.0, 120.0]), np.zeros(3), np.array([1.0, 0.0, 0.0]), 0.0),
+T_CAM_SENSOR = camera_looking_at(
+    np.array([0.0, -60.0, 120.0]), np.zeros(3), np.array([1.0, 0.0, 0.0]), 0.0
 )
+OPTICS = Optics(320, 256, 400.0, 400.0, 159.5, 127.5, (0.0,) * 5, T_CAM_SENSOR)
 NOISELESS = Detector(read_dn=0.0, shot_dn=0.0, speckle_contrast=0.0)
 SLAB = Box((-200.0, -200.0, -10.0), (200.0, 200.0, 0.0))
 LAMP = (80.0, 0.0, 100.0)
+LIT = Light(directed=0.8, ambient=0.1, texture=0.0, lamp_mm=LAMP)
+TABLE = SceneObject("table", SLAB, np.eye(4))
+POST = SceneObject("post", Box((-5.0, -5.0, 0.0), (5.0, 5.0, 20.0)), np.eye(4))
+SHADOW_ENDS_MM = -5.0 - (80.0 + 5.0) / (100.0 - 20.0) * 20.0
+"""The top's far edge, x = -5 at z = 20, throws its shadow 21.25 mm further."""
 
 
 def light_of(things: tuple[SceneObject, ...], light: Light) -> Floats:
-    light_plane = light_plane_through(
-        np.array([0.0, 1.0, 0.0]), np.zeros(3), np.array([0.0, 0.0, 100.0])
-    )
-    return np.asarray(
-        Renderer(SimulatedScene(things, light), OPTICS, light_plane, NOISELESS).room_light(
-            np.eye(4)
-        )
-    )
+    over = np.array([0.0, 0.0, 100.0])
+    light_plane = light_plane_through(np.array([0.0, 1.0, 0.0]), np.zeros(3), over)
+    renderer = Renderer(SimulatedScene(things, light), OPTICS, light_plane, NOISELESS)
+    return np.asarray(renderer.room_light(np.eye(4)))
 
 
 def at(light: Floats, point: tuple[float, float, float]) -> float:
@@ -47,8 +44,7 @@ def at(light: Floats, point: tuple[float, float, float]) -> float:
 
 
 def test_a_lamp_fades_with_the_distance_and_the_slant() -> None:
-    light = Light(directed=0.8, ambient=0.1, texture=0.0, lamp_mm=LAMP)
-    image = light_of((SceneObject("table", SLAB, np.eye(4)),), light)
+    image = light_of((TABLE,), LIT)
     origin = np.linalg.norm(LAMP)
     for point in ((0.0, 0.0, 0.0), (25.0, 10.0, 0.0), (-30.0, -5.0, 0.0)):
         way = np.array(LAMP) - point
@@ -58,36 +54,26 @@ def test_a_lamp_fades_with_the_distance_and_the_slant() -> None:
 
 
 def test_a_shadow_falls_where_the_lamp_does_not_reach() -> None:
-    light = Light(directed=0.8, ambient=0.1, texture=0.0, lamp_mm=LAMP)
-    post = SceneObject("post", Box((-5.0, -5.0, 0.0), (5.0, 5.0, 20.0)), np.eye(4))
-    image = light_of((SceneObject("table", SLAB, np.eye(4)), post), light)
-    # The top's far edge, x = -5 at z = 20, throws its shadow 21.25 mm further.
-    ends = -5.0 - (80.0 + 5.0) / (100.0 - 20.0) * 20.0
-    assert at(image, (ends + 1.0, 0.0, 0.0)) == pytest.approx(0.1, abs=0.01)
-    assert at(image, (ends - 1.0, 0.0, 0.0)) > 0.3
+    image = light_of((TABLE, POST), LIT)
+    assert at(image, (SHADOW_ENDS_MM + 1.0, 0.0, 0.0)) == pytest.approx(0.1, abs=0.01)
+    assert at(image, (SHADOW_ENDS_MM - 1.0, 0.0, 0.0)) > 0.3
     assert at(image, (-10.0, 8.0, 0.0)) > 0.3
 
 
 def test_a_wide_lamp_softens_the_shadow() -> None:
-    post = SceneObject("post", Box((-5.0, -5.0, 0.0), (5.0, 5.0, 20.0)), np.eye(4))
-    things = (SceneObject("table", SLAB, np.eye(4)), post)
-    ends = -5.0 - (80.0 + 5.0) / (100.0 - 20.0) * 20.0
     spread = []
     for radius in (0.0, 20.0):
-        light = Light(directed=0.8, ambient=0.1, texture=0.0, lamp_mm=LAMP, lamp_radius_mm=radius)
-        image = light_of(things, light)
-        spread.append([at(image, (ends + x, 0.0, 0.0)) for x in (-2.0, 2.0)])
+        image = light_of((TABLE, POST), replace(LIT, lamp_radius_mm=radius))
+        spread.append([at(image, (SHADOW_ENDS_MM + x, 0.0, 0.0)) for x in (-2.0, 2.0)])
     hard, soft = spread
     assert hard[0] - hard[1] > 0.25
     assert 0.03 < soft[0] - soft[1] < 0.7 * (hard[0] - hard[1])
 
 
 def test_a_highlight_lies_where_the_lamp_is_mirrored() -> None:
-    light = Light(directed=0.8, ambient=0.1, texture=0.0, lamp_mm=LAMP)
     glossy = SceneObject("table", SLAB, np.eye(4), 0.2, SurfaceFinish(gloss=1.0, sharpness=400.0))
-    image = light_of((glossy,), light) - light_of(
-        (SceneObject("table", SLAB, np.eye(4), 0.2),), light
-    )
+    dull = SceneObject("table", SLAB, np.eye(4), 0.2)
+    image = light_of((glossy,), LIT) - light_of((dull,), LIT)
     eye = OPTICS.centre_mm
     share = eye[2] / (eye[2] + LAMP[2])
     mirror = tuple((1 - share) * eye + share * (np.array(LAMP) * [1, 1, -1]) + [0, 0, 0])
@@ -97,9 +83,7 @@ def test_a_highlight_lies_where_the_lamp_is_mirrored() -> None:
 
 def test_tool_marks_run_along_a_face() -> None:
     light = Light((0.0, 0.0, 1.0), texture=0.0)
-    marked = SceneObject(
-        "table", SLAB, translation(0.0, 0.0, 0.0), 1.0, SurfaceFinish(marks=0.1, mark_mm=1.0)
-    )
+    marked = SceneObject("table", SLAB, np.eye(4), 1.0, SurfaceFinish(marks=0.1, mark_mm=1.0))
     image = light_of((marked,), light)
     assert 0.05 < image.std() / image.mean() < 0.15
     assert np.abs(np.diff(image, axis=0)).mean() > 5 * np.abs(np.diff(image, axis=1)).mean()

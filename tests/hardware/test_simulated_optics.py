@@ -7,7 +7,7 @@ import pytest
 from hardware.simulator.devices.kinematics import Floats, rotation_about, translation
 from hardware.simulator.rendering.noise import Detector, speckle_tile
 from hardware.simulator.rendering.render import SMEARED, Renderer
-from hardware.simulator.scene.camera import Optics, sight_lines, to_pixels
+from hardware.simulator.scene.camera import LightPlane, Optics, sight_lines, to_pixels
 from hardware.simulator.scene.random_scenes import draw_sensor
 from hardware.simulator.scene.world import (
     Box,
@@ -36,11 +36,7 @@ LENSES: list[Lens] = [(0.0,) * 5, (-0.09, 0.08, 4e-4, -3e-4, 0.02)]
 def opencv_pixels(optics: Optics, points: Floats) -> Floats:
     T = optics.T_cam_sensor
     found, _ = cv2.projectPoints(
-        points,
-        cv2.Rodrigues(T[:3, :3])[0],
-        T[:3, 3],
-        optics.matrix,
-        np.array(optics.distortion),
+        points, cv2.Rodrigues(T[:3, :3])[0], T[:3, 3], optics.matrix, np.array(optics.distortion)
     )
     return np.asarray(found.reshape(-1, 2))
 
@@ -60,11 +56,10 @@ def test_a_sight_line_leads_back_to_its_pixel(distortion: Lens) -> None:
     lines = sight_lines(optics).astype(np.float64)
     v, u = np.indices(lines.shape[:2]) - 1
     rays = np.dstack([lines, np.ones(lines.shape[:2])]).reshape(-1, 3)[::997].copy()
-    in_cam = cv2.projectPoints(
-        rays, np.zeros(3), np.zeros(3), optics.matrix, np.array(optics.distortion)
-    )[0].reshape(-1, 2)
+    lens = np.array(optics.distortion)
+    in_cam, _ = cv2.projectPoints(rays, np.zeros(3), np.zeros(3), optics.matrix, lens)
     wanted = np.column_stack([u.ravel(), v.ravel()])[::997]
-    assert np.abs(in_cam - wanted).max() < 2e-3
+    assert np.abs(in_cam.reshape(-1, 2) - wanted).max() < 2e-3
 
 
 def block_scene(light: Light = PLAIN) -> SimulatedScene:
@@ -77,9 +72,27 @@ def over_block(scene: SimulatedScene) -> Floats:
     return scene.find_object("block").T_arm_obj @ translation(0.3, -0.2, 7.5) @ tilt
 
 
+def sensor_over_block(
+    detector: Detector, rng: np.random.Generator | None = None, distortion: Lens = LENSES[0]
+) -> tuple[Renderer, Floats]:
+    """A renderer of the block, and the pose of the sensor over it."""
+    optics, light_plane = draw_sensor(BLOCK, rng, distortion=distortion)
+    scene = block_scene()
+    return Renderer(scene, optics, light_plane, detector), over_block(scene)
+
+
 def in_sensor(scene: SimulatedScene, T_arm_sensor: Floats, points_obj: Floats) -> Floats:
     T = np.linalg.inv(T_arm_sensor) @ scene.find_object("block").T_arm_obj
     return points_obj @ T[:3, :3].T + T[:3, 3]
+
+
+def plane_in_block(
+    scene: SimulatedScene, T_arm_sensor: Floats, light_plane: LightPlane
+) -> tuple[Floats, float]:
+    """The laser's plane: its normal, and its offset in mm, in the block's frame."""
+    into = np.linalg.inv(T_arm_sensor) @ scene.find_object("block").T_arm_obj
+    normal = np.array(light_plane.normal)
+    return into[:3, :3].T @ normal, float(light_plane.offset_mm - normal @ into[:3, 3])
 
 
 EDGES = {
@@ -116,13 +129,11 @@ def step_places(image: Floats, line: Floats, reach: int = 7) -> Floats:
 @pytest.mark.parametrize("distortion", LENSES)
 @pytest.mark.parametrize("name", EDGES)
 def test_edges_are_where_geometry_puts_them(name: str, distortion: Lens) -> None:
-    optics, light_plane = draw_sensor(BLOCK, distortion=distortion)
-    scene = block_scene()
-    T = over_block(scene)
-    image = Renderer(scene, optics, light_plane, EXACT).render(T).astype(np.float64)
+    renderer, T = sensor_over_block(EXACT, distortion=distortion)
+    image = renderer.render(T).astype(np.float64)
     ends = np.array(EDGES[name], dtype=np.float64)
     points = ends[0] + np.linspace(0, 1, 400)[:, None] * (ends[1] - ends[0])
-    off = step_places(image, opencv_pixels(optics, in_sensor(scene, T, points)))
+    off = step_places(image, opencv_pixels(renderer.optics, in_sensor(renderer.scene, T, points)))
     assert len(off) > 50
     assert abs(off.mean()) < 0.003
     assert np.sqrt(np.mean(off**2)) < 0.01
@@ -138,9 +149,7 @@ def test_the_stripe_is_where_geometry_puts_it(
     T = over_block(scene)
     image = Renderer(scene, optics, light_plane, EXACT).render(T, room=0.0, laser=1.0)
     light = image.astype(np.float64) - image[5, 5]
-    into = np.linalg.inv(T) @ scene.find_object("block").T_arm_obj
-    normal = into[:3, :3].T @ np.array(light_plane.normal)
-    offset = light_plane.offset_mm - np.array(light_plane.normal) @ into[:3, 3]
+    normal, offset = plane_in_block(scene, T, light_plane)
     x = np.linspace(patch[0] + 0.4, patch[1] - 0.4, 300)
     y = (offset - normal[0] * x - normal[2] * patch[2]) / normal[1]
     line = opencv_pixels(
@@ -149,14 +158,13 @@ def test_the_stripe_is_where_geometry_puts_it(
     line = line[np.argsort(line[:, 0])]
     columns = np.arange(int(line[0, 0]) + 1, int(line[-1, 0]))
     expected = np.interp(columns, line[:, 0], line[:, 1])
-    off, seen = [], 0
+    off = []
     for c, v in zip(columns, expected, strict=True):
         rows = np.arange(round(float(v)) - 9, round(float(v)) + 10)
         weight = light[rows, c]
         if weight.max() > 0.3 * light.max():
             off.append(np.sum(rows * weight) / weight.sum() - v)
-            seen += 1
-    assert seen > 60
+    assert len(off) > 60
     trimmed = np.array(off)[4:-4]
     assert abs(np.mean(trimmed)) < 0.01
     assert np.sqrt(np.mean(trimmed**2)) < 0.015
@@ -167,9 +175,7 @@ def test_a_merlon_hides_the_floor_behind_it_from_camera_and_laser() -> None:
     scene = block_scene()
     light, _, _ = Renderer(scene, optics, light_plane, NOISELESS).laser_light(over_block(scene))
     T = over_block(scene)
-    into = np.linalg.inv(T) @ scene.find_object("block").T_arm_obj
-    normal = into[:3, :3].T @ np.array(light_plane.normal)
-    offset = light_plane.offset_mm - np.array(light_plane.normal) @ into[:3, 3]
+    normal, offset = plane_in_block(scene, T, light_plane)
 
     def brightness(x: float, z: float) -> float:
         y = (offset - normal[0] * x - normal[2] * z) / normal[1]
@@ -183,9 +189,7 @@ def test_a_merlon_hides_the_floor_behind_it_from_camera_and_laser() -> None:
 
 
 def test_a_smeared_picture_is_the_same_picture_less_sharp() -> None:
-    optics, light_plane = draw_sensor(BLOCK)
-    renderer = Renderer(block_scene(), optics, light_plane, NOISELESS)
-    T = over_block(renderer.scene)
+    renderer, T = sensor_over_block(NOISELESS)
     smeared = renderer.room_light(T, SMEARED)
     sharp = renderer.room_light(T)
     assert sharp.shape == smeared.shape
@@ -196,10 +200,8 @@ def test_a_smeared_picture_is_the_same_picture_less_sharp() -> None:
 
 
 def test_noise_is_as_the_detector_says() -> None:
-    optics, light_plane = draw_sensor(BLOCK)
     detector = Detector()
-    renderer = Renderer(block_scene(), optics, light_plane, detector)
-    T = over_block(renderer.scene)
+    renderer, T = sensor_over_block(detector)
     frames = np.stack([renderer.render(T).astype(np.float64) for _ in range(24)])
     flat = frames[:, 20:60, 20:200]
     light = flat.mean() - detector.dark_dn
@@ -222,9 +224,7 @@ def test_speckle_has_its_contrast_and_no_seam(contrast: float) -> None:
 
 
 def test_speckle_stays_while_the_sensor_stays_and_changes_as_it_moves() -> None:
-    optics, light_plane = draw_sensor(BLOCK)
-    renderer = Renderer(block_scene(), optics, light_plane, Detector(read_dn=0.0, shot_dn=0.0))
-    T = over_block(renderer.scene)
+    renderer, T = sensor_over_block(Detector(read_dn=0.0, shot_dn=0.0))
     first = renderer.render(T, room=0.0, laser=0.5).astype(np.int64)
     again = renderer.render(T, room=0.0, laser=0.5).astype(np.int64)
     assert np.array_equal(first, again)
@@ -234,13 +234,12 @@ def test_speckle_stays_while_the_sensor_stays_and_changes_as_it_moves() -> None:
 
 
 def test_too_much_light_saturates() -> None:
-    optics, light_plane = draw_sensor(BLOCK)
-    scene = block_scene()
-    T = over_block(scene)
-    image = Renderer(scene, optics, light_plane, Detector()).render(T, room=4.0)
+    image, deep = (
+        renderer.render(T, room=4.0)
+        for renderer, T in (sensor_over_block(Detector()), sensor_over_block(Detector(bits=12)))
+    )
     assert image.max() == 255
     assert np.mean(image == 255) > 0.2
-    deep = Renderer(scene, optics, light_plane, Detector(bits=12)).render(T, room=4.0)
     assert deep.dtype == np.uint16
     assert deep.max() == 4095
 
@@ -284,10 +283,6 @@ def test_a_ray_that_grazes_a_steep_relief_comes_to_an_end() -> None:
     steep = FreeformPart(8.0, 8.0, 6.0)
     light = Light(texture=0.0, lamp_mm=(80.0, 20.0, 30.0), lamp_radius_mm=15.0)
     optics, light_plane = draw_sensor(BLOCK, width_px=160, height_px=128)
-    image = Renderer(
-        SimulatedScene((SceneObject("part", steep, np.eye(4)),), light),
-        optics,
-        light_plane,
-        NOISELESS,
-    )
-    assert image.room_light(translation(0.0, 0.0, 3.0)).max() > 0.2
+    scene = SimulatedScene((SceneObject("part", steep, np.eye(4)),), light)
+    renderer = Renderer(scene, optics, light_plane, NOISELESS)
+    assert renderer.room_light(translation(0.0, 0.0, 3.0)).max() > 0.2

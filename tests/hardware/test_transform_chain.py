@@ -30,9 +30,13 @@ def matrix(found: FramePlacement | None) -> np.ndarray:
     return T
 
 
-def test_a_chain_leads_over_the_frame_that_both_descend_from() -> None:
+@pytest.fixture
+def chain() -> TransformChain:
+    return TransformChain("/tf", "base", "tool")
+
+
+def test_a_chain_leads_over_the_frame_that_both_descend_from(chain: TransformChain) -> None:
     """world -> base, world -> stand -> rail (moves) -> tool."""
-    chain = TransformChain("/tf", "base", "tool")
     T = {}
     for seed, (parent, child) in enumerate([("world", "base"), ("world", "stand")]):
         made, T[child] = placement(seed)
@@ -55,8 +59,7 @@ def test_a_chain_leads_over_the_frame_that_both_descend_from() -> None:
     np.testing.assert_allclose(matrix(chain.pose()), expected, atol=1e-9)
 
 
-def test_transforms_of_different_times_meet_at_the_newest_common_one() -> None:
-    chain = TransformChain("/tf", "base", "tool")
+def test_transforms_of_different_times_meet_at_the_newest_common_one(chain: TransformChain) -> None:
     turned = (0.0, 0.0, float(np.sin(0.01)), float(np.cos(0.01)))
     still = (0.0, 0.0, 0.0, 1.0)
     chain.add("base", "arm", FramePlacement(0, (0.0, 0.0, 0.0), still))
@@ -69,8 +72,7 @@ def test_transforms_of_different_times_meet_at_the_newest_common_one() -> None:
     assert Rotation.from_quat(found.rotation).magnitude() == pytest.approx(0.008, rel=1e-3)
 
 
-def test_what_is_overtaken_or_repeated_changes_nothing() -> None:
-    chain = TransformChain("/tf", "base", "tool")
+def test_what_is_overtaken_or_repeated_changes_nothing(chain: TransformChain) -> None:
     first, T = placement(1, 10 * MS)
     chain.add("base", "tool", first)
     np.testing.assert_allclose(matrix(chain.pose()), T, atol=1e-9)
@@ -82,8 +84,7 @@ def test_what_is_overtaken_or_repeated_changes_nothing() -> None:
     assert chain.pose() is not None
 
 
-def test_a_transform_that_stopped_is_named() -> None:
-    chain = TransformChain("/tf", "base", "tool")
+def test_a_transform_that_stopped_is_named(chain: TransformChain) -> None:
     chain.add("base", "arm", placement(1, 0)[0])
     chain.add("arm", "tool", placement(2, 0)[0])
     assert chain.pose() is not None
@@ -104,22 +105,19 @@ def test_frames_that_are_not_connected_are_named() -> None:
     assert "arm, base, camera, elsewhere" in str(error.remedy)
 
 
-def test_a_chain_that_cannot_move_gives_no_pose() -> None:
-    chain = TransformChain("/tf", "base", "tool")
+def test_a_chain_that_cannot_move_gives_no_pose(chain: TransformChain) -> None:
     chain.add("base", "tool", placement(1)[0], is_static=True)
     assert chain.pose() is None
     assert "Nothing between base and tool moves" in str(chain.missing_error().what)
 
 
-def test_frames_in_a_circle_lead_nowhere() -> None:
-    chain = TransformChain("/tf", "base", "tool")
+def test_frames_in_a_circle_lead_nowhere(chain: TransformChain) -> None:
     for parent, child in (("a", "tool"), ("b", "a"), ("a", "b")):
         chain.add(parent, child, placement(1, 0)[0])
     assert chain.pose() is None
 
 
-def test_another_parent_within_the_chain_is_refused() -> None:
-    chain = TransformChain("/tf", "base", "tool")
+def test_another_parent_within_the_chain_is_refused(chain: TransformChain) -> None:
     chain.add("base", "arm", placement(1, 0)[0])
     chain.add("arm", "tool", placement(2, 0)[0])
     assert chain.pose() is not None
