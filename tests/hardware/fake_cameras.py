@@ -14,7 +14,7 @@ import subprocess
 import threading
 import time
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import AbstractContextManager, closing, contextmanager, suppress
 from pathlib import Path
 
 import pytest
@@ -105,7 +105,7 @@ class ControlClient:
                 return answer[8:]
 
 
-class AravisFake:
+class AravisFake(AbstractContextManager["AravisFake"]):
     """``arv-fake-gv-camera`` in a process; killed, it is unplugged."""
 
     def __init__(self, *arguments: str) -> None:
@@ -115,6 +115,9 @@ class AravisFake:
         self._command = [program, "-i", ARAVIS_ADDRESS, *arguments]
         self._process: subprocess.Popen[bytes] | None = None
         self.start()
+
+    def __exit__(self, *_: object) -> None:
+        self.stop()
 
     def start(self) -> None:
         self._process = subprocess.Popen(
@@ -129,15 +132,11 @@ class AravisFake:
     def _wait_until_ready(self, process: subprocess.Popen[bytes]) -> None:
         deadline = time.monotonic() + READY_S
         while time.monotonic() < deadline:
-            client = ControlClient(ARAVIS_ADDRESS)
-            try:
+            with closing(ControlClient(ARAVIS_ADDRESS)) as client, suppress(OSError):
                 client.read(CONTROL_REGISTER)
                 assert process.poll() is None, "another camera has the port"
                 return
-            except OSError:
-                time.sleep(0.05)
-            finally:
-                client.close()
+            time.sleep(0.05)
         raise AssertionError("the fake camera does not answer")
 
     def stop(self) -> None:
@@ -160,32 +159,15 @@ class AravisFake:
 
 _LASER_FEATURES = """
 <Integer Name="LineIndex" NameSpace="Custom"><Value>0</Value></Integer>
-<Enumeration Name="LineSelector" NameSpace="Standard">
-  <EnumEntry Name="Line1"><Value>0</Value></EnumEntry>
-  <EnumEntry Name="Line2"><Value>1</Value></EnumEntry>
-  <pValue>LineIndex</pValue>
-</Enumeration>
-<Enumeration Name="LineMode" NameSpace="Standard">
-  <EnumEntry Name="Input"><Value>0</Value></EnumEntry>
-  <EnumEntry Name="Output"><Value>1</Value></EnumEntry>
-  <pValue>LineModeRegister</pValue>
-</Enumeration>
-<Enumeration Name="LineSource" NameSpace="Standard">
-  <EnumEntry Name="ExposureActive"><Value>0</Value></EnumEntry>
-  <EnumEntry Name="UserOutput1"><Value>1</Value></EnumEntry>
-  <EnumEntry Name="UserOutput2"><Value>2</Value></EnumEntry>
-  <pValue>LineSourceRegister</pValue>
-</Enumeration>
 <Integer Name="OutputIndex" NameSpace="Custom"><Value>0</Value></Integer>
-<Enumeration Name="UserOutputSelector" NameSpace="Standard">
-  <EnumEntry Name="UserOutput1"><Value>0</Value></EnumEntry>
-  <EnumEntry Name="UserOutput2"><Value>1</Value></EnumEntry>
-  <pValue>OutputIndex</pValue>
-</Enumeration>
-<Boolean Name="UserOutputValue" NameSpace="Standard">
-  <pValue>UserOutputRegister</pValue>
-</Boolean>
+<Boolean Name="UserOutputValue" NameSpace="Standard"><pValue>UserOutputRegister</pValue></Boolean>
 """
+_ENUMERATIONS = {
+    "LineSelector": ("LineIndex", "Line1", "Line2"),
+    "LineMode": ("LineModeRegister", "Input", "Output"),
+    "LineSource": ("LineSourceRegister", "ExposureActive", "UserOutput1", "UserOutput2"),
+    "UserOutputSelector": ("OutputIndex", "UserOutput1", "UserOutput2"),
+}
 _REGISTER = """
 <IntReg Name="{name}" NameSpace="Custom">
   <Address>{address}</Address><pIndex Offset="4">{index}</pIndex><Length>4</Length>
@@ -195,6 +177,15 @@ _REGISTER = """
 """
 LINE_MODES, LINE_SOURCES, USER_OUTPUTS = 0x8000, 0x8010, 0x8020
 """Registers of the first line, or the first output; the next one is 4 further."""
+
+
+def _enumeration(name: str, node: str, *entries: str) -> str:
+    listed = "".join(
+        f'<EnumEntry Name="{entry}"><Value>{value}</Value></EnumEntry>'
+        for value, entry in enumerate(entries)
+    )
+    head = f'<Enumeration Name="{name}" NameSpace="Standard">'
+    return f"{head}{listed}<pValue>{node}</pValue></Enumeration>"
 
 
 def write_laser_camera(xml: str, path: Path) -> None:
@@ -207,5 +198,7 @@ def write_laser_camera(xml: str, path: Path) -> None:
             ("UserOutputRegister", USER_OUTPUTS, "OutputIndex"),
         )
     ]
+    choices = [_enumeration(name, *nodes) for name, nodes in _ENUMERATIONS.items()]
     head, end, tail = xml.rpartition("</RegisterDescription>")
-    path.write_text(head + _LASER_FEATURES + "".join(registers) + end + tail, "utf-8")
+    added = _LASER_FEATURES + "".join(choices + registers)
+    path.write_text(head + added + end + tail, "utf-8")

@@ -12,11 +12,15 @@ import threading
 import time
 import tty
 import zlib
-from collections.abc import Callable, Sequence
-from typing import Protocol
+from abc import ABC, abstractmethod
+from collections.abc import Sequence
+from types import SimpleNamespace
+from typing import Protocol, Self
 
 import serial
 from serial.rfc2217 import PortManager
+
+from tests.hardware.conformance import ArmBench
 
 REQUEST = bytes.fromhex("A75C0181002F1A1BDC")
 COUNTS = 1 << 20
@@ -193,26 +197,67 @@ class Rfc2217Line(TcpLine):
         if self._client is not self._served:
             self._served, self._manager = self._client, None
             if self._client is not None:
-                self._manager = PortManager(self._port_settings, _Telnet(super().write))
+                self._manager = PortManager(
+                    self._port_settings, SimpleNamespace(write=super().write)
+                )
         return b"" if self._manager is None else b"".join(self._manager.filter(data))
 
 
-class _Telnet:
-    """What the port manager sends its own words through."""
+class SpeakingDevice(ABC):
+    """Works on a thread of its own, until it is stopped.
 
-    def __init__(self, write: Callable[[bytes], None]) -> None:
-        self.write = write
+    Attributes may be changed while it runs: ``silent`` (nothing is sent), ``skip`` (so many samples
+    are taken and not sent).
+    """
+
+    def __init__(self, line: Line, pause_s: float) -> None:
+        self.line = line
+        self.silent = False
+        self.skip = 0
+        self._pause_s = pause_s
+        self._running = True
+        self._lock = threading.Lock()
+        self._thread = threading.Thread(target=self._run, daemon=True)
+        self._thread.start()
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.stop()
+
+    def unplug(self) -> None:
+        with self._lock:
+            self.line.unplug()
+
+    def plug_in(self) -> None:
+        with self._lock:
+            self.line.plug_in()
+
+    def stop(self) -> None:
+        self._running = False
+        self._thread.join()
+        self.line.unplug()
+
+    @abstractmethod
+    def work(self) -> None:
+        """What it does each time."""
+
+    def _run(self) -> None:
+        while self._running:
+            time.sleep(self._pause_s)
+            with self._lock:
+                self.work()
 
 
-class FakeSerialArm:
+class FakeArm(SpeakingDevice):
     """An arm whose every joint turns by one count a sample; or whose x is the sequence number.
 
-    Attributes may be changed while it runs: ``buttons``, ``silent`` (no sample is
-    sent), ``skip`` (so many samples are taken and not sent), ``damage`` (so many
-    samples are sent with a wrong byte), ``repeat`` (so many are sent twice), ``greets``
-    (answers the requests), ``counts`` (per revolution, as the hello says), ``chatter``
-    (sent each time in place of a sample, even when silent), ``setting``, ``quaternion`` and
-    ``y_mm`` of poses, ``properties`` of the hello. Pulses come at every ``pulse_every``th sample.
+    Attributes may be changed while it runs: ``buttons``, ``damage`` (so many samples are sent with
+    a wrong byte), ``repeat`` (so many are sent twice), ``greets`` (answers the requests),
+    ``counts`` (per revolution, as the hello says), ``chatter`` (sent each time in place of a
+    sample, even when silent), ``setting``, ``quaternion`` and ``y_mm`` of poses, ``properties`` of
+    the hello. Pulses come at every ``pulse_every``th sample.
     """
 
     def __init__(
@@ -223,16 +268,9 @@ class FakeSerialArm:
         first_sequence: int = 0,
         version: int = 1,
     ) -> None:
-        self.line = line
-        self.joints = joints
-        self.rate_hz = rate_hz
-        self.sequence = first_sequence
-        self.version = version
-        self.buttons = 0
-        self.silent = False
-        self.skip = 0
-        self.damage = 0
-        self.repeat = 0
+        self.joints, self.version = joints, version
+        self.rate_hz, self.sequence = rate_hz, first_sequence
+        self.buttons = self.damage = self.repeat = 0
         self.greets = True
         self.counts = COUNTS
         self.chatter = b""
@@ -241,19 +279,15 @@ class FakeSerialArm:
         self.quaternion = [0.0, 0.6, 0.0, 0.8]
         self.y_mm = -80.25
         self.pulses_hz = (1.0, rate_hz) if version == 2 else (0.0, 0.0)
-        self.pulse = 0
+        self.pulse = self.requests = 0
         self.pulse_requests: list[tuple[int, float]] = []
         self.pulses_start_ns: int | None = None
         self.pulse_every = 1
         self.latched_ns: dict[int, int] = {}
-        self.requests = 0
         self._heard = b""
         self._injected: list[bytes] = []
         self._born_ns = time.monotonic_ns() - 5_000_000_000
-        self._running = True
-        self._lock = threading.Lock()
-        self._thread = threading.Thread(target=self._run, daemon=True)
-        self._thread.start()
+        super().__init__(line, 1 / rate_hz)
 
     def inject(self, data: bytes) -> None:
         """Puts bytes between two samples."""
@@ -276,27 +310,10 @@ class FakeSerialArm:
             self._born_ns = time.monotonic_ns()
             self.pulses_start_ns = None
 
-    def unplug(self) -> None:
-        with self._lock:
-            self.line.unplug()
-
-    def plug_in(self) -> None:
-        with self._lock:
-            self.line.plug_in()
-
-    def stop(self) -> None:
-        self._running = False
-        self._thread.join()
-        self.line.unplug()
-
-    def _run(self) -> None:
-        pause = threading.Event()
-        while self._running:
-            pause.wait(1 / self.rate_hz)
-            with self._lock:
-                self._heard = (self._heard + self.line.read())[-1000:]
-                self._answer()
-                self._send_sample()
+    def work(self) -> None:
+        self._heard = (self._heard + self.line.read())[-1000:]
+        self._answer()
+        self._send_sample()
 
     def _answer(self) -> None:
         asked = self._heard.count(REQUEST)
@@ -332,20 +349,12 @@ class FakeSerialArm:
     def _packet(self, now_ns: int) -> bytes:
         device_us = self.device_us(now_ns)
         if self.joints:
-            kind, payload = (
-                1,
-                sample_payload(
-                    self.sequence, device_us, self.buttons, [self.sequence & 0xFFFFF] * self.joints
-                ),
-            )
+            kind, counts = 1, [self.sequence & 0xFFFFF] * self.joints
+            payload = sample_payload(self.sequence, device_us, self.buttons, counts)
         else:
-            position = (float(self.sequence), self.y_mm, 433.0)
-            kind, payload = (
-                3,
-                pose_payload(
-                    self.sequence, device_us, self.buttons, self.setting, position, self.quaternion
-                ),
-            )
+            kind, position = 3, (float(self.sequence), self.y_mm, 433.0)
+            where = (self.setting, position, self.quaternion)
+            payload = pose_payload(self.sequence, device_us, self.buttons, *where)
         start = self.pulses_start_ns
         if start is not None and now_ns >= start and self.sequence % self.pulse_every == 0:
             self.pulse += 1
@@ -369,3 +378,22 @@ class FakeSerialArm:
         self.line.write(self.chatter)
         while self._injected:
             self.line.write(self._injected.pop(0))
+
+
+class SpeakingBench(ArmBench):
+    """The bench of a device that speaks."""
+
+    def __init__(self, device: SpeakingDevice) -> None:
+        self._device = device
+
+    def unplug(self) -> None:
+        self._device.unplug()
+
+    def plug_in(self) -> None:
+        self._device.plug_in()
+
+    def silence(self, silent: bool) -> None:
+        self._device.silent = silent
+
+    def lose_samples(self, count: int) -> None:
+        self._device.skip = count

@@ -1,15 +1,14 @@
 """A MicroScribe at the far end of a line, written from the Immersion SDK's description alone."""
 
-import threading
 import time
 
-from tests.hardware.speaking_arm import Line
+from tests.hardware.speaking_arm import Line, SpeakingDevice
 
 COUNTS = 8000
 HOME_COUNTS = (0, 100, 200, 300, 400)
 
 
-class FakeMicroscribe:
+class FakeMicroscribe(SpeakingDevice):
     """Answers on a thread of its own. ``counts`` and ``pedals`` are what it reports.
 
     Faults: ``silent`` (hears nothing), ``skip`` (requests that get no answer), ``damage`` (answers
@@ -18,48 +17,28 @@ class FakeMicroscribe:
     """
 
     def __init__(self, line: Line, baud_rounds: int = 2) -> None:
-        self.line = line
         self.counts = [10, 20, 30, 40, 50]
-        self.pedals = 0
-        self.silent = False
-        self.skip = self.damage = 0
+        self.pedals = self.damage = self.heard = 0
         self.late_s = 0.0
         self.no_encoder = False
-        self.heard = 0
         self._rounds = baud_rounds
         self._unheard = baud_rounds
         self._inbox = b""
         self._in_session = False
-        self._running = True
-        self._lock = threading.Lock()
-        self._thread = threading.Thread(target=self._run, daemon=True)
-        self._thread.start()
+        super().__init__(line, 0.0003)
 
     def unplug(self) -> None:
+        super().unplug()
         with self._lock:
-            self.line.unplug()
             self._in_session, self._inbox = False, b""
 
-    def plug_in(self) -> None:
-        with self._lock:
-            self.line.plug_in()
-
-    def stop(self) -> None:
-        self._running = False
-        self._thread.join()
-        self.line.unplug()
-
-    def _run(self) -> None:
-        while self._running:
-            time.sleep(0.0003)
-            with self._lock:
-                data = self.line.read()
-                self.heard += len(data)
-                if self.silent:
-                    continue
-                self._inbox += data
-                while self._inbox and self._step():
-                    pass
+    def work(self) -> None:
+        data = self.line.read()
+        self.heard += len(data)
+        if not self.silent:
+            self._inbox += data
+            while self._inbox and self._step():
+                pass
 
     def _step(self) -> bool:
         """Takes one command from the inbox; False if it is not complete."""

@@ -4,12 +4,14 @@ import threading
 import time
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
+from typing import Any
 
 import pytest
 
 from hardware.clock import now_ns
 from hardware.errors import DeviceError
 from hardware.interfaces import (
+    ArmDriver,
     ArmInfo,
     ArmReading,
     ArmRecord,
@@ -19,13 +21,14 @@ from hardware.interfaces import (
     LinkHealth,
     PoseSample,
 )
-from tests.hardware.conformance import ArmBench, ArmConformance
+from tests.hardware.conformance import ArmBench, ArmConformance, FaultyArmBench
 
 pytestmark = pytest.mark.device
 
 RATE_HZ = 200.0
 FIVE_JOINTS = ArmInfo("Five joints", "S-5", 5, RATE_HZ, buttons=frozenset({Button.PRIMARY}))
 POSES = ArmInfo("Poses", "S-P", 0, RATE_HZ, reports="pose", buttons=frozenset())
+FOUR_JOINTS = ArmInfo("Four", "S-4", 4, RATE_HZ, buttons=frozenset())
 ON_CHANGE = ArmInfo(
     "On change", "S-C", 0, RATE_HZ, reports="pose", buttons=frozenset(), free_running=False
 )
@@ -38,11 +41,12 @@ class Device:
     info: ArmInfo
     born_ns: int = field(default_factory=now_ns)
     contacts: int = 0
-    plugged: bool = True
+    unplugged: bool = False
     silent: bool = False
     skip: int = 0
     pressed: frozenset[Button] = frozenset()
     quaternion: tuple[float, float, float, float] = (0.0, 0.0, 0.0, 1.0)
+    answers_unplugged: bool = False
 
 
 class Driver:
@@ -76,13 +80,13 @@ class Driver:
                 return records
 
     def is_alive(self) -> bool:
-        return self.device.plugged
+        return not self.device.unplugged or self.device.answers_unplugged
 
     def close(self) -> None:
         self._closed.set()
 
     def _require_plug(self) -> None:
-        if not self.device.plugged:
+        if self.device.unplugged:
             self._closed.set()
             raise DeviceError("unplugged", "Plug it in.")
 
@@ -116,27 +120,15 @@ class Driver:
         return PoseSample(number, stamp_ns, (1.0, 2.0, 3.0), self.device.quaternion)
 
 
-class DeviceBench(ArmBench):
-    def __init__(self, info: ArmInfo) -> None:
-        self.device = Device(info)
+class DeviceBench(FaultyArmBench):
+    def __init__(self, info: ArmInfo, **faults: Any) -> None:
+        self.device = self.faults = Device(info, **faults)
 
     def driver(self) -> Driver:
         return Driver(self.device)
 
     def contacts(self) -> int:
         return self.device.contacts
-
-    def unplug(self) -> None:
-        self.device.plugged = False
-
-    def plug_in(self) -> None:
-        self.device.plugged = True
-
-    def silence(self, silent: bool) -> None:
-        self.device.silent = silent
-
-    def lose_samples(self, count: int) -> None:
-        self.device.skip = count
 
     def set_buttons(self, pressed: set[Button]) -> None:
         self.device.pressed = frozenset(pressed)
@@ -148,44 +140,37 @@ class TestKindsOfArms(ArmConformance):
         return DeviceBench(request.param)
 
 
-def stretch_quaternion(bench: DeviceBench) -> None:
-    bench.device.quaternion = (0.0, 0.0, 0.0, 1.1)
-
-
-def keep_answering(bench: DeviceBench) -> None:
-    bench.unplug = lambda: None  # type: ignore[method-assign]
-
-
-def take_joints(bench: DeviceBench) -> None:
-    bench.device.info = ArmInfo("Four", "S-4", 4, RATE_HZ, buttons=frozenset())
+SUITE = ArmConformance()
 
 
 @pytest.mark.parametrize(
-    ("spoil", "check"),
+    ("fault", "check"),
     [
-        (stretch_quaternion, ArmConformance.test_says_what_it_is),
-        (take_joints, ArmConformance.test_says_what_it_is),
-        (keep_answering, ArmConformance.test_a_silent_arm_that_sends_changes_answers),
+        (
+            {"quaternion": (0.0, 0.0, 0.0, 1.1)},
+            lambda _, driver: SUITE.test_says_what_it_is(driver),
+        ),
+        ({"info": FOUR_JOINTS}, lambda _, driver: SUITE.test_says_what_it_is(driver)),
+        ({"answers_unplugged": True}, SUITE.test_a_silent_arm_that_sends_changes_answers),
     ],
 )
 def test_an_arm_with_a_fault_does_not_pass(
-    spoil: Callable[[DeviceBench], None],
-    check: Callable[[ArmConformance, ArmBench], None],
+    fault: dict[str, Any],
+    check: Callable[[ArmBench, ArmDriver], None],
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    monkeypatch.setattr("tests.hardware.conformance.LONG_S", 1.0)
-    bench = DeviceBench(ON_CHANGE)
-    spoil(bench)
+    monkeypatch.setattr("tests.hardware.reading.LONG_S", 1.0)
+    bench = DeviceBench(**{"info": ON_CHANGE, **fault})
     with pytest.raises(AssertionError):
-        check(ArmConformance(), bench)
+        check(bench, bench.driver())
 
 
 def test_what_an_arm_does_not_have_is_skipped() -> None:
-    suite, bench = ArmConformance(), DeviceBench(POSES)
+    bench = DeviceBench(POSES)
     for check in (
-        suite.test_buttons_give_their_edges_once,
-        suite.test_a_button_held_at_open_is_no_press,
-        suite.test_a_silent_arm_that_sends_changes_answers,
+        SUITE.test_buttons_give_their_edges_once,
+        SUITE.test_a_button_held_at_open_is_no_press,
+        SUITE.test_a_silent_arm_that_sends_changes_answers,
     ):
         with pytest.raises(pytest.skip.Exception):
-            check(bench)
+            check(bench, bench.driver())

@@ -16,14 +16,15 @@ from app.bench.station.subprocess_station import free_port
 from hardware.errors import DeviceError
 from hardware.interfaces import ArmDriver, PoseSample
 from hardware.registry import arm_driver
-from tests.hardware.conformance import (
-    LONG_S,
-    ArmBench,
-    ArmConformance,
+from tests.hardware.conformance import ArmBench, ArmConformance
+from tests.hardware.reading import (
+    loss_of,
+    opened,
+    read_readings,
+    read_samples,
     read_until,
-    read_until_lost,
     select_readings,
-    select_samples,
+    wait_until,
 )
 
 testing = pytest.importorskip("airo_fanuc.testing")
@@ -43,10 +44,8 @@ class FanucBench(ArmBench):
         self.plug_in()
 
     def driver(self) -> ArmDriver:
-        return arm_driver("fanuc", self.options())
-
-    def options(self) -> dict[str, object]:
-        return {"address": "127.0.0.1", "port": self.port, "report": self.report, "timeout_s": 3.0}
+        options = {"address": "127.0.0.1", "port": self.port, "report": self.report}
+        return arm_driver("fanuc", {**options, "timeout_s": 3.0})
 
     def contacts(self) -> int:
         return int(self.controller.sm.streaming)
@@ -82,78 +81,68 @@ def bench(request: pytest.FixtureRequest) -> Iterator[FanucBench]:
     bench.unplug()
 
 
+@pytest.fixture
+def driver(bench: FanucBench) -> Iterator[ArmDriver]:
+    with opened(bench.driver()) as driver:
+        yield driver
+
+
 class TestFanuc(ArmConformance):
     pass
 
 
-def test_the_faceplate_and_the_joints_are_as_sent(bench: FanucBench) -> None:
-    driver = bench.driver()
-    info = driver.open()
-    assert info.rate_hz == 125.0
-    for reading in select_readings(read_until(driver, lambda got: len(got) > 10)):
+def await_stop(bench: FanucBench) -> None:
+    wait_until(lambda: not bench.controller.sm.streaming)
+
+
+def test_the_faceplate_and_the_joints_are_as_sent(driver: ArmDriver) -> None:
+    assert driver.open().rate_hz == 125.0
+    for reading in read_readings(driver, 11):
         if isinstance(reading, PoseSample):
             assert reading.position_mm == pytest.approx(FACEPLATE[:3])
             expected = Rotation.from_euler("xyz", FACEPLATE[3:], degrees=True)
             assert (Rotation.from_quat(reading.quaternion_xyzw) * expected.inv()).magnitude() < 1e-6
         else:
             assert reading.joints_rad == pytest.approx(np.radians(JOINTS_DEG), abs=1e-6)
-    driver.close()
 
 
-def test_the_robot_is_never_commanded(bench: FanucBench) -> None:
-    driver = bench.driver()
-    driver.open()
-    read_until(driver, lambda got: len(got) > 50)
+def test_the_robot_is_never_commanded(bench: FanucBench, driver: ArmDriver) -> None:
+    read_readings(driver, 51)
     driver.close()
     assert bench.controller.sm.violations == []
     assert bench.controller.q_meas_deg[:6] == pytest.approx(JOINTS_DEG)
 
 
-def test_closing_stops_the_stream(bench: FanucBench) -> None:
-    driver = bench.driver()
-    driver.open()
+def test_closing_stops_the_stream(bench: FanucBench, driver: ArmDriver) -> None:
     assert bench.controller.sm.streaming
     driver.close()
-    deadline = time.monotonic() + LONG_S
-    while bench.controller.sm.streaming:
-        assert time.monotonic() < deadline
-        time.sleep(0.01)
+    await_stop(bench)
 
 
-def test_closing_stops_the_stream_while_another_thread_waits(bench: FanucBench) -> None:
-    driver = bench.driver()
-    driver.open()
+def test_closing_stops_a_stream_while_a_thread_waits(bench: FanucBench, driver: ArmDriver) -> None:
     bench.silence(True)
-    reader = threading.Thread(target=lambda: read_until_lost(lambda: driver.read(5.0)), daemon=True)
+    reader = threading.Thread(target=loss_of, args=(driver, 5.0), daemon=True)
     reader.start()
     while driver.health.received == 0:
         time.sleep(0.01)
     driver.close()
     reader.join()
     bench.silence(False)
-    deadline = time.monotonic() + LONG_S
-    while bench.controller.sm.streaming:
-        assert time.monotonic() < deadline
-        time.sleep(0.01)
+    await_stop(bench)
 
 
-def test_a_repeated_packet_is_dropped(bench: FanucBench) -> None:
-    driver = bench.driver()
-    driver.open()
+def test_a_repeated_packet_is_dropped(bench: FanucBench, driver: ArmDriver) -> None:
     bench.controller.sm.duplicate_next_status()
     readings = select_readings(read_until(driver, lambda _: driver.health.corrupt))
     assert np.all(np.diff([reading.sequence for reading in readings]) == 1)
     assert driver.health.lost == 0
-    driver.close()
 
 
 def test_version_4_sends_longer_packets() -> None:
     bench = FanucBench("joints", available_version=4)
-    driver = bench.driver()
-    driver.open()
-    sample = select_samples(read_until(driver, select_samples))[0]
+    with opened(bench.driver()) as driver:
+        sample = read_samples(driver)[0]
     assert sample.joints_rad == pytest.approx(np.radians(JOINTS_DEG), abs=1e-6)
-    driver.close()
     bench.unplug()
 
 
@@ -164,21 +153,17 @@ def test_an_old_controller_is_refused() -> None:
     bench.unplug()
 
 
-def test_values_that_are_no_numbers_are_an_error(bench: FanucBench) -> None:
-    driver = bench.driver()
-    driver.open()
-    read_until(driver, select_readings)
+def test_values_that_are_no_numbers_are_an_error(bench: FanucBench, driver: ArmDriver) -> None:
+    read_readings(driver)
     bench.controller.set_cartesian([math.nan] * 6)
-    assert "no numbers" in str(read_until_lost(lambda: driver.read(0.1)).what)
+    assert "no numbers" in str(loss_of(driver).what)
 
 
-def test_a_restarted_controller_is_an_error(bench: FanucBench) -> None:
+def test_a_restarted_controller_is_an_error(bench: FanucBench, driver: ArmDriver) -> None:
     """Another client starts the stream again, and the sequence begins at zero."""
-    driver = bench.driver()
-    driver.open()
-    read_until(driver, lambda got: len(got) > 60)
+    read_readings(driver, 61)
     bench.controller.sm._on_start(struct.pack(">II", 200, 3))
-    assert "has jumped" in str(read_until_lost(lambda: driver.read(0.1)).what)
+    assert "has jumped" in str(loss_of(driver).what)
 
 
 def test_a_port_without_stream_motion_is_said() -> None:

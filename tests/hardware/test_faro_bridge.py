@@ -5,6 +5,7 @@ import subprocess
 import sys
 import threading
 from collections.abc import Iterator
+from contextlib import closing
 from pathlib import Path
 from types import ModuleType
 from typing import Any
@@ -16,13 +17,8 @@ from scipy.spatial.transform import Rotation
 from app.bench.station.subprocess_station import free_port
 from hardware.arm.serial_encoder import from_options
 from hardware.interfaces import ArmDriver, Button, PoseSample
-from tests.hardware.conformance import (
-    ArmBench,
-    ArmConformance,
-    button_edges,
-    read_until,
-    select_readings,
-)
+from tests.hardware.conformance import ArmBench, ArmConformance
+from tests.hardware.reading import button_edges, opened, read_readings, read_until, select_readings
 
 pytestmark = pytest.mark.device
 
@@ -47,9 +43,8 @@ class FaroBench(ArmBench):
     """Updates as of the vendor's driver at 200 Hz, through the example's own conversion."""
 
     def __init__(self) -> None:
-        self.options = bridge.read_options(
-            ["--host", "127.0.0.1", "--port", "0", "--rate", "200", "--stamp-unit-s", "0.001"]
-        )
+        command = "--host 127.0.0.1 --port 0 --rate 200 --stamp-unit-s 0.001"
+        self.options = bridge.read_options(command.split())
         self.bridge = bridge.Bridge(self.options)
         self.buttons, self.silent, self.bad = 0, False, 0
         self._lock = threading.Lock()
@@ -68,10 +63,9 @@ class FaroBench(ArmBench):
                 if self.bad:
                     self.bad -= 1
                     x = float("nan")
+                where = (x, -80.25, 433.0), (30.0, -20.0, 75.0)
                 if not self.silent:
-                    self.bridge.take(
-                        ((x, -80.25, 433.0), (30.0, -20.0, 75.0), self.buttons, number * 5.0)
-                    )
+                    self.bridge.take((*where, self.buttons, number * 5.0))
 
     def driver(self) -> ArmDriver:
         return from_options({"url": f"socket://127.0.0.1:{self.options.port}", "timeout_s": 5.0})
@@ -95,7 +89,7 @@ class FaroBench(ArmBench):
     def set_buttons(self, pressed: set[Button]) -> None:
         self.buttons = sum(BITS[button] for button in pressed)
 
-    def stop(self) -> None:
+    def close(self) -> None:
         self._ended.set()
         self._thread.join()
         self.server.close()
@@ -103,9 +97,8 @@ class FaroBench(ArmBench):
 
 @pytest.fixture
 def bench() -> Iterator[FaroBench]:
-    made = FaroBench()
-    yield made
-    made.stop()
+    with closing(FaroBench()) as made:
+        yield made
 
 
 class TestFaroBridge(ArmConformance):
@@ -113,18 +106,15 @@ class TestFaroBridge(ArmConformance):
 
 
 def test_the_pose_is_the_one_of_the_update(bench: FaroBench) -> None:
-    driver = bench.driver()
-    info = driver.open()
+    with closing(bench.driver()) as driver:
+        info = driver.open()
+        pose = read_readings(driver)[0]
     assert (info.reports, info.pose_of, info.stamps) == ("pose", "tool", "device")
     assert (info.name, info.serial_number, info.rate_hz) == ("FARO arm", "F-1", 200.0)
-    pose = select_readings(read_until(driver, select_readings))[0]
-    driver.close()
     assert isinstance(pose, PoseSample)
     assert pose.position_mm[1:] == (-80.25, 433.0)
     expected = Rotation.from_euler("ZYX", [30.0, -20.0, 75.0], degrees=True)
-    assert (
-        np.abs((Rotation.from_quat(pose.quaternion_xyzw).inv() * expected).as_rotvec()).max() < 1e-9
-    )
+    assert (Rotation.from_quat(pose.quaternion_xyzw).inv() * expected).magnitude() < 1e-9
 
 
 @pytest.mark.parametrize("order", ["zyx", "xyz", "zyz", "zxz"])
@@ -136,9 +126,7 @@ def test_orders_of_angles_are_those_of_turned_axes(order: str) -> None:
 
 
 @pytest.mark.parametrize("order", ["zy", "abc", "zyxz"])
-def test_an_order_that_names_no_axes_is_refused(
-    order: str, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_an_order_without_axes_is_refused(order: str, capsys: pytest.CaptureFixture[str]) -> None:
     with pytest.raises(SystemExit):
         bridge.read_options(["--angles", order])
     assert "three axes" in capsys.readouterr().err
@@ -146,22 +134,15 @@ def test_an_order_that_names_no_axes_is_refused(
 
 def test_a_press_at_rest_comes_through_if_only_changes_are_sent() -> None:
     """One update for the press, one for the release, and then none."""
-    options = bridge.read_options(
-        ["--host", "127.0.0.1", "--port", "0", "--rate", "100", "--only-changes"]
-    )
-    source = bridge.Bridge(options)
-    server = source.serve("FARO arm", "F-1")
-    driver = from_options({"url": f"socket://127.0.0.1:{server.port}"})
-    try:
-        driver.open()
+    command = "--host 127.0.0.1 --port 0 --rate 100 --only-changes"
+    source = bridge.Bridge(bridge.read_options(command.split()))
+    with closing(source.serve("FARO arm", "F-1")) as server:
         edges: list[tuple[Button, bool]] = []
-        for pressed in (0, 1, 0):
-            source.take(((600.0, 0.0, 300.0), (0.0, 0.0, 0.0), pressed, 0.0))
-            edges += button_edges(read_until(driver, select_readings))
-        assert edges == [(Button.PRIMARY, True), (Button.PRIMARY, False)]
-    finally:
-        driver.close()
-        server.close()
+        with opened(from_options({"url": f"socket://127.0.0.1:{server.port}"})) as driver:
+            for pressed in (0, 1, 0):
+                source.take(((600.0, 0.0, 300.0), (0.0, 0.0, 0.0), pressed, 0.0))
+                edges += button_edges(read_until(driver, select_readings))
+    assert edges == [(Button.PRIMARY, True), (Button.PRIMARY, False)]
 
 
 def test_the_file_alone_serves_a_simulated_arm(tmp_path: Path) -> None:
@@ -170,21 +151,18 @@ def test_the_file_alone_serves_a_simulated_arm(tmp_path: Path) -> None:
     alone = tmp_path / "faro_bridge.py"
     alone.write_bytes(SCRIPT.read_bytes())
     command = [sys.executable, "-I", "-S", str(alone), "--simulate", "--host", "127.0.0.1"]
-    process = subprocess.Popen(
-        [*command, "--port", str(port), "--only-changes"], stdout=subprocess.PIPE, text=True
-    )
-    try:
-        assert process.stdout is not None
-        assert f"poses per second at port {port}" in process.stdout.readline()
-        driver = from_options({"url": f"socket://127.0.0.1:{port}", "setting": 1})
-        info = driver.open()
-        assert (info.stamps, info.free_running) == ("arrival", False)
-        assert driver.is_alive()
-        poses = select_readings(read_until(driver, lambda got: len(got) > 50))
-        assert all(isinstance(pose, PoseSample) and pose.position_mm[0] == 600.0 for pose in poses)
-        driver.close()
-    finally:
-        process.terminate()
-        process.wait()
-        if process.stdout is not None:
-            process.stdout.close()
+    command += ["--port", str(port), "--only-changes"]
+    with (
+        subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as process,
+        closing(from_options({"url": f"socket://127.0.0.1:{port}", "setting": 1})) as driver,
+    ):
+        try:
+            assert process.stdout is not None
+            assert f"poses per second at port {port}" in process.stdout.readline()
+            info = driver.open()
+            assert (info.stamps, info.free_running) == ("arrival", False)
+            assert driver.is_alive()
+            poses = read_readings(driver, 51)
+        finally:
+            process.terminate()
+    assert all(isinstance(pose, PoseSample) and pose.position_mm[0] == 600.0 for pose in poses)

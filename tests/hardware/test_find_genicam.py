@@ -20,7 +20,7 @@ IN_A_NETWORK = """
 from hardware.discovery import FoundDevice
 from hardware.sensor.genicam.driver import from_options
 from hardware.sensor.genicam.find_genicam import find_genicam
-from tests.hardware.conformance import next_frame, open_in_time
+from tests.hardware.reading import next_frame, open_in_time
 from tests.hardware.fake_cameras import AravisFake
 
 assert find_genicam() == []

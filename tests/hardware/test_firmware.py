@@ -4,7 +4,7 @@ import os
 import select
 import tty
 from collections.abc import Iterator
-from functools import partial
+from contextlib import closing
 from math import pi
 from pathlib import Path
 
@@ -15,14 +15,7 @@ from hardware.arm.packet_reader import PacketReader
 from hardware.arm.protocol import HELLO_REQUEST, Hello, Packet, PulseAnswer, Sample, pulse_request
 from hardware.arm.serial_encoder import SerialEncoderArm, from_options
 from hardware.interfaces import ArmDriver, ArmRecord, Button, JointSample
-from tests.hardware.conformance import (
-    ArmBench,
-    ArmConformance,
-    button_edges,
-    read_until,
-    read_until_lost,
-    select_samples,
-)
+from tests.hardware.conformance import ArmBench, ArmConformance
 from tests.hardware.firmware.board import (
     CLOCK_HZ,
     WITHIN_S,
@@ -30,6 +23,14 @@ from tests.hardware.firmware.board import (
     build_board,
     build_firmware,
     missing_tool,
+)
+from tests.hardware.reading import (
+    button_edges,
+    loss_of,
+    read_readings,
+    read_samples,
+    read_until,
+    select_samples,
 )
 
 pytestmark = [
@@ -63,9 +64,8 @@ def board(program: Path, firmware: Path, tmp_path: Path) -> Iterator[Board]:
 
 @pytest.fixture
 def driver(board: Board) -> Iterator[SerialEncoderArm]:
-    made = open_later(board)
-    yield made
-    made.close()
+    with closing(open_later(board)) as made:
+        yield made
 
 
 def open_later(board: Board) -> SerialEncoderArm:
@@ -122,6 +122,9 @@ class RawLine:
             found += self.reader.feed(os.read(self.end, 4096))
         return found
 
+    def samples(self, count: int) -> list[Sample]:
+        return [packet for packet in self.until(count, Sample) if isinstance(packet, Sample)]
+
     def say(self, data: bytes) -> None:
         os.write(self.end, data)
 
@@ -164,17 +167,14 @@ def test_arms_of_five_and_seven_joints(program: Path, tmp_path: Path, joints: in
     firmware = build_firmware(tmp_path / "build", JOINTS=joints, SAMPLE_HZ=100)
     board = Board(program, firmware, tmp_path / "ttyARM", joints)
     board.turn(list(range(100, 100 + joints)))
-    driver = open_later(board)
-    info = driver.open()
-    assert (info.joint_count, info.rate_hz) == (joints, 100.0)
-    samples_at(driver, list(range(100, 100 + joints)))
-    driver.close()
+    with closing(open_later(board)) as driver:
+        info = driver.open()
+        assert (info.joint_count, info.rate_hz) == (joints, 100.0)
+        samples_at(driver, list(range(100, 100 + joints)))
     board.power_off()
 
 
-def test_angles_are_right_to_the_bit_and_pass_through_zero(
-    board: Board, driver: SerialEncoderArm
-) -> None:
+def test_angles_are_right_to_the_bit_and_pass_through_zero(board: Board, driver: ArmDriver) -> None:
     rng = np.random.default_rng(7)
     board.turn(start := rng.integers(0, PER_TURN, 6).tolist())
     board.tell("reset")  # the start is the absolute position
@@ -207,7 +207,7 @@ def test_every_sample_is_taken_at_the_highest_rate(program: Path, tmp_path: Path
 
 
 def assert_sampled_every(line: RawLine, period_us: int) -> None:
-    samples = [packet for packet in line.until(300, Sample) if isinstance(packet, Sample)]
+    samples = line.samples(300)
     assert set(np.diff([sample.sequence for sample in samples])) == {1}
     assert set(np.diff([sample.device_us for sample in samples])) == {period_us}
 
@@ -258,16 +258,14 @@ def test_pulses_start_from_one_after_a_pause(board: Board, driver: SerialEncoder
         gaps_s = np.diff([rose for rose, _, _ in board.pulses]) / CLOCK_HZ
         assert np.sum(gaps_s >= 0.3) == start - 1
     driver.stop_pulses()
-    read_until(driver, lambda got: len(got) > 50)
+    read_readings(driver, 51)
     count = board.pulses_by_now()
     assert not numbers_of(read_until(driver, lambda got: len(got) > 50))
     assert board.pulses_by_now() == count
 
 
 @pytest.mark.parametrize("rate_hz", [0.5, 200.1, 4_000_000.0])
-def test_rates_that_are_not_possible_are_refused(
-    board: Board, line: RawLine, rate_hz: float
-) -> None:
+def test_impossible_rates_are_refused(board: Board, line: RawLine, rate_hz: float) -> None:
     line.say(pulse_request(1, rate_hz))
     (answer,) = (p for p in line.until(1, PulseAnswer) if isinstance(p, PulseAnswer))
     assert answer == PulseAnswer(1, False, 0.0)
@@ -295,16 +293,12 @@ def test_garbage_from_the_host_does_no_harm(board: Board, line: RawLine) -> None
 def test_a_bouncing_contact_gives_one_press(board: Board, line: RawLine) -> None:
     line.until(3, Sample)
     board.tell("bounce", 1, 7, BOUNCE_MS)
-    states = [p.buttons for p in line.until(40, Sample) if isinstance(p, Sample)]
+    states = [sample.buttons for sample in line.samples(40)]
     board.tell("button", 1, 0)
-    states += [p.buttons for p in line.until(20, Sample) if isinstance(p, Sample)]
+    states += [sample.buttons for sample in line.samples(20)]
     changes = np.flatnonzero(np.diff(states))
     assert [states[0], *(states[i + 1] for i in changes)] == [0, 2, 0]
     assert np.diff(changes)[0] >= 5
-
-
-def has_lost_more_than(driver: ArmDriver, count: int, _: list[ArmRecord]) -> bool:
-    return driver.health.lost > count
 
 
 def test_an_encoder_that_reports_an_error_costs_few_samples(
@@ -316,8 +310,8 @@ def test_an_encoder_that_reports_an_error_costs_few_samples(
     for command in ("error", "noise"):
         lost = driver.health.lost
         board.tell(command, 3)
-        read_until(driver, partial(has_lost_more_than, driver, lost))
-        later = select_samples(read_until(driver, lambda got: len(got) > 20))
+        read_until(driver, lambda _, lost=lost: driver.health.lost > lost)  # type: ignore[misc]
+        later = read_samples(driver, 21)
         assert driver.health.lost - lost <= 3
         assert counts_of(later[-1]) == pytest.approx([500] * 6)
 
@@ -331,14 +325,13 @@ def test_a_restart_goes_on_without_pulses_and_is_an_error_with_them(
     driver.open()
     before = samples_at(driver, [7_000] * 6)
     board.tell(cause)
-    after = select_samples(read_until(driver, lambda got: len(got) > 300))
+    after = read_samples(driver, 301)
     assert np.all(np.diff([s.stamp_ns for s in before + after]) > 0)
     assert counts_of(after[-1]) == pytest.approx([7_000] * 6)
     driver.start_pulses(100.0)
     read_until(driver, lambda got: any(s.pulse for s in select_samples(got)))
     board.tell(cause)
-    error = read_until_lost(lambda: driver.read(0.1))
-    assert "restarted while the camera counted" in str(error.what)
+    assert "restarted while the camera counted" in str(loss_of(driver).what)
     driver.open()
     driver.start_pulses(100.0)
     first = read_until(driver, lambda got: any(s.pulse for s in select_samples(got)))

@@ -4,6 +4,7 @@ import ctypes
 import threading
 import time
 from collections.abc import Iterator, Mapping
+from contextlib import closing
 from ctypes import byref
 from pathlib import Path
 from typing import Any
@@ -15,21 +16,13 @@ from app.station.bus import Bus
 from app.station.devices.device_thread import SILENCE_S, LinkState
 from app.station.devices.sensor_device import StationSensor
 from hardware.errors import DeviceError
-from hardware.interfaces import SelectedColour, SensorDriver
+from hardware.interfaces import Frame, SelectedColour, SensorDriver, SensorInfo
 from hardware.sensor.genicam import aravis
 from hardware.sensor.genicam.aravis_source import GenicamSource
 from hardware.sensor.genicam.driver import FIRST_WITHIN_S, camera_title, from_options
 from hardware.sensor.genicam.settings import GenicamOptions
 from hardware.sensor.grabbing import GrabbingSensor
-from tests.hardware.conformance import (
-    LONG_S,
-    SensorBench,
-    SensorConformance,
-    next_frame,
-    open_in_time,
-    read_past,
-    read_until_lost,
-)
+from tests.hardware.conformance import SensorBench, SensorConformance
 from tests.hardware.fake_cameras import (
     ADDRESS,
     ARAVIS_ADDRESS,
@@ -46,6 +39,15 @@ from tests.hardware.fake_cameras import (
     given_up,
     port_for_this_test,
     write_laser_camera,
+)
+from tests.hardware.reading import (
+    LONG_S,
+    loss_of,
+    next_frame,
+    open_in_time,
+    opened,
+    read_past,
+    wait_until,
 )
 
 pytestmark = [pytest.mark.device, pytest.mark.xdist_group("gige")]
@@ -112,37 +114,23 @@ def laser_camera(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """The description of a camera with an output line."""
     require_aravis()
     path = tmp_path_factory.mktemp("camera") / "laser.xml"
-    with port_for_this_test():
-        fake = AravisFake()
-        try:
-            write_laser_camera(genicam_xml(), path)
-        finally:
-            fake.stop()
+    with port_for_this_test(), AravisFake():
+        write_laser_camera(genicam_xml(), path)
     return path
 
 
-class AravisBench(SensorBench):
-    """Aravis's camera, with a laser on an output line."""
+class GenicamBench(SensorBench):
+    """A camera that a second program can take over."""
 
-    def __init__(self, description: Path) -> None:
-        self._fake = AravisFake("-g", str(description))
-        self._driver = from_options(options(rate_hz=60.0, laser_line="Line2"))
+    def __init__(self, address: str, driver: SensorDriver) -> None:
+        self._address, self._driver = address, driver
         self._other: ControlClient | None = None
 
     def driver(self) -> SensorDriver:
         return self._driver
 
-    def unplug(self) -> None:
-        self._fake.stop()
-
-    def plug_in(self) -> None:
-        self._fake.start()
-
-    def pictures_until_wrap(self) -> int:
-        return LAST_BLOCK_ID - FIRST_BLOCK_ID
-
     def take_control(self) -> None:
-        self._other = ControlClient(ARAVIS_ADDRESS)
+        self._other = ControlClient(self._address)
         self._other.take_control()
 
     def leave_control(self) -> None:
@@ -152,11 +140,29 @@ class AravisBench(SensorBench):
 
     def end(self) -> None:
         self._driver.close()
-        self._fake.stop()
+        self.unplug()
         if given_up():
-            self._fake.start()
+            self.plug_in()
             await_freed()
-            self._fake.stop()
+            self.unplug()
+
+
+class AravisBench(GenicamBench):
+    """Aravis's camera, with a laser on an output line."""
+
+    def __init__(self, description: Path) -> None:
+        self._fake = AravisFake("-g", str(description))
+        driver = from_options(options(rate_hz=60.0, laser_line="Line2"))
+        super().__init__(ARAVIS_ADDRESS, driver)
+
+    def unplug(self) -> None:
+        self._fake.stop()
+
+    def plug_in(self) -> None:
+        self._fake.start()
+
+    def pictures_until_wrap(self) -> int:
+        return LAST_BLOCK_ID - FIRST_BLOCK_ID
 
 
 class TestAravisCamera(SensorConformance):
@@ -176,30 +182,24 @@ def viva() -> None:
     first.stop()
 
 
-class VivaBench(SensorBench):
+class VivaBench(GenicamBench):
     """The camera of viva-genicam, which numbers, loses and resends on demand."""
 
     def __init__(self, **more: object) -> None:
-        self.fake = make_viva_fake()
-        self.fake.start()
-        self._driver, self._sources = make_driver(options(address=ADDRESS, **more))
-        self._other: ControlClient | None = None
-
-    def driver(self) -> SensorDriver:
-        return self._driver
+        self.plug_in()
+        driver, self._sources = make_driver(options(address=ADDRESS, **more))
+        super().__init__(ADDRESS, driver)
 
     def unplug(self) -> None:
         self.fake.stop()
 
-    def plug_in(self) -> None:
-        self.fake = make_viva_fake()
+    def plug_in(self, **faults: object) -> None:
+        self.fake = make_viva_fake(**faults)
         self.fake.start()
 
     def lossy_driver(self, resent: bool) -> tuple[SensorDriver, set[int]]:
-        self.fake.stop()
-        damaged = [(block, 2) for block in LOST_BLOCKS]
-        self.fake = make_viva_fake(drop_packets=damaged, packet_resend=resent)
-        self.fake.start()
+        self.unplug()
+        self.plug_in(drop_packets=[(block, 2) for block in LOST_BLOCKS], packet_resend=resent)
         return self._driver, {block - 1 for block in LOST_BLOCKS}
 
     def triggered_driver(self) -> SensorDriver:
@@ -211,25 +211,8 @@ class VivaBench(SensorBench):
         fire.argtypes = (ctypes.c_void_p, ctypes.c_void_p)
         fire(self._sources[-1].camera.handle, None)
 
-    def take_control(self) -> None:
-        self._other = ControlClient()
-        self._other.take_control()
-
-    def leave_control(self) -> None:
-        assert self._other is not None
-        self._other.leave_control()
-        self._other.close()
-
     def revoke_control(self) -> None:
         self.fake.revoke_control()
-
-    def end(self) -> None:
-        self._driver.close()
-        self.fake.stop()
-        if given_up():
-            self.plug_in()
-            await_freed()
-            self.fake.stop()
 
 
 class TestVivaCamera(SensorConformance):
@@ -247,10 +230,9 @@ class TestVivaCamera(SensorConformance):
 
 @pytest.fixture
 def fake(port: None) -> Iterator[AravisFake]:
-    camera = AravisFake()
-    yield camera
-    await_freed()
-    camera.stop()
+    with AravisFake() as camera:
+        yield camera
+        await_freed()
 
 
 def refusal(table: Mapping[str, object]) -> str:
@@ -262,55 +244,48 @@ def refusal(table: Mapping[str, object]) -> str:
     return str(caught.value)
 
 
+def show(**more: object) -> tuple[SensorInfo, Frame]:
+    with closing(from_options(options(**more))) as driver:
+        return driver.open(), next_frame(driver)
+
+
 def test_the_exposure_changes_the_picture_and_its_label(fake: AravisFake) -> None:
-    driver = from_options(options(exposure_us=1000.0))
-    driver.open()
-    dark = next_frame(driver)
-    driver.set_exposure_us(40_000.0)
-    bright = next_frame(driver)
-    while bright.exposure_us < 39_000:
-        bright = next_frame(driver)
-    for _ in range(3):
-        bright = next_frame(driver)
-    driver.close()
+    with opened(from_options(options(exposure_us=1000.0))) as driver:
+        dark = next_frame(driver)
+        driver.set_exposure_us(40_000.0)
+        while next_frame(driver).exposure_us < 39_000:
+            pass
+        bright = [next_frame(driver) for _ in range(3)][-1]
     assert dark.exposure_us == pytest.approx(1000, rel=0.01)
     assert bright.exposure_us == pytest.approx(40_000, rel=0.01)
     assert bright.image.mean() > dark.image.mean() + 50
 
 
 def test_deep_pictures_state_their_full_scale(fake: AravisFake) -> None:
-    driver = from_options(options(pixel_format="Mono16"))
-    driver.open()
-    frame = next_frame(driver)
-    driver.close()
+    _, frame = show(pixel_format="Mono16")
     assert frame.image.dtype == np.uint16
     assert frame.full_scale == 65535
 
 
 def test_a_raw_colour_camera_shows_the_lasers_pixels(fake: AravisFake) -> None:
     assert "laser_colour" in refusal(options(pixel_format="BayerRG8"))
-    driver = from_options(options(pixel_format="BayerRG8", laser_colour="red"))
-    info = driver.open()
-    frame = next_frame(driver)
-    driver.close()
+    info, frame = show(pixel_format="BayerRG8", laser_colour="red")
     assert (info.width_px, info.height_px) == (WIDTH // 2, HEIGHT // 2)
     assert info.selected == SelectedColour("red", "RGGB")
     assert frame.image.shape == (HEIGHT // 2, WIDTH // 2)
 
 
 def test_a_region_is_a_part_of_the_sensor(fake: AravisFake) -> None:
-    driver = from_options({"address": ARAVIS_ADDRESS, "region": [64, 32, 640, 100]})
-    info = driver.open()
+    with closing(from_options(options(region=[64, 32, 640, 100]))) as driver:
+        info = driver.open()
     assert (info.width_px, info.height_px) == (640, 100)
-    driver.close()
-    driver = from_options({"address": ARAVIS_ADDRESS, "rate_hz": 5.0})
-    info = open_in_time(driver)  # on a busy machine, none of these large pictures may arrive whole
+    with closing(from_options({"address": ARAVIS_ADDRESS, "rate_hz": 5.0})) as driver:
+        info = open_in_time(driver)  # none of these large pictures may arrive whole, if it is busy
     assert (info.width_px, info.height_px) == (2048, 2048)
-    driver.close()
 
 
 def test_what_the_camera_cannot_do_is_said(fake: AravisFake) -> None:
-    for table, words in (
+    refused: tuple[tuple[dict[str, object], str], ...] = (
         ({"pixel_format": "Mono11"}, "pixel_format = Mono11; it offers BayerBG8"),
         ({"region": [0, 0, 5000, 100]}, "region"),
         ({"exposure_us": 1e9}, "exposure_us = 1e+09; it offers 10"),
@@ -321,16 +296,14 @@ def test_what_the_camera_cannot_do_is_said(fake: AravisFake) -> None:
         ({"laser_line": "Line2"}, "laser_line = Line2; it offers –"),
         ({"chunks": ["ExposureTime"]}, "chunks"),
         ({"serial_number": "4711"}, "has the serial number GV01, not 4711"),
-    ):
-        more = dict[str, object](table)
-        text = refusal(options(**more))
-        assert words in text
+    )
+    for table, words in refused:
+        assert words in refusal(options() | table)
 
 
 def test_what_the_camera_offers_is_known_after_opening(fake: AravisFake) -> None:
-    driver = from_options(options())
-    offers = {one.key: one for one in driver.open().offers}
-    driver.close()
+    with closing(from_options(options())) as driver:
+        offers = {one.key: one for one in driver.open().offers}
     assert {"Mono8", "Mono16"} <= set(offers["pixel_format"].choices)
     assert offers["trigger"].choices == ("Line0", "Software")
     assert offers["region"].largest == "0, 0, 2048, 2048"
@@ -348,10 +321,11 @@ def test_nobody_at_the_address_is_said() -> None:
 
 
 def test_a_laser_is_switched_on_its_line_and_off_at_the_end(port: None, laser_camera: Path) -> None:
-    fake = AravisFake("-g", str(laser_camera))
-    driver = from_options(options(laser_line="Line2", exposure_us=5000.0))
-    client = ControlClient(ARAVIS_ADDRESS)
-    try:
+    with (
+        AravisFake("-g", str(laser_camera)),
+        closing(ControlClient(ARAVIS_ADDRESS)) as client,
+        closing(from_options(options(laser_line="Line2", exposure_us=5000.0))) as driver,
+    ):
         assert driver.open().has_laser_switch
         assert client.read(LINE_MODES + 4) == 1
         assert client.read(LINE_SOURCES + 4) == 2
@@ -360,92 +334,73 @@ def test_a_laser_is_switched_on_its_line_and_off_at_the_end(port: None, laser_ca
         driver.set_laser(True)
         switched_ns = time.monotonic_ns()
         assert client.read(USER_OUTPUTS + 4) == 1
-        frame = next_frame(driver)
-        while not frame.laser_on:
+        while not (frame := next_frame(driver)).laser_on:
             assert frame.mid_exposure_ns - 2_500_000 <= switched_ns + STAMP_NS
-            frame = next_frame(driver)
         driver.close()
         assert client.read(USER_OUTPUTS + 4) == 0
-    finally:
-        client.close()
-        driver.close()
-        fake.stop()
 
 
 def test_stamps_are_the_cameras_own(fake: AravisFake) -> None:
     middles = {}
     for stamp_at in ("exposure-start", "mid-exposure", "exposure-end"):
-        driver = from_options(options(rate_hz=50.0, exposure_us=10_000.0, stamp_at=stamp_at))
-        info = driver.open()
+        more = {"rate_hz": 50.0, "exposure_us": 10_000.0, "stamp_at": stamp_at}
+        with closing(from_options(options(**more))) as driver:
+            info = driver.open()
+            frames = [next_frame(driver) for _ in range(60)]
         assert (info.stamps, info.stamp_at) == ("device", stamp_at)
-        frames = [next_frame(driver) for _ in range(60)]
         gaps_ms = np.diff([frame.mid_exposure_ns for frame in frames]) / 1e6
         middles[stamp_at] = np.median(gaps_ms)
-        driver.close()
     # one exposure every 20 ms, or fewer on a busy machine
     assert all(10.0 < middle_ms < 200.0 for middle_ms in middles.values())
 
 
 def test_lost_packets_without_resend_are_counted(port: None) -> None:
-    fake = AravisFake("-r", "5")
-    driver = from_options(options(rate_hz=60.0))
-    try:
+    with AravisFake("-r", "5"), closing(from_options(options(rate_hz=60.0))) as driver:
         open_in_time(driver)
         seen = read_past(driver, 150)
         assert 0 < len(set(range(max(seen))) - seen) <= driver.health.lost
-    finally:
-        driver.close()
-        fake.stop()
 
 
 def test_a_network_that_passes_no_whole_picture_is_named(port: None) -> None:
-    fake = AravisFake("-r", "500")
-    try:
+    with AravisFake("-r", "500"):
         text = refusal(options(region=[0, 0, 640, 480], rate_hz=50.0))
-        assert "arrive incomplete" in text
-        assert "packet_size" in text
-    finally:
-        fake.stop()
+    assert "arrive incomplete" in text
+    assert "packet_size" in text
 
 
 def test_without_a_clock_in_the_camera_the_arrival_counts(fake: AravisFake) -> None:
-    client = ControlClient(ARAVIS_ADDRESS)
-    client.take_control()
-    for register in TICK_FREQUENCY_REGISTERS:
-        client.write(register, 0)
-    client.leave_control()
-    client.close()
-    driver = from_options(options(exposure_us=4000.0))
-    before_ns = time.monotonic_ns()
-    info = driver.open()
-    frames = [next_frame(driver) for _ in range(10)]
-    driver.close()
+    with closing(ControlClient(ARAVIS_ADDRESS)) as client:
+        client.take_control()
+        for register in TICK_FREQUENCY_REGISTERS:
+            client.write(register, 0)
+        client.leave_control()
+    with closing(from_options(options(exposure_us=4000.0))) as driver:
+        before_ns = time.monotonic_ns()
+        info = driver.open()
+        frames = [next_frame(driver) for _ in range(10)]
     assert (info.stamps, info.stamp_at) == ("arrival", "frame-end")
     assert before_ns - 4_000_000 < frames[0].mid_exposure_ns < time.monotonic_ns() - 2_000_000
     assert np.all(np.diff([frame.mid_exposure_ns for frame in frames]) > 0)
 
 
 def test_a_camera_that_no_longer_answers_is_lost(fake: AravisFake) -> None:
-    driver = from_options(options())
-    driver.open()
-    next_frame(driver)
-    fake.freeze()
-    read_until_lost(lambda: driver.read(0.1))
-    driver.close()
-    fake.go_on()
-    open_in_time(driver)
-    next_frame(driver)
-    driver.close()
+    with opened(from_options(options())) as driver:
+        next_frame(driver)
+        fake.freeze()
+        loss_of(driver)
+        driver.close()
+        fake.go_on()
+        open_in_time(driver)
+        next_frame(driver)
 
 
 def test_a_packet_size_is_set(fake: AravisFake) -> None:
-    driver = from_options(options(packet_size=1400))
-    driver.open()
-    next_frame(driver)
-    client = ControlClient(ARAVIS_ADDRESS)
-    assert client.read(PACKET_SIZE_REGISTER) & 0xFFFF == 1400
-    client.close()
-    driver.close()
+    with (
+        opened(from_options(options(packet_size=1400))) as driver,
+        closing(ControlClient(ARAVIS_ADDRESS)) as client,
+    ):
+        next_frame(driver)
+        assert client.read(PACKET_SIZE_REGISTER) & 0xFFFF == 1400
 
 
 def test_a_station_keeps_a_camera_that_waits_for_its_trigger(viva: None) -> None:
@@ -454,10 +409,7 @@ def test_a_station_keeps_a_camera_that_waits_for_its_trigger(viva: None) -> None
     sensor = StationSensor(Bus(), lambda: driver)
     sensor.reader.start()
     try:
-        deadline = time.monotonic() + LONG_S
-        while sensor.reader.link().state is not LinkState.CONNECTED:
-            assert time.monotonic() < deadline
-            time.sleep(0.05)
+        wait_until(lambda: sensor.reader.link().state is LinkState.CONNECTED)
         silent_until = time.monotonic() + SILENCE_S + 1.0
         while time.monotonic() < silent_until:
             assert sensor.info is not None
@@ -468,9 +420,7 @@ def test_a_station_keeps_a_camera_that_waits_for_its_trigger(viva: None) -> None
         assert frame is not None
         assert frame.pulse == 1
         bench.unplug()
-        while sensor.reader.link().state is not LinkState.LOST:
-            assert time.monotonic() < deadline + LONG_S
-            time.sleep(0.05)
+        wait_until(lambda: sensor.reader.link().state is LinkState.LOST)
     finally:
         sensor.reader.stop()
         bench.end()

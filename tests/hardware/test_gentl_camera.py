@@ -1,10 +1,9 @@
 """The gentl driver on Viky, the simulated camera in EMVA's own package."""
 
-import builtins
+import sys
 import threading
-from collections.abc import Iterator
+from contextlib import closing
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 import pytest
@@ -20,12 +19,8 @@ from hardware.sensor.gentl_camera import (
     from_options,
 )
 from hardware.sensor.image_source import GrabbedImage
-from tests.hardware.conformance import (
-    SensorBench,
-    SensorConformance,
-    next_frame,
-    open_in_time,
-)
+from tests.hardware.conformance import SensorBench, SensorConformance
+from tests.hardware.reading import next_frame, open_in_time
 
 pytestmark = pytest.mark.device
 
@@ -55,47 +50,41 @@ class VikyBench(SensorBench):
     def plug_in(self) -> None:
         self._link.symlink_to(self._producer)
 
-    def end(self) -> None:
-        self._driver.close()
-
 
 class TestViky(SensorConformance):
     @pytest.fixture
-    def bench(self, producer: Path, tmp_path: Path) -> Iterator[SensorBench]:
-        bench = VikyBench(producer, tmp_path)
-        yield bench
-        bench.end()
+    def bench(self, producer: Path, tmp_path: Path) -> SensorBench:
+        return VikyBench(producer, tmp_path)
 
-    def test_loss_is_an_error_and_open_works_again(self, bench: SensorBench) -> None:
+    def test_loss_is_an_error_and_open_works_again(
+        self, bench: SensorBench, driver: SensorDriver
+    ) -> None:
         pytest.skip("this simulated camera cannot be unplugged while it is open")
 
 
 def test_a_camera_is_chosen_by_its_serial_number(producer: Path) -> None:
-    driver = from_options({"producer": str(producer), "serial_number": "2"})
-    assert open_in_time(driver).serial_number == "2"
-    frame = next_frame(driver)
+    with closing(from_options({"producer": str(producer), "serial_number": "2"})) as driver:
+        assert open_in_time(driver).serial_number == "2"
+        frame = next_frame(driver)
     assert frame.image.dtype == np.uint8
     assert frame.full_scale == 255
-    driver.close()
     with pytest.raises(DeviceError, match="The camera 4711 was not found"):
         from_options({"producer": str(producer), "serial_number": "4711"}).open()
 
 
 def test_a_camera_of_calibrated_points_sends_pictures_alone(producer: Path) -> None:
     """Viky's points are in millimetres (CalibratedABC_Grid)."""
-    driver = from_options({"producer": str(producer)})
-    assert driver.open().delivers == {"picture"}
-    with pytest.raises(DeviceError, match="pictures alone"):
-        driver.set_delivery("line")
-    next_frame(driver)
-    driver.close()
+    with closing(from_options({"producer": str(producer)})) as driver:
+        assert driver.open().delivers == {"picture"}
+        with pytest.raises(DeviceError, match="pictures alone"):
+            driver.set_delivery("line")
+        next_frame(driver)
 
 
 def test_a_region_is_a_part_of_the_sensor(producer: Path) -> None:
-    driver = from_options({"producer": str(producer), "region": [0, 0, 300, 200]})
-    info = driver.open()
-    assert next_frame(driver).image.shape == (info.height_px, info.width_px) == (200, 300)
-    driver.close()
+    with closing(from_options({"producer": str(producer), "region": [0, 0, 300, 200]})) as driver:
+        info = driver.open()
+        assert next_frame(driver).image.shape == (info.height_px, info.width_px) == (200, 300)
 
 
 def next_image(source: GentlSource) -> GrabbedImage:
@@ -157,14 +146,8 @@ def test_producers_are_found_in_the_folders_of_the_environment(
 
 
 def test_a_missing_library_is_named_with_its_extra(monkeypatch: pytest.MonkeyPatch) -> None:
-    load = builtins.__import__
-
-    def without_harvesters(name: str, *arguments: Any, **more: Any) -> Any:
-        if name.startswith("harvesters"):
-            raise ImportError(name)
-        return load(name, *arguments, **more)
-
-    monkeypatch.setattr(builtins, "__import__", without_harvesters)
+    for module in ("harvesters", "harvesters.core"):
+        monkeypatch.setitem(sys.modules, module, None)
     with pytest.raises(DeviceError) as caught:
         from_options({}).open()
     assert "harvesters" in str(caught.value.what)

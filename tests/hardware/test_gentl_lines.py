@@ -6,8 +6,8 @@ sends. Sockets and the calls of GenTL are left out.
 """
 
 import queue
-import time
 from collections.abc import Iterator
+from contextlib import closing
 from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
@@ -26,16 +26,11 @@ from hardware.simulator.devices.gige_camera.gvsp import PictureBlock
 from hardware.simulator.devices.gige_camera.registers import TICKS_PER_S, CameraIdentity
 from hardware.simulator.devices.gige_camera.stream import Block
 from hardware.simulator.rendering.line_sensor import find_profile
-from tests.hardware.conformance import (
-    LONG_S,
-    SensorBench,
-    SensorConformance,
-    next_frame,
-    read_until_delivery,
-    read_until_lost,
-)
+from tests.hardware.conformance import SensorBench, SensorConformance
 from tests.hardware.fake_cameras import ADDRESS
+from tests.hardware.reading import loss_of, next_frame, read_until_delivery, wait_until
 from tests.hardware.test_profiles import DARK, DELAY_MS, DETECTOR, HEIGHT, WIDTH, picture, row_in
+from tests.hardware.test_simulated_gige import serve
 
 pytestmark = pytest.mark.device
 
@@ -158,9 +153,8 @@ def camera() -> Iterator[GigeCamera]:
         delay_ms=DELAY_MS,
         find_line=lambda image: find_profile(image, DETECTOR),
     )
-    made.start()
-    yield made
-    made.stop()
+    with serve(made):
+        yield made
 
 
 @pytest.fixture
@@ -179,9 +173,8 @@ def options(producer: Producer, tmp_path: Path) -> dict[str, object]:
 
 @pytest.fixture
 def driver(options: dict[str, object]) -> Iterator[GrabbingSensor]:
-    made = gentl_camera.from_options(options)
-    yield made
-    made.close()
+    with closing(gentl_camera.from_options(options)) as made:
+        yield made
 
 
 class ProfileBench(SensorBench):
@@ -199,9 +192,6 @@ class ProfileBench(SensorBench):
     def trigger(self) -> None:
         self._camera.trigger(now_ns())
 
-    def end(self) -> None:
-        self._driver.close()
-
     def unplug(self) -> None:
         self._set_unplugged(True)
 
@@ -211,19 +201,15 @@ class ProfileBench(SensorBench):
     def _set_unplugged(self, unplugged: bool) -> None:
         """Waits until the camera has noticed it, as it does before it answers at its sockets."""
         self._camera.faults.unplugged = unplugged
-        assert self._camera._control is not None
-        deadline = time.monotonic() + LONG_S
-        while self._camera._control._was_plugged == unplugged:
-            assert time.monotonic() < deadline
-            time.sleep(0.01)
+        control = self._camera._control
+        assert control is not None
+        wait_until(lambda: control._was_plugged != unplugged)
 
 
 class TestProfileCamera(SensorConformance):
     @pytest.fixture
-    def bench(self, camera: GigeCamera, options: dict[str, object]) -> Iterator[SensorBench]:
-        bench = ProfileBench(camera, options)
-        yield bench
-        bench.end()
+    def bench(self, camera: GigeCamera, options: dict[str, object]) -> SensorBench:
+        return ProfileBench(camera, options)
 
 
 def test_the_output_switches_the_laser_of_pairs(camera: GigeCamera, driver: GrabbingSensor) -> None:
@@ -263,17 +249,13 @@ def test_lines_are_those_of_the_picture(driver: GrabbingSensor) -> None:
     ],
 )
 def test_what_is_no_picture_is_named(
-    producer: Producer,
-    driver: GrabbingSensor,
-    payload: str,
-    pixel_format: int | None,
-    named: str,
+    producer: Producer, driver: GrabbingSensor, payload: str, pixel_format: int | None, named: str
 ) -> None:
     driver.open()
     (opened,) = producer.opened
     opened.payload_type = getattr(gentl.PAYLOADTYPE_INFO_IDS, payload)
     opened.pixel_format = pixel_format
-    error = read_until_lost(lambda: driver.read(0.1))
+    error = loss_of(driver)
     assert isinstance(error, DeviceError)
     assert named in str(error.what)
     assert error.remedy

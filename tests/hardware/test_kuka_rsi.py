@@ -7,9 +7,10 @@ the conformance suite runs on the sender.
 import socket
 import subprocess
 import sys
-import time
 from collections.abc import Callable, Iterator
 from concurrent.futures import ThreadPoolExecutor
+from contextlib import closing
+from functools import partial
 from pathlib import Path
 
 import numpy as np
@@ -21,15 +22,8 @@ from app.bench.station.subprocess_station import free_port
 from hardware.errors import DeviceError
 from hardware.interfaces import ArmDriver, PoseSample
 from hardware.registry import arm_driver
-from tests.hardware.conformance import (
-    LONG_S,
-    ArmBench,
-    ArmConformance,
-    read_until,
-    read_until_lost,
-    select_readings,
-    select_samples,
-)
+from tests.hardware.conformance import ArmBench, ArmConformance
+from tests.hardware.reading import loss_of, opened, read_readings, read_samples, wait_until
 from tests.hardware.udp_robot import UdpBench, UdpRobot
 
 pytestmark = pytest.mark.device
@@ -53,10 +47,8 @@ def rsi_packet(cycle: int, stamp_ns: int, cycle_ms: int = 4) -> bytes:
 
 @pytest.fixture
 def robot() -> Iterator[UdpRobot]:
-    port = free_port(socket.SOCK_DGRAM)
-    robot = UdpRobot(port, 4, rsi_packet)
-    yield robot
-    robot.stop()
+    with UdpRobot(free_port(socket.SOCK_DGRAM), 4, rsi_packet) as robot:
+        yield robot
 
 
 def make_driver(robot: UdpRobot, **options: object) -> ArmDriver:
@@ -70,23 +62,22 @@ class TestKukaRsi(ArmConformance):
 
 
 def test_joints_and_cycle_are_as_sent(robot: UdpRobot) -> None:
-    driver = make_driver(robot, report="joints")
-    info = driver.open()
+    with closing(make_driver(robot, report="joints")) as driver:
+        info = driver.open()
+        samples = read_samples(driver, 21)
     assert (info.rate_hz, info.joint_count) == (250.0, 6)
-    samples = select_samples(read_until(driver, lambda got: len(got) > 20))
     steps = np.diff([sample.joints_rad[0] for sample in samples])
     assert steps == pytest.approx(np.radians(0.001), abs=1e-5)
     assert samples[0].joints_rad[5] - samples[0].joints_rad[0] == pytest.approx(np.radians(5))
-    driver.close()
 
 
 def test_a_cycle_of_12_ms_is_found() -> None:
-    port = free_port(socket.SOCK_DGRAM)
-    robot = UdpRobot(port, 12, lambda cycle, stamp_ns: rsi_packet(cycle, stamp_ns, 12))
-    driver = make_driver(robot)
-    assert driver.open().rate_hz == pytest.approx(1000 / 12)
-    driver.close()
-    robot.stop()
+    packet = partial(rsi_packet, cycle_ms=12)
+    with (
+        UdpRobot(free_port(socket.SOCK_DGRAM), 12, packet) as robot,
+        closing(make_driver(robot)) as driver,
+    ):
+        assert driver.open().rate_hz == pytest.approx(1000 / 12)
 
 
 def frame(values: tuple[float, ...]) -> NDArray[np.float64]:
@@ -97,9 +88,8 @@ def frame(values: tuple[float, ...]) -> NDArray[np.float64]:
 
 
 def test_tool_and_base_are_taken_out(robot: UdpRobot) -> None:
-    driver = make_driver(robot, tool=list(TOOL_MM_DEG), base=list(BASE_MM_DEG))
-    driver.open()
-    pose = select_readings(read_until(driver, select_readings))[0]
+    with opened(make_driver(robot, tool=list(TOOL_MM_DEG), base=list(BASE_MM_DEG))) as driver:
+        pose = read_readings(driver)[0]
     assert isinstance(pose, PoseSample)
     T = frame(BASE_MM_DEG) @ frame((500.0, -20.0, 350.0, 10.0, 20.0, 30.0))
     T = T @ np.linalg.inv(frame(TOOL_MM_DEG))
@@ -109,17 +99,15 @@ def test_tool_and_base_are_taken_out(robot: UdpRobot) -> None:
     assert pose.position_mm[2] == pytest.approx(T[2, 3])
     turned = Rotation.from_quat(pose.quaternion_xyzw) * Rotation.from_matrix(T[:3, :3]).inv()
     assert turned.magnitude() < 1e-9
-    driver.close()
 
 
 def test_packets_from_elsewhere_are_ignored(robot: UdpRobot) -> None:
-    other = UdpRobot(robot.port, 4, lambda cycle, stamp_ns: b"<Rob/>", source="127.0.0.9")
-    driver = make_driver(robot)
-    driver.open()
-    read_until(driver, lambda got: len(got) > 50)
-    assert driver.health.corrupt == 0
-    driver.close()
-    other.stop()
+    with (
+        UdpRobot(robot.port, 4, lambda cycle, stamp_ns: b"<Rob/>", source="127.0.0.9"),
+        opened(make_driver(robot)) as driver,
+    ):
+        read_readings(driver, 51)
+        assert driver.health.corrupt == 0
 
 
 @pytest.mark.parametrize(
@@ -134,14 +122,12 @@ def test_packets_from_elsewhere_are_ignored(robot: UdpRobot) -> None:
     ],
 )
 def test_what_is_no_rsi_counts_as_corrupt(robot: UdpRobot, packet: bytes) -> None:
-    driver = make_driver(robot)
-    driver.open()
-    robot.spoil = lambda data: packet
-    while driver.health.corrupt < 3:
-        driver.read(0.1)
-    robot.spoil = lambda data: data
-    read_until(driver, lambda got: len(got) > 3)
-    driver.close()
+    with opened(make_driver(robot)) as driver:
+        robot.spoil = lambda data: packet
+        while driver.health.corrupt < 3:
+            driver.read(0.1)
+        robot.spoil = lambda data: data
+        read_readings(driver, 4)
 
 
 @pytest.mark.parametrize(
@@ -161,11 +147,10 @@ def test_what_is_no_rsi_counts_as_corrupt(robot: UdpRobot, packet: bytes) -> Non
 def test_what_cannot_be_true_is_an_error(
     robot: UdpRobot, change: Callable[[bytes], bytes], words: str
 ) -> None:
-    driver = make_driver(robot)
-    driver.open()
-    read_until(driver, select_readings)
-    robot.spoil = change
-    assert words in str(read_until_lost(lambda: driver.read(0.1)).what)
+    with opened(make_driver(robot)) as driver:
+        read_readings(driver)
+        robot.spoil = change
+        assert words in str(loss_of(driver).what)
 
 
 def test_what_is_wrong_at_opening_is_said(robot: UdpRobot) -> None:
@@ -207,13 +192,6 @@ CONFIG = """<ROOT><CONFIG><IP_NUMBER>127.0.0.1</IP_NUMBER><PORT>{port}</PORT>
 </ELEMENTS></SEND><RECEIVE><ELEMENTS/></RECEIVE></ROOT>"""
 
 
-def await_bound(port: int) -> None:
-    deadline = time.monotonic() + LONG_S
-    while f":{port:04X} " not in Path("/proc/net/udp").read_text():
-        assert time.monotonic() < deadline, "the driver does not listen"
-        time.sleep(0.01)
-
-
 @pytest.mark.parametrize("report", ["flange", "joints"])
 def test_an_emulator_of_others_is_read(tmp_path: Path, report: str) -> None:
     pytest.importorskip("RSIPI", exc_type=ImportError)
@@ -224,12 +202,14 @@ def test_an_emulator_of_others_is_read(tmp_path: Path, report: str) -> None:
     driver = arm_driver("kuka-rsi", options)
     with ThreadPoolExecutor(1) as elsewhere:
         opening = elsewhere.submit(driver.open)
-        await_bound(port)  # the emulator gives up soon where nobody listens
+        # the emulator gives up soon where nobody listens
+        bound = Path("/proc/net/udp")
+        wait_until(lambda: f":{port:04X} " in bound.read_text(), "the driver does not listen")
         command = [sys.executable, "-c", EMULATOR, str(config)]
         emulator = subprocess.Popen(command, cwd=tmp_path, stdout=subprocess.DEVNULL)
         try:
             opening.result()
-            reading = select_readings(read_until(driver, select_readings))[0]
+            reading = read_readings(driver)[0]
             driver.close()
         finally:
             emulator.kill()

@@ -20,15 +20,17 @@ from hardware.arm.robots import streaming_arm
 from hardware.errors import DeviceError
 from hardware.interfaces import ArmDriver, Button
 from hardware.registry import arm_driver
-from tests.hardware.conformance import (
+from tests.hardware.conformance import ArmBench, ArmConformance
+from tests.hardware.reading import (
     LONG_S,
-    ArmBench,
-    ArmConformance,
     button_edges,
+    opened,
+    read_readings,
+    read_samples,
     read_until,
     select_samples,
 )
-from tests.hardware.speaking_arm import PtyLine
+from tests.hardware.speaking_arm import PtyLine, SpeakingBench
 from tests.hardware.speaking_microscribe import COUNTS, HOME_COUNTS, FakeMicroscribe
 
 pytestmark = [
@@ -39,8 +41,9 @@ pytestmark = [
 PEDALS = {Button.PRIMARY: 1, Button.UNDO: 2}
 
 
-class MicroscribeBench(ArmBench):
+class MicroscribeBench(SpeakingBench):
     def __init__(self, arm: FakeMicroscribe) -> None:
+        super().__init__(arm)
         self.arm = arm
 
     def driver(self) -> ArmDriver:
@@ -48,18 +51,6 @@ class MicroscribeBench(ArmBench):
 
     def contacts(self) -> int:
         return self.arm.heard
-
-    def unplug(self) -> None:
-        self.arm.unplug()
-
-    def plug_in(self) -> None:
-        self.arm.plug_in()
-
-    def silence(self, silent: bool) -> None:
-        self.arm.silent = silent
-
-    def lose_samples(self, count: int) -> None:
-        self.arm.skip = count
 
     def set_buttons(self, pressed: set[Button]) -> None:
         self.arm.pedals = sum(PEDALS[button] for button in pressed)
@@ -69,90 +60,74 @@ def make_driver(arm: FakeMicroscribe, **options: object) -> ArmDriver:
     return arm_driver("microscribe", {"url": arm.line.url, **options})
 
 
-def be_patient(monkeypatch: pytest.MonkeyPatch, answer_s: float) -> None:
-    """No answer of a busy machine is late."""
-    monkeypatch.setattr(microscribe, "_ANSWER_S", answer_s)
+@pytest.fixture
+def arm(tmp_path: Path) -> Iterator[FakeMicroscribe]:
+    with FakeMicroscribe(PtyLine(tmp_path)) as arm:
+        yield arm
 
 
 @pytest.fixture
-def arm(tmp_path: Path) -> Iterator[FakeMicroscribe]:
-    arm = FakeMicroscribe(PtyLine(tmp_path))
-    yield arm
-    arm.stop()
+def driver(arm: FakeMicroscribe) -> Iterator[ArmDriver]:
+    with opened(make_driver(arm)) as driver:
+        yield driver
 
 
 class TestMicroscribe(ArmConformance):
     @pytest.fixture
     def bench(self, arm: FakeMicroscribe, monkeypatch: pytest.MonkeyPatch) -> ArmBench:
-        be_patient(monkeypatch, 0.5)
+        # no answer of a busy machine is late
+        monkeypatch.setattr(microscribe, "_ANSWER_S", 0.5)
         monkeypatch.setattr(streaming_arm, "_SILENCE_S", LONG_S)
         return MicroscribeBench(arm)
 
 
-def test_counts_become_radians(arm: FakeMicroscribe) -> None:
-    driver = make_driver(arm)
+def test_counts_become_radians(driver: ArmDriver) -> None:
     info = driver.open()
     assert (info.name, info.serial_number, info.joint_count) == ("MicroScribe G2X", "MS-1234", 5)
     assert info.stamps == "arrival"
-    sample = select_samples(read_until(driver, select_samples))[0]
+    sample = read_samples(driver)[0]
     assert sample.joints_rad == pytest.approx(2 * np.pi * np.arange(10, 60, 10) / COUNTS)
-    driver.close()
 
 
-def test_angles_pass_through_zero_without_a_jump(arm: FakeMicroscribe) -> None:
-    driver = make_driver(arm)
-    driver.open()
-    first = select_samples(read_until(driver, select_samples))[0]
+def test_angles_pass_through_zero_without_a_jump(arm: FakeMicroscribe, driver: ArmDriver) -> None:
+    first = read_samples(driver)[0]
     arm.counts[0] = COUNTS - 10
     later = read_until(driver, lambda got: any(s.joints_rad[0] < 0 for s in select_samples(got)))
     turned = select_samples(later)[-1].joints_rad[0] - first.joints_rad[0]
     assert turned == pytest.approx(-20 * 2 * math.pi / COUNTS)
-    driver.close()
 
 
 def test_a_damaged_answer_is_lost_and_the_next_is_read(
-    arm: FakeMicroscribe, monkeypatch: pytest.MonkeyPatch
+    arm: FakeMicroscribe, driver: ArmDriver, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    be_patient(monkeypatch, LONG_S)
-    driver = make_driver(arm)
-    driver.open()
+    monkeypatch.setattr(microscribe, "_ANSWER_S", LONG_S)
     arm.damage = 3
     read_until(driver, lambda _: driver.health.lost >= 3)
     assert driver.health.corrupt == 3
-    read_until(driver, lambda got: len(got) > 5)
-    driver.close()
+    read_readings(driver, 6)
 
 
-def test_a_late_answer_is_not_that_of_the_next_question(arm: FakeMicroscribe) -> None:
-    driver = make_driver(arm)
-    driver.open()
-    read_until(driver, select_samples)
+def test_a_late_answer_is_not_of_the_next_question(arm: FakeMicroscribe, driver: ArmDriver) -> None:
+    read_samples(driver)
     arm.late_s = 1.0  # after the next questions
     read_until(driver, lambda _: driver.health.corrupt > 3)
     arm.counts[0], arm.late_s = 1010, 0.0
-    later = select_samples(read_until(driver, lambda got: len(got) > 5))
+    later = read_samples(driver, 6)
     turned = [sample.joints_rad[0] for sample in later]
     assert turned == pytest.approx([2 * math.pi * 1010 / COUNTS] * len(later))
-    driver.close()
 
 
-def test_pedals_are_buttons(arm: FakeMicroscribe) -> None:
-    driver = make_driver(arm)
+def test_pedals_are_buttons(arm: FakeMicroscribe, driver: ArmDriver) -> None:
     assert driver.open().buttons == {Button.PRIMARY, Button.UNDO}
     arm.pedals = 3
-    assert button_edges(read_until(driver, button_edges)) == [
-        (Button.PRIMARY, True),
-        (Button.UNDO, True),
-    ]
-    driver.close()
+    edges = button_edges(read_until(driver, button_edges))
+    assert edges == [(Button.PRIMARY, True), (Button.UNDO, True)]
 
 
-def test_the_driver_does_not_move_the_home_position(arm: FakeMicroscribe) -> None:
-    driver = make_driver(arm)
-    driver.open()
+def test_a_driver_does_not_move_the_home_position(arm: FakeMicroscribe, driver: ArmDriver) -> None:
     driver.close()
     driver.open()
-    read_until(driver, select_samples)
+    read_samples(driver)
     driver.close()
     assert arm.counts == [10, 20, 30, 40, 50]
 

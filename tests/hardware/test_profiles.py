@@ -5,6 +5,7 @@ The camera is ours, with the features of real profile cameras; Aravis and the dr
 
 import time
 from collections.abc import Iterator
+from contextlib import closing
 
 import numpy as np
 import pytest
@@ -20,16 +21,16 @@ from hardware.simulator.devices.gige_camera.profile_features import SCALE_PX
 from hardware.simulator.devices.gige_camera.registers import CameraIdentity
 from hardware.simulator.rendering.line_sensor import find_line, find_profile
 from hardware.simulator.rendering.noise import Detector
-from tests.hardware.conformance import (
+from tests.hardware.conformance import SensorBench, SensorConformance
+from tests.hardware.fake_cameras import ADDRESS
+from tests.hardware.reading import (
     LONG_S,
-    SensorBench,
-    SensorConformance,
+    loss_of,
     next_frame,
     next_reading,
+    opened,
     read_until_delivery,
-    read_until_lost,
 )
-from tests.hardware.fake_cameras import ADDRESS
 from tests.hardware.test_genicam import require_aravis
 from tests.hardware.test_simulated_gige import GigeBench, serve
 from tests.hardware.test_simulated_gige import make_driver as make_gige_driver
@@ -88,6 +89,12 @@ def make_driver(**more: object) -> GrabbingSensor:
     return driver
 
 
+@pytest.fixture
+def driver(camera: GigeCamera) -> Iterator[GrabbingSensor]:
+    with closing(make_driver(exposure_us=5000.0)) as driver:
+        yield driver
+
+
 class ProfileBench(GigeBench):
     def make_camera(self, first_block_id: int = 1) -> GigeCamera:
         return make_camera(first_block_id)
@@ -126,8 +133,7 @@ def lit_line(driver: GrabbingSensor) -> Line:
     return line
 
 
-def test_a_line_is_the_one_in_the_picture(camera: GigeCamera) -> None:
-    driver = make_driver(exposure_us=5000.0)
+def test_a_line_is_the_one_in_the_picture(driver: GrabbingSensor) -> None:
     open_lit(driver)
     while not (frame := next_frame(driver)).laser_on:
         pass
@@ -145,32 +151,22 @@ def test_a_line_is_the_one_in_the_picture(camera: GigeCamera) -> None:
 
 
 def test_a_camera_of_one_component_gives_lines_of_one_intensity() -> None:
-    camera = make_camera(sends_parts=False)
-    camera.start()
-    driver = make_driver(exposure_us=5000.0)
-    try:
+    with serve(make_camera(sends_parts=False)), closing(make_driver(exposure_us=5000.0)) as driver:
         open_lit(driver)
         line = lit_line(driver)
-    finally:
-        driver.close()
-        camera.stop()
     assert set(line.intensity) == {INTENSITY}
     np.testing.assert_allclose(line.v, row_in(line.u), atol=0.1)
 
 
-def test_a_stated_deviation_counts_and_otherwise_the_scatter_of_the_line(
-    camera: GigeCamera,
-) -> None:
+def test_a_stated_deviation_counts_and_else_the_scatter_of_the_line(camera: GigeCamera) -> None:
     """This picture has no noise. The errors of the line's centre are periodic along the line, and
     their differences overstate them."""
-    driver = make_driver(exposure_us=5000.0, line_sigma_px=0.3)
-    open_lit(driver)
-    assert set(lit_line(driver).sigma_px) == {0.3}
-    driver.close()
-    driver = make_driver(exposure_us=5000.0)
-    open_lit(driver)
-    line = lit_line(driver)
-    driver.close()
+    with closing(make_driver(exposure_us=5000.0, line_sigma_px=0.3)) as driver:
+        open_lit(driver)
+        assert set(lit_line(driver).sigma_px) == {0.3}
+    with closing(make_driver(exposure_us=5000.0)) as driver:
+        open_lit(driver)
+        line = lit_line(driver)
     (sigma_px,) = set(line.sigma_px)
     assert sigma_px >= SCALE_PX / np.sqrt(12)
     true_px = np.std(line.v - row_in(line.u))
@@ -181,12 +177,12 @@ def test_a_stated_deviation_counts_and_otherwise_the_scatter_of_the_line(
 def test_a_region_s_corner_is_the_lines_zero(camera: GigeCamera, rows: str) -> None:
     """This camera counts rows from the region's first one on."""
     x, y, width, height = region = [16, 40, 240, 128]
-    driver = make_driver(exposure_us=5000.0, region=region, line_rows=rows, line_offset_px=0.25)
-    open_lit(driver)
-    line = lit_line(driver)
-    driver.set_delivery("picture")
-    frame = read_until_delivery(driver, "picture")
-    driver.close()
+    options = {"region": region, "line_rows": rows, "line_offset_px": 0.25}
+    with closing(make_driver(exposure_us=5000.0, **options)) as driver:
+        open_lit(driver)
+        line = lit_line(driver)
+        driver.set_delivery("picture")
+        frame = read_until_delivery(driver, "picture")
     assert isinstance(frame, Frame)
     assert frame.image.shape == (height, width)
     assert (line.width_px, line.height_px) == (width, height)
@@ -197,8 +193,7 @@ def test_a_region_s_corner_is_the_lines_zero(camera: GigeCamera, rows: str) -> N
     assert line.v.max() < height - 0.5
 
 
-def test_changing_to_and_fro_loses_no_count(camera: GigeCamera) -> None:
-    driver = make_driver(exposure_us=5000.0)
+def test_changing_to_and_fro_loses_no_count(camera: GigeCamera, driver: GrabbingSensor) -> None:
     open_lit(driver)
     last: SensorReading = next_frame(driver)
     for _ in range(5):
@@ -213,11 +208,9 @@ def test_changing_to_and_fro_loses_no_count(camera: GigeCamera) -> None:
     assert driver.health.corrupt == 0
     assert last.sequence < driver.health.received + driver.health.lost + 64
     assert_counts_fit(driver, camera)
-    driver.close()
 
 
-def test_the_exposure_is_kept_when_it_changes(camera: GigeCamera) -> None:
-    driver = make_driver(exposure_us=5000.0)
+def test_the_exposure_is_kept_when_it_changes(driver: GrabbingSensor) -> None:
     open_lit(driver)
     changes: list[tuple[Delivery, float]] = [("line", 7e3), ("picture", 4e3), ("line", 4e3)]
     for delivery, exposure_us in changes:
@@ -226,26 +219,21 @@ def test_the_exposure_is_kept_when_it_changes(camera: GigeCamera) -> None:
         deadline = time.monotonic() + LONG_S
         while read_until_delivery(driver, delivery).exposure_us != exposure_us:
             assert time.monotonic() < deadline
-    driver.close()
 
 
 def test_lines_come_at_a_rate_of_their_own(camera: GigeCamera) -> None:
-    driver = make_driver(exposure_us=1000.0, rate_hz=20.0, line_rate_hz=100.0)
-    open_lit(driver)
-    assert camera._exposures is not None
-    rates_hz: list[tuple[Delivery, float]] = [("line", 100.0), ("picture", 20.0), ("line", 100.0)]
-    for delivery, rate_hz in rates_hz:
-        driver.set_delivery(delivery)
-        read_until_delivery(driver, delivery)
-        assert camera._exposures._rate_hz() == pytest.approx(rate_hz)
-    driver.close()
+    with closing(make_driver(exposure_us=1000.0, rate_hz=20.0, line_rate_hz=100.0)) as driver:
+        open_lit(driver)
+        assert camera._exposures is not None
+        rates: list[tuple[Delivery, float]] = [("line", 100.0), ("picture", 20.0), ("line", 100.0)]
+        for delivery, rate_hz in rates:
+            driver.set_delivery(delivery)
+            read_until_delivery(driver, delivery)
+            assert camera._exposures._rate_hz() == pytest.approx(rate_hz)
 
 
 def test_a_camera_of_many_profiles_a_buffer_goes_on_with_pictures() -> None:
-    camera = make_camera(fewest_profiles=8)
-    camera.start()
-    driver = make_driver()
-    try:
+    with serve(make_camera(fewest_profiles=8)) as camera, closing(make_driver()) as driver:
         assert driver.open().delivers == {"picture", "line"}
         with pytest.raises(DeviceError, match="64 profiles into one buffer") as caught:
             driver.set_delivery("line")
@@ -253,18 +241,12 @@ def test_a_camera_of_many_profiles_a_buffer_goes_on_with_pictures() -> None:
         for _ in range(3):
             next_frame(driver)
         assert_counts_fit(driver, camera)
-    finally:
-        driver.close()
-        camera.stop()
 
 
 def test_lost_lines_are_counted() -> None:
     camera = make_camera()
     camera.faults.resends = False
-    camera.start()
-    driver = make_driver()
-    try:
-        driver.open()
+    with serve(camera), opened(make_driver()) as driver:
         driver.set_delivery("line")
         first = read_until_delivery(driver, "line")
         camera.faults.lost_packets = frozenset((block, 1) for block in range(1, 2000, 3))
@@ -272,24 +254,16 @@ def test_lost_lines_are_counted() -> None:
         gaps = lines[-1].sequence - first.sequence - len(lines)
         assert gaps >= 5
         assert driver.health.lost >= gaps
-    finally:
-        driver.close()
-        camera.stop()
 
 
 def test_a_camera_without_profiles_sends_pictures_alone() -> None:
     camera = GigeCamera(CameraIdentity(ADDRESS, "SIM-1", WIDTH, HEIGHT, 50.0), picture)
-    camera.start()
-    driver = make_driver()
-    try:
+    with serve(camera), closing(make_driver()) as driver:
         assert driver.open().delivers == {"picture"}
         driver.set_delivery("picture")
         with pytest.raises(DeviceError, match="pictures alone"):
             driver.set_delivery("line")
         next_frame(driver)
-    finally:
-        driver.close()
-        camera.stop()
     with pytest.raises(DeviceError, match="not open"):
         driver.set_delivery("picture")
 
@@ -317,14 +291,12 @@ def test_a_triggered_camera_numbers_its_lines_by_pulses(camera: GigeCamera) -> N
     driver.close()
 
 
-def test_the_camera_is_lost_while_it_sends_lines(camera: GigeCamera) -> None:
-    driver = make_driver()
+def test_a_camera_is_lost_while_it_sends_lines(camera: GigeCamera, driver: GrabbingSensor) -> None:
     open_lit(driver)
     driver.set_delivery("line")
     read_until_delivery(driver, "line")
     camera.faults.unplugged = True
-    read_until_lost(lambda: driver.read(0.2))
+    loss_of(driver, 0.2)
     with pytest.raises(DeviceError):
         driver.set_delivery("picture")
     camera.faults.unplugged = False
-    driver.close()

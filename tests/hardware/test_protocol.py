@@ -20,6 +20,8 @@ from tests.hardware.speaking_arm import (
     sample_payload,
 )
 
+COUNTS = [0, 1, -1, 4194304, -2097152, 123456]
+
 
 def published_examples() -> list[bytes]:
     assert protocol.__doc__ is not None
@@ -29,56 +31,41 @@ def published_examples() -> list[bytes]:
 
 def test_the_published_sample_is_what_it_says() -> None:
     example = published_examples()[0]
-    counts = [0, 1, -1, 4194304, -2097152, 123456]
-    assert example == sample_packet(258, 1_000_000_000, 1, counts)
-    assert PacketReader().feed(example) == [Sample(258, 1_000_000_000, 1, tuple(counts))]
+    assert example == sample_packet(258, 1_000_000_000, 1, COUNTS)
+    assert PacketReader().feed(example) == [Sample(258, 1_000_000_000, 1, tuple(COUNTS))]
 
 
-def test_the_published_hello_is_what_it_says() -> None:
+def test_the_published_request_and_hello_are_what_they_say() -> None:
     hello = Hello(1000.0, (8388608,) * 6, "Sample arm", "SA-0042", "1.4.0")
     assert PacketReader().feed(published_examples()[1]) == [hello]
-
-
-def test_the_published_request_is_what_is_sent() -> None:
     assert published_examples()[2] == protocol.HELLO_REQUEST == packet(0x81, b"")
 
 
 def test_the_published_hellos_of_version_2_are_what_they_say() -> None:
     joints, poses = published_examples()[3:5]
-    counts = (8388608,) * 6
-    (hello,) = PacketReader().feed(joints)
-    assert hello == Hello(
-        1000.0, counts, "Sample arm", "SA-0042", "2.0.0", 2, buttons=5, pulses_hz=(1.0, 200.0)
-    )
-    (hello,) = PacketReader().feed(poses)
-    assert hello == Hello(
-        100.0, (), "Sample bridge", "SB-7", "1.0", 2, True, True, buttons=1, setting=17
-    )
+    arm = (1000.0, (8388608,) * 6, "Sample arm", "SA-0042", "2.0.0", 2)
+    assert PacketReader().feed(joints) == [Hello(*arm, buttons=5, pulses_hz=(1.0, 200.0))]
+    bridge = (100.0, (), "Sample bridge", "SB-7", "1.0", 2, True, True)
+    assert PacketReader().feed(poses) == [Hello(*bridge, buttons=1, setting=17)]
 
 
+SAMPLE = sample_packet(1, 2, 0, [0] * 6)
 POSE = (7, 2_500_000, 1, 17, (612.5, -80.25, 433.0), (0.0, 0.6, 0.0, 0.8))
 
 
 def test_the_published_poses_and_pulses_are_what_they_say() -> None:
     pose, first_pulse, later_pulse, request, answer = published_examples()[5:]
-    counts = [0, 1, -1, 4194304, -2097152, 123456]
     assert pose == packet(3, pose_payload(*POSE), 2)
-    assert first_pulse == pulse_packet(1, 1, sample_payload(259, 1_000_001_000, 0, counts))
+    assert first_pulse == pulse_packet(1, 1, sample_payload(259, 1_000_001_000, 0, COUNTS))
     assert later_pulse == pulse_packet(70_000, 3, pose_payload(*POSE))
     assert PacketReader().feed(pose + first_pulse + later_pulse + answer) == [
         PosePacket(*POSE),
-        Sample(259, 1_000_001_000, 0, tuple(counts), pulse=1),
+        Sample(259, 1_000_001_000, 0, tuple(COUNTS), pulse=1),
         PosePacket(*POSE, pulse=70_000),
         PulseAnswer(5, True, 100.016),
     ]
     assert request == protocol.pulse_request(5, 100.0)
     assert request == packet(0x82, bytes.fromhex("05 A0 86 01 00"), 2)
-
-
-def test_types_of_version_2_mean_nothing_in_version_1() -> None:
-    reader = PacketReader()
-    assert reader.feed(packet(3, pose_payload(*POSE), 1)) == []
-    assert reader.corrupt == 0
 
 
 def test_a_hello_of_version_2_states_every_property() -> None:
@@ -108,9 +95,10 @@ def test_a_hello_of_seven_joints() -> None:
 
 
 def test_an_unknown_type_is_passed_by_silently() -> None:
+    """As is a type of version 2 in version 1."""
     reader = PacketReader()
-    sample = sample_packet(1, 2, 0, [0] * 6)
-    assert len(reader.feed(sample + packet(0x33, b"abc") + sample)) == 2
+    assert reader.feed(packet(3, pose_payload(*POSE), 1)) == []
+    assert len(reader.feed(SAMPLE + packet(0x33, b"abc") + SAMPLE)) == 2
     assert reader.corrupt == 0
 
 
@@ -122,13 +110,12 @@ def test_another_version_is_noticed() -> None:
 
 def test_damage_is_counted_once_a_stretch_and_not_before_the_first_packet() -> None:
     reader = PacketReader()
-    sample = sample_packet(1, 2, 0, [0] * 6)
-    bad = sample[:20] + bytes([sample[20] ^ 1]) + sample[21:]
-    assert len(reader.feed(b"noise" + bad + sample)) == 1
+    bad = SAMPLE[:20] + bytes([SAMPLE[20] ^ 1]) + SAMPLE[21:]
+    assert len(reader.feed(b"noise" + bad + SAMPLE)) == 1
     assert reader.corrupt == 0
-    assert len(reader.feed(bad + b"noise" + bad + sample)) == 1
+    assert len(reader.feed(bad + b"noise" + bad + SAMPLE)) == 1
     assert reader.corrupt == 1
-    assert len(reader.feed(sample + bad + sample)) == 2
+    assert len(reader.feed(SAMPLE + bad + SAMPLE)) == 2
     assert reader.corrupt == 2
 
 
@@ -137,20 +124,19 @@ def test_damage_is_counted_once_a_stretch_and_not_before_the_first_packet() -> N
 )
 def test_a_good_crc_around_a_wrong_length_is_no_packet(kind: int, version: int) -> None:
     reader = PacketReader()
-    sample = sample_packet(1, 2, 0, [0] * 6)
     for length in (0, 4, 13, 14, 37, 69, 255):
         assert reader.feed(packet(kind, bytes([6] * length), version)) == []
-    assert reader.feed(sample) == [Sample(1, 2, 0, (0,) * 6)]
+    assert reader.feed(SAMPLE) == [Sample(1, 2, 0, (0,) * 6)]
 
 
 def test_a_false_start_does_not_delay_the_packet_behind_it() -> None:
     reader = PacketReader()
     false_start = bytes.fromhex("A7 5C 01 01 FF")
-    assert len(reader.feed(false_start + sample_packet(1, 2, 0, [0] * 6))) == 1
+    assert len(reader.feed(false_start + SAMPLE)) == 1
 
 
-samples = st.builds(
-    lambda sequence, device_us, buttons, counts: (sequence, device_us, buttons, counts),
+Values = tuple[int, int, int, list[int]]
+samples = st.tuples(
     st.integers(0, (1 << 32) - 1),
     st.integers(0, (1 << 64) - 1),
     st.integers(0, 7),
@@ -174,7 +160,7 @@ def feed_in_pieces(reader: PacketReader, stream: bytes, cuts: list[int]) -> list
 
 @given(st.lists(st.tuples(sync_rich, samples), max_size=12), st.lists(st.integers(0, 9999)))
 def test_every_intact_packet_is_found_in_noise(
-    parts: list[tuple[bytes, tuple[int, int, int, list[int]]]], cuts: list[int]
+    parts: list[tuple[bytes, Values]], cuts: list[int]
 ) -> None:
     stream = b"".join(noise + sample_packet(*sample) for noise, sample in parts)
     expected = [Sample(s, t, b, tuple(c)) for _, (s, t, b, c) in parts]
@@ -183,9 +169,7 @@ def test_every_intact_packet_is_found_in_noise(
 
 @given(samples, samples, st.data())
 def test_a_packet_cut_at_any_byte_costs_only_itself(
-    first: tuple[int, int, int, list[int]],
-    second: tuple[int, int, int, list[int]],
-    data: st.DataObject,
+    first: Values, second: Values, data: st.DataObject
 ) -> None:
     whole = sample_packet(*first)
     kept = data.draw(st.integers(0, len(whole) - 1))
@@ -206,9 +190,7 @@ def test_noise_alone_never_fails_nor_piles_up(noise: bytes, cuts: list[int]) -> 
 
 
 @given(samples, st.integers(0, 50), st.integers(1, 255))
-def test_any_changed_byte_is_noticed(
-    sample: tuple[int, int, int, list[int]], at: int, change: int
-) -> None:
+def test_any_changed_byte_is_noticed(sample: Values, at: int, change: int) -> None:
     whole = bytearray(sample_packet(*sample))
     whole[at % len(whole)] ^= change
     assert PacketReader().feed(bytes(whole)) == []

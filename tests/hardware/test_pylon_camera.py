@@ -1,8 +1,8 @@
 """The pylon driver on Basler's own emulation, where its library is installed."""
 
-import builtins
 import os
-from collections.abc import Iterator, Mapping
+import sys
+from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
@@ -11,7 +11,8 @@ import pytest
 from hardware.errors import DeviceError
 from hardware.interfaces import SensorDriver
 from hardware.sensor.pylon_camera import from_options
-from tests.hardware.conformance import SensorBench, SensorConformance, next_frame
+from tests.hardware.conformance import SensorBench, SensorConformance
+from tests.hardware.reading import next_frame
 
 EMULATION = "PYLON_CAMEMU"
 REGION = [0, 0, 320, 240]
@@ -44,12 +45,12 @@ class EmulationBench(SensorBench):
 
 class TestPylonEmulation(SensorConformance):
     @pytest.fixture
-    def bench(self, emulation: None) -> Iterator[SensorBench]:
-        bench = EmulationBench(options(laser_line="Line2"))
-        yield bench
-        bench.driver().close()
+    def bench(self, emulation: None) -> SensorBench:
+        return EmulationBench(options(laser_line="Line2"))
 
-    def test_loss_is_an_error_and_open_works_again(self, bench: SensorBench) -> None:
+    def test_loss_is_an_error_and_open_works_again(
+        self, bench: SensorBench, driver: SensorDriver
+    ) -> None:
         pytest.skip("an emulated camera that is open cannot be unplugged")
 
 
@@ -111,14 +112,7 @@ def test_what_the_camera_cannot_do_is_said(
 
 
 def test_a_missing_library_is_named_with_its_extra(monkeypatch: pytest.MonkeyPatch) -> None:
-    load = builtins.__import__
-
-    def without_pypylon(name: str, *arguments: Any, **more: Any) -> Any:
-        if name == "pypylon":
-            raise ImportError(name)
-        return load(name, *arguments, **more)
-
-    monkeypatch.setattr(builtins, "__import__", without_pypylon)
+    monkeypatch.setitem(sys.modules, "pypylon", None)
     with pytest.raises(DeviceError) as caught:
         from_options({}).open()
     assert "pypylon" in str(caught.value.what)

@@ -22,13 +22,8 @@ from hardware.arm.robots.transform_chain import TransformChain
 from hardware.errors import DeviceError
 from hardware.interfaces import ArmDriver, PoseSample
 from hardware.registry import arm_driver
-from tests.hardware.conformance import (
-    ArmBench,
-    ArmConformance,
-    read_until,
-    read_until_lost,
-    select_readings,
-)
+from tests.hardware.conformance import ArmBench, ArmConformance
+from tests.hardware.reading import loss_of, read_readings, read_until, select_readings
 
 pytestmark = [
     pytest.mark.device,
@@ -70,16 +65,13 @@ def test_transforms_need_two_frames() -> None:
 
 def transform(parent: str, child: str, stamp_ms: int, x_m: float, qz: float = 0.0) -> Any:
     """A ``geometry_msgs/TransformStamped``, as the driver reads it."""
-    return SimpleNamespace(
-        header=SimpleNamespace(
-            frame_id=parent, stamp=SimpleNamespace(sec=1, nanosec=1_000_000 * stamp_ms)
-        ),
-        child_frame_id=child,
-        transform=SimpleNamespace(
-            translation=SimpleNamespace(x=x_m, y=0.0, z=0.0),
-            rotation=SimpleNamespace(x=0.0, y=0.0, z=qz, w=(1 - qz * qz) ** 0.5),
-        ),
+    stamp = SimpleNamespace(sec=1, nanosec=1_000_000 * stamp_ms)
+    placed = SimpleNamespace(
+        translation=SimpleNamespace(x=x_m, y=0.0, z=0.0),
+        rotation=SimpleNamespace(x=0.0, y=0.0, z=qz, w=(1 - qz * qz) ** 0.5),
     )
+    header = SimpleNamespace(frame_id=parent, stamp=stamp)
+    return SimpleNamespace(header=header, child_frame_id=child, transform=placed)
 
 
 def test_messages_of_transforms_become_poses() -> None:
@@ -121,9 +113,8 @@ class Ros2Bench(ArmBench):
         return None
 
     def plug_in(self) -> None:
-        self._process = subprocess.Popen(
-            [sys.executable, str(PUBLISHER)], stdin=subprocess.PIPE, text=True
-        )
+        command = [sys.executable, str(PUBLISHER)]
+        self._process = subprocess.Popen(command, stdin=subprocess.PIPE, text=True)
 
     def unplug(self) -> None:
         if self._process is not None:
@@ -161,7 +152,7 @@ def test_readings_are_as_published(bench: Ros2Bench) -> None:
     driver = bench.driver()
     info = driver.open()
     assert info.rate_hz == pytest.approx(250, rel=0.2)
-    reading = select_readings(read_until(driver, select_readings))[0]
+    reading = read_readings(driver)[0]
     if isinstance(reading, PoseSample):
         assert reading.position_mm == pytest.approx((500.0, -250.0, 125.0))
         assert reading.quaternion_xyzw == pytest.approx((0.6, 0.0, 0.0, 0.8))
@@ -180,7 +171,7 @@ def test_what_cannot_be_used_is_an_error(bench: Ros2Bench, word: str) -> None:
     driver = bench.driver()
     driver.open()
     bench.command(word)
-    error = read_until_lost(lambda: driver.read(0.1))
+    error = loss_of(driver)
     assert {
         "nan": "no numbers",
         "unstamped": "no time stamps",

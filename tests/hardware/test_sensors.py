@@ -19,10 +19,12 @@ from hardware.errors import DeviceError
 from hardware.interfaces import SelectedColour, SensorDriver
 from hardware.sensor import folder, opencv_camera
 from hardware.sensor.grey import to_grey
-from tests.hardware.conformance import LONG_S, SensorBench, SensorConformance, next_frame
+from tests.hardware.conformance import SensorBench, SensorConformance
+from tests.hardware.reading import LONG_S, next_frame, opened, wait_until
 
 pytestmark = pytest.mark.device
 
+Picture = NDArray[np.uint8] | NDArray[np.uint16]
 WIDTH, HEIGHT, PICTURES, RATE_HZ = 160, 128, 7, 60.0
 
 
@@ -70,22 +72,31 @@ class PathBench(SensorBench):
 )
 class TestVideoFile(SensorConformance):
     @pytest.fixture
-    def bench(self, tmp_path: Path, codec: str) -> Iterator[SensorBench]:
+    def bench(self, tmp_path: Path, codec: str) -> SensorBench:
         path = tmp_path / "block.avi"
-        write_video(path, codec)
-        driver = opencv_camera.from_options({"source": str(path), "loop": True})
-        yield PathBench(path, driver)
-        driver.close()
+        return PathBench(path, video_of(path, codec, loop=True))
 
 
 class TestFolder(SensorConformance):
     @pytest.fixture
-    def bench(self, tmp_path: Path) -> Iterator[SensorBench]:
+    def bench(self, tmp_path: Path) -> SensorBench:
         path = tmp_path / "block"
         write_folder(path)
-        driver = folder.from_options({"path": str(path), "rate_hz": RATE_HZ})
-        yield PathBench(path, driver)
-        driver.close()
+        return PathBench(path, folder_of(path, RATE_HZ))
+
+
+def camera_of(source: object, **options: object) -> SensorDriver:
+    return opencv_camera.from_options({"source": source, **options})
+
+
+def video_of(path: Path, codec: str = "FFV1", **options: object) -> SensorDriver:
+    """A driver of a video that is written."""
+    write_video(path, codec)
+    return camera_of(str(path), **options)
+
+
+def folder_of(path: object, rate_hz: float = 200.0, **options: object) -> SensorDriver:
+    return folder.from_options({"path": str(path), "rate_hz": rate_hz, **options})
 
 
 class MjpegServer:
@@ -141,12 +152,11 @@ class MjpegServer:
 
 
 class StreamBench(SensorBench):
-    def __init__(self, server: MjpegServer, driver: SensorDriver) -> None:
+    def __init__(self, server: MjpegServer) -> None:
         self._server = server
-        self._driver = driver
 
     def driver(self) -> SensorDriver:
-        return self._driver
+        return camera_of(self._server.url)
 
     def unplug(self) -> None:
         self._server.unplug()
@@ -155,110 +165,86 @@ class StreamBench(SensorBench):
         self._server.plug_in()
 
 
+@pytest.fixture
+def server() -> Iterator[MjpegServer]:
+    server = MjpegServer()
+    yield server
+    server.unplug()
+
+
 class TestNetworkStream(SensorConformance):
     @pytest.fixture
-    def bench(self) -> Iterator[SensorBench]:
-        server = MjpegServer()
-        driver = opencv_camera.from_options({"source": server.url})
-        yield StreamBench(server, driver)
-        driver.close()
-        server.unplug()
+    def bench(self, server: MjpegServer) -> SensorBench:
+        return StreamBench(server)
 
 
-def shown(driver: SensorDriver, count: int) -> list[NDArray[np.uint8] | NDArray[np.uint16]]:
+def shown(driver: SensorDriver, count: int) -> list[Picture]:
     return [next_frame(driver).image for _ in range(count)]
 
 
 def test_a_lossless_video_arrives_unchanged_and_in_order(tmp_path: Path) -> None:
-    write_video(tmp_path / "v.avi", "FFV1")
-    driver = opencv_camera.from_options({"source": str(tmp_path / "v.avi"), "loop": True})
-    driver.open()
-    images = shown(driver, 2 * PICTURES)
-    driver.close()
+    with opened(video_of(tmp_path / "v.avi", loop=True)) as driver:
+        images = shown(driver, 2 * PICTURES)
     for index, image in enumerate(images):
         np.testing.assert_array_equal(image, picture(index % PICTURES))
 
 
 def test_a_video_is_stamped_at_its_own_rate(tmp_path: Path) -> None:
-    write_video(tmp_path / "v.avi", "FFV1")
-    driver = opencv_camera.from_options({"source": str(tmp_path / "v.avi")})
-    driver.open()
-    stamps = [next_frame(driver).mid_exposure_ns for _ in range(PICTURES)]
-    driver.close()
+    with opened(video_of(tmp_path / "v.avi")) as driver:
+        stamps = [next_frame(driver).mid_exposure_ns for _ in range(PICTURES)]
     np.testing.assert_allclose(np.diff(stamps), 1e9 / RATE_HZ, atol=2)
 
 
 def test_after_the_last_picture_comes_none(tmp_path: Path) -> None:
-    write_video(tmp_path / "v.avi", "FFV1")
     write_folder(tmp_path / "f")
-    for driver in (
-        opencv_camera.from_options({"source": str(tmp_path / "v.avi")}),
-        folder.from_options({"path": str(tmp_path / "f"), "loop": False, "rate_hz": 100.0}),
-    ):
-        driver.open()
-        assert len(shown(driver, PICTURES)) == PICTURES
-        assert driver.read(0.1) is None
-        assert driver.read(0.1) is None
-        driver.close()
+    for made in (video_of(tmp_path / "v.avi"), folder_of(tmp_path / "f", 100.0, loop=False)):
+        with opened(made) as driver:
+            assert len(shown(driver, PICTURES)) == PICTURES
+            assert driver.read(0.1) is None
+            assert driver.read(0.1) is None
 
 
 def test_a_slow_reader_of_a_recording_misses_nothing(tmp_path: Path) -> None:
     write_folder(tmp_path / "f")
-    driver = folder.from_options({"path": str(tmp_path / "f"), "loop": False, "rate_hz": 500.0})
-    driver.open()
-    frames = []
-    for _ in range(PICTURES):
-        time.sleep(0.05)
-        frames.append(next_frame(driver))
-    assert [f.sequence for f in frames] == list(range(PICTURES))
-    assert driver.health.lost == 0
-    driver.close()
+    with opened(folder_of(tmp_path / "f", 500.0, loop=False)) as driver:
+        for number in range(PICTURES):
+            time.sleep(0.05)
+            assert next_frame(driver).sequence == number
+        assert driver.health.lost == 0
 
 
-def test_a_slow_reader_of_a_camera_gets_fresh_pictures_and_the_loss_is_counted() -> None:
-    server = MjpegServer()
-    driver = opencv_camera.from_options({"source": server.url})
-    driver.open()
-    sent, deadline = server.sent, time.monotonic() + LONG_S
-    while server.sent < sent + 15:
-        assert time.monotonic() < deadline
-        time.sleep(0.02)
-    frames = [next_frame(driver) for _ in range(6)]
-    assert 0 < frames[0].sequence <= driver.health.lost
-    driver.close()
-    server.unplug()
+def test_a_slow_reader_of_a_camera_gets_fresh_pictures_and_the_loss_is_counted(
+    server: MjpegServer,
+) -> None:
+    with opened(camera_of(server.url)) as driver:
+        sent = server.sent
+        wait_until(lambda: server.sent >= sent + 15)
+        frames = [next_frame(driver) for _ in range(6)]
+        assert 0 < frames[0].sequence <= driver.health.lost
 
 
-def test_latency_and_half_the_exposure_come_off_the_stamp() -> None:
-    server = MjpegServer()
-    driver = opencv_camera.from_options({"source": server.url, "latency_us": 400_000.0})
-    driver.open()
-    for _ in range(5):
-        frame = next_frame(driver)
-    assert time.monotonic_ns() - frame.mid_exposure_ns >= 400_000_000
-    driver.close()
-    server.unplug()
+def test_latency_and_half_the_exposure_come_off_the_stamp(server: MjpegServer) -> None:
+    with opened(camera_of(server.url, latency_us=400_000.0)) as driver:
+        for _ in range(5):
+            frame = next_frame(driver)
+        assert time.monotonic_ns() - frame.mid_exposure_ns >= 400_000_000
 
 
 def test_names_are_sorted_as_numbers(tmp_path: Path) -> None:
     for index in (10, 9, 100):
         cv2.imwrite(str(tmp_path / f"image_{index}.bmp"), np.full((4, 6), index, np.uint8))
-    driver = folder.from_options({"path": str(tmp_path), "rate_hz": 200.0})
-    driver.open()
-    assert [int(image[0, 0]) for image in shown(driver, 4)] == [9, 10, 100, 9]
-    driver.close()
+    with opened(folder_of(tmp_path)) as driver:
+        assert [int(image[0, 0]) for image in shown(driver, 4)] == [9, 10, 100, 9]
 
 
 def test_sixteen_bits_stay_sixteen(tmp_path: Path) -> None:
     image = np.arange(48, dtype=np.uint16).reshape(6, 8) * 1000
     for suffix in ("png", "tif"):
         cv2.imwrite(str(tmp_path / f"a.{suffix}"), image)
-    driver = folder.from_options({"path": str(tmp_path), "rate_hz": 200.0})
-    driver.open()
-    for got in shown(driver, 2):
-        assert got.dtype == np.uint16
-        np.testing.assert_array_equal(got, image)
-    driver.close()
+    with opened(folder_of(tmp_path)) as driver:
+        for got in shown(driver, 2):
+            assert got.dtype == np.uint16
+            np.testing.assert_array_equal(got, image)
 
 
 def test_pages_of_a_tiff_are_pictures_and_its_thumbnails_are_none(tmp_path: Path) -> None:
@@ -266,16 +252,14 @@ def test_pages_of_a_tiff_are_pictures_and_its_thumbnails_are_none(tmp_path: Path
     pages = [np.full(size, number, np.uint16) for number, size in sizes.items()]
     cv2.imwritemulti(str(tmp_path / "1.tif"), pages)
     cv2.imwrite(str(tmp_path / "2.png"), np.full((6, 8), 4, np.uint16))
-    driver = folder.from_options({"path": str(tmp_path), "rate_hz": 200.0})
-    driver.open()
-    assert [int(image[0, 0]) for image in shown(driver, 5)] == [1, 3, 4, 1, 3]
-    driver.close()
+    with opened(folder_of(tmp_path)) as driver:
+        assert [int(image[0, 0]) for image in shown(driver, 5)] == [1, 3, 4, 1, 3]
 
 
 def test_a_folder_says_which_picture_is_wrong(tmp_path: Path) -> None:
     write_folder(tmp_path / "f")
     (tmp_path / "f" / "3.png").write_bytes(b"no picture")
-    driver = folder.from_options({"path": str(tmp_path / "f"), "rate_hz": 200.0})
+    driver = folder_of(tmp_path / "f")
     driver.open()
     shown(driver, 3)
     with pytest.raises(DeviceError, match=r"3\.png cannot be read"):
@@ -292,49 +276,53 @@ def test_a_folder_says_which_picture_is_wrong(tmp_path: Path) -> None:
 
 
 def test_an_empty_or_missing_source_is_named(tmp_path: Path) -> None:
-    with pytest.raises(DeviceError, match="no picture in the folder"):
-        folder.from_options({"path": str(tmp_path)}).open()
-    with pytest.raises(DeviceError, match="There is no folder"):
-        folder.from_options({"path": str(tmp_path / "x")}).open()
-    with pytest.raises(DeviceError, match="There is no video file"):
-        opencv_camera.from_options({"source": str(tmp_path / "x.avi")}).open()
     (tmp_path / "x.avi").write_bytes(bytes(1000))
-    with pytest.raises(DeviceError, match="cannot be played"):
-        opencv_camera.from_options({"source": str(tmp_path / "x.avi")}).open()
-    with pytest.raises(DeviceError, match="The camera 61 cannot be opened"):
-        opencv_camera.from_options({"source": 61}).open()
-    with pytest.raises(DeviceError, match=r"The video stream .* cannot be opened"):
-        opencv_camera.from_options({"source": "http://127.0.0.1:9/x"}).open()
+    for factory, source, words in (
+        (folder_of, tmp_path, "no picture in the folder"),
+        (folder_of, tmp_path / "x", "There is no folder"),
+        (camera_of, str(tmp_path / "y.avi"), "There is no video file"),
+        (camera_of, str(tmp_path / "x.avi"), "cannot be played"),
+        (camera_of, 61, "The camera 61 cannot be opened"),
+        (camera_of, "http://127.0.0.1:9/x", r"The video stream .* cannot be opened"),
+    ):
+        with pytest.raises(DeviceError, match=words):
+            factory(source).open()
 
 
 def test_a_size_is_not_set_of_a_file(tmp_path: Path) -> None:
-    write_video(tmp_path / "v.avi", "FFV1")
-    driver = opencv_camera.from_options({"source": str(tmp_path / "v.avi"), "width_px": 640})
     with pytest.raises(DeviceError, match="width_px cannot be set for a video file"):
-        driver.open()
+        video_of(tmp_path / "v.avi", width_px=640).open()
 
 
-def test_a_size_that_the_camera_has_not_is_refused() -> None:
-    server = MjpegServer()
-    driver = opencv_camera.from_options({"source": server.url, "width_px": 640})
-    with pytest.raises(DeviceError, match="does not support width_px = 640; it offers 160"):
-        driver.open()
-    driver = opencv_camera.from_options({"source": server.url, "exposure_us": 2000.0})
-    with pytest.raises(DeviceError, match="does not accept an exposure"):
-        driver.open()
-    server.unplug()
+@pytest.mark.parametrize(
+    ("option", "words"),
+    [
+        ({"width_px": 640}, "does not support width_px = 640; it offers 160"),
+        ({"exposure_us": 2000.0}, "does not accept an exposure"),
+    ],
+)
+def test_a_size_or_exposure_that_the_camera_has_not_is_refused(
+    server: MjpegServer, option: dict[str, object], words: str
+) -> None:
+    with pytest.raises(DeviceError, match=words):
+        camera_of(server.url, **option).open()
 
 
 def test_a_truncated_video_plays_to_its_cut(tmp_path: Path) -> None:
     write_video(tmp_path / "whole.avi", "MJPG")
     whole = (tmp_path / "whole.avi").read_bytes()
     (tmp_path / "cut.avi").write_bytes(whole[: len(whole) // 2])
-    driver = opencv_camera.from_options({"source": str(tmp_path / "cut.avi")})
-    driver.open()
-    while driver.read(0.5) is not None:
-        pass
-    assert 0 < driver.health.received < PICTURES
-    driver.close()
+    with opened(camera_of(str(tmp_path / "cut.avi"))) as driver:
+        while driver.read(0.5) is not None:
+            pass
+        assert 0 < driver.health.received < PICTURES
+
+
+def assert_grey(got: Picture | None, wanted: NDArray[np.generic] | None) -> None:
+    assert got is not None
+    assert wanted is not None
+    assert got.dtype == wanted.dtype
+    np.testing.assert_array_equal(got, wanted)
 
 
 def test_every_layout_of_a_camera_gives_its_luma() -> None:
@@ -343,32 +331,20 @@ def test_every_layout_of_a_camera_gives_its_luma() -> None:
     jpeg = cv2.imencode(".jpg", grey)[1].reshape(1, -1)
     planar = np.vstack([grey, chroma[: HEIGHT // 2]])
     for raw in (grey, np.dstack([grey, chroma]), np.dstack([grey] * 3), planar):
-        got = to_grey(raw, HEIGHT)
-        assert got is not None
-        assert got.dtype == np.uint8
-        np.testing.assert_array_equal(got, grey)
+        assert_grey(to_grey(raw, HEIGHT), grey)
     deep = grey.astype(np.uint16) * 257
-    got = to_grey(deep, HEIGHT)
-    assert got is not None
-    assert got.dtype == np.uint16
-    np.testing.assert_array_equal(got, deep)
-    got = to_grey(jpeg, HEIGHT)
-    assert got is not None
-    np.testing.assert_array_equal(got, cv2.imdecode(jpeg, cv2.IMREAD_GRAYSCALE))
+    assert_grey(to_grey(deep, HEIGHT), deep)
+    assert_grey(to_grey(jpeg, HEIGHT), cv2.imdecode(jpeg, cv2.IMREAD_GRAYSCALE))
     assert to_grey(np.zeros((1, 50), np.uint8), HEIGHT) is None
 
 
 def test_a_lasers_channel_is_taken_of_a_colour_camera() -> None:
     colours = np.dstack([picture(1), picture(2), picture(3)])
-    got = to_grey(colours, HEIGHT, "red")
-    assert got is not None
-    np.testing.assert_array_equal(got, colours[..., 2])
+    assert_grey(to_grey(colours, HEIGHT, "red"), colours[..., 2])
     jpeg = cv2.imencode(".jpg", colours)[1].reshape(1, -1)
-    got = to_grey(jpeg, HEIGHT, "green")
-    assert got is not None
     decoded = cv2.imdecode(jpeg, cv2.IMREAD_COLOR)
     assert decoded is not None
-    np.testing.assert_array_equal(got, decoded[..., 1])
+    assert_grey(to_grey(jpeg, HEIGHT, "green"), decoded[..., 1])
     assert to_grey(np.zeros((1, 50), np.uint8), HEIGHT, "red") is None
 
 
@@ -381,10 +357,7 @@ def test_raw_pixels_of_the_lasers_colour_are_those_that_files_give(
     levels = rng.integers(0, 4095, (HEIGHT, 62))
     levels[:4] = 4095
     for raw in ((levels // 16).astype(np.uint8), levels.astype(np.uint16)):
-        got = to_grey(raw, HEIGHT, colour, pattern)
-        assert got is not None
-        assert got.dtype == raw.dtype
-        np.testing.assert_array_equal(got, BayerPlane(pattern, colour).select(raw))
+        assert_grey(to_grey(raw, HEIGHT, colour, pattern), BayerPlane(pattern, colour).select(raw))
 
 
 def test_a_folder_of_raw_pictures_shows_the_lasers_pixels(tmp_path: Path) -> None:

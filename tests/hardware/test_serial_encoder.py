@@ -5,7 +5,7 @@ import re
 import threading
 import time
 from collections.abc import Iterator
-from functools import partial
+from contextlib import closing
 from math import pi
 from pathlib import Path
 
@@ -17,22 +17,25 @@ from hypothesis import strategies as st
 from app.bench.station.subprocess_station import free_port
 from hardware.arm.expected_arm import SerialEncoderOptions
 from hardware.arm.packet_stream import PacketStream
-from hardware.arm.serial_encoder import from_options
+from hardware.arm.serial_encoder import SerialEncoderArm, from_options
 from hardware.clock import now_ns
 from hardware.errors import DeviceError
 from hardware.interfaces import ArmDriver, ArmRecord, Button, JointSample, LinkHealth
-from tests.hardware.conformance import (
-    ArmBench,
-    ArmConformance,
+from tests.hardware.conformance import ArmBench, ArmConformance
+from tests.hardware.reading import (
+    loss_of,
+    opened,
+    read_readings,
+    read_samples,
     read_until,
-    read_until_lost,
     select_samples,
 )
 from tests.hardware.speaking_arm import (
     COUNTS,
-    FakeSerialArm,
+    FakeArm,
     PtyLine,
     Rfc2217Line,
+    SpeakingBench,
     TcpLine,
     hello_packet,
     packet,
@@ -44,27 +47,20 @@ pytestmark = pytest.mark.device
 BITS = {Button.PRIMARY: 1, Button.UNDO: 2, Button.BACK: 4}
 
 
-class SerialBench(ArmBench):
-    def __init__(self, arm: FakeSerialArm) -> None:
+def make_driver(arm: FakeArm, **options: object) -> SerialEncoderArm:
+    return from_options({"url": arm.line.url, **options})
+
+
+class SerialBench(SpeakingBench):
+    def __init__(self, arm: FakeArm) -> None:
+        super().__init__(arm)
         self.arm = arm
 
     def driver(self) -> ArmDriver:
-        return from_options({"url": self.arm.line.url, "timeout_s": 5.0})
+        return make_driver(self.arm, timeout_s=5.0)
 
     def contacts(self) -> int:
         return self.arm.requests
-
-    def unplug(self) -> None:
-        self.arm.unplug()
-
-    def plug_in(self) -> None:
-        self.arm.plug_in()
-
-    def silence(self, silent: bool) -> None:
-        self.arm.silent = silent
-
-    def lose_samples(self, count: int) -> None:
-        self.arm.skip = count
 
     def set_buttons(self, pressed: set[Button]) -> None:
         self.arm.buttons = sum(BITS[button] for button in pressed)
@@ -72,18 +68,15 @@ class SerialBench(ArmBench):
 
 class TestOverPty(ArmConformance):
     @pytest.fixture
-    def bench(self, tmp_path: Path) -> Iterator[ArmBench]:
-        arm = FakeSerialArm(PtyLine(tmp_path), joints=6)
-        yield SerialBench(arm)
-        arm.stop()
+    def bench(self, arm: FakeArm) -> ArmBench:
+        return SerialBench(arm)
 
 
 class TestOverTcp(ArmConformance):
     @pytest.fixture
     def bench(self) -> Iterator[ArmBench]:
-        arm = FakeSerialArm(TcpLine(), joints=7, first_sequence=(1 << 32) - 300)
-        yield SerialBench(arm)
-        arm.stop()
+        with FakeArm(TcpLine(), joints=7, first_sequence=(1 << 32) - 300) as arm:
+            yield SerialBench(arm)
 
 
 @pytest.mark.filterwarnings("ignore:set(Daemon|Name):DeprecationWarning")  # pyserial's own
@@ -92,73 +85,63 @@ class TestOverRfc2217(ArmConformance):
 
     @pytest.fixture
     def bench(self) -> Iterator[ArmBench]:
-        arm = FakeSerialArm(Rfc2217Line(), joints=6, rate_hz=200.0)
-        yield SerialBench(arm)
-        arm.stop()
+        with FakeArm(Rfc2217Line(), joints=6, rate_hz=200.0) as arm:
+            yield SerialBench(arm)
 
 
 @pytest.fixture
-def arm(tmp_path: Path) -> Iterator[FakeSerialArm]:
-    arm = FakeSerialArm(PtyLine(tmp_path))
-    yield arm
-    arm.stop()
+def arm(tmp_path: Path) -> Iterator[FakeArm]:
+    with FakeArm(PtyLine(tmp_path)) as arm:
+        yield arm
 
 
 @pytest.fixture
-def driver(arm: FakeSerialArm) -> Iterator[ArmDriver]:
-    driver = from_options({"url": arm.line.url})
-    yield driver
-    driver.close()
+def driver(arm: FakeArm) -> Iterator[ArmDriver]:
+    with opened(make_driver(arm)) as driver:
+        yield driver
 
 
-def test_counts_become_radians(arm: FakeSerialArm, driver: ArmDriver) -> None:
+def test_counts_become_radians(arm: FakeArm, driver: ArmDriver) -> None:
     info = driver.open()
     assert (info.name, info.serial_number, info.joint_count) == ("Bench arm", "B-1", 6)
     assert info.rate_hz == arm.rate_hz
-    for sample in select_samples(read_until(driver, lambda got: len(got) > 50)):
+    for sample in read_samples(driver, 51):
         assert sample.joints_rad == pytest.approx((2 * pi * sample.sequence / COUNTS,) * 6)
 
 
 @pytest.mark.parametrize("counts", [1000, [1000, 2000, 3000, 4000, 5000, 6000]])
-def test_counts_per_revolution_may_be_given(arm: FakeSerialArm, counts: int | list[int]) -> None:
-    driver = from_options({"url": arm.line.url, "counts_per_revolution": counts})
-    driver.open()
-    sample = select_samples(read_until(driver, select_samples))[0]
-    each = counts if isinstance(counts, list) else [counts] * 6
-    expected = [2 * pi * sample.sequence / count for count in each]
-    assert sample.joints_rad == pytest.approx(expected)
-    driver.close()
+def test_counts_per_revolution_may_be_given(arm: FakeArm, counts: int | list[int]) -> None:
+    with opened(make_driver(arm, counts_per_revolution=counts)) as driver:
+        sample = read_samples(driver)[0]
+        each = counts if isinstance(counts, list) else [counts] * 6
+        expected = [2 * pi * sample.sequence / count for count in each]
+        assert sample.joints_rad == pytest.approx(expected)
 
 
-def test_damaged_packets_are_counted_as_corrupt_and_lost(
-    arm: FakeSerialArm, driver: ArmDriver
-) -> None:
-    driver.open()
-    read_until(driver, select_samples)
+def test_damaged_packets_are_counted_as_corrupt_and_lost(arm: FakeArm, driver: ArmDriver) -> None:
+    read_samples(driver)
     arm.damage = 5  # five in a row are one stretch
     read_until(driver, lambda _: driver.health.lost >= 5)
     assert driver.health.corrupt == 1
     arm.inject(b"\xa7\x5c\x01\x01\xff noise")
     read_until(driver, lambda _: driver.health.corrupt >= 2)
-    read_until(driver, lambda got: len(got) > 20)
+    read_readings(driver, 21)
     assert (driver.health.lost, driver.health.corrupt) == (5, 2)
 
 
-def test_a_repeated_sample_is_dropped(arm: FakeSerialArm, driver: ArmDriver) -> None:
-    driver.open()
-    read_until(driver, select_samples)
+def test_a_repeated_sample_is_dropped(arm: FakeArm, driver: ArmDriver) -> None:
+    read_samples(driver)
     arm.repeat = 1
     samples = select_samples(read_until(driver, lambda _: driver.health.corrupt >= 1))
     assert np.all(np.diff([s.sequence for s in samples]) == 1)
     assert driver.health.lost == 0
 
 
-def test_a_restarted_arm_goes_on(arm: FakeSerialArm, driver: ArmDriver) -> None:
+def test_a_restarted_arm_goes_on(arm: FakeArm, driver: ArmDriver) -> None:
     """What it sent until its clock is known again counts as lost."""
-    driver.open()
-    first = select_samples(read_until(driver, lambda got: len(got) > 100))
+    first = read_samples(driver, 101)
     arm.reboot()
-    second = select_samples(read_until(driver, lambda got: len(got) > 200))
+    second = read_samples(driver, 201)
     assert np.all(np.diff([s.stamp_ns for s in first + second]) > 0)
     steps = np.diff([s.sequence for s in first + second])
     assert np.count_nonzero(steps > 1) == 1
@@ -167,11 +150,16 @@ def test_a_restarted_arm_goes_on(arm: FakeSerialArm, driver: ArmDriver) -> None:
     assert zero.joints_rad[0] > 0
 
 
-def test_samples_that_waited_after_a_restart_get_no_wrong_times() -> None:
-    """A delayed burst is all that the host knows of the new clock."""
+def begun_stream(rate_hz: float = 1000.0) -> tuple[PacketStream, LinkHealth]:
     health = LinkHealth()
     stream = PacketStream(SerialEncoderOptions(url="line"), health)
-    stream.records(hello_packet([COUNTS] * 6), 0)
+    stream.records(hello_packet([COUNTS] * 6, rate_hz), 0)
+    return stream, health
+
+
+def test_samples_that_waited_after_a_restart_get_no_wrong_times() -> None:
+    """A delayed burst is all that the host knows of the new clock."""
+    stream, health = begun_stream()
     taken: list[ArmRecord] = []
     for number in range(800):
         at_us, restarted = 5000 * number, number >= 400
@@ -186,9 +174,7 @@ def test_samples_that_waited_after_a_restart_get_no_wrong_times() -> None:
 
 def test_a_full_line_after_a_pause_of_the_host_is_no_jump() -> None:
     """The line kept the oldest samples of ten seconds, and lost the others."""
-    health = LinkHealth()
-    stream = PacketStream(SerialEncoderOptions(url="line"), health)
-    stream.records(hello_packet([COUNTS] * 6, 200.0), 0)
+    stream, health = begun_stream(200.0)
     for number in [*range(500), *range(2450, 2900)]:
         arrival_us = 12_250_000 if 400 <= number < 500 else 5000 * number
         stream.records(sample_packet(number, 5000 * number, 0, [0] * 6), 1000 * arrival_us)
@@ -196,96 +182,80 @@ def test_a_full_line_after_a_pause_of_the_host_is_no_jump() -> None:
 
 
 @pytest.mark.parametrize("by", ["clock", "count"])
-def test_a_clock_or_count_that_jumps_is_an_error(
-    arm: FakeSerialArm, driver: ArmDriver, by: str
-) -> None:
-    driver.open()
-    read_until(driver, select_samples)
+def test_a_clock_or_count_that_jumps_is_an_error(arm: FakeArm, driver: ArmDriver, by: str) -> None:
+    read_samples(driver)
     if by == "clock":
         arm.set_clock(3600.0)
     else:
         arm.sequence += 1_000_000
-    error = read_until_lost(lambda: driver.read(0.1))
-    assert "has jumped" in str(error.what)
+    assert "has jumped" in str(loss_of(driver).what)
     assert driver.health.lost == 0
     driver.open()
-    read_until(driver, select_samples)
+    read_samples(driver)
 
 
 def test_the_sequence_wraps_without_a_loss(tmp_path: Path) -> None:
-    arm = FakeSerialArm(PtyLine(tmp_path), first_sequence=(1 << 32) - 400)
-    driver = from_options({"url": arm.line.url})
-    driver.open()
-    samples = select_samples(read_until(driver, lambda got: len(got) > 500))
-    assert samples[-1].sequence > 1 << 32
-    assert np.all(np.diff([s.sequence for s in samples]) == 1)
-    assert driver.health.lost == 0
-    driver.close()
-    arm.stop()
+    with (
+        FakeArm(PtyLine(tmp_path), first_sequence=(1 << 32) - 400) as arm,
+        opened(make_driver(arm)) as driver,
+    ):
+        samples = read_samples(driver, 501)
+        assert samples[-1].sequence > 1 << 32
+        assert np.all(np.diff([s.sequence for s in samples]) == 1)
+        assert driver.health.lost == 0
 
 
-def test_stamps_are_those_of_latching(arm: FakeSerialArm, driver: ArmDriver) -> None:
-    """The device's clock here is the host's, so truth is known. What a busy machine learns of it is
-    late; ``test_device_clock.py`` says how exact it is else."""
-    driver.open()
-    late_us = []
-    for sample in select_samples(read_until(driver, lambda got: len(got) > 500)):
-        late_us.append((sample.stamp_ns - arm.latched_ns[sample.sequence]) / 1000)
+def assert_true_stamps(arm: FakeArm, samples: list[JointSample]) -> None:
+    late_us = [(s.stamp_ns - arm.latched_ns[s.sequence]) / 1000 for s in samples]
     assert min(late_us) > -1000
     assert np.median(late_us) < 500_000
+
+
+def test_stamps_are_those_of_latching(arm: FakeArm, driver: ArmDriver) -> None:
+    """The device's clock here is the host's, so truth is known. What a busy machine learns of it is
+    late; ``test_device_clock.py`` says how exact it is else."""
+    assert_true_stamps(arm, read_samples(driver, 501))
 
 
 def test_what_waited_in_the_line_keeps_its_times() -> None:
-    arm = FakeSerialArm(TcpLine())
-    driver = from_options({"url": arm.line.url})
-    driver.open()
-    read_until(driver, lambda got: len(got) > 100)
-    time.sleep(1.0)  # a reader that was held up
-    burst = select_samples(list(driver.read(1.0)))
-    assert len(burst) > 50
-    late_us = [(s.stamp_ns - arm.latched_ns[s.sequence]) / 1000 for s in burst]
-    assert min(late_us) > -1000
-    assert np.median(late_us) < 500_000
-    assert driver.health.lost == 0
-    driver.close()
-    arm.stop()
+    with FakeArm(TcpLine()) as arm, opened(make_driver(arm)) as driver:
+        read_readings(driver, 101)
+        time.sleep(1.0)  # a reader that was held up
+        burst = select_samples(list(driver.read(1.0)))
+        assert len(burst) > 50
+        assert_true_stamps(arm, burst)
+        assert driver.health.lost == 0
 
 
-def test_the_latency_comes_off_the_stamp(arm: FakeSerialArm) -> None:
-    driver = from_options({"url": arm.line.url, "latency_us": 50_000.0})
-    driver.open()
-    sample = select_samples(read_until(driver, select_samples))[0]
-    assert now_ns() - sample.stamp_ns >= 50_000_000
-    driver.close()
+def test_the_latency_comes_off_the_stamp(arm: FakeArm) -> None:
+    with opened(make_driver(arm, latency_us=50_000.0)) as driver:
+        sample = read_samples(driver)[0]
+        assert now_ns() - sample.stamp_ns >= 50_000_000
 
 
-def test_an_arm_that_cannot_listen_is_known_by_its_own_hello(arm: FakeSerialArm) -> None:
+def test_an_arm_that_cannot_listen_is_known_by_its_own_hello(arm: FakeArm) -> None:
     arm.greets = False
     timer = threading.Timer(0.5, arm.inject, [hello_packet([COUNTS] * 6)])
     timer.start()
-    driver = from_options({"url": arm.line.url})
-    assert driver.open().joint_count == 6
+    with closing(make_driver(arm)) as driver:
+        assert driver.open().joint_count == 6
     timer.join()
-    driver.close()
 
 
-def test_another_arm_on_the_same_line_is_an_error(arm: FakeSerialArm, driver: ArmDriver) -> None:
-    driver.open()
+def test_another_arm_on_the_same_line_is_an_error(arm: FakeArm, driver: ArmDriver) -> None:
     arm.inject(hello_packet([COUNTS] * 6, arm.rate_hz, serial="B-2"))
-    error = read_until_lost(lambda: driver.read(0.1))
+    error = loss_of(driver)
     assert "B-2" in str(error.what)
     assert "B-1" in str(error.what)
 
 
-def test_samples_of_another_joint_count_are_an_error(arm: FakeSerialArm, driver: ArmDriver) -> None:
-    driver.open()
+def test_samples_of_another_joint_count_are_an_error(arm: FakeArm, driver: ArmDriver) -> None:
     arm.joints = 7
-    error = read_until_lost(lambda: driver.read(0.1))
-    assert "announced 6 joints, but sends 7" in str(error.what)
+    assert "announced 6 joints, but sends 7" in str(loss_of(driver).what)
 
 
-def open_error(options: dict[str, object]) -> str:
-    driver = from_options({"timeout_s": 1.0, **options})
+def open_error(url: str, **options: object) -> str:
+    driver = from_options({"url": url, "timeout_s": 1.0, **options})
     with pytest.raises(DeviceError) as caught:
         driver.open()
     with pytest.raises(DeviceError):
@@ -293,74 +263,66 @@ def open_error(options: dict[str, object]) -> str:
     return str(caught.value)
 
 
-def test_what_is_wrong_at_opening_is_said(arm: FakeSerialArm) -> None:
+def test_what_is_wrong_at_opening_is_said(arm: FakeArm) -> None:
     url = arm.line.url
     arm.silent = True
-    assert "sends its hello (Bench arm) but no samples" in open_error({"url": url})
+    assert "sends its hello (Bench arm) but no samples" in open_error(url)
     arm.greets = False
-    assert "No data arrived from" in open_error({"url": url})
+    assert "No data arrived from" in open_error(url)
     arm.silent = False
-    assert "sends samples but no hello" in open_error({"url": url})
+    assert "sends samples but no hello" in open_error(url)
     arm.silent, arm.chatter = True, b"$GPGGA,123519\r\n"
-    message = open_error({"url": url})
+    message = open_error(url)
     assert "no packet of an encoder arm" in message
     assert "baud rate" in message
     arm.chatter = packet(1, bytes(40), version=3)
-    assert "version 3 of the protocol" in open_error({"url": url})
+    assert "version 3 of the protocol" in open_error(url)
 
 
-def test_an_arm_of_the_wrong_kind_is_refused(arm: FakeSerialArm) -> None:
+def test_an_arm_of_the_wrong_kind_is_refused(arm: FakeArm) -> None:
     url = arm.line.url
-    assert "station.toml states joint_count = 7" in open_error({"url": url, "joint_count": 7})
-    assert "3 counts_per_revolution, but the arm has 6" in open_error(
-        {"url": url, "counts_per_revolution": [1, 2, 3]}
-    )
+    assert "station.toml states joint_count = 7" in open_error(url, joint_count=7)
+    message = open_error(url, counts_per_revolution=[1, 2, 3])
+    assert "3 counts_per_revolution, but the arm has 6" in message
     arm.counts = 0
-    assert "0 counts per revolution for joint 1" in open_error({"url": url})
+    assert "0 counts per revolution for joint 1" in open_error(url)
     arm.joints = 4
-    assert "reports 4 joints" in open_error({"url": url})
+    assert "reports 4 joints" in open_error(url)
 
 
 def test_a_pulled_cable_is_said_without_words_of_the_library(tmp_path: Path) -> None:
     for line in (PtyLine(tmp_path), TcpLine()):
-        arm = FakeSerialArm(line)
-        driver = from_options({"url": arm.line.url})
-        driver.open()
-        arm.unplug()
-        error = read_until_lost(partial(driver.read, 0.1))
-        driver.close()
-        arm.stop()
-        assert str(error.what) == f"The connection to the arm at {line.url} was lost"
+        with FakeArm(line) as arm, opened(make_driver(arm)) as driver:
+            arm.unplug()
+            what = loss_of(driver).what
+        assert str(what) == f"The connection to the arm at {line.url} was lost"
 
 
-def test_a_port_in_use_is_named(arm: FakeSerialArm, driver: ArmDriver) -> None:
-    driver.open()
-    assert "in use by another program" in open_error({"url": arm.line.url})
-    read_until(driver, lambda got: len(got) > 3)
+def test_a_port_in_use_is_named(arm: FakeArm, driver: ArmDriver) -> None:
+    assert "in use by another program" in open_error(arm.line.url)
+    read_readings(driver, 4)
 
 
 def test_a_port_that_cannot_be_opened_says_why(tmp_path: Path) -> None:
-    assert "There is no serial port" in open_error({"url": str(tmp_path / "ttyNONE")})
-    assert "enter socket://192.168.1.4:5000" in open_error({"url": "192.168.1.4:5000"})
-    assert re.search("cannot be opened .*Check the arm's url", open_error({"url": "nonsense://x"}))
+    assert "There is no serial port" in open_error(str(tmp_path / "ttyNONE"))
+    assert "enter socket://192.168.1.4:5000" in open_error("192.168.1.4:5000")
+    assert re.search("cannot be opened .*Check the arm's url", open_error("nonsense://x"))
     plain = tmp_path / "file"
     plain.write_text("no port")
-    assert re.search(
-        "cannot be opened .*(Available|No serial) port", open_error({"url": str(plain)})
-    )
-    assert "No program listens at" in open_error({"url": f"socket://127.0.0.1:{free_port()}"})
-    assert "is not known" in open_error({"url": "socket://no-such-host.invalid:1"})
+    assert re.search("cannot be opened .*(Available|No serial) port", open_error(str(plain)))
+    assert "No program listens at" in open_error(f"socket://127.0.0.1:{free_port()}")
+    assert "is not known" in open_error("socket://no-such-host.invalid:1")
 
 
 @pytest.mark.skipif(os.name != "posix" or os.geteuid() == 0, reason="root may open any port")
-def test_a_port_of_another_owner_is_named(arm: FakeSerialArm) -> None:
+def test_a_port_of_another_owner_is_named(arm: FakeArm) -> None:
     os.chmod(os.path.realpath(arm.line.url), 0)
-    assert "may not open the serial port" in open_error({"url": arm.line.url})
+    assert "may not open the serial port" in open_error(arm.line.url)
 
 
-def test_closing_ends_a_waiting_open(arm: FakeSerialArm) -> None:
+def test_closing_ends_a_waiting_open(arm: FakeArm) -> None:
     arm.silent = True
-    driver = from_options({"url": arm.line.url, "timeout_s": 60.0})
+    driver = make_driver(arm, timeout_s=60.0)
     timer = threading.Timer(0.3, driver.close)
     timer.start()
     with pytest.raises(DeviceError, match="is closed"):
@@ -391,14 +353,11 @@ def test_a_wrong_option_is_named(options: dict[str, object], words: str) -> None
 @settings(
     max_examples=25, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture]
 )
-def test_noise_on_the_line_costs_no_sample(
-    arm: FakeSerialArm, driver: ArmDriver, noises: list[bytes]
-) -> None:
-    driver.open()
+def test_noise_costs_no_sample(arm: FakeArm, driver: ArmDriver, noises: list[bytes]) -> None:
     lost = driver.health.lost
     samples: list[JointSample] = []
     for noise in noises:
         arm.inject(noise)
-        samples += select_samples(read_until(driver, lambda got: len(got) > 5))
+        samples += read_samples(driver, 6)
     assert np.all(np.diff([s.sequence for s in samples]) == 1)
     assert driver.health.lost == lost

@@ -2,6 +2,8 @@
 
 import os
 from collections.abc import Iterator
+from contextlib import closing, contextmanager
+from typing import Any
 
 import numpy as np
 import pytest
@@ -24,13 +26,8 @@ from hardware.simulator.devices.kinematics import flange_poses
 from hardware.simulator.devices.motion import JointPath, Motion, min_jerk_progress
 from hardware.simulator.devices.ports import DevicePort, PtyPort, TcpPort
 from hardware.simulator.scene.random_scenes import demo_arm
-from tests.hardware.conformance import (
-    ArmBench,
-    ArmConformance,
-    button_edges,
-    read_until,
-    select_samples,
-)
+from tests.hardware.conformance import ArmBench, ArmConformance
+from tests.hardware.reading import button_edges, opened, read_readings, read_samples, read_until
 from tests.hardware.test_protocol import published_examples
 
 pytestmark = pytest.mark.device
@@ -38,7 +35,13 @@ pytestmark = pytest.mark.device
 REST = np.array([0.1, -0.2, 0.3, -0.4, 0.5, -0.6])
 
 
-class SimulatedArmBench(ArmBench):
+def turn_by_one(seconds: float) -> JointPath:
+    """Every joint turns by 1 rad from rest."""
+    share = min_jerk_progress(np.linspace(0.0, 1.0, 30))[:, None]
+    return JointPath(np.linspace(0.0, seconds, 30), REST + share)
+
+
+class DeviceBench(ArmBench):
     def __init__(self, line: DevicePort, rate_hz: float = 500.0, poses: bool = False) -> None:
         self.line, self.faults = line, ArmFaults()
         self.motion = Motion(REST)
@@ -75,13 +78,22 @@ class SimulatedArmBench(ArmBench):
             self.device.press(button, button in pressed)
 
 
+@contextmanager
+def simulated(line: DevicePort | None = None, **more: Any) -> Iterator[DeviceBench]:
+    """A bench over a line, else over TCP."""
+    bench = DeviceBench(line or TcpPort("127.0.0.1", 0), **more)
+    try:
+        yield bench
+    finally:
+        bench.device.stop()
+
+
 @pytest.fixture(params=[pytest.param("tcp", marks=pytest.mark.soak), "pty"])
-def bench(request: pytest.FixtureRequest) -> Iterator[SimulatedArmBench]:
+def bench(request: pytest.FixtureRequest) -> Iterator[DeviceBench]:
     if request.param == "pty" and not hasattr(os, "openpty"):
         pytest.skip("there are no pseudo-terminals on this system")
-    made = SimulatedArmBench(PtyPort() if request.param == "pty" else TcpPort("127.0.0.1", 0))
-    yield made
-    made.device.stop()
+    with simulated(PtyPort() if request.param == "pty" else None) as made:
+        yield made
 
 
 class TestSimulatedArm(ArmConformance):
@@ -89,18 +101,22 @@ class TestSimulatedArm(ArmConformance):
 
 
 @pytest.fixture
-def tcp_bench() -> Iterator[SimulatedArmBench]:
-    made = SimulatedArmBench(TcpPort("127.0.0.1", 0), 1000.0)
-    yield made
-    made.device.stop()
+def arm() -> Iterator[DeviceBench]:
+    with simulated(rate_hz=1000.0) as made:
+        yield made
+
+
+@pytest.fixture
+def driver(arm: DeviceBench) -> Iterator[ArmDriver]:
+    with opened(arm.driver()) as driver:
+        yield driver
 
 
 class TestSimulatedPoses(ArmConformance):
     @pytest.fixture
-    def bench(self) -> Iterator[SimulatedArmBench]:
-        made = SimulatedArmBench(TcpPort("127.0.0.1", 0), poses=True)
-        yield made
-        made.device.stop()
+    def bench(self) -> Iterator[DeviceBench]:
+        with simulated(poses=True) as made:
+            yield made
 
 
 def test_packets_are_the_published_examples() -> None:
@@ -117,39 +133,30 @@ def test_packets_are_the_published_examples() -> None:
     assert reading_packet(1, sample, 1) == pulse
     assert reading_packet(3, where, 70_000) == posed_pulse
     assert pulse_answer_packet(5, True, 100.016) == answer
-    assert RequestReader().feed(b"noise" + request[:9] + request + request) == (
-        0,
-        [(5, 100_000)] * 2,
-    )
+    heard = RequestReader().feed(b"noise" + request[:9] + request + request)
+    assert heard == (0, [(5, 100_000)] * 2)
 
 
 def test_the_reported_poses_are_those_of_the_arm() -> None:
-    bench = SimulatedArmBench(TcpPort("127.0.0.1", 0), poses=True)
-    driver = bench.driver()
-    info = driver.open()
+    with simulated(poses=True) as bench, closing(bench.driver()) as driver:
+        info = driver.open()
+        pose = read_readings(driver)[0]
     assert (info.reports, info.joint_count) == ("pose", 0)
-    pose = next(
-        r for r in read_until(driver, lambda got: len(got) > 3) if isinstance(r, PoseSample)
-    )
-    driver.close()
-    bench.device.stop()
+    assert isinstance(pose, PoseSample)
     T = flange_poses(demo_arm(), REST[None])[0]
     assert pose.position_mm == pytest.approx(T[:3, 3].tolist(), abs=0.1)
     rotation = Rotation.from_quat(pose.quaternion_xyzw).as_matrix()
     assert np.abs(rotation - T[:3, :3]).max() < 1e-3
 
 
-def test_the_angles_at_a_pulse_are_those_of_its_time(tcp_bench: SimulatedArmBench) -> None:
-    driver = tcp_bench.driver()
+def test_the_angles_at_a_pulse_are_those_of_its_time(arm: DeviceBench, driver: ArmDriver) -> None:
     assert driver.open().pulses_hz == (1.0, 400.0)
     assert isinstance(driver, PulseSource)
     with pytest.raises(DeviceError, match="cannot trigger"):
         driver.start_pulses(1000.0)
     driver.start_pulses(130.0)
-    share = min_jerk_progress(np.linspace(0.0, 1.0, 30))[:, None]
-    tcp_bench.motion.play(JointPath(np.linspace(0.0, 1.6, 30), REST + share), now_ns())
-    samples = select_samples(read_until(driver, lambda got: len(got) > 2500))
-    driver.close()
+    arm.motion.play(turn_by_one(1.6), now_ns())
+    samples = read_samples(driver, 2501)
     at_pulse = [
         i for i, s in enumerate(samples) if s.pulse is not None and 0 < i < len(samples) - 1
     ]
@@ -170,15 +177,12 @@ LATE_NS = 1_000_000_000
 """By so much a busy machine may stamp something too late at first; nothing is stamped early."""
 
 
-def test_the_driver_reads_the_true_angles_at_the_true_times(tcp_bench: SimulatedArmBench) -> None:
-    driver = tcp_bench.driver()
+def test_a_driver_reads_true_angles_at_the_true_times(arm: DeviceBench, driver: ArmDriver) -> None:
     info = driver.open()
     assert (info.joint_count, info.rate_hz) == (6, 1000.0)
-    share = min_jerk_progress(np.linspace(0.0, 1.0, 30))[:, None]
-    start_ns, motion = now_ns() + 10_000_000, tcp_bench.motion
-    motion.play(JointPath(np.linspace(0.0, 0.6, 30), REST + share), start_ns)
-    samples = select_samples(read_until(driver, lambda got: len(got) > 700))
-    driver.close()
+    start_ns, motion = now_ns() + 10_000_000, arm.motion
+    motion.play(turn_by_one(0.6), start_ns)
+    samples = read_samples(driver, 701)
     read = np.array([s.joints_rad for s in samples])
     assert np.ptp(read[:, 0]) > 0.9
     moving = np.abs(np.gradient(read[:, 0])) > 1e-3
@@ -194,21 +198,17 @@ def test_the_driver_reads_the_true_angles_at_the_true_times(tcp_bench: Simulated
     assert np.abs(read[-1] - REST - 1).max() < 1e-4
 
 
-def test_rest_shows_encoder_noise_and_no_more(tcp_bench: SimulatedArmBench) -> None:
-    driver = tcp_bench.driver()
-    driver.open()
-    samples = select_samples(read_until(driver, lambda got: len(got) > 1500))
-    driver.close()
+def test_rest_shows_encoder_noise_and_no_more(arm: DeviceBench, driver: ArmDriver) -> None:
+    samples = read_samples(driver, 1501)
     q = np.array([s.joints_rad for s in samples])
-    assert q.std(axis=0) == pytest.approx(np.full(6, tcp_bench.encoders.noise_rad), rel=0.15)
+    assert q.std(axis=0) == pytest.approx(np.full(6, arm.encoders.noise_rad), rel=0.15)
     assert np.abs(q.mean(axis=0) - REST).max() < 2e-6
-    step = 2 * np.pi / tcp_bench.encoders.counts_per_revolution
+    step = 2 * np.pi / arm.encoders.counts_per_revolution
     assert np.allclose(q / step, np.rint(q / step), atol=1e-6)
 
 
-def test_faults_are_seen_as_what_they_are(tcp_bench: SimulatedArmBench) -> None:
-    driver, faults = tcp_bench.driver(), tcp_bench.faults
-    driver.open()
+def test_faults_are_seen_as_what_they_are(arm: DeviceBench, driver: ArmDriver) -> None:
+    faults = arm.faults
     faults.drop_rate = 0.2
     read_until(driver, lambda _: driver.health.lost > 50)
     assert driver.health.corrupt == 0
@@ -216,54 +216,43 @@ def test_faults_are_seen_as_what_they_are(tcp_bench: SimulatedArmBench) -> None:
     faults.corrupt_rate, faults.garbage_rate = 0.1, 0.1
     read_until(driver, lambda _: driver.health.corrupt > 50)
     faults.clear()
-    read_until(driver, lambda got: len(got) > 50)
+    read_readings(driver, 51)
     health = (driver.health.lost, driver.health.corrupt)
-    read_until(driver, lambda got: len(got) > 300)
+    read_readings(driver, 301)
     assert (driver.health.lost, driver.health.corrupt) == health
-    driver.close()
 
 
-def test_late_packets_come_late_and_none_is_missing(tcp_bench: SimulatedArmBench) -> None:
-    driver, faults = tcp_bench.driver(), tcp_bench.faults
-    driver.open()
+def test_late_packets_come_late_and_none_is_missing(arm: DeviceBench, driver: ArmDriver) -> None:
+    faults = arm.faults
     faults.late_rate, faults.late_s = 0.01, 0.15
-    samples = select_samples(read_until(driver, lambda got: len(got) > 1200))
+    samples = read_samples(driver, 1201)
     assert driver.health.lost == 0
     assert np.all(np.diff([s.sequence for s in samples]) == 1)
     stamps = np.array([s.stamp_ns for s in samples])
     assert np.median(np.diff(stamps)) == pytest.approx(1e6, rel=0.05)
-    driver.close()
 
 
-def test_a_press_is_where_and_when_it_was_made(tcp_bench: SimulatedArmBench) -> None:
-    driver = tcp_bench.driver()
-    driver.open()
+def test_a_press_is_where_and_when_it_was_made(arm: DeviceBench, driver: ArmDriver) -> None:
     at = now_ns() + 50_000_000
-    tcp_bench.device.press(Button.PRIMARY, True, at)
-    tcp_bench.device.press(Button.PRIMARY, False, at + 40_000_000)
+    arm.device.press(Button.PRIMARY, True, at)
+    arm.device.press(Button.PRIMARY, False, at + 40_000_000)
     records = read_until(driver, lambda got: len(button_edges(got)) == 2)
-    driver.close()
     assert button_edges(records) == [(Button.PRIMARY, True), (Button.PRIMARY, False)]
     press, release = (r for r in records if isinstance(r, ButtonEvent))
     assert release.sequence - press.sequence == 40  # ms, and samples
     assert -20_000_000 < press.stamp_ns - at < LATE_NS
 
 
-def test_a_client_that_does_not_read_holds_up_nobody(tcp_bench: SimulatedArmBench) -> None:
-    sleeper, reader = tcp_bench.driver(), tcp_bench.driver()
-    sleeper.open()
-    reader.open()
-    samples = select_samples(read_until(reader, lambda got: len(got) > 1500))
+def test_a_client_that_does_not_read_holds_up_nobody(arm: DeviceBench, driver: ArmDriver) -> None:
+    with opened(arm.driver()):  # and never read
+        samples = read_samples(driver, 1501)
     assert np.all(np.diff([s.sequence for s in samples]) == 1)
-    sleeper.close()
-    reader.close()
 
 
 def test_motion_rests_moves_and_halts_smoothly() -> None:
     motion = Motion(REST)
     start = 10**9
-    share = min_jerk_progress(np.linspace(0.0, 1.0, 30))[:, None]
-    end = motion.play(JointPath(np.linspace(0.0, 1.0, 30), REST + share), start)
+    end = motion.play(turn_by_one(1.0), start)
     assert np.array_equal(motion.at(start - 1), REST)
     assert not motion.is_resting(start + 1000)
     assert np.allclose(motion.at(end + 5), REST + 1)

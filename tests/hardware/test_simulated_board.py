@@ -22,12 +22,12 @@ from hardware.simulator.scene.world import (
     SceneObject,
     SimulatedScene,
 )
-from hardware.simulator.station import SimulatedStation, SimulationConfig
-from tests.hardware.conformance import LONG_S, button_edges, read_until
+from hardware.simulator.station import SimulatedStation
+from tests.hardware.reading import LONG_S, button_edges, opened, read_until
+from tests.hardware.test_simulated_station import SMALL
 
 pytestmark = pytest.mark.device
 
-SMALL = SimulationConfig(width_px=640, height_px=512, pace=2.0, rate_hz=500.0)
 PLAIN = Detector(blur_px=0.0, speckle_contrast=0.0)
 OVERHEAD = Light(direction=(0.0, 0.0, 1.0), directed=1.0, ambient=0.0, texture=0.0)
 FINE = 24
@@ -138,18 +138,16 @@ def test_the_simulated_operator_touches_places_all_over_the_printed_side(
     simulation: SimulatedStation,
 ) -> None:
     board, T = board_of(simulation)
-    driver = from_options({"url": simulation.arm_url, "timeout_s": 5.0})
-    driver.open()
-    spots = []
-    for index in range(5):
-        with ThreadPoolExecutor() as pool:
-            touched = pool.submit(simulation.operator.touch, "board", index)
-            records = read_until(driver, lambda got: len(button_edges(got)) == 2)
-            pressed_ns = next(r.stamp_ns for r in records if not hasattr(r, "joints_rad"))
-            assert touched.result(LONG_S)
-        tip = tip_centre(simulation._rig.arm, simulation._motion.at(pressed_ns))
-        spots.append((tip - T[:3, 3]) @ T[:3, :3])
-    driver.close()
+    with opened(from_options({"url": simulation.arm_url, "timeout_s": 5.0})) as driver:
+        spots = []
+        for index in range(5):
+            with ThreadPoolExecutor() as pool:
+                touched = pool.submit(simulation.operator.touch, "board", index)
+                records = read_until(driver, lambda got: len(button_edges(got)) == 2)
+                pressed_ns = next(r.stamp_ns for r in records if not hasattr(r, "joints_rad"))
+                assert touched.result(LONG_S)
+            tip = tip_centre(simulation._rig.arm, simulation._motion.at(pressed_ns))
+            spots.append((tip - T[:3, 3]) @ T[:3, :3])
     places = np.array(spots)
     assert places[:, 2] == pytest.approx(simulation._rig.arm.tip_diameter_mm / 2, abs=0.03)
     assert np.all(np.abs(places[:, :2] - board.middle_mm[:2]) < board.half_pattern_mm)
@@ -157,9 +155,7 @@ def test_the_simulated_operator_touches_places_all_over_the_printed_side(
     assert simulation.operator.touch("crest", 0)
 
 
-def test_every_view_has_the_whole_pattern_and_the_laser_across_it(
-    simulation: SimulatedStation,
-) -> None:
+def test_every_view_has_the_whole_pattern_and_the_laser_on_it(simulation: SimulatedStation) -> None:
     board, T_arm_board = board_of(simulation)
     half = np.array([*board.half_pattern_mm, 0.0])
     ends = np.array([[x, y, 0] for x in (-1, 1) for y in (-1, 1)]) * half + board.middle_mm
@@ -185,9 +181,3 @@ def test_every_view_has_the_whole_pattern_and_the_laser_across_it(
     assert np.ptp(tilts, axis=0) == pytest.approx([44, 44], abs=8)
     assert np.ptp(turns) > 35
     assert np.ptp(heights) > 12
-
-
-def test_the_sensor_is_held_over_block_and_board_only(simulation: SimulatedStation) -> None:
-    for name in ("shell", "teapot"):
-        with pytest.raises(KeyError, match=name):
-            simulation.operator.hold_over(name)

@@ -7,8 +7,7 @@ import socket
 import subprocess
 import time
 from collections.abc import Iterator
-from concurrent.futures import ThreadPoolExecutor
-from contextlib import contextmanager
+from contextlib import closing, contextmanager, suppress
 from dataclasses import replace
 from typing import Any
 
@@ -25,14 +24,7 @@ from hardware.simulator.devices.gige_camera.gvcp import PORT
 from hardware.simulator.devices.gige_camera.pixels import RawImage
 from hardware.simulator.devices.gige_camera.registers import CameraIdentity
 from hardware.simulator.station import SimulatedStation
-from tests.hardware.conformance import (
-    LONG_S,
-    SensorBench,
-    SensorConformance,
-    next_frame,
-    open_in_time,
-    read_until_lost,
-)
+from tests.hardware.conformance import SensorBench, SensorConformance
 from tests.hardware.fake_cameras import (
     ADDRESS,
     ARAVIS_ADDRESS,
@@ -42,8 +34,17 @@ from tests.hardware.fake_cameras import (
     await_freed,
     port_for_this_test,
 )
+from tests.hardware.reading import (
+    LONG_S,
+    loss_of,
+    next_frame,
+    open_in_time,
+    opened,
+    read_until_lost,
+    wait_until,
+)
 from tests.hardware.test_genicam import require_aravis, viva
-from tests.hardware.test_simulated_station import SMALL, stripe_in_arm_frame
+from tests.hardware.test_simulated_station import SMALL, points_on_plate
 
 pytestmark = [pytest.mark.device, pytest.mark.xdist_group("gige")]
 
@@ -101,6 +102,12 @@ def make_driver(**more: object) -> GrabbingSensor:
     return from_options(options | more)
 
 
+@pytest.fixture
+def driver(camera: GigeCamera) -> Iterator[GrabbingSensor]:
+    with closing(make_driver()) as driver:
+        yield driver
+
+
 class GigeBench(SensorBench):
     def __init__(self) -> None:
         self.camera = self.make_camera(NEAR_THE_LAST)
@@ -139,11 +146,11 @@ class GigeBench(SensorBench):
 
     def take_control(self) -> None:
         self.camera.faults.taken = True
-        self._wait_until_used(True)
+        wait_until(lambda: not is_free())
 
     def leave_control(self) -> None:
         self.camera.faults.taken = False
-        self._wait_until_used(False)
+        wait_until(is_free)
 
     def revoke_control(self) -> None:
         self.camera.revoke_control()
@@ -154,22 +161,12 @@ class GigeBench(SensorBench):
         await_freed()
         self.camera.stop()
 
-    def _wait_until_used(self, used: bool) -> None:
-        deadline = time.monotonic() + LONG_S
-        while is_used() != used:
-            assert time.monotonic() < deadline
-            time.sleep(0.02)
 
-
-def is_used() -> bool:
-    """Whether a program has the camera to itself."""
-    client = ControlClient()
-    try:
-        return client.read(CONTROL_REGISTER) != 0
-    except OSError:  # the camera refuses to answer
-        return True
-    finally:
-        client.close()
+def is_free() -> bool:
+    """Whether no program has the camera to itself."""
+    with closing(ControlClient()) as client, suppress(OSError):  # the camera refuses to answer
+        return client.read(CONTROL_REGISTER) == 0
+    return False
 
 
 class TestSimulatedGigeCamera(SensorConformance):
@@ -187,10 +184,7 @@ def test_aravis_own_program_receives_its_pictures(camera: GigeCamera) -> None:
     command = [program, "-n", ADDRESS]
     with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as running:
         try:
-            deadline = time.monotonic() + LONG_S
-            while camera.blocks < 60:
-                assert time.monotonic() < deadline, "no pictures are taken"
-                time.sleep(0.05)
+            wait_until(lambda: camera.blocks >= 60, "no pictures are taken")
             running.send_signal(signal.SIGINT)
             output, _ = running.communicate(timeout=LONG_S)
         finally:
@@ -249,31 +243,30 @@ def test_a_second_camera_needs_an_address_of_its_own(camera: GigeCamera) -> None
     with pytest.raises(DeviceError, match="3956"):
         make_camera().start()
     other = GigeCamera(CameraIdentity(SECOND_ADDRESS, "SIM-2", WIDTH, HEIGHT, 50.0), picture)
-    other.start()
-    drivers = [make_driver(), make_driver(address=SECOND_ADDRESS)]
-    infos = [driver.open() for driver in drivers]
-    for driver in drivers:
-        next_frame(driver)
-        driver.close()
-    other.stop()
-    assert [info.serial_number for info in infos] == ["SIM-1", "SIM-2"]
+    with (
+        serve(other),
+        closing(make_driver()) as first,
+        closing(make_driver(address=SECOND_ADDRESS)) as second,
+    ):
+        assert [first.open().serial_number, second.open().serial_number] == ["SIM-1", "SIM-2"]
+        next_frame(first)
+        next_frame(second)
 
 
 @pytest.mark.parametrize("name", ["Mono8", "Mono10", "Mono12", "Mono16"])
 def test_every_pixel_format_shows_the_same_picture(camera: GigeCamera, name: str) -> None:
-    driver = make_driver(pixel_format=name, region=[16, 0, 160, 100])
-    driver.open()
-    frame = next_frame(driver)
-    driver.close()
+    with opened(make_driver(pixel_format=name, region=[16, 0, 160, 100])) as driver:
+        frame = next_frame(driver)
     assert frame.full_scale is not None
     scale = (frame.full_scale + 1) // 256
     np.testing.assert_array_equal(frame.image, scale * picture(0, 0, 0)[:100, 16:176].astype(int))
 
 
-def test_a_hundredth_of_all_packets_lost_costs_no_picture_unseen(camera: GigeCamera) -> None:
+def test_a_hundredth_of_all_packets_lost_costs_no_picture_unseen(
+    camera: GigeCamera, driver: GrabbingSensor
+) -> None:
     """Each picture arrives whole, packets sent again, or counts as lost."""
     camera.faults.packet_drop_rate = 0.01
-    driver = make_driver()
     driver.open()
     frames = [next_frame(driver) for _ in range(150)]
     driver.close()
@@ -284,7 +277,7 @@ def test_a_hundredth_of_all_packets_lost_costs_no_picture_unseen(camera: GigeCam
         np.testing.assert_array_equal(frame.image[0], picture(0, 0, 0)[0])
 
 
-def test_datagrams_that_are_no_requests_are_ignored(camera: GigeCamera) -> None:
+def test_datagrams_that_are_no_requests_are_ignored(driver: GrabbingSensor) -> None:
     rng = np.random.default_rng(5)
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as sender:
         sender.connect((ADDRESS, PORT))
@@ -294,10 +287,8 @@ def test_datagrams_that_are_no_requests_are_ignored(camera: GigeCamera) -> None:
             for command in (0x02, 0x40, 0x80, 0x82, 0x84, 0x86, 0x1234):
                 head = bytes([0x42, 1, 0, command & 0xFF]) + size.to_bytes(2, "big") + b"\0\1"
                 sender.send(head + rng.bytes(size))
-    driver = make_driver()
     open_in_time(driver)
     next_frame(driver)
-    driver.close()
 
 
 def test_only_the_program_in_control_may_write(camera: GigeCamera) -> None:
@@ -309,34 +300,29 @@ def test_only_the_program_in_control_may_write(camera: GigeCamera) -> None:
     with pytest.raises(OSError, match="refuses"):
         second.write(0x0938, 2000)
     assert second.read(0x0938) == 1000
-    deadline = time.monotonic() + LONG_S
-    while second.read(CONTROL_REGISTER):  # the first one has fallen silent
-        assert time.monotonic() < deadline
-        time.sleep(0.05)
+    wait_until(lambda: not second.read(CONTROL_REGISTER))  # the first one has fallen silent
     second.take_control()
     first.close()
     second.close()
 
 
-def test_a_camera_of_a_program_that_lets_no_other_read_is_in_use(camera: GigeCamera) -> None:
-    driver = make_driver()
+def test_a_camera_of_a_program_that_lets_no_other_read_is_in_use(
+    camera: GigeCamera, driver: GrabbingSensor
+) -> None:
     driver.open()
     next_frame(driver)
     camera.faults.taken = True
-    error = read_until_lost(lambda: driver.read(0.1))
-    assert "in use by another program" in str(error)
+    assert "in use by another program" in str(loss_of(driver))
     with pytest.raises(DeviceError, match="in use by another program"):
         driver.open()
     camera.faults.taken = False
     open_in_time(driver)
     next_frame(driver)
-    driver.close()
 
 
 def test_a_line_on_which_one_picture_takes_seconds_is_noticed_before_it_has_arrived(
-    camera: GigeCamera,
+    camera: GigeCamera, driver: GrabbingSensor
 ) -> None:
-    driver = make_driver()
     open_in_time(driver)
     for _ in range(10):
         next_frame(driver)
@@ -348,7 +334,6 @@ def test_a_line_on_which_one_picture_takes_seconds_is_noticed_before_it_has_arri
         driver.read(0.1)
     # the one that was on its way, and at most one of the line as it was before
     assert driver.health.received <= before + 2
-    driver.close()
 
 
 def test_a_clock_that_answers_late_gives_true_stamps() -> None:
@@ -362,23 +347,17 @@ def test_a_clock_that_answers_late_gives_true_stamps() -> None:
     # two and a half periods after the exposure: no other exposure is near a stamp that is late
     camera = GigeCamera(CameraIdentity(ADDRESS, "SIM-1", WIDTH, HEIGHT, 10.0), note, delay_ms=250.0)
     camera.faults.latch_delays_s = (0.0, 0.12)
-    camera.start()
-    try:
-        driver = make_driver(rate_hz=10.0)
+    with serve(camera), closing(make_driver(rate_hz=10.0)) as driver:
         assert open_in_time(driver).stamps == "device"
         stamps_ns = [next_frame(driver).mid_exposure_ns for _ in range(10)]
-        driver.close()
-    finally:
-        camera.stop()
     off_ns = np.min(np.abs(np.subtract.outer(stamps_ns, true_ns)), axis=1)
     assert np.median(off_ns) < 30e6  # and not half of an answer's delay, 60 ms
 
 
 @pytest.mark.parametrize("later_s", [-0.5, 3600.0])
 def test_a_clock_that_is_set_is_named_and_nothing_taken_from_it(
-    camera: GigeCamera, later_s: float
+    camera: GigeCamera, driver: GrabbingSensor, later_s: float
 ) -> None:
-    driver = make_driver()
     driver.open()
     before = next_frame(driver)
     camera._born_ns -= round(1e9 * later_s)
@@ -396,17 +375,14 @@ def test_a_clock_that_is_set_is_named_and_nothing_taken_from_it(
     assert ages_ns.max() < LONG_S * 1e9
     open_in_time(driver)
     assert next_frame(driver).mid_exposure_ns > before.mid_exposure_ns
-    driver.close()
 
 
 def test_a_camera_that_answers_again_is_opened_at_once(camera: GigeCamera) -> None:
     """Its first answers get lost; or Aravis gives up, and the camera is there."""
     for answered, unanswered in ((0, 3), (1, TRIES_OF_ARAVIS)):
         camera.faults.answered, camera.faults.unanswered = answered, unanswered
-        driver = make_driver()
-        driver.open()
-        next_frame(driver)
-        driver.close()
+        with opened(make_driver()) as driver:
+            next_frame(driver)
 
 
 @pytest.mark.slow
@@ -416,21 +392,7 @@ def test_a_frame_shows_the_arm_as_it_was_at_its_stamp() -> None:
     The sensor is tilted and passes to and fro: a millisecond would be 0.03 mm. The camera's clock
     is fast and has another zero, and pictures arrive late.
     """
-    with SimulatedStation(GIGE) as simulation:
-        driver = simulation.sensor()
-        driver.open()
+    with SimulatedStation(GIGE) as simulation, opened(simulation.sensor()) as driver:
         driver.set_laser(True)
-        plate = simulation._scene.find_object("plate").T_arm_obj
-        off_mm: list[float] = []
-        deadline = time.monotonic() + 6 * LONG_S
-        while len(off_mm) < 15:
-            assert time.monotonic() < deadline, f"{len(off_mm)} frames of the plate"
-            with ThreadPoolExecutor() as pool:
-                sweep = pool.submit(simulation.operator.pass_over_plate)
-                while not sweep.done():
-                    points = stripe_in_arm_frame(simulation, next_frame(driver))
-                    points = (points - plate[:3, 3]) @ plate[:3, :3]
-                    if len(points) and np.all(np.abs(points[:, :2]) < [29.0, 19.0]):
-                        off_mm.append(float(np.median(points[:, 2])))
-        driver.close()
-    assert np.median(np.abs(off_mm)) < 0.02
+        places = points_on_plate(simulation, driver, simulation.operator.pass_over_plate, 15)
+    assert np.median(np.abs(places[:, 2])) < 0.02

@@ -11,6 +11,7 @@ import subprocess
 import sys
 import threading
 from collections.abc import Iterator
+from contextlib import ExitStack, closing, suppress
 
 import numpy as np
 import pytest
@@ -23,14 +24,8 @@ from hardware.errors import DeviceError
 from hardware.interfaces import ArmDriver, ArmRecord, JointSample, PoseSample
 from hardware.registry import arm_driver
 from hardware.simulator.devices.rtde_server import RobotState, RtdeServer
-from tests.hardware.conformance import (
-    ArmBench,
-    ArmConformance,
-    read_until,
-    read_until_lost,
-    select_readings,
-    select_samples,
-)
+from tests.hardware.conformance import ArmBench, ArmConformance, FaultyArmBench
+from tests.hardware.reading import loss_of, opened, read_readings, read_samples, read_until_lost
 
 pytestmark = pytest.mark.device
 
@@ -48,28 +43,19 @@ def swing(at_ns: int) -> RobotState:
     return RobotState(np.array([angle, -0.5, 1.0, -1.5, 2.0, -2.5]), T)
 
 
-class RtdeBench(ArmBench):
+def make_driver(server: RtdeServer, **options: object) -> ArmDriver:
+    return arm_driver("ur-rtde", {"address": "127.0.0.1", "port": server.port, **options})
+
+
+class RtdeBench(FaultyArmBench):
     def __init__(self, server: RtdeServer, report: str) -> None:
-        self.server, self.report = server, report
+        self.server, self.faults, self.report = server, server.faults, report
 
     def driver(self) -> ArmDriver:
-        options = {"address": "127.0.0.1", "port": self.server.port, "report": self.report}
-        return from_options(options)
+        return make_driver(self.server, report=self.report)
 
     def contacts(self) -> int:
         return self.server.contacts
-
-    def unplug(self) -> None:
-        self.server.faults.unplugged = True
-
-    def plug_in(self) -> None:
-        self.server.faults.unplugged = False
-
-    def silence(self, silent: bool) -> None:
-        self.server.faults.silent = silent
-
-    def lose_samples(self, count: int) -> None:
-        self.server.faults.skip = count
 
 
 @pytest.fixture
@@ -88,15 +74,14 @@ class TestUrRtde(ArmConformance):
 
 @pytest.fixture
 def driver(server: RtdeServer) -> Iterator[ArmDriver]:
-    driver = arm_driver("ur-rtde", {"address": "127.0.0.1", "port": server.port})
-    yield driver
-    driver.close()
+    with opened(make_driver(server)) as driver:
+        yield driver
 
 
 def test_poses_are_of_the_flange_at_their_stamps(server: RtdeServer, driver: ArmDriver) -> None:
     info = driver.open()
     assert (info.reports, info.pose_of, info.rate_hz) == ("pose", "flange", 500.0)
-    readings = select_readings(read_until(driver, lambda got: len(got) > 100))
+    readings = read_readings(driver, 101)
     for pose in readings:
         assert isinstance(pose, PoseSample)
         T = swing(taken_ns(np.arctan2(*pose.position_mm[1::-1]), pose.stamp_ns)).T_base_flange
@@ -114,46 +99,36 @@ def taken_ns(first_joint_rad: float, stamp_ns: int) -> int:
 
 
 def test_joints_are_those_of_the_robot(server: RtdeServer) -> None:
-    driver = from_options(
-        {"address": "127.0.0.1", "port": server.port, "report": "joints", "rate_hz": 125}
-    )
-    info = driver.open()
+    with closing(make_driver(server, report="joints", rate_hz=125)) as driver:
+        info = driver.open()
+        samples = read_samples(driver, 51)
     assert (info.joint_count, info.rate_hz) == (6, 125.0)
-    for sample in select_samples(read_until(driver, lambda got: len(got) > 50)):
+    for sample in samples:
         true = swing(taken_ns(sample.joints_rad[0], sample.stamp_ns))
         assert sample.joints_rad == pytest.approx(true.joints_rad, abs=1e-6)
-    driver.close()
 
 
 def test_its_serial_number_is_that_of_the_options(server: RtdeServer) -> None:
-    address = {"address": "127.0.0.1", "port": server.port}
-    driver = from_options({**address, "serial_number": "2019-0042"})
-    assert driver.open().serial_number == "2019-0042"
-    driver.close()
-    driver = from_options(address)
-    assert not driver.open().serial_number
-    driver.close()
+    with closing(make_driver(server, serial_number="2019-0042")) as driver:
+        assert driver.open().serial_number == "2019-0042"
+    with closing(make_driver(server)) as driver:
+        assert not driver.open().serial_number
 
 
 def test_what_is_not_asked_for_needs_not_be_there(server: RtdeServer) -> None:
     server.faults.unknown = frozenset({"tcp_offset"})
-    driver = from_options({"address": "127.0.0.1", "port": server.port, "report": "joints"})
-    driver.open()
-    assert isinstance(read_until(driver, select_samples)[0], JointSample)
-    driver.close()
+    with opened(make_driver(server, report="joints")) as driver:
+        assert isinstance(read_readings(driver)[0], JointSample)
     with pytest.raises(DeviceError, match="does not offer tcp_offset"):
-        from_options({"address": "127.0.0.1", "port": server.port}).open()
+        make_driver(server).open()
 
 
-def test_text_messages_come_in_between_and_are_passed_on(
-    server: RtdeServer, driver: ArmDriver
-) -> None:
-    driver.open()
+def test_text_messages_in_between_are_passed_on(server: RtdeServer, driver: ArmDriver) -> None:
     server.say("Low on coffee")
-    readings = select_readings(read_until(driver, lambda got: len(got) > 200))
+    readings = read_readings(driver, 201)
     assert np.all(np.diff([reading.sequence for reading in readings]) == 1)
     server.faults.robot_mode = 3
-    error = read_until_lost(lambda: driver.read(0.1))
+    error = loss_of(driver)
     assert "without power" in str(error)
     assert "Low on coffee (RTDE)" in str(error)
 
@@ -161,16 +136,13 @@ def test_text_messages_come_in_between_and_are_passed_on(
 def test_a_changed_tool_is_an_error_and_opening_takes_the_new_one(
     server: RtdeServer, driver: ArmDriver
 ) -> None:
-    driver.open()
-    read_until(driver, select_readings)
+    read_readings(driver)
     server.tool_offset = (0.0, 0.0, 0.2, 0.0, 0.0, 0.0)
-    error = read_until_lost(lambda: driver.read(0.1))
-    assert "active tool (TCP)" in str(error.what)
+    assert "active tool (TCP)" in str(loss_of(driver).what)
     driver.open()
-    pose = select_readings(read_until(driver, select_readings))[0]
+    pose = read_readings(driver)[0]
     assert isinstance(pose, PoseSample)
     assert pose.position_mm[2] == pytest.approx(250.0)
-    driver.close()
 
 
 @pytest.mark.parametrize(
@@ -188,8 +160,7 @@ def test_a_changed_tool_is_an_error_and_opening_takes_the_new_one(
 def test_what_cannot_be_true_is_an_error(
     server: RtdeServer, driver: ArmDriver, offset: int, value: float, words: str
 ) -> None:
-    driver.open()
-    read_until(driver, select_readings)
+    read_readings(driver)
     written = struct.pack(">d", value)
     server.faults.spoil = lambda package: package[:offset] + written + package[offset + 8 :]
     seen: list[ArmRecord] = []
@@ -204,8 +175,7 @@ def test_a_damaged_stream_is_an_error(server: RtdeServer, driver: ArmDriver) -> 
     for damage in (b"\x00\x01\x55", b"\x00\x04\x55\x01", b"\x00\x04\x55\x07"):
         driver.open()
         server.faults.spoil = lambda package, damage=damage: damage  # type: ignore[misc]
-        error = read_until_lost(lambda: driver.read(0.1))
-        assert "is no RTDE" in str(error)
+        assert "is no RTDE" in str(loss_of(driver))
         server.faults.spoil = lambda package: package
 
 
@@ -220,30 +190,18 @@ def test_packages_arrive_in_any_pieces(server: RtdeServer) -> None:
         pump(far, near, 7)
 
     threading.Thread(target=relay, daemon=True).start()
-    driver = from_options({"address": "127.0.0.1", "port": proxy.getsockname()[1], "rate_hz": 125})
-    driver.open()
-    readings = select_readings(read_until(driver, lambda got: len(got) > 50))
+    options = {"address": "127.0.0.1", "port": proxy.getsockname()[1], "rate_hz": 125}
+    with proxy, opened(from_options(options)) as driver:
+        readings = read_readings(driver, 51)
     assert np.all(np.diff([reading.sequence for reading in readings]) == 1)
-    driver.close()
-    proxy.close()
 
 
 def pump(source: socket.socket, target: socket.socket, piece: int) -> None:
-    with source, target:
+    with source, target, suppress(OSError):  # either end may close
         target.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
-        while data := receive_or_end(source):
+        while data := source.recv(4096):
             for at in range(0, len(data), piece):
-                try:
-                    target.sendall(data[at : at + piece])
-                except OSError:
-                    return
-
-
-def receive_or_end(source: socket.socket) -> bytes:
-    try:
-        return source.recv(4096)
-    except OSError:
-        return b""
+                target.sendall(data[at : at + piece])
 
 
 def test_what_the_controller_refuses_is_said(server: RtdeServer) -> None:
@@ -255,12 +213,10 @@ def test_what_the_controller_refuses_is_said(server: RtdeServer) -> None:
     server.faults.refuses_start, server.faults.silent = False, True
     assert "has sent nothing new for 1 s" in open_error(address)
     server.faults.silent, server.version = False, (3, 15, 8, 0)
-    assert "at most 125 Hz, but station.toml states 500 Hz" in open_error(
-        {**address, "rate_hz": 500}
-    )
-    driver = from_options(address)
-    assert driver.open().rate_hz == 125.0
-    driver.close()
+    said = open_error({**address, "rate_hz": 500})
+    assert "at most 125 Hz, but station.toml states 500 Hz" in said
+    with closing(from_options(address)) as driver:
+        assert driver.open().rate_hz == 125.0
 
 
 def test_what_is_no_controller_is_said() -> None:
@@ -268,23 +224,21 @@ def test_what_is_no_controller_is_said() -> None:
         port = other.getsockname()[1]
         address: dict[str, object] = {"address": "127.0.0.1", "port": port, "timeout_s": 0.5}
         assert "does not answer as RTDE does" in open_error(address)
-        connections: list[socket.socket] = []
-        chatter = threading.Thread(target=chat, args=(other, connections), daemon=True)
-        chatter.start()
-        assert "is no RTDE" in open_error({**address, "timeout_s": 5.0})
-        chatter.join()
-        for connection in connections:
-            connection.close()
+        with ExitStack() as connections:
+            chatter = threading.Thread(target=chat, args=(other, connections), daemon=True)
+            chatter.start()
+            assert "is no RTDE" in open_error({**address, "timeout_s": 5.0})
+            chatter.join()
     assert "No program listens at" in open_error(address)
     assert "no host with the name" in open_error({**address, "address": "no-such-host.invalid"})
 
 
-def chat(server: socket.socket, connections: list[socket.socket]) -> None:
+def chat(server: socket.socket, connections: ExitStack) -> None:
     """Greets the client that has left and the next one, as another kind of server does."""
     for _ in range(2):
         connection, _ = server.accept()
         connection.sendall(bytes(64))
-        connections.append(connection)
+        connections.enter_context(connection)
 
 
 def open_error(options: dict[str, object]) -> str:

@@ -7,17 +7,17 @@ from collections.abc import Callable
 
 from hardware.clock import now_ns
 from hardware.interfaces import ArmDriver
-from tests.hardware.conformance import ArmBench
+from tests.hardware.conformance import FaultyArmBench
 
 AT_ONCE = 50
 """Packets that a robot which was held up makes up for in one go: more would find no room."""
 
 
-class UdpRobot:
+class UdpRobot(contextlib.AbstractContextManager["UdpRobot"]):
     """Sends ``packet(cycle, host-monotonic ns)`` every ``cycle_ms``, from an address of its own.
 
-    Faults, set at any time: ``silent``, ``skip`` (cycles that pass without a packet), ``repeat``
-    (sent twice), ``spoil`` (changes a packet).
+    Faults, set at any time: ``unplugged``, ``silent``, ``skip`` (cycles that pass without a
+    packet), ``repeat`` (sent twice), ``spoil`` (changes a packet).
     """
 
     def __init__(
@@ -27,7 +27,8 @@ class UdpRobot:
         packet: Callable[[int, int], bytes],
         source: str = "127.0.0.1",
     ) -> None:
-        self.silent, self.skip, self.repeat = False, 0, 0
+        self.unplugged = self.silent = False
+        self.skip = self.repeat = 0
         self.spoil: Callable[[bytes], bytes] = lambda data: data
         self.start_ns = now_ns()
         self.port, self._cycle_ms, self._packet = port, cycle_ms, packet
@@ -36,6 +37,9 @@ class UdpRobot:
         self._stopping = threading.Event()
         self._thread = threading.Thread(target=self._run, daemon=True)
         self._thread.start()
+
+    def __exit__(self, *_: object) -> None:
+        self.stop()
 
     def stop(self) -> None:
         self._stopping.set()
@@ -51,7 +55,7 @@ class UdpRobot:
                 self._send(cycle)
 
     def _send(self, cycle: int) -> None:
-        if self.silent:
+        if self.silent or self.unplugged:
             return
         if self.skip:
             self.skip -= 1
@@ -64,26 +68,14 @@ class UdpRobot:
                 self._socket.sendto(data, ("127.0.0.1", self.port))
 
 
-class UdpBench(ArmBench):
+class UdpBench(FaultyArmBench):
     """A driver that listens to a ``UdpRobot``."""
 
     def __init__(self, robot: UdpRobot, make: Callable[[], ArmDriver]) -> None:
-        self.robot, self._make = robot, make
+        self.faults, self._make = robot, make
 
     def driver(self) -> ArmDriver:
         return self._make()
 
     def contacts(self) -> None:
         return None
-
-    def unplug(self) -> None:
-        self.robot.silent = True
-
-    def plug_in(self) -> None:
-        self.robot.silent = False
-
-    def silence(self, silent: bool) -> None:
-        self.robot.silent = silent
-
-    def lose_samples(self, count: int) -> None:
-        self.robot.skip = count
