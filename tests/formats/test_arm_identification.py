@@ -32,22 +32,23 @@ PLAN = ArmSessionPlan(
 )
 
 
+Rendered = tuple[Path, SimulatedArmSession]
+
+
 @pytest.fixture(scope="module")
-def rendered(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, SimulatedArmSession]:
+def rendered(tmp_path_factory: pytest.TempPathFactory) -> Rendered:
     folder = tmp_path_factory.mktemp("rendered") / "s"
     return folder, render_arm_session(folder, 3, PLAN)
 
 
 @pytest.fixture
-def session(rendered: tuple[Path, SimulatedArmSession], tmp_path: Path) -> SimulatedArmSession:
-    folder, session = rendered
-    shutil.copytree(folder, tmp_path / "s")
-    return session
+def folder(rendered: Rendered, tmp_path: Path) -> Path:
+    return Path(shutil.copytree(rendered[0], tmp_path / "s"))
 
 
-def test_what_is_read_is_what_was_touched(tmp_path: Path, session: SimulatedArmSession) -> None:
-    read = read_identification_session(tmp_path / "s")
-    expected = collect_observations(session)
+def test_what_is_read_is_what_was_touched(folder: Path, rendered: Rendered) -> None:
+    read = read_identification_session(folder)
+    expected = collect_observations(rendered[1])
     assert [seat.name for seat in read.observations.seats] == [s.name for s in expected.seats]
     for mine, theirs in zip(read.observations.bars, expected.bars, strict=True):
         assert (mine.name, mine.position, mine.length_mm) == ("B1", theirs.position, 600.0)
@@ -57,18 +58,19 @@ def test_what_is_read_is_what_was_touched(tmp_path: Path, session: SimulatedArmS
 
 
 def test_the_identified_arm_is_written_with_its_covariance_for_others_too(
-    tmp_path: Path, session: SimulatedArmSession
+    folder: Path, rendered: Rendered, tmp_path: Path
 ) -> None:
     out = tmp_path / "identified.json"
-    document, result = identify_folder(tmp_path / "s", out)
+    document, result = identify_folder(folder, out)
     assert ArmFile.read(out) == document
     fields = json.loads(out.read_text())
     assert fields["format"] == "crenel/arm"
     assert {"parameters", "covariance", "created_at", "inputs", "software", "validation"} <= set(
         fields["identification"]
     )
-    before = volumetric_error_um(session.arm, read_arm(tmp_path / "s/arm.json"))
-    assert volumetric_error_um(session.arm, read_arm(out)) < before / 10
+    true_arm = rendered[1].arm
+    before = volumetric_error_um(true_arm, read_arm(folder / "arm.json"))
+    assert volumetric_error_um(true_arm, read_arm(out)) < before / 10
     part = document.identification
     assert part is not None
     count = len(part.parameters)
@@ -80,31 +82,29 @@ def test_the_identified_arm_is_written_with_its_covariance_for_others_too(
     joint = next(joint for joint in document.joints if joint.name == "J2")
     assert angle.after == pytest.approx(joint.theta_deg, abs=1e-12)
     hashes = {one.file: one.sha256 for one in part.inputs}
-    assert hashes["spheres.csv"] == file_sha256(tmp_path / "s/spheres.csv")
+    assert hashes["spheres.csv"] == file_sha256(folder / "spheres.csv")
     assert part.validation.after.normalised < part.validation.before.normalised / 5
     assert len(result.changes) == count
 
 
-def test_a_separate_folder_checks_the_result(tmp_path: Path, session: SimulatedArmSession) -> None:
+def test_a_separate_folder_checks_the_result(folder: Path, tmp_path: Path) -> None:
     check = tmp_path / "check"
     check.mkdir()
-    lines = (tmp_path / "s/articulation.csv").read_text().splitlines()
-    for path, sets in ((check, ("S5", "S6")), (tmp_path / "s", ("S1", "S2", "S3", "S4"))):
+    lines = (folder / "articulation.csv").read_text().splitlines()
+    for path, sets in ((check, ("S5", "S6")), (folder, ("S1", "S2", "S3", "S4"))):
         kept = [line for line in lines[1:] if line.startswith(sets)]
         (path / "articulation.csv").write_text("\n".join([lines[0], *kept]) + "\n")
-    document, _ = identify_folder(tmp_path / "s", tmp_path / "out.json", check)
+    document, _ = identify_folder(folder, tmp_path / "out.json", check)
     assert document.identification is not None
     assert document.identification.validation.method == "separate"
     assert document.identification.validation.places == 2
 
 
-def test_the_result_never_replaces_what_it_is_made_from(
-    tmp_path: Path, session: SimulatedArmSession
-) -> None:
-    before = (tmp_path / "s/arm.json").read_bytes()
+def test_the_result_never_replaces_what_it_is_made_from(folder: Path, tmp_path: Path) -> None:
+    before = (folder / "arm.json").read_bytes()
     with pytest.raises(OperationError, match="computed from"):
-        identify_folder(tmp_path / "s", tmp_path / "s/arm.json")
-    assert (tmp_path / "s/arm.json").read_bytes() == before
+        identify_folder(folder, folder / "arm.json")
+    assert (folder / "arm.json").read_bytes() == before
 
 
 Edit = Callable[[list[str]], list[str]]
@@ -151,28 +151,26 @@ def replaced(old: str, new: str, rows: slice = slice(None)) -> Edit:
     ],
 )
 def test_bad_tables_are_refused(
-    tmp_path: Path, session: SimulatedArmSession, table: str, edit: Edit, code: str
+    folder: Path, tmp_path: Path, table: str, edit: Edit, code: str
 ) -> None:
-    edited(tmp_path / "s", table, edit)
+    edited(folder, table, edit)
     with refused_as(code, where="s"):
-        identify_folder(tmp_path / "s", tmp_path / "out.json")
+        identify_folder(folder, tmp_path / "out.json")
     assert not (tmp_path / "out.json").exists()
 
 
-def test_a_folder_without_tables_is_refused(tmp_path: Path, session: SimulatedArmSession) -> None:
+def test_a_folder_without_tables_is_refused(folder: Path, tmp_path: Path) -> None:
     for name in ("articulation.csv", "spheres.csv", "ballbars.csv"):
-        (tmp_path / "s" / name).unlink()
+        (folder / name).unlink()
     with refused_as("no-observations"):
-        identify_folder(tmp_path / "s", tmp_path / "out.json")
+        identify_folder(folder, tmp_path / "out.json")
 
 
-def test_the_check_reports_half_range_and_two_sigma(
-    tmp_path: Path, session: SimulatedArmSession
-) -> None:
-    by_prior = check_table(tmp_path / "s", None, ArticulationLimits(half_range_um=60.0))
+def test_the_check_reports_half_range_and_two_sigma(folder: Path, tmp_path: Path) -> None:
+    by_prior = check_table(folder, None, ArticulationLimits(half_range_um=60.0))
     assert worst_verdict(by_prior) == "fail"
-    identify_folder(tmp_path / "s", tmp_path / "out.json")
-    table = tmp_path / "s/articulation.csv"
+    identify_folder(folder, tmp_path / "out.json")
+    table = folder / "articulation.csv"
     limits = ArticulationLimits(half_range_um=60.0, two_sigma_um=60.0)
     identified = check_table(table, tmp_path / "out.json", limits)
     assert worst_verdict(identified) == "pass"

@@ -107,20 +107,19 @@ def test_each_of_several_sensors_has_its_own_exposure(tmp_path: Path) -> None:
         settings(sensor_exposures_us={"right": -1})
 
 
-def test_settings_survive_a_restart(tmp_path: Path) -> None:
+def test_settings_survive_a_restart_and_spoilt_ones_are_reported(
+    tmp_path: Path,
+) -> None:
     assert SettingsStore(tmp_path).read() == AUTOMATIC
     SettingsStore(tmp_path).save(settings())
     again = SettingsStore(tmp_path)
     assert again.read() == settings()
     assert again.trouble is None
     assert again.read().stripe == StripeSettings(12.0, 2.5, choice="first")
-
-
-def test_spoilt_settings_are_automatic_and_reported(tmp_path: Path) -> None:
     (tmp_path / "scan_settings.json").write_text("{")
-    store = SettingsStore(tmp_path)
-    assert store.read() == AUTOMATIC
-    assert store.trouble is not None
+    spoilt = SettingsStore(tmp_path)
+    assert spoilt.read() == AUTOMATIC
+    assert spoilt.trouble is not None
 
 
 def test_a_delay_of_other_devices_is_not_used() -> None:

@@ -399,20 +399,16 @@ FACE_FACTOR = 1.08
 
 
 @pytest.mark.parametrize("language", languages())
-def test_the_longest_title_of_a_figure_fits_in_every_language(language: str) -> None:
+def test_titles_of_figures_and_before_bars_fit_in_every_language(language: str) -> None:
     render = renderer(language)
-    widest = max(stringWidth(render(title), "Helvetica", 7.5) for title in FIGURE_TITLES.values())
-    assert FACE_FACTOR * widest < LABELS - 8
 
+    def widest(*texts: Message, size: int | float) -> float:
+        return FACE_FACTOR * max(stringWidth(render(one), "Helvetica", size) for one in texts)
 
-@pytest.mark.parametrize("language", languages())
-def test_titles_before_bars_fit_in_every_language(language: str) -> None:
-    render = renderer(language)
-    titles = map(render, (message("lengths-ball-bars-held-out"), message("tip-over-whole-reach")))
-    marks = map(render, (message("before-mark"), message("after-mark")))
-    title_width = max(stringWidth(title, "Helvetica", 8) for title in titles)
-    mark_width = max(stringWidth(mark, "Helvetica", 7) for mark in marks)
-    assert 2 + FACE_FACTOR * (title_width + mark_width) < BARS - 6
+    assert widest(*FIGURE_TITLES.values(), size=7.5) < LABELS - 8
+    titles = (message("lengths-ball-bars-held-out"), message("tip-over-whole-reach"))
+    marks = (message("before-mark"), message("after-mark"))
+    assert 2 + widest(*titles, size=8) + widest(*marks, size=7) < BARS - 6
 
 
 def test_a_report_holds_data_and_is_rendered_once(folder: Path) -> None:

@@ -212,8 +212,7 @@ def test_the_contact_tests_state_their_figures(tmp_path: Path) -> None:
 
 def test_missing_seats_and_placements_are_named(tmp_path: Path) -> None:
     groups = [group for group in contact_groups(0.02) if group[0] not in ("s3", "b20-1")]
-    folder = write_test(tmp_path / "t", "contact", groups, ())
-    result = evaluate_performance(folder)
+    result = evaluate_performance(write_test(tmp_path / "t", "contact", groups, ()))
     found = figures_of(result)
     assert "3 seats" in str(found["articulation-largest"].problem)
     assert "19 of 20" in str(found["volumetric-largest"].problem)

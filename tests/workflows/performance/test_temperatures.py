@@ -1,14 +1,24 @@
-"""Temperatures at the beginning and the end of a test: what they change, when they decide."""
+"""Temperatures at the beginning and the end of a test: what they change, when they decide; and
+artefacts without a coefficient of expansion, whose sizes are stated, but not decided."""
 
 from pathlib import Path
 
 import numpy as np
 import pytest
 
+from app.bench.metrology.synthetic_sphere import SPHERE
 from app.errors import OperationError
+from app.formats.datasheets.gauge import GaugeFile
 from app.formats.performance.end_temperatures import END_TEMPERATURES, EndTemperatures
-from app.formats.performance.plan import LimitPart, TemperatureLimitsPart
+from app.formats.performance.plan import LimitPart, PerformancePlan, TemperatureLimitsPart
 from app.formats.performance.results import PerformanceFile
+from app.metrology.performance.temperature import TemperatureSpan
+from app.workflows.performance.checks.temperatures import (
+    BY_LENGTHS,
+    BY_SPHERE,
+    unknown_expansion,
+    unknown_expansions,
+)
 from app.workflows.performance.evaluate import evaluate_performance
 from tests.cli.test_cli import crenel
 from tests.present import present
@@ -22,8 +32,13 @@ EXPANSION, EXPANSION_SD = STEEL.values()
 
 @pytest.fixture
 def folder(tmp_path: Path) -> Path:
-    """A test of steel lengths, without temperatures."""
-    folder = write_test(tmp_path / "t", "lengths", length_groups(1.0), LIMITS)
+    """A complete test of lengths, whose limit is kept."""
+    return write_test(tmp_path / "t", "lengths", length_groups(1.0), LIMITS)
+
+
+@pytest.fixture
+def steel(folder: Path) -> Path:
+    """Of steel lengths, without temperatures."""
     return planned(folder, length=BAR.model_copy(update=STEEL))
 
 
@@ -37,10 +52,10 @@ def measured(
     return evaluate_performance(folder)
 
 
-def test_lengths_are_brought_to_20_degrees_by_the_mean_and_its_change_counts(folder: Path) -> None:
-    cold = evaluate_performance(folder)
+def test_lengths_are_brought_to_20_degrees_by_the_mean_and_its_change_counts(steel: Path) -> None:
+    cold = evaluate_performance(steel)
     assert cold.temperatures is None
-    warm = measured(folder, (24.2, 24.8), (23.0, 23.1))
+    warm = measured(steel, (24.2, 24.8), (23.0, 23.1))
     assert warm.temperatures is not None
     assert warm.temperatures.artefact_c == (24.2, 24.8)
     assert warm.temperatures.arm_c == (23.0, 23.1)
@@ -69,9 +84,9 @@ def test_lengths_are_brought_to_20_degrees_by_the_mean_and_its_change_counts(fol
     ],
 )
 def test_nothing_is_decided_where_temperatures_were_not_steady(
-    folder: Path, artefact_c: tuple[float, float], arm_c: tuple[float, float], said: str
+    steel: Path, artefact_c: tuple[float, float], arm_c: tuple[float, float], said: str
 ) -> None:
-    result = measured(folder, artefact_c, arm_c)
+    result = measured(steel, artefact_c, arm_c)
     (problem,) = result.problems
     assert said.removeprefix("the ") in str(problem)
     (figure,) = result.figures
@@ -80,30 +95,98 @@ def test_nothing_is_decided_where_temperatures_were_not_steady(
     assert said in str(figure.reason)
     assert result.verdict.result == "uncertain"
     assert present(result.temperatures).steady is False
-    assert said.removeprefix("the ") in crenel("performance", "evaluate", folder).stderr
+    assert said.removeprefix("the ") in crenel("performance", "evaluate", steel).stderr
 
 
-def test_the_limits_are_those_of_the_plan(folder: Path) -> None:
-    planned(folder, temperature_limits=TemperatureLimitsPart(change_c=2.0, from_20_c=8.0))
-    result = measured(folder, (25.5, 27.4), (27.9, 27.0))
+def test_the_limits_are_those_of_the_plan(steel: Path) -> None:
+    planned(steel, temperature_limits=TemperatureLimitsPart(change_c=2.0, from_20_c=8.0))
+    result = measured(steel, (25.5, 27.4), (27.9, 27.0))
     assert not result.problems
     assert result.figures[0].decision == "pass"
     assert any("changed by 1.9 °C at most (limit 2.0 °C)" in str(note) for note in result.notes)
 
 
-def test_a_test_measured_at_its_beginning_alone_is_decided_and_says_so(folder: Path) -> None:
-    planned(folder, artefact_c=22.0)
-    result = evaluate_performance(folder)
+def test_a_test_measured_at_its_beginning_alone_is_decided_and_says_so(steel: Path) -> None:
+    planned(steel, artefact_c=22.0)
+    result = evaluate_performance(steel)
     assert result.figures[0].decision == "pass"
     assert result.temperatures is not None
     assert result.temperatures.steady is None
     assert result.temperatures.artefact_c == (22.0, None)
     assert any("steady is not known" in str(note) for note in result.notes)
-    result.write(folder / "performance.json")
-    assert PerformanceFile.read(folder / "performance.json") == result
+    result.write(steel / "performance.json")
+    assert PerformanceFile.read(steel / "performance.json") == result
 
 
-def test_damaged_temperatures_are_refused(folder: Path) -> None:
-    (folder / END_TEMPERATURES).write_text('{"format": "crenel/performance-end-temperatures"}')
+def test_damaged_temperatures_are_refused(steel: Path) -> None:
+    (steel / END_TEMPERATURES).write_text('{"format": "crenel/performance-end-temperatures"}')
     with pytest.raises(OperationError, match="version is None"):
-        evaluate_performance(folder)
+        evaluate_performance(steel)
+
+
+def test_away_from_20_degrees_lengths_are_stated_but_not_decided(folder: Path) -> None:
+    cold = evaluate_performance(folder)
+    assert cold.figures[0].decision == "pass"
+    result = evaluate_performance(planned(folder, artefact_c=22.0))
+    (figure,) = result.figures
+    assert figure.value == cold.figures[0].value
+    assert figure.decision == "uncertain"
+    for text in (figure.reason, *result.problems):
+        assert "Ball bar was at 22.0 °C" in str(text)
+        assert "no coefficient of expansion" in str(text)
+        assert "expansion_per_c" in str(text)
+        assert "does not expand: 0, and an uncertainty" in str(text)
+    assert result.verdict.result == "uncertain"
+    assert not any("are brought to 20 °C" in str(note) for note in result.notes)
+    assert "no coefficient of expansion" in crenel("performance", "evaluate", folder).stderr
+
+
+@pytest.mark.parametrize("celsius", [19.8, 20.0, 20.2])
+def test_near_20_degrees_an_unknown_expansion_is_neglected(folder: Path, celsius: float) -> None:
+    result = evaluate_performance(planned(folder, artefact_c=celsius))
+    assert result.figures[0].decision == "pass"
+    assert not result.problems
+    assert "are not brought to 20 °C" in str(result.notes[-1])
+
+
+@pytest.mark.parametrize(
+    "known", [{"expansion_per_c": 11.5e-6}, {"expansion_sd_per_c": 1e-8}], ids=["steel", "zero"]
+)
+def test_a_stated_expansion_is_decided_also_a_true_zero(
+    folder: Path, known: dict[str, float]
+) -> None:
+    planned(folder, artefact_c=22.0, length=BAR.model_copy(update=known))
+    result = evaluate_performance(folder)
+    assert result.figures[0].decision == "pass"
+    assert not result.problems
+    assert "are brought to 20 °C" in str(result.notes[-1])
+
+
+def test_the_temperature_at_the_end_counts_too(folder: Path) -> None:
+    planned(folder, artefact_c=20.1)
+    EndTemperatures(artefact_c=19.7).write(folder / END_TEMPERATURES)
+    assert "was at 19.7 °C" in str(evaluate_performance(folder).figures[0].reason)
+
+
+def test_an_unsteady_temperature_is_said_first(folder: Path) -> None:
+    result = evaluate_performance(planned(folder, artefact_c=30.0))
+    assert "more than 5.0 °C from 20" in str(result.figures[0].reason)
+    assert len(result.problems) == 2
+
+
+def test_sizes_of_the_sphere_are_not_decided_its_forms_and_locations_are() -> None:
+    plan = PerformancePlan(
+        id="t", kind="sphere", started_at="2026-11-26T10:00:00+00:00", sphere=SPHERE
+    )
+    found = unknown_expansions(plan, TemperatureSpan(22.0))
+    assert set(found) == set(BY_SPHERE)
+    lengths = plan.model_copy(update={"sphere": None, "length": BAR})
+    assert set(unknown_expansions(lengths, TemperatureSpan(22.0))) == set(BY_LENGTHS)
+    assert not unknown_expansions(plan, TemperatureSpan())
+
+
+def test_a_gauge_of_the_folder_is_judged_alike() -> None:
+    gauge = GaugeFile(shape="sphere", radius_mm=10.0, name="Sphere")
+    assert "Sphere was at 21.0 °C" in str(unknown_expansion(gauge, "Sphere", TemperatureSpan(21.0)))
+    known = gauge.model_copy(update={"expansion_per_c": 5e-6})
+    assert not unknown_expansion(known, "Sphere", TemperatureSpan(21.0))
