@@ -5,7 +5,6 @@ import doctest
 import importlib
 import re
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 
 import pytest
 
@@ -20,21 +19,14 @@ WITH_EXAMPLES = [module for module, path in SOURCES.items() if ">>> " in text_of
 SECTIONS = ("Args", "Returns", "Raises", "Source", "Example")
 HEADING = re.compile(r"^([A-Z][a-z]+):$", re.MULTILINE)
 ENTRY = re.compile(r"^    (\w[\w, ]*): ", re.MULTILINE)
+Documented = tuple[str, set[str], dict[str, str]]
+"""A function's name and arguments, and the text of each section of its docstring."""
 ERRORS = {"OperationError", "DetectionError", "ValueError", "KeyError"}
-
-
-@dataclass(frozen=True)
-class Documented:
-    """A function whose docstring has sections."""
-
-    name: str
-    arguments: frozenset[str]
-    sections: dict[str, str]
-    """The text of each."""
 
 
 @reads_tree
 def documented_functions(nodes: Sequence[ast.AST]) -> list[Documented]:
+    """The functions whose docstrings have sections."""
     found = []
     for node in nodes:
         if isinstance(node, ast.FunctionDef):
@@ -42,14 +34,15 @@ def documented_functions(nodes: Sequence[ast.AST]) -> list[Documented]:
             if parts:
                 given = (*node.args.posonlyargs, *node.args.args, *node.args.kwonlyargs)
                 sections = dict(zip(parts[::2], parts[1::2], strict=True))
-                found.append(Documented(node.name, frozenset(one.arg for one in given), sections))
+                found.append((node.name, {one.arg for one in given}, sections))
     return found
 
 
-def documented() -> Iterator[tuple[str, Documented]]:
+def documented() -> Iterator[Documented]:
     """Each such function of the package, by its whole name."""
     for module, path in SOURCES.items():
-        yield from ((f"{module}.{one.name}", one) for one in documented_functions(path))
+        for name, arguments, sections in documented_functions(path):
+            yield f"{module}.{name}", arguments, sections
 
 
 @pytest.mark.parametrize("module", WITH_EXAMPLES)
@@ -65,22 +58,21 @@ def test_examples_are_found() -> None:
 
 def test_sections_have_one_order() -> None:
     names = []
-    for name, function in documented():
-        sections = function.sections
+    for name, _, sections in documented():
         assert list(sections) == [one for one in SECTIONS if one in sections], name
         names.append(name)
     assert len(names) >= 100
 
 
 def test_arguments_are_those_of_the_function() -> None:
-    for name, function in documented():
-        for entry in ENTRY.findall(function.sections.get("Args", "")):
-            assert set(entry.split(", ")) <= function.arguments, f"{name}: {entry}"
+    for name, arguments, sections in documented():
+        for entry in ENTRY.findall(sections.get("Args", "")):
+            assert set(entry.split(", ")) <= arguments, f"{name}: {entry}"
 
 
 def test_errors_exist() -> None:
-    for name, function in documented():
-        raised = function.sections.get("Raises")
+    for name, _, sections in documented():
+        raised = sections.get("Raises")
         if raised is not None:
             assert set(ENTRY.findall(raised)) <= ERRORS, name
             assert ENTRY.search(raised), name
@@ -89,6 +81,6 @@ def test_errors_exist() -> None:
 def test_named_codes_are_raised() -> None:
     """Each code that a docstring names stands in the code of the package."""
     code = "\n".join(map(text_of, SOURCES.values()))
-    for name, function in documented():
-        for named in re.findall(r"``([a-z]+(?:-[a-z]+)+)``", function.sections.get("Raises", "")):
+    for name, _, sections in documented():
+        for named in re.findall(r"``([a-z]+(?:-[a-z]+)+)``", sections.get("Raises", "")):
             assert f'"{named}"' in code, f"{name}: {named}"

@@ -50,12 +50,10 @@ def beside_opencv() -> Iterator[Figure]:
         ("flange frame, rms", "flange, median µm", SESSIONS),
         ("rms over the sessions", "flange, rms µm", SESSIONS_RMS),
     ):
+        best = smallest_of_rows(key, "OpenCV, contacts")
         for label, name, read, better, readme in (
             ("Crenel (claims 18 µm)", "Crenel", at("Crenel", key), SMALLER, own),
-            (
-                *("OpenCV, contact points", "OpenCV, contacts"),
-                *(smallest_of_rows(key, "OpenCV, contacts"), AS_PRINTED, theirs),
-            ),
+            ("OpenCV, contact points", "OpenCV, contacts", best, AS_PRINTED, theirs),
         ):
             what, also = f"16 sessions, {name}: {column}", readme if key == IN_README else None
             yield figure(what, (label, column), read, better, tolerance, also)

@@ -105,11 +105,11 @@ def harder() -> Iterator[Figure]:
             read = at("boards", found, "found", "crenel")
             yield of_boards(what, (label, column), read, LARGER, SAME)
         for column, name in zip(HARDER_LINES, LINE_SETS.values(), strict=True):
-            harder = f"{name}, {kind}"
-            reads = {"missed": missed(harder), "false": of_lines(harder, "false", "crenel")}
+            changed = f"{name}, {kind}"
+            reads = {"missed": missed(changed), "false": of_lines(changed, "false", "crenel")}
             for which, (what, read) in enumerate(reads.items()):
                 yield figure(
-                    f"lines, {harder}: {what}", (label, column, which), read, SMALLER, SAME
+                    f"lines, {changed}: {what}", (label, column, which), read, SMALLER, SAME
                 )
 
 
