@@ -33,8 +33,10 @@ POSES = np.array([rigid(R, np.array([1500.0, 20.0 * k, 900.0])) for k, R in enum
 NONE = np.zeros(0)
 
 
-def board_session(folder: Path) -> Path:
-    write_session(folder)
+@pytest.fixture
+def folder(tmp_path: Path) -> Path:
+    """A robot's session with a chessboard and two pictures."""
+    folder = write_session(tmp_path / "s")
     write_arm(folder / "arm.json", ROBOT)
     write_object(folder / "object.json", BOARD)
     (folder / "probing.csv").unlink()
@@ -59,8 +61,8 @@ def read_board(folder: Path) -> BoardSession:
     return session
 
 
-def test_a_robots_session_reads_without_contacts(tmp_path: Path) -> None:
-    session = read_board(board_session(tmp_path / "s"))
+def test_a_robots_session_reads_without_contacts(folder: Path) -> None:
+    session = read_board(folder)
     assert session.board == BOARD
     assert session.arm == ROBOT
     assert session.contacts is None
@@ -69,8 +71,7 @@ def test_a_robots_session_reads_without_contacts(tmp_path: Path) -> None:
     assert np.allclose(readings, POSES[:2], atol=1e-12)
 
 
-def test_contacts_on_the_board_read_back(tmp_path: Path) -> None:
-    folder = board_session(tmp_path / "s")
+def test_contacts_on_the_board_read_back(folder: Path) -> None:
     write_contacts(folder / "probing.csv", ContactReadings(("board",) * 3, np.zeros((3, 0)), POSES))
     session = read_board(folder)
     assert session.contacts is not None
@@ -89,8 +90,7 @@ def test_an_arm_with_joints_may_look_at_a_board(tmp_path: Path) -> None:
     assert session.poses[0].reading.shape == (6,)
 
 
-def test_what_needs_a_block_refuses_a_board_and_a_robot(tmp_path: Path) -> None:
-    folder = board_session(tmp_path / "s")
+def test_what_needs_a_block_refuses_a_board_and_a_robot(folder: Path) -> None:
     assert read_object(folder / "object.json") == BOARD
     assert read_any_arm(folder / "arm.json") == ROBOT
     with pytest.raises(OperationError, match="chessboard"):
@@ -139,9 +139,8 @@ def moved(folder: Path) -> None:
     ],
 )
 def test_a_spoilt_board_session_is_refused(
-    tmp_path: Path, spoil: Callable[[Path], object], code: str, words: str
+    folder: Path, spoil: Callable[[Path], object], code: str, words: str
 ) -> None:
-    folder = board_session(tmp_path / "s")
     spoil(folder)
     with refused_as(code, words):
         read_any_session(folder)
@@ -153,8 +152,7 @@ def test_the_real_recordings_read(real: Path, tmp_path: Path, name: str, count: 
     assert len(read_board(folder).poses) == count
 
 
-def test_a_pose_may_have_no_laser_picture(tmp_path: Path) -> None:
-    folder = board_session(tmp_path / "s")
+def test_a_pose_may_have_no_laser_picture(folder: Path) -> None:
     first = ((1, "a", "ambient", POSES[0]), (1, "l", "laser", POSES[0]))
     write_poses(folder, *first, (2, "a", "ambient", POSES[1]))
     session = read_any_session(folder)
@@ -168,8 +166,7 @@ def test_a_pose_may_have_no_laser_picture(tmp_path: Path) -> None:
 CHARUCO = Chessboard("marked", "C-2", (7, 6), 10.0, 0.02, 0.1, Markers("DICT_5X5_100", 7.0, True))
 
 
-def test_a_charuco_board_reads_back(tmp_path: Path) -> None:
-    folder = board_session(tmp_path / "s")
+def test_a_charuco_board_reads_back(folder: Path) -> None:
     write_object(folder / "object.json", CHARUCO)
     session = read_board(folder)
     assert session.board == CHARUCO

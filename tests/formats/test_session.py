@@ -22,8 +22,13 @@ from tests.formats.builders import ARM, BLOCK, HEIGHT, POSE_DEG, WIDTH, edit_tex
 from tests.refusals import refused_as
 
 
-def test_a_session_reads(tmp_path: Path) -> None:
-    session = read_session(write_session(tmp_path / "s"))
+@pytest.fixture
+def folder(tmp_path: Path) -> Path:
+    return write_session(tmp_path / "s")
+
+
+def test_a_session_reads(folder: Path) -> None:
+    session = read_session(folder)
     assert session.block == BLOCK
     assert session.contacts.features == ("crest", "front", "left")
     np.testing.assert_allclose(session.contacts.q_rad, np.tile(np.deg2rad(POSE_DEG), (3, 1)))
@@ -65,8 +70,7 @@ def test_contacts_read_back(tmp_path: Path, points: list[tuple[str, list[float]]
     np.testing.assert_allclose(back.q_rad, q_rad, rtol=4e-16, atol=1e-300)
 
 
-def test_a_written_session_reads_back(tmp_path: Path) -> None:
-    folder = write_session(tmp_path / "s")
+def test_a_written_session_reads_back(folder: Path) -> None:
     picture = np.random.default_rng(1).integers(0, 65535, (HEIGHT, WIDTH)).astype(np.uint16)
     write_png(folder / "images/both.png", picture)
     q_rad = np.deg2rad(POSE_DEG) + 0.1
@@ -83,8 +87,7 @@ def test_a_written_session_reads_back(tmp_path: Path) -> None:
     np.testing.assert_array_equal(read_grey(last.ambient), picture)
 
 
-def test_order_of_columns_blank_lines_bom_and_line_ends_do_not_matter(tmp_path: Path) -> None:
-    folder = write_session(tmp_path / "s")
+def test_order_of_columns_blank_lines_bom_and_line_ends_do_not_matter(folder: Path) -> None:
     path = folder / "probing.csv"
     wanted = read_contacts(path, ARM)
     rows = [line.split(",") for line in path.read_text().splitlines()]
@@ -170,16 +173,15 @@ ARABIC = "-\u2068٨٤\u2069"
     ],
 )
 def test_a_spoilt_session_is_refused(
-    tmp_path: Path, spoil: Callable[[Path], object], code: str, said: str
+    folder: Path, spoil: Callable[[Path], object], code: str, said: str
 ) -> None:
-    folder = write_session(tmp_path / "s")
     spoil(folder)
     with refused_as(code, said, where=folder):
         read_session(folder)
 
 
-def test_semicolons_are_named(tmp_path: Path) -> None:
-    path = write_session(tmp_path / "s") / "probing.csv"
+def test_semicolons_are_named(folder: Path) -> None:
+    path = folder / "probing.csv"
     path.write_text(path.read_text().replace(",", ";").replace(".", ","))
     with pytest.raises(OperationError, match="not separated by commas"):
         read_contacts(path, ARM)
@@ -192,8 +194,8 @@ def test_a_folder_that_is_none_is_refused(tmp_path: Path) -> None:
             read_session(path)
 
 
-def test_angles_outside_the_limits_are_refused_but_not_at_the_stop(tmp_path: Path) -> None:
-    path = write_session(tmp_path / "s") / "probing.csv"
+def test_angles_outside_the_limits_are_refused_but_not_at_the_stop(folder: Path) -> None:
+    path = folder / "probing.csv"
     edit_text(path, "-84.5", str(np.rad2deg(-3.0) - 0.4))
     assert len(read_contacts(path, ARM).features) == 3
     edit_text(path, str(np.rad2deg(-3.0) - 0.4), str(np.rad2deg(-3.0) - 0.6))

@@ -402,8 +402,9 @@ FACE_FACTOR = 1.08
 def test_titles_of_figures_and_before_bars_fit_in_every_language(language: str) -> None:
     render = renderer(language)
 
-    def widest(*texts: Message, size: int | float) -> float:
-        return FACE_FACTOR * max(stringWidth(render(one), "Helvetica", size) for one in texts)
+    def widest(*texts: Text, size: float) -> float:
+        widths = [stringWidth(render(one), "Helvetica", size) for one in texts]
+        return float(FACE_FACTOR * max(widths))
 
     assert widest(*FIGURE_TITLES.values(), size=7.5) < LABELS - 8
     titles = (message("lengths-ball-bars-held-out"), message("tip-over-whole-reach"))

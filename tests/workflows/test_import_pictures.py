@@ -71,6 +71,11 @@ def write_scan(folder: Path, arm: AnyArm = ARM, timed: bool = True, apart: bool 
     return folder
 
 
+@pytest.fixture
+def folder(tmp_path: Path) -> Path:
+    return write_scan(tmp_path / "scan")
+
+
 def imported(folder: Path, settings: StripeSettings | None = None) -> ImportedScan:
     scan, out = read_scan_folder(folder), folder / "scan.mcap"
     return import_pictures(scan, out, "Bracket", settings or StripeSettings())
@@ -128,8 +133,7 @@ def test_poses_of_pictures_without_times_are_never_mixed(tmp_path: Path) -> None
         rebuilt(folder, delay_ns=20 * MS)
 
 
-def test_rows_may_be_in_any_order_and_without_the_laser(tmp_path: Path) -> None:
-    folder = write_scan(tmp_path / "scan")
+def test_rows_may_be_in_any_order_and_without_the_laser(folder: Path) -> None:
     head, *rows = (folder / "images.csv").read_text().splitlines()
     lights = ["laser", "ambient", "both", "ambient", "laser"]
     lit = [f"{row},{light}" for row, light in zip(rows, lights, strict=True)]
@@ -139,8 +143,7 @@ def test_rows_may_be_in_any_order_and_without_the_laser(tmp_path: Path) -> None:
     assert distances_mm(points, STAMPS_NS[::2]).max() < TOLERANCE_MM
 
 
-def test_pictures_that_cannot_be_read_or_are_dark_are_named(tmp_path: Path) -> None:
-    folder = write_scan(tmp_path / "scan")
+def test_pictures_that_cannot_be_read_or_are_dark_are_named(folder: Path) -> None:
     (folder / "images/0.png").unlink()
     (folder / "images/1.png").write_bytes(b"no picture")
     write_png(folder / "images/2.png", np.zeros((HEIGHT, WIDTH), np.uint8))
@@ -155,8 +158,7 @@ def test_pictures_that_cannot_be_read_or_are_dark_are_named(tmp_path: Path) -> N
     assert distances_mm(points, STAMPS_NS[-1:]).max() < TOLERANCE_MM
 
 
-def test_the_recording_says_how_the_stripes_were_extracted(tmp_path: Path) -> None:
-    folder = write_scan(tmp_path / "scan")
+def test_the_recording_says_how_the_stripes_were_extracted(folder: Path) -> None:
     imported(folder, StripeSettings(smoothing_px=1.0))
     again, _ = rebuilt(folder)
     assert any("smoothed along the laser line by 1 px" in str(one) for one in again.warnings)
@@ -192,8 +194,7 @@ def test_pictures_without_times_have_no_duration(tmp_path: Path) -> None:
     assert re.search(r"from the first to the last +no times", shown.stdout)
 
 
-def test_pictures_that_cannot_be_used_are_not_said_to_be_without_a_line(tmp_path: Path) -> None:
-    folder = write_scan(tmp_path / "scan")
+def test_pictures_that_cannot_be_used_are_not_said_to_be_without_a_line(folder: Path) -> None:
     for file in (folder / "images").iterdir():
         grey = read_grey(file)
         cv2.imwrite(str(file), np.dstack([0 * grey, 0 * grey, grey]))
@@ -202,8 +203,7 @@ def test_pictures_that_cannot_be_used_are_not_said_to_be_without_a_line(tmp_path
     assert "laser_wavelength_nm" in said
 
 
-def test_folders_may_be_separated_as_windows_does(tmp_path: Path) -> None:
-    folder = write_scan(tmp_path / "scan")
+def test_folders_may_be_separated_as_windows_does(folder: Path) -> None:
     table = folder / "images.csv"
     table.write_text(table.read_text().replace("images/", "images\\"))
     assert imported(folder).frames == 5
@@ -240,8 +240,7 @@ def test_pictures_and_readings_of_two_clocks_are_refused(tmp_path: Path) -> None
     assert "one clock" in said
 
 
-def test_without_any_line_nothing_is_written(tmp_path: Path) -> None:
-    folder = write_scan(tmp_path / "scan")
+def test_without_any_line_nothing_is_written(folder: Path, tmp_path: Path) -> None:
     for file in (folder / "images").iterdir():
         write_png(file, np.zeros((HEIGHT, WIDTH), np.uint8))
     (tmp_path / "scan.mcap").write_bytes(b"the scan before")
@@ -272,9 +271,8 @@ def test_a_real_robots_pictures_become_a_cloud_of_the_paper(real: Path, tmp_path
     assert 1.4826 * np.median(off) < 0.5
 
 
-def test_lines_along_the_other_axis_are_named(tmp_path: Path) -> None:
+def test_lines_along_the_other_axis_are_named(folder: Path) -> None:
     """A line that runs down the picture: in another picture, and a piece of it along the axis."""
-    folder = write_scan(tmp_path / "scan")
     down = np.pad(lit_picture(0).T[:, :HEIGHT], ((0, 0), (8, 8)), mode="edge")[:HEIGHT]
     write_png(folder / "images/0.png", np.ascontiguousarray(down))
     result = imported(folder)
