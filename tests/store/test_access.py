@@ -139,11 +139,8 @@ def test_the_audit_log_is_searched_in_the_readers_language_too(store: Store) -> 
 def test_the_audit_log_is_only_ever_added_to(store: Store) -> None:
     store.audit.note("Anna", "10.0.0.1", "pressed Stop")
     store.audit.note("", "10.0.0.2", "signed in", "wrong password" * 100)
-    newest = store.audit.newest(10)
-    assert [(entry.who, entry.act) for entry in newest] == [
-        ("", "signed in"),
-        ("Anna", "pressed Stop"),
-    ]
+    entries = [(entry.who, entry.act) for entry in store.audit.newest(10)]
+    assert entries == [("", "signed in"), ("Anna", "pressed Stop")]
     with open_database(store) as database:
         for statement in ("DELETE FROM audit", "UPDATE audit SET who = 'Eve'"):
             with pytest.raises(sqlite3.IntegrityError, match="append-only"):

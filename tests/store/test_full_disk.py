@@ -12,7 +12,6 @@ from app.errors import OperationError
 from app.messages.message import message
 from app.store.accounts import Role
 from app.store.backup import backup
-from app.store.database import Database
 from app.store.scans import ScanRecord
 from app.store.store import Store
 from tests.refusals import refused
@@ -90,13 +89,6 @@ def test_a_full_disk_is_no_broken_database(small: Path) -> None:
     assert "backup" not in failed.value.line
     filler.unlink()
     Store(small / "data").close()
-
-
-def test_a_damaged_database_is_no_full_disk(tmp_path: Path) -> None:
-    path = tmp_path / "station.db"
-    path.write_bytes(b"no database at all" * 1000)
-    with refused("database-unreadable"):
-        Database(path)
 
 
 def test_a_backup_that_finds_no_space_leaves_nothing(small: Path, tmp_path: Path) -> None:
