@@ -27,7 +27,6 @@ CLIENT, SECRET = "station-2", "kept secret by both"
 
 
 def rsa_key(kid: str) -> RSAKey:
-    """A new key with a name."""
     return RSAKey.generate_key(2048, {"kid": kid, "use": "sig"})
 
 
@@ -57,7 +56,6 @@ class OwnProvider:
     """The request of each code that was not used yet."""
 
     def settings(self, folder: Path, **others: object) -> SignInSettings:
-        """Those of its only client."""
         client = {"issuer": self.issuer, "client_id": CLIENT}
         return client_settings(folder, SECRET, **client | others)
 
