@@ -71,11 +71,8 @@ def archive_of(
 
 
 def content_of(folder: Path) -> Content:
-    return {
-        path.relative_to(folder).as_posix(): path.read_bytes()
-        for path in sorted(folder.rglob("*"))
-        if path.is_file()
-    }
+    files = (path for path in sorted(folder.rglob("*")) if path.is_file())
+    return {path.relative_to(folder).as_posix(): path.read_bytes() for path in files}
 
 
 def check_whole(archived: Content) -> list[Manifest]:

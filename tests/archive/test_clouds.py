@@ -137,11 +137,9 @@ def test_the_archive_states_how_many_points_the_cloud_has(room: Room) -> None:
     room.archive().run()
     (scan,) = (one for one in room.manifests() if one.kind == "scans")
     assert scan.points == 5
-    (record,) = (
-        one
-        for one in list_records(room.store.folder, lists_of(room.store), FIRST + timedelta(days=1))
-        if one.kind == "scans"
-    )
+    later = FIRST + timedelta(days=1)
+    records = list_records(room.store.folder, lists_of(room.store), later)
+    (record,) = (one for one in records if one.kind == "scans")
     assert record.is_cloud_left_out
 
 
