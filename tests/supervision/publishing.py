@@ -9,10 +9,9 @@ from app.supervision.broker_settings import BrokerSettings
 from app.supervision.messages import new_instance
 from app.supervision.remote_stations import Fleet
 
+CAMERA = DEVICE.model_copy(update={"name": "camera", "rate_hz": 30.0, "stamps": "device"})
 SENSORS = tuple(
-    DEVICE.model_copy(
-        update={"name": "camera", "sensor": name, "rate_hz": 30.0, "lost": lost, "stamps": "device"}
-    )
+    CAMERA.model_copy(update={"sensor": name, "lost": lost})
     for name, lost in (("left", 0), ("right", 12))
 )
 

@@ -71,7 +71,6 @@ class Watch:
         return found.state if found else "unheard"
 
     async def until(self, ready: Callable[[], object]) -> None:
-        """Waits until it is so."""
         began_s = time.monotonic()
         while not ready():
             assert time.monotonic() - began_s < PATIENCE_S, self.fleet.stations()

@@ -1,5 +1,7 @@
 """What waits to be looked at is bounded, and known stations come first."""
 
+import pytest
+
 from app.supervision.inbox import (
     LONGEST_BYTES,
     MOST_UNKNOWN,
@@ -10,9 +12,14 @@ from app.supervision.inbox import (
 )
 
 
-def made() -> tuple[Inbox, Unread]:
-    unread = Unread()
-    return Inbox("crenel", unread, lambda station: station.startswith("known")), unread
+@pytest.fixture
+def unread() -> Unread:
+    return Unread()
+
+
+@pytest.fixture
+def inbox(unread: Unread) -> Inbox:
+    return Inbox("crenel", unread, lambda station: station.startswith("known"))
 
 
 def drained(inbox: Inbox) -> list[tuple[str, bytes]]:
@@ -22,8 +29,9 @@ def drained(inbox: Inbox) -> list[tuple[str, bytes]]:
     return found
 
 
-def test_the_latest_of_a_topic_wins_and_known_stations_come_first() -> None:
-    inbox, unread = made()
+def test_the_latest_of_a_topic_wins_and_known_stations_come_first(
+    inbox: Inbox, unread: Unread
+) -> None:
     for number in range(TOLERATED):
         inbox.put("crenel/new/report", b"%d" % number, False)
         inbox.put("crenel/known-1/report", b"%d" % number, False)
@@ -33,8 +41,7 @@ def test_the_latest_of_a_topic_wins_and_known_stations_come_first() -> None:
     assert drained(inbox) == []
 
 
-def test_a_flood_of_one_topic_is_counted() -> None:
-    inbox, unread = made()
+def test_a_flood_of_one_topic_is_counted(inbox: Inbox, unread: Unread) -> None:
     for _ in range(TOLERATED + 5):
         inbox.put("crenel/known-1/report", b"x", False)
     assert unread.counts == {"often": 5}
@@ -43,8 +50,9 @@ def test_a_flood_of_one_topic_is_counted() -> None:
     assert unread.counts == {"often": 5}, "it is at an end"
 
 
-def test_the_longest_waiting_of_unknown_stations_is_dropped_first() -> None:
-    inbox, unread = made()
+def test_the_longest_waiting_of_unknown_stations_is_dropped_first(
+    inbox: Inbox, unread: Unread
+) -> None:
     inbox.put("crenel/known-1/report", b"x", False)
     for number in range(MOST_UNKNOWN + 3):
         inbox.put(f"crenel/new-{number}/report", b"x", False)
@@ -54,8 +62,7 @@ def test_the_longest_waiting_of_unknown_stations_is_dropped_first() -> None:
     assert (stations[0], stations[1]) == ("known-1", "new-3")
 
 
-def test_what_waits_of_unknown_stations_is_bounded_in_bytes() -> None:
-    inbox, unread = made()
+def test_what_waits_of_unknown_stations_is_bounded_in_bytes(inbox: Inbox, unread: Unread) -> None:
     payload = b"x" * LONGEST_BYTES["report"]
     fitting = MOST_UNKNOWN_BYTES // len(payload)
     for _ in range(2):
@@ -67,8 +74,7 @@ def test_what_waits_of_unknown_stations_is_bounded_in_bytes() -> None:
     assert unread.counts == {"crowded": 4}
 
 
-def test_what_is_too_long_or_of_no_station_is_not_kept() -> None:
-    inbox, unread = made()
+def test_what_is_too_long_or_of_no_station_is_not_kept(inbox: Inbox, unread: Unread) -> None:
     for kind, longest in LONGEST_BYTES.items():
         inbox.put(f"crenel/a/{kind}", b"x" * (longest + 1), False)
     for topic in (

@@ -20,13 +20,7 @@ from app.messages.message import message
 from app.station.bus import Event
 from app.supervision import webhook as webhook_module
 from app.supervision.notifications import Notice, NoticeDeduplicator, NoticeKind, notice_kind
-from app.supervision.webhook import (
-    MOST_WAITING,
-    Webhook,
-    WebhookSettings,
-    WebhookStore,
-    check_url,
-)
+from app.supervision.webhook import MOST_WAITING, Webhook, WebhookSettings, WebhookStore, check_url
 
 pytestmark = pytest.mark.device
 
@@ -76,15 +70,8 @@ def receiver() -> Iterator[Receiver]:
 
 
 def notice(number: int, kind: NoticeKind = "done") -> Notice:
-    return Notice(
-        number=number,
-        station="a",
-        instance="i",
-        name="A",
-        kind=kind,
-        at="2026-11-21T12:00:00Z",
-        text=f"scan {number} is saved",
-    )
+    at, text = "2026-11-21T12:00:00Z", f"scan {number} is saved"
+    return Notice(number=number, station="a", instance="i", name="A", kind=kind, at=at, text=text)
 
 
 def sending(webhook: Webhook, act: Callable[[], Awaitable[None]]) -> None:
@@ -99,6 +86,17 @@ def sending(webhook: Webhook, act: Callable[[], Awaitable[None]]) -> None:
     asyncio.run(run())
 
 
+def send(webhook: Webhook, count: int, ended: Callable[[], object]) -> None:
+    """Offers so many notices, numbered from 1, and waits for what comes of them."""
+
+    async def act() -> None:
+        for number in range(1, count + 1):
+            webhook.offer(notice(number))
+        await until(ended)
+
+    sending(webhook, act)
+
+
 async def until(ready: Callable[[], object]) -> None:
     while not ready():
         await asyncio.sleep(0.01)
@@ -107,12 +105,7 @@ async def until(ready: Callable[[], object]) -> None:
 def test_a_notice_arrives_signed_and_is_tried_again_until_it_does(receiver: Receiver) -> None:
     receiver.answers = [503, 429, 200]
     webhook = Webhook(WebhookSettings(url=receiver.url, secret=SECRET), PAUSES_S)
-
-    async def act() -> None:
-        webhook.offer(notice(1))
-        await until(lambda: webhook.sent == 1)
-
-    sending(webhook, act)
+    send(webhook, 1, lambda: webhook.sent == 1)
     assert (webhook.failed, webhook.trouble) == (0, "")
     assert len(receiver.taken) == 3
     for headers, body in receiver.taken:
@@ -132,13 +125,7 @@ def test_what_is_never_taken_is_given_up_and_the_next_is_sent(
     webhook = Webhook(WebhookSettings(url=receiver.url), PAUSES_S)
     troubles: list[str] = []
     webhook.on_change = lambda: troubles.append(str(webhook.trouble))
-
-    async def act() -> None:
-        webhook.offer(notice(1))
-        webhook.offer(notice(2))
-        await until(lambda: webhook.sent == 1 and webhook.failed == 1)
-
-    sending(webhook, act)
+    send(webhook, 2, lambda: webhook.sent == 1 and webhook.failed == 1)
     assert f"status {status}" in troubles
     numbers = [json.loads(body)["number"] for _, body in receiver.taken]
     assert sorted(numbers) == [1] * tries + [2]
@@ -231,12 +218,7 @@ def test_an_answer_that_never_ends_holds_nobody_up(monkeypatch: pytest.MonkeyPat
         listening, serving = drip(words, b"x" * 100)
         url = f"http://127.0.0.1:{listening.getsockname()[1]}/"
         webhook = Webhook(WebhookSettings(url=url), PAUSES_S[:1])
-
-        async def act(webhook: Webhook = webhook) -> None:
-            webhook.offer(notice(1))
-            await until(lambda: webhook.sent + webhook.failed)
-
-        sending(webhook, act)
+        send(webhook, 1, lambda webhook=webhook: webhook.sent + webhook.failed)  # type: ignore[misc]
         listening.shutdown(socket.SHUT_RDWR)
         serving.join()
         listening.close()
@@ -261,12 +243,8 @@ def test_the_settings_are_for_the_owner_alone(tmp_path: Path) -> None:
     assert store.read() == settings
     (file,) = tmp_path.iterdir()
     assert file.stat().st_mode & 0o077 == 0
-    for wrong in (
-        "{",
-        '{"url": "http://["}',
-        '{"url": 7}',
-        '{"url": "http://x/", "secret": "\\ud800"}',
-    ):
+    strange_secret = '{"url": "http://x/", "secret": "\\ud800"}'
+    for wrong in ("{", '{"url": "http://["}', '{"url": 7}', strange_secret):
         file.write_text(wrong)
         assert store.read() == WebhookSettings()
 
