@@ -43,6 +43,7 @@ def test_the_samples_read(samples: Path) -> None:
     for name in ("one-pose", "many-poses", "metal"):
         session = read_session(samples / name)
         counts[name] = (len(session.poses), session.contacts.q_rad.shape)
+        assert session.sensor.width_px == 1280
         assert read_grey(session.poses[0].ambient).shape == (1024, 1280)
     assert counts == {"one-pose": (1, (45, 6)), "many-poses": (8, (36, 7)), "metal": (3, (42, 6))}
 

@@ -126,20 +126,6 @@ def test_a_scale_error_shows_in_the_lengths(tmp_path: Path) -> None:
     assert evaluate_performance(good).figures[0].decision == "pass"
 
 
-def test_lengths_are_brought_to_20_degrees(tmp_path: Path) -> None:
-    folder = write_test(tmp_path / "t", "lengths", length_groups(1.0, range(1, 2)), ())
-    cold = evaluate_performance(folder)
-    assert "temperature was not stated" in str(cold.notes[-1])
-    planned(folder, artefact_c=25.0, length=BAR.model_copy(update=STEEL))
-    warm = evaluate_performance(folder)
-    for before, after in zip(cold.lengths, warm.lengths, strict=True):
-        shrunk_um = 1e3 * before.length_mm * 11.5e-6 * 5
-        assert before.error_um - after.error_um == pytest.approx(shrunk_um, rel=1e-3)
-        by_coefficient_um = 2 * 1e3 * before.length_mm * 1e-6 * 5
-        expected_um = np.hypot(before.test_uncertainty_um, by_coefficient_um)
-        assert after.test_uncertainty_um == pytest.approx(expected_um, rel=1e-6)
-
-
 def test_no_length_is_stated_of_a_standard_that_rocks(tmp_path: Path) -> None:
     random = np.random.default_rng(5)
     shaken = [

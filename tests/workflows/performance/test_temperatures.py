@@ -52,9 +52,24 @@ def measured(
     return evaluate_performance(folder)
 
 
+def require_brought(
+    cold: PerformanceFile, warm: PerformanceFile, above_c: float, sd_c: float
+) -> None:
+    """Lengths are brought to 20 °C from so far above it, as is known to a standard deviation."""
+    for before, after in zip(cold.lengths, warm.lengths, strict=True):
+        length_um = 1e3 * before.length_mm
+        shrunk_um = length_um * EXPANSION * above_c
+        assert before.error_um - after.error_um == pytest.approx(shrunk_um, rel=1e-3)
+        by_temperature, by_coefficient = EXPANSION * sd_c, EXPANSION_SD * above_c
+        sds_um = 2 * length_um * np.array([by_temperature, by_coefficient])
+        expected_um = np.linalg.norm([before.test_uncertainty_um, *sds_um])
+        assert after.test_uncertainty_um == pytest.approx(expected_um, rel=1e-6)
+
+
 def test_lengths_are_brought_to_20_degrees_by_the_mean_and_its_change_counts(steel: Path) -> None:
     cold = evaluate_performance(steel)
     assert cold.temperatures is None
+    assert "temperature was not stated" in str(cold.notes[-1])
     warm = measured(steel, (24.2, 24.8), (23.0, 23.1))
     assert warm.temperatures is not None
     assert warm.temperatures.artefact_c == (24.2, 24.8)
@@ -62,15 +77,7 @@ def test_lengths_are_brought_to_20_degrees_by_the_mean_and_its_change_counts(ste
     assert warm.temperatures.steady
     assert "24.2 to 24.8" in str(warm.notes[-1])
     assert END_TEMPERATURES in {one.file for one in warm.inputs}
-    for before, after in zip(cold.lengths, warm.lengths, strict=True):
-        length_um = 1e3 * before.length_mm
-        shrunk_um = length_um * EXPANSION * 4.5
-        assert before.error_um - after.error_um == pytest.approx(shrunk_um, rel=1e-3)
-        by_temperature = length_um * EXPANSION * np.sqrt(0.1**2 + 0.6**2 / 12)
-        by_coefficient = length_um * EXPANSION_SD * 4.5
-        parts = [before.test_uncertainty_um, 2 * by_temperature, 2 * by_coefficient]
-        expected = np.linalg.norm(parts)
-        assert after.test_uncertainty_um == pytest.approx(expected, rel=1e-6)
+    require_brought(cold, warm, 4.5, np.sqrt(0.1**2 + 0.6**2 / 12))
     assert warm.figures[0].decision == "pass"
 
 
@@ -107,12 +114,13 @@ def test_the_limits_are_those_of_the_plan(steel: Path) -> None:
 
 
 def test_a_test_measured_at_its_beginning_alone_is_decided_and_says_so(steel: Path) -> None:
-    planned(steel, artefact_c=22.0)
-    result = evaluate_performance(steel)
+    cold = evaluate_performance(steel)
+    result = evaluate_performance(planned(steel, artefact_c=25.0))
+    require_brought(cold, result, 5.0, 0.0)
     assert result.figures[0].decision == "pass"
     assert result.temperatures is not None
     assert result.temperatures.steady is None
-    assert result.temperatures.artefact_c == (22.0, None)
+    assert result.temperatures.artefact_c == (25.0, None)
     assert any("steady is not known" in str(note) for note in result.notes)
     result.write(steel / "performance.json")
     assert PerformanceFile.read(steel / "performance.json") == result
