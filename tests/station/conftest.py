@@ -3,6 +3,7 @@
 import threading
 import time
 from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from pathlib import Path
 
 import numpy as np
@@ -24,7 +25,10 @@ from hardware.interfaces import (
     SensorInfo,
     SensorReading,
 )
+from hardware.simulator.station import SimulatedStation
 
+Joints = Callable[[float], np.ndarray]
+"""Joint angles at a time in seconds."""
 RATE_HZ = 500.0
 REST_RAD = np.radians([10.0, -40.0, 60.0, 20.0, 35.0, -15.0])
 WIDTH, HEIGHT = 320, 240
@@ -45,7 +49,7 @@ class Bench:
     """What the test does to the devices, and what they share over reconnections."""
 
     def __init__(self) -> None:
-        self.joints_at: Callable[[float], np.ndarray] = lambda seconds: REST_RAD
+        self.joints_at: Joints = lambda seconds: REST_RAD
         self.noise_rad = 1e-5
         self.arm_plugged = True
         self.arm_silent = False
@@ -72,6 +76,19 @@ class Bench:
         self.start_s = time.monotonic()
 
 
+def smooth_path(left: Joints, there: Joints, since_s: float) -> Joints:
+    """From one script's place to another one's, also if the first was not reached yet."""
+
+    def path(seconds: float) -> np.ndarray:
+        share = min((seconds - since_s) / TAKEN_S, 1.0)
+        if share == 1.0:
+            return there(seconds)
+        share = share**3 * (10 - 15 * share + 6 * share**2)
+        return left(seconds) * (1 - share) + there(seconds) * share
+
+    return path
+
+
 class ScriptedArm:
     def __init__(self, bench: Bench) -> None:
         self.bench = bench
@@ -79,19 +96,14 @@ class ScriptedArm:
         self.random = np.random.default_rng(4)
         self.sequence = 0
         self.next_ns = 0
-        self.followed = self.left = bench.joints_at
-        self.left_s = -TAKEN_S
+        self.followed = self.path = bench.joints_at
 
     def joints(self, seconds: float) -> np.ndarray:
         """Where the bench's script has the arm; a new script is reached in one smooth motion."""
         if self.bench.joints_at is not self.followed:
-            self.left, self.followed, self.left_s = self.followed, self.bench.joints_at, seconds
-        share = min((seconds - self.left_s) / TAKEN_S, 1.0)
-        there = self.followed(seconds)
-        if share == 1.0:
-            return there
-        share = share**3 * (10 - 15 * share + 6 * share**2)
-        return self.left(seconds) * (1 - share) + there * share
+            self.followed = self.bench.joints_at
+            self.path = smooth_path(self.path, self.followed, seconds)
+        return self.path(seconds)
 
     def open(self) -> ArmInfo:
         if not self.bench.arm_plugged:
@@ -192,6 +204,13 @@ class ScriptedSensor:
         self.bench.laser_on = False
 
 
+@pytest.fixture(scope="module")
+def simulation(request: pytest.FixtureRequest) -> Iterator[SimulatedStation]:
+    """A simulated station of the module's ``CONFIG``."""
+    with SimulatedStation(request.module.CONFIG) as running:
+        yield running
+
+
 @pytest.fixture
 def bench() -> Bench:
     return Bench()
@@ -206,19 +225,34 @@ def bus() -> Bus:
 def rig(bench: Bench, bus: Bus, tmp_path: Path) -> Iterator[Rig]:
     rig = Rig(bus, lambda: ScriptedArm(bench), lambda: ScriptedSensor(bench), tmp_path)
     rig.arm.set_model(six_axis_arm())
+    with running(rig):
+        ready(rig)
+        yield rig
+
+
+@contextmanager
+def running(rig: Rig) -> Iterator[Rig]:
     rig.start()
-    yield rig
-    rig.stop()
+    try:
+        yield rig
+    finally:
+        rig.stop()
+
+
+def ready(rig: Rig) -> None:
+    until(lambda: rig.arm.stillness().still and rig.sensor.fresh)
 
 
 def collect_readings(rig: Rig, count: int) -> list[SensorReading]:
     """So many pictures or lines of the sensor, as they come."""
     tap = rig.sensor.frames.tap(count)
     readings: list[SensorReading] = []
-    deadline = time.monotonic() + 240
-    while len(readings) < count:
-        assert time.monotonic() < deadline, f"only {len(readings)}"
-        readings += tap.get(count, 0.2)
+
+    def are_enough() -> bool:
+        readings.extend(tap.get(count, 0.2))
+        return len(readings) >= count
+
+    until(are_enough)
     rig.sensor.frames.untap(tap)
     return readings
 

@@ -5,7 +5,7 @@ import signal
 import subprocess
 import sys
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 
 import pytest
 
@@ -22,43 +22,36 @@ for line in sys.stdin:
 """
 
 
+def seconds(process: subprocess.Popen[str]) -> tuple[float, float]:
+    """Wall-clock and awake seconds of a process."""
+    assert process.stdin is not None
+    assert process.stdout is not None
+    process.stdin.write("\n")
+    process.stdin.flush()
+    wall_s, awake_s = process.stdout.readline().split()
+    return float(wall_s), float(awake_s)
+
+
 @pytest.fixture
 def process() -> Iterator[subprocess.Popen[str]]:
     command = [sys.executable, "-c", SCRIPT]
     with subprocess.Popen(
         command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True
     ) as running:
+        seconds(running)
         yield running
 
 
-@pytest.fixture
-def seconds(process: subprocess.Popen[str]) -> Callable[[], tuple[float, float]]:
-    """Wall-clock and awake seconds of a process."""
-
-    def ask() -> tuple[float, float]:
-        assert process.stdin is not None
-        assert process.stdout is not None
-        process.stdin.write("\n")
-        process.stdin.flush()
-        wall_s, awake_s = process.stdout.readline().split()
-        return float(wall_s), float(awake_s)
-
-    ask()
-    return ask
-
-
-def test_it_stands_while_the_program_is_stopped(
-    process: subprocess.Popen[str], seconds: Callable[[], tuple[float, float]]
-) -> None:
+def test_it_stands_while_the_program_is_stopped(process: subprocess.Popen[str]) -> None:
     os.kill(process.pid, signal.SIGSTOP)
     time.sleep(1.5)
     os.kill(process.pid, signal.SIGCONT)
-    wall_s, awake_s = seconds()
+    wall_s, awake_s = seconds(process)
     assert wall_s >= 1.5
     assert awake_s <= wall_s - 1.0
 
 
-def test_it_goes_on_while_the_program_runs(seconds: Callable[[], tuple[float, float]]) -> None:
-    until(lambda: seconds()[1] >= 0.5)
-    wall_s, awake_s = seconds()
+def test_it_goes_on_while_the_program_runs(process: subprocess.Popen[str]) -> None:
+    until(lambda: seconds(process)[1] >= 0.5)
+    wall_s, awake_s = seconds(process)
     assert awake_s <= wall_s + 0.05

@@ -1,6 +1,7 @@
 """What the cloud's colours mean, from the scale to what a browser is sent."""
 
 from collections.abc import Iterator
+from contextlib import closing
 
 import numpy as np
 import pytest
@@ -10,23 +11,16 @@ from app.station.view3d.cloud_colouring import ATTRIBUTES, CloudColouring, Refer
 from app.station.view3d.colormaps import APART, BALANCE, NO_VALUE, SCALE, map_colours, oklab, srgb
 from app.station.view3d.scene import Scene
 from tests.station.conftest import until
-from tests.station.viewer import Viewer
+from tests.station.viewer import Viewer, viewer
 
 pytestmark = pytest.mark.device
+__all__ = ["viewer"]  # a fixture
 
 
 @pytest.fixture
 def scene() -> Iterator[Scene]:
-    scene = Scene(point_budget=30_000)
-    yield scene
-    scene.close()
-
-
-@pytest.fixture
-def viewer(scene: Scene) -> Iterator[Viewer]:
-    viewer = Viewer(scene)
-    yield viewer
-    viewer.close()
+    with closing(Scene(point_budget=30_000)) as scene:
+        yield scene
 
 
 def slope(count: int, seed: int = 1) -> Points:
@@ -38,13 +32,9 @@ def slope(count: int, seed: int = 1) -> Points:
 def colours(viewer: Viewer) -> np.ndarray:
     """(N, 6) place and colour of every point that a browser shows, once it shows any."""
     until(lambda: bool(viewer.listen().clouds()))
-    clouds = viewer.clouds()
-    return np.concatenate(
-        [
-            np.column_stack([points, viewer.nodes[name]["props"]["colors"].reshape(-1, 3)])
-            for name, points in clouds.items()
-        ]
-    )
+    nodes, clouds = viewer.nodes, viewer.clouds()
+    rgb = [nodes[name]["props"]["colors"].reshape(-1, 3) for name in clouds]
+    return np.column_stack([np.concatenate([*clouds.values()]), np.concatenate(rgb)])
 
 
 def expected(values: np.ndarray, low: float, high: float) -> np.ndarray:
@@ -88,10 +78,7 @@ def test_more_is_lighter_and_both_grounds_show_it() -> None:
 
 def test_beyond_its_limits_a_value_has_the_outermost_colour() -> None:
     found = map_colours(np.array([-5.0, 0, 10, 99, np.nan]), 0.0, 10.0, SCALE)
-    assert found.tolist() == [
-        *(SCALE[i].tolist() for i in (0, 0, 255, 255)),
-        list(NO_VALUE),
-    ]
+    assert found.tolist() == [*(SCALE[i].tolist() for i in (0, 0, 255, 255)), list(NO_VALUE)]
 
 
 def test_a_browser_gets_other_colours_for_the_points_it_has(scene: Scene, viewer: Viewer) -> None:
@@ -119,9 +106,8 @@ def test_a_late_viewer_sees_the_present_colours(scene: Scene) -> None:
     until(lambda: scene.points_shown > 0)
     scene.colour_by("uncertainty", (3.0, 9.0))
     until(lambda: all(not view.repaint(1) for view in scene._clouds._views.values()))
-    viewer = Viewer(scene)
-    found = colours(viewer)
-    viewer.close()
+    with closing(Viewer(scene)) as viewer:
+        found = colours(viewer)
     assert np.abs(found[:, 3:] - expected(3 + found[:, 1] / 10, 3, 9)).max() <= 3
 
 

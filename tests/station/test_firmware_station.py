@@ -1,7 +1,6 @@
 """The station on the arm's firmware, run by simavr: touches, and a camera that it triggers."""
 
 from collections.abc import Iterator
-from contextlib import ExitStack
 from functools import partial
 from pathlib import Path
 
@@ -12,17 +11,16 @@ from app.guide.calibration.touch.block import suggest_places
 from app.metrology.arm.kinematics import tip_centres
 from app.metrology.arm.reading_interpolation import shortest_turn
 from app.metrology.probing.alignment import align
-from app.metrology.targets.crenellated_block import Crenellated
 from app.station.bus import Bus
 from app.station.devices.rig import Rig
 from app.station.pulses.pulse_trigger import TriggerSettings
 from hardware.clock import now_ns
-from hardware.interfaces import Frame
 from hardware.registry import arm_driver
 from hardware.simulator.station import SimulatedStation, SimulationConfig
 from tests.guide.builders import contact_joints
 from tests.hardware.firmware.board import Board, build_board, build_firmware, missing_tool
-from tests.station.conftest import six_axis_arm, until
+from tests.station.conftest import collect_readings, running, six_axis_arm, until
+from tests.station.test_scene import BLOCK
 
 pytestmark = [
     pytest.mark.device,
@@ -34,17 +32,6 @@ FACES = ("crest", "front", "left")
 RATE_HZ = 6.0
 SWING_MS = 300
 """As a hand does: a jump would be an encoder's fault to the station."""
-BLOCK = Crenellated(
-    "block",
-    "B-1",
-    (-22.0, -14.0, -7.0, -2.0, 5.0, 10.0, 17.0, 22.0),
-    -12.0,
-    12.0,
-    15.0,
-    0.0,
-    -12.0,
-    0.002,
-)
 
 
 @pytest.fixture
@@ -63,11 +50,12 @@ def test_a_calibrations_touches_are_taken_through_it(board: Board, tmp_path: Pat
     """Nine on each of three faces; each is read to the step of the encoders."""
     arm = six_axis_arm()
     config = SimulationConfig(width_px=320, height_px=256)
-    with SimulatedStation(config) as simulation, ExitStack() as running:
-        rig = Rig(Bus(), lambda: arm_driver("bridge", options(board)), simulation.sensor, tmp_path)
+    driver = partial(arm_driver, "bridge", options(board))
+    with (
+        SimulatedStation(config) as simulation,
+        running(Rig(Bus(), driver, simulation.sensor, tmp_path)) as rig,
+    ):
         rig.arm.set_model(arm)
-        running.callback(rig.stop)
-        rig.start()
         until(lambda: rig.arm.fresh)
         board.tell("glide", SWING_MS)
         readings, faces = [], []
@@ -101,30 +89,16 @@ def test_its_pulses_pair_arm_and_camera(board: Board, tmp_path: Path) -> None:
     """The first encoder turns on after each pulse, so that its angle numbers the pulses; frames
     arrive with ± 20 ms of jitter, and 1 % of them are lost."""
     config = SimulationConfig(triggered=True, jitter_ms=20.0, width_px=320, height_px=256)
-    with SimulatedStation(config) as simulation, ExitStack() as running:
+    with SimulatedStation(config) as simulation:
         simulation.camera_faults.drop_rate = 0.01
         sensor = simulation.sensor()
-        rig = Rig(
-            Bus(),
-            lambda: arm_driver("bridge", options(board)),
-            lambda: sensor,
-            tmp_path,
-            TriggerSettings(RATE_HZ),
-        )
-
+        arm = partial(arm_driver, "bridge", options(board))
+        rig = Rig(Bus(), arm, lambda: sensor, tmp_path, TriggerSettings(RATE_HZ))
         board.tell("step", 20)
         board.on_pulse = lambda number: simulation.trigger_camera(now_ns())
-        running.callback(rig.stop)
-        rig.start()
-        until(lambda: rig.sensor.is_paired)
-        tap = rig.sensor.frames.tap(64)
-        frames: list[Frame] = []
-
-        def collect() -> bool:
-            frames.extend(one for one in tap.get(64, 0.1) if isinstance(one, Frame))
-            return len(frames) >= 24
-
-        until(collect)
+        with running(rig):
+            until(lambda: rig.sensor.is_paired)
+            frames = collect_readings(rig, 24)
     numbers = []
     for frame in frames:
         at = rig.arm.at(frame.mid_exposure_ns - round(500 * frame.exposure_us), 0.0)

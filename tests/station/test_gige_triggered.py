@@ -2,6 +2,7 @@
 
 import threading
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 
 import numpy as np
@@ -14,9 +15,9 @@ from hardware.interfaces import Frame, Line, SensorDriver, SensorReading
 from hardware.simulator.station import SimulatedStation
 from tests.hardware.fake_cameras import ADDRESS
 from tests.hardware.test_genicam import require_aravis
-from tests.station.conftest import collect_readings, until
-from tests.station.test_gige_lines import BOTH
-from tests.station.test_on_simulation import CONFIG
+from tests.station.conftest import collect_readings, running, until
+from tests.station.simulated import USUAL
+from tests.station.test_lines import BOTH
 from tests.station.test_triggered import half_ns, noting_arm
 
 pytestmark = [pytest.mark.device, pytest.mark.xdist_group("gige")]
@@ -47,23 +48,12 @@ def test_pulses_and_lines_are_paired_exactly_after_each_change(
         return driver
 
     config = replace(
-        CONFIG,
-        delivers=BOTH,
-        camera="gige",
-        camera_address=ADDRESS,
-        triggered=True,
-        rate_hz=200.0,
+        USUAL, delivers=BOTH, camera="gige", camera_address=ADDRESS, triggered=True, rate_hz=200.0
     )
     with SimulatedStation(config) as simulation:
-        rig = Rig(
-            bus,
-            lambda: noting_arm(simulation.arm_url, pulses),
-            make_sensor,
-            tmp_path,
-            TriggerSettings(RATE_HZ),
-        )
-        rig.start()
-        try:
+        arm = partial(noting_arm, simulation.arm_url, pulses)
+        rig = Rig(bus, arm, make_sensor, tmp_path, TriggerSettings(RATE_HZ))
+        with running(rig):
             until(lambda: rig.sensor.is_paired)
             for lines, kind in ((True, Line), (False, Frame)):
                 rig.sensor.want_lines(lines)
@@ -81,5 +71,3 @@ def test_pulses_and_lines_are_paired_exactly_after_each_change(
                 assert len(set(offsets)) == 1, "the counts of arm and camera go together"
                 late_ns = stamps - np.array([camera_times_ns[one.sequence] for one in readings])
                 assert abs(np.median(late_ns)) < 0.5e9 / RATE_HZ, "and by the right offset"
-        finally:
-            rig.stop()

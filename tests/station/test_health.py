@@ -6,6 +6,7 @@ import logging
 import threading
 import time
 from collections.abc import Iterator
+from contextlib import closing
 from pathlib import Path
 
 import pytest
@@ -21,8 +22,11 @@ from app.station.devices.link_state import Losses, LossWindow
 from app.station.devices.temperature import Temperature, TemperatureWatch
 from hardware.simulator.scene.world import RoomThermometer
 from hardware.thermometer import FileThermometer
+from tests.station.conftest import until
 
 pytestmark = pytest.mark.device
+
+LOG = logging.getLogger("app.test_health")
 
 
 def hold_up(seconds: float) -> None:
@@ -55,28 +59,23 @@ def test_a_loop_that_is_held_up_is_counted_with_the_stack_of_what_does_it(
 
 @pytest.fixture
 def book(tmp_path: Path) -> Iterator[LogStore]:
-    opened = LogStore(tmp_path)
-    yield opened
-    opened.close()
+    with closing(LogStore(tmp_path)) as opened:
+        yield opened
 
 
 def test_what_is_logged_is_read_by_level_and_words(book: LogStore) -> None:
-    log = logging.getLogger("app.test_health")
     began = time.time()
-    log.debug("too small")
-    log.info("the arm %s", "came back")
-    log.warning("the camera is slow", extra={"trace": "in this place"})
+    LOG.debug("too small")
+    LOG.info("the arm %s", "came back")
+    LOG.warning("the camera is slow", extra={"trace": "in this place"})
     logging.getLogger("other").info("not ours")
     try:
         raise RuntimeError("three")
     except RuntimeError:
-        log.exception("the camera failed")
+        LOG.exception("the camera failed")
     written(book, 3)
-    assert [line.text for line in book.read("info", "", 10)] == [
-        "the camera failed",
-        "the camera is slow",
-        "the arm came back",
-    ]
+    texts = [line.text for line in book.read("info", "", 10)]
+    assert texts == ["the camera failed", "the camera is slow", "the arm came back"]
     assert [line.level for line in book.read("warning", "CAMERA", 10)] == ["error", "warning"]
     (failure,) = book.read("error", "runtimeerror", 10)
     assert "RuntimeError: three" in failure.trace
@@ -91,10 +90,9 @@ def test_what_is_logged_is_read_by_level_and_words(book: LogStore) -> None:
 def test_a_message_is_logged_with_its_data_and_searched_in_the_readers_language(
     book: LogStore,
 ) -> None:
-    log = logging.getLogger("app.test_health")
     stood = message("log-program-stood-still", duration=quantity(1.5, "s", 1))
-    log.warning(stood)
-    log.info("the arm came back")
+    LOG.warning(stood)
+    LOG.info("the arm came back")
     written(book, 2)
     german = translator("de")
     assert german is not None
@@ -117,9 +115,8 @@ def test_what_is_no_message_of_this_version_is_shown_in_english(book: LogStore) 
 
 
 def test_a_repeated_message_keeps_its_data(book: LogStore) -> None:
-    log = logging.getLogger("app.test_health")
     for _ in range(10):
-        log.warning(message("log-program-stood-still", duration=quantity(1.5, "s", 1)))
+        LOG.warning(message("log-program-stood-still", duration=quantity(1.5, "s", 1)))
     written(book, 4)
     newest = book.read("info", "", 1)[0].text
     assert str(newest).startswith("the whole program was suspended for 1.5 s (10 of these since ")
@@ -127,9 +124,8 @@ def test_a_repeated_message_keeps_its_data(book: LogStore) -> None:
 
 
 def test_what_strangers_put_into_a_message_does_nothing_to_readers(book: LogStore) -> None:
-    log = logging.getLogger("app.test_health")
-    log.warning(message("log-file-not-used", file="\x1b[31m\u202e", reason="x" * 100_000))
-    log.warning(message("log-file-not-used", file="\x1b[31m\u202e", reason="x"))
+    LOG.warning(message("log-file-not-used", file="\x1b[31m\u202e", reason="x" * 100_000))
+    LOG.warning(message("log-file-not-used", file="\x1b[31m\u202e", reason="x"))
     written(book, 2)
     raw = (book.folder / FILE).read_text("utf-8")
     assert all(sign.isprintable() or sign == "\n" for sign in raw)
@@ -138,20 +134,16 @@ def test_what_strangers_put_into_a_message_does_nothing_to_readers(book: LogStor
 
 
 def written(book: LogStore, count: int) -> None:
-    deadline = time.monotonic() + 240.0
-    while len(book.read("info", "", 1000)) < count:
-        assert time.monotonic() < deadline
-        time.sleep(0.01)
+    until(lambda: len(book.read("info", "", 1000)) >= count)
 
 
 def test_a_log_is_rotated_and_a_line_cut_off_by_a_kill_is_left_out(book: LogStore) -> None:
-    log = logging.getLogger("app.test_health")
-    log.info("first")
+    LOG.info("first")
     written(book, 1)
     with (book.folder / FILE).open("a") as file:
         file.write("x" * (FILE_BYTES - 200) + "\n")
     for number in range(3):
-        log.info("after %d", number)
+        LOG.info("after %d", number)
     written(book, 4)
     assert len(book.files()) == 2
     texts = [line.text for line in book.read("info", "", 100)]
@@ -267,12 +259,10 @@ def test_the_worst_comes_first_and_is_what_the_station_is() -> None:
 
 def test_readings_that_cannot_be_true_are_reported_with_a_remedy() -> None:
     assert health.readings(0, None, None).quality == "good"
-    refusal = OperationError(
-        "joint-implausible", "joint J1 reads 1083.0°", "why", "check its cable"
-    )
+    what = "joint J1 reads 1083.0°"
+    refusal = OperationError("joint-implausible", what, "why", "check its cable")
     reported = health.readings(3, refusal, 5.0)
     assert reported.quality == "bad"
-    expected = "Implausible readings: 3, the last 5 s ago: joint J1 reads 1083.0°."
-    assert str(reported.what) == expected
+    assert str(reported.what) == f"Implausible readings: 3, the last 5 s ago: {what}."
     assert str(reported.remedy) == "Check its cable."
     assert health.readings(3, refusal, 3600.0).quality == "attention"

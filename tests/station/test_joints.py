@@ -58,10 +58,8 @@ def test_an_encoder_that_rolls_over_is_interpolated_the_short_way() -> None:
     found = ring.at(MS)
     assert found is not None
     assert np.cos(found[0] - (np.pi + 0.01)) == pytest.approx(1.0, abs=1e-12)
-    window = ring.between(0, 2 * MS)
-    assert np.cos(average_readings(window).reading[0] - (np.pi + 0.01)) == pytest.approx(
-        1.0, abs=1e-12
-    )
+    mean = average_readings(ring.between(0, 2 * MS)).reading
+    assert np.cos(mean[0] - (np.pi + 0.01)) == pytest.approx(1.0, abs=1e-12)
 
 
 def test_the_ring_forgets_its_oldest_and_keeps_its_order() -> None:
@@ -96,11 +94,8 @@ def window_of(q_rad: np.ndarray) -> ReadingWindow:
 def test_encoder_noise_alone_is_still() -> None:
     random = np.random.default_rng(1)
     arm = six_axis_arm()
-    found = [
-        stillness(arm, window_of(REST_RAD + 1e-5 * random.normal(size=(150, 6)))).still
-        for _ in range(200)
-    ]
-    assert sum(found) >= 199
+    windows = (window_of(REST_RAD + 1e-5 * random.normal(size=(150, 6))) for _ in range(200))
+    assert sum(stillness(arm, window).still for window in windows) >= 199
 
 
 def test_a_drift_of_a_tenth_of_a_millimetre_is_not_still_and_is_reported() -> None:
@@ -111,9 +106,8 @@ def test_a_drift_of_a_tenth_of_a_millimetre_is_not_still_and_is_reported() -> No
     tips = tip_centres(arm, REST_RAD + drift[[0, -1]])
     assert not found.still
     # the six blocks' middles span five sixths of the path
-    assert found.moved_um == pytest.approx(
-        5 / 6 * 1000 * np.linalg.norm(tips[1] - tips[0]), rel=0.02
-    )
+    path_um = 1000 * np.linalg.norm(tips[1] - tips[0])
+    assert found.moved_um == pytest.approx(5 / 6 * path_um, rel=0.02)
     assert f"{found.moved_um:.0f} µm" in str(found.text)
 
 

@@ -7,24 +7,22 @@ import pytest
 from app.errors import OperationError
 from app.station.bus import Bus
 from app.station.control_lease import LAPSES_S, Control, Lease, Person
+from tests.clocks import Clock
 
 ANNA, BEN, TABLET = Person("a", "Anna"), Person("b", "Ben"), Person("t", "Anna")
 
 
-class Clock:
-    now_s = 100.0
-
-    def __call__(self) -> float:
-        return self.now_s
+@pytest.fixture
+def clock() -> Clock:
+    return Clock()
 
 
-def leased() -> tuple[Lease, Clock, Bus]:
-    clock, bus = Clock(), Bus()
-    return Lease(bus, clock), clock, bus
+@pytest.fixture
+def lease(bus: Bus, clock: Clock) -> Lease:
+    return Lease(bus, clock)
 
 
-def test_the_first_to_act_has_it_and_all_are_notified() -> None:
-    lease, _, bus = leased()
+def test_the_first_to_act_has_it_and_all_are_notified(lease: Lease, bus: Bus) -> None:
     assert bus.latest("control") == Control()
     lease.act(ANNA)
     lease.act(ANNA)
@@ -35,8 +33,9 @@ def test_the_first_to_act_has_it_and_all_are_notified() -> None:
         lease.act(TABLET)
 
 
-def test_it_lapses_without_beats_and_goes_to_the_one_who_asked() -> None:
-    lease, clock, bus = leased()
+def test_it_lapses_without_beats_and_goes_to_the_one_who_asked(
+    lease: Lease, clock: Clock, bus: Bus
+) -> None:
     assert lease.last_name == ""
     lease.act(ANNA)
     clock.now_s += LAPSES_S - 1
@@ -52,8 +51,7 @@ def test_it_lapses_without_beats_and_goes_to_the_one_who_asked() -> None:
     assert lease.last_name == "Ben"
 
 
-def test_a_late_beat_does_not_bring_it_back() -> None:
-    lease, clock, _ = leased()
+def test_a_late_beat_does_not_bring_it_back(lease: Lease, clock: Clock) -> None:
     lease.act(ANNA)
     clock.now_s += LAPSES_S + 1
     lease.act(BEN)
@@ -61,8 +59,7 @@ def test_a_late_beat_does_not_bring_it_back() -> None:
     assert lease.control == Control(BEN)
 
 
-def test_only_the_holder_answers_and_lets_go() -> None:
-    lease, _, _ = leased()
+def test_only_the_holder_answers_and_lets_go(lease: Lease) -> None:
     lease.act(ANNA)
     with pytest.raises(OperationError, match="Nobody requests"):
         lease.answer(ANNA, give=True)
@@ -77,8 +74,9 @@ def test_only_the_holder_answers_and_lets_go() -> None:
     assert lease.control == Control(BEN)
 
 
-def test_the_same_person_takes_over_without_a_reason_others_need_one() -> None:
-    lease, _, bus = leased()
+def test_the_same_person_takes_over_without_a_reason_others_need_one(
+    lease: Lease, bus: Bus
+) -> None:
     lease.act(ANNA)
     lease.take_over(TABLET, "")
     assert lease.control == Control(TABLET)
@@ -93,8 +91,7 @@ def test_the_same_person_takes_over_without_a_reason_others_need_one() -> None:
     ]
 
 
-def test_signing_out_lets_go() -> None:
-    lease, _, _ = leased()
+def test_signing_out_lets_go(lease: Lease) -> None:
     lease.act(ANNA)
     lease.ask(BEN)
     lease.leave("b")
@@ -103,8 +100,7 @@ def test_signing_out_lets_go() -> None:
     assert lease.control == Control()
 
 
-def test_a_person_signed_out_everywhere_has_control_at_no_browser() -> None:
-    lease, _, _ = leased()
+def test_a_person_signed_out_everywhere_has_control_at_no_browser(lease: Lease) -> None:
     lease.act(TABLET)
     lease.ask(BEN)
     lease.leave_all("anna")

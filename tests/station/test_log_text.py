@@ -11,17 +11,11 @@ from app.formats.file_names import escape_unprintable
 from app.monitoring.log_store import FILE, LogStore
 from app.monitoring.log_text import FIRST, FORGOTTEN_S, RepeatFilter
 from app.server.listener import OneLineFormatter
+from tests.clocks import Clock
 
 pytestmark = pytest.mark.slow
 
 HOSTILE = "\x1b[31m red \x00\x7f\x9b\u2028 next \u202e back \ud800 end"
-
-
-class Clock:
-    now_s = 1000.0
-
-    def __call__(self) -> float:
-        return self.now_s
 
 
 def record(text: str, *args: object, level: int = logging.ERROR) -> logging.LogRecord:
@@ -46,11 +40,8 @@ def test_the_log_and_the_console_have_hostile_lines_harmless(tmp_path: Path) -> 
     logging.getLogger("app.test").error("GET %s failed", encodable + "x" * 10_000)
     logging.getLogger("app.test").error("after")
     book.close()
-    assert [str(line.text)[:6] for line in book.read("error", "", 10)] == [
-        "after",
-        "GET \\x",
-        "before",
-    ]
+    begun = [str(line.text)[:6] for line in book.read("error", "", 10)]
+    assert begun == ["after", "GET \\x", "before"]
     raw = (book.folder / FILE).read_text("utf-8")
     assert all(sign.isprintable() or sign == "\n" for sign in raw)
     assert len(raw) < 3000

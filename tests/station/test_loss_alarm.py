@@ -1,5 +1,7 @@
 """When a device loses much of its data."""
 
+import pytest
+
 from app.station.devices.loss_alarm import HELD_S, LossAlarm
 from hardware.interfaces import LinkHealth
 
@@ -23,18 +25,18 @@ def run(seconds: list[tuple[int, int, int]]) -> list[bool]:
 def test_losses_in_a_row_raise_it_and_it_lasts() -> None:
     quiet, lossy = (25, 0, 0), (15, 10, 0)
     ended = int(HELD_S) + 2
-    assert run([quiet, lossy, *ended * [quiet]])[:3] == [False, True, True]
-    assert not run([quiet, lossy, *ended * [quiet]])[-1]
+    states = run([quiet, lossy, *ended * [quiet]])
+    assert states[:3] == [False, True, True]
+    assert not states[-1]
 
 
 def test_late_records_raise_it() -> None:
     assert run([(25, 0, 0), (6, 0, 1)]) == [False, True]
 
 
-def test_single_losses_do_not() -> None:
-    assert run(10 * [(25, 2, 0)]) == 10 * [False]
-    assert run(10 * [(1000, 100, 0)]) == 10 * [False]
-    assert run(10 * [(2, 2, 0)]) == 10 * [False]
+@pytest.mark.parametrize("second", [(25, 2, 0), (1000, 100, 0), (2, 2, 0)])
+def test_single_losses_do_not(second: tuple[int, int, int]) -> None:
+    assert run(10 * [second]) == 10 * [False]
 
 
 def test_another_device_begins_without_it() -> None:

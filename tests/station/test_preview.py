@@ -28,7 +28,6 @@ pytestmark = pytest.mark.device
 def preview(bus: Bus, rig: Rig) -> Iterator[Preview]:
     preview = Preview(bus, rig.arm, rig.sensor)
     preview.start()
-    until(lambda: rig.arm.stillness().still and rig.sensor.fresh)
     yield preview
     preview.stop()
 

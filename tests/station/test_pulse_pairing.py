@@ -25,15 +25,17 @@ class Camera:
         self.late_ms, self.lost = late_ms, lost
         self.true_ns: dict[int, int] = {}
 
-    def expose(self, pulse_ns: int, keep: bool | None = None) -> Frame | None:
-        """The frame of a trigger, stamped by its arrival; None of a lost one."""
+    def expose(self, pulse_ns: int) -> Frame:
+        """The frame of a trigger, stamped by its arrival."""
         self.count += 1
         self.true_ns[self.count] = pulse_ns + round(500 * EXPOSURE_US)
-        late_ns = round(MS * (self.late_ms + self.random.uniform(-20, 20)))
-        if keep is False or (keep is None and self.random.random() < self.lost):
-            return None
-        stamp_ns = pulse_ns + late_ns
+        stamp_ns = pulse_ns + round(MS * (self.late_ms + self.random.uniform(-20, 20)))
         return Frame(self.count, stamp_ns, IMAGE, EXPOSURE_US, True, pulse=self.count)
+
+    def deliver(self, pulse_ns: int) -> Frame | None:
+        """The frame of a trigger, unless it is lost."""
+        frame = self.expose(pulse_ns)
+        return None if self.random.random() < self.lost else frame
 
 
 def run_train(
@@ -49,9 +51,17 @@ def run_train(
         if random.random() >= lost or pulse == count:
             pairing.note_pulse(pulse, pulse_ns)
         found.append(on_its_way and pairing.pair(on_its_way))
-        on_its_way = camera.expose(pulse_ns)
+        on_its_way = camera.deliver(pulse_ns)
     found.append(on_its_way and pairing.pair(on_its_way))
     return [one for one in found if one is not None]
+
+
+def after_trains(camera: Camera, *counts: int) -> tuple[Camera, PulsePairing]:
+    """A camera and its pairing after trains of so many pulses, two seconds after one another."""
+    pairing = PulsePairing()
+    for number, count in enumerate(counts):
+        run_train(pairing, camera, (1 + 2 * number) * 10**9, count)
+    return camera, pairing
 
 
 def errors_ns(frames: list[Frame], camera: Camera) -> np.ndarray:
@@ -78,17 +88,16 @@ def test_frames_get_the_times_of_their_pulses(seed: int, late_ms: float) -> None
 
 @pytest.mark.parametrize("lost_side", ["last before", "first after"])
 def test_a_loss_at_the_pause_asks_for_another_start(lost_side: str) -> None:
-    camera, pairing = Camera(0, 1), PulsePairing()
-    run_train(pairing, camera, 10**9, 15)
+    camera, pairing = after_trains(Camera(0, 1), 15)
     if lost_side == "last before":
-        camera.expose(2 * 10**9, keep=False)
+        camera.expose(2 * 10**9)
     pairing.restart()
     start_ns = 3 * 10**9
     for pulse in range(1, 30):
         pairing.note_pulse(pulse, start_ns + pulse * PERIOD_NS)
-        keep = not (lost_side == "first after" and pulse == 1)
-        frame = camera.expose(start_ns + pulse * PERIOD_NS, keep)
-        assert frame is None or pairing.pair(frame) is None
+        frame = camera.expose(start_ns + pulse * PERIOD_NS)
+        is_lost = lost_side == "first after" and pulse == 1
+        assert is_lost or pairing.pair(frame) is None
     assert pairing.needs_start
     assert not pairing.is_paired
     found = run_train(pairing, camera, 5 * 10**9, 30)
@@ -100,16 +109,14 @@ def test_frames_that_were_held_up_over_the_pause_give_no_other_frame_their_time(
     held_up: int, period_ns: int
 ) -> None:
     """The last frames before the pause arrive with the first one after it."""
-    camera, pairing = Camera(0, 7), PulsePairing()
-    run_train(pairing, camera, 10**9, 15)
+    camera, pairing = after_trains(Camera(0, 7), 15)
     pairing.restart()
     start_ns = 3 * 10**9
     for pulse in range(1, 40):  # pairing waits for the sample of the pulse that it supposes
         pairing.note_pulse(pulse, start_ns + (pulse - 1) * period_ns)
-    arrived = [camera.expose(start_ns - 400 * MS, keep=True) for _ in range(held_up)]
-    arrived += [camera.expose(start_ns + at * period_ns, keep=True) for at in range(20)]
+    arrived = [camera.expose(start_ns - 400 * MS) for _ in range(held_up)]
+    arrived += [camera.expose(start_ns + at * period_ns) for at in range(20)]
     for frame in arrived:
-        assert frame is not None
         stamp_ns = max(frame.mid_exposure_ns, start_ns + 30 * MS)
         paired = pairing.pair(replace(frame, mid_exposure_ns=stamp_ns))
         assert paired is None or paired.sequence <= 15 + held_up  # of before the pause
@@ -121,45 +128,36 @@ def test_frames_that_were_held_up_over_the_pause_give_no_other_frame_their_time(
 def test_a_pause_that_a_late_frame_hides_is_not_seen_between_two_later_ones() -> None:
     """The last frame before the pause arrives shortly before the first one after it; then one
     arrives late."""
-    camera, pairing = Camera(0, 8, late_ms=20.0), PulsePairing()
-    run_train(pairing, camera, 10**9, 15)
-    last = camera.expose(3 * 10**9 - 300 * MS, keep=True)
-    assert last is not None
+    camera, pairing = after_trains(Camera(0, 8, late_ms=20.0), 15)
+    last = camera.expose(3 * 10**9 - 300 * MS)
     pairing.restart()
     pairing.pair(replace(last, mid_exposure_ns=3 * 10**9 - 120 * MS))
     for pulse in range(1, 8):
         pulse_ns = 3 * 10**9 + (pulse - 1) * PERIOD_NS
         pairing.note_pulse(pulse, pulse_ns)
-        frame = camera.expose(pulse_ns, keep=True)
-        assert frame is not None
+        frame = camera.expose(pulse_ns)
         stamp_ns = frame.mid_exposure_ns + (220 * MS if pulse > 1 else 0)
         assert pairing.pair(replace(frame, mid_exposure_ns=stamp_ns)) is None
     assert pairing.needs_start
 
 
 def test_a_frame_that_arrives_before_its_pulse_is_anothers() -> None:
-    camera, pairing = Camera(0, 9), PulsePairing()
-    run_train(pairing, camera, 10**9, 15)
-    run_train(pairing, camera, 3 * 10**9, 30)
+    camera, pairing = after_trains(Camera(0, 9), 15, 30)
     pulse_ns = 3 * 10**9 + 30 * PERIOD_NS
     pairing.note_pulse(31, pulse_ns)
-    frame = camera.expose(pulse_ns, keep=True)
-    assert frame is not None
+    frame = camera.expose(pulse_ns)
     assert pairing.pair(replace(frame, mid_exposure_ns=pulse_ns - 80 * MS)) is None
     assert pairing.needs_start
     assert not pairing.is_paired
 
 
 def test_a_camera_that_misses_triggers_is_noticed() -> None:
-    camera, pairing = Camera(0, 2), PulsePairing()
-    run_train(pairing, camera, 10**9, 15)
-    run_train(pairing, camera, 3 * 10**9, 60)
+    camera, pairing = after_trains(Camera(0, 2), 15, 60)
     assert pairing.is_paired
     for pulse in range(62, 120):  # pulse 61 exposed nothing, and was not counted
         pulse_ns = 3 * 10**9 + (pulse - 1) * PERIOD_NS
         pairing.note_pulse(pulse, pulse_ns)
         frame = camera.expose(pulse_ns)
-        assert frame is not None
         pairing.pair(frame)
         if pairing.needs_start:
             return
@@ -168,21 +166,16 @@ def test_a_camera_that_misses_triggers_is_noticed() -> None:
 
 def test_an_arm_that_counts_from_1_again_is_paired_again() -> None:
     """It was reset, and pulses on by itself: nothing is taken by the old counts."""
-    camera, pairing = Camera(0, 3), PulsePairing()
-    run_train(pairing, camera, 10**9, 15)
-    run_train(pairing, camera, 3 * 10**9, 30)
+    _, pairing = after_trains(Camera(0, 3), 15, 30)
     assert pairing.is_paired
     pairing.note_pulse(1, 9 * 10**9)
     assert not pairing.is_paired
 
 
 def test_a_frame_waits_for_its_arm_sample() -> None:
-    camera, pairing = Camera(0, 4), PulsePairing()
-    run_train(pairing, camera, 10**9, 15)
-    run_train(pairing, camera, 3 * 10**9, 30)
+    camera, pairing = after_trains(Camera(0, 4), 15, 30)
     pulse_ns = 3 * 10**9 + 30 * PERIOD_NS
     frame = camera.expose(pulse_ns)
-    assert frame is not None
 
     def note_later() -> None:
         time.sleep(0.05)
@@ -197,11 +190,8 @@ def test_a_frame_waits_for_its_arm_sample() -> None:
 
 
 def test_an_arm_that_fell_silent_pairs_nothing() -> None:
-    camera, pairing = Camera(0, 5), PulsePairing()
-    run_train(pairing, camera, 10**9, 15)
-    run_train(pairing, camera, 3 * 10**9, 30)
+    camera, pairing = after_trains(Camera(0, 5), 15, 30)
     frame = camera.expose(3 * 10**9 + 30 * PERIOD_NS)
-    assert frame is not None
     assert pairing.pair(frame) is None
 
 
@@ -219,20 +209,9 @@ def test_a_camera_without_a_count_keeps_its_stamps() -> None:
 
 def as_line(frame: Frame) -> Line:
     """A line of the same exposure."""
-    none = np.empty(0)
-    return Line(
-        frame.sequence,
-        frame.mid_exposure_ns,
-        none,
-        none,
-        none,
-        none,
-        2,
-        2,
-        frame.exposure_us,
-        frame.laser_on,
-        frame.pulse,
-    )
+    at_ns, exposure_us, none = frame.mid_exposure_ns, frame.exposure_us, np.empty(0)
+    laser_on, pulse = frame.laser_on, frame.pulse
+    return Line(frame.sequence, at_ns, none, none, none, none, 2, 2, exposure_us, laser_on, pulse)
 
 
 @pytest.mark.parametrize("missed", [0, 3])
@@ -247,8 +226,7 @@ def test_a_camera_that_missed_triggers_between_pictures_and_lines_is_paired_agai
     camera.count += 1 if missed else 0
     pulse_ns = 5 * 10**9 + (40 + missed) * PERIOD_NS
     pairing.note_pulse(41 + missed, pulse_ns)
-    frame = camera.expose(pulse_ns, keep=True)
-    assert frame is not None
+    frame = camera.expose(pulse_ns)
     paired = pairing.pair(as_line(frame))
     assert pairing.needs_start == (missed > 0)
     assert (paired is None) == (missed > 0)

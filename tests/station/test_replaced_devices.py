@@ -2,7 +2,7 @@
 
 import socket
 import threading
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import cv2
@@ -13,33 +13,27 @@ from app.monitoring.health import device
 from app.station.bus import Bus
 from app.station.devices.rig import Rig
 from app.station.setup.drivers import arm_factory, no_device_factory, sensor_factory
+from hardware.interfaces import SensorDriver
 from hardware.simulator.station import SimulatedStation
-from tests.station.conftest import until
+from tests.station.conftest import running, until
 
 pytestmark = pytest.mark.device
 
 
-def write_pictures(folder: Path, width: int) -> Path:
+def camera(folder: Path, width: int) -> Callable[[], SensorDriver]:
+    """One that plays pictures of a width, which are written into the folder."""
     folder.mkdir()
     for index in range(3):
         cv2.imwrite(str(folder / f"{index}.png"), np.full((90, width), 50 * index, np.uint8))
-    return folder
-
-
-def camera(folder: Path) -> dict[str, object]:
-    return {"path": str(folder), "rate_hz": 50.0}
+    return sensor_factory("folder", {"path": str(folder), "rate_hz": 50.0})
 
 
 @pytest.fixture
 def rig(tmp_path: Path) -> Iterator[Rig]:
     """A station with one camera and no arm."""
-    first = write_pictures(tmp_path / "first", 120)
-    running = Rig(
-        Bus(), no_device_factory("arm"), sensor_factory("folder", camera(first)), tmp_path
-    )
-    running.start()
-    yield running
-    running.stop()
+    first = camera(tmp_path / "first", 120)
+    with running(Rig(Bus(), no_device_factory("arm"), first, tmp_path)) as rig:
+        yield rig
 
 
 def width(rig: Rig) -> int | None:
@@ -76,8 +70,7 @@ def test_another_camera_counts_from_the_start_and_its_frames_are_its_own(
 
     watcher = threading.Thread(target=watch)
     watcher.start()
-    second = write_pictures(tmp_path / "second", 160)
-    rig.use_sensor(sensor_factory("folder", camera(second)))
+    rig.use_sensor(camera(tmp_path / "second", 160))
     until(lambda: width(rig) == 160 and rig.sensor.fresh)
     stop.set()
     watcher.join()
@@ -90,11 +83,10 @@ def test_another_camera_counts_from_the_start_and_its_frames_are_its_own(
 
 
 def test_a_camera_that_is_missing_is_replaced_without_waiting(rig: Rig, tmp_path: Path) -> None:
-    rig.use_sensor(sensor_factory("folder", camera(tmp_path / "nowhere")))
+    rig.use_sensor(sensor_factory("folder", {"path": str(tmp_path / "nowhere")}))
     until(lambda: "nowhere" in str(rig.sensor.link().text))
     assert rig.sensor.link().state == "connecting"
-    second = write_pictures(tmp_path / "second", 160)
-    rig.use_sensor(sensor_factory("folder", camera(second)))
+    rig.use_sensor(camera(tmp_path / "second", 160))
     until(lambda: rig.sensor.fresh)
     assert width(rig) == 160
 
@@ -114,10 +106,10 @@ def test_a_station_ends_while_a_device_is_being_opened(tmp_path: Path) -> None:
     with socket.create_server(("127.0.0.1", 0)) as silent:
         url = f"socket://127.0.0.1:{silent.getsockname()[1]}"
         options: dict[str, object] = {"url": url, "timeout_s": 60.0}
-        running = Rig(Bus(), arm_factory("bridge", options), no_device_factory("sensor"), tmp_path)
-        running.start()
+        rig = Rig(Bus(), arm_factory("bridge", options), no_device_factory("sensor"), tmp_path)
+        rig.start()
         silent.settimeout(240.0)
         connection, _ = silent.accept()
         with connection:
-            running.stop()
+            rig.stop()
         assert not [one for one in threading.enumerate() if one.name == "arm-reader"]

@@ -4,6 +4,7 @@ import asyncio
 import resource
 import shutil
 from collections.abc import Iterator
+from contextlib import closing
 from dataclasses import replace
 from pathlib import Path
 
@@ -12,8 +13,8 @@ import pytest
 
 from app.errors import OperationError
 from app.formats.clouds.files import read_cloud
+from app.formats.recording.decoders import StripeRecord
 from app.formats.recording.reader import open_recording
-from app.formats.results.calibration import Calibration, SerialNumbers
 from app.metrology.sensor.camera import Camera
 from app.metrology.sensor.laser_plane import LaserPlane
 from app.metrology.transforms import rigid, rotation_from_vector
@@ -24,8 +25,9 @@ from app.station.scan.points import ScanCalibration
 from app.station.scan.scanner import Scanner
 from app.station.scan.state import ScanResult, ScanState
 from app.station.view3d.scene import Scene
-from app.workflows.reconstruct import reconstruct_cloud
+from tests.refusals import refused
 from tests.station.conftest import HEIGHT, REST_RAD, WIDTH, Bench, six_axis_arm, until
+from tests.station.recorded_scans import check_rebuilt, end_scan, file_calibration
 
 pytestmark = pytest.mark.device
 
@@ -51,27 +53,22 @@ def calibration() -> ScanCalibration:
 
 @pytest.fixture(scope="module")
 def scene() -> Iterator[Scene]:
-    scene = Scene(point_budget=50_000)
-    yield scene
-    scene.close()
+    with closing(Scene(point_budget=50_000)) as scene:
+        yield scene
 
 
 @pytest.fixture
 def scanner(bus: Bus, rig: Rig, scene: Scene, tmp_path: Path) -> Iterator[Scanner]:
-    scanner = Scanner(bus, rig, scene, tmp_path / "scans")
-    scanner.set_calibration(calibration())
-    until(lambda: rig.arm.stillness().still and rig.sensor.fresh)
-    yield scanner
-    scanner.close()
+    with closing(Scanner(bus, rig, scene, tmp_path / "scans")) as scanner:
+        scanner.set_calibration(calibration())
+        yield scanner
 
 
 def swing(seconds: float) -> np.ndarray:
     return np.asarray(REST_RAD + 0.1 * np.sin(2 * seconds))
 
 
-def test_a_scan_is_recorded_saved_and_shown(
-    scanner: Scanner, bench: Bench, scene: Scene, tmp_path: Path
-) -> None:
+def test_a_scan_is_recorded_saved_and_shown(scanner: Scanner, bench: Bench, scene: Scene) -> None:
     """The recording, rebuilt, gives the very points that were saved live."""
     bench.joints_at = swing
     scan_id = scanner.start("bracket")
@@ -80,27 +77,17 @@ def test_a_scan_is_recorded_saved_and_shown(
     state = scanner.state()
     assert (state.state, state.scan_id) == ("running", scan_id)
     assert state.rate_points_s > 0
-    result = scanner.stop()
-    assert result is not None
+    result = end_scan(scanner)
     assert not bench.laser_on
     assert (result.name, result.calibration_id) == ("bracket", "c1")
 
-    folder = tmp_path / "scans" / scan_id
+    folder = result.folder
     live = read_cloud(folder / "cloud.ply")
     assert len(live.points_mm) == result.points == scanner.state().points
     assert result.points > 40 * 0.9 * WIDTH
-    use = calibration()
-    serials = SerialNumbers(arm="A-1", sensor="S-1", object="B-1")
-    rebuilt = reconstruct_cloud(
-        folder / "scan.mcap",
-        Calibration(use.camera, use.plane, use.T_flange_sensor, "u", serials),
-        use.arm,
-        tmp_path / "again.ply",
-    )
+    rebuilt = check_rebuilt(folder, file_calibration(calibration()), calibration().arm)
     assert rebuilt.cut == ""
     assert rebuilt.all_frames == result.frames
-    again = read_cloud(tmp_path / "again.ply")
-    np.testing.assert_allclose(again.points_mm, live.points_mm, atol=1e-6)
     until(lambda: scene.points_shown > 1000)
 
 
@@ -143,7 +130,7 @@ def test_a_scan_is_published_to_all_subscribers(scanner: Scanner, bus: Bus) -> N
 
 
 def test_losing_the_arm_keeps_the_scan_and_counts_its_frames(
-    scanner: Scanner, bench: Bench, rig: Rig
+    scanner: Scanner, bench: Bench
 ) -> None:
     scanner.start("lost arm")
     until(lambda: scanner.state().points > 0)
@@ -153,9 +140,7 @@ def test_losing_the_arm_keeps_the_scan_and_counts_its_frames(
     points = scanner.state().points
     bench.arm_plugged = True
     until(lambda: scanner.state().points > points)
-    result = scanner.stop()
-    assert result is not None
-    assert result.frames > 20
+    assert end_scan(scanner).frames > 20
 
 
 def test_losing_the_sensor_keeps_the_scan_and_its_laser(
@@ -183,11 +168,10 @@ def test_what_forbids_a_scan_is_said(scanner: Scanner, bench: Bench, rig: Rig) -
     }
     for code, other in cases.items():
         scanner.set_calibration(other)
-        with pytest.raises(OperationError) as refused:
+        with refused(code) as failed:
             scanner.start("no")
-        assert refused.value.code == code
         assert scanner.state().state == "blocked"
-        assert scanner.state().why_not == refused.value.text
+        assert scanner.state().why_not == failed.value.text
     scanner.set_calibration(calibration())
     bench.arm_plugged = False
     until(lambda: not rig.arm.fresh)
@@ -216,14 +200,13 @@ def test_a_scan_without_a_point_is_saved_as_an_empty_cloud(scanner: Scanner, ben
     bench.stripe_row = -100.0
     scanner.start("nothing there")
     until(lambda: scanner.state().frames > 5)
-    result = scanner.stop()
-    assert result is not None
+    result = end_scan(scanner)
     assert result.points == 0
     assert (result.folder / "cloud.ply").exists()
 
 
 def test_a_full_disk_stops_the_scan_with_an_alarm_and_the_station_lives(
-    scanner: Scanner, rig: Rig, bus: Bus, tmp_path: Path, bench: Bench
+    scanner: Scanner, rig: Rig, tmp_path: Path, bench: Bench
 ) -> None:
     """A limit on the size of this process's files is as good as a full disk."""
     bench.frame_period_s = 0.003
@@ -250,7 +233,48 @@ def test_too_little_space_refuses_before_anything_moves(
     scanner: Scanner, bench: Bench, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
     monkeypatch.setattr(scan_folders, "START_FREE_BYTES", shutil.disk_usage(tmp_path).total)
-    with pytest.raises(OperationError) as refused:
+    with refused("disk-full"):
         scanner.start("no space")
-    assert refused.value.code == "disk-full"
     assert not bench.laser_on
+
+
+@pytest.mark.parametrize(
+    ("picture", "words"),
+    [
+        (np.zeros((HEIGHT // 2, WIDTH), np.uint8), "pictures of 320 × 120 pixels"),
+        (np.zeros((HEIGHT, WIDTH), np.float32), "grey pictures of 8 to 16 bits"),
+        (np.zeros((HEIGHT, WIDTH, 3), np.uint8), "pictures of 3 × 320 × 240"),
+    ],
+)
+def test_odd_pictures_end_the_scan_with_a_reason_and_the_station_lives(
+    scanner: Scanner, bench: Bench, rig: Rig, tmp_path: Path, picture: np.ndarray, words: str
+) -> None:
+    scan_id = scanner.start("odd")
+    until(lambda: scanner.state().points > 1000)
+    bench.picture = picture
+    until(lambda: scanner.state().state == "idle")
+    (finding,) = [one for one in scanner.state().findings if one.quality == "bad"]
+    assert words in str(finding.text)
+    recording = open_recording(tmp_path / "scans" / scan_id / "scan.mcap")
+    stripes = [one for one in recording.records() if isinstance(one, StripeRecord)]
+    assert recording.cut == ""
+    assert {(one.width_px, one.height_px) for one in stripes} == {(WIDTH, HEIGHT)}
+    bench.picture = None
+    assert rig.sensor.fresh
+    scanner.start("again")
+    until(lambda: scanner.state().points > 1000)
+    assert scanner.stop() is not None
+
+
+@pytest.mark.parametrize("level", [0, 255])
+def test_dark_and_bright_pictures_give_no_points_and_say_so(
+    scanner: Scanner, bench: Bench, level: int
+) -> None:
+    scanner.start("blind")
+    bench.picture = np.full((HEIGHT, WIDTH), level, np.uint8)
+    until(lambda: any("No laser line" in str(one.text) for one in scanner.state().findings))
+    points = scanner.state().points
+    bench.picture = None
+    until(lambda: scanner.state().points > points)
+    assert scanner.stop() is not None
+    assert not any(one.quality == "bad" for one in scanner.state().findings)

@@ -1,7 +1,7 @@
 """The 3D view, as a real client sees it over its web socket."""
 
 from collections.abc import Iterator
-from functools import partial
+from contextlib import closing
 
 import httpx
 import numpy as np
@@ -20,29 +20,22 @@ from app.station.view3d.meshes import block_mesh, box, link_path, measuring_fiel
 from app.station.view3d.scale_bar import round_length_mm
 from app.station.view3d.scene import WINDOW_MESSAGES, Scene
 from tests.station.conftest import REST_RAD, six_axis_arm, until
-from tests.station.viewer import Viewer
+from tests.station.viewer import Viewer, viewer
 
 pytestmark = pytest.mark.device
-
+__all__ = ["viewer"]  # a fixture
 BLOCK = Crenellated("block", "B-1", (-22, -14, -7, -2, 5, 10, 17, 22), -12, 12, 15, 0, -12, 0.002)
 CAMERA = Camera(
     np.array([[1400.0, 0, 640], [0, 1400, 512], [0, 0, 1]]), np.eye(3), np.zeros(3), 1280, 1024
 )
 PLANE = LaserPlane(np.array([0, -0.5, np.sqrt(0.75)]), 140 * np.sqrt(0.75))
+FLANGE = "/arm/1/2/3/4/5/6"
 
 
 @pytest.fixture
 def scene() -> Iterator[Scene]:
-    scene = Scene(point_budget=20_000)
-    yield scene
-    scene.close()
-
-
-@pytest.fixture
-def viewer(scene: Scene) -> Iterator[Viewer]:
-    viewer = Viewer(scene)
-    yield viewer
-    viewer.close()
+    with closing(Scene(point_budget=20_000)) as scene:
+        yield scene
 
 
 def surface(count: int, seed: int = 1, size_mm: float = 60.0) -> np.ndarray:
@@ -57,7 +50,10 @@ def records(points: np.ndarray, intensity: float = 100.0, uncertainty_um: float 
 
 
 def add(scene: Scene, points: np.ndarray) -> None:
+    """Adds points, and waits until others are shown than before."""
+    before = scene.points_shown
     scene.add_points(records(points))
+    until(lambda: scene.points_shown != before)
 
 
 def test_points_come_to_the_browser_where_they_are_to_a_micrometre(
@@ -76,11 +72,8 @@ def test_points_come_to_the_browser_where_they_are_to_a_micrometre(
 
 def test_a_growing_cloud_sends_only_what_is_new(scene: Scene, viewer: Viewer) -> None:
     add(scene, surface(2000, 1))
-    until(lambda: scene.points_shown > 0)
     before = viewer.listen().clouds()
     add(scene, surface(2000, 2))
-    shown = scene.points_shown
-    until(lambda: scene.points_shown > shown)
     after = viewer.listen().clouds()
     assert set(before) < set(after)
     assert sum(map(len, after.values())) == scene.points_shown
@@ -90,9 +83,7 @@ def test_above_its_budget_the_cloud_is_thinned_and_stays_a_subset(
     scene: Scene, viewer: Viewer
 ) -> None:
     for seed in range(4):
-        shown = scene.points_shown
         add(scene, surface(15_000, seed))
-        until(partial(lambda before: scene.points_shown != before, shown))
     # the thinned cloud may be on its way yet
     until(lambda: sum(map(len, viewer.listen().clouds().values())) == scene.points_shown)
     assert 5_000 < scene.points_shown <= 20_000
@@ -113,10 +104,8 @@ def test_small_nodes_are_merged(scene: Scene, viewer: Viewer) -> None:
 
 def test_a_late_viewer_gets_everything_in_small_windows(scene: Scene) -> None:
     add(scene, surface(5000))
-    until(lambda: scene.points_shown > 0)
-    viewer = Viewer(scene)
-    shown = sum(map(len, viewer.listen().clouds().values()))
-    viewer.close()
+    with closing(Viewer(scene)) as viewer:
+        shown = sum(map(len, viewer.listen().clouds().values()))
     assert shown == scene.points_shown
     assert scene._server._websock_server._broadcast_buffer.max_window_size == WINDOW_MESSAGES
 
@@ -124,7 +113,6 @@ def test_a_late_viewer_gets_everything_in_small_windows(scene: Scene) -> None:
 def test_a_new_scan_removes_the_cloud_and_leaves_the_rest(scene: Scene, viewer: Viewer) -> None:
     scene.set_object(np.eye(4), BLOCK)
     add(scene, surface(1000))
-    until(lambda: scene.points_shown > 0)
     assert viewer.listen().clouds()
     scene.begin()
     assert scene.points_shown == 0
@@ -153,20 +141,18 @@ def test_the_arm_is_drawn_by_its_own_kinematics(scene: Scene, viewer: Viewer) ->
     arm = six_axis_arm()
     scene.set_arm_model(arm)
     scene.set_arm(REST_RAD.tolist())
-    flange = "/arm/1/2/3/4/5/6"
-    until(lambda: "SetPositionMessage" in viewer.listen(0.1).nodes.get(flange, {}))
+    until(lambda: "SetPositionMessage" in viewer.listen(0.1).nodes.get(FLANGE, {}))
     T = drawn_flange(viewer)
     np.testing.assert_allclose(T, flange_pose(arm, REST_RAD), atol=1e-6)
-    tip = T @ [*viewer.position_mm(f"{flange}/tip"), 1]
+    tip = T @ [*viewer.position_mm(f"{FLANGE}/tip"), 1]
     np.testing.assert_allclose(tip[:3], tip_centres(arm, REST_RAD[None])[0], atol=1e-4)
 
 
 def await_arm(scene: Scene, T_arm_flange: np.ndarray) -> None:
     """A new viewer comes, stays until the arm is drawn like this, and leaves."""
-    viewer = Viewer(scene)
-    until(lambda: "/arm/1/2/3/4/5/6" in viewer.listen(0.1).nodes)
-    until(lambda: np.allclose(drawn_flange(viewer.listen(0.1)), T_arm_flange))
-    viewer.close()
+    with closing(Viewer(scene)) as viewer:
+        until(lambda: FLANGE in viewer.listen(0.1).nodes)
+        until(lambda: np.allclose(drawn_flange(viewer.listen(0.1)), T_arm_flange))
     until(lambda: not scene._server.get_clients())
 
 
@@ -179,10 +165,9 @@ def test_a_viewer_sees_how_the_arm_moved_while_nobody_watched(scene: Scene) -> N
 
 
 def test_the_sensor_shows_its_field_and_the_laser_colours_it(scene: Scene, viewer: Viewer) -> None:
-    arm = six_axis_arm()
-    scene.set_arm_model(arm)
+    scene.set_arm_model(six_axis_arm())
     scene.set_sensor(np.eye(4), CAMERA, PLANE, (120.0, 180.0))
-    field = "/arm/1/2/3/4/5/6/sensor/field"
+    field = f"{FLANGE}/sensor/field"
     idle = viewer.listen().nodes[field]["props"]["opacity"]
     scene.set_laser(True, in_range=True)
     until(lambda: viewer.listen(0.1).nodes[field]["props"]["opacity"] > idle)
@@ -202,13 +187,9 @@ def test_a_scale_as_long_as_it_says_lies_beside_the_cloud(scene: Scene, viewer: 
     add(scene, surface(2000))
     until(lambda: "/scale/length" in viewer.listen(0.1).nodes)
     length_mm = float(viewer.nodes["/scale/length"]["props"]["text"].split()[0])
-    ends = np.concatenate(
-        [
-            1e3 * viewer.nodes[f"/scale/{part}"]["props"]["vertices"].reshape(-1, 3)
-            for part in ("dark", "light")
-        ]
-    )
-    assert np.ptp(ends[:, 0]) == pytest.approx(length_mm, rel=1e-5)
+    parts = (viewer.nodes[f"/scale/{part}"]["props"]["vertices"] for part in ("dark", "light"))
+    ends_mm = 1e3 * np.concatenate([vertices.reshape(-1, 3) for vertices in parts])
+    assert np.ptp(ends_mm[:, 0]) == pytest.approx(length_mm, rel=1e-5)
     assert length_mm == 20.0
     scene.begin()
     assert "/scale" not in viewer.listen().nodes
@@ -221,19 +202,16 @@ def test_scales_have_round_lengths(most_mm: float, length_mm: float) -> None:
 
 def test_the_view_follows_the_cloud_until_somebody_turns_it(scene: Scene) -> None:
     untouched, turned = Viewer(scene), Viewer(scene)
-    for viewer in (untouched, turned):
-        viewer.listen()
-        viewer.pose_camera(
-            viewer.messages["SetCameraPositionMessage"]["position"],
-            viewer.messages["SetCameraLookAtMessage"]["look_at"],
-        )
+    for one in (untouched, turned):
+        sent = one.listen().messages
+        position = sent["SetCameraPositionMessage"]["position"]
+        one.pose_camera(position, sent["SetCameraLookAtMessage"]["look_at"])
     turned.pose_camera((2, 2, 2), (0, 0, 0))
     until(lambda: len(scene._server.get_clients()) == 2)
-    for viewer in (untouched, turned):
-        viewer.listen()
-        viewer.messages.clear()
+    for one in (untouched, turned):
+        one.listen()
+        one.messages.clear()
     add(scene, surface(2000))
-    until(lambda: scene.points_shown > 0)
     followed = untouched.listen().messages["SetCameraLookAtMessage"]
     np.testing.assert_allclose(followed["look_at"], [0.7, 0.08, 0.015], atol=0.01)
     assert turned.listen().messages["SetCameraLookAtMessage"]["initial"] is True

@@ -1,7 +1,5 @@
 """The delay of a simulated station: found from a pass, and taken out of the cloud."""
 
-import json
-from collections.abc import Iterator
 from dataclasses import replace
 from pathlib import Path
 
@@ -9,35 +7,23 @@ import numpy as np
 import pytest
 
 from app.formats.recording.decoders import JointRecord
-from app.formats.recording.reader import open_recording
-from app.formats.results.calibration import Calibration, SerialNumbers
 from app.formats.settings.scan_settings import Sync
 from app.metrology.arm.kinematics import AnyArm, flange_poses
 from app.metrology.fitting.plane_sphere import fit_plane
-from app.station.bus import Bus
-from app.station.devices.rig import Rig
-from app.station.scan.scanner import Scanner
-from app.station.view3d.scene import Scene
 from app.workflows.estimate_delay import estimate_recording_delay
 from app.workflows.reconstruct import reconstruct_points
-from hardware.registry import arm_driver
 from hardware.simulator.station import SimulatedStation
-from tests.station.conftest import until
-from tests.station.test_on_simulation import CONFIG, true_calibration
+from tests.station.recorded_scans import end_scan, file_calibration, recorded
+from tests.station.simulated import USUAL, Station, nominal_of, station
 
 pytestmark = pytest.mark.device
-
+__all__ = ["station"]  # a fixture
 DELAY_MS = 4.0
-
-
-@pytest.fixture(scope="module")
-def late() -> Iterator[SimulatedStation]:
-    with SimulatedStation(replace(CONFIG, arm_delay_ms=DELAY_MS)) as simulation:
-        yield simulation
+CONFIG = replace(USUAL, arm_delay_ms=DELAY_MS)
 
 
 def plane_rms_um(points: np.ndarray, simulation: SimulatedStation) -> float:
-    nominal = json.loads(json.dumps(simulation.datasheets()["plate.nominal.json"]))
+    nominal = nominal_of(simulation, "plate")
     off = (points - nominal["point_mm"]) @ nominal["normal"]
     return 1e3 * fit_plane(points[np.abs(off) < 1.5]).rms_mm
 
@@ -46,8 +32,7 @@ def transport_ms(
     recording: Path, arm: AnyArm, T_flange_sensor: np.ndarray, simulation: SimulatedStation
 ) -> float:
     """By how much the arm's stamps are late of themselves: its line takes a while."""
-    records = open_recording(recording).records()
-    joints = [record for record in records if isinstance(record, JointRecord)][200:-200:20]
+    joints = recorded(recording.parent, JointRecord)[200:-200:20]
     reported = flange_poses(arm, np.array([record.q_rad for record in joints])) @ T_flange_sensor
     lags_ms = np.arange(-1.0, 3.0, 0.05)
     off = []
@@ -57,33 +42,14 @@ def transport_ms(
     return float(lags_ms[np.argmin(off)])
 
 
-def test_a_late_arm_is_found_out_and_put_right(
-    late: SimulatedStation, bus: Bus, tmp_path: Path
-) -> None:
-    rig = Rig(
-        bus, lambda: arm_driver("serial-encoder", {"url": late.arm_url}), late.sensor, tmp_path
-    )
-    use = true_calibration(late, tmp_path)
-    rig.arm.set_model(use.arm)
-    rig.start()
-    scene = Scene(point_budget=100_000)
-    scanner = Scanner(bus, rig, scene, tmp_path / "scans")
-    until(lambda: rig.arm.fresh and rig.sensor.fresh)
-    scanner.set_calibration(use)
-    until(lambda: scanner.why_not() is None)
-    scanner.start("pass")
-    assert late.operator.pass_over_plate()
-    result = scanner.stop()
-    scanner.close()
-    scene.close()
-    rig.stop()
-    assert result is not None
-    serials = SerialNumbers(arm=use.arm_serial, sensor=use.sensor_serial)
-    calibration = Calibration(use.camera, use.plane, use.T_flange_sensor, "u", serials)
-
-    recording = result.folder / "scan.mcap"
+def test_a_late_arm_is_found_out_and_put_right(station: Station, tmp_path: Path) -> None:
+    station.scanner.start("pass")
+    assert station.simulation.operator.pass_over_plate()
+    recording = end_scan(station.scanner).folder / "scan.mcap"
+    use = station.calibration
+    calibration = file_calibration(use)
     found = estimate_recording_delay(recording, calibration, use.arm)
-    true_ms = DELAY_MS + transport_ms(recording, use.arm, use.T_flange_sensor, late)
+    true_ms = DELAY_MS + transport_ms(recording, use.arm, use.T_flange_sensor, station.simulation)
     assert found.standard_uncertainty_ms < 0.1
     assert abs(found.delay_ms - true_ms) < 3 * found.standard_uncertainty_ms + 0.05
     found.write(tmp_path / "sync.json")
@@ -91,4 +57,4 @@ def test_a_late_arm_is_found_out_and_put_right(
 
     before, _ = reconstruct_points(recording, calibration, use.arm)
     after, _ = reconstruct_points(recording, calibration, use.arm, found.delay_ns)
-    assert plane_rms_um(before, late) > 3 * plane_rms_um(after, late)
+    assert plane_rms_um(before, station.simulation) > 3 * plane_rms_um(after, station.simulation)

@@ -4,6 +4,7 @@ import threading
 import time
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 
 import numpy as np
@@ -24,7 +25,7 @@ from hardware.interfaces import (
 from hardware.registry import arm_driver
 from hardware.simulator.rendering.triggered_sensor import TriggeredSensor
 from hardware.simulator.station import SimulatedStation, SimulationConfig
-from tests.station.conftest import collect_readings, until
+from tests.station.conftest import collect_readings, running, until
 
 pytestmark = pytest.mark.device
 
@@ -32,12 +33,6 @@ RATE_HZ = 20.0
 CONFIG = SimulationConfig(
     triggered=True, jitter_ms=20.0, width_px=320, height_px=256, rate_hz=200.0
 )
-
-
-@pytest.fixture(scope="module")
-def simulation() -> Iterator[SimulatedStation]:
-    with SimulatedStation(CONFIG) as running:
-        yield running
 
 
 def noting_arm(url: str, pulses: dict[int, int]) -> ArmDriver:
@@ -96,17 +91,9 @@ def noted(simulation: SimulatedStation) -> Noted:
 
 @pytest.fixture
 def rig(simulation: SimulatedStation, noted: Noted, tmp_path: Path) -> Iterator[Rig]:
-    rig = Rig(
-        Bus(),
-        noted.arm,
-        noted.camera,
-        tmp_path,
-        TriggerSettings(RATE_HZ),
-    )
-    rig.start()
-    yield rig
-    simulation.clear_faults()
-    rig.stop()
+    with running(Rig(Bus(), noted.arm, noted.camera, tmp_path, TriggerSettings(RATE_HZ))) as rig:
+        yield rig
+        simulation.clear_faults()
 
 
 def collect(rig: Rig, count: int) -> list[Frame]:
@@ -156,40 +143,25 @@ def test_a_camera_that_comes_back_is_paired_again(simulation: SimulatedStation, 
     assert len(collect(rig, 5)) >= 5
 
 
-@pytest.fixture(scope="module")
-def two_cameras() -> Iterator[SimulatedStation]:
-    with SimulatedStation(replace(CONFIG, second_sensor=True)) as running:
-        yield running
-
-
-def test_each_of_two_cameras_is_paired_by_its_own_count(
-    two_cameras: SimulatedStation, tmp_path: Path
-) -> None:
+def test_each_of_two_cameras_is_paired_by_its_own_count(tmp_path: Path) -> None:
     """One pulse starts both exposures; one camera's losses and jitter do not concern the other."""
-    simulation, delay_us = two_cameras, 500.0
-    rig = Rig(
-        Bus(),
-        lambda: arm_driver("serial-encoder", {"url": simulation.arm_url}),
-        {"left": simulation.sensor, "right": simulation.second_sensor},
-        tmp_path,
-        TriggerSettings(RATE_HZ, delays_us={"right": delay_us}),
-    )
-    rig.start()
-    try:
-        left, right = rig.sensors.values()
-        simulation.camera_faults.drop_rate = 0.1
-        until(lambda: left.is_paired and right.is_paired)
-        check_common_pulses(left, right, delay_us)
-        # a camera that comes back gets a new start of the pulses, which both are paired by
-        simulation.second_camera_faults.lost = True
-        until(lambda: right.reader.link().state.value == "lost")
-        assert left.is_paired
-        simulation.second_camera_faults.lost = False
-        until(lambda: right.fresh and left.is_paired and right.is_paired)
-        check_common_pulses(left, right, delay_us)
-    finally:
-        rig.stop()
-        simulation.clear_faults()
+    delay_us = 500.0
+    trigger = TriggerSettings(RATE_HZ, delays_us={"right": delay_us})
+    with SimulatedStation(replace(CONFIG, second_sensor=True)) as simulation:
+        arm = partial(arm_driver, "serial-encoder", {"url": simulation.arm_url})
+        sensors = {"left": simulation.sensor, "right": simulation.second_sensor}
+        with running(Rig(Bus(), arm, sensors, tmp_path, trigger)) as rig:
+            left, right = rig.sensors.values()
+            simulation.camera_faults.drop_rate = 0.1
+            until(lambda: left.is_paired and right.is_paired)
+            check_common_pulses(left, right, delay_us)
+            # a camera that comes back gets a new start of the pulses, which both are paired by
+            simulation.second_camera_faults.lost = True
+            until(lambda: right.reader.link().state.value == "lost")
+            assert left.is_paired
+            simulation.second_camera_faults.lost = False
+            until(lambda: right.fresh and left.is_paired and right.is_paired)
+            check_common_pulses(left, right, delay_us)
 
 
 def check_common_pulses(left: StationSensor, right: StationSensor, delay_us: float) -> None:
@@ -215,15 +187,9 @@ def check_common_pulses(left: StationSensor, right: StationSensor, delay_us: flo
 
 def test_a_camera_without_pulses_is_there_though_silent(tmp_path: Path) -> None:
     with SimulatedStation(CONFIG) as simulation:
-        rig = Rig(
-            Bus(),
-            lambda: arm_driver("serial-encoder", {"url": simulation.arm_url}),
-            simulation.sensor,
-            tmp_path,
-        )
-        rig.start()
-        until(lambda: rig.sensor.info is not None)
-        time.sleep(2.0)
-        assert rig.sensor.link().state == "connected"
-        assert rig.sensor.frames.latest is None
-        rig.stop()
+        arm = partial(arm_driver, "serial-encoder", {"url": simulation.arm_url})
+        with running(Rig(Bus(), arm, simulation.sensor, tmp_path)) as rig:
+            until(lambda: rig.sensor.info is not None)
+            time.sleep(2.0)
+            assert rig.sensor.link().state == "connected"
+            assert rig.sensor.frames.latest is None

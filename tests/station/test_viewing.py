@@ -2,6 +2,7 @@
 
 import dataclasses
 from collections.abc import Iterator
+from contextlib import closing
 from pathlib import Path
 
 import numpy as np
@@ -66,7 +67,7 @@ def table(count: int = 20_000) -> Points:
 
 
 @dataclasses.dataclass
-class ViewBench:
+class Views:
     """A scene with a folder of scans."""
 
     scene: Scene
@@ -79,6 +80,13 @@ class ViewBench:
         with cloud_writer(self.folder / name / "cloud.ply") as writer:
             writer.append(points)
         return StoredScan(name, name.capitalize(), self.folder / name, FRAMES, 6.0)
+
+    def show(self, name: str, points: Points) -> StoredScan:
+        """Stores a scan, and shows it as a whole."""
+        scan = self.store(name, points)
+        self.viewing.show(scan)
+        until(lambda: self.whole(name))
+        return scan
 
     def shown(self, scan_id: str) -> int:
         found = {scan.id: scan for scan in self.viewing.state().scans}
@@ -98,13 +106,14 @@ class ViewBench:
 
 
 @pytest.fixture
-def view_bench(tmp_path: Path) -> Iterator[ViewBench]:
-    scene, bus = Scene(point_budget=40_000), Bus()
-    viewing = ViewController(bus, scene, tmp_path, lambda: None)
-    viewing.look(KEY, from_above())
-    yield ViewBench(scene, bus, viewing, tmp_path)
-    viewing.close()
-    scene.close()
+def views(tmp_path: Path) -> Iterator[Views]:
+    bus = Bus()
+    with (
+        closing(Scene(point_budget=40_000)) as scene,
+        closing(ViewController(bus, scene, tmp_path, lambda: None)) as viewing,
+    ):
+        viewing.look(KEY, from_above())
+        yield Views(scene, bus, viewing, tmp_path)
 
 
 def test_a_point_is_seen_where_the_picture_shows_it() -> None:
@@ -135,13 +144,11 @@ def test_what_lies_behind_the_front_surface_is_not_picked() -> None:
 def test_more_points_than_a_fit_takes_are_taken_evenly(tmp_path: Path) -> None:
     count = 3 * MOST_FITTED + 7
     x = np.linspace(480, 520, count)
-    points = cloud(np.column_stack([x, np.zeros(count), np.zeros(count)]), np.arange(count) // 900)
-    with cloud_writer(tmp_path / "cloud.ply") as writer:
-        writer.append(points)
-    thin = np.column_stack([x, np.zeros(count), np.zeros(count)])[::50]
-    shown = VisibleCloud(
-        thin, np.zeros(len(thin), [("taken_s", "<f4")]), 0.1, tmp_path / "cloud.ply"
-    )
+    points, file = np.column_stack([x, np.zeros((count, 2))]), tmp_path / "cloud.ply"
+    with cloud_writer(file) as writer:
+        writer.append(cloud(points, np.arange(count) // 900))
+    thin = points[::50]
+    shown = VisibleCloud(thin, np.zeros(len(thin), [("taken_s", "<f4")]), 0.1, file)
     picked = select_points(from_above(), Rectangle(0, 0, 1, 1), [shown])
     assert picked.count == count
     assert picked.every
@@ -150,134 +157,120 @@ def test_more_points_than_a_fit_takes_are_taken_evenly(tmp_path: Path) -> None:
     assert steps.max() < 1.01 * steps.min()
 
 
-def test_a_sphere_is_fitted_to_all_points_of_the_file(view_bench: ViewBench) -> None:
-    scan = view_bench.store("ball", np.concatenate([table(), ball()]))
-    view_bench.viewing.show(scan)
-    until(lambda: view_bench.whole("ball"))
-    view_bench.fitted(Rectangle(0.42, 0.4, 0.58, 0.6), "sphere")
-    (fitted,) = view_bench.viewing.state().fits
+def test_a_sphere_is_fitted_to_all_points_of_the_file(views: Views) -> None:
+    views.show("ball", np.concatenate([table(), ball()]))
+    views.fitted(Rectangle(0.42, 0.4, 0.58, 0.6), "sphere")
+    (fitted,) = views.viewing.state().fits
     diameter, *centre = fitted.figures
     assert fitted.every
     assert fitted.points <= fitted.picked <= 40_000
-    assert (str(diameter.label), diameter.unit, diameter.uncertainty_unit) == (
-        "Diameter",
-        "mm",
-        "µm",
-    )
+    units = diameter.unit, diameter.uncertainty_unit
+    assert (str(diameter.label), *units) == ("Diameter", "mm", "µm")
     assert diameter.value == pytest.approx(40.0, abs=0.003)
     assert diameter.uncertainty is not None
     assert 0.05 < diameter.uncertainty < 3.0
     assert [figure.value for figure in centre] == pytest.approx([500, 0, 15], abs=0.003)
     assert fitted.rms_um == pytest.approx(10, rel=0.1)
     assert fitted.rms_um < fitted.largest_um < fitted.form_um < 8 * fitted.rms_um
-    viewer = Viewer(view_bench.scene)
-    vertices = viewer.listen().nodes["/fits/1/shape"]["props"]["vertices"].reshape(-1, 3)
-    viewer.close()
+    with closing(Viewer(views.scene)) as viewer:
+        vertices = viewer.listen().nodes["/fits/1/shape"]["props"]["vertices"].reshape(-1, 3)
     radius = np.linalg.norm(1e3 * vertices - [500, 0, 15], axis=1)
     np.testing.assert_allclose(radius, 20.0, atol=0.01)
 
 
-def test_of_the_scan_under_way_what_is_shown_is_fitted_and_that_is_said(
-    view_bench: ViewBench,
-) -> None:
-    view_bench.scene.begin("now")
+def test_of_the_scan_under_way_what_is_shown_is_fitted_and_that_is_said(views: Views) -> None:
+    views.scene.begin("now")
     level = cloud(table()["x"][:, None] * [1, 0, 0] + table()["y"][:, None] * [0, 1, 0], 0, 0.01)
-    view_bench.scene.add_points(level)
-    until(lambda: view_bench.shown("now") > 0)
-    view_bench.fitted(MIDDLE, "plane")
-    (fitted,) = view_bench.viewing.state().fits
+    views.scene.add_points(level)
+    until(lambda: views.shown("now") > 0)
+    views.fitted(MIDDLE, "plane")
+    (fitted,) = views.viewing.state().fits
     assert not fitted.every
     figures = {str(figure.label): figure for figure in fitted.figures}
+    distance = figures["Distance from the arm's origin"]
     assert figures["Tilt from horizontal"].value == pytest.approx(0, abs=0.02)
-    assert figures["Distance from the arm's origin"].value == pytest.approx(0, abs=0.05)
+    assert distance.value == pytest.approx(0, abs=0.05)
     assert figures["Normal Z"].value == pytest.approx(1)
-    # one batch of points is one moment: too little for an uncertainty
-    assert figures["Distance from the arm's origin"].uncertainty is None
+    assert distance.uncertainty is None  # one batch of points is one moment: too little
 
 
-def test_deviations_are_from_the_last_fit_and_end_with_it(view_bench: ViewBench) -> None:
+def test_deviations_are_from_the_last_fit_and_end_with_it(views: Views) -> None:
     with pytest.raises(OperationError, match="There is no fitted shape yet"):
-        view_bench.viewing.colour_by("deviation", None)
-    view_bench.viewing.show(view_bench.store("ball", ball()))
-    until(lambda: view_bench.whole("ball"))
-    view_bench.fitted(Rectangle(0, 0, 1, 1), "sphere")
-    view_bench.viewing.colour_by("deviation", None)
-    until(lambda: view_bench.viewing.state().legend is not None)
-    legend = view_bench.viewing.state().legend
+        views.viewing.colour_by("deviation", None)
+    views.show("ball", ball())
+    views.fitted(Rectangle(0, 0, 1, 1), "sphere")
+    views.viewing.colour_by("deviation", None)
+    until(lambda: views.viewing.state().legend is not None)
+    legend = views.viewing.state().legend
     assert legend is not None
     assert (legend.unit, legend.low) == ("µm", -legend.high)
     assert legend.high == pytest.approx(30, rel=0.15)
-    view_bench.viewing.remove_fit(1)
-    assert view_bench.viewing.state().measure == "height"
-    assert not view_bench.viewing.state().fits
+    views.viewing.remove_fit(1)
+    assert views.viewing.state().measure == "height"
+    assert not views.viewing.state().fits
 
 
-def test_a_new_scan_clears_scans_and_fits(view_bench: ViewBench) -> None:
-    view_bench.viewing.show(view_bench.store("ball", ball()))
-    until(lambda: view_bench.whole("ball"))
-    view_bench.fitted(Rectangle(0, 0, 1, 1), "sphere")
-    assert view_bench.viewing.state().fits
-    view_bench.scene.begin("next")
-    state = view_bench.viewing.state()
+def test_a_new_scan_clears_scans_and_fits(views: Views) -> None:
+    views.show("ball", ball())
+    views.fitted(Rectangle(0, 0, 1, 1), "sphere")
+    assert views.viewing.state().fits
+    views.scene.begin("next")
+    state = views.viewing.state()
     assert [scan.id for scan in state.scans] == ["next"]
     assert not state.fits
 
 
-def test_a_rectangle_over_nothing_and_a_shape_that_is_not_there_are_said(
-    view_bench: ViewBench,
-) -> None:
-    view_bench.viewing.show(view_bench.store("table", table()))
-    until(lambda: view_bench.whole("table"))
-    view_bench.viewing.look(KEY, ViewCamera(from_above().wxyz, (3.0, 3.0, 0.3), 0.8, 1.5))
-    view_bench.fitted(MIDDLE, "plane")
-    assert "no points in the rectangle" in view_bench.reported()[-1]
-    view_bench.viewing.look(KEY, from_above())
-    view_bench.fitted(MIDDLE, "sphere")
-    assert "No sphere was fitted" in view_bench.reported()[-1]
-    view_bench.fitted(MIDDLE, "cylinder")
-    assert "No cylinder was fitted" in view_bench.reported()[-1]
+def test_a_rectangle_over_nothing_and_a_shape_that_is_not_there_are_said(views: Views) -> None:
+    views.show("table", table())
+    views.viewing.look(KEY, ViewCamera(from_above().wxyz, (3.0, 3.0, 0.3), 0.8, 1.5))
+    views.fitted(MIDDLE, "plane")
+    assert "no points in the rectangle" in views.reported()[-1]
+    views.viewing.look(KEY, from_above())
+    shapes: tuple[ShapeName, ...] = ("sphere", "cylinder")
+    for shape in shapes:
+        views.fitted(MIDDLE, shape)
+        assert f"No {shape} was fitted" in views.reported()[-1]
     with pytest.raises(OperationError, match="not connected"):
-        view_bench.viewing.fit("cd" * 16, MIDDLE, "plane")
+        views.viewing.fit("cd" * 16, MIDDLE, "plane")
 
 
-def test_scans_stand_beside_one_another_within_one_budget(view_bench: ViewBench) -> None:
-    one, other = view_bench.store("one", ball()), view_bench.store("other", table())
-    view_bench.viewing.show(one)
-    view_bench.viewing.show(other)
-    view_bench.viewing.show(other)
-    until(lambda: view_bench.whole("one", "other"))
-    until(lambda: sum(view_bench.scene.scans.values()) <= 40_000)
-    assert view_bench.shown("one") > 5000
-    assert view_bench.shown("other") > 5000
-    viewer = Viewer(view_bench.scene)
+def test_scans_stand_beside_one_another_within_one_budget(views: Views) -> None:
+    one, other = views.store("one", ball()), views.store("other", table())
+    for scan in (one, other, other):
+        views.viewing.show(scan)
+    until(lambda: views.whole("one", "other"))
+    until(lambda: sum(views.scene.scans.values()) <= 40_000)
+    assert views.shown("one") > 5000
+    assert views.shown("other") > 5000
+    viewer = Viewer(views.scene)
     kept = {name for name in viewer.listen().nodes if name.startswith("/kept/")}
-    view_bench.viewing.hide("one")
-    assert [scan.id for scan in view_bench.viewing.state().scans] == ["other"]
+    views.viewing.hide("one")
+    assert [scan.id for scan in views.viewing.state().scans] == ["other"]
     left = {name for name in viewer.listen().nodes if name.startswith("/kept/")}
     viewer.close()
     assert left < kept
     assert one.folder.joinpath("cloud.ply").is_file()
 
 
-def test_a_cloud_that_is_gone_or_spoilt_is_said_and_leaves_nothing(view_bench: ViewBench) -> None:
-    scan = view_bench.store("ball", ball())
+def test_a_cloud_that_is_gone_or_spoilt_is_said_and_leaves_nothing(views: Views) -> None:
+    scan = views.store("ball", ball())
     file = scan.folder / "cloud.ply"
     file.write_bytes(file.read_bytes()[:-20_000])
-    view_bench.viewing.show(scan)
-    until(lambda: bool(view_bench.reported()))
-    assert "Ball cannot be displayed" in view_bench.reported()[-1]
-    assert not view_bench.viewing.state().scans
+    views.viewing.show(scan)
+    until(lambda: bool(views.reported()))
+    assert "Ball cannot be displayed" in views.reported()[-1]
+    assert not views.viewing.state().scans
     file.unlink()
     with pytest.raises(OperationError, match="not in the data folder"):
-        view_bench.viewing.show(scan)
+        views.viewing.show(scan)
 
 
-def test_manual_limits_must_be_a_range(view_bench: ViewBench) -> None:
+def test_manual_limits_must_be_a_range(views: Views) -> None:
     for limits in ((3.0, 3.0), (4.0, 1.0), (0.0, float("inf"))):
         with pytest.raises(OperationError, match="lower limit"):
-            view_bench.viewing.colour_by("intensity", limits)
-    view_bench.viewing.colour_by("intensity", (0.0, 50.0))
-    legend = view_bench.viewing.state().legend
+            views.viewing.colour_by("intensity", limits)
+    views.viewing.colour_by("intensity", (0.0, 50.0))
+    legend = views.viewing.state().legend
     assert legend is not None
     assert (legend.low, legend.high, legend.automatic) == (0.0, 50.0, False)
 

@@ -1,11 +1,12 @@
 """A browser's side of the 3D view: keeps the scene's nodes as the server sends them."""
 
 import contextlib
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from typing import Any
 
 import msgspec
 import numpy as np
+import pytest
 import zstandard
 from websockets.sync.client import connect
 
@@ -90,6 +91,12 @@ class Viewer:
             for name, node in self.nodes.items()
             if name.startswith("/cloud/")
         }
+
+
+@pytest.fixture
+def viewer(scene: Scene) -> Iterator[Viewer]:
+    with contextlib.closing(Viewer(scene)) as connected:
+        yield connected
 
 
 def unpack(packet: bytes) -> list[dict[str, Any]]:
