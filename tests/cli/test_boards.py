@@ -20,14 +20,13 @@ from app.formats.session.pose_pictures import ImageRow, write_images
 from app.metrology.adjustment.planning.inverse_kinematics import solve_inverse_kinematics
 from app.metrology.arm.kinematics import flange_pose
 from app.metrology.arm.reported_poses import pose_from_transform
-from app.metrology.sensor.camera import Camera
 from app.metrology.sensor.laser_plane import LaserPlane
 from app.metrology.sensor.triangulation import sensor_points
 from app.metrology.stripe import Stripe
 from app.metrology.targets.chessboard import Markers
-from app.metrology.transforms import Floats, apply, inverse, rigid
+from app.metrology.transforms import apply, inverse, rigid
 from app.report.reports import render_report
-from tests.cli.test_cli import crenel, names_in, refused
+from tests.cli.test_cli import done, names_in, printed, refused
 from tests.datasheets import write_arm, write_object
 from tests.formats.builders import ARM, edit_json, edit_text
 from tests.metrology.boards import (
@@ -73,35 +72,29 @@ def pictures(tmp_path_factory: pytest.TempPathFactory) -> Path:
 @pytest.fixture(scope="module")
 def robot_session(pictures: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
     """Eight pictures and twelve contacts of a robot that reports its flange's pose."""
-    folder = tmp_path_factory.mktemp("robot") / "session"
-    shutil.copytree(pictures, folder)
+    folder = shutil.copytree(pictures, tmp_path_factory.mktemp("robot") / "session")
     write_arm(folder / "arm.json", ROBOT)
     flange = [find_flange_pose(T) for T in POSES]
-    rows = [
-        ImageRow(k + 1, f"images/{k + 1}.png", "both", np.zeros(0), T) for k, T in enumerate(flange)
-    ]
+    none = np.zeros(0)
+    rows = [ImageRow(k, f"images/{k}.png", "both", none, T) for k, T in enumerate(flange, 1)]
     write_images(folder / "images.csv", rows)
-    touched = touching(12, TIP.radius_mm)
-    write_contacts(
-        folder / "probing.csv", ContactReadings(("board",) * 12, np.zeros((12, 0)), touched)
-    )
+    touched = ContactReadings(("board",) * 12, np.zeros((12, 0)), touching(12, TIP.radius_mm))
+    write_contacts(folder / "probing.csv", touched)
     return folder
 
 
 @pytest.fixture(scope="module")
 def arm_session(pictures: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
     """The same pictures by an arm with joints; nothing was touched."""
-    folder = tmp_path_factory.mktemp("arm") / "session"
-    shutil.copytree(pictures, folder)
+    folder = shutil.copytree(pictures, tmp_path_factory.mktemp("arm") / "session")
     write_arm(folder / "arm.json", ARM)
     T_arm_obj = flange_pose(ARM, START_RAD) @ T_FLANGE_CAM @ POSES[0]
     rows = []
-    for k, T in enumerate(POSES):
-        q_rad = solve_inverse_kinematics(
-            ARM, T_arm_obj @ inverse(T) @ inverse(T_FLANGE_CAM), START_RAD
-        )
+    for k, T in enumerate(POSES, 1):
+        T_arm_flange = T_arm_obj @ inverse(T) @ inverse(T_FLANGE_CAM)
+        q_rad = solve_inverse_kinematics(ARM, T_arm_flange, START_RAD)
         assert q_rad is not None
-        rows.append(ImageRow(k + 1, f"images/{k + 1}.png", "both", q_rad))
+        rows.append(ImageRow(k, f"images/{k}.png", "both", q_rad))
     write_images(folder / "images.csv", rows)
     return folder
 
@@ -109,8 +102,7 @@ def arm_session(pictures: Path, tmp_path_factory: pytest.TempPathFactory) -> Pat
 def calibration_of(session: Path, folder: Path, *words: str) -> Path:
     """The file that ``crenel calibrate`` makes of a session, and prints these words of."""
     out = folder / "calibration.json"
-    shown = crenel("calibrate", session, "-o", out)
-    assert shown.exit_code == 0, shown.output
+    shown = done("calibrate", session, "-o", out)
     for each in words:
         assert each in shown.stdout
     return out
@@ -134,11 +126,8 @@ def keep_pictures(session: Path, numbers: Sequence[int]) -> None:
     (session / "images.csv").write_text("\n".join([first, *kept]) + "\n")
 
 
-def test_its_report_speaks_of_corners_and_never_of_edges(
-    arm_session: Path, by_arm: Path, tmp_path: Path
-) -> None:
-    folder = tmp_path / "session"
-    shutil.copytree(arm_session, folder)
+def test_its_report_speaks_of_corners(arm_session: Path, by_arm: Path, tmp_path: Path) -> None:
+    folder = shutil.copytree(arm_session, tmp_path / "session")
     shutil.copy(by_arm, folder / "calibration.json")
     shown = render_report(folder, ".html").decode()
     assert "Corners, rms" in shown
@@ -150,11 +139,9 @@ def test_its_report_speaks_of_corners_and_never_of_edges(
 
 def test_a_robots_session_gives_the_same_file_as_any_other(by_robot: Path) -> None:
     document = CalibrationFile.read(by_robot)
-    assert document.method == "joint"
-    assert document.serial_numbers.sensor == "S-7"
+    assert (document.method, document.serial_numbers.sensor) == ("joint", "S-7")
     assert [pose.number for pose in document.poses if pose.used] == list(range(1, 9))
-    assert len(document.poses[0].corners_px) == 42
-    assert len(document.corners_mm) == 42
+    assert (len(document.poses[0].corners_px), len(document.corners_mm)) == (42, 42)
     assert {one.file for one in document.inputs} >= {"probing.csv", "images/8.png"}
     assert document.uncertainty is not None
     assert document.uncertainty.map is not None
@@ -165,52 +152,34 @@ def test_a_robots_session_gives_the_same_file_as_any_other(by_robot: Path) -> No
     assert document.covariance is not None
     assert document.verdict is not None
     assert "uncertainty" in {finding.code for finding in document.verdict.findings}
-    known = read_calibration(by_robot)
-    found = known.T_flange_sensor @ inverse(camera_place(known.camera))
-    assert np.linalg.norm((found - T_FLANGE_CAM)[:3, 3]) < 0.2
+    assert camera_off_mm(by_robot) < 0.2
 
 
-def camera_place(camera: Camera) -> Floats:
-    """``T_cam_sensor``"""
-    return rigid(camera.rotation, camera.translation_mm)
+def camera_off_mm(calibration: Path) -> float:
+    known = read_calibration(calibration)
+    T_cam_sensor = rigid(known.camera.rotation, known.camera.translation_mm)
+    found = known.T_flange_sensor @ inverse(T_cam_sensor)
+    return float(np.linalg.norm((found - T_FLANGE_CAM)[:3, 3]))
 
 
-def test_a_charuco_board_calibrates_though_cut_off_and_covered(
-    robot_session: Path, tmp_path: Path
-) -> None:
+def test_a_charuco_board_calibrates_if_cut_off_and_covered(spoilt: Path, tmp_path: Path) -> None:
     """From the files alone: as a chessboard, and each corner under its own number."""
-    folder = tmp_path / "session"
-    shutil.copytree(robot_session, folder)
     marked = replace(BOARD, markers=Markers("DICT_4X4_50", 7.5))
-    write_object(folder / "object.json", marked)
-    keep_pictures(folder, range(1, 7))
+    write_object(spoilt / "object.json", marked)
+    keep_pictures(spoilt, range(1, 7))
     for k, T in enumerate(POSES[:6]):
         image = picture(T, Look(board=marked), k)
         if k == 1:
             image[:, :230] = 60  # a hand
-        write_png(folder / f"images/{k + 1}.png", image)
-    detected = crenel(
-        "detect",
-        folder / "images/2.png",
-        "--object",
-        folder / "object.json",
-        "--laser",
-        "v",
-        "--draw",
-        tmp_path / "drawn",
-        "--json",
-    )
-    (shown,) = json.loads(detected.stdout)["images"]
+        write_png(spoilt / f"images/{k + 1}.png", image)
+    seen = ("detect", spoilt / "images/2.png", "--object", spoilt / "object.json")
+    (shown,) = printed(*seen, "--laser", "v", "--draw", tmp_path / "drawn")["images"]
     assert 8 <= len(shown["corners"]) < 42
     assert (tmp_path / "drawn" / "2.png").exists()
-    out = tmp_path / "calibration.json"
-    done = crenel("calibrate", folder, "-o", out)
-    assert done.exit_code == 0, done.output
+    out = calibration_of(spoilt, tmp_path)
     document = CalibrationFile.read(out)
     assert [pose.number for pose in document.poses if pose.used] == list(range(1, 7))
-    known = read_calibration(out)
-    found = known.T_flange_sensor @ inverse(camera_place(known.camera))
-    assert np.linalg.norm((found - T_FLANGE_CAM)[:3, 3]) < 0.2
+    assert camera_off_mm(out) < 0.2
 
 
 def test_one_pose_is_refused_on_a_board(robot_session: Path, tmp_path: Path) -> None:
@@ -242,18 +211,9 @@ def test_a_scan_is_reconstructed_with_its_arm(
         for stamp in range(0, 100 * MS, 4 * MS):
             writer.reading(stamp, reading)
         writer.stripe(50 * MS, stripe, *SIZE)
-    cloud = tmp_path / "cloud.ply"
-    shown = crenel(
-        "reconstruct",
-        tmp_path / "scan.mcap",
-        "--calibration",
-        calibration,
-        "--arm",
-        session / "arm.json",
-        "-o",
-        cloud,
-    )
-    assert shown.exit_code == 0, shown.output
+    cloud, arm = tmp_path / "cloud.ply", session / "arm.json"
+    given = ("--calibration", calibration, "--arm", arm)
+    done("reconstruct", tmp_path / "scan.mcap", *given, "-o", cloud)
     in_cam = sensor_points(camera_at(np.eye(4)), LaserPlane(NORMAL, OFFSET_MM), uv)
     true = apply(flange_pose(ARM, START_RAD) @ T_FLANGE_CAM, in_cam)
     claimed = CalibrationFile.read(calibration).uncertainty
@@ -262,9 +222,7 @@ def test_a_scan_is_reconstructed_with_its_arm(
     assert float(np.sqrt(np.mean(off_um**2))) < max(3 * claimed.total_um, 100)
 
 
-def test_a_scan_by_joints_is_refused_with_a_robot(
-    robot_session: Path, by_arm: Path, tmp_path: Path
-) -> None:
+def test_a_robot_takes_no_scan_by_joints(robot_session: Path, by_arm: Path, tmp_path: Path) -> None:
     with RecordingWriter(tmp_path / "scan.mcap", tuple(one.name for one in ARM.joints)) as writer:
         writer.joints(0, START_RAD)
     arguments = (tmp_path / "scan.mcap", "--calibration", by_arm)
@@ -274,26 +232,25 @@ def test_a_scan_by_joints_is_refused_with_a_robot(
 
 @pytest.fixture
 def spoilt(robot_session: Path, tmp_path: Path) -> Path:
-    """A session to spoil."""
-    folder = tmp_path / "session"
-    shutil.copytree(robot_session, folder)
-    return folder
+    return shutil.copytree(robot_session, tmp_path / "session")
 
 
 @pytest.fixture
 def few(spoilt: Path) -> Path:
-    """A session of few pictures to spoil."""
     keep_pictures(spoilt, FEW)
     return spoilt
 
 
-def findings_of(session: Path) -> dict[str, str]:
-    shown = crenel("calibrate", session, "-o", session / "c.json", "--json")
-    assert shown.exit_code == 0, shown.output
-    return {
-        one["code"]: f"{one['quality']}: {one['text']} {one['remedy']}"
-        for one in json.loads(shown.stdout)["verdict"]["findings"]
-    }
+def findings_of(session: Path, *more: str) -> dict[str, str]:
+    shown = printed("calibrate", session, "-o", session / "c.json", *more)
+    findings = shown["verdict"]["findings"]
+    return {one["code"]: f"{one['quality']}: {one['text']} {one['remedy']}" for one in findings}
+
+
+def why_refused(session: Path) -> str:
+    said = refused("calibrate", session, "-o", session / "c.json")
+    assert not (session / "c.json").exists()
+    return said
 
 
 @pytest.mark.parametrize(
@@ -305,11 +262,9 @@ def findings_of(session: Path) -> dict[str, str]:
         ({"square_mm": 0.01}, "is it in metres?"),
     ],
 )
-def test_another_boards_certificate_is_refused(
-    few: Path, fields: dict[str, object], words: str
-) -> None:
+def test_another_certificate_is_refused(few: Path, fields: dict[str, object], words: str) -> None:
     edit_json(few / "object.json", lambda document: document.update(fields))
-    assert words in refused("calibrate", few, "-o", few / "c.json")
+    assert words in why_refused(few)
 
 
 def test_a_size_slightly_wrong_is_flagged(spoilt: Path) -> None:
@@ -321,9 +276,7 @@ def test_a_size_slightly_wrong_is_flagged(spoilt: Path) -> None:
 def test_limits_of_the_user_decide(few: Path) -> None:
     """By the usual ones, so few pictures are not good."""
     easy = ("--good-um", "1000", "--usable-um", "2000")
-    shown = crenel("calibrate", few, "-o", few / "c.json", "--json", *easy)
-    said = {one["code"]: one["quality"] for one in json.loads(shown.stdout)["verdict"]["findings"]}
-    assert said["uncertainty"] == "good"
+    assert findings_of(few, *easy)["uncertainty"].startswith("good: ")
 
 
 def test_bad_pictures_are_left_out_and_named_unless_all_are(spoilt: Path) -> None:
@@ -336,16 +289,13 @@ def test_bad_pictures_are_left_out_and_named_unless_all_are(spoilt: Path) -> Non
     (images / "5.png").write_text("no picture")
     write_png(images / "6.png", np.zeros(SIZE[::-1], np.uint8))
     write_png(images / "7.png", np.zeros((100, 100), np.uint8))
-    shown = crenel("calibrate", spoilt, "-o", spoilt / "c.json", "--json")
-    assert shown.exit_code == 0, shown.output
-    poses = {pose["number"]: pose for pose in json.loads(shown.stdout)["poses"]}
+    shown = printed("calibrate", spoilt, "-o", spoilt / "c.json")
+    poses = {pose["number"]: pose for pose in shown["poses"]}
     said = {number: pose["reason"] for number, pose in poses.items() if not pose["used"]}
-    assert set(said) == {2, 4, 5, 6, 7}
-    assert "2.png" in said[2]
-    assert "4.png: there is no such file" in said[4]
-    assert "5.png" in said[5]
-    assert "No chessboard of 7 × 6" in said[6]
-    assert "100 × 100" in said[7]
+    expected = {2: "2.png", 4: "4.png: there is no such file", 5: "5.png"}
+    expected |= {6: "No chessboard of 7 × 6", 7: "100 × 100"}
+    assert said.keys() == expected.keys()
+    assert all(words in said[number] for number, words in expected.items()), said
     files = [one["file"] for one in json.loads((spoilt / "c.json").read_text())["inputs"]]
     assert "images/1.png" in files
     assert "images/4.png" not in files
@@ -369,9 +319,7 @@ def test_laser_pictures_may_be_missing_or_damaged(spoilt: Path) -> None:
             rows.append(ImageRow(k + 1, on, "laser", np.zeros(0), flange))
     write_images(spoilt / "images.csv", rows)
     (spoilt / "images/5on.png").write_text("no picture")
-    shown = crenel("calibrate", spoilt, "-o", spoilt / "c.json", "--json")
-    assert shown.exit_code == 0, shown.output
-    document = json.loads(shown.stdout)
+    document = printed("calibrate", spoilt, "-o", spoilt / "c.json")
     poses = {pose["number"]: pose for pose in document["poses"]}
     assert all(pose["used"] for pose in poses.values())
     assert poses[4]["stripe_points"] == poses[5]["stripe_points"] == 0
@@ -385,9 +333,7 @@ def test_laser_pictures_may_be_missing_or_damaged(spoilt: Path) -> None:
 def test_pictures_without_the_laser_are_refused(few: Path) -> None:
     for k, T in enumerate(POSES[: len(FEW)]):
         write_png(few / f"images/{k + 1}.png", picture(T, Look(laser=False), k))
-    said = refused("calibrate", few, "-o", few / "c.json")
-    assert "the laser line lies on the board in 0 of 3 pictures" in said
-    assert not (few / "c.json").exists()
+    assert "the laser line lies on the board in 0 of 3 pictures" in why_refused(few)
 
 
 def test_mirrored_pictures_are_refused_as_such(few: Path) -> None:
@@ -395,9 +341,7 @@ def test_mirrored_pictures_are_refused_as_such(few: Path) -> None:
         picture = cv2.imread(str(path), cv2.IMREAD_UNCHANGED)
         assert picture is not None
         cv2.imwrite(str(path), picture[:, ::-1])
-    said = refused("calibrate", few, "-o", few / "c.json")
-    assert "check that the pictures are not mirrored" in said.replace("Check", "check")
-    assert not (few / "c.json").exists()
+    assert "check that the pictures are not mirrored" in why_refused(few).replace("Check", "check")
 
 
 def test_poses_that_are_all_one_are_refused(few: Path) -> None:
@@ -405,37 +349,33 @@ def test_poses_that_are_all_one_are_refused(few: Path) -> None:
     pose = rows[0].split(",")[3:]
     alike = [",".join([*row.split(",")[:3], *pose]) for row in rows]
     (few / "images.csv").write_text("\n".join([first, *alike]) + "\n")
-    said = refused("calibrate", few, "-o", few / "c.json")
-    assert "poses that are all alike do not determine the sensor's position" in said
+    said = "poses that are all alike do not determine the sensor's position"
+    assert said in why_refused(few)
 
 
 def test_poses_in_metres_are_refused(few: Path) -> None:
     first, *rows = (few / "images.csv").read_text().splitlines()
     cells = [row.split(",") for row in rows]
-    metres = [
-        ",".join([*row[:3], *(str(float(cell) / 1000) for cell in row[3:6]), *row[6:]])
-        for row in cells
-    ]
+    for row in cells:
+        row[3:6] = [str(float(cell) / 1000) for cell in row[3:6]]
+    metres = [",".join(row) for row in cells]
     (few / "images.csv").write_text("\n".join([first, *metres]) + "\n")
-    assert "metres, but millimetres" in refused("calibrate", few, "-o", few / "c.json")
+    assert "metres, but millimetres" in why_refused(few)
 
 
 def test_touches_without_a_tip_are_refused(few: Path) -> None:
     edit_json(few / "arm.json", lambda document: document.pop("tip"))
-    said = refused("calibrate", few, "-o", few / "c.json")
-    assert "12 contact points, but the arm robot has no tip" in said
+    assert "12 contact points, but the arm robot has no tip" in why_refused(few)
 
 
 def test_touches_of_another_feature_are_refused(spoilt: Path) -> None:
     edit_text(spoilt / "probing.csv", "board", "crest")
-    said = refused("calibrate", spoilt, "-o", spoilt / "c.json")
-    assert "feature 'crest': the faces are board" in said
+    assert "feature 'crest': the faces are board" in why_refused(spoilt)
 
 
 def test_a_recording_with_bad_pictures_calibrates_from_the_rest(real: Path, tmp_path: Path) -> None:
     """Blurred, dark and half of the board; named, and nearly as good without them."""
-    recording = real / "robot-laser-chessboard" / "calib3"
-    session = write_real_session(recording, tmp_path / "session")
+    session = write_real_session(real / "robot-laser-chessboard" / "calib3", tmp_path / "session")
     keep_pictures(session, range(1, 11))
     bad = sorted((session / "images").glob("*.png"))[1:8:3]
     blurred, dark, half = (read_grey(path) for path in bad)
@@ -443,10 +383,7 @@ def test_a_recording_with_bad_pictures_calibrates_from_the_rest(real: Path, tmp_
     spoilt = (cv2.GaussianBlur(blurred, (0, 0), 30), dark // 40, half)
     for path, image in zip(bad, spoilt, strict=True):
         write_png(path, np.asarray(image, np.uint8))
-    out = tmp_path / "calibration.json"
-    shown = crenel("calibrate", session, "-o", out)
-    assert shown.exit_code == 0, shown.output
-    document = CalibrationFile.read(out)
+    document = CalibrationFile.read(calibration_of(session, tmp_path))
     left_out = [pose for pose in document.poses if not pose.used]
     assert {pose.number for pose in left_out} == {int(path.stem[5:]) for path in bad}
     assert all(pose.reason for pose in left_out)
@@ -460,10 +397,8 @@ def test_a_recording_with_bad_pictures_calibrates_from_the_rest(real: Path, tmp_
 def test_recorded_pictures(real: Path, tmp_path: Path, name: str, scatter_mm: float) -> None:
     """A real robot's recordings: the poses agree on the board's place."""
     session = write_real_session(real / "robot-laser-chessboard" / name, tmp_path / "session")
-    out = tmp_path / "calibration.json"
-    shown = crenel("calibrate", session, "-o", out)
-    assert shown.exit_code == 0, shown.output
-    document = CalibrationFile.read(out)
+    shown = done("calibrate", session, "-o", tmp_path / "calibration.json")
+    document = CalibrationFile.read(tmp_path / "calibration.json")
     assert all(pose.used for pose in document.poses)
     assert np.sqrt(np.mean([pose.off_um**2 for pose in document.poses])) < 1e3 * scatter_mm
     assert 2345 < document.camera.matrix[0][0] < 2365

@@ -14,7 +14,7 @@ from app.metrology.fitting.plane_sphere import fit_plane
 from app.metrology.sensor.camera import project
 from app.metrology.stripe import Stripe
 from app.metrology.transforms import Floats
-from tests.cli.test_cli import crenel, names_in, refused
+from tests.cli.test_cli import crenel, done, names_in, printed, refused
 from tests.datasheets import write_arm
 from tests.formats.builders import ARM, HEIGHT, POSE_DEG, WIDTH, little_calibration
 from tests.formats.test_documents import calibration_file
@@ -40,8 +40,7 @@ def pass_over_a_plate(path: Path, station: dict[str, str] | None = None) -> None
     offset = float(normal @ (there @ [0.0, 1.5, 0.0, 1.0])[:3])
     with RecordingWriter(path, NAMES, station) as writer:
         for ms in range(0, 5200, 2):
-            q = q_of(ms / 1e3) + 1e-6 * rng.normal(size=6)
-            writer.joints(round((ms + DELAY_MS) * MS), q)
+            writer.joints(round((ms + DELAY_MS) * MS), q_of(ms / 1e3) + 1e-6 * rng.normal(size=6))
         for ms in range(60, 5100, 40):
             T = flange_pose(ARM, q_of(ms / 1e3)) @ use.T_flange_sensor
             nx, ny, _ = T[:3, :3].T @ normal
@@ -67,20 +66,16 @@ def given(folder: Path) -> tuple[str | Path, ...]:
 
 def rms_um(folder: Path, *more: str | Path, scan: str = "scan.mcap") -> float:
     cloud = folder / "cloud.ply"
-    result = crenel("reconstruct", folder / scan, *given(folder), "-o", cloud, *more)
-    assert result.exit_code == 0, result.output
+    done("reconstruct", folder / scan, *given(folder), "-o", cloud, *more)
     return 1e3 * fit_plane(read_cloud(cloud).points_mm).rms_mm
 
 
 def test_the_delay_is_found_and_a_rebuild_takes_it_out(folder: Path) -> None:
     output = folder / "sync.json"
-    result = crenel("sync", folder / "scan.mcap", *given(folder), "-o", output, "--json")
-    assert result.exit_code == 0, result.output
-    reported = json.loads(result.stdout)
-    assert reported["delay_ms"] == pytest.approx(
-        DELAY_MS, abs=4 * reported["standard_uncertainty_ms"]
-    )
-    assert reported["standard_uncertainty_ms"] < 0.2
+    reported = printed("sync", folder / "scan.mcap", *given(folder), "-o", output)
+    uncertainty_ms = reported["standard_uncertainty_ms"]
+    assert reported["delay_ms"] == pytest.approx(DELAY_MS, abs=4 * uncertainty_ms)
+    assert uncertainty_ms < 0.2
     assert json.loads(output.read_text())["delay_ms"] == reported["delay_ms"]
     without, found = rms_um(folder), rms_um(folder, "--sync", output)
     assert found < 30 < 80 < without
@@ -110,9 +105,8 @@ def test_what_does_not_show_the_delay_is_refused_and_nothing_written(folder: Pat
 
 def test_a_delay_of_other_devices_is_refused(folder: Path) -> None:
     output = folder / "sync.json"
-    assert crenel("sync", folder / "scan.mcap", *given(folder), "-o", output).exit_code == 0
-    document = json.loads(output.read_text())
-    output.write_text(json.dumps({**document, "arm_serial": "A-2"}))
+    done("sync", folder / "scan.mcap", *given(folder), "-o", output)
+    output.write_text(json.dumps({**json.loads(output.read_text()), "arm_serial": "A-2"}))
     line = refused("reconstruct", folder / "scan.mcap", *given(folder), "--sync", output)
     assert "belongs to arm A-2" in line
     both = ("--sync", output, "--delay-ms", "1")

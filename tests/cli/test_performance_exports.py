@@ -1,56 +1,53 @@
 """``crenel performance export`` and ``crenel certificate``."""
 
-import json
 from pathlib import Path
 
 import pytest
-from typer.testing import CliRunner
 
-from app.cli.main import cli
 from app.formats.datasheets.gauge import read_gauge
 from app.formats.datasheets.length_standard import read_length_standard
+from tests.cli.test_cli import crenel, done, printed
 from tests.formats.certificates import DIAMETER, FORM, certificate, expanded, quantity, real
 from tests.formats.performance_builders import sphere_result
 
 
-def run(*arguments: str) -> tuple[int, str]:
-    result = CliRunner().invoke(cli, list(arguments))
-    return result.exit_code, result.output
+def failed(*arguments: object) -> str:
+    result = crenel(*arguments)
+    assert result.exit_code == 1, result.output
+    return result.output
+
+
+@pytest.fixture
+def judged(tmp_path: Path) -> Path:
+    sphere_result(tmp_path / "test")
+    return tmp_path / "test"
 
 
 @pytest.mark.parametrize("form", ["csv", "xlsx", "qif", "dcc"])
-def test_a_test_is_exported(tmp_path: Path, form: str) -> None:
-    sphere_result(tmp_path / "test")
+def test_a_test_is_exported(tmp_path: Path, judged: Path, form: str) -> None:
     output = tmp_path / "result"
-    arguments = ["performance", "export", str(tmp_path / "test"), "--format", form]
-    code, said = run(*arguments, "-o", str(output), "--country", "DE")
-    assert code == 0, said
+    export = ("performance", "export", judged, "--format", form)
+    said = done(*export, "-o", output, "--country", "DE").output
     assert output.is_dir() == (form == "csv")
     assert f"{output}" in said
     assert ("not validated" in said) == (form in ("qif", "dcc"))
 
 
-def test_a_certificate_without_a_country_is_refused(tmp_path: Path) -> None:
-    sphere_result(tmp_path / "test")
-    code, said = run("certificate", "write", str(tmp_path / "test"), "-o", str(tmp_path / "c.xml"))
-    assert code == 1
-    assert "--country" in said
+def test_a_certificate_without_a_country_is_refused(tmp_path: Path, judged: Path) -> None:
+    assert "--country" in failed("certificate", "write", judged, "-o", tmp_path / "c.xml")
     assert not (tmp_path / "c.xml").exists()
 
 
-def test_a_certificate_is_written_for_a_customer(tmp_path: Path) -> None:
-    sphere_result(tmp_path / "test")
+def test_a_certificate_is_written_for_a_customer(tmp_path: Path, judged: Path) -> None:
     arguments = ["--laboratory", "Lab", "--country", "CH", "--customer", "Someone"]
     output = tmp_path / "c.xml"
-    code, said = run("certificate", "write", str(tmp_path / "test"), "-o", str(output), *arguments)
-    assert code == 0, said
+    done("certificate", "write", judged, "-o", output, *arguments)
     assert "Someone" in output.read_text("utf-8")
 
 
 @pytest.mark.parametrize("command", ["export", "write"])
-def test_a_certificate_is_checked_by_a_schema(tmp_path: Path, command: str) -> None:
+def test_a_certificate_is_checked_by_a_schema(tmp_path: Path, judged: Path, command: str) -> None:
     pytest.importorskip("lxml")
-    sphere_result(tmp_path / "test")
     schema, output = tmp_path / "dcc.xsd", tmp_path / "c.xml"
     schema.write_text(
         '<xs:schema xmlns:xs="http://www.w3.org/2001/XMLSchema" targetNamespace="https://ptb.de/dcc">'
@@ -59,17 +56,14 @@ def test_a_certificate_is_checked_by_a_schema(tmp_path: Path, command: str) -> N
     )
     form = ["performance", "export", "--format", "dcc"]
     start = form if command == "export" else ["certificate", "write"]
-    arguments = [*start, str(tmp_path / "test"), "-o", str(output), "--country", "DE"]
-    code, said = run(*arguments, "--schema", str(schema))
-    assert code == 0, said
+    arguments = [*start, judged, "-o", output, "--country", "DE"]
+    said = done(*arguments, "--schema", schema).output
     assert f"written, valid by {schema}" in said
     assert "not signed" in said
     assert "not validated" not in said
-    other = schema.read_text("utf-8").replace("digital", "other")
-    schema.write_text(other, encoding="utf-8")
+    schema.write_text(schema.read_text("utf-8").replace("digital", "other"), encoding="utf-8")
     output.unlink()
-    code, said = run(*arguments, "--schema", str(schema))
-    assert code == 1
+    said = failed(*arguments, "--schema", schema)
     assert "line 2: Element 'digitalCalibrationCertificate'" in said
     assert not output.exists()
 
@@ -77,20 +71,17 @@ def test_a_certificate_is_checked_by_a_schema(tmp_path: Path, command: str) -> N
 def test_a_certificate_is_read(tmp_path: Path) -> None:
     path, gauge = tmp_path / "sphere.xml", tmp_path / "sphere.nominal.json"
     path.write_text(certificate(DIAMETER, FORM), encoding="utf-8")
-    code, said = run("certificate", "read", str(path), "-o", str(gauge))
-    assert code == 0, said
+    said = done("certificate", "read", path, "-o", gauge).output
     assert "25.00120 mm ± 0.60 µm" in said
     assert "expansion_per_c" in said
     assert read_gauge(gauge).certificate == "4711-2026"
-    code, said = run("certificate", "read", str(path), "--json")
-    assert json.loads(said)["diameter_mm"] == 25.0012
+    assert printed("certificate", "read", path)["diameter_mm"] == 25.0012
 
 
 def test_the_certificate_read_is_not_replaced(tmp_path: Path) -> None:
     path = tmp_path / "sphere.xml"
     path.write_text(certificate(DIAMETER, FORM), encoding="utf-8")
-    code, said = run("certificate", "read", str(path), "-o", str(path))
-    assert code == 1, said
+    failed("certificate", "read", path, "-o", path)
     assert path.read_text("utf-8").startswith("<?xml")
 
 
@@ -98,8 +89,7 @@ def test_the_certificate_of_a_ball_bar_is_read(tmp_path: Path) -> None:
     path, bar = tmp_path / "bar.xml", tmp_path / "bar.json"
     inner = real("600.018", "\\milli\\metre", expanded("0.0012"))
     path.write_text(certificate(quantity("Length", inner)), encoding="utf-8")
-    code, said = run("certificate", "read", str(path), "--kind", "ball-bar", "-o", str(bar))
-    assert code == 0, said
+    said = done("certificate", "read", path, "--kind", "ball-bar", "-o", bar).output
     assert "600.01800 mm ± 1.20 µm" in said
     assert "expansion_per_c" in said
     assert "sphere_diameter_mm" in said
@@ -119,7 +109,6 @@ def test_a_ball_bar_read_without_sphere_diameter_is_warned_of(
     if diameter_mm:
         parts.append(quantity("Diameter", real(diameter_mm, "\\milli\\metre", known)))
     path.write_text(certificate(*parts), encoding="utf-8")
-    code, said = run("certificate", "read", str(path), "--kind", kind)
-    assert code == 0, said
+    said = done("certificate", "read", path, "--kind", kind).output
     assert ("sphere_diameter_mm" in said) == is_warned
     assert "expansion_per_c" in said

@@ -8,26 +8,16 @@ import cv2
 import numpy as np
 import pytest
 
-from tests.cli.test_cli import crenel
+from tests.cli.test_cli import crenel, done, printed, refused
 from tests.colours import HEIGHT, WIDTH, expose, line_rows, mosaic, render_colours
 
 
 @pytest.fixture
 def board(tmp_path: Path) -> Path:
+    board = {"format": "crenel/object", "version": 1, "kind": "chessboard", "name": "B"}
+    board |= {"serial_number": "1", "inner_corners": [5, 4], "square_mm": 20.0}
     path = tmp_path / "object.json"
-    path.write_text(
-        json.dumps(
-            {
-                "format": "crenel/object",
-                "version": 1,
-                "kind": "chessboard",
-                "name": "B",
-                "serial_number": "1",
-                "inner_corners": [5, 4],
-                "square_mm": 20.0,
-            }
-        )
-    )
+    path.write_text(json.dumps(board))
     return path
 
 
@@ -40,33 +30,43 @@ def picture(path: Path) -> Path:
     return path
 
 
+def write_line(path: Path, height: float = 150.0, noise: float = 1.0, width_px: int = 120) -> Path:
+    rows = np.arange(80.0)[:, None]
+    grey = 20 + height * np.exp(-((rows - 40.3) ** 2) / 4.5) + np.zeros((80, width_px))
+    grey += np.random.default_rng(0).normal(0, noise, grey.shape)
+    cv2.imwrite(str(path), grey.round().astype(np.uint8))
+    return path
+
+
+def write_blank(path: Path, *shape: int) -> Path:
+    cv2.imwrite(str(path), np.full(shape, 90, np.uint8))
+    return path
+
+
+def rows_of(table: Path) -> list[dict[str, str]]:
+    with table.open() as file:
+        return list(csv.DictReader(file))
+
+
 def test_corners_are_listed_and_drawn(tmp_path: Path, board: Path) -> None:
     seen = picture(tmp_path / "seen.png")
-    empty = tmp_path / "empty.png"
-    cv2.imwrite(str(empty), np.full((200, 200), 90, np.uint8))
+    empty = write_blank(tmp_path / "empty.png", 200, 200)
     table, drawn = tmp_path / "corners.csv", tmp_path / "drawn"
-    arguments = (seen, empty, "--object", board, "-o", table, "--draw", drawn)
-    result = crenel("detect", *arguments)
-    assert result.exit_code == 0, result.output
+    result = done("detect", seen, empty, "--object", board, "-o", table, "--draw", drawn)
     assert f"{empty}: no chessboard" in result.stdout
-    with table.open() as file:
-        rows = list(csv.DictReader(file))
+    rows = rows_of(table)
     corners = [row for row in rows if row["image"] == str(seen)]
     assert [int(row["number"]) for row in corners] == list(range(20))
     u = sorted(float(row["u"]) for row in corners)
     np.testing.assert_allclose(u, np.repeat(99.5 + 40 * np.arange(5), 4), atol=0.2)
     assert all(0 < float(row["sigma_px"]) < 0.2 for row in corners)
-    (refused,) = (row for row in rows if row["image"] == str(empty))
-    assert refused["refusal"] == "board-not-found"
+    (without,) = (row for row in rows if row["image"] == str(empty))
+    assert without["refusal"] == "board-not-found"
     image = cv2.imread(str(drawn / "seen.png"))
     assert image is not None
     assert (image[..., 0] != image[..., 1]).any()
     assert (drawn / "empty.png").is_file()
-
-
-def test_the_result_is_there_for_programs(tmp_path: Path, board: Path) -> None:
-    result = crenel("detect", picture(tmp_path / "a.png"), "--object", board, "--json")
-    (found,) = json.loads(result.stdout)["images"]
+    (found,) = printed("detect", seen, "--object", board)["images"]
     assert len(found["corners"]) == 20
     assert found["refusal"] is None
 
@@ -74,17 +74,13 @@ def test_the_result_is_there_for_programs(tmp_path: Path, board: Path) -> None:
 def test_drawings_of_one_name_are_refused(tmp_path: Path, board: Path) -> None:
     (tmp_path / "other").mkdir()
     seen = picture(tmp_path / "a.png"), picture(tmp_path / "other" / "a.png")
-    result = crenel("detect", *seen, "--object", board, "--draw", tmp_path / "drawn")
-    assert result.exit_code == 1
-    assert "two pictures are named a" in result.stderr
+    arguments = ("--object", board, "--draw", tmp_path / "drawn")
+    assert "two pictures are named a" in refused("detect", *seen, *arguments)
 
 
 def test_stripes_are_smoothed_as_wished(tmp_path: Path) -> None:
-    rows = np.arange(80.0)[:, None]
-    grey = 20 + 100 * np.exp(-((rows - 40.3) ** 2) / 4.5) + np.zeros((80, 300))
-    noise = np.random.default_rng(0).normal(0, 3.0, grey.shape)
-    line, table = tmp_path / "line.png", tmp_path / "s.csv"
-    cv2.imwrite(str(line), (grey + noise).round().astype(np.uint8))
+    line = write_line(tmp_path / "line.png", 100, noise=3.0, width_px=300)
+    table = tmp_path / "s.csv"
     scatter, stated = [], []
     for smoothing in ("0", "4"):
         result = crenel("extract", line, "-o", table, "--smoothing", smoothing)
@@ -95,20 +91,14 @@ def test_stripes_are_smoothed_as_wished(tmp_path: Path) -> None:
     assert scatter[1] < 0.5 * scatter[0]
     assert stated[1] < 0.5 * stated[0]
     for smoothing in ("-1", "nan", "inf"):
-        result = crenel("extract", line, "-o", table, "--smoothing", smoothing)
-        assert result.exit_code == 1
-        assert "the smoothing of the stripe is" in result.stderr
-        assert "at most 50 px" in result.stderr
+        said = refused("extract", line, "-o", table, "--smoothing", smoothing)
+        assert "the smoothing of the stripe is" in said
+        assert "at most 50 px" in said
 
 
 def test_stripes_are_drawn(tmp_path: Path) -> None:
-    rows = np.arange(80.0)[:, None]
-    grey = 20 + 150 * np.exp(-((rows - 40.3) ** 2) / 4.5) + np.zeros((80, 120))
-    noise = np.random.default_rng(0).normal(0, 1.0, grey.shape)
-    cv2.imwrite(str(tmp_path / "line.png"), (grey + noise).round().astype(np.uint8))
-    drawn = tmp_path / "drawn"
-    result = crenel("extract", tmp_path / "line.png", "-o", tmp_path / "s.csv", "--draw", drawn)
-    assert result.exit_code == 0, result.output
+    line, drawn = write_line(tmp_path / "line.png"), tmp_path / "drawn"
+    done("extract", line, "-o", tmp_path / "s.csv", "--draw", drawn)
     image = cv2.imread(str(drawn / "line.png"))
     assert image is not None
     red = (image[..., 2] > image[..., 0]).any(axis=1)
@@ -116,12 +106,7 @@ def test_stripes_are_drawn(tmp_path: Path) -> None:
 
 
 def test_pictures_without_a_line_are_listed_and_the_others_written(tmp_path: Path) -> None:
-    rows = np.arange(80.0)[:, None]
-    grey = 20 + 150 * np.exp(-((rows - 40.3) ** 2) / 4.5) + np.zeros((80, 120))
-    noise = np.random.default_rng(0).normal(0, 1.0, grey.shape)
-    lines = [tmp_path / "first.png", tmp_path / "last.png"]
-    for path in lines:
-        cv2.imwrite(str(path), (grey + noise).round().astype(np.uint8))
+    lines = [write_line(tmp_path / name) for name in ("first.png", "last.png")]
     empty, broken, table = (tmp_path / name for name in ("empty.png", "broken.png", "s.csv"))
     cv2.imwrite(str(empty), np.full((80, 120), 90, np.uint8))
     broken.write_bytes(b"no picture")
@@ -133,25 +118,19 @@ def test_pictures_without_a_line_are_listed_and_the_others_written(tmp_path: Pat
     assert any(line.startswith(f"{empty} shows no laser stripe") for line in reasons)
     assert any(line.startswith(str(broken)) for line in reasons)
     assert result.stderr.endswith("crenel: 2 of 4 pictures have no line\n")
-    with table.open() as file:
-        named = [row["image"] for row in csv.DictReader(file)]
+    named = [row["image"] for row in rows_of(table)]
     assert named == [str(lines[0])] * 120 + [str(lines[1])] * 120
     assert sorted(path.name for path in drawn.iterdir()) == ["first.png", "last.png"]
     result = crenel("extract", *pictures, "-o", table, "--json")
     assert result.exit_code == 3
     found = json.loads(result.stdout)["images"]
     assert [len(one["u"]) for one in found] == [120, 0, 0, 120]
-    assert [one["refusal"] and one["refusal"]["code"] for one in found] == [
-        None,
-        "stripe-not-found",
-        "image-unreadable",
-        None,
-    ]
+    codes = [one["refusal"] and one["refusal"]["code"] for one in found]
+    assert codes == [None, "stripe-not-found", "image-unreadable", None]
 
 
 def test_nothing_is_written_where_no_picture_has_a_line(tmp_path: Path) -> None:
-    empty, table = tmp_path / "empty.png", tmp_path / "s.csv"
-    cv2.imwrite(str(empty), np.full((80, 120), 90, np.uint8))
+    empty, table = write_blank(tmp_path / "empty.png", 80, 120), tmp_path / "s.csv"
     result = crenel("extract", empty, empty, "-o", table)
     assert result.exit_code == 1
     assert "none of the 2 pictures has a line" in result.stderr
@@ -169,25 +148,20 @@ def test_a_line_along_the_other_axis_is_said(tmp_path: Path, axis: str, other: s
     picture = (steep + noise).round().astype(np.uint8)
     path, table = tmp_path / "line.png", tmp_path / "s.csv"
     cv2.imwrite(str(path), picture if axis == "u" else picture.T)
-    result = crenel("extract", path, path, "-o", table, "--axis", axis)
-    said = " ".join(result.output.split())
-    assert f"Give --axis {other}" in said
-    found = crenel("extract", path, path, "-o", table, "--axis", other)
-    assert found.exit_code == 0
-    assert "--axis" not in found.output
+    said = crenel("extract", path, path, "-o", table, "--axis", axis).output
+    assert f"Give --axis {other}" in " ".join(said.split())
+    assert "--axis" not in done("extract", path, path, "-o", table, "--axis", other).output
 
 
 def test_a_picture_that_cannot_be_read_leaves_the_others(tmp_path: Path, board: Path) -> None:
     seen, broken = picture(tmp_path / "seen.png"), tmp_path / "broken.png"
     broken.write_bytes(seen.read_bytes()[:500])
     table, drawn = tmp_path / "corners.csv", tmp_path / "drawn"
-    arguments = (seen, broken, "--object", board, "-o", table, "--draw", drawn)
-    result = crenel("detect", *arguments)
+    result = crenel("detect", seen, broken, "--object", board, "-o", table, "--draw", drawn)
     assert result.exit_code == 3
     assert f"{broken} ends after 500 bytes" in result.stdout
     assert result.stderr.endswith("crenel: 1 of 2 pictures cannot be read\n")
-    with table.open() as file:
-        rows = list(csv.DictReader(file))
+    rows = rows_of(table)
     assert [row["image"] for row in rows] == [str(seen)] * 20 + [str(broken)]
     assert rows[-1]["refusal"] == "image-cut-off"
     assert [path.name for path in drawn.iterdir()] == ["seen.png"]
@@ -206,15 +180,11 @@ def test_raw_pictures_are_measured_at_the_pixels_of_the_lasers_colour(tmp_path: 
     raw = write_raw(tmp_path / "raw.png")
     table, drawn = tmp_path / "stripe.csv", tmp_path / "drawn"
     options = ("--bayer", "GRBG", "--colour", "red")
-    zones = {
-        "width_px": WIDTH,
-        "height_px": HEIGHT,
-        "zones": [[[0, 0], [99, 0], [99, 319], [0, 319]]],
-    }
+    document = {"format": "crenel/mask", "version": 1, "width_px": WIDTH, "height_px": HEIGHT}
+    left = [[0, 0], [99, 0], [99, 319], [0, 319]]
     mask = tmp_path / "mask.json"
-    mask.write_text(json.dumps({"format": "crenel/mask", "version": 1, **zones}))
-    result = crenel("extract", raw, "-o", table, *options, "--mask", mask, "--draw", drawn)
-    assert result.exit_code == 0, result.output
+    mask.write_text(json.dumps({**document, "zones": [left]}))
+    result = done("extract", raw, "-o", table, *options, "--mask", mask, "--draw", drawn)
     assert "red pixels of GRBG" in result.stdout
     u, v, _, sigma = np.loadtxt(table, delimiter=",", skiprows=1, unpack=True)
     assert u.min() == 101
@@ -224,28 +194,23 @@ def test_raw_pictures_are_measured_at_the_pixels_of_the_lasers_colour(tmp_path: 
     image = cv2.imread(str(drawn / "raw.png"))
     assert image is not None
     assert image.shape == (HEIGHT, WIDTH, 3)
-    found = json.loads(crenel("extract", raw, "-o", table, *options, "--json").stdout)
+    found = printed("extract", raw, "-o", table, *options)
     assert found["images"][0]["channel"] == "red pixels of GRBG"
-    alone = crenel("extract", raw, "-o", table, "--bayer", "GRBG")
-    assert alone.exit_code == 2
+    assert crenel("extract", raw, "-o", table, "--bayer", "GRBG").exit_code == 2
     cv2.imwrite(str(raw), expose(render_colours("red", 6.0), seed=1))
-    refused = crenel("extract", raw, "-o", table, *options)
-    assert refused.exit_code == 1
-    assert "is in colour: a raw Bayer picture" in refused.stderr
+    assert "is in colour: a raw Bayer picture" in refused("extract", raw, "-o", table, *options)
 
 
-def test_raw_pictures_that_are_not_said_to_be_raw_are_warned_of(
-    tmp_path: Path, board: Path
-) -> None:
+def test_raw_pictures_that_are_not_called_raw_are_warned_of(tmp_path: Path, board: Path) -> None:
     raw, off = write_raw(tmp_path / "raw.png"), tmp_path / "off.png"
     cv2.imwrite(str(off), mosaic(expose(render_colours({}, 6.0), seed=1), "GRBG"))
     table = tmp_path / "stripe.csv"
     found = crenel("extract", raw, "-o", table, "--json")
     assert "in 1 pictures, the pixels alternate" in found.stderr
     assert json.loads(found.stdout)["images"][0]["looks_raw"]
-    refused = crenel("extract", off, "-o", table)
-    assert "shows no laser stripe: the pixels alternate" in refused.stderr
-    assert "--bayer" in refused.stderr
+    said = refused("extract", off, "-o", table)
+    assert "shows no laser stripe: the pixels alternate" in said
+    assert "--bayer" in said
     stated = crenel("extract", raw, "-o", table, "--bayer", "GRBG", "--colour", "red")
     assert "alternate" not in stated.output
     assert "alternate as in a raw" in crenel("detect", raw, "--object", board).stdout
@@ -260,9 +225,8 @@ def test_corners_of_raw_pictures_are_in_their_pixels(tmp_path: Path, board: Path
     table = tmp_path / "corners.csv"
     for colour in ("red", "green", "blue"):
         options = ("--bayer", "BGGR", "--colour", colour)
-        assert crenel("detect", seen, "--object", board, "-o", table, *options).exit_code == 0
-        with table.open() as file:
-            u = sorted(float(row["u"]) for row in csv.DictReader(file))
+        done("detect", seen, "--object", board, "-o", table, *options)
+        u = sorted(float(row["u"]) for row in rows_of(table))
         np.testing.assert_allclose(u, np.repeat(99.5 + 40 * np.arange(5), 4), atol=0.25)
 
 
@@ -270,14 +234,12 @@ def test_channels_are_weighed_by_a_picture_with_the_laser_off(tmp_path: Path) ->
     lit, unlit, table = (tmp_path / name for name in ("lit.png", "unlit.png", "stripe.csv"))
     cv2.imwrite(str(lit), expose(render_colours({"red": 1.0, "green": 0.4}, 6.0), seed=1))
     cv2.imwrite(str(unlit), expose(render_colours({}, 6.0), seed=2))
-    result = crenel("extract", lit, "-o", table, "--laser-off", unlit, "--json")
-    assert result.exit_code == 0, result.output
-    green, red = json.loads(result.stdout)["images"][0]["channel"].split(" + ")
+    (found,) = printed("extract", lit, "-o", table, "--laser-off", unlit)["images"]
+    green, red = found["channel"].split(" + ")
     assert float(green.removesuffix(" green")) == pytest.approx(0.28, abs=0.05)
     assert float(red.removesuffix(" red")) == pytest.approx(0.72, abs=0.05)
-    both = crenel("extract", lit, "-o", table, "--laser-off", unlit, "--colour", "red")
-    assert both.exit_code == 2
-    dark = crenel("extract", unlit, "-o", table, "--laser-off", unlit)
-    assert "not brighter" in dark.stderr
+    both = ("--laser-off", unlit, "--colour", "red")
+    assert crenel("extract", lit, "-o", table, *both).exit_code == 2
+    assert "not brighter" in crenel("extract", unlit, "-o", table, "--laser-off", unlit).stderr
     grey = picture(tmp_path / "grey.png")
     assert "is grey" in crenel("extract", grey, "-o", table, "--laser-off", grey).stderr

@@ -1,7 +1,5 @@
 """A recording shown again on the live display."""
 
-import subprocess
-import sys
 import threading
 import time
 from pathlib import Path
@@ -13,6 +11,7 @@ from app.errors import OperationError
 from app.formats.clouds.points import Points
 from app.formats.recording.writer import RecordingWriter
 from app.formats.results.calibration import Uncertainty
+from app.metrology.transforms import Floats
 from app.operations.calibration_in_use import scan_calibration
 from app.server.live_replay import Replay
 from app.server.replayed_calibration import put_in_use
@@ -21,6 +20,8 @@ from app.store.store import Store
 from app.wire.schema import ReplayState
 from hardware.clock import now_ns
 from hardware.interfaces import Frame, JointSample
+from hardware.replay import ReplayArm
+from tests.cli.test_cli import ROOT, process
 from tests.datasheets import write_arm
 from tests.entering import client
 from tests.formats.builders import ARM, HEIGHT, WIDTH, joints_every, little_calibration, q_at
@@ -29,14 +30,10 @@ from tests.workflows.test_reconstruct import MS, NAMES, expected, record_image, 
 
 pytestmark = pytest.mark.device
 
-ROOT = Path(__file__).resolve().parents[2]
-PORT = ("--port", "0")
 STAMPS = [100 * MS + i * 10 * MS for i in range(60)]
 
 
 class Shown:
-    """Stands where the scene does, and notes when points came."""
-
     def __init__(self) -> None:
         self.points: list[np.ndarray] = []
         self.began_ns = now_ns()
@@ -69,8 +66,6 @@ def scan(path: Path, images: bool = False) -> Path:
 
 
 class RecordingBus(Bus):
-    """Keeps all that is published."""
-
     def __init__(self) -> None:
         super().__init__()
         self.reported: list[ReplayState] = []
@@ -92,8 +87,7 @@ def shown(path: Path, speed: float, bus: Bus | None = None) -> tuple[Shown, floa
 
 
 def test_every_point_is_shown_where_it_was_and_when_it_is_due(tmp_path: Path) -> None:
-    path = scan(tmp_path / "scan.mcap")
-    scene, seconds = shown(path, 1.0)
+    scene, seconds = shown(scan(tmp_path / "scan.mcap"), 1.0)
     np.testing.assert_allclose(np.concatenate(scene.points), expected(STAMPS), atol=1e-8)
     assert seconds > 0.65
     assert len(scene.points) >= 10
@@ -101,8 +95,7 @@ def test_every_point_is_shown_where_it_was_and_when_it_is_due(tmp_path: Path) ->
 
 
 def test_as_fast_as_it_can_be_read(tmp_path: Path) -> None:
-    path = scan(tmp_path / "scan.mcap")
-    scene, _ = shown(path, 0.0)
+    scene, _ = shown(scan(tmp_path / "scan.mcap"), 0.0)
     assert sum(len(piece) for piece in scene.points) == 60 * 25
     assert len(scene.points) == 1
 
@@ -176,8 +169,7 @@ def test_arm_and_pictures_come_again_by_the_same_clock(tmp_path: Path) -> None:
 
 
 def test_as_fast_as_possible_arm_and_pictures_come_to_the_last(tmp_path: Path) -> None:
-    path = scan(tmp_path / "scan.mcap", images=True)
-    replay = Replay(path, little_calibration(), ARM, 0.0)
+    replay = Replay(scan(tmp_path / "scan.mcap", images=True), little_calibration(), ARM, 0.0)
     arm, sensor = replay.arm(), replay.sensor()
     arm.open()
     sensor.open()
@@ -188,6 +180,14 @@ def test_as_fast_as_possible_arm_and_pictures_come_to_the_last(tmp_path: Path) -
     assert all(frame.image.max() > 100 for frame in frames)
 
 
+def read_until(arm: ReplayArm, last_rad: Floats) -> list[tuple[float, ...]]:
+    readings: list[tuple[float, ...]] = []
+    while not readings or readings[-1] != tuple(last_rad):
+        readings += [one.joints_rad for one in arm.read(0.01) if isinstance(one, JointSample)]
+        assert arm.is_alive()
+    return readings
+
+
 def test_as_fast_as_possible_the_arm_does_not_leap(tmp_path: Path) -> None:
     """It would be taken for one whose frame was changed."""
     path = tmp_path / "scan.mcap"
@@ -196,11 +196,7 @@ def test_as_fast_as_possible_the_arm_does_not_leap(tmp_path: Path) -> None:
         record_stripe(writer, 5)
     arm = Replay(path, little_calibration(), ARM, 0.0).arm()
     assert not arm.open().free_running
-    samples: list[JointSample] = []
-    while not samples:
-        samples += [one for one in arm.read(0.01) if isinstance(one, JointSample)]
-        assert arm.is_alive()
-    assert [one.joints_rad for one in samples] == [tuple(q_at(1600 * MS))]
+    assert read_until(arm, q_at(1600 * MS)) == [tuple(q_at(1600 * MS))]
     assert arm.read(0.01) == []
     arm.close()
     assert not arm.is_alive()
@@ -213,11 +209,7 @@ def test_an_arm_is_silent_between_readings_that_are_far_apart(tmp_path: Path) ->
             record_stripe(writer, second * 1000 * MS)
     arm = Replay(tmp_path / "scan.mcap", little_calibration(), ARM, 1.0).arm()
     assert not arm.open().free_running
-    samples: list[JointSample] = []
-    while not samples or samples[-1].joints_rad != tuple(q_at(MS)):
-        samples += [one for one in arm.read(0.01) if isinstance(one, JointSample)]
-        assert arm.is_alive()
-    assert [one.joints_rad for one in samples] == [tuple(q_at(0)), tuple(q_at(MS))]
+    assert read_until(arm, q_at(MS)) == [tuple(q_at(0)), tuple(q_at(MS))]
 
 
 def test_what_cannot_be_replayed_is_refused(tmp_path: Path) -> None:
@@ -267,34 +259,19 @@ def test_the_command_serves_the_display(tmp_path: Path) -> None:
     calibration_of_a_session(tmp_path / "calibration.json")
     write_arm(tmp_path / "arm.json", ARM)
     scan(tmp_path / "scan.mcap")
-    script = "from app.cli.main import main; main()"
-    with subprocess.Popen(
-        [
-            sys.executable,
-            "-c",
-            script,
-            "replay",
-            tmp_path / "scan.mcap",
-            "--no-open",
-            "--port",
-            "0",
-        ],
-        cwd=ROOT,
-        stdout=subprocess.PIPE,
-        stderr=subprocess.PIPE,
-        text=True,
-    ) as process:
-        killer = threading.Timer(300, process.kill)
+    options = ("--no-open", "--port", "0")
+    with process("replay", tmp_path / "scan.mcap", *options, cwd=ROOT) as replay:
+        killer = threading.Timer(300, replay.kill)
         killer.start()
-        assert process.stdout is not None
-        address = process.stdout.readline().split()[3]
-        assert process.stdout.readline().startswith("Ready")
+        assert replay.stdout is not None
+        address = replay.stdout.readline().split()[3]
+        assert replay.stdout.readline().startswith("Ready")
         with client(address) as http:
             home = http.get("/api/home").json()
             assert home["station"]["name"] == "scan.mcap"
             assert home["calibration"]["name"] == "calibration.json"
             assert home["calibration"]["total_um"] == 21.0
-        process.terminate()
-        process.wait()
+        replay.terminate()
+        replay.wait()
         killer.cancel()
-    assert process.returncode in (0, 143, -15)
+    assert replay.returncode in (0, 143, -15)

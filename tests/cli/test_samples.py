@@ -14,20 +14,23 @@ from numpy.typing import NDArray
 from app.formats.results.calibration import CalibrationFile, read_calibration
 from app.metrology.sensor.triangulation import sensor_points
 from app.metrology.transforms import apply, rigid_fit
-from tests.cli.test_cli import crenel, names_in, refused
+from tests.cli.test_cli import done, names_in, printed, refused
 from tests.formats.builders import edit_json
 from tests.pictures import blur, read_picture
 from tests.running.usual import usual
 
 pytestmark = pytest.mark.slow
 
+Spoil = Callable[[Path], None]
+
+FILES = ("arm.json", "object.json", "sensor.json", "probing.csv", "images.csv")
+"""Of a session, beside its pictures."""
+
 
 @pytest.fixture(scope="module")
 def calibrated(samples: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """The calibration of the sample session."""
     out = tmp_path_factory.mktemp("calibrated") / "calibration.json"
-    result = crenel("calibrate", samples / "one-pose", "-o", out)
-    assert result.exit_code == 0, result.output
+    result = done("calibrate", samples / "one-pose", "-o", out)
     assert result.stderr == ""
     assert str(out) in result.stdout
     return out
@@ -47,15 +50,8 @@ def test_the_calibration_reconstructs_the_true_points(samples: Path, calibrated:
 def test_the_calibration_carries_what_it_came_from(samples: Path, calibrated: Path) -> None:
     document = CalibrationFile.read(calibrated)
     assert document.serial_numbers.model_dump() == {"arm": "J-1", "object": "B-1", "sensor": "S-1"}
-    assert {one.file for one in document.inputs} == {
-        "arm.json",
-        "object.json",
-        "sensor.json",
-        "probing.csv",
-        "images.csv",
-        "images/pose00_ambient.png",
-        "images/pose00_laser.png",
-    }
+    pictures = {"images/pose00_ambient.png", "images/pose00_laser.png"}
+    assert {one.file for one in document.inputs} == {*FILES, *pictures}
     for one in document.inputs:
         content = (samples / "one-pose" / one.file).read_bytes()
         assert one.sha256 == hashlib.sha256(content).hexdigest()
@@ -75,11 +71,9 @@ def test_gauges_come_out_right(samples: Path, calibrated: Path, tmp_path: Path, 
     session = samples / "one-pose"
     cloud, shape = tmp_path / "cloud.ply", name.partition("_")[0]
     arguments = ("--calibration", calibrated, "--arm", session / "arm.json", "-o", cloud)
-    result = crenel("reconstruct", session / f"{name}.mcap", *arguments)
-    assert result.exit_code == 0, result.output
+    done("reconstruct", session / f"{name}.mcap", *arguments)
     nominal = session / f"{name}.nominal.json"
-    shown = crenel("verify", shape, cloud, "--nominal", nominal, "--json")
-    (found,) = json.loads(shown.stdout)["clouds"]
+    (found,) = printed("verify", shape, cloud, "--nominal", nominal)["clouds"]
     if shape == "plane":
         assert found["angle_arcsec"] <= 60
         assert abs(found["offset_error_um"]) <= 25
@@ -97,8 +91,7 @@ def test_a_cut_recording_is_read_up_to_the_cut(
     (tmp_path / "cut.mcap").write_bytes(whole[: int(share * len(whole))])
     arm = samples / "one-pose/arm.json"
     arguments = ("--calibration", calibrated, "--arm", arm, "-o", tmp_path / "cloud.ply")
-    result = crenel("reconstruct", tmp_path / "cut.mcap", *arguments, "--json")
-    assert result.exit_code == 0, result.output
+    result = done("reconstruct", tmp_path / "cut.mcap", *arguments, "--json")
     fields = json.loads(result.stdout)
     assert "read up to" in fields["cut"]
     assert fields["cut"] in result.stderr
@@ -107,19 +100,15 @@ def test_a_cut_recording_is_read_up_to_the_cut(
 
 def test_one_pose_of_many_says_that_one_is_used(samples: Path, tmp_path: Path) -> None:
     out = tmp_path / "c.json"
-    result = crenel(
-        "calibrate", samples / "many-poses", "-o", out, "--method", "one-pose", "--json"
-    )
-    assert result.exit_code == 0, result.output
+    one_pose = ("--method", "one-pose", "--json")
+    result = done("calibrate", samples / "many-poses", "-o", out, *one_pose)
     fields = json.loads(result.stdout)
     assert len(fields["warnings"]) == 1
     assert "pose 0 was used" in result.stderr
     assert fields["probe_matrix"] == json.loads(out.read_text())["probe_matrix"]
 
 
-def every_picture(
-    change: Callable[[NDArray[np.uint8]], NDArray[np.uint8]],
-) -> Callable[[Path], None]:
+def every_picture(change: Callable[[NDArray[np.uint8]], NDArray[np.uint8]]) -> Spoil:
     def spoil(session: Path) -> None:
         for path in (session / "images").iterdir():
             cv2.imwrite(str(path), change(read_picture(path)))
@@ -137,10 +126,9 @@ def brighter(grey: NDArray[np.uint8]) -> NDArray[np.uint8]:
 
 
 def mirror_object(session: Path) -> None:
-    edit_json(
-        session / "object.json",
-        lambda block: block.update(edges_x_mm=[-x for x in reversed(block["edges_x_mm"])]),
-    )
+    path = session / "object.json"
+    edges = json.loads(path.read_text())["edges_x_mm"]
+    edit_json(path, lambda block: block.update(edges_x_mm=[-x for x in reversed(edges)]))
 
 
 def other_object(session: Path) -> None:
@@ -150,11 +138,10 @@ def other_object(session: Path) -> None:
 
 def swap_faces(session: Path) -> None:
     path = session / "probing.csv"
-    text = path.read_text()
-    path.write_text(text.replace("front,", "back,"))
+    path.write_text(path.read_text().replace("front,", "back,"))
 
 
-def keep_faces(*faces: str) -> Callable[[Path], None]:
+def keep_faces(*faces: str) -> Spoil:
     def spoil(session: Path) -> None:
         header, *rows = (session / "probing.csv").read_text().splitlines()
         kept = [row for row in rows if row.split(",")[0] in faces]
@@ -195,14 +182,12 @@ def keep_faces(*faces: str) -> Callable[[Path], None]:
     ],
 )
 def test_a_session_that_cannot_be_calibrated_is_refused(
-    samples: Path, tmp_path: Path, spoil: Callable[[Path], None], said: str
+    samples: Path, tmp_path: Path, spoil: Spoil, said: str
 ) -> None:
-    session = tmp_path / "session"
-    for name in ("arm.json", "object.json", "sensor.json", "probing.csv", "images.csv"):
-        (session / "images").mkdir(parents=True, exist_ok=True)
-        shutil.copyfile(samples / "one-pose" / name, session / name)
-    for path in (samples / "one-pose/images").iterdir():
-        shutil.copyfile(path, session / "images" / path.name)
+    session, sample = tmp_path / "session", samples / "one-pose"
+    (session / "images").mkdir(parents=True)
+    for path in (*(sample / name for name in FILES), *(sample / "images").iterdir()):
+        shutil.copyfile(path, session / path.relative_to(sample))
     spoil(session)
     before = names_in(tmp_path)
     line = refused("calibrate", session, "-o", tmp_path / "c.json")

@@ -33,8 +33,7 @@ def test_a_forgotten_password_is_replaced_beside_a_station_that_runs(tmp_path: P
     cookie = store.login_sessions.begin("Ada", "a browser")
 
     def give(name: str, password: str) -> Result:
-        words = ["password", str(tmp_path), name]
-        return CliRunner().invoke(cli, words, input=f"{password}\n")
+        return CliRunner().invoke(cli, ["password", str(tmp_path), name], input=f"{password}\n")
 
     assert give("Eve", "three unrelated words").exit_code == 1
     assert "accounts: Ada" in give("Eve", "three unrelated words").output
