@@ -5,13 +5,7 @@ from collections.abc import Sequence
 from datetime import UTC, datetime, timedelta
 from pathlib import Path
 
-from app.formats.recording.reader import (
-    ARM_SERIAL,
-    SCAN_CALIBRATION,
-    SCAN_NAME,
-    SCAN_STARTED,
-    SENSOR_SERIAL,
-)
+from app.formats.recording import reader
 from app.formats.recording.writer import RecordingWriter
 from app.store.scans import ScanRecord
 from app.store.store import Store
@@ -24,17 +18,14 @@ from tests.workflows.test_reconstruct import MS, NAMES, record_stripe
 CALIBRATION = "20260501-080000-calibration"
 FIRST = datetime(2026, 5, 1, 10, tzinfo=UTC)
 PLACEHOLDER = b"scan 0000"
+ABOUT = {reader.ARM_SERIAL: "A-1", reader.SENSOR_SERIAL: "S-1"}
+ABOUT |= {reader.SCAN_CALIBRATION: CALIBRATION}
+"""What each recording says of its devices."""
 
 
-def write_recording(path: Path, frames: int, started: datetime = FIRST) -> Path:
+def write_recording(path: Path, frames: int) -> Path:
     """A recording of some frames, 4 ms apart, as a station writes it."""
-    about = {
-        ARM_SERIAL: "A-1",
-        SENSOR_SERIAL: "S-1",
-        SCAN_CALIBRATION: CALIBRATION,
-        SCAN_NAME: PLACEHOLDER.decode(),
-        SCAN_STARTED: started.isoformat(),
-    }
+    about = ABOUT | {reader.SCAN_NAME: PLACEHOLDER.decode(), reader.SCAN_STARTED: FIRST.isoformat()}
     with RecordingWriter(path, NAMES, about) as writer:
         joints_every(writer, 0, (frames + 20) * 4 * MS, 4 * MS)
         for number in range(frames):
@@ -42,9 +33,7 @@ def write_recording(path: Path, frames: int, started: datetime = FIRST) -> Path:
     return path
 
 
-def fill_station(
-    data: Path, scans: Sequence[str], frames: int = 20, other_station: int = 0
-) -> Store:
+def fill_station(data: Path, scans: Sequence[str], frames: int = 20) -> Store:
     """A data folder whose scans differ by their names and days, with their calibration."""
     store = Store(data)
     session = data / "sessions" / CALIBRATION
@@ -60,7 +49,7 @@ def fill_station(
         folder = data / "scans" / scan_id
         folder.mkdir(parents=True)
         started = FIRST + timedelta(days=number)
-        name = b"scan %04d" % (number + 1 + other_station)
+        name = b"scan %04d" % (number + 1)
         content = template.replace(PLACEHOLDER, name)
         content = content.replace(FIRST.isoformat().encode(), started.isoformat().encode())
         (folder / "scan.mcap").write_bytes(content)
@@ -71,11 +60,14 @@ def fill_station(
     return store
 
 
-def fill_archive(place: Path, data: Path, scans: Sequence[str], frames: int = 20) -> None:
-    """A station's archive with all its scans."""
-    place.mkdir(parents=True)
-    store = fill_station(data, scans, frames)
+def archive_and_close(store: Store, place: Path) -> None:
+    """All that a station has, in its archive at a place that may be new."""
+    place.mkdir(parents=True, exist_ok=True)
     try:
         archive_of(store, str(place)).run()
     finally:
         store.close()
+
+
+def fill_archive(place: Path, data: Path, scans: Sequence[str]) -> None:
+    archive_and_close(fill_station(data, scans), place)

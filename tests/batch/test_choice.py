@@ -1,9 +1,9 @@
 """Recordings chosen by id, label, station and calibration; what is not there is named."""
 
+from contextlib import closing
 from pathlib import Path
 
 import pytest
-from typer.testing import CliRunner
 
 pytest.importorskip("distributed")
 
@@ -11,11 +11,10 @@ from app.batch.places import find_places, settings_for
 from app.batch.rebuild import plan_rebuild
 from app.batch.recordings import Selection
 from app.cli.choice import name_some
-from app.cli.main import cli
 from app.store.store import Store
-from tests.archive.filled import archive_of
-from tests.batch.filled import CALIBRATION, fill_station
+from tests.batch.filled import CALIBRATION, archive_and_close, fill_station
 from tests.batch.test_rebuild import run
+from tests.cli.test_cli import done, refused
 
 pytestmark = pytest.mark.device
 
@@ -26,13 +25,9 @@ SCANS = ("one", "two", "three")
 def archive(tmp_path: Path) -> Path:
     """Of a station whose first two scans were renamed."""
     store = fill_station(tmp_path / "data", SCANS)
-    try:
-        store.scans.rename("one", "4711")
-        store.scans.rename("two", "47112")
-        (tmp_path / "room-2").mkdir()
-        archive_of(store, str(tmp_path / "room-2")).run()
-    finally:
-        store.close()
+    store.scans.rename("one", "4711")
+    store.scans.rename("two", "47112")
+    archive_and_close(store, tmp_path / "room-2")
     return tmp_path / "room-2"
 
 
@@ -51,11 +46,8 @@ def test_recordings_are_chosen_by_id_and_exact_label(archive: Path, name: str) -
 
 
 def test_a_scan_that_is_renamed_later_has_its_new_label(archive: Path, tmp_path: Path) -> None:
-    store = Store(tmp_path / "data")
-    try:
+    with closing(Store(tmp_path / "data")) as store:
         store.scans.rename("three", "4713")
-    finally:
-        store.close()
     assert chosen(tmp_path / "data", Selection(labels=frozenset({"4713"}))) == ["three"]
 
 
@@ -82,16 +74,11 @@ def test_the_cloud_of_one_part_with_a_calibration_of_today(archive: Path, tmp_pa
 def test_what_is_not_there_ends_the_command_with_what_is(
     archive: Path, tmp_path: Path, options: tuple[str, ...], said: str
 ) -> None:
-    ran = CliRunner().invoke(cli, ["rebuild", str(archive), "-o", str(tmp_path / "out"), *options])
-    assert ran.exit_code == 1
-    (line,) = ran.stderr.splitlines()
-    assert said in line
+    assert said in refused("rebuild", archive, "-o", tmp_path / "out", *options)
 
 
 def test_a_period_without_a_scan_is_no_mistake(archive: Path, tmp_path: Path) -> None:
-    args = ["-o", str(tmp_path / "out"), "--period", "2027"]
-    ran = CliRunner().invoke(cli, ["rebuild", str(archive), *args])
-    assert ran.exit_code == 0
+    ran = done("rebuild", archive, "-o", tmp_path / "out", "--period", "2027")
     assert "No recording is chosen; the places have 3 scans." in ran.stderr
 
 
@@ -102,11 +89,6 @@ def test_of_many_the_last_ones_are_named() -> None:
     )
 
 
-def test_a_command_without_a_place_asks_for_one(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_without_a_place_one_is_asked_for(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(tmp_path)
-    ran = CliRunner().invoke(cli, ["rebuild"])
-    assert ran.exit_code == 1
-    (line,) = ran.stderr.splitlines()
-    assert "Name the archive or the data folder of a station" in line
+    assert "Name the archive or the data folder of a station" in refused("rebuild")

@@ -34,11 +34,7 @@ PROGRAMS = {
 def command_of(service: Mapping[str, Any], here: Mapping[str, str]) -> list[str]:
     """What a service runs, with the places and addresses of this machine."""
     (program,) = service["entrypoint"]
-    return PROGRAMS[program] + [replaced(word, here) for word in service["command"]]
-
-
-def replaced(word: str, here: Mapping[str, str]) -> str:
-    return here.get(word, word)
+    return PROGRAMS[program] + [here.get(word, word) for word in service["command"]]
 
 
 @contextmanager
@@ -79,13 +75,8 @@ def test_three_workers_rebuild_an_archive(tmp_path: Path) -> None:
         for number in range(worker["deploy"]["replicas"]):
             log = tmp_path / f"worker-{number}.log"
             started.enter_context(running(command_of(worker, here), log))
-        made = subprocess.run(
-            [*until_it_answers(command_of(command, here)), "--json"],
-            capture_output=True,
-            text=True,
-            timeout=2 * DEADLINE_S,
-            check=False,
-        )
+        words = [*until_it_answers(command_of(command, here)), "--json"]
+        made = subprocess.run(words, capture_output=True, text=True, timeout=2 * DEADLINE_S)
     logs = "".join(path.read_text() for path in tmp_path.glob("*.log"))
     assert made.returncode == 0, made.stderr + logs
     assert json.loads(made.stdout)["made"] == len(scans)

@@ -20,8 +20,7 @@ from app.errors import OperationError
 from app.formats.session.calibration_session import ContactReadings, write_contacts
 from app.metrology.arm.kinematics import flange_pose, tip_centres, tip_of
 from app.metrology.transforms import Floats, apply
-from tests.archive.filled import archive_of
-from tests.batch.filled import CALIBRATION, fill_station
+from tests.batch.filled import CALIBRATION, archive_and_close, fill_station
 from tests.batch.test_rebuild import run
 from tests.batch.test_verifications import OTHER, add_calibration, add_verification
 from tests.formats.builders import ARM, little_calibration, q_at
@@ -63,33 +62,25 @@ def fill(tmp_path: Path, moved_mm: float, recalibrated: bool, touched: bool = Tr
         recalibrated: whether another calibration is in use from then on.
     """
     place = tmp_path / "room-2"
-    place.mkdir()
     store = fill_station(tmp_path / "data", [f"scan-{day}" for day in DAYS])
     add_calibration(store, OTHER)
     readings = touch_plane()
     for day in DAYS:
         later = day >= CHANGED
         used = OTHER if later and recalibrated else CALIBRATION
-        folder = add_verification(
-            store,
-            f"v{day}",
-            f"2026-05-0{day}T12:00:00Z",
-            offset_mm=0.001 * (day % 2) + (moved_mm if later else 0.0),
-            calibration=used,
-            clouds=1,
-        )
+        offset_mm = 0.001 * (day % 2) + (moved_mm if later else 0.0)
+        at = f"2026-05-0{day}T12:00:00Z"
+        folder = add_verification(store, f"v{day}", at, offset_mm, used, clouds=1)
         if touched:
             contacts = ContactReadings(("gauge",) * len(readings), readings)
             write_contacts(folder / "touches.csv", contacts)
         scan = tmp_path / f"data/scans/scan-{day}/scan.mcap"
         scan.write_bytes(scan.read_bytes().replace(CALIBRATION.encode(), used.encode()))
-    archive_of(store, str(place)).run()
-    store.close()
+    archive_and_close(store, place)
     return place
 
 
 def measure(place: Path, tmp_path: Path, calibration: str = "") -> list[GaugeDrift]:
-    """The drift with the verified calibrations, or with one for all."""
     places = find_places([str(place)])
     given: Any = "own"
     if calibration:
@@ -115,8 +106,7 @@ def scans_from(day: int) -> list[str]:
 
 
 def test_a_sensor_that_moved_is_found_with_one_calibration_for_all(tmp_path: Path) -> None:
-    place = fill(tmp_path, moved_mm=0.05, recalibrated=False)
-    (drift,) = measure(place, tmp_path, CALIBRATION)
+    (drift,) = measure(fill(tmp_path, moved_mm=0.05, recalibrated=False), tmp_path, CALIBRATION)
     assert (drift.station, len(drift.figures)) == ("room-2", len(DAYS))
     (found,) = drift.affected
     assert abs(found.period.size) == pytest.approx(50, rel=0.1)
@@ -139,9 +129,8 @@ def test_a_change_by_another_calibration_is_none_with_one_for_all(tmp_path: Path
 
 def test_a_gauge_that_was_not_touched_has_no_height(tmp_path: Path) -> None:
     place = fill(tmp_path, moved_mm=0.05, recalibrated=False, touched=False)
-    tasks, _ = plan_verifications(
-        find_places([str(place)]), Selection(), settings_for(str(tmp_path)), "own"
-    )
+    output = settings_for(str(tmp_path))
+    tasks, _ = plan_verifications(find_places([str(place)]), Selection(), output, "own")
     studies = [(one, study(one, tmp_path)) for one in tasks[:2]]
     figures, untouched = figures_of(Z_ERROR, studies)
     assert (figures, untouched) == ({}, ["room-2/v1", "room-2/v2"])

@@ -5,7 +5,6 @@ import tarfile
 from pathlib import Path
 
 import pytest
-from typer.testing import CliRunner
 
 pytest.importorskip("distributed")
 pytest.importorskip("sqlalchemy")
@@ -15,15 +14,14 @@ from app.batch.places import find_places, settings_for
 from app.batch.rebuild import RebuildPlan, plan_rebuild
 from app.batch.recordings import Selection
 from app.batch.task import perform
-from app.cli.main import cli
 from app.store.store import Store
 from tests.api.test_earlier_version import ARCHIVE, CALIBRATION, SCAN
-from tests.archive.filled import archive_of
+from tests.batch.filled import archive_and_close
+from tests.cli.test_cli import done
 
 
 @pytest.fixture
 def earlier(tmp_path: Path) -> Path:
-    """The data folder as that version left it."""
     with tarfile.open(ARCHIVE) as archive:
         archive.extractall(tmp_path / "data", filter="data")
     return tmp_path / "data"
@@ -52,26 +50,18 @@ def test_its_scan_is_rebuilt_with_the_calibration_in_the_list(earlier: Path) -> 
 
 
 def test_the_archive_of_its_scan_states_the_calibration(earlier: Path, tmp_path: Path) -> None:
-    (tmp_path / "room-2").mkdir()
-    store = Store(earlier)
-    try:
-        archive_of(store, str(tmp_path / "room-2")).run()
-    finally:
-        store.close()
+    archive_and_close(Store(earlier), tmp_path / "room-2")
     (task,) = plan(tmp_path / "room-2").tasks
     assert [one.id for one in task.calibrations.values()] == [CALIBRATION]
 
 
 def test_the_catalogue_knows_its_calibration(earlier: Path, tmp_path: Path) -> None:
     config = tmp_path / "fleet.toml"
-    config.write_text(
-        '[catalogue]\ndatabase = "sqlite:///c.db"\n[stations.room-1]\ndata = "data"\n'
-    )
+    catalogue = '[catalogue]\ndatabase = "sqlite:///c.db"\n'
+    config.write_text(f'{catalogue}[stations.room-1]\ndata = "data"\n')
 
     def ask(*words: str) -> str:
-        done = CliRunner().invoke(cli, ["catalogue", *words, "--config", str(config)])
-        assert done.exit_code == 0, done.output
-        return done.stdout
+        return done("catalogue", *words, "--config", config).stdout
 
     ask("collect")
     (found,) = json.loads(ask("calibration", SCAN, "--json"))["recordings"]

@@ -20,8 +20,6 @@ SCANS = ("one", "two", "three")
 
 
 class SometimesAway(FolderStore):
-    """Cannot be reached for some calls."""
-
     failures = 0
 
     def fail(self) -> None:
@@ -50,9 +48,7 @@ def said(monkeypatch: pytest.MonkeyPatch) -> list[Text]:
     return []
 
 
-def test_a_store_that_comes_back_is_read_and_this_is_said_once(
-    tmp_path: Path, said: list[Text]
-) -> None:
+def test_that_a_store_comes_back_is_said_once(tmp_path: Path, said: list[Text]) -> None:
     (tmp_path / "file").write_bytes(b"content")
     inner = SometimesAway(tmp_path, "records")
     store = PatientStore(inner, Patience(said.append))
@@ -66,9 +62,7 @@ def test_a_store_that_comes_back_is_read_and_this_is_said_once(
     ]
 
 
-def test_a_store_is_given_up_after_its_time_or_for_another_reason(
-    tmp_path: Path, said: list[Text]
-) -> None:
+def test_a_store_is_given_up_in_time_or_for_a_reason(tmp_path: Path, said: list[Text]) -> None:
     store = PatientStore(FolderStore(tmp_path / "none", "records"), Patience(said.append))
     with pytest.raises(StoreError, match="is not there"):
         store.size("file")
@@ -110,10 +104,8 @@ def test_a_plan_is_complete_although_the_store_was_away(
     inner.failures = 20
     output = settings_for(str(tmp_path / "out"))
     planned = plan_rebuild(places, Selection(), output, ".ply", patience=patience)
-    assert (sorted(task.recording.id for task in planned.tasks), planned.refused) == (
-        sorted(SCANS),
-        [],
-    )
+    assert sorted(task.recording.id for task in planned.tasks) == sorted(SCANS)
+    assert planned.refused == []
     assert inner.failures == 0
 
 

@@ -12,29 +12,19 @@ pytest.importorskip("s3fs")
 
 import numpy as np
 
-from app.archive.archive import Archive
-from app.archive.archive_settings import ArchiveSettings
-from app.archive.pace import full_speed
-from app.batch.places import Place, find_places, settings_for
+from app.batch.places import find_places, settings_for
 from app.batch.rebuild import RebuildTask, plan_rebuild
 from app.batch.recordings import Selection
 from app.batch.results import ResultStore
 from app.batch.task import perform
 from app.bench.fleet.s3_server import BUCKET, CuttingProxy, S3Server
-from app.formats.datasheets.arm import read_any_arm
 from app.formats.recording.index import find_needless_pictures, read_index
-from app.formats.recording.reader import (
-    ARM_SERIAL,
-    SCAN_CALIBRATION,
-    SCAN_STARTED,
-    SENSOR_SERIAL,
-)
+from app.formats.recording.reader import SCAN_STARTED
 from app.formats.recording.writer import RecordingWriter
-from app.formats.results.calibration import read_calibration
-from app.workflows.reconstruct import reconstruct_cloud
-from tests.archive.filled import lists_of
 from tests.archive.test_s3 import loop_of_s3fs as loop_of_s3fs
-from tests.batch.filled import CALIBRATION, FIRST, fill_station
+from tests.batch.filled import ABOUT, FIRST, fill_station
+from tests.batch.s3 import archive_in_s3, through_proxy
+from tests.batch.test_rebuild import direct_cloud
 from tests.formats.builders import joints_every
 from tests.running.usual import usual
 from tests.workflows.test_reconstruct import MS, NAMES, record_image, record_stripe
@@ -53,9 +43,8 @@ def server() -> Iterator[S3Server]:
 
 def record_with_pictures(path: Path, without_stripe: int | None = None) -> None:
     """Frames with a picture before each sixth stripe; one with its picture only."""
-    about = {ARM_SERIAL: "A-1", SENSOR_SERIAL: "S-1", SCAN_CALIBRATION: CALIBRATION}
     path.unlink()
-    with RecordingWriter(path, NAMES, about | {SCAN_STARTED: FIRST.isoformat()}) as writer:
+    with RecordingWriter(path, NAMES, ABOUT | {SCAN_STARTED: FIRST.isoformat()}) as writer:
         joints_every(writer, 0, (FRAMES + 20) * 4 * MS, 4 * MS)
         for number in range(FRAMES):
             stamp_ns = (10 + number) * 4 * MS
@@ -74,21 +63,9 @@ def plan_from_store(
     store = fill_station(tmp_path / "data", ["one"])
     recording = tmp_path / "data/scans/one/scan.mcap"
     record_with_pictures(recording, without_stripe)
-    (tmp_path / "secret").write_text("secret")
-    settings = ArchiveSettings.model_validate(
-        {
-            "url": f"s3://{BUCKET}/{tmp_path.name}",
-            "endpoint": f"http://127.0.0.1:{server.port}",
-            "access_key": "key",
-            "secret_file": "secret",
-        },
-        context=tmp_path / "station.toml",
-    )
-    Archive(settings, "Room 2", store.folder, lists_of(store), full_speed()).run()
-    store.close()
+    settings = archive_in_s3(store, server, tmp_path.name)
     proxy.restore(float("inf"))
-    keys = settings.model_copy(update={"endpoint": f"http://127.0.0.1:{proxy.port}"})
-    places: list[Place] = find_places([settings.url], keys)
+    places = find_places([settings.url], through_proxy(settings, proxy))
     results = ResultStore(settings_for(str(tmp_path / "out")))
     results.prepare()
     (task,) = plan_rebuild(places, Selection(), results.settings, ".ply").tasks
@@ -101,13 +78,6 @@ def stripe_chunk(recording: Path) -> int:
         index = read_index(file)
     assert index is not None
     return next(one.chunk_start_offset for one in index.chunks if index.stripe_channels(one))
-
-
-def direct_cloud(tmp_path: Path, recording: Path) -> bytes:
-    session, target = tmp_path / "data/sessions" / CALIBRATION, tmp_path / "direct.ply"
-    calibration = read_calibration(session / "calibration.json")
-    reconstruct_cloud(recording, calibration, read_any_arm(session / "arm.json"), target)
-    return target.read_bytes()
 
 
 @pytest.mark.parametrize("without_stripe", usual([8, None], 1, pytest.mark.soak))
@@ -129,7 +99,7 @@ def test_pictures_stay_in_the_store_and_the_cloud_is_the_same(
     made = results.read(task.stem)
     assert made is not None
     assert made["frames"] == FRAMES
-    assert (tmp_path / "out" / made["cloud"]).read_bytes() == direct_cloud(tmp_path, recording)
+    assert (tmp_path / "out" / made["cloud"]).read_bytes() == direct_cloud(tmp_path / "data", "one")
 
 
 def test_a_copy_that_was_damaged_in_the_store_is_not_used(server: S3Server, tmp_path: Path) -> None:

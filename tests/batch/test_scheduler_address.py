@@ -38,14 +38,8 @@ def test_what_is_no_address_is_refused_before_a_client_is_made(address: str, sai
 @pytest.mark.parametrize("address", usual(["tcp://127.0.0.1:9", "nonsense"], 1, pytest.mark.soak))
 def test_a_scheduler_that_is_not_there_is_one_line(address: str, tmp_path: Path) -> None:
     fill_station(tmp_path / "data", ("one",)).close()
-    ran = subprocess.run(
-        [CRENEL, "rebuild", "data", "--scheduler", address],
-        cwd=tmp_path,
-        capture_output=True,
-        text=True,
-        timeout=100,
-        check=False,
-    )
+    command = (CRENEL, "rebuild", "data", "--scheduler", address)
+    ran = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, timeout=100)
     assert ran.returncode == 1
     (line,) = ran.stderr.splitlines()
     assert address in line

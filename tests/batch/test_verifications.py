@@ -6,7 +6,6 @@ from collections.abc import Callable
 from pathlib import Path
 
 import pytest
-from typer.testing import CliRunner
 
 pytest.importorskip("distributed")
 
@@ -21,14 +20,13 @@ from app.batch.verifications import (
     table_of,
     table_text,
 )
-from app.cli.main import cli
 from app.formats.datasheets.gauge import GaugeFile
 from app.formats.open_file import LARGEST_DOCUMENT
 from app.formats.results.verification import VerificationFile
 from app.store.store import Store
-from tests.archive.filled import archive_of
-from tests.batch.filled import CALIBRATION, fill_station
+from tests.batch.filled import CALIBRATION, archive_and_close, fill_station
 from tests.batch.test_rebuild import run
+from tests.cli.test_cli import crenel
 from tests.workflows.test_study import scan_a_plane
 from tests.workflows.test_verification import RECORD
 
@@ -61,18 +59,13 @@ def add_verification(
         (folder / name).write_bytes((session / name).read_bytes())
     GaugeFile(shape="plane").write(folder / "gauge.json")
     (cloud,) = RECORD["clouds"]
+    cloud = {**cloud, "taken_at": taken_at}
     parts = [
         {**cloud, "name": f"Cloud {number}", "recording": f"cloud-{number}/scan.mcap"}
-        | {"taken_at": taken_at}
         for number in range(1, clouds + 1)
     ]
-    known = {
-        **RECORD,
-        "id": record_id,
-        "gauge": {"shape": "plane", "name": "Plate"},
-        "calibration": {**RECORD["calibration"], "id": calibration},
-        "clouds": parts,
-    }
+    known = {**RECORD, "id": record_id, "gauge": {"shape": "plane", "name": "Plate"}}
+    known |= {"calibration": {**RECORD["calibration"], "id": calibration}, "clouds": parts}
     VerificationFile.model_validate(known).write(folder / "verification.json")
     store.journal.begin_session(record_id, "verification")
     store.journal.end_session(record_id)
@@ -92,15 +85,12 @@ def add_calibration(store: Store, session_id: str) -> None:
 
 @pytest.fixture
 def archive(tmp_path: Path) -> Path:
-    """Of a station with two verifications and two calibrations."""
     place = tmp_path / "room-2"
-    place.mkdir()
     store = fill_station(tmp_path / "data", [])
     for number, record_id in enumerate(VERIFIED, 5):
         add_verification(store, record_id, f"2026-0{number}-21T10:16:00Z")
     add_calibration(store, OTHER)
-    archive_of(store, str(place)).run()
-    store.close()
+    archive_and_close(store, place)
     return place
 
 
@@ -116,9 +106,7 @@ def plan(
     return tasks, results
 
 
-def test_each_cloud_is_measured_with_the_calibration_that_was_verified(
-    archive: Path, tmp_path: Path
-) -> None:
+def test_clouds_are_measured_with_the_verified_calibration(archive: Path, tmp_path: Path) -> None:
     tasks, _ = plan(archive, tmp_path, "own")
     assert [task.record.id for task in tasks] == list(VERIFIED)
     outcomes = [perform(task, tmp_path, 1) for task in tasks]
@@ -145,8 +133,10 @@ def test_a_study_takes_all_calibrations_of_the_station(archive: Path, tmp_path: 
 
 
 def test_verifications_are_chosen_by_their_calibration(archive: Path, tmp_path: Path) -> None:
-    other = Selection(taken_with=frozenset({OTHER}))
-    assert plan(archive, tmp_path, "own", other)[0] == []
+    assert plan(archive, tmp_path, "own", Selection(taken_with=frozenset({OTHER})))[0] == []
+
+
+Damage = Callable[[Path], object]
 
 
 def replace_by_a_long_file(path: Path) -> None:
@@ -166,9 +156,7 @@ DAMAGES = (replace_by_a_long_file, replace_by_a_pipe, replace_by_text)
 
 
 @pytest.mark.parametrize("damage", DAMAGES)
-def test_a_study_names_a_calibration_that_is_damaged_and_takes_the_others(
-    archive: Path, tmp_path: Path, damage: Callable[[Path], None]
-) -> None:
+def test_damaged_calibrations_are_left_out(archive: Path, tmp_path: Path, damage: Damage) -> None:
     damage(next(archive.glob(f"sessions/{OTHER}/*/calibration.json")))
     output = settings_for(str(tmp_path / "out"))
     tasks, refused = plan_verifications(find_places([str(archive)]), Selection(), output, "all")
@@ -176,20 +164,12 @@ def test_a_study_names_a_calibration_that_is_damaged_and_takes_the_others(
     assert [[one.id for one in task.sources] for task in tasks] == [[CALIBRATION]] * 2
 
 
-def remove(path: Path) -> None:
-    path.unlink()
-
-
-def refusal_of(
-    tmp_path: Path, url: str, name: str, damage: Callable[[Path], None]
-) -> tuple[str, Path]:
+def refusal_of(tmp_path: Path, url: str, name: str, damage: Damage) -> tuple[str, Path]:
     """Why a verification is refused that was archived with a damaged file, and its copy."""
     place = tmp_path / "room-2"
-    place.mkdir()
     store = fill_station(tmp_path / "data", [])
     damage(add_verification(store, "v1", "2026-05-21T10:16:00Z", clouds=1) / name)
-    archive_of(store, str(place)).run()
-    store.close()
+    archive_and_close(store, place)
     output = settings_for(str(tmp_path / "out"))
     ResultStore(output).prepare()
     tasks, refused = plan_verifications(find_places([url]), Selection(), output, "own")
@@ -204,14 +184,12 @@ def refusal_of(
 @pytest.mark.parametrize(
     ("name", "damage"),
     [
-        ("gauge.json", remove),
-        ("gauge.json", replace_by_text),
-        ("verification.json", replace_by_text),
-        ("arm.json", remove),
+        *(("gauge.json", Path.unlink), ("gauge.json", replace_by_text)),
+        *(("verification.json", replace_by_text), ("arm.json", Path.unlink)),
     ],
 )
 def test_a_file_that_was_archived_damaged_is_named_by_archive_and_record(
-    tmp_path: Path, address: str, name: str, damage: Callable[[Path], None]
+    tmp_path: Path, address: str, name: str, damage: Damage
 ) -> None:
     url = address.format(tmp_path / "room-2")
     line, record = refusal_of(tmp_path, url, name, damage)
@@ -224,9 +202,7 @@ def test_a_calibration_that_was_archived_damaged_is_named_by_its_id(tmp_path: Pa
 
 
 @pytest.mark.parametrize("damage", DAMAGES)
-def test_a_damaged_verification_is_named_and_the_other_is_measured(
-    archive: Path, tmp_path: Path, damage: Callable[[Path], None]
-) -> None:
+def test_damaged_verifications_are_named(archive: Path, tmp_path: Path, damage: Damage) -> None:
     damage(next(archive.glob("verifications/v1/*/verification.json")))
     output = settings_for(str(tmp_path / "out"))
     tasks, refused = plan_verifications(find_places([str(archive)]), Selection(), output, "own")
@@ -234,9 +210,7 @@ def test_a_damaged_verification_is_named_and_the_other_is_measured(
     assert [task.record.id for task in tasks] == ["v2"]
 
 
-def test_an_archive_that_is_lost_midway_gives_no_partial_study(
-    archive: Path, tmp_path: Path
-) -> None:
+def test_an_archive_that_is_lost_midway_gives_no_study(archive: Path, tmp_path: Path) -> None:
     tasks, results = plan(archive, tmp_path, "all")
     archive.rename(tmp_path / "away")
     assert perform(tasks[0], tmp_path, 1).state == "away"
@@ -273,7 +247,7 @@ def test_the_commands_print_and_keep_the_table(archive: Path, tmp_path: Path) ->
         ("study", archive, "--period", "2027"),
         ("drift", "gauge-rms", archive, *in_2027),
     ):
-        none = CliRunner().invoke(cli, [*map(str, words), "-o", str(tmp_path / "out")])
+        none = crenel(*words, "-o", tmp_path / "out")
         assert none.exit_code == 1
         assert "is chosen. The places have 2 on a plane." in none.stderr
     studied = run("study", archive, "data", *args, cwd=tmp_path)
