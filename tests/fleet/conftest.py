@@ -10,6 +10,7 @@ pytest.importorskip("alembic")
 pytest.importorskip("psycopg")
 
 from app.fleet.catalogue.catalogue import FleetCatalogue
+from app.store.store import Store
 from tests.fleet.postgres import PostgresServer, has_postgres, running_postgres
 
 
@@ -28,6 +29,20 @@ def url(request: pytest.FixtureRequest, tmp_path: Path) -> str:
         return f"sqlite:///{tmp_path}/catalogue.db"
     server: PostgresServer = request.getfixturevalue("postgres")
     return server.new_database()
+
+
+@pytest.fixture
+def store(tmp_path: Path) -> Iterator[Store]:
+    opened = Store(tmp_path / "data")
+    yield opened
+    opened.close()
+
+
+@pytest.fixture
+def own(tmp_path: Path) -> Iterator[FleetCatalogue]:
+    """An empty catalogue in a file, which settings call ``sqlite:///catalogue.db``."""
+    with FleetCatalogue(f"sqlite:///{tmp_path}/catalogue.db") as opened:
+        yield opened
 
 
 @pytest.fixture

@@ -41,6 +41,5 @@ def entry_of(
 
 
 def figure_of(value: float, quantity: str = "location-scan", **fields: object) -> EntryFigure:
-    """A figure of a performance test."""
     made = EntryFigure("L_Dia.2x1:Ps", quantity, value, "µm", 2.5, 40.0, "pass")
     return replace(made, **fields)  # type: ignore[arg-type]

@@ -8,6 +8,7 @@ import tempfile
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
+from typing import Any
 
 import psycopg
 
@@ -75,19 +76,19 @@ class PostgresServer:
         return f"{self.address}?options=-csearch_path%3D{name}"
 
     def _run(self, program: str, *arguments: str) -> None:
-        user = None if self._user is None else self._user.pw_name
+        user: dict[str, Any] = {}
+        if self._user is not None:
+            user = {"user": self._user.pw_name, "group": self._user.pw_gid, "extra_groups": []}
         with (self._folder.parent / f"{self._folder.name}.out").open("ab") as output:
             subprocess.run(
                 [PROGRAMS[0] / program, *arguments],
                 cwd=self._folder,
-                user=user,
-                group=None if self._user is None else self._user.pw_gid,
-                extra_groups=None if self._user is None else [],
                 env={"PATH": os.defpath, "LC_ALL": "C.UTF-8"},
                 stdout=output,
                 stderr=output,
                 check=True,
                 timeout=2 * START_S,
+                **user,
             )
 
 

@@ -2,6 +2,7 @@
 
 from dataclasses import replace
 from datetime import timedelta
+from typing import Any
 
 import numpy as np
 import pytest
@@ -24,35 +25,29 @@ def ageing_station(station: str, per_1000_h: float, per_k: float) -> list[Catalo
     for number in range(6):
         accepted = START + 30 * DAY * number
         level, warm = float(rng.normal(30, 6)), 20.0 + float(rng.normal(0, 0.3))
-        used = f"cal-{number}"
-        found.append(
-            entry_of(
-                station=station,
-                kind="calibration",
-                id=used,
-                calibration_id=used,
-                at=accepted,
-                temperature_c=warm,
-                calibration_sha256=f"{number:064d}",
-                figures=(figure_of(20.0 + number, "point-uncertainty", limit=60.0),),
-            )
+        about: dict[str, Any] = {"station": station, "calibration_id": f"cal-{number}"}
+        calibration = entry_of(
+            kind="calibration",
+            id=f"cal-{number}",
+            at=accepted,
+            temperature_c=warm,
+            calibration_sha256=f"{number:064d}",
+            figures=(figure_of(20.0 + number, "point-uncertainty", limit=60.0),),
+            **about,
         )
+        found.append(calibration)
         for day in range(1, 30, 2):
             warmer = float(rng.normal(0, 1.0))
-            value = (
-                level + per_1000_h * day * 24 / 1000 + per_k * warmer + float(rng.normal(0, 0.5))
+            value = level + per_1000_h * day * 24 / 1000 + per_k * warmer
+            check = entry_of(
+                kind="verification",
+                id=f"check-{number}-{day}",
+                at=accepted + day * DAY,
+                temperature_c=warm + warmer,
+                figures=(figure_of(value + float(rng.normal(0, 0.5)), "gauge-offset"),),
+                **about,
             )
-            found.append(
-                entry_of(
-                    station=station,
-                    kind="verification",
-                    calibration_id=used,
-                    id=f"check-{number}-{day}",
-                    at=accepted + day * DAY,
-                    temperature_c=warm + warmer,
-                    figures=(figure_of(value, "gauge-offset"),),
-                )
-            )
+            found.append(check)
     return found
 
 
@@ -63,9 +58,7 @@ def slopes_of(ageing: StationAgeing) -> tuple[float, float, float, float]:
     return hours.value, hours.expanded_uncertainty, kelvin.value, kelvin.expanded_uncertainty
 
 
-def test_ageing_is_found_where_it_is_and_nowhere_else(
-    catalogue: FleetCatalogue,
-) -> None:
+def test_ageing_is_found_where_it_is_and_nowhere_else(catalogue: FleetCatalogue) -> None:
     catalogue.add(ageing_station("room-1", PER_1000_H, PER_K))
     catalogue.add(ageing_station("room-22", 0.0, 0.0))
     with catalogue.reading() as connection:
@@ -84,17 +77,13 @@ def test_ageing_is_found_where_it_is_and_nowhere_else(
     assert len(later.points) == 60
 
 
-def test_values_without_their_calibration_are_counted_and_left_out(
-    catalogue: FleetCatalogue,
-) -> None:
+def test_values_without_their_calibration_are_only_counted(catalogue: FleetCatalogue) -> None:
     entries = ageing_station("room-1", PER_1000_H, PER_K)
-    unnamed = [
-        replace(one, calibration_id="", calibration_sha256=f"{int(one.calibration_id[4:]):064d}")
-        if one.kind == "verification"
-        else one
-        for one in entries
-    ]
-    catalogue.add([one for one in unnamed if one.id != "cal-5"])
+    for place, one in enumerate(entries):
+        if one.kind == "verification":
+            sha256 = f"{int(one.calibration_id[4:]):064d}"
+            entries[place] = replace(one, calibration_id="", calibration_sha256=sha256)
+    catalogue.add([one for one in entries if one.id != "cal-5"])
     with catalogue.reading() as connection:
         (found,) = ageing_of(connection, "gauge-offset")
     assert (len(found.points), found.left_out) == (75, 15)
@@ -117,25 +106,18 @@ def test_figures_of_calibrations_count_from_the_first_one(catalogue: FleetCatalo
 
 
 def test_each_sensor_of_a_station_is_listed(catalogue: FleetCatalogue) -> None:
-    first, second = (
-        entry_of(
-            number,
-            kind="calibration",
-            sensor_serial=f"L-{number}",
-            figures=(figure_of(20.0, "point-uncertainty"),),
-        )
-        for number in (1, 2)
-    )
-    catalogue.add([second, first])
+    figures = (figure_of(20.0, "point-uncertainty"),)
+    for number in (2, 1):
+        serial = f"L-{number}"
+        one = entry_of(number, kind="calibration", sensor_serial=serial, figures=figures)
+        catalogue.add([one])
     with catalogue.reading() as connection:
         found = spread_of(connection, "point-uncertainty")
     assert [one.sensor_serial for one in found] == ["L-1", "L-2"]
     assert [one.standard_deviation for one in found] == [None, None]
 
 
-def test_the_newest_values_of_each_station_count(
-    catalogue: FleetCatalogue, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_newest_values_count(catalogue: FleetCatalogue, monkeypatch: pytest.MonkeyPatch) -> None:
     """The oldest of them first, within the period."""
     monkeypatch.setattr("app.fleet.ageing.MOST_OF_STATION", 20)
     until = START + 100 * DAY
@@ -145,10 +127,6 @@ def test_the_newest_values_of_each_station_count(
         found = ageing_of(connection, "gauge-offset", ["workshop", "hall"], START, until)
     assert [one.station for one in found] == ["hall", "workshop"]
     for one in found:
-        values = [
-            (entry.at, figure.value)
-            for entry in entries[one.station]
-            for figure in entry.figures
-            if figure.quantity == "gauge-offset" and entry.at < until
-        ]
+        checks = [entry for entry in entries[one.station] if entry.kind == "verification"]
+        values = [(entry.at, entry.figures[0].value) for entry in checks if entry.at < until]
         assert [(point.at, point.value) for point in one.points] == sorted(values)[-20:]

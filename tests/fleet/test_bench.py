@@ -26,9 +26,7 @@ def test_a_small_catalogue_is_filled_and_asked() -> None:
     assert len(table(found)) == len(found.questions) + 2
 
 
-def test_a_station_in_a_relative_folder_finds_the_secret_of_its_archive(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_relative_folders_find_the_secret(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(tmp_path)
     station = make_station(Path(), "room-1", "http://127.0.0.1:1")
     settings = read_settings(station.data / DEFAULT_FILE)

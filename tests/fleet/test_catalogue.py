@@ -1,24 +1,16 @@
 """The catalogue stores each record once, and finds it again."""
 
-import threading
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
 from datetime import timedelta
 from pathlib import Path
 
 import pytest
 
+from app.fleet.catalogue import reading
 from app.fleet.catalogue.catalogue import FleetCatalogue
 from app.fleet.catalogue.database import CatalogueError
 from app.fleet.catalogue.entry import CatalogueEntry, EntryFile
-from app.fleet.catalogue.reading import (
-    SearchQuery,
-    figure_points,
-    list_contents,
-    quantities,
-    read_record,
-    search,
-    summarise_stations,
-)
 from tests.fleet.entries import START, entry_of, figure_of
 from tests.fleet.postgres import PostgresServer
 
@@ -27,13 +19,13 @@ pytestmark = pytest.mark.device
 
 def found_ids(catalogue: FleetCatalogue, **query: object) -> list[str]:
     with catalogue.reading() as connection:
-        found = search(connection, SearchQuery(**query))  # type: ignore[arg-type]
+        found = reading.search(connection, reading.SearchQuery(**query))  # type: ignore[arg-type]
     return [f"{one.entry.station}/{one.entry.id}" for one in found]
 
 
 def read(catalogue: FleetCatalogue, entry: CatalogueEntry) -> CatalogueEntry | None:
     with catalogue.reading() as connection:
-        return read_record(connection, entry.station, entry.kind, entry.id)
+        return reading.read_record(connection, entry.station, entry.kind, entry.id)
 
 
 def test_an_entry_comes_back_as_it_was(catalogue: FleetCatalogue) -> None:
@@ -55,7 +47,7 @@ def test_the_same_record_is_stored_once(catalogue: FleetCatalogue) -> None:
     assert catalogue.add(entries[:3] + entries) == 0
     assert len(found_ids(catalogue)) == 5
     with catalogue.reading() as connection:
-        assert len(figure_points(connection, "location-scan")) == 5
+        assert len(reading.figure_points(connection, "location-scan")) == 5
 
 
 def test_ids_are_the_stations_own(catalogue: FleetCatalogue) -> None:
@@ -65,14 +57,9 @@ def test_ids_are_the_stations_own(catalogue: FleetCatalogue) -> None:
 
 def test_the_content_that_was_current_last_counts(catalogue: FleetCatalogue) -> None:
     first = entry_of(1, figures=(figure_of(1.0),))
-    later = replace(
-        first,
-        content="f" * 16,
-        label="Cover 9",
-        current_at=START + timedelta(days=2),
-        files=(EntryFile("scan.mcap", 5, "f" * 64),),
-        figures=(),
-    )
+    files = (EntryFile("scan.mcap", 5, "f" * 64),)
+    later = replace(first, content="f" * 16, label="Cover 9", files=files, figures=())
+    later = replace(later, current_at=START + timedelta(days=2))
     catalogue.add([first])
     assert catalogue.add([later]) == 1
     assert catalogue.add([first]) == 0
@@ -81,29 +68,22 @@ def test_the_content_that_was_current_last_counts(catalogue: FleetCatalogue) -> 
     assert found_ids(catalogue, text="cover") == ["room-1/scan-1"]
 
 
-def test_a_record_is_archived_and_renamed_without_another_content(
-    catalogue: FleetCatalogue,
-) -> None:
+def test_a_record_is_archived_and_renamed_without_new_content(catalogue: FleetCatalogue) -> None:
     entry = entry_of(1)
     catalogue.add([entry])
     archived = START + timedelta(days=1)
     assert catalogue.add([replace(entry, archived_at=archived, place="s3://plant/1")]) == 0
     renamed = replace(entry, label="Bracket 12", current_at=START + timedelta(days=3))
     assert catalogue.add([renamed]) == 0
-    found = read(catalogue, entry)
-    assert found == replace(renamed, archived_at=archived, place="s3://plant/1")
+    assert read(catalogue, entry) == replace(renamed, archived_at=archived, place="s3://plant/1")
     assert found_ids(catalogue, text="bracket 12") == ["room-1/scan-1"]
     assert found_ids(catalogue, text="4711") == []
 
 
 def test_search_takes_beginnings_of_words_and_all_of_them(catalogue: FleetCatalogue) -> None:
-    catalogue.add(
-        [
-            entry_of(1, label="Housing 4711-B"),
-            entry_of(2, label="Housing 4712", operator="Émile"),
-            entry_of(3, label="Gehäuse 4711", station="room-2"),
-        ]
-    )
+    other_room = entry_of(3, label="Gehäuse 4711", station="room-2")
+    by_emile = entry_of(2, label="Housing 4712", operator="Émile")
+    catalogue.add([entry_of(1, label="Housing 4711-B"), by_emile, other_room])
     assert found_ids(catalogue, text="4711") == ["room-2/scan-3", "room-1/scan-1"]
     assert found_ids(catalogue, text="hous 47") == ["room-1/scan-2", "room-1/scan-1"]
     assert found_ids(catalogue, text="GEHÄUSE") == ["room-2/scan-3"]
@@ -120,18 +100,11 @@ def test_a_word_that_most_records_have_is_found_with_any_other(catalogue: FleetC
 
 
 def test_search_by_period_kind_verdict_and_calibration(catalogue: FleetCatalogue) -> None:
-    catalogue.add(
-        [
-            entry_of(1, calibration_id="cal-2"),
-            entry_of(2, kind="verification", verdict="fail"),
-            entry_of(3),
-        ]
-    )
+    failed = entry_of(2, kind="verification", verdict="fail")
+    catalogue.add([entry_of(1, calibration_id="cal-2"), failed, entry_of(3)])
     hour = timedelta(hours=1)
-    assert found_ids(catalogue, since=START + 2 * hour) == [
-        "room-1/scan-3",
-        "room-1/verification-2",
-    ]
+    found = found_ids(catalogue, since=START + 2 * hour)
+    assert found == ["room-1/scan-3", "room-1/verification-2"]
     assert found_ids(catalogue, until=START + 2 * hour) == ["room-1/scan-1"]
     assert found_ids(catalogue, kind="scan") == ["room-1/scan-3", "room-1/scan-1"]
     assert found_ids(catalogue, verdict="fail") == ["room-1/verification-2"]
@@ -144,7 +117,7 @@ def test_pages_go_on_where_the_last_one_ended(catalogue: FleetCatalogue) -> None
     before = None
     while True:
         with catalogue.reading() as connection:
-            page = search(connection, SearchQuery(limit=3, before=before))
+            page = reading.search(connection, reading.SearchQuery(limit=3, before=before))
         if not page:
             break
         seen += [one.entry.id for one in page]
@@ -153,27 +126,21 @@ def test_pages_go_on_where_the_last_one_ended(catalogue: FleetCatalogue) -> None
 
 
 def test_a_figure_over_time_and_stations(catalogue: FleetCatalogue) -> None:
-    catalogue.add(
-        [
-            entry_of(2, kind="performance", figures=(figure_of(2.0), figure_of(9.0, "size-scan"))),
-            entry_of(1, kind="performance", figures=(figure_of(1.0),)),
-            entry_of(3, "room-2", kind="performance", figures=(figure_of(3.0),)),
-        ]
-    )
+    two = (figure_of(2.0), figure_of(9.0, "size-scan"))
+    first = entry_of(1, kind="performance", figures=(figure_of(1.0),))
+    other = entry_of(3, "room-2", kind="performance", figures=(figure_of(3.0),))
+    catalogue.add([entry_of(2, kind="performance", figures=two), first, other])
     with catalogue.reading() as connection:
-        points = figure_points(connection, "location-scan")
-        assert [(one.station, one.value) for one in points] == [
-            ("room-1", 1.0),
-            ("room-1", 2.0),
-            ("room-2", 3.0),
-        ]
+        points = reading.figure_points(connection, "location-scan")
+        found = [(one.station, one.value) for one in points]
+        assert found == [("room-1", 1.0), ("room-1", 2.0), ("room-2", 3.0)]
         assert points[0].limit == 40.0
         assert points[0].at == START + timedelta(hours=1)
-        only = figure_points(connection, "location-scan", ["room-2"])
+        only = reading.figure_points(connection, "location-scan", ["room-2"])
         assert [one.value for one in only] == [3.0]
-        since = figure_points(connection, "location-scan", since=START + timedelta(hours=2))
+        since = reading.figure_points(connection, "location-scan", since=START + timedelta(hours=2))
         assert [one.value for one in since] == [2.0, 3.0]
-        assert quantities(connection) == {"location-scan": "µm", "size-scan": "µm"}
+        assert reading.quantities(connection) == {"location-scan": "µm", "size-scan": "µm"}
 
 
 def test_stations_with_their_counts(catalogue: FleetCatalogue) -> None:
@@ -185,8 +152,8 @@ def test_stations_with_their_counts(catalogue: FleetCatalogue) -> None:
     catalogue.note_collection("room-1", "Measuring room 1", START)
     catalogue.note_collection("room-2", "", None, "the archive is away")
     with catalogue.reading() as connection:
-        first, second = summarise_stations(connection)
-        known = list_contents(connection, "room-1")
+        first, second = reading.summarise_stations(connection)
+        known = reading.list_contents(connection, "room-1")
     assert (first.name, first.records, first.archived) == ("Measuring room 1", 3, 2)
     assert first.size_bytes == 1001 + 1002 + 18 + 7
     assert (first.collected_at, first.newest_at) == (START, START + timedelta(hours=3))
@@ -197,22 +164,15 @@ def test_stations_with_their_counts(catalogue: FleetCatalogue) -> None:
 
 def test_two_writers_at_once_store_every_record_once(url: str) -> None:
     entries = [entry_of(number, figures=(figure_of(1.0),)) for number in range(60)]
-    failures: list[Exception] = []
 
     def write() -> None:
-        try:
-            with FleetCatalogue(url) as own:
-                for start in range(0, 60, 10):
-                    own.add(entries[start : start + 10])
-        except Exception as error:
-            failures.append(error)
+        with FleetCatalogue(url) as own:
+            for start in range(0, 60, 10):
+                own.add(entries[start : start + 10])
 
-    threads = [threading.Thread(target=write) for _ in range(3)]
-    for thread in threads:
-        thread.start()
-    for thread in threads:
-        thread.join()
-    assert not failures
+    with ThreadPoolExecutor(3) as threads:
+        for done in [threads.submit(write) for _ in range(3)]:
+            done.result()
     with FleetCatalogue(url) as catalogue:
         assert len(found_ids(catalogue, limit=1000)) == 60
 

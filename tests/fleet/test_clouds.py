@@ -53,6 +53,7 @@ OF_TWO = {"left": CALIBRATION, "right": FOREIGN}
 """The calibrations of a scan of two sensors."""
 RECORDS = 6
 """Three scans and three calibrations."""
+ARCHIVE = 'archive = { url = "plant/room-2" }'
 CLOUDS = "/api/fleet/records/room-2/scan/{}/clouds"
 LONG_FRAMES = 10_000
 """Of the third scan, which takes about a second."""
@@ -77,8 +78,7 @@ def write_long_recording(path: Path) -> None:
     about = {ARM_SERIAL: "A-1", SENSOR_SERIAL: "S-1", SCAN_CALIBRATION: CALIBRATION}
     with RecordingWriter(path, NAMES, about) as writer:
         for number in range(LONG_FRAMES + 20):
-            swing = abs(number % 400 - 200)
-            writer.joints(number * 4 * MS, q_at(swing * 4 * MS))
+            writer.joints(number * 4 * MS, q_at(abs(number % 400 - 200) * 4 * MS))
         for number in range(10, LONG_FRAMES):
             record_stripe(writer, number * 4 * MS)
 
@@ -97,7 +97,7 @@ def write_recording_of_two(path: Path) -> None:
             record_stripe(writer, number * 4 * MS, sensor="left" if number % 2 else "right")
 
 
-def write_settings(folder: Path, place: str, more: str = "") -> Path:
+def write_settings(folder: Path, place: str = ARCHIVE, more: str = "") -> Path:
     path = folder / "fleet.toml"
     path.write_text(
         '[catalogue]\ndatabase = "sqlite:///catalogue.db"\n'
@@ -162,8 +162,13 @@ def ended(client: httpx.Client, scan_id: str = "one") -> Any:
     return state_of(client, scan_id)
 
 
+def failure(client: httpx.Client, scan_id: str = "one") -> str:
+    """The ids of why the only cloud that was wanted of a scan was not made."""
+    (failed,) = ended(client, scan_id)["orders"]
+    return ids_in(failed["problem"])
+
+
 def ids_in(text: Any) -> str:
-    """The ids of a text's messages."""
     return json.dumps(text)
 
 
@@ -171,10 +176,8 @@ def names_in(folder: Path) -> list[str]:
     return sorted(path.name for path in folder.iterdir())
 
 
-def test_a_cloud_is_made_once_with_the_calibration_of_its_day_or_with_todays(
-    filled: Path, folder: Path
-) -> None:
-    settings = write_settings(folder, 'archive = { url = "plant/room-2" }')
+def test_a_cloud_is_made_once_with_each_calibration(filled: Path, folder: Path) -> None:
+    settings = write_settings(folder)
     kept = folder / "fleet-clouds"
     with collected(settings) as client:
         before = state_of(client)
@@ -204,7 +207,6 @@ def test_a_cloud_is_made_once_with_the_calibration_of_its_day_or_with_todays(
 
 
 def check_points(filled: Path, cloud: Path) -> None:
-    """The cloud is that of the recording."""
     session, direct = filled / "data/sessions" / CALIBRATION, cloud.parent.parent / "direct.ply"
     recording = filled / "data/scans/one/scan.mcap"
     calibration = read_calibration(session / CALIBRATION_FILE)
@@ -227,13 +229,12 @@ def check_refusals(client: httpx.Client) -> None:
     foreign = {"Origin": "https://evil.example"}
     assert client.post(CLOUDS.format("one"), json={}, headers=foreign).status_code == 403
     order(client, "two", calibration_id=FOREIGN).raise_for_status()
-    (failed,) = ended(client, "two")["orders"]
-    assert "batch-other-device" in ids_in(failed["problem"])
+    assert "batch-other-device" in failure(client, "two")
 
 
 @pytest.mark.soak
 def test_what_waits_is_made_once_and_in_order_after_a_restart(folder: Path) -> None:
-    settings = write_settings(folder, 'archive = { url = "plant/room-2" }')
+    settings = write_settings(folder)
     kept = folder / "fleet-clouds"
     with collected(settings) as client:
         order(client).raise_for_status()
@@ -253,10 +254,8 @@ def test_what_waits_is_made_once_and_in_order_after_a_restart(folder: Path) -> N
         until_part_of(kept)
         hold(worker_of(settings))  # which the server kills, as it does not end
     # it was ended regularly in the middle
-    assert [name for name in names_in(kept) if ORDERS_FILE not in name] == [
-        first["name"],
-        first["name"].replace(COPC, ".json"),
-    ]
+    left = [name for name in names_in(kept) if ORDERS_FILE not in name]
+    assert left == [first["name"], first["name"].replace(COPC, ".json")]
     killed = False
     with suppress(AssertionError), running_fleet(settings):
         with worker_held(kept, settings):
@@ -275,9 +274,7 @@ def test_what_waits_is_made_once_and_in_order_after_a_restart(folder: Path) -> N
     assert len(names_in(kept)) == 6
 
 
-def test_orders_that_cannot_be_read_or_written_are_no_hindrance(
-    tmp_path: Path, caplog: pytest.LogCaptureFixture
-) -> None:
+def test_bad_orders_are_no_hindrance(tmp_path: Path, caplog: pytest.LogCaptureFixture) -> None:
     orders = KeptOrders(tmp_path / "clouds" / ORDERS_FILE)
     assert orders.read() == ()
     wanted = [KeptOrder(station="room-2", scan_id=one, format="ply") for one in ("b", "a")]
@@ -295,7 +292,6 @@ def test_orders_that_cannot_be_read_or_written_are_no_hindrance(
 
 
 def until_part_of(kept: Path) -> None:
-    """Waits for a cloud that is half-written."""
     end_s = time.monotonic() + 60.0
     while not any(kept.glob(".room-2-*.part")):
         assert time.monotonic() < end_s
@@ -325,9 +321,8 @@ def worker_of(settings: Path) -> int:
 
 def is_asked_to_end(pid: int) -> bool:
     """Whether SIGTERM waits for a process that is held."""
-    status = dict(
-        line.split(":\t", 1) for line in Path(f"/proc/{pid}/status").read_text().splitlines()
-    )
+    lines = Path(f"/proc/{pid}/status").read_text().splitlines()
+    status = dict(line.split(":\t", 1) for line in lines)
     return bool(int(status["ShdPnd"], 16) >> (signal.SIGTERM - 1) & 1)
 
 
@@ -345,22 +340,19 @@ def pid_with(word: str, parent: int | None = None) -> int:
 @pytest.mark.soak
 def test_what_prevents_a_cloud_is_said_in_a_sentence(folder: Path) -> None:
     archive = folder / "plant/room-2"
-    settings = write_settings(folder, 'archive = { url = "plant/room-2" }')
+    settings = write_settings(folder)
     with collected(settings) as client:
         shutil.rmtree(archive / "scans/two")
         order(client, "two").raise_for_status()
-        (failed,) = ended(client, "two")["orders"]
-        assert "batch-no-recording" in ids_in(failed["problem"])
+        assert "batch-no-recording" in failure(client, "two")
         archive.rename(folder / "away")
         order(client).raise_for_status()
-        (failed,) = ended(client)["orders"]
-        assert "archive-missing" in ids_in(failed["problem"])
+        assert "archive-missing" in failure(client)
         (folder / "away").rename(archive)
         order(client, "long").raise_for_status()
         with worker_held(folder / "fleet-clouds", settings) as pid:
             os.kill(pid, signal.SIGKILL)
-        (failed,) = ended(client, "long")["orders"]
-        assert "fleet-cloud-process-ended" in ids_in(failed["problem"])
+        assert "fleet-cloud-process-ended" in failure(client, "long")
         assert names_in(folder / "fleet-clouds") == []
         # the folder of the clouds is a file
         shutil.rmtree(folder / "fleet-clouds", ignore_errors=True)
@@ -379,9 +371,7 @@ def test_what_prevents_a_cloud_is_said_in_a_sentence(folder: Path) -> None:
         refused = order(client)
         assert (refused.status_code, refused.json()["code"]) == (422, "no-place")
         assert len(state_of(client)["made"]) == 1
-    within = write_settings(
-        folder, 'archive = { url = "plant/room-2" }', '[clouds]\nfolder = "plant/room-2/clouds"\n'
-    )
+    within = write_settings(folder, more='[clouds]\nfolder = "plant/room-2/clouds"\n')
     assert "Name a folder of its own" in refused_start(within)
 
 
@@ -394,8 +384,7 @@ def test_viewers_fetch_clouds_and_operators_order_them(folder: Path) -> None:
         (folder / "secret").write_text(provider.secret)
         sign_in_table = SIGN_IN.format(issuer=provider.issuer, client=provider.client_id)
         more = f'[server]\npassword_file = "password"\n{sign_in_table}\n"visitors" = "viewer"\n'
-        settings = write_settings(folder, 'archive = { url = "plant/room-2" }', more)
-        with running_fleet(settings, "--host", "0.0.0.0") as client:
+        with running_fleet(write_settings(folder, more=more), "--host", "0.0.0.0") as client:
             with browser_of(client) as anna, browser_of(client) as vera:
                 sign_in(anna, "1").raise_for_status()
                 sign_in(vera, "3").raise_for_status()
@@ -408,44 +397,38 @@ def test_viewers_fetch_clouds_and_operators_order_them(folder: Path) -> None:
                 order(anna).raise_for_status()
                 (made,) = ended(vera)["made"]
                 assert vera.get(f"/api/fleet/clouds/{made['name']}").is_success
-            by_password = client.post(CLOUDS.format("one"), json={}, auth=PASSWORD)
-            assert by_password.is_success
+            assert client.post(CLOUDS.format("one"), json={}, auth=PASSWORD).is_success
 
 
 @pytest.mark.soak
 def test_workers_of_a_scheduler_make_clouds(folder: Path) -> None:
-    archive = 'archive = { url = "plant/room-2" }'
     with ExitStack() as stack:
         dask = DaskProcesses(folder, os.environ)
         stack.callback(dask.close)
         dask.start_scheduler()
         dask.start_worker()
-        settings = write_settings(folder, archive, f'[clouds]\nscheduler = "{dask.address}"\n')
+        settings = write_settings(folder, more=f'[clouds]\nscheduler = "{dask.address}"\n')
         client = stack.enter_context(collected(settings))
         order(client).raise_for_status()
         (made,) = ended(client)["made"]
         assert made["name"].endswith(COPC)
         dask.close()
         order(client, format="ply").raise_for_status()
-        (failed,) = ended(client)["orders"]
-        assert "batch-no-scheduler" in ids_in(failed["problem"])
+        assert "batch-no-scheduler" in failure(client)
 
 
 @pytest.mark.soak
 def test_a_full_disk_is_said_and_room_on_it_used(folder: Path, small: Path) -> None:
-    archive = 'archive = { url = "plant/room-2" }'
-    settings = write_settings(folder, archive, f'[clouds]\nfolder = "{small}/clouds"\n')
+    settings = write_settings(folder, more=f'[clouds]\nfolder = "{small}/clouds"\n')
     with collected(settings) as client:
         order(client).raise_for_status()
         assert len(ended(client)["made"]) == 1
         order(client, "long").raise_for_status()  # 3.8 MB, and room for sorting
-        (failed,) = ended(client, "long")["orders"]
-        assert "fleet-clouds-make-room" in ids_in(failed["problem"])
+        assert "fleet-clouds-make-room" in failure(client, "long")
         assert len(names_in(small / "clouds")) == 2
         filler = fill(small)
         order(client, format="ply").raise_for_status()
-        (failed,) = ended(client)["orders"]
-        assert "fleet-clouds-make-room" in ids_in(failed["problem"])
+        assert "fleet-clouds-make-room" in failure(client)
         filler.unlink()
         order(client, format="ply").raise_for_status()
         assert len(ended(client)["made"]) == 2
@@ -460,21 +443,19 @@ def test_a_recording_in_the_data_folder_needs_no_archive(filled: Path, tmp_path:
 
     def task_in(*places: Place, scan_id: str = "one", calibration_id: str = "") -> str:
         wanted = (calibration_id,) if calibration_id else ()
-        made = CloudOrder(places, scan_id, wanted, output, COPC, tmp_path)
-        return plan_cloud(made).key
+        return plan_cloud(CloudOrder(places, scan_id, wanted, output, COPC, tmp_path)).key
 
     assert task_in(data, away) == task_in(archive) == task_in(away, archive)
     assert task_in(data) == task_in(data, calibration_id=CALIBRATION)
     assert task_in(data) != task_in(data, calibration_id=TODAYS)
-    with pytest.raises(OperationError) as refused:
-        task_in(data, scan_id="none")
-    assert refused.value.code == "no-recording"
-    with pytest.raises(OperationError) as refused:
-        task_in(data, away, scan_id="none")
-    assert refused.value.code == "archive-missing"
-    with pytest.raises(OperationError) as refused:
-        task_in(data, calibration_id="none")
-    assert refused.value.code == "no-calibration"
+    for places, wanted, code in (
+        ((data,), {"scan_id": "none"}, "no-recording"),
+        ((data, away), {"scan_id": "none"}, "archive-missing"),
+        ((data,), {"calibration_id": "none"}, "no-calibration"),
+    ):
+        with pytest.raises(OperationError) as refused:
+            task_in(*places, **wanted)
+        assert refused.value.code == code
 
 
 def test_each_sensor_of_a_scan_can_have_another_calibration(filled: Path, tmp_path: Path) -> None:
@@ -482,21 +463,20 @@ def test_each_sensor_of_a_scan_can_have_another_calibration(filled: Path, tmp_pa
     shutil.copytree(filled / "data", data)
     sessions = data / "sessions"
     for name, serial in (("new-left", "S-1"), ("new-right", "S-2"), ("other-arm", "S-2")):
-        of = CALIBRATION if serial == "S-1" else FOREIGN
-        shutil.copytree(sessions / of, sessions / name)
+        shutil.copytree(sessions / (CALIBRATION if serial == "S-1" else FOREIGN), sessions / name)
     arm = sessions / "other-arm/arm.json"
     arm.write_text(arm.read_text().replace(" ", "  ", 1))
     write_recording_of_two(data / "scans/one/scan.mcap")
 
+    place = Place(settings_for(str(data)), False)
+
     def used_by(*wanted: str) -> dict[str, str]:
-        place = Place(settings_for(str(data)), False)
         made = CloudOrder((place,), "one", wanted, output, COPC, tmp_path)
         return {sensor: one.id for sensor, one in plan_cloud(made).calibrations.items()}
 
     ResultStore(output).prepare()
 
     def warnings_about_arms() -> str:
-        place = Place(settings_for(str(data)), False)
         task = plan_cloud(CloudOrder((place,), "one", (), output, ".ply", tmp_path))
         return ids_in(perform(task, tmp_path, 1).result["warnings"])
 

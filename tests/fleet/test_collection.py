@@ -5,6 +5,7 @@ from pathlib import Path
 
 import pytest
 
+from app.archive.archive import Archive
 from app.archive.archive_settings import ArchiveSettings
 from app.archive.remote_store import FolderStore
 from app.archive.store_errors import store_error
@@ -29,29 +30,31 @@ from tests.fleet.records import (
     add_calibration,
     add_every_kind,
     add_recorded_scan,
-    archive_folder,
 )
 
 pytestmark = pytest.mark.device
 
+Known = Mapping[str, KnownContent]
+
+
+def settings_of(folder: Path) -> ArchiveSettings:
+    return ArchiveSettings.model_validate({"url": str(folder)}, context=folder / "fleet.toml")
+
 
 @pytest.fixture
-def store(tmp_path: Path) -> Iterator[Store]:
-    opened = Store(tmp_path / "data")
-    yield opened
-    opened.close()
+def folder(tmp_path: Path) -> Path:
+    (tmp_path / "archive").mkdir()
+    return tmp_path / "archive"
 
 
 @pytest.fixture
-def own(tmp_path: Path) -> Iterator[FleetCatalogue]:
-    """An empty catalogue in a file."""
-    with FleetCatalogue(f"sqlite:///{tmp_path}/own.db") as opened:
-        yield opened
+def place(folder: Path) -> ArchivePlace:
+    return ArchivePlace(settings_of(folder))
 
 
-def archive_place(tmp_path: Path) -> ArchivePlace:
-    settings = {"url": str(archive_folder(tmp_path))}
-    return ArchivePlace(ArchiveSettings.model_validate(settings, context=tmp_path / "fleet.toml"))
+@pytest.fixture
+def archive(store: Store, folder: Path) -> Archive:
+    return archive_of(store, str(folder))
 
 
 def collect_from(
@@ -61,7 +64,6 @@ def collect_from(
 
 
 def entries(catalogue: FleetCatalogue) -> dict[str, CatalogueEntry]:
-    """All of them with files and figures, by kind."""
     found: dict[str, CatalogueEntry] = {}
     with catalogue.reading() as connection:
         for one in search(connection, SearchQuery(limit=1000)):
@@ -72,23 +74,19 @@ def entries(catalogue: FleetCatalogue) -> dict[str, CatalogueEntry]:
 
 
 def check_every_kind(found: dict[str, CatalogueEntry]) -> None:
-    """That the entries say what the documents say."""
-    assert sorted(found) == sorted(
-        ["calibration", "verification", "performance", "arm_check", "tip_check", "session", "scan"]
-    )
+    checks = {"verification", "performance", "arm_check", "tip_check"}
+    assert found.keys() == checks | {"calibration", "session", "scan"}
     calibration = found["calibration"]
     assert (calibration.label, calibration.operator) == ("Calibration of May", "Ada")
     assert (calibration.verdict, calibration.temperature_c) == ("good", 20.5)
     assert calibration.calibration_id == CALIBRATION_ID == calibration.id
-    values = {one.quantity: one.value for one in calibration.figures}
-    assert values["laser-plane-offset"] == 0.25
+    assert {one.quantity: one.value for one in calibration.figures}["laser-plane-offset"] == 0.25
     verification = found["verification"]
     assert verification.verdict in ("pass", "fail", "uncertain")
     assert all(one.quantity.startswith("gauge-") for one in verification.figures)
     assert verification.figures
     assert len(verification.calibration_sha256) == 64
-    performance = found["performance"]
-    assert "plane-scan" in {one.quantity for one in performance.figures}
+    assert "plane-scan" in {one.quantity for one in found["performance"].figures}
     arm, tip = found["arm_check"], found["tip_check"]
     assert (arm.verdict, arm.figures[0].value, arm.figures[0].limit) == ("bad", 71.0, 60.0)
     assert (tip.verdict, tip.figures[0].value) == ("fail", -100.0)
@@ -109,13 +107,13 @@ def test_every_kind_of_a_data_folder(store: Store, catalogue: FleetCatalogue) ->
 
 
 def test_every_kind_of_an_archive_with_the_same_hashes(
-    store: Store, catalogue: FleetCatalogue, tmp_path: Path
+    store: Store, catalogue: FleetCatalogue, archive: Archive, place: ArchivePlace
 ) -> None:
     add_every_kind(store)
     collect_from(catalogue, FolderPlace(store.folder))
     here = entries(catalogue)
-    archive_of(store, str(archive_folder(tmp_path))).run()
-    assert collect_from(catalogue, archive_place(tmp_path)).new == 0
+    archive.run()
+    assert collect_from(catalogue, place).new == 0
     both = entries(catalogue)
     check_every_kind(both)
     for kind, entry in both.items():
@@ -124,35 +122,39 @@ def test_every_kind_of_an_archive_with_the_same_hashes(
         assert entry.figures == here[kind].figures
 
 
-def test_an_archive_alone_has_all(store: Store, own: FleetCatalogue, tmp_path: Path) -> None:
+@pytest.fixture
+def archived(store: Store, archive: Archive, place: ArchivePlace) -> ArchivePlace:
     add_every_kind(store)
-    archive_of(store, str(archive_folder(tmp_path))).run()
-    assert collect_from(own, archive_place(tmp_path)).new == 7
+    archive.run()
+    return place
+
+
+def test_an_archive_alone_has_all(archived: ArchivePlace, own: FleetCatalogue) -> None:
+    assert collect_from(own, archived).new == 7
     check_every_kind(entries(own))
-    assert collect_from(own, archive_place(tmp_path), complete=True).new == 0
+    assert collect_from(own, archived, complete=True).new == 0
 
 
 def test_a_cloud_that_no_archive_has_is_counted_all_the_same(
-    own: FleetCatalogue, tmp_path: Path
+    own: FleetCatalogue, folder: Path, place: ArchivePlace, tmp_path: Path
 ) -> None:
     station = fill_station(tmp_path / "data", ["20260501-100000"])
-    folder = FolderPlace(tmp_path / "data")
-    assert collect_from(own, folder).new == 2
+    data = FolderPlace(tmp_path / "data")
+    assert collect_from(own, data).new == 2
     here = entries(own)["scan"]
-    archive_of(station, str(archive_folder(tmp_path))).run()
+    archive_of(station, str(folder)).run()
     station.close()
-    collect_from(own, archive_place(tmp_path), folder)
+    collect_from(own, place, data)
     there = entries(own)["scan"]
     assert (here.content, here.files) == (there.content, there.files)
     assert [file.path for file in there.files] == ["scan.mcap"]
     assert (there.points, there.archived_at is None) == (5, False)
-    assert collect_from(own, archive_place(tmp_path), folder).new == 0
+    assert collect_from(own, place, data).new == 0
 
 
 def test_what_was_missed_is_collected_later(
-    store: Store, own: FleetCatalogue, tmp_path: Path
+    store: Store, own: FleetCatalogue, archive: Archive, place: ArchivePlace
 ) -> None:
-    archive, place = archive_of(store, str(archive_folder(tmp_path))), archive_place(tmp_path)
     for number in range(3):
         add_recorded_scan(store, f"20260504-11150{number}", f"Housing {number}")
     archive.run()
@@ -164,9 +166,8 @@ def test_what_was_missed_is_collected_later(
 
 
 def test_a_scan_that_was_named_later_is_found_by_its_new_name(
-    store: Store, own: FleetCatalogue, tmp_path: Path
+    store: Store, own: FleetCatalogue, archive: Archive, place: ArchivePlace
 ) -> None:
-    archive, place = archive_of(store, str(archive_folder(tmp_path))), archive_place(tmp_path)
     add_recorded_scan(store, "20260504-111500", "Scan 1")
     archive.run()
     collect_from(own, place)
@@ -182,14 +183,13 @@ def test_a_scan_that_was_named_later_is_found_by_its_new_name(
 
 
 def test_records_that_left_the_station_stay_in_the_catalogue(
-    store: Store, own: FleetCatalogue, tmp_path: Path
+    store: Store, own: FleetCatalogue, folder: Path, place: ArchivePlace
 ) -> None:
     add_recorded_scan(store, "20260504-111500", "Housing 1")
     collect_from(own, FolderPlace(store.folder))
-    place = str(archive_folder(tmp_path))
-    archive_of(store, place, later=LATER, rules={"keep_days": 1}).run()
+    archive_of(store, str(folder), later=LATER, rules={"keep_days": 1}).run()
     assert not (store.folder / "scans/20260504-111500").exists()
-    collect_from(own, FolderPlace(store.folder), archive_place(tmp_path))
+    collect_from(own, FolderPlace(store.folder), place)
     assert entries(own)["scan"].archived_at is not None
 
 
@@ -223,16 +223,9 @@ class FailingStore(FolderStore):
         return super().read(name)
 
 
-def test_an_archive_that_is_lost_on_the_way_costs_nothing(
-    store: Store, own: FleetCatalogue, tmp_path: Path
-) -> None:
-    add_every_kind(store)
-    archive_of(store, str(archive_folder(tmp_path))).run()
-    settings = ArchiveSettings.model_validate(
-        {"url": str(archive_folder(tmp_path))}, context=tmp_path / "fleet.toml"
-    )
-    remote = FailingStore(archive_folder(tmp_path))
-    place = ArchivePlace(settings, remote)
+def test_a_lost_archive_costs_nothing(archived: object, own: FleetCatalogue, folder: Path) -> None:
+    remote = FailingStore(folder)
+    place = ArchivePlace(settings_of(folder), remote)
     new = 0
     for left in range(2, 12):
         remote.left = left
@@ -250,13 +243,11 @@ def test_an_archive_that_is_lost_on_the_way_costs_nothing(
 
 
 def test_a_damaged_copy_is_reported_and_the_rest_collected(
-    store: Store, own: FleetCatalogue, tmp_path: Path
+    archived: ArchivePlace, own: FleetCatalogue, folder: Path
 ) -> None:
-    add_every_kind(store)
-    archive_of(store, str(archive_folder(tmp_path))).run()
-    (copy,) = archive_folder(tmp_path).glob("sessions/*/*/tip-check.json")
+    (copy,) = folder.glob("sessions/*/*/tip-check.json")
     copy.write_text("{}")
-    result = collect_from(own, archive_place(tmp_path))
+    result = collect_from(own, archived)
     assert result.new == 6
     assert isinstance(result.problems["room-1"], Exception)
     assert "tip-check.json differs" in result.problems["room-1"].line
@@ -265,43 +256,36 @@ def test_a_damaged_copy_is_reported_and_the_rest_collected(
 
 
 def test_a_copy_that_is_missing_is_reported_and_the_rest_collected(
-    store: Store, own: FleetCatalogue, tmp_path: Path
+    archived: ArchivePlace, own: FleetCatalogue, folder: Path
 ) -> None:
-    add_every_kind(store)
-    archive_of(store, str(archive_folder(tmp_path))).run()
     for name in ("scans/*/*/scan.mcap", "sessions/*/*/calibration.json"):
-        (copy,) = archive_folder(tmp_path).glob(name)
+        (copy,) = folder.glob(name)
         copy.unlink()
-    result = collect_from(own, archive_place(tmp_path))
+    result = collect_from(own, archived)
     assert result.new == 5
     assert "calibration.json differs" in result.problems["room-1"].line
     assert "missing" in result.problems["room-1"].line
 
 
-def test_one_station_that_is_away_does_not_stop_the_others(
-    store: Store, own: FleetCatalogue, tmp_path: Path
-) -> None:
+def test_a_station_away_stops_no_other(store: Store, own: FleetCatalogue, tmp_path: Path) -> None:
     add_every_kind(store)
-    away = ArchiveSettings.model_validate(
-        {"url": str(tmp_path / "unmounted")}, context=tmp_path / "fleet.toml"
-    )
-    stations = [
-        CollectedStation("room-0", "", [ArchivePlace(away)]),
-        CollectedStation("room-1", "", [FolderPlace(store.folder)]),
-    ]
-    result = collect(own, stations)
+    away = ArchivePlace(settings_of(tmp_path / "unmounted"))
+    here = CollectedStation("room-1", "", [FolderPlace(store.folder)])
+    result = collect(own, [CollectedStation("room-0", "", [away]), here])
     assert (result.new, list(result.problems)) == (7, ["room-0"])
     assert "is not there" in result.problems["room-0"].line
 
 
-def test_the_database_stops_in_the_middle_and_nothing_is_lost(
-    store: Store, postgres: PostgresServer, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+@pytest.fixture
+def few_at_once(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("app.fleet.collection.collector.AT_ONCE", 2)
-    add_every_kind(store)
-    archive = archive_of(store, str(archive_folder(tmp_path)))
-    archive.run()
-    stopping = StoppingPlace(archive_place(tmp_path), postgres, 4)
+
+
+@pytest.mark.usefixtures("few_at_once")
+def test_the_database_stops_in_the_middle_and_nothing_is_lost(
+    store: Store, archive: Archive, archived: ArchivePlace, postgres: PostgresServer
+) -> None:
+    stopping = StoppingPlace(archived, postgres, 4)
     with FleetCatalogue(postgres.new_database()) as catalogue:
         try:
             with pytest.raises(CatalogueError, match="cannot be used now"):
@@ -314,7 +298,7 @@ def test_the_database_stops_in_the_middle_and_nothing_is_lost(
         with catalogue.reading() as connection:
             before = len(search(connection, SearchQuery()))
         assert 0 < before < 7
-        result = collect_from(catalogue, archive_place(tmp_path))
+        result = collect_from(catalogue, archived)
         assert (before + result.new, result.problems) == (8, {})
         assert len(entries(catalogue)) == 7
 
@@ -326,26 +310,19 @@ class StoppingPlace:
         self.name, self.documents = place.name, place.documents
         self._place, self._server, self._after = place, server, after
 
-    def list_new(
-        self, known: Mapping[str, KnownContent], complete: bool = False
-    ) -> Iterator[SourceRecord]:
+    def list_new(self, known: Known, complete: bool = False) -> Iterator[SourceRecord]:
         for number, record in enumerate(self._place.list_new(known, complete)):
             if number == self._after:
                 self._server.stop()
             yield record
 
 
-def test_a_place_that_fails_in_any_way_does_not_stop_the_others(
-    store: Store, own: FleetCatalogue
-) -> None:
+def test_a_place_that_fails_in_any_way_stops_no_other(store: Store, own: FleetCatalogue) -> None:
     add_every_kind(store)
 
     class Failing(FolderPlace):
-        def list_new(
-            self, known: Mapping[str, KnownContent], complete: bool = False
-        ) -> Iterator[SourceRecord]:
+        def list_new(self, known: Known, complete: bool = False) -> Iterator[SourceRecord]:
             raise ZeroDivisionError
 
     result = collect_from(own, Failing(store.folder), FolderPlace(store.folder))
-    assert result.new == 7
-    assert result.problems["room-1"].code == "failed"
+    assert (result.new, result.problems["room-1"].code) == (7, "failed")

@@ -12,21 +12,8 @@ from alembic.runtime.migration import MigrationContext
 from sqlalchemy import Connection, Engine, text
 
 from app.errors import OperationError
+from app.fleet.catalogue import database, reading
 from app.fleet.catalogue.catalogue import FleetCatalogue
-from app.fleet.catalogue.database import (
-    FIRST_REVISION,
-    LAST_REVISION,
-    create_engine,
-    open_engine,
-    upgrade,
-)
-from app.fleet.catalogue.reading import (
-    SearchQuery,
-    figure_points,
-    read_record,
-    search,
-    summarise_stations,
-)
 from app.fleet.catalogue.tables import CatalogueTable
 
 pytestmark = pytest.mark.device
@@ -39,12 +26,6 @@ ROWS = ("station", "record", "file", "figure")
 """The tables, each behind those that it refers to."""
 
 
-def insertions() -> list[str]:
-    """The statements that fill the first version's tables."""
-    lines = FIRST.read_text().splitlines()
-    return [one for table in ROWS for one in lines if one.startswith(f"INSERT INTO {table} ")]
-
-
 @contextmanager
 def connected(engine: Engine) -> Iterator[Connection]:
     try:
@@ -55,16 +36,14 @@ def connected(engine: Engine) -> Iterator[Connection]:
 
 
 def check_content(url: str) -> None:
-    """What the first version stored is there, and is found as records of today are."""
     with FleetCatalogue(url) as catalogue, catalogue.reading() as connection:
-        record = read_record(connection, "room-1", "performance", "20260504-101500-ab12")
+        record = reading.read_record(connection, "room-1", "performance", "20260504-101500-ab12")
         assert record is not None
-        assert record.figures[0].value == 12.5
-        assert record.files[0].path == "performance.json"
-        assert [one.value for one in figure_points(connection, "location-scan")] == [12.5]
-        found = search(connection, SearchQuery(text="housing 4711"))
+        assert (record.figures[0].value, record.files[0].path) == (12.5, "performance.json")
+        assert [one.value for one in reading.figure_points(connection, "location-scan")] == [12.5]
+        found = reading.search(connection, reading.SearchQuery(text="housing 4711"))
         assert [one.entry.id for one in found] == ["20260504-111500"]
-        (station,) = summarise_stations(connection)
+        (station,) = reading.summarise_stations(connection)
         assert (station.records, station.archived, station.size_bytes) == (2, 0, 24)
         assert station.newest_at == datetime(2026, 5, 4, 10, 12, tzinfo=UTC)
 
@@ -77,38 +56,30 @@ def test_a_database_of_the_first_version_opens(tmp_path: Path) -> None:
     check_content(f"sqlite:///{path}")
 
 
-def test_the_first_version_is_brought_up_to_date_in_both_databases(url: str) -> None:
-    engine = create_engine(url)
-    upgrade(engine, FIRST_REVISION)
+@pytest.mark.parametrize("revision", [database.FIRST_REVISION, "0002", database.LAST_REVISION])
+def test_what_the_first_version_stored_is_there_by_way_of_each(url: str, revision: str) -> None:
+    engine = database.create_engine(url)
+    database.upgrade(engine, database.FIRST_REVISION)
+    lines = FIRST.read_text().splitlines()
     with connected(engine) as connection:
-        for one in insertions():
-            connection.execute(text(one))
-    check_content(url)
-
-
-@pytest.mark.parametrize("revision", ["0002", LAST_REVISION])
-def test_what_the_first_version_stored_is_there_by_way_of_each_later_one(
-    url: str, revision: str
-) -> None:
-    engine = create_engine(url)
-    upgrade(engine, FIRST_REVISION)
-    with connected(engine) as connection:
-        for one in insertions():
-            connection.execute(text(one))
-    upgrade(engine, revision)
+        for table in ROWS:
+            for one in lines:
+                if one.startswith(f"INSERT INTO {table} "):
+                    connection.execute(text(one))
+    database.upgrade(engine, revision)
     engine.dispose()
     check_content(url)
 
 
 def test_the_migrations_lead_to_the_tables_of_today(url: str) -> None:
-    with connected(open_engine(url)) as connection:
+    with connected(database.open_engine(url)) as connection:
         found = MigrationContext.configure(connection)
-        assert found.get_current_revision() == LAST_REVISION
+        assert found.get_current_revision() == database.LAST_REVISION
         assert compare_metadata(found, CatalogueTable.metadata) == []
 
 
 def test_a_later_version_is_refused(url: str) -> None:
-    with connected(open_engine(url)) as connection:
+    with connected(database.open_engine(url)) as connection:
         connection.execute(text("UPDATE alembic_version SET version_num = '9999'"))
     with pytest.raises(OperationError, match="made by a later version"):
         FleetCatalogue(url)

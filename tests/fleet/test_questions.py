@@ -1,7 +1,9 @@
 """A wrong calibration is found with its dates and its recordings, and no other recording."""
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
+from dataclasses import replace
 from datetime import datetime, timedelta
+from typing import Any
 
 import numpy as np
 import pytest
@@ -11,7 +13,14 @@ from app.fleet.calibration_doubts import find_calibration_doubts
 from app.fleet.catalogue.catalogue import FleetCatalogue
 from app.fleet.catalogue.entry import CatalogueEntry
 from app.fleet.catalogue.reading import SearchQuery, search
-from app.fleet.questions import drift_of, find_affected, find_calibrations, find_doubted
+from app.fleet.questions import (
+    AffectedPeriod,
+    StationDrift,
+    drift_of,
+    find_affected,
+    find_calibrations,
+    find_doubted,
+)
 from tests.fleet.entries import entry_of, figure_of
 from tests.running.usual import usual
 
@@ -32,25 +41,15 @@ def ten_months(
     found = []
     for day in range(300):
         month = day // 30
-        about = {
-            "at": START + DAY * day,
-            "station": station,
-            "calibration_id": f"cal-{month}" if by_calibration else "cal-0",
-        }
+        about: dict[str, Any] = {"at": START + DAY * day, "station": station}
+        about["calibration_id"] = f"cal-{month}" if by_calibration else "cal-0"
         if day % 30 == 0:
-            found.append(
-                entry_of(kind="calibration", **{**about, "id": f"cal-{month}"})  # type: ignore[arg-type]
-            )
-        found.append(entry_of(**{**about, "id": f"scan-{day}", "label": f"Part {4700 + day}"}))  # type: ignore[arg-type]
+            found.append(entry_of(kind="calibration", id=f"cal-{month}", **about))
+        found.append(entry_of(id=f"scan-{day}", label=f"Part {4700 + day}", **about))
         if day % 3 == 1:
             value = 28.0 + float(rng.normal(0, 2.0)) + (12.0 if wrong[0] <= day < wrong[1] else 0.0)
-            value += more_um[month]
-            found.append(
-                entry_of(
-                    kind="performance",
-                    **{**about, "id": f"test-{day}", "figures": (figure_of(value),)},  # type: ignore[arg-type]
-                )
-            )
+            figures = (figure_of(value + more_um[month]),)
+            found.append(entry_of(kind="performance", id=f"test-{day}", figures=figures, **about))
     return found
 
 
@@ -58,9 +57,23 @@ def day_of(at: datetime) -> int:
     return (at - START) // DAY
 
 
-def test_a_wrong_calibration_of_a_month_names_its_recordings_and_none_else(
-    catalogue: FleetCatalogue,
-) -> None:
+def ids_of(entries: Iterable[CatalogueEntry]) -> list[str]:
+    return [one.id for one in entries]
+
+
+def scans_of(first: int, end: int) -> list[str]:
+    return [f"scan-{day}" for day in range(first, end)]
+
+
+def only_period(catalogue: FleetCatalogue) -> tuple[StationDrift, AffectedPeriod]:
+    """The drift of the only station, and what is affected by its only change."""
+    with catalogue.reading() as connection:
+        (drift,) = drift_of(connection, "location-scan")
+        (period,) = find_affected(connection, drift)
+    return drift, period
+
+
+def test_a_wrong_calibration_of_a_month_names_its_recordings(catalogue: FleetCatalogue) -> None:
     catalogue.add(ten_months((120, 150), by_calibration=True))
     catalogue.add(ten_months((0, 0), by_calibration=True, station="room-4"))
     with catalogue.reading() as connection:
@@ -74,7 +87,7 @@ def test_a_wrong_calibration_of_a_month_names_its_recordings_and_none_else(
     assert (doubt.is_wrong, doubt.size) == (True, period.size)
     assert period.station == "room-3"
     assert period.calibration_ids == ("cal-4",)
-    assert [one.id for one in period.recordings] == [f"scan-{day}" for day in range(120, 150)]
+    assert ids_of(period.recordings) == scans_of(120, 150)
     assert period.possible == ()
     assert period.change is not None
     assert period.ended is not None
@@ -83,33 +96,25 @@ def test_a_wrong_calibration_of_a_month_names_its_recordings_and_none_else(
     assert abs(period.change.size - 12.0) < 4 * period.change.standard_uncertainty
 
 
-def test_a_change_that_no_calibration_explains_is_bounded_by_time(
-    catalogue: FleetCatalogue,
-) -> None:
+def test_a_change_that_no_calibration_explains_is_bounded(catalogue: FleetCatalogue) -> None:
     catalogue.add(ten_months((103, 300), by_calibration=False))
     with catalogue.reading() as connection:
         (drift,) = drift_of(connection, "location-scan", ["room-3"])
         (period,) = find_affected(connection, drift)
-    assert period.ended is None
-    assert period.calibration_ids == ()
-    sure = {one.id for one in period.recordings}
-    possible = {one.id for one in period.possible}
-    affected = {f"scan-{day}" for day in range(103, 300)}
+    assert (period.ended, period.calibration_ids) == (None, ())
+    sure, possible = set(ids_of(period.recordings)), set(ids_of(period.possible))
+    affected = set(scans_of(103, 300))
     assert sure <= affected
     assert affected <= sure | possible
     assert len(possible) <= 14
 
 
-def test_two_wrong_calibrations_one_after_the_other_name_their_recordings_and_none_else(
-    catalogue: FleetCatalogue,
-) -> None:
+def test_two_wrong_calibrations_in_a_row_name_their_recordings(catalogue: FleetCatalogue) -> None:
     more_um = [0.0, 0.0, 0.0, 12.0, 6.0, 0.0, 0.0, 0.0, 0.0, 0.0]
     catalogue.add(ten_months((0, 0), by_calibration=True, more_um=more_um))
-    with catalogue.reading() as connection:
-        (drift,) = drift_of(connection, "location-scan")
-        (period,) = find_affected(connection, drift)
+    _, period = only_period(catalogue)
     assert period.calibration_ids == ("cal-3", "cal-4")
-    assert [one.id for one in period.recordings] == [f"scan-{day}" for day in range(90, 150)]
+    assert ids_of(period.recordings) == scans_of(90, 150)
     assert period.ended is not None
 
 
@@ -118,19 +123,17 @@ def test_a_wrong_first_month_names_its_recordings_unless_it_is_taken_as_right(
     catalogue: FleetCatalogue, by_calibration: bool
 ) -> None:
     catalogue.add(ten_months((0, 30), by_calibration))
+    drift, period = only_period(catalogue)
     with catalogue.reading() as connection:
-        (drift,) = drift_of(connection, "location-scan")
-        (period,) = find_affected(connection, drift)
         (chosen,) = drift_of(connection, "location-scan", right_since=START)
         (later,) = find_affected(connection, chosen)
     assert drift.history.right is not None
     assert drift.history.right.because == "most"
     assert period.change is None
-    first = {f"scan-{day}" for day in range(30)}
-    sure = {one.id for one in period.recordings}
-    assert sure <= first <= sure | {one.id for one in period.possible}
+    first, sure = set(scans_of(0, 30)), set(ids_of(period.recordings))
+    assert sure <= first <= sure.union(ids_of(period.possible))
     assert not by_calibration or sure == first
-    assert not first & {one.id for one in later.recordings}
+    assert not first.intersection(ids_of(later.recordings))
     assert len(later.recordings) >= 265
 
 
@@ -143,9 +146,7 @@ def test_own_errors_of_calibrations_name_no_recording(catalogue: FleetCatalogue)
             assert find_affected(connection, drift) == [], drift.station
 
 
-def test_a_calibration_that_is_perhaps_wrong_names_what_would_be_affected(
-    catalogue: FleetCatalogue,
-) -> None:
+def test_a_doubtful_calibration_names_what_would_be_affected(catalogue: FleetCatalogue) -> None:
     own_um = np.random.default_rng(2).normal(0, 3.0, 10)
     own_um[4] = own_um.mean() + 15.0
     catalogue.add(ten_months((0, 0), True, more_um=own_um.tolist()))
@@ -156,7 +157,7 @@ def test_a_calibration_that_is_perhaps_wrong_names_what_would_be_affected(
         (doubt,) = find_calibration_doubts(connection, "room-3")
     assert (doubt.calibration_id, doubt.is_wrong) == ("cal-4", False)
     assert doubted.calibration_id == "cal-4"
-    assert [one.id for one in doubted.recordings] == [f"scan-{day}" for day in range(120, 150)]
+    assert ids_of(doubted.recordings) == scans_of(120, 150)
 
 
 @pytest.mark.slow
@@ -178,33 +179,20 @@ def test_a_planted_month_is_found_among_invented_stations(seed: int, tmp_path: o
     assert period.ended.earliest <= end <= period.ended.latest
 
 
-def test_a_test_that_names_no_calibration_is_assigned_by_the_hash_of_its_file(
-    catalogue: FleetCatalogue,
-) -> None:
-    found = []
-    for entry in ten_months((120, 150), by_calibration=True):
-        hashed = f"{entry.calibration_id:0<64}"
-        unnamed = "" if entry.kind == "performance" else entry.calibration_id
-        found.append(
-            entry_of(
-                **{
-                    **{name: getattr(entry, name) for name in ("station", "kind", "id", "at")},
-                    "figures": entry.figures,
-                    "calibration_id": unnamed,
-                    "calibration_sha256": "" if entry.kind == "scan" else hashed,
-                }
-            )
+def test_a_test_without_calibration_is_assigned_by_its_hash(catalogue: FleetCatalogue) -> None:
+    hashed = [
+        replace(
+            entry,
+            calibration_id="" if entry.kind == "performance" else entry.calibration_id,
+            calibration_sha256="" if entry.kind == "scan" else f"{entry.calibration_id:0<64}",
         )
-    catalogue.add(found)
-    with catalogue.reading() as connection:
-        (drift,) = drift_of(connection, "location-scan")
-        (period,) = find_affected(connection, drift)
-    assert period.calibration_ids == ("cal-4",)
+        for entry in ten_months((120, 150), by_calibration=True)
+    ]
+    catalogue.add(hashed)
+    assert only_period(catalogue)[1].calibration_ids == ("cal-4",)
 
 
-def test_a_part_with_a_longer_number_is_not_the_one_that_is_asked_for(
-    catalogue: FleetCatalogue,
-) -> None:
+def test_a_part_with_a_longer_number_is_another_one(catalogue: FleetCatalogue) -> None:
     named = {"a": "Housing 4711", "b": "Housing 471152", "c": "4711-B", "d": "Cover 471152"}
     catalogue.add([entry_of(id=one, label=label) for one, label in named.items()])
 

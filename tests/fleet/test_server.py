@@ -26,7 +26,6 @@ DEADLINE_S = 90.0
 
 @contextmanager
 def running_fleet(settings: Path, *options: str) -> Iterator[httpx.Client]:
-    """A client of the server of these settings."""
     command = [sys.executable, "-c", "from app.cli.main import main; main()", "fleet"]
     with (
         (settings.parent / "fleet.log").open("wb") as log,
@@ -50,13 +49,11 @@ def running_fleet(settings: Path, *options: str) -> Iterator[httpx.Client]:
 def refused_start(settings: Path, *options: str) -> str:
     """The one line with which a start ends that these settings do not allow."""
     refused = CliRunner().invoke(cli, ["fleet", "--config", str(settings), *options])
-    assert refused.exit_code == 1
-    assert refused.stderr.count("\n") == 1
+    assert (refused.exit_code, refused.stderr.count("\n")) == (1, 1)
     return refused.stderr
 
 
 def until(ready: Callable[[], object]) -> None:
-    """Waits for a condition."""
     end_s = time.monotonic() + DEADLINE_S
     while not ready():
         assert time.monotonic() < end_s
@@ -78,18 +75,15 @@ def write_settings(tmp_path: Path, database: str, look_s: float, more: str = "")
 
 
 @pytest.fixture
-def store(tmp_path: Path) -> Iterator[Store]:
-    opened = Store(tmp_path / "data")
-    add_every_kind(opened)
-    yield opened
-    opened.close()
+def store(store: Store) -> Store:
+    """Of a station that has a record of every kind."""
+    add_every_kind(store)
+    return store
 
 
-def test_it_collects_and_answers(store: Store, tmp_path: Path) -> None:
-    with FleetCatalogue(f"sqlite:///{tmp_path}/catalogue.db") as catalogue:
-        catalogue.add(ten_months((120, 150), by_calibration=True))
-    settings = write_settings(tmp_path, "sqlite:///catalogue.db", 1.0)
-    with running_fleet(settings) as client:
+def test_it_collects_and_answers(store: Store, own: FleetCatalogue, tmp_path: Path) -> None:
+    own.add(ten_months((120, 150), by_calibration=True))
+    with running_fleet(write_settings(tmp_path, "sqlite:///catalogue.db", 1.0)) as client:
         until(lambda: count(client) == 417)
         add_recorded_scan(store, "20260504-121500", "Housing 4712")
         until(lambda: count(client) == 418)
@@ -114,8 +108,7 @@ def test_it_collects_and_answers(store: Store, tmp_path: Path) -> None:
         assert aged["stations"][0]["per_1000_h"]["groups"] == 10
         missing = client.get("/api/fleet/records/room-1/scan/none")
         assert (missing.status_code, missing.json()["code"]) == (404, "not-found")
-        drift = client.get("/api/fleet/drift/location-scan").json()
-        (period,) = drift["periods"]
+        (period,) = client.get("/api/fleet/drift/location-scan").json()["periods"]
         assert (period["station"], period["calibration_ids"]) == ("room-3", ["cal-4"])
         assert len(period["recordings"]) == 30
         calibrations = client.get("/api/fleet/calibrations").json()["calibrations"]
@@ -132,11 +125,8 @@ def test_it_collects_and_answers(store: Store, tmp_path: Path) -> None:
             assert client.get("/api/fleet/records", params=wrong).status_code == 422, wrong
 
 
-def test_the_database_is_lost_and_comes_back(
-    store: Store, postgres: PostgresServer, tmp_path: Path
-) -> None:
-    settings = write_settings(tmp_path, postgres.new_database(), 1.0)
-    with running_fleet(settings) as client:
+def test_a_lost_database_comes_back(store: Store, postgres: PostgresServer, tmp_path: Path) -> None:
+    with running_fleet(write_settings(tmp_path, postgres.new_database(), 1.0)) as client:
         until(lambda: count(client) == 7)
         postgres.stop()
         try:

@@ -11,6 +11,7 @@ from app.fleet.catalogue.catalogue import FleetCatalogue
 from app.server.fleet.access import FleetPeople
 from app.single_sign_on.person import ProviderPerson
 from app.store.accounts import Role
+from tests.api.test_provider_sign_in import begin, finish
 from tests.fleet.entries import entry_of
 from tests.fleet.test_server import refused_start, running_fleet
 from tests.single_sign_on.mock_provider import (
@@ -26,17 +27,13 @@ pytestmark = pytest.mark.device
 HOST = "10.9.8.7:8100"
 """By which browsers reach the server: the provider knows only this address."""
 PASSWORD = ("anyone", "a page's password")
-SETTINGS = (
-    """
+SETTINGS = f"""
 [catalogue]
 database = "sqlite:///catalogue.db"
 
 [server]
 password_file = "password"
-"""
-    + SIGN_IN
-)
-
+{SIGN_IN}"""
 
 AWAY = MockProvider("http://127.0.0.1:9", "crenel-fleet", "secret")
 """Nobody listens there."""
@@ -53,17 +50,12 @@ def write_settings(folder: Path, provider: MockProvider, issuer: str = "") -> Pa
 
 
 def browser_of(client: httpx.Client) -> httpx.Client:
-    """A new browser."""
-    return httpx.Client(
-        base_url=client.base_url, headers={"Host": HOST}, timeout=30.0, trust_env=False
-    )
+    headers = {"Host": HOST}
+    return httpx.Client(base_url=client.base_url, headers=headers, timeout=30.0, trust_env=False)
 
 
 def sign_in(browser: httpx.Client, subject: str) -> httpx.Response:
-    page = browser.post("/api/session/provider").raise_for_status().json()["address"]
-    answer = answer_of(page, subject)
-    body = {"state": answer.state, "code": answer.code, "error": answer.error}
-    return browser.post("/api/session/provider/answer", json=body)
+    return finish(browser, answer_of(begin(browser), subject))
 
 
 def state_of(browser: httpx.Client) -> Any:
@@ -163,10 +155,8 @@ def test_accounts_follow_the_provider(tmp_path: Path) -> None:
     assert principal is not None
     assert (principal.name, principal.role) == ("anna", Role.operator)
     first.close()
-    other = read_table(
-        tmp_path,
-        {**AWAY.settings(tmp_path).model_dump(), "issuer": "https://other.example"},
-    )
+    settings = AWAY.settings(tmp_path).model_dump()
+    other = read_table(tmp_path, {**settings, "issuer": "https://other.example"})
     second = FleetPeople(other, file)
     assert second.sessions.principal(bearer) is None
     second.close()
