@@ -27,12 +27,7 @@ from app.server.application import build_app
 from app.server.demo import station_parts
 from app.server.listener import make_server
 from app.single_sign_on.settings import SignInSettings
-from app.station.bus import Bus
-from app.station.devices.rig import Rig
-from app.station.scan.scanner import Scanner
-from app.station.view3d.scene import Scene
 from app.store import accounts
-from app.store.store import Store
 from hardware.clock import now_ns
 from hardware.interfaces import Button
 from hardware.simulator.station import SimulatedStation, SimulationConfig
@@ -66,6 +61,10 @@ def wait_for(read: Callable[[], T], ready: Callable[[T], object]) -> T:
     return value
 
 
+def until(ready: Callable[[], object]) -> None:
+    wait_for(ready, bool)
+
+
 def comes(condition: Callable[[], object]) -> bool:
     """Whether something comes of a press of the arm's button, which an arm that was lost for a
     moment does not pass on: it is pressed again then."""
@@ -95,7 +94,6 @@ def code_of(answer: httpx.Response) -> tuple[int, str]:
 
 
 def refusal(answer: httpx.Response) -> str:
-    """Why a command is refused."""
     assert answer.status_code == 422, answer.text
     return str(answer.json()["detail"])
 
@@ -122,7 +120,6 @@ class Desk:
         return run_command(lambda: self.command(name, **args))
 
     def wait(self, ready: Callable[[View], bool]) -> View:
-        """The view, once it is as wanted."""
         return wait_for(self.view, ready)
 
     def wait_until_idle(self) -> View:
@@ -165,41 +162,8 @@ class Server(Desk):
         return self.view()
 
     def press(self, button: Button) -> None:
-        """A short press of a button of the arm."""
         self.simulation.device.press(button, True, now_ns())
         self.simulation.device.press(button, False, now_ns() + 50_000_000)
-
-
-class GuideDesk(Desk):
-    """The operator's end of another guide than the calibration's."""
-
-    def __init__(self, server: Server) -> None:
-        self.server, self.http = server, server.http
-
-
-GuideDeskT = TypeVar("GuideDeskT", bound=GuideDesk)
-
-
-@contextmanager
-def left_in_order(desk: GuideDeskT) -> Iterator[GuideDeskT]:
-    """A desk at which nothing is open afterwards."""
-    yield desk
-    desk.http.post("/api/stop").raise_for_status()
-    desk.close()
-
-
-@contextmanager
-def next_station(server: Server, left: Path) -> Iterator[tuple[Store, Bus, Rig, Scanner, Scene]]:
-    """Parts of a next server's station, on what a killed one left on the disk."""
-    store, bus = Store(left), Bus()
-    rig, scene = Rig(bus, server.simulation.sensor, server.simulation.sensor, left), Scene()  # type: ignore[arg-type]
-    scanner = Scanner(bus, rig, scene, left / "scans")
-    try:
-        yield store, bus, rig, scanner, scene
-    finally:
-        scanner.close()
-        scene.close()
-        store.close()
 
 
 @contextmanager
@@ -279,7 +243,6 @@ def touching(at_setup: Server) -> Server:
 
 @pytest.fixture(scope="module")
 def calibration(server: Server) -> str:
-    """The true one, which is in use."""
     return use_truth(server, f"truth-{uuid.uuid4().hex[:6]}")
 
 

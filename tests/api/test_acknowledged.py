@@ -58,6 +58,10 @@ class Traced:
         self.station.wait(asked)
         return marks[-1]
 
+    def accept(self, guide: str, rev: int) -> str:
+        body = {"name": "accept", "args": {}, "rev": rev, "key": "accepted"}
+        return self.ask("POST", f"/api/{guide}/command", **body)[0]
+
     def trace(self) -> Trace:
         return Trace(self._log, self.data)
 
@@ -89,8 +93,7 @@ def test_points_pictures_and_an_acceptance(library: Path, tmp_path: Path) -> Non
             elif view["busy"] is None:
                 station.ask("flow", "run_simulation")
             time.sleep(LOOK_S)
-        body = {"name": "accept", "args": {}, "rev": view["rev"], "key": "accepted"}
-        accepted, _ = bench.ask("POST", "/api/flow/command", **body)
+        accepted = bench.accept("flow", view["rev"])
     (session,) = (data / "sessions").iterdir()
     trace, marks = bench.trace(), [*reported.values()]
     assert {step for step, done in reported if done} == {"touch", "capture"}
@@ -102,9 +105,7 @@ def test_points_pictures_and_an_acceptance(library: Path, tmp_path: Path) -> Non
             for name in names:
                 since = trace.request_index(marks[max(n - 2, 0)])
                 assert trace.why_not_stored(session / name, by, since) == "", (step, done)
-    by = trace.answer_index(accepted)
-    assert trace.why_no_row(trace.request_index(accepted), by) == ""
-    assert_written(trace, session, by)
+    assert_accepted(trace, accepted, session)
 
 
 def picture_names(session: Path, number: int) -> list[str]:
@@ -151,8 +152,7 @@ def test_clouds_and_acceptance_of_a_verification(library: Path, tmp_path: Path) 
             if view["busy"] is None:
                 station.ask("verify", "run_simulation", all=True)
             time.sleep(LOOK_S)
-        body = {"name": "accept", "args": {}, "rev": view["rev"], "key": "accepted"}
-        accepted, _ = bench.ask("POST", "/api/verify/command", **body)
+        accepted = bench.accept("verify", view["rev"])
     trace, marks = bench.trace(), [*reported.values()]
     (session,) = (data / "verifications").iterdir()
     recordings = sorted(session.rglob("*.mcap"))
@@ -160,13 +160,16 @@ def test_clouds_and_acceptance_of_a_verification(library: Path, tmp_path: Path) 
         by = trace.answer_index(mark)
         assert trace.why_no_row(trace.request_index(before), by) == ""
         assert trace.why_not_stored(recordings[number - 1], by) == ""
-    by = trace.answer_index(accepted)
-    assert trace.why_no_row(trace.request_index(accepted), by) == ""
+    assert_accepted(trace, accepted, session)
+
+
+def assert_accepted(trace: Trace, mark: str, session: Path) -> None:
+    by = trace.answer_index(mark)
+    assert trace.why_no_row(trace.request_index(mark), by) == ""
     assert_written(trace, session, by)
 
 
 def assert_written(trace: Trace, folder: Path, by: int) -> None:
-    """Every file of a folder."""
     files = [path for path in folder.rglob("*") if path.is_file()]
     assert files
     for path in files:

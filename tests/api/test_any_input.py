@@ -25,13 +25,8 @@ pytestmark = [pytest.mark.device, pytest.mark.soak]
 ROOT = Path(__file__).resolve().parents[2]
 TRIES = 5
 SIGNS_OUT = ("DELETE", "/api/session")
-QUICKLY = settings(
-    max_examples=TRIES,
-    deadline=None,
-    database=None,
-    derandomize=True,
-    suppress_health_check=list(HealthCheck),
-)
+REPEATABLY = settings(deadline=None, database=None, derandomize=True)
+QUICKLY = settings(REPEATABLY, max_examples=TRIES, suppress_health_check=list(HealthCheck))
 
 
 @pytest.fixture(scope="module")
@@ -50,8 +45,7 @@ def http(data: Path) -> Iterator[httpx.Client]:
 
 @pytest.mark.filterwarnings("ignore")
 def test_every_route_answers_anything(http: httpx.Client, data: Path) -> None:
-    document = http.get("/api/openapi.json").json()
-    schema = schemathesis.openapi.from_dict(document)
+    schema = schemathesis.openapi.from_dict(http.get("/api/openapi.json").json())
     tried = 0
     for found in schema.get_all_operations():
         assert isinstance(found, Ok)
@@ -65,9 +59,7 @@ def test_every_route_answers_anything(http: httpx.Client, data: Path) -> None:
             answer = case.call(base_url=str(http.base_url), headers=cookie(http), timeout=30)
             if answer.status_code < 400:
                 return
-            reported = (
-                f"{case.method} {case.formatted_path}: {answer.status_code} {answer.text[:500]}"
-            )
+            reported = f"{case.method} {case.formatted_path}: {answer} {answer.text[:500]}"
             assert answer.status_code < 500, reported
             assert_discreet(answer.text, data)
             assert {"title", "status", "detail"} <= set(json.loads(answer.text)), reported
@@ -98,16 +90,11 @@ def test_the_live_connection_takes_anything(http: httpx.Client, sent: bytes | st
 @settings(QUICKLY, max_examples=3)
 @given(sent=st.lists(st.one_of(st.binary(max_size=200), st.text(max_size=200)), min_size=10))
 def test_the_3d_view_takes_anything(http: httpx.Client, sent: list[bytes | str]) -> None:
-    address = f"ws://{http.base_url.netloc.decode()}/viewer/"
-    subprotocols = [PROTOCOL]
+    address, headers = f"ws://{http.base_url.netloc.decode()}/viewer/", cookie(http)
+    # it reads no more, and does not see the answer to its goodbye
+    options: dict[str, Any] = {"subprotocols": [PROTOCOL], "close_timeout": 0.5}
     for _ in range(2):  # and the next client has it, too
-        # it reads no more, and does not see the answer to its goodbye
-        with connect(
-            address,
-            additional_headers=cookie(http),
-            subprotocols=subprotocols,
-            close_timeout=0.5,
-        ) as view:
+        with connect(address, additional_headers=headers, **options) as view:
             view.recv(timeout=20)
             for message in sent:
                 view.send(message)

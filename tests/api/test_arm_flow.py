@@ -16,7 +16,8 @@ from app.metrology.arm.identification.articulation import ArticulationLimits
 from app.metrology.arm.kinematics import Arm, tip_centres
 from app.metrology.transforms import apply, rigid_fit
 from app.workflows.check_articulation import check_table
-from tests.api.conftest import GuideDesk, Server, View, code_of, refusal
+from tests.api.conftest import Server, View, code_of, refusal
+from tests.api.desks import GuideDesk
 from tests.metrology.arm_sessions import volumetric_error_um
 from tests.sent_texts import english
 from tests.simulated_robots import Tracker, built, measure, postures
@@ -25,8 +26,6 @@ pytestmark = pytest.mark.device
 
 
 class ArmDesk(GuideDesk):
-    """The operator's end of the arm's flows."""
-
     path = "/api/arm"
     closing = "end"
 
@@ -50,7 +49,6 @@ class ArmDesk(GuideDesk):
         return self.wait(lambda view: view["step"] == "result" and view["busy"] is None)
 
     def newest(self, kind: str) -> tuple[Any, str]:
-        """The newest record of ``identifications``, ``checks`` or ``tips``, and its report."""
         record = self.http.get(f"/api/arm/{kind}").json()[0]
         return record, self.http.get(f"/api/arm/{kind}/{record['id']}/report.html").text
 
@@ -82,8 +80,7 @@ def test_a_check_by_the_simulated_operator_is_judged_and_recorded(desk: ArmDesk)
     german = desk.http.get(f"/api/arm/checks/{newest['id']}/report.html?lang=de").text
     assert '<html lang="de">' in german
     assert "Bediener: Demo" in german
-    refused = desk.http.get(f"/api/arm/checks/{newest['id']}/report.html?lang=xx")
-    assert refused.status_code == 422
+    assert desk.http.get(f"/api/arm/checks/{newest['id']}/report.html?lang=xx").status_code == 422
     assert len(desk.http.get("/api/arm/checks").json()) == before + 1
     assert newest["verdict"] == "good"
     assert newest["points"] >= 30
@@ -193,8 +190,7 @@ def check_saved_and_restored(desk: ArmDesk, error_um: Callable[[Arm], float]) ->
     desk.do("restore")
     assert (arms / "simulated.json").read_bytes() == before
     view = desk.view()
-    assert english(view["title"]) == "Before and after"
-    assert view["actions"][0]["name"] == "save"
+    assert (english(view["title"]), view["actions"][0]["name"]) == ("Before and after", "save")
 
 
 def test_coordinates_of_a_tracker_identify_the_arm(desk: ArmDesk) -> None:
@@ -224,8 +220,7 @@ def test_coordinates_of_a_tracker_identify_the_arm(desk: ArmDesk) -> None:
     text = table_text(columns, rows)
     view = desk.do("take_coordinates", text=text)
     assert view["coordinates"] == 60
-    names = {action["name"]: action for action in view["actions"]}
-    assert names["fit"]["primary"]
+    assert {action["name"]: action for action in view["actions"]}["fit"]["primary"]
     assert desk.command("take_coordinates", text=text.replace("x_mm", "x")).status_code == 422
     assert desk.view()["coordinates"] == 60
     desk.do("fit")

@@ -15,6 +15,7 @@ from tests.api.conftest import PATIENCE_S, Server, wait_for
 pytestmark = pytest.mark.device
 
 HEAD = b"GET /api/session HTTP/1.1\r\nHost: localhost\r\n"
+UPGRADE = HEAD.replace(b"session", b"live") + b"Upgrade: websocket\r\nConnection: Upgrade\r\n"
 
 
 @contextlib.contextmanager
@@ -33,6 +34,18 @@ def answer_to(server: Server, *parts: bytes) -> bytes:
             return own.recv(1000)
         except ConnectionError:
             return b"closed"
+
+
+@pytest.fixture
+def few_places(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(connections, "MOST_OF_ONE", 20)
+    monkeypatch.setattr(connections, "MOST_AT_ONCE", 60)
+
+
+def stop_over(own: socket.socket, server: Server) -> bytes:
+    stop = f"POST /api/stop HTTP/1.1\r\nHost: localhost:{server.port}\r\n"
+    own.sendall(f"{stop}Cookie: {server.cookie['Cookie']}\r\nContent-Length: 0\r\n\r\n".encode())
+    return own.recv(1000)
 
 
 @pytest.mark.parametrize(
@@ -54,12 +67,13 @@ def test_headers_are_taken_up_to_32_kb(server: Server, much: bytes) -> None:
     assert b"200 OK" not in answer
 
 
-def test_what_begins_with_nothing_is_answered(server: Server) -> None:
-    assert answer_to(server, b"\r\n", HEAD + b"\r\n").startswith(b"HTTP/1.1 200")
-
-
-def test_headers_of_30_kb_are_answered(server: Server) -> None:
-    assert answer_to(server, HEAD, b"X: " + b"v" * 30_000, b"\r\n\r\n").startswith(b"HTTP/1.1 200")
+@pytest.mark.parametrize(
+    "parts",
+    [(b"\r\n", HEAD + b"\r\n"), (HEAD, b"X: " + b"v" * 30_000, b"\r\n\r\n")],
+    ids=["nothing before", "30 kB"],
+)
+def test_what_is_unusual_but_allowed_is_answered(server: Server, parts: tuple[bytes, ...]) -> None:
+    assert answer_to(server, *parts).startswith(b"HTTP/1.1 200")
 
 
 def test_requests_that_wait_for_no_answer_are_few(server: Server) -> None:
@@ -73,28 +87,19 @@ def test_requests_that_wait_for_no_answer_are_few(server: Server) -> None:
 def test_a_handshake_with_other_characters_is_refused(
     server: Server, caplog: pytest.LogCaptureFixture, header: bytes
 ) -> None:
-    asked = HEAD.replace(b"session", b"live") + b"Upgrade: websocket\r\nConnection: Upgrade\r\n"
-    answer = answer_to(server, asked + header + b": \xff\r\n\r\n")
-    assert answer.startswith(b"HTTP/1.1 400")
+    assert answer_to(server, UPGRADE + header + b": \xff\r\n\r\n").startswith(b"HTTP/1.1 400")
     assert not [one for one in caplog.records if one.levelname == "ERROR"]
 
 
 def test_what_comes_before_a_live_connection_is_let_in_ends_it(
     server: Server, caplog: pytest.LogCaptureFixture
 ) -> None:
-    upgrade = HEAD.replace(b"session", b"live") + (
-        b"Upgrade: websocket\r\nConnection: Upgrade\r\nSec-WebSocket-Version: 13\r\n"
-        b"Sec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\n\r\n"
-    )
-    assert answer_to(server, upgrade + b"\x00" * 100_000) in (b"", b"closed")
+    key = b"Sec-WebSocket-Version: 13\r\nSec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\n\r\n"
+    assert answer_to(server, UPGRADE + key + b"\x00" * 100_000) in (b"", b"closed")
     assert "Fatal error" not in caplog.text
 
 
-def test_a_crowd_that_asks_nothing_leaves_its_places_to_others(
-    server: Server, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.setattr(connections, "MOST_OF_ONE", 20)
-    monkeypatch.setattr(connections, "MOST_AT_ONCE", 60)
+def test_a_crowd_that_asks_nothing_leaves_its_places(server: Server, few_places: None) -> None:
     with contextlib.ExitStack() as crowd:
         silent = [crowd.enter_context(connected(server)) for _ in range(100)]
         for one in silent:
@@ -103,44 +108,24 @@ def test_a_crowd_that_asks_nothing_leaves_its_places_to_others(
         for _ in range(5):
             with httpx.Client(base_url=server.address, timeout=PATIENCE_S) as other:
                 assert other.get("/api/session").status_code == 200
-        left = wait_for(
-            lambda: [one for one in silent if is_open(one)], lambda left: len(left) <= 20
-        )
+        left = wait_for(lambda: sum(map(is_open, silent)), lambda left: left <= 20)
         assert left, "a few may wait"
 
 
-def test_a_crowd_does_not_take_the_place_of_a_signed_in_user(
-    server: Server, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.setattr(connections, "MOST_OF_ONE", 20)
-    monkeypatch.setattr(connections, "MOST_AT_ONCE", 60)
-    cookies = "; ".join(f"{name}={value}" for name, value in server.http.cookies.items())
-    stop = (
-        f"POST /api/stop HTTP/1.1\r\nHost: localhost:{server.port}\r\nCookie: {cookies}\r\n"
-        "Content-Length: 0\r\n\r\n"
-    ).encode()
+def test_a_crowd_takes_no_place_of_a_signed_in_user(server: Server, few_places: None) -> None:
     with connected(server) as own, contextlib.ExitStack() as crowd:
         for _ in range(10):
             for number in range(40):
                 one = crowd.enter_context(connected(server))
                 with contextlib.suppress(ConnectionError):
                     one.sendall(HEAD + b"\r\n" if number % 2 else b"")
-            own.sendall(stop)
-            assert own.recv(1000).startswith(b"HTTP/1.1 204")
+            assert stop_over(own, server).startswith(b"HTTP/1.1 204")
 
 
-def test_an_idle_connection_of_a_signed_in_user_outlives_a_crowd_of_new_ones(
-    server: Server, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_an_idle_user_outlives_a_crowd(server: Server, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(connections, "MOST_OF_ONE", 20)
-    cookies = "; ".join(f"{name}={value}" for name, value in server.http.cookies.items())
-    stop = (
-        f"POST /api/stop HTTP/1.1\r\nHost: localhost:{server.port}\r\nCookie: {cookies}\r\n"
-        "Content-Length: 0\r\n\r\n"
-    ).encode()
     with connected(server) as own:
-        own.sendall(stop)
-        assert own.recv(1000).startswith(b"HTTP/1.1 204")
+        assert stop_over(own, server).startswith(b"HTTP/1.1 204")
         time.sleep(2 * connections.GRACE_S)
         ends = time.monotonic() + 2.0
         while time.monotonic() < ends:
@@ -148,8 +133,7 @@ def test_an_idle_connection_of_a_signed_in_user_outlives_a_crowd_of_new_ones(
                 for _ in range(30):
                     crowd.enter_context(connected(server))
                 time.sleep(0.6 * connections.GRACE_S)
-        own.sendall(stop)
-        assert own.recv(1000).startswith(b"HTTP/1.1 204")
+        assert stop_over(own, server).startswith(b"HTTP/1.1 204")
 
 
 def is_open(connection: socket.socket) -> bool:

@@ -43,30 +43,21 @@ def test_a_changed_option_leaves_every_comment(file: Path) -> None:
 
 
 def test_a_new_option_follows_the_others_of_its_table(file: Path) -> None:
-    arm = table(driver="serial-encoder", url="/dev/ttyUSB0", joint_count=6)
-    write_device(file, "arm", arm)
+    write_device(file, "arm", table("serial-encoder", url="/dev/ttyUSB0", joint_count=6))
     last = 'url = "/dev/ttyUSB0"       # left\n'
     assert file.read_text() == FILE.replace(last, f"{last}joint_count = 6\n")
 
 
 def test_another_driver_has_only_its_own_options(file: Path) -> None:
     write_device(file, "arm", table(driver="bench", label="Old arm", port=3))
-    assert tomllib.loads(file.read_text())["arm"] == {
-        "driver": "bench",
-        "label": "Old arm",
-        "port": 3,
-    }
+    arm = tomllib.loads(file.read_text())["arm"]
+    assert arm == {"driver": "bench", "label": "Old arm", "port": 3}
     assert "# stricter than usual\n[limits]" in file.read_text()
 
 
 def test_a_new_table_is_read_as_it_was_written(file: Path) -> None:
-    camera = table(
-        driver="opencv",
-        label='The "left" one',
-        source="rtsp://10.0.0.9/stream",
-        exposure_range_us=[100.0, 2e4],
-        loop=True,
-    )
+    options = {"exposure_range_us": [100.0, 2e4], "loop": True}
+    camera = table("opencv", 'The "left" one', source="rtsp://10.0.0.9/stream", **options)
     write_device(file, "sensor", camera)
     assert file.read_text().startswith(FILE)
     assert read_settings(file).sensor == camera

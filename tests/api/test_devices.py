@@ -1,13 +1,12 @@
 """Finding, trying and choosing devices of a running station."""
 
 import socket
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import replace
 from http import HTTPStatus
 from pathlib import Path
 from typing import Any
 
-import cv2
 import numpy as np
 import pytest
 
@@ -16,14 +15,16 @@ from app.bench.station.subprocess_station import free_port
 from app.errors import OperationError
 from app.formats.datasheets.arm import read_any_arm
 from app.formats.datasheets.sensor import read_sensor
+from app.formats.images import write_png
 from app.guide.common.datasheet_library import DatasheetEntry, DatasheetLibrary
 from app.operations.new_datasheet import UndescribedArm, is_described, write_arm_datasheet
 from app.settings.station_toml import read_settings
 from app.station.setup.trials import DeviceTrials
 from hardware.simulator.devices.rtde_server import RobotState, RtdeServer
-from tests.api.conftest import Server, running_server, wait_for
+from tests.api.conftest import Server, View, running_server, wait_for
 from tests.hardware.test_kuka_rsi import rsi_packet
 from tests.hardware.udp_robot import UdpRobot
+from tests.pictures import decode_picture
 from tests.sent_texts import english
 from tests.simulated_robots import robot
 
@@ -38,8 +39,7 @@ def pictures(tmp_path: Path) -> Path:
     folder = tmp_path / "pictures"
     folder.mkdir()
     for index in range(5):
-        grey = np.full((HEIGHT, WIDTH), 40 * index, np.uint8)
-        cv2.imwrite(str(folder / f"{index}.png"), grey)
+        write_png(folder / f"{index}.png", np.full((HEIGHT, WIDTH), 40 * index, np.uint8))
     return folder
 
 
@@ -57,6 +57,23 @@ def view(server: Server) -> dict[str, Any]:
 
 def trial(server: Server) -> dict[str, Any]:
     return dict(server.http.get("/api/devices/trial").raise_for_status().json())
+
+
+def try_device(server: Server, body: View, ready: Callable[[View], object]) -> View:
+    server.http.post("/api/devices/trial", json=body).raise_for_status()
+    return wait_for(lambda: trial(server), ready)
+
+
+def is_live(shown: View) -> bool:
+    return bool(shown["state"] == "live")
+
+
+def has_picture(shown: View) -> bool:
+    return shown["picture"] is not None
+
+
+def wait_for_device(server: Server, kind: str) -> dict[str, Any]:
+    return wait_for(lambda: device(server, kind), lambda one: one["state"]["state"] == "connected")
 
 
 def asked(pictures: Path, **more: object) -> dict[str, object]:
@@ -85,17 +102,14 @@ def test_a_search_ends_and_says_so(station: Server) -> None:
 
 
 def test_a_tried_camera_shows_pictures_and_is_closed(station: Server, pictures: Path) -> None:
-    station.http.post("/api/devices/trial", json=asked(pictures)).raise_for_status()
-    live = wait_for(lambda: trial(station), lambda one: one["rate_hz"] is not None)
+    live = try_device(station, asked(pictures), lambda one: one["rate_hz"] is not None)
     assert (live["state"], live["in_use"]) == ("live", False)
     assert (live["width_px"], live["height_px"]) == (WIDTH, HEIGHT)
     assert (live["stamps"], live["lost"], live["corrupt"]) == ("arrival", 0, 0)
     later = wait_for(lambda: trial(station), lambda one: one["picture"] != live["picture"])
     assert later["picture"] > live["picture"]
     answer = station.http.get("/api/devices/trial/picture.jpg").raise_for_status()
-    image = cv2.imdecode(np.frombuffer(answer.content, np.uint8), cv2.IMREAD_UNCHANGED)
-    assert image is not None
-    assert image.shape == (HEIGHT, WIDTH)
+    assert decode_picture(answer.content).shape == (HEIGHT, WIDTH)
     station.http.delete("/api/devices/trial").raise_for_status()
     assert station.http.get("/api/devices/trial").json() is None
     assert station.http.get("/api/devices/trial/picture.jpg").status_code == HTTPStatus.NO_CONTENT
@@ -105,37 +119,28 @@ def test_a_tried_camera_whose_pictures_are_raw_says_so(station: Server, pictures
     raw = np.full((HEIGHT, WIDTH), 100, np.uint8)
     raw[::2, ::2], raw[1::2, 1::2] = 60, 80
     for path in pictures.iterdir():
-        cv2.imwrite(str(path), raw)
-    station.http.post("/api/devices/trial", json=asked(pictures)).raise_for_status()
-    live = wait_for(lambda: trial(station), lambda one: one["picture"] is not None)
+        write_png(path, raw)
+    live = try_device(station, asked(pictures), has_picture)
     assert "raw picture of a colour camera" in english(live["picture_text"])
     measured = asked(pictures)
     measured["options"] |= {"bayer": "BGGR", "laser_colour": "red"}  # type: ignore[operator]
-    station.http.post("/api/devices/trial", json=measured).raise_for_status()
-    grey = wait_for(lambda: trial(station), lambda one: one["picture"] is not None)
-    assert not grey["picture_text"]
+    assert not try_device(station, measured, has_picture)["picture_text"]
 
 
 def test_a_tried_arm_shows_its_joints(station: Server) -> None:
     options = {"url": station.simulation.arm_url}
     body = {"kind": "arm", "driver": "serial-encoder", "options": options}
-    station.http.post("/api/devices/trial", json=body).raise_for_status()
-    live = wait_for(lambda: trial(station), lambda one: len(one["joints_deg"]) > 0)
+    live = try_device(station, body, lambda one: len(one["joints_deg"]) > 0)
     assert live["name"]
     assert live["stamps"] == "device"
 
 
 def test_a_tried_robot_whose_packets_are_damaged_says_so(station: Server) -> None:
     controller = UdpRobot(free_port(socket.SOCK_DGRAM), 4, rsi_packet)
-    body = {
-        "kind": "arm",
-        "driver": "kuka-rsi",
-        "options": {"address": "127.0.0.1", "port": controller.port},
-    }
+    options = {"address": "127.0.0.1", "port": controller.port}
+    body = {"kind": "arm", "driver": "kuka-rsi", "options": options}
     try:
-        station.http.post("/api/devices/trial", json=body).raise_for_status()
-        live = wait_for(lambda: trial(station), lambda one: one["state"] == "live")
-        assert not live["loss_text"]
+        assert not try_device(station, body, is_live)["loss_text"]
         controller.spoil = lambda data: b"damaged"
         losing = wait_for(lambda: trial(station), lambda one: one["loss_text"])
         assert "is being lost" in english(losing["loss_text"])
@@ -144,9 +149,7 @@ def test_a_tried_robot_whose_packets_are_damaged_says_so(station: Server) -> Non
 
 
 def test_what_cannot_be_opened_says_why(station: Server, tmp_path: Path) -> None:
-    body = asked(tmp_path / "nowhere")
-    station.http.post("/api/devices/trial", json=body).raise_for_status()
-    failed = wait_for(lambda: trial(station), lambda one: one["state"] == "failed")
+    failed = try_device(station, asked(tmp_path / "nowhere"), lambda one: one["state"] == "failed")
     assert "nowhere" in str(failed["text"])
 
 
@@ -160,9 +163,7 @@ def test_a_wrong_option_is_refused_in_the_drivers_words(station: Server, picture
     assert "Did you mean folder?" in unknown.json()["remedy"]
 
 
-def test_a_chosen_camera_is_used_at_once_and_after_a_restart(
-    tmp_path: Path, pictures: Path
-) -> None:
+def test_a_chosen_camera_is_used_at_once_and_when_restarted(tmp_path: Path, pictures: Path) -> None:
     data = tmp_path / "data"
     with running_server(data) as server:
         chosen = asked(pictures, label="Left camera")
@@ -179,19 +180,13 @@ def test_a_chosen_camera_is_used_at_once_and_after_a_restart(
         assert server.context.station.simulated, "the arm still is"
         assert read_settings(data / "station.toml").devices["sensor"].driver == "folder"
     with running_server(data) as again:
-        wait_for(lambda: device(again, "sensor"), lambda one: one["state"]["state"] == "connected")
-        assert device(again, "sensor")["driver"] == "folder"
+        assert wait_for_device(again, "sensor")["driver"] == "folder"
         again.http.post("/api/devices/remove", json={"kind": "sensor"}).raise_for_status()
-        back = wait_for(
-            lambda: device(again, "sensor"), lambda one: one["state"]["state"] == "connected"
-        )
-        assert back["simulated"]
+        assert wait_for_device(again, "sensor")["simulated"]
         assert again.context.station.has_simulation
 
 
-def test_a_chosen_camera_gets_its_datasheet_from_one_answer(
-    station: Server, pictures: Path
-) -> None:
+def test_a_chosen_camera_gets_its_datasheet_by_one_answer(station: Server, pictures: Path) -> None:
     assert view(station)["undescribed"] is None, "the simulated camera has its datasheet"
     refused = station.http.post("/api/devices/datasheet", json={"stripe_axis": "u"})
     assert refused.json()["code"] == "no-sensor"
@@ -224,8 +219,7 @@ def test_a_robot_that_was_entered_is_shown_and_gets_its_datasheet(station: Serve
         assert answer.raise_for_status().json()["undescribed_arm"] is None
         (written,) = (station.data / "arms").glob("universal-robots*.json")
         assert read_any_arm(written).reading_kind == "pose"
-        again = station.http.post("/api/devices/arm-datasheet")
-        assert again.json()["code"] == "no-arm"
+        assert station.http.post("/api/devices/arm-datasheet").json()["code"] == "no-arm"
         written.unlink()
     finally:
         station.http.post("/api/devices/remove", json={"kind": "arm"}).raise_for_status()
@@ -244,13 +238,9 @@ def test_an_arm_of_another_unit_needs_its_own_model() -> None:
             write_arm_datasheet(other, Path("nowhere"))
 
 
-def test_the_stations_own_device_is_shown_and_not_opened_again(
-    station: Server, pictures: Path
-) -> None:
+def test_the_stations_own_device_is_shown_and_not_reopened(station: Server, pictures: Path) -> None:
     station.http.post("/api/devices", json=asked(pictures)).raise_for_status()
-    station.http.post("/api/devices/trial", json=asked(pictures)).raise_for_status()
-    live = wait_for(lambda: trial(station), lambda one: one["state"] == "live")
-    assert live["in_use"]
+    assert try_device(station, asked(pictures), is_live)["in_use"]
     slower = asked(pictures, options={"path": str(pictures), "rate_hz": "5"})
     station.http.post("/api/devices/trial", json=slower).raise_for_status()
     assert trial(station)["in_use"], "another rate is the same camera"
@@ -269,13 +259,10 @@ def test_secrets_of_a_tried_device_do_not_leave_the_station(station: Server) -> 
 
 def test_devices_do_not_change_during_a_session(at_setup: Server, pictures: Path) -> None:
     before = device(at_setup, "sensor")
-    answer = at_setup.http.post("/api/devices", json=asked(pictures))
-    assert answer.json()["code"] == "busy"
+    assert at_setup.http.post("/api/devices", json=asked(pictures)).json()["code"] == "busy"
     assert device(at_setup, "sensor")["simulated"] == before["simulated"]
-    assert (
-        not (at_setup.data / "station.toml").exists()
-        or not read_settings(at_setup.data / "station.toml").devices
-    )
+    file = at_setup.data / "station.toml"
+    assert not file.exists() or not read_settings(file).devices
     at_setup.do("abandon")
 
 

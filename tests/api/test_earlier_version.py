@@ -6,18 +6,17 @@ accepted; a scan of two seconds; and a verification that was left open at its to
 
 import shutil
 import tarfile
-import uuid
 from collections.abc import Iterator
 from pathlib import Path
 
 import numpy as np
 import pytest
-from typer.testing import CliRunner
 
-from app.cli.main import cli
 from app.formats.clouds.files import read_cloud
 from app.formats.results.calibration import read_calibration
-from tests.api.conftest import Server, run_command, running_server, wait_for
+from tests.api.conftest import Server, running_server
+from tests.api.test_verify_flow import VerifyDesk
+from tests.cli.test_cli import done
 
 pytestmark = pytest.mark.device
 
@@ -53,50 +52,35 @@ def test_everything_that_was_kept_is_listed_and_healthy(station: Server) -> None
 
 
 def test_its_reports_pictures_and_clouds_are_served(station: Server) -> None:
-    for path in (
-        f"calibrations/{CALIBRATION}/report.html",
-        f"calibrations/{CALIBRATION}/report.pdf",
-        f"calibrations/{CALIBRATION}/calibration.json",
-        f"calibrations/{CALIBRATION}/image/capture-1-laser.png",
-        f"scans/{SCAN}/cloud.ply",
-    ):
+    files = ("report.html", "report.pdf", "calibration.json", "image/capture-1-laser.png")
+    paths = (f"calibrations/{CALIBRATION}/{name}" for name in files)
+    for path in (*paths, f"scans/{SCAN}/cloud.ply"):
         answer = station.http.get(f"/api/{path}")
         assert (path, answer.status_code) == (path, 200)
         assert len(answer.content) > 1000
 
 
 def test_the_session_that_was_open_goes_on(station: Server) -> None:
-    def view() -> dict[str, object]:
-        return dict(station.http.get("/api/verify").json())
-
-    assert (view()["session_id"], view()["step"]) == (VERIFICATION, "touch")
-    body = {"name": "let_hand", "args": {}, "key": uuid.uuid4().hex}
-    run_command(
-        lambda: station.http.post("/api/verify/command", json=body | {"rev": view()["rev"]})
-    )
-    assert wait_for(view, lambda view: view["step"] != "touch")["step"] == "scan"
+    desk = VerifyDesk(station)
+    view = desk.view()
+    assert (view["session_id"], view["step"]) == (VERIFICATION, "touch")
+    desk.do("let_hand")
+    assert desk.wait(lambda view: view["step"] != "touch")["step"] == "scan"
 
 
 def test_its_session_calibrates_to_the_same_figures(earlier: Path, tmp_path: Path) -> None:
     folder = earlier / "sessions" / CALIBRATION
     before = read_calibration(folder / "calibration.json")
-    crenel("calibrate", folder, "-o", tmp_path / "calibration.json")
+    done("calibrate", folder, "-o", tmp_path / "calibration.json")
     now = read_calibration(tmp_path / "calibration.json")
     np.testing.assert_allclose(now.T_flange_sensor, before.T_flange_sensor, atol=0.02)
 
 
 def test_its_recording_is_rebuilt_with_its_calibration(earlier: Path, tmp_path: Path) -> None:
     folder, scan = earlier / "sessions" / CALIBRATION, earlier / "scans" / SCAN
-    crenel(
-        *("reconstruct", scan / "scan.mcap", "--calibration", folder / "calibration.json"),
-        *("--arm", folder / "arm.json", "-o", tmp_path / "cloud.ply"),
-    )
+    used = ("--calibration", folder / "calibration.json", "--arm", folder / "arm.json")
+    done("reconstruct", scan / "scan.mcap", *used, "-o", tmp_path / "cloud.ply")
     now = read_cloud(tmp_path / "cloud.ply").points_mm
     before = read_cloud(scan / "cloud.ply").points_mm
     assert len(now) == len(before) == 65226
     assert np.abs(now - before).max() < 0.001
-
-
-def crenel(*arguments: str | Path) -> None:
-    result = CliRunner().invoke(cli, [str(argument) for argument in arguments])
-    assert result.exit_code == 0, result.output

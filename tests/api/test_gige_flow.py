@@ -15,15 +15,11 @@ import numpy as np
 import pytest
 
 from app.bench.faults.served import HALF
-from app.formats.clouds.files import read_cloud
-from app.formats.datasheets.arm import read_any_arm
-from app.formats.results.calibration import read_calibration
-from app.workflows.reconstruct import reconstruct_points
 from hardware.simulator.devices.gige_camera.faults import GigeFaults
 from tests.api.calibrated import use_truth
-from tests.api.conftest import Server, running_server, wait_for
-from tests.api.test_robot_flow import distances_from_plate_um, stated_um
-from tests.api.test_watch import topics, until
+from tests.api.conftest import Server, running_server, until, wait_for
+from tests.api.test_robot_flow import distances_from_plate_um, scan_plate, stated_um
+from tests.api.test_watch import topics
 from tests.hardware.fake_cameras import port_for_this_test
 from tests.hardware.test_genicam import require_aravis
 from tests.sent_texts import english
@@ -69,29 +65,16 @@ def test_every_picture_arrives_or_counts_as_lost(server: Server) -> None:
     camera, reader = server.simulation.gige_camera, server.context.rig.sensor.reader
     wait_for(lambda: camera.packets_lost, lambda lost: lost > 10)
     link, sent = reader.link(), camera.blocks
-    assert link.state == "connected"
-    assert link.corrupt == 0
+    assert (link.state, link.corrupt) == ("connected", 0)
     assert sent > 10
     # a few are on their way
     assert abs(link.received + link.lost - sent) < 12
 
 
 def test_a_scan_in_motion_lies_on_the_plate(server: Server) -> None:
-    http = server.http
     session = server.data / "sessions" / use_truth(server, f"truth-{uuid.uuid4().hex[:6]}")
-    wait_for(lambda: http.get("/api/scan").json()["state"], lambda state: state == "idle")
-    assert http.post("/api/scan/start", json={"name": "Plate"}).json()["state"] == "running"
-    assert server.simulation.operator.scan_part("plate")
-    http.post("/api/stop")
-    scans = wait_for(lambda: http.get("/api/scans").json(), bool)
-    folder = server.data / "scans" / scans[0]["id"]
-    live = read_cloud(folder / "cloud.ply")
-    again, _ = reconstruct_points(
-        folder / "scan.mcap",
-        read_calibration(session / "calibration.json"),
-        read_any_arm(session / "arm.json"),
-    )
-    np.testing.assert_allclose(again, live.points_mm, atol=1e-4)
+    until(lambda: server.http.get("/api/scan").json()["state"] == "idle")
+    live, _ = scan_plate(server, session)
     off_um = distances_from_plate_um(server, live.points_mm)
     on_plate_um = off_um[np.abs(off_um) < 200]
     expanded_um = 2 * stated_um(session)
@@ -102,7 +85,6 @@ def test_a_scan_in_motion_lies_on_the_plate(server: Server) -> None:
 
 
 def sensor_state(server: Server) -> tuple[str, str]:
-    """The state of the sensor and its text, as sent to browsers."""
     sensor = topics(server, {"devices"})["devices"]["sensor"]
     return sensor["state"], english(sensor["text"])
 
@@ -119,22 +101,18 @@ def camera_faults(server: Server) -> Iterator[GigeFaults]:
     until(lambda: sensor_state(server)[0] == "connected")
 
 
-def test_an_unplugged_camera_is_lost_and_comes_back(server: Server) -> None:
+@pytest.mark.parametrize(
+    ("fault", "said"),
+    [("unplugged", "does not answer"), ("taken", "in use by another program")],
+)
+def test_a_camera_is_lost_and_comes_back(server: Server, fault: str, said: str) -> None:
     with camera_faults(server) as faults:
-        faults.unplugged = True
+        setattr(faults, fault, True)
         until(lambda: sensor_state(server)[0] == "lost")
-        until(lambda: "does not answer" in sensor_state(server)[1])
-
-
-def test_a_camera_taken_by_another_program_is_in_use(server: Server) -> None:
-    with camera_faults(server) as faults:
-        faults.taken = True
-        until(lambda: sensor_state(server)[0] == "lost")
-        until(lambda: "in use by another program" in sensor_state(server)[1])
+        until(lambda: said in sensor_state(server)[1])
 
 
 def losses(server: Server) -> dict[str, Any]:
-    """What Health says of pictures lost on the way."""
     items = server.http.get("/api/health").json()["health"]["items"]
     return dict(next(item for item in items if item["id"] == "losses-sensor"))
 
@@ -151,8 +129,7 @@ def test_a_slow_line_shows_by_late_pictures_and_by_those_it_loses(server: Server
         # pictures are late before the camera's memory is full, and the first one is lost
         assert driver.health.late > 0
         until(lambda: "late" in english(losses(server)["what"]))
-        kinds = [event.kind for event in asyncio.run(subscription.next()).events]
-        assert "sensor-losing" in kinds
+        assert "sensor-losing" in [event.kind for event in asyncio.run(subscription.next()).events]
         until(lambda: server.context.rig.sensor.link().lost > before + 30)
         until(lambda: losses(server)["quality"] != "good")
         said = losses(server)

@@ -15,7 +15,8 @@ from app.formats.performance.plan import read_plan
 from app.guide.performance.guide import PerformanceGuide, PerformanceServices
 from app.station.jobs import Jobs
 from app.workflows.performance.evaluate import evaluate_performance
-from tests.api.conftest import Server, View, left_in_order, next_station, refusal, wait_for
+from tests.api.conftest import Server, View, refusal, wait_for
+from tests.api.desks import left_in_order, next_station
 from tests.api.test_performance_flow import SphereDesk
 from tests.sent_texts import english
 
@@ -23,8 +24,6 @@ pytestmark = pytest.mark.device
 
 
 class LengthDesk(SphereDesk):
-    """The operator's end of a length test."""
-
     def start(self, **body: str) -> View:
         return super().start(test="lengths", **body)
 
@@ -61,16 +60,13 @@ def desk(server: Server, calibration: str) -> Iterator[LengthDesk]:
 
 @contextmanager
 def reopened(server: Server, left: Path) -> Iterator[PerformanceGuide]:
-    """The guide of a next server on what is on the disk."""
     setup = server.context.settings.settings.model_dump(mode="json")
     with next_station(server, left) as (store, bus, rig, scanner, scene):
         station = PerformanceServices(bus, rig, Jobs(bus), None, scanner, scene, lambda: setup)
         yield PerformanceGuide(station, store.journal, store.calibrations, store.performances, left)
 
 
-def test_lengths_count_in_their_order_and_survive_a_killed_server(
-    desk: LengthDesk, tmp_path: Path
-) -> None:
+def test_lengths_count_in_order_and_survive_a_kill(desk: LengthDesk, tmp_path: Path) -> None:
     server, view = desk.server, desk.start()
     ids = [gauge["id"] for gauge in view["gauges"]]
     assert (view["test"], ids) == ("lengths", ["ball-bar", "step-gauge"])
@@ -201,7 +197,6 @@ def test_a_bar_is_touched_and_scanned_in_its_place(desk: LengthDesk, tmp_path: P
 
 
 def scan_states(view: View) -> list[str]:
-    """Of the scans of the present place."""
     lengths = view["picture"]["lengths"] or {"scans": []}
     return [one["state"] for one in lengths["scans"]]
 
@@ -214,9 +209,7 @@ def scan_states(view: View) -> list[str]:
         ({"lengths": [{"length_mm": 4000.0, "standard_uncertainty_um": 1}]}, "reaches 1379 mm"),
     ],
 )
-def test_a_standard_that_cannot_serve_is_listed_with_the_reason(
-    desk: LengthDesk, changes: dict[str, Any], said: str
-) -> None:
+def test_a_standard_says_why_not(desk: LengthDesk, changes: dict[str, Any], said: str) -> None:
     desk.start()
     offered = desk.add(f"made-{uuid.uuid4().hex[:6]}", **changes)
     assert said in english(offered["why_not"])

@@ -29,26 +29,14 @@ TEXTS = (
     "../../etc/passwd",
 )
 NAMES = (
-    b"Pr\xfcf",
-    b"a\xe2\x80\xa8b",
-    b"\xe2\x80\xaegnp",
+    *(b"Pr\xfcf", b"a\xe2\x80\xa8b", b"\xe2\x80\xaegnp"),
     b"\xf0\x9f\x91\xa9\xe2\x80\x8d\xf0\x9f\x94\xa7",
-    b"Z" + b"\xcc\x81" * 80,
-    b"x" * 240,
-    b"new\nline",
-    b"\x1b[2J",
-    b" ",
+    *(b"Z" + b"\xcc\x81" * 80, b"x" * 240, b"new\nline", b"\x1b[2J", b" "),
 )
-LISTED = [
-    "arms",
-    "objects",
-    "sensors",
-    "gauges",
-    "scans",
-    "sessions",
-    "verifications",
+LISTED = (
+    *("arms", "objects", "sensors", "gauges", "scans", "sessions", "verifications"),
     "sessions/truth/pictures",
-]
+)
 SIGNS_OUT = ("delete", "/api/session")
 
 
@@ -155,8 +143,7 @@ def test_any_name_in_every_folder(http: httpx.Client, data: Path) -> None:
             entry = data / folder / os.fsdecode(name + (b".json" if folder[-1] == "s" else b""))
             entry.mkdir() if i % 3 == 2 else entry.write_text("{}")
     http.post("/api/flow/start").raise_for_status()
-    document = http.get("/api/openapi.json").json()
-    for method, path, operation in operations(document):
+    for method, path, operation in operations(http.get("/api/openapi.json").json()):
         if method == "get":
             answer = http.get(address_with(path, operation, "truth"))
             assert answer.status_code < 500, (path, answer.text[:300])

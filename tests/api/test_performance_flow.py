@@ -12,16 +12,8 @@ import pytest
 from app.formats.datasheets.gauge import read_gauge
 from app.guide.performance.sphere.places import POLE
 from app.metrology.performance.pattern import RIM_DEG, pattern_directions
-from tests.api.conftest import (
-    LOOK_S,
-    GuideDesk,
-    Server,
-    View,
-    comes,
-    left_in_order,
-    refusal,
-    wait_for,
-)
+from tests.api.conftest import LOOK_S, Server, View, comes, refusal, wait_for
+from tests.api.desks import GuideDesk, left_in_order
 from tests.formats.certificates import DIAMETER, FORM, certificate, quantity, real
 from tests.sent_texts import english
 
@@ -31,8 +23,6 @@ DIRECTIONS = pattern_directions(POLE, RIM_DEG)
 
 
 class SphereDesk(GuideDesk):
-    """The operator's end of the test."""
-
     path = "/api/performance"
 
     def start(self, **body: str) -> View:
@@ -41,7 +31,6 @@ class SphereDesk(GuideDesk):
         return self.view()
 
     def is_taken(self, touch: Callable[[], bool]) -> bool:
-        """Touches; whether that was taken, and not declined."""
         guide = self.server.context.performance_guide
         with guide.lock:
             before, declined = len(guide.state.touches), guide.declined
@@ -75,9 +64,7 @@ def desk(server: Server, calibration: str) -> Iterator[SphereDesk]:
         yield desk
 
 
-def test_touches_count_for_free_places_and_the_plan_stands_from_the_first(
-    desk: SphereDesk,
-) -> None:
+def test_touches_count_for_free_places_and_the_plan_stands_from_the_first(desk: SphereDesk) -> None:
     desk.start()
     assert "Choose" not in english(desk.do("confirm_artefact")["instruction"])
     view = desk.touch(0)
@@ -102,12 +89,10 @@ def test_stop_ends_the_simulated_operator(desk: SphereDesk) -> None:
     desk.do("run_simulation", all=True)
     desk.wait(lambda view: view["progress"]["done"] > 1 and view["step"] == "pattern")
     desk.server.http.post("/api/stop").raise_for_status()
-    done = desk.wait_until_idle()["progress"]["done"]
-    assert done < len(DIRECTIONS)
+    assert desk.wait_until_idle()["progress"]["done"] < len(DIRECTIONS)
 
 
 def counts_of(view: View) -> list[tuple[int, int]]:
-    """Points and frames of each patch that is drawn."""
     return [(patch["points"], patch["frames"]) for patch in view["picture"]["patches"]]
 
 
@@ -159,8 +144,7 @@ def test_a_cancelled_test_is_listed_with_its_reason(desk: SphereDesk) -> None:
     newest, *_ = desk.list()
     assert (newest["id"], newest["result"]) == (session, "cancelled")
     assert "moved" in english(newest["text"])
-    folder = desk.server.data / "performance" / session
-    assert (folder / "touches.csv").is_file()
+    assert (desk.server.data / "performance" / session / "touches.csv").is_file()
     listed = len(desk.list())
     desk.start()
     desk.do("abandon")
@@ -232,14 +216,12 @@ def test_a_certificate_that_was_uploaded_is_a_sphere_of_the_test(desk: SphereDes
 
     assert "no Digital Calibration Certificate" in refusal(upload("k.xml", "<a/>"))
     diameter = quantity("Diameter", real("25", "\\milli\\metre"))
-    bare = upload("bare.xml", certificate(diameter)).json()
-    assert "uncertainty" in english(bare["why_not"])
+    assert "uncertainty" in english(upload("bare.xml", certificate(diameter)).json()["why_not"])
     added = upload("K-17.xml", certificate(DIAMETER, FORM)).json()
     try:
         assert (added["id"], added["label"], added["why_not"]) == ("K-17", "Ceramic sphere", "")
         desk.start()
-        ids = [gauge["id"] for gauge in desk.view()["gauges"]]
-        assert ids[-1] == "bare"
+        assert [gauge["id"] for gauge in desk.view()["gauges"]][-1] == "bare"
         assert "There is no such gauge" in refusal(desk.command("choose_gauge", id="bare"))
         desk.do("choose_gauge", id="K-17")
         view = desk.do("confirm_artefact")

@@ -4,12 +4,11 @@ import io
 import json
 import zipfile
 
-import cv2
 import httpx
-import numpy as np
 import pytest
 
 from tests.api.conftest import Server, is_enabled
+from tests.pictures import decode_picture
 
 pytestmark = pytest.mark.device
 
@@ -19,9 +18,8 @@ def refused(at_setup: Server) -> Server:
     """At the step after a picture that does not show the chessboard."""
     server = at_setup
     server.do("choose", field="object", id="chessboard")
-    server.do("confirm_setup")
-    server.do("confirm_touch")
-    server.do("confirm_place")
+    for step in ("confirm_setup", "confirm_touch", "confirm_place"):
+        server.do(step)
     server.wait(lambda view: is_enabled(view, "capture"))
     server.do("capture")
     server.wait(lambda view: view["step"] == "solve" and view["busy"] is None)
@@ -29,8 +27,7 @@ def refused(at_setup: Server) -> Server:
 
 
 def bundle_of(answer: httpx.Response) -> zipfile.ZipFile:
-    assert answer.status_code == 200
-    assert answer.headers["content-type"] == "application/zip"
+    assert (answer.status_code, answer.headers["content-type"]) == (200, "application/zip")
     assert answer.headers["content-disposition"].startswith('attachment; filename="crenel-picture-')
     return zipfile.ZipFile(io.BytesIO(answer.content))
 
@@ -46,8 +43,7 @@ def test_a_refused_picture_is_saved_with_its_context(refused: Server) -> None:
     number = pose["number"]
     assert pictures == {"found.png", f"capture-{number}-ambient.png", f"capture-{number}-laser.png"}
     for name in pictures:
-        image = cv2.imdecode(np.frombuffer(bundle.read(name), np.uint8), cv2.IMREAD_UNCHANGED)
-        assert image is not None
+        image = decode_picture(bundle.read(name))
         assert image.shape[:2] == (pose["height_px"], pose["width_px"])
     assert json.loads(bundle.read("object.json"))["kind"] == "chessboard"
     assert json.loads(bundle.read("sensor.json"))["format"] == "crenel/sensor"
@@ -73,5 +69,4 @@ def test_the_bundle_names_neither_folders_nor_people_nor_secrets(refused: Server
 def test_what_is_not_there_is_not_found(refused: Server) -> None:
     assert refused.http.get("/api/flow/picture/77.zip").status_code == 404
     assert refused.http.get("/api/flow/picture/0.zip").status_code in (404, 422)
-    strangers = httpx.get(f"{refused.address}/api/flow/picture/1.zip")
-    assert strangers.status_code == 401
+    assert httpx.get(f"{refused.address}/api/flow/picture/1.zip").status_code == 401

@@ -2,7 +2,6 @@
 
 import os
 import signal
-import time
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -13,7 +12,8 @@ import pytest
 from app.formats.clouds.files import read_cloud
 from app.formats.recording.raw import MAGIC
 from app.store.store import Store
-from tests.api.processes import PATIENCE_S, demonstration
+from tests.api.conftest import wait_for
+from tests.api.processes import demonstration
 from tests.formats.test_recording_bombs import LARGE, lz4_zeros, zstd
 from tests.sent_texts import english
 
@@ -23,11 +23,7 @@ Scan = dict[str, Any]
 
 
 def until(http: httpx.Client, path: str, enough: Callable[[Any], bool]) -> Any:
-    deadline = time.monotonic() + PATIENCE_S
-    while not enough(found := http.get(path).json()):
-        assert time.monotonic() < deadline, (path, found)
-        time.sleep(0.05)
-    return found
+    return wait_for(lambda: http.get(path).json(), enough)
 
 
 def health(http: httpx.Client, name: str) -> Scan:
@@ -35,9 +31,7 @@ def health(http: httpx.Client, name: str) -> Scan:
     return next(dict(item) for item in items if item["id"] == name)
 
 
-def test_scans_under_way_when_the_process_dies_are_listed_with_their_clouds(
-    tmp_path: Path,
-) -> None:
+def test_scans_under_way_when_the_process_dies_are_listed_with_their_clouds(tmp_path: Path) -> None:
     with demonstration(tmp_path, calibrated=True) as (http, pid):
         until(http, "/api/scan", lambda scan: scan["state"] == "idle")
         http.post("/api/scan/start", json={"name": "Bracket"}).raise_for_status()
@@ -56,14 +50,11 @@ def test_scans_under_way_when_the_process_dies_are_listed_with_their_clouds(
         assert english(scan["note"]).endswith("All recorded data is kept.")
         # what was shown less than half a second before may be lost
         assert scan["frames"] > 0.5 * before["frames"]
-        cloud = read_cloud(folder / "cloud.ply")
-        assert len(cloud.points_mm) == scan["points"]
-        assert sorted(path.name for path in scans.rglob("*")) == sorted(
-            [folder.name, "cloud.ply", "scan.mcap"]
-        )
+        assert len(read_cloud(folder / "cloud.ply").points_mm) == scan["points"]
+        names = [folder.name, "cloud.ply", "scan.mcap"]
+        assert sorted(path.name for path in scans.rglob("*")) == sorted(names)
         assert health(http, "recordings")["quality"] == "good"
-        whole = (folder / "scan.mcap").read_bytes()
-        (folder / "scan.mcap").write_bytes(whole[:-1])
+        (folder / "scan.mcap").write_bytes((folder / "scan.mcap").read_bytes()[:-1])
         assert "is incomplete" in english(http.get("/api/scans").json()[0]["note"])
         (folder / "scan.mcap").unlink()
         assert "is missing" in english(http.get("/api/scans").json()[0]["note"])
@@ -72,10 +63,8 @@ def test_scans_under_way_when_the_process_dies_are_listed_with_their_clouds(
         (scan,) = http.get("/api/scans").json()
         assert english(scan["note"]) == "The recording is empty."
         item = health(http, "recordings")
-        assert (item["quality"], english(item["what"])) == (
-            "bad",
-            "Bracket: the recording is empty.",
-        )
+        assert item["quality"] == "bad"
+        assert english(item["what"]) == "Bracket: the recording is empty."
     store = Store(tmp_path)
     assert store.check() == ""
     store.close()
@@ -91,12 +80,7 @@ def test_recordings_that_open_to_gigabytes_hold_up_no_start(tmp_path: Path) -> N
     with demonstration(tmp_path, calibrated=True) as (http, pid):
         scans = http.get("/api/scans").json()
         assert {scan["name"] for scan in scans} == set(bombs)
-        until(
-            http,
-            "/api/scans",
-            lambda scans: all(
-                "Its points cannot be computed" in english(scan["note"]) for scan in scans
-            ),
-        )
+        said = "Its points cannot be computed"
+        until(http, "/api/scans", lambda scans: all(said in english(one["note"]) for one in scans))
         status = Path(f"/proc/{pid}/status").read_text()
         assert int(status.split("VmHWM:")[1].split()[0]) < 1_500_000

@@ -1,6 +1,7 @@
 """Every route and every message, for everyone who may come: nobody, a kiosk, each role."""
 
 import itertools
+import json
 import re
 from collections.abc import Iterator
 
@@ -19,12 +20,13 @@ from tests.api.conftest import PATIENCE_S, Server, until_closed
 
 pytestmark = pytest.mark.device
 
-WHO = ("nobody", "kiosk", "viewer", "operator", "admin")
+ROLES = ("viewer", "operator", "admin")
+WHO = ("nobody", "kiosk", *ROLES)
 MAY = {
-    Right.enter: {"nobody", "kiosk", "viewer", "operator", "admin"},
-    Right.look: {"kiosk", "viewer", "operator", "admin"},
-    Right.scrape: {"kiosk", "viewer", "operator", "admin"},
-    Right.be: {"viewer", "operator", "admin"},
+    Right.enter: set(WHO),
+    Right.look: {"kiosk", *ROLES},
+    Right.scrape: {"kiosk", *ROLES},
+    Right.be: set(ROLES),
     Right.operate: {"operator", "admin"},
     Right.act: {"operator", "admin"},
     Right.administer: {"admin"},
@@ -35,17 +37,14 @@ LIVE = [key for key in ROUTES if key[0] == WEBSOCKET]
 
 @pytest.fixture(scope="module")
 def tokens(server: Server) -> Iterator[dict[str, str]]:
-    """A cookie's value for each who, nothing for nobody."""
     store = server.context.store
-    for name in ("viewer", "operator", "admin"):
+    for name in ROLES:
         store.accounts.add(f"the {name}", Role[name], None)
     kiosk, token = store.kiosk_links.add("the kiosk", "the admin")
-    people = {
-        n: store.login_sessions.begin(f"the {n}", "test") for n in ("viewer", "operator", "admin")
-    }
+    people = {name: store.login_sessions.begin(f"the {name}", "test") for name in ROLES}
     yield {"nobody": "", "kiosk": token, **people}
     store.kiosk_links.remove(kiosk.id)
-    for name in ("viewer", "operator", "admin"):
+    for name in ROLES:
         store.accounts.remove(f"the {name}")
     server.http.post("/api/control/take", json={"reason": "the test is over"}).raise_for_status()
     server.http.post("/api/stop").raise_for_status()
@@ -64,10 +63,9 @@ def cookie(server: Server, token: str) -> dict[str, str]:
 
 
 def test_every_route_has_its_rule_and_every_rule_its_route(server: Server) -> None:
-    application = server.application
     found = {
         (method, route.path)
-        for route in application.routes
+        for route in server.application.routes
         if isinstance(route, APIRoute | APIWebSocketRoute)
         for method in (getattr(route, "methods", None) or {WEBSOCKET})
     }
@@ -107,9 +105,7 @@ def is_problem(answer: httpx.Response) -> bool:
 
 
 @pytest.mark.parametrize("path", [path for _, path in LIVE])
-def test_a_live_connection_is_for_those_who_may_look(
-    server: Server, tokens: dict[str, str], path: str
-) -> None:
+def test_who_may_look_is_connected_live(server: Server, tokens: dict[str, str], path: str) -> None:
     address = f"ws://127.0.0.1:{server.port}{path.replace('{key}', 'a' * 16)}"
     for who in WHO:
         headers = cookie(server, tokens[who])
@@ -126,20 +122,17 @@ def test_a_live_connection_is_for_those_who_may_look(
     ("kind", "who"), list(itertools.product(sorted({*MESSAGES, "shutdown", "share"}), WHO[1:]))
 )
 def test_a_message_is_obeyed_or_ends_the_connection(
-    server: Server,
-    tokens: dict[str, str],
-    kind: str,
-    who: str,
-    monkeypatch: pytest.MonkeyPatch,
+    server: Server, tokens: dict[str, str], kind: str, who: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(live, "BEAT_S", 0.05)
-    rest = {
-        "preview": ', "on": false',
-        "preview_ack": ', "seq": 1',
-        "stations": ', "on": false',
-    }.get(kind, "")
+    off: dict[str, object] = {"on": False}
+    rest: dict[str, dict[str, object]] = {
+        "preview": off,
+        "stations": off,
+        "preview_ack": {"seq": 1},
+    }
     with connect(server.live, additional_headers=cookie(server, tokens[who])) as socket:
-        socket.send(f'{{"type": "{kind}"{rest}}}')
+        socket.send(json.dumps({"type": kind, **rest.get(kind, {})}))
         if kind in MESSAGES and who in MAY[MESSAGES[kind]]:
             for _ in range(2):
                 while '"beat"' not in str(socket.recv(PATIENCE_S)):

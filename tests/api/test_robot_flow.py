@@ -10,11 +10,12 @@ import pytest
 
 from app.bench.faults.served import HALF
 from app.formats.clouds.files import read_cloud
+from app.formats.clouds.points import Cloud
 from app.formats.datasheets.arm import read_any_arm
 from app.formats.results.calibration import read_calibration
 from app.metrology.transforms import Floats
 from app.server import demo
-from app.workflows.reconstruct import reconstruct_points
+from app.workflows.reconstruct import Reconstruction, reconstruct_points
 from tests.api.conftest import Server, running_server, wait_for
 from tests.api.test_verify_flow import VerifyDesk
 
@@ -76,25 +77,36 @@ def stated_um(session: Path) -> float:
     return float(document["uncertainty"]["total_um"])
 
 
-def test_a_scan_is_rebuilt_to_the_same_points(calibrated: Server, tmp_path: Path) -> None:
-    http = calibrated.http
+def scan_plate(server: Server, session: Path) -> tuple[Cloud, Reconstruction]:
+    """The cloud of a scan of the plate, which its recording is rebuilt to, and the rebuild's
+    counts.
+
+    Args:
+        session: of the calibration in use.
+    """
+    http = server.http
     assert http.post("/api/scan/start", json={"name": "Plate"}).json()["state"] == "running"
-    assert calibrated.simulation.operator.scan_part("plate")
+    assert server.simulation.operator.scan_part("plate")
     http.post("/api/stop")
     scans = wait_for(lambda: http.get("/api/scans").json(), bool)
-    folder = calibrated.data / "scans" / scans[0]["id"]
+    folder = server.data / "scans" / scans[0]["id"]
     live = read_cloud(folder / "cloud.ply")
     assert len(live.points_mm) == scans[0]["points"] > 1000
-    session = next((calibrated.data / "sessions").glob("*/calibration.json")).parent
     again, counts = reconstruct_points(
         folder / "scan.mcap",
         read_calibration(session / "calibration.json"),
         read_any_arm(session / "arm.json"),
     )
-    # on a busy machine a packet may be missing: live, too
-    lacking = http.get("/api/scan").json()["frames_without_joints"]
-    assert counts.frames_without_joints == lacking <= 0.1 * counts.frames
     np.testing.assert_allclose(again, live.points_mm, atol=1e-4)
+    return live, counts
+
+
+def test_a_scan_is_rebuilt_to_the_same_points(calibrated: Server, tmp_path: Path) -> None:
+    session = next((calibrated.data / "sessions").glob("*/calibration.json")).parent
+    live, counts = scan_plate(calibrated, session)
+    # on a busy machine a packet may be missing: live, too
+    lacking = calibrated.http.get("/api/scan").json()["frames_without_joints"]
+    assert counts.frames_without_joints == lacking <= 0.1 * counts.frames
     off_um = distances_from_plate_um(calibrated, live.points_mm)
     near = np.abs(off_um) < 200
     assert near.sum() > 1000

@@ -36,6 +36,12 @@ def write(tmp_path: Path, text: str) -> Path:
     return path
 
 
+def refusal(file: Path) -> OperationError:
+    with pytest.raises(OperationError) as caught:
+        read_settings(file)
+    return caught.value
+
+
 def test_a_whole_file(tmp_path: Path) -> None:
     settings = read_settings(write(tmp_path, GOOD))
     assert settings.station.name == "Room 2"
@@ -53,12 +59,7 @@ def test_an_archive(tmp_path: Path) -> None:
     archive = read_settings(write(tmp_path, GOOD + more)).archive
     assert archive is not None
     assert (archive.url, archive.keep_days, archive.free_gb) == (f"{tmp_path / 'copies'}", 90, None)
-    more = """
-[archive]
-url = "s3://bucket/room"
-access_key = "k"
-secret_file = "secret"
-"""
+    more = '[archive]\nurl = "s3://bucket/room"\naccess_key = "k"\nsecret_file = "secret"\n'
     (tmp_path / "secret").write_text("hidden\n")
     archive = read_settings(write(tmp_path, GOOD + more)).archive
     assert archive is not None
@@ -70,25 +71,15 @@ secret_file = "secret"
 
 def test_a_broker_and_a_thermometer(tmp_path: Path) -> None:
     (tmp_path / "secret").write_text("a word\n")
-    more = """
-[mqtt]
-host = "broker.local"
-user = "station"
-password_file = "secret"
-[temperature]
-file = "/sys/room"
-"""
+    more = '[mqtt]\nhost = "broker.local"\nuser = "station"\npassword_file = "secret"\n'
+    more += '[temperature]\nfile = "/sys/room"\n'
     named = 'name = "Room 2"\naddress = "http://room2:8000/"\nbackups = "copies"'
     text = GOOD.replace('name = "Room 2"', named)
     settings = read_settings(write(tmp_path, text + more))
     broker = settings.mqtt
     assert broker is not None
-    assert (broker.host, broker.port, broker.prefix, broker.tls) == (
-        "broker.local",
-        1883,
-        "crenel",
-        False,
-    )
+    assert (broker.host, broker.port) == ("broker.local", 1883)
+    assert (broker.prefix, broker.tls) == ("crenel", False)
     assert broker.password() == "a word"
     assert settings.temperature is not None
     assert settings.temperature.file == Path("/sys/room")
@@ -104,8 +95,7 @@ def test_only_the_devices_are_needed(tmp_path: Path, monkeypatch: pytest.MonkeyP
     assert settings.station.data == tmp_path / "share/crenel/station"
     assert settings.limits == LimitsTable(good_um=LIMITS.good_um, usable_um=LIMITS.usable_um)
     assert settings.verification.model_dump() == DEFAULT_LIMITS.model_dump()
-    assert settings.decision.decision_rule == GUARDED_95
-    assert settings.due == DUE
+    assert (settings.decision.decision_rule, settings.due) == (GUARDED_95, DUE)
 
 
 def test_the_decision_rule_and_who_bears_the_uncertainty(tmp_path: Path) -> None:
@@ -148,30 +138,27 @@ def test_the_decision_rule_and_who_bears_the_uncertainty(tmp_path: Path) -> None
 )
 def test_what_is_wrong_is_named(tmp_path: Path, change: tuple[str, str], named: str) -> None:
     assert change[0] in GOOD
-    with pytest.raises(OperationError) as caught:
-        read_settings(write(tmp_path, GOOD.replace(*change, 1)))
-    assert named in caught.value.line
-    assert "station.toml" in caught.value.line
+    line = refusal(write(tmp_path, GOOD.replace(*change, 1))).line
+    assert named in line
+    assert "station.toml" in line
 
 
 def test_certificate_and_key_are_beside_the_file(tmp_path: Path) -> None:
     both = 'name = "Room 2"\ntls_certificate = "cert.pem"\ntls_key = "key.pem"'
     file = write(tmp_path, GOOD.replace('name = "Room 2"', both))
-    with pytest.raises(OperationError) as caught:
-        read_settings(file)
-    assert caught.value.code == "settings-tls"
+    error = refusal(file)
+    assert error.code == "settings-tls"
     gone = f"tls_certificate = {str(tmp_path / 'cert.pem')!r}: there is no such file"
-    assert gone in caught.value.line
+    assert gone in error.line
     for name in ("cert.pem", "key.pem"):
         (tmp_path / name).touch()
     assert read_settings(file).station.tls_key == tmp_path / "key.pem"
 
 
 def test_a_missing_file_is_named(tmp_path: Path) -> None:
-    with pytest.raises(OperationError) as caught:
-        read_settings(tmp_path / "station.toml")
-    assert caught.value.code == "settings-missing"
-    assert "crenel demo" in caught.value.line
+    error = refusal(tmp_path / "station.toml")
+    assert error.code == "settings-missing"
+    assert "crenel demo" in error.line
 
 
 def test_limits_of_a_verification_and_what_is_due_are_the_stations_own(tmp_path: Path) -> None:
@@ -179,8 +166,7 @@ def test_limits_of_a_verification_and_what_is_due_are_the_stations_own(tmp_path:
     devices = '[arm]\ndriver = "a"\n[sensor]\ndriver = "s"\n'
     file.write_text(f"{devices}[verification]\nform = 40\n[due]\nverification_days = 1\n")
     settings = read_settings(file)
-    assert settings.verification.form == 40
-    assert settings.verification.rms == DEFAULT_LIMITS.rms
+    assert (settings.verification.form, settings.verification.rms) == (40, DEFAULT_LIMITS.rms)
     assert settings.due.verification_days == 1
     assert settings.due.calibration_days == DUE.calibration_days
     for wrong in ("[verification]\nform = -1", "[verification]\nfrom = 4", "[due]\ntip_hours = 0"):
@@ -189,15 +175,8 @@ def test_limits_of_a_verification_and_what_is_due_are_the_stations_own(tmp_path:
             read_settings(file)
 
 
-TWO = (
-    GOOD.replace("[sensor]", "[sensor.left]")
-    + """
-[sensor.right]
-driver = "opencv"
-source = 1
-label = "Inner"
-"""
-)
+RIGHT = '[sensor.right]\ndriver = "opencv"\nsource = 1\nlabel = "Inner"\n'
+TWO = GOOD.replace("[sensor]", "[sensor.left]") + RIGHT
 
 
 def test_several_sensors_have_tables_with_names(tmp_path: Path) -> None:
@@ -229,6 +208,4 @@ def test_several_sensors_are_triggered_with_delays_of_their_own(tmp_path: Path) 
     ],
 )
 def test_odd_tables_of_sensors_are_refused(tmp_path: Path, text: str, code: str) -> None:
-    with pytest.raises(OperationError) as caught:
-        read_settings(write(tmp_path, text))
-    assert caught.value.code == code
+    assert refusal(write(tmp_path, text)).code == code

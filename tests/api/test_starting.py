@@ -18,7 +18,7 @@ from app.api import static_files
 from app.errors import OperationError
 from app.server.listener import make_server
 from app.server.starting_page import StartingApp, StartStep
-from tests.api.conftest import PATIENCE_S, wait_for
+from tests.api.conftest import PATIENCE_S, code_of, until
 
 pytestmark = pytest.mark.device
 
@@ -40,6 +40,10 @@ class Station:
             return PlainTextResponse("the station")
 
         return Starlette(routes=[Route("/{path:path}", answer)], lifespan=lifespan)
+
+
+def starting_with(work: Callable[[], object], station: Station) -> StartingApp:
+    return StartingApp("", [StartStep("Devices", 1.0, work)], StartStep("Data", 1.0, station.build))
 
 
 @contextmanager
@@ -66,13 +70,7 @@ def served(starting: StartingApp) -> Iterator[tuple[httpx.Client, Callable[[], N
             end()
 
 
-def wait_until(true: Callable[[], bool]) -> None:
-    wait_for(true, bool)
-
-
-def test_until_it_is_ready_it_says_how_far_it_is_and_nothing_else(
-    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
-) -> None:
+def test_it_says_how_far_its_start_is(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     (tmp_path / "starting.html").write_text("<title>Starting</title>")
     (tmp_path / "assets").mkdir()
     (tmp_path / "assets" / "starting.js").write_text("export {}")
@@ -82,14 +80,10 @@ def test_until_it_is_ready_it_says_how_far_it_is_and_nothing_else(
     steps = [StartStep("Numerics", 1.0, lambda: None), StartStep("Devices", 2.0, gate.wait)]
     starting = StartingApp("Room 2", steps, StartStep("Data folder", 1.0, station.build))
     with served(starting) as (http, _):
-        wait_until(lambda: http.get("/api/starting").json()["done"] == 1)
-        assert http.get("/api/starting").json() == {
-            "ready": False,
-            "station": "Room 2",
-            "steps": ["Numerics", "Devices", "Data folder"],
-            "done": 1,
-            "share": 0.25,
-        }
+        until(lambda: http.get("/api/starting").json()["done"] == 1)
+        state = http.get("/api/starting").json()
+        assert state.pop("steps") == ["Numerics", "Devices", "Data folder"]
+        assert state == {"ready": False, "station": "Room 2", "done": 1, "share": 0.25}
         for path in ("/", "/calibrate"):
             page = http.get(path)
             assert (page.status_code, page.text) == (200, "<title>Starting</title>")
@@ -98,15 +92,10 @@ def test_until_it_is_ready_it_says_how_far_it_is_and_nothing_else(
         assert http.get("/assets/starting.js").status_code == 200
         for path in ("/assets/gone.js", "/..%2foutside.txt"):
             assert http.get(path).status_code == 404
-        for method, path in (
-            ("GET", "/api/session"),
-            ("POST", "/api/session/code"),
-            ("GET", "/viewer"),
-            ("GET", "/metrics"),
-            ("POST", "/"),
-        ):
-            answer = http.request(method, path)
-            assert (answer.status_code, answer.json()["code"]) == (503, "starting")
+        other = "GET /api/session, POST /api/session/code, GET /viewer, GET /metrics, POST /"
+        for request in other.split(", "):
+            answer = http.request(*request.split())
+            assert code_of(answer) == (503, "starting")
             assert answer.headers["retry-after"] == "1"
         assert http.get("/", headers={"host": "evil.example"}).status_code == 403
         live = str(http.base_url).replace("http", "ws") + "/api/live"
@@ -114,7 +103,7 @@ def test_until_it_is_ready_it_says_how_far_it_is_and_nothing_else(
             pass
         assert station.noted == []
         gate.set()
-        wait_until(lambda: http.get("/").text == "the station")
+        until(lambda: http.get("/").text == "the station")
         assert station.noted == ["opened"]
     assert station.noted == ["opened", "closed"]
 
@@ -122,9 +111,7 @@ def test_until_it_is_ready_it_says_how_far_it_is_and_nothing_else(
 def test_nobody_is_turned_away_while_it_gives_way() -> None:
     """New connections and kept ones, asking all the time: each question has its answer."""
     gate, station = threading.Event(), Station()
-    starting = StartingApp(
-        "", [StartStep("Devices", 1.0, gate.wait)], StartStep("Data", 1.0, station.build)
-    )
+    starting = starting_with(gate.wait, station)
     answers: list[int] = []
     stop = threading.Event()
 
@@ -135,14 +122,13 @@ def test_nobody_is_turned_away_while_it_gives_way() -> None:
                 answers.append(own.get("/api/session", headers=closing).status_code)
 
     with served(starting) as (http, _):
-        askers = [
-            threading.Thread(target=ask, args=(http.base_url, kept)) for kept in (True, False) * 2
-        ]
+        kinds = (True, False) * 2
+        askers = [threading.Thread(target=ask, args=(http.base_url, kept)) for kept in kinds]
         for asker in askers:
             asker.start()
-        wait_until(lambda: answers.count(503) > 50)
+        until(lambda: answers.count(503) > 50)
         gate.set()
-        wait_until(lambda: answers.count(200) > 50)
+        until(lambda: answers.count(200) > 50)
         stop.set()
         for asker in askers:
             asker.join(PATIENCE_S)
@@ -154,22 +140,18 @@ def test_a_step_that_is_refused_ends_the_server() -> None:
         raise OperationError("driver", "There is no driver")
 
     station = Station()
-    starting = StartingApp(
-        "", [StartStep("Devices", 1.0, refuse)], StartStep("Data", 1.0, station.build)
-    )
+    starting = starting_with(refuse, station)
     with served(starting) as (_, _):
-        wait_until(lambda: starting.failure is not None)
+        until(lambda: starting.failure is not None)
     assert isinstance(starting.failure, OperationError)
     assert station.noted == []
 
 
 def test_a_start_can_be_ended_while_a_step_hangs() -> None:
     gate, station = threading.Event(), Station()
-    starting = StartingApp(
-        "", [StartStep("Devices", 1.0, gate.wait)], StartStep("Data", 1.0, station.build)
-    )
+    starting = starting_with(gate.wait, station)
     with served(starting) as (http, end):
-        wait_until(lambda: http.get("/api/starting").status_code == 200)
+        until(lambda: http.get("/api/starting").status_code == 200)
         end()
         with suppress(httpx.TransportError):
             assert http.get("/api/starting").status_code == 503

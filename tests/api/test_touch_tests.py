@@ -1,7 +1,6 @@
 """Performance tests by touch at a station whose sensor was never calibrated."""
 
 import json
-from collections.abc import Iterator
 from dataclasses import replace
 
 import pytest
@@ -9,18 +8,19 @@ import pytest
 from app.bench.faults.served import SMALL
 from app.formats.performance.plan import read_plan
 from app.workflows.performance.evaluate import evaluate_performance
-from tests.api.conftest import Server, refusal, running_server
+from tests.api.conftest import Server, refusal
 from tests.api.test_performance_flow import SphereDesk
 from tests.sent_texts import english
 
 pytestmark = pytest.mark.device
 
 
-@pytest.fixture(scope="module")
-def desk(tmp_path_factory: pytest.TempPathFactory) -> Iterator[SphereDesk]:
-    with running_server(tmp_path_factory.mktemp("touch"), replace(SMALL, pace=12.0)) as server:
-        yield SphereDesk(server)
-    assert not server.sent.untranslated()
+STATION = replace(SMALL, pace=12.0)
+
+
+@pytest.fixture
+def desk(server: Server) -> SphereDesk:
+    return SphereDesk(server)
 
 
 def start(server: Server, test: str) -> str:
@@ -73,9 +73,7 @@ def test_lengths_are_touched_without_a_calibration_and_not_scanned(desk: SphereD
     desk.do("abandon", reason="other")
 
 
-def test_without_a_calibration_bad_artefacts_are_refused_before_the_test(
-    desk: SphereDesk,
-) -> None:
+def test_without_a_calibration_bad_artefacts_are_refused_before_the_test(desk: SphereDesk) -> None:
     gauges = desk.server.data / "gauges"
     good = json.loads((gauges / "step-gauge.json").read_text())
     (long,) = good["lengths"][-1:]

@@ -1,6 +1,6 @@
 """A station with two sensors, from its address: chosen, scanned with, listed, rebuilt."""
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 
 import numpy as np
 import pytest
@@ -15,7 +15,7 @@ from app.operations.home import build_home
 from app.operations.status_report import build_report
 from app.station.operator_settings import StationSettings
 from hardware.simulator.station import SimulationConfig
-from tests.api.conftest import Server, running_server, wait_for
+from tests.api.conftest import Server, running_server, until
 
 pytestmark = pytest.mark.device
 
@@ -33,10 +33,6 @@ def station(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Server]:
         yield server
 
 
-def until(condition: Callable[[], object]) -> None:
-    wait_for(condition, bool)
-
-
 def select(station: Server, name: str) -> int:
     return station.http.post("/api/sensor", json={"name": name}).status_code
 
@@ -45,8 +41,7 @@ def test_each_is_calibrated_in_its_own_session(station: Server) -> None:
     """The set-up step asks which sensor; what is accepted is that sensor's alone."""
     assert station.http.post("/api/flow/start", json={}).status_code == 200
     station.do("confirm_devices")
-    view = station.flow()
-    choice = view["picture"]["choices"][0]
+    choice = station.flow()["picture"]["choices"][0]
     assert choice["field"] == "device"
     assert [option["id"] for option in choice["options"]] == ["left", "right"]
     assert choice["selected"] == "left"
@@ -61,14 +56,11 @@ def test_each_is_calibrated_in_its_own_session(station: Server) -> None:
 
 def test_both_scan_into_one_cloud_and_a_killed_scan_is_rebuilt(station: Server) -> None:
     context, store = station.context, station.context.store
-    findings = [str(one.text) for one in build_home(context).findings]
-    assert "left: not calibrated yet" in findings
+    assert "left: not calibrated yet" in [str(one.text) for one in build_home(context).findings]
     for name, second in SENSORS.items():
         accept_truth(store, station.simulation, f"truth-{name}", name, second)
-    assert {store.calibrations.active(name).id for name in SENSORS} == {  # type: ignore[union-attr]
-        "truth-left",
-        "truth-right",
-    }
+    active = {store.calibrations.active(name).id for name in SENSORS}  # type: ignore[union-attr]
+    assert active == {"truth-left", "truth-right"}
     context.guide._on_closed()  # the station works with them from now on
     until(lambda: station.http.get("/api/scan").json()["state"] == "idle")
 
@@ -91,20 +83,16 @@ def test_both_scan_into_one_cloud_and_a_killed_scan_is_rebuilt(station: Server) 
 
     (scan.folder / "cloud.ply").unlink()
     assert context.recovery._rebuild(scan) == scan.points
-    again = read_cloud(scan.folder / "cloud.ply").points_mm
-    np.testing.assert_allclose(again, live, atol=1e-6)
+    np.testing.assert_allclose(read_cloud(scan.folder / "cloud.ply").points_mm, live, atol=1e-6)
 
 
 def test_every_page_lists_each_sensor(station: Server) -> None:
     ids = {item.id for item in HealthChecker(station.context).look().items}
     assert {"device-arm", "device-sensor-left", "device-sensor-right"} <= ids
     devices = station.http.get("/api/devices").json()["devices"]
-    assert [(one["kind"], one["label"]) for one in devices[1:]] == [
-        ("sensor", "left"),
-        ("sensor", "right"),
-    ]
-    report = build_report(station.context)
-    cameras = [one for one in report.devices if one.name == "camera"]
+    labels = [(one["kind"], one["label"]) for one in devices[1:]]
+    assert labels == [("sensor", "left"), ("sensor", "right")]
+    cameras = [one for one in build_report(station.context).devices if one.name == "camera"]
     assert [one.sensor for one in cameras] == ["left", "right"]
     # for readers of an earlier version
     assert [one.text.partition(":")[0] for one in cameras] == ["left", "right"]

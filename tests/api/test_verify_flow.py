@@ -20,26 +20,14 @@ from app.station.jobs import Jobs
 from app.workflows.measure_gauge import filters_of
 from hardware.interfaces import Button
 from tests.api.calibrated import use_truth
-from tests.api.conftest import (
-    PATIENCE_S,
-    GuideDesk,
-    Server,
-    View,
-    comes,
-    is_enabled,
-    left_in_order,
-    next_station,
-    refusal,
-    wait_for,
-)
+from tests.api.conftest import PATIENCE_S, Server, View, comes, is_enabled, refusal, wait_for
+from tests.api.desks import GuideDesk, left_in_order, next_station
 from tests.sent_texts import english
 
 pytestmark = pytest.mark.device
 
 
 class VerifyDesk(GuideDesk):
-    """The operator's end of the verification."""
-
     path = "/api/verify"
 
     def start(self, gauge: str) -> View:
@@ -73,9 +61,7 @@ def desk(server: Server, calibration: str) -> Iterator[VerifyDesk]:
         yield desk
 
 
-def test_a_plate_is_verified_by_the_simulated_operator_and_kept(
-    desk: VerifyDesk, calibration: str
-) -> None:
+def test_a_plate_is_verified_by_the_operator_and_kept(desk: VerifyDesk, calibration: str) -> None:
     server = desk.server
     desk.start("plate")
     desk.do("back")
@@ -87,10 +73,9 @@ def test_a_plate_is_verified_by_the_simulated_operator_and_kept(
     decisions = {figure["decision"] for figure in view["picture"]["figures"]} - {"none"}
     assert "fail" not in decisions, [figure["reason"] for figure in view["picture"]["figures"]]
     assert result == ("uncertain" if "uncertain" in decisions else "pass")
-    assert {figure["name"] for figure in view["picture"]["figures"]} == {
-        "form", "form_all", "range_all", "rms", "angle", "offset", "z_error", "angle_range",
-        "offset_range",
-    }  # fmt: skip
+    of_each = {"form", "form_all", "range_all", "rms", "angle", "offset", "z_error"}
+    names = {figure["name"] for figure in view["picture"]["figures"]}
+    assert names == of_each | {"angle_range", "offset_range"}
     assert view["picture"]["rule"]["name"] == "guarded-95"
     deviations = server.http.get(view["picture"]["clouds"][0]["map_url"]).json()
     assert len(deviations["x_mm"]) == len(deviations["deviation_um"]) > 300
@@ -103,16 +88,14 @@ def test_a_plate_is_verified_by_the_simulated_operator_and_kept(
     assert record.operator == newest["operator"] != ""
     assert record.calibration.id == calibration
     assert record.simulated
-    assert record.gauge.serial_number == "TWIN-P1"
-    assert record.rule.rule == GUARDED_95
+    assert (record.gauge.serial_number, record.rule.rule) == ("TWIN-P1", GUARDED_95)
     assert record.filters == filters_of("plane")
     for cloud in record.clouds:
         assert (cloud.in_gate or 0) >= cloud.used
         assert (cloud.range_all_um or 0.0) >= (cloud.form_all_um or 0.0)
         # the plane of fewer points is another one: by it, the rest may reach a little further
         assert (cloud.form_all_um or 0.0) >= 0.9 * cloud.form_um > 0
-    assert record.temperature.end_c == 20.5
-    assert len(record.clouds) == 3
+    assert (record.temperature.end_c, len(record.clouds)) == (20.5, 3)
     assert record.placing is not None
     assert record.placing.touches == 6
     assert {entry.file for entry in record.inputs} >= {"touches.csv", "cloud-3/scan.mcap"}

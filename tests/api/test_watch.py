@@ -6,7 +6,6 @@ import logging
 import re
 import time
 import zipfile
-from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -32,7 +31,7 @@ from app.store.store import Store
 from app.supervision.broker_settings import BrokerSettings
 from app.supervision.messages import schema
 from app.wire.schema import Home
-from tests.api.conftest import PATIENCE_S, Server, wait_for
+from tests.api.conftest import PATIENCE_S, Server, until, wait_for
 from tests.sent_texts import english
 from tests.supervision.test_webhook import Receiver, receiver
 
@@ -41,17 +40,11 @@ pytestmark = pytest.mark.device
 __all__ = ["receiver"]
 
 
-def until(ready: Callable[[], object]) -> None:
-    wait_for(ready, bool)
-
-
 def as_role(server: Server, role: Role) -> httpx.Client:
-    """A browser of somebody of that role."""
     store, name = server.context.store, f"the watching {role.name}"
     if store.accounts.get(name) is None:
         store.accounts.add(name, role, "three unrelated words")
-    token = store.login_sessions.begin(name, "test")
-    cookies = {cookie_for(server.port): token}
+    cookies = {cookie_for(server.port): store.login_sessions.begin(name, "test")}
     return httpx.Client(base_url=server.address, cookies=cookies, timeout=PATIENCE_S)
 
 
@@ -65,6 +58,12 @@ def topics(server: Server, wanted: set[str]) -> dict[str, Any]:
             if message["type"] == "topic" and message["name"] in wanted:
                 found[message["name"]] = message["value"]
     return found
+
+
+def notify(server: Server, url: str, secret: str | None = "", **changes: bool) -> httpx.Response:
+    kinds = {"done": True, "fault": True, "due": True}
+    body = {"url": url, "secret": secret, **kinds, **changes}
+    return server.http.post("/api/notifications", json=body).raise_for_status()
 
 
 def test_the_report_is_as_the_schema_says(server: Server) -> None:
@@ -81,14 +80,11 @@ def test_the_report_is_as_the_schema_says(server: Server) -> None:
     assert 20 < report["temperature_c"] < 23
     assert report["disk_free_gb"] > 0
     shown = topics(server, {"report", "stations"})["report"]
-    title = report["activity"]["title_message"]
-    assert shown["activity"]["title"] == title
+    assert shown["activity"]["title"] == report["activity"]["title_message"]
     assert "title_message" not in shown["activity"]
 
 
-def test_what_is_repeated_is_warned_of_once(
-    server: Server, caplog: pytest.LogCaptureFixture
-) -> None:
+def test_what_is_repeated_warns_once(server: Server, caplog: pytest.LogCaptureFixture) -> None:
     caplog.set_level(logging.INFO, "app.operations.publishers")
     for _ in range(5):
         _pass_on(server.context, Event(1, "stopped", "attention", "Stopped: as a test."))
@@ -105,8 +101,7 @@ def test_what_runs_is_reported_step_by_step(touching: Server) -> None:
 
     until(lambda: activity()["step"] == 3)
     reported = activity()
-    assert reported["kind"] == "calibrating"
-    assert reported["steps"] == 7
+    assert (reported["kind"], reported["steps"]) == ("calibrating", 7)
     assert reported["title"] == touching.flow()["title"]
 
 
@@ -114,8 +109,7 @@ def test_metrics_are_for_those_who_have_a_token(server: Server) -> None:
     made = server.http.post("/api/tokens", json={"name": "Prometheus"}).json()
     token = made["token"]
     assert "token" in made
-    listed = server.http.get("/api/tokens").json()
-    assert token not in json.dumps(listed)
+    assert token not in json.dumps(server.http.get("/api/tokens").json())
     with httpx.Client(base_url=server.address) as http:
         assert http.get("/metrics").status_code == 401, "loopback is no right"
         wrong = http.get("/metrics", headers={"Authorization": f"Bearer {token}x"})
@@ -142,13 +136,9 @@ def test_metrics_are_named_and_counted_as_prometheus_wants_them(server: Server) 
         assert not units, f"{name}: base units only"
 
     def value(name: str, **labels: str) -> float:
-        family = name.removesuffix("_total")
-        (found,) = (
-            sample.value
-            for sample in families[family].samples
-            if sample.name == name and sample.labels == labels
-        )
-        return float(found)
+        samples = families[name.removesuffix("_total")].samples
+        (found,) = (one for one in samples if (one.name, one.labels) == (name, labels))
+        return float(found.value)
 
     assert value("crenel_device_up", device="arm") in (0.0, 1.0)
     assert 0 <= value("crenel_device_data_age_seconds", device="camera") < 60
@@ -173,18 +163,21 @@ def test_jobs_are_timed(server: Server) -> None:
     assert f"{bucket % '+Inf'} 1.0" in text
 
 
+def health(server: Server) -> dict[str, Any]:
+    items = server.http.get("/api/health").json()["health"]["items"]
+    return {item["id"]: item for item in items}
+
+
 def test_health_says_what_why_and_what_to_do(server: Server) -> None:
     until(lambda: server.context.monitoring.health)
-    view = server.http.get("/api/health").json()
-    items = view["health"]["items"]
-    found = {item["id"]: item for item in items}
+    found = health(server)
     assert set(found) >= {
         *("device-arm", "device-sensor", "losses-arm", "losses-sensor", "room", "disk"),
         *("folder", "database", "backup", "clock", "loop", "memory", "log", "software"),
     }
-    ranks = [ORDER[item["quality"]] for item in items]
+    ranks = [ORDER[item["quality"]] for item in found.values()]
     assert ranks == sorted(ranks)
-    for item in items:
+    for item in found.values():
         assert item["what"]
         assert item["why"]
         assert item["remedy"] or item["quality"] in ("good", "neutral"), item
@@ -253,11 +246,7 @@ def test_the_support_bundle_holds_no_secret_and_nobody(
         effective_settings=reported,
     )
     monkeypatch.setattr(context.monitoring, "settings", watching)
-    change = {"done": True, "fault": True, "due": True}
-    url = f"http://127.0.0.1:9/{PLANTED['its address']}"
-    secret = PLANTED["a webhook's secret"]
-    answer = server.http.post("/api/notifications", json={"url": url, "secret": secret, **change})
-    answer.raise_for_status()
+    notify(server, f"http://127.0.0.1:9/{PLANTED['its address']}", PLANTED["a webhook's secret"])
     log = logging.getLogger("app.test")
     code = context.authenticator.code or ""
     hashed = store._database.read("SELECT password FROM account WHERE name = ?", person)
@@ -289,13 +278,12 @@ def test_the_support_bundle_holds_no_secret_and_nobody(
                 json.loads(line)
     assert "somebody said" in files["logs/station.jsonl"]
     assert '"kind": "started"' in files["journal.jsonl"] or not store.journal.last_number()
-    server.http.post("/api/notifications", json={"url": "", "secret": "", **change})
+    notify(server, "")
 
 
 def test_notifications_go_where_the_administrator_says(server: Server, receiver: Receiver) -> None:
     secret = "never shown again"
-    change = {"url": receiver.url, "secret": secret, "done": True, "fault": True, "due": False}
-    answer = server.http.post("/api/notifications", json=change)
+    answer = notify(server, receiver.url, secret, due=False)
     assert answer.json()["has_secret"]
     assert secret not in answer.text
     assert secret not in server.http.get("/api/notifications").text
@@ -313,23 +301,20 @@ def test_notifications_go_where_the_administrator_says(server: Server, receiver:
     assert (kinds[0], set(kinds[1:])) == ("test", {"fault", "done"})
     assert topics(server, {"notice"})["notice"]["text"] == "A scan of a test is saved"
 
-    kept = server.http.post("/api/notifications", json={**change, "secret": None}).json()
-    assert kept["has_secret"]
-    moved = {**change, "url": f"{receiver.url}&more", "secret": None}
-    assert not server.http.post("/api/notifications", json=moved).json()["has_secret"], (
-        "a secret goes to no address that it was not given for"
-    )
-    wrong = server.http.post("/api/notifications", json={**change, "url": "file:///etc/passwd"})
-    assert wrong.json()["code"] == "webhook-url"
-    server.http.post("/api/notifications", json={**change, "url": "", "secret": ""})
+    assert notify(server, receiver.url, None, due=False).json()["has_secret"]
+    moved = notify(server, f"{receiver.url}&more", None, due=False).json()
+    assert not moved["has_secret"], "a secret goes to no address that it was not given for"
+    with pytest.raises(httpx.HTTPStatusError) as wrong:
+        notify(server, "file:///etc/passwd", secret, due=False)
+    assert wrong.value.response.json()["code"] == "webhook-url"
+    notify(server, "", due=False)
     assert server.http.post("/api/notifications/test").json()["code"] == "no-webhook"
 
 
 def test_what_comes_due_is_notified_once(server: Server, receiver: Receiver) -> None:
     home = server.context.bus.latest("home")
     assert isinstance(home, Home)
-    change = {"url": receiver.url, "secret": "", "done": False, "fault": False, "due": True}
-    server.http.post("/api/notifications", json=change).raise_for_status()
+    notify(server, receiver.url, done=False, fault=False)
     at = "2026-01-01T00:00:00Z"
     old = replace(home.checks[0], state="due", text="It is old, says a test.", at=at)
     reported = _notify_due(server.context, set())
@@ -340,12 +325,11 @@ def test_what_comes_due_is_notified_once(server: Server, receiver: Receiver) -> 
     until(lambda: receiver.taken)
     texts = [json.loads(body)["text"] for _, body in receiver.taken]
     assert texts.count(f"Calibration: It is old, says a test. {sentence(old.action)!s}") == 1
-    server.http.post("/api/notifications", json={**change, "url": ""}).raise_for_status()
+    notify(server, "", done=False, fault=False)
 
 
 def test_a_backup_of_the_running_station_is_a_station(server: Server) -> None:
-    kept = {"url": "", "secret": "", "done": True, "fault": True, "due": True}
-    server.http.post("/api/notifications", json=kept).raise_for_status()
+    notify(server, "")
     began = server.http.post("/api/backup")
     assert began.status_code == 200, began.text
     until(lambda: server.http.get("/api/health").json()["backup"]["share"] is None)
@@ -362,9 +346,4 @@ def test_a_backup_of_the_running_station_is_a_station(server: Server) -> None:
     assert (copy.folder / "arms/simulated.json").is_file()
     assert (copy.folder / "notifications.json").is_file()
     copy.close()
-    until(
-        lambda: any(
-            item["id"] == "backup" and "same disk" in english(item["what"])
-            for item in server.http.get("/api/health").json()["health"]["items"]
-        )
-    )
+    until(lambda: "same disk" in english(health(server)["backup"]["what"]))

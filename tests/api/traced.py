@@ -23,11 +23,9 @@ class Trace:
             self.calls.append(Call(name, int(file), text))
 
     def request_index(self, mark: str) -> int:
-        """When a request whose address has ``mark`` was received."""
-        wanted = f"mark={mark} "
-        return next(
-            k for k, call in enumerate(self.calls) if call.name == "recv" and wanted in call.text
-        )
+        at = self._next(0, len(self.calls), "recv", lambda call: f"mark={mark} " in call.text)
+        assert at is not None, mark
+        return at
 
     def answer_index(self, mark: str) -> int:
         """When the answer to that request was about to be sent."""
@@ -51,11 +49,7 @@ class Trace:
     def _why_not_synced(self, name: str, since: int, by: int) -> str:
         """Whether a file's content and its name were."""
         wrong = ""
-        renames = [
-            k
-            for k in range(since, by)
-            if (self.calls[k].name, self.calls[k].text) == ("rename", name)
-        ]
+        renames = self._all(since, by, ("rename",), name)
         if not renames:
             wrong = self._content(name, since, by)
             made = self._next(0, by, "make", lambda call: call.text == name)
@@ -76,9 +70,8 @@ class Trace:
         part = Path(self.calls[renamed - 1].text)
         for path in sorted(folder.rglob("*")):
             name = str(part / path.relative_to(folder))
-            made = next(
-                k for k, call in enumerate(self.calls) if call.text == name and call.name != "from"
-            )
+            named = (k for k, call in enumerate(self.calls) if call.text == name)
+            made = next(k for k in named if self.calls[k].name != "from")
             wrong = self._why_not_named(name, made, renamed)
             if path.is_file():
                 wrong = self._why_not_synced(name, 0, renamed)
@@ -92,11 +85,7 @@ class Trace:
 
     def _content(self, name: str, since: int, by: int, any_write: bool = False) -> str:
         """Whether the last of what was written, or anything, was synced."""
-        writes = [
-            k
-            for k in range(since, by)
-            if self.calls[k].name in ("write", "make") and self.calls[k].text == name
-        ]
+        writes = self._all(since, by, ("write", "make"), name)
         if not writes:
             return f"{name} was not written"
         begin = writes[0] if any_write else writes[-1]
@@ -113,16 +102,15 @@ class Trace:
         for folder in map(str, path.parents):
             if len(folder) <= len(self._data):
                 break
-            for k in range(by):
-                call = self.calls[k]
-                named = call.name in ("make", "rename") and call.text == folder
-                if named and (wrong := self._why_not_named(folder, k, by)):
+            for k in self._all(0, by, ("make", "rename"), folder):
+                if wrong := self._why_not_named(folder, k, by):
                     return wrong
         return ""
 
+    def _all(self, since: int, by: int, names: tuple[str, ...], text: str) -> list[int]:
+        calls = enumerate(self.calls[since:by], since)
+        return [k for k, call in calls if call.name in names and call.text == text]
+
     def _next(self, since: int, by: int, name: str, fits: Callable[[Call], bool]) -> int | None:
-        """The first call of a name in between that fits."""
-        return next(
-            (k for k in range(since, by) if self.calls[k].name == name and fits(self.calls[k])),
-            None,
-        )
+        calls = enumerate(self.calls[since:by], since)
+        return next((k for k, call in calls if call.name == name and fits(call)), None)
