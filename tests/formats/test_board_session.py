@@ -119,6 +119,9 @@ def quaternion(*cells: str) -> Callable[[Path], None]:
     return spoil
 
 
+OF_TWO_DIGITS = ("0.02", "0.66", "-0.05", "0.74")
+
+
 def moved(folder: Path) -> None:
     """The robot, between two pictures of one pose."""
     write_poses(folder, (1, "a", "ambient", POSES[0]), (1, "l", "laser", POSES[1]))
@@ -134,7 +137,7 @@ def moved(folder: Path) -> None:
         (certified(inner_corners=[7, 2]), "field-invalid", ""),
         (certified(flatness_mm=50), "field-invalid", ""),
         (quaternion("0.5"), "quaternion-not-unit", "length 1"),
-        (quaternion("0.02", "0.66", "-0.05", "0.74"), "quaternion-not-unit", "least four digits"),
+        (quaternion(*OF_TWO_DIGITS), "quaternion-not-unit", "at least four digits"),
         (moved, "pose-moved", "the flange differs by"),
     ],
 )
