@@ -1,4 +1,4 @@
-"""Grey pictures: read from files, of a depth, and blurred."""
+"""Grey pictures: read from files, of a depth, blurred, and compressed."""
 
 from pathlib import Path
 from typing import Any
@@ -28,6 +28,12 @@ def decode_picture(raw: bytes) -> NDArray[np.uint8]:
 def blur(picture: NDArray[np.uint8], sigma_px: float) -> NDArray[np.uint8]:
     """A picture out of focus by so much."""
     return np.asarray(cv2.GaussianBlur(picture, (0, 0), sigma_px), dtype=np.uint8)
+
+
+def compressed(picture: NDArray[np.uint8], quality: int) -> NDArray[np.uint8]:
+    """A picture as JPEG keeps it, of a quality up to 100."""
+    raw = cv2.imencode(".jpg", picture, [cv2.IMWRITE_JPEG_QUALITY, quality])[1]
+    return np.asarray(cv2.imdecode(raw, cv2.IMREAD_GRAYSCALE), np.uint8)
 
 
 def of_depth(levels: NDArray[Any], depth: Depth) -> Image:

@@ -16,13 +16,14 @@ from app.metrology.adjustment.board.problem import BoardInputs
 from app.metrology.arm.kinematics import RobotArm, Tip
 from app.metrology.targets.chessboard import Chessboard
 from app.metrology.transforms import Floats, inverse, rigid
+from tests.metrology.numerics import unit
 
 SIZE = (640, 512)  # width, height
 K = np.array([[1150.0, 0, 322.0], [0, 1150.0, 251.0], [0, 0, 1]])
 K1 = -0.08
 FINE = 2  # rays across a pixel
 PRINTED_PX = 200
-NORMAL, OFFSET_MM = np.array([0.8, 0.1, 0.59]) / np.linalg.norm([0.8, 0.1, 0.59]), 185.0
+NORMAL, OFFSET_MM = unit([0.8, 0.1, 0.59]), 185.0
 BOARD = Chessboard("rendered board", "", (7, 6), 10.0, 0.01, 0.05)
 TIP = Tip(0.0, 0.0, 120.0, 6.0)
 ROBOT = RobotArm("robot", "", TIP)

@@ -74,18 +74,10 @@ def contacts_on(
         normal, offset_mm = probing_face(block, face)
         for k in range(per_face):
             # a floor lies between merlon and merlon
-            left = (
-                2 * (k % (block.merlon_count - 1)) + 1
-                if face == "floor"
-                else 2 * (k % block.merlon_count)
-            )
-            point = np.array(
-                [
-                    rng.uniform(x[left], x[left + 1]),
-                    rng.uniform(*y),
-                    rng.uniform(block.base_z_mm, block.crest_z_mm),
-                ]
-            )
+            grooves = block.merlon_count - 1
+            left = 2 * (k % grooves) + 1 if face == "floor" else 2 * (k % block.merlon_count)
+            across = rng.uniform(x[left], x[left + 1]), rng.uniform(*y)
+            point = np.array([*across, rng.uniform(block.base_z_mm, block.crest_z_mm)])
             along = np.abs(normal) > 0.5
             point[along] = (normal * offset_mm)[along]
             features.append(face)

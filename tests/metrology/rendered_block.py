@@ -5,8 +5,11 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
+from app.metrology.detection.edges.measure_all import EdgeMeasurements, measure_edges
+from app.metrology.detection.visibility import wireframe
 from app.metrology.sensor.camera import Camera
 from app.metrology.targets.crenellated_block import Crenellated
+from app.metrology.transforms import Floats
 from hardware.simulator.rendering.noise import Detector
 from hardware.simulator.rendering.render import Renderer
 from hardware.simulator.scene.camera import (
@@ -19,6 +22,8 @@ from hardware.simulator.scene.random_scenes import draw_true_block, random_block
 from hardware.simulator.scene.world import Box, CrenellatedBlock, Light, SceneObject, SimulatedScene
 
 WIDTH, HEIGHT = 800, 640
+MADE_MM = 0.002
+"""Standard uncertainty of the certificates."""
 
 
 @dataclass(frozen=True)
@@ -32,17 +37,8 @@ class RenderedBlock:
 
 def certificate(comb: CrenellatedBlock) -> Crenellated:
     """The certificate of a simulated block."""
-    return Crenellated(
-        "rendered",
-        "R-1",
-        comb.edges_x_mm,
-        comb.front_y_mm,
-        comb.back_y_mm,
-        comb.crest_z_mm,
-        comb.floor_z_mm,
-        comb.base_z_mm,
-        0.002,
-    )
+    y_mm, z_mm = (comb.front_y_mm, comb.back_y_mm), (comb.crest_z_mm, comb.floor_z_mm)
+    return Crenellated("rendered", "R-1", comb.edges_x_mm, *y_mm, *z_mm, comb.base_z_mm, MADE_MM)
 
 
 def _optics(
@@ -87,22 +83,37 @@ def render_block(
     rng = np.random.default_rng(seed)
     comb = random_block(rng, merlons)
     optics = _optics(comb, azimuth, elevation, roll, fill)
-    things = [SceneObject("block", draw_true_block(comb, 0.002, rng), np.eye(4))]
+    things = [SceneObject("block", draw_true_block(comb, MADE_MM, rng), np.eye(4))]
     if table is not None:
         under = np.eye(4)
         under[2, 3] = comb.base_z_mm - 0.01
         slab = Box((-1500.0, -1500.0, -30.0), (1500.0, 1500.0, 0.0))
         things.append(SceneObject("table", slab, under, table))
     light = Light((0.3, -0.4, 1.0), groove_shade=shade)
-    renderer = Renderer(
-        SimulatedScene(tuple(things), light),
-        optics,
-        _make_light_plane(comb),
-        Detector(blur_px=blur_px),
-        seed,
-    )
+    scene, detector = SimulatedScene(tuple(things), light), Detector(blur_px=blur_px)
+    renderer = Renderer(scene, optics, _make_light_plane(comb), detector, seed)
     image = np.asarray(renderer.render(np.eye(4), 1.0, laser, 55), dtype=np.uint8)
     T = optics.T_cam_sensor
     lens = np.array(optics.distortion)
     camera = Camera(optics.matrix, T[:3, :3], T[:3, 3], WIDTH, HEIGHT, lens)
     return RenderedBlock(image, certificate(comb), camera)
+
+
+def with_edge(block: Crenellated, edge: int, by_mm: float) -> Crenellated:
+    """A certificate with one edge elsewhere along x."""
+    edges = list(block.edges_x_mm)
+    edges[edge] += by_mm
+    return replace(block, edges_x_mm=tuple(edges))
+
+
+def survey(
+    shown: RenderedBlock,
+    block: Crenellated | None = None,
+    grey: Floats | None = None,
+    blur_px: float = 0.7,
+) -> EdgeMeasurements:
+    """The edges of its block, or of another certificate, measured where the camera shows them."""
+    image = shown.image.astype(float) if grey is None else grey
+    found = measure_edges(image, wireframe(block or shown.block), shown.camera, blur_px, MADE_MM)
+    assert found is not None
+    return found

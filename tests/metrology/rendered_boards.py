@@ -61,13 +61,11 @@ class RenderedBoards:
     def _shot(self, view: int) -> BoardShot:
         rig, thing = self.simulation._rig, self.simulation._scene.find_object("board")
         assert isinstance(thing.shape, Board)
-        T_board_sensor = sensor_over_board(
-            thing.shape, self.simulation.operator._sensor_mount, view, self._rng
-        )
+        mount = self.simulation.operator._sensor_mount
+        T_board_sensor = sensor_over_board(thing.shape, mount, view, self._rng)
         T = thing.T_arm_obj @ T_board_sensor
-        q = solve_joints(
-            rig.arm, T @ inverse(rig.T_flange_sensor), self.simulation._home, self._rng
-        )
+        T_flange = T @ inverse(rig.T_flange_sensor)
+        q = solve_joints(rig.arm, T_flange, self.simulation._home, self._rng)
         noise = self._rng.normal(0.0, rig.arm.encoder_sd_rad, len(q))
         pictures = (self._renderer.render(T, 1.0, 0.0, RAYS), self._renderer.render(T, 0.0, 1.0))
         return BoardShot(*pictures, q + noise, T_board_sensor)

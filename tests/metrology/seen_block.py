@@ -1,5 +1,7 @@
 """What a camera and a laser would show of the block, point by point, with noise."""
 
+from itertools import pairwise
+
 import numpy as np
 
 from app.metrology.calibration.observation_model import coordinates, with_coordinates
@@ -10,6 +12,7 @@ from app.metrology.sensor.laser_plane import LaserPlane
 from app.metrology.stripe import Stripe
 from app.metrology.targets.crenellated_block import Crenellated
 from app.metrology.transforms import Floats, rotation_from_vector
+from tests.metrology.numerics import unit
 
 
 def camera_over(
@@ -23,8 +26,7 @@ def camera_over(
     target = np.array([np.mean(block.edges_x_mm), 0.0, (block.crest_z_mm + block.floor_z_mm) / 2])
     flat = np.cos(elevation)
     away = np.array([np.sin(azimuth) * flat, -np.cos(azimuth) * flat, np.sin(elevation)])
-    x = np.cross(-away, [0.0, 0.0, 1.0])
-    x /= np.linalg.norm(x)
+    x = unit(np.cross(-away, [0.0, 0.0, 1.0]))
     R = rotation_from_vector(np.array([0.0, 0.0, roll])) @ np.array([x, np.cross(-away, x), -away])
     K = np.array([[2800.0, 0.0, 645.0], [0.0, 2800.4, 507.0], [0.0, 0.0, 1.0]])
     distortion = np.array([k1, 0.0, 0.0, 0.0, 0.0])
@@ -33,26 +35,23 @@ def camera_over(
 
 def laser_plane(tilt: float = 0.02, offset_mm: float = 0.5) -> LaserPlane:
     """A plane that stands on the block, across its grooves."""
-    normal = np.array([tilt / 2, 1.0, tilt])
-    return LaserPlane(normal / np.linalg.norm(normal), offset_mm)
+    return LaserPlane(unit([tilt / 2, 1.0, tilt]), offset_mm)
 
 
 def draw_true_block(block: Crenellated, rng: np.random.Generator) -> Crenellated:
     """A block whose sizes are off its certificate as far as that allows."""
     values = coordinates(block)
-    return with_coordinates(
-        block, values + rng.normal(0, block.standard_uncertainty_mm, len(values))
-    )
+    off = rng.normal(0, block.standard_uncertainty_mm, len(values))
+    return with_coordinates(block, values + off)
 
 
 def simulate_stripe(
     camera: Camera, block: Crenellated, plane: LaserPlane, rng: np.random.Generator, sd_px: float
 ) -> Stripe:
     """One point a column where the plane meets crests and floors that the camera sees."""
-    edges = block.edges_x_mm
-    spans = [(edges[i], edges[i + 1], z) for i, z in _levels(block)]
     uv = []
-    for left, right, z in spans:
+    for i, (left, right) in enumerate(pairwise(block.edges_x_mm)):
+        z = block.floor_z_mm if i % 2 else block.crest_z_mm
         x = np.linspace(left, right, 400)
         y = (plane.offset_mm - plane.normal[0] * x - plane.normal[2] * z) / plane.normal[1]
         pixels = project(camera, np.column_stack([x, y, np.full(400, z)]))
@@ -63,11 +62,6 @@ def simulate_stripe(
     points[:, 1] += rng.normal(0, sd_px, len(points))
     count = len(points)
     return Stripe(points[:, 0], points[:, 1], np.full(count, 150.0), np.full(count, sd_px))
-
-
-def _levels(block: Crenellated) -> list[tuple[int, float]]:
-    last = len(block.edges_x_mm) - 1
-    return [(i, block.floor_z_mm if i % 2 else block.crest_z_mm) for i in range(last)]
 
 
 def simulate_edges(

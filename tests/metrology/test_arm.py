@@ -35,9 +35,8 @@ def test_many_poses_at_once_equal_one_at_a_time() -> None:
     assert T.shape == (50, 4, 4)
     for one, angles in zip(T, q, strict=True):
         np.testing.assert_allclose(one, flange_pose(arm, angles), atol=1e-12)
-    np.testing.assert_allclose(
-        tip_centres(arm, q)[7], (T[7] @ [*arm.tip.centre_mm, 1.0])[:3], atol=1e-9
-    )
+    expected = (T[7] @ [*arm.tip.centre_mm, 1.0])[:3]
+    np.testing.assert_allclose(tip_centres(arm, q)[7], expected, atol=1e-9)
 
 
 @pytest.mark.parametrize("joints", [6, 7])

@@ -102,9 +102,8 @@ def chosen(arm: Arm, observations: ArmObservations) -> set[str]:
     at = settle_centres(data, initial_unknowns(arm, data), everything, scatter)
     choice = candidates(arm, bool(observations.bars))
     system = reduce_system(data, at, choice.order, everything, scatter)
-    moved, held = select_parameters(
-        system.rows, system.others, choice.order, parameter_limits(arm, choice.order)
-    )
+    limits = parameter_limits(arm, choice.order)
+    moved, held = select_parameters(system.rows, system.others, choice.order, limits)
     names = parameter_names(arm)
     assert {*moved.tolist(), *held, *choice.fixed} == set(range(len(names)))
     return {names[i] for i in moved}

@@ -5,7 +5,6 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from app.errors import OperationError
 from app.metrology.arm.identification.articulation import (
     ArticulationLimits,
     articulation_verdict,
@@ -14,15 +13,14 @@ from app.metrology.arm.identification.articulation import (
 )
 from app.metrology.arm.kinematics import tip_centres
 from tests.metrology.arm_sessions import collect_observations, nominal_arm
+from tests.metrology.refusals import refusal_of
 from tests.simulated_arm_sessions import ArmSessionPlan, SimulatedArmSession, draw_arm_session
 
 
 @pytest.fixture(scope="module")
 def session() -> SimulatedArmSession:
-    plan = ArmSessionPlan(
-        seats=2, points_per_seat=200, spheres=0, bar_lengths_mm=(), imperfection_um=0.0
-    )
-    return draw_arm_session(8, replace(plan, touch_sd_mm=0.0))
+    plan = ArmSessionPlan(seats=2, points_per_seat=200, spheres=0, bar_lengths_mm=())
+    return draw_arm_session(8, replace(plan, imperfection_um=0.0, touch_sd_mm=0.0))
 
 
 def test_a_perfect_arm_shows_its_encoders_noise_alone(session: SimulatedArmSession) -> None:
@@ -72,10 +70,8 @@ def test_every_axis_keeps_every_limit_that_is_set(limits: ArticulationLimits, ve
 
 def test_few_points_and_an_arm_that_hardly_moved_are_refused(session: SimulatedArmSession) -> None:
     arm, seat = nominal_arm(session.nominal_arm), collect_observations(session).seats[0]
-    with pytest.raises(OperationError) as few:
-        check_articulation(arm, seat.q_rad[:9], label="set 1")
-    assert few.value.code == "too-few-points"
-    with pytest.raises(OperationError) as still:
-        check_articulation(arm, np.repeat(seat.q_rad[:1], 30, axis=0), label="set 1")
-    assert still.value.code == "arm-hardly-moved"
-    assert "set 1" in str(still.value.what)
+    few, still = seat.q_rad[:9], np.repeat(seat.q_rad[:1], 30, axis=0)
+    assert refusal_of(check_articulation, arm, few, label="set 1").code == "too-few-points"
+    refusal = refusal_of(check_articulation, arm, still, label="set 1")
+    assert refusal.code == "arm-hardly-moved"
+    assert "set 1" in str(refusal.what)

@@ -143,9 +143,7 @@ def of_poses(given: BoardInputs, kept: Sequence[int]) -> BoardInputs:
     return replace(given, observations=seen, readings=given.readings[kept])
 
 
-def test_poses_without_a_line_still_tell_the_rest(
-    given: BoardInputs, found: BoardCalibration
-) -> None:
+def test_poses_without_a_line_tell_the_rest(given: BoardInputs, found: BoardCalibration) -> None:
     """Better than without them; the plane follows from the others, and they are named."""
     dark = (1, 3, 6)
     some = calibrate_board(without_lines(given, dark))
@@ -234,21 +232,15 @@ def test_what_does_not_determine_it_is_refused(given: BoardInputs) -> None:
     assert refusal_of(calibrate_board, replace(given, observations=seen)).code == "stripe-not-found"
 
 
-def real_inputs(real: Path, tmp_path: Path, name: str) -> BoardInputs:
-    folder = write_real_session(real / "robot-laser-chessboard" / name, tmp_path / "s")
-    session = read_any_session(folder)
-    assert isinstance(session, BoardSession)
-    seen = tuple(
-        observe_board(pose.number, session.board, read_grey(pose.ambient), None, "v")
-        for pose in session.poses
-    )
-    readings = np.array([pose.reading for pose in session.poses])
-    return BoardInputs(session.arm, session.board, seen, readings, (1280, 1024))
-
-
 def test_real_pictures(real: Path, tmp_path: Path) -> None:
     """Eight pictures; the laser had not come to rest in the first."""
-    result = calibrate_board(real_inputs(real, tmp_path, "calib1"))
+    folder = write_real_session(real / "robot-laser-chessboard" / "calib1", tmp_path / "s")
+    session = read_any_session(folder)
+    assert isinstance(session, BoardSession)
+    board, poses = session.board, session.poses
+    seen = tuple(observe_board(p.number, board, read_grey(p.ambient), None, "v") for p in poses)
+    readings = np.array([pose.reading for pose in poses])
+    result = calibrate_board(BoardInputs(session.arm, board, seen, readings, (1280, 1024)))
     assert all(pose.used for pose in result.poses)
     moved = [finding for finding in result.findings if finding.code == "laser-moved"]
     assert len(moved) == 1
@@ -258,13 +250,11 @@ def test_real_pictures(real: Path, tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("seed", usual(range(2), 1, pytest.mark.soak))
-@pytest.mark.parametrize(
-    ("line_mm", "least_mm", "most_mm"), [(0.005, 0.004, 0.03), (0.2, 0.1, 0.4)]
-)
+@pytest.mark.parametrize(("line_mm", "least", "most"), [(0.005, 0.004, 0.03), (0.2, 0.1, 0.4)])
 def test_a_steady_laser_is_distinguished_from_an_unsteady_one(
-    line_mm: float, least_mm: float, most_mm: float, seed: int
+    line_mm: float, least: float, most: float, seed: int
 ) -> None:
     """Both are far from what is usual, which is thought of only where little is seen."""
     errors = BoardErrors(turn_rad=5e-5, shift_mm=0.02, line_mm=line_mm, line_rad=line_mm / 50)
     off_mm, _ = line_scatter(calibrate_board(session(seed, errors)).adjustment)
-    assert least_mm < off_mm < most_mm
+    assert least < off_mm < most

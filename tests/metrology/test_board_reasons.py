@@ -70,6 +70,13 @@ def shown(T: Floats = POSES[1], spoil: Callable[[Grey], Grey] = np.asarray, **lo
     return spoil(picture(T, Look(laser=False, **look)))
 
 
+DIM = partial(shown, dark=5.0, bright=8.0)
+FAR = partial(shown, camera_pose(10, 30, 5, 3000), bright=220.0)
+FINER = partial(shown, board=replace(BOARD, inner_corners=(9, 8), square_mm=7.0))
+SMALLER = partial(shown, board=replace(BOARD, inner_corners=(6, 5)))
+FOUND = "inner corners was found: rendered board has 7 × 6"
+
+
 @pytest.mark.parametrize(
     ("image", "code", "fault", "words"),
     [
@@ -77,31 +84,11 @@ def shown(T: Floats = POSES[1], spoil: Callable[[Grey], Grey] = np.asarray, **lo
         (partial(shown, spoil=glared), "board-partly-seen", "lighting", "others are overexposed"),
         (partial(shown, spoil=covered), "another-board", "object", "uncover the rest of this one"),
         (partial(shown, blur_px=20.0), "board-not-found", "focus", "blurred"),
-        (partial(shown, dark=5.0, bright=8.0), "board-not-found", "exposure", "no contrast"),
-        (
-            partial(shown, dark=5.0, bright=8.0, noise=2.0),
-            "board-not-found",
-            "exposure",
-            "the picture is dim",
-        ),
-        (
-            partial(shown, camera_pose(10, 30, 5, 3000), bright=220.0),
-            "board-too-small",
-            "framing",
-            "wide in",
-        ),
-        (
-            partial(shown, board=replace(BOARD, inner_corners=(9, 8), square_mm=7.0)),
-            "another-board",
-            "object",
-            "9 × 8 inner corners was found: rendered board has 7 × 6",
-        ),
-        (
-            partial(shown, board=replace(BOARD, inner_corners=(6, 5))),
-            "another-board",
-            "object",
-            "6 × 5 inner corners was found: rendered board has 7 × 6",
-        ),
+        (DIM, "board-not-found", "exposure", "no contrast"),
+        (partial(DIM, noise=2.0), "board-not-found", "exposure", "the picture is dim"),
+        (FAR, "board-too-small", "framing", "wide in"),
+        (FINER, "another-board", "object", f"9 × 8 {FOUND}"),
+        (SMALLER, "another-board", "object", f"6 × 5 {FOUND}"),
     ],
 )
 def test_the_true_reason_is_named_and_never_a_laser_that_is_off(

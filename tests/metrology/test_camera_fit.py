@@ -203,10 +203,8 @@ def test_observation_rows_have_the_derivatives_that_differences_show(kind: str) 
     edges = simulate_edges(camera, BLOCK, rng, 0.1)
     at = corners(BLOCK)
     uv = project(camera, np.array([*at.values()])) + 0.1
-    seen = [
-        Corner(name, u, v, np.array([[0.02, 0.01], [0.01, 0.03]]))
-        for name, (u, v) in zip(at, uv.tolist(), strict=True)
-    ]
+    covariance = np.array([[0.02, 0.01], [0.01, 0.03]])
+    seen = [Corner(name, u, v, covariance) for name, (u, v) in zip(at, uv.tolist(), strict=True)]
     of_kind: dict[str, Callable[[SceneModel], Rows]] = {
         "edges": lambda scene: edge_rows(scene, edges),
         "stripe": lambda scene: stripe_rows(scene, stripe, np.where(levels.used, levels.level, "")),

@@ -5,7 +5,6 @@ from dataclasses import replace
 import cv2
 import numpy as np
 import pytest
-from numpy.typing import NDArray
 
 from app.metrology.adjustment.board.calibrate import calibrate_board
 from app.metrology.chessboard.board_detection import BoardDetection
@@ -28,6 +27,7 @@ from tests.metrology.boards import (
 )
 from tests.metrology.refusals import detection_refusal_of, refusal_of
 from tests.metrology.seen_boards import camera_at
+from tests.pictures import compressed
 from tests.running.usual import usual
 
 pytestmark = pytest.mark.slow
@@ -120,17 +120,12 @@ def test_the_lasers_line_takes_its_own_corners_alone() -> None:
     assert np.abs(off_px(found, CHARUCO, POSES[1])).max() < 0.1
 
 
-def jpeg(image: NDArray[np.uint8], quality: int) -> NDArray[np.uint8]:
-    _, coded = cv2.imencode(".jpg", image, [cv2.IMWRITE_JPEG_QUALITY, quality])
-    return np.asarray(cv2.imdecode(coded, cv2.IMREAD_GRAYSCALE), np.uint8)
-
-
 def test_soft_noisy_compressed_and_clipped_pictures_are_taken() -> None:
     plain = picture(POSES[1], UNLIT, 1)
     pictures = (
         picture(POSES[1], replace(UNLIT, blur_px=2.0), 1),
         picture(POSES[1], replace(UNLIT, noise=12.0), 1),
-        jpeg(plain, 20),
+        compressed(plain, 20),
         np.clip(plain.astype(np.float64) * 3, 0, 255).astype(np.uint8),
         plain.astype(np.uint16) * 256,
     )

@@ -9,6 +9,7 @@ from app.errors import OperationError
 from app.metrology.bayer import BAYER_PATTERNS, BayerPattern, BayerPlane
 from app.metrology.channel import Channel, describe_channel, is_grey, select_channel
 from app.metrology.colour import PLANES, ColourWeights, LaserColour, find_weights
+from app.metrology.image import Image
 from app.metrology.stripe import Stripe, StripeSettings, extract_stripe
 from app.metrology.transforms import Floats
 from tests.colours import HEIGHT, ROOM, SHOT, WIDTH, expose, line_rows, mosaic, render_colours
@@ -29,6 +30,12 @@ DEMOSAIC = {
 def errors(stripe: Stripe) -> Floats:
     """Measured minus true row of each point."""
     return np.asarray(stripe.v - line_rows(stripe.u))
+
+
+def selected(picture: NDArray[np.uint8], channel: Channel | None) -> Image:
+    grey = select_channel(picture, channel)
+    assert grey is not None
+    return grey
 
 
 def rms(values: Floats) -> float:
@@ -112,14 +119,10 @@ def test_weights_bring_out_the_laser_better_than_any_channel() -> None:
     assert weights.blue == pytest.approx(0.02, abs=0.02)
     assert weights.green == pytest.approx(expected[0], abs=0.06)
     assert weights.red == pytest.approx(expected[1], abs=0.06)
-    measured = select_channel(lit, weights)
-    assert measured is not None
-    best = rms(errors(extract_stripe(measured)))
+    best = rms(errors(extract_stripe(selected(lit, weights))))
     channels: tuple[LaserColour, ...] = ("green", "red")
     for channel in channels:
-        alone = select_channel(lit, channel)
-        assert alone is not None
-        assert best < 0.97 * rms(errors(extract_stripe(alone))), channel
+        assert best < 0.97 * rms(errors(extract_stripe(selected(lit, channel)))), channel
 
 
 def test_weights_are_those_of_the_laser_where_the_room_is_dark_behind_it() -> None:
@@ -153,9 +156,7 @@ def test_channels_are_selected_by_one_rule() -> None:
     assert is_grey(alike)
     channels: tuple[Channel | None, ...] = (None, "red", ColourWeights(0.0, 0.5, 0.5))
     for channel in channels:
-        same = select_channel(alike, channel)
-        assert same is not None
-        np.testing.assert_array_equal(same, grey)
+        np.testing.assert_array_equal(selected(alike, channel), grey)
     colours = np.dstack([grey, grey, np.uint8(255) - grey])
     assert select_channel(colours, None) is None
     assert select_channel(colours, BayerPlane("RGGB", "red")) is None

@@ -72,6 +72,9 @@ class Measured:
         return measure(self.true, postures(self.arm, count, self.rng), tracker, self.rng)
 
 
+Session = tuple[Measured, Coordinates]
+
+
 def drawn(seed: int, axes: int = 6) -> Measured:
     rng = np.random.default_rng(seed)
     arm = robot(axes)
@@ -286,13 +289,13 @@ def test_every_derivative_agrees_with_numerical_differences() -> None:
 
 
 @pytest.fixture(scope="module")
-def session() -> tuple[Measured, Coordinates]:
+def session() -> Session:
     case = drawn(2)
     q = postures(case.arm, 60, case.rng)
     return case, measure(case.true, q, case.tracker, case.rng, True)
 
 
-def test_coordinates_in_metres_are_recognised(session: tuple[Measured, Coordinates]) -> None:
+def test_coordinates_in_metres_are_recognised(session: Session) -> None:
     case, found = session
     refusal = refusal_of(identified, case.arm, replace(found, points_mm=found.points_mm / 1000))
     assert refusal.code == "coordinates-unit"
@@ -301,9 +304,7 @@ def test_coordinates_in_metres_are_recognised(session: tuple[Measured, Coordinat
 
 
 @pytest.mark.parametrize("later", usual([10, 30], 1, pytest.mark.soak))
-def test_points_of_two_set_ups_under_one_name_are_refused(
-    session: tuple[Measured, Coordinates], later: int
-) -> None:
+def test_points_of_two_set_ups_under_one_name_are_refused(session: Session, later: int) -> None:
     case, found = session
     arm, true = case.arm, case.true
     rng = np.random.default_rng(1)
@@ -318,14 +319,14 @@ def test_points_of_two_set_ups_under_one_name_are_refused(
     assert len(identified(arm, first, named).frames) == 2
 
 
-def test_rotations_in_another_order_are_refused(session: tuple[Measured, Coordinates]) -> None:
+def test_rotations_in_another_order_are_refused(session: Session) -> None:
     case, found = session
     assert found.rotations is not None
     other = replace(found, rotations=np.swapaxes(found.rotations, 1, 2))
     assert refusal_of(identified, case.arm, other).code == "rotations-do-not-fit"
 
 
-def test_fewer_poses_than_unknowns_are_refused(session: tuple[Measured, Coordinates]) -> None:
+def test_fewer_poses_than_unknowns_are_refused(session: Session) -> None:
     case, _ = session
     rng = np.random.default_rng(1)
 
@@ -355,7 +356,7 @@ def test_angles_of_other_poses_are_refused() -> None:
     assert refusal.code in ("arm-does-not-fit", "coordinates-unit")
 
 
-def test_a_separate_set_up_checks_the_result(session: tuple[Measured, Coordinates]) -> None:
+def test_a_separate_set_up_checks_the_result(session: Session) -> None:
     case, found = session
     arm, true, tracker = case.arm, case.true, case.tracker
     rng = np.random.default_rng(7)

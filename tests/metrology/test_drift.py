@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from app.metrology.calibration.drift import ARCSEC, MountedSensor, measure_drift
+from app.metrology.calibration.drift import ARCSEC, Drift, MountedSensor, measure_drift
 from app.metrology.sensor.laser_plane import LaserPlane
 from app.metrology.transforms import rigid, rotation_from_vector
 from tests.formats.builders import little_calibration
@@ -19,9 +19,14 @@ def mounted() -> MountedSensor:
     return MountedSensor(found.camera, found.plane, found.T_flange_sensor)
 
 
-def test_a_sensor_that_stayed_did_not_move(mounted: MountedSensor) -> None:
-    found = measure_drift(mounted, mounted, UV)
+def drift_of(before: MountedSensor, after: MountedSensor) -> Drift:
+    found = measure_drift(before, after, UV)
     assert found is not None
+    return found
+
+
+def test_a_sensor_that_stayed_did_not_move(mounted: MountedSensor) -> None:
+    found = drift_of(mounted, mounted)
     assert (found.sensor_um, found.plane_um, found.points_um) == (0, 0, 0)
     assert found.sensor_arcsec == pytest.approx(0, abs=1e-2)
 
@@ -29,17 +34,14 @@ def test_a_sensor_that_stayed_did_not_move(mounted: MountedSensor) -> None:
 def test_a_shift_and_a_turn_are_distinguished(mounted: MountedSensor) -> None:
     T = mounted.T_flange_sensor
     shifted = replace(mounted, T_flange_sensor=rigid(np.eye(3), np.array([0.03, 0, 0.04])) @ T)
-    found = measure_drift(mounted, shifted, UV)
-    assert found is not None
+    found = drift_of(mounted, shifted)
     assert found.sensor_um == pytest.approx(50)
     assert found.points_um == pytest.approx(50)
     assert found.sensor_arcsec == pytest.approx(0, abs=1e-2)
     assert found.plane_um <= 50
     turn = rotation_from_vector(np.array([0, 60 / ARCSEC, 0]))
     turned = replace(mounted, T_flange_sensor=T @ rigid(turn, np.zeros(3)))
-    found = measure_drift(mounted, turned, UV)
-    assert found is not None
-    assert found.sensor_arcsec == pytest.approx(60, rel=1e-6)
+    assert drift_of(mounted, turned).sensor_arcsec == pytest.approx(60, rel=1e-6)
 
 
 def test_a_plane_that_tilts_is_reported_in_seconds_of_arc(mounted: MountedSensor) -> None:
@@ -47,9 +49,9 @@ def test_a_plane_that_tilts_is_reported_in_seconds_of_arc(mounted: MountedSensor
     along = np.cross(plane.normal, [1.0, 0.0, 0.0])
     tilt = rotation_from_vector(along / np.linalg.norm(along) * 30 / ARCSEC)
     flipped = LaserPlane(-(tilt @ plane.normal), -plane.offset_mm)
-    found = measure_drift(mounted, replace(mounted, plane=flipped), UV)
-    assert found is not None
-    assert found.plane_arcsec == pytest.approx(30, rel=1e-6)
+    assert drift_of(mounted, replace(mounted, plane=flipped)).plane_arcsec == pytest.approx(
+        30, rel=1e-6
+    )
 
 
 def test_too_few_common_points_give_no_drift(mounted: MountedSensor) -> None:

@@ -1,10 +1,11 @@
-"""Sub-pixel edges against steps whose place is known."""
+"""Sub-pixel edges against steps whose place is known, and what they are said to scatter by."""
 
 import numpy as np
 import pytest
 from numpy.typing import NDArray
 from scipy.special import erf
 
+from app.metrology.detection.edges.scatter import estimate_scatter
 from app.metrology.detection.edges.stations import EdgeStations
 from app.metrology.detection.edges.step_fit import measure_steps
 from app.metrology.transforms import Floats
@@ -39,17 +40,10 @@ def stations(angle: float, count: int = 20) -> EdgeStations:
     along = np.array([-normal[1], normal[0]])
     s = np.linspace(-45, 45, count)[:, None]
     zeros: NDArray[np.int64] = np.zeros(count, dtype=np.int64)
-    return EdgeStations(
-        zeros,
-        zeros,
-        np.zeros((count, 3)),
-        SIDE / 2 + s * along,
-        np.tile(normal, (count, 1)),
-        np.full((count, 2), np.inf),
-        np.full(count, 5.0),
-        np.zeros((1, 2), dtype=np.int64),
-        2.5,
-    )
+    uv, normals = SIDE / 2 + s * along, np.tile(normal, (count, 1))
+    clearance, length = np.full((count, 2), np.inf), np.full(count, 5.0)
+    three, whole = np.zeros((count, 3)), np.zeros((1, 2), dtype=np.int64)
+    return EdgeStations(zeros, zeros, three, uv, normals, clearance, length, whole, 2.5)
 
 
 @pytest.mark.parametrize("angle", [0.0, 0.013, 0.4, np.pi / 4, 1.56, 3.0])
@@ -92,3 +86,26 @@ def test_hidden_pixels_give_no_edge() -> None:
     hidden = np.abs(stations(0.0).uv_px[:, 1] - 80) < 15
     assert np.isnan(seen.offset_px[hidden]).all()
     assert np.isfinite(seen.offset_px[~hidden]).any()
+
+
+PARTS, POINTS, SIGMA_PX = 40, 30, 0.02
+
+
+@pytest.mark.parametrize(
+    ("moved_px", "certificate_px", "least", "most"),
+    [(0.0, 0.0, 1.0, 1.3), (0.08, 0.08, 1.0, 12.0), (0.08, 0.0, 15.0, 30.0)],
+)
+def test_what_the_certificate_moves_is_not_counted_twice(
+    moved_px: float, certificate_px: float, least: float, most: float
+) -> None:
+    rng = np.random.default_rng(4)
+    part, none = np.repeat(np.arange(PARTS), POINTS), np.zeros(PARTS * POINTS)
+    two, sigma = np.zeros((len(part), 2)), none + SIGMA_PX
+    three, whole = np.zeros((len(part), 3)), two.astype(np.int64)
+    at = EdgeStations(part, part, three, two, two, two, none, whole, 1.0)
+    off = sigma * rng.normal(size=len(sigma)) + np.repeat(moved_px * rng.normal(size=PARTS), POINTS)
+    every = np.ones(len(off), np.bool_)
+    used, along, together = estimate_scatter(off, at, every, sigma, none, none + certificate_px)
+    assert used.mean() > 0.99
+    assert along == pytest.approx(1.0, abs=0.15)
+    assert least <= np.median(together) <= most

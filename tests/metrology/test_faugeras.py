@@ -6,30 +6,24 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from app.errors import OperationError
 from app.metrology.sensor.faugeras import LARGEST_CONDITION, solve_faugeras
 from app.metrology.targets.crenellated_block import Crenellated, corners
 from app.metrology.transforms import Floats, inverse, rigid, rotation_from_vector
+from tests.metrology.numerics import unit
+from tests.metrology.refusals import refusal_of
 
 BLOCK = Crenellated("b", "1", (-22, -14, -7, -2, 5, 10, 17, 22), -12, 12, 15, 0, -12, 0.002)
-LEVELS = np.array(
-    [at for name, at in corners(BLOCK).items() if not name.startswith("base")], dtype=np.float64
-)
+RAISED = [at for name, at in corners(BLOCK).items() if not name.startswith("base")]
+LEVELS = np.array(RAISED, dtype=np.float64)
+OBLONG = np.array([[2800.0, 0, 640], [0, 2810, 500], [0, 0, 1]])
 
 
 def look_at(azimuth: float, elevation: float, roll: float, distance: float) -> Floats:
     """``T_cam_obj`` of a camera that looks at the block's middle."""
     target = np.array([0.0, 0.0, 7.0])
-    away = np.array(
-        [
-            np.sin(azimuth) * np.cos(elevation),
-            -np.cos(azimuth) * np.cos(elevation),
-            np.sin(elevation),
-        ]
-    )
-    z = -away
-    x = np.cross(z, [0, 0, 1.0])
-    x /= np.linalg.norm(x)
+    flat = np.cos(elevation)
+    away = np.array([np.sin(azimuth) * flat, -np.cos(azimuth) * flat, np.sin(elevation)])
+    z, x = -away, unit(np.cross(-away, [0, 0, 1.0]))
     R = rotation_from_vector(np.array([0, 0, roll])) @ np.array([x, np.cross(z, x), z])
     return rigid(R, -R @ (target + distance * away))
 
@@ -73,33 +67,28 @@ def test_every_camera_that_opencv_projects_with_is_found_again(camera: tuple[flo
 def test_the_solution_moves_with_the_object_frame(seed: int) -> None:
     """|m3| = 1 is invariant to rotation and translation, noise or not."""
     rng = np.random.default_rng(seed)
-    K = np.array([[2800.0, 0, 640], [0, 2810, 500], [0, 0, 1]])
-    uv = opencv_pixels(LEVELS, K, look_at(0.2, 0.8, 0.1, 140))
+    uv = opencv_pixels(LEVELS, OBLONG, look_at(0.2, 0.8, 0.1, 140))
     uv += rng.normal(0, 0.3, uv.shape)
     T = rigid(rotation_from_vector(rng.normal(0, 1, 3)), rng.normal(0, 200, 3))
     moved = LEVELS @ T[:3, :3].T + T[:3, 3]
     here = solve_faugeras(LEVELS, uv, 1280, 1024)
     there = solve_faugeras(moved, uv, 1280, 1024)
-    np.testing.assert_allclose(
-        there.projection_matrix, here.projection_matrix @ inverse(T), rtol=1e-7, atol=1e-4
-    )
+    expected = here.projection_matrix @ inverse(T)
+    np.testing.assert_allclose(there.projection_matrix, expected, rtol=1e-7, atol=1e-4)
     assert here.orthogonality_defect > 0
 
 
 def test_an_origin_in_the_cameras_own_plane_does_no_harm() -> None:
-    K = np.array([[2800.0, 0, 640], [0, 2810, 500], [0, 0, 1]])
     T = look_at(0.2, 0.8, 0.1, 140)
-    uv = opencv_pixels(LEVELS, K, T)
-    shift = np.array([0.0, 0.0, 0.0]) - T[:3, :3].T @ np.array([0, 0, T[2, 3]])
+    uv = opencv_pixels(LEVELS, OBLONG, T)
+    shift = -T[:3, :3].T @ np.array([0, 0, T[2, 3]])
     found = solve_faugeras(LEVELS - shift, uv, 1280, 1024)
     assert abs(found.projection_matrix[2, 3]) < 1e-6
-    np.testing.assert_allclose(found.camera.matrix, K, rtol=1e-6, atol=1e-3)
+    np.testing.assert_allclose(found.camera.matrix, OBLONG, rtol=1e-6, atol=1e-3)
 
 
 def refused(points: Floats, uv: Floats) -> str:
-    with pytest.raises(OperationError) as refusal:
-        solve_faugeras(points, uv, 1280, 1024)
-    return refusal.value.code
+    return refusal_of(solve_faugeras, points, uv, 1280, 1024).code
 
 
 K = np.array([[2800.0, 0, 640], [0, 2800, 512], [0, 0, 1]])

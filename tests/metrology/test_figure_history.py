@@ -1,11 +1,14 @@
-"""Periods end where the right level is back; ordinary errors of calibrations are no changes."""
+"""Periods of figures end where the right level is back; steps and slopes of series are found."""
 
 from datetime import datetime, timedelta
 
 import numpy as np
 import pytest
 
+from app.metrology.change_points import MOST_VALUES, find_changes
+from app.metrology.common_slope import fit_common_slope
 from app.metrology.figure_history import FigureHistory, find_history
+from app.metrology.transforms import Floats
 
 START = datetime(2026, 1, 1)
 DAY = timedelta(days=1)
@@ -26,10 +29,8 @@ def history(
 def months_of(found: FigureHistory) -> list[list[int]]:
     """Of each period, the months whose middle is surely in it."""
     middles = [START + DAY * (MONTH * month + MONTH // 2) for month in range(20)]
-    return [
-        [month for month, at in enumerate(middles) if one.surely_contains(at)]
-        for one in found.periods
-    ]
+    within = (one.surely_contains for one in found.periods)
+    return [[month for month, at in enumerate(middles) if holds(at)] for holds in within]
 
 
 @pytest.mark.parametrize("seed", range(5))
@@ -107,9 +108,8 @@ def test_a_change_while_a_calibration_is_in_use_needs_no_spread() -> None:
     rng = np.random.default_rng(4)
     days = range(1, 12 * MONTH)
     moved = [12.0 if 130 <= day < 150 else 0.0 for day in days]
-    values = [
-        errors[day // MONTH] + more + rng.normal() for day, more in zip(days, moved, strict=True)
-    ]
+    pairs = zip(days, moved, strict=True)
+    values = [errors[day // MONTH] + more + rng.normal() for day, more in pairs]
     used = [f"cal-{day // MONTH}" for day in days]
     found = find_history([START + DAY * day for day in days], values, used)
     (period,) = found.periods
@@ -145,3 +145,104 @@ def test_no_values_and_few_values_have_a_history() -> None:
     three = find_history([START + DAY * n for n in range(3)], [1.0, 2.0, 1.5])
     assert three.right is not None
     assert three.right.values == 3
+
+
+def series(seed: int, *levels: tuple[int, float]) -> Floats:
+    """Segments of so many values about a mean, with a standard deviation of 1."""
+    rng = np.random.default_rng(seed)
+    return np.concatenate([level + rng.normal(size=count) for count, level in levels])
+
+
+def test_a_month_of_ten_is_found_with_both_ends() -> None:
+    for seed in range(20):
+        found = find_changes(series(seed, (60, 30.0), (15, 36.0), (75, 30.0)))
+        assert len(found) == 2, seed
+        for change, place, size in zip(found, (60, 75), (6.0, -6.0), strict=True):
+            assert change.first_index <= place <= change.last_index
+            assert abs(change.size - size) < 4 * change.standard_uncertainty
+
+
+def test_what_does_not_change_has_none() -> None:
+    wrong = sum(bool(find_changes(series(seed, (100, 5.0)))) for seed in range(100))
+    assert wrong <= 5
+
+
+def test_the_interval_holds_the_step_as_often_as_it_says() -> None:
+    held = found = 0
+    for seed in range(200):
+        changes = find_changes(series(seed, (40, 0.0), (40, 2.0)))
+        if len(changes) == 1:
+            found += 1
+            held += changes[0].first_index <= 40 <= changes[0].last_index
+    assert found > 150
+    assert held / found > 0.9
+
+
+def test_a_single_outlier_is_no_change() -> None:
+    for seed in range(20):
+        values = series(seed, (80, 10.0))
+        values[40] += 25.0
+        assert find_changes(values) == []
+
+
+def test_a_small_step_has_a_wide_interval() -> None:
+    (large,) = find_changes(series(1, (50, 0.0), (50, 8.0)))
+    (small,) = find_changes(series(1, (50, 0.0), (50, 1.5)))
+    assert large.last_index - large.first_index < small.last_index - small.first_index
+
+
+def test_steps_within_the_stated_uncertainty_are_none() -> None:
+    values = series(2, (50, 0.0), (50, 3.0))
+    assert find_changes(values)
+    assert find_changes(values, least_sd=20.0) == []
+
+
+def test_few_or_equal_values_have_none_and_too_many_are_refused() -> None:
+    assert find_changes(np.array([1.0, 9.0, 1.0])) == []
+    assert find_changes(np.full(50, 3.0)) == []
+    with pytest.raises(ValueError, match="more than"):
+        find_changes(np.zeros(MOST_VALUES + 1))
+
+
+def test_levels_of_groups_do_not_look_like_a_slope() -> None:
+    groups = np.repeat(np.arange(4), 5)
+    hours = np.tile(np.linspace(0, 100, 5), 4) + 10.0 * groups
+    values = 50.0 * groups + 0.02 * hours
+    found = fit_common_slope(hours, values, groups)
+    assert found is not None
+    assert found.value == pytest.approx(0.02)
+    assert found.is_significant
+    assert (found.values, found.groups) == (20, 4)
+
+
+def test_the_uncertainty_covers_the_slope_in_95_of_100_cases() -> None:
+    rng = np.random.default_rng(3)
+    groups = np.repeat(np.arange(5), 4)
+    covered, by_chance, runs = 0, 0, 2000
+    for _ in range(runs):
+        hours = rng.uniform(0, 500, len(groups))
+        level = rng.normal(0, 20, 5)[groups]
+        noise = rng.normal(0, 2, len(groups))
+        aged = fit_common_slope(hours, level + 0.01 * hours + noise, groups)
+        constant = fit_common_slope(hours, level + noise, groups)
+        assert aged is not None
+        assert constant is not None
+        covered += abs(aged.value - 0.01) <= aged.expanded_uncertainty
+        by_chance += constant.is_significant
+    assert 0.935 <= covered / runs <= 0.965
+    assert 0.035 <= by_chance / runs <= 0.065
+
+
+@pytest.mark.parametrize(
+    ("arguments", "groups"),
+    [
+        ([], []),
+        ([1.0, 2.0, 3.0], [0, 1, 2]),
+        ([1.0, 2.0], [0, 0]),
+        ([20.0, 20.0, 21.0, 21.0], [0, 0, 1, 1]),
+    ],
+)
+def test_too_few_values_have_no_slope(arguments: list[float], groups: list[int]) -> None:
+    values = np.array(arguments, dtype=np.float64) * 2
+    numbers = np.array(groups, dtype=np.int64)
+    assert fit_common_slope(np.array(arguments, dtype=np.float64), values, numbers) is None

@@ -26,13 +26,6 @@ from tests.metrology.test_one_pose import read_inputs
 pytestmark = pytest.mark.slow
 
 
-def size_said(faces: tuple[str, ...], tip_radius_mm: float) -> CalibrationFinding:
-    rng = np.random.default_rng(21)
-    features, tips = contacts_on(rng, random_pose(rng), faces=faces, noise_mm=0.005)
-    found = align(features, tips, tip_radius_mm, BLOCK)
-    return size_finding(found, features, BLOCK)
-
-
 @pytest.mark.parametrize(
     ("faces", "error_mm", "quality", "said"),
     [
@@ -45,7 +38,9 @@ def size_said(faces: tuple[str, ...], tip_radius_mm: float) -> CalibrationFindin
 def test_opposite_faces_show_the_tips_diameter(
     faces: tuple[str, ...], error_mm: float, quality: str, said: str
 ) -> None:
-    found = size_said(faces, TIP_RADIUS_MM + error_mm)
+    rng = np.random.default_rng(21)
+    features, tips = contacts_on(rng, random_pose(rng), faces=faces, noise_mm=0.005)
+    found = size_finding(align(features, tips, TIP_RADIUS_MM + error_mm, BLOCK), features, BLOCK)
     assert found.quality == quality
     assert said in str(found.text)
 

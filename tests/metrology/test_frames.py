@@ -29,9 +29,8 @@ def test_rotation_vectors_agree_with_scipy(vector: np.ndarray) -> None:
 @given(vectors)
 def test_a_rotation_vector_survives_the_round_trip(vector: np.ndarray) -> None:
     rotation = rotation_from_vector(vector)
-    np.testing.assert_allclose(
-        rotation_from_vector(vector_from_rotation(rotation)), rotation, atol=1e-9
-    )
+    again = rotation_from_vector(vector_from_rotation(rotation))
+    np.testing.assert_allclose(again, rotation, atol=1e-9)
 
 
 @given(vectors, vectors)
@@ -74,8 +73,6 @@ def test_the_nearest_rotation_is_proper() -> None:
 
 
 def test_a_refusal_reads_as_one_line() -> None:
-    refusal = OperationError(
-        "some-code", "the file ended early.", "the power failed", "Scan again."
-    )
+    refusal = OperationError("a-code", "the file ended early.", "the power failed", "Scan again.")
     assert str(refusal) == "the file ended early: the power failed. Scan again."
     assert "\n" not in str(refusal)

@@ -13,6 +13,7 @@ from app.metrology.gauges.errors import (
     compute_repeatability,
 )
 from app.metrology.transforms import Floats, rotation_from_vector
+from tests.metrology.numerics import unit
 
 ARCSEC = np.pi / 180 / 3600
 
@@ -59,10 +60,8 @@ def test_a_standing_plane_has_no_error_along_z() -> None:
 
 
 def test_small_angles_keep_their_digits() -> None:
-    normal = np.array([0.3, -0.5, 0.81])
-    normal /= np.linalg.norm(normal)
-    across = np.cross(normal, [1.0, 0.0, 0.0])
-    across /= np.linalg.norm(across)
+    normal = unit([0.3, -0.5, 0.81])
+    across = unit(np.cross(normal, [1.0, 0.0, 0.0]))
     turned = rotation_from_vector(1e-7 * across) @ normal
     assert angle_between_rad(normal, turned) == pytest.approx(1e-7, rel=1e-6)
     assert angle_between_rad(normal, -turned) == pytest.approx(1e-7, rel=1e-6)
@@ -70,8 +69,7 @@ def test_small_angles_keep_their_digits() -> None:
 
 def test_a_sphere_is_compared_with_its_nominal() -> None:
     rng = np.random.default_rng(4)
-    away = rng.normal(size=(1000, 3))
-    away /= np.linalg.norm(away, axis=1)[:, None]
+    away = unit(rng.normal(size=(1000, 3)))
     centre = np.array([100.0, 200.0, 300.0])
     nominal = NominalSphere(centre + [0.03, 0.04, 0.0], 12.75)
     check = check_sphere(centre + 12.7 * away, nominal)

@@ -10,27 +10,18 @@ from app.metrology.detection.visibility import visible_parts
 from app.metrology.sensor.camera import Camera, project
 from app.metrology.targets.crenellated_block import Crenellated
 from app.metrology.transforms import rotation_from_vector
+from tests.metrology.numerics import unit
 
-BLOCK = Crenellated(
-    "Block",
-    "1",
-    (-22.0, -15.0, -9.0, 0.0, 4.0, 13.0, 19.0, 24.0),
-    -9.0,
-    14.0,
-    11.0,
-    0.0,
-    -8.0,
-    0.002,
-)
+EDGES_MM = (-22.0, -15.0, -9.0, 0.0, 4.0, 13.0, 19.0, 24.0)
+BLOCK = Crenellated("Block", "1", EDGES_MM, -9.0, 14.0, 11.0, 0.0, -8.0, 0.002)
 WIDTH, HEIGHT, FOCAL = 1280, 1024, 4200.0
 
 
 def standing() -> Camera:
     """A camera with a long lens, far away, left of the block, before it and above it."""
     eye = np.array([-110.0, -190.0, 160.0])
-    ahead = -eye / np.linalg.norm(eye)
-    right = np.cross(ahead, [0.0, 0.0, 1.0])
-    right /= np.linalg.norm(right)
+    ahead = unit(-eye)
+    right = unit(np.cross(ahead, [0.0, 0.0, 1.0]))
     rotation = np.stack([right, np.cross(ahead, right), ahead])
     K = np.array([[FOCAL, 0, (WIDTH - 1) / 2], [0, FOCAL, (HEIGHT - 1) / 2], [0, 0, 1.0]])
     return Camera(K, rotation, -rotation @ eye, WIDTH, HEIGHT)
@@ -56,9 +47,8 @@ def test_the_block_is_placed_though_a_direction_does_not_show(axes: str) -> None
     segments, family = seen(camera, axes)
     # Directions as the picture gives them: half a degree off.
     off = rotation_from_vector(np.array([0.005, -0.006, 0.004]))
-    found = pose_hypotheses(
-        Directions(off @ camera.rotation, FOCAL / WIDTH, family, 1.0), segments, BLOCK
-    )
+    directions = Directions(off @ camera.rotation, FOCAL / WIDTH, family, 1.0)
+    found = pose_hypotheses(directions, segments, BLOCK)
     best = found[0]
     assert not best.mirrored
     assert np.linalg.norm(best.centre_mm - camera.centre_mm) < 8.0

@@ -5,17 +5,15 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from app.errors import OperationError
-from app.metrology.calibration.laser_plane_fit import (
-    classify_levels,
-    fit_laser_plane,
-)
+from app.metrology.calibration.laser_plane_fit import classify_levels, fit_laser_plane
 from app.metrology.sensor.camera import Camera, project, rays
 from app.metrology.sensor.laser_plane import LaserPlane
 from app.metrology.sensor.residual_correlation import neighbours_alike
 from app.metrology.stripe import Stripe
 from app.metrology.transforms import Floats
 from tests.metrology.builders import BLOCK
+from tests.metrology.numerics import unit
+from tests.metrology.refusals import refusal_of
 from tests.metrology.seen_block import camera_over, laser_plane, simulate_stripe
 
 
@@ -23,16 +21,14 @@ def tilt_rad(found: LaserPlane, true: LaserPlane) -> float:
     return float(np.linalg.norm(np.cross(found.normal, true.normal)))
 
 
+def values_of(stripe: Stripe) -> Floats:
+    return np.stack([stripe.u, stripe.v, stripe.intensity, stripe.sigma_px])
+
+
 def appended(stripe: Stripe, uv: Floats) -> Stripe:
     """The stripe with further points (N, 2) of the same deviation."""
-    more = np.full(len(uv), stripe.sigma_px[0])
-    return replace(
-        stripe,
-        u=np.append(stripe.u, uv[:, 0]),
-        v=np.append(stripe.v, uv[:, 1]),
-        intensity=np.append(stripe.intensity, np.full(len(uv), 100.0)),
-        sigma_px=np.append(stripe.sigma_px, more),
-    )
+    more = np.ones((2, len(uv))) * [[100.0], [stripe.sigma_px[0]]]
+    return Stripe(*np.hstack([values_of(stripe), [*uv.T, *more]]))
 
 
 @pytest.mark.parametrize("azimuth", [-0.3, 0.0, 0.3])
@@ -82,9 +78,7 @@ def first_met(camera: Camera, uv: Floats) -> list[str]:
 
 
 @pytest.mark.parametrize(("azimuth", "elevation"), [(0.0, 1.0), (0.45, 0.8), (-0.4, 1.3)])
-def test_a_pixel_is_given_the_level_that_its_ray_meets_first(
-    azimuth: float, elevation: float
-) -> None:
+def test_a_pixel_gets_the_level_that_its_ray_meets_first(azimuth: float, elevation: float) -> None:
     camera = camera_over(BLOCK, azimuth, elevation)
     uv = np.random.default_rng(2).uniform([150, 150], [1150, 900], (500, 2))
     level, points = classify_levels(camera, BLOCK, uv)
@@ -97,10 +91,8 @@ def test_a_pixel_is_given_the_level_that_its_ray_meets_first(
     np.testing.assert_allclose(project(camera, points[level != ""]), uv[level != ""], atol=1e-6)
 
 
-def refusal_of(camera: Camera, stripe: Stripe) -> str:
-    with pytest.raises(OperationError) as refusal:
-        fit_laser_plane(camera, BLOCK, stripe)
-    return refusal.value.code
+def refused(camera: Camera, stripe: Stripe) -> str:
+    return refusal_of(fit_laser_plane, camera, BLOCK, stripe).code
 
 
 def test_too_little_stripe_is_refused() -> None:
@@ -109,24 +101,21 @@ def test_too_little_stripe_is_refused() -> None:
     level, _ = classify_levels(camera, BLOCK, stripe.uv_px)
 
     def only(chosen: np.ndarray[tuple[int, ...], np.dtype[np.bool_]]) -> Stripe:
-        return Stripe(
-            stripe.u[chosen], stripe.v[chosen], stripe.intensity[chosen], stripe.sigma_px[chosen]
-        )
+        return Stripe(*values_of(stripe)[:, chosen])
 
-    assert refusal_of(camera, only(level == "crest")) == "laser-one-level"
-    assert refusal_of(camera, only(level == "floor")) == "laser-one-level"
-    assert refusal_of(camera, only(np.arange(len(level)) % 60 == 0)) == "stripe-too-short"
-    assert refusal_of(camera, only(np.zeros(len(level), dtype=np.bool_))) == "stripe-too-short"
+    assert refused(camera, only(level == "crest")) == "laser-one-level"
+    assert refused(camera, only(level == "floor")) == "laser-one-level"
+    assert refused(camera, only(np.arange(len(level)) % 60 == 0)) == "stripe-too-short"
+    assert refused(camera, only(np.zeros(len(level), dtype=np.bool_))) == "stripe-too-short"
 
 
 def test_a_plane_through_the_camera_is_refused() -> None:
     camera = camera_over(BLOCK, azimuth=0.0, elevation=1.45)
     toward = camera.centre_mm - np.array([0.0, 0.5, 8.0])
-    normal = np.cross(toward, [1.0, 0.0, 0.0])
-    normal /= np.linalg.norm(normal)
+    normal = unit(np.cross(toward, [1.0, 0.0, 0.0]))
     plane = LaserPlane(normal, float(normal @ np.array([0.0, 0.5, 8.0])))
     stripe = simulate_stripe(camera, BLOCK, plane, np.random.default_rng(0), 0.05)
-    assert refusal_of(camera, stripe) == "laser-through-camera"
+    assert refused(camera, stripe) == "laser-through-camera"
 
 
 def test_likeness_of_neighbours_is_measured() -> None:

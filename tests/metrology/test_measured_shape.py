@@ -14,6 +14,7 @@ from app.metrology.fitting.cylinder import (
 )
 from app.metrology.fitting.plane_sphere import PlaneFit
 from app.metrology.fitting.shape import ShapeName, measure_shape, parameter_covariance
+from tests.metrology.numerics import unit
 from tests.running.usual import usual
 from tests.uncertainty_ratio import ratio_of_pulls
 
@@ -27,8 +28,7 @@ def cylinder_points(
     rng: np.random.Generator, off_mm: np.ndarray, frame: np.ndarray, arc_rad: float = 2.0
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray, float]:
     """Points on a cylinder that a stripe passed over, frame by frame along the axis."""
-    direction = rng.normal(size=3)
-    direction /= np.linalg.norm(direction)
+    direction = unit(rng.normal(size=3))
     a, b = perpendicular_axes(direction)
     point, radius = rng.uniform(-200, 200, 3), float(rng.uniform(5, 30))
     along = 40 * (frame / FRAMES - 0.5)
@@ -70,9 +70,8 @@ def test_a_third_of_outliers_does_not_move_the_cylinder() -> None:
 
 def test_the_jacobian_is_the_change_of_the_distances() -> None:
     rng = np.random.default_rng(4)
-    points, point, direction, radius = cylinder_points(
-        rng, rng.normal(0, 1, 50), frames_of(rng, 50)
-    )
+    off, frame = rng.normal(0, 1, 50), frames_of(rng, 50)
+    points, point, direction, radius = cylinder_points(rng, off, frame)
     a, b = perpendicular_axes(direction)
     J = cylinder_jacobian(points, np.concatenate([point, direction]))
     step = 1e-6
@@ -103,9 +102,7 @@ def test_what_is_no_cylinder_is_refused() -> None:
     ("shape", "parameter"),
     usual([("plane", 0), ("sphere", 3), ("cylinder", 4)], 2, pytest.mark.soak),
 )
-def test_claims_hold_though_points_of_a_frame_err_together(
-    shape: ShapeName, parameter: int
-) -> None:
+def test_claims_hold_where_points_of_a_frame_err_alike(shape: ShapeName, parameter: int) -> None:
     """The error over the claim is about one; taken for independent the points claim a tenth."""
     scores = []
     for seed in range(60):
@@ -117,8 +114,7 @@ def test_claims_hold_though_points_of_a_frame_err_together(
             true = 0.0
         elif shape == "sphere":
             turns = np.column_stack([rng.uniform(-0.9, 0.9, 3000), 1.8 * (frame / FRAMES - 0.5)])
-            outward = np.column_stack([np.sin(turns), np.ones(3000)])
-            outward /= np.linalg.norm(outward, axis=1)[:, None]
+            outward = unit(np.column_stack([np.sin(turns), np.ones(3000)]))
             points, true = outward * (12 + off)[:, None], 12.0
         else:
             points, _, _, true = cylinder_points(rng, off, frame)

@@ -48,9 +48,8 @@ def test_the_converted_arm_is_that_of_the_toolbox(joints: int, with_errors: bool
         arm = converted(modified)
         assert arm.base.x_mm == modified.joints[0].a_mm
         for q in rng.uniform(-3, 3, (4, joints)):
-            np.testing.assert_allclose(
-                flange_pose(arm, q), toolbox_pose(modified, q, "modified"), atol=1e-9
-            )
+            expected = toolbox_pose(modified, q, "modified")
+            np.testing.assert_allclose(flange_pose(arm, q), expected, atol=1e-9)
 
 
 def test_a_whole_arm_of_the_toolbox_agrees_too() -> None:
@@ -73,9 +72,7 @@ def test_a_whole_arm_of_the_toolbox_agrees_too() -> None:
 
 
 @pytest.mark.parametrize("joints", JOINTS)
-def test_a_file_in_the_modified_convention_is_read_and_written_in_the_standard_one(
-    tmp_path: Path, joints: int
-) -> None:
+def test_a_modified_file_is_read_and_written_as_standard(tmp_path: Path, joints: int) -> None:
     rng = np.random.default_rng(20 + joints)
     modified = random_arm(rng, joints, with_errors=True)
     path = tmp_path / "arm.json"

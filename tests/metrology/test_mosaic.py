@@ -16,15 +16,10 @@ from app.metrology.image import Image
 from app.metrology.mosaic import shows_mosaic
 from app.metrology.targets.chessboard import Chessboard
 from tests.colours import expose, mosaic, render_colours
+from tests.pictures import compressed
 
 SENSITIVITY = np.array([0.65, 1.0, 0.5])
 """Of a camera's blue, green and red pixels in daylight."""
-
-
-def encoded(picture: NDArray[np.uint8], quality: int) -> NDArray[np.uint8]:
-    """The picture as JPEG keeps it."""
-    raw = cv2.imencode(".jpg", picture, [cv2.IMWRITE_JPEG_QUALITY, quality])[1]
-    return np.asarray(cv2.imdecode(raw, cv2.IMREAD_GRAYSCALE), np.uint8)
 
 
 def read_colours(path: Path) -> NDArray[np.uint8]:
@@ -56,7 +51,7 @@ def test_real_scenes_show_a_mosaic_only_if_raw(real: Path) -> None:
             raw = raw_of(colours, pattern)
             assert shows_mosaic(raw)
             assert shows_mosaic((raw.astype(np.uint16) * 16).astype(np.uint16))
-            assert shows_mosaic(encoded(raw, 75))
+            assert shows_mosaic(compressed(raw, 75))
         interpolated = cv2.cvtColor(raw_of(colours, "RGGB"), cv2.COLOR_BayerRGGB2GRAY)
         assert not shows_mosaic(np.asarray(interpolated, np.uint8))
 
@@ -69,7 +64,7 @@ def harder(grey: NDArray[np.uint8]) -> dict[str, Image]:
     rows[1::2] = np.roll(rows[1::2], 4, axis=1) * 0.9
     return {
         "as it is": grey,
-        "JPEG": encoded(grey, 30),
+        "JPEG": compressed(grey, 30),
         "noisy": np.clip(grey + noise, 0, 255).astype(np.uint8),
         "sharpened": np.asarray(cv2.addWeighted(grey, 3, soft, -2, 0), np.uint8),
         "every second pixel": np.ascontiguousarray(grey[::2, ::2]),

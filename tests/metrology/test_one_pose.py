@@ -1,4 +1,4 @@
-"""The article's one-pose calibration: on the samples with their truth, and in its refusals."""
+"""The article's one-pose calibration: on samples and random sessions, and in its refusals."""
 
 from dataclasses import replace
 from pathlib import Path
@@ -20,6 +20,7 @@ from app.metrology.sensor.triangulation import sensor_points
 from app.metrology.targets.crenellated_block import corners
 from app.metrology.transforms import apply, rigid, rigid_fit, rotation_from_vector
 from app.workflows.calibrate import one_pose_inputs
+from hardware.simulator.session import SessionPlan, render_session
 from tests.metrology.refusals import refusal_of
 from tests.metrology.true_points import Truth
 from tests.running.usual import usual
@@ -27,6 +28,14 @@ from tests.running.usual import usual
 pytestmark = pytest.mark.slow
 
 SESSIONS = ("one-pose", "many-poses", "metal")
+PLANS = {
+    "upside down, seven joints": SessionPlan(joints=7, roll_rad=np.pi),
+    "stripe along the rows, both lights": SessionPlan(roll_rad=np.pi / 2, lighting="both"),
+    # a column of the picture crosses crests and floors
+    "turned by 30 degrees": SessionPlan(roll_rad=np.radians(30)),
+    "turned by -35 degrees, both lights": SessionPlan(roll_rad=np.radians(-35), lighting="both"),
+    "a barrel of a lens": SessionPlan(distortion=(-0.12, 0.0, 0.0, 0.0, 0.0)),
+}
 
 
 def read_inputs(folder: Path, pose: int = 0) -> OnePoseInputs:
@@ -76,6 +85,16 @@ def test_the_first_pose_alone_is_enough_for_the_sensor(
 def test_every_other_pose_is_as_good(session: str, pose: int, samples: Path) -> None:
     found = calibrate_one_pose(read_inputs(samples / session, pose))
     assert Truth(samples / session).sensor_rms_um(found) <= 4
+
+
+@pytest.mark.parametrize(
+    ("seed", "plan"), usual(enumerate(PLANS.values(), 501), {0, 3, 4}, pytest.mark.soak), ids=PLANS
+)
+def test_points_lie_where_the_light_fell(seed: int, plan: SessionPlan, tmp_path: Path) -> None:
+    render_session(tmp_path, seed, plan)
+    found, truth = calibrate_one_pose(read_inputs(tmp_path)), Truth(tmp_path)
+    assert truth.sensor_rms_um(found) < 4
+    assert truth.flange_rms_um(found) < 3 * found.total_um
 
 
 def test_one_picture_with_both_lights_is_as_good(inputs: OnePoseInputs, truth: Truth) -> None:

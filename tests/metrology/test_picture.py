@@ -8,12 +8,12 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from app.errors import OperationError
 from app.metrology.detection.image_quality import edge_blur_px, grey_levels, image_findings
 from app.metrology.image import Image
 from hardware.simulator.session import SessionPlan, render_session
+from tests.metrology.refusals import refusal_of
 from tests.metrology.rendered_block import render_block
-from tests.pictures import Depth, blur, of_depth
+from tests.pictures import Depth, blur, of_depth, read_picture
 
 
 @pytest.fixture(scope="module")
@@ -54,7 +54,7 @@ def test_the_picture_of_a_small_camera_is_not_called_soft(width_px: int, tmp_pat
     """Lens and pixels blur by the same number of pixels, however few the pixels are."""
     render_session(tmp_path, 5, SessionPlan(width_px=width_px, height_px=width_px * 4 // 5))
     (sharp,) = tmp_path.glob("images/*ambient*")
-    assert codes(cv2.imread(str(sharp), cv2.IMREAD_GRAYSCALE)) == []
+    assert codes(read_picture(sharp)) == []
 
 
 @pytest.mark.parametrize("sigma_px", [1.5, 2.5, 4.0, 6.0])
@@ -78,6 +78,4 @@ def test_a_twelve_bit_picture_reads_as_an_eight_bit_one(image: NDArray[np.uint8]
 
 @pytest.mark.parametrize("bad", [np.zeros((480, 640, 3), np.uint8), np.zeros((480, 640))])
 def test_what_is_not_a_grey_picture_is_refused(bad: NDArray[Any]) -> None:
-    with pytest.raises(OperationError) as refused:
-        image_findings(bad)
-    assert refused.value.code == "image-not-grey"
+    assert refusal_of(image_findings, bad).code == "image-not-grey"

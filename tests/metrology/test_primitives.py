@@ -7,13 +7,13 @@ from hypothesis import strategies as st
 
 from app.errors import OperationError
 from app.metrology.fitting.plane_sphere import fit_plane, fit_sphere
+from tests.metrology.numerics import unit
 
 seeds = st.integers(0, 10**6)
 
 
 def plane_points(rng: np.random.Generator, n: int, noise_mm: float) -> tuple[np.ndarray, ...]:
-    normal = rng.normal(size=3)
-    normal /= np.linalg.norm(normal)
+    normal = unit(rng.normal(size=3))
     offset = float(rng.uniform(-500, 500))
     points = rng.uniform(-30, 30, (n, 3))
     points += np.outer(offset - points @ normal + rng.normal(0, noise_mm, n), normal)
@@ -24,8 +24,7 @@ def sphere_points(
     rng: np.random.Generator, n: int, noise_mm: float, cap: float = 0.0
 ) -> tuple[np.ndarray, np.ndarray, float]:
     centre, radius = rng.uniform(-400, 400, 3), float(rng.uniform(8, 30))
-    away = rng.normal(size=(n, 3))
-    away /= np.linalg.norm(away, axis=1)[:, None]
+    away = unit(rng.normal(size=(n, 3)))
     away[:, 2] = np.where(away[:, 2] < cap, -away[:, 2], away[:, 2])
     return centre + away * (radius + rng.normal(0, noise_mm, n))[:, None], centre, radius
 

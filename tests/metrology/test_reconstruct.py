@@ -10,6 +10,7 @@ from app.metrology.sensor.laser_plane import LaserPlane
 from app.metrology.sensor.triangulation import frame_points, sensor_points
 from app.metrology.transforms import apply, inverse, rotation_from_vector
 from tests.metrology.builders import random_arm, random_pose
+from tests.metrology.numerics import unit
 
 pytestmark = pytest.mark.usefixtures("variant")
 
@@ -21,9 +22,7 @@ CAMERA = Camera(
     height_px=1024,
     distortion=np.array([-0.08, 0.02, 1e-3, -5e-4, 0.0]),
 )
-PLANE = LaserPlane(
-    normal=np.array([0.01, 0.99, 0.14]) / np.linalg.norm([0.01, 0.99, 0.14]), offset_mm=0.7
-)
+PLANE = LaserPlane(unit([0.01, 0.99, 0.14]), offset_mm=0.7)
 
 
 def points_on_the_laser_plane(rng: np.random.Generator, n: int) -> np.ndarray:
@@ -34,10 +33,9 @@ def points_on_the_laser_plane(rng: np.random.Generator, n: int) -> np.ndarray:
 
 def test_the_projection_agrees_with_opencv() -> None:
     points = points_on_the_laser_plane(np.random.default_rng(1), 200)
-    rotation_vector, _ = cv2.Rodrigues(CAMERA.rotation)
-    expected, _ = cv2.projectPoints(
-        points, rotation_vector, CAMERA.translation_mm, CAMERA.matrix, CAMERA.distortion
-    )
+    rvec, _ = cv2.Rodrigues(CAMERA.rotation)
+    t, K, distortion = CAMERA.translation_mm, CAMERA.matrix, CAMERA.distortion
+    expected, _ = cv2.projectPoints(points, rvec, t, K, distortion)
     np.testing.assert_allclose(project(CAMERA, points), expected[:, 0], atol=1e-9)
 
 

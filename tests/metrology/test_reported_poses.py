@@ -1,4 +1,4 @@
-"""Poses that an arm reports: to transforms and back, between, on average, and judged."""
+"""Readings of an arm: poses to transforms and back, between, on average, and judged; angles."""
 
 import numpy as np
 import pytest
@@ -6,7 +6,6 @@ from hypothesis import given
 from hypothesis import strategies as st
 from scipy.spatial.transform import Rotation, Slerp
 
-from app.errors import OperationError
 from app.metrology.arm.kinematics import RobotArm, Tip, flange_poses, tip_centres
 from app.metrology.arm.pose_plausibility import SETTLED, PosePlausibilityFilter
 from app.metrology.arm.reading_interpolation import interpolate_readings
@@ -17,6 +16,7 @@ from app.metrology.arm.reported_poses import (
     transforms_from_poses,
 )
 from hardware.interfaces import PoseSample
+from tests.metrology.refusals import refusal_of
 
 MS = 1_000_000
 
@@ -30,9 +30,8 @@ def random_poses(count: int, seed: int) -> np.ndarray:
 def test_poses_become_the_same_transforms_as_by_an_independent_library() -> None:
     poses = random_poses(50, 1)
     found = transforms_from_poses(poses)
-    np.testing.assert_allclose(
-        found[:, :3, :3], Rotation.from_quat(poses[:, 3:]).as_matrix(), atol=1e-14
-    )
+    R = Rotation.from_quat(poses[:, 3:]).as_matrix()
+    np.testing.assert_allclose(found[:, :3, :3], R, atol=1e-14)
     np.testing.assert_array_equal(found[:, :3, 3], poses[:, :3])
     for T in found:
         back = transforms_from_poses(pose_from_transform(T)[None])[0]
@@ -63,9 +62,8 @@ def test_poses_are_interpolated_by_their_time() -> None:
 
 def test_the_mean_pose_does_not_depend_on_the_signs_of_quaternions() -> None:
     random = np.random.default_rng(3)
-    turns = Rotation.from_rotvec(1e-4 * random.normal(size=(400, 3))) * Rotation.random(
-        random_state=5
-    )
+    random_turn = Rotation.random(random_state=5)
+    turns = Rotation.from_rotvec(1e-4 * random.normal(size=(400, 3))) * random_turn
     poses = np.hstack([random.normal(0, 0.01, (400, 3)) + [1, 2, 3], turns.as_quat()])
     poses[::3, 3:] *= -1
     mean = mean_pose(poses)
@@ -78,9 +76,7 @@ def test_a_robot_without_a_tip_says_so() -> None:
     tipped = RobotArm("robot", "R-1", Tip(1.0, 2.0, 3.0, 6.0))
     expected = flange_poses(tipped, pose)[0] @ [1.0, 2.0, 3.0, 1.0]
     np.testing.assert_allclose(tip_centres(tipped, pose)[0], expected[:3])
-    with pytest.raises(OperationError) as caught:
-        tip_centres(RobotArm("robot", "R-1"), pose)
-    assert caught.value.code == "tip-missing"
+    assert refusal_of(tip_centres, RobotArm("robot", "R-1"), pose).code == "tip-missing"
 
 
 def sample(ms: int, pose: np.ndarray) -> PoseSample:
@@ -88,11 +84,17 @@ def sample(ms: int, pose: np.ndarray) -> PoseSample:
     return PoseSample(ms, ms * MS, (x, y, z), (qx, qy, qz, qw))
 
 
+Judge = PosePlausibilityFilter[PoseSample]
+
+
+@pytest.fixture
+def judge() -> Judge:
+    return PosePlausibilityFilter()
+
+
 HERE = np.array([500.0, 0.0, 300.0, 0.0, 0.0, 0.0, 1.0])
 MOVED = np.array([0.01, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0])
 FAR = np.array([1400.0, 0.0, 300.0, 0.0, 0.0, 0.0, 1.0])
-
-
 EAST = np.array([1.0, 0, 0, 0, 0, 0, 0])
 
 
@@ -105,8 +107,7 @@ EAST = np.array([1.0, 0, 0, 0, 0, 0, 0])
         (np.array([500.0, 0, 300, 0, 0, 1, 0]), "jump"),
     ],
 )
-def test_a_pose_that_cannot_be_is_held_back(wrong: np.ndarray, kind: str) -> None:
-    judge: PosePlausibilityFilter[PoseSample] = PosePlausibilityFilter()
+def test_a_pose_that_cannot_be_is_held_back(judge: Judge, wrong: np.ndarray, kind: str) -> None:
     good = judge.filter([sample(0, HERE), sample(4, wrong), sample(8, HERE + MOVED)])
     assert [one.sequence for one in good] == [0, 8]
     assert judge.newest is not None
@@ -116,8 +117,7 @@ def test_a_pose_that_cannot_be_is_held_back(wrong: np.ndarray, kind: str) -> Non
     assert judge.first_between(5 * MS, 9 * MS) is None
 
 
-def test_poses_that_stay_elsewhere_are_accepted_there_and_reported() -> None:
-    judge: PosePlausibilityFilter[PoseSample] = PosePlausibilityFilter()
+def test_poses_that_stay_elsewhere_are_accepted_there_and_reported(judge: Judge) -> None:
     stays = [sample(4 + 4 * i, FAR) for i in range(SETTLED + 3)]
     good = judge.filter([sample(0, HERE), *stays])
     assert [one.sequence for one in good] == [0, *(one.sequence for one in stays[SETTLED:])]
@@ -126,15 +126,13 @@ def test_poses_that_stay_elsewhere_are_accepted_there_and_reported() -> None:
     assert "900" in str(judge.newest.error.text)
 
 
-def test_an_arm_that_reconnects_may_be_anywhere() -> None:
-    judge: PosePlausibilityFilter[PoseSample] = PosePlausibilityFilter()
+def test_an_arm_that_reconnects_may_be_anywhere(judge: Judge) -> None:
     judge.filter([sample(0, HERE)])
     judge.forget_place()
     assert len(judge.filter([sample(4, FAR)])) == 1
 
 
-def test_a_fast_robot_passes() -> None:
-    judge: PosePlausibilityFilter[PoseSample] = PosePlausibilityFilter()
+def test_a_fast_robot_passes(judge: Judge) -> None:
     path = [sample(4 * i, HERE + [8.0 * i, 0, 0, 0, 0, 0, 0]) for i in range(100)]  # 2 m/s
     assert len(judge.filter(path)) == 100
 
@@ -155,8 +153,9 @@ def repeated(pose: PoseSample, count: int, first: int) -> list[PoseSample]:
     return [sample(PERIOD_MS * (first + i), again) for i in range(count)]
 
 
-def test_a_pose_that_is_sent_again_and_again_is_held_back_from_its_first_repetition() -> None:
-    judge: PosePlausibilityFilter[PoseSample] = PosePlausibilityFilter()
+def test_a_pose_sent_again_and_again_is_held_back_from_its_first_repetition(
+    judge: Judge,
+) -> None:
     honest = noisy_poses(400)
     assert judge.filter(honest) == honest
     frozen = repeated(honest[-1], 250, 400)
@@ -169,15 +168,12 @@ def test_a_pose_that_is_sent_again_and_again_is_held_back_from_its_first_repetit
     assert "old pose" in str(judge.newest.error.why)
     # it may have moved in the meantime
     later = noisy_poses(100, 650)
-    moved = [
-        sample(PERIOD_MS * (650 + i), np.array(one.reading) + 90.0 * EAST)
-        for i, one in enumerate(later)
-    ]
+    there = [np.array(one.reading) + 90.0 * EAST for one in later]
+    moved = [sample(PERIOD_MS * (650 + i), pose) for i, pose in enumerate(there)]
     assert judge.filter(moved) == moved
 
 
-def test_a_few_equal_poses_are_late_but_not_lost() -> None:
-    judge: PosePlausibilityFilter[PoseSample] = PosePlausibilityFilter()
+def test_a_few_equal_poses_are_late_but_not_lost(judge: Judge) -> None:
     honest = noisy_poses(400)
     judge.filter(honest)
     twice = repeated(honest[-1], 3, 400)
@@ -189,19 +185,43 @@ def test_a_few_equal_poses_are_late_but_not_lost() -> None:
     assert len(judge.filter(repeated(after[0], 250, 404))) == 250
 
 
-def test_poses_that_wait_at_the_end_are_released() -> None:
-    judge: PosePlausibilityFilter[PoseSample] = PosePlausibilityFilter()
+def test_poses_that_wait_at_the_end_are_released(judge: Judge) -> None:
     honest = noisy_poses(400)
-    judge.filter(honest)
     twice = repeated(honest[-1], 3, 400)
-    judge.filter(twice)
+    judge.filter([*honest, *twice])
     assert judge.release() == twice
 
 
-def test_an_arm_that_reports_commanded_poses_may_rest() -> None:
+def test_an_arm_that_reports_commanded_poses_may_rest(judge: Judge) -> None:
     """Its poses are equal at rest, and turn back nowhere while it moves."""
-    judge: PosePlausibilityFilter[PoseSample] = PosePlausibilityFilter()
     path = [sample(PERIOD_MS * i, HERE + 0.2 * i * EAST) for i in range(1000)]
     resting = repeated(path[-1], 1000, 1000)
     back = [sample(PERIOD_MS * (2000 + i), HERE + 0.2 * (999 - i) * EAST) for i in range(1000)]
     assert len(judge.filter([*path, *resting, *back])) == 3000
+
+
+STAMPS_NS = np.array([1_000, 2_000, 3_000, 9_000])
+Q_RAD = np.array([[0.0, 3.1], [0.2, -3.1], [0.4, -3.0], [1.0, -2.0]])
+GAP_NS = 2_000
+
+
+def test_a_stamp_between_two_samples_lies_on_the_line_between_them() -> None:
+    found = interpolate_readings("joints", STAMPS_NS, Q_RAD, np.array([2_250, 2_000]), GAP_NS)
+    np.testing.assert_allclose(found, [[0.25, -3.075], [0.2, -3.1]], atol=1e-12)
+
+
+def test_a_joint_that_passes_the_half_turn_is_followed_the_short_way() -> None:
+    ((_, q2),) = interpolate_readings("joints", STAMPS_NS, Q_RAD, np.array([1_500]), GAP_NS)
+    np.testing.assert_allclose(np.exp(1j * q2), -1.0, atol=1e-12)
+
+
+def test_outside_the_samples_and_in_gaps_there_is_nothing() -> None:
+    found = interpolate_readings("joints", STAMPS_NS, Q_RAD, np.array([999, 9_001, 4_000]), GAP_NS)
+    assert np.isnan(found).all()
+    assert np.isfinite(interpolate_readings("joints", STAMPS_NS, Q_RAD, STAMPS_NS, GAP_NS)).all()
+
+
+def test_without_samples_there_is_nothing() -> None:
+    found = interpolate_readings("joints", STAMPS_NS[:0], Q_RAD[:0], np.array([1_000]), GAP_NS)
+    assert found.shape == (1, 2)
+    assert np.isnan(found).all()

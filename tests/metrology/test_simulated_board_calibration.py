@@ -1,5 +1,6 @@
 """The board on the simulated table, calibrated by its datasheet and held against the truth."""
 
+from collections.abc import Iterator
 from pathlib import Path
 
 import numpy as np
@@ -8,7 +9,7 @@ import pytest
 from app.guide.calibration.poses.board_views import VIEWS
 from app.metrology.adjustment.planning.next_pose import pose_delta
 from app.metrology.sensor.camera import project
-from app.metrology.transforms import inverse
+from app.metrology.transforms import Floats, inverse
 from hardware.simulator.scene.world import (
     Board,
     BoardMarkers,
@@ -37,16 +38,19 @@ def session(
     return session
 
 
-def test_corners_are_seen_where_they_are(session: RenderedBoards) -> None:
+def corner_errors(session: RenderedBoards) -> Iterator[Floats]:
+    """(N, 2) of each picture, from where the truth has the corners, all of which are seen."""
     board = session.simulation._board
-    off = []
     for shot, seen in zip(session.shots, session.detections, strict=True):
         found = seen.detection
         assert len(found) == board.inner_corners[0] * board.inner_corners[1]
         row, column = np.divmod(found.number, board.inner_corners[0])
         at = np.column_stack([column * board.square_x_mm, row * board.square_y_mm, 0 * row])
-        off.append(found.uv_px - project(session.camera(shot.T_board_sensor), at))
-    every = np.concatenate(off)
+        yield found.uv_px - project(session.camera(shot.T_board_sensor), at)
+
+
+def test_corners_are_seen_where_they_are(session: RenderedBoards) -> None:
+    every = np.concatenate(list(corner_errors(session)))
     assert np.sqrt(np.mean(every**2)) < 0.02
     assert np.abs(every.mean(axis=0)).max() < 0.004
 
@@ -74,19 +78,12 @@ def test_the_simulated_operator_holds_the_sensor_as_the_views_say(session: Rende
 def test_a_simulated_board_of_even_rows_is_opencvs_too(tmp_path: Path) -> None:
     marked = Board((6, 5), markers=BoardMarkers("DICT_5X5_100", 0.8))
     session = RenderedBoards(tmp_path, SimulationConfig(seed=2, board=marked), count=3)
-    board = session.simulation._board
-    for shot, seen in zip(session.shots, session.detections, strict=True):
-        assert len(seen.detection) == 30
-        row, column = np.divmod(seen.detection.number, 6)
-        at = np.column_stack([column * board.square_x_mm, row * board.square_y_mm, 0 * row])
-        off = seen.detection.uv_px - project(session.camera(shot.T_board_sensor), at)
+    for off in corner_errors(session):
+        assert off.shape == (30, 2)
         assert np.abs(off).max() < 0.15
 
 
 def test_too_many_markers_for_the_simulated_board_are_refused() -> None:
+    board = SceneObject("board", Board((11, 9), markers=BoardMarkers()), np.eye(4))
     with pytest.raises(ValueError, match="no room for"):
-        shape_rows(
-            SimulatedScene(
-                (SceneObject("board", Board((11, 9), markers=BoardMarkers()), np.eye(4)),)
-            )
-        )
+        shape_rows(SimulatedScene((board,)))

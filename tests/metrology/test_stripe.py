@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 from numpy.typing import NDArray
 
 from app.errors import OperationError
-from app.metrology.image import saturation_level
+from app.metrology.image import Image, saturation_level
 from app.metrology.stripe import Stripe, empty_stripe, extract_stripe, usual_steepness
 from app.metrology.transforms import Floats
 from tests.pictures import read_picture
@@ -28,7 +28,7 @@ def rendered(
     tilt: float = 0.03,
     seed: int = 0,
     white: float = 255.0,
-) -> tuple[NDArray[np.uint8] | NDArray[np.uint16], Floats]:
+) -> tuple[Image, Floats]:
     """An image with a slightly bent stripe, and where its centre is in each column."""
     rng = np.random.default_rng(seed)
     u = np.arange(WIDTH)
@@ -40,8 +40,10 @@ def rendered(
     return np.clip(np.rint(grey), 0, white).astype(kind), centre
 
 
-def errors(stripe: Stripe, centre: Floats) -> Floats:
-    return np.asarray(stripe.v - centre[stripe.u.astype(int)])
+def measured(image: Image, centre: Floats) -> tuple[Stripe, Floats]:
+    """The stripe, and how far each of its points is off."""
+    stripe = extract_stripe(image)
+    return stripe, np.asarray(stripe.v - centre[stripe.u.astype(int)])
 
 
 def bound(width_px: float, amplitude: float, read: float, gain: float) -> float:
@@ -59,13 +61,9 @@ def bound(width_px: float, amplitude: float, read: float, gain: float) -> float:
     ("width_px", "amplitude"), [(1.2, 150), (2.0, 150), (2.0, 30), (3.5, 150), (2.0, 60)]
 )
 def test_points_scatter_as_noise_allows_and_as_they_say(width_px: float, amplitude: float) -> None:
-    found = [
-        (extract_stripe(image), centre)
-        for image, centre in (
-            rendered(width_px, amplitude, tilt=0.08 * seed, seed=seed) for seed in range(4)
-        )
-    ]
-    error = np.concatenate([errors(stripe, centre) for stripe, centre in found])
+    drawn = [rendered(width_px, amplitude, tilt=0.08 * seed, seed=seed) for seed in range(4)]
+    found = [measured(*one) for one in drawn]
+    error = np.concatenate([off for _, off in found])
     sigma = np.concatenate([stripe.sigma_px for stripe, _ in found])
     assert len(error) > 0.98 * 4 * WIDTH
     assert np.std(error) < 1.06 * bound(width_px, amplitude, 2.0, 0.03)
@@ -77,8 +75,7 @@ def test_points_scatter_as_noise_allows_and_as_they_say(width_px: float, amplitu
 @settings(max_examples=25, deadline=None)
 def test_any_stripe_is_unbiased(seed: int, width_px: float, amplitude: float, tilt: float) -> None:
     image, centre = rendered(width_px, amplitude, tilt=tilt, seed=seed)
-    stripe = extract_stripe(image)
-    error = errors(stripe, centre)
+    stripe, error = measured(image, centre)
     assert len(stripe.u) > 0.97 * WIDTH
     assert np.all(np.diff(stripe.u) > 0)
     assert abs(np.mean(error)) < 5 * np.std(error) / np.sqrt(len(error)) + 1e-4
@@ -88,8 +85,7 @@ def test_any_stripe_is_unbiased(seed: int, width_px: float, amplitude: float, ti
 def test_an_overexposed_stripe_is_placed_by_its_flanks() -> None:
     image, centre = rendered(2.0, amplitude=900)
     assert np.mean(image.max(axis=0) == 255) > 0.99
-    stripe = extract_stripe(image)
-    error = errors(stripe, centre)
+    stripe, error = measured(image, centre)
     assert len(error) > 0.98 * WIDTH
     assert np.std(error) < 0.03
     assert abs(np.mean(error)) < 0.003
@@ -100,11 +96,11 @@ def test_an_overexposed_stripe_is_placed_by_its_flanks() -> None:
 def test_an_overexposed_stripe_scatters_as_it_says(width_px: float, amplitude: float) -> None:
     error, pull = [], []
     for seed in range(6):
-        image, centre = rendered(width_px, amplitude, gain=0.15, tilt=0.03 * seed, seed=seed)
-        stripe = extract_stripe(image)
+        drawn = rendered(width_px, amplitude, gain=0.15, tilt=0.03 * seed, seed=seed)
+        stripe, off = measured(*drawn)
         assert len(stripe.u) > 0.98 * WIDTH
-        error.append(errors(stripe, centre))
-        pull.append(error[-1] / stripe.sigma_px)
+        error.append(off)
+        pull.append(off / stripe.sigma_px)
     # a single column resolves 0.022 px; as many as the core is wide, a third of that
     assert np.std(np.concatenate(error)) < 0.016
     # neighbours share an average
@@ -144,7 +140,7 @@ def test_a_line_along_the_other_axis_is_steep(slope: float, axis: str) -> None:
 def test_twelve_bits_say_more_than_eight() -> None:
     fine, centre = rendered(2.0, 2400, read=2, gain=0.0, white=4095)
     coarse = (fine >> 4).astype(np.uint8)
-    error_fine, error_coarse = (errors(extract_stripe(i), centre) for i in (fine, coarse))
+    error_fine, error_coarse = (measured(i, centre)[1] for i in (fine, coarse))
     assert np.std(error_fine) < 0.8 * np.std(error_coarse) < 0.01
 
 
@@ -164,8 +160,7 @@ def test_hot_pixels_and_small_reflections_are_no_stripe() -> None:
     spoiled = image.copy()
     spoiled[rng.integers(0, HEIGHT, 300), rng.integers(0, WIDTH, 300)] = 255
     cv2.circle(spoiled, (300, 210), 2, 250, -1)
-    stripe = extract_stripe(spoiled)
-    error = errors(stripe, centre)
+    stripe, error = measured(spoiled, centre)
     assert len(stripe.u) > len(clean.u) - 40
     assert np.mean(np.abs(error) > 1) < 0.005
     assert not np.any(np.abs(stripe.v - 210) < 5)
@@ -176,8 +171,7 @@ def test_a_lit_face_behind_the_stripe_does_not_draw_it_away() -> None:
     lit = image.astype(int)
     lit[:, 100:] += 60
     lit[180:, 200:400] += 90
-    stripe = extract_stripe(np.clip(lit, 0, 255).astype(np.uint8))
-    error = errors(stripe, centre)
+    stripe, error = measured(np.clip(lit, 0, 255).astype(np.uint8), centre)
     assert len(stripe.u) > 0.97 * WIDTH
     assert np.max(np.abs(error)) < 0.4
 

@@ -7,7 +7,15 @@ import pytest
 
 from app.metrology.stripe import StripeTracker, extract_stripe
 from app.metrology.transforms import Floats
-from tests.metrology.test_stripe_lines import HEIGHT, WIDTH, beam, expose, room, shares
+from tests.metrology.test_stripe_lines import (
+    HEIGHT,
+    WIDTH,
+    beam,
+    check_shares,
+    errors,
+    expose,
+    room,
+)
 
 U = np.arange(WIDTH, dtype=np.float64)
 
@@ -34,11 +42,8 @@ def test_a_line_whose_scattered_light_is_clipped_is_found(reach_px: float) -> No
         rows = HEIGHT / 2 + 0.2 * (U - WIDTH / 2)
         light = 20 + beam(rows, 8, 2000) + scattered(rows, 520, reach_px, seed)
         stripe = extract_stripe(expose(light, seed))
-        on, beside = shares(stripe, rows, 30)
-        assert on > 0.97
-        assert beside == 0
-        off = stripe.v - rows[stripe.u.astype(int)]
-        assert float(np.median(np.abs(off))) < 1.0
+        check_shares(stripe, rows, 30, 0.97)
+        assert float(np.median(np.abs(errors(stripe, rows)))) < 1.0
 
 
 def test_a_clipped_line_whose_flanks_no_pixel_shows_lies_between_its_edges() -> None:
@@ -46,7 +51,7 @@ def test_a_clipped_line_whose_flanks_no_pixel_shows_lies_between_its_edges() -> 
     light = np.where(np.abs(np.arange(HEIGHT)[:, None] - rows) <= 5, 255.0, 0.0)
     stripe = extract_stripe(light.astype(np.uint8))
     assert len(stripe.u) > 0.98 * WIDTH
-    off = stripe.v - rows[stripe.u.astype(int)]
+    off = errors(stripe, rows)
     assert np.sqrt(np.mean(off**2)) < 0.3
     assert 0.5 < np.sqrt(np.mean((off / stripe.sigma_px) ** 2)) < 1.5
 
@@ -57,17 +62,13 @@ def test_a_line_is_found_beside_a_brighter_band(width_px: float, level: float) -
     for seed, line_px in enumerate((4.0, 8.0)):
         rows = 450 + 30 * np.sin(U / 200)
         light = band(room(seed, 50) + beam(rows, line_px, 150), width_px, level)
-        on, beside = shares(extract_stripe(expose(light, seed)), rows, line_px)
-        assert on > 0.95
-        assert beside < 0.005
+        check_shares(extract_stripe(expose(light, seed)), rows, line_px, 0.95, 0.005)
 
 
 def test_a_saturated_line_is_found_beside_a_clipped_band() -> None:
     rows = 450 + 30 * np.sin(U / 200)
     light = band(20 + beam(rows, 10, 900), 40, 400)
-    on, beside = shares(extract_stripe(expose(light, 1)), rows, 20)
-    assert on > 0.97
-    assert beside == 0
+    check_shares(extract_stripe(expose(light, 1)), rows, 20, 0.97)
 
 
 def test_a_wide_band_alone_is_no_line() -> None:
@@ -81,6 +82,4 @@ def test_a_line_is_followed_beside_a_band() -> None:
     for turn in range(12):
         rows = 450 + 2.0 * turn + 30 * np.sin(U / 200)
         light = band(20 + beam(rows, 10, 900), 20, 400)
-        on, beside = shares(tracker.extract(expose(light, turn)), rows, 20)
-        assert on > 0.97
-        assert beside == 0
+        check_shares(tracker.extract(expose(light, turn)), rows, 20, 0.97)

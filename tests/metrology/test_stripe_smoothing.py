@@ -116,9 +116,7 @@ def test_rows_are_smoothed_like_columns() -> None:
 @pytest.mark.parametrize(
     ("alike_px", "lowest"), [(0.0, 1.0), (3.0, 0.97), (7.0, 0.92), (12.0, 0.83)]
 )
-def test_repeated_lines_scatter_as_said(
-    smoothing_px: float, alike_px: float, lowest: float
-) -> None:
+def test_repeats_scatter_as_stated(smoothing_px: float, alike_px: float, lowest: float) -> None:
     rng = np.random.default_rng(0)
     shape = 300 + 40 * np.sin(COLUMNS / 150)
     lines = [stripe_of(shape + 0.1 * correlated_noise(rng, alike_px)) for _ in range(40)]

@@ -30,16 +30,10 @@ def single_bars(true: Arm, count: int, rng: np.random.Generator) -> tuple[Bar, .
     q = postures(true, 2 * count, rng)
     places = tip_centres(true, bent(q, np.random.default_rng(0)))
     lengths = np.linalg.norm(places[::2] - places[1::2], axis=1) + rng.normal(0, 0.02, count)
+    ends = zip(lengths.tolist(), q[::2], q[1::2], strict=True)
     return tuple(
-        Bar(
-            f"b{i}",
-            "1",
-            float(length),
-            0.02,
-            ("A", "B"),
-            (q[2 * i : 2 * i + 1], q[2 * i + 1][None]),
-        )
-        for i, length in enumerate(lengths)
+        Bar(f"b{i}", "1", length_mm, 0.02, ("A", "B"), (a[None], b[None]))
+        for i, (length_mm, a, b) in enumerate(ends)
     )
 
 
@@ -72,10 +66,8 @@ def test_true_seats_are_not_accused(seed: int) -> None:
     arm = robot(6)
     true = built(arm, rng)
     seats = tuple(swing(true, f"S{i}", rng, 10) for i in range(4))
-    seats = tuple(
-        replace(seat, q_rad=2 * seat.q_rad - bent(seat.q_rad, np.random.default_rng(0)))
-        for seat in seats
-    )
+    true_q = [2 * seat.q_rad - bent(seat.q_rad, np.random.default_rng(0)) for seat in seats]
+    seats = tuple(replace(seat, q_rad=q) for seat, q in zip(seats, true_q, strict=True))
     said = what_is_said(arm, ArmObservations(seats, bars=single_bars(true, 12, rng)))
     assert not any("seat s" in text.lower() or "bar b" in text for text in said)
 

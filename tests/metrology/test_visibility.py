@@ -14,9 +14,8 @@ from app.metrology.transforms import Floats
 from tests.metrology.builders import BLOCK
 
 CAMERA_MM = np.array([13.0, -70.0, 120.0])
-SEEN_FROM = st.tuples(st.floats(-70, 70), st.floats(-140, -20), st.floats(40, 160)).map(
-    lambda at: np.array(at)
-)
+AWAY_MM = (st.floats(-70, 70), st.floats(-140, -20), st.floats(40, 160))
+SEEN_FROM = st.tuples(*AWAY_MM).map(np.array)
 NUDGES_MM = np.array([[0.0, 0, 0], [1, 0, 0], [-1, 0, 0], [0, 1, 0], [0, -1, 0]])
 
 
@@ -121,6 +120,5 @@ def test_the_drawing_moves_with_the_block() -> None:
     here = visible_parts(BLOCK, CAMERA_MM)
     there = visible_parts(moved, CAMERA_MM + [5, 0, 0])
     assert [part.edge for part in here] == [part.edge for part in there]
-    assert np.array([part.end_mm for part in there]) == pytest.approx(
-        np.array([part.end_mm + [5, 0, 0] for part in here])
-    )
+    expected = np.array([part.end_mm + [5, 0, 0] for part in here])
+    assert np.array([part.end_mm for part in there]) == pytest.approx(expected)

@@ -42,9 +42,8 @@ def taken(arm: Arm, poses: tuple[Floats, ...], seed: int = 1) -> BoardInputs:
     T_arm_obj = flange_pose(arm, REST_RAD) @ T_FLANGE_CAM @ poses[0]
     seen, angles = [], []
     for k, T_cam_obj in enumerate(poses):
-        q = solve_inverse_kinematics(
-            arm, T_arm_obj @ inverse(T_cam_obj) @ inverse(T_FLANGE_CAM), REST_RAD
-        )
+        T_arm_flange = T_arm_obj @ inverse(T_cam_obj) @ inverse(T_FLANGE_CAM)
+        q = solve_inverse_kinematics(arm, T_arm_flange, REST_RAD)
         assert q is not None
         seen.append(simulate_detection(rng, k + 1, PAPER_BOARD, T_cam_obj, PLANE, BoardErrors()))
         angles.append(q + rng.normal(0, ENCODER_SD_RAD, len(q)))

@@ -1,6 +1,7 @@
-"""The whole calibration on the sample of eight poses: accuracy, and what is said of bad input."""
+"""The calibration on the sample of eight poses: accuracy, and what is said of bad input."""
 
 import re
+from collections.abc import Mapping
 from dataclasses import replace
 from pathlib import Path
 
@@ -14,7 +15,11 @@ from app.metrology.adjustment.block.problem import BlockInputs
 from app.metrology.adjustment.core.observations import FailedPose
 from app.metrology.adjustment.planning.next_pose import next_poses, pose_delta
 from app.metrology.adjustment.planning.next_touches import next_touches
+from app.metrology.calibration.findings import CalibrationFinding
 from app.metrology.limits import Limits
+from app.metrology.sensor.triangulation import sensor_points
+from app.metrology.stripe import Stripe, empty_stripe
+from app.metrology.transforms import Floats, apply
 from app.workflows.calibrate import joint_inputs
 from tests.metrology.refusals import refusal_of
 from tests.metrology.true_points import Truth
@@ -129,9 +134,7 @@ def test_the_verdict_goes_by_the_users_limits(inputs: BlockInputs) -> None:
     assert "the limit is 10 µm" in str(strict.findings[0].text)
 
 
-def test_the_advised_pose_helps_more_than_another(
-    inputs: BlockInputs, alone: BlockCalibration
-) -> None:
+def test_the_advised_pose_helps_the_most(inputs: BlockInputs, alone: BlockCalibration) -> None:
     advice = next_poses(alone.adjustment, inputs.arm, inputs.block, inputs.q_rad[:1])
     assert advice[0].total_um < advice[-1].total_um <= alone.uncertainty.total_um * 1.02
     assert advice[0].total_um < 0.9 * alone.uncertainty.total_um
@@ -141,9 +144,7 @@ def test_the_advised_pose_helps_more_than_another(
     assert str(none.words) == "keep this pose"
 
 
-def test_touches_are_asked_for_up_to_the_target(
-    inputs: BlockInputs, found: BlockCalibration
-) -> None:
+def test_touches_are_advised_up_to_the_target(inputs: BlockInputs, found: BlockCalibration) -> None:
     now = next_touches(found.alignment, inputs.features, inputs.block, np.inf).now_um
     advice = next_touches(found.alignment, inputs.features, inputs.block, 0.8 * now)
     assert advice.reaches
@@ -154,9 +155,7 @@ def test_touches_are_asked_for_up_to_the_target(
 
 
 @pytest.mark.parametrize("times", usual([0.997, 1.02], 1, pytest.mark.soak))
-def test_a_block_of_another_size_is_found_by_the_arms_motion(
-    samples: Path, inputs: BlockInputs, times: float
-) -> None:
+def test_another_size_is_found_by_motion(samples: Path, inputs: BlockInputs, times: float) -> None:
     session = read_session(samples / "many-poses")
     block = session.block
     lengths = ("front_y_mm", "back_y_mm", "crest_z_mm", "floor_z_mm", "base_z_mm")
@@ -174,3 +173,91 @@ def test_a_block_of_another_size_is_found_by_the_arms_motion(
     percent = float(str(said.text).split("object is ")[1].split(" %")[0])
     assert percent == pytest.approx(100 * abs(1 / times - 1), abs=0.15)
     assert ("smaller" if times > 1 else "larger") in str(said.text)
+
+
+# Points of the picture that are rebuilt with two calibrations and compared.
+PIXELS = np.array([[u, v] for u in (200.0, 640.0, 1080.0) for v in (400.0, 500.0, 600.0)])
+
+
+def with_stripes(inputs: BlockInputs, stripes: Mapping[int, Stripe]) -> BlockInputs:
+    """The same with other lines in the poses at these places."""
+    seen = (
+        replace(pose, stripe=stripes.get(place, pose.stripe))
+        for place, pose in enumerate(inputs.observations)
+    )
+    return replace(inputs, observations=tuple(seen))
+
+
+def shifted(inputs: BlockInputs, by_px: Mapping[int, float]) -> BlockInputs:
+    """The laser seen so far across, as if the sensor had been bumped between the pictures."""
+    stripes = {place: inputs.observations[place].stripe for place in by_px}
+    moved = {place: replace(one, v=one.v + by_px[place]) for place, one in stripes.items()}
+    return with_stripes(inputs, moved)
+
+
+def rebuilt(found: BlockCalibration) -> Floats:
+    return apply(found.T_flange_sensor, sensor_points(found.camera, found.plane, PIXELS))
+
+
+def apart_um(a: BlockCalibration, b: BlockCalibration) -> float:
+    """Largest distance, in the flange's frame, of points rebuilt by two calibrations."""
+    off_mm = rebuilt(a) - rebuilt(b)
+    return 1e3 * float(np.max(np.linalg.norm(off_mm, axis=1)))
+
+
+def about(result: BlockCalibration, code: str) -> list[CalibrationFinding]:
+    return [finding for finding in result.findings if finding.code == code]
+
+
+# The adjustment starts from the third.
+@pytest.mark.parametrize("place", usual(range(8), {2, 5}, pytest.mark.soak))
+def test_one_line_off_the_others_plane_is_named_and_left_out(
+    inputs: BlockInputs, found: BlockCalibration, place: int
+) -> None:
+    result = calibrate_block(shifted(inputs, {place: 3.0}))
+    (said,) = about(result, "laser-moved")
+    assert (said.quality, said.pose) == ("attention", inputs.observations[place].number)
+    of_pose = next(pose for pose in result.poses if pose.number == said.pose)
+    assert of_pose.used
+    assert "its laser line was excluded" in str(of_pose.reason)
+    assert of_pose.stripe_points == 0
+    assert apart_um(result, found) < found.uncertainty.total_um
+    assert about(result, "laser-plane")[0].quality == "good"
+
+
+def test_no_line_is_named_where_all_agree(found: BlockCalibration) -> None:
+    assert not about(found, "laser-moved")
+    assert about(found, "laser-plane")[0].quality == "good"
+
+
+def test_a_picture_without_a_line_is_named(inputs: BlockInputs, found: BlockCalibration) -> None:
+    seen = inputs.observations[3]
+    result = calibrate_block(with_stripes(inputs, {3: empty_stripe(seen.stripe.axis)}))
+    (said,) = about(result, "line-missing")
+    assert (said.quality, said.pose) == ("attention", seen.number)
+    assert "the laser was on" in str(said.remedy)
+    of_pose = next(pose for pose in result.poses if pose.number == said.pose)
+    assert of_pose.used
+    assert str(of_pose.reason) == "its picture shows no laser line on the object"
+    assert apart_um(result, found) < found.uncertainty.total_um
+    assert not about(found, "line-missing")
+
+
+def test_laser_pictures_exchanged_are_named(inputs: BlockInputs, found: BlockCalibration) -> None:
+    third, sixth = inputs.observations[2].stripe, inputs.observations[5].stripe
+    result = calibrate_block(with_stripes(inputs, {2: sixth, 5: third}))
+    assert {said.pose for said in about(result, "laser-moved")} == {2, 5}
+    assert apart_um(result, found) < found.uncertainty.total_um
+
+
+def test_lines_in_two_planes_are_refused(inputs: BlockInputs) -> None:
+    refusal = refusal_of(calibrate_block, shifted(inputs, dict.fromkeys((4, 5, 6, 7), 30.0)))
+    assert refusal.code == "lines-contradict"
+    assert "each laser picture belongs to its pose" in str(refusal.remedy)
+
+
+def test_a_laser_that_drifts_is_said_not_to_lie_in_one_plane(inputs: BlockInputs) -> None:
+    result = calibrate_block(shifted(inputs, {place: 2.0 * place for place in range(8)}))
+    (said,) = about(result, "laser-plane")
+    assert said.quality == "attention"
+    assert "the laser is mounted firmly" in str(said.remedy)

@@ -37,11 +37,8 @@ def in_full(found: AdjustmentResult) -> np.ndarray:
     held = links / found.scales.link_error_sds(len(links) // 6) ** 2
     for turn in FACTORS:
         for shift in FACTORS:
-            size = replace(
-                found.scales,
-                links_rad=found.scales.links_rad * turn,
-                links_mm=found.scales.links_mm * shift,
-            )
+            rad, mm = found.scales.links_rad * turn, found.scales.links_mm * shift
+            size = replace(found.scales, links_rad=rad, links_mm=mm)
             sd = size.link_error_sds(len(links) // 6)
             parts, _ = equations.with_scales(size)
             # the gradient at the minimum comes of the change of the size alone
@@ -63,9 +60,8 @@ def test_the_covariance_grows_by_what_every_size_would_give(found: AdjustmentRes
     sd = np.sqrt(np.diag(found.covariance))[found.free]
     both = np.ix_(found.free, found.free)
     expected = in_full(found)[both] / np.outer(sd, sd)
-    np.testing.assert_allclose(
-        found.link_size_covariance[both] / np.outer(sd, sd), expected, atol=1e-5
-    )
+    stated = found.link_size_covariance[both] / np.outer(sd, sd)
+    np.testing.assert_allclose(stated, expected, atol=1e-5)
     assert np.diag(expected)[SENSOR].max() > 1e-3
 
 

@@ -6,10 +6,11 @@ import pytest
 from app.metrology.performance.bar_spheres import LEAST_POINTS, find_spheres, measure_sphere
 from app.metrology.performance.gate import SphereGate
 from app.metrology.transforms import Floats
+from tests.metrology.numerics import on_sphere, unit
 
 RADIUS_MM = 10.0
 CENTRES = np.array([[0.0, 0.0, 50.0], [120.0, 30.0, 60.0]])
-ALONG = (CENTRES[1] - CENTRES[0]) / np.linalg.norm(CENTRES[1] - CENTRES[0])
+ALONG = unit(CENTRES[1] - CENTRES[0])
 GATE = SphereGate()
 CAMERA = np.array([0.0, 0.0, 1.0])
 
@@ -17,25 +18,21 @@ CAMERA = np.array([0.0, 0.0, 1.0])
 def cap(random: np.random.Generator, half_deg: float, count: int) -> Floats:
     """Unit directions (N, 3) evenly over a cap that looks to the camera."""
     height = random.uniform(np.cos(np.radians(half_deg)), 1.0, count)
-    turn = random.uniform(0, 2 * np.pi, count)
-    flat = np.sqrt(1 - height**2)
-    return np.column_stack([flat * np.cos(turn), flat * np.sin(turn), height])
+    return on_sphere(height, random.uniform(0, 2 * np.pi, count))
 
 
 def scanned(random: np.random.Generator, half_deg: float = 60.0, sd_mm: float = 0.01) -> Floats:
     """Points (N, 3) on both spheres."""
     caps = [cap(random, half_deg, 3000) for _ in CENTRES]
     radii = RADIUS_MM + sd_mm * random.normal(size=(2, 3000, 1))
-    return np.concatenate(
-        [centre + r * n for centre, r, n in zip(CENTRES, radii, caps, strict=True)]
-    )
+    both = zip(CENTRES, radii, caps, strict=True)
+    return np.concatenate([centre + r * n for centre, r, n in both])
 
 
 def test_spheres_are_found_on_a_table_beside_a_rod_and_other_spheres() -> None:
     random = np.random.default_rng(3)
-    table = np.column_stack(
-        [random.uniform(-60, 180, (20_000, 2)), 0.02 * random.normal(size=20_000)]
-    )
+    flat = random.uniform(-60, 180, (20_000, 2))
+    table = np.column_stack([flat, 0.02 * random.normal(size=20_000)])
     turn, place = random.uniform(0, np.pi, 4000), random.uniform(8, 115, 4000)
     rod = CENTRES[0] + place[:, None] * ALONG
     rod += 4 * np.column_stack([0 * turn, np.cos(turn), np.sin(turn)])
@@ -70,10 +67,8 @@ def test_centres_scatter_as_their_normals_say() -> None:
         random = np.random.default_rng(seed)
         cloud = scanned(random, 50.0, sd_mm)
         views, frames = np.tile(CAMERA, (len(cloud), 1)), np.arange(len(cloud)) // 50
-        ends = [
-            measure_sphere(cloud, views, frames, 2 * RADIUS_MM, start, ALONG, GATE)
-            for start in CENTRES
-        ]
+        scan = (cloud, views, frames, 2 * RADIUS_MM)
+        ends = [measure_sphere(*scan, start, ALONG, GATE) for start in CENTRES]
         assert all(one.is_covered for one in ends)
         apart.append(np.linalg.norm(ends[1].centre_mm - ends[0].centre_mm))
     bar_mm = np.linalg.norm(CENTRES[1] - CENTRES[0])

@@ -40,9 +40,7 @@ def test_the_form_of_25_points(noisy: tuple[np.ndarray, np.ndarray, np.ndarray])
     assert noisy[0].mean() == pytest.approx(3.66, rel=0.02)
 
 
-def test_the_centre_and_radius_of_25_points(
-    noisy: tuple[np.ndarray, np.ndarray, np.ndarray],
-) -> None:
+def test_centre_and_radius_of_25_points(noisy: tuple[np.ndarray, np.ndarray, np.ndarray]) -> None:
     np.testing.assert_allclose(noisy[1].std(axis=0), [0.354, 0.354, 0.546], rtol=0.04)
     assert noisy[2].std() == pytest.approx(0.328, rel=0.04)
 

@@ -15,6 +15,7 @@ from app.metrology.performance.value_uncertainty import (
     form_uncertainty_um,
 )
 from app.metrology.transforms import Floats
+from tests.metrology.numerics import unit
 from tests.running.usual import usual
 from tests.uncertainty_ratio import EXACT, ratio_of_deviations
 
@@ -29,7 +30,7 @@ def scan_directions() -> Floats:
     random = np.random.default_rng(3)
     along = random.normal(size=(1500, 3))
     along[:, 2] = np.abs(along[:, 2])
-    return np.asarray(along / np.linalg.norm(along, axis=1, keepdims=True))
+    return unit(along)
 
 
 def form_of(deviations_mm: Floats) -> float:
@@ -69,8 +70,7 @@ def test_the_stated_effect_is_what_spheres_of_that_form_show(
     changed, stated = [], []
     for _ in range(TESTS):
         noise_mm = 1e-3 * noise_um * random.normal(size=len(outward))
-        axis = random.normal(size=3)
-        axis /= np.linalg.norm(axis)
+        axis = unit(random.normal(size=3))
         phase_rad = random.uniform(0, 2 * np.pi)
         form = FORM_UM * deviations_of_lobes(outward, axis, int(random.integers(*LOBES)), phase_rad)
         perfect_um, *_ = figure_um(outward, noise_mm, figure)

@@ -7,6 +7,7 @@ from numpy.typing import NDArray
 from app.metrology.performance.gate import SphereGate, within_gate
 from app.metrology.performance.pattern import PatchCoverage, pattern_directions, scan_patches
 from app.metrology.transforms import Floats
+from tests.metrology.numerics import unit
 
 CENTRE = np.array([120.0, -340.0, 80.0])
 DIAMETER_MM = 25.0
@@ -19,12 +20,10 @@ Cloud = tuple[Floats, Floats, NDArray[np.int64]]
 def cloud() -> Cloud:
     """Points all around the sphere and beside it, their views, and the frames that they are of."""
     rng = np.random.default_rng(3)
-    outward = rng.normal(size=(40_000, 3))
-    outward /= np.linalg.norm(outward, axis=1)[:, None]
+    outward = unit(rng.normal(size=(40_000, 3)))
     distance = DIAMETER_MM / 2 + rng.normal(0.0, 2.0, len(outward))
     points = CENTRE + outward * distance[:, None]
-    views = CENTRE + np.array([60.0, 30.0, 200.0]) - points
-    views /= np.linalg.norm(views, axis=1)[:, None]
+    views = unit(CENTRE + np.array([60.0, 30.0, 200.0]) - points)
     return points, views, np.arange(len(points)) // 250
 
 

@@ -1,12 +1,16 @@
 """Least-squares fits against solutions with 50 digits."""
 
+from collections.abc import Callable, Iterable, Iterator
+
 import mpmath
 import numpy as np
 import pytest
+from numpy.typing import ArrayLike
 
 from app.metrology.fitting.cylinder import fit_cylinder, perpendicular_axes
 from app.metrology.performance.plane import least_squares_plane
 from app.metrology.performance.sphere import least_squares_sphere
+from tests.metrology.numerics import unit
 from tests.running.usual import usual
 
 pytestmark = pytest.mark.slow
@@ -17,8 +21,7 @@ mpmath.mp.dps = 50
 def cap(half_angle_deg: float, seed: int, count: int = 60) -> np.ndarray:
     """Points (N, 3) about a cap of a sphere far from the origin, with form and noise."""
     random = np.random.default_rng(seed)
-    axis = random.normal(size=3)
-    axis /= np.linalg.norm(axis)
+    axis = unit(random.normal(size=3))
     a, b = perpendicular_axes(axis)
     tilt = np.arccos(1 - random.uniform(0, 1, count) * (1 - np.cos(np.radians(half_angle_deg))))
     turn = random.uniform(0, 2 * np.pi, count)
@@ -28,26 +31,42 @@ def cap(half_angle_deg: float, seed: int, count: int = 60) -> np.ndarray:
     return np.asarray(np.array([700.0, -300.0, 150.0]) + radius * outward)
 
 
-def exact_sphere(points: np.ndarray, start: np.ndarray) -> list[mpmath.mpf]:
-    """Centre and radius of least squares of radial distances, by Newton with 50 digits."""
-    rows = [[mpmath.mpf(float(x)) for x in point] for point in points]
-    found = [mpmath.mpf(float(x)) for x in start]
-    for _ in range(60):
-        N, g = mpmath.zeros(4, 4), mpmath.zeros(4, 1)
-        for x, y, z in rows:
-            away = [x - found[0], y - found[1], z - found[2]]
-            distance = mpmath.sqrt(sum(one * one for one in away))
-            j = [-one / distance for one in away] + [mpmath.mpf(-1)]
-            r = distance - found[3]
-            for p in range(4):
-                g[p] -= j[p] * r
-                for q in range(4):
+def exact(values: ArrayLike) -> list[list[mpmath.mpf]]:
+    return [[mpmath.mpf(float(x)) for x in row] for row in np.atleast_2d(values)]
+
+
+def solve_least_squares(
+    equations: Callable[[list[mpmath.mpf]], Iterable[tuple[list[mpmath.mpf], mpmath.mpf]]],
+    start: list[mpmath.mpf],
+    digits: int,
+) -> list[mpmath.mpf]:
+    """By Gauss-Newton, of the derivatives and the residual of each point at given unknowns."""
+    found, count = start, len(start)
+    for _ in range(200):
+        N, g = mpmath.zeros(count, count), mpmath.zeros(count, 1)
+        for j, off in equations(found):
+            for p in range(count):
+                g[p] -= j[p] * off
+                for q in range(count):
                     N[p, q] += j[p] * j[q]
         step = mpmath.lu_solve(N, g)
         found = [one + step[i] for i, one in enumerate(found)]
-        if max(abs(step[i]) for i in range(4)) < mpmath.mpf(10) ** -40:
+        if max(abs(step[i]) for i in range(count)) < mpmath.mpf(10) ** -digits:
             return found
     raise AssertionError("the reference did not converge")
+
+
+def exact_sphere(points: np.ndarray, start: np.ndarray) -> list[mpmath.mpf]:
+    """Centre and radius of least squares of radial distances."""
+    rows = exact(points)
+
+    def equations(found: list[mpmath.mpf]) -> Iterator[tuple[list[mpmath.mpf], mpmath.mpf]]:
+        for row in rows:
+            away = [one - centre for one, centre in zip(row, found[:3], strict=True)]
+            distance = mpmath.sqrt(sum(one * one for one in away))
+            yield [*(-one / distance for one in away), mpmath.mpf(-1)], distance - found[3]
+
+    return solve_least_squares(equations, exact(start)[0], 40)
 
 
 @pytest.mark.parametrize("half_angle_deg", [20, 35, 60, 90])
@@ -65,7 +84,7 @@ def test_a_plane_has_the_digits_of_the_reference(seed: int) -> None:
     random = np.random.default_rng(seed)
     points = random.uniform(-50, 50, (80, 3)) * [1, 1, 0.0004] + [600.0, 200.0, -40.0]
     found = least_squares_plane(points)
-    rows = [[mpmath.mpf(float(x)) for x in point] for point in points]
+    rows = exact(points)
     middle = [sum(row[i] for row in rows) / len(rows) for i in range(3)]
     M = mpmath.zeros(3, 3)
     for row in rows:
@@ -85,36 +104,32 @@ def test_a_plane_has_the_digits_of_the_reference(seed: int) -> None:
 def arc_of_cylinder(arc_deg: float, seed: int, count: int = 300) -> np.ndarray:
     """Points (N, 3) about a strip of a cylinder far from the origin, with form and noise."""
     random = np.random.default_rng(seed)
-    axis = random.normal(size=3)
-    axis /= np.linalg.norm(axis)
+    axis = unit(random.normal(size=3))
     a, b = perpendicular_axes(axis)
     turn = np.radians(arc_deg) * random.uniform(-0.5, 0.5, count)
     radius = 15.0 + 0.004 * random.uniform(-1, 1, count) + 0.003 * np.cos(9 * turn)
     outward = np.cos(turn)[:, None] * a + np.sin(turn)[:, None] * b
     along = random.uniform(-20, 20, count)
-    return np.asarray(
-        np.array([700.0, -300.0, 150.0]) + radius[:, None] * outward + along[:, None] * axis
-    )
+    off_axis = radius[:, None] * outward + along[:, None] * axis
+    return np.asarray([700.0, -300.0, 150.0] + off_axis)
 
 
 def exact_cylinder(
     points: np.ndarray, point: np.ndarray, direction: np.ndarray, radius: float
 ) -> tuple[list[mpmath.mpf], list[mpmath.mpf], mpmath.mpf]:
-    """Point of the axis, direction and radius of least squares of radial distances, by
-    Gauss-Newton with 50 digits.
+    """Point of the axis, direction and radius of least squares of radial distances.
 
     The axis has four parameters: where it meets the plane across the start's direction, and how
     it is inclined to it.
     """
     a, b = perpendicular_axes(direction)
-    axes = [[mpmath.mpf(float(e)) for e in one] for one in (a, b, direction)]
+    axes = exact([a, b, direction])
     rows = [
-        [sum(x * e for x, e in zip(map(mpmath.mpf, away), one, strict=True)) for one in axes]
-        for away in (points - point).tolist()
+        [sum(x * e for x, e in zip(away, one, strict=True)) for one in axes]
+        for away in exact(points - point)
     ]
-    found = [mpmath.mpf(0)] * 4 + [mpmath.mpf(radius)]
-    for _ in range(200):
-        N, g = mpmath.zeros(5, 5), mpmath.zeros(5, 1)
+
+    def equations(found: list[mpmath.mpf]) -> Iterator[tuple[list[mpmath.mpf], mpmath.mpf]]:
         p, q, m, n, r = found
         square = 1 + m * m + n * n
         for x, y, z in rows:
@@ -122,19 +137,10 @@ def exact_cylinder(
             away = [x - p - along * m, y - q - along * n, z - along]
             distance = mpmath.sqrt(sum(one * one for one in away))
             u, v = away[0] / distance, away[1] / distance
-            j = [-u, -v, -u * along, -v * along, mpmath.mpf(-1)]
-            off = distance - r
-            for row in range(5):
-                g[row] -= j[row] * off
-                for column in range(5):
-                    N[row, column] += j[row] * j[column]
-        step = mpmath.lu_solve(N, g)
-        found = [one + step[i] for i, one in enumerate(found)]
-        if max(abs(step[i]) for i in range(5)) < mpmath.mpf(10) ** -30:
-            break
-    else:
-        raise AssertionError("the reference did not converge")
-    p, q, m, n, r = found
+            yield [-u, -v, -u * along, -v * along, mpmath.mpf(-1)], distance - r
+
+    start = [mpmath.mpf(0)] * 4 + [mpmath.mpf(radius)]
+    p, q, m, n, r = solve_least_squares(equations, start, 30)
     length = mpmath.sqrt(1 + m * m + n * n)
 
     def turned(values: list[mpmath.mpf]) -> list[mpmath.mpf]:
@@ -149,9 +155,8 @@ def test_a_cylinder_has_the_digits_of_the_reference(arc_deg: float, seed: int) -
     points = arc_of_cylinder(arc_deg, seed)
     found = fit_cylinder(points)
     assert found.used.all()
-    shift, direction, radius = exact_cylinder(
-        points, found.point_mm, found.direction, found.radius_mm
-    )
+    start = (found.point_mm, found.direction, found.radius_mm)
+    shift, direction, radius = exact_cylinder(points, *start)
     assert abs(mpmath.mpf(found.radius_mm) - radius) < 1e-9
     # the shift of the axis at the fit's own point, across it
     along = sum(s * d for s, d in zip(shift, direction, strict=True))
