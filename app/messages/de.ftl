@@ -3632,7 +3632,6 @@ stripe-pieces-of =
         [one] die Mindestlänge eines Teilstücks der Laserlinie ist { $points } Punkt
        *[other] die Mindestlänge eines Teilstücks der Laserlinie ist { $points } Punkte
     }
-stripe-points-crests-floors-fit-one = { $points } Punkte der Laserlinie auf Zinnen und Nutgründen passen mit { $rms } rms zu einer Ebene, { $share } der dortigen Punkte (Grenzwert { $agreeing }).
 stripe-points-fit-one-laser-plane = { $points } Punkte der Laserlinie passen mit { $rms } rms zu einer Laserebene (Grenzwert { $stripe_rms_px }), { $share } der Punkte auf dem Objekt (Grenzwert { $agreeing }).
 stripe-px = Laserlinie, px
 stripe-smoothing-is = die Glättung der Laserlinie ist { $smoothing }

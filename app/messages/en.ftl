@@ -3619,7 +3619,6 @@ stripe-pieces-of =
         [one] the minimum length of a stripe piece is { $points } point
        *[other] the minimum length of a stripe piece is { $points } points
     }
-stripe-points-crests-floors-fit-one = { $points } stripe points on crests and floors fit one plane to { $rms } rms, { $share } of all points there (limit { $agreeing }).
 stripe-points-fit-one-laser-plane = { $points } stripe points fit one laser plane to { $rms } rms (limit { $stripe_rms_px }), { $share } of those on the object (limit { $agreeing }).
 stripe-px = Stripe, px
 stripe-smoothing-is = the smoothing of the stripe is { $smoothing }

@@ -5,6 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from app.metrology.calibration.findings import stripe_finding
 from app.metrology.calibration.laser_plane_fit import classify_levels, fit_laser_plane
 from app.metrology.sensor.camera import Camera, project, rays
 from app.metrology.sensor.laser_plane import LaserPlane
@@ -41,6 +42,16 @@ def test_a_plane_without_noise_is_found_exactly(azimuth: float, tilt: float) -> 
     assert tilt_rad(fit.plane, plane) < 2e-6
     assert fit.rms_mm < 2e-5
     assert {"crest", "floor"} <= set(fit.level[fit.used])
+
+
+@pytest.mark.parametrize(("noise_px", "quality"), [(0.1, "good"), (3.0, "attention")])
+def test_points_far_off_their_plane_are_never_good(noise_px: float, quality: str) -> None:
+    camera, rng = camera_over(BLOCK, 0.25), np.random.default_rng(3)
+    fit = fit_laser_plane(
+        camera, BLOCK, simulate_stripe(camera, BLOCK, laser_plane(), rng, noise_px)
+    )
+    assert fit.rms_px == pytest.approx(noise_px, rel=0.2)
+    assert stripe_finding(len(fit.used), fit.rms_px, 1.0, "check").quality == quality
 
 
 def test_streaks_on_walls_the_table_and_reflections_do_not_pull_the_plane() -> None:

@@ -71,6 +71,13 @@ def test_the_articles_case_reaches_micrometres(found: OnePoseCalibration, truth:
     assert found.findings[0].quality == "good"
 
 
+@pytest.mark.parametrize(("seed", "roll_rad"), [(9002, -1.2297), (9004, -2.6817), (9017, 0.4739)])
+def test_lit_faces_are_not_taken_for_the_line(seed: int, roll_rad: float, tmp_path: Path) -> None:
+    """Nor does the line hide the block, where a column crosses it on a crest and on a floor."""
+    render_session(tmp_path, seed, SessionPlan(joints=7, lighting="both", roll_rad=roll_rad))
+    assert Truth(tmp_path).sensor_rms_um(calibrate_one_pose(read_inputs(tmp_path))) < 5
+
+
 @pytest.mark.parametrize("session", ["many-poses", "metal"])
 def test_the_first_pose_alone_is_enough_for_the_sensor(
     session: str, samples: Path, calibrated: dict[str, OnePoseCalibration]

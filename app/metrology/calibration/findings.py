@@ -210,6 +210,26 @@ def contact_outlier_findings(
     ]
 
 
+def stripe_finding(points: int, rms_px: float, share: float, remedy: Text) -> CalibrationFinding:
+    """How well one plane fits so many points of the stripe, a share of those on the object;
+    ``remedy`` is that of points that do not lie on it."""
+    if rms_px <= STRIPE_RMS_PX:
+        remedy = "" if share >= AGREEING else message("keep-reflections-out-grooves-matt-spray")
+    return CalibrationFinding(
+        "attention" if remedy else "good",
+        "laser-plane",
+        message(
+            "stripe-points-fit-one-laser-plane",
+            points=points,
+            rms=quantity(rms_px, "px", 2),
+            stripe_rms_px=quantity(STRIPE_RMS_PX, "px", 1),
+            share=quantity(100 * share, "%"),
+            agreeing=quantity(100 * AGREEING, "%"),
+        ),
+        remedy,
+    )
+
+
 def size_finding(
     alignment: Alignment, features: Sequence[str], block: Crenellated
 ) -> CalibrationFinding:

@@ -32,7 +32,7 @@ class LaserPlaneFit:
     ``level`` is ``crest``, ``floor`` or empty where the point lies on neither, and
     ``points_mm`` (N, 3) is where on the level its ray ends, NaN elsewhere;
     ``used`` marks those of a level that agree with the plane; ``residuals_mm`` are
-    their signed distances from it, NaN off the levels.
+    their signed distances from it, NaN off the levels; ``rms_px`` is as seen in the image.
     """
 
     plane: LaserPlane
@@ -41,6 +41,7 @@ class LaserPlaneFit:
     level: NDArray[np.str_]
     points_mm: Floats
     residuals_mm: Floats
+    rms_px: float
 
 
 def classify_levels(
@@ -148,7 +149,8 @@ def fit_laser_plane(
     on = level != ""
     X, own = points[on], level[on]
     _require_both(own, len(on))
-    per_sigma = _shift_per_pixel(camera, stripe, on, X) * stripe.sigma_px[on, None]
+    per_px = _shift_per_pixel(camera, stripe, on, X)
+    per_sigma = per_px * stripe.sigma_px[on, None]
     if plane is None:
         plane = _refine_plane(_least_median_plane(X, own, per_sigma), X, per_sigma)
     kept = _agreeing(plane, X, per_sigma)
@@ -166,6 +168,7 @@ def fit_laser_plane(
         level,
         points,
         over_all,
+        float(np.sqrt(np.mean((residuals[kept] / (per_px[kept] @ plane.normal)) ** 2))),
     )
 
 

@@ -36,13 +36,14 @@ from app.metrology.calibration.uncertainty_budget import (
     volume_pixels,
 )
 from app.metrology.detection.detect_block import ObjectDetection, detect_object, image_findings
+from app.metrology.detection.stripe_mask import stripe_in_the_way
 from app.metrology.image import Image
 from app.metrology.probing.alignment import Alignment, align_contacts
 from app.metrology.sensor.camera import Camera, project
 from app.metrology.sensor.faugeras import FaugerasSolution, solve_faugeras
 from app.metrology.sensor.laser_plane import LaserPlane
 from app.metrology.sensor.triangulation import sensor_points
-from app.metrology.stripe import Stripe, extract_stripe
+from app.metrology.stripe import Stripe
 from app.metrology.targets.crenellated_block import Crenellated, corners, probing_face
 from app.metrology.transforms import Floats, inverse
 from app.progress import Progress, no_progress
@@ -142,7 +143,7 @@ def calibrate_one_pose(
     alignment = align_contacts(inputs.arm, inputs.block, inputs.features, inputs.contact_q_rad)
     lit = inputs.ambient if inputs.laser is None else inputs.laser
     progress(0.1, message("finding-objects-edges"))
-    in_the_way = None if inputs.laser is not None else extract_stripe(lit, inputs.stripe_axis)
+    in_the_way = None if inputs.laser is not None else stripe_in_the_way(lit, inputs.stripe_axis)
     detection = detect_object(inputs.ambient, inputs.block, in_the_way)
     progress(0.5, message("extracting-laser-stripe"))
     stripe = stripe_on_levels(detection.camera, inputs.block, lit, inputs.stripe_axis)

@@ -8,7 +8,6 @@ import numpy as np
 from app.messages.message import message, quantity
 from app.metrology.calibration.camera_refinement import CameraFit
 from app.metrology.calibration.findings import (
-    AGREEING,
     EDGE_RMS_PX,
     WORST_OF_A_KIND,
     CalibrationFinding,
@@ -21,6 +20,7 @@ from app.metrology.calibration.findings import (
     size_coverage_findings,
     size_finding,
     sort_by_severity,
+    stripe_finding,
     uncertainty_verdict,
 )
 from app.metrology.calibration.laser_plane_fit import LaserPlaneFit
@@ -143,16 +143,8 @@ def _stripe_findings(evidence: Evidence) -> list[CalibrationFinding]:
     laser = evidence.laser
     on = laser.level != ""
     share = float(laser.used.sum() / max(on.sum(), 1))
-    good = share >= AGREEING
-    text = message(
-        "stripe-points-crests-floors-fit-one",
-        points=int(laser.used.sum()),
-        rms=quantity(1e3 * laser.rms_mm, "µm", 1),
-        share=quantity(100 * share, "%"),
-        agreeing=quantity(100 * AGREEING, "%"),
-    )
-    remedy = "" if good else message("keep-reflections-out-grooves-matt-spray")
-    findings = [CalibrationFinding("good" if good else "attention", "laser-plane", text, remedy)]
+    remedy = message("check-laser-exposure-sensors-stripe-axis")
+    findings = [stripe_finding(int(laser.used.sum()), laser.rms_px, share, remedy)]
     width = evidence.block.edges_x_mm[-1] - evidence.block.edges_x_mm[0]
     for level in ("crest", "floor"):
         x = laser.points_mm[laser.used & (laser.level == level), 0]

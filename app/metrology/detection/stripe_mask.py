@@ -4,11 +4,26 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from app.metrology.stripe import Stripe
+from app.metrology.image import Image
+from app.metrology.stripe import Stripe, concatenate_stripes, extract_stripe
 from app.metrology.transforms import Floats
 
 _WIDEST_PX = 16
 _PROBED = 400
+
+
+def stripe_in_the_way(image: Image, axis: str) -> Stripe:
+    """The stripe in an image (H, W) with both lights, with both points of a column that crosses it
+    on a crest and on a floor.
+
+    Lit faces may outshine it: that it is a line is known only because the laser was on.
+
+    Raises:
+        OperationError: as ``extract_stripe``.
+    """
+    first = extract_stripe(image, axis, np.ones(image.shape, np.bool_))
+    beside = ~stripe_mask(image.astype(np.float64), first)
+    return concatenate_stripes([first, extract_stripe(image, axis, beside)])
 
 
 def stripe_mask(grey: Floats, stripe: Stripe) -> NDArray[np.bool_]:

@@ -20,6 +20,9 @@ from app.metrology.stripe.smoothing import smooth_stripe
 WIDEST_LINE, WIDEST_CORE = 1 / 8, 1 / 5
 """A line at half height, and its clipped core, are at most so wide, in shares of the image's
 height."""
+LEAST_SLIMNESS = 4.0
+"""What a coarser scale shows in place of a line is so many times as long as wide: a lit face is
+not."""
 CLEARLY_BETTER, BETTER = 1.05, 1.02
 """A coarser scale is chosen if it shows this much more of the line; the latter of a wide line. The
 finer one measures a line that is no bell more exactly."""
@@ -157,6 +160,8 @@ def _best_scale(
     for factor in wide_factors(grey.shape[0]):
         found = extract_at(grey, axis, where, settings, factor)
         is_line = max(found.width_px / WIDEST_LINE, found.core_px / WIDEST_CORE) < grey.shape[0]
+        is_slim = found.length * grey.shape[1] > LEAST_SLIMNESS * found.broadest_px
+        is_line &= is_slim or not best.evidence
         enough = CLEARLY_BETTER if best.sigma_rows < CERTAIN_SIGMA_ROWS else BETTER
         if is_line and found.evidence > enough * best.evidence:
             best = found

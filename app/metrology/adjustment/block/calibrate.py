@@ -43,9 +43,9 @@ from app.metrology.adjustment.results.stripes import (
 from app.metrology.calibration.laser_plane_fit import stripe_on_levels
 from app.metrology.detection.detect_block import detect_object
 from app.metrology.detection.image_quality import image_findings
+from app.metrology.detection.stripe_mask import stripe_in_the_way
 from app.metrology.image import Image
 from app.metrology.probing.alignment import Alignment, align_contacts
-from app.metrology.stripe import extract_stripe
 from app.metrology.targets.crenellated_block import Crenellated
 from app.progress import Progress, no_progress
 
@@ -79,7 +79,7 @@ def observe_block(
         OperationError: as ``detect_object`` and ``extract_stripe``.
     """
     lit = ambient if laser is None else laser
-    in_the_way = extract_stripe(lit, axis) if laser is None else None
+    in_the_way = stripe_in_the_way(lit, axis) if laser is None else None
     detection = detect_object(ambient, block, in_the_way)
     stripe = stripe_on_levels(detection.camera, block, lit, axis)
     return BlockObservation(number, detection, stripe, tuple(image_findings(ambient)))

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from app.messages.message import Text, message, quantity
+from app.messages.message import message, quantity
 from app.metrology.adjustment.core.gauss_newton import AdjustmentResult
 from app.metrology.adjustment.core.observations import BlockObservation
 from app.metrology.adjustment.core.uncertainty import CalibrationUncertainty
@@ -14,15 +14,14 @@ from app.metrology.adjustment.outliers.fault_hypotheses import block_fault_findi
 from app.metrology.adjustment.results.findings import alike_findings, joint_rms, picture_findings
 from app.metrology.adjustment.results.poses import PoseResult
 from app.metrology.calibration.findings import (
-    AGREEING,
     EDGE_RMS_PX,
-    STRIPE_RMS_PX,
     CalibrationFinding,
     contact_findings,
     pixel_aspect_findings,
     sensor_distance_findings,
     size_coverage_findings,
     sort_by_severity,
+    stripe_finding,
     uncertainty_verdict,
 )
 from app.metrology.limits import Limits
@@ -213,22 +212,5 @@ def _stripe_finding(evidence: BlockEvidence) -> CalibrationFinding:
     numbers = {pose.number for pose in used}
     extracted = sum(len(pose.stripe.u) for pose in evidence.observations if pose.number in numbers)
     rms_px = joint_rms((pose.stripe_rms_px, pose.stripe_points) for pose in used)
-    share = points / max(extracted, 1)
-    remedy: Text = ""
-    if rms_px > STRIPE_RMS_PX:
-        remedy = message("check-each-laser-picture-own-pose")
-    elif share < AGREEING:
-        remedy = message("keep-reflections-out-grooves-matt-spray")
-    return CalibrationFinding(
-        "attention" if remedy else "good",
-        "laser-plane",
-        message(
-            "stripe-points-fit-one-laser-plane",
-            points=points,
-            rms=quantity(rms_px, "px", 2),
-            stripe_rms_px=quantity(STRIPE_RMS_PX, "px", 1),
-            share=quantity(100 * share, "%"),
-            agreeing=quantity(100 * AGREEING, "%"),
-        ),
-        remedy,
-    )
+    remedy = message("check-each-laser-picture-own-pose")
+    return stripe_finding(points, rms_px, points / max(extracted, 1), remedy)
