@@ -218,8 +218,10 @@ def test_pulses_trigger_and_latch_at_one_moment(
 ) -> None:
     driver.open()
     driver.start_pulses(rate_hz)
-    samples = select_samples(read_until(driver, lambda got: len(select_samples(got)) > 200))
-    at_pulse = [sample for sample in samples if sample.pulse is not None]
+    at_pulse: list[JointSample] = []
+    while len(at_pulse) < 8:  # those of before the request come first
+        samples = read_samples(driver, 50)
+        at_pulse += [sample for sample in samples if sample.pulse is not None]
     assert [sample.pulse for sample in at_pulse] == list(range(1, len(at_pulse) + 1))
     assert driver.health.lost == 0
     board.await_pulses(len(at_pulse))
