@@ -1,6 +1,7 @@
 """Errors of files and their explanation as refusals."""
 
 import errno
+import logging
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
@@ -12,6 +13,7 @@ from app.formats.file_names import display_path
 from app.messages.message import Text, join, message
 from app.messages.validation import validation_text
 
+log = logging.getLogger(__name__)
 LONGEST_VALUE = 60
 
 _BY_ERRNO: dict[int, tuple[str, Text, Text]] = {
@@ -80,6 +82,30 @@ def convert_io_errors(path: Path | str) -> Iterator[None]:
         yield
     except OSError as error:
         raise error_from_os(error, path) from error
+
+
+@contextmanager
+def convert_all_errors(path: Path | str) -> Iterator[None]:
+    """Turns whatever the block raises into an ``OperationError`` naming the file.
+
+    For files that others wrote, of which each is evaluated alone: no content of one, and no fault
+    of the program that it brings about, may harm what does not depend on it.
+    """
+    try:
+        yield
+    except OperationError:
+        raise
+    except OSError as error:
+        raise error_from_os(error, path) from error
+    except ValidationError as error:
+        raise error_from_validation(path, error) from error
+    except Exception as error:
+        log.warning("%s cannot be evaluated", display_path(path), exc_info=error)
+        raise OperationError(
+            "file-not-evaluated",
+            display_path(path),
+            message("file-cannot-be-evaluated", error=type(error).__name__),
+        ) from error
 
 
 @contextmanager

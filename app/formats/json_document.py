@@ -24,6 +24,8 @@ _NUMBERS = re.compile(r"\[\n\s+([-+.eE\d,\s]+?)\n\s+\]")
 _HALF = re.compile(r"\\u[dD][89a-fA-F]")
 """An escape that may be half of a character."""
 LARGEST = 1e9
+DEEPEST = 64
+"""Objects and lists within each other; a document of the program has fewer than ten."""
 BLOCK_BYTES, MOST_PACKED = 512, 100
 """Unit of ``st_blocks``, and how much file systems compress at most."""
 
@@ -41,6 +43,8 @@ Number = Annotated[float, BeforeValidator(_as_number)]
 """A finite number of a sensible size; text and true/false are no numbers."""
 Positive = Annotated[Number, Field(gt=0)]
 NotNegative = Annotated[Number, Field(ge=0)]
+SizeMm = Annotated[Number, Field(ge=1e-3)]
+"""Of an artefact, mm; a smaller one is in another unit."""
 CertifiedUm = Annotated[NotNegative, Field(le=1e6)]
 """A form deviation or an uncertainty in a certificate, µm; a larger one is in another unit."""
 Vector3 = tuple[Number, Number, Number]
@@ -155,7 +159,10 @@ def _with_english(part: DocumentPart, fields: dict[str, Any]) -> dict[str, Any]:
 def _read_object(path: Path) -> dict[str, Any]:
     text = read_text(path)
     try:
-        fields = restore_texts(json.loads(text))
+        plain = json.loads(text)
+        if _is_deeper(plain, DEEPEST):
+            raise RecursionError
+        fields = restore_texts(plain)
     except (ValueError, RecursionError) as error:
         if not text.strip():
             why = message("empty")
@@ -173,6 +180,17 @@ def _read_object(path: Path) -> dict[str, Any]:
     if not isinstance(fields, dict):
         raise OperationError("file-not-json", display_path(path), message("json-object-expected"))
     return fields
+
+
+def _is_deeper(plain: object, levels: int) -> bool:
+    """Whether more objects and lists than so many are within each other."""
+    level = [plain] if isinstance(plain, dict | list) else []
+    for _ in range(levels):
+        inner = (one.values() if isinstance(one, dict) else one for one in level)
+        level = [one for some in inner for one in some if isinstance(one, dict | list)]
+        if not level:
+            return False
+    return True
 
 
 def is_valid_unicode(plain: object) -> bool:

@@ -9,7 +9,7 @@ from app.monitoring.health import HealthItem
 
 DISK_ATTENTION_GB, DISK_BAD_GB = 10.0, 1.0
 BACKUP_DAYS = 7.0
-LISTED_RECORDS = 3
+LISTED_RECORDS, LISTED_DATASHEETS = 3, 200
 
 
 def disk(free_gb: float, megabytes_s: float | None) -> HealthItem:
@@ -64,9 +64,7 @@ def database(size_mb: float, trouble: str) -> HealthItem:
 
 def records(unreadable: Sequence[Text]) -> HealthItem:
     """Whether all stored records can be read; ``unreadable``: one sentence for each that cannot."""
-    listed, more = list(unreadable[:LISTED_RECORDS]), len(unreadable) - LISTED_RECORDS
-    if more > 0:
-        listed.append(message("and-more-records", count=more))
+    listed = _first(unreadable, LISTED_RECORDS)
     return HealthItem(
         "records",
         message("records"),
@@ -75,6 +73,27 @@ def records(unreadable: Sequence[Text]) -> HealthItem:
         message("what-cannot-read-set-aside-everything"),
         message("put-file-back-last-backup-leave") if listed else "",
     )
+
+
+def datasheets(aside: Sequence[Text]) -> HealthItem:
+    """Whether all datasheets and certificates can be used; ``aside``: a sentence for each that
+    cannot."""
+    listed = _first(aside, LISTED_DATASHEETS)
+    return HealthItem(
+        "datasheets",
+        message("datasheets"),
+        "attention" if listed else "good",
+        join(listed, " ") if listed else message("all-datasheets-can-read"),
+        message("datasheets-set-aside-everything"),
+        message("correct-remove-files-named") if listed else "",
+    )
+
+
+def _first(sentences: Sequence[Text], most: int) -> list[Text]:
+    """The first of the sentences, and how many more there are."""
+    more = len(sentences) - most
+    rest = [message("and-more-records", count=more)] if more > 0 else []
+    return [*sentences[:most], *rest]
 
 
 def recordings(damaged: Sequence[Text]) -> HealthItem:

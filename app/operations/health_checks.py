@@ -12,6 +12,7 @@ from typing import TypeVar, cast
 
 from app.errors import OperationError
 from app.formats.json_document import SOFTWARE
+from app.guide.common.datasheet_library import list_set_aside
 from app.guide.common.validity import SECONDS_A_DAY, age_days
 from app.messages.message import join
 from app.monitoring import health, storage_health
@@ -67,6 +68,7 @@ class HealthChecker:
             "folder": self._folder,
             "database": self._database,
             "records": self._records,
+            "datasheets": self._datasheets,
             "recordings": self._recordings,
             "backup": self._backup,
             "archive": self._archive,
@@ -141,6 +143,11 @@ class HealthChecker:
     def _records(self) -> list[HealthItem]:
         aside = self._every(DATABASE_EVERY_S, "records", lambda: list_unreadable(self._context))
         return [storage_health.records(aside)]
+
+    def _datasheets(self) -> list[HealthItem]:
+        folder = self._context.store.folder
+        aside = self._every(RECORDS_EVERY_S, "datasheets", lambda: list_set_aside(folder))
+        return [storage_health.datasheets(aside)]
 
     def _recordings(self) -> list[HealthItem]:
         damaged = self._context.recovery.find_damage

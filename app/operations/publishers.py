@@ -4,6 +4,7 @@ import asyncio
 import logging
 import time
 from collections.abc import Awaitable, Callable, Coroutine
+from functools import partial
 from itertools import count
 
 from app.errors import OperationError, sentence
@@ -42,40 +43,50 @@ DueKey = tuple[str, str | None]
 async def _repeat(step: Callable[[], Awaitable[None]], period_s: float, failure: str) -> None:
     """Runs until cancelled; a step that fails is logged, and the next may succeed."""
     while True:
-        try:
-            await step()
-        except OperationError as refusal:  # of a damaged database or its disk; Health shows it
-            log.warning("%s: %s", failure, refusal.line)
-        except Exception:
-            log.exception(failure)
+        await _attempt(step, failure)
         await asyncio.sleep(period_s)
+
+
+async def _attempt(step: Callable[[], Awaitable[object]], failure: str) -> None:
+    """Runs a step; one that fails is logged."""
+    try:
+        await step()
+    except OperationError as refusal:  # of a damaged database or its disk; Health shows it
+        log.warning("%s: %s", failure, refusal.line)
+    except Exception:
+        log.exception(failure)
 
 
 async def tick(context: Context) -> None:
     """Refreshes the live part of guided sessions, and home; runs until cancelled.
 
-    Only what changed is published.
+    Only what changed is published. What fails in one guide stops neither the others nor recovery.
     """
     ticks = count()
     home: Home | None = None
+    failure = "the live state could not be refreshed"
+    refreshes: list[Callable[[], object]] = [
+        context.guide.refresh,
+        context.arm_guide.refresh,
+        lambda: measure_waiting(context.verify_guide),
+        context.verify_guide.refresh,
+        lambda: measure_waiting_scan(context.performance_guide),
+        context.performance_guide.refresh,
+    ]
 
     async def step() -> None:
         nonlocal home
         number = next(ticks)
-        await asyncio.to_thread(context.guide.refresh)
-        await asyncio.to_thread(context.arm_guide.refresh)
-        await asyncio.to_thread(measure_waiting, context.verify_guide)
-        await asyncio.to_thread(context.verify_guide.refresh)
-        await asyncio.to_thread(measure_waiting_scan, context.performance_guide)
-        await asyncio.to_thread(context.performance_guide.refresh)
+        for refresh in refreshes:
+            await _attempt(partial(asyncio.to_thread, refresh), failure)
         if number % HOME_EVERY == 0:
-            await asyncio.to_thread(context.recovery.step)
+            await _attempt(partial(asyncio.to_thread, context.recovery.step), failure)
             found = await asyncio.to_thread(build_home, context)
             if found != home:
                 home = found
                 context.bus.publish("home", home)
 
-    await _repeat(step, LIVE_S, "the live state could not be refreshed")
+    await _repeat(step, LIVE_S, failure)
 
 
 async def observe(context: Context) -> None:

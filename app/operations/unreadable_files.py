@@ -6,6 +6,7 @@ from pathlib import Path
 from app.archive.records import is_in_archive_only
 from app.errors import OperationError
 from app.formats.datasheets.arm import read_any_arm
+from app.formats.io_errors import convert_all_errors
 from app.formats.performance.plan import RESULT
 from app.formats.performance.results import PerformanceFile
 from app.formats.results.calibration import CalibrationFile
@@ -48,7 +49,8 @@ def list_unreadable(context: Context) -> list[Text]:
 
 def _reading_error(path: Path, read: Callable[[Path], object]) -> list[Text]:
     try:
-        read(path)
+        with convert_all_errors(path):
+            read(path)
     except OperationError as error:
         return [error.text]
     return []

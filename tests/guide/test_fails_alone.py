@@ -1,5 +1,6 @@
 """What fails in one check or one part of the support bundle is reported in its place alone."""
 
+import asyncio
 import io
 import json
 import time
@@ -13,6 +14,7 @@ from app.api.monitoring.support import LOG_BYTES, bundle
 from app.errors import OperationError
 from app.operations.context import Context
 from app.operations.health_checks import HealthChecker
+from app.operations.publishers import tick
 from app.operations.status_report import build_report
 from app.operations.unreadable_files import list_unreadable
 from hardware.simulator.station import SimulatedStation
@@ -83,6 +85,30 @@ def test_a_check_that_fails_is_a_finding_and_the_others_are_made(
     assert items["not-made-database"].quality == "attention"
     assert "The database cannot be read" in str(items["not-made-database"].what)
     assert whole - set(items) == {"records", "database"}
+
+
+def test_what_fails_in_a_guide_stops_no_other_and_no_recovery(
+    context: Context, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    done: list[str] = []
+
+    def broken() -> None:
+        raise IndexError("a fault of the program")
+
+    for name in ("guide", "verify_guide"):
+        monkeypatch.setattr(getattr(context, name), "refresh", broken)
+    for name in ("arm_guide", "performance_guide"):
+        monkeypatch.setattr(getattr(context, name), "refresh", lambda name=name: done.append(name))
+    monkeypatch.setattr(context.recovery, "step", lambda: done.append("recovery"))
+
+    async def until_home() -> None:
+        task = asyncio.create_task(tick(context))
+        while context.bus.latest("home") is None:
+            await asyncio.sleep(0)
+        task.cancel()
+
+    asyncio.run(until_home())
+    assert done[:3] == ["arm_guide", "performance_guide", "recovery"]
 
 
 def test_a_part_of_the_support_bundle_that_cannot_be_made_holds_its_error(

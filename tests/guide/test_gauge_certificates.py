@@ -28,12 +28,13 @@ def test_a_certificate_is_a_gauge_with_all_that_it_states(tmp_path: Path) -> Non
 
 
 def test_a_certificate_without_uncertainty_is_listed_with_its_reason(tmp_path: Path) -> None:
-    bare = store_certificate(tmp_path, "bare.xml", BARE)
+    (tmp_path / "gauges").mkdir()
+    (tmp_path / "gauges/bare.xml").write_text(BARE)
     gauges = read_gauges(tmp_path)
     assert not gauges.known
     assert not gauges.findings
     (refused,) = gauges.refused
-    assert refused.id == bare
+    assert refused.id == "bare"
     assert "has no uncertainty" in str(refused.reason)
     assert str(refused.reason).count(". ") == 0
 
@@ -41,7 +42,7 @@ def test_a_certificate_without_uncertainty_is_listed_with_its_reason(tmp_path: P
 def test_no_file_is_replaced_and_the_same_certificate_is_kept_once(tmp_path: Path) -> None:
     assert store_certificate(tmp_path, "k.xml", SPHERE) == "k"
     assert store_certificate(tmp_path, "k.xml", SPHERE) == "k"
-    assert store_certificate(tmp_path, "../k.xml", BARE) == "k-2"
+    assert store_certificate(tmp_path, "../k.xml", certificate(DIAMETER)) == "k-2"
     GaugeFile(shape="plane", name="plate").write(tmp_path / "gauges/plate.nominal.json")
     assert store_certificate(tmp_path, "plate.xml", SPHERE) == "plate-2"
     kept = {path.name for path in (tmp_path / "gauges").iterdir()}
@@ -54,7 +55,9 @@ def test_a_datasheet_counts_before_a_certificate_of_its_name(tmp_path: Path) -> 
     assert read_gauges(tmp_path).known["k"].datasheet.name == "own"
 
 
-@pytest.mark.parametrize("text", ["", "<a/>", "<!DOCTYPE a><a/>", SPHERE.replace("3.3.0", "2.1.0")])
+@pytest.mark.parametrize(
+    "text", ["", "<a/>", "<!DOCTYPE a><a/>", SPHERE.replace("3.3.0", "2.1.0"), BARE]
+)
 def test_what_is_no_certificate_is_not_kept(tmp_path: Path, text: str) -> None:
     with pytest.raises(OperationError) as raised:
         store_certificate(tmp_path, "k.xml", text)

@@ -9,7 +9,7 @@ from pydantic import Field, model_validator
 from app.errors import OperationError
 from app.formats.datasheets.arm_identification import IdentificationPart
 from app.formats.file_names import display_path
-from app.formats.json_document import Document, DocumentPart, NotNegative, Number, Positive
+from app.formats.json_document import Document, DocumentPart, NotNegative, Number, SizeMm
 from app.messages.message import message
 from app.metrology.arm.kinematics import Arm, Joint, RobotArm, Tip
 from app.metrology.arm.link_error import LinkError, error_from_transform, error_transform
@@ -49,7 +49,7 @@ class TipPart(DocumentPart):
     x_mm: Number
     y_mm: Number
     z_mm: Number
-    diameter_mm: Positive
+    diameter_mm: SizeMm
 
 
 class ArmFile(Document):

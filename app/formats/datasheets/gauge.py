@@ -15,7 +15,14 @@ from typing import Annotated, ClassVar, Literal, Self
 
 from pydantic import Field, model_validator
 
-from app.formats.json_document import CertifiedUm, Document, DocumentPart, NotNegative, Positive
+from app.formats.json_document import (
+    CertifiedUm,
+    Document,
+    DocumentPart,
+    NotNegative,
+    Positive,
+    SizeMm,
+)
 from app.messages.message import message
 
 Shape = Literal["plane", "sphere"]
@@ -65,7 +72,7 @@ class GaugeFile(Document):
     FORMAT: ClassVar[str] = "crenel/nominal"
 
     shape: Shape
-    radius_mm: Annotated[Positive, Field(le=LARGEST_RADIUS_MM)] | None = None
+    radius_mm: Annotated[SizeMm, Field(le=LARGEST_RADIUS_MM)] | None = None
     """Of a sphere."""
     name: Annotated[str, Field(max_length=120)] = ""
     serial_number: Annotated[str, Field(max_length=80)] = ""
@@ -78,7 +85,7 @@ class GaugeFile(Document):
     """Standard uncertainty of ``form_um``, k = 1."""
     valid_until: Annotated[str, Field(max_length=40)] = ""
     """The certificate's, an ISO 8601 date; empty: not stated."""
-    width_mm: Positive | None = None
+    width_mm: SizeMm | None = None
     """Of a plate, its narrower side; None: not stated."""
     expansion_per_c: NotNegative = 0.0
     """Coefficient of thermal expansion; 0: not stated."""

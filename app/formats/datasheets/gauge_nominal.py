@@ -9,7 +9,7 @@ from pydantic import model_validator
 
 from app.errors import OperationError
 from app.formats.file_names import display_path
-from app.formats.json_document import Document, Positive, Vector3
+from app.formats.json_document import Document, SizeMm, Vector3
 from app.messages.message import message
 from app.metrology.gauges.errors import NominalPlane, NominalSphere
 
@@ -36,7 +36,7 @@ class SphereFile(Document):
 
     shape: Literal["sphere"] = "sphere"
     centre_mm: Vector3
-    radius_mm: Positive
+    radius_mm: SizeMm
 
 
 class _AnyNominal(Document):

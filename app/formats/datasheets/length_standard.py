@@ -5,14 +5,14 @@ from typing import Annotated, ClassVar, Literal
 
 from pydantic import Field
 
-from app.formats.json_document import CertifiedUm, Document, DocumentPart, NotNegative, Positive
+from app.formats.json_document import CertifiedUm, Document, DocumentPart, NotNegative, SizeMm
 from app.metrology.performance.lengths import CalibratedLength
 
 
 class LengthPart(DocumentPart):
     """One length at 20 °C, with its standard uncertainty (k = 1)."""
 
-    length_mm: Positive
+    length_mm: SizeMm
     standard_uncertainty_um: CertifiedUm
 
 
@@ -27,7 +27,7 @@ class LengthStandardFile(Document):
     valid_until: Annotated[str, Field(max_length=20)] = ""
     """ISO 8601 date; empty: not stated."""
     kind: Literal["ball-bar", "step-gauge"] = "ball-bar"
-    sphere_diameter_mm: Positive | None = None
+    sphere_diameter_mm: SizeMm | None = None
     """Of a ball bar's spheres."""
     sphere_form_um: CertifiedUm = 0.0
     """Form deviation of each sphere."""

@@ -8,7 +8,7 @@ from pydantic import Field, model_validator
 
 from app.errors import OperationError
 from app.formats.file_names import display_path
-from app.formats.json_document import Document, NotNegative, Number, Positive
+from app.formats.json_document import Document, NotNegative, Number, SizeMm
 from app.messages.message import message
 from app.metrology.targets.chessboard import DICTIONARIES, Chessboard, Markers
 from app.metrology.targets.crenellated_block import Crenellated
@@ -77,7 +77,7 @@ class _BoardFile(Document):
     name: str
     serial_number: str = ""
     certificate: Certificate = ""
-    square_mm: Positive
+    square_mm: SizeMm
     standard_uncertainty_mm: NotNegative = PRINTED_MM
     flatness_mm: NotNegative | None = None
     """By how much the board typically bends over the pattern; where missing, as printed paper."""
@@ -111,7 +111,7 @@ class CharucoFile(_BoardFile):
     kind: Literal["charuco"]
     squares_x: Squares
     squares_y: Squares
-    marker_mm: Positive
+    marker_mm: SizeMm
     dictionary: str
     legacy_pattern: bool = False
     """As OpenCV before 4.6 arranged the markers."""

@@ -74,7 +74,8 @@ def _quantity_lengths(quantity: ET.Element, kinds: tuple[str, ...]) -> list[Cert
 
 
 def _real_lengths(real: ET.Element) -> list[tuple[float, float | None]]:
-    """Values in mm and their standard uncertainties; empty if they are no lengths."""
+    """Values in mm and their standard uncertainties; empty if they are no lengths,
+    or none that a number can hold."""
     units = _texts(real, "unit", "unitXMLList")
     values = _numbers(_texts(real, "value", "valueXMLList"))
     scales = [scale for unit in units if (scale := _in_mm(unit)) is not None]
@@ -82,7 +83,9 @@ def _real_lengths(real: ET.Element) -> list[tuple[float, float | None]]:
         return []
     spread = _standard_uncertainties(real, len(values))
     each = zip(values, _repeat(scales, len(values)), spread, strict=True)
-    return [(value * scale, None if sd is None else sd * scale) for value, scale, sd in each]
+    found = [(value * scale, None if sd is None else sd * scale) for value, scale, sd in each]
+    finite = all(math.isfinite(value) and math.isfinite(sd or 0.0) for value, sd in found)
+    return found if finite else []
 
 
 def _standard_uncertainties(real: ET.Element, count: int) -> list[float | None]:

@@ -5,6 +5,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Literal
+from xml.etree import ElementTree as ET
 
 from app.errors import OperationError
 from app.formats.datasheets.gauge import LARGEST_RADIUS_MM, GaugeFile
@@ -12,10 +13,13 @@ from app.formats.datasheets.length_standard import LengthPart, LengthStandardFil
 from app.formats.exchange.certificate_head import (
     CertificateHead,
     certificate_head,
+    check_certificate,
     open_certificate,
 )
 from app.formats.exchange.certificate_values import CertifiedLength, result_lengths
+from app.formats.exchange.xml_text import parse_xml
 from app.formats.file_names import display_path
+from app.formats.io_errors import convert_all_errors
 from app.formats.performance.plan import SpherePart
 from app.messages.message import join, message, rounded
 
@@ -27,7 +31,7 @@ LENGTH = re.compile("length|länge|distance|abstand|spacing")
 DEVIATION = re.compile("deviation|abweichung|error|difference")
 """Such a quantity is the difference from a nominal size, not the size."""
 OF_RESULT = "basic_measuredvalue"
-LONGEST_MM = 1e5
+SMALLEST_MM, LONGEST_MM = 1e-2, 1e5
 
 
 @dataclass(frozen=True)
@@ -71,12 +75,26 @@ def read_sphere_certificate(
         PTB, Digital Calibration Certificate, version 3.
     """
     root = open_certificate(path)
+    with convert_all_errors(path):
+        return _find_sphere(root, path, diameter_name, form_name)
+
+
+def parse_sphere_certificate(text: str, path: Path) -> CertifiedSphere:
+    """Reads the text of a file of this name; as ``read_sphere_certificate``."""
+    root = check_certificate(parse_xml(text, path), path)
+    with convert_all_errors(path):
+        return _find_sphere(root, path)
+
+
+def _find_sphere(
+    root: ET.Element, path: Path, diameter_name: str = "", form_name: str = ""
+) -> CertifiedSphere:
     lengths = result_lengths(root)
     diameter = _choose(path, lengths, SIZE, diameter_name, "diameter")
     form = _choose(path, lengths, FORM, form_name, "form", diameter)
     assert diameter is not None
-    sd_mm = _uncertainty_mm(path, diameter, 2 * LARGEST_RADIUS_MM)
     twice = 2.0 if _is_named(diameter, RADIUS) and not _is_named(diameter, DIAMETER) else 1.0
+    sd_mm = _uncertainty_mm(path, diameter, 2 * LARGEST_RADIUS_MM / twice)
     form_mm = 0.0 if form is None else abs(form.value_mm)
     form_sd_mm = (0.0 if form is None else form.standard_uncertainty_mm) or 0.0
     if form is not None and max(form_mm, form_sd_mm) >= diameter.value_mm:
@@ -107,6 +125,13 @@ def read_length_certificate(
         OperationError: as ``read_sphere_certificate``; no length, or one without an uncertainty.
     """
     root = open_certificate(path)
+    with convert_all_errors(path):
+        return _find_lengths(root, path, kind, length_name)
+
+
+def _find_lengths(
+    root: ET.Element, path: Path, kind: Literal["ball-bar", "step-gauge"], length_name: str
+) -> LengthStandardFile:
     found = result_lengths(root)
     wanted = re.compile(re.escape(length_name.lower())) if length_name else LENGTH
     known = [one for one in found if _is_named(one, wanted)]
@@ -145,7 +170,7 @@ def _uncertainty_mm(path: Path, one: CertifiedLength, largest_mm: float) -> floa
         advice = message("enter-artefact-by-hand")
         raise OperationError("certificate-without-uncertainty", display_path(path), why, advice)
     sd_mm = one.standard_uncertainty_mm or 0.0
-    if not sd_mm < one.value_mm <= largest_mm:
+    if not max(sd_mm, SMALLEST_MM) < one.value_mm <= largest_mm:
         raise _impossible_error(path, one)
     return sd_mm
 

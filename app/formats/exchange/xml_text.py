@@ -11,14 +11,16 @@ from app.messages.message import message
 
 FORBIDDEN = re.compile("[^\t\n\r\u0020-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
 """Characters that XML 1.0 cannot hold."""
+DEEPEST = 100
+"""Elements within each other; a certificate has fewer than thirty."""
 
 
 def read_xml(path: Path) -> ET.Element:
     """The root of an XML file.
 
     Raises:
-        OperationError: unreadable; not well formed; or with a document type, which could pull in
-            other files or grow without limit.
+        OperationError: unreadable; not well formed; nested too deeply; or with a document type,
+            which could pull in other files or grow without limit.
     """
     return parse_xml(read_text(path), path)
 
@@ -31,11 +33,17 @@ def parse_xml(text: str, path: Path) -> ET.Element:
             "xml-with-document-type", display_path(path), message("xml-document-type-refused")
         )
     try:
-        return ET.fromstring(text)
+        root = ET.fromstring(text)
     except (ET.ParseError, ValueError) as error:
         raise OperationError(
             "xml-malformed", display_path(path), message("xml-not-well-formed", error=str(error))
         ) from error
+    level = [root]
+    for _ in range(DEEPEST):
+        level = [child for element in level for child in element]
+    if level:
+        raise OperationError("xml-too-deep", display_path(path), message("nested-too-deeply"))
+    return root
 
 
 def xml_bytes(root: ET.Element) -> bytes:

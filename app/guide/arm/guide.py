@@ -7,7 +7,7 @@ from pathlib import Path
 from app.errors import OperationError
 from app.formats.atomic_write import ensure_folder, write_atomically
 from app.formats.datasheets.arm import read_arm
-from app.formats.io_errors import convert_io_errors
+from app.formats.io_errors import convert_all_errors, convert_io_errors
 from app.formats.open_file import read_bounded
 from app.formats.session.arm_session import ARM, write_observations
 from app.formats.session.coordinates_table import COORDINATES, parse_coordinates
@@ -104,7 +104,8 @@ class ArmGuide(GuidedSession[ArmState, ArmLive, ArmView]):
             return entry.datasheet if entry and isinstance(entry.datasheet, Arm) else None
         if self._session_arm[0] != self.state.session_id:
             try:
-                self._session_arm = (self.state.session_id, read_arm(self.folder / ARM))
+                with convert_all_errors(self.folder):
+                    self._session_arm = (self.state.session_id, read_arm(self.folder / ARM))
             except OperationError:
                 self._session_arm = (self.state.session_id, None)
         return self._session_arm[1]

@@ -12,7 +12,7 @@ from app.formats.datasheets.arm import read_any_arm
 from app.formats.datasheets.sensor import SelectedPart, read_sensor
 from app.formats.datasheets.target import read_object
 from app.formats.images import write_png
-from app.formats.io_errors import convert_io_errors
+from app.formats.io_errors import convert_all_errors, convert_io_errors
 from app.formats.json_document import file_sha256
 from app.formats.open_file import read_bounded
 from app.formats.results.acceptance import ACCEPTANCE, Acceptance, ComparisonPart
@@ -61,11 +61,12 @@ class SessionFolder:
     def datasheets(self) -> SelectedDatasheets:
         """The session's own copies; None for what cannot be read any more."""
         try:
-            return SelectedDatasheets(
-                read_any_arm(self.path / ARM),
-                read_object(self.path / OBJECT),
-                read_sensor(self.path / SENSOR),
-            )
+            with convert_all_errors(self.path):
+                return SelectedDatasheets(
+                    read_any_arm(self.path / ARM),
+                    read_object(self.path / OBJECT),
+                    read_sensor(self.path / SENSOR),
+                )
         except OperationError:
             return SelectedDatasheets(None, None, None)
 

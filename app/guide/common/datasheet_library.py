@@ -1,5 +1,6 @@
 """The arms, objects, sensors and gauges that the station knows, from files in its data folder."""
 
+import os
 import time
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
@@ -15,6 +16,7 @@ from app.formats.datasheets.sensor import SensorDatasheet, read_sensor
 from app.formats.datasheets.target import read_object
 from app.formats.exchange.read_certificate import read_sphere_certificate
 from app.formats.file_names import check_name, display_path, escape_unprintable
+from app.formats.io_errors import convert_all_errors
 from app.formats.json_document import document_format
 from app.messages.message import Text, message
 from app.metrology.arm.kinematics import AnyArm
@@ -164,17 +166,26 @@ def read_any_gauges(data_folder: Path) -> Gauges[AnyGauge]:
     folder, findings = data_folder / "gauges", list[Finding]()
     known = _entries(folder, read_any_gauge, findings, GAUGE_ENDINGS)
     refused = []
-    for path in sorted(folder.glob(f"*{CERTIFICATE_ENDING}")):
+    for path in _files(folder, CERTIFICATE_ENDING, findings):
         if path.stem in known:
             continue
         try:
-            check_name(path)
-            gauge = read_sphere_certificate(path).gauge
+            gauge = _evaluate(path, lambda path: read_sphere_certificate(path).gauge)
             known[path.stem] = DatasheetEntry(path.stem, path, gauge)
         except OperationError as error:
             name = escape_unprintable(path.stem)
             refused.append(RefusedCertificate(name, sentence(error.why or error.what)))
     return Gauges(known, tuple(findings), tuple(refused))
+
+
+def list_set_aside(data_folder: Path) -> list[Text]:
+    """Which files of arms, objects, sensors and gauges cannot be read: one sentence for each."""
+    library, gauges = read_library(data_folder), read_any_gauges(data_folder)
+    refused = {f"gauges/{one.id}{CERTIFICATE_ENDING}": one.reason for one in gauges.refused}
+    return [
+        *(one.text for one in (*library.findings, *gauges.findings)),
+        *(message("certificate-set-aside", file=file, why=why) for file, why in refused.items()),
+    ]
 
 
 def read_any_gauge(path: Path) -> AnyGauge:
@@ -191,11 +202,29 @@ def _entries(
     endings: tuple[str, ...] = (".json",),
 ) -> dict[str, DatasheetEntry[Datasheet]]:
     entries: dict[str, DatasheetEntry[Datasheet]] = {}
-    for path in sorted(folder.glob("*.json")):
+    for path in _files(folder, ".json", findings):
+        entry_id = next(path.name.removesuffix(e) for e in endings if path.name.endswith(e))
         try:
-            check_name(path)
-            entry_id = next(path.name.removesuffix(e) for e in endings if path.name.endswith(e))
-            entries.setdefault(entry_id, DatasheetEntry(entry_id, path, read(path)))
+            entries.setdefault(entry_id, DatasheetEntry(entry_id, path, _evaluate(path, read)))
         except OperationError as error:
             findings.append(Finding("attention", error.text, message("correct-remove-file")))
     return entries
+
+
+def _evaluate(path: Path, read: Callable[[Path], Datasheet]) -> Datasheet:
+    """What a file says; whatever goes wrong there is an ``OperationError`` that names it."""
+    with convert_all_errors(path):
+        check_name(path)
+        return read(path)
+
+
+def _files(folder: Path, ending: str, findings: list[Finding]) -> list[Path]:
+    """The files of a folder by their ending, without hidden ones; a folder that cannot be listed is
+    a finding."""
+    try:
+        with convert_all_errors(folder):
+            names = sorted(os.listdir(folder)) if os.path.lexists(folder) else []
+    except OperationError as error:
+        findings.append(Finding("attention", error.text))
+        names = []
+    return [folder / one for one in names if one.endswith(ending) and not one.startswith(".")]

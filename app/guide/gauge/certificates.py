@@ -5,8 +5,7 @@ from itertools import count
 from pathlib import Path
 
 from app.formats.atomic_write import ensure_folder, write_atomically
-from app.formats.exchange.certificate_head import check_certificate
-from app.formats.exchange.xml_text import parse_xml
+from app.formats.exchange.read_certificate import parse_sphere_certificate
 from app.formats.io_errors import convert_io_errors
 from app.formats.open_file import read_bounded
 from app.guide.common.datasheet_library import CERTIFICATE_ENDING, GAUGE_ENDINGS
@@ -16,7 +15,7 @@ LONGEST_NAME = 40
 
 
 def store_certificate(data_folder: Path, name: str, text: str) -> str:
-    """Writes a DCC into the folder of gauges; no file there is replaced.
+    """Writes the DCC of a sphere into the folder of gauges; no file there is replaced.
 
     Args:
         name: of its file, as the operator has it.
@@ -25,9 +24,9 @@ def store_certificate(data_folder: Path, name: str, text: str) -> str:
         The id of the gauge. A certificate that is there already keeps its own.
 
     Raises:
-        OperationError: it is no DCC 3.x, or it cannot be written.
+        OperationError: it is no DCC 3.x of a sphere, or it cannot be written.
     """
-    check_certificate(parse_xml(text, Path(name)), Path(name))
+    parse_sphere_certificate(text, Path(name))  # nothing is kept that cannot be evaluated
     folder, content = data_folder / "gauges", text.encode()
     stem = NOT_IN_NAMES.sub("-", name.removesuffix(CERTIFICATE_ENDING)).strip("-")
     stem = stem[:LONGEST_NAME] or "certificate"

@@ -11,7 +11,7 @@ import numpy as np
 from app.errors import OperationError
 from app.formats.atomic_write import ensure_folder, write_atomically
 from app.formats.datasheets.arm import read_any_arm
-from app.formats.io_errors import convert_io_errors
+from app.formats.io_errors import convert_all_errors, convert_io_errors
 from app.formats.json_document import Document
 from app.formats.open_file import read_bounded
 from app.formats.results.calibration import CALIBRATION, Calibration, read_calibration
@@ -124,8 +124,9 @@ class GaugeSession(GuidedSession[State, Live, View], Generic[State, Live, View, 
         """Gauge and arm of a session; None, both, if one of them cannot be read. A session may be
         without a gauge."""
         try:
-            gauge = self._read_one(self.folder / GAUGE) if self.state.gauge else None
-            return gauge, read_any_arm(self.folder / ARM)
+            with convert_all_errors(self.folder):
+                gauge = self._read_one(self.folder / GAUGE) if self.state.gauge else None
+                return gauge, read_any_arm(self.folder / ARM)
         except OperationError:
             return None, None
 

@@ -8,6 +8,7 @@ from typing import Literal
 from app.errors import OperationError
 from app.formats.datasheets.arm import read_any_arm
 from app.formats.datasheets.length_standard import LengthStandardFile
+from app.formats.io_errors import convert_all_errors
 from app.formats.performance.plan import Kind
 from app.formats.results.calibration import read_calibration
 from app.formats.session.calibration_session import ARM
@@ -85,7 +86,8 @@ def problems_in_test(
 def read_calibrated_with(calibration: Path) -> CalibratedWith | OperationError:
     """The object and the arm of a calibration's file, or why they cannot be read."""
     try:
-        serial = read_calibration(calibration).serial_numbers.object
-        return CalibratedWith(serial, read_any_arm(calibration.parent / ARM))
+        with convert_all_errors(calibration):
+            serial = read_calibration(calibration).serial_numbers.object
+            return CalibratedWith(serial, read_any_arm(calibration.parent / ARM))
     except OperationError as error:
         return error

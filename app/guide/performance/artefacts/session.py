@@ -7,6 +7,7 @@ from typing import Generic
 from app.errors import OperationError
 from app.formats.datasheets.gauge import GaugeFile
 from app.formats.datasheets.length_standard import LengthStandardFile, read_length_standard
+from app.formats.io_errors import convert_all_errors
 from app.formats.performance.plan import Kind
 from app.formats.results.verification import GAUGE
 from app.formats.session.calibration_session import ARM
@@ -160,7 +161,8 @@ class ArtefactSession(GaugeSession[PerformanceState, Live, View, AnyGauge], Gene
         named = f"{state.session_id}/{state.bar}"
         if self._bar[0] != named:
             try:
-                self._bar = (named, read_length_standard(self.folder / BAR))
+                with convert_all_errors(self.folder):
+                    self._bar = (named, read_length_standard(self.folder / BAR))
             except OperationError:
                 return None
         return self._bar[1]
@@ -179,7 +181,11 @@ class ArtefactSession(GaugeSession[PerformanceState, Live, View, AnyGauge], Gene
         if isinstance(known, OperationError):
             return (known.text,)
         day = (self.state.started_at if self.running else utc_now())[:10]
-        return tuple(problems_in_test(name, gauge, test, day, known))
+        try:
+            with convert_all_errors(name):
+                return tuple(problems_in_test(name, gauge, test, day, known))
+        except OperationError as error:
+            return (error.text,)
 
     def _read_calibrated_with(self) -> CalibratedWith | OperationError:
         """Of the calibration in use; without one, the arm that touches."""
