@@ -1,4 +1,4 @@
-"""A byte stream to an arm, over any port that pyserial can open.
+"""A byte stream to an arm, over a serial port or the network.
 
 pyserial's own blocking read returns late (it waits for a full buffer or the timeout) and cannot be
 interrupted on every kind of port. If a port has a file descriptor, this module waits on it and
@@ -7,6 +7,7 @@ reads without blocking; otherwise (Windows COM ports, ``rfc2217://``) it reads i
 
 import contextlib
 import errno
+import os
 import re
 import selectors
 import socket
@@ -17,12 +18,16 @@ from typing import Protocol, cast
 import serial
 from serial.tools import list_ports
 
-from app.messages.message import Text, message
+from app.messages.message import Text, join, message
 from hardware.errors import DeviceError
 
 _SLICE_S = 0.05
 _CHUNK = 65536
 _HOST_AND_PORT = re.compile(r"[\w.-]+:\d{1,5}")
+_NETWORK = re.compile(
+    r"(socket|rfc2217)://([\w.-]+|\[[\da-f:.]+(%\w+)?\]):\d{1,5}/?(\?[\w=&.]*)?", re.IGNORECASE
+)
+_COM = re.compile(r"(\\\\\.\\)?COM\d{1,3}", re.IGNORECASE)
 
 
 class _Port(Protocol):
@@ -39,7 +44,7 @@ class Wire:
     """An open port. One thread reads; ``send`` and ``close`` may come from any other.
 
     Args:
-        url: a device path, a COM port or a pyserial URL.
+        url: a device path, a COM port, ``socket://`` or ``rfc2217://``.
         baudrate: for ports that have one.
 
     Raises:
@@ -135,7 +140,25 @@ class Wire:
         return DeviceError(message("line-to-arm-closed", url=self._url))
 
 
+def _check_address(url: str) -> None:
+    """Raises ``DeviceError`` unless the url is the address of a device.
+
+    pyserial has further kinds; one of them, ``spy://``, writes to a file that its url names.
+    """
+    if _NETWORK.fullmatch(url) or _COM.fullmatch(url):
+        return
+    if "://" in url:
+        remedy = join([message("check-arm-url"), message("enter-device-address")], " ")
+        raise DeviceError(_not_opened_text(url, message("it-is-no-device")), remedy)
+    # a link to a device may lie elsewhere
+    if not os.path.realpath(url).startswith("/dev/"):
+        if os.path.lexists(url):
+            raise DeviceError(_not_opened_text(url, message("it-is-no-device")), _list_ports_text())
+        raise _no_port_error(url)
+
+
 def _open_port(url: str, baudrate: int) -> _Port:
+    _check_address(url)
     # pyserial's RFC 2217 client refuses a write timeout; only short requests are written.
     write_timeout = None if url.lower().startswith("rfc2217:") else 1.0
     try:
@@ -157,12 +180,7 @@ def _open_error(url: str, error: Exception) -> DeviceError:
     if isinstance(cause, socket.gaierror):
         return DeviceError(message("host-not-known", url=url), message("check-arm-url"))
     if number == errno.ENOENT or "FileNotFoundError" in text:
-        if _HOST_AND_PORT.fullmatch(url):
-            return DeviceError(
-                message("no-serial-port-named", url=url),
-                message("enter-network-address-as", url=f"socket://{url}"),
-            )
-        return DeviceError(message("no-serial-port-named", url=url), _list_ports_text())
+        return _no_port_error(url)
     if number in (errno.EAGAIN, errno.EBUSY):
         return DeviceError(
             message("serial-port-use-another-program", url=url),
@@ -178,7 +196,18 @@ def _open_error(url: str, error: Exception) -> DeviceError:
     if isinstance(cause, TimeoutError) or number in (errno.EHOSTUNREACH, errno.ENETUNREACH):
         return DeviceError(message("no-answer-from", url=url), message("check-address-network"))
     remedy = message("check-arm-url") if "://" in url else _list_ports_text()
-    return DeviceError(message("arm-url-cannot-be-opened", url=url, reason=_reason(error)), remedy)
+    return DeviceError(_not_opened_text(url, _reason(error)), remedy)
+
+
+def _not_opened_text(url: str, reason: Text) -> Text:
+    return message("arm-url-cannot-be-opened", url=url, reason=reason)
+
+
+def _no_port_error(url: str) -> DeviceError:
+    remedy = _list_ports_text()
+    if _HOST_AND_PORT.fullmatch(url):
+        remedy = message("enter-network-address-as", url=f"socket://{url}")
+    return DeviceError(message("no-serial-port-named", url=url), remedy)
 
 
 def _list_ports_text() -> Text:

@@ -53,6 +53,8 @@ from hardware.sensor.image_source import (
 )
 
 _OPEN_MS, _READ_MS = 5000, 3000
+_STREAMS = ("rtsp", "rtsps", "http", "https", "rtmp", "rtmps", "udp", "srt")
+"""FFmpeg has further kinds, which read files and pipes."""
 _STAMP_AGE_NS = 1_000_000_000
 _V4L2_MANUAL = 1
 
@@ -284,6 +286,12 @@ def _open_live(source: int | str, title: Text) -> cv2.VideoCapture:
     # A camera that is away is tried again and again; OpenCV would warn each time.
     cv2.utils.logging.setLogLevel(cv2.utils.logging.LOG_LEVEL_ERROR)
     if isinstance(source, str) and "://" in source:
+        if source.partition("://")[0].lower() not in _STREAMS:
+            kinds = ", ".join(f"{kind}://" for kind in _STREAMS)
+            raise DeviceError(
+                message("device-cannot-be-opened", title=title),
+                message("enter-stream-address", kinds=kinds),
+            )
         timeouts = [cv2.CAP_PROP_OPEN_TIMEOUT_MSEC, _OPEN_MS]
         timeouts += [cv2.CAP_PROP_READ_TIMEOUT_MSEC, _READ_MS]
         capture = cv2.VideoCapture(source, cv2.CAP_FFMPEG, timeouts)

@@ -284,6 +284,7 @@ def test_an_empty_or_missing_source_is_named(tmp_path: Path) -> None:
         (camera_of, str(tmp_path / "x.avi"), "cannot be played"),
         (camera_of, 61, "The camera 61 cannot be opened"),
         (camera_of, "http://127.0.0.1:9/x", r"The video stream .* cannot be opened"),
+        (camera_of, f"file://{tmp_path}/x.avi", "begins with one of rtsp://"),
     ):
         with pytest.raises(DeviceError, match=words):
             factory(source).open()

@@ -21,6 +21,7 @@ from hardware.arm.serial_encoder import SerialEncoderArm, from_options
 from hardware.clock import now_ns
 from hardware.errors import DeviceError
 from hardware.interfaces import ArmDriver, ArmRecord, Button, JointSample, LinkHealth
+from hardware.registry import arm_driver
 from tests.hardware.conformance import ArmBench, ArmConformance
 from tests.hardware.reading import (
     loss_of,
@@ -277,6 +278,25 @@ def test_what_is_wrong_at_opening_is_said(arm: FakeArm) -> None:
     assert "baud rate" in message
     arm.chatter = packet(1, bytes(40), version=3)
     assert "version 3 of the protocol" in open_error(url)
+
+
+@pytest.mark.parametrize("driver", ["bridge", "microscribe", "serial-encoder"])
+@pytest.mark.parametrize(
+    "url",
+    [
+        *("spy://loop://?file={}", "SPY:///dev/null?file={}&raw", "spy://socket://h:1?file={}"),
+        *("loop://", "hwgrep://USB", "alt:///dev/null?class=PosixPollSerial", "cp2110://0"),
+        *("file://{}", "{}", "/dev/..{}", "dev.toml", "socket://h:1/../{}", " spy://x?file={}"),
+    ],
+)
+def test_what_is_no_address_of_a_device_is_not_opened(
+    tmp_path: Path, url: str, driver: str
+) -> None:
+    kept = tmp_path / "station.db"
+    kept.write_bytes(b"kept")
+    with pytest.raises(DeviceError, match=r"not the address of a device|There is no serial"):
+        arm_driver(driver, {"url": url.format(kept)}).open()
+    assert kept.read_bytes() == b"kept"
 
 
 def test_an_arm_of_the_wrong_kind_is_refused(arm: FakeArm) -> None:
