@@ -1,10 +1,8 @@
 """``crenel verify`` and ``crenel study`` over archives: the clouds of verifications, each rebuilt
 with the calibration that was verified, with a given one, or with all of the station."""
 
-import csv
 import errno
 import hashlib
-import io
 import os
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
@@ -22,6 +20,7 @@ from app.batch.recordings import Selection, find_records
 from app.batch.results import ResultStore, stem_of
 from app.batch.task import Desk, Refusal
 from app.errors import OperationError
+from app.formats import csv_table
 from app.formats.datasheets.gauge import Shape
 from app.formats.file_names import display_path
 from app.formats.io_errors import error_from_os
@@ -249,8 +248,4 @@ def table_of(results: Iterable[tuple[VerificationTask, Mapping[str, Any]]]) -> l
 
 def table_text(rows: Iterable[Sequence[str]]) -> str:
     """The table as CSV, with its header."""
-    text = io.StringIO()
-    table = csv.writer(text, lineterminator="\n")
-    table.writerow(COLUMNS)
-    table.writerows(rows)
-    return text.getvalue()
+    return csv_table.table_text(COLUMNS, rows)

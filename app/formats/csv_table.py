@@ -3,6 +3,7 @@
 import csv
 import io
 import math
+import re
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -14,6 +15,8 @@ from app.messages.message import Text, message
 
 WORKBOOK = "PK\x03\x04"
 """How the file of a spreadsheet program begins."""
+FORMULA, GUARDED = re.compile(r"'*\s*[=+\-@]|'*[\t\r]"), re.compile(r"'+(\s*[=+\-@]|[\t\r])")
+"""Cells that spreadsheet programs run, and those that an apostrophe keeps from it."""
 
 
 @dataclass(frozen=True)
@@ -103,6 +106,7 @@ def parse_table(text: str, path: Path, required: Iterable[str]) -> CsvTable:
         for cells in lines:
             if not any(cell.strip() for cell in cells):
                 continue
+            cells = [cell[1:] if GUARDED.match(cell) else cell for cell in cells]
             if not columns:
                 columns = tuple(cell.strip() for cell in cells)
                 _check_columns(path, columns, required)
@@ -121,12 +125,32 @@ def parse_table(text: str, path: Path, required: Iterable[str]) -> CsvTable:
 
 
 def table_text(columns: Sequence[str], rows: Iterable[Sequence[str | float | int]]) -> str:
-    """The text of a CSV file; numbers are written so that they are read back exactly."""
+    """The text of a CSV file; numbers are written so that they are read back exactly.
+
+    Texts that a spreadsheet program would run as formulas begin with an apostrophe, which
+    ``parse_table`` takes away.
+    """
+    return "".join(_line([_guard_formula(cell) for cell in row]) for row in (columns, *rows))
+
+
+def _line(cells: Sequence[str | float | int]) -> str:
     out = io.StringIO()
-    writer = csv.writer(out, lineterminator="\n")
-    writer.writerow(columns)
-    writer.writerows(rows)
-    return out.getvalue()
+    csv.writer(out, lineterminator="\r\n").writerow(cells)  # which quotes both of these
+    return out.getvalue().removesuffix("\r\n") + "\n"
+
+
+def _guard_formula(cell: str | float | int) -> str | float | int:
+    if isinstance(cell, str) and FORMULA.match(cell) and not _is_number(cell):
+        return f"'{cell}"
+    return cell
+
+
+def _is_number(cell: str) -> bool:
+    try:
+        float(cell)
+    except ValueError:
+        return False
+    return True
 
 
 def _check_columns(path: Path, columns: tuple[str, ...], required: Iterable[str]) -> None:

@@ -4,8 +4,6 @@ Errors of a calibration appear as a plane that turns and shifts from one calibra
 errors of the arm and the scanning, from one cloud to the next.
 """
 
-import csv
-import io
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -14,6 +12,7 @@ import numpy as np
 
 from app.errors import OperationError
 from app.formats.atomic_write import write_atomically
+from app.formats.csv_table import table_text
 from app.formats.datasheets.gauge_nominal import read_nominal
 from app.formats.io_errors import prefix_errors
 from app.formats.results.calibration import Calibration
@@ -75,13 +74,16 @@ class Study:
 
     def write_csv(self, path: Path) -> None:
         """The table, with one row per recording and calibration; raises ``OperationError``."""
-        text = io.StringIO()
-        table = csv.writer(text, lineterminator="\n")
-        table.writerow(COLUMNS)
-        for row in self.rows:
-            figures = (f"{x:.3f}" for x in (row.rms_um, row.angle_arcsec, row.offset_um))
-            table.writerow((row.recording, row.calibration, row.points, *figures))
-        write_atomically(path, text.getvalue().encode())
+        rows: list[Sequence[str | float | int]] = [
+            (
+                row.recording,
+                row.calibration,
+                row.points,
+                *(f"{x:.3f}" for x in (row.rms_um, row.angle_arcsec, row.offset_um)),
+            )
+            for row in self.rows
+        ]
+        write_atomically(path, table_text(COLUMNS, rows).encode())
 
 
 def run_study(

@@ -1,15 +1,20 @@
-"""``coordinates.csv``: read, identified with its frames and markers, and refused with the place."""
+"""Tables: ``coordinates.csv`` read, identified with its frames and markers, refused; CSV texts."""
 
+import csv
+import io
+import math
 from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 from scipy.spatial.transform import Rotation
 
 from app.errors import OperationError
-from app.formats.csv_table import table_text
+from app.formats.csv_table import parse_table, table_text
 from app.formats.datasheets.arm import ArmFile, arm_document, read_arm
 from app.formats.session.arm_session import read_observations
 from app.formats.session.coordinates_table import COORDINATES, parse_coordinates, read_coordinates
@@ -211,3 +216,14 @@ def test_a_workbook_is_named_as_one(text: str) -> None:
     """As a browser reads it, whose text has no file to fail at."""
     with pytest.raises(OperationError, match=r"tracker\.csv: this is the file of a spreadsheet"):
         parse_coordinates(text, Path("tracker.csv"), robot(6))
+
+
+@given(st.text(st.sampled_from("'=+-@ \t\r1.eA,\""), max_size=6))
+def test_no_cell_runs_in_a_spreadsheet_and_all_read_back(cell: str) -> None:
+    text = table_text(("name", "value"), [(f"={cell}", -1.5), (cell, "-1.5"), ("A", "+2")])
+    written = list(csv.reader(io.StringIO(text, newline="")))[1:]
+    for name, _ in written:
+        assert name[:1] not in set("=+-@\t\r") or math.isfinite(float(name))
+    assert [value for _, value in written] == ["-1.5", "-1.5", "+2"]
+    rows = parse_table(text, Path("t.csv"), ("name",)).rows
+    assert [row.cells["name"] for row in rows] == [f"={cell}", cell, "A"]

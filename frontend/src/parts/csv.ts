@@ -2,8 +2,13 @@ import { message } from "../messages/text";
 import { renderEnglish } from "../state/language";
 import { fileCell, fileHead, type TableData } from "./table";
 
+/** A text that a spreadsheet program would run begins with an apostrophe; numbers stay numbers. */
+function guarded(text: string): string {
+  return /^'*(\s*[=+\-@]|[\t\r])/.test(text) && Number.isNaN(Number(text)) ? `'${text}` : text;
+}
+
 function quoted(text: string): string {
-  return /[",\n]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text;
+  return /[",\r\n]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text;
 }
 
 /** One table after another, an empty line between them; in English, mm and µm, whatever is displayed. */
@@ -14,7 +19,7 @@ export function toCsv(tables: TableData[]): string {
       head.map(fileHead),
       ...rows.map((row) => row.map(fileCell)),
     ])
-    .map((lines) => lines.map((line) => line.map(quoted).join(",")).join("\n"))
+    .map((lines) => lines.map((line) => line.map(guarded).map(quoted).join(",")).join("\n"))
     .join("\n\n");
 }
 
