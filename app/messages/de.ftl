@@ -732,33 +732,49 @@ close-program-with-port = Das andere Programm oder die zweite Station mit demsel
 close-what-else-uses-machine = Andere Programme auf diesem Rechner schließen.
 cloud-bytes-do-not-match-points = { $bytes } Byte sind für { $points } Punkte angegeben
 cloud-cannot-be-expanded = die komprimierten Daten lassen sich nicht entpacken
+cloud-check-shape-and-unit = Nur die Punktwolke des Normals angeben, seine Form und die Einheit (--unit)
 cloud-choose-another-location = Speicherplatz freigeben oder einen anderen Ort wählen
+cloud-columns-are-fixed = das Format legt fest, welche Spalten x, y und z sind: --columns weglassen
+cloud-columns-there = die Spalten heißen { $names }
 cloud-contains-points-of = { $path } enthält { $found } von { $announced } Punkten
+cloud-covers-little = { $file }: die Punkte zeigen { $share } der Kugel; ihr Radius ist daher auf ± { $uncertainty } bekannt (k = 2). Mehr von der Kugel scannen
 cloud-data-of-unknown-kind = die Daten sind { $kind }, also weder ascii noch binary noch binary_compressed
 cloud-decimal-commas = die Zahlen haben Dezimalkommas
 cloud-disk-accepts-no-more = der Datenträger nimmt keine Daten mehr an ({ $reason })
 cloud-disk-took-points = der Datenträger nahm { $found } von { $count } Punkten an
 cloud-element-has-lists = das Element { $name } vor den Punkten (vertex) enthält Listen
 cloud-element-repeats-property = das Element { $name } hat zwei Eigenschaften desselben Namens
+cloud-exact = { $used } von { $points } Punkten liegen genau auf einer { $shape ->
+        [plane] Ebene
+       *[sphere] Kugel
+    }, wie es gemessene Punkte nie tun, und die anderen daneben
+cloud-exact-remedy = Nicht gemessene Punkte weglassen und die Spalten prüfen (--columns)
 cloud-export-again = Punktwolke erneut exportieren
 cloud-export-binary-pcd = Als binäres PCD oder als PLY exportieren
 cloud-export-cartesian = Kartesische Koordinaten exportieren
 cloud-export-decimal-points = Mit Dezimalpunkten exportieren, oder jedes Komma durch einen Punkt ersetzen
 cloud-file-empty = die Datei ist leer
+cloud-first-column-counts = die erste Spalte nummeriert die Punkte, und keine Zeile benennt die Spalten
 cloud-format-requires-package = für { $format }-Dateien ist das Paket { $package } nötig, das nicht installiert ist
 cloud-format-unknown = es ist keine Punktwolke eines bekannten Formats
+cloud-give-columns = Die Spalten der Koordinaten x, y und z nennen oder ihre Namen oder Nummern angeben, etwa --columns 2,3,4
 cloud-give-known-format = Eine Punktwolke .ply, .pcd, .e57, .xyz, .las oder .laz angeben
 cloud-give-ply-or-xyz = Eine Punktwolke .ply oder .xyz angeben
 cloud-header-announces-more = der Dateikopf gibt mehr an, als die Datei enthält
 cloud-header-contains = der Dateikopf enthält { $line }
 cloud-header-does-not-end = der Dateikopf endet nicht
 cloud-header-is-invalid = der Dateikopf ist ungültig ({ $reason })
+cloud-in-other-coordinates = { $file } liegt { $distance } vom Nennort entfernt: die Koordinaten sind andere, und Abweichungen des Ortes werden nicht angegeben
 cloud-install-package = Installieren mit: { $command }; oder PLY, PCD oder XYZ verwenden
 cloud-is-a-line = { $file }: die meisten Punkte liegen in einem Streifen von { $length } × { $width }: sie bestimmen kaum eine Ebene. Mehr von der Platte scannen
 cloud-las-counts-up-to = LAS zählt in Schritten von 0,1 µm, bis { $limit }
+cloud-left-out-deleted = { $file }: { $points } Punkte sind als gelöscht markiert und zählen nicht
+cloud-left-out-missing = { $file }: { $points } Punkte wurden nicht gemessen und zählen nicht: sie liegen bei 0, 0, 0 oder an einem anderen Ort, der für keinen steht
+cloud-left-out-repeated = { $file }: { $points } Punkte wiederholen andere genau und zählen nicht
 cloud-line-of-numbers-expected = erwartet wird eine Zeile mit den Zahlen x y z, aber { $reason }
 cloud-no-element-vertex = der Dateikopf nennt kein Element vertex
 cloud-no-ply-format = der Dateikopf nennt kein gültiges PLY-Format
+cloud-no-such-column = { $path } hat keine Spalte { $name }
 cloud-not-cartesian = die Punkte sind nicht kartesisch
 cloud-not-complete-format = es ist keine vollständige { $format }-Datei ({ $reason })
 cloud-of-another-shape = { $file }: Die Punkte liegen { $rms } (rms) um die { $shape ->
@@ -767,6 +783,11 @@ cloud-of-another-shape = { $file }: Die Punkte liegen { $rms } (rms) um die { $s
     }: Sie gehören kaum zu einer. Nur die Punktwolke des Normals angeben
 cloud-of-another-unit = { $file } hat den Nennradius, wenn die Einheit { $unit } ist. --unit { $unit } angeben
 cloud-of-odd-size = { $file } ist { $size } groß, wenn die Einheit { $unit } ist. Die Einheit mit --unit m, mm oder inch angeben
+cloud-too-large-for-a-gauge = die { $shape ->
+        [plane] Ebene
+       *[sphere] Kugel
+    } durch die Punkte ist { $size } groß
+cloud-points-none-measured = keiner der { $points } Punkte wurde gemessen: sie sind als gelöscht markiert oder haben die Koordinaten 0, 0, 0 oder andere, die für keine stehen
 cloud = Punktwolke
 cloud-being-scanned-already = Es wird bereits eine Punktwolke gescannt.
 cloud-cloud = { $title }, je Punktwolke.

@@ -732,33 +732,49 @@ close-program-with-port = Close the other program, or the second station with th
 close-what-else-uses-machine = Close other programs on this machine.
 cloud-bytes-do-not-match-points = { $bytes } bytes are announced for { $points } points
 cloud-cannot-be-expanded = its compressed data cannot be expanded
+cloud-check-shape-and-unit = Give the cloud of the gauge alone, its shape, and its unit (--unit)
 cloud-choose-another-location = Free some space, or choose another location
+cloud-columns-are-fixed = the format fixes which columns are x, y and z: do not give --columns
+cloud-columns-there = its columns are { $names }
 cloud-contains-points-of = { $path } contains { $found } of { $announced } points
+cloud-covers-little = { $file }: the points cover { $share } of the sphere, so that its radius is known to ± { $uncertainty } (k = 2). Scan more of the sphere
 cloud-data-of-unknown-kind = its data is { $kind }, which is not one of ascii, binary, binary_compressed
 cloud-decimal-commas = its numbers have decimal commas
 cloud-disk-accepts-no-more = the disk accepts no more data ({ $reason })
 cloud-disk-took-points = the disk took { $found } of { $count } points
 cloud-element-has-lists = element { $name } before the vertices contains lists
 cloud-element-repeats-property = element { $name } has two properties with the same name
+cloud-exact = { $used } of { $points } points lie on one { $shape ->
+        [plane] plane
+       *[sphere] sphere
+    } exactly, as no measured points do, and the others off it
+cloud-exact-remedy = Leave out points that were not measured, and check the columns (--columns)
 cloud-export-again = Export the cloud again
 cloud-export-binary-pcd = Export it as binary PCD or as PLY
 cloud-export-cartesian = Export Cartesian coordinates
 cloud-export-decimal-points = Export it with decimal points, or replace each comma by a point
 cloud-file-empty = it is empty
+cloud-first-column-counts = its first column numbers the points, and no line names the columns
 cloud-format-requires-package = { $format } files require the package { $package }, which is not installed
 cloud-format-unknown = it is not a cloud of a known format
+cloud-give-columns = Name the columns of the coordinates x, y and z, or give their names or numbers, as in --columns 2,3,4
 cloud-give-known-format = Give a .ply, .pcd, .e57, .xyz, .las or .laz cloud
 cloud-give-ply-or-xyz = Give a .ply or .xyz cloud
 cloud-header-announces-more = its header announces more than the file contains
 cloud-header-contains = its header contains { $line }
 cloud-header-does-not-end = its header does not end
 cloud-header-is-invalid = its header is invalid ({ $reason })
+cloud-in-other-coordinates = { $file } lies { $distance } from the nominal: it is in other coordinates, and errors of its place are not stated
 cloud-install-package = Install it with: { $command }; or use PLY, PCD or XYZ
 cloud-is-a-line = { $file }: most of its points lie in a strip of { $length } × { $width }: they hardly determine a plane. Scan more of the plate
 cloud-las-counts-up-to = LAS counts in steps of 0.1 µm, up to { $limit }
+cloud-left-out-deleted = { $file }: { $points } points are marked as deleted and are left out
+cloud-left-out-missing = { $file }: { $points } points were not measured and are left out: they are at 0, 0, 0 or at another place that stands for none
+cloud-left-out-repeated = { $file }: { $points } points repeat others exactly and are left out
 cloud-line-of-numbers-expected = a line of x y z numbers is expected, but { $reason }
 cloud-no-element-vertex = its header names no element vertex
 cloud-no-ply-format = its header names no valid PLY format
+cloud-no-such-column = { $path } has no column { $name }
 cloud-not-cartesian = its points are not Cartesian
 cloud-not-complete-format = it is not a complete { $format } file ({ $reason })
 cloud-of-another-shape = { $file }: the points lie { $rms } (rms) about the { $shape ->
@@ -767,6 +783,11 @@ cloud-of-another-shape = { $file }: the points lie { $rms } (rms) about the { $s
     }: they are hardly of one. Give the cloud of the gauge alone
 cloud-of-another-unit = { $file } has the nominal radius if its unit is { $unit }. Give --unit { $unit }
 cloud-of-odd-size = { $file } is { $size } large if its unit is { $unit }. State the unit with --unit m, mm or inch
+cloud-too-large-for-a-gauge = the { $shape ->
+        [plane] plane
+       *[sphere] sphere
+    } through the points is { $size } large
+cloud-points-none-measured = none of its { $points } points was measured: they are marked as deleted, or have the coordinates 0, 0, 0 or others that stand for none
 cloud = Cloud
 cloud-being-scanned-already = A cloud is already being scanned.
 cloud-cloud = { $title }, cloud by cloud.

@@ -73,6 +73,18 @@ def test_las_is_whole_to_others(tmp_path: Path, suffix: str) -> None:
     np.testing.assert_allclose(las.header.maxs, table[:, :3].max(axis=0), rtol=0, atol=0.51e-4)
 
 
+@pytest.mark.parametrize("suffix", [".las", ".laz"])
+def test_withheld_points_of_las_are_left_out(tmp_path: Path, suffix: str) -> None:
+    table = written(tmp_path / f"c{suffix}")[::1000]
+    las = laspy.LasData(laspy.LasHeader(point_format=1, version="1.2"))
+    las.x, las.y, las.z = table[:, :3].T
+    las.withheld = np.arange(len(table)) % 5 == 0
+    las.write(tmp_path / f"c{suffix}")
+    cloud = read_cloud(tmp_path / f"c{suffix}")
+    assert len(cloud.points_mm) + cloud.left_out.deleted == len(table)
+    assert cloud.left_out.deleted == np.ceil(len(table) / 5)
+
+
 def test_pcd_of_others_is_read(tmp_path: Path) -> None:
     points = np.random.default_rng(2).uniform(-9, 9, (20, 3)).astype(np.float32)
     head = "VERSION .7\nFIELDS x y z _ n\nSIZE 4 4 4 1 4\nTYPE F F F U F\nCOUNT 1 1 1 4 3\n"

@@ -196,3 +196,57 @@ def test_an_ascii_cloud_that_ends_early_is_refused(tmp_path: Path) -> None:
     path.write_bytes(of_points(3, b"1 2 3\n4 5 6\n7 8\n"))
     with pytest.raises(OperationError, match=r"c\.ply"):
         read_cloud(path)
+
+
+NAMES = [
+    ("No.,X [mm],Y [mm],Z [mm]", 1.0),
+    ('"Intensity","Points:0","Points:1","Points:2"', 1.0),
+    ("id;x_m;y_m;z_m", 1000.0),
+    ("t\tPosX\tPosY\tPosZ", 1.0),
+    ("t POS_X(inch) POS_Y(inch) POS_Z(inch)", 25.4),
+    ("X_nominal,x,y,z", 1.0),
+    ("Nr;X-Koordinate [µm];Y-Koordinate [µm];Z-Koordinate [µm]", 1e-3),
+]
+
+
+@pytest.mark.parametrize(("names", "mm"), NAMES)
+def test_columns_are_found_by_the_names_of_programs(tmp_path: Path, names: str, mm: float) -> None:
+    sign = next((sign for sign in ",;\t" if sign in names), " ")
+    table = np.column_stack([np.arange(len(POINTS)), POINTS / mm])
+    rows = "\n".join(sign.join(map(repr, row)) for row in table.tolist())
+    (tmp_path / "c.csv").write_text(f"{names}\n{rows}\n", encoding="utf-8")
+    np.testing.assert_allclose(read_cloud(tmp_path / "c.csv").points_mm, POINTS, rtol=1e-12)
+    (tmp_path / "c.csv").write_text(rows)
+    with refused_as("cloud-columns-unknown", "numbers the points", "--columns 2,3,4"):
+        read_cloud(tmp_path / "c.csv")
+    given = read_cloud(tmp_path / "c.csv", ("2", "3", "4"), mm)
+    np.testing.assert_allclose(given.points_mm, POINTS, rtol=1e-12)
+
+
+def test_unknown_columns_are_named_and_can_be_given(tmp_path: Path) -> None:
+    (tmp_path / "c.csv").write_text("a,north,east,up\n9,1,2,3\n9,4,5,7\n")
+    with refused_as("cloud-columns-unknown", "a, north, east, up", "--columns"):
+        read_cloud(tmp_path / "c.csv")
+    with refused_as("cloud-column-missing", "no column down"):
+        read_cloud(tmp_path / "c.csv", ("north", "east", "down"))
+    found = read_cloud(tmp_path / "c.csv", ("east", "north", "up")).points_mm
+    np.testing.assert_array_equal(found, [[2, 1, 3], [5, 4, 7]])
+    (tmp_path / "c.pcd").write_text(
+        "VERSION .7\nFIELDS rgb Z Y X\nSIZE 4 4 4 4\nTYPE F F F F\nCOUNT 0 1 1 1\n"
+        "WIDTH 1\nHEIGHT 1\nDATA ascii\n3 2 1\n"
+    )
+    np.testing.assert_array_equal(read_cloud(tmp_path / "c.pcd").points_mm, [[1, 2, 3]])
+
+
+@pytest.mark.parametrize("none", [(0.0, 0.0, 0.0), (-0.0, 0.0, -0.0), (-9999.0, 7.0, 1.5)])
+def test_points_that_were_not_measured_or_repeat_others_are_left_out(
+    tmp_path: Path, none: tuple[float, float, float]
+) -> None:
+    rows = np.concatenate([POINTS[:100], np.tile(none, (300, 1)), POINTS, POINTS[:7]])
+    np.savetxt(tmp_path / "c.xyz", rows, fmt="%.17g")
+    cloud = read_cloud(tmp_path / "c.xyz")
+    np.testing.assert_array_equal(cloud.points_mm, POINTS)
+    assert (cloud.left_out.missing, cloud.left_out.repeated) == (300, 107)
+    np.savetxt(tmp_path / "c.xyz", np.zeros((5, 3)))
+    with refused_as("cloud-empty", "none of its 5 points was measured"):
+        read_cloud(tmp_path / "c.xyz")

@@ -19,6 +19,7 @@ from tests.formats.builders import ARM, joints_every, little_calibration, write_
 from tests.formats.test_clouds import POINTS
 from tests.formats.test_documents import calibration_file
 from tests.formats.test_image_sizes import png
+from tests.refusals import refused_as
 from tests.workflows.test_reconstruct import MS, NAMES, record_stripe
 
 pytestmark = pytest.mark.slow
@@ -79,6 +80,23 @@ def test_a_damaged_cloud(tmp_path: Path, damage: Damage) -> None:
         cloud.write(POINTS[:9], POINTS[:9, 0], POINTS[:9, 0], 0)
     path.write_bytes(damaged(path.read_bytes(), damage))
     with suppress(OperationError):
+        read_cloud(path)
+
+
+@pytest.mark.device
+@pytest.mark.parametrize(
+    ("place", "content"), [("chunk size", b"\xfe\xff\xff\xff"), ("chunks", b"~")]
+)
+def test_a_laz_whose_library_would_abort(tmp_path: Path, place: str, content: bytes) -> None:
+    path = tmp_path / "c.laz"
+    with cloud_writer(path) as cloud:
+        cloud.write(POINTS, POINTS[:, 0], POINTS[:, 0], 0)
+    whole = path.read_bytes()
+    begin_of_points = int.from_bytes(whole[96:100], "little")
+    chunk_table = int.from_bytes(whole[begin_of_points:][:8], "little")
+    at = {"chunk size": whole.index(b"laszip encoded") + 64, "chunks": chunk_table + 7}[place]
+    path.write_bytes(whole[:at] + content + whole[at + len(content) :])
+    with refused_as("cloud-malformed", "not a complete LAS/LAZ file", "bytes failed"):
         read_cloud(path)
 
 

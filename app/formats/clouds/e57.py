@@ -6,6 +6,7 @@ other programs ignore.
 
 import uuid
 from collections.abc import Callable
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -125,14 +126,20 @@ def read_e57(path: Path) -> Cloud:
         ) from error
     if not scans:
         return cloud_from_columns({axis: np.zeros(0) for axis in "xyz"})
-    kept = set.intersection(*(set(scan) for scan in scans))
-    return cloud_from_columns(
-        {name: np.concatenate([scan[name] for scan in scans]) for name in kept}
-    )
+    kept = set.intersection(*(set(scan.columns) for scan in scans))
+    columns = {name: np.concatenate([scan.columns[name] for scan in scans]) for name in kept}
+    cloud = cloud_from_columns(columns, sum(scan.invalid for scan in scans))
+    return replace(cloud, mm_per_unit=MM_PER_M)
 
 
-def _read_scan(path: Path, e57: Any, file: Any, index: int) -> dict[str, Floats]:
-    """The columns (N,) of one scan, mm, without invalid points."""
+@dataclass(frozen=True)
+class _Scan:
+    columns: dict[str, Floats]
+    """(N,) by name, mm, of the valid points."""
+    invalid: int
+
+
+def _read_scan(path: Path, e57: Any, file: Any, index: int) -> _Scan:
     header = file.get_header(index)
     present = [name for name in (*FIELDS, INVALID) if name in header.point_fields]
     if not set(AXES) <= set(present):
@@ -142,25 +149,25 @@ def _read_scan(path: Path, e57: Any, file: Any, index: int) -> dict[str, Floats]
             message("cloud-not-cartesian"),
             message("cloud-export-cartesian"),
         )
-    whole = {name: np.empty(header.point_count) for name in present}
     buffers, arrays = e57.VectorSourceDestBuffer(), {}
     for name in present:
         arrays[name] = np.zeros(CHUNK_POINTS)
         buffers.append(
             e57.SourceDestBuffer(file.image_file, name, arrays[name], CHUNK_POINTS, True, True)
         )
-    reader, done = header.points.reader(buffers), 0
+    reader = header.points.reader(buffers)
+    pieces = [np.zeros((0, len(present)))]
     while count := reader.read():
-        for name in present:
-            whole[name][done : done + count] = arrays[name][:count]
-        done += count
+        pieces.append(np.column_stack([arrays[name][:count] for name in present]))
     reader.close()
-    valid = whole.get(INVALID, np.zeros(done))[:done] == 0
-    columns = {FIELDS[name]: whole[name][:done][valid] for name in present if name in FIELDS}
-    xyz = np.column_stack([columns[axis] for axis in "xyz"])
+    columns = dict(zip(present, np.concatenate(pieces).T, strict=True))
+    valid = columns.pop(INVALID, np.zeros(len(columns["cartesianX"]))) == 0
+    kept = {FIELDS[name]: column[valid] for name, column in columns.items()}
+    xyz = np.column_stack([kept[axis] for axis in "xyz"])
     if header.has_pose():
         xyz = file.to_global(xyz, header.rotation, header.translation)
-    return columns | {axis: xyz[:, i] * MM_PER_M for i, axis in enumerate("xyz")}
+    in_frame = {axis: xyz[:, i] * MM_PER_M for i, axis in enumerate("xyz")}
+    return _Scan(kept | in_frame, int((~valid).sum()))
 
 
 def _call_e57(path: Path, work: Callable[[], Any]) -> Any:

@@ -1,8 +1,9 @@
 """Clouds: written in chunks and read, in the format given by the file's name."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
+from typing import BinaryIO
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,10 +12,19 @@ from app.errors import OperationError
 from app.formats.atomic_write import atomic_file, atomic_path
 from app.formats.clouds.copc import CopcSink
 from app.formats.clouds.e57 import E57Sink, read_e57
-from app.formats.clouds.las import LasSink, read_las
+from app.formats.clouds.las import LasSink
+from app.formats.clouds.las_reader import read_las
 from app.formats.clouds.pcd import PcdSink, read_pcd
 from app.formats.clouds.ply import PlySink, read_ply
-from app.formats.clouds.points import POINT, Cloud, Points, PointSink, pack_points
+from app.formats.clouds.points import (
+    POINT,
+    Cloud,
+    Points,
+    PointSink,
+    leave_out_unmeasured,
+    pack_points,
+    scale_cloud,
+)
 from app.formats.clouds.xyz import XyzSink, read_xyz
 from app.formats.file_names import display_path
 from app.formats.io_errors import convert_io_errors
@@ -129,31 +139,33 @@ def check_suffix(path: Path) -> str:
     return suffix
 
 
-def read_cloud(path: Path) -> Cloud:
+def read_cloud(
+    path: Path, columns: Sequence[str] | None = None, mm_per_unit: float | None = None
+) -> Cloud:
     """Reads a cloud, whatever its name: PLY, PCD, E57, LAS, LAZ or XYZ text.
+
+    Points that are none, such as deleted or repeated ones, are left out and counted.
+
+    Args:
+        columns: names (or in text, numbers from 1) of the columns of x, y and z; by default,
+            they are found by their names.
+        mm_per_unit: of the numbers in the file; by default as the file states it, or the standard
+            of its format, else mm.
 
     Raises:
         OperationError: missing, cut off, malformed, or without points; or the library of the format
-            is not
-            installed.
+            is not installed.
     """
     with convert_io_errors(path), open_file(path) as file:
-        head = file.read(16)
-        if head[:4].rstrip() == b"ply":
-            cloud = read_ply(path, file)
-        elif head.startswith(b"ASTM-E57"):
-            cloud = read_e57(path)
-        elif head.startswith(b"LASF"):
-            cloud = read_las(path, file)
-        elif head.startswith((b"# .PCD", b"VERSION ")):
-            cloud = read_pcd(path, file)
-        else:
-            cloud = read_xyz(path, file)
+        found = _read_points(path, file, columns)
+    cloud = leave_out_unmeasured(found if mm_per_unit is None else scale_cloud(found, mm_per_unit))
     if not len(cloud.points_mm):
+        left_out = cloud.left_out.deleted + cloud.left_out.missing
+        why = message("cloud-points-none-measured", points=left_out)
         raise OperationError(
             "cloud-empty",
             display_path(path),
-            message("cloud-has-no-points"),
+            why if left_out else message("cloud-has-no-points"),
             message("scan-gauge-again"),
         )
     largest = float(
@@ -167,3 +179,19 @@ def read_cloud(path: Path) -> Cloud:
             message("give-cloud-millimetres"),
         )
     return cloud
+
+
+def _read_points(path: Path, file: BinaryIO, columns: Sequence[str] | None) -> Cloud:
+    """All points of a file, in the format by its first bytes."""
+    head = file.read(16)
+    if head[:4].rstrip() == b"ply":
+        return read_ply(path, file, columns)
+    if head.startswith((b"ASTM-E57", b"LASF")):
+        if columns is not None:
+            raise OperationError(
+                "cloud-columns-fixed", display_path(path), message("cloud-columns-are-fixed")
+            )
+        return read_e57(path) if head.startswith(b"ASTM") else read_las(path, file)
+    if head.startswith((b"# .PCD", b"VERSION ")):
+        return read_pcd(path, file, columns)
+    return read_xyz(path, file, columns)

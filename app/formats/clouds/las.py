@@ -12,16 +12,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.formats.clouds.optional_library import call_library, load_library
-from app.formats.clouds.points import POINT, Cloud, Points, cloud_from_columns
-from app.formats.clouds.rows import format_error, out_of_range_error, truncation_error
+from app.formats.clouds.points import POINT, Points
+from app.formats.clouds.rows import out_of_range_error
 from app.formats.open_file import open_file
 from app.messages.message import message, quantity
 
 STEP_MM = 1e-4
 FARTHEST_MM = STEP_MM * (2**31 - 1)
-CHUNK_POINTS = 1 << 20
-LARGEST_HEADER, RECORD_HEADER, EXTENDED_HEADER = 375, 54, 60
-"""Bytes, by the standard: of the file, of a variable length record, of an extended one."""
 
 
 class LasLayout:
@@ -35,7 +32,7 @@ class LasLayout:
     """Of the system and the software."""
 
     def __init__(self, path: Path) -> None:
-        self._path, self._laspy = path, _load_laspy(path)
+        self._path, self._laspy = path, load_laspy(path)
         header = self._laspy.LasHeader(point_format=6, version="1.4")
         header.scales, header.offsets = np.full(3, STEP_MM), np.zeros(3)
         header.system_identifier, header.generating_software = self.identifiers
@@ -116,52 +113,7 @@ class LasSink:
         call_library(self._path, "LazrsError", self._writer.close)
 
 
-def read_las(path: Path, file: BinaryIO) -> Cloud:
-    """Reads a LAS or LAZ; raises ``OperationError`` if malformed or cut off."""
-    laspy = _load_laspy(path)
-    _check_counts(path, file)
-    try:
-        with laspy.open(file, closefd=False) as reader:
-            pieces = [
-                {name: np.array(piece[name], dtype=np.float64) for name in _names(piece)}
-                for piece in reader.chunk_iterator(CHUNK_POINTS)
-            ]
-            announced = reader.header.point_count
-    except OSError:
-        raise
-    except Exception as error:  # both libraries and the Rust behind them raise their own
-        reason = str(error) or type(error).__name__
-        raise format_error(
-            path, message("cloud-not-complete-format", format="LAS/LAZ", reason=reason)
-        ) from error
-    columns = {
-        name: np.concatenate([piece[name] for piece in pieces]) for name in (pieces or [{}])[0]
-    }
-    found = len(columns.get("x", ()))
-    if found < announced:
-        raise truncation_error(path, found, announced)
-    return cloud_from_columns(columns or {axis: np.zeros(0) for axis in "xyz"})
-
-
-def _check_counts(path: Path, file: BinaryIO) -> None:
-    """Refuses headers that announce more than the file can hold, which laspy would believe."""
-    size = file.seek(0, 2)
-    file.seek(0)
-    head = file.read(LARGEST_HEADER)
-    records = int.from_bytes(head[100:104], "little") * RECORD_HEADER
-    extended = (
-        int.from_bytes(head[243:247], "little") * EXTENDED_HEADER if head[25:26] > b"\3" else 0
-    )
-    if max(records, extended) > size:
-        raise format_error(path, message("cloud-header-announces-more"))
-    file.seek(0)
-
-
-def _names(piece: object) -> list[str]:
-    extra = set(piece.point_format.extra_dimension_names)  # type: ignore[attr-defined]
-    return ["x", "y", "z", "intensity", *(extra & {"frame", "uncertainty_um"})]
-
-
-def _load_laspy(path: Path) -> ModuleType:
+def load_laspy(path: Path) -> ModuleType:
+    """The library; raises ``OperationError`` where it or its compression is not installed."""
     load_library(path, "lazrs")
     return load_library(path, "laspy")

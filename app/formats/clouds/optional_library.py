@@ -49,6 +49,6 @@ def call_library(path: Path, failure: str, work: Callable[[], T]) -> T:
         ) from error
 
 
-def first_line(error: Exception) -> str:
+def first_line(error: BaseException) -> str:
     """What a library says, without its own whereabouts."""
     return str(error).split("\n")[0]

@@ -4,13 +4,15 @@ Coordinates are floats, since the library's own readers take nothing else for x,
 """
 
 import struct
+from collections.abc import Sequence
 from pathlib import Path
 from typing import BinaryIO
 
 import numpy as np
 
 from app.errors import OperationError
-from app.formats.clouds.points import Cloud, Points, cloud_from_columns
+from app.formats.clouds.axis_names import cloud_of_axes, find_named_axes
+from app.formats.clouds.points import Cloud, Points
 from app.formats.clouds.rows import (
     COUNT_WIDTH,
     as_doubles,
@@ -72,8 +74,12 @@ class PcdSink:
         self._file.write(_header(self._points))
 
 
-def read_pcd(path: Path, file: BinaryIO) -> Cloud:
-    """Reads a PCD from its start; raises ``OperationError`` if malformed or cut off."""
+def read_pcd(path: Path, file: BinaryIO, columns: Sequence[str] | None = None) -> Cloud:
+    """Reads a PCD from its start; raises ``OperationError`` if malformed or cut off.
+
+    Args:
+        columns: the fields of x, y and z, if the user names them.
+    """
     fields = _header_fields(path, file)
     names = fields.get("FIELDS", [])
     counts = fields.get("COUNT", ["1"] * len(names))
@@ -86,26 +92,35 @@ def read_pcd(path: Path, file: BinaryIO) -> Cloud:
             [
                 (f"{name}#{i}" if name == "_" else name, "<" + kind, (int(count),))
                 for i, (name, kind, count) in enumerate(zip(names, kinds, counts, strict=True))
+                if int(count) != 0  # such a field takes no bytes
             ]
         )
-        count = int(fields["POINTS"][0])
+        count = _point_count(fields)
         data = fields["DATA"][0]
     except (KeyError, ValueError, TypeError, IndexError) as error:
         raise format_error(path, message("cloud-header-is-invalid", reason=str(error))) from error
-    if missing := [axis for axis in "xyz" if axis not in names]:
-        raise format_error(path, message("cloud-points-have-no", axes=", ".join(missing)))
-    if data == "binary":
-        return cloud_from_columns(_read_binary(path, file, layout, count))
-    if data == "ascii":
-        return cloud_from_columns(_read_ascii(path, file, layout, count))
-    if data == "binary_compressed":
-        return cloud_from_columns(_read_compressed(path, file, layout, count))
+    names = list(layout.names or ())
+    axes = find_named_axes(path, names, columns)
+    readers = {
+        "binary": _read_binary,
+        "ascii": _read_ascii,
+        "binary_compressed": _read_compressed,
+    }
+    if data in readers:
+        return cloud_of_axes(readers[data](path, file, layout, count), names, axes)
     raise OperationError(
         "cloud-compressed",
         display_path(path),
         message("cloud-data-of-unknown-kind", kind=data),
         message("cloud-export-binary-pcd"),
     )
+
+
+def _point_count(fields: dict[str, list[str]]) -> int:
+    """By the line POINTS, which old files lack, or by width and height."""
+    if "POINTS" in fields:
+        return int(fields["POINTS"][0])
+    return int(fields["WIDTH"][0]) * int(fields["HEIGHT"][0])
 
 
 def _read_binary(

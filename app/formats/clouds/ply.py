@@ -1,12 +1,14 @@
 """The PLY format, as far as clouds need it: any order of scalar vertex properties is read."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import BinaryIO
 
 import numpy as np
 
-from app.formats.clouds.points import POINT, Cloud, Points, cloud_from_columns
+from app.formats.clouds.axis_names import cloud_of_axes, find_named_axes
+from app.formats.clouds.points import POINT, Cloud, Points
 from app.formats.clouds.rows import (
     COUNT_WIDTH,
     as_doubles,
@@ -51,9 +53,16 @@ class PlySink:
         self._file.write(_header(self._points))
 
 
-def read_ply(path: Path, file: BinaryIO) -> Cloud:
-    """Reads a PLY's vertices; raises ``OperationError`` if malformed or cut off."""
-    return cloud_from_columns(read_vertices(path, file, find_vertices(path, file)))
+def read_ply(path: Path, file: BinaryIO, columns: Sequence[str] | None = None) -> Cloud:
+    """Reads a PLY's vertices; raises ``OperationError`` if malformed or cut off.
+
+    Args:
+        columns: the properties of x, y and z, if the user names them.
+    """
+    vertices = find_vertices(path, file)
+    names = list(vertices.layout.names or ())
+    axes = find_named_axes(path, names, columns)
+    return cloud_of_axes(read_vertices(path, file, vertices), names, axes)
 
 
 @dataclass(frozen=True)
@@ -85,9 +94,6 @@ def find_vertices(path: Path, file: BinaryIO) -> Vertices:
             raise format_error(path, message("cloud-element-repeats-property", name=name))
         layout = np.dtype([(field, order + TYPES[kind]) for kind, field in properties])
         if name == "vertex":
-            missing = [axis for axis in "xyz" if axis not in (layout.names or ())]
-            if missing:
-                raise format_error(path, message("cloud-points-have-no", axes=", ".join(missing)))
             return Vertices(formats[0] == "ascii", count, layout, bytes_before, lines_before)
         bytes_before += count * layout.itemsize
         lines_before += count

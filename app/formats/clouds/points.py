@@ -1,6 +1,6 @@
 """Points of a cloud, as every format accepts and returns them."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Protocol
 
 import numpy as np
@@ -38,6 +38,22 @@ _pack_points = Function(
 )
 
 
+STANDS_FOR_NONE = 10
+"""A place that occurs so many times as often as most stands for points without a measurement."""
+
+
+@dataclass(frozen=True)
+class LeftOut:
+    """How many points of a file are none that were measured."""
+
+    deleted: int = 0
+    """The file marks them as deleted, withheld or invalid."""
+    missing: int = 0
+    """They have no coordinates, or those that stand for none, such as (0, 0, 0)."""
+    repeated: int = 0
+    """The same point is there already."""
+
+
 @dataclass(frozen=True)
 class Cloud:
     """A cloud that was read; values other than the points are present if the file has them."""
@@ -50,6 +66,10 @@ class Cloud:
     """(N,) frame number of each point."""
     uncertainty_um: Floats | None = None
     """(N,) k = 1"""
+    left_out: LeftOut = LeftOut()
+    """Of the file, beside these points."""
+    mm_per_unit: float = 1.0
+    """Of the numbers in the file, by which they became mm."""
 
 
 class PointSink(Protocol):
@@ -86,11 +106,49 @@ def pack_points(
     return records[:kept]
 
 
-def cloud_from_columns(columns: dict[str, Floats]) -> Cloud:
-    """The cloud of a table's columns (N,) by name."""
+def cloud_from_columns(columns: dict[str, Floats], deleted: int = 0) -> Cloud:
+    """The cloud of a table's columns (N,) by name, of which ``deleted`` rows were left out."""
     return Cloud(
         np.column_stack([columns[axis] for axis in "xyz"]).astype(np.float64, copy=False),
         columns.get("intensity"),
         columns.get("frame"),
         columns.get("uncertainty_um"),
+        LeftOut(deleted=deleted),
     )
+
+
+def leave_out_unmeasured(cloud: Cloud) -> Cloud:
+    """The cloud without points at (0, 0, 0) and without repetitions, which it counts.
+
+    Of a place that occurs far more often than most, nothing is kept: it stands for points that
+    were not measured, as (0, 0, 0) does in another frame.
+    """
+    points = cloud.points_mm + 0.0  # makes -0 equal to 0
+    is_set = points.any(axis=1)
+    order = np.lexsort(points[is_set].T)  # stable: of equal ones, the first comes first
+    ordered = points[is_set][order]
+    starts = np.flatnonzero(np.r_[True, (ordered[1:] != ordered[:-1]).any(axis=1)][: len(ordered)])
+    counts = np.diff(np.r_[starts, len(ordered)])
+    is_place = counts <= STANDS_FOR_NONE * np.median(counts) if len(counts) else counts > 0
+    kept = np.zeros(len(points), dtype=np.bool_)
+    kept[np.flatnonzero(is_set)[order[starts[is_place]]]] = True
+    missing = int(np.sum(~is_set) + np.sum(counts[~is_place]))
+    repeated = int(np.sum(counts[is_place] - 1))
+    if not missing + repeated:
+        return cloud
+    return replace(
+        cloud,
+        points_mm=cloud.points_mm[kept],
+        intensity=None if cloud.intensity is None else cloud.intensity[kept],
+        frame=None if cloud.frame is None else cloud.frame[kept],
+        uncertainty_um=None if cloud.uncertainty_um is None else cloud.uncertainty_um[kept],
+        left_out=replace(cloud.left_out, missing=missing, repeated=repeated),
+    )
+
+
+def scale_cloud(cloud: Cloud, mm_per_unit: float) -> Cloud:
+    """The cloud if the numbers of its file have another unit than it states."""
+    if mm_per_unit == cloud.mm_per_unit:
+        return cloud
+    points_mm = cloud.points_mm * (mm_per_unit / cloud.mm_per_unit)
+    return replace(cloud, points_mm=points_mm, mm_per_unit=mm_per_unit)

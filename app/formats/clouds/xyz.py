@@ -1,15 +1,25 @@
 """XYZ: one point a line, as text."""
 
 import io
+import re
 import warnings
 from collections.abc import Sequence
+from dataclasses import dataclass
+from itertools import pairwise
 from pathlib import Path
 from typing import BinaryIO, TextIO
 
 import numpy as np
 
 from app.errors import OperationError
-from app.formats.clouds.points import Cloud, Points, cloud_from_columns
+from app.formats.clouds.axis_names import (
+    Axes,
+    choose_axes,
+    find_axes,
+    unit_of_row,
+    unknown_columns_error,
+)
+from app.formats.clouds.points import Cloud, Points, cloud_from_columns, scale_cloud
 from app.formats.clouds.rows import refuse_decimal_commas
 from app.formats.file_names import display_path
 from app.messages.message import message, quantity
@@ -25,6 +35,9 @@ LONGEST_NUMBER = 22
 FARTHEST_MM = 1e9
 HEAD_LINES = 10
 """Lines among which there is one of a point."""
+HEAD_CHARACTERS = 1 << 16
+JOINED_UNIT = re.compile(r"[ \t]+([\[(])")
+"""What separates a unit in brackets from its name."""
 
 _write_decimals = Function(
     CRENEL,
@@ -68,44 +81,45 @@ class XyzSink:
         """Nothing is held back."""
 
 
-def read_xyz(path: Path, file: BinaryIO) -> Cloud:
-    """Reads lines of x y z and more; or where a line above the points names x, y and z, these."""
+def read_xyz(path: Path, file: BinaryIO, columns: Sequence[str] | None = None) -> Cloud:
+    """Reads lines of x y z and more; or where a line above the points names x, y and z, these.
+
+    Args:
+        columns: names or numbers of the columns of x, y and z, if the user gives them.
+    """
     file.seek(0)
     with io.TextIOWrapper(file, "utf-8-sig", "replace") as text:
-        return _read(path, text)
+        return _read(path, text, columns)
 
 
-def _read(path: Path, text: TextIO) -> Cloud:
-    start = text.read(4096)
+@dataclass(frozen=True)
+class _Layout:
+    delimiter: str | None
+    axes: Axes
+    skip: int
+    """Lines before the points."""
+    quote: str | None
+    """Around cells."""
+
+
+def _read(path: Path, text: TextIO, columns: Sequence[str] | None) -> Cloud:
+    start = text.read(HEAD_CHARACTERS)
     text.seek(0)
-    every = [line for line in start.splitlines() if line.strip()]
-    lines = [line for line in every if line[0] not in "#/"]
-    if not lines or "\0" in start:
-        why = message("cloud-format-unknown") if lines else message("cloud-file-empty")
-        raise OperationError(
-            "cloud-unreadable",
-            display_path(path),
-            why,
-            message("cloud-give-known-format"),
-        )
-    for line in lines[:HEAD_LINES]:
-        refuse_decimal_commas(path, line)
-    delimiter = next((sign for sign in ";," if sign in lines[0]), None)
-    head = every[: every.index(lines[0]) + 1]
-    places = _find_places(head, lines[:2][-1], delimiter)
-    skip = 0 if _is_point(lines[0], delimiter, places) else start.splitlines().index(lines[0]) + 1
+    layout = _find_layout(path, start, columns)
     names: tuple[str, ...] = ("x", "y", "z")
+    places: tuple[int, ...] = layout.axes.places
     if start.startswith(HEAD):
         names, places = tuple(COLUMNS), tuple(range(len(COLUMNS)))
     try:
         with warnings.catch_warnings(action="ignore"):  # of a file without rows
             table: Floats = np.loadtxt(
                 text,
-                comments=("#", "//"),
-                delimiter=delimiter,
+                comments="#" if layout.quote else ("#", "//"),  # numpy takes either
+                delimiter=layout.delimiter,
                 usecols=places,
                 ndmin=2,
-                skiprows=skip,
+                skiprows=layout.skip,
+                quotechar=layout.quote,
             ).reshape(-1, len(names))
     except (ValueError, IndexError) as error:
         raise OperationError(
@@ -114,26 +128,95 @@ def _read(path: Path, text: TextIO) -> Cloud:
             message("cloud-line-of-numbers-expected", reason=str(error).split(";")[0]),
             message("cloud-give-ply-or-xyz"),
         ) from error
-    return cloud_from_columns({name: table[:, i] for i, name in enumerate(names)})
+    cloud = cloud_from_columns({name: table[:, i] for i, name in enumerate(names)})
+    return scale_cloud(cloud, layout.axes.mm_per_unit or 1.0)
 
 
-def _find_places(head: Sequence[str], point: str, delimiter: str | None) -> tuple[int, ...]:
-    """The columns of x, y and z: the first three, unless a line of names says otherwise.
+def _find_layout(path: Path, start: str, columns: Sequence[str] | None) -> _Layout:
+    """How the points stand in the lines, from those at the start of the file."""
+    every = [line for line in start.splitlines() if line.strip()]
+    lines = [line for line in every if line[0] not in "#/"]
+    if not lines or "\0" in start:
+        why = message("cloud-format-unknown") if lines else message("cloud-file-empty")
+        raise OperationError(
+            "cloud-unreadable", display_path(path), why, message("cloud-give-known-format")
+        )
+    for line in lines[:HEAD_LINES]:
+        refuse_decimal_commas(path, line)
+    rows = (line for line in lines[:HEAD_LINES] if _count_numbers(_cells(line)) >= 3)
+    point = next(rows, None)
+    above = every[: every.index(point or lines[0]) + (point is None)]
+    cells = _cells(point or lines[:2][-1])
+    titles = [line for line in above if line in lines]
+    damaged = [line for line in titles if 0 < _count_numbers(_cells(line)) == len(cells) - 1]
+    first = damaged[0] if damaged else point
+    skip = len(start[: start.index(first)].splitlines()) if first else len(titles)
+    axes = _find_axes(path, above, cells, columns)
+    if axes is None:
+        _refuse_numbers_of_points(path, lines[lines.index(point) :] if point else [], cells)
+        axes = Axes((0, 1, 2))
+    quote = '"' if point and '"' in point else None
+    return _Layout(_delimiter(point or lines[0]), axes, skip, quote)
+
+
+def _find_axes(
+    path: Path, above: Sequence[str], cells: Sequence[str], columns: Sequence[str] | None
+) -> Axes | None:
+    """The columns of x, y and z by a line of names; None: the file names none.
 
     Args:
-        head: lines down to the first that is no comment.
-        point: a line of a point, as long as that of the names.
+        above: lines before the first point, comments too.
+        cells: of the first point.
     """
-    for line in head:
-        names = [name.strip(' "').lower() for name in line.lstrip("#/ ").split(delimiter)]
-        if len(names) == len(point.split(delimiter)) and {"x", "y", "z"} <= set(names):
-            return tuple(names.index(axis) for axis in "xyz")
-    return 0, 1, 2
+    tables = [_cells(JOINED_UNIT.sub(r"_\1", line.lstrip("#/ "))) for line in above]
+    named = [names for names in tables if len(names) == len(cells)]
+    if columns is not None:
+        return choose_axes(path, named[0] if named else [""] * len(cells), columns)
+    found = [axes for names in tables if (axes := find_axes(names)) is not None]
+    inside = [axes for axes in found if max(axes.places) < len(cells)]
+    if inside:
+        units = [unit for names in named if (unit := unit_of_row(names)) is not None]
+        return inside[0] if not units else Axes(inside[0].places, units[0])
+    for line, names in zip(above, tables, strict=True):
+        is_table = line[0] not in "#/" or _delimiter(line) is not None
+        if is_table and len(names) == len(cells) and not _count_numbers(names):
+            raise unknown_columns_error(path, names)
+    return None
 
 
-def _is_point(line: str, delimiter: str | None, places: tuple[int, ...]) -> bool:
-    cells = line.split(delimiter)
+def _refuse_numbers_of_points(path: Path, lines: Sequence[str], cells: Sequence[str]) -> None:
+    """Refuses rows without names whose first column counts them."""
+    firsts = [_cells(line)[0] for line in lines[:-1]]  # the last may be cut
+    if len(cells) < 4 or len(firsts) < 4 or not all(map(_is_number, firsts)):
+        return
+    numbers = [float(first) for first in firsts]
+    if all(b - a == 1 for a, b in pairwise(numbers)):
+        raise OperationError(
+            "cloud-columns-unknown",
+            display_path(path),
+            message("cloud-first-column-counts"),
+            message("cloud-give-columns"),
+        )
+
+
+def _delimiter(line: str) -> str | None:
+    """What stands between the cells; None: white space."""
+    if sign := next((sign for sign in ";," if sign in line), None):
+        return sign
+    return "\t" if line.count("\t") >= 2 else None
+
+
+def _cells(line: str) -> list[str]:
+    return [cell.strip(' "') for cell in line.split(_delimiter(line))]
+
+
+def _count_numbers(cells: Sequence[str]) -> int:
+    return sum(_is_number(cell) for cell in cells)
+
+
+def _is_number(cell: str) -> bool:
     try:
-        return len([float(cells[place]) for place in places]) == len(places)
-    except (ValueError, IndexError):
+        float(cell)
+    except ValueError:
         return False
+    return True

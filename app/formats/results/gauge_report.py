@@ -12,6 +12,12 @@ class CloudReport(DocumentPart):
 
     file: str
     points: int
+    deleted: int = 0
+    """Further points that the file marks as deleted."""
+    missing: int = 0
+    """Further points that were not measured, such as those at (0, 0, 0)."""
+    repeated: int = 0
+    """Further points that repeat one of these."""
     used: int
     """After the filter on the standard deviation of distances."""
     rms_um: NotNegative
@@ -30,6 +36,9 @@ class CloudReport(DocumentPart):
     offset_error_um: Number | None = None
     radius_error_um: Number | None = None
     centre_error_um: NotNegative | None = None
+    expanded_uncertainty: Annotated[dict[str, NotNegative], Field(default_factory=dict)]
+    """k = 2, by the name of the figure and in its unit; empty in older files, and where the points
+    are no more than the shape's parameters."""
 
 
 class SpreadReport(DocumentPart):
