@@ -187,7 +187,19 @@ def verify(
             "-o", "--output", help="Also write the report to this file; of places, their folder."
         ),
     ] = None,
-    unit: Annotated[UnitOption, typer.Option(help="Of the clouds' coordinates.")] = UnitOption.MM,
+    unit: Annotated[
+        UnitOption | None,
+        typer.Option(
+            help="Of the numbers in the clouds; by default as the file states it (E57: m), else mm."
+        ),
+    ] = None,
+    columns: Annotated[
+        str | None,
+        typer.Option(
+            help="Columns of x, y and z, by name or by number from 1, as in 2,3,4; by default they "
+            "are found by their names."
+        ),
+    ] = None,
     calibration: EachCalibration = None,
     arm: ArmFile = None,
     period: PeriodOption = None,
@@ -210,7 +222,14 @@ def verify(
         )
         measure_places("verify", given, calibration or (), arm, shape.value, options)
         return
-    _verify_clouds(shape, [Path(one) for one in given], nominal, output, unit, as_json)
+    _verify_clouds(shape, [Path(one) for one in given], nominal, output, unit, columns, as_json)
+
+
+def _three_columns(text: str) -> list[str]:
+    names = [name.strip() for name in text.split(",")]
+    if len(names) != 3 or not all(names):
+        raise typer.BadParameter("three columns, separated by commas", param_hint="--columns")
+    return names
 
 
 def _verify_clouds(
@@ -218,7 +237,8 @@ def _verify_clouds(
     clouds: list[Path],
     nominal: Path | None,
     report_file: str | None,
-    unit: UnitOption,
+    unit: UnitOption | None,
+    columns: str | None,
     as_json: bool,
 ) -> None:
     from app.formats.atomic_write import check_output_path
@@ -229,7 +249,14 @@ def _verify_clouds(
     if output is not None:
         check_output_path(output, clouds if nominal is None else [*clouds, nominal])
     with progress_bar("Verifying", not as_json) as progress:
-        report, warnings = verify_all(shape.value, clouds, nominal, progress, unit.value)
+        report, warnings = verify_all(
+            shape.value,
+            clouds,
+            nominal,
+            progress,
+            None if unit is None else unit.value,
+            None if columns is None else _three_columns(columns),
+        )
         if output is not None:
             report.write(output)
     for text in warnings:
@@ -238,7 +265,7 @@ def _verify_clouds(
         print_json({**report.fields(), "warnings": list(map(str, warnings))})
         return
     against = f" against {nominal}" if nominal else ", no nominal given"
-    print_table(f"Gauge {shape.value}{against}", *report_table(report))
+    print_table(f"Gauge {shape.value}{against}; ± U (k = 2)", *report_table(report))
     if output is not None:
         print(f"{output} written")
 

@@ -1,6 +1,7 @@
 """Compares clouds of gauges with their nominals (Eq. 10-12), as a report."""
 
 from collections.abc import Sequence
+from dataclasses import asdict
 from pathlib import Path
 from typing import Literal
 
@@ -8,19 +9,22 @@ import numpy as np
 
 from app.errors import OperationError
 from app.formats.clouds.files import read_cloud
+from app.formats.clouds.points import Cloud
+from app.formats.datasheets.gauge import read_gauge
 from app.formats.datasheets.gauge_nominal import read_nominal
 from app.formats.io_errors import prefix_errors
 from app.formats.results.gauge_report import CloudReport, GaugeReport, SpreadReport
 from app.messages.message import Text, message, quantity
 from app.metrology.fitting.plane_sphere import finite_points
-from app.metrology.gauges.errors import (
-    NominalPlane,
-    NominalSphere,
-    check_plane,
-    check_sphere,
-    compute_repeatability,
+from app.metrology.gauges.errors import NominalPlane, NominalSphere, compute_repeatability
+from app.metrology.gauges.gauge_figures import (
+    GaugeFigures,
+    K,
+    as_frames,
+    plane_figures,
+    sphere_figures,
 )
-from app.metrology.gauges.gauge_gate import GATE_MM, plane_form, sphere_form
+from app.metrology.gauges.scanned_gauge import LEAST_CAP_RAD
 from app.metrology.transforms import Floats
 from app.progress import Progress, no_progress
 
@@ -50,6 +54,16 @@ FIGURES = {
     "range_all_um": ("range of all µm", 1),
 }
 """Their headings and decimals."""
+DISPERSIONS = ("rms_um", "form_um", "range_all_um")
+PLACE_ERRORS = ("z_error_um", "offset_error_um", "centre_error_um", "angle_arcsec")
+"""What a cloud in other coordinates does not have."""
+PARAMETERS: dict[Shape, int] = {"plane": 3, "sphere": 4}
+EXACT_MM, MOST_EXACT = 5e-5, 0.95
+"""An rms that prints as 0.0 µm; with it, this share of the points is used unless others, which are
+not exact, show that the exact ones were not measured."""
+LARGEST_SHAPE_MM = 5e5
+UNIFORM = float(np.sqrt(12.0))
+SMALLEST_SHOWN = 1e-4
 
 
 def verify(
@@ -57,12 +71,14 @@ def verify(
     clouds: Sequence[Path],
     nominal_path: Path | None = None,
     progress: Progress = no_progress,
-    unit: Unit = "mm",
+    unit: Unit | None = None,
+    columns: Sequence[str] | None = None,
 ) -> tuple[GaugeReport, list[Text]]:
     """Fits every cloud and, given a nominal, says how far it is off.
 
     Args:
-        unit: of the clouds' coordinates.
+        unit: of the numbers in the clouds; by default as ``read_cloud`` has it.
+        columns: of x, y and z, as in ``read_cloud``.
 
     Returns:
         The report, and what the user should know in addition.
@@ -72,18 +88,20 @@ def verify(
             a cloud determines no plane or sphere.
     """
     nominal = None if nominal_path is None else read_nominal(nominal_path)
+    gauge_sd_um = 0.0 if nominal_path is None else _gauge_sd_um(nominal_path)
     found: list[CloudReport] = []
     warnings: list[Text] = []
     for done, path in enumerate(clouds):
         progress(done / len(clouds), path.name)
-        points_mm = read_cloud(path).points_mm * MM[unit]
+        read = read_cloud(path, columns, None if unit is None else MM[unit])
         with prefix_errors(path):
-            cloud = _check_cloud(shape, path, points_mm, nominal)
+            cloud, findings = _check_cloud(shape, path, read, nominal, gauge_sd_um)
         found.append(cloud)
-        if other := _unit_by_radius(cloud, nominal, unit):
+        warnings += _describe_left_out(cloud)
+        if other := _unit_by_radius(cloud, nominal, read.mm_per_unit):
             warnings.append(message("cloud-of-another-unit", file=cloud.file, unit=other))
         else:
-            warnings += _find_implausible(shape, cloud, points_mm, unit)
+            warnings += findings + _find_implausible(shape, cloud, read)
     progress(1.0, "")
     report = GaugeReport(
         shape=shape,
@@ -94,29 +112,46 @@ def verify(
     return report, warnings
 
 
+def _gauge_sd_um(nominal_path: Path) -> float:
+    """Standard uncertainty (k = 1) of a gauge's surface, by its certificate."""
+    gauge = read_gauge(nominal_path)
+    return float(np.hypot(gauge.standard_uncertainty_um, gauge.form_um / UNIFORM))
+
+
+def _describe_left_out(cloud: CloudReport) -> list[Text]:
+    said: list[Text] = []
+    if cloud.deleted:
+        said.append(message("cloud-left-out-deleted", file=cloud.file, points=cloud.deleted))
+    if cloud.missing:
+        said.append(message("cloud-left-out-missing", file=cloud.file, points=cloud.missing))
+    if cloud.repeated:
+        said.append(message("cloud-left-out-repeated", file=cloud.file, points=cloud.repeated))
+    return said
+
+
 def _unit_by_radius(
-    cloud: CloudReport, nominal: NominalPlane | NominalSphere | None, unit: Unit
+    cloud: CloudReport, nominal: NominalPlane | NominalSphere | None, mm_per_unit: float
 ) -> Unit | None:
     """The other unit in which a sphere has its certified radius, if there is one."""
     if not isinstance(nominal, NominalSphere) or cloud.radius_mm is None:
         return None
     for other, mm in MM.items():
-        off = cloud.radius_mm * mm / MM[unit] / nominal.radius_mm - 1
-        if other != unit and abs(off) < SAME_RADIUS:
+        off = cloud.radius_mm * mm / mm_per_unit / nominal.radius_mm - 1
+        if mm != mm_per_unit and abs(off) < SAME_RADIUS:
             return other
     return None
 
 
-def _find_implausible(
-    shape: Shape, cloud: CloudReport, points_mm: Floats, unit: Unit
-) -> list[Text]:
+def _find_implausible(shape: Shape, cloud: CloudReport, read: Cloud) -> list[Text]:
     """Whether a cloud is of a size or a shape that it can hardly have."""
-    finite = points_mm[np.isfinite(points_mm).all(axis=1)]
+    finite = read.points_mm[np.isfinite(read.points_mm).all(axis=1)]
     between = np.percentile(finite, [FEW, 100 - FEW], axis=0)
     size_mm = float(np.linalg.norm(between[1] - between[0]))
     found: list[Text] = []
     if not SMALLEST_MM <= size_mm <= LARGEST_MM:
         size = quantity(size_mm, "mm", 0 if size_mm > LARGEST_MM else 3)
+        mm = read.mm_per_unit
+        unit = next((name for name in MM if MM[name] == mm), f"{mm:g} mm")
         found.append(message("cloud-of-odd-size", file=cloud.file, size=size, unit=unit))
     if cloud.rms_um * 1e-3 > MOST_ROUGH * size_mm:
         found.append(
@@ -151,63 +186,77 @@ def _extent_mm(points_mm: Floats) -> tuple[float, float]:
 def _check_cloud(
     shape: Shape,
     path: Path,
-    points_mm: Floats,
+    read: Cloud,
     nominal: NominalPlane | NominalSphere | None,
-) -> CloudReport:
+    gauge_sd_um: float,
+) -> tuple[CloudReport, list[Text]]:
+    """One cloud's figures with their uncertainties, and what to know of them."""
+    finite, mask = finite_points(read.points_mm, 3 if shape == "plane" else 4, shape)
+    frame = None if read.frame is None else as_frames(read.frame[mask])
     if shape == "plane":
         if isinstance(nominal, NominalSphere):
             raise _shape_error("sphere", shape)
-        return _plane_report(path, points_mm, nominal)
-    if isinstance(nominal, NominalPlane):
-        raise _shape_error("plane", shape)
-    return _sphere_report(path, points_mm, nominal)
+        figures = plane_figures(finite, frame, nominal, gauge_sd_um)
+    else:
+        if isinstance(nominal, NominalPlane):
+            raise _shape_error("plane", shape)
+        figures = sphere_figures(finite, frame, nominal, gauge_sd_um)
+    _refuse_exact(shape, figures, len(finite))
+    _refuse_huge(shape, figures)
+    findings = _find_weak(path, figures)
+    away_um = max((abs(figures.errors.get(name) or 0.0) for name in PLACE_ERRORS), default=0.0)
+    if away_um > LARGEST_MM * 1e3:
+        distance = quantity(away_um * 1e-6, "m", 0)
+        findings.append(message("cloud-in-other-coordinates", file=str(path), distance=distance))
+        figures = figures.without(PLACE_ERRORS)
+    fields = {
+        "file": str(path),
+        "points": len(read.points_mm),
+        **asdict(read.left_out),
+        **figures.fields(),
+    }
+    cloud = CloudReport.model_validate(fields)
+    return cloud, findings
 
 
-def _plane_report(path: Path, points_mm: Floats, nominal: NominalPlane | None) -> CloudReport:
-    check = check_plane(points_mm, nominal)
-    fit = check.fit
-    finite, _ = finite_points(points_mm, 3, "plane")
-    unfiltered = plane_form(finite, fit, points_mm[fit.used])
-    nx, ny, nz = fit.normal.tolist()
-    x, y, z = fit.centre_mm.tolist()
-    return CloudReport(
-        file=str(path),
-        points=len(points_mm),
-        used=int(np.sum(fit.used)),
-        rms_um=fit.rms_mm * 1e3,
-        form_um=fit.form_mm * 1e3,
-        in_gate=unfiltered.points,
-        range_all_um=unfiltered.range_mm * 1e3,
-        normal=(nx, ny, nz),
-        offset_mm=fit.offset_mm,
-        centre_mm=(x, y, z),
-        angle_arcsec=check.angle_arcsec,
-        z_error_um=check.z_error_um,
-        offset_error_um=check.offset_um,
-    )
+def _refuse_exact(shape: Shape, figures: GaugeFigures, points: int) -> None:
+    """Refuses a shape on which some points lie exactly, and others do not."""
+    used = figures.used
+    if used > PARAMETERS[shape] and figures.rms_mm < EXACT_MM and used < MOST_EXACT * points:
+        raise OperationError(
+            "cloud-exact",
+            message("cloud-exact", used=used, points=points, shape=shape),
+            message("cloud-exact-remedy"),
+        )
 
 
-def _sphere_report(path: Path, points_mm: Floats, nominal: NominalSphere | None) -> CloudReport:
-    check = check_sphere(points_mm, nominal)
-    fit = check.fit
-    finite, _ = finite_points(points_mm, 4, "sphere")
-    known = nominal is not None and abs(nominal.radius_mm - fit.radius_mm) < GATE_MM / 2
-    radius_mm = nominal.radius_mm if nominal is not None and known else fit.radius_mm
-    unfiltered = sphere_form(finite, fit, radius_mm)
-    x, y, z = fit.centre_mm.tolist()
-    return CloudReport(
-        file=str(path),
-        points=len(points_mm),
-        used=int(np.sum(fit.used)),
-        rms_um=fit.rms_mm * 1e3,
-        form_um=fit.form_mm * 1e3,
-        in_gate=unfiltered.points,
-        range_all_um=unfiltered.range_mm * 1e3,
-        centre_mm=(x, y, z),
-        radius_mm=fit.radius_mm,
-        radius_error_um=check.radius_error_um,
-        centre_error_um=check.centre_error_um,
-    )
+def _refuse_huge(shape: Shape, figures: GaugeFigures) -> None:
+    """Refuses a shape of a size that no report states: it is that of something else."""
+    size_mm = max(figures.form_mm, figures.range_mm, figures.radius_mm or 0.0)
+    if size_mm > LARGEST_SHAPE_MM:
+        raise OperationError(
+            "cloud-too-large-for-a-gauge",
+            message(
+                "cloud-too-large-for-a-gauge", shape=shape, size=quantity(size_mm / 1e3, "m", 0)
+            ),
+            message("cloud-check-shape-and-unit"),
+        )
+
+
+def _find_weak(path: Path, figures: GaugeFigures) -> list[Text]:
+    """Whether the points cover too little of a sphere to determine it well."""
+    sd_um = figures.sd.get("radius_mm")
+    if figures.cap_rad is None or sd_um is None or figures.cap_rad >= LEAST_CAP_RAD:
+        return []
+    share = (1 - np.cos(figures.cap_rad)) / 2
+    return [
+        message(
+            "cloud-covers-little",
+            file=str(path),
+            share=quantity(100 * share, "%", 1),
+            uncertainty=quantity(K * sd_um * 1e3, "µm", 0),
+        )
+    ]
 
 
 def _shape_error(found: Shape, wanted: Shape) -> OperationError:
@@ -234,7 +283,10 @@ def _spreads(clouds: Sequence[CloudReport]) -> dict[str, SpreadReport]:
 
 
 def report_table(report: GaugeReport) -> tuple[list[str], list[list[str]]]:
-    """Headings and rows for printing: one row per cloud, then the scatter over several."""
+    """Headings and rows for printing: one row per cloud, then the scatter over several.
+
+    Figures of clouds have their expanded uncertainty (k = 2) beside them.
+    """
     shown = [name for name in FIGURES if getattr(report.clouds[0], name) is not None]
     headings = ["cloud", "points", "used", *(FIGURES[name][0] for name in shown)]
     rows = [
@@ -242,7 +294,7 @@ def report_table(report: GaugeReport) -> tuple[list[str], list[list[str]]]:
             cloud.file,
             str(cloud.points),
             str(cloud.used),
-            *(f"{getattr(cloud, name):.{FIGURES[name][1]}f}" for name in shown),
+            *(_show_figure(report.shape, cloud, name) for name in shown),
         ]
         for cloud in report.clouds
     ]
@@ -253,7 +305,40 @@ def report_table(report: GaugeReport) -> tuple[list[str], list[list[str]]]:
             ("range", "range"),
         ):
             figures = (
-                f"{getattr(report.spread[name], field):.{FIGURES[name][1]}f}" for name in shown
+                f"{getattr(report.spread[name], field):.{FIGURES[name][1]}f}"
+                if name in report.spread
+                else ""
+                for name in shown
             )
             rows.append([title, "", "", *figures])
     return headings, rows
+
+
+def _show_figure(shape: Shape, cloud: CloudReport, name: str) -> str:
+    value: float | None = getattr(cloud, name)
+    if value is None:
+        return ""
+    decimals = FIGURES[name][1]
+    step = 10.0**-decimals
+    text = f"{value:.{decimals}f}"
+    if name in DISPERSIONS and value < step / 2 and cloud.used > PARAMETERS[shape]:
+        text = f"< {step:.{decimals}f}"
+    uncertainty = cloud.expanded_uncertainty.get(name)
+    if uncertainty is None:
+        return text
+    if uncertainty < step:
+        return f"{text} ± {_up_to_one_digit(uncertainty)}"
+    return f"{text} ± {uncertainty:.{decimals}f}"
+
+
+def _up_to_one_digit(value: float) -> str:
+    """A small uncertainty, rounded up to its first digit.
+
+    Example:
+        >>> _up_to_one_digit(0.00341)
+        '0.004'
+    """
+    if value < SMALLEST_SHOWN:
+        return f"{SMALLEST_SHOWN:g}"
+    digits = int(np.ceil(-np.log10(value)))
+    return f"{np.ceil(value * 10.0**digits - 1e-9) / 10.0**digits:.{digits}f}"

@@ -21,6 +21,7 @@ from app.formats.clouds.files import cloud_writer, read_cloud
 from app.formats.recording.writer import RecordingWriter
 from app.formats.results.gauge_report import GaugeReport
 from app.metrology.transforms import Floats
+from app.workflows.verify_gauge import FIGURES
 from tests.datasheets import write_arm
 from tests.formats.builders import ARM, edit_text, joints_every, write_session
 from tests.formats.test_documents import calibration_file
@@ -283,6 +284,73 @@ def test_a_nominal_radius_in_another_unit_warns(tmp_path: Path, unit: str, mm: f
     (warning,) = printed(*given, nominal)["warnings"]
     assert f"has the nominal radius if its unit is {unit}. Give --unit {unit}" in warning
     assert crenel(*given, nominal, "--unit", unit).stderr == ""
+
+
+def ball(rng: np.random.Generator, count: int, noise_mm: float = 0.01) -> Floats:
+    """Points of the upper half of the sphere of ``write_nominal``."""
+    outward = rng.normal(size=(count, 3))
+    outward[:, 2] = np.abs(outward[:, 2])
+    outward /= np.linalg.norm(outward, axis=1)[:, None]
+    return np.asarray((10 + rng.normal(0, noise_mm, (count, 1))) * outward)
+
+
+def test_a_sphere_beside_a_table_is_found_by_its_nominal(tmp_path: Path) -> None:
+    rng = np.random.default_rng(0)
+    table = np.column_stack([rng.uniform(-150, 150, (20_000, 2)), rng.normal(-25, 0.01, 20_000)])
+    np.savetxt(tmp_path / "s.xyz", np.concatenate([table, ball(rng, 1500)]))
+    nominal = write_nominal(tmp_path / "n.json", "sphere")
+    result = crenel("verify", "sphere", tmp_path / "s.xyz", "--nominal", nominal, "--json")
+    (found,) = json.loads(result.stdout)["clouds"]
+    stated = found["expanded_uncertainty"]
+    assert found["rms_um"] == pytest.approx(10, abs=1)
+    assert 0.1 < stated["radius_error_um"] < 5
+    for name in ("radius_error_um", "centre_error_um"):
+        assert abs(found[name]) < 2 * stated[name]
+    assert set(stated) == {name for name in FIGURES if name in found}
+
+
+@pytest.mark.parametrize("away_mm", [3e4, 2e6, 9.9e6])
+def test_a_cloud_in_other_coordinates_keeps_what_does_not_depend_on_them(
+    tmp_path: Path, away_mm: float
+) -> None:
+    points = ball(np.random.default_rng(0), 1500) + [0.0, away_mm, 0.0]
+    np.savetxt(tmp_path / "s.xyz", points, fmt="%.6f")
+    nominal = write_nominal(tmp_path / "n.json", "sphere")
+    result = crenel("verify", "sphere", tmp_path / "s.xyz", "--nominal", nominal, "--json")
+    (found,) = json.loads(result.stdout)["clouds"]
+    assert found["radius_error_um"] == pytest.approx(0, abs=2)
+    assert "centre_error_um" not in found
+    assert f"{away_mm / 1000:.0f} m from the nominal" in result.stderr
+
+
+def test_half_a_cloud_that_is_exact_is_no_measurement(tmp_path: Path) -> None:
+    rng = np.random.default_rng(0)
+    points = rng.uniform(-50, 50, (2000, 3)) * [1, 1, 0.0004]
+    points[:1100, 2] = 0.0
+    np.savetxt(tmp_path / "p.xyz", points)
+    assert "1100 of 2000 points lie on one plane exactly" in refused(
+        "verify", "plane", tmp_path / "p.xyz"
+    )
+    np.savetxt(tmp_path / "p.xyz", points[:1100])
+    shown = crenel("verify", "plane", tmp_path / "p.xyz").stdout
+    assert "< 0.1" in shown
+    assert " 0.0 " not in shown
+
+
+@pytest.mark.parametrize("unit", [(), ("--unit", "mm")])
+def test_an_e57_is_in_metres_unless_its_unit_is_given(
+    tmp_path: Path, unit: tuple[str, ...]
+) -> None:
+    points = ball(np.random.default_rng(0), 1500) * (1000 if unit else 1)
+    with cloud_writer(tmp_path / "s.e57") as cloud:
+        cloud.write(points, points[:, 0], points[:, 0], 0)
+    nominal = write_nominal(tmp_path / "n.json", "sphere")
+    given = ("verify", "sphere", tmp_path / "s.e57", "--nominal", nominal)
+    result = crenel(*given, *unit, "--json")
+    assert abs(json.loads(result.stdout)["clouds"][0]["radius_error_um"]) < 2
+    if unit:
+        assert "Give --unit mm" in crenel(*given).stderr
+        assert "internal error" not in crenel(*given, "--unit", "inch").stderr
 
 
 def test_a_line_of_points_is_no_plane(tmp_path: Path) -> None:

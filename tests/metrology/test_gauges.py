@@ -12,6 +12,7 @@ from app.metrology.gauges.errors import (
     check_sphere,
     compute_repeatability,
 )
+from app.metrology.gauges.figure_uncertainty import fit_uncertainty
 from app.metrology.transforms import Floats, rotation_from_vector
 from tests.metrology.numerics import unit
 
@@ -84,3 +85,21 @@ def test_the_spread_over_clouds() -> None:
     assert found.standard_deviation == pytest.approx(np.sqrt(7))
     with pytest.raises(OperationError, match="at least two"):
         compute_repeatability([1.0])
+
+
+@pytest.mark.parametrize("cap_deg", [5.0, 20.0, 90.0])
+def test_a_fit_scatters_as_it_states(cap_deg: float) -> None:
+    rng = np.random.default_rng(1)
+    radii, stated = [], []
+    for _ in range(40):
+        cos = rng.uniform(np.cos(np.deg2rad(cap_deg)), 1, 800)
+        around = rng.uniform(0, 2 * np.pi, 800)
+        sin = np.sqrt(1 - cos**2)
+        outward = np.column_stack([sin * np.cos(around), sin * np.sin(around), cos])
+        points = (9.5 + rng.normal(0, 0.01, (800, 1))) * outward
+        fit = check_sphere(points).fit
+        found = fit_uncertainty(fit, points[fit.used], None)
+        assert found is not None
+        radii.append(fit.radius_mm)
+        stated.append(found.sd(3, 3))
+    assert 0.8 < np.mean(stated) / np.std(radii, ddof=1) < 1.6

@@ -222,7 +222,8 @@ def _start_plane(points: Floats) -> ShapeParameters:
 
 def _start_sphere(points: Floats) -> ShapeParameters:
     """The sphere through four points that has the least median distance to a sample."""
-    sample, chosen = draw_samples(points, 4)
+    origin = points[0]  # squares of far coordinates would lose the digits of the radius
+    sample, chosen = draw_samples(points - origin, 4)
     best: tuple[float, Floats, float] | None = None
     for four in chosen:
         system = 2 * (four[1:] - four[0])
@@ -237,7 +238,7 @@ def _start_sphere(points: Floats) -> ShapeParameters:
         raise OperationError(
             "points-in-a-plane", message("points-lie-one-plane"), message("they-fix-no-sphere")
         )
-    return best[1], best[2]
+    return best[1] + origin, best[2]
 
 
 def draw_samples(points: Floats, size: int) -> tuple[Floats, Floats]:

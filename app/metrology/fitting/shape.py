@@ -109,7 +109,7 @@ def measure_shape(name: ShapeName, points_mm: Floats, frame: NDArray[np.int64]) 
         fit = fit_cylinder(points_mm)
     points = points_mm[fit.used]
     off = distances_from(fit, points)
-    covariance = parameter_covariance(_jacobian(fit, points), off, frame[fit.used])
+    covariance = parameter_covariance(shape_jacobian(fit, points), off, frame[fit.used])
     return MeasuredShape(name, fit, float(np.max(np.abs(off))), covariance)
 
 
@@ -131,8 +131,16 @@ def distances_from(fit: PlaneFit | SphereFit | CylinderFit, points_mm: Floats) -
     return cylinder_distances(points_mm, (axis, fit.radius_mm))
 
 
-def _jacobian(fit: PlaneFit | SphereFit | CylinderFit, points_mm: Floats) -> Floats:
-    """Derivatives (N, p) of the distances by the parameters."""
+def shape_jacobian(fit: PlaneFit | SphereFit | CylinderFit, points_mm: Floats) -> Floats:
+    """Derivatives (N, p) of the distances by the parameters.
+
+    Args:
+        fit: a plane, sphere or cylinder.
+        points_mm: (N, 3) in the frame of the fit.
+
+    Returns:
+        In mm per mm and per rad; the parameters are those of ``MeasuredShape``.
+    """
     if isinstance(fit, PlaneFit):
         a, b = perpendicular_axes(fit.normal)
         away = points_mm - fit.centre_mm

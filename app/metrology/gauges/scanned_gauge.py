@@ -1,5 +1,7 @@
 """The plane or sphere gauge in a scanned cloud: detected, fitted and checked for completeness."""
 
+from collections.abc import Iterator
+from contextlib import suppress
 from dataclasses import dataclass
 
 import numpy as np
@@ -10,6 +12,7 @@ from app.errors import OperationError
 from app.messages.message import message, quantity, rounded
 from app.metrology.fitting.plane_sphere import PlaneFit, SphereFit, draw_samples, finite_points
 from app.metrology.fitting.shape import MeasuredShape, measure_shape
+from app.metrology.gauges.errors import NominalSphere
 from app.metrology.gauges.gauge_gate import UnfilteredForm, plane_form, sphere_form
 from app.metrology.transforms import Floats
 
@@ -23,6 +26,8 @@ ROUGHEST_MM = 0.5
 OTHER_RADIUS_MM, OTHER_RADIUS_SHARE = 0.4, 0.03
 """A radius that is off by this belongs to another sphere."""
 NEAR_MM = 1.0
+NEIGHBOURHOOD = 2.5
+"""Radii about the nominal centre within which a sphere is looked for first."""
 SAME_PLACE_MM = 0.05
 SHARE_IN_ZONE = 0.95
 
@@ -112,19 +117,14 @@ def fit_gauge_sphere(points_mm: Floats, frame: NDArray[np.int64], radius_mm: flo
         raise _no_sphere_error(radius_mm) from refusal
     fit = found.fit
     assert isinstance(fit, SphereFit)
-    off_mm = abs(fit.radius_mm - radius_mm)
-    if off_mm > max(OTHER_RADIUS_MM, OTHER_RADIUS_SHARE * radius_mm):
+    if sphere_is_other(fit.radius_mm, radius_mm):
         raise OperationError(
             "another-gauge",
             message("scanned-sphere-has-diameter", diameter=quantity(2 * fit.radius_mm, "mm", 2)),
             message("chosen-gauge-has", diameter=quantity(2 * radius_mm, "mm", 2)),
             message("choose-gauge-scanned"),
         )
-    outward = points[fit.used] - fit.centre_mm
-    outward /= np.linalg.norm(outward, axis=1)[:, None]
-    middle = outward.mean(axis=0)
-    length = float(np.linalg.norm(middle))
-    cap = float(np.quantile(np.arccos(np.clip(outward @ middle / length, -1, 1)), 0.98))
+    cap = cap_angle_rad(points[fit.used], fit.centre_mm)
     if cap < LEAST_CAP_RAD:
         raise OperationError(
             "cloud-too-small",
@@ -136,6 +136,41 @@ def fit_gauge_sphere(points_mm: Floats, frame: NDArray[np.int64], radius_mm: flo
     all_points, _ = finite_points(points_mm, 4, "gauge")
     unfiltered = sphere_form(all_points, fit, radius_mm)
     return _assemble_cloud(found, points, len(points_mm), unfiltered)
+
+
+def find_spheres(points_mm: Floats, nominal: NominalSphere) -> Iterator[NDArray[np.bool_]]:
+    """Where a sphere of known radius may be in a cloud that shows larger things too.
+
+    Args:
+        points_mm: (N, 3) without NaN.
+        nominal: the sphere is looked for about its centre first, then everywhere.
+
+    Returns:
+        (N,) the points near the sphere on which most lie, for each of the places.
+    """
+    away = np.linalg.norm(points_mm - nominal.centre_mm, axis=1)
+    about = away < NEIGHBOURHOOD * nominal.radius_mm
+    for part in (about, np.ones(len(points_mm), dtype=np.bool_)):
+        if int(part.sum()) < LEAST_POINTS:
+            continue
+        found = np.zeros(len(points_mm), dtype=np.bool_)
+        with suppress(OperationError):
+            found[part] = _near_sphere(points_mm[part], nominal.radius_mm)
+            yield found
+
+
+def sphere_is_other(radius_mm: float, nominal_mm: float) -> bool:
+    """Whether a radius is too far off its nominal to be of the same sphere."""
+    return abs(radius_mm - nominal_mm) > max(OTHER_RADIUS_MM, OTHER_RADIUS_SHARE * nominal_mm)
+
+
+def cap_angle_rad(points_mm: Floats, centre_mm: Floats) -> float:
+    """Angle of the cap of a sphere that its points (N, 3) cover, from its middle to its rim."""
+    outward = points_mm - centre_mm
+    outward /= np.linalg.norm(outward, axis=1)[:, None]
+    middle = outward.mean(axis=0)
+    length = max(float(np.linalg.norm(middle)), 1e-9)
+    return float(np.quantile(np.arccos(np.clip(outward @ middle / length, -1, 1)), 0.98))
 
 
 def _assemble_cloud(
