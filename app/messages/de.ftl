@@ -735,8 +735,10 @@ cloud-cannot-be-expanded = die komprimierten Daten lassen sich nicht entpacken
 cloud-check-shape-and-unit = Nur die Punktwolke des Normals angeben, seine Form und die Einheit (--unit)
 cloud-choose-another-location = Speicherplatz freigeben oder einen anderen Ort wählen
 cloud-columns-are-fixed = das Format legt fest, welche Spalten x, y und z sind: --columns weglassen
+cloud-columns-of-several-units = die Spalten { $names } haben verschiedene Einheiten
 cloud-columns-there = die Spalten heißen { $names }
 cloud-contains-points-of = { $path } enthält { $found } von { $announced } Punkten
+cloud-convert-to-one-unit = Alle drei in einer Einheit exportieren
 cloud-covers-little = { $file }: die Punkte zeigen { $share } der Kugel; ihr Radius ist daher auf ± { $uncertainty } bekannt (k = 2). Mehr von der Kugel scannen
 cloud-data-of-unknown-kind = die Daten sind { $kind }, also weder ascii noch binary noch binary_compressed
 cloud-decimal-commas = die Zahlen haben Dezimalkommas

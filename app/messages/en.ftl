@@ -735,8 +735,10 @@ cloud-cannot-be-expanded = its compressed data cannot be expanded
 cloud-check-shape-and-unit = Give the cloud of the gauge alone, its shape, and its unit (--unit)
 cloud-choose-another-location = Free some space, or choose another location
 cloud-columns-are-fixed = the format fixes which columns are x, y and z: do not give --columns
+cloud-columns-of-several-units = its columns { $names } have different units
 cloud-columns-there = its columns are { $names }
 cloud-contains-points-of = { $path } contains { $found } of { $announced } points
+cloud-convert-to-one-unit = Export all three in one unit
 cloud-covers-little = { $file }: the points cover { $share } of the sphere, so that its radius is known to ± { $uncertainty } (k = 2). Scan more of the sphere
 cloud-data-of-unknown-kind = its data is { $kind }, which is not one of ascii, binary, binary_compressed
 cloud-decimal-commas = its numbers have decimal commas

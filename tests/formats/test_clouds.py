@@ -204,7 +204,7 @@ NAMES = [
     ("id;x_m;y_m;z_m", 1000.0),
     ("t\tPosX\tPosY\tPosZ", 1.0),
     ("t POS_X(inch) POS_Y(inch) POS_Z(inch)", 25.4),
-    ("X_nominal,x,y,z", 1.0),
+    ("Nominal X,Measured X (mm),Measured Y (mm),Measured Z (mm)", 1.0),
     ("Nr;X-Koordinate [µm];Y-Koordinate [µm];Z-Koordinate [µm]", 1e-3),
 ]
 
@@ -229,6 +229,10 @@ def test_unknown_columns_are_named_and_can_be_given(tmp_path: Path) -> None:
         read_cloud(tmp_path / "c.csv")
     with refused_as("cloud-column-missing", "no column down"):
         read_cloud(tmp_path / "c.csv", ("north", "east", "down"))
+    (tmp_path / "m.csv").write_text("x_mm,y_mm,z_cm\n1,2,3\n")
+    for columns in (None, ("x_mm", "y_mm", "z_cm")):
+        with refused_as("cloud-columns-unknown", "x_mm, y_mm, z_cm have different units"):
+            read_cloud(tmp_path / "m.csv", columns)
     found = read_cloud(tmp_path / "c.csv", ("east", "north", "up")).points_mm
     np.testing.assert_array_equal(found, [[2, 1, 3], [5, 4, 7]])
     (tmp_path / "c.pcd").write_text(

@@ -21,7 +21,20 @@ UNITS_MM = {
     **dict.fromkeys(("in", "inch", "inches"), INCH_MM),
 }
 FILLERS = frozenset(
-    {"actual", "axis", "cartesian", "coord", "coordinate", "coordinates", "coords", "p", "point"}
+    {
+        "measured",
+        "meas",
+        "gemessen",
+        "actual",
+        "axis",
+        "cartesian",
+        "coord",
+        "coordinate",
+        "coordinates",
+        "coords",
+        "p",
+        "point",
+    }
     | {"points", "pos", "position", "positions", "pt", "value", "xyz"}
     | {"ist", "koordinate", "koordinaten", "messwert", "punkt", "punkte", "wert"}
 )
@@ -84,8 +97,11 @@ def choose_axes(path: Path, names: Sequence[str], wanted: Sequence[str]) -> Axes
                 message("cloud-give-columns"),
             )
     x, y, z = places
-    found = [read[1] for place in places if (read := _read_name(known[place])) is not None]
-    return Axes((x, y, z), found[0] if len(found) == 3 and len(set(found)) == 1 else None)
+    read = [_read_name(known[place]) for place in places]
+    units = {one[1] for one in read if one is not None}
+    if len(units) > 1:
+        raise _mixed_units_error(path, [known[place] for place in places])
+    return Axes((x, y, z), units.pop() if units and None not in read else None)
 
 
 def find_named_axes(path: Path, names: Sequence[str], columns: Sequence[str] | None) -> Axes:
@@ -110,12 +126,24 @@ def cloud_of_axes(columns: dict[str, Floats], names: Sequence[str], axes: Axes) 
 
 
 def unknown_columns_error(path: Path, names: Sequence[str]) -> OperationError:
-    """None of a table's columns is known as x, y or z."""
+    """The columns of a table do not show which are x, y and z."""
+    read = [(name, found) for name in names if (found := _read_name(name)) is not None]
+    if sorted(axis for _, (axis, _) in read) == ["x", "y", "z"]:
+        return _mixed_units_error(path, [name for name, _ in read])
     return OperationError(
         "cloud-columns-unknown",
         display_path(path),
         message("cloud-columns-there", names=list_columns(names)),
         message("cloud-give-columns"),
+    )
+
+
+def _mixed_units_error(path: Path, names: Sequence[str]) -> OperationError:
+    return OperationError(
+        "cloud-columns-unknown",
+        display_path(path),
+        message("cloud-columns-of-several-units", names=list_columns(names)),
+        message("cloud-convert-to-one-unit"),
     )
 
 

@@ -168,7 +168,7 @@ def _find_axes(
         above: lines before the first point, comments too.
         cells: of the first point.
     """
-    tables = [_cells(JOINED_UNIT.sub(r"_\1", line.lstrip("#/ "))) for line in above]
+    tables = [_names(line.lstrip("#/ ")) for line in above]
     named = [names for names in tables if len(names) == len(cells)]
     if columns is not None:
         return choose_axes(path, named[0] if named else [""] * len(cells), columns)
@@ -208,6 +208,11 @@ def _delimiter(line: str) -> str | None:
 
 def _cells(line: str) -> list[str]:
     return [cell.strip(' "') for cell in line.split(_delimiter(line))]
+
+
+def _names(line: str) -> list[str]:
+    """Cells of a line of names, in which a unit may stand after white space."""
+    return _cells(JOINED_UNIT.sub(r"_\1", line) if _delimiter(line) is None else line)
 
 
 def _count_numbers(cells: Sequence[str]) -> int:
