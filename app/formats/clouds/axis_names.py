@@ -100,7 +100,7 @@ def choose_axes(path: Path, names: Sequence[str], wanted: Sequence[str]) -> Axes
     read = [_read_name(known[place]) for place in places]
     units = {one[1] for one in read if one is not None}
     if len(units) > 1:
-        raise _mixed_units_error(path, [known[place] for place in places])
+        raise _unit_error(path, [known[place] for place in places])
     return Axes((x, y, z), units.pop() if units and None not in read else None)
 
 
@@ -129,7 +129,7 @@ def unknown_columns_error(path: Path, names: Sequence[str]) -> OperationError:
     """The columns of a table do not show which are x, y and z."""
     read = [(name, found) for name in names if (found := _read_name(name)) is not None]
     if sorted(axis for _, (axis, _) in read) == ["x", "y", "z"]:
-        return _mixed_units_error(path, [name for name, _ in read])
+        return _unit_error(path, [name for name, _ in read])
     return OperationError(
         "cloud-columns-unknown",
         display_path(path),
@@ -138,7 +138,7 @@ def unknown_columns_error(path: Path, names: Sequence[str]) -> OperationError:
     )
 
 
-def _mixed_units_error(path: Path, names: Sequence[str]) -> OperationError:
+def _unit_error(path: Path, names: Sequence[str]) -> OperationError:
     return OperationError(
         "cloud-columns-unknown",
         display_path(path),
