@@ -755,6 +755,7 @@ cloud-export-again = Punktwolke erneut exportieren
 cloud-export-binary-pcd = Als binäres PCD oder als PLY exportieren
 cloud-export-cartesian = Kartesische Koordinaten exportieren
 cloud-export-decimal-points = Mit Dezimalpunkten exportieren, oder jedes Komma durch einen Punkt ersetzen
+cloud-export-without-property = Die Punktwolke ohne { $name } exportieren oder als PCD oder XYZ
 cloud-file-empty = die Datei ist leer
 cloud-first-column-counts = die erste Spalte nummeriert die Punkte, und keine Zeile benennt die Spalten
 cloud-format-requires-package = für { $format }-Dateien ist das Paket { $package } nötig, das nicht installiert ist
@@ -785,6 +786,7 @@ cloud-of-another-shape = { $file }: Die Punkte liegen { $rms } (rms) um die { $s
     }: Sie gehören kaum zu einer. Nur die Punktwolke des Normals angeben
 cloud-of-another-unit = { $file } hat den Nennradius, wenn die Einheit { $unit } ist. --unit { $unit } angeben
 cloud-of-odd-size = { $file } ist { $size } groß, wenn die Einheit { $unit } ist. Die Einheit mit --unit m, mm oder inch angeben
+cloud-points-have-list = die Punkte haben eine Listeneigenschaft { $name }, deren Länge von Punkt zu Punkt wechselt
 cloud-too-large-for-a-gauge = die { $shape ->
         [plane] Ebene
        *[sphere] Kugel

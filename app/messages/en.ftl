@@ -755,6 +755,7 @@ cloud-export-again = Export the cloud again
 cloud-export-binary-pcd = Export it as binary PCD or as PLY
 cloud-export-cartesian = Export Cartesian coordinates
 cloud-export-decimal-points = Export it with decimal points, or replace each comma by a point
+cloud-export-without-property = Export the cloud without { $name }, or as PCD or XYZ
 cloud-file-empty = it is empty
 cloud-first-column-counts = its first column numbers the points, and no line names the columns
 cloud-format-requires-package = { $format } files require the package { $package }, which is not installed
@@ -785,6 +786,7 @@ cloud-of-another-shape = { $file }: the points lie { $rms } (rms) about the { $s
     }: they are hardly of one. Give the cloud of the gauge alone
 cloud-of-another-unit = { $file } has the nominal radius if its unit is { $unit }. Give --unit { $unit }
 cloud-of-odd-size = { $file } is { $size } large if its unit is { $unit }. State the unit with --unit m, mm or inch
+cloud-points-have-list = its points have a list property { $name }, whose length varies from point to point
 cloud-too-large-for-a-gauge = the { $shape ->
         [plane] plane
        *[sphere] sphere

@@ -164,7 +164,9 @@ FACES = ("element face 1", "property list uchar int i")
         (ascii_ply(X), "property float x"),
         (ascii_ply(ONE, X) + b"1\n", "no y, z"),
         (ascii_ply(ONE, X, X) + b"1 2\n", "two properties with the same name"),
-        (ascii_ply(*FACES, ONE, X), "lists"),
+        (ascii_ply(*FACES, ONE, X), "face before the vertices contains lists"),
+        (ascii_ply("element face 0", FACES[1], ONE, X), "no y, z"),
+        (ascii_ply(ONE, X, "property list uchar int view"), "without view"),
     ],
 )
 def test_what_is_no_cloud_is_refused(tmp_path: Path, content: bytes, said: str) -> None:

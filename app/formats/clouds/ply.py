@@ -7,6 +7,7 @@ from typing import BinaryIO
 
 import numpy as np
 
+from app.errors import OperationError
 from app.formats.clouds.axis_names import cloud_of_axes, find_named_axes
 from app.formats.clouds.points import POINT, Cloud, Points
 from app.formats.clouds.rows import (
@@ -17,6 +18,7 @@ from app.formats.clouds.rows import (
     read_text_rows,
     truncation_error,
 )
+from app.formats.file_names import display_path
 from app.messages.message import message
 from app.metrology.transforms import Floats
 
@@ -88,7 +90,17 @@ def find_vertices(path: Path, file: BinaryIO) -> Vertices:
     order = ORDERS[formats[0]]
     bytes_before = lines_before = 0
     for name, count, properties in _elements(path, words):
-        if any(kind == "list" for kind, _ in properties):
+        lists = [field for kind, field in properties if kind == "list"]
+        if lists and name == "vertex":
+            raise OperationError(
+                "cloud-malformed",
+                display_path(path),
+                message("cloud-points-have-list", name=lists[0]),
+                message("cloud-export-without-property", name=lists[0]),
+            )
+        if not count and name != "vertex":
+            continue  # it takes no bytes
+        if lists:
             raise format_error(path, message("cloud-element-has-lists", name=name))
         if len({field for _, field in properties}) < len(properties):
             raise format_error(path, message("cloud-element-repeats-property", name=name))
