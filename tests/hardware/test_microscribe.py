@@ -15,7 +15,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from hardware.arm.microscribe import microscribe
+from hardware.arm.microscribe import hci, microscribe
 from hardware.arm.robots import streaming_arm
 from hardware.errors import DeviceError
 from hardware.interfaces import ArmDriver, Button
@@ -61,7 +61,8 @@ def make_driver(arm: FakeMicroscribe, **options: object) -> ArmDriver:
 
 
 @pytest.fixture
-def arm(tmp_path: Path) -> Iterator[FakeMicroscribe]:
+def arm(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[FakeMicroscribe]:
+    monkeypatch.setattr(hci, "_ANSWER_S", 20.0)  # a busy machine may stand still for a second
     with FakeMicroscribe(PtyLine(tmp_path)) as arm:
         yield arm
 
