@@ -94,7 +94,10 @@ def test_a_killed_recording_loses_at_most_what_followed_its_last_flush(
     assert "read up to" in str(result.cut)
     # the last frame's later joints may be in the second that was lost
     assert result.frames >= len(stamps) - 1
-    assert len(read_cloud(tmp_path / "cloud.ply").points_mm) == result.frames * POINTS
+    assert result.points == result.frames * POINTS
+    # the writer has 16 stripes, and the reader leaves out what repeats them
+    cloud = read_cloud(tmp_path / "cloud.ply")
+    assert len(cloud.points_mm) == min(result.frames, 16) * POINTS
 
 
 def test_a_full_disk_ends_the_recording_and_keeps_what_is_there(tmp_path: Path) -> None:
