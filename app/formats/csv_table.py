@@ -140,12 +140,13 @@ def _line(cells: Sequence[str | float | int]) -> str:
 
 
 def _guard_formula(cell: str | float | int) -> str | float | int:
-    if isinstance(cell, str) and FORMULA.match(cell) and not _is_number(cell):
+    if isinstance(cell, str) and FORMULA.match(cell) and not is_number(cell):
         return f"'{cell}"
     return cell
 
 
-def _is_number(cell: str) -> bool:
+def is_number(cell: str) -> bool:
+    """Whether a cell is a number as Python reads it."""
     try:
         float(cell)
     except ValueError:

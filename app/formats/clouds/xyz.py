@@ -21,6 +21,7 @@ from app.formats.clouds.axis_names import (
 )
 from app.formats.clouds.points import Cloud, Points, cloud_from_columns, scale_cloud
 from app.formats.clouds.rows import refuse_decimal_commas
+from app.formats.csv_table import is_number
 from app.formats.file_names import display_path
 from app.messages.message import message, quantity
 from app.metrology.transforms import Floats
@@ -187,7 +188,7 @@ def _find_axes(
 def _refuse_numbers_of_points(path: Path, lines: Sequence[str], cells: Sequence[str]) -> None:
     """Refuses rows without names whose first column counts them."""
     firsts = [_cells(line)[0] for line in lines[:-1]]  # the last may be cut
-    if len(cells) < 4 or len(firsts) < 4 or not all(map(_is_number, firsts)):
+    if len(cells) < 4 or len(firsts) < 4 or not all(map(is_number, firsts)):
         return
     numbers = [float(first) for first in firsts]
     if all(b - a == 1 for a, b in pairwise(numbers)):
@@ -216,12 +217,4 @@ def _names(line: str) -> list[str]:
 
 
 def _count_numbers(cells: Sequence[str]) -> int:
-    return sum(_is_number(cell) for cell in cells)
-
-
-def _is_number(cell: str) -> bool:
-    try:
-        float(cell)
-    except ValueError:
-        return False
-    return True
+    return sum(is_number(cell) for cell in cells)
