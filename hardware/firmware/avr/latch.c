@@ -73,7 +73,6 @@ ISR(TIMER1_COMPB_vect) {
         trigger_is_high = true;
         TCCR1A &= ~TRIGGER_SETS | TRIGGER_CLEARS; /* at the next match of unit A */
         OCR1A = OCR1B + PULSE_TICKS;
-        TIFR1 = _BV(OCF1A); /* of the match that raised it, wherever that was not served first */
     }
     if (armed) { /* else the readings before were not shifted out yet: this one is lost */
         latching.sequence = sequence;
