@@ -41,6 +41,21 @@ def turn_by_one(seconds: float) -> JointPath:
     return JointPath(np.linspace(0.0, seconds, 30), REST + share)
 
 
+@pytest.mark.parametrize("moves", ["play", "halt"])
+def test_a_path_that_is_given_late_begins_where_the_arm_was_seen_last(moves: str) -> None:
+    """On a busy machine the arm has sent readings of after the planned start."""
+    motion = Motion(REST)
+    motion.play(turn_by_one(1.0), 10**9)
+    seen = motion.at_all(np.arange(1_300, 1_500) * 10**6)
+    if moves == "play":
+        back = JointPath(np.array([0.0, 1.0]), np.stack([seen[-1], REST]))
+        motion.play(back, 1_400 * 10**6)
+    else:
+        motion.halt(1_400 * 10**6)
+    after = motion.at_all(np.arange(1_500, 1_900) * 10**6)
+    assert np.abs(np.diff(np.vstack([seen, after]), axis=0)).max() < 0.003
+
+
 class DeviceBench(ArmBench):
     def __init__(self, line: DevicePort, rate_hz: float = 500.0, poses: bool = False) -> None:
         self.line, self.faults = line, ArmFaults()
@@ -255,8 +270,7 @@ def test_motion_rests_moves_and_halts_smoothly() -> None:
     end = motion.play(turn_by_one(1.0), start)
     assert np.array_equal(motion.at(start - 1), REST)
     assert not motion.is_resting(start + 1000)
-    assert np.allclose(motion.at(end + 5), REST + 1)
-    motion.halt(start + 500_000_000)
+    motion.halt(start + 500_000_000)  # before anybody has seen what comes later
     stamps = np.arange(start, start + 10**9, 10**6)
     q = motion.at_all(stamps)[:, 0]
     speed = np.diff(q) * 1000
@@ -264,6 +278,9 @@ def test_motion_rests_moves_and_halts_smoothly() -> None:
     assert np.abs(np.diff(speed)).max() < 0.1
     assert speed[-1] == 0
     assert 0.5 < q[-1] - REST[0] < 0.65
+    whole = Motion(REST)
+    whole.play(turn_by_one(1.0), start)
+    assert np.allclose(whole.at(end + 5), REST + 1)
 
 
 def test_a_held_arm_trembles_only_where_asked() -> None:

@@ -58,18 +58,23 @@ class Motion:
         self._phases = rng.uniform(0.0, 2 * np.pi, (3, len(q_rad)))
         resting = _Piece(0, 0, _spline(np.array([0.0, 1e-3]), np.stack([q_rad, q_rad])), True)
         self._pieces: deque[_Piece] = deque([resting], maxlen=STORED_PIECES)
+        self._seen_ns = 0
+        """The last moment that somebody has seen: what comes later is open."""
 
     def play(self, path: JointPath, start_ns: int, trembles: bool = False) -> int:
-        """Moves along a path from ``start_ns``; returns when it ends. ``trembles``: once there."""
-        end_ns = start_ns + round(path.duration_s * 1e9)
+        """Moves along a path from ``start_ns``, or from when nobody knows yet where the arm is: it
+        does not jump if a busy machine is late. Returns when it ends. ``trembles``: once there."""
+        spline = _spline(path.times_s, path.q_rad)
         with self._lock:
-            spline = _spline(path.times_s, path.q_rad)
+            start_ns = max(start_ns, self._seen_ns)
+            end_ns = start_ns + round(path.duration_s * 1e9)
             self._pieces.append(_Piece(start_ns, end_ns, spline, trembles))
         return end_ns
 
     def halt(self, now_ns: int) -> None:
         """Comes to rest from wherever it is, without a jerk."""
         with self._lock:
+            now_ns = max(now_ns, self._seen_ns)
             piece = self._piece_at(now_ns)
             if now_ns >= piece.end_ns:
                 return
@@ -88,6 +93,7 @@ class Motion:
     def at_all(self, stamps_ns: NDArray[np.int64]) -> Floats:
         """(N, n) true joint angles at ascending moments."""
         with self._lock:
+            self._seen_ns = max(self._seen_ns, int(stamps_ns[-1]))
             pieces = [self._piece_at(int(stamp)) for stamp in (stamps_ns[0], stamps_ns[-1])]
             if pieces[0] is pieces[1]:
                 return self._evaluate(pieces[0], stamps_ns)
