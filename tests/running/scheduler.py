@@ -64,7 +64,9 @@ class PoolScheduler:
         pools = pools_of_worker(node)
         self._ids[node] = list(collection)
         if pools not in self._queues:
-            self._queues[pools] = deque(json.loads(units_file(node).read_text("utf-8")))
+            written = units_file(node)  # none if a file that was asked for is not there
+            units = json.loads(written.read_text("utf-8")) if written.exists() else []
+            self._queues[pools] = deque(units)
         front = self._front.setdefault(pools, [])
         if Pool.COMPUTING in pools or len(front) < 2:
             front.append(node)
