@@ -29,6 +29,7 @@
 #include <unistd.h>
 
 enum { CLOCK_HZ = 16000000, MOST_JOINTS = 7, TIMSK1_ADDRESS = 0x6F, SLICE = 16000 };
+enum { TCCR1A_ADDRESS = 0x80, COM1A0_BIT = 6 };
 enum { READ_ANGLE = 0xFFFF, READ_ERROR = 0x4001, ERROR_FLAG = 0x4000 };
 
 static avr_t *avr;
@@ -103,10 +104,19 @@ static void on_spi_byte(avr_irq_t *irq, uint32_t value, void *param) {
 
 /* ---- trigger ---- */
 
+/* simavr also changes the output where the timer overflows, and where a compare register is written:
+   to the opposite of what a match does, as in PWM, whatever the timer's mode. The hardware changes
+   it at a match alone. */
+static int is_match(uint32_t value) {
+    return value == (avr->data[TCCR1A_ADDRESS] >> COM1A0_BIT & 1);
+}
+
 static void on_trigger(avr_irq_t *irq, uint32_t value, void *param) {
     static int high;
     static unsigned long long rose;
     (void)irq, (void)param;
+    if (!is_match(value))
+        return;
     if (value && !high)
         rose = avr->cycle;
     if (!value && high) {
