@@ -22,6 +22,10 @@ from hardware.interfaces import (
 )
 
 LONG_S = 120.0
+PATIENT_S = 30.0
+"""What a driver is given to open a device that answers: this machine may be busy."""
+SILENT_S = 2.0
+"""What it is given where the device stays silent, after it has said what it says."""
 """Much longer than anything here takes on a busy machine."""
 
 InfoT_co = TypeVar("InfoT_co", covariant=True)

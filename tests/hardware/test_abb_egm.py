@@ -19,7 +19,7 @@ from hardware.errors import DeviceError
 from hardware.interfaces import ArmDriver, PoseSample
 from hardware.registry import arm_driver
 from tests.hardware.conformance import ArmBench, ArmConformance
-from tests.hardware.reading import loss_of, opened, read_readings, read_samples
+from tests.hardware.reading import PATIENT_S, SILENT_S, loss_of, opened, read_readings, read_samples
 from tests.hardware.udp_robot import UdpBench, UdpRobot
 
 egm_pb2 = pytest.importorskip("ABBRobotEGM._egm_protobuf.egm_pb2")
@@ -63,13 +63,15 @@ def robot() -> Iterator[UdpRobot]:
 
 
 def make_driver(robot: UdpRobot, **options: object) -> ArmDriver:
-    return arm_driver("abb-egm", {"address": "127.0.0.1", "port": robot.port, **options})
+    return arm_driver(
+        "abb-egm", {"address": "127.0.0.1", "port": robot.port, "timeout_s": PATIENT_S, **options}
+    )
 
 
 class TestAbbEgm(ArmConformance):
     @pytest.fixture(params=["flange", pytest.param("joints", marks=pytest.mark.soak)])
     def bench(self, request: pytest.FixtureRequest, robot: UdpRobot) -> ArmBench:
-        return UdpBench(robot, lambda: make_driver(robot, report=request.param))
+        return UdpBench(robot, lambda: make_driver(robot, report=request.param, timeout_s=5.0))
 
 
 def test_a_client_of_others_reads_the_same(robot: UdpRobot) -> None:
@@ -173,7 +175,7 @@ def test_what_is_no_egm_counts_as_corrupt(robot: UdpRobot) -> None:
         assert "has sent only packets that cannot be read" in str(loss_of(driver).what)
         assert driver.health.corrupt > 3
     with pytest.raises(DeviceError, match="is no EGM"):
-        make_driver(robot, timeout_s=1.0).open()
+        make_driver(robot, timeout_s=SILENT_S).open()
     robot.silent = True
     with pytest.raises(DeviceError, match="sends nothing to UDP port"):
         make_driver(robot, timeout_s=0.3).open()

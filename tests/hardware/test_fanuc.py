@@ -18,6 +18,7 @@ from hardware.interfaces import ArmDriver, PoseSample
 from hardware.registry import arm_driver
 from tests.hardware.conformance import ArmBench, ArmConformance
 from tests.hardware.reading import (
+    PATIENT_S,
     loss_of,
     opened,
     read_readings,
@@ -45,7 +46,7 @@ class FanucBench(ArmBench):
 
     def driver(self) -> ArmDriver:
         options = {"address": "127.0.0.1", "port": self.port, "report": self.report}
-        return arm_driver("fanuc", {**options, "timeout_s": 3.0})
+        return arm_driver("fanuc", {**options, "timeout_s": PATIENT_S})
 
     def contacts(self) -> int:
         return int(self.controller.sm.streaming)

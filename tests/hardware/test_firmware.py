@@ -245,10 +245,9 @@ def test_the_time_of_a_pulse_is_that_of_its_edge(board: Board, line: RawLine) ->
     assert np.ptp(edges_us - times_us) <= 1.0
     # a repeated request starts nothing
     line.say(pulse_request(9, 77.0))
-    again = line.until(60, Sample)
+    again = line.until(1, PulseAnswer) + line.until(60, Sample)
     numbers = [p.pulse for p in again if isinstance(p, Sample) and p.pulse is not None]
     assert numbers[0] == len(times_us) + 1
-    assert any(isinstance(packet, PulseAnswer) for packet in again)
 
 
 def test_pulses_start_from_one_after_a_pause(board: Board, driver: SerialEncoderArm) -> None:

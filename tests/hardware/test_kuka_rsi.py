@@ -23,7 +23,15 @@ from hardware.errors import DeviceError
 from hardware.interfaces import ArmDriver, PoseSample
 from hardware.registry import arm_driver
 from tests.hardware.conformance import ArmBench, ArmConformance
-from tests.hardware.reading import loss_of, opened, read_readings, read_samples, wait_until
+from tests.hardware.reading import (
+    PATIENT_S,
+    SILENT_S,
+    loss_of,
+    opened,
+    read_readings,
+    read_samples,
+    wait_until,
+)
 from tests.hardware.udp_robot import UdpBench, UdpRobot
 
 pytestmark = pytest.mark.device
@@ -52,13 +60,15 @@ def robot() -> Iterator[UdpRobot]:
 
 
 def make_driver(robot: UdpRobot, **options: object) -> ArmDriver:
-    return arm_driver("kuka-rsi", {"address": "127.0.0.1", "port": robot.port, **options})
+    return arm_driver(
+        "kuka-rsi", {"address": "127.0.0.1", "port": robot.port, "timeout_s": PATIENT_S, **options}
+    )
 
 
 class TestKukaRsi(ArmConformance):
     @pytest.fixture(params=["flange", pytest.param("joints", marks=pytest.mark.soak)])
     def bench(self, request: pytest.FixtureRequest, robot: UdpRobot) -> ArmBench:
-        return UdpBench(robot, lambda: make_driver(robot, report=request.param))
+        return UdpBench(robot, lambda: make_driver(robot, report=request.param, timeout_s=5.0))
 
 
 def test_joints_and_cycle_are_as_sent(robot: UdpRobot) -> None:
@@ -156,10 +166,10 @@ def test_what_cannot_be_true_is_an_error(
 def test_what_is_wrong_at_opening_is_said(robot: UdpRobot) -> None:
     robot.spoil = lambda data: b"hello"
     with pytest.raises(DeviceError, match="is no RSI"):
-        make_driver(robot, timeout_s=1.0).open()
+        make_driver(robot, timeout_s=SILENT_S).open()
     robot.spoil = lambda data: data
     with pytest.raises(DeviceError, match=r"comes from 127\.0\.0\.1, not from"):
-        make_driver(robot, timeout_s=1.0, address="127.0.0.7").open()
+        make_driver(robot, timeout_s=SILENT_S, address="127.0.0.7").open()
     robot.silent = True
     with pytest.raises(DeviceError, match=f"sends nothing to UDP port {robot.port}"):
         make_driver(robot, timeout_s=0.3).open()

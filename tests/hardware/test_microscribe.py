@@ -23,6 +23,7 @@ from hardware.registry import arm_driver
 from tests.hardware.conformance import ArmBench, ArmConformance
 from tests.hardware.reading import (
     LONG_S,
+    PATIENT_S,
     button_edges,
     opened,
     read_readings,
@@ -57,7 +58,7 @@ class MicroscribeBench(SpeakingBench):
 
 
 def make_driver(arm: FakeMicroscribe, **options: object) -> ArmDriver:
-    return arm_driver("microscribe", {"url": arm.line.url, **options})
+    return arm_driver("microscribe", {"url": arm.line.url, "timeout_s": PATIENT_S, **options})
 
 
 @pytest.fixture

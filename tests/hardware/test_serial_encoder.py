@@ -24,6 +24,8 @@ from hardware.interfaces import ArmDriver, ArmRecord, Button, JointSample, LinkH
 from hardware.registry import arm_driver
 from tests.hardware.conformance import ArmBench, ArmConformance
 from tests.hardware.reading import (
+    PATIENT_S,
+    SILENT_S,
     loss_of,
     opened,
     read_readings,
@@ -49,7 +51,7 @@ BITS = {Button.PRIMARY: 1, Button.UNDO: 2, Button.BACK: 4}
 
 
 def make_driver(arm: FakeArm, **options: object) -> SerialEncoderArm:
-    return from_options({"url": arm.line.url, **options})
+    return from_options({"url": arm.line.url, "timeout_s": PATIENT_S, **options})
 
 
 class SerialBench(SpeakingBench):
@@ -58,7 +60,7 @@ class SerialBench(SpeakingBench):
         self.arm = arm
 
     def driver(self) -> ArmDriver:
-        return make_driver(self.arm, timeout_s=5.0)
+        return make_driver(self.arm)
 
     def contacts(self) -> int:
         return self.arm.requests
@@ -256,7 +258,7 @@ def test_samples_of_another_joint_count_are_an_error(arm: FakeArm, driver: ArmDr
 
 
 def open_error(url: str, **options: object) -> str:
-    driver = from_options({"url": url, "timeout_s": 1.0, **options})
+    driver = from_options({"url": url, "timeout_s": PATIENT_S, **options})
     with pytest.raises(DeviceError) as caught:
         driver.open()
     with pytest.raises(DeviceError):
@@ -267,17 +269,17 @@ def open_error(url: str, **options: object) -> str:
 def test_what_is_wrong_at_opening_is_said(arm: FakeArm) -> None:
     url = arm.line.url
     arm.silent = True
-    assert "sends its hello (Bench arm) but no samples" in open_error(url)
+    assert "sends its hello (Bench arm) but no samples" in open_error(url, timeout_s=SILENT_S)
     arm.greets = False
-    assert "No data arrived from" in open_error(url)
+    assert "No data arrived from" in open_error(url, timeout_s=0.3)
     arm.silent = False
-    assert "sends samples but no hello" in open_error(url)
+    assert "sends samples but no hello" in open_error(url, timeout_s=SILENT_S)
     arm.silent, arm.chatter = True, b"$GPGGA,123519\r\n"
-    message = open_error(url)
+    message = open_error(url, timeout_s=SILENT_S)
     assert "no packet of an encoder arm" in message
     assert "baud rate" in message
     arm.chatter = packet(1, bytes(40), version=3)
-    assert "version 3 of the protocol" in open_error(url)
+    assert "version 3 of the protocol" in open_error(url, timeout_s=SILENT_S)
 
 
 @pytest.mark.parametrize("driver", ["bridge", "microscribe", "serial-encoder"])

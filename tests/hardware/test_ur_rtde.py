@@ -25,7 +25,14 @@ from hardware.interfaces import ArmDriver, ArmRecord, JointSample, PoseSample
 from hardware.registry import arm_driver
 from hardware.simulator.devices.rtde_server import RobotState, RtdeServer
 from tests.hardware.conformance import ArmBench, ArmConformance, FaultyArmBench
-from tests.hardware.reading import loss_of, opened, read_readings, read_samples, read_until_lost
+from tests.hardware.reading import (
+    PATIENT_S,
+    loss_of,
+    opened,
+    read_readings,
+    read_samples,
+    read_until_lost,
+)
 
 pytestmark = pytest.mark.device
 
@@ -44,7 +51,9 @@ def swing(at_ns: int) -> RobotState:
 
 
 def make_driver(server: RtdeServer, **options: object) -> ArmDriver:
-    return arm_driver("ur-rtde", {"address": "127.0.0.1", "port": server.port, **options})
+    return arm_driver(
+        "ur-rtde", {"address": "127.0.0.1", "port": server.port, "timeout_s": PATIENT_S, **options}
+    )
 
 
 class RtdeBench(FaultyArmBench):
@@ -205,13 +214,17 @@ def pump(source: socket.socket, target: socket.socket, piece: int) -> None:
 
 
 def test_what_the_controller_refuses_is_said(server: RtdeServer) -> None:
-    address: dict[str, object] = {"address": "127.0.0.1", "port": server.port, "timeout_s": 1.0}
+    address: dict[str, object] = {
+        "address": "127.0.0.1",
+        "port": server.port,
+        "timeout_s": PATIENT_S,
+    }
     server.faults.refuses_protocol = True
     assert "version 2 of RTDE" in open_error(address)
     server.faults.refuses_protocol, server.faults.refuses_start = False, True
     assert "refuses to send data" in open_error(address)
     server.faults.refuses_start, server.faults.silent = False, True
-    assert "has sent nothing new for 1 s" in open_error(address)
+    assert "has sent nothing new for 1 s" in open_error({**address, "timeout_s": 1.0})
     server.faults.silent, server.version = False, (3, 15, 8, 0)
     said = open_error({**address, "rate_hz": 500})
     assert "at most 125 Hz, but station.toml states 500 Hz" in said
@@ -227,7 +240,7 @@ def test_what_is_no_controller_is_said() -> None:
         with ExitStack() as connections:
             chatter = threading.Thread(target=chat, args=(other, connections), daemon=True)
             chatter.start()
-            assert "is no RTDE" in open_error({**address, "timeout_s": 5.0})
+            assert "is no RTDE" in open_error({**address, "timeout_s": PATIENT_S})
             chatter.join()
     assert "No program listens at" in open_error(address)
     assert "no host with the name" in open_error({**address, "address": "no-such-host.invalid"})
