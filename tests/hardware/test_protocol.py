@@ -4,7 +4,7 @@ import re
 from itertools import pairwise
 
 import pytest
-from hypothesis import given
+from hypothesis import assume, given
 from hypothesis import strategies as st
 
 from hardware.arm import protocol
@@ -176,7 +176,9 @@ def test_a_packet_cut_at_any_byte_costs_only_itself(
     from_its_end = data.draw(st.booleans())
     cut = whole[len(whole) - kept :] if from_its_end else whole[:kept]
     s, t, b, c = second
-    stream = sample_packet(*first) + cut + sample_packet(*second)
+    # a checksum that ends as a packet begins makes it whole again
+    assume(not kept or not (cut + sample_packet(*second)).startswith(whole))
+    stream = whole + cut + sample_packet(*second)
     reader = PacketReader()
     assert feed_in_pieces(reader, stream, [len(whole) + 3])[1:] == [Sample(s, t, b, tuple(c))]
     assert reader.corrupt == (1 if kept else 0)
