@@ -13,6 +13,7 @@ from dataclasses import dataclass
 from importlib.metadata import EntryPoint
 from typing import TypeAlias, cast
 
+from app.loops import start_worker
 from app.messages.message import Text, message
 from hardware.errors import DeviceError
 from hardware.registry import FINDERS, DeviceKind, find_entries, package_of
@@ -79,7 +80,7 @@ def _start(entry: EntryPoint) -> "Future[list[Finding]]":
         if future is None:
             future = _running[key] = Future()
             name = f"find-{entry.name}"
-            threading.Thread(target=run, args=(future,), name=name, daemon=True).start()
+            start_worker(name, run, future)
         return future
 
 

@@ -10,6 +10,7 @@ from app.archive.archive import Archive, ArchiveState
 from app.archive.manifest import Kind
 from app.archive.pace import ArchiveEndedError
 from app.errors import OperationError
+from app.loops import Loop
 from app.messages.message import Text, message
 
 log = logging.getLogger(__name__)
@@ -45,7 +46,7 @@ class ArchiveWorker:
         self.failures = 0
         """Attempts that failed since the last one that did not."""
         self._next_s = 0.0
-        self._thread: threading.Thread | None = None
+        self._loop = Loop("archive", self._step, ending=archive.pace.ending)
 
     @property
     def retry_in_s(self) -> float:
@@ -62,26 +63,21 @@ class ArchiveWorker:
 
     def start(self) -> None:
         """Starts the thread."""
-        self._thread = threading.Thread(target=self._run, name="archive", daemon=True)
-        self._thread.start()
+        self._loop.start()
 
     def close(self) -> None:
         """Ends the copy in progress; the next start continues it. Idempotent."""
-        self._archive.pace.ending.set()
-        if self._thread is not None:
-            self._thread.join(END_S)
-
-    def _run(self) -> None:
-        # of this thread only
-        os.setpriority(os.PRIO_PROCESS, threading.get_native_id(), NICENESS)
-        ending = self._archive.pace.ending
-        while not ending.is_set():
-            pause_s = self._step()
-            self._next_s = time.monotonic() + pause_s
-            ending.wait(pause_s)
+        self._loop.stop(END_S)
 
     def _step(self) -> float:
         """One attempt; returns the pause after it."""
+        # of this thread only
+        os.setpriority(os.PRIO_PROCESS, threading.get_native_id(), NICENESS)
+        pause_s = self._attempt()
+        self._next_s = time.monotonic() + pause_s
+        return pause_s
+
+    def _attempt(self) -> float:
         try:
             self._archive.run()
         except ArchiveEndedError:

@@ -274,6 +274,14 @@ back = Zurück
 back-face = Rückseite
 back-places = Zurück zu den Positionen
 back-points = Zurück zu den Punkten
+background-work = Hintergrundarbeit
+background-work-remedy = Sehen Sie im Protokoll unten nach und senden Sie das Supportpaket. Starten Sie die Station neu, wenn ein Teil weiter scheitert.
+background-work-runs =
+    { $count ->
+        [one] Ein Teil läuft.
+       *[other] Alle { $count } Teile laufen.
+    }
+background-work-why = Sie hält aktuell, was Browser zeigen, und überwacht Geräte, Scans und den Datenträger.
 backup = Sicherung
 backup-2 = Die Sicherung liegt in { $folder }.
 backup-being-made-already = Es läuft bereits eine Sicherung
@@ -2475,10 +2483,19 @@ log-event-loop-goes-on = die Ereignisschleife läuft nach { $duration } weiter
 log-event-loop-held-up = die Ereignisschleife ist seit mehr als { $limit } blockiert
 log-file-not-used = { $file } wird nicht verwendet: { $reason }
 log-has-what-held-up-send = Die Ursache steht im Protokoll; tritt es wieder auf, das Diagnosepaket senden.
+log-lines-lost =
+    { $count ->
+        [one] eine Zeile des Protokolls ging verloren, weil der Datenträger zu langsam war
+       *[other] { $count } Zeilen des Protokolls gingen verloren, weil der Datenträger zu langsam war
+    }
+log-loop-failed = die Schleife { $name } ist gescheitert; sie wird neu gestartet, und dieser Fehler wird erst wieder protokolliert, wenn sie gearbeitet hat
+log-loop-refused = die Schleife { $name } ist gescheitert und wird neu gestartet: { CLAUSE($reason) }
+log-loop-works-again = die Schleife { $name } arbeitet wieder
 log-not-saved = { $method } { $path } wurde nicht gespeichert: { $reason }
 log-notification-given-up = eine Benachrichtigung wurde nicht zugestellt: { $reason }
 log-program-stood-still = das gesamte Programm stand { $duration } lang still
 log-repeated = ({ $count } davon seit { $since })
+log-thread-died = { $name } wurde durch einen Fehler beendet
 logs-cannot-written = Die Protokolle in { $folder } lassen sich nicht schreiben
 look-change = Ansehen und tauschen.
 look-last-message-let-simulation-try = Letzte Meldung prüfen und den simulierten Bediener erneut starten
@@ -2490,6 +2507,43 @@ looked-arms-delay = Zeitversatz des Messarms bestimmt
 looked-pose = Pose { $number } ausgewertet
 looking-delay = Zeitversatz wird bestimmt
 looking-object-picture = Objekt wird im Bild gesucht
+loop-fails-now =
+    { $count ->
+        [one] Scheitert gerade und wird wieder versucht: { $part } ({ CLAUSE($error) }).
+       *[other] Scheitert gerade und wird wieder versucht, bisher { $count }-mal: { $part } ({ CLAUSE($error) }).
+    }
+loop-name =
+    { $name ->
+        [rig-state] Zustand der Geräte
+        [scan-state] Zustand des Scans
+        [scene] Zeichnen der 3D-Ansicht
+        [view] Zustand der 3D-Ansicht
+        [pulse-trigger] Triggerpulse
+        [arm-reader] Lesen des Arms
+        [sensor-reader] Lesen des Sensors
+        [awake] Uhr des Programms
+        [preview] Livebild
+        [object-watch] Erkennung des Objekts
+        [device-trial] Erprobung eines Geräts
+        [loop-watchdog] Überwachung der Ereignisschleife
+        [log-writer] Schreiben des Protokolls
+        [archive] Archivierung
+        [scan-sync] Sichern der Aufnahme
+        [live-state] geführte Abläufe und Start
+        [report] Bericht der Station
+        [stations] andere Stationen
+        [events] Weitergabe von Ereignissen
+        [health] Zustandsprüfungen
+        [temperature] Lesen der Temperatur
+        [notifications] Benachrichtigungen
+        [broker] Verbindung zum Broker
+       *[other] { $name }
+    }
+loop-works-again =
+    { $count ->
+        [one] Vor { $ago } gescheitert, neu gestartet und arbeitet: { $part } ({ CLAUSE($error) }).
+       *[other] { $count }-mal gescheitert, zuletzt vor { $ago }, neu gestartet und arbeitet: { $part } ({ CLAUSE($error) }).
+    }
 losses =
     { $device ->
         [arm] Datenverluste des Messarms
@@ -3838,6 +3892,7 @@ they-lie-almost-one-plane-almost = sie liegen fast in einer Ebene oder fast in e
 they-recording-but-gave-no-points = Sie sind in der Aufzeichnung, ergaben aber keine Punkte; Kabel des Messarms prüfen.
 this-needs-pictures = hierfür wird ein Bild der Kamera benötigt
 this-program = dieses Programm
+thread-has-died = Vor { $ago } durch einen Fehler beendet: { $name } ({ CLAUSE($error) }).
 tilt-back-by = { $angle } nach hinten neigen
 tilt-front-by = { $angle } nach vorn neigen
 tilt-left-by = { $angle } nach links neigen

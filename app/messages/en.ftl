@@ -274,6 +274,14 @@ back = Back
 back-face = Back face
 back-places = Back to the places
 back-points = Back to the points
+background-work = Background work
+background-work-remedy = Look at the log below, and send the support bundle. Restart the station if a part goes on failing.
+background-work-runs =
+    { $count ->
+        [one] One part runs.
+       *[other] All { $count } parts run.
+    }
+background-work-why = It keeps what browsers show current, and watches devices, scans and the disk.
 backup = Backup
 backup-2 = The backup is in { $folder }.
 backup-being-made-already = A backup is already being made
@@ -2471,10 +2479,19 @@ log-event-loop-goes-on = the event loop continues after { $duration }
 log-event-loop-held-up = the event loop is blocked for more than { $limit }
 log-file-not-used = { $file } is not used: { $reason }
 log-has-what-held-up-send = The log states the cause; send the support bundle if it happens again.
+log-lines-lost =
+    { $count ->
+        [one] one line of the log was lost because the disk was too slow
+       *[other] { $count } lines of the log were lost because the disk was too slow
+    }
+log-loop-failed = the loop { $name } failed; it is restarted, and this error is not logged again until it works
+log-loop-refused = the loop { $name } failed and is restarted: { CLAUSE($reason) }
+log-loop-works-again = the loop { $name } works again
 log-not-saved = { $method } { $path } was not saved: { $reason }
 log-notification-given-up = a notification was not delivered: { $reason }
 log-program-stood-still = the whole program was suspended for { $duration }
 log-repeated = ({ $count } of these since { $since })
+log-thread-died = { $name } was ended by an error
 logs-cannot-written = The logs in { $folder } cannot be written
 look-change = Inspect the tip, and replace it.
 look-last-message-let-simulation-try = Check the last message, and let the simulated operator try again
@@ -2486,6 +2503,43 @@ looked-arms-delay = determined the arm's delay
 looked-pose = Pose { $number } evaluated
 looking-delay = Determining the delay
 looking-object-picture = Detecting the object in the picture
+loop-fails-now =
+    { $count ->
+        [one] Fails now and is tried again: { $part } ({ CLAUSE($error) }).
+       *[other] Fails now and is tried again, { $count } times so far: { $part } ({ CLAUSE($error) }).
+    }
+loop-name =
+    { $name ->
+        [rig-state] state of the devices
+        [scan-state] state of the scan
+        [scene] drawing of the 3D view
+        [view] state of the 3D view
+        [pulse-trigger] trigger pulses
+        [arm-reader] reading of the arm
+        [sensor-reader] reading of the sensor
+        [awake] clock of the program
+        [preview] live picture
+        [object-watch] detection of the object
+        [device-trial] trial of a device
+        [loop-watchdog] watch over the event loop
+        [log-writer] writing of the log
+        [archive] archiving
+        [scan-sync] syncing of the recording
+        [live-state] guided sessions and Home
+        [report] report of the station
+        [stations] other stations
+        [events] passing on of events
+        [health] health checks
+        [temperature] reading of the temperature
+        [notifications] notifications
+        [broker] connection to the broker
+       *[other] { $name }
+    }
+loop-works-again =
+    { $count ->
+        [one] Failed { $ago } ago, was restarted and works: { $part } ({ CLAUSE($error) }).
+       *[other] Failed { $count } times, last { $ago } ago, was restarted and works: { $part } ({ CLAUSE($error) }).
+    }
 losses =
     { $device ->
         [arm] Lost data of the arm
@@ -3825,6 +3879,7 @@ they-lie-almost-one-plane-almost = they lie almost in one plane, or almost in on
 they-recording-but-gave-no-points = They are in the recording but gave no points; check the arm's cable.
 this-needs-pictures = this needs a picture of what the camera sees
 this-program = this program
+thread-has-died = Ended by an error { $ago } ago: { $name } ({ CLAUSE($error) }).
 tilt-back-by = tilt to the back { $angle }
 tilt-front-by = tilt to the front { $angle }
 tilt-left-by = tilt left { $angle }

@@ -11,6 +11,7 @@ import queue
 import sys
 from collections import deque
 from collections.abc import Iterator, Sequence
+from contextlib import suppress
 from dataclasses import dataclass
 from datetime import UTC, datetime
 from itertools import islice
@@ -20,6 +21,7 @@ from typing import Literal
 from app.errors import OperationError
 from app.formats.file_names import escape_unprintable
 from app.formats.open_file import check_ordinary, read_bounded
+from app.loops import Loop
 from app.messages.catalogue import Render
 from app.messages.message import Message, Text, join, message, text_to_json
 from app.messages.stored import restore_text
@@ -28,6 +30,10 @@ from app.monitoring.log_text import RepeatFilter
 FOLDER, FILE = "logs", "station.jsonl"
 FILE_BYTES, FILES = 2_000_000, 5
 LONGEST_TEXT, LONGEST_TRACE = 1000, 4000
+WRITER = "log-writer"
+"""Name of the thread."""
+MOST_WAITING = 2000
+"""Lines that wait for the disk; those beyond are lost, and counted."""
 LONGEST_LINE = 10_000
 """Longer lines have their text in English alone."""
 STATION_LOGGERS = ("app", "hardware")
@@ -81,13 +87,14 @@ class LogStore:
             ) from error
         file.setFormatter(_JsonLine())
         self._errors: deque[float] = deque(maxlen=1000)
-        lines: queue.SimpleQueue[logging.LogRecord] = queue.SimpleQueue()
-        self._handler = _Handler(lines)
+        self._lines: queue.Queue[logging.LogRecord | None] = queue.Queue(MOST_WAITING)
+        self._handler = _Handler(self._lines)
         self._handler.addFilter(_ErrorCounter(self._errors))
         self._handler.addFilter(RepeatFilter())
         self._file = file
-        self._listener = logging.handlers.QueueListener(lines, file)
-        self._listener.start()
+        self._lost_reported = 0
+        self._writer = Loop(WRITER, self._write)
+        self._writer.start()
         self._levels = {name: logging.getLogger(name).level for name in STATION_LOGGERS}
         for name in STATION_LOGGERS:
             logging.getLogger(name).setLevel(logging.INFO)
@@ -101,8 +108,30 @@ class LogStore:
         for name, level in self._levels.items():
             logging.getLogger(name).setLevel(level)
         self._levels = {}
-        self._listener.stop()
+        self._writer.stop(None, self._wake)
+        while not self._lines.empty():
+            self._write()
         self._file.close()
+
+    def _wake(self) -> None:
+        with suppress(queue.Full):  # then it waits for none
+            self._lines.put_nowait(None)
+
+    @property
+    def lost_lines(self) -> int:
+        """Lines that came when too many waited for the disk."""
+        return self._handler.lost
+
+    def _write(self) -> None:
+        """Writes the next line, and how many were lost meanwhile."""
+        record = self._lines.get()
+        lost, self._lost_reported = self.lost_lines - self._lost_reported, self.lost_lines
+        if lost > 0:
+            about = {"name": __name__, "levelno": logging.WARNING, "threadName": WRITER}
+            text = message("log-lines-lost", count=lost)
+            self._file.handle(logging.makeLogRecord({**about, "msg": text}))
+        if record is not None:
+            self._file.handle(record)
 
     def errors_since(self, after: float) -> int:
         """Number of errors that were logged after a time (``time.time``)."""
@@ -171,7 +200,15 @@ class _ErrorCounter(logging.Filter):
 
 
 class _Handler(logging.handlers.QueueHandler):
-    """Converts the traceback to text at once."""
+    """Converts the traceback to text at once; loses a line if too many wait, but never waits."""
+
+    lost = 0
+
+    def enqueue(self, record: logging.LogRecord) -> None:
+        try:
+            self.queue.put_nowait(record)
+        except queue.Full:
+            self.lost += 1
 
     def prepare(self, record: logging.LogRecord) -> logging.LogRecord:
         trace = str(getattr(record, "trace", ""))

@@ -8,6 +8,7 @@ import time
 import traceback
 from dataclasses import dataclass, replace
 
+from app.loops import Loop
 from app.messages.message import message, quantity
 from app.timestamps import utc_now
 
@@ -47,7 +48,7 @@ class LoopWatchdog:
         self._limit_s = limit_s
         self._stalls = Stalls()
         self._stopping = threading.Event()
-        self._thread: threading.Thread | None = None
+        self._loop: Loop | None = None
 
     @property
     def stalls(self) -> Stalls:
@@ -61,30 +62,27 @@ class LoopWatchdog:
         """Watches the loop of the calling thread."""
         self._stopping.clear()
         watched = threading.get_ident()
-        self._thread = threading.Thread(
-            target=self._watch, args=(loop, watched), name="loop-watchdog", daemon=True
-        )
-        self._thread.start()
+        self._loop = Loop("loop-watchdog", lambda: self._look(loop, watched), ending=self._stopping)
+        self._loop.start()
 
     def stop(self) -> None:
-        self._stopping.set()
-        if self._thread is not None:
-            self._thread.join(2.0)
-            self._thread = None
+        if self._loop is not None:
+            self._loop.stop(2.0)
+            self._loop = None
 
-    def _watch(self, loop: asyncio.AbstractEventLoop, watched: int) -> None:
-        while not self._stopping.is_set():
-            answered = threading.Event()
-            asked_s = time.monotonic()
-            try:
-                loop.call_soon_threadsafe(answered.set)
-            except RuntimeError:  # the loop was closed
-                return
-            if not answered.wait(self._limit_s):
-                self._note_stall(asked_s, answered, watched)
-            woke_s = time.monotonic()
-            self._stopping.wait(PERIOD_S)
-            self._note_pause(time.monotonic() - woke_s - PERIOD_S)
+    def _look(self, loop: asyncio.AbstractEventLoop, watched: int) -> None:
+        answered = threading.Event()
+        asked_s = time.monotonic()
+        try:
+            loop.call_soon_threadsafe(answered.set)
+        except RuntimeError:  # the loop was closed
+            self._stopping.set()
+            return
+        if not answered.wait(self._limit_s):
+            self._note_stall(asked_s, answered, watched)
+        woke_s = time.monotonic()
+        self._stopping.wait(PERIOD_S)
+        self._note_pause(time.monotonic() - woke_s - PERIOD_S)
 
     def _note_stall(self, asked_s: float, answered: threading.Event, watched: int) -> None:
         late_s = time.monotonic() - asked_s - self._limit_s

@@ -14,9 +14,11 @@ from app.errors import OperationError
 from app.formats.json_document import SOFTWARE
 from app.guide.common.datasheet_library import list_set_aside
 from app.guide.common.validity import SECONDS_A_DAY, age_days
+from app.loops import LOOPS
 from app.messages.message import join
 from app.monitoring import health, storage_health
 from app.monitoring import health_topics as health_messages
+from app.monitoring.background_health import background
 from app.monitoring.health import DeviceKind, Health, HealthItem
 from app.monitoring.system_info import memory, versions, writable
 from app.operations.context import Context
@@ -74,6 +76,7 @@ class HealthChecker:
             "archive": self._archive,
             "clock": self._clock,
             "loop": self._loop,
+            "background": self._background,
             "memory": lambda: [health.memory_use(memory())],
             "log": self._log,
             "network": lambda: [health.network(self._context.monitoring.settings.network)],
@@ -207,6 +210,10 @@ class HealthChecker:
     def _loop(self) -> list[HealthItem]:
         watchdog = self._context.monitoring.watchdog
         return [health.event_loop(watchdog.stalls, watchdog.limit_s)]
+
+    def _background(self) -> list[HealthItem]:
+        since_s = self._context.monitoring.started_s
+        return [background(LOOPS.states(), LOOPS.deaths(), time.monotonic(), since_s)]
 
     def _log(self) -> list[HealthItem]:
         errors = self._context.monitoring.logs.errors_since(time.time() - AN_HOUR_S)

@@ -3,13 +3,14 @@
 import asyncio
 import logging
 import time
+from collections import deque
 from collections.abc import Awaitable, Callable, Coroutine
-from functools import partial
 from itertools import count
 
-from app.errors import OperationError, sentence
+from app.errors import sentence
 from app.guide.performance.commands import measure_waiting as measure_waiting_scan
 from app.guide.verify.commands import measure_waiting
+from app.loops import repeat
 from app.messages.message import join
 from app.operations.context import Context
 from app.operations.health_checks import HealthChecker
@@ -36,25 +37,9 @@ END_S = 1.5
 DEVICE_TOPICS = {"devices", "sensors"}
 TOPICS = DEVICE_TOPICS | {"report", "stations", "flow", "scan", "preview", "view", "home", "arm"}
 """What browsers want, and the passing on of events does not."""
+Step = Callable[[], Awaitable[object]]
 DueKey = tuple[str, str | None]
 """Id and time of a check that is due."""
-
-
-async def _repeat(step: Callable[[], Awaitable[None]], period_s: float, failure: str) -> None:
-    """Runs until cancelled; a step that fails is logged, and the next may succeed."""
-    while True:
-        await _attempt(step, failure)
-        await asyncio.sleep(period_s)
-
-
-async def _attempt(step: Callable[[], Awaitable[object]], failure: str) -> None:
-    """Runs a step; one that fails is logged."""
-    try:
-        await step()
-    except OperationError as refusal:  # of a damaged database or its disk; Health shows it
-        log.warning("%s: %s", failure, refusal.line)
-    except Exception:
-        log.exception(failure)
 
 
 async def tick(context: Context) -> None:
@@ -62,31 +47,39 @@ async def tick(context: Context) -> None:
 
     Only what changed is published. What fails in one guide stops neither the others nor recovery.
     """
-    ticks = count()
     home: Home | None = None
-    failure = "the live state could not be refreshed"
-    refreshes: list[Callable[[], object]] = [
-        context.guide.refresh,
-        context.arm_guide.refresh,
-        lambda: measure_waiting(context.verify_guide),
-        context.verify_guide.refresh,
-        lambda: measure_waiting_scan(context.performance_guide),
-        context.performance_guide.refresh,
-    ]
 
-    async def step() -> None:
+    def on_thread(work: Callable[[], object]) -> Step:
+        return lambda: asyncio.to_thread(work)
+
+    def now_and_then(work: Callable[[], object]) -> Step:
+        numbers = count()
+
+        async def step() -> None:
+            if next(numbers) % HOME_EVERY == 0:
+                await asyncio.to_thread(work)
+
+        return step
+
+    def publish_home() -> None:
         nonlocal home
-        number = next(ticks)
-        for refresh in refreshes:
-            await _attempt(partial(asyncio.to_thread, refresh), failure)
-        if number % HOME_EVERY == 0:
-            await _attempt(partial(asyncio.to_thread, context.recovery.step), failure)
-            found = await asyncio.to_thread(build_home, context)
-            if found != home:
-                home = found
-                context.bus.publish("home", home)
+        found = build_home(context)
+        if found != home:
+            home = found
+            context.bus.publish("home", home)
 
-    await _repeat(step, LIVE_S, failure)
+    await repeat(
+        "live-state",
+        on_thread(context.guide.refresh),
+        on_thread(context.arm_guide.refresh),
+        on_thread(lambda: measure_waiting(context.verify_guide)),
+        on_thread(context.verify_guide.refresh),
+        on_thread(lambda: measure_waiting_scan(context.performance_guide)),
+        on_thread(context.performance_guide.refresh),
+        now_and_then(context.recovery.step),
+        now_and_then(publish_home),
+        period_s=LIVE_S,
+    )
 
 
 async def observe(context: Context) -> None:
@@ -99,25 +92,17 @@ async def observe(context: Context) -> None:
         _events(context),
         _health(context),
         _temperature(context),
-        watch.webhook.run(),
+        repeat("notifications", watch.webhook.run),
     ]
     if watch.broker is not None:
-        coroutines.append(watch.broker.run())
-    tasks = [asyncio.create_task(_run_and_log(work)) for work in coroutines]
+        coroutines.append(repeat("broker", watch.broker.run))
+    tasks = [asyncio.create_task(work) for work in coroutines]
     try:
         await asyncio.wait(tasks)
     finally:  # each is cancelled once: the last messages to the broker follow
         for task in tasks:
             task.cancel()
         await asyncio.wait(tasks, timeout=END_S)
-
-
-async def _run_and_log(work: Coroutine[object, object, None]) -> None:
-    """If one of these tasks fails, the others continue."""
-    try:
-        await work
-    except Exception:
-        log.exception("a part of the station's supervision has ended")
 
 
 async def _reports(context: Context) -> None:
@@ -131,7 +116,7 @@ async def _reports(context: Context) -> None:
             context.monitoring.broker.report(report)
         due = _notify_due(context, due)
 
-    await _repeat(step, REPORT_S, "the station's report could not be made")
+    await repeat("report", step, period_s=REPORT_S)
 
 
 def _notify_due(context: Context, known: set[DueKey]) -> set[DueKey]:
@@ -150,23 +135,32 @@ def _notify_due(context: Context, known: set[DueKey]) -> set[DueKey]:
 async def _stations(context: Context) -> None:
     """The other stations, after a change; the duration of silence is not a change."""
     published: object = None
-    while True:
+
+    async def step() -> None:
+        nonlocal published
         shown = context.monitoring.fleet.stations()
         news = [one.model_copy(update={"silent_s": None}) for one in shown]
         if news != published:
-            published = news
             context.bus.publish("stations", shown)
-        await asyncio.sleep(STATIONS_S)
+            published = news
+
+    await repeat("stations", step, period_s=STATIONS_S)
 
 
 async def _events(context: Context) -> None:
+    waiting: deque[Event] = deque()
     with context.bus.subscribe(without=TOPICS) as subscription:
-        while True:
-            updates = await subscription.next()
-            for topic in updates.topics:
-                subscription.want(topic, False)
-            for event in updates.events:
-                _pass_on(context, event)
+
+        async def step() -> None:
+            if not waiting:
+                updates = await subscription.next()
+                for topic in updates.topics:
+                    subscription.want(topic, False)
+                waiting.extend(updates.events)
+            while waiting:
+                _pass_on(context, waiting.popleft())
+
+        await repeat("events", step, period_s=0.0)
 
 
 def _pass_on(context: Context, event: Event) -> None:
@@ -207,14 +201,10 @@ async def _health(context: Context) -> None:
         looked_s = time.monotonic()
         context.monitoring.health = await asyncio.to_thread(examiner.look)
 
-    await _repeat(step, LOSING_S, "the station's health could not be looked at")
+    await repeat("health", step, period_s=LOSING_S)
 
 
 async def _temperature(context: Context) -> None:
     watch = context.monitoring.temperature
     if watch.there:
-        await _repeat(
-            lambda: asyncio.to_thread(watch.read),
-            TEMPERATURE_S,
-            "the temperature could not be read and kept",
-        )
+        await repeat("temperature", lambda: asyncio.to_thread(watch.read), period_s=TEMPERATURE_S)

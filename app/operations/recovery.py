@@ -26,6 +26,7 @@ from app.formats.recording.reader import (
 from app.formats.recording.topics import sensor_values
 from app.formats.results.calibration import read_calibration
 from app.formats.session.calibration_session import ARM
+from app.loops import start_worker
 from app.messages.message import Text, join, message
 from app.station.bus import Bus
 from app.station.jobs import Jobs
@@ -136,10 +137,7 @@ class Recovery:
         if scan is None or self._folders.start_space_error() is not None:
             self._not_before_s = now_s + RETRY_S / 4
             return
-        self._thread = threading.Thread(
-            target=self._make_cloud, args=(scan,), name="recovery", daemon=True
-        )
-        self._thread.start()
+        self._thread = start_worker("recovery", self._make_cloud, scan)
 
     def close(self) -> None:
         """Abandons a cloud in progress; it starts again after the next start."""

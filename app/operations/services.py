@@ -15,6 +15,7 @@ from app.archive.records import RecordLists
 from app.archive.worker import ArchiveWorker
 from app.errors import OperationError
 from app.formats.file_names import register_data_folder, unregister_data_folder
+from app.loops import start_worker
 from app.messages.message import Text, message
 from app.monitoring.health import Health
 from app.monitoring.log_store import LogStore
@@ -96,8 +97,7 @@ class Backups:
                     "busy", message("backup-being-made-already"), remedy=message("wait")
                 )
             self.share, self.trouble = 0.0, ""
-        self._thread = threading.Thread(target=self._run, name="backup", daemon=True)
-        self._thread.start()
+        self._thread = start_worker("backup", self._run)
 
     def _run(self) -> None:
         register_data_folder(self.folder.parent)

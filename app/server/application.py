@@ -10,6 +10,7 @@ from fastapi import FastAPI
 from app.api import problems
 from app.api.routers import ROUTES
 from app.formats.json_document import SOFTWARE
+from app.loops import reporting_deaths
 from app.operations.context import Context
 from app.operations.publishers import observe, tick
 from app.security.anonymous_queue import AnonymousQueue
@@ -51,15 +52,16 @@ def _lifespan(context: Context) -> Callable[[FastAPI], AbstractAsyncContextManag
         # objects that exist now are excluded: scanning all of them would delay the sensor by 0.1 s
         gc.collect()
         gc.freeze()
-        ticking = asyncio.create_task(tick(context))
-        observing = asyncio.create_task(observe(context))
-        try:
-            yield
-        finally:
-            ticking.cancel()
-            observing.cancel()
-            await asyncio.wait([observing])
-            await asyncio.to_thread(close_context, context)
+        with reporting_deaths():
+            ticking = asyncio.create_task(tick(context))
+            observing = asyncio.create_task(observe(context))
+            try:
+                yield
+            finally:
+                ticking.cancel()
+                observing.cancel()
+                await asyncio.wait([observing])
+                await asyncio.to_thread(close_context, context)
             # callbacks of ended tasks are waiting on this loop
             await asyncio.sleep(0)
             context.bus.detach()

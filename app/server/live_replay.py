@@ -16,6 +16,7 @@ from app.formats.recording.pose_samples import reading_reader
 from app.formats.recording.reader import last_stamp_ns, open_recording
 from app.formats.recording.stream import read_blocks
 from app.formats.results.calibration import Calibration
+from app.loops import start_worker
 from app.messages.message import Text, join, message
 from app.metrology.arm.kinematics import AnyArm, Arm
 from app.metrology.arm.reading_interpolation import Stamps
@@ -91,10 +92,7 @@ class Replay:
         low, high = depth + DEPTH_MM[0], depth + DEPTH_MM[1]
         scene.set_sensor(use.T_flange_sensor, use.camera, use.plane, (max(low, 1.0), high))
         self._clock.start()
-        self._thread = threading.Thread(
-            target=self._show, args=(scene, bus), name="replay", daemon=True
-        )
-        self._thread.start()
+        self._thread = start_worker("replay", self._show, scene, bus)
 
     def stop(self) -> None:
         """Stops showing points."""

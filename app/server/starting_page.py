@@ -6,7 +6,6 @@ imported here.
 """
 
 import asyncio
-import threading
 import time
 from collections.abc import Callable, Collection, Sequence
 from concurrent.futures import Future
@@ -19,6 +18,7 @@ from starlette.responses import Response
 from starlette.types import ASGIApp, Receive, Scope, Send
 
 from app.api.static_files import file_response, names_a_file, page_response
+from app.loops import start_worker
 from app.messages.message import Text, message
 from app.server.middleware import Guard
 from app.wire.json_response import problem
@@ -144,7 +144,7 @@ class StartingApp:
                 result.set_exception(error)
 
         # a thread that nobody waits for: a step that hangs does not outlive the program
-        threading.Thread(target=prepare, name="prepare", daemon=True).start()
+        start_worker("prepare", prepare)
         built, ending = asyncio.wrap_future(result), asyncio.create_task(self._ending.wait())
         first: tuple[asyncio.Future[Any], ...] = (built, ending)
         await asyncio.wait(first, return_when=asyncio.FIRST_COMPLETED)

@@ -7,6 +7,7 @@ from collections.abc import Callable
 from typing import Generic, TypeVar
 
 from app.errors import OperationError
+from app.loops import start_worker
 from app.messages.message import Text, message
 from app.station.bus import Bus
 
@@ -68,10 +69,7 @@ class Jobs:
                     message("wait-until-has-ended"),
                 )
             self._current = job  # type: ignore[assignment]  # read only as a job of anything
-        self._thread = threading.Thread(
-            target=self._run, args=(job, work, done), name=f"job-{title!s}", daemon=True
-        )
-        self._thread.start()
+        self._thread = start_worker(f"job-{title!s}", self._run, job, work, done)
         return job
 
     def wait(self, timeout_s: float) -> None:

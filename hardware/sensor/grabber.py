@@ -1,11 +1,13 @@
 """The thread that grabs from one source, and keeps the few newest pictures for a reader."""
 
+import logging
 import threading
 from collections import deque
 from concurrent.futures import Future
 
 import cv2
 
+from app.loops import start_worker
 from app.messages.message import Text, message, rounded
 from hardware.errors import DeviceError
 from hardware.interfaces import Delivery, Frame, Line, LinkHealth, SensorReading
@@ -18,17 +20,18 @@ from hardware.sensor.image_source import (
     NoImage,
 )
 
+log = logging.getLogger(__name__)
 _JOIN_S = 5.0
 _SWITCH_WITHIN_S = 15.0
 
 
-class Grabber(threading.Thread):
-    """Grabs from one source until it ends, is lost, or has to stop."""
+class Grabber:
+    """Grabs from one source until it ends, is lost, or has to stop; its reader opens it again."""
 
     def __init__(
         self, title: Text, source: ImageSource, stop: threading.Event, health: LinkHealth
     ) -> None:
-        super().__init__(name=f"grabbing {title!s}", daemon=True)
+        self._thread: threading.Thread | None = None
         self.wanted_exposure_us: float | None = None
         self._title = title
         self.source = source
@@ -92,6 +95,9 @@ class Grabber(threading.Thread):
                 message("sensor-does-not-switch", title=self._title), message("open-again")
             ) from error
 
+    def start(self) -> None:
+        self._thread = start_worker(f"grabbing {self._title!s}", self._run)
+
     def ask_to_stop(self) -> None:
         with self._changed:
             self._stop_asked.set()
@@ -99,9 +105,10 @@ class Grabber(threading.Thread):
 
     def end(self) -> None:
         self.ask_to_stop()
-        self.join(_JOIN_S)
+        if self._thread is not None:
+            self._thread.join(_JOIN_S)
 
-    def run(self) -> None:
+    def _run(self) -> None:
         lost: DeviceError | None = None
         try:
             while not self._stop_asked.is_set():
@@ -118,9 +125,11 @@ class Grabber(threading.Thread):
             pass
         except DeviceError as error:
             lost = error
-        except cv2.error as error:
+        except BaseException as error:  # its reader opens the device again, whatever it was
+            if not isinstance(error, cv2.error):
+                log.exception("grabbing from %s failed", self._title)
             lost = DeviceError(
-                message("device-failed", title=self._title, error=error), message("open-again")
+                message("device-failed", title=self._title, error=str(error)), message("open-again")
             )
         finally:
             self._finish(lost)

@@ -19,6 +19,7 @@ from starlette.responses import Response
 
 from app.api.access.authorization import StationRouter
 from app.guide.common.validity import SECONDS_A_DAY
+from app.loops import LOOPS
 from app.operations.context import Context, TheContext
 from app.operations.home import calibration_summary
 from app.operations.services import BUCKETS_S
@@ -152,6 +153,8 @@ class _StationCollector(Collector):
             "program_pauses", "Times that the whole program was suspended", stalls.pauses
         )
         yield _counter("events", "Events sent to the browsers", watch.events)
+        yield from _background()
+        yield _counter("log_lines_lost", "Lines that the log has lost", watch.logs.lost_lines)
         clients = _family(GaugeMetricFamily, "clients", "Open connections of browsers", "kind")
         clients.add_metric(["live"], watch.tabs)
         clients.add_metric(["view"], context.view_controller.pages)
@@ -186,6 +189,20 @@ class _StationCollector(Collector):
         yield _counter("notifications_sent", "Notifications delivered", watch.webhook.sent)
         yield _counter("notifications_failed", "Notifications not delivered", watch.webhook.failed)
         yield _gauge("notifications_waiting", "Notifications not sent yet", watch.webhook.waiting)
+
+
+def _background() -> Iterator[Metric]:
+    """The loops of the program, by name, and what died beside them."""
+    up = _family(GaugeMetricFamily, "loops_up", "Loops that run and do not fail now", "loop")
+    failures = _family(
+        CounterMetricFamily, "loop_failures", "Failed steps of a loop, which was restarted", "loop"
+    )
+    for one in LOOPS.states():
+        up.add_metric([one.name], 0.0 if one.failing else one.running)
+        failures.add_metric([one.name], one.failures)
+    yield from (up, failures)
+    deaths = LOOPS.death_count
+    yield _counter("threads_died", "Threads and tasks that an error has ended", deaths)
 
 
 def _has_holder(context: Context) -> bool:

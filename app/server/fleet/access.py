@@ -5,6 +5,7 @@ import asyncio
 import hmac
 import logging
 from base64 import b64decode
+from functools import partial
 from http import HTTPStatus
 from pathlib import Path
 
@@ -13,6 +14,7 @@ from starlette.requests import HTTPConnection
 from app.api.access.admission import admit_person
 from app.api.access.browser import address_of, token_of
 from app.errors import OperationError
+from app.loops import repeat
 from app.messages.message import message
 from app.security.authentication import AccessDeniedError, TooManyAttemptsError
 from app.security.login_throttle import Throttle, address_key
@@ -65,9 +67,8 @@ class FleetPeople:
 
     async def watch_provider(self) -> None:
         """Until it is cancelled: notes whether the provider answers, for the entrance page."""
-        while True:
-            await asyncio.to_thread(self.provider.check)
-            await asyncio.sleep(CHECK_S)
+        check = partial(asyncio.to_thread, self.provider.check)
+        await repeat("provider", check, period_s=CHECK_S)
 
     def close(self) -> None:
         """No request is answered any more."""

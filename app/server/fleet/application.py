@@ -29,6 +29,7 @@ from app.fleet.catalogue.reading import (
 from app.fleet.fleet_settings import DEFAULT_FILE
 from app.fleet.questions import drift_of, find_affected, find_doubted
 from app.formats.json_document import SOFTWARE
+from app.loops import reporting_deaths
 from app.messages.message import message
 from app.metrology.change_points import LEAST_VALUES
 from app.server.fleet.access import FleetAccess
@@ -88,21 +89,22 @@ def build_fleet_app(
 
     @asynccontextmanager
     async def lifespan(app: FastAPI) -> AsyncIterator[None]:
-        service.start()
-        clouds.start()
-        watching = None
-        if access.people is not None:
-            watching = asyncio.create_task(access.people.watch_provider())
-        try:
-            yield
-        finally:
-            if watching is not None and access.people is not None:
-                watching.cancel()
-                with suppress(asyncio.CancelledError):
-                    await watching
-                access.people.close()
-            await asyncio.to_thread(clouds.queue.close)
-            await service.close()
+        with reporting_deaths():
+            service.start()
+            clouds.start()
+            watching = None
+            if access.people is not None:
+                watching = asyncio.create_task(access.people.watch_provider())
+            try:
+                yield
+            finally:
+                if watching is not None and access.people is not None:
+                    watching.cancel()
+                    with suppress(asyncio.CancelledError):
+                        await watching
+                    access.people.close()
+                await asyncio.to_thread(clouds.queue.close)
+                await service.close()
 
     app = FastAPI(
         title="Crenel fleet",

@@ -12,6 +12,7 @@ from app.errors import OperationError
 from app.fleet.catalogue.catalogue import FleetCatalogue
 from app.fleet.collection.collector import CollectedStation, collect
 from app.fleet.fleet_settings import FleetSettings
+from app.loops import Loop, repeat
 from app.messages.message import Text, message
 from app.supervision.broker import Broker
 from app.supervision.messages import new_instance
@@ -52,7 +53,7 @@ class FleetService:
         """Stations with an event since they were looked at."""
         self._wake, self._ending = threading.Event(), threading.Event()
         self._lock = threading.Lock()
-        self._thread = threading.Thread(target=self._run, name="fleet-collect", daemon=True)
+        self._loop = Loop("fleet-collect", self._look_at_due, ending=self._ending)
         self._listening: asyncio.Task[None] | None = None
 
     @property
@@ -76,19 +77,18 @@ class FleetService:
 
     def start(self) -> None:
         """Begins to collect, and to listen; on the event loop."""
-        self._thread.start()
+        self._loop.start()
         if self.broker is not None:
-            self._listening = asyncio.get_running_loop().create_task(self.broker.run())
+            self._listening = asyncio.create_task(repeat("broker", self.broker.run))
 
     async def close(self) -> None:
         """Ends both: a look in progress has stored what it has by then."""
         self._ending.set()
-        self._wake.set()
         if self._listening is not None:
             self._listening.cancel()
             with contextlib.suppress(asyncio.CancelledError):
                 await self._listening
-        await asyncio.to_thread(self._thread.join, END_S)
+        await asyncio.to_thread(self._loop.stop, END_S, self._wake.set)
         if self._catalogue is not None:
             self._catalogue.close()
 
@@ -109,15 +109,17 @@ class FleetService:
                     self._reporting.add(station.id)
                     self._look_at(station.id)
 
-    def _run(self) -> None:
-        while not self._ending.is_set():
-            self._wake.clear()
-            now_s = time.monotonic()
-            due = [one for one in self._stations if self._due_s[one.id] <= now_s]
-            if due:
-                self._look(due)
-            next_s = min(self._due_s.values(), default=now_s + self.looks_every_s)
-            self._wake.wait(max(next_s - time.monotonic(), 0.0))
+    def _look_at_due(self) -> None:
+        """Looks at the stations whose time has come, and waits for the next one's."""
+        self._wake.clear()
+        if self._ending.is_set():
+            return
+        now_s = time.monotonic()
+        due = [one for one in self._stations if self._due_s[one.id] <= now_s]
+        if due:
+            self._look(due)
+        next_s = min(self._due_s.values(), default=now_s + self.looks_every_s)
+        self._wake.wait(max(next_s - time.monotonic(), 0.0))
 
     def _look(self, due: Sequence[CollectedStation]) -> None:
         for one in due:

@@ -8,6 +8,8 @@ pause is not attributed to a device.
 import threading
 import time
 
+from app.loops import Loop
+
 TICK_S = 0.1
 MOST_S = 0.3
 """Maximum duration of a tick: a thread that wakes up later had no processor."""
@@ -20,24 +22,22 @@ class AwakeClock:
         self._lock = threading.Lock()
         self._awake_s = 0.0
         self._ticked_s = time.monotonic()
-        self._thread: threading.Thread | None = None
+        self._loop: Loop | None = None
 
     def now_s(self) -> float:
         """Seconds from an arbitrary origin; the first call starts the thread."""
         with self._lock:
-            if self._thread is None:
+            if self._loop is None:
                 self._ticked_s = time.monotonic()
-                self._thread = threading.Thread(target=self._run, name="awake", daemon=True)
-                self._thread.start()
+                self._loop = Loop("awake", self._tick, TICK_S)
+                self._loop.start()
             return self._awake_s + min(time.monotonic() - self._ticked_s, MOST_S)
 
-    def _run(self) -> None:
-        while True:
-            time.sleep(TICK_S)
-            with self._lock:
-                now_s = time.monotonic()
-                self._awake_s += min(now_s - self._ticked_s, MOST_S)
-                self._ticked_s = now_s
+    def _tick(self) -> None:
+        with self._lock:
+            now_s = time.monotonic()
+            self._awake_s += min(now_s - self._ticked_s, MOST_S)
+            self._ticked_s = now_s
 
 
 AWAKE = AwakeClock()

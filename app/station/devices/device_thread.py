@@ -5,11 +5,13 @@ import threading
 import time
 from collections import deque
 from collections.abc import Callable
-from dataclasses import dataclass
+from contextlib import suppress
+from dataclasses import dataclass, replace
 from enum import StrEnum
 from typing import Generic, Protocol, TypeVar
 
 from app.errors import reason_sentence, sentence
+from app.loops import Loop
 from app.messages.message import Text, join, message, quantity, word
 from app.station.devices.awake_clock import AWAKE
 from app.station.devices.loss_alarm import LossAlarm
@@ -106,9 +108,10 @@ class DeviceReader(Generic[D, I_co]):
         self._free_running = free_running
         self._lock = threading.Lock()
         self._stopping = threading.Event()
+        self._back_off_s = FIRST_BACK_OFF_S
         self._woken = threading.Event()
         self._replacement: Callable[[], D] | None = None
-        self._thread: threading.Thread | None = None
+        self._loop: Loop | None = None
         self._made: D | None = None
         """The driver that is being opened, or is open."""
         self._driver: D | None = None
@@ -118,24 +121,23 @@ class DeviceReader(Generic[D, I_co]):
         self._last_data_s: float | None = None
         self._last_answer_s = 0.0
         self._opened_s = 0.0
-        self._counted = LinkHealth()
+        self._counted = self._driver_counts = LinkHealth()
+        """Of earlier connections, and of this one."""
         self._records = 0
         self._arrivals: deque[tuple[float, int]] = deque()
         self._alarm = LossAlarm()
 
     def start(self) -> None:
         self._stopping.clear()
-        self._thread = threading.Thread(target=self._run, name=f"{self._title}-reader", daemon=True)
-        self._thread.start()
+        self._loop = Loop(f"{self._title}-reader", self._use_next, ending=self._stopping)
+        self._loop.start()
 
     def stop(self) -> None:
         """Ends the thread and closes the device."""
-        self._stopping.set()
-        self._interrupt()
-        thread = self._thread
-        if thread is not None:
-            thread.join(5.0)
-            self._thread = None
+        loop = self._loop
+        if loop is not None:
+            loop.stop(wake=self._interrupt)
+            self._loop = None
 
     def replace(self, make: Callable[[], D]) -> None:
         """Closes the device and opens another from now on; counts and state begin again."""
@@ -179,7 +181,7 @@ class DeviceReader(Generic[D, I_co]):
 
     def _state(self, age_s: float | None, now: float) -> tuple[LinkState, Text]:
         title = word(self._title)
-        if self._thread is None:
+        if self._loop is None:
             return LinkState.OFF, message("off", title=title)
         if self._replacement is not None:
             return LinkState.CONNECTING, message("connecting", title=title)
@@ -200,10 +202,8 @@ class DeviceReader(Generic[D, I_co]):
         return LinkState.LOST, message("no-data", title=title, silent=quantity(silent_s, "s", 1))
 
     def _total(self) -> LinkHealth:
-        total, driver = self._counted, self._driver
-        if driver is None:
-            return total
-        return _sum(total, driver.health)
+        """With the counts that the driver gave last: it is asked by the reader's thread alone."""
+        return _sum(self._counted, self._driver_counts)
 
     def _rate(self, now: float) -> float | None:
         """Records per second, from the arrivals of the last second."""
@@ -221,19 +221,18 @@ class DeviceReader(Generic[D, I_co]):
         if opening is not None:
             opening.close()
 
-    def _run(self) -> None:
-        back_off_s = FIRST_BACK_OFF_S
-        while not self._stopping.is_set():
-            self._woken.clear()
-            self._take_replacement()
-            if self._use():
-                back_off_s = FIRST_BACK_OFF_S
-            if self._stopping.is_set():
-                break
-            if self._woken.wait(back_off_s):
-                back_off_s = FIRST_BACK_OFF_S
-                continue
-            back_off_s = min(2 * back_off_s, LONGEST_BACK_OFF_S)
+    def _use_next(self) -> None:
+        """One connection, and the pause after it."""
+        self._woken.clear()
+        self._take_replacement()
+        if self._use():
+            self._back_off_s = FIRST_BACK_OFF_S
+        if self._stopping.is_set():
+            return
+        if self._woken.wait(self._back_off_s):
+            self._back_off_s = FIRST_BACK_OFF_S
+        else:
+            self._back_off_s = min(2 * self._back_off_s, LONGEST_BACK_OFF_S)
 
     def _take_replacement(self) -> None:
         """Begins with another device, as after a start."""
@@ -266,8 +265,10 @@ class DeviceReader(Generic[D, I_co]):
             self._error = message("s-driver-failed", title=word(self._title), error=error)
         finally:
             with self._lock:
-                if self._driver is not None:
-                    self._counted = _sum(self._counted, self._driver.health)
+                if driver is not None and self._driver is not None:
+                    with suppress(Exception):  # one that fails may have no counts any more
+                        self._driver_counts = replace(driver.health)
+                self._counted, self._driver_counts = self._total(), LinkHealth()
                 self._driver = self._info = self._made = None
             if driver is not None:
                 driver.close()
@@ -289,8 +290,9 @@ class DeviceReader(Generic[D, I_co]):
         """
         while not self._stopping.is_set() and self._replacement is None:
             count = self._read(driver)
-            now = AWAKE.now_s()
+            now, counts = AWAKE.now_s(), replace(driver.health)
             with self._lock:
+                self._driver_counts = counts
                 self._alarm.note(now, self._total())
             if count:
                 self._note(now, time.monotonic(), count)

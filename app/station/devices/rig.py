@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Literal, TypeAlias
 
 from app.errors import OperationError
+from app.loops import Loop
 from app.messages.message import Text, join, message, word
 from app.station.bus import Bus
 from app.station.devices.arm_device import StationArm
@@ -99,8 +100,9 @@ class Rig:
         if trigger is not None:
             self._trigger = PulseTrigger(trigger, tuple(pairings.values()))
         self._capturing = threading.Lock()
-        self._stopping = threading.Event()
-        self._publisher: threading.Thread | None = None
+        self._publisher: Loop | None = None
+        self._reported: dict[str, Link] = {}
+        self._published_s, self._doubted = 0.0, False
 
     @property
     def sensor(self) -> StationSensor:
@@ -137,26 +139,24 @@ class Rig:
             sensor.laser_off()
 
     def start(self) -> None:
-        self._stopping.clear()
         self.arm.reader.start()
         for sensor in self.sensors.values():
             sensor.reader.start()
         if self._trigger is not None:
             self._trigger.start()
-        self._publisher = threading.Thread(target=self._publish, name="rig-state", daemon=True)
+        self._publisher = Loop("rig-state", self._publish, LOOK_S)
         self._publisher.start()
 
     def stop(self) -> None:
         """Switches the lasers off, closes devices and ends threads."""
         self.lasers_off()
-        self._stopping.set()
         if self._trigger is not None:
             self._trigger.stop()
         self.arm.reader.stop()
         for sensor in self.sensors.values():
             sensor.reader.stop()
         if self._publisher is not None:
-            self._publisher.join(2.0)
+            self._publisher.stop(2.0)
             self._publisher = None
 
     def use_arm(self, make: Callable[[], ArmDriver], real: bool = True) -> None:
@@ -227,32 +227,32 @@ class Rig:
             self._capturing.release()
 
     def _publish(self) -> None:
-        said: dict[str, Link] = {}
-        published_s, doubted = 0.0, False
-        while not self._stopping.wait(LOOK_S):
-            before = _states(said)
-            links = [("arm", "", self.arm.reader.link())]
-            links += [("sensor", name, one.reader.link()) for name, one in self.sensors.items()]
-            for title, name, link in links:
-                self._report_link(title, said.get(f"{title} {name}"), link, name)
-                said[f"{title} {name}"] = link
-            if self._trigger is not None:
-                drivers = [one.reader.driver for one in self.sensors.values()]
-                self._trigger.use(self.arm.reader.driver, drivers)
-            doubted = self._report_doubt(doubted)
-            now_s = time.monotonic()
-            if _states(said) != before or now_s - published_s >= PUBLISH_S:
-                self._bus.publish("devices", self.devices())
-                if len(self.sensors) > 1:
-                    self._bus.publish("sensors", self.sensor_choice())
-                published_s = now_s
+        """Reports what has changed; publishes at once when a device is lost or back."""
+        before = _states(self._reported)
+        links = [("arm", "", self.arm.reader.link())]
+        links += [("sensor", name, one.reader.link()) for name, one in self.sensors.items()]
+        for title, name, link in links:
+            key = f"{title} {name}"
+            known, self._reported[key] = self._reported.get(key), link
+            self._report_link(title, known, link, name)
+        if self._trigger is not None:
+            drivers = [one.reader.driver for one in self.sensors.values()]
+            self._trigger.use(self.arm.reader.driver, drivers)
+        self._report_doubt()
+        now_s = time.monotonic()
+        if _states(self._reported) != before or now_s - self._published_s >= PUBLISH_S:
+            self._published_s = float("-inf")  # at once if this fails
+            self._bus.publish("devices", self.devices())
+            if len(self.sensors) > 1:
+                self._bus.publish("sensors", self.sensor_choice())
+            self._published_s = now_s
 
-    def _report_doubt(self, before: bool) -> bool:
+    def _report_doubt(self) -> None:
         """Reports once that the arm's readings have become impossible."""
         doubt = self.arm.doubt()
+        before, self._doubted = self._doubted, doubt is not None
         if doubt is not None and not before:
             self._bus.event(doubt.code, doubt.text, "bad")
-        return doubt is not None
 
     def _report_link(self, title: str, before: Link | None, link: Link, name: str = "") -> None:
         """Reports once that a device was lost or loses much, and once that it is back."""

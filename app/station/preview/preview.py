@@ -1,7 +1,6 @@
 """The live picture for the browser: encoded once for all viewers, and described in words."""
 
 import json
-import logging
 import struct
 import threading
 import time
@@ -16,6 +15,7 @@ import numpy as np
 from app.errors import OperationError
 from app.findings import Finding
 from app.formats.settings.scan_settings import AUTOMATIC, ScanSettings
+from app.loops import Loop
 from app.metrology.detection.image_quality import Image, ImageQuality
 from app.metrology.image import saturation_level
 from app.metrology.stripe import Stripe
@@ -40,8 +40,6 @@ from app.station.scan.extraction import Extraction, extraction_by
 from app.station.working_distance import Band, WorkingRange
 from hardware.clock import now_ns
 from hardware.interfaces import Frame, Line, SensorReading
-
-log = logging.getLogger(__name__)
 
 TOPIC = "preview"
 LONGEST_SIDE_PX = 800
@@ -104,23 +102,27 @@ class Preview:
         self._words: tuple[float, ImageQuality | None, tuple[Finding, ...]] = (0.0, None, ())
         self._distances: WorkingRange | None = None
         self._watched = threading.Condition()
-        self._stopping = False
-        self._thread: threading.Thread | None = None
+        self._sequence = 0
+        self._shown: tuple[StationSensor, int] = (sensor, -1)
+        """The frame of the newest picture."""
+        self._ending = threading.Event()
+        self._loop: Loop | None = None
 
     def start(self) -> None:
-        self._stopping = False
+        self._ending.clear()
         self._objects.start()
-        self._thread = threading.Thread(target=self._run, name="preview", daemon=True)
-        self._thread.start()
+        self._loop = Loop("preview", self._show_next, ending=self._ending)
+        self._loop.start()
 
     def stop(self) -> None:
-        with self._watched:
-            self._stopping = True
-            self._watched.notify()
         self._objects.stop()
-        if self._thread is not None:
-            self._thread.join(5.0)
-            self._thread = None
+        if self._loop is not None:
+            self._loop.stop(wake=self._wake)
+            self._loop = None
+
+    def _wake(self) -> None:
+        with self._watched:
+            self._watched.notify()
 
     def use_sensor(self, sensor: StationSensor) -> None:
         """Shows another sensor from now on."""
@@ -182,41 +184,36 @@ class Preview:
         """The newest picture; None before the first."""
         return self._latest
 
-    def _run(self) -> None:
-        sequence, last = 0, (self._sensor, -1)
-        while True:
-            with self._watched:
-                self._watched.wait_for(
-                    lambda: self._stopping or self._detecting or self._viewers > 0
-                )
-                if self._stopping:
-                    return
-            started_s = time.monotonic()
-            sensor = self._sensor
-            shown = last[1] if last[0] is sensor else -1
-            frame = sensor.frames.wait_newest(_other_than(shown), 0.2)
-            if frame is None:
-                continue
-            last = (sensor, frame.sequence)
-            sequence += 1
-            try:
-                self._latest = (
-                    self._picture(frame, sequence)
-                    if isinstance(frame, Frame)
-                    else self._line_picture(frame, sequence)
-                )
-            except Exception:  # one odd picture must not end the preview
-                log.exception("a preview could not be created")
-                continue
-            self._bus.publish(TOPIC, self._latest)
-            self._rest_since(started_s)
+    def _show_next(self) -> None:
+        """Publishes the newest picture, if there is another one and somebody wants it."""
+        with self._watched:
+            self._watched.wait_for(
+                lambda: self._ending.is_set() or self._detecting or self._viewers > 0
+            )
+        if self._ending.is_set():
+            return
+        started_s = time.monotonic()
+        sensor, shown = self._sensor, self._shown
+        before = shown[1] if shown[0] is sensor else -1
+        frame = sensor.frames.wait_newest(_other_than(before), 0.2)
+        if frame is None:
+            return
+        self._shown = (sensor, frame.sequence)
+        self._sequence += 1
+        self._latest = (
+            self._picture(frame, self._sequence)
+            if isinstance(frame, Frame)
+            else self._line_picture(frame, self._sequence)
+        )
+        self._bus.publish(TOPIC, self._latest)
+        self._rest_since(started_s)
 
     def _rest_since(self, started_s: float) -> None:
         """Until the next picture is due: at once for a new viewer of one that nobody watched."""
         time.sleep(max(0.0, started_s + SHORTEST_PERIOD_S - time.monotonic()))
         with self._watched:
             self._watched.wait_for(
-                lambda: self._stopping or self._viewers > 0,
+                lambda: self._ending.is_set() or self._viewers > 0,
                 max(0.0, started_s + UNWATCHED_PERIOD_S - time.monotonic()),
             )
 

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 from app.errors import OperationError
 from app.findings import Finding
+from app.loops import Loop
 from app.messages.message import message
 from app.metrology.stripe import Stripe
 from app.metrology.targets.target import CalibrationTarget
@@ -43,21 +44,22 @@ class TargetWatch:
         self._frame: tuple[Frame, Stripe | None] | None = None
         self._detection = NO_DETECTION
         self._resting = False
-        self._stopping = False
-        self._thread: threading.Thread | None = None
+        self._ending = threading.Event()
+        self._loop: Loop | None = None
 
     def start(self) -> None:
-        self._stopping = False
-        self._thread = threading.Thread(target=self._run, name="object-watch", daemon=True)
-        self._thread.start()
+        self._ending.clear()
+        self._loop = Loop("object-watch", self._detect_next, ending=self._ending)
+        self._loop.start()
 
     def stop(self) -> None:
+        if self._loop is not None:
+            self._loop.stop(wake=self._wake)
+            self._loop = None
+
+    def _wake(self) -> None:
         with self._offered:
-            self._stopping = True
             self._offered.notify()
-        if self._thread is not None:
-            self._thread.join(5.0)
-            self._thread = None
 
     def watch(self, item: CalibrationTarget | None) -> None:
         """Sets the object to search for; None ends the search."""
@@ -90,26 +92,23 @@ class TargetWatch:
                 self._frame = (frame, stripe)
                 self._offered.notify()
 
-    def _run(self) -> None:
-        while True:
-            with self._offered:
-                self._offered.wait_for(lambda: self._stopping or self._frame is not None)
-                if self._stopping:
-                    return
-                taken, item = self._frame, self._item
-                self._frame = None
-            if taken is None or item is None:
-                continue
-            started_s = time.monotonic()
-            seen = _search(taken[0], taken[1], item)
-            with self._offered:
-                if self._item == item:
-                    self._detection = seen
-            rest_s = max(SHORTEST_REST_S, REST_SHARE * (time.monotonic() - started_s))
-            with self._offered:
-                self._offered.wait_for(
-                    lambda: self._stopping or self._detection is NO_DETECTION, rest_s
-                )
+    def _detect_next(self) -> None:
+        with self._offered:
+            self._offered.wait_for(lambda: self._ending.is_set() or self._frame is not None)
+            taken, item = self._frame, self._item
+            self._frame = None
+        if self._ending.is_set() or taken is None or item is None:
+            return
+        started_s = time.monotonic()
+        seen = _search(taken[0], taken[1], item)
+        with self._offered:
+            if self._item == item:
+                self._detection = seen
+        rest_s = max(SHORTEST_REST_S, REST_SHARE * (time.monotonic() - started_s))
+        with self._offered:
+            self._offered.wait_for(
+                lambda: self._ending.is_set() or self._detection is NO_DETECTION, rest_s
+            )
 
 
 def _search(frame: Frame, stripe: Stripe | None, item: CalibrationTarget) -> TargetDetection:

@@ -11,6 +11,7 @@ import time
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 
+from app.loops import Loop
 from app.station.pulses.pulse_pairing import PulsePairing
 from hardware.errors import DeviceError
 from hardware.interfaces import ArmDriver, PulseSource, SensorDriver
@@ -47,21 +48,18 @@ class PulseTrigger:
         self._settings = settings
         self._pairings = tuple(pairings)
         self._wake = threading.Event()
-        self._ending = threading.Event()
         self._arm: ArmDriver | None = None
         self._sensors: tuple[SensorDriver, ...] = ()
         self._pause_s = 0.0
         self._again_s = float("-inf")
-        self._thread = threading.Thread(target=self._run, name="pulse-trigger", daemon=True)
+        self._loop = Loop("pulse-trigger", self._look)
 
     def start(self) -> None:
-        self._thread.start()
+        self._loop.start()
 
     def stop(self) -> None:
         """Ends the pulses."""
-        self._ending.set()
-        self._wake.set()
-        self._thread.join(2.0)
+        self._loop.stop(2.0, self._wake.set)
         if isinstance(self._arm, PulseSource):
             self._arm.stop_pulses()
 
@@ -73,19 +71,18 @@ class PulseTrigger:
         if begins:
             self._wake.set()
 
-    def _run(self) -> None:
-        while not self._ending.is_set():
-            begins = self._wake.wait(LOOK_S)
-            self._wake.clear()
-            arm = self._arm
-            if not self._sensors or not isinstance(arm, PulseSource):
-                continue
-            if begins:
-                self._start_pulses(arm)
-            elif any(pairing.needs_start for pairing in self._pairings):
-                self._start_again(arm)
-            elif time.monotonic() > self._again_s + QUIET_S:
-                self._pause_s = 0.0
+    def _look(self) -> None:
+        begins = self._wake.wait(LOOK_S)
+        self._wake.clear()
+        arm = self._arm
+        if self._loop.ending.is_set() or not self._sensors or not isinstance(arm, PulseSource):
+            return
+        if begins:
+            self._start_pulses(arm)
+        elif any(pairing.needs_start for pairing in self._pairings):
+            self._start_again(arm)
+        elif time.monotonic() > self._again_s + QUIET_S:
+            self._pause_s = 0.0
 
     def _start_again(self, arm: PulseSource) -> None:
         """Starts the pulses for a camera that could not be paired, or is not any more."""
@@ -100,6 +97,9 @@ class PulseTrigger:
             for pairing in self._pairings:
                 pairing.restart()
             arm.start_pulses(self._settings.rate_hz)
-            self._ending.wait(SETTLE_S)
+            self._loop.ending.wait(SETTLE_S)
         except DeviceError as error:  # its reader closes it and opens it again
             log.warning("the arm's pulses cannot be started: %s", error)
+        except Exception:
+            self._wake.set()
+            raise

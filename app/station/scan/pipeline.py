@@ -3,7 +3,6 @@
 import logging
 import os
 import queue
-import threading
 import time
 from collections.abc import Mapping, Sequence
 from concurrent.futures import Future, ThreadPoolExecutor
@@ -17,6 +16,7 @@ from app.formats.clouds.files import CloudWriter, cloud_writer
 from app.formats.io_errors import error_from_os
 from app.formats.recording.reader import ARM_SERIAL, EXTRACTION, SCAN_CALIBRATION
 from app.formats.settings.scan_settings import AUTOMATIC, ScanSettings
+from app.loops import start_worker
 from app.messages.message import message
 from app.station.devices.arm_device import LATE_S, StationArm
 from app.station.scan.points import Show
@@ -85,16 +85,12 @@ class ScanPipeline:
             tuple(self._by_name),
             max(source.delay_ns for source in self._sources),
         )
+        self._taking = len(self._sources)
         self._threads = [
-            threading.Thread(target=self._take_all, args=(source,), name="scan-take", daemon=True)
-            for source in self._sources
+            start_worker("scan-take", self._take_all, source) for source in self._sources
         ]
-        self._threads += [
-            threading.Thread(target=self._record_all, name="scan-record", daemon=True),
-            threading.Thread(target=self._make_cloud, name="scan-points", daemon=True),
-        ]
-        for thread in self._threads:
-            thread.start()
+        self._threads.append(start_worker("scan-record", self._record_all))
+        self._threads.append(start_worker("scan-points", self._make_cloud))
 
     @property
     def bytes_written(self) -> int:
@@ -176,54 +172,68 @@ class ScanPipeline:
 
     def _take_all(self, source: ScanSource) -> None:
         """Sends frames to be extracted on all cores, some at a time; waits when they are behind."""
-        with ThreadPoolExecutor(CORES, "scan-extract") as pool:
-            while not source.tap.finished:
-                time.sleep(GATHER_S)
-                taken = source.tap.get(BATCH_FRAMES, POLL_S)
-                frames = [frame for frame in taken if frame.laser_on]
-                if self._settings.record_pictures:
-                    for frame in frames:
-                        if isinstance(frame, Frame):
-                            self._recorder.offer_picture(frame, source.name)
-                if frames:
-                    self._extracting.put(pool.submit(source.extract, frames))
-        self._extracting.put(None)
+        try:
+            with ThreadPoolExecutor(CORES, "scan-extract") as pool:
+                while not source.tap.finished:
+                    self._take_some(source, pool)
+        except BaseException as error:
+            self._fail("the frames of a scan could not be taken", error)
+        finally:
+            self._extracting.put(None)
+
+    def _take_some(self, source: ScanSource, pool: ThreadPoolExecutor) -> None:
+        time.sleep(GATHER_S)
+        taken = source.tap.get(BATCH_FRAMES, POLL_S)
+        frames = [frame for frame in taken if frame.laser_on]
+        if self._settings.record_pictures:
+            for frame in frames:
+                if isinstance(frame, Frame):
+                    self._recorder.offer_picture(frame, source.name)
+        if frames:
+            self._extracting.put(pool.submit(source.extract, frames))
 
     def _record_all(self) -> None:
         """Passes stripes on in the order of their frames, to the recording first."""
-        taking = len(self._sources)
-        while taking:
-            work = self._extracting.get()
-            if work is None:
-                taking -= 1
-                continue
+        while self._taking:
             try:
-                found = work.result()
-            except OperationError as refusal:
-                self.failure = self.failure or refusal
-                continue
-            except Exception as error:  # the scan ends with a reason, the station lives
-                log.exception("the stripes of a scan could not be extracted")
-                self.failure = self.failure or _failure_error(error)
-                continue
-            self.counts.frames += len(found)
-            self.counts.frames_without_stripe += sum(not len(one.stripe.u) for one in found)
-            if self._recorder.put(found):
-                self._stripes.put(found)
+                self._record_next()
+            except BaseException as error:
+                self._fail("the stripes of a scan could not be extracted", error)
         self._stripes.put(None)
+
+    def _record_next(self) -> None:
+        work = self._extracting.get()
+        if work is None:
+            self._taking -= 1
+            return
+        found = work.result()
+        self.counts.frames += len(found)
+        self.counts.frames_without_stripe += sum(not len(one.stripe.u) for one in found)
+        if self._recorder.put(found):
+            self._stripes.put(found)
+
+    def _fail(self, what: str, error: BaseException) -> None:
+        """The scan ends with a reason, the station lives; the stages before and after go on to
+        their end, or those that wait for them would not come to theirs."""
+        if self.failure is not None:
+            return
+        if isinstance(error, OperationError):
+            self.failure = error
+        elif isinstance(error, OSError):
+            self.failure = error_from_os(error, self._cloud_path)
+        else:
+            log.error("%s", what, exc_info=error)
+            self.failure = OperationError(
+                "failed", message("scan-stopped-2"), str(error), message("start-again-2")
+            )
 
     def _make_cloud(self) -> None:
         """Writes the cloud; goes on showing points where the disk fails."""
         try:
             with cloud_writer(self._cloud_path) as cloud:
                 self._make_points(cloud)
-        except OperationError as refusal:
-            self.failure = self.failure or refusal
-        except OSError as error:
-            self.failure = self.failure or error_from_os(error, self._cloud_path)
-        except Exception as error:  # the scan ends with a reason, the station lives
-            log.exception("the points of a scan could not be computed")
-            self.failure = _failure_error(error)
+        except BaseException as error:
+            self._fail("the points of a scan could not be computed", error)
         # the stage before ends only when its queue takes all
         while self._next_stripes() is not None:
             continue
@@ -253,7 +263,3 @@ class ScanPipeline:
             return frames
         self._ended = True
         return None
-
-
-def _failure_error(error: Exception) -> OperationError:
-    return OperationError("failed", message("scan-stopped-2"), str(error), message("start-again-2"))

@@ -2,7 +2,6 @@
 
 import logging
 import queue
-import threading
 import time
 from collections.abc import Mapping
 from contextlib import suppress
@@ -11,6 +10,7 @@ from pathlib import Path
 
 from app.errors import OperationError
 from app.formats.recording.writer import RecordingWriter
+from app.loops import Loop, start_worker
 from app.messages.message import message
 from app.metrology.stripe import Stripe
 from app.station.devices.arm_device import LATE_S, StationArm
@@ -70,11 +70,9 @@ class Recorder:
         self._pictures: queue.Queue[tuple[Frame, str]] = queue.Queue(QUEUE_PICTURES)
         self._metadata: queue.Queue[Mapping[str, str]] = queue.Queue()
         self._writer = RecordingWriter(path, joint_names, station, sensors)
-        self._thread = threading.Thread(target=self._run, name="scan-recorder", daemon=True)
-        self._thread.start()
+        self._thread = start_worker("scan-recorder", self._run)
         # a disk that takes long over it holds up no frames
-        self._ended = threading.Event()
-        self._syncer = threading.Thread(target=self._sync, name="scan-sync", daemon=True)
+        self._syncer = Loop("scan-sync", self._writer.sync, SYNC_S)
         self._syncer.start()
 
     @property
@@ -116,12 +114,7 @@ class Recorder:
             except queue.Full:
                 continue
         self._thread.join()
-        self._ended.set()
-        self._syncer.join()
-
-    def _sync(self) -> None:
-        while not self._ended.wait(SYNC_S):
-            self._writer.sync()
+        self._syncer.stop(None)
 
     def _run(self) -> None:
         try:
@@ -132,7 +125,7 @@ class Recorder:
                 self._write_joints()
         except OperationError as refusal:
             self.failure = refusal
-        except Exception as error:  # the scan ends with a reason, the station lives
+        except BaseException as error:  # the scan ends with a reason, the station lives
             log.exception("a scan could not be recorded")
             self.failure = OperationError(
                 "failed", message("recording-stopped"), str(error), message("start-again-2")

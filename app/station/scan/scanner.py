@@ -11,6 +11,7 @@ from pathlib import Path
 from app.errors import OperationError
 from app.formats.recording.reader import SCAN_NAME, SCAN_STARTED
 from app.formats.settings.scan_settings import AUTOMATIC, ScanSettings
+from app.loops import Loop
 from app.messages.message import Text, message
 from app.station.bus import Bus
 from app.station.devices.rig import Rig
@@ -75,14 +76,13 @@ class Scanner:
         self._settings = AUTOMATIC
         self._scan: _Running | None = None
         self._published: ScanState | None = None
-        self._closing = threading.Event()
-        self._watcher = threading.Thread(target=self._watch, name="scan-state", daemon=True)
+        self._ticks = 0
+        self._watcher = Loop("scan-state", self._watch, WATCH_S)
         self._watcher.start()
 
     def close(self) -> None:
         """Stops a running scan, and the watch over it."""
-        self._closing.set()
-        self._watcher.join(5.0)
+        self._watcher.stop()
         self.stop()
 
     def set_calibration(
@@ -354,18 +354,16 @@ class Scanner:
 
     def _watch(self) -> None:
         """Moves the drawn arm, publishes the state, and stops a scan that the disk ends."""
-        tick = 0
-        while not self._closing.wait(WATCH_S):
-            sample = self._rig.arm.latest()
-            if sample is not None:
-                self._scene.set_arm(sample.reading)
-            distance = self.distance()
-            in_range = None if distance is None else distance.state == "in"
-            self._scene.set_laser(self._rig.sensor.laser_on, in_range)
-            tick += 1
-            if tick % PUBLISH_TICKS == 0:
-                self._stop_when_full()
-                self._publish()
+        self._ticks += 1
+        if self._ticks % PUBLISH_TICKS == 0:
+            self._stop_when_full()
+            self._publish()
+        sample = self._rig.arm.latest()
+        if sample is not None:
+            self._scene.set_arm(sample.reading)
+        distance = self.distance()
+        in_range = None if distance is None else distance.state == "in"
+        self._scene.set_laser(self._rig.sensor.laser_on, in_range)
 
     def _stop_when_full(self) -> None:
         scan = self._scan
@@ -378,5 +376,5 @@ class Scanner:
         """Publishes how the scan is, if that has changed."""
         state = self.state()
         if state != self._published:
-            self._published = state
             self._bus.publish("scan", state)
+            self._published = state

@@ -3,6 +3,7 @@
 import threading
 from dataclasses import dataclass
 
+from app.loops import start_worker
 from app.messages.message import Text
 from hardware.discovery import FoundDevice, find_devices
 
@@ -47,7 +48,7 @@ class DeviceSearch:
             if self._running:
                 return
             self._running = True
-        threading.Thread(target=self._run, name="device-search", daemon=True).start()
+        start_worker("device-search", self._run)
 
     def _run(self) -> None:
         try:

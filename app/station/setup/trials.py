@@ -4,6 +4,7 @@ import threading
 import time
 from dataclasses import dataclass
 
+from app.loops import Loop
 from app.messages.message import Text, message, quantity
 from app.station.bus import Bus
 from app.station.devices.arm_device import StationArm
@@ -66,8 +67,7 @@ class DeviceTrials:
         self._lock = threading.Lock()
         self._trial: _Trial | None = None
         self._number = 0
-        self._closing = threading.Event()
-        self._watch: threading.Thread | None = None
+        self._watch: Loop | None = None
 
     def start(self, subject: TrialSubject) -> TrialView:
         """Opens a device, or looks at it if the station uses it."""
@@ -78,8 +78,8 @@ class DeviceTrials:
             arm, sensor = self._devices(subject)
             trial = self._trial = _Trial(self._number, subject, arm, sensor, now_s, now_s)
             trial.open()
-            if self._watch is None or not self._watch.is_alive():
-                self._watch = threading.Thread(target=self._run, name="device-trial", daemon=True)
+            if self._watch is None:
+                self._watch = Loop("device-trial", self._end_when_over, LOOK_S)
                 self._watch.start()
         return trial.view()
 
@@ -108,7 +108,8 @@ class DeviceTrials:
 
     def close(self) -> None:
         """Ends the trial and its watch, at the end of the station."""
-        self._closing.set()
+        if self._watch is not None:
+            self._watch.stop()
         self.stop()
 
     def _devices(self, subject: TrialSubject) -> tuple[StationArm | None, StationSensor | None]:
@@ -124,18 +125,17 @@ class DeviceTrials:
         if self._trial is not None:
             self._trial.close(why)
 
-    def _run(self) -> None:
+    def _end_when_over(self) -> None:
         """Ends a trial that takes too long, or that nobody looks at any more."""
-        while not self._closing.wait(LOOK_S):
-            trial = self._trial
-            if trial is None or trial.ended:
-                continue
-            now_s = time.monotonic()
-            over: Text = ""
-            if now_s - trial.looked_s > self._away_s:
-                over = message("trial-nobody-looked")
-            elif now_s - trial.began_s > self._longest_s:
-                over = message("trial-takes-too-long", limit=quantity(self._longest_s / 60, "min"))
-            if over:
-                with self._lock:
-                    trial.close(over)
+        trial = self._trial
+        if trial is None or trial.ended:
+            return
+        now_s = time.monotonic()
+        over: Text = ""
+        if now_s - trial.looked_s > self._away_s:
+            over = message("trial-nobody-looked")
+        elif now_s - trial.began_s > self._longest_s:
+            over = message("trial-takes-too-long", limit=quantity(self._longest_s / 60, "min"))
+        if over:
+            with self._lock:
+                trial.close(over)

@@ -13,6 +13,7 @@ import numpy as np
 import rich
 
 from app.formats.clouds.points import Points
+from app.loops import Loop
 from app.metrology.arm.kinematics import AnyArm, Arm, flange_poses, link_transforms
 from app.metrology.sensor.camera import Camera
 from app.metrology.sensor.laser_plane import LaserPlane
@@ -75,9 +76,8 @@ class Scene:
         self._prepare()
         self._initial_camera = InitialCamera(self._server)
         self.begin()
-        self._stopping = threading.Event()
-        self._thread = threading.Thread(target=self._run, name="scene", daemon=True)
-        self._thread.start()
+        self._loop = Loop("scene", self._draw, FLUSH_S)
+        self._loop.start()
 
     @property
     def port(self) -> int:
@@ -116,8 +116,7 @@ class Scene:
             return {name: self._clouds.count_visible(name) for name in self._clouds.names}
 
     def close(self) -> None:
-        self._stopping.set()
-        self._thread.join(5.0)
+        self._loop.stop()
         _quiet(self._server.stop)
 
     def begin(self, name: str = "") -> None:
@@ -295,15 +294,14 @@ class Scene:
                 M_PER_MM * centre_mm, M_PER_MM * max(0.62 * size_mm, SMALLEST_LOOK_MM)
             )
 
-    def _run(self) -> None:
-        wait_s = FLUSH_S
-        while not self._stopping.wait(wait_s):
-            began_s = time.monotonic()
-            with self._lock:
-                self._show_waiting()
-                self._clouds.settle()
-                self._show_arm()
-            wait_s = max(FLUSH_S - (time.monotonic() - began_s), REST_S)
+    def _draw(self) -> float:
+        """Draws what is new; returns the pause after it."""
+        began_s = time.monotonic()
+        with self._lock:
+            self._show_waiting()
+            self._clouds.settle()
+            self._show_arm()
+        return max(FLUSH_S - (time.monotonic() - began_s), REST_S)
 
     def _show_waiting(self) -> None:
         waiting = self._take_waiting()

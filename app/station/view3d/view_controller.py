@@ -11,6 +11,7 @@ from pathlib import Path
 
 from app.errors import OperationError
 from app.formats.clouds.pieces import read_cloud_pieces
+from app.loops import Loop
 from app.messages.message import Text, message
 from app.metrology.fitting.shape import MeasuredShape, ShapeName, measure_shape
 from app.station.bus import Bus
@@ -95,13 +96,13 @@ class ViewController:
         self._closing = threading.Event()
         self._loader = ThreadPoolExecutor(1, "view-load")
         self._fitter = ThreadPoolExecutor(1, "view-fit")
-        self._publisher = threading.Thread(target=self._publish_all, name="view", daemon=True)
+        self._publisher = Loop("view", self._publish, PUBLISH_S)
         self._publisher.start()
 
     def close(self) -> None:
         """Ends all running work."""
         self._closing.set()
-        self._publisher.join(5.0)
+        self._publisher.stop()
         self._loader.shutdown(cancel_futures=True)
         self._fitter.shutdown(cancel_futures=True)
 
@@ -318,14 +319,10 @@ class ViewController:
             self._fits = []
             self._loading = {}
 
-    def _publish_all(self) -> None:
-        while not self._closing.wait(PUBLISH_S):
-            self._publish()
-
     def _publish(self) -> None:
         """Publishes the view, if it has changed."""
         with self._lock:
             state = self.state()
             if state != self._published:
-                self._published = state
                 self._bus.publish("view", state)
+                self._published = state

@@ -4,6 +4,7 @@ import threading
 import time
 from typing import Any
 
+from app.loops import start_worker
 from app.messages.message import Text
 from hardware.clock import now_ns
 from hardware.errors import DeviceError
@@ -131,7 +132,7 @@ class GenicamSource(CameraSource):
         if self._link is not None:
             self._link.close()
         if self._lost:
-            threading.Thread(target=self._free, name="giving up a camera", daemon=True).start()
+            start_worker("camera-release", self._free)
         else:
             self._free()
 

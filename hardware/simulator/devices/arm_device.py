@@ -22,7 +22,7 @@ from hardware.simulator.devices.arm_packets import (
     reading_packet,
     sample_payload,
 )
-from hardware.simulator.devices.device_thread import BATCH_S, ThreadedDevice
+from hardware.simulator.devices.device_thread import ThreadedDevice
 from hardware.simulator.devices.motion import Motion
 from hardware.simulator.devices.ports import DevicePort
 from hardware.simulator.devices.trigger_pulses import RATES_HZ, TriggerPulses
@@ -119,6 +119,7 @@ class ArmDevice(ThreadedDevice):
         self._born_ns = now_ns() - int(self._rng.integers(1, 4_000)) * 1_000_000_000
         self._sequence = int(self._rng.integers(0, 1 << 31))
         self._outbox: deque[tuple[int, bytes]] = deque()
+        self._start_ns, self._taken = now_ns(), 0
         self._free_ns = 0
         self._requests = RequestReader()
         super().__init__("simulated-arm")
@@ -143,29 +144,30 @@ class ArmDevice(ThreadedDevice):
         with self._button_lock:
             return next((bits for at, bits in reversed(self._buttons) if at <= stamp_ns), 0)
 
-    def _run(self) -> None:
+    def _begin(self) -> None:
+        self._start_ns, self._taken = now_ns(), 0
+
+    def _serve(self) -> None:
+        if self._faults.unplugged:
+            self._line.unplug()
+        else:
+            self._line.plug_in()
+        self._answer(self._line.poll())
         period_ns = 1e9 / self._encoders.rate_hz
-        start_ns, taken = now_ns(), 0
-        while not self._stopping.wait(BATCH_S):
-            if self._faults.unplugged:
-                self._line.unplug()
-            else:
-                self._line.plug_in()
-            self._answer(self._line.poll())
-            now = now_ns()
-            due = int((now - start_ns) / period_ns) + 1  # those latched by now
-            if now - start_ns - taken * period_ns > CATCH_UP_NS:
-                self._sequence += due - taken
-                taken = due
-            stamps = start_ns + np.rint(np.arange(taken, due) * period_ns).astype(np.int64)
-            taken = max(due, taken)
-            pulses = self._pulses.due(now)
-            for stamp, _ in pulses:
-                self._on_pulse(stamp)
-            moments = [(stamp, None) for stamp in stamps.tolist()] + pulses
-            if moments:
-                self._take(sorted(moments, key=lambda moment: moment[0]))
-            self._send_due(now)
+        start_ns, taken, now = self._start_ns, self._taken, now_ns()
+        due = int((now - start_ns) / period_ns) + 1  # those latched by now
+        if now - start_ns - taken * period_ns > CATCH_UP_NS:
+            self._sequence += due - taken
+            taken = due
+        stamps = start_ns + np.rint(np.arange(taken, due) * period_ns).astype(np.int64)
+        self._taken = max(due, taken)
+        pulses = self._pulses.due(now)
+        for stamp, _ in pulses:
+            self._on_pulse(stamp)
+        moments = [(stamp, None) for stamp in stamps.tolist()] + pulses
+        if moments:
+            self._take(sorted(moments, key=lambda moment: moment[0]))
+        self._send_due(now)
 
     def _take(self, moments: list[tuple[int, int | None]]) -> None:
         """Latches the encoders at moments, some of them those of trigger pulses."""

@@ -1,13 +1,13 @@
 """The thread of a simulated device."""
 
-import threading
+from app.loops import Loop
 
 BATCH_S = 0.01
 """Samples leave a device in batches as often as this, each with its own time."""
 
 
 class ThreadedDevice:
-    """A device whose ``_run`` is a thread's until ``_stopping`` is set.
+    """A device whose ``_serve`` is called every ``BATCH_S`` on a thread of its own.
 
     Args:
         name: of the thread.
@@ -15,24 +15,25 @@ class ThreadedDevice:
 
     def __init__(self, name: str) -> None:
         self._thread_name = name
-        self._stopping = threading.Event()
-        self._thread: threading.Thread | None = None
+        self._loop: Loop | None = None
 
     def start(self) -> None:
         """Begins to serve."""
-        self._stopping.clear()
-        self._thread = threading.Thread(target=self._run, name=self._thread_name, daemon=True)
-        self._thread.start()
+        self._begin()
+        self._loop = Loop(self._thread_name, self._serve, BATCH_S)
+        self._loop.start()
 
     def stop(self) -> None:
         """Ends the thread, then every connection; idempotent."""
-        self._stopping.set()
-        if self._thread is not None:
-            self._thread.join()
-            self._thread = None
+        if self._loop is not None:
+            self._loop.stop(None)
+            self._loop = None
         self._release()
 
-    def _run(self) -> None:
+    def _begin(self) -> None:
+        """Before the thread starts."""
+
+    def _serve(self) -> None:
         raise NotImplementedError
 
     def _release(self) -> None:

@@ -73,7 +73,7 @@ class TcpPort:
     def poll(self) -> bytes:
         if self._listener is None:
             return b""
-        with contextlib.suppress(BlockingIOError):
+        with contextlib.suppress(OSError):  # none waits, or the process has no file left for it
             client, _ = self._listener.accept()
             client.setblocking(False)
             client.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
@@ -116,15 +116,21 @@ class PtyPort:
         import tty
 
         own, other = os.openpty()
-        tty.setraw(other)
-        os.set_blocking(own, False)
+        try:
+            tty.setraw(other)
+            os.set_blocking(own, False)
+            self._path.unlink(missing_ok=True)
+            self._path.symlink_to(os.ttyname(other))
+        except OSError:
+            os.close(own)
+            os.close(other)
+            raise
         self._ends = (own, other)
-        self._path.symlink_to(os.ttyname(other))
 
     def unplug(self) -> None:
         if self._ends is None:
             return
-        self._path.unlink()
+        self._path.unlink(missing_ok=True)
         for end in self._ends:
             os.close(end)
         self._ends = None

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
 from hardware.clock import now_ns
-from hardware.simulator.devices.device_thread import BATCH_S, ThreadedDevice
+from hardware.simulator.devices.device_thread import ThreadedDevice
 
 Floats = NDArray[np.float64]
 
@@ -123,20 +123,19 @@ class RtdeServer(ThreadedDevice):
             "safety_mode": (NORMAL,),
         }
 
-    def _run(self) -> None:
-        while not self._stopping.wait(BATCH_S):
-            if self.faults.unplugged:
-                self._unplug()
-                continue
-            self._plug_in()
-            self._accept()
-            said, self._said = self._said, []
-            for client in list(self._clients):
-                try:
-                    self._serve(client, b"".join(said))
-                except OSError:
-                    client.connection.close()
-                    self._clients.remove(client)
+    def _serve(self) -> None:
+        if self.faults.unplugged:
+            self._unplug()
+            return
+        self._plug_in()
+        self._accept()
+        said, self._said = self._said, []
+        for client in list(self._clients):
+            try:
+                self._talk(client, b"".join(said))
+            except OSError:
+                client.connection.close()
+                self._clients.remove(client)
 
     def _plug_in(self) -> None:
         if self._listener is None:
@@ -154,13 +153,13 @@ class RtdeServer(ThreadedDevice):
 
     def _accept(self) -> None:
         assert self._listener is not None
-        with contextlib.suppress(BlockingIOError):
+        with contextlib.suppress(OSError):  # none waits, or the process has no file left for it
             connection, _ = self._listener.accept()
             connection.setblocking(False)
             connection.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
             self._clients.append(_Client(connection))
 
-    def _serve(self, client: "_Client", said: bytes) -> None:
+    def _talk(self, client: "_Client", said: bytes) -> None:
         for kind, payload in client.requests():
             self.contacts += 1
             client.outbox += self._answer(client, kind, payload)

@@ -12,6 +12,7 @@ from typing import Any, Literal
 from app.batch.single_cloud import CloudOrder, make_cloud
 from app.batch.task import Refusal
 from app.errors import OperationError
+from app.loops import start_worker
 from app.messages.message import Text, message
 
 LOOK_S = 0.2
@@ -87,7 +88,7 @@ def _work(order: CloudOrder, sending: Connection) -> None:
     """What the process does."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # of the whole group; the server ends this
     os.nice(NICENESS)
-    threading.Thread(target=_end_with_server, name="server-watch", daemon=True).start()
+    start_worker("server-watch", _end_with_server)
     lock = threading.Lock()
 
     def send(kind: str, value: object) -> None:

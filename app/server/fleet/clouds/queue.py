@@ -9,6 +9,7 @@ from typing import Any, Literal
 
 from app.batch.single_cloud import CloudOrder
 from app.errors import OperationError
+from app.loops import Loop
 from app.messages.message import Text, message
 from app.server.fleet.clouds.kept_clouds import KeptClouds
 from app.server.fleet.clouds.process import CloudCancelledError, make_in_process
@@ -52,7 +53,8 @@ class CloudQueue:
         self._ids = count(1)
         self._lock = threading.Lock()
         self._wake, self._ending = threading.Event(), threading.Event()
-        self._thread = threading.Thread(target=self._run, name="fleet-clouds", daemon=True)
+        self._loop = Loop("fleet-clouds", self._make_next, ending=self._ending)
+        self._has_begun = False
 
     def start(self, orders: Sequence[tuple[str, CloudOrder]] = ()) -> None:
         """Begins to work; nothing else uses the folder yet.
@@ -66,13 +68,11 @@ class CloudQueue:
                     job = CloudJob(next(self._ids), station, order)
                     self._jobs[job.id] = job
             self._note_pending()
-        self._thread.start()
+        self._loop.start()
 
     def close(self) -> None:
         """Ends the cloud that is being made; nothing of it is left."""
-        self._ending.set()
-        self._wake.set()
-        self._thread.join(LEAVE_S)
+        self._loop.stop(LEAVE_S, self._wake.set)
 
     def add(self, station: str, order: CloudOrder) -> CloudJob:
         """Orders a cloud; what was ordered before and is not made yet is the same.
@@ -124,16 +124,20 @@ class CloudQueue:
         with self._lock:  # the file of the orders is not being written meanwhile
             self._kept.clear()
 
-    def _run(self) -> None:
-        self._clear()
-        self._kept.keep_limit()
-        while not self._ending.is_set():
-            self._wake.clear()
-            job = self._begin_next()
-            if job is None:
-                self._wake.wait()
-            else:
-                self._make(job)
+    def _make_next(self) -> None:
+        """Makes the next cloud, or waits for an order; begins with what an earlier server left."""
+        if not self._has_begun:
+            self._clear()
+            self._kept.keep_limit()
+            self._has_begun = True
+        self._wake.clear()
+        if self._ending.is_set():
+            return
+        job = self._begin_next()
+        if job is None:
+            self._wake.wait()
+        else:
+            self._make(job)
 
     def _begin_next(self) -> CloudJob | None:
         with self._lock:

@@ -3,10 +3,10 @@
 import contextlib
 import socket
 import struct
-import threading
 import time
 from typing import Protocol
 
+from app.loops import Loop
 from hardware.simulator.devices.gige_camera import gvcp
 from hardware.simulator.devices.gige_camera.faults import GigeFaults
 from hardware.simulator.devices.gige_camera.gvcp import GvcpCommand, RefusalError, Request, Status
@@ -69,16 +69,14 @@ class ControlServer:
         self._holder: Address | None = None
         self._heard_s = 0.0
         self._last: tuple[Address, int, bytes] | None = None
-        self._stopping = threading.Event()
-        self._thread = threading.Thread(target=self._run, name="camera-control", daemon=True)
+        self._loop = Loop("camera-control", self._answer_next)
 
     def start(self) -> None:
-        self._thread.start()
+        self._loop.start()
 
     def stop(self) -> None:
         """Ends the thread and frees the port."""
-        self._stopping.set()
-        self._thread.join()
+        self._loop.stop(None)
         self._socket.close()
 
     def revoke(self) -> None:
@@ -87,26 +85,25 @@ class ControlServer:
             if self._holder is not None:
                 self._release()
 
-    def _run(self) -> None:
-        while not self._stopping.is_set():
-            self._watch()
-            try:
-                datagram, sender = self._socket.recvfrom(_LONGEST)
-            except OSError:  # nothing came in time, or the last answer reached nobody
-                continue
-            if not self._was_plugged or (request := gvcp.parse(datagram)) is None:
-                continue
-            if self._faults.answered:
-                self._faults.answered -= 1
-            elif self._faults.unanswered:
-                self._faults.unanswered -= 1
-                continue
-            with self._registers.lock:
-                answer = self._answer(request, sender)
-            if answer is not None and request.wants_answer:
-                self._delay_answer(request)
-                with contextlib.suppress(OSError):
-                    self._socket.sendto(answer, sender)
+    def _answer_next(self) -> None:
+        self._watch()
+        try:
+            datagram, sender = self._socket.recvfrom(_LONGEST)
+        except OSError:  # nothing came in time, or the last answer reached nobody
+            return
+        if not self._was_plugged or (request := gvcp.parse(datagram)) is None:
+            return
+        if self._faults.answered:
+            self._faults.answered -= 1
+        elif self._faults.unanswered:
+            self._faults.unanswered -= 1
+            return
+        with self._registers.lock:
+            answer = self._answer(request, sender)
+        if answer is not None and request.wants_answer:
+            self._delay_answer(request)
+            with contextlib.suppress(OSError):
+                self._socket.sendto(answer, sender)
 
     def _delay_answer(self, request: Request) -> None:
         """Waits before the answer to the command that latches the clock, if that comes late."""

@@ -7,6 +7,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from itertools import pairwise
 
+from app.loops import Loop
 from hardware.clock import now_ns
 from hardware.simulator.devices.gige_camera.features import EXPOSURE_ACTIVE, LINES
 from hardware.simulator.devices.gige_camera.registers import RegisterMap
@@ -99,16 +100,18 @@ class ExposureLoop:
         self._acquisition = 0
         self._number = self._left = 0
         self._due_ns = 0
-        self._thread = threading.Thread(target=self._run, name="camera-exposures", daemon=True)
+        self._loop = Loop("camera-exposures", self._take_next)
 
     def start_thread(self) -> None:
-        self._thread.start()
+        self._loop.start()
 
     def end_thread(self) -> None:
+        self._loop.stop(None, self._end)
+
+    def _end(self) -> None:
         with self._changed:
             self._ending = True
             self._changed.notify_all()
-        self._thread.join()
 
     def start(self) -> None:
         """Begins an acquisition, and counts from 1."""
@@ -144,18 +147,20 @@ class ExposureLoop:
     def _is_triggered(self) -> bool:
         return self._registers.integer("TriggerMode") == 1
 
-    def _run(self) -> None:
-        while (exposure := self._expose()) is not None:
-            began_s = time.thread_time()
-            self._take(exposure)
-            rest_ns = round(1e9 * (time.thread_time() - began_s) * (1 / CORE_SHARE - 1))
-            with self._changed:
-                self._due_ns = max(self._due_ns, now_ns() + rest_ns)
-                self._left -= 1
-                done = self._running and self._left == 0
-            if done:
-                self.stop()
-                self._finished()
+    def _take_next(self) -> None:
+        exposure = self._expose()
+        if exposure is None:
+            return
+        began_s = time.thread_time()
+        self._take(exposure)
+        rest_ns = round(1e9 * (time.thread_time() - began_s) * (1 / CORE_SHARE - 1))
+        with self._changed:
+            self._due_ns = max(self._due_ns, now_ns() + rest_ns)
+            self._left -= 1
+            done = self._running and self._left == 0
+        if done:
+            self.stop()
+            self._finished()
 
     def _expose(self) -> TakenExposure | None:
         """The next exposure, when it is over; None at the end of the thread."""

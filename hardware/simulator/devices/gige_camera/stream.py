@@ -8,6 +8,7 @@ from collections import deque
 
 import numpy as np
 
+from app.loops import Loop
 from hardware.clock import now_ns
 from hardware.simulator.devices.gige_camera.faults import GigeFaults
 from hardware.simulator.devices.gige_camera.gvsp import (
@@ -45,19 +46,21 @@ class StreamSender:
         self._line_free_s = 0.0
         self._changed = threading.Condition()
         self._stopping = False
-        self._thread = threading.Thread(target=self._run, name="camera-stream", daemon=True)
+        self._loop = Loop("camera-stream", self._send_next)
         self.lost_packets = 0
         """Packets that got lost on the line on purpose."""
 
     def start(self) -> None:
-        self._thread.start()
+        self._loop.start()
 
     def stop(self) -> None:
+        self._loop.stop(None, self._end)
+        self._socket.close()
+
+    def _end(self) -> None:
         with self._changed:
             self._stopping = True
             self._changed.notify_all()
-        self._thread.join()
-        self._socket.close()
 
     def send_to(self, address: str, port: int) -> None:
         """Sets the receiver; port 0 closes the channel."""
@@ -92,15 +95,17 @@ class StreamSender:
             packet = kept[-1].packet(number) if kept else unavailable_packet(block_id, number)
             self._send_over_line(packet, lost=False)
 
-    def _run(self) -> None:
-        while (block := self._next()) is not None:
-            for number in range(block.last_packet + 1):
-                if self._stopping or self._receiver is None:
-                    break
-                packet = block.packet(number)
-                self._wait_for_line(len(packet))
-                lost = (block.block_id, number) in self._faults.lost_packets
-                self._send_over_line(packet, lost)
+    def _send_next(self) -> None:
+        block = self._next()
+        if block is None:
+            return
+        for number in range(block.last_packet + 1):
+            if self._stopping or self._receiver is None:
+                break
+            packet = block.packet(number)
+            self._wait_for_line(len(packet))
+            lost = (block.block_id, number) in self._faults.lost_packets
+            self._send_over_line(packet, lost)
 
     def _next(self) -> Block | None:
         """The next block, when it is due; None at the end."""
