@@ -5,15 +5,14 @@ topic, so that a slow tab delays nobody.
 """
 
 import asyncio
-import contextlib
 import time
 
 from fastapi import WebSocket
 from pydantic import TypeAdapter, ValidationError
-from starlette.websockets import WebSocketDisconnect
 
-from app.api.access.authorization import StationRouter, current_visitor, wait_for_sign_out
+from app.api.access.authorization import POLICY_VIOLATION, StationRouter, current_visitor
 from app.api.access.browser import current_user
+from app.api.access.connection import CloseReason, run_connection
 from app.operations.context import Context, context_of
 from app.security.permissions import MESSAGES, has_right
 from app.station.bus import Subscription, Updates
@@ -33,7 +32,6 @@ from app.wire.live_messages import (
 
 router = StationRouter()
 BEAT_S = 1.0
-POLICY_VIOLATION = 1008
 LONGEST_REQUEST = 1024
 REQUEST: TypeAdapter[LiveRequest] = TypeAdapter(LiveRequest)
 
@@ -65,20 +63,7 @@ class _Tab:
 
     async def run(self) -> None:
         """Runs until the tab closes; if one direction ends, it ends both."""
-        tasks = [
-            asyncio.create_task(self._send()),
-            asyncio.create_task(self._receive()),
-            asyncio.create_task(wait_for_sign_out(self._socket)),
-        ]
-        try:
-            done, _ = await asyncio.wait(tasks, return_when=asyncio.FIRST_COMPLETED)
-            for task in done:
-                with contextlib.suppress(WebSocketDisconnect):
-                    task.result()
-        finally:
-            for task in tasks:
-                task.cancel()
-            await asyncio.gather(*tasks, return_exceptions=True)
+        await run_connection(self._socket, self._send(), self._receive())
 
     def close(self) -> None:
         self._set_preview(False)
@@ -119,19 +104,18 @@ class _Tab:
     async def _text(self, message: object) -> None:
         await self._socket.send_text(encode_json(message).decode())
 
-    async def _receive(self) -> None:
+    async def _receive(self) -> CloseReason | None:
         while True:
             received = await self._socket.receive()
             if received["type"] == "websocket.disconnect":
-                return
+                return None
             text = received.get("text")
             try:
                 if text is None or len(text) > LONGEST_REQUEST:
                     raise ValueError
                 self._handle(REQUEST.validate_json(text))
             except (ValidationError, ValueError):
-                await self._socket.close(POLICY_VIOLATION, "not a message of this protocol")
-                return
+                return CloseReason(POLICY_VIOLATION, "not a message of this protocol")
 
     def _handle(self, request: LiveRequest) -> None:
         if not has_right(MESSAGES[request.type], self._visitor.role, self._visitor.kiosk):

@@ -11,8 +11,11 @@ from collections.abc import Collection
 from functools import lru_cache
 from typing import Any
 
+from uvicorn._types import ASGISendEvent
 from uvicorn.protocols.http.httptools_impl import HttpToolsProtocol
+from uvicorn.protocols.utils import ClientDisconnected
 from uvicorn.protocols.websockets.websockets_sansio_impl import WebSocketsSansIOProtocol
+from websockets.frames import CloseCode
 
 from app.security.anonymous_queue import IS_CONNECTED
 from app.security.login_throttle import address_key
@@ -146,6 +149,23 @@ class BoundedWebSocket(WebSocketsSansIOProtocol):
             self.transport.abort()  # every browser waits for the answer
             return
         super().data_received(data)
+
+    async def send(self, message: ASGISendEvent) -> None:
+        await self.writable.wait()
+        if self.close_sent:  # since a message that was none
+            raise ClientDisconnected
+        await super().send(message)
+
+    def send_receive_event_to_app(self) -> None:
+        if self.curr_msg_data_type == "text" and not self.close_sent:
+            try:
+                b"".join(self.frames).decode()
+            except UnicodeDecodeError:  # a fault of the client, not of the server
+                self.frames = []
+                self.conn.send_close(CloseCode.INVALID_DATA)
+                self.handle_parser_exception()
+                return
+        super().send_receive_event_to_app()
 
     def handle_ping(self) -> None:
         answer = b"".join(self.conn.data_to_send())

@@ -1,6 +1,7 @@
 """The live connection: hello, snapshot, what changes, beats; the preview at its reader's pace."""
 
 import json
+import logging
 import struct
 import time
 from typing import Any
@@ -15,6 +16,9 @@ from tests.api.conftest import PATIENCE_S, Server
 from tests.sent_texts import english
 
 pytestmark = pytest.mark.device
+
+NO_TEXT = b"\xff\xfe"
+"""Sent as a text, it is not UTF-8."""
 
 
 def live(server: Server, **options: Any) -> ClientConnection:
@@ -96,7 +100,7 @@ def test_the_next_picture_waits_for_the_last_to_be_acknowledged(server: Server) 
 
 
 def send_and_drain(socket: Connection, sent: str | bytes) -> None:
-    socket.send(sent)
+    socket.send(sent, text=True if sent == NO_TEXT else None)
     for _ in range(1000):
         socket.recv(PATIENCE_S)
 
@@ -108,10 +112,13 @@ def send_and_drain(socket: Connection, sent: str | bytes) -> None:
         *('{"type": "preview"}', '{"type": "preview", "on": "yes"}'),
         '{"type": "preview", "on": true, "more": 1}',
         '{"type": "preview", "on": true, "pad": "' + "x" * 5000 + '"}',
+        *("[" * 1000, '{"type": "preview", "on": NaN}', NO_TEXT),
     ],
     ids=lambda value: repr(value[:30]),
 )
-def test_a_malformed_message_ends_this_connection_alone(server: Server, sent: str | bytes) -> None:
+def test_a_malformed_message_ends_this_connection_alone(
+    server: Server, sent: str | bytes, caplog: pytest.LogCaptureFixture
+) -> None:
     with live(server) as bystander, live(server) as socket:
         with pytest.raises(ConnectionClosed) as closed:
             send_and_drain(socket, sent)
@@ -119,8 +126,9 @@ def test_a_malformed_message_ends_this_connection_alone(server: Server, sent: st
         if len(sent) < 100_000:
             assert closed.value.rcvd is not None
         if closed.value.rcvd is not None:
-            assert closed.value.rcvd.code in (1008, 1009)
+            assert closed.value.rcvd.code in (1007, 1008, 1009)
         assert message(bystander)["type"] == "hello"
+    assert not [one for one in caplog.records if one.levelno >= logging.ERROR]
 
 
 def test_a_tab_that_does_not_read_delays_nobody(server: Server) -> None:

@@ -1,6 +1,5 @@
 """Authorisation of every request: who sent it, and whether they may do what it asks."""
 
-import asyncio
 import logging
 from collections.abc import Iterator
 from contextlib import contextmanager, nullcontext
@@ -10,7 +9,6 @@ from typing import Annotated, cast
 from fastapi import APIRouter, Depends
 from fastapi.exceptions import WebSocketException
 from starlette.requests import HTTPConnection
-from starlette.websockets import WebSocket
 
 from app.api.access.browser import address_of, token_of
 from app.errors import OperationError
@@ -22,7 +20,7 @@ from app.station.control_lease import Person
 from app.store.login_sessions import Principal
 
 log = logging.getLogger(__name__)
-POLICY_VIOLATION, SIGNED_OUT = 1008, 4401
+POLICY_VIOLATION = 1008
 SIGN_IN_CHECK_S = 1.0
 
 
@@ -137,19 +135,6 @@ def person_of(connection: HTTPConnection) -> Person:
     """The same, as control identifies them."""
     visitor = current_visitor(connection)
     return Person(visitor.id, visitor.name)
-
-
-async def wait_for_sign_out(socket: WebSocket) -> None:
-    """Returns when this browser's login session is no longer valid, or its permissions have
-    changed.
-
-    Control ends with it, even if another program ended the session.
-    """
-    visitor = current_visitor(socket)
-    while await asyncio.to_thread(visitor_of, socket) == visitor:
-        await asyncio.sleep(SIGN_IN_CHECK_S)
-    context_of(socket).lease.leave(visitor.id)
-    await socket.close(SIGNED_OUT, "signed out")
 
 
 class StationRouter(APIRouter):

@@ -5,7 +5,6 @@ clients may change the scene. From browsers, only camera messages are relayed, d
 again; everything else is dropped.
 """
 
-import asyncio
 import contextlib
 import math
 import re
@@ -15,12 +14,12 @@ import httpx
 import msgspec
 from fastapi import WebSocket
 from starlette.responses import RedirectResponse, Response
-from starlette.websockets import WebSocketDisconnect
 from websockets.asyncio.client import ClientConnection, connect
 from websockets.exceptions import ConnectionClosed, InvalidHandshake
 from websockets.typing import Subprotocol
 
-from app.api.access.authorization import StationRouter, wait_for_sign_out
+from app.api.access.authorization import StationRouter
+from app.api.access.connection import CloseReason, run_connection
 from app.api.problems import NotFoundError
 from app.api.viewer.point_limit import PointLimiter
 from app.messages.message import message
@@ -134,17 +133,11 @@ async def socket(browser: WebSocket, key: str = "") -> None:
     fewer = PointLimiter(1000 * int(known[2])) if known and known[2] else None
     async with viser:
         await browser.accept(viser.subprotocol)
-        tasks = [
-            asyncio.create_task(_to_browser(viser, browser, fewer)),
-            asyncio.create_task(_to_viser(browser, viser, page)),
-            asyncio.create_task(wait_for_sign_out(browser)),
-        ]
         try:
-            await asyncio.wait(tasks, return_when=asyncio.FIRST_COMPLETED)
+            await run_connection(
+                browser, _to_browser(viser, browser, fewer), _to_viser(browser, viser, page)
+            )
         finally:
-            for task in tasks:
-                task.cancel()
-            await asyncio.gather(*tasks, return_exceptions=True)
             page.leave()
 
 
@@ -169,16 +162,16 @@ class _Page:
 
 async def _to_browser(
     viser: ClientConnection, browser: WebSocket, fewer: PointLimiter | None
-) -> None:
-    with contextlib.suppress(ConnectionClosed, WebSocketDisconnect):
+) -> CloseReason:
+    with contextlib.suppress(ConnectionClosed):
         async for message in viser:
             if isinstance(message, bytes):
                 await browser.send_bytes(fewer.filter_frame(message) if fewer else message)
-        await browser.close()
+    return CloseReason()
 
 
 async def _to_viser(browser: WebSocket, viser: ClientConnection, page: _Page) -> None:
-    with contextlib.suppress(ConnectionClosed, WebSocketDisconnect):
+    with contextlib.suppress(ConnectionClosed):
         while True:
             message = await browser.receive()
             if message["type"] == "websocket.disconnect":
