@@ -46,7 +46,8 @@ def build_report(context: Context) -> StationReport:
         verification=_verification(known, context),
         alarms=_alarms(context, known),
         temperature_c=_celsius(context, known),
-        disk_free_gb=round(devices.disk_free_gb, 1),
+        # readers of earlier versions know no unknown: nothing can be written
+        disk_free_gb=round(devices.disk_free_gb or 0.0, 1),
         control=holder.name[:80] if holder else None,
     )
 

@@ -33,6 +33,7 @@ def test_both_devices_are_found_and_shown_with_their_rates(rig: Rig) -> None:
     assert (devices.arm.state, devices.sensor.state) == ("connected", "connected")
     assert "A-1" in str(devices.arm.text)
     assert devices.tip_mm is not None
+    assert devices.disk_free_gb is not None
     assert devices.disk_free_gb > 0
 
 

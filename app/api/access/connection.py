@@ -5,7 +5,7 @@ from collections.abc import Coroutine
 from contextlib import suppress
 from dataclasses import dataclass
 
-from starlette.websockets import WebSocket, WebSocketDisconnect
+from starlette.websockets import WebSocket, WebSocketDisconnect, WebSocketState
 
 from app.api.access.authorization import SIGN_IN_CHECK_S, current_visitor, visitor_of
 from app.operations.context import context_of
@@ -38,11 +38,10 @@ async def run_connection(
     for result in results:
         if isinstance(result, Exception) and not isinstance(result, WebSocketDisconnect):
             raise result
-    for result in results:
-        if isinstance(result, CloseReason):
-            with suppress(WebSocketDisconnect):
-                await socket.close(result.code, result.text)
-            return
+    reason = next((one for one in results if isinstance(one, CloseReason)), None)
+    if reason is not None and socket.application_state is WebSocketState.CONNECTED:
+        with suppress(WebSocketDisconnect):
+            await socket.close(reason.code, reason.text)
 
 
 async def _wait_for_sign_out(socket: WebSocket) -> CloseReason:

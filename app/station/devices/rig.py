@@ -38,7 +38,8 @@ class Devices:
     arm_still: bool
     exposure_us: float | None
     tip_mm: tuple[float, float, float] | None
-    disk_free_gb: float
+    disk_free_gb: float | None
+    """None while the data folder cannot be looked at."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -180,8 +181,14 @@ class Rig:
             arm_still=self.arm.stillness().still,
             exposure_us=self.sensor.exposure_us,
             tip_mm=self.arm.tip_mm(),
-            disk_free_gb=shutil.disk_usage(self._data_dir).free / 1e9,
+            disk_free_gb=self._disk_free_gb(),
         )
+
+    def _disk_free_gb(self) -> float | None:
+        try:
+            return shutil.disk_usage(self._data_dir).free / 1e9
+        except OSError:
+            return None
 
     def losing(self) -> frozenset[str]:
         """The devices that lose much of their data just now: arm, sensor and its name."""

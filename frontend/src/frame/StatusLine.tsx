@@ -23,7 +23,9 @@ export function StatusLine() {
             figure={freshness(devices.arm, live ? 0 : silent_s)}
           />
           <Device name={t("ui-camera-lowercase")} device={devices.sensor} figure={rate(devices.sensor)} />
-          <Item minor>{t("ui-disk-space", { space: quantity(devices.disk_free_gb, "GB") })}</Item>
+          {devices.disk_free_gb !== null && (
+            <Item minor>{t("ui-disk-space", { space: quantity(devices.disk_free_gb, "GB") })}</Item>
+          )}
         </>
       )}
       {home && (
