@@ -61,11 +61,13 @@ def _lifespan(context: Context) -> Callable[[FastAPI], AbstractAsyncContextManag
                 ticking.cancel()
                 observing.cancel()
                 await asyncio.wait([observing])
-                await asyncio.to_thread(close_context, context)
-            # callbacks of ended tasks are waiting on this loop
-            await asyncio.sleep(0)
-            context.bus.detach()
-            context.store.close()
-            context.monitoring.close()
+                try:
+                    await asyncio.to_thread(close_context, context)
+                finally:
+                    # callbacks of ended tasks are waiting on this loop
+                    await asyncio.sleep(0)
+                    context.bus.detach()
+                    context.store.close()
+                    context.monitoring.close()
 
     return lifespan

@@ -1,5 +1,6 @@
 """Connects the parts of the station, and closes them in order."""
 
+from collections.abc import Callable
 from contextlib import ExitStack
 from typing import TYPE_CHECKING
 
@@ -155,19 +156,27 @@ def _open_provider(settings: SignInSettings | None, store: Store) -> "Provider |
 
 def close_context(context: Context) -> None:
     """Switches the laser off, stops motion and scan, saves the scan and closes devices. The store
-    stays open."""
-    stop_everything(context)
-    if context.monitoring.archive is not None:
-        context.monitoring.archive.close()
-    context.device_setup.close()
-    context.jobs.wait(JOB_END_S)
-    context.recovery.close()
-    context.scanner.close()
-    context.preview.stop()
-    context.rig.stop()
-    context.buttons.close()
-    context.view_controller.close()
-    context.scene.close()
+    stays open.
+
+    All of it is done, whatever fails; the error is raised at the end.
+    """
+    archive = context.monitoring.archive
+    steps: list[Callable[[], object]] = [
+        lambda: stop_everything(context),
+        archive.close if archive is not None else lambda: None,
+        context.device_setup.close,
+        lambda: context.jobs.wait(JOB_END_S),
+        context.recovery.close,
+        context.scanner.close,
+        context.preview.stop,
+        context.rig.stop,
+        context.buttons.close,
+        context.view_controller.close,
+        context.scene.close,
+    ]
+    with ExitStack() as closing:
+        for step in reversed(steps):
+            closing.callback(step)
 
 
 def _work_error(scanner: Scanner, jobs: Jobs, guides: StationGuides) -> OperationError | None:

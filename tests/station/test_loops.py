@@ -1,0 +1,234 @@
+"""Loops: each goes on after whatever kills a step of it, is logged once and shown in Health."""
+
+import asyncio
+import gc
+import json
+import logging
+import threading
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+
+from app.errors import OperationError
+from app.formats.datasheets.target import read_block
+from app.loops import LOOPS, Loop, LoopState, repeat, reporting_deaths, start_worker
+from app.monitoring.background_health import background
+from app.operations import publishers
+from app.operations.context import Context
+from app.operations.health_checks import HealthChecker
+from app.server.application import build_app
+from app.station.devices.rig import Devices
+from app.supervision.webhook import WebhookSettings
+from hardware.simulator.station import SimulatedStation
+from tests.guide.stations import Station
+from tests.station.conftest import until
+
+pytestmark = pytest.mark.device
+
+DEATHS = (
+    ValueError("a mistake"),
+    OSError(24, "too many open files"),
+    OperationError("disk-full", "the disk is full"),
+    SystemExit(1),
+    KeyboardInterrupt(),
+)
+THREADS = {
+    *("arm-reader", "sensor-reader", "awake", "rig-state", "scan-state", "scene", "view"),
+    *("preview", "object-watch", "loop-watchdog", "log-writer", "simulated-arm"),
+}
+TASKS = {"live-state", "report", "stations", "events", "health", "temperature", "notifications"}
+
+
+def state_of(name: str) -> LoopState:
+    return next(one for one in LOOPS.states() if one.name == name)
+
+
+def lines(caplog: pytest.LogCaptureFixture, name: str) -> list[str]:
+    """The messages that were logged of a loop's failures."""
+    found = [(str(one.msg), str(getattr(one.msg, "message_id", ""))) for one in caplog.records]
+    return [kind for text, kind in found if kind.startswith("log-loop-") and f" {name} " in text]
+
+
+@pytest.mark.parametrize("death", DEATHS, ids=lambda one: type(one).__name__)
+@pytest.mark.parametrize("times", [1, 3])
+def test_a_loop_goes_on_and_one_kind_of_error_is_logged_once(
+    death: BaseException, times: int, caplog: pytest.LogCaptureFixture
+) -> None:
+    name = f"killed-{times}-{type(death).__name__}"
+    done: list[int] = []
+
+    def step() -> None:
+        done.append(len(done))
+        if 1 < len(done) <= 1 + times:
+            raise death
+
+    with caplog.at_level(logging.INFO):
+        loop = Loop(name, step, 0.001)
+        loop.start()
+        until(lambda: len(done) > times + 3)
+        state = state_of(name)
+        loop.stop()
+    assert not loop.is_alive()
+    assert (state.running, state.failures, state.failing) == (1, times, False)
+    assert state.newest is not None
+    assert len(lines(caplog, name)) == 1
+    assert state_of(name).running == 0
+
+
+def test_a_step_that_fails_stops_no_other_and_a_cancelled_task_ends() -> None:
+    done: list[str] = []
+
+    async def broken() -> None:
+        done.append("broken")
+        raise ValueError("a mistake")
+
+    async def cancelled_inside() -> None:
+        raise asyncio.CancelledError
+
+    async def whole() -> None:
+        done.append("whole")
+
+    async def run() -> LoopState:
+        task = asyncio.create_task(repeat("three", broken, cancelled_inside, whole, period_s=0.001))
+        while done.count("whole") < 2:
+            await asyncio.sleep(0)
+        state = state_of("three")
+        task.cancel()
+        with pytest.raises(asyncio.CancelledError):
+            await task
+        return state
+
+    state = asyncio.run(run())
+    assert done[:4] == ["broken", "whole"] * 2
+    assert state.failing
+    assert state.failures >= 4
+
+
+@pytest.mark.filterwarnings("ignore::pytest.PytestUnhandledThreadExceptionWarning")
+def test_what_dies_unsupervised_is_reported(caplog: pytest.LogCaptureFixture) -> None:
+    def die(error: BaseException) -> None:
+        raise error
+
+    async def task() -> None:
+        raise ValueError("a task")
+
+    async def run() -> None:
+        hook = threading.excepthook
+        with reporting_deaths():
+            for error in (ValueError("a thread"), SystemExit(3)):
+                await asyncio.to_thread(start_worker("worker-that-dies", die, error).join)
+            doomed = asyncio.create_task(task())
+            await asyncio.wait([doomed])
+            del doomed
+            gc.collect()
+            await asyncio.sleep(0)
+        assert threading.excepthook is hook
+
+    before = LOOPS.death_count
+    asyncio.run(run())
+    assert LOOPS.death_count == before + 3
+    said = [str(one.error) for one in LOOPS.deaths()[-3:]]
+    assert said == ["ValueError: a thread", "SystemExit: 3", "ValueError: a task"]
+    item = background((), LOOPS.deaths()[-3:], LOOPS.deaths()[-1].at_s, 0.0)
+    assert item.quality == "attention"
+    assert str(item.what).count("Ended by an error") == 3
+    assert sum("was ended by an error" in one.getMessage() for one in caplog.records) == 3
+
+
+class Killed:
+    """Something that raises once, and is what it was before and afterwards."""
+
+    def __init__(self, whole: Callable[..., object]) -> None:
+        self.whole, self.calls = whole, 0
+
+    def __call__(self, *arguments: object, **named: object) -> object:
+        self.calls += 1
+        if self.calls == 1:
+            raise ZeroDivisionError("killed by the test")
+        return self.whole(*arguments, **named)
+
+
+@contextmanager
+def kill_threads() -> Iterator[set[str]]:
+    """Kills the present step of each loop that has a thread; their names."""
+    targets = [getattr(thread, "_target", None) for thread in threading.enumerate()]
+    loops = [one for target in targets if isinstance(one := getattr(target, "__self__", 0), Loop)]
+    for loop in loops:
+        loop._step = Killed(loop._step)  # type: ignore[assignment]
+    yield {loop._name for loop in loops}
+
+
+def kill_tasks(context: Context, patch: pytest.MonkeyPatch) -> None:
+    """Kills a part of each loop that has a task."""
+    watch = context.monitoring
+    for owner, name in (
+        *((publishers, "build_home"), (publishers, "build_report")),
+        *((watch.fleet, "stations"), (publishers, "_pass_on"), (context.rig, "losing")),
+        *((watch.temperature, "read"), (watch.webhook, "_send")),
+    ):
+        patch.setattr(owner, name, Killed(getattr(owner, name)))
+
+
+@pytest.fixture(scope="module")
+def simulation() -> Iterator[SimulatedStation]:
+    with SimulatedStation() as simulation:
+        yield simulation
+
+
+def test_each_loop_of_a_station_is_restarted_and_its_signs_stay_true(
+    simulation: SimulatedStation,
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    caplog: pytest.LogCaptureFixture,
+) -> None:
+    (tmp_path / "object.json").write_text(json.dumps(simulation.datasheets()["object.json"]))
+    parts = replace(Station(simulation, tmp_path).parts, simulated_operator=None)
+
+    async def kill_all(context: Context) -> None:
+        bus, watch = context.bus, context.monitoring
+        await asyncio.to_thread(until, lambda: has_devices(bus.latest("devices"), "connected"))
+        before = {one.name: one.failures for one in LOOPS.states()}
+        kill_tasks(context, monkeypatch)
+        with kill_threads() as threads:
+            assert threads >= THREADS
+            bus.event("killed", "an event")
+            watch.webhook.settings = WebhookSettings(url="http://127.0.0.1:9/", secret="s")
+            watch.notify("test", "a notice")
+
+            def all_work() -> bool:
+                states = {one.name: one for one in LOOPS.states()}
+                failed = {k for k, one in states.items() if one.failures > before.get(k, 0)}
+                return failed >= threads | TASKS and not any(one.failing for one in states.values())
+
+            simulation.arm_faults.unplugged = simulation.camera_faults.lost = True
+            await asyncio.to_thread(until, lambda: has_devices(bus.latest("devices"), "lost"))
+            simulation.clear_faults()
+            await asyncio.to_thread(until, lambda: has_devices(bus.latest("devices"), "connected"))
+            await asyncio.to_thread(until, all_work)
+
+    async def run() -> Context:
+        app = build_app(parts)
+        async with app.router.lifespan_context(app):
+            context: Context = app.state.context
+            context.preview.detect(read_block(tmp_path / "object.json"))
+            with context.preview.watch():
+                await kill_all(context)
+            item = {one.id: one for one in HealthChecker(context).look().items}["background"]
+            assert item.quality == "attention"
+            assert "state of the devices (ZeroDivisionError: killed by the test)" in str(item.what)
+        return context
+
+    try:
+        logs = asyncio.run(run()).monitoring.logs
+    finally:
+        simulation.clear_faults()
+    assert logs.read("error", "killed by the test", 1)
+    for name in THREADS | TASKS:
+        assert lines(caplog, name) == ["log-loop-failed"], name
+
+
+def has_devices(devices: object, state: str) -> bool:
+    return isinstance(devices, Devices) and devices.arm.state == devices.sensor.state == state
