@@ -3427,6 +3427,7 @@ scan-covers-patches = der Scan { $name } deckt nur { $count } Flecken der Kugel 
 scan-cut-short = Dieser Scan wurde vorzeitig beendet: { CLAUSE($reason) }.
 scan-does-start-less-than-0 = Ein Scan startet nicht mit weniger als 0,5 GB und stoppt bei 0,1 GB.
 scan-flat-plate-nearer-away-again = Eine ebene Platte scannen, mehrmals näher heran und wieder weg, dann den Zeitversatz bestimmen
+scan-gap-again = Scannen Sie noch einmal, was inzwischen überfahren wurde, und lassen Sie den Rechner nicht einschlafen.
 scan-gauge = Prüfnormal scannen
 scan-gauge-again = Prüfnormal erneut scannen
 scan-gauge-chosen = Gewähltes Prüfnormal scannen
@@ -3447,6 +3448,7 @@ scan-shows-little-of-sphere = der Scan zeigt zu wenig von einer Kugel am Ende vo
 scan-sphere-from-other-sides = scannen Sie sie von Seiten, die sich um 45° oder mehr unterscheiden
 scan-stopped = Der Scan wurde abgebrochen: { $error }
 scan-stopped-2 = der Scan wurde abgebrochen
+scan-was-suspended = Das Programm war während dieses Scans { $duration } lang angehalten und hat in dieser Zeit nichts aufgezeichnet.
 scan-without-length =
     { $count ->
         [one] der Scan zeigt eine Kugel statt zweier im Abstand von { $length }

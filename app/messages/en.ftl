@@ -3418,6 +3418,7 @@ scan-covers-patches = the scan { $name } covers only { $count } patches of the s
 scan-cut-short = This scan ended early: { CLAUSE($reason) }.
 scan-does-start-less-than-0 = A scan requires at least 0.5 GB to start, and stops at 0.1 GB.
 scan-flat-plate-nearer-away-again = Scan a flat plate, nearer and away again several times, then determine the delay
+scan-gap-again = Scan again what was passed over meanwhile, and keep the computer from sleeping.
 scan-gauge = Scan the gauge
 scan-gauge-again = Scan the gauge again
 scan-gauge-chosen = Scan the selected gauge
@@ -3438,6 +3439,7 @@ scan-shows-little-of-sphere = the scan shows too little of a sphere at an end of
 scan-sphere-from-other-sides = scan it from sides that differ by 45° or more
 scan-stopped = The scan stopped: { $error }
 scan-stopped-2 = the scan stopped
+scan-was-suspended = The program was suspended for { $duration } during this scan and recorded nothing meanwhile.
 scan-without-length =
     { $count ->
         [one] the scan shows one sphere instead of two that are { $length } apart

@@ -30,6 +30,7 @@ from app.loops import start_worker
 from app.messages.message import Text, join, message
 from app.station.bus import Bus
 from app.station.jobs import Jobs
+from app.station.scan.messages import suspension_text
 from app.station.scan.scanner import Scanner
 from app.station.scan.storage import CLOUD, RECORDING, ScanFolders
 from app.store.scans import ScanRecord
@@ -216,7 +217,14 @@ class Recovery:
     # -- what is shown -------------------------------------------------------
 
     def scan_note(self, scan: ScanRecord) -> Text:
-        """Problems of a scan's recording, or why it ended early; usually empty."""
+        """Problems of a scan's recording, why it ended early, and its gaps; usually empty."""
+        note = self._recording_note(scan)
+        if scan.suspended_s <= 0:
+            return note
+        gap = suspension_text(scan.suspended_s)
+        return join([note, gap], " ") if note else gap
+
+    def _recording_note(self, scan: ScanRecord) -> Text:
         if self._is_away(scan.folder):
             return message("archive-fetch-record", kind="scans", id=scan.folder.name)
         damage = find_damage(scan.folder / RECORDING, scan.recording_bytes)

@@ -210,6 +210,7 @@ def _record_scan(result: ScanResult, store: Store, watch: MonitoringServices) ->
                 calibration_id=result.calibration_id,
                 interrupted=result.interrupted,
                 recording_bytes=result.recording_bytes,
+                suspended_s=result.suspended_s,
             )
         )
         watch.note_scan(result)

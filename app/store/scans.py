@@ -29,6 +29,8 @@ class ScanRecord:
     """Why it ended before the operator ended it; otherwise empty."""
     recording_bytes: int | None = None
     """Size of its completed recording; None for scans from earlier versions."""
+    suspended_s: float = 0.0
+    """For how long the program was suspended meanwhile."""
 
 
 class ScanStore:
@@ -74,8 +76,9 @@ class ScanStore:
         with self._database.transaction() as connection:
             connection.execute(
                 "INSERT INTO scan (id, name, folder, started_at, points, frames, seconds,"
-                " calibration_id, interrupted, recording_bytes, name_message, interrupted_message)"
-                " VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)",
+                " calibration_id, interrupted, recording_bytes, name_message, interrupted_message,"
+                " suspended_s)"
+                " VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)",
                 (
                     scan.id,
                     str(scan.name),
@@ -89,6 +92,7 @@ class ScanStore:
                     scan.recording_bytes,
                     encode_data(scan.name),
                     encode_data(scan.interrupted),
+                    scan.suspended_s,
                 ),
             )
 
@@ -141,6 +145,7 @@ class ScanStore:
                 row["calibration_id"],
                 decode_text(row["interrupted"], row["interrupted_message"]),
                 row["recording_bytes"],
+                row["suspended_s"],
             )
             for row in self._database.read(f"SELECT * FROM scan {clause}", *values)
         ]

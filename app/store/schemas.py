@@ -166,6 +166,9 @@ DROP TABLE performance;
 ALTER TABLE performance_by_touch RENAME TO performance;
 """
 """Tests by touch need no calibration."""
+SUSPENSIONS = """
+ALTER TABLE scan ADD COLUMN suspended_s REAL NOT NULL DEFAULT 0;
+"""
 SCHEMAS = (
     FIRST,
     ACCESS,
@@ -179,6 +182,7 @@ SCHEMAS = (
     PERFORMANCES,
     PROVIDERS,
     TESTS_BY_TOUCH,
+    SUSPENSIONS,
 )
 """The additions of each version of the database."""
 SCHEMA_VERSION = len(SCHEMAS)

@@ -19,9 +19,12 @@ from app.metrology.sensor.camera import Camera
 from app.metrology.sensor.laser_plane import LaserPlane
 from app.metrology.transforms import rigid, rotation_from_vector
 from app.station.bus import Bus
+from app.station.devices import awake_clock
 from app.station.devices.rig import Rig
 from app.station.scan import storage as scan_folders
+from app.station.scan.pipeline import ScanPipeline
 from app.station.scan.points import ScanCalibration
+from app.station.scan.recorder import Recorder
 from app.station.scan.scanner import Scanner
 from app.station.scan.state import ScanResult, ScanState
 from app.station.view3d.scene import Scene
@@ -264,6 +267,51 @@ def test_odd_pictures_end_the_scan_with_a_reason_and_the_station_lives(
     scanner.start("again")
     until(lambda: scanner.state().points > 1000)
     assert scanner.stop() is not None
+
+
+@pytest.mark.parametrize(
+    ("owner", "name"),
+    [
+        *((ScanPipeline, "_take_some"), (ScanPipeline, "_record_next")),
+        *((ScanPipeline, "_make_points"), (Recorder, "_write_frames")),
+    ],
+    ids=lambda one: str(one),
+)
+@pytest.mark.parametrize("death", [ZeroDivisionError("killed"), SystemExit("killed")])
+def test_a_thread_of_a_scan_that_dies_ends_the_scan_with_a_reason(
+    scanner: Scanner, monkeypatch: pytest.MonkeyPatch, owner: type, name: str, death: BaseException
+) -> None:
+    whole, calls = getattr(owner, name), iter(range(1_000_000))
+
+    def die_once(*arguments: object) -> object:
+        if next(calls) == 0:
+            raise death
+        return whole(*arguments)
+
+    monkeypatch.setattr(owner, name, die_once)
+    scanner.start("killed")
+    until(lambda: scanner.state().state == "idle", 60.0)
+    (finding,) = [one for one in scanner.state().findings if one.quality == "bad"]
+    assert "killed" in str(finding.text)
+    scanner.start("again")
+    until(lambda: scanner.state().points > 0)
+    assert scanner.stop() is not None
+
+
+def test_a_scan_during_which_the_program_was_suspended_says_so(
+    scanner: Scanner, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    scanner.start("interrupted")
+    until(lambda: scanner.state().points > 0)
+    real_s = awake_clock._since_boot_s
+    monkeypatch.setattr(awake_clock, "_since_boot_s", lambda: real_s() + 30.0)
+    until(lambda: any("suspended for 30 s" in str(one.text) for one in scanner.state().findings))
+    result = end_scan(scanner)
+    assert result.suspended_s == pytest.approx(30.0, abs=1.0)
+    assert any("suspended for 30 s" in str(one.text) for one in scanner.state().findings)
+    scanner.start("whole")
+    until(lambda: scanner.state().points > 0)
+    assert end_scan(scanner).suspended_s == 0.0
 
 
 @pytest.mark.parametrize("level", [0, 255])

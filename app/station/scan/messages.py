@@ -49,6 +49,11 @@ def _start_error(
     return _arm_error(calibration, rig) or _sensor_error(calibration, sensor)
 
 
+def suspension_text(suspended_s: float) -> Text:
+    """That a scan has a gap in which the program was suspended."""
+    return message("scan-was-suspended", duration=quantity(suspended_s, "s"))
+
+
 def end_reason(trouble: OperationError | None) -> Text:
     """Why a scan ended before the operator ended it; empty where it did not."""
     if trouble is None:
@@ -116,12 +121,20 @@ def _serial_error(device: _Device, connected: str, calibrated: str) -> Operation
     )
 
 
-def scan_findings(pipeline: ScanPipeline, rig: Rig, running: bool) -> tuple[Finding, ...]:
-    """What is amiss, the gravest first."""
+def scan_findings(
+    pipeline: ScanPipeline, rig: Rig, running: bool, suspended_s: float
+) -> tuple[Finding, ...]:
+    """What is amiss, the gravest first.
+
+    Args:
+        suspended_s: for how long the program was suspended during the scan.
+    """
     found: list[Finding] = []
     if pipeline.trouble is not None:
         text = message("scan-stopped", error=pipeline.trouble.text)
         found.append(Finding("bad", text, message("what-recorded-kept-2")))
+    if suspended_s > 0:
+        found.append(Finding("attention", suspension_text(suspended_s), message("scan-gap-again")))
     if running:
         found += _live_findings(pipeline, rig)
     else:

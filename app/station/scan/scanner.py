@@ -14,6 +14,7 @@ from app.formats.settings.scan_settings import AUTOMATIC, ScanSettings
 from app.loops import Loop
 from app.messages.message import Text, message
 from app.station.bus import Bus
+from app.station.devices.awake_clock import AWAKE, SUSPENDED_S
 from app.station.devices.rig import Rig
 from app.station.devices.sensor_device import StationSensor
 from app.station.scan.messages import end_reason, scan_findings, start_error
@@ -50,12 +51,23 @@ class _Running:
     started_s: float
     calibration_id: str
     pipeline: ScanPipeline
+    suspended_before_s: float
     stopping: bool = False
     ended_s: float | None = None
+    suspended_in_all_s: float | None = None
+    """Set at its end."""
 
     @property
     def seconds(self) -> float:
         return (self.ended_s or time.monotonic()) - self.started_s
+
+    @property
+    def suspended_s(self) -> float:
+        """For how long the program was suspended during the scan."""
+        if self.suspended_in_all_s is not None:
+            return self.suspended_in_all_s
+        suspended_s = AWAKE.suspended_s - self.suspended_before_s
+        return suspended_s if suspended_s > SUSPENDED_S else 0.0
 
 
 class Scanner:
@@ -213,6 +225,7 @@ class Scanner:
                 time.monotonic(),
                 sensors[0].calibration.id,
                 pipeline,
+                AWAKE.suspended_s,
             )
         self._publish()
         return scan_id
@@ -225,6 +238,7 @@ class Scanner:
                 return None
             scan.stopping = True
             scan.ended_s = time.monotonic()
+            scan.suspended_in_all_s = scan.suspended_s
         self._end_delivery()
         self._publish()
         try:
@@ -283,7 +297,7 @@ class Scanner:
             blur_limit_mm=now.limit_mm if now else None,
             frames_too_fast=pace.frames_too_fast,
             pictures=scan.pipeline.pictures[0],
-            findings=scan_findings(scan.pipeline, self._rig, running),
+            findings=scan_findings(scan.pipeline, self._rig, running, scan.suspended_s),
         )
 
     def _show_to(self, watch: Show | None) -> Show:
@@ -350,6 +364,7 @@ class Scanner:
             scan.pipeline.lost_frames,
             end_reason(scan.pipeline.trouble),
             recording_size(scan.folder),
+            scan.suspended_s,
         )
 
     def _watch(self) -> None:

@@ -54,6 +54,8 @@ class ScanResult:
     interrupted: Text = ""
     """Why it ended before the operator ended it; empty where it did not."""
     recording_bytes: int = 0
+    suspended_s: float = 0.0
+    """For how long the program was suspended meanwhile, and nothing was recorded."""
 
 
 @dataclass(frozen=True)
