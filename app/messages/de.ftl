@@ -275,7 +275,7 @@ back-face = Rückseite
 back-places = Zurück zu den Positionen
 back-points = Zurück zu den Punkten
 background-work = Hintergrundarbeit
-background-work-remedy = Sehen Sie im Protokoll unten nach und senden Sie das Supportpaket. Starten Sie die Station neu, wenn ein Teil weiter scheitert.
+background-work-remedy = Das Protokoll unten ansehen und das Diagnosepaket senden. Die Station neu starten, wenn ein Teil weiter scheitert.
 background-work-runs =
     { $count ->
         [one] Ein Teil läuft.
@@ -2519,7 +2519,7 @@ loop-name =
         [scene] Zeichnen der 3D-Ansicht
         [view] Zustand der 3D-Ansicht
         [pulse-trigger] Triggerpulse
-        [arm-reader] Lesen des Arms
+        [arm-reader] Lesen des Messarms
         [sensor-reader] Lesen des Sensors
         [awake] Uhr des Programms
         [preview] Livebild
@@ -3427,7 +3427,7 @@ scan-covers-patches = der Scan { $name } deckt nur { $count } Flecken der Kugel 
 scan-cut-short = Dieser Scan wurde vorzeitig beendet: { CLAUSE($reason) }.
 scan-does-start-less-than-0 = Ein Scan startet nicht mit weniger als 0,5 GB und stoppt bei 0,1 GB.
 scan-flat-plate-nearer-away-again = Eine ebene Platte scannen, mehrmals näher heran und wieder weg, dann den Zeitversatz bestimmen
-scan-gap-again = Scannen Sie noch einmal, was inzwischen überfahren wurde, und lassen Sie den Rechner nicht einschlafen.
+scan-gap-again = Noch einmal scannen, was inzwischen überfahren wurde; den Rechner nicht einschlafen lassen.
 scan-gauge = Prüfnormal scannen
 scan-gauge-again = Prüfnormal erneut scannen
 scan-gauge-chosen = Gewähltes Prüfnormal scannen
