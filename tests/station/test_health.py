@@ -15,7 +15,7 @@ from app.errors import OperationError
 from app.messages.catalogue import translator
 from app.messages.message import MessageList, message, quantity
 from app.monitoring import health, storage_health
-from app.monitoring.log_store import FILE, FILE_BYTES, LogStore
+from app.monitoring.log_store import FILE, FILE_BYTES, MOST_WAITING, LogStore
 from app.monitoring.loop_watchdog import LoopWatchdog, Stalls
 from app.monitoring.system_info import Memory, WallClock, memory, writable
 from app.station.devices.link_state import Losses, LossWindow
@@ -134,7 +134,7 @@ def test_what_strangers_put_into_a_message_does_nothing_to_readers(book: LogStor
 
 
 def written(book: LogStore, count: int) -> None:
-    until(lambda: len(book.read("info", "", 1000)) >= count)
+    until(lambda: len(book.read("info", "", 10_000)) >= count)
 
 
 def test_a_log_is_rotated_and_a_line_cut_off_by_a_kill_is_left_out(book: LogStore) -> None:
@@ -148,6 +148,20 @@ def test_a_log_is_rotated_and_a_line_cut_off_by_a_kill_is_left_out(book: LogStor
     assert len(book.files()) == 2
     texts = [line.text for line in book.read("info", "", 100)]
     assert texts == ["after 2", "after 1", "after 0", "first"]
+
+
+def test_a_disk_that_hangs_keeps_few_lines_waiting_and_those_lost_are_counted(
+    book: LogStore, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    hanging, whole = threading.Event(), book._file.handle
+    monkeypatch.setattr(book._file, "handle", lambda line: hanging.wait() and whole(line))
+    for number in range(MOST_WAITING + 101):  # one may be in the hands of the writer
+        LOG.info("line %d", number)
+    assert book.lost_lines in (100, 101)
+    hanging.set()
+    written(book, MOST_WAITING)
+    (lost,) = book.read("warning", "lines of the log were lost", 10)
+    assert str(lost.text).startswith(f"{book.lost_lines} lines")
 
 
 def test_a_closed_log_leaves_nothing_behind(tmp_path: Path) -> None:
