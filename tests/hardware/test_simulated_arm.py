@@ -1,6 +1,8 @@
 """The simulated arm in front of the real serial driver, with and without faults."""
 
 import os
+import resource
+import socket
 from collections.abc import Iterator
 from contextlib import closing, contextmanager
 from typing import Any
@@ -27,7 +29,14 @@ from hardware.simulator.devices.motion import JointPath, Motion, min_jerk_progre
 from hardware.simulator.devices.ports import DevicePort, PtyPort, TcpPort
 from hardware.simulator.scene.random_scenes import demo_arm
 from tests.hardware.conformance import ArmBench, ArmConformance
-from tests.hardware.reading import button_edges, opened, read_readings, read_samples, read_until
+from tests.hardware.reading import (
+    button_edges,
+    opened,
+    read_readings,
+    read_samples,
+    read_until,
+    wait_until,
+)
 from tests.hardware.test_protocol import published_examples
 
 pytestmark = pytest.mark.device
@@ -125,6 +134,21 @@ def arm() -> Iterator[DeviceBench]:
 def driver(arm: DeviceBench) -> Iterator[ArmDriver]:
     with opened(arm.driver()) as driver:
         yield driver
+
+
+def test_a_port_takes_its_clients_after_the_process_had_no_file_left() -> None:
+    line = TcpPort("127.0.0.1", 0)
+    host, port = line.url.removeprefix("socket://").split(":")
+    soft, hard = resource.getrlimit(resource.RLIMIT_NOFILE)
+    with closing(socket.create_connection((host, int(port)))) as client:
+        client.sendall(b"hello")
+        resource.setrlimit(resource.RLIMIT_NOFILE, (3, hard))
+        try:
+            assert line.poll() == b""
+        finally:
+            resource.setrlimit(resource.RLIMIT_NOFILE, (soft, hard))
+        wait_until(lambda: line.poll() == b"hello", "the client is never heard")
+    line.release()
 
 
 class TestSimulatedPoses(ArmConformance):

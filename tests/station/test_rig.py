@@ -12,7 +12,7 @@ from app.station.devices.rig import Rig
 from hardware.clock import now_ns
 from hardware.interfaces import Button, ButtonEvent
 from tests.refusals import refused
-from tests.station.conftest import RATE_HZ, REST_RAD, TAKEN_S, Bench, ready, until
+from tests.station.conftest import RATE_HZ, REST_RAD, TAKEN_S, Bench, ScriptedArm, ready, until
 
 pytestmark = pytest.mark.device
 
@@ -111,6 +111,14 @@ def test_a_driver_that_fails_in_its_own_way_does_not_end_the_station(
     until(lambda: "a mistake in the driver" in str(rig.arm.link().text))
     bench.joints_at = lambda seconds: REST_RAD
     ready(rig)
+
+
+def test_a_driver_that_fails_to_state_its_counts_is_opened_again(rig: Rig) -> None:
+    first, received = rig.arm.reader.driver, rig.arm.link().received
+    assert isinstance(first, ScriptedArm)
+    first.health = None  # type: ignore[assignment]
+    until(lambda: rig.arm.link().state == "connected" and rig.arm.reader.driver is not first)
+    assert rig.arm.link().received >= received
 
 
 def test_a_lost_packet_is_counted(rig: Rig, bench: Bench) -> None:
