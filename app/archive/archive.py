@@ -21,6 +21,7 @@ from app.archive.ownership import (
     read_owner,
 )
 from app.archive.pace import Pace
+from app.archive.place import check_apart, is_on_disk_of
 from app.archive.planning import CLOUD, Retention, StationRecord, plan_copies, plan_removals
 from app.archive.rebuilt_clouds import has_calibrations, leave_cloud_out
 from app.archive.records import RecordLists, list_away, list_records, stamps_in
@@ -104,12 +105,19 @@ class Archive:
             len(list_away(self.data)),
         )
 
+    def is_on_same_disk(self) -> bool | None:
+        """Whether a disk that fails would take records and archive; None where the archive is on
+        no disk of this machine, or not there."""
+        return is_on_disk_of(self.settings, self.data)
+
     def look(self) -> ArchiveLook:
         """Looks in the archive for what it should have, by names and sizes: ``verify`` reads all.
 
         Raises:
             StoreError: the archive cannot be reached, or its disk is not mounted.
+            OperationError: it lies in the data folder, or that in it.
         """
+        check_apart(self.settings, self.data)
         present, _ = self._list_known()
         self._check_mounted(read_owner(self.store))
         read_at = min((note.verified_at for note in present), default="")
@@ -126,6 +134,7 @@ class Archive:
                 record that itself cannot be read, or copied under its name, is reported after all
                 others are copied.
         """
+        check_apart(self.settings, self.data)
         with archive_lock(self.data):
             self._clean_up()
             self._check_marker()
@@ -156,6 +165,7 @@ class Archive:
             is copied again by the next ``run``.
         """
         damaged = []
+        check_apart(self.settings, self.data)
         with archive_lock(self.data):
             self._check_marker()
             present, _ = self._list_known()
@@ -231,10 +241,13 @@ class Archive:
 
         Raises:
             StoreError: the archive cannot be used, or its disk is not mounted.
-            OperationError: it is that of another station.
+            OperationError: it is that of another station, or a new one would lie in the data
+                folder, or that in it. What an earlier version has put there is still read.
         """
         place, found = self.settings.place, read_owner(self.store)
         self._check_mounted(found)
+        if found is None:
+            check_apart(self.settings, self.data)
         owner = owner_of(self.data, self._station)
         if found is None:
             claim_archive(self.store, place, owner)

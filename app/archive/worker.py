@@ -45,6 +45,8 @@ class ArchiveWorker:
         """Why the last attempt failed; None if it did not."""
         self.failures = 0
         """Attempts that failed since the last one that did not."""
+        self.is_on_same_disk: bool | None = None
+        """Whether the archive is on a disk of the records; None if not known, or on none here."""
         self._next_s = 0.0
         self._loop = Loop("archive", self._step, ending=archive.pace.ending)
 
@@ -79,6 +81,7 @@ class ArchiveWorker:
 
     def _attempt(self) -> float:
         try:
+            self.is_on_same_disk = self._archive.is_on_same_disk()
             self._archive.run()
         except ArchiveEndedError:
             return 0.0

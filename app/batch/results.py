@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import Any, ClassVar
 
 from app.archive.archive_settings import ArchiveSettings
+from app.archive.place import is_in_records, local_folder
 from app.archive.remote_store import PIECE_BYTES, read_document
 from app.archive.store_errors import is_of_whole_place
 from app.batch.calibrations import BySensor
@@ -181,8 +182,12 @@ def stem_of(station: str, record: str, key: str) -> str:
 
 def check_results_apart(output: ArchiveSettings, sources: Sequence[ArchiveSettings]) -> None:
     """Raises ``OperationError`` if results would be written into an archive or a data folder."""
+    place = local_folder(output)
     for source in sources:
-        if f"{output.url.rstrip('/')}/".startswith(f"{source.url.rstrip('/')}/"):
+        read = local_folder(source)
+        if f"{output.url.rstrip('/')}/".startswith(f"{source.url.rstrip('/')}/") or (
+            place is not None and read is not None and is_in_records(place, read)
+        ):
             raise OperationError(
                 "output-is-source",
                 message("batch-output-in-source", place=output.place),

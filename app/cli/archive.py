@@ -16,6 +16,7 @@ from app.console import (
     print_json,
     progress_bar,
     report_errors,
+    warn,
 )
 
 if TYPE_CHECKING:
@@ -53,18 +54,24 @@ def status(config: Config = None, data: DataFolder = None, as_json: AsJson = Fal
     with _open_archive(config, data) as opened:
         state, away = opened.state(), list_away(opened.data)
         place, look, problem = opened.settings.place, None, ""
+        same_disk = opened.is_on_same_disk()
         try:
             look = opened.look()
         except OperationError as error:
             problem = error.line
     if as_json:
         listed = [{"kind": note.kind, "id": note.id, "bytes": note.size_bytes} for note in away]
-        seen = {"look": asdict(look) if look is not None else None, "problem": problem}
+        seen = {
+            "look": asdict(look) if look is not None else None,
+            "same_disk": same_disk,
+            "problem": problem,
+        }
         print_json({"place": place, **asdict(state), "in_archive_only": listed, **seen})
     else:
         _print_state(place, state, look)
         for note in away:
             print(f"{note.kind} {note.id}, {note.size_bytes / 1e6:.1f} MB")
+        _warn_of_same_disk(opened)
     if look is None:
         fail(problem)
     if look.incomplete:
@@ -97,7 +104,15 @@ def run(config: Config = None, data: DataFolder = None) -> None:
     """Copy everything that is finished, then remove what the rules of retention let go."""
     with _open_archive(config, data) as opened, progress_bar("Archiving", True) as progress:
         copied = opened.run(progress)
+        _warn_of_same_disk(opened)
     print(f"{count_words(copied, 'record')} copied to {opened.settings.place} and verified.")
+
+
+def _warn_of_same_disk(opened: "Archive") -> None:
+    from app.messages.message import message
+
+    if opened.is_on_same_disk():
+        warn(message("archive-on-same-disk", place=opened.settings.place))
 
 
 @archive.command()

@@ -1,6 +1,7 @@
 """``fleet.toml``: the catalogue's database, the stations, their archives or data folders, and the
 broker."""
 
+import os
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Annotated, Self
@@ -9,6 +10,7 @@ from urllib.parse import quote
 from pydantic import AfterValidator, Field, ValidationInfo, model_validator
 
 from app.archive.archive_settings import ArchiveSettings
+from app.archive.place import local_folder
 from app.errors import OperationError
 from app.fleet.collection.collector import CollectedStation
 from app.fleet.collection.places import ArchivePlace, FolderPlace, RecordPlace
@@ -71,10 +73,10 @@ class StationPlaces(TomlTable):
     def own_places(self) -> Iterator[tuple[str, str]]:
         """Its places for messages, each after what tells it from all others."""
         if self.data is not None:
-            yield str(self.data.resolve()), str(self.data)
+            yield os.path.realpath(self.data), str(self.data)
         if self.archive is not None:
-            url = self.archive.url.rstrip("/")
-            same = str(Path(url).resolve()) if self.archive.is_folder else url
+            folder = local_folder(self.archive)
+            same = os.path.realpath(folder) if folder else self.archive.url.rstrip("/")
             yield f"{self.archive.endpoint or ''} {same}".strip(), self.archive.place
 
     def places(self) -> list[RecordPlace]:

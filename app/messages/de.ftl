@@ -95,12 +95,15 @@ archive-check-keys = Prüfen Sie access_key, secret_file und die Rechte des Arch
 archive-check-network = Prüfen Sie das Netz, den endpoint und ob der Server des Archivs läuft; die Station versucht es von selbst wieder
 archive-check-url = Hängen Sie den Datenträger ein, legen Sie den Ordner oder Bucket an, oder berichtigen Sie url in [archive] der station.toml
 archive-complete = Alles Abgeschlossene ist in { $place }, dort gelesen und verglichen. Auch auf dieser Platte: { $archived }. Nur dort: { $away }.
+archive-copies-itself = Aufzeichnungen würden in sich selbst kopiert, und ihre einzigen Kopien könnten auf einem Datenträger verschoben werden
 archive-copy-differs = { $name } weicht im Archiv von dem ab, was geschrieben wurde
 archive-copying =
     { $waiting ->
         [one] { $waiting } Datensatz ({ $size }) wird nach { $place } kopiert.
        *[other] { $waiting } Datensätze ({ $size }) werden nach { $place } kopiert.
     }
+archive-disk = Datenträger des Archivs
+archive-disk-why = Fällt ein Datenträger aus, ist alles verloren, was darauf liegt.
 archive-fetch-record = Nur im Archiv. Zurückholen mit: crenel archive fetch { $kind } { $id }
 archive-fetched = { $name } ist aus dem Archiv zurück.
 archive-fetching = { $name } wird aus dem Archiv geholt
@@ -120,12 +123,17 @@ archive-loses-data = das Archiv hält nicht, was geschrieben wird
 archive-make-room = Schaffen Sie dort Platz, oder nennen Sie ein anderes Archiv; die Station versucht es von selbst wieder
 archive-manifest-damaged = { $name } im Archiv ist beschädigt
 archive-missing = Das Archiv { $place } ist nicht da
+archive-name-other-disk = Nennen Sie als url in [archive] von station.toml einen Ordner auf einem anderen Datenträger oder einen Speicher eines anderen Rechners.
+archive-name-place-apart = Nennen Sie als url in [archive] von station.toml einen Ordner außerhalb, am besten auf einem anderen Datenträger; sind schon Aufzeichnungen archiviert, kopieren Sie deren Ordner zuerst dorthin, mit crenel-archive.txt
 archive-name-secret-file = Nennen Sie eine Datei, die nur den geheimen Schlüssel enthält
 archive-needs-space = Der Datensatz braucht { $size }
 archive-no-marker = dort fehlt crenel-archive.txt, die diese Station dort geschrieben hat
 archive-not-set = station.toml nennt kein Archiv
 archive-of-another = Das Archiv { $place } ist das einer anderen Station: es enthält keinen Datensatz dieser Station
 archive-of-station = Das Archiv { $place } ist das der Station { $station }
+archive-on-own-disk = Das Archiv { $place } liegt nicht auf dem Datenträger des Datenordners.
+archive-on-same-disk = Das Archiv { $place } liegt auf demselben Datenträger wie der Datenordner: Es schützt nur vor gelöschten Dateien.
+archive-overlaps-data = Das Archiv { $place } und der Datenordner { $folder } liegen ineinander
 archive-own-place = Nennen Sie für diese Station einen eigenen Ort als url in [archive] der station.toml; wenn diese Station jenes Archiv mit einem neuen Datenordner fortsetzt, entfernen Sie dort crenel-archive.txt
 archive-path-leads-out = { $path } führt aus dem Ordner des Datensatzes hinaus
 archive-record-changes = { $path } ändert sich beim Kopieren

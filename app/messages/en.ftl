@@ -95,12 +95,15 @@ archive-check-keys = Check access_key, secret_file and the permissions of the ar
 archive-check-network = Check the network, the endpoint and whether the archive's server runs; the station tries again by itself
 archive-check-url = Mount its disk, create the folder or the bucket, or correct url in [archive] of station.toml
 archive-complete = Everything that is finished is in { $place }, read there and compared. Also on this disk: { $archived }. Only there: { $away }.
+archive-copies-itself = records would be copied into themselves, and their only copies could be moved on one disk
 archive-copy-differs = { $name } differs in the archive from what was written to it
 archive-copying =
     { $waiting ->
         [one] { $waiting } record ({ $size }) is being copied to { $place }.
        *[other] { $waiting } records ({ $size }) are being copied to { $place }.
     }
+archive-disk = Disk of the archive
+archive-disk-why = A disk that fails takes everything that is on it.
 archive-fetch-record = In the archive only. Bring it back with: crenel archive fetch { $kind } { $id }
 archive-fetched = { $name } is back from the archive.
 archive-fetching = Bringing { $name } back from the archive
@@ -120,12 +123,17 @@ archive-loses-data = the archive does not hold what is written to it
 archive-make-room = Make room there, or name another archive; the station tries again by itself
 archive-manifest-damaged = { $name } in the archive is damaged
 archive-missing = The archive { $place } is not there
+archive-name-other-disk = Name a folder on another disk, or a store of another machine, as url in [archive] of station.toml.
+archive-name-place-apart = Name a folder outside of it, best on another disk, as url in [archive] of station.toml; if there are archived records already, copy that folder there first, with crenel-archive.txt
 archive-name-secret-file = Name a file that contains only the secret key
 archive-needs-space = The record needs { $size }
 archive-no-marker = it lacks crenel-archive.txt, which this station wrote there
 archive-not-set = station.toml names no archive
 archive-of-another = The archive { $place } is that of another station: it has none of this station's records
 archive-of-station = The archive { $place } is that of the station { $station }
+archive-on-own-disk = The archive { $place } is not on the disk of the data folder.
+archive-on-same-disk = The archive { $place } is on the same disk as the data folder: it protects from deleted files only.
+archive-overlaps-data = The archive { $place } and the data folder { $folder } lie in one another
 archive-own-place = Name a place of its own for this station as url in [archive] of station.toml; if this station continues that archive with a new data folder, remove crenel-archive.txt there
 archive-path-leads-out = { $path } leads out of the record's folder
 archive-record-changes = { $path } changes while it is copied

@@ -148,6 +148,9 @@ def archive(
         retry_s: until the next attempt.
     """
     title, why = message("archive"), message("archive-why")
+    if trouble is not None and trouble.code == "archive-inside":
+        what, remedy = trouble.reason, sentence(trouble.remedy)
+        return HealthItem("archive", title, "bad", what, why, remedy)
     if trouble is not None:
         what = message(
             "archive-trouble",
@@ -163,3 +166,19 @@ def archive(
         return HealthItem("archive", title, "good", what, why, "")
     what = message("archive-complete", place=place, archived=archived, away=away)
     return HealthItem("archive", title, "good", what, why, "")
+
+
+def archive_disk(place: str, same_disk: bool | None) -> list[HealthItem]:
+    """Whether the archive outlives the disk of the records.
+
+    Args:
+        same_disk: None where the archive is on no disk of this machine, or not known yet.
+    """
+    title, why = message("archive-disk"), message("archive-disk-why")
+    if same_disk is None:
+        return []
+    if not same_disk:
+        what = message("archive-on-own-disk", place=place)
+        return [HealthItem("archive-disk", title, "good", what, why, "")]
+    what, remedy = message("archive-on-same-disk", place=place), message("archive-name-other-disk")
+    return [HealthItem("archive-disk", title, "attention", what, why, remedy)]

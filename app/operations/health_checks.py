@@ -179,7 +179,8 @@ class HealthChecker:
                 state.away,
                 trouble,
                 retry_s,
-            )
+            ),
+            *storage_health.archive_disk(worker.place, worker.is_on_same_disk),
         ]
 
     def _clock(self) -> list[HealthItem]:

@@ -15,6 +15,7 @@ from app.archive.records import RecordLists
 from app.archive.worker import ArchiveWorker
 from app.errors import OperationError
 from app.formats.file_names import register_data_folder, unregister_data_folder
+from app.formats.real_folders import share_disk
 from app.loops import start_worker
 from app.messages.message import Text, message
 from app.monitoring.health import Health
@@ -77,7 +78,7 @@ class Backups:
     def __init__(self, bus: Bus, data: Path, folder: Path | None) -> None:
         self._bus, self._data = bus, data
         self.folder = folder or data / "backups"
-        self.same_disk = _disk(self.folder) == _disk(data)
+        self.same_disk = share_disk(self.folder, data)
         self.share: float | None = None
         """Completed share of the running backup; null if none is running."""
         self.trouble: Text = ""
@@ -115,13 +116,6 @@ class Backups:
 
     def _progress(self, share: float, text: Text) -> None:
         self.share = share
-
-
-def _disk(folder: Path) -> int | None:
-    for place in (folder, *folder.parents):
-        if place.exists():
-            return place.stat().st_dev
-    return None
 
 
 class MonitoringServices:

@@ -23,6 +23,7 @@ from app.formats.file_names import display_path, escape_unprintable
 from app.formats.io_errors import convert_io_errors, error_from_os
 from app.formats.json_document import SOFTWARE, file_sha256
 from app.formats.open_file import open_file, read_bounded
+from app.formats.real_folders import is_within
 from app.messages.message import message, quantity
 from app.progress import Progress, no_progress
 from app.timestamps import is_moment, utc_now
@@ -115,8 +116,7 @@ def check_data_folder(data: Path) -> None:
 
 def _check(data: Path, output: Path) -> None:
     check_data_folder(data)
-    place = Path(os.path.realpath(output))  # resolve fails for a loop of links
-    if place.is_relative_to(data) and not place.is_relative_to(data / "backups"):
+    if is_within(output, data) and not is_within(output, data / "backups"):
         raise OperationError(
             "output-inside",
             message("folder-inside-data-folder", folder=output),

@@ -79,6 +79,8 @@ def test_a_scan_that_left_the_disk_is_listed_and_comes_back_while_the_station_ru
         )
         for name in ("archive", "recordings", "records"):
             assert health[name]["quality"] == "good", health[name]
+        assert health["archive-disk"]["quality"] == "attention"
+        assert english(health["archive-disk"]["what"]).startswith(f"The archive {place} is on the")
         missing = server.http.get("/api/scans/old/cloud.ply")
         assert missing.status_code == 404
         assert "crenel archive fetch" in missing.text
