@@ -160,7 +160,7 @@ def _read_object(path: Path) -> dict[str, Any]:
     text = read_text(path)
     try:
         plain = json.loads(text)
-        if _is_deeper(plain, DEEPEST):
+        if is_deep(plain):
             raise RecursionError
         fields = restore_texts(plain)
     except (ValueError, RecursionError) as error:
@@ -182,10 +182,10 @@ def _read_object(path: Path) -> dict[str, Any]:
     return fields
 
 
-def _is_deeper(plain: object, levels: int) -> bool:
-    """Whether more objects and lists than so many are within each other."""
+def is_deep(plain: object) -> bool:
+    """Whether more objects and lists are within each other than in any document."""
     level = [plain] if isinstance(plain, dict | list) else []
-    for _ in range(levels):
+    for _ in range(DEEPEST):
         inner = (one.values() if isinstance(one, dict) else one for one in level)
         level = [one for some in inner for one in some if isinstance(one, dict | list)]
         if not level:

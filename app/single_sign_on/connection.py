@@ -4,13 +4,14 @@ import asyncio
 import json
 import logging
 import ssl
+import zlib
 from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import Any
 
 import httpx
 
-from app.formats.json_document import is_valid_unicode
+from app.formats.json_document import is_deep, is_valid_unicode
 from app.messages.message import message
 from app.single_sign_on.errors import ProviderAwayError
 from app.single_sign_on.settings import is_encrypted_or_local
@@ -18,6 +19,8 @@ from app.single_sign_on.settings import is_encrypted_or_local
 log = logging.getLogger(__name__)
 ANSWER_WITHIN_S = 5.0
 LARGEST_ANSWER = 1 << 20
+COMPRESSED = ("gzip", "x-gzip", "deflate")
+"""What some send, though nothing compressed is asked for."""
 SERVER_ERROR = 500
 
 
@@ -80,10 +83,17 @@ class ProviderConnection:
         try:
             async with (
                 asyncio.timeout(ANSWER_WITHIN_S),
-                httpx.AsyncClient(verify=self._tls, timeout=ANSWER_WITHIN_S) as client,
+                httpx.AsyncClient(
+                    verify=self._tls,
+                    timeout=ANSWER_WITHIN_S,
+                    headers={"Accept-Encoding": "identity"},
+                ) as client,
                 client.stream(method, address, **options) as answer,
             ):
-                return answer.status_code, _json_object(await _read(answer))
+                raw, encoding = await _read(answer), answer.headers.get("Content-Encoding", "")
+                # a long document would hold the event loop
+                document = await asyncio.to_thread(_parse_object, raw, encoding)
+                return answer.status_code, document
         except (
             *(httpx.HTTPError, httpx.InvalidURL, TimeoutError, OSError),
             ValueError,  # of a host name that cannot be encoded
@@ -115,22 +125,40 @@ class ProviderConnection:
 
 
 async def _read(answer: httpx.Response) -> bytes:
-    """The body; an empty one if it is too large to be an answer to what was asked."""
+    """The body as sent; an empty one if it is too large to be an answer to what was asked."""
     read = bytearray()
-    async for part in answer.aiter_bytes():
+    async for part in answer.aiter_raw():
         read += part
         if len(read) > LARGEST_ANSWER:
             return b""
     return bytes(read)
 
 
-def _json_object(raw: bytes) -> dict[str, Any] | None:
+def _parse_object(raw: bytes, encoding: str) -> dict[str, Any] | None:
     try:
-        document = json.loads(raw)
-        usable = isinstance(document, dict) and is_valid_unicode(document)
-    except (ValueError, RecursionError):
+        document = json.loads(_unpack(raw, encoding.strip().lower()))
+        usable = isinstance(document, dict) and not is_deep(document)
+    except (ValueError, RecursionError, zlib.error):
         return None
-    return document if usable else None
+    return document if usable and is_valid_unicode(document) else None
+
+
+def _unpack(raw: bytes, encoding: str) -> bytes:
+    """The body of an answer, compressed or not.
+
+    Raises:
+        ValueError: it unpacks to more than an answer has, or in a way that was not asked for.
+        zlib.error: it is damaged.
+    """
+    if encoding in ("", "identity"):
+        return raw
+    if encoding not in COMPRESSED:
+        raise ValueError(encoding)
+    unpacker = zlib.decompressobj(zlib.MAX_WBITS | 32)  # tells gzip from deflate
+    content = unpacker.decompress(raw, LARGEST_ANSWER)
+    if not unpacker.eof:
+        raise ValueError(encoding)
+    return content
 
 
 def _causes(error: BaseException | None) -> Iterator[BaseException]:

@@ -20,7 +20,7 @@ from joserfc.errors import (
 from joserfc.jwk import JWKRegistry, Key, KeySet
 from joserfc.jws import JWSRegistry
 
-from app.formats.json_document import is_valid_unicode
+from app.formats.json_document import is_deep, is_valid_unicode
 from app.messages.message import message
 from app.single_sign_on.errors import SignInError
 from app.single_sign_on.pending import base64url
@@ -98,11 +98,11 @@ def read_id_token(
         if isinstance(error, ExpiredTokenError) or error.claim in TIMES:
             raise _clock_error(name) from error
         raise _foreign_error(name) from error
-    except (JoseError, ValueError, TypeError) as error:
+    except (JoseError, ValueError, TypeError, RecursionError) as error:
         log.warning("an ID token of %s is refused: %s", name, error)
         raise signature_error(name) from error
-    if not is_valid_unicode(claims):
-        log.warning("an ID token of %s is refused: half of a character", name)
+    if is_deep(claims) or not is_valid_unicode(claims):
+        log.warning("an ID token of %s is refused: nested deeply, or half of a character", name)
         raise _foreign_error(name)
     _check_parties(claims, client_id, name)
     _check_access_token(claims.get("at_hash"), access_token, str(read.header.get("alg")), name)

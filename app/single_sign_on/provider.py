@@ -250,7 +250,9 @@ class Provider:
         for fresh in (False, True):
             keys = await self._read_keys(metadata, fresh)
             try:
-                return read_id_token(id_token, keys, issuer, client, nonce, access_token, self.name)
+                return await asyncio.to_thread(
+                    read_id_token, id_token, keys, issuer, client, nonce, access_token, self.name
+                )
             except UnknownKeyError as error:
                 log.info("an ID token of %s has another key: %s", self.name, error.__cause__)
         raise signature_error(self.name)
@@ -259,7 +261,8 @@ class Provider:
         known = self._keys
         if known is not None and not fresh and self._clock() - known[0] < KEYS_S:
             return known[1]
-        keys = read_keys(await self._connection.get_document(metadata["jwks_uri"]))
+        document = await self._connection.get_document(metadata["jwks_uri"])
+        keys = await asyncio.to_thread(read_keys, document)
         self._keys = self._clock(), keys
         return keys
 

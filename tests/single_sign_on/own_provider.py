@@ -44,11 +44,15 @@ class OwnProvider:
     """In place of its own public key, if not empty."""
     claims: dict[str, object] = field(default_factory=dict)
     """In place of the right ones; None leaves a claim out."""
+    payload: bytes = b""
+    """In place of all claims, if not empty."""
     header: dict[str, str] = field(default_factory=dict)
     metadata: dict[str, object] = field(default_factory=dict)
     user_info: dict[str, object] = field(default_factory=dict)
     raw: dict[str, bytes] = field(default_factory=dict)
     """Answers by path, in place of the right ones."""
+    encoding: str = ""
+    """How it says that its answers are compressed."""
     asked: list[str] = field(default_factory=list)
     """Paths, in the order of the requests."""
     token_answer: tuple[int, dict[str, object]] | None = None
@@ -124,7 +128,7 @@ class OwnProvider:
         claims = {key: value for key, value in claims.items() if value is not None}
         header = {"alg": "RS256", "kid": "first", **self.header}
         if header["alg"] == "RS256":
-            payload = json.dumps(claims).encode()  # any text, as its escape
+            payload = self.payload or json.dumps(claims).encode()  # any text, as its escape
             return jws.serialize_compact(header, payload, self.key, ["RS256"])
         parts = [base64url(json.dumps(part).encode()) for part in (header, claims)]
         signature = b""
@@ -176,6 +180,8 @@ class _Handler(BaseHTTPRequestHandler):
     def _send(self, status: int, body: bytes) -> None:
         self.send_response(status)
         self.send_header("Content-Type", "application/json")
+        if self.provider.encoding:
+            self.send_header("Content-Encoding", self.provider.encoding)
         self.send_header("Content-Length", str(len(body)))
         self.end_headers()
         self.wfile.write(body)

@@ -1,17 +1,22 @@
 """A sign-in with a provider: what must be right in its answer, and what is said if it is not."""
 
 import asyncio
+import gzip
+import json
 import socket
 import ssl
 import time
+import zlib
 from collections.abc import Iterator
 from dataclasses import replace
+from functools import reduce
 from pathlib import Path
 
 import pytest
 import trustme
 from joserfc.jwk import ECKey, OctKey
 
+from app.formats.json_document import DEEPEST
 from app.single_sign_on import connection
 from app.single_sign_on.connection import LARGEST_ANSWER
 from app.single_sign_on.errors import SignInError
@@ -74,6 +79,7 @@ def test_a_person_signs_in(client: Client) -> None:
         ({"at_hash": 7}, "foreign"),
         ({"sub": "\ud800"}, "foreign"),
         ({"groups": ["\ud800"]}, "foreign"),
+        ({"groups": reduce(lambda inner, _: [inner], range(DEEPEST), "")}, "foreign"),
         ({"exp": None}, "clock"),
         ({"exp": "soon"}, "clock"),
         ({"preferred_username": None}, "no-name"),
@@ -85,6 +91,11 @@ def test_a_token_for_something_else_is_refused(
 ) -> None:
     client.own.claims = claims
     assert client.failure() == f"sign-in-{code}"
+
+
+def test_a_token_that_is_nested_without_end_is_refused(client: Client) -> None:
+    client.own.payload = b'{"a":' * 50_000
+    assert client.failure() == "sign-in-signature"
 
 
 @pytest.mark.parametrize(
@@ -255,12 +266,31 @@ def test_a_provider_that_is_away_differs_from_one_that_is_none(client: Client) -
     client.own.metadata = {"token_endpoint": "http://sso.example.org/token"}
     assert client.failure() == "sign-in-provider-unusable"
     client.own.metadata = {}
-    for raw in (b"<html>", b"[]", b" " * (LARGEST_ANSWER + 1), b"[" * 100_000):
+    nested = b'{"issuer":' * DEEPEST + b"{}" + b"}" * DEEPEST
+    for raw in (b"<html>", b"[]", b" " * (LARGEST_ANSWER + 1), b"[" * 100_000, nested):
         client.own.raw["/.well-known/openid-configuration"] = raw
         assert client.failure() == "sign-in-provider-unusable"
     client.own.raw.clear()
     assert client.check() == ""
     assert client.trouble == ""
+
+
+def test_compressed_answers_are_unpacked_up_to_the_size_of_an_answer(client: Client) -> None:
+    path = "/.well-known/openid-configuration"
+    usable, bomb = json.dumps(client.own.document(path)).encode(), gzip.compress(bytes(1 << 28))
+    for encoding, raw, trouble in (
+        ("gzip", gzip.compress(usable), ""),
+        ("deflate", zlib.compress(usable), ""),
+        ("gzip", bomb, "unusable"),
+        ("gzip", gzip.compress(bomb), "unusable"),
+        ("gzip", gzip.compress(usable)[:-1], "unusable"),
+        ("gzip, gzip", gzip.compress(gzip.compress(usable)), "unusable"),
+        ("br", usable, "unusable"),
+    ):
+        client.own.raw[path], client.own.encoding = raw, encoding
+        client.own.asked.clear()
+        assert bool(client.check()) == bool(trouble), (encoding, raw[:80])
+        assert client.own.asked == [path]
 
 
 def test_a_provider_that_nobody_reaches_or_that_is_silent(
