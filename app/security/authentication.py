@@ -52,8 +52,8 @@ class Authenticator:
         self._throttle = Throttle()
         self._lock = threading.Lock()
         self._code = code
-        if guest is not None and accounts.get(guest) is None:
-            accounts.add(guest, Role.admin, None)
+        if guest is not None:
+            accounts.admit_guest(guest)
 
     @property
     def first_start(self) -> bool:
@@ -63,7 +63,7 @@ class Authenticator:
     @property
     def by_code(self) -> bool:
         """Whether the code signs a guest in."""
-        return self._guest is not None
+        return self._guest is not None and self._accounts.get(self._guest) is not None
 
     @property
     def code(self) -> str | None:

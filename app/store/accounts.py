@@ -19,6 +19,8 @@ SHORTEST_PASSWORD, LONGEST_PASSWORD = 10, 200
 HASHER = PasswordHasher()
 NO_PASSWORD = "!"
 """In place of a hash: the account can sign in with a link, or at a provider, only."""
+ADMINS = "SELECT name FROM account WHERE role = 'admin' AND (password <> ? OR name = ?)"
+"""Those who can sign in: with a password, or as the guest."""
 
 
 class Role(IntEnum):
@@ -48,6 +50,7 @@ class AccountStore:
 
     def __init__(self, database: Database) -> None:
         self._database = database
+        self._guest = ""
 
     def all(self) -> list[Account]:
         """All accounts, by name."""
@@ -59,7 +62,14 @@ class AccountStore:
 
     def has_admin(self) -> bool:
         """Whether anyone can sign in as an administrator."""
-        return bool(self._admins())
+        return bool(self._database.read(ADMINS, NO_PASSWORD, self._guest))
+
+    def admit_guest(self, name: str) -> None:
+        """Lets an account sign in with the console's code while this process runs; creates it as
+        an administrator if it does not exist."""
+        if self.get(name) is None:
+            self.add(name, Role.admin, None)
+        self._guest = name
 
     def add(self, name: str, role: Role, password: str | None) -> Account:
         """Creates an account; without a password, it can sign in with a link only.
@@ -160,19 +170,23 @@ class AccountStore:
         """Raises ``OperationError`` if no administrator would be left, or for an account of a
         provider."""
         self.check_local(name)
-        self._check_admin_left(name, role)
         with self._database.transaction() as connection:
+            self._check_admin_left(connection, name, role)
             connection.execute("UPDATE account SET role = ? WHERE name = ?", (role.name, name))
 
     def remove(self, name: str) -> None:
         """Removes an account with its login sessions; raises ``OperationError`` like
         ``set_role``."""
-        self._check_admin_left(name, None)
         with self._database.transaction() as connection:
+            self._check_admin_left(connection, name, None)
             connection.execute("DELETE FROM account WHERE name = ?", (name,))
 
-    def _check_admin_left(self, name: str, role: Role | None) -> None:
-        admins = {admin.lower() for admin in self._admins()}
+    def _check_admin_left(
+        self, connection: sqlite3.Connection, name: str, role: Role | None
+    ) -> None:
+        """Within the transaction of the change: two administrators may remove each other."""
+        rows = connection.execute(ADMINS, (NO_PASSWORD, self._guest))
+        admins = {row["name"].lower() for row in rows}
         if role is not Role.admin and admins == {name.lower()}:
             raise OperationError(
                 "last-admin",
@@ -180,13 +194,6 @@ class AccountStore:
                 message("somebody-must-able-give-people-access"),
                 message("make-somebody-else-administrator-first"),
             )
-
-    def _admins(self) -> list[str]:
-        """Names of the administrators who can sign in."""
-        rows = self._database.read(
-            "SELECT name FROM account WHERE role = 'admin' AND password <> ?", NO_PASSWORD
-        )
-        return [row["name"] for row in rows]
 
     def _hash_password(self, name: str, password: str) -> str:
         if not SHORTEST_PASSWORD <= len(password) <= LONGEST_PASSWORD:

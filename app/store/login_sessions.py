@@ -13,6 +13,7 @@ from dataclasses import dataclass
 from datetime import UTC, datetime, timedelta
 
 from app.errors import OperationError
+from app.messages.message import message
 from app.store.access_tokens import TOKEN_BYTES, AccessTokenStore, token_digest
 from app.store.accounts import Role
 from app.store.database import NOT_SAVED, Database
@@ -52,7 +53,11 @@ class LoginSessionStore:
         """Browsers that signed in while the disk was full: account and time."""
 
     def begin(self, account: str, device: str) -> str:
-        """Signs a browser in; returns its cookie, which is shown only once."""
+        """Signs a browser in; returns its cookie, which is shown only once.
+
+        Raises:
+            OperationError: the account was removed just now.
+        """
         token = secrets.token_urlsafe(TOKEN_BYTES)
         now = utc_now()
         try:
@@ -62,6 +67,10 @@ class LoginSessionStore:
                     " VALUES (?, ?, ?, ?, ?)",
                     (token_digest(token), account, device[:200], now, now),
                 )
+        except sqlite3.IntegrityError as error:
+            raise OperationError(
+                "account-gone", message("there-no-account", name=account)
+            ) from error
         except OperationError as error:  # a full disk keeps nobody out; the next start does
             if error.code != NOT_SAVED:
                 raise

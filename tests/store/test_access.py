@@ -8,6 +8,7 @@ import pytest
 from app.messages.catalogue import renderer
 from app.messages.message import message
 from app.monitoring.log_store import LogStore
+from app.security.authentication import Authenticator
 from app.store import login_sessions as sign_ins
 from app.store.accounts import Role
 from app.store.store import Store
@@ -37,11 +38,27 @@ def test_passwords_match_their_own_account_only(store: Store) -> None:
         assert store.accounts.authenticate(name, password) is None
 
 
-def test_a_guest_has_no_password_and_is_no_administrator_who_can_sign_in(store: Store) -> None:
+def test_a_guest_has_no_password_and_is_an_administrator_while_the_code_lets_it_in(
+    store: Store,
+) -> None:
     store.accounts.add("Demo", Role.admin, None)
     assert not store.accounts.has_admin()
     assert store.accounts.authenticate("Demo", "!") is None
     assert store.accounts.authenticate("Demo", "") is None
+    entrance = Authenticator(store.accounts, store.login_sessions, store.api_tokens, "Demo", "ABCD")
+    for name in ("Demo", "demo"):
+        with refused("last-admin"):
+            store.accounts.remove(name)
+        with refused("last-admin"):
+            store.accounts.set_role(name, Role.operator)
+    assert entrance.guest_by_code("abcd", "::1") == "Demo"
+    store.accounts.add("Anna", Role.admin, PASSWORD)
+    store.accounts.remove("Demo")
+    assert entrance.guest_by_code("abcd", "::1") is None
+    with refused("account-gone"):
+        store.login_sessions.begin("Demo", "a browser")
+    with refused("last-admin"):
+        store.accounts.remove("Anna")
 
 
 @pytest.mark.parametrize(
