@@ -18,6 +18,7 @@ from app.archive.store_errors import (
 )
 from app.errors import OperationError
 from app.formats.atomic_write import atomic_file, ensure_folder
+from app.formats.file_modes import share_as
 from app.formats.io_errors import error_from_os
 from app.formats.open_file import LARGEST_DOCUMENT, open_file
 from app.messages.message import message
@@ -86,12 +87,20 @@ class FolderStore:
             if not self._root.is_dir():
                 raise FileNotFoundError(errno.ENOENT, os.strerror(errno.ENOENT), self._place)
             with convert_foreign_kinds(name):
-                ensure_folder(path.parent)
+                self._ensure_folder(path.parent)
             # an OperationError of the disk says "full" or "forbidden" for this file: it is the
             # archive's, as the pieces raise their own
             with convert_foreign_kinds(name), atomic_file(path) as file:
                 for piece in pieces:
                     file.write(piece)
+                share_as(Path(file.name), self._root)
+
+    def _ensure_folder(self, folder: Path) -> None:
+        """As ``ensure_folder``; those who may read in the archive may read in it, too."""
+        if not folder.is_dir() and folder != self._root:
+            self._ensure_folder(folder.parent)
+            ensure_folder(folder)
+            share_as(folder, self._root)
 
     def read(self, name: str) -> Iterator[bytes]:
         with _converting(self, name), self._open(name) as file:

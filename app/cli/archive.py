@@ -170,6 +170,7 @@ def _open_archive(config: Path | None, data: Path | None) -> "Iterator[Archive]"
     from app.archive.pace import full_speed
     from app.archive.records import open_record_lists
     from app.errors import OperationError
+    from app.formats.file_modes import private_files
     from app.messages.message import message
     from app.settings.station_toml import read_settings
 
@@ -179,5 +180,5 @@ def _open_archive(config: Path | None, data: Path | None) -> "Iterator[Archive]"
             "no-archive", message("archive-not-set"), remedy=message("archive-write-table")
         )
     folder = (data or settings.station.data).absolute()
-    with open_record_lists(folder) as lists:
+    with private_files(), open_record_lists(folder) as lists:
         yield Archive(settings.archive, settings.station.name, folder, lists, full_speed())

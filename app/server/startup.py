@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING
 from starlette.applications import Starlette
 
 from app.errors import OperationError
+from app.formats.file_modes import private_files
 from app.monitoring.system_info import Network
 from app.security.console_code import new_code
 from app.server.listener import (
@@ -289,7 +290,8 @@ def run(
 
     starting.on_ready, starting.on_failed = ready, failed
     try:
-        server.run(sockets=[listening])
+        with private_files():
+            server.run(sockets=[listening])
     except KeyboardInterrupt:
         pass  # uvicorn raises the signal again after a regular end
     finally:

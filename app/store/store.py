@@ -4,6 +4,7 @@ from pathlib import Path
 
 from app.errors import OperationError
 from app.formats.atomic_write import ensure_folder
+from app.formats.file_modes import close_to_others
 from app.formats.file_names import register_data_folder, unregister_data_folder
 from app.formats.io_errors import error_from_os
 from app.formats.settings.scan_settings import AUTOMATIC, ScanSettings
@@ -63,6 +64,7 @@ class Store:
         try:
             for name in FOLDERS:
                 ensure_folder(self.folder / name)
+            close_to_others(self.folder)
             self._lock = FolderLock(self.folder)
         except OSError as error:
             if error.errno in FULL:

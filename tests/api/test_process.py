@@ -136,6 +136,8 @@ def test_a_new_station_gets_its_devices_in_the_browser(tmp_path: Path) -> None:
         end(process)
     tables = tomllib.loads((tmp_path / "station.toml").read_text())
     assert tables == {"sensor": {"driver": "folder", "path": str(tmp_path)}}
+    created = [tmp_path / "station.toml", tmp_path / "data", *(tmp_path / "data").rglob("*")]
+    assert [path for path in created if path.stat().st_mode & 0o077] == []
 
 
 def test_a_station_over_tls(tmp_path: Path) -> None:

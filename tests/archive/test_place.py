@@ -10,6 +10,7 @@ from app.archive.archive_settings import ArchiveSettings
 from app.archive.place import check_apart
 from app.batch.results import check_results_apart
 from app.errors import OperationError
+from app.formats.file_modes import private_files
 from app.formats.real_folders import share_disk
 from app.store.store import Store
 from tests.archive.filled import add_scan, archive_of, content_of
@@ -84,6 +85,21 @@ def test_a_folder_under_another_name_by_a_second_mount_is_the_same(
     )
     with refused("archive-inside"):
         check_apart(settings, store.folder)
+
+
+@pytest.mark.parametrize("mode", [0o700, 0o755, 0o2775])
+def test_who_may_read_in_the_folder_of_the_archive_may_read_the_copies(
+    store: Store, place: Path, mode: int
+) -> None:
+    add_scan(store, "one", 1000)
+    place.chmod(mode)
+    with private_files():
+        archive_of(store, str(place)).run()
+    copied = list(place.rglob("*"))
+    assert any(path.name == "scan.mcap" for path in copied)
+    for path in copied:
+        most = 0o755 if path.is_dir() else 0o644
+        assert path.stat().st_mode & 0o777 == mode & most, path
 
 
 def test_results_are_not_written_into_records_under_another_name(
