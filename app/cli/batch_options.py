@@ -63,7 +63,11 @@ Workers = Annotated[
 ]
 Scheduler = Annotated[
     str | None,
-    typer.Option("--scheduler", metavar="tcp://HOST:8786", help="Use this cluster of Dask."),
+    typer.Option(
+        "--scheduler",
+        metavar="tcp://HOST:8786",
+        help="Use this cluster of Dask; whoever reaches it runs programs there and here.",
+    ),
 ]
 
 

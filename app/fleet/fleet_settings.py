@@ -122,7 +122,8 @@ class CloudSettings(TomlTable):
     limit_gb: Annotated[float, Field(ge=0.1, le=1_000_000, allow_inf_nan=False)] = 20.0
     """Of all that are kept; those that were not used for longest are removed."""
     scheduler: NonEmpty | None = None
-    """Of Dask, whose workers make them; without it, a process of the server does."""
+    """Of Dask, whose workers make them; without it, a process of the server does. Whoever reaches
+    it runs programs on the workers, and on this server."""
 
 
 class FleetSettings(TomlTable):
