@@ -18,7 +18,9 @@ from app.single_sign_on.settings import is_encrypted_or_local
 
 log = logging.getLogger(__name__)
 ANSWER_WITHIN_S = 5.0
-LARGEST_ANSWER = 1 << 20
+LARGEST_ANSWER = 1 << 19
+MOST_PARTS = 10_000
+"""Objects and lists of an answer: json reads all of them without giving way to other threads."""
 COMPRESSED = ("gzip", "x-gzip", "deflate")
 """What some send, though nothing compressed is asked for."""
 SERVER_ERROR = 500
@@ -136,7 +138,10 @@ async def _read(answer: httpx.Response) -> bytes:
 
 def _parse_object(raw: bytes, encoding: str) -> dict[str, Any] | None:
     try:
-        document = json.loads(_unpack(raw, encoding.strip().lower()))
+        content = _unpack(raw, encoding.strip().lower())
+        if content.count(b"{") + content.count(b"[") > MOST_PARTS:
+            return None
+        document = json.loads(content)
         usable = isinstance(document, dict) and not is_deep(document)
     except (ValueError, RecursionError, zlib.error):
         return None

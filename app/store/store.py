@@ -64,6 +64,7 @@ class Store:
         try:
             for name in FOLDERS:
                 ensure_folder(self.folder / name)
+                close_to_others(self.folder / name)  # it may be a link to another disk
             close_to_others(self.folder)
             self._lock = FolderLock(self.folder)
         except OSError as error:

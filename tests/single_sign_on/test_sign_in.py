@@ -9,7 +9,6 @@ import time
 import zlib
 from collections.abc import Iterator
 from dataclasses import replace
-from functools import reduce
 from pathlib import Path
 
 import pytest
@@ -18,7 +17,7 @@ from joserfc.jwk import ECKey, OctKey
 
 from app.formats.json_document import DEEPEST
 from app.single_sign_on import connection
-from app.single_sign_on.connection import LARGEST_ANSWER
+from app.single_sign_on.connection import LARGEST_ANSWER, MOST_PARTS
 from app.single_sign_on.errors import SignInError
 from app.single_sign_on.id_token import SKEW_S
 from app.single_sign_on.pending import ProviderAnswer
@@ -79,7 +78,7 @@ def test_a_person_signs_in(client: Client) -> None:
         ({"at_hash": 7}, "foreign"),
         ({"sub": "\ud800"}, "foreign"),
         ({"groups": ["\ud800"]}, "foreign"),
-        ({"groups": reduce(lambda inner, _: [inner], range(DEEPEST), "")}, "foreign"),
+        ({"groups": json.loads("[" * DEEPEST + "]" * DEEPEST)}, "foreign"),
         ({"exp": None}, "clock"),
         ({"exp": "soon"}, "clock"),
         ({"preferred_username": None}, "no-name"),
@@ -267,7 +266,8 @@ def test_a_provider_that_is_away_differs_from_one_that_is_none(client: Client) -
     assert client.failure() == "sign-in-provider-unusable"
     client.own.metadata = {}
     nested = b'{"issuer":' * DEEPEST + b"{}" + b"}" * DEEPEST
-    for raw in (b"<html>", b"[]", b" " * (LARGEST_ANSWER + 1), b"[" * 100_000, nested):
+    many = b'{"a":[' + b"[]," * MOST_PARTS + b"[]]}"
+    for raw in (b"<html>", b"[]", b" " * (LARGEST_ANSWER + 1), b"[" * 100_000, nested, many):
         client.own.raw["/.well-known/openid-configuration"] = raw
         assert client.failure() == "sign-in-provider-unusable"
     client.own.raw.clear()

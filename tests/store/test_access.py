@@ -184,9 +184,13 @@ def test_the_database_and_what_is_logged_are_for_the_owner_alone(store: Store) -
     book.close()
     assert book.folder.stat().st_mode & 0o777 == 0o700
     store.close()
-    store.folder.chmod(0o2775)  # of an earlier version, shared with a group
+    (store.folder / "scans").rename(store.folder.parent / "scans")
+    (store.folder / "scans").symlink_to(store.folder.parent / "scans")
+    for folder in (store.folder, store.folder / "scans"):
+        folder.chmod(0o2775)  # of an earlier version, shared with a group
     Store(store.folder).close()
-    assert store.folder.stat().st_mode & 0o7777 == 0o2770
+    for folder in (store.folder, store.folder / "scans"):
+        assert folder.stat().st_mode & 0o7777 == 0o2770
 
 
 def test_a_browser_is_known_for_those_who_signed_in_at_it(store: Store) -> None:
