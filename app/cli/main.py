@@ -242,8 +242,8 @@ def _verify_clouds(
     as_json: bool,
 ) -> None:
     from app.formats.atomic_write import check_output_path
-    from app.workflows.verify_gauge import report_table
-    from app.workflows.verify_gauge import verify as verify_all
+    from app.workflows.gauge_report.tables import budget_table, report_table
+    from app.workflows.gauge_report.verify import verify as verify_all
 
     output = None if report_file is None else Path(report_file)
     if output is not None:
@@ -266,6 +266,9 @@ def _verify_clouds(
         return
     against = f" against {nominal}" if nominal else ", no nominal given"
     print_table(f"Gauge {shape.value}{against}; ± U (k = 2)", *report_table(report))
+    headings, rows = budget_table(report)
+    if rows:
+        print_table("U is the root of the sum of squares of its parts (k = 2)", headings, rows)
     if output is not None:
         print(f"{output} written")
 

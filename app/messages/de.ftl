@@ -1238,6 +1238,7 @@ everything-grows-metre-aluminium = Mit der Temperatur dehnt sich alles aus, ein 
 exceed-limit-m = { $half_range } überschreiten den Grenzwert von { $limit }.
 expanded-uncertainty-note = U = { $expanded_uncertainty }, k = 2
 expansion-not-read = der Ausdehnungskoeffizient des Kalibrierscheins wird nicht gelesen: expansion_per_c in der Datei eintragen
+figure-over-clouds = { $title }: { $of }
 file-cannot-be-evaluated = sie lässt sich nicht auswerten ({ $error })
 file-has-no-pictures-with-laser = { $path } enthält keine Bilder mit eingeschaltetem Laser
 file-has-no-readings = { $path } enthält keine Messwerte des Arms
@@ -1266,12 +1267,14 @@ if-joint-zero-elsewhere = wenn das Gelenk { $joint } { $turn } mehr anzeigte
 if-poses-inverted = wenn dies die Posen des Messgeräts im Koordinatensystem der Messmarke wären
 import-with-stripe-axis = stripe_axis in sensor.json auf { $axis } setzen und erneut einlesen
 it-is-no-device = das ist keine Adresse eines Geräts
+limits-judged-by-marked-uncertainty = U: Messunsicherheit des Werts aus Normal, Taster und Punkten. U der Prüfung: Prüfwertunsicherheit allein aus dem Normal und seinem Aufbau (ISO 14253-5), ein Anteil von U. Jeder Grenzwert wird nach der mit{ $mark } gekennzeichneten beurteilt.
 listen-choose-higher-port = Mit --port einen Port ab 1024 wählen
 listen-failed = Port { $port } von { $host } lässt sich nicht öffnen
 listen-free-port = Beenden, was ihn verwendet, oder mit --port einen anderen wählen
 listen-give-own-address = Mit --host eine Adresse dieses Rechners angeben
 markers-in-white-squares = in ihren weißen Feldern sind Marker: sie ist eine ChArUco-Tafel
 markers-place-is-estimated-instead = stattdessen wird der Ort des Markers am Flansch geschätzt
+mean = Mittelwert der Wolken
 moves-check-arm-json =
     { $beside ->
         [bars] { $name } ändert sich um { $change }: arm.json und die Längen der Kugelstäbe prüfen
@@ -1293,6 +1296,8 @@ poses-agree-read-otherwise =
         [before] { $agree } von { $count } Posen stimmen auf { $apart } mit den Bildern von „{ $name }“ überein, wenn jede zum nächsten Bild gehört; mit dem eigenen nicht
        *[after] { $agree } von { $count } Posen stimmen auf { $apart } mit den Bildern von „{ $name }“ überein, wenn jede zum Bild davor gehört; mit dem eigenen nicht
     }
+probe = Taster
+range = Spannweite der Wolken
 readings-are-apart = die Messwerte liegen im Mittel { $period } auseinander; über mehr als { $longest } wird nicht interpoliert
 no-picture-of-folder-has-a-line = keines der { $count } Bilder zeigt eine Linie; das erste: { $first }
 no-picture-within-readings = kein Bild von { $path } wurde während der Messwerte von { $readings } aufgenommen, von { $begin } bis { $end }
@@ -1301,6 +1306,8 @@ picture-at-time-of-line = { $place } hat dieselbe time_s wie Zeile { $line }
 pictures-are-at = die Bilder beginnen bei { $begin }
 reverse-sign-of-joint = Das Vorzeichen (sign) des Gelenks { $joint } in arm.json umkehren
 save-table-as-csv = Als CSV (UTF-8) mit Kommas zwischen den Spalten speichern
+scatter-of-clouds = Wolken
+scatter-of-points = Punkte
 settings-add-as-shown = Ergänzen, wie { $document } es zeigt
 settings-certificate-and-key = Zertifikat und Schlüssel gehören zusammen
 settings-correct-name = Den Namen berichtigen
@@ -1680,7 +1687,6 @@ laser-on-not-brighter = das Bild mit Laser ist nicht heller als das ohne Laser
 laser-on-off-differ = die Bilder mit und ohne Laser sind verschieden: { $on } und { $off } Pixel
 leave-out-laser-off = --laser-off weglassen: Graubilder werden gemessen, wie sie sind
 length-standard = Längennormal
-limits-judged-by-marked-uncertainty = U: Messunsicherheit des Werts aus Normal, Taster und Ausgleich. U der Prüfung: Prüfwertunsicherheit allein aus dem Normal und seinem Aufbau (ISO 14253-5). Jeder Grenzwert wird nach der mit{ $mark } gekennzeichneten beurteilt.
 line-along-other-axis =
     { $axis ->
         [u] eine Linie mit { $points } Punkten verläuft von oben nach unten
@@ -2443,6 +2449,7 @@ sphere-gives-way =
     }: Die Antastungen streuen um { $scatter }, die Punkte der Scans um { $expected }
 sphere-moved = Bewegt um
 sphere-position = Position
+standard-deviation = Standardabweichung der Wolken
 started-simulation = simulierten Bediener gestartet
 lies-face = er liegt { $where }
 lies-no-face-all = er liegt auf keiner Fläche
@@ -4089,6 +4096,9 @@ two-seats-or-seat-carried-or-arm = sie gehören zu zwei Pfannen, oder die Pfanne
 u-v = es ist „u“ oder „v“
 udp-port-cannot-be-opened = Der UDP-Port { $port } dieses Rechners lässt sich nicht öffnen: { $reason }
 udp-port-in-use = Ein anderes Programm auf diesem Rechner empfängt am UDP-Port { $port }
+uncertainty-budgets = Unsicherheitsbudgets
+uncertainty-is-not-the-root-of-its-budget = expanded_uncertainty ist nicht das Doppelte der Wurzel der Quadratsumme seines Budgets
+uncertainty-is-root-of-parts = U ist die Wurzel der Quadratsumme seiner Anteile, alle mit k = 2. Normal: U der Prüfung. Taster: aus den Antastpunkten. Punkte: aus der Streuung der Punkte einer Wolke. Wolken: aus der Streuung der Wolken.
 uncertainty-missing = { $file }: uncertainty fehlt
 uncertainty-over-measuring-volume = Unsicherheit im Messvolumen
 uncertainty-scanned-point-k-1 = Unsicherheit eines gescannten Punkts (k = 1)

@@ -1234,6 +1234,7 @@ everything-grows-metre-aluminium = Everything expands with it: one metre of alum
 exceed-limit-m = { $half_range } exceeds the limit of { $limit }.
 expanded-uncertainty-note = U = { $expanded_uncertainty }, k = 2
 expansion-not-read = the certificate's coefficient of expansion is not read: enter expansion_per_c in the file
+figure-over-clouds = { $title }: { $of }
 file-cannot-be-evaluated = it cannot be evaluated ({ $error })
 file-has-no-pictures-with-laser = { $path } contains no pictures with the laser on
 file-has-no-readings = { $path } contains no readings
@@ -1262,12 +1263,14 @@ if-joint-zero-elsewhere = if joint { $joint } read { $turn } more
 if-poses-inverted = if these were the poses of the instrument in the frame of the marker
 import-with-stripe-axis = Set stripe_axis to { $axis } in sensor.json, and import again
 it-is-no-device = it is not the address of a device
+limits-judged-by-marked-uncertainty = U: measurement uncertainty of the value by gauge, probe and points. U of test: test value uncertainty by the gauge and its set-up alone (ISO 14253-5), which is a part of U. Each limit is judged by the one marked with{ $mark }.
 listen-choose-higher-port = Choose a port from 1024 on with --port
 listen-failed = Cannot listen on { $host } port { $port }
 listen-free-port = Stop what is using it, or choose another with --port
 listen-give-own-address = Give an address of this machine with --host
 markers-in-white-squares = there are markers in its white squares: it is a ChArUco board
 markers-place-is-estimated-instead = the marker's place on the flange is estimated instead
+mean = mean over the clouds
 moves-check-arm-json =
     { $beside ->
         [bars] { $name } changes by { $change }: check arm.json and the bars' lengths
@@ -1289,6 +1292,8 @@ poses-agree-read-otherwise =
         [before] { $agree } of { $count } poses agree with the pictures of { $name } to { $apart } if each belongs to the next picture; with their own, they contradict
        *[after] { $agree } of { $count } poses agree with the pictures of { $name } to { $apart } if each belongs to the picture before; with their own, they contradict
     }
+probe = Probe
+range = range over the clouds
 readings-are-apart = the readings are { $period } apart on average; nothing is interpolated over more than { $longest }
 no-picture-of-folder-has-a-line = none of the { $count } pictures shows a line; the first: { $first }
 no-picture-within-readings = no picture of { $path } was taken during the readings of { $readings }, from { $begin } to { $end }
@@ -1297,6 +1302,8 @@ picture-at-time-of-line = { $place } has the same time_s as line { $line }
 pictures-are-at = the pictures begin at { $begin }
 reverse-sign-of-joint = Reverse the sign of joint { $joint } in arm.json
 save-table-as-csv = Save it as CSV (UTF-8), with commas between the columns
+scatter-of-clouds = Clouds
+scatter-of-points = Points
 settings-add-as-shown = Add it as { $document } shows
 settings-certificate-and-key = certificate and key belong together
 settings-correct-name = Correct its name
@@ -1676,7 +1683,6 @@ laser-on-not-brighter = the picture with the laser on is not brighter than the o
 laser-on-off-differ = the pictures with the laser on and off differ: { $on } and { $off } pixels
 leave-out-laser-off = Leave out --laser-off: grey pictures are measured as they are
 length-standard = Length standard
-limits-judged-by-marked-uncertainty = U: measurement uncertainty of the value by gauge, probe and fit. U of test: test value uncertainty by the gauge and its set-up alone (ISO 14253-5). Each limit is judged by the one marked with{ $mark }.
 line-along-other-axis =
     { $axis ->
         [u] a line of { $points } points runs down it
@@ -2439,6 +2445,7 @@ sphere-gives-way =
     }: the touches scatter by { $scatter }, the points of the scans by { $expected }
 sphere-moved = Moved by
 sphere-position = Position
+standard-deviation = standard deviation over the clouds
 started-simulation = started the simulated operator
 lies-face = it lies { $where }
 lies-no-face-all = it lies on no face
@@ -4067,6 +4074,9 @@ two-seats-or-seat-carried-or-arm = they belong to two seats, or the seat was mov
 u-v = it is "u" or "v"
 udp-port-cannot-be-opened = UDP port { $port } of this computer cannot be opened: { $reason }
 udp-port-in-use = Another program on this computer receives at UDP port { $port }
+uncertainty-budgets = Uncertainty budgets
+uncertainty-is-not-the-root-of-its-budget = expanded_uncertainty is not twice the root of the sum of squares of its budget
+uncertainty-is-root-of-parts = U is the root of the sum of squares of its parts, all with k = 2. Gauge: U of test. Probe: of the contact points. Points: by the scatter of the points of a cloud. Clouds: by the scatter of the clouds.
 uncertainty-missing = { $file }: uncertainty is missing
 uncertainty-over-measuring-volume = Uncertainty over the measuring volume
 uncertainty-scanned-point-k-1 = Uncertainty of a scanned point (k = 1)

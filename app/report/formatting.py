@@ -41,8 +41,8 @@ def micrometres(value_um: float) -> Quantity:
 
 
 def error_value(value: float, unit: Literal["µm", "″"]) -> Quantity:
-    """An error in the unit of its kind: an angle to an arcsecond, a length as ``micrometres``."""
-    return quantity(value, unit, 0 if unit == "″" else 1)
+    """An error in the unit of its kind."""
+    return quantity(value, unit, 1)
 
 
 def millimetres(value_um: float) -> Quantity:

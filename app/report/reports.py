@@ -16,7 +16,7 @@ from app.report.contents.calibration import calibration_report
 from app.report.contents.identification import identification_report
 from app.report.contents.performance import performance_report
 from app.report.contents.tip_check import tip_check_report
-from app.report.contents.verification import verification_report
+from app.report.contents.verification.report import verification_report
 from app.report.html import html_page
 from app.report.translation import translate_report
 

@@ -41,6 +41,12 @@ class GaugeFit(DocumentPart):
     """Points within the geometric gate; None, like the following, in older journals."""
     form_all_um: NotNegative | None = None
     range_all_um: NotNegative | None = None
+    rms_sd_um: NotNegative = 0.0
+    """Standard uncertainty of the rms by the scatter of the points, k = 1; 0, like the next three,
+    in older journals."""
+    form_sd_um: NotNegative = 0.0
+    form_all_sd_um: NotNegative = 0.0
+    range_all_sd_um: NotNegative = 0.0
     width_mm: NotNegative | None = None
     """Of a plane's cloud in its narrower direction."""
     centre_mm: Vector3
@@ -137,6 +143,10 @@ def _fit_record(found: GaugeCloud, rebuilt: Reconstruction) -> GaugeFit:
         "in_gate": found.unfiltered.points,
         "form_all_um": found.unfiltered.dispersion_mm * 1e3,
         "range_all_um": found.unfiltered.range_mm * 1e3,
+        "rms_sd_um": found.rms_sd_mm * 1e3,
+        "form_sd_um": found.form_sd_mm * 1e3,
+        "form_all_sd_um": found.unfiltered.dispersion_sd_mm * 1e3,
+        "range_all_sd_um": found.unfiltered.range_sd_mm * 1e3,
         "width_mm": found.width_mm,
         "covariance": () if covariance is None else covariance.tolist(),
         "warnings": rebuilt.warnings,

@@ -14,19 +14,33 @@ from app.formats.results.verification import (
     FigurePart,
     JudgedBy,
     Result,
+    StatisticPart,
     VerificationVerdict,
 )
 from app.messages.message import Text, message
 from app.metrology.decision import GUARDED_95, DecisionRule, decide
 from app.metrology.gauges.errors import ARCSEC_PER_RAD, angle_between_rad, compare_plane
-from app.metrology.gauges.probed_gauge import ProbedPlane, ProbedSphere
+from app.metrology.gauges.figure_budget import (
+    Budget,
+    K,
+    Statistic,
+    combine_budget,
+    largest_budget,
+    spread_statistics,
+)
+from app.metrology.gauges.probed_gauge import ProbedGauge, ProbedPlane, ProbedSphere
+from app.workflows.judgement.figure_budgets import (
+    cloud_budgets,
+    steepness_of,
+    tilt_sd_rad,
+)
 from app.workflows.judgement.reasons import Judgement, describe_judgement
-from app.workflows.judgement.value_uncertainty import gauge_test_uncertainty
+from app.workflows.judgement.value_uncertainty import (
+    gauge_range_uncertainty,
+    gauge_test_uncertainty,
+)
 from app.workflows.measure_gauge import GaugeFit
 
-ProbedGauge = ProbedPlane | ProbedSphere
-K = 2.0
-UNIFORM = float(np.sqrt(12.0))
 ANGLES: tuple[FigureName, ...] = ("angle", "angle_range")
 PLACES: tuple[FigureName, ...] = ("angle", "offset", "z_error", "centre_error")
 """Figures of where the gauge was found; they are judged by their measurement uncertainty."""
@@ -43,6 +57,20 @@ class CloudErrors:
     offset_error_um: float | None = None
     radius_error_um: float | None = None
     centre_error_um: float | None = None
+
+
+VALUES: dict[FigureName, Callable[[GaugeFit, CloudErrors], float | None]] = {
+    "form": lambda fit, _: fit.form_um,
+    "form_all": lambda fit, _: fit.form_all_um,
+    "range_all": lambda fit, _: fit.range_all_um,
+    "rms": lambda fit, _: fit.rms_um,
+    "angle": lambda _, errors: errors.angle_arcsec,
+    "offset": lambda _, errors: errors.offset_error_um,
+    "z_error": lambda _, errors: errors.z_error_um,
+    "radius_error": lambda _, errors: errors.radius_error_um,
+    "centre_error": lambda _, errors: errors.centre_error_um,
+}
+"""Of one cloud, in the order of the report."""
 
 
 def cloud_errors(fit: GaugeFit, gauge: GaugeFile, touched: ProbedGauge | None) -> CloudErrors:
@@ -69,7 +97,7 @@ def gauge_figures(
     limits: VerificationLimits,
     rule: DecisionRule = GUARDED_95,
 ) -> tuple[FigurePart, ...]:
-    """Every figure that these clouds allow, each with its uncertainties and its limit.
+    """Every figure that these clouds allow, each with its uncertainty budget and its limit.
 
     Figures of the instrument's performance (form, rms, radius, ranges) are judged by the test
     value uncertainty, those of where the gauge was found by the measurement uncertainty.
@@ -79,72 +107,54 @@ def gauge_figures(
     """
     if not fits:
         return ()
+    widths_mm = [fit.width_mm for fit in fits if fit.width_mm]
+    test = gauge_test_uncertainty(gauge, widths_mm, steepness_of(touched))
     errors = [cloud_errors(fit, gauge, touched) for fit in fits]
-    test = gauge_test_uncertainty(gauge, fits)
-    nominal_sd_um = float(np.hypot(gauge.standard_uncertainty_um, gauge.form_um / UNIFORM))
+    budgets = [cloud_budgets(fit, test, touched) for fit in fits]
     found: list[FigurePart] = []
-
-    def add(name: FigureName, values: Sequence[float | None], measured: float) -> None:
+    for name, value_of in VALUES.items():
+        values = [value_of(fit, error) for fit, error in zip(fits, errors, strict=True)]
         known = [value for value in values if value is not None]
         if len(known) == len(fits):
-            found.append(_figure(name, known, measured, test, limits, rule))
-
-    add("form", [fit.form_um for fit in fits], nominal_sd_um)
-    add("form_all", [fit.form_all_um for fit in fits], nominal_sd_um)
-    add("range_all", [fit.range_all_um for fit in fits], nominal_sd_um)
-    add("rms", [fit.rms_um for fit in fits], nominal_sd_um)
-    if gauge.shape == "plane":
-        _add_plane(add, fits, errors, touched, nominal_sd_um)
-    else:
-        of_fit = max(fit.sd(slice(3, 4)) for fit in fits) * 1e3
-        add(
-            "radius_error",
-            [e.radius_error_um for e in errors],
-            float(np.hypot(of_fit, nominal_sd_um)),
-        )
-        of_fit = max(fit.sd(slice(0, 3)) for fit in fits) * 1e3
-        of_touch = touched.centre_sd_mm * 1e3 if isinstance(touched, ProbedSphere) else 0.0
-        add("centre_error", [e.centre_error_um for e in errors], float(np.hypot(of_fit, of_touch)))
+            figure = _judge(
+                name,
+                max(known, key=abs),
+                largest_budget([one[name] for one in budgets]),
+                limits,
+                rule,
+            )
+            spread = _spread(name, known, [one[name] for one in budgets], test)
+            found.append(figure.model_copy(update={"clouds": tuple(known), "spread": spread}))
     ranges = [
-        _judge(name, value, measured, test, limits, rule)
-        for name, value, measured in _ranges(fits, gauge)
+        _judge(name, value, {"gauge": test[name], "points": points}, limits, rule)
+        for name, value, points in _ranges(fits, gauge)
     ]
     return (*found, *ranges)
 
 
-def _add_plane(
-    add: Callable[[FigureName, Sequence[float | None], float], None],
-    fits: Sequence[GaugeFit],
-    errors: Sequence[CloudErrors],
-    touched: ProbedGauge | None,
-    nominal_sd_um: float,
-) -> None:
-    if not isinstance(touched, ProbedPlane):
-        return
-    tilt = max(_tilt_sd(fit) for fit in fits)
-    add(
-        "angle",
-        [e.angle_arcsec for e in errors],
-        float(np.hypot(tilt, touched.angle_sd_rad)) * ARCSEC_PER_RAD,
-    )
-    variances = [
-        fit.sd(slice(0, 1)) ** 2 + touched.height_sd_mm(np.array(fit.centre_mm)) ** 2
-        for fit in fits
-    ]
-    height = float(np.hypot(np.sqrt(max(variances)) * 1e3, nominal_sd_um))
-    add("offset", [e.offset_error_um for e in errors], height)
-    add("z_error", [e.z_error_um for e in errors], height)
-
-
-def _tilt_sd(fit: GaugeFit) -> float:
-    """Rad, in the worst direction; by the points' scatter where the fit has no covariance."""
-    if fit.covariance:
-        return fit.sd(slice(1, 3))
-    return fit.rms_um / 1e3 / 10.0
+def _spread(
+    name: FigureName,
+    values: Sequence[float],
+    budgets: Sequence[Budget],
+    test: Mapping[FigureName, float],
+) -> dict[Statistic, StatisticPart]:
+    """Mean, standard deviation and range over the clouds, of two or more."""
+    if len(values) < 2:
+        return {}
+    found = spread_statistics(values, budgets, gauge_range_uncertainty(name, test))
+    return {
+        statistic: StatisticPart(
+            value=one.value,
+            expanded_uncertainty=combine_budget(one.budget),
+            budget=dict(one.budget),
+        )
+        for statistic, one in found.items()
+    }
 
 
 def _ranges(fits: Sequence[GaugeFit], gauge: GaugeFile) -> list[tuple[FigureName, float, float]]:
-    """How far the clouds lie apart, of any two the largest, with its measurement uncertainty."""
+    """How far the clouds lie apart, of any two the largest, with the uncertainty by their
+    points, k = 1."""
     if len(fits) < 2:
         return []
     two = float(np.sqrt(2.0))
@@ -161,7 +171,7 @@ def _ranges(fits: Sequence[GaugeFit], gauge: GaugeFile) -> list[tuple[FigureName
         (plane.offset_mm - plane.normal @ middle) / (plane.normal @ first.normal)
         for plane in planes
     ]
-    tilt = two * max(_tilt_sd(fit) for fit in fits) * ARCSEC_PER_RAD
+    tilt = two * max(tilt_sd_rad(fit) for fit in fits) * ARCSEC_PER_RAD
     shift = two * max(fit.sd(slice(0, 1)) for fit in fits) * 1e3
     return [
         ("angle_range", turned * ARCSEC_PER_RAD, tilt),
@@ -169,37 +179,17 @@ def _ranges(fits: Sequence[GaugeFit], gauge: GaugeFile) -> list[tuple[FigureName
     ]
 
 
-def _figure(
-    name: FigureName,
-    values: Sequence[float],
-    measured: float,
-    test: Mapping[FigureName, float],
-    limits: VerificationLimits,
-    rule: DecisionRule,
-) -> FigurePart:
-    figure = _judge(name, max(values, key=abs), measured, test, limits, rule)
-    several = len(values) > 1
-    return figure.model_copy(
-        update={
-            "clouds": tuple(values),
-            "mean": float(np.mean(values)) if several else None,
-            "standard_deviation": float(np.std(values, ddof=1)) if several else None,
-        }
-    )
-
-
 def _judge(
     name: FigureName,
     value: float,
-    measured: float,
-    test: Mapping[FigureName, float],
+    budget: Budget,
     limits: VerificationLimits,
     rule: DecisionRule,
 ) -> FigurePart:
-    """One figure against its limit; the uncertainties ``measured`` and ``test``: k = 1."""
+    """One figure against its limit."""
     unit: Literal["µm", "″"] = "″" if name in ANGLES else "µm"
     by: JudgedBy = "measurement" if name in PLACES else "test"
-    standard = measured if by == "measurement" else test[name]
+    standard = combine_budget(budget) / K if by == "measurement" else budget["gauge"]
     limit: float | None = getattr(limits, name, None)
     decision = decide(value, limit, standard, rule, signed=name in SIGNED)
     words = Judgement(FIGURE_TITLES[name], value, limit, standard, unit, decision, name in SIGNED)
@@ -208,8 +198,10 @@ def _judge(
         title=FIGURE_TITLES[name],
         unit=unit,
         value=value,
-        expanded_uncertainty=K * measured,
-        test_uncertainty=test[name],
+        expanded_uncertainty=combine_budget(budget),
+        test_uncertainty=budget["gauge"],
+        budget=dict(budget),
+        spread={},
         judged_by=by,
         limit=limit,
         decision=decision,

@@ -24,6 +24,7 @@ from app.messages.message import Text, join, message, replace_name
 from app.metrology.arm.kinematics import AnyArm
 from app.metrology.gauges.errors import NominalPlane, NominalSphere
 from app.metrology.gauges.probed_gauge import (
+    ProbedGauge,
     ProbedPlane,
     ProbedSphere,
     fit_probed_plane,
@@ -31,7 +32,7 @@ from app.metrology.gauges.probed_gauge import (
 )
 from app.progress import Progress, no_progress
 from app.workflows.measure_gauge import GaugeFit, measure_recording
-from app.workflows.verification_metrics import ProbedGauge, cloud_errors
+from app.workflows.verification_metrics import cloud_errors
 
 STUDY_CALIBRATION = "calibration.json"
 

@@ -21,7 +21,7 @@ from app.formats.clouds.files import cloud_writer, read_cloud
 from app.formats.recording.writer import RecordingWriter
 from app.formats.results.gauge_report import GaugeReport
 from app.metrology.transforms import Floats
-from app.workflows.verify_gauge import FIGURES
+from app.workflows.gauge_report.verify import FIGURES
 from tests.datasheets import write_arm
 from tests.formats.builders import ARM, edit_text, joints_every, write_session
 from tests.formats.test_documents import calibration_file

@@ -31,7 +31,7 @@ from app.metrology.decision import EXPANDED_K2, GUARDED_95, SIMPLE
 from app.report.content import Pictures, Report, ReportTable, Section, TextBlock, Verdict
 from app.report.contents.calibration import calibration_report
 from app.report.contents.identification import BARS
-from app.report.contents.verification_figures import LABELS
+from app.report.contents.verification.figures import LABELS
 from app.report.figure import Figure, magnification
 from app.report.formatting import format_moment, join_units
 from app.report.html import html_page
@@ -341,7 +341,13 @@ def test_a_verifications_report(tmp_path: Path) -> None:
 
 def test_a_verifications_report_states_rule_uncertainties_and_filters(tmp_path: Path) -> None:
     cloud = {**RECORD["clouds"][0], "form_all_um": 130.5, "range_all_um": 410.5, "in_gate": 3990}
-    figure = {**RECORD["figures"][0], "test_uncertainty": 0.4, "judged_by": "test"}
+    budget = {"gauge": 0.4, "points": float(np.sqrt(3.0**2 - 0.4**2))}
+    figure = {
+        **RECORD["figures"][0],
+        "test_uncertainty": 0.4,
+        "judged_by": "test",
+        "budget": budget,
+    }
     rule = RulePart.of(replace(GUARDED_95, bearer="supplier"))
     values = {"clouds": [cloud], "figures": [figure], "filters": filters_of("sphere"), "rule": rule}
     document = VerificationFile.model_validate({**RECORD, **values})

@@ -5,6 +5,7 @@ from typing import Annotated, ClassVar, Literal
 from pydantic import Field
 
 from app.formats.json_document import Document, DocumentPart, NotNegative, Number, Positive, Vector3
+from app.metrology.gauges.figure_budget import Source, Statistic
 
 
 class CloudReport(DocumentPart):
@@ -27,6 +28,8 @@ class CloudReport(DocumentPart):
     """Points within the geometric gate, whatever their distance; None in older files."""
     range_all_um: NotNegative | None = None
     """The same as ``form_um`` of these points."""
+    width_mm: NotNegative | None = None
+    """Of a plane's cloud in its narrower direction; None in older files."""
     normal: Vector3 | None = None
     offset_mm: Number | None = None
     centre_mm: Vector3
@@ -39,6 +42,9 @@ class CloudReport(DocumentPart):
     expanded_uncertainty: Annotated[dict[str, NotNegative], Field(default_factory=dict)]
     """k = 2, by the name of the figure and in its unit; empty in older files, and where the points
     are no more than the shape's parameters."""
+    budget: Annotated[dict[str, dict[Source, NotNegative]], Field(default_factory=dict)]
+    """By the name of the figure, the standard uncertainties (k = 1) of which its expanded
+    uncertainty is twice the root of the sum of squares."""
 
 
 class SpreadReport(DocumentPart):
@@ -47,6 +53,10 @@ class SpreadReport(DocumentPart):
     mean: Number
     standard_deviation: NotNegative
     range: NotNegative
+    expanded_uncertainty: Annotated[dict[Statistic, NotNegative], Field(default_factory=dict)]
+    """k = 2, of each of these three; empty in older files, and where that of a cloud is unknown."""
+    budget: Annotated[dict[Statistic, dict[Source, NotNegative]], Field(default_factory=dict)]
+    """As that of a cloud."""
 
 
 class GaugeReport(Document):

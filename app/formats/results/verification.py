@@ -5,10 +5,11 @@ Its folder, ``verifications/<id>``, holds all that it was made from: ``calibrati
 gauge was touched), and ``cloud-<n>/scan.mcap`` for every cloud.
 """
 
+from math import isclose
 from pathlib import Path
-from typing import Annotated, ClassVar, Literal
+from typing import Annotated, ClassVar, Literal, Self
 
-from pydantic import Field
+from pydantic import Field, model_validator
 
 from app.formats.datasheets.gauge import Shape
 from app.formats.json_document import (
@@ -23,6 +24,7 @@ from app.formats.json_document import (
 from app.formats.results.calibration import Input, SerialNumbers
 from app.formats.results.decision_rule import FORMER_CHECK_RULE, RulePart
 from app.messages.message import Text, message
+from app.metrology.gauges.figure_budget import K, Source, Statistic, combine_budget
 
 Decision = Literal["pass", "fail", "uncertain", "none"]
 """By the record's ``rule``; ``none`` where there is no limit."""
@@ -146,7 +148,28 @@ class CloudPart(DocumentPart):
     """From the touched sphere's centre."""
 
 
-class FigurePart(DocumentPart):
+class BudgetedPart(DocumentPart):
+    """A value with its uncertainty, and what this consists of."""
+
+    value: Number
+    expanded_uncertainty: NotNegative
+    """k = 2: twice the root of the sum of squares of the budget."""
+    budget: Annotated[dict[Source, NotNegative], Field(default_factory=dict)]
+    """Standard uncertainties (k = 1) by their source; empty in older files."""
+
+    @model_validator(mode="after")
+    def _check_root(self) -> Self:
+        root = combine_budget(self.budget)
+        if self.budget and not isclose(root, self.expanded_uncertainty, rel_tol=1e-6, abs_tol=1e-9):
+            raise ValueError(message("uncertainty-is-not-the-root-of-its-budget"))
+        return self
+
+
+class StatisticPart(BudgetedPart):
+    """A statistic of a figure over several clouds."""
+
+
+class FigurePart(BudgetedPart):
     """One figure and its limit."""
 
     name: FigureName
@@ -155,9 +178,10 @@ class FigurePart(DocumentPart):
     value: Number
     """The worst of the clouds, with its sign; of ``…_range`` between the clouds."""
     expanded_uncertainty: NotNegative
-    """Measurement uncertainty of the value by gauge, probe and fit, k = 2."""
+    """Measurement uncertainty of the value by gauge, probe and points, k = 2."""
     test_uncertainty: NotNegative | None = None
-    """Test value uncertainty by gauge and set-up, k = 1 (ISO 14253-5); None in older files."""
+    """Test value uncertainty by gauge and set-up, k = 1 (ISO 14253-5), which is the budget's part
+    of the gauge; None in older files."""
     judged_by: JudgedBy = "measurement"
     limit: Positive | None = None
     """Of the absolute value."""
@@ -166,9 +190,15 @@ class FigurePart(DocumentPart):
     """One sentence."""
     clouds: tuple[Number, ...] = ()
     """Of each cloud in turn; empty for ``…_range``."""
-    mean: Number | None = None
-    standard_deviation: NotNegative | None = None
-    """Over two or more clouds, n - 1."""
+    spread: Annotated[dict[Statistic, StatisticPart], Field(default_factory=dict)]
+    """Over two or more clouds; empty for ``…_range``, and in older files."""
+
+    @property
+    def judging_uncertainty(self) -> float:
+        """The expanded uncertainty (k = 2) that the limit is judged by."""
+        if self.judged_by == "test" and self.test_uncertainty is not None:
+            return K * self.test_uncertainty
+        return self.expanded_uncertainty
 
 
 class FiltersPart(DocumentPart):

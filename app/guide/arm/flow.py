@@ -27,6 +27,7 @@ from app.guide.common.view import (
     Vec3,
 )
 from app.messages.message import Text, message, quantity, rounded, text_from_json
+from app.messages.uncertainty import uncertainty_quantity
 from app.metrology.transforms import Floats
 
 STEPS: dict[str, Text] = {
@@ -110,7 +111,7 @@ def _number(state: ArmState, picture: ArmPicture) -> LiveNumber | None:
         note = message(
             "expected-by-datasheet-and-expanded-uncertainty",
             expected=quantity(tip.expected_mm, "mm", 3),
-            expanded_uncertainty=quantity(tip.expanded_uncertainty_um, "µm"),
+            expanded_uncertainty=uncertainty_quantity(tip.expanded_uncertainty_um, "µm"),
         )
         quality = DECISION_QUALITY[tip.decision]
         return LiveNumber(message("tips-diameter"), tip.diameter_mm, "mm", 3, quality, note)

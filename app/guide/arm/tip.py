@@ -9,6 +9,7 @@ from app.findings import Finding
 from app.guide.arm.view import TipResult
 from app.guide.common.flow import DECISION_QUALITY
 from app.messages.message import Text, join, message, quantity
+from app.messages.uncertainty import uncertainty_quantity
 from app.metrology.gauges.tip_check import TipCheck
 
 LIMIT_UM = 150.0
@@ -54,7 +55,7 @@ def _cause(payload: Mapping[str, Any]) -> tuple[Text, Text]:
     expected = quantity(payload["expected_mm"], "mm", 3)
     scatter = quantity(payload["scatter_um"], "µm")
     off = quantity(abs(payload["error_um"]), "µm")
-    known = quantity(payload["expanded_uncertainty_um"], "µm")
+    known = uncertainty_quantity(payload["expanded_uncertainty_um"], "µm")
     bend = quantity(payload["bend_um"] or 0.0, "µm")
     causes: dict[str, tuple[Text, Text]] = {
         "sound": (

@@ -26,6 +26,7 @@ from app.guide.verify.view import (
     VerifyView,
 )
 from app.messages.message import Text, join, mentions, message, quantity, rounded, word
+from app.messages.uncertainty import uncertainty_quantity
 from app.metrology.gauges.probed_gauge import ProbedPlane, ProbedSphere
 
 TITLES = {
@@ -109,9 +110,7 @@ def _number(state: VerifyState, live: VerifyLive) -> LiveNumber | None:
         for name in ("centre_error", "offset", "radius_error", "form")
         if name in figures
     )
-    by_test = main.judged_by == "test" and main.test_uncertainty is not None
-    known = 2 * (main.test_uncertainty or 0.0) if by_test else main.expanded_uncertainty
-    expanded = quantity(known, "µm", 1 if known < 10 else 0)
+    expanded = uncertainty_quantity(main.judging_uncertainty, main.unit)
     note = message("expanded-uncertainty-note", expanded_uncertainty=expanded)
     if main.limit is not None:
         limit = rounded(main.limit, "µm")

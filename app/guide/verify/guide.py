@@ -26,10 +26,9 @@ from app.guide.verify.view import VerifyView
 from app.messages.message import message, quantity
 from app.metrology.arm.kinematics import AnyArm, tip_centres
 from app.metrology.decision import GUARDED_95, DecisionRule
-from app.metrology.gauges.probed_gauge import fit_probed_plane, fit_probed_sphere
+from app.metrology.gauges.probed_gauge import ProbedGauge, fit_probed_plane, fit_probed_sphere
 from app.workflows.measure_gauge import GaugeFit
 from app.workflows.verification_metrics import (
-    ProbedGauge,
     cloud_errors,
     gauge_figures,
     verification_verdict,

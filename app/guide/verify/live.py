@@ -12,9 +12,10 @@ from app.messages.message import Text
 from app.metrology.arm.kinematics import AnyArm
 from app.metrology.arm.strained_pose import Strain
 from app.metrology.decision import DecisionRule
+from app.metrology.gauges.probed_gauge import ProbedGauge
 from app.station.devices.link_state import DeviceState
 from app.workflows.measure_gauge import GaugeFit
-from app.workflows.verification_metrics import CloudErrors, ProbedGauge
+from app.workflows.verification_metrics import CloudErrors
 
 
 @dataclass(frozen=True)

@@ -42,12 +42,14 @@ def build_picture(state: VerifyState, live: VerifyLive) -> VerifyPicture:
                 figure.unit,
                 figure.value,
                 figure.expanded_uncertainty,
+                figure.budget,
                 figure.test_uncertainty,
                 figure.judged_by,
                 figure.limit,
                 figure.decision,
                 figure.reason,
                 figure.clouds,
+                figure.spread,
             )
             for figure in live.judged.figures
         ],

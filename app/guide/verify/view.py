@@ -1,14 +1,21 @@
 """What the browser is shown of a verification."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Literal
 
 from app.formats.datasheets.gauge import Shape
 from app.formats.results.decision_rule import RulePart
-from app.formats.results.verification import Decision, FiltersPart, JudgedBy, Result
+from app.formats.results.verification import (
+    Decision,
+    FiltersPart,
+    JudgedBy,
+    Result,
+    StatisticPart,
+)
 from app.guide.common.view import SessionView
 from app.messages.message import Text
+from app.metrology.gauges.figure_budget import Source, Statistic
 
 CloudState = Literal["scanning", "measuring", "good", "refused", "aside"]
 
@@ -68,7 +75,9 @@ class FigureLine:
     unit: str
     value: float
     expanded_uncertainty: float
-    """Measurement uncertainty, k = 2."""
+    """Measurement uncertainty, k = 2: twice the root of the sum of squares of the budget."""
+    budget: Mapping[Source, float]
+    """Standard uncertainties, k = 1; empty of older records."""
     test_uncertainty: float | None
     """Test value uncertainty, k = 1; None of older records."""
     judged_by: JudgedBy
@@ -76,6 +85,8 @@ class FigureLine:
     decision: Decision
     reason: Text
     clouds: Sequence[float]
+    spread: Mapping[Statistic, StatisticPart]
+    """Over several clouds."""
 
 
 @dataclass(frozen=True)

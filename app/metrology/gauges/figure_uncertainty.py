@@ -5,6 +5,7 @@ parameters therefore have the larger of two uncertainties: that of independent p
 runs of points in their order.
 """
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -63,6 +64,15 @@ def rms_sd(off_mm: Floats, parameters: int) -> float:
     parts = [float(np.sqrt(np.mean(part**2))) for part in _parts(off_mm)]
     by_parts = float(np.std(parts, ddof=1) / np.sqrt(len(parts))) if len(parts) > 1 else 0.0
     return max(rms / float(np.sqrt(2 * free)), by_parts)
+
+
+def zone_sd(off_mm: Floats, zone: Callable[[Floats], float]) -> float:
+    """Standard uncertainty of the width of a zone about distances (N,), in their unit: that of
+    the mean of its parts."""
+    parts = [zone(part) for part in _parts(off_mm)]
+    if len(parts) < 2:
+        return zone(off_mm) / 2
+    return float(np.std(parts, ddof=1) / np.sqrt(len(parts)))
 
 
 def range_sd(off_mm: Floats) -> float:

@@ -19,10 +19,14 @@ from app.metrology.gauges.errors import (
 )
 from app.metrology.gauges.figure_uncertainty import fit_uncertainty, range_sd, rms_sd
 from app.metrology.gauges.gauge_gate import GATE_MM, UnfilteredForm, plane_form, sphere_form
-from app.metrology.gauges.scanned_gauge import cap_angle_rad, find_spheres, sphere_is_other
+from app.metrology.gauges.scanned_gauge import (
+    cap_angle_rad,
+    find_spheres,
+    plane_width_mm,
+    sphere_is_other,
+)
 from app.metrology.transforms import Floats
 
-K = 2.0
 MOST_LEFT_OUT = 0.1
 """Share of a cloud's points beside a sphere from which on it is looked for by its radius, too."""
 
@@ -41,7 +45,10 @@ class GaugeFigures:
     errors: dict[str, float | None]
     """Against the nominal, by name."""
     sd: dict[str, float]
-    """Standard uncertainty (k = 1) of each figure, by name and in its unit."""
+    """Standard uncertainty (k = 1) of each figure by the scatter of the points, by name and in its
+    unit."""
+    width_mm: float | None = None
+    """Of a plane's cloud in its narrower direction."""
     radius_mm: float | None = None
     cap_rad: float | None = None
     """What the points cover of a sphere, from the middle to the rim."""
@@ -54,17 +61,16 @@ class GaugeFigures:
 
     def fields(self) -> dict[str, object]:
         """Of a ``CloudReport``."""
-        found: dict[str, object] = {
+        return {
             "used": self.used,
             "rms_um": self.rms_mm * 1e3,
             "form_um": self.form_mm * 1e3,
             "in_gate": self.in_gate,
             "range_all_um": self.range_mm * 1e3,
+            "width_mm": self.width_mm,
             **self.place,
             **self.errors,
         }
-        stated = {name: K * sd for name, sd in self.sd.items() if found.get(name) is not None}
-        return found | {"expanded_uncertainty": stated}
 
 
 def as_frames(numbers: Floats) -> NDArray[np.int64] | None:
@@ -78,14 +84,12 @@ def plane_figures(
     points_mm: Floats,
     frame: NDArray[np.int64] | None,
     nominal: NominalPlane | None,
-    gauge_sd_um: float,
 ) -> GaugeFigures:
     """Of a plane's cloud.
 
     Args:
         points_mm: (N, 3) without NaN.
         frame: (N,) their frames, if the file has them.
-        gauge_sd_um: of the gauge's surface, by its certificate (k = 1).
 
     Raises:
         OperationError: as ``check_plane``.
@@ -93,10 +97,10 @@ def plane_figures(
     check = check_plane(points_mm, nominal)
     fit = check.fit
     unfiltered = plane_form(points_mm, fit, points_mm[fit.used])
-    sd = _dispersion_sd(fit, points_mm, unfiltered, gauge_sd_um)
+    sd = _dispersion_sd(fit, points_mm, unfiltered)
     found = fit_uncertainty(fit, points_mm[fit.used], None if frame is None else frame[fit.used])
     if found is not None:
-        height = float(np.hypot(found.sd(0, 0) * 1e3, gauge_sd_um))
+        height = found.sd(0, 0) * 1e3
         steepness = max(abs(float(fit.normal[2])), 1e-9)
         sd |= {
             "angle_arcsec": found.sd(1, 2) * ARCSEC_PER_RAD,
@@ -120,6 +124,7 @@ def plane_figures(
             "offset_error_um": check.offset_um,
         },
         sd=sd if found is not None else {},
+        width_mm=plane_width_mm(points_mm[fit.used]),
     )
 
 
@@ -127,14 +132,12 @@ def sphere_figures(
     points_mm: Floats,
     frame: NDArray[np.int64] | None,
     nominal: NominalSphere | None,
-    gauge_sd_um: float,
 ) -> GaugeFigures:
     """Of a sphere's cloud, which may show larger things too if a nominal is given.
 
     Args:
         points_mm: (N, 3) without NaN.
         frame: (N,) their frames, if the file has them.
-        gauge_sd_um: of the gauge's surface, by its certificate (k = 1).
 
     Raises:
         OperationError: as ``check_sphere``.
@@ -146,12 +149,12 @@ def sphere_figures(
     unfiltered = sphere_form(points_mm, fit, radius_mm)
     used = points_mm[fit.used]
     found = fit_uncertainty(fit, used, None if frame is None else frame[fit.used])
-    sd = _dispersion_sd(fit, points_mm, unfiltered, gauge_sd_um)
+    sd = _dispersion_sd(fit, points_mm, unfiltered)
     if found is not None:
         radius = found.sd(3, 3)
         sd |= {
             "radius_mm": radius,
-            "radius_error_um": float(np.hypot(radius * 1e3, gauge_sd_um)),
+            "radius_error_um": radius * 1e3,
             "centre_error_um": found.sd(0, 2) * 1e3,
         }
     return GaugeFigures(
@@ -203,13 +206,13 @@ def _is_found(check: SphereCheck | None, nominal: NominalSphere, points: int) ->
 
 
 def _dispersion_sd(
-    fit: PlaneFit | SphereFit, points_mm: Floats, unfiltered: UnfilteredForm, gauge_sd_um: float
+    fit: PlaneFit | SphereFit, points_mm: Floats, unfiltered: UnfilteredForm
 ) -> dict[str, float]:
-    """Of rms, form and range, in µm: the scatter of the points, and the gauge's own form."""
+    """Of rms, form and range, in µm."""
     off = distances_from(fit, points_mm[fit.used])
     scatter = {
         "rms_um": rms_sd(off, 3 if isinstance(fit, PlaneFit) else 4),
         "form_um": range_sd(off),
         "range_all_um": unfiltered.range_sd_mm,
     }
-    return {name: float(np.hypot(sd * 1e3, gauge_sd_um)) for name, sd in scatter.items()}
+    return {name: sd * 1e3 for name, sd in scatter.items()}

@@ -12,7 +12,7 @@ from scipy.spatial import ConvexHull, QhullError
 
 from app.metrology.fitting.cylinder import perpendicular_axes
 from app.metrology.fitting.plane_sphere import PlaneFit, SphereFit
-from app.metrology.gauges.figure_uncertainty import range_sd
+from app.metrology.gauges.figure_uncertainty import range_sd, zone_sd
 from app.metrology.performance.gate import SphereGate, gate_sphere
 from app.metrology.performance.plane import least_squares_plane
 from app.metrology.performance.sphere import dispersion_mm, least_squares_sphere
@@ -37,6 +37,7 @@ class UnfilteredForm:
     """Largest minus smallest distance."""
     range_sd_mm: float
     """Its standard uncertainty, by the scatter of the points."""
+    dispersion_sd_mm: float
 
 
 def sphere_form(points_mm: Floats, fit: SphereFit, radius_mm: float) -> UnfilteredForm:
@@ -60,8 +61,13 @@ def sphere_form(points_mm: Floats, fit: SphereFit, radius_mm: float) -> Unfilter
     inside = points_mm[found.inside]
     sphere = least_squares_sphere(inside)
     distances = np.linalg.norm(inside - sphere.centre_mm, axis=1)
-    range_mm = float(np.ptp(distances))
-    return UnfilteredForm(len(inside), dispersion_mm(distances), range_mm, range_sd(distances))
+    return UnfilteredForm(
+        len(inside),
+        dispersion_mm(distances),
+        float(np.ptp(distances)),
+        range_sd(distances),
+        zone_sd(distances, dispersion_mm),
+    )
 
 
 def plane_form(points_mm: Floats, fit: PlaneFit, used_mm: Floats) -> UnfilteredForm:
@@ -78,8 +84,14 @@ def plane_form(points_mm: Floats, fit: PlaneFit, used_mm: Floats) -> UnfilteredF
     near = points_mm[np.abs(points_mm @ fit.normal - fit.offset_mm) <= GATE_MM]
     inside = near[_within_area(near, used_mm, fit)]
     plane = least_squares_plane(inside)
-    scatter_mm = range_sd(inside @ fit.normal - fit.offset_mm)
-    return UnfilteredForm(len(inside), plane.dispersion_mm, plane.form_mm, scatter_mm)
+    off_mm = inside @ fit.normal - fit.offset_mm
+    return UnfilteredForm(
+        len(inside),
+        plane.dispersion_mm,
+        plane.form_mm,
+        range_sd(off_mm),
+        zone_sd(off_mm, dispersion_mm),
+    )
 
 
 def _facing(outward: Floats) -> Floats:

@@ -84,6 +84,9 @@ class ProbedSphere:
         return _worst(self.covariance)
 
 
+ProbedGauge = ProbedPlane | ProbedSphere
+
+
 def fit_probed_plane(arm: AnyArm, readings: Floats) -> ProbedPlane:
     """The plane that the tip probed, with its uncertainty.
 

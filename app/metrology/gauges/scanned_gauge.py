@@ -13,6 +13,7 @@ from app.messages.message import message, quantity, rounded
 from app.metrology.fitting.plane_sphere import PlaneFit, SphereFit, draw_samples, finite_points
 from app.metrology.fitting.shape import MeasuredShape, measure_shape
 from app.metrology.gauges.errors import NominalSphere
+from app.metrology.gauges.figure_uncertainty import rms_sd, zone_sd
 from app.metrology.gauges.gauge_gate import UnfilteredForm, plane_form, sphere_form
 from app.metrology.transforms import Floats
 
@@ -46,6 +47,9 @@ class GaugeCloud:
     """Of all points of the geometric gate."""
     points_mm: Floats
     """(N, 3) points of the fit, arm frame."""
+    rms_sd_mm: float
+    """Standard uncertainty of the rms, k = 1, by the scatter of the points."""
+    form_sd_mm: float
     width_mm: float | None = None
     """Of a plane's cloud in its narrower direction."""
 
@@ -73,8 +77,7 @@ def fit_gauge_plane(points_mm: Floats, frame: NDArray[np.int64]) -> GaugeCloud:
     assert isinstance(found.fit, PlaneFit)
     _refuse_rough(found.fit.rms_mm, "plane")
     inside = points[found.fit.used]
-    values = np.linalg.eigvalsh(np.cov(inside.T))
-    width = 4 * float(np.sqrt(values[1]))
+    width = plane_width_mm(inside)
     if width < LEAST_WIDTH_MM:
         raise OperationError(
             "cloud-too-small",
@@ -164,6 +167,11 @@ def sphere_is_other(radius_mm: float, nominal_mm: float) -> bool:
     return abs(radius_mm - nominal_mm) > max(OTHER_RADIUS_MM, OTHER_RADIUS_SHARE * nominal_mm)
 
 
+def plane_width_mm(points_mm: Floats) -> float:
+    """Width of a plane's points (N, 3) in their narrower direction: four standard deviations."""
+    return 4 * float(np.sqrt(max(np.linalg.eigvalsh(np.cov(points_mm.T))[1], 0.0)))
+
+
 def cap_angle_rad(points_mm: Floats, centre_mm: Floats) -> float:
     """Angle of the cap of a sphere that its points (N, 3) cover, from its middle to its rim."""
     outward = points_mm - centre_mm
@@ -181,7 +189,18 @@ def _assemble_cloud(
     width_mm: float | None = None,
 ) -> GaugeCloud:
     off = found.distances(points[found.fit.used])
-    return GaugeCloud(found, of, len(off), zone_mm(off), unfiltered, points, width_mm)
+    parameters = 3 if isinstance(found.fit, PlaneFit) else 4
+    return GaugeCloud(
+        found,
+        of,
+        len(off),
+        zone_mm(off),
+        unfiltered,
+        points,
+        rms_sd(off, parameters),
+        zone_sd(off, zone_mm),
+        width_mm,
+    )
 
 
 def zone_mm(off_mm: Floats) -> float:

@@ -30,7 +30,7 @@ from app.report.contents.performance_tables import (
     values_table,
 )
 from app.report.contents.sphere_figures import centre_pictures, offset_figure, sphere_pictures
-from app.report.contents.verification import QUALITIES, WORDS
+from app.report.contents.verification.report import QUALITIES, WORDS
 from app.report.formatting import format_moment, simulation_notes
 from app.report.provenance import inputs_section
 

@@ -5,9 +5,10 @@ from app.formats.performance.results import PerformanceFigure, PerformanceFile
 from app.formats.performance.symbols import is_signed
 from app.formats.results.decision_rule import RulePart, describe_rule
 from app.messages.message import Text, join, message, quantity, rounded, signed
+from app.messages.uncertainty import uncertainty_quantity
 from app.metrology.performance.pattern import COUNT, PATCH_DEG
 from app.report.content import ReportTable
-from app.report.contents.verification import DECISIONS
+from app.report.contents.verification.tables import DECISIONS
 from app.report.formatting import (
     NONE,
     UNKNOWN,
@@ -110,7 +111,9 @@ def figures_table(document: PerformanceFile) -> ReportTable[Text]:
             one.title,
             value_text(one),
             limit_text(one),
-            "" if one.test_uncertainty is None else plus_minus(micrometres(one.test_uncertainty)),
+            ""
+            if one.test_uncertainty is None
+            else plus_minus(uncertainty_quantity(one.test_uncertainty, "µm")),
             DECISIONS[one.decision],
         )
         for one in document.figures

@@ -9,6 +9,7 @@ from app.formats.results.arm_checks import TIP_CHECK, TipCheckFile
 from app.formats.results.decision_rule import describe_rule
 from app.formats.session.arm_session import ARM, SPHERES, read_spheres
 from app.messages.message import Text, message, quantity, rounded, signed
+from app.messages.uncertainty import uncertainty_quantity
 from app.metrology.arm.kinematics import tip_centres
 from app.metrology.gauges.probed_gauge import sphere_through
 from app.metrology.transforms import Floats
@@ -23,7 +24,7 @@ from app.report.content import (
     signatures,
 )
 from app.report.contents.arm_report import arm_facts, arm_report
-from app.report.contents.verification import QUALITIES, WORDS
+from app.report.contents.verification.report import QUALITIES, WORDS
 from app.report.figure import BLUE, FAINT, LINE, PANEL, RED, SOFT, Dot, Figure, Polyline
 from app.report.formatting import (
     at_most,
@@ -74,7 +75,7 @@ def _sphere(check: TipCheckFile) -> Text:
 
 def _table(check: TipCheckFile) -> ReportTable[Text]:
     limit = at_most(check.limit_um)
-    known = plus_minus(micrometres(check.expanded_uncertainty_um))
+    known = plus_minus(uncertainty_quantity(check.expanded_uncertainty_um, "µm"))
     rows: list[tuple[Text, ...]] = [
         (message("diameter-of-tip-by-datasheet"), "", quantity(check.expected_mm, "mm", 4), "", ""),
         (message("diameter-tip-found"), "", quantity(check.diameter_mm, "mm", 4), known, ""),

@@ -4,6 +4,7 @@ from dataclasses import dataclass
 from typing import Literal
 
 from app.messages.message import Text, message, quantity
+from app.messages.uncertainty import uncertainty_quantity
 from app.metrology.decision import EXPANDED_K2, Decision, DecisionRule
 
 
@@ -37,7 +38,7 @@ def describe_judgement(judged: Judgement, rule: DecisionRule) -> Text:
     if guard == 0:
         how = "within" if size <= limit else "beyond"
         return message("figure-without-guard", title=title, value=shown, limit=most, how=how)
-    band = quantity(guard, unit, 1 if guard < 10 else 0)
+    band = uncertainty_quantity(guard, unit)
     if judged.signed and limit < 2 * judged.standard_uncertainty:
         return message(
             "figure-between-close-limits",

@@ -14,11 +14,18 @@ from app.metrology.performance.value_uncertainty import (
     plane_uncertainty_um,
     size_uncertainty_um,
 )
-from app.workflows.measure_gauge import GaugeFit
+
+RANGE_OF: dict[FigureName, FigureName] = {
+    "angle": "angle_range",
+    "offset": "offset_range",
+    "z_error": "offset_range",
+    "centre_error": "centre_range",
+}
+"""Figures to which two parts of one gauge contribute differently."""
 
 
 def gauge_test_uncertainty(
-    gauge: GaugeFile, fits: Sequence[GaugeFit]
+    gauge: GaugeFile, widths_mm: Sequence[float] = (), steepness: float = 1.0
 ) -> Mapping[FigureName, float]:
     """The test value uncertainty of every figure of a gauge, k = 1, in the figure's unit.
 
@@ -26,12 +33,27 @@ def gauge_test_uncertainty(
 
     Args:
         gauge: the gauge by its certificate.
-        fits: of its clouds; for a plane, their widths turn its flatness into a tilt.
+        widths_mm: of a plane's clouds, which turn its flatness into a tilt.
+        steepness: of a plane, the share of Z in its normal.
 
     Source:
         ISO 14253-5, ISO/TS 23165.
     """
-    return _plane(gauge, fits) if gauge.shape == "plane" else _sphere(gauge)
+    return _plane(gauge, widths_mm, steepness) if gauge.shape == "plane" else _sphere(gauge)
+
+
+def gauge_range_uncertainty(name: FigureName, test: Mapping[FigureName, float]) -> float:
+    """What a gauge contributes to the difference of a figure between two clouds, k = 1.
+
+    Args:
+        name: of the figure.
+        test: of the gauge, by ``gauge_test_uncertainty``.
+    """
+    ranged = RANGE_OF.get(name)
+    if ranged is None:
+        return 0.0
+    steeper = test["z_error"] / test["offset"] if name == "z_error" and test["offset"] else 1.0
+    return test[ranged] * steeper
 
 
 def _sphere(gauge: GaugeFile) -> dict[FigureName, float]:
@@ -51,10 +73,11 @@ def _sphere(gauge: GaugeFile) -> dict[FigureName, float]:
     }
 
 
-def _plane(gauge: GaugeFile, fits: Sequence[GaugeFit]) -> dict[FigureName, float]:
+def _plane(
+    gauge: GaugeFile, widths_mm: Sequence[float], steepness: float
+) -> dict[FigureName, float]:
     form = plane_uncertainty_um(gauge.form_um, gauge.standard_uncertainty_um)
     # clouds of different parts of the plane are tilted by half its flatness over their width
-    widths_mm = [fit.width_mm for fit in fits if fit.width_mm]
     tilt = np.arctan(gauge.form_um / 2e3 / min(widths_mm)) if widths_mm else 0.0
     return {
         "form": form,
@@ -64,6 +87,6 @@ def _plane(gauge: GaugeFile, fits: Sequence[GaugeFit]) -> dict[FigureName, float
         "angle": float(tilt) * ARCSEC_PER_RAD,
         "angle_range": float(tilt) * ARCSEC_PER_RAD,
         "offset": form,
-        "z_error": form,
+        "z_error": form / steepness,
         "offset_range": gauge.form_um / 2,
     }

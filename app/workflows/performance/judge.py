@@ -7,6 +7,7 @@ from app.formats.performance.plan import PerformancePlan
 from app.formats.performance.results import PerformanceFigure, PerformanceVerdict
 from app.formats.performance.symbols import TITLES, Quantity, symbol_of
 from app.messages.message import Text, message, quantity
+from app.messages.uncertainty import uncertainty_quantity
 from app.metrology.decision import Decision, decide
 
 K = 2.0
@@ -108,7 +109,7 @@ def _reason(
         "title": title,
         "value": size,
         "limit": quantity(limit, "µm", 1),
-        "uncertainty": quantity(expanded or 0.0, "µm", 1),
+        "uncertainty": uncertainty_quantity(expanded or 0.0, "µm"),
     }
     if problem:
         return message("performance-conditions-not-met", title=title, value=size, problem=problem)

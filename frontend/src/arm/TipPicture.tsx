@@ -27,6 +27,8 @@ function figuresOf(tip: NonNullable<ArmPicture["tip"]>): FigureLine[] {
     limit,
     reason: "",
     clouds: [],
+    budget: {},
+    spread: {},
     test_uncertainty: null,
     judged_by: "measurement" as const,
   };

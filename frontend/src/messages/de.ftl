@@ -263,6 +263,7 @@ ui-determined-not-in-use-yet = Bestimmt, noch nicht verwendet.
 ui-determining-the-delay = Zeitversatz wird bestimmt …
 ui-deviation = Abweichung
 ui-deviation-from-the-shape = Abweichung von der Form
+ui-deviation-of-clouds = Standardabweichung der Wolken
 ui-deviations-from-the-fitted-shape = Abweichungen von der eingepassten Form
 ui-device-connection-lost = { $device }: Verbindung unterbrochen
 ui-devices = Geräte
@@ -631,7 +632,7 @@ ui-limit-value = Grenzwert { $value }
 ui-limits = Grenzen
 ui-limits-by-the-datasheet = Grenzwerte nach Datenblatt (MPE)
 ui-limits-fixed-at-first-touch = Eine Kenngröße ohne Grenzwert wird angegeben, aber nicht beurteilt. Die Grenzwerte stehen ab der ersten Antastung oder dem ersten Scan fest und bleiben für die nächste Prüfung erhalten.
-ui-limits-judged-by-uncertainty-on-bar = Der Grenzwert wird nach der Unsicherheit beurteilt, die auf dem Balken gezeichnet und zuerst genannt ist. U der Prüfung: Prüfwertunsicherheit allein aus dem Normal und seinem Aufbau (ISO 14253-5), für die Leistung des Scanners. U der Messung: aus Normal, Taster und Ausgleich, für den Ort des Normals.
+ui-limits-judged-by-uncertainty-on-bar = Der Grenzwert wird nach der Unsicherheit beurteilt, die auf dem Balken gezeichnet und zuerst genannt ist. U der Prüfung: Prüfwertunsicherheit allein aus dem Normal und seinem Aufbau (ISO 14253-5), für die Leistung des Scanners. U der Messung: aus Normal, Taster und Streuung der Punkte, für den Ort des Normals; U der Prüfung ist ein Teil davon.
 ui-line = Linie
 ui-line-spacing = Linienabstand
 ui-lines-point-outward-or-inward = Striche zeigen nach außen oder innen
@@ -664,6 +665,7 @@ ui-map-appears-after-first-cloud = Die Karte erscheint hier nach der ersten Punk
 ui-mask-shines-picture-not-part-object = Ausblenden, was im Bild glänzt und nicht zum Objekt gehört: eine Spannpratze, die Kante des Sensors selbst.
 ui-master-sphere = Meisterkugel
 ui-mean = Mittelwert { $value }
+ui-mean-of-clouds = Mittelwert der Wolken
 ui-measure = Messen
 ui-measurements = Messungen
 ui-merlons = { $n ->
@@ -932,6 +934,7 @@ ui-poses = Posen
 ui-poses-another-tilt-rotation-improve-result = Posen mit anderer Neigung oder Drehung verbessern das Ergebnis. Die wirksamste wird vorgeschlagen.
 ui-positions-of-the-sphere = Positionen der Kugel
 ui-preparation = Vorbereitung
+ui-probe = Taster
 ui-probe-matrix-t-flange-sensor = Tastermatrix T_flange_sensor
 ui-problems = { $n ->
         [one] Ein Problem
@@ -946,6 +949,7 @@ ui-radius-error = Radiusabweichung
 ui-radius-error-lowercase = Radiusabweichung
 ui-range = { $low } bis { $high }
 ui-range-of-all = Spannweite aller
+ui-range-of-clouds = Spannweite der Wolken
 ui-range-over-the-calibrations = { $figure }: Spannweite über die Kalibrierungen
 ui-range-over-the-clouds = { $figure }: Spannweite über die Punktwolken
 ui-rate = Rate
@@ -1249,8 +1253,16 @@ ui-turn-off-notifications-here = Benachrichtigungen hier ausschalten
 ui-turn-on-notifications-here = Benachrichtigungen hier einschalten
 ui-two-positions = Zwei, wie die Norm verlangt
 ui-type = Typ
+ui-u-from-parts = { $whole }: Wurzel der Quadrate von { $parts }
 ui-u-k-2 = U (k = 2)
 ui-u-measurement = U
+ui-u-part = 
+    { $source ->
+        [gauge] Normal { $value }
+        [probe] Taster { $value }
+        [points] Punkte { $value }
+       *[clouds] Wolken { $value }
+    }
 ui-u-test = U der Prüfung
 ui-u-test-k-2 = U der Prüfung (k = 2)
 ui-u-value =
@@ -1262,6 +1274,7 @@ ui-u-value =
 ui-uncertain = Nicht entschieden
 ui-uncertain-lowercase = nicht entschieden
 ui-uncertainty = Unsicherheit
+ui-uncertainty-budgets = Unsicherheitsbudgets (k = 2): U ist die Wurzel der Quadratsumme seiner Anteile
 ui-uncertainty-of-a-point-k-1 = Unsicherheit eines Punkts, k = 1
 ui-uncertainty-scanned-point-k-1 = Unsicherheit eines gescannten Punkts (k = 1)
 ui-unchanged = unverändert
@@ -1286,6 +1299,7 @@ ui-valid-old = gültig, { $age } alt
 ui-validity = Gültigkeit
 ui-value = Wert
 ui-value-at-pixel = { $value } bei { $u }, { $v }
+ui-value-of = Wert von
 ui-verification = Verifizierung
 ui-verifications = Verifizierungen
 ui-verified = Verifiziert
@@ -1313,6 +1327,7 @@ ui-without-a-ball-bar = Ohne Kugelstab
 ui-without-a-sphere = Ohne Kugel
 ui-without-arm-position = Ohne Armstellung
 ui-without-contact-points-only-form-size = Ohne Antastpunkte werden nur Form, Maß und Streuung beurteilt, nicht die Lage.
+ui-worst-cloud = schlechteste Wolke
 ui-write-the-datasheet-of-the-arm = Datenblatt anlegen
 ui-wrong-tip-object-appears-residuals-later = Eine falsche Tastkugel oder ein falsches Objekt zeigt sich später in den Residuen und wird dann gemeldet.
 ui-you = Sie

@@ -263,6 +263,7 @@ ui-determined-not-in-use-yet = Determined, but not in use yet.
 ui-determining-the-delay = Determining the delay…
 ui-deviation = Deviation
 ui-deviation-from-the-shape = Deviation from the shape
+ui-deviation-of-clouds = standard deviation of the clouds
 ui-deviations-from-the-fitted-shape = Deviations from the fitted shape
 ui-device-connection-lost = { $device }: connection lost
 ui-devices = Devices
@@ -631,7 +632,7 @@ ui-limit-value = limit { $value }
 ui-limits = Limits
 ui-limits-by-the-datasheet = Limits by the datasheet (MPE)
 ui-limits-fixed-at-first-touch = A figure without a limit is reported, but not judged. The limits are fixed at the first touch or scan, and kept for the next test.
-ui-limits-judged-by-uncertainty-on-bar = The uncertainty drawn on a bar, and named first, is the one that the limit is judged by. U of test: test value uncertainty by the gauge and its set-up alone (ISO 14253-5), for the performance of the scanner. U of measurement: by gauge, probe and fit, for where the gauge was found.
+ui-limits-judged-by-uncertainty-on-bar = The uncertainty drawn on a bar, and named first, is the one that the limit is judged by. U of test: test value uncertainty by the gauge and its set-up alone (ISO 14253-5), for the performance of the scanner. U of measurement: by gauge, probe and the points' scatter, for where the gauge was found; U of test is a part of it.
 ui-line = Line
 ui-line-spacing = Line spacing
 ui-lines-point-outward-or-inward = lines point outward or inward
@@ -664,6 +665,7 @@ ui-map-appears-after-first-cloud = The map appears here after the first cloud.
 ui-mask-shines-picture-not-part-object = Mask bright areas that are not part of the object, such as a clamp or the sensor's own edge.
 ui-master-sphere = Master sphere
 ui-mean = mean { $value }
+ui-mean-of-clouds = mean of the clouds
 ui-measure = Measure
 ui-measurements = Measurements
 ui-merlons = { $n ->
@@ -932,6 +934,7 @@ ui-poses = Poses
 ui-poses-another-tilt-rotation-improve-result = Poses with a different tilt or rotation improve the result. The station suggests the most useful one.
 ui-positions-of-the-sphere = Positions of the sphere
 ui-preparation = Preparation
+ui-probe = Probe
 ui-probe-matrix-t-flange-sensor = Probe matrix T_flange_sensor
 ui-problems = { $n ->
         [one] One problem
@@ -946,6 +949,7 @@ ui-radius-error = Radius error
 ui-radius-error-lowercase = radius error
 ui-range = { $low } to { $high }
 ui-range-of-all = Range of all
+ui-range-of-clouds = range of the clouds
 ui-range-over-the-calibrations = { $figure }: range over the calibrations
 ui-range-over-the-clouds = { $figure }: range over the clouds
 ui-rate = Rate
@@ -1249,8 +1253,16 @@ ui-turn-off-notifications-here = Turn off notifications here
 ui-turn-on-notifications-here = Turn on notifications here
 ui-two-positions = Two, as the standard asks
 ui-type = Type
+ui-u-from-parts = { $whole }: root of the squares of { $parts }
 ui-u-k-2 = U (k = 2)
 ui-u-measurement = U
+ui-u-part = 
+    { $source ->
+        [gauge] gauge { $value }
+        [probe] probe { $value }
+        [points] points { $value }
+       *[clouds] clouds { $value }
+    }
 ui-u-test = U of test
 ui-u-test-k-2 = U of test (k = 2)
 ui-u-value =
@@ -1262,6 +1274,7 @@ ui-u-value =
 ui-uncertain = Uncertain
 ui-uncertain-lowercase = uncertain
 ui-uncertainty = Uncertainty
+ui-uncertainty-budgets = Uncertainty budgets (k = 2): U is the root of the sum of squares of its parts
 ui-uncertainty-of-a-point-k-1 = Uncertainty of a point, k = 1
 ui-uncertainty-scanned-point-k-1 = Uncertainty of a scanned point (k = 1)
 ui-unchanged = unchanged
@@ -1286,6 +1299,7 @@ ui-valid-old = valid, { $age } old
 ui-validity = Validity
 ui-value = Value
 ui-value-at-pixel = { $value } at { $u }, { $v }
+ui-value-of = Value of
 ui-verification = Verification
 ui-verifications = Verifications
 ui-verified = Verified
@@ -1313,6 +1327,7 @@ ui-without-a-ball-bar = Without a ball bar
 ui-without-a-sphere = Without a sphere
 ui-without-arm-position = Without arm position
 ui-without-contact-points-only-form-size = Without contact points, only form, size and scatter are assessed, not the position.
+ui-worst-cloud = worst cloud
 ui-write-the-datasheet-of-the-arm = Write its datasheet
 ui-wrong-tip-object-appears-residuals-later = If the tip or the object is wrong, the residuals show it later and the station reports it.
 ui-you = you

@@ -3,7 +3,8 @@ import type { ReactNode } from "react";
 import type { PerformanceFigureLine, PerformanceResultView } from "../api/wire";
 import { measured, signedLength } from "../parts/lengths";
 import { QualityMark } from "../parts/QualityMark";
-import { t } from "../state/language";
+import { uncertaintyQuantity } from "../parts/uncertainty";
+import { render, t } from "../state/language";
 import { DECISIONS, QUALITY } from "../verify/verification";
 import styles from "./ResultTable.module.css";
 
@@ -67,7 +68,7 @@ function Row({ figure }: { figure: PerformanceFigureLine }) {
       <td>
         {value === null ? "–" : signed ? signedLength(value, "µm", 1) : measured(value, "µm", 1)}
         {value !== null && test_uncertainty !== null && (
-          <span className={styles.symbol}>U = {measured(test_uncertainty, "µm", 1)}</span>
+          <span className={styles.symbol}>U = {render(uncertaintyQuantity(test_uncertainty, "µm"))}</span>
         )}
       </td>
       <td>{limit === null ? "–" : `${signed ? "± " : ""}${measured(limit, "µm")}`}</td>

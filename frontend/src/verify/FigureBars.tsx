@@ -1,7 +1,9 @@
 import type { FigureLine } from "../api/wire";
-import { quantity } from "../messages/text";
+import { message, quantity } from "../messages/text";
 import { QualityMark } from "../parts/QualityMark";
+import { partQuantity, uncertaintyQuantity } from "../parts/uncertainty";
 import { t } from "../state/language";
+import { SOURCES, statedUncertainties } from "./budget";
 import styles from "./FigureBars.module.css";
 import { DECISIONS, QUALITY, worded } from "./verification";
 
@@ -24,15 +26,23 @@ interface Uncertainty {
 
 /** The one that the limit is judged by, and the other. */
 function uncertainties(figure: FigureLine): [Uncertainty, Uncertainty | null] {
-  const { expanded_uncertainty, test_uncertainty } = figure;
-  if (test_uncertainty === null) return [{ by: "", value: expanded_uncertainty }, null];
-  const measurement: Uncertainty = { by: "measurement", value: expanded_uncertainty };
-  const test: Uncertainty = { by: "test", value: 2 * test_uncertainty };
-  return figure.judged_by === "test" ? [test, measurement] : [measurement, test];
+  const { measurement, test } = statedUncertainties(figure);
+  const by = figure.test_uncertainty === null ? "" : "measurement";
+  const ofMeasurement: Uncertainty | null = measurement === null ? null : { by, value: measurement };
+  const ofTest: Uncertainty | null = test === null ? null : { by: "test", value: test };
+  const both = figure.judged_by === "test" ? [ofTest, ofMeasurement] : [ofMeasurement, ofTest];
+  const [first, second] = both.filter((one) => one !== null);
+  return [first ?? { by: "", value: 0 }, second ?? null];
 }
 
-function stated({ by, value }: Uncertainty, unit: FigureLine["unit"]): string {
-  return t("ui-u-value", { by, value: quantity(value, unit, value < 10 ? 1 : 0) });
+function stated({ by, value }: Uncertainty, { unit, budget }: FigureLine): string {
+  const whole = t("ui-u-value", { by, value: uncertaintyQuantity(value, unit) });
+  const parts = SOURCES.flatMap(({ name: source }) => {
+    const part = budget[source];
+    return part === undefined ? [] : [message("ui-u-part", { source, value: partQuantity(2 * part, value, unit) })];
+  });
+  if (by !== "measurement" || parts.length === 0) return whole;
+  return t("ui-u-from-parts", { whole, parts: { items: parts, separator: ", " } });
 }
 
 function Bar({ figure }: { figure: FigureLine }) {
@@ -68,8 +78,8 @@ function Bar({ figure }: { figure: FigureLine }) {
             <span>{t("ui-limit-value", { value: quantity(limit, unit) })}</span>
           </>
         )}
-        {U > 0 && <span>{stated(judging, unit)}</span>}
-        {other && <span>{stated(other, unit)}</span>}
+        {U > 0 && <span>{stated(judging, figure)}</span>}
+        {other && <span>{stated(other, figure)}</span>}
       </p>
     </li>
   );

@@ -10,7 +10,9 @@ import type {
 } from "../api/wire";
 import { message, type PlainId, quantity, type Text } from "../messages/text";
 import { measured, signedLength } from "../parts/lengths";
-import type { TableData } from "../parts/table";
+import type { Cell, TableData } from "../parts/table";
+import { uncertaintyQuantity } from "../parts/uncertainty";
+import { budgetTables, statedUncertainties } from "./budget";
 
 /** The displayed verification: the running one, or one of the records. */
 export interface DisplayedVerification {
@@ -79,6 +81,8 @@ export function displayedRecord(record: VerificationFile): DisplayedVerification
     test_uncertainty: figure.test_uncertainty ?? null,
     judged_by: figure.judged_by ?? "measurement",
     clouds: figure.clouds ?? [],
+    budget: figure.budget ?? {},
+    spread: figure.spread ?? {},
   }));
   return {
     shape: record.gauge.shape,
@@ -94,7 +98,7 @@ export function displayedRecord(record: VerificationFile): DisplayedVerification
 /** A figure with its unit; with a sign only if both signs are possible. */
 export function worded({ name, value, unit }: Pick<FigureLine, "name" | "value" | "unit">): string {
   const both = name === "offset" || name === "z_error" || name === "radius_error";
-  return both ? signedLength(value, unit) : measured(value, unit);
+  return both ? signedLength(value, unit, 1) : measured(value, unit, 1);
 }
 
 const COLUMNS: { name: keyof CloudLine; title: PlainId; unit: string }[] = [
@@ -133,8 +137,7 @@ export function tablesOf({ clouds, figures: found }: DisplayedVerification): Tab
       rows: found.map((f) => [
         f.title,
         quantity(f.value, f.unit, 1),
-        quantity(f.expanded_uncertainty, f.unit, 1),
-        f.test_uncertainty === null ? "–" : quantity(2 * f.test_uncertainty, f.unit, 1),
+        ...uncertaintyCells(f),
         message(f.judged_by === "test" ? "ui-u-test" : "ui-u-measurement"),
         f.limit === null ? "–" : quantity(f.limit, f.unit),
         { unit: f.unit },
@@ -142,6 +145,7 @@ export function tablesOf({ clouds, figures: found }: DisplayedVerification): Tab
       ]),
       wide: true,
     },
+    ...budgetTables(found),
     {
       title: "ui-clouds",
       head: ["ui-cloud", ...known],
@@ -149,4 +153,9 @@ export function tablesOf({ clouds, figures: found }: DisplayedVerification): Tab
       wide: true,
     },
   ];
+}
+
+function uncertaintyCells(figure: FigureLine): Cell[] {
+  const { measurement, test } = statedUncertainties(figure);
+  return [measurement, test].map((value) => (value === null ? "–" : uncertaintyQuantity(value, figure.unit)));
 }

@@ -5,7 +5,6 @@ from pathlib import Path
 from app.formats.results.decision_rule import describe_rule
 from app.formats.results.verification import (
     VERIFICATION,
-    CloudPart,
     Decision,
     FigurePart,
     FiltersPart,
@@ -13,7 +12,7 @@ from app.formats.results.verification import (
     VerificationFile,
     read_verification,
 )
-from app.messages.message import Message, Text, join, message, quantity, rounded, word
+from app.messages.message import Message, Text, join, message, quantity, rounded
 from app.report.content import (
     Facts,
     Findings,
@@ -21,22 +20,23 @@ from app.report.content import (
     Quality,
     Report,
     ReportFinding,
-    ReportTable,
     Section,
     TextBlock,
     Verdict,
     signatures,
 )
-from app.report.contents.verification_figures import cloud_plot, deviation_figure, limit_figure
+from app.report.contents.verification.figures import deviation_figure, limit_figure
+from app.report.contents.verification.tables import (
+    MARK,
+    budget_sections,
+    cloud_sections,
+    results_table,
+)
 from app.report.formatting import (
-    NONE,
     UNKNOWN,
     device_name,
-    error_value,
     format_moment,
     micrometres,
-    millimetres,
-    plus_minus,
     simulation_notes,
     software_name,
     temperature,
@@ -56,13 +56,6 @@ QUALITIES: dict[Decision, Quality] = {
     "uncertain": "attention",
     "none": "neutral",
 }
-MARK = " *"
-DECISIONS: dict[Decision, Message] = {
-    "pass": word("pass"),
-    "fail": word("fail"),
-    "uncertain": word("undecided"),
-    "none": message("no-limit"),
-}
 
 
 def verification_report(folder: Path) -> Report[Text]:
@@ -80,11 +73,12 @@ def verification_report(folder: Path) -> Report[Text]:
     notes = [ReportFinding[Text]("neutral", note, "") for note in document.notes]
     sections: list[Section[Text]] = [
         Section(message("what-verified"), [Facts(_facts(document))]),
-        Section(message("results"), [_results(document), *_rule(document)], together=False),
+        Section(message("results"), [results_table(document), *_rule(document)], together=False),
         signatures(document.operator),
         Section(message("reasons"), [Findings([*reasons, *notes])], together=False),
         Section(message("against-limits"), [Pictures([limit_figure(document)])]),
-        *_clouds(document),
+        *budget_sections(document),
+        *cloud_sections(document),
         *_maps(folder, document),
         inputs_section(folder, document.inputs, VERIFICATION),
     ]
@@ -163,41 +157,6 @@ def _placement_text(placing: PlacingPart | None) -> Text:
     )
 
 
-def _results(document: VerificationFile) -> ReportTable[Text]:
-    rows: list[tuple[Text, ...]] = [
-        (
-            figure.title,
-            error_value(figure.value, figure.unit),
-            millimetres(figure.value) if figure.unit == "µm" else "",
-            *_uncertainties(figure),
-            NONE if figure.limit is None else error_value(figure.limit, figure.unit),
-            DECISIONS[figure.decision],
-        )
-        for figure in document.figures
-    ]
-    columns = (
-        message("figure"),
-        message("value"),
-        message("mm"),
-        message("measurement-u"),
-        message("test-u"),
-        message("limit-3"),
-        message("decision"),
-    )
-    return ReportTable(columns, rows, (28, 12, 13, 13, 13, 11, 14))
-
-
-def _uncertainties(figure: FigurePart) -> tuple[Text, Text]:
-    """Measurement and test value uncertainty, k = 2; the one that the limit is judged by is
-    marked."""
-    by_test = figure.judged_by == "test"
-    measured = plus_minus(error_value(figure.expanded_uncertainty, figure.unit))
-    if figure.test_uncertainty is None:
-        return measured, NONE
-    test = plus_minus(error_value(2 * figure.test_uncertainty, figure.unit))
-    return (measured, join([test, MARK], "")) if by_test else (join([measured, MARK], ""), test)
-
-
 def _rule(document: VerificationFile) -> list[TextBlock[Text]]:
     texts: list[Text] = [describe_rule(document.rule)]
     if any(figure.test_uncertainty is not None for figure in document.figures):
@@ -226,58 +185,6 @@ def _filters(filters: FiltersPart) -> Text:
     )
 
 
-FORM_FIGURES: tuple[tuple[str, Text, int], ...] = (
-    ("form_all_um", message("form-all-m"), 1),
-    ("range_all_um", message("range-all-m"), 1),
-)
-"""Of all points in the gate; older clouds have none."""
-CLOUD_FIGURES: tuple[tuple[str, Text, int], ...] = (
-    ("angle_arcsec", message("angle"), 0),
-    ("z_error_um", "Z, µm", 1),
-    ("offset_error_um", message("offset-m"), 1),
-    ("radius_error_um", message("radius-m"), 1),
-    ("centre_error_um", message("centre-m"), 1),
-)
-
-
-def _clouds(document: VerificationFile) -> list[Section[Text]]:
-    """The figures of each cloud as a table, and as points over the clouds (article, Figs. 7-11)."""
-    known = [
-        (name, title, decimals)
-        for name, title, decimals in CLOUD_FIGURES
-        if any(getattr(cloud, name) is not None for cloud in document.clouds)
-    ]
-    forms = [
-        (name, title, decimals)
-        for name, title, decimals in FORM_FIGURES
-        if any(getattr(cloud, name) is not None for cloud in document.clouds)
-    ]
-    rows: list[tuple[Text, ...]] = [
-        (
-            cloud.name,
-            str(cloud.used),
-            quantity(cloud.rms_um, decimals=1),
-            quantity(cloud.form_um, decimals=1),
-            *(_cell(cloud, name, decimals) for name, _, decimals in (*forms, *known)),
-        )
-        for cloud in document.clouds
-    ]
-    columns = (
-        message("cloud"),
-        message("points-used"),
-        "rms, µm",
-        message("form-95-m"),
-        *(title for _, title, _ in (*forms, *known)),
-    )
-    widths = (18, 12, 10, 13, *[12] * (len(forms) + len(known)))
-    table = ReportTable[Text](columns, rows, widths)
-    sections = [Section[Text](message("clouds-2"), [table], together=False)]
-    if len(document.clouds) > 1 and known:
-        plots = [cloud_plot(document, name, title) for name, title, _ in known]
-        sections.append(Section(message("over-clouds"), [Pictures(plots, 3)], together=False))
-    return sections
-
-
 def _maps(folder: Path, document: VerificationFile) -> list[Section[Text]]:
     """The deviations of each cloud from its own shape, if the folder has them."""
     maps = [
@@ -289,8 +196,3 @@ def _maps(folder: Path, document: VerificationFile) -> list[Section[Text]]:
     if not figures:
         return []
     return [Section(message("residuals-gauge-2"), [Pictures(figures, 3)], together=False)]
-
-
-def _cell(cloud: CloudPart, name: str, decimals: int) -> Text:
-    value = getattr(cloud, name)
-    return "–" if value is None else quantity(value, decimals=decimals)

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from app.formats.results.verification import FigurePart, VerificationFile
+from app.formats.results.verification import VerificationFile
 from app.messages.message import Text, message, quantity, signed
 from app.report.contents.limits_figure import LimitedValue, draw_limits
 from app.report.figure import (
@@ -35,7 +35,7 @@ def limit_figure(document: VerificationFile) -> tuple[Figure[Text], Text]:
             one.title,
             error_value(one.value, one.unit),
             one.value,
-            _uncertainty_of_decision(one),
+            one.judging_uncertainty,
             one.limit,
             one.decision,
             one.clouds,
@@ -45,13 +45,6 @@ def limit_figure(document: VerificationFile) -> tuple[Figure[Text], Text]:
     ]
     figure = draw_limits(limited, LABELS, message("limit-mark"))
     return figure, message("values-shares-their-limits-bar-expanded")
-
-
-def _uncertainty_of_decision(one: FigurePart) -> float:
-    """The expanded uncertainty (k = 2) that the limit is judged by."""
-    if one.judged_by == "test" and one.test_uncertainty is not None:
-        return 2 * one.test_uncertainty
-    return one.expanded_uncertainty
 
 
 def cloud_plot(document: VerificationFile, name: str, title: Text) -> tuple[Figure[Text], Text]:

@@ -1,6 +1,6 @@
 """Compares clouds of gauges with their nominals (Eq. 10-12), as a report."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import asdict
 from pathlib import Path
 from typing import Literal
@@ -10,16 +10,24 @@ import numpy as np
 from app.errors import OperationError
 from app.formats.clouds.files import read_cloud
 from app.formats.clouds.points import Cloud
-from app.formats.datasheets.gauge import read_gauge
+from app.formats.datasheets.gauge import GaugeFile, read_gauge
 from app.formats.datasheets.gauge_nominal import read_nominal
 from app.formats.io_errors import prefix_errors
 from app.formats.results.gauge_report import CloudReport, GaugeReport, SpreadReport
+from app.formats.results.verification import FigureName
 from app.messages.message import Text, message, quantity
+from app.messages.uncertainty import uncertainty_quantity
 from app.metrology.fitting.plane_sphere import finite_points
-from app.metrology.gauges.errors import NominalPlane, NominalSphere, compute_repeatability
+from app.metrology.gauges.errors import NominalPlane, NominalSphere
+from app.metrology.gauges.figure_budget import (
+    Budget,
+    K,
+    Source,
+    combine_budget,
+    spread_statistics,
+)
 from app.metrology.gauges.gauge_figures import (
     GaugeFigures,
-    K,
     as_frames,
     plane_figures,
     sphere_figures,
@@ -27,6 +35,10 @@ from app.metrology.gauges.gauge_figures import (
 from app.metrology.gauges.scanned_gauge import LEAST_CAP_RAD
 from app.metrology.transforms import Floats
 from app.progress import Progress, no_progress
+from app.workflows.judgement.value_uncertainty import (
+    gauge_range_uncertainty,
+    gauge_test_uncertainty,
+)
 
 Shape = Literal["plane", "sphere"]
 Unit = Literal["mm", "m", "inch"]
@@ -42,7 +54,7 @@ MOST_ROUGH = 0.01
 NARROW = 0.02
 """The width of a cloud over its length: of less, the plane may turn about its line."""
 
-FIGURES = {
+FIGURES: dict[str, tuple[str, int]] = {
     "angle_arcsec": ("angle ″", 1),
     "z_error_um": ("Z error µm", 1),
     "offset_error_um": ("offset µm", 1),
@@ -55,6 +67,17 @@ FIGURES = {
 }
 """Their headings and decimals."""
 DISPERSIONS = ("rms_um", "form_um", "range_all_um")
+NAMES: dict[str, FigureName] = {
+    "angle_arcsec": "angle",
+    "z_error_um": "z_error",
+    "offset_error_um": "offset",
+    "radius_error_um": "radius_error",
+    "centre_error_um": "centre_error",
+    "rms_um": "rms",
+    "form_um": "form",
+    "range_all_um": "range_all",
+}
+"""The figures of a verification that have the same uncertainty by their gauge."""
 PLACE_ERRORS = ("z_error_um", "offset_error_um", "centre_error_um", "angle_arcsec")
 """What a cloud in other coordinates does not have."""
 PARAMETERS: dict[Shape, int] = {"plane": 3, "sphere": 4}
@@ -62,8 +85,6 @@ EXACT_MM, MOST_EXACT = 5e-5, 0.95
 """An rms that prints as 0.0 µm; with it, this share of the points is used unless others, which are
 not exact, show that the exact ones were not measured."""
 LARGEST_SHAPE_MM = 5e5
-UNIFORM = float(np.sqrt(12.0))
-SMALLEST_SHOWN = 1e-4
 
 
 def verify(
@@ -88,14 +109,14 @@ def verify(
             a cloud determines no plane or sphere.
     """
     nominal = None if nominal_path is None else read_nominal(nominal_path)
-    gauge_sd_um = 0.0 if nominal_path is None else _gauge_sd_um(nominal_path)
+    gauge = None if nominal_path is None else read_gauge(nominal_path)
     found: list[CloudReport] = []
     warnings: list[Text] = []
     for done, path in enumerate(clouds):
         progress(done / len(clouds), path.name)
         read = read_cloud(path, columns, None if unit is None else MM[unit])
         with prefix_errors(path):
-            cloud, findings = _check_cloud(shape, path, read, nominal, gauge_sd_um)
+            cloud, findings = _check_cloud(shape, path, read, nominal, gauge)
         found.append(cloud)
         warnings += _describe_left_out(cloud)
         if other := _unit_by_radius(cloud, nominal, read.mm_per_unit):
@@ -103,19 +124,14 @@ def verify(
         else:
             warnings += findings + _find_implausible(shape, cloud, read)
     progress(1.0, "")
+    widths_mm = [cloud.width_mm for cloud in found if cloud.width_mm]
     report = GaugeReport(
         shape=shape,
         nominal=None if nominal_path is None else str(nominal_path),
         clouds=tuple(found),
-        spread=_spreads(found),
+        spread=_spreads(found, _gauge_parts(nominal, gauge, widths_mm)),
     )
     return report, warnings
-
-
-def _gauge_sd_um(nominal_path: Path) -> float:
-    """Standard uncertainty (k = 1) of a gauge's surface, by its certificate."""
-    gauge = read_gauge(nominal_path)
-    return float(np.hypot(gauge.standard_uncertainty_um, gauge.form_um / UNIFORM))
 
 
 def _describe_left_out(cloud: CloudReport) -> list[Text]:
@@ -188,7 +204,7 @@ def _check_cloud(
     path: Path,
     read: Cloud,
     nominal: NominalPlane | NominalSphere | None,
-    gauge_sd_um: float,
+    gauge: GaugeFile | None,
 ) -> tuple[CloudReport, list[Text]]:
     """One cloud's figures with their uncertainties, and what to know of them."""
     finite, mask = finite_points(read.points_mm, 3 if shape == "plane" else 4, shape)
@@ -196,11 +212,11 @@ def _check_cloud(
     if shape == "plane":
         if isinstance(nominal, NominalSphere):
             raise _shape_error("sphere", shape)
-        figures = plane_figures(finite, frame, nominal, gauge_sd_um)
+        figures = plane_figures(finite, frame, nominal)
     else:
         if isinstance(nominal, NominalPlane):
             raise _shape_error("plane", shape)
-        figures = sphere_figures(finite, frame, nominal, gauge_sd_um)
+        figures = sphere_figures(finite, frame, nominal)
     _refuse_exact(shape, figures, len(finite))
     _refuse_huge(shape, figures)
     findings = _find_weak(path, figures)
@@ -209,14 +225,32 @@ def _check_cloud(
         distance = quantity(away_um * 1e-6, "m", 0)
         findings.append(message("cloud-in-other-coordinates", file=str(path), distance=distance))
         figures = figures.without(PLACE_ERRORS)
+    found = figures.fields()
+    budget = _budgets(figures, nominal, gauge)
+    budget = {name: one for name, one in budget.items() if found.get(name) is not None}
     fields = {
         "file": str(path),
         "points": len(read.points_mm),
         **asdict(read.left_out),
-        **figures.fields(),
+        **found,
+        "expanded_uncertainty": {name: combine_budget(one) for name, one in budget.items()},
+        "budget": budget,
     }
     cloud = CloudReport.model_validate(fields)
     return cloud, findings
+
+
+def _budgets(
+    figures: GaugeFigures, nominal: NominalPlane | NominalSphere | None, gauge: GaugeFile | None
+) -> dict[str, dict[Source, float]]:
+    """Of every figure: what its gauge and the scatter of its points contribute, k = 1."""
+    found: dict[str, dict[Source, float]] = {}
+    widths_mm = [figures.width_mm] if figures.width_mm else []
+    certified = _gauge_parts(nominal, gauge, widths_mm)
+    for name, sd in figures.sd.items():
+        known = certified.get(NAMES[name]) if name in NAMES else None
+        found[name] = {"points": sd} if known is None else {"gauge": known, "points": sd}
+    return found
 
 
 def _refuse_exact(shape: Shape, figures: GaugeFigures, points: int) -> None:
@@ -254,7 +288,7 @@ def _find_weak(path: Path, figures: GaugeFigures) -> list[Text]:
             "cloud-covers-little",
             file=str(path),
             share=quantity(100 * share, "%", 1),
-            uncertainty=quantity(K * sd_um * 1e3, "µm", 0),
+            uncertainty=uncertainty_quantity(K * sd_um * 1e3, "µm"),
         )
     ]
 
@@ -268,77 +302,36 @@ def _shape_error(found: Shape, wanted: Shape) -> OperationError:
     )
 
 
-def _spreads(clouds: Sequence[CloudReport]) -> dict[str, SpreadReport]:
+def _gauge_parts(
+    nominal: NominalPlane | NominalSphere | None,
+    gauge: GaugeFile | None,
+    widths_mm: Sequence[float],
+) -> Mapping[FigureName, float]:
+    """What the gauge contributes to each figure, k = 1; empty without a nominal."""
+    if gauge is None:
+        return {}
+    steepness = abs(float(nominal.normal[2])) if isinstance(nominal, NominalPlane) else 1.0
+    return gauge_test_uncertainty(gauge, widths_mm, max(steepness, 1e-9))
+
+
+def _spreads(
+    clouds: Sequence[CloudReport], certified: Mapping[FigureName, float]
+) -> dict[str, SpreadReport]:
     if len(clouds) < 2:
         return {}
     found: dict[str, SpreadReport] = {}
     for name in FIGURES:
         values = [getattr(cloud, name) for cloud in clouds]
         if None not in values:
-            over = compute_repeatability(values)
-            found[name] = SpreadReport(
-                mean=over.mean, standard_deviation=over.standard_deviation, range=over.range
-            )
+            figure = NAMES.get(name)
+            known = gauge_range_uncertainty(figure, certified) if figure and certified else 0.0
+            found[name] = _spread(values, [cloud.budget.get(name, {}) for cloud in clouds], known)
     return found
 
 
-def report_table(report: GaugeReport) -> tuple[list[str], list[list[str]]]:
-    """Headings and rows for printing: one row per cloud, then the scatter over several.
-
-    Figures of clouds have their expanded uncertainty (k = 2) beside them.
-    """
-    shown = [name for name in FIGURES if getattr(report.clouds[0], name) is not None]
-    headings = ["cloud", "points", "used", *(FIGURES[name][0] for name in shown)]
-    rows = [
-        [
-            cloud.file,
-            str(cloud.points),
-            str(cloud.used),
-            *(_show_figure(report.shape, cloud, name) for name in shown),
-        ]
-        for cloud in report.clouds
-    ]
-    if report.spread:
-        for title, field in (
-            ("mean", "mean"),
-            ("standard deviation", "standard_deviation"),
-            ("range", "range"),
-        ):
-            figures = (
-                f"{getattr(report.spread[name], field):.{FIGURES[name][1]}f}"
-                if name in report.spread
-                else ""
-                for name in shown
-            )
-            rows.append([title, "", "", *figures])
-    return headings, rows
-
-
-def _show_figure(shape: Shape, cloud: CloudReport, name: str) -> str:
-    value: float | None = getattr(cloud, name)
-    if value is None:
-        return ""
-    decimals = FIGURES[name][1]
-    step = 10.0**-decimals
-    text = f"{value:.{decimals}f}"
-    if name in DISPERSIONS and value < step / 2 and cloud.used > PARAMETERS[shape]:
-        text = f"< {step:.{decimals}f}"
-    uncertainty = cloud.expanded_uncertainty.get(name)
-    if uncertainty is None:
-        return text
-    if uncertainty < step:
-        return f"{text} ± {_up_to_one_digit(uncertainty)}"
-    return f"{text} ± {uncertainty:.{decimals}f}"
-
-
-def _up_to_one_digit(value: float) -> str:
-    """A small uncertainty, rounded up to its first digit.
-
-    Example:
-        >>> _up_to_one_digit(0.00341)
-        '0.004'
-    """
-    if value < SMALLEST_SHOWN:
-        return f"{SMALLEST_SHOWN:g}"
-    digits = int(np.ceil(-np.log10(value)))
-    return f"{np.ceil(value * 10.0**digits - 1e-9) / 10.0**digits:.{digits}f}"
+def _spread(values: Sequence[float], budgets: Sequence[Budget], gauge_range: float) -> SpreadReport:
+    over = spread_statistics(values, budgets, gauge_range)
+    budget = {name: one.budget for name, one in over.items()} if all(budgets) else {}
+    fields: dict[str, object] = {name: one.value for name, one in over.items()}
+    fields["expanded_uncertainty"] = {name: combine_budget(one) for name, one in budget.items()}
+    return SpreadReport.model_validate({**fields, "budget": budget})

@@ -1,0 +1,1 @@
+"""Clouds of gauges compared with their nominals: ``crenel verify``."""
