@@ -25,7 +25,6 @@ from app.wire.fleet import FLEET_ANSWERS
 from app.wire.fleet_drift import FleetDrift
 from app.wire.live_messages import BeatMessage, EventMessage, HelloMessage, LiveRequest, Topics
 from app.wire.schema import Problem, ProblemMessages, RecordedCalibration
-from app.workflows.measure_gauge import MapFile
 
 FILE = Path(__file__).parents[2] / "frontend/src/api/wire.schema.json"
 REFERENCE = "#/$defs/"
@@ -45,7 +44,7 @@ BESIDE_ROUTES: tuple[Any, ...] = (
     FleetDrift,
 )
 """Models that are sent and are not the declared answer of a route of the station."""
-FILES: tuple[Any, ...] = (VerificationFile, PerformanceFile, MapFile)
+FILES: tuple[Any, ...] = (VerificationFile, PerformanceFile)
 """The station's own files that are sent unchanged."""
 Schema = dict[str, Any]
 

@@ -1083,9 +1083,9 @@ dispersion-free-centre = 95 %, freier Mittelpunkt
 distance = Abstand
 distance-between-clouds = Abstand zwischen den Punktwolken
 distance-between-clouds-centres = Abstand der Mittelpunkte der Punktwolken
-distance-each-touch-face-times-larger = Abstand jedes Antastpunkts von seiner Fläche, { $factor }-fach vergrößert: Blau außen, Orange innen, Kreuze ausgeschlossen. Der längste Strich entspricht { $largest } ({ $largest_mm }).
+distance-each-touch-face-times-larger = Abstand jedes Antastpunkts von seiner Fläche, { $factor }-fach vergrößert: Blau innen, Orange außen, Kreuze ausgeschlossen. Der längste Strich entspricht { $largest } ({ $largest_mm }).
 distance-each-touch-sphere-through-all = Abstand jedes Antastpunkts von der Ausgleichskugel.
-distance-fitted-shape-blue-outside-orange = { $name }: Abstand von der eingepassten Form, Blau außen, Orange innen.
+distance-fitted-shape-blue-inside-orange-outside = { $name }: Abstand von der eingepassten Form, Blau innen, Orange außen.
 distance-out-of-range =
     { $side ->
         [near] Zu nah: { $distance }, Soll { $low } bis { $high }
@@ -1238,7 +1238,12 @@ everything-grows-metre-aluminium = Mit der Temperatur dehnt sich alles aus, ein 
 exceed-limit-m = { $half_range } überschreiten den Grenzwert von { $limit }.
 expanded-uncertainty-note = U = { $expanded_uncertainty }, k = 2
 expansion-not-read = der Ausdehnungskoeffizient des Kalibrierscheins wird nicht gelesen: expansion_per_c in der Datei eintragen
-figure-over-clouds = { $title }: { $of }
+figure-over-clouds = 
+    { $title }: { $of ->
+        [mean] Mittelwert
+        [range] Spannweite
+       *[standard_deviation] Standardabweichung
+    }
 file-cannot-be-evaluated = sie lässt sich nicht auswerten ({ $error })
 file-has-no-pictures-with-laser = { $path } enthält keine Bilder mit eingeschaltetem Laser
 file-has-no-readings = { $path } enthält keine Messwerte des Arms
@@ -1272,9 +1277,14 @@ listen-choose-higher-port = Mit --port einen Port ab 1024 wählen
 listen-failed = Port { $port } von { $host } lässt sich nicht öffnen
 listen-free-port = Beenden, was ihn verwendet, oder mit --port einen anderen wählen
 listen-give-own-address = Mit --host eine Adresse dieses Rechners angeben
+map-outliers = 
+    { $points ->
+        [0] Kein Punkt liegt weiter ab, als Rauschen erklärt.
+        [one] Ringe: { $points } Punkt liegt weiter ab, als Rauschen erklärt.
+       *[other] Ringe: { $points } Punkte liegen weiter ab, als Rauschen erklärt.
+    } Dicke Ringe: der tiefste und der höchste Punkt, { $low } und { $high }; die Spannweite aller Punkte liegt zwischen ihnen.
 markers-in-white-squares = in ihren weißen Feldern sind Marker: sie ist eine ChArUco-Tafel
 markers-place-is-estimated-instead = stattdessen wird der Ort des Markers am Flansch geschätzt
-mean = Mittelwert der Wolken
 moves-check-arm-json =
     { $beside ->
         [bars] { $name } ändert sich um { $change }: arm.json und die Längen der Kugelstäbe prüfen
@@ -1297,7 +1307,6 @@ poses-agree-read-otherwise =
        *[after] { $agree } von { $count } Posen stimmen auf { $apart } mit den Bildern von „{ $name }“ überein, wenn jede zum Bild davor gehört; mit dem eigenen nicht
     }
 probe = Taster
-range = Spannweite der Wolken
 readings-are-apart = die Messwerte liegen im Mittel { $period } auseinander; über mehr als { $longest } wird nicht interpoliert
 no-picture-of-folder-has-a-line = keines der { $count } Bilder zeigt eine Linie; das erste: { $first }
 no-picture-within-readings = kein Bild von { $path } wurde während der Messwerte von { $readings } aufgenommen, von { $begin } bis { $end }
@@ -1306,7 +1315,7 @@ picture-at-time-of-line = { $place } hat dieselbe time_s wie Zeile { $line }
 pictures-are-at = die Bilder beginnen bei { $begin }
 reverse-sign-of-joint = Das Vorzeichen (sign) des Gelenks { $joint } in arm.json umkehren
 save-table-as-csv = Als CSV (UTF-8) mit Kommas zwischen den Spalten speichern
-scatter-of-clouds = Wolken
+scatter-of-clouds = Punktwolken
 scatter-of-points = Punkte
 settings-add-as-shown = Ergänzen, wie { $document } es zeigt
 settings-certificate-and-key = Zertifikat und Schlüssel gehören zusammen
@@ -2072,7 +2081,7 @@ places-of-hemisphere =
     { $title }, vom Pol gesehen: { $count ->
         [one] { $count } Stelle
        *[other] { $count } Stellen
-    } mit dem Abstand von der Ausgleichskugel in µm, blau außen, orange innen, höchstens { $largest }. Die Kreise liegen 22,5°, 45°, 67,5° und 90° vom Pol.
+    } mit dem Abstand von der Ausgleichskugel in µm, blau innen, orange außen, höchstens { $largest }. Die Kreise liegen 22,5°, 45°, 67,5° und 90° vom Pol.
 plate = Ebenes Normal
 plate-by-certificate = eben auf { $flatness }
 plate-orientations-alike = der Sensor wurde zwischen den beiden Ausrichtungen nur um { $turn } gedreht; nötig sind { $least }
@@ -2449,7 +2458,6 @@ sphere-gives-way =
     }: Die Antastungen streuen um { $scatter }, die Punkte der Scans um { $expected }
 sphere-moved = Bewegt um
 sphere-position = Position
-standard-deviation = Standardabweichung der Wolken
 started-simulation = simulierten Bediener gestartet
 lies-face = er liegt { $where }
 lies-no-face-all = er liegt auf keiner Fläche
@@ -4098,7 +4106,7 @@ udp-port-cannot-be-opened = Der UDP-Port { $port } dieses Rechners lässt sich n
 udp-port-in-use = Ein anderes Programm auf diesem Rechner empfängt am UDP-Port { $port }
 uncertainty-budgets = Unsicherheitsbudgets
 uncertainty-is-not-the-root-of-its-budget = expanded_uncertainty ist nicht das Doppelte der Wurzel der Quadratsumme seines Budgets
-uncertainty-is-root-of-parts = U ist die Wurzel der Quadratsumme seiner Anteile, alle mit k = 2. Normal: U der Prüfung. Taster: aus den Antastpunkten. Punkte: aus der Streuung der Punkte einer Wolke. Wolken: aus der Streuung der Wolken.
+uncertainty-is-root-of-parts = U ist die Wurzel der Quadratsumme seiner Anteile, alle mit k = 2. Prüfnormal: U der Prüfung. Taster: aus den Antastpunkten. Punkte: aus der Streuung der Punkte einer Punktwolke. Punktwolken: aus deren Streuung. Mittelwert, Standardabweichung und Spannweite sind die der Punktwolken.
 uncertainty-missing = { $file }: uncertainty fehlt
 uncertainty-over-measuring-volume = Unsicherheit im Messvolumen
 uncertainty-scanned-point-k-1 = Unsicherheit eines gescannten Punkts (k = 1)

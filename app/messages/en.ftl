@@ -1079,9 +1079,9 @@ dispersion-free-centre = 95 %, free centre
 distance = Distance
 distance-between-clouds = Distance between clouds
 distance-between-clouds-centres = Distance between the centres of the clouds
-distance-each-touch-face-times-larger = Distance of each contact point from its face, magnified { $factor } times: blue outside, orange inside, crosses excluded. The longest line is { $largest } ({ $largest_mm }).
+distance-each-touch-face-times-larger = Distance of each contact point from its face, magnified { $factor } times: blue inside, orange outside, crosses excluded. The longest line is { $largest } ({ $largest_mm }).
 distance-each-touch-sphere-through-all = Distance of each contact point from the sphere fitted to all of them.
-distance-fitted-shape-blue-outside-orange = { $name }: distance from its fitted shape, blue outside, orange inside.
+distance-fitted-shape-blue-inside-orange-outside = { $name }: distance from its fitted shape, blue inside, orange outside.
 distance-out-of-range =
     { $side ->
         [near] Too near: { $distance }, { $low } to { $high } required
@@ -1234,7 +1234,12 @@ everything-grows-metre-aluminium = Everything expands with it: one metre of alum
 exceed-limit-m = { $half_range } exceeds the limit of { $limit }.
 expanded-uncertainty-note = U = { $expanded_uncertainty }, k = 2
 expansion-not-read = the certificate's coefficient of expansion is not read: enter expansion_per_c in the file
-figure-over-clouds = { $title }: { $of }
+figure-over-clouds = 
+    { $title }: { $of ->
+        [mean] mean
+        [range] range
+       *[standard_deviation] standard deviation
+    }
 file-cannot-be-evaluated = it cannot be evaluated ({ $error })
 file-has-no-pictures-with-laser = { $path } contains no pictures with the laser on
 file-has-no-readings = { $path } contains no readings
@@ -1268,9 +1273,14 @@ listen-choose-higher-port = Choose a port from 1024 on with --port
 listen-failed = Cannot listen on { $host } port { $port }
 listen-free-port = Stop what is using it, or choose another with --port
 listen-give-own-address = Give an address of this machine with --host
+map-outliers = 
+    { $points ->
+        [0] No point is further off than noise explains.
+        [one] Rings: { $points } point is further off than noise explains.
+       *[other] Rings: { $points } points are further off than noise explains.
+    } Bold rings: the lowest and the highest point, { $low } and { $high }; the range of all points lies between these.
 markers-in-white-squares = there are markers in its white squares: it is a ChArUco board
 markers-place-is-estimated-instead = the marker's place on the flange is estimated instead
-mean = mean over the clouds
 moves-check-arm-json =
     { $beside ->
         [bars] { $name } changes by { $change }: check arm.json and the bars' lengths
@@ -1293,7 +1303,6 @@ poses-agree-read-otherwise =
        *[after] { $agree } of { $count } poses agree with the pictures of { $name } to { $apart } if each belongs to the picture before; with their own, they contradict
     }
 probe = Probe
-range = range over the clouds
 readings-are-apart = the readings are { $period } apart on average; nothing is interpolated over more than { $longest }
 no-picture-of-folder-has-a-line = none of the { $count } pictures shows a line; the first: { $first }
 no-picture-within-readings = no picture of { $path } was taken during the readings of { $readings }, from { $begin } to { $end }
@@ -2068,7 +2077,7 @@ places-of-hemisphere =
     { $title }, seen from the pole: { $count ->
         [one] { $count } place
        *[other] { $count } places
-    } with the distance from the least-squares sphere in µm, blue outward, orange inward, at most { $largest }. The circles lie at 22.5°, 45°, 67.5° and 90° from the pole.
+    } with the distance from the least-squares sphere in µm, blue inside, orange outside, at most { $largest }. The circles lie at 22.5°, 45°, 67.5° and 90° from the pole.
 plate = Flat artefact
 plate-by-certificate = flat to { $flatness }
 plate-orientations-alike = the sensor was turned by only { $turn } between the two orientations; { $least } are needed
@@ -2445,7 +2454,6 @@ sphere-gives-way =
     }: the touches scatter by { $scatter }, the points of the scans by { $expected }
 sphere-moved = Moved by
 sphere-position = Position
-standard-deviation = standard deviation over the clouds
 started-simulation = started the simulated operator
 lies-face = it lies { $where }
 lies-no-face-all = it lies on no face
@@ -4076,7 +4084,7 @@ udp-port-cannot-be-opened = UDP port { $port } of this computer cannot be opened
 udp-port-in-use = Another program on this computer receives at UDP port { $port }
 uncertainty-budgets = Uncertainty budgets
 uncertainty-is-not-the-root-of-its-budget = expanded_uncertainty is not twice the root of the sum of squares of its budget
-uncertainty-is-root-of-parts = U is the root of the sum of squares of its parts, all with k = 2. Gauge: U of test. Probe: of the contact points. Points: by the scatter of the points of a cloud. Clouds: by the scatter of the clouds.
+uncertainty-is-root-of-parts = U is the root of the sum of squares of its parts, all with k = 2. Gauge: U of test. Probe: of the contact points. Points: by the scatter of the points of a cloud. Clouds: by their scatter. Mean, standard deviation and range are over the clouds.
 uncertainty-missing = { $file }: uncertainty is missing
 uncertainty-over-measuring-volume = Uncertainty over the measuring volume
 uncertainty-scanned-point-k-1 = Uncertainty of a scanned point (k = 1)

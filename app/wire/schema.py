@@ -15,6 +15,7 @@ from app.messages.message import Text
 from app.metrology.fitting.shape import ShapeName
 from app.station.scan import state as scan_state
 from app.station.view3d.cloud_colouring import Measure
+from app.workflows.deviation_maps import MapFile
 from app.workflows.verification_study import StudyFile
 
 
@@ -269,6 +270,15 @@ class PerformanceSummary:
     text: Text
     artefact: str
     operator: str
+
+
+@dataclass(frozen=True)
+class CloudMap:
+    """The map of one cloud of a verification, and the scale of all."""
+
+    map: MapFile
+    end_um: float
+    """Where the scale of the colours ends on both sides."""
 
 
 @dataclass(frozen=True)

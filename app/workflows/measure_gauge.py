@@ -2,19 +2,16 @@
 
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Annotated, ClassVar
 
 import numpy as np
-from pydantic import Field
 
 from app.formats.clouds.points import Points
 from app.formats.datasheets.gauge import GaugeFile, Shape
-from app.formats.json_document import Document, DocumentPart, NotNegative, Number, Positive, Vector3
+from app.formats.json_document import DocumentPart, NotNegative, Number, Positive, Vector3
 from app.formats.results.calibration import Calibration
 from app.formats.results.verification import FiltersPart
 from app.messages.message import Text
 from app.metrology.arm.kinematics import AnyArm
-from app.metrology.fitting.deviation_map import deviation_map
 from app.metrology.fitting.plane_sphere import FILTER_SIGMAS, PlaneFit, SphereFit
 from app.metrology.gauges.gauge_gate import CONE_DEG, GATE_MM
 from app.metrology.gauges.scanned_gauge import (
@@ -24,9 +21,8 @@ from app.metrology.gauges.scanned_gauge import (
     fit_gauge_sphere,
 )
 from app.metrology.transforms import Floats
+from app.workflows.deviation_maps import MapFile, map_record
 from app.workflows.reconstruct import Reconstruction, reconstruct_into
-
-MAP = "map.json"
 
 
 class GaugeFit(DocumentPart):
@@ -81,17 +77,6 @@ class GaugeFit(DocumentPart):
         return float(np.sqrt(max(float(np.linalg.eigvalsh(part)[-1]), 0.0)))
 
 
-class MapFile(Document):
-    """``map.json``: deviations of a cloud from its fitted shape, as in ``DeviationMap``."""
-
-    FORMAT: ClassVar[str] = "crenel/deviations"
-
-    cell_mm: Positive
-    x_mm: Annotated[tuple[Number, ...], Field(default_factory=tuple)]
-    y_mm: Annotated[tuple[Number, ...], Field(default_factory=tuple)]
-    deviation_um: Annotated[tuple[Number, ...], Field(default_factory=tuple)]
-
-
 @dataclass(frozen=True)
 class GaugeMeasurement:
     """One cloud: its fit, and its map."""
@@ -119,16 +104,23 @@ def measure_recording(
         OperationError: as ``rebuild``; or the cloud does not show the gauge, or too little of it.
     """
     kept: list[Points] = []
-    rebuilt = reconstruct_into(recording, calibration, arm, lambda points, _: kept.append(points))
+    sensor_mm: list[Floats] = []
+    rebuilt = reconstruct_into(
+        recording,
+        calibration,
+        arm,
+        lambda points, _: kept.append(points),
+        take_poses=lambda _, poses: sensor_mm.append(poses[:, :3, 3]),
+    )
     points = np.concatenate(kept)
     xyz: Floats = np.column_stack([points[axis] for axis in "xyz"])
     frame = points["frame"].astype(np.int64)
     if gauge.shape == "plane":
-        found = fit_gauge_plane(xyz, frame)
+        found = fit_gauge_plane(xyz, frame, np.nanmean(np.concatenate(sensor_mm), axis=0))
     else:
         assert gauge.radius_mm is not None
         found = fit_gauge_sphere(xyz, frame, gauge.radius_mm)
-    return GaugeMeasurement(_fit_record(found, rebuilt), _map_record(found))
+    return GaugeMeasurement(_fit_record(found, rebuilt), map_record(found))
 
 
 def _fit_record(found: GaugeCloud, rebuilt: Reconstruction) -> GaugeFit:
@@ -160,15 +152,3 @@ def _fit_record(found: GaugeCloud, rebuilt: Reconstruction) -> GaugeFit:
     elif isinstance(fit, SphereFit):
         values |= {"centre_mm": fit.centre_mm.tolist(), "radius_mm": fit.radius_mm}
     return GaugeFit.model_validate(values)
-
-
-def _map_record(found: GaugeCloud) -> MapFile:
-    fit = found.shape.fit
-    assert isinstance(fit, PlaneFit | SphereFit)
-    cells = deviation_map(fit, found.points_mm)
-    return MapFile(
-        cell_mm=cells.cell_mm,
-        x_mm=tuple(np.round(cells.x_mm, 3).tolist()),
-        y_mm=tuple(np.round(cells.y_mm, 3).tolist()),
-        deviation_um=tuple(np.round(cells.deviation_um, 2).tolist()),
-    )

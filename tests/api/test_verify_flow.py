@@ -77,8 +77,15 @@ def test_a_plate_is_verified_by_the_operator_and_kept(desk: VerifyDesk, calibrat
     names = {figure["name"] for figure in view["picture"]["figures"]}
     assert names == of_each | {"angle_range", "offset_range"}
     assert view["picture"]["rule"]["name"] == "guarded-95"
-    deviations = server.http.get(view["picture"]["clouds"][0]["map_url"]).json()
-    assert len(deviations["x_mm"]) == len(deviations["deviation_um"]) > 100
+    urls = [cloud["map_url"] + "?of=1&of=2&of=3" for cloud in view["picture"]["clouds"]]
+    maps = [server.http.get(url).json() for url in urls]
+    assert len({one["end_um"] for one in maps}) == 1
+    for cloud, one in zip(view["picture"]["clouds"], maps, strict=True):
+        deviations = one["map"]
+        assert len(deviations["x_mm"]) == len(deviations["deviation_um"]) > 100
+        ends = [end["deviation_um"] for end in deviations["outliers"] if end["is_end"]]
+        assert max(ends) - min(ends) == pytest.approx(cloud["range_all_um"], abs=0.03)
+    assert server.http.get(urls[0].replace("cloud/1/", "cloud/9/")).status_code == 404
     assert not desk.do("accept")["running"]
 
     newest, *_ = server.http.get("/api/verifications").json()

@@ -121,6 +121,10 @@ def verify(visit: Visit) -> None:
     for tab in ("Map", "Clouds", "Numbers"):
         page.get_by_text(tab, exact=True).first.click()
         visit.look(f"verify-{tab.lower()}")
+        if tab == "Map":
+            page.get_by_role("button", name="the highest point of all").click()
+            expect(page.get_by_text("mm of the arm; frame")).to_be_visible()
+            visit.look("verify-map-highest-point")
     found = visit.ask("/api/verify")["picture"]
     assert found["verdict"]["result"] != "fail", found["figures"]
     assert len(found["clouds"]) >= 3

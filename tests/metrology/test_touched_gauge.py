@@ -9,7 +9,8 @@ from scipy.stats import norm
 
 from app.errors import OperationError
 from app.metrology.arm.kinematics import Arm, Tip, flange_pose, tip_centres
-from app.metrology.fitting.deviation_map import deviation_map
+from app.metrology.fitting.cylinder import perpendicular_axes
+from app.metrology.fitting.deviation_map import MOST_OUTLIERS, deviation_map, find_outliers
 from app.metrology.fitting.plane_sphere import PlaneFit, SphereFit
 from app.metrology.fitting.shape import measure_shape
 from app.metrology.gauges.probed_gauge import fit_probed_plane, fit_probed_sphere
@@ -162,6 +163,72 @@ def test_the_map_shows_where_a_plane_is_high() -> None:
     cells = deviation_map(found.fit, points)
     high = (cells.x_mm > 11) & (cells.y_mm > 1)
     assert cells.deviation_um[high].mean() > cells.deviation_um[~high].mean() + 10
+
+
+@pytest.mark.parametrize("outward", [[0.0, 0.0, 1.0], [0.0, 0.0, -1.0], [-0.8, 0.0, 0.6]])
+@pytest.mark.parametrize("shape", ["plane", "sphere"])
+def test_outliers_are_found_where_they_are_and_outward_is_positive(
+    shape: str, outward: list[float]
+) -> None:
+    rng = np.random.default_rng(3)
+    axis = np.array(outward)
+    if shape == "plane":
+        a, b = perpendicular_axes(axis)
+        places = rng.uniform(-20, 20, (6000, 2)) @ np.stack([a, b])
+        normals = np.tile(axis, (6000, 1))
+    else:
+        normals = rng.normal(size=(30000, 3))
+        normals /= np.linalg.norm(normals, axis=1)[:, None]
+        normals = normals[normals @ axis > 0.3][:6000]
+        places = 12.7 * normals
+    off = rng.normal(0, 0.01, len(places))
+    dust = np.linalg.norm(places - places[0], axis=1) < 0.6
+    for planted in (False, True):
+        if planted:
+            off[dust] += 0.4
+            off[100] = -0.2
+        points = places + off[:, None] * normals + [400.0, 30.0, 200.0]
+        frame = np.arange(len(points)) // 100
+        if shape == "plane":
+            seen_from = np.array([400.0, 30.0, 200.0]) + 100 * axis
+            found = fit_gauge_plane(points, frame, seen_from)
+        else:
+            found = fit_gauge_sphere(points, frame, 12.7)
+        fit = found.shape.fit
+        assert isinstance(fit, PlaneFit | SphereFit)
+        cells = deviation_map(fit, found.points_mm)
+        where = find_outliers(
+            fit, found.points_mm, found.gate_mm, found.unfiltered.off_mm, cells.cell_mm
+        )
+        ends = where.deviation_um[where.is_end]
+        assert np.ptp(ends) == pytest.approx(1e3 * found.unfiltered.range_mm)
+        if not planted:
+            assert (where.all_points, len(where.index)) == (0, 2)
+            continue
+        # the dust, and the one point that is too low
+        assert where.all_points == where.points.sum() == int(dust.sum()) + 1
+        assert where.deviation_um.max() == pytest.approx(400, abs=40)
+        assert where.deviation_um.min() == pytest.approx(-200, abs=5)
+        near = np.linalg.norm(found.gate_mm[where.index] - points[dust][0], axis=1)
+        assert (near < 1.5).sum() == len(where.index) - 1
+        # on the map they lie as far apart as on the gauge
+        flat = np.hypot(where.x_mm - where.x_mm[-1], where.y_mm - where.y_mm[-1])
+        apart = np.linalg.norm(found.gate_mm[where.index] - found.gate_mm[where.index[-1]], axis=1)
+        assert flat == pytest.approx(apart, abs=0.5 if shape == "plane" else 0.4 * 12.7)
+
+
+def test_the_map_lists_few_places_of_many_outliers_and_both_ends() -> None:
+    rng = np.random.default_rng(4)
+    points = np.column_stack([rng.uniform(-20, 20, (9000, 2)), rng.normal(0, 0.01, 9000)])
+    points[:900, 2] += rng.uniform(0.1, 0.9, 900)
+    points[7, 2] = -0.15
+    fit = fit_gauge_plane(points, np.arange(9000) // 100, np.array([0.0, 0.0, 9.0])).shape.fit
+    assert isinstance(fit, PlaneFit)
+    where = find_outliers(fit, points, points, points[:, 2], 1.0)
+    assert len(where.index) == MOST_OUTLIERS
+    assert where.all_points > 800
+    assert where.index[where.is_end].tolist() == [int(np.argmax(points[:, 2])), 7]
+    assert (np.diff(np.abs(where.deviation_um)) <= 0).all()
 
 
 def test_the_zone_holds_95_percent_and_no_more() -> None:

@@ -39,8 +39,9 @@ from app.report.pdf import pdf_document
 from app.report.reports import folder_report, render_report
 from app.report.translation import translate_report
 from app.workflows.calibrate import calibrate_session
+from app.workflows.deviation_maps import MAP, MapFile, OutlierPart
 from app.workflows.identify_arm import IdentificationProvenance, identify_folder
-from app.workflows.measure_gauge import MAP, MapFile, filters_of
+from app.workflows.measure_gauge import filters_of
 from hardware.simulator.session import SessionPlan, render_session
 from tests.datasheets import write_arm
 from tests.formats.builders import ARM, edit_text
@@ -325,12 +326,19 @@ def test_a_verifications_report(tmp_path: Path) -> None:
     write_verification(tmp_path, VerificationFile.model_validate({**RECORD, "clouds": more}))
     (tmp_path / "cloud-1").mkdir()
     residuals = MapFile(cell_mm=2, x_mm=(0, 2, 4), y_mm=(0, 0, 2), deviation_um=(5, -8, 1))
+    ends = [
+        {"x_mm": 1, "y_mm": y, "deviation_um": off, "at_mm": (0, 0, 0), "frame": 9, "points": 7}
+        for y, off in ((0, 560.04), (2, -33.0))
+    ]
+    outliers = tuple(OutlierPart.model_validate({**end, "is_end": True}) for end in ends)
+    residuals = residuals.model_copy(update={"outliers": outliers, "outlier_points": 14})
     residuals.write(tmp_path / "cloud-1" / MAP)
     assert_says(
         printed(tmp_path),
         "Pass | Radius error | −20.0 µm | ± 6.0 µm | Not according to a standard",
         # a record that does not state its rule is of before it did
         "acceptance with the expanded uncertainty (k = 2) as guard band",
+        "14 points are further off than noise explains | −33.0 µm and +560.0 µm | −10 µm | +10 µm",
     )
     assert_says(
         html.unescape(render_report(tmp_path, ".html").decode()),

@@ -11,7 +11,7 @@ import pytest
 from pydantic import ValidationError
 
 from app.formats.datasheets.gauge import DEFAULT_LIMITS, GaugeFile, Shape
-from app.formats.results.gauge_report import GaugeReport
+from app.formats.results.gauge_report import GaugeReport, SpreadReport
 from app.formats.results.verification import FigurePart, VerificationFile, write_verification
 from app.messages.message import Quantity, Text, Unit
 from app.messages.uncertainty import part_quantity, uncertainty_quantity
@@ -24,9 +24,10 @@ from app.workflows.gauge_report.tables import budget_table, report_table
 from app.workflows.gauge_report.verify import verify
 from app.workflows.measure_gauge import GaugeFit
 from app.workflows.verification_metrics import gauge_figures
+from tests.sources import ROOT, python_files
 from tests.workflows.test_verification import RECORD
 
-CASES = Path(__file__).parents[2] / "frontend/src/parts/uncertaintyCases.json"
+CASES = ROOT / "frontend/src/parts/uncertaintyCases.json"
 
 
 def figures_of(shape: Shape, seed: int) -> tuple[FigurePart, ...]:
@@ -110,9 +111,24 @@ def test_a_report_lists_what_its_uncertainties_consist_of(
 
 
 def test_a_record_whose_uncertainty_is_not_its_root_is_refused() -> None:
-    figure = {**RECORD["figures"][0], "budget": {"gauge": 1.4, "points": 0.3}}
-    with pytest.raises(ValidationError, match="root of the sum of squares"):
-        FigurePart.model_validate(figure)
+    budget = {"gauge": 1.4, "points": 0.3}
+    figure = {**RECORD["figures"][0], "budget": budget}
+    spread = {"mean": 1.0, "standard_deviation": 0.1, "range": 0.2, "budget": {"mean": budget}}
+    for part, fields in ((FigurePart, figure), (SpreadReport, spread)):
+        with pytest.raises(ValidationError, match="root of the sum of squares"):
+            part.model_validate(fields)
+
+
+OWN_ROUNDING = re.compile(
+    r"\b(?:quantity|rounded|micrometres|error_value|measured|signedLength)"
+    r"\([^()]*(?:expanded|test|judging)_?[uU]ncertainty"
+)
+
+
+def test_expanded_uncertainties_are_rounded_in_one_place() -> None:
+    texts = {path: path.read_text() for path in python_files("app")}
+    texts |= {path: path.read_text() for path in (ROOT / "frontend/src").rglob("*.ts*")}
+    assert not [path for path, text in texts.items() if OWN_ROUNDING.search(text)]
 
 
 @pytest.mark.parametrize("one", json.loads(CASES.read_text()), ids=lambda one: str(one["value"]))

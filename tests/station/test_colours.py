@@ -7,8 +7,8 @@ import numpy as np
 import pytest
 
 from app.formats.clouds.points import Points, pack_points
+from app.metrology.colormaps import APART, BALANCE, NO_VALUE, SCALE, map_colours, oklab, srgb
 from app.station.view3d.cloud_colouring import ATTRIBUTES, CloudColouring, ReferenceShape
-from app.station.view3d.colormaps import APART, BALANCE, NO_VALUE, SCALE, map_colours, oklab, srgb
 from app.station.view3d.scene import Scene
 from tests.station.conftest import until
 from tests.station.viewer import Viewer, viewer

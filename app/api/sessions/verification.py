@@ -2,11 +2,12 @@
 
 from typing import Annotated
 
-from fastapi import Path
+from fastapi import Path, Query
 from starlette.responses import Response
 
 from app.api.access.authorization import StationRouter, TheVisitor
 from app.api.lookups import find_verification, send_file
+from app.api.problems import NotFoundError
 from app.api.sessions.routes import add_session_routes
 from app.errors import OperationError
 from app.formats.results.verification import STUDY, VERIFICATION
@@ -17,12 +18,13 @@ from app.operations.context import Context, TheContext
 from app.station.jobs import Job, Progress
 from app.store.session_records import VerificationRecord
 from app.wire.json_response import json_response
-from app.wire.schema import NewTemperature, StudyState, VerificationSummary
-from app.workflows.measure_gauge import MAP
+from app.wire.schema import CloudMap, NewTemperature, StudyState, VerificationSummary
+from app.workflows.deviation_maps import read_maps, scale_end_um
 from app.workflows.verification_study import AcceptedCalibration, StudyFile, study_verification
 
 router = StationRouter(prefix="/api")
 CloudNumber = Annotated[int, Path(ge=1, le=999)]
+SeveralClouds = Annotated[tuple[CloudNumber, ...], Query(max_length=999)]
 STUDY_TITLE = message("rebuilding-clouds-every-calibration")
 
 
@@ -78,15 +80,21 @@ def verification(verification_id: str, context: TheContext) -> Response:
 
 
 @router.get("/verifications/{verification_id}/cloud/{number}/map")
-def cloud_map(verification_id: str, number: CloudNumber, context: TheContext) -> Response:
-    """The deviations of a cloud from its fitted shape, also for an open session."""
+def cloud_map(
+    verification_id: str, number: CloudNumber, context: TheContext, of: SeveralClouds = ()
+) -> CloudMap:
+    """The deviations of a cloud from its fitted shape, also for an open session, and the scale
+    that it shares with the clouds ``of`` these numbers."""
     guide = context.verify_guide
     if guide.running and guide.state.session_id == verification_id:
         folder = guide.folder
     else:
         folder = find_verification(context, verification_id).folder
-    path = folder / f"cloud-{number}" / MAP
-    return send_file(path, message("there-no-map-cloud", number=number), "application/json")
+    wanted = folder / f"cloud-{number}"
+    maps = read_maps([wanted, *(folder / f"cloud-{other}" for other in of)])
+    if wanted not in maps:
+        raise NotFoundError(message("there-no-map-cloud", number=number))
+    return CloudMap(maps[wanted], scale_end_um([*maps.values()]))
 
 
 @router.get("/verifications/{verification_id}/study")

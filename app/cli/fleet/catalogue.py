@@ -19,6 +19,7 @@ from app.console import (
     report_errors,
     warn,
 )
+from app.messages.uncertainty import uncertainty_decimals
 
 if TYPE_CHECKING:
     from sqlalchemy import Connection
@@ -179,7 +180,7 @@ def show(
                 one.symbol,
                 one.title,
                 f"{one.value:g} {one.unit}",
-                "" if one.expanded_uncertainty is None else f"{one.expanded_uncertainty:g}",
+                _uncertainty_text(one.expanded_uncertainty),
                 "" if one.limit is None else f"{one.limit:g}",
                 one.decision,
             )
@@ -270,3 +271,7 @@ def format_moment(at: datetime | None) -> str:
 
 def _moments(collected_at: datetime | None, newest_at: datetime | None) -> dict[str, str]:
     return {"collected_at": format_moment(collected_at), "newest_at": format_moment(newest_at)}
+
+
+def _uncertainty_text(expanded: float | None) -> str:
+    return "" if expanded is None else f"{expanded:.{uncertainty_decimals(expanded)}f}"

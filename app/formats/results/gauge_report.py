@@ -1,14 +1,33 @@
 """What a check of gauges found, as a file."""
 
-from typing import Annotated, ClassVar, Literal
+from typing import Annotated, ClassVar, Literal, Self
 
-from pydantic import Field
+from pydantic import Field, model_validator
 
 from app.formats.json_document import Document, DocumentPart, NotNegative, Number, Positive, Vector3
-from app.metrology.gauges.figure_budget import Source, Statistic
+from app.messages.message import message
+from app.metrology.gauges.figure_budget import Source, is_root
 
 
-class CloudReport(DocumentPart):
+class _Budgeted(DocumentPart):
+    """Figures with their uncertainties, and what these consist of."""
+
+    expanded_uncertainty: Annotated[dict[str, NotNegative], Field(default_factory=dict)]
+    """k = 2, by name, in the unit of each; empty in older files, and where the points are no more
+    than the shape's parameters."""
+    budget: Annotated[dict[str, dict[Source, NotNegative]], Field(default_factory=dict)]
+    """By name, the standard uncertainties (k = 1) of which the expanded uncertainty is twice the
+    root of the sum of squares."""
+
+    @model_validator(mode="after")
+    def _check_roots(self) -> Self:
+        for name, budget in self.budget.items():
+            if not is_root(self.expanded_uncertainty.get(name, -1.0), budget):
+                raise ValueError(message("uncertainty-is-not-the-root-of-its-budget"))
+        return self
+
+
+class CloudReport(_Budgeted):
     """One cloud of a gauge; errors are there where a nominal was given (Eq. 10-12)."""
 
     file: str
@@ -39,24 +58,14 @@ class CloudReport(DocumentPart):
     offset_error_um: Number | None = None
     radius_error_um: Number | None = None
     centre_error_um: NotNegative | None = None
-    expanded_uncertainty: Annotated[dict[str, NotNegative], Field(default_factory=dict)]
-    """k = 2, by the name of the figure and in its unit; empty in older files, and where the points
-    are no more than the shape's parameters."""
-    budget: Annotated[dict[str, dict[Source, NotNegative]], Field(default_factory=dict)]
-    """By the name of the figure, the standard uncertainties (k = 1) of which its expanded
-    uncertainty is twice the root of the sum of squares."""
 
 
-class SpreadReport(DocumentPart):
-    """How far a figure scatters over the clouds."""
+class SpreadReport(_Budgeted):
+    """How far a figure scatters over the clouds; the uncertainties by the names of these three."""
 
     mean: Number
     standard_deviation: NotNegative
     range: NotNegative
-    expanded_uncertainty: Annotated[dict[Statistic, NotNegative], Field(default_factory=dict)]
-    """k = 2, of each of these three; empty in older files, and where that of a cloud is unknown."""
-    budget: Annotated[dict[Statistic, dict[Source, NotNegative]], Field(default_factory=dict)]
-    """As that of a cloud."""
 
 
 class GaugeReport(Document):

@@ -5,7 +5,6 @@ Its folder, ``verifications/<id>``, holds all that it was made from: ``calibrati
 gauge was touched), and ``cloud-<n>/scan.mcap`` for every cloud.
 """
 
-from math import isclose
 from pathlib import Path
 from typing import Annotated, ClassVar, Literal, Self
 
@@ -24,7 +23,7 @@ from app.formats.json_document import (
 from app.formats.results.calibration import Input, SerialNumbers
 from app.formats.results.decision_rule import FORMER_CHECK_RULE, RulePart
 from app.messages.message import Text, message
-from app.metrology.gauges.figure_budget import K, Source, Statistic, combine_budget
+from app.metrology.gauges.figure_budget import K, Source, Statistic, is_root
 
 Decision = Literal["pass", "fail", "uncertain", "none"]
 """By the record's ``rule``; ``none`` where there is no limit."""
@@ -159,8 +158,7 @@ class BudgetedPart(DocumentPart):
 
     @model_validator(mode="after")
     def _check_root(self) -> Self:
-        root = combine_budget(self.budget)
-        if self.budget and not isclose(root, self.expanded_uncertainty, rel_tol=1e-6, abs_tol=1e-9):
+        if self.budget and not is_root(self.expanded_uncertainty, self.budget):
             raise ValueError(message("uncertainty-is-not-the-root-of-its-budget"))
         return self
 

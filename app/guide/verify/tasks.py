@@ -32,7 +32,8 @@ from app.messages.message import Text, message, quantity
 from app.metrology.gauges.errors import ARCSEC_PER_RAD
 from app.metrology.gauges.probed_gauge import ProbedPlane, ProbedSphere
 from app.station.jobs import Progress
-from app.workflows.measure_gauge import MAP, GaugeFit, filters_of, measure_recording
+from app.workflows.deviation_maps import MAP
+from app.workflows.measure_gauge import GaugeFit, filters_of, measure_recording
 from app.workflows.verification_metrics import CloudErrors
 
 RECORDING = "scan.mcap"

@@ -86,13 +86,20 @@ class MeasuredShape:
         return distances_from(self.fit, points_mm)
 
 
-def measure_shape(name: ShapeName, points_mm: Floats, frame: NDArray[np.int64]) -> MeasuredShape:
+def measure_shape(
+    name: ShapeName,
+    points_mm: Floats,
+    frame: NDArray[np.int64],
+    seen_from_mm: Floats | None = None,
+) -> MeasuredShape:
     """Fits a shape to the points of a scan, with the covariance of its parameters.
 
     Args:
         name: ``plane``, ``sphere`` or ``cylinder``.
         points_mm: (N, 3) in any frame.
         frame: (N,) frame number of each point, in order of time.
+        seen_from_mm: (3,) a place outside, to whose side the normal of a plane points; None: its
+            largest component is positive.
 
     Returns:
         The fit in the same frame; its covariance is None with too few frames.
@@ -102,7 +109,7 @@ def measure_shape(name: ShapeName, points_mm: Floats, frame: NDArray[np.int64]) 
     """
     fit: PlaneFit | SphereFit | CylinderFit
     if name == "plane":
-        fit = _facing_up(fit_plane(points_mm))
+        fit = _turn_outward(fit_plane(points_mm), seen_from_mm)
     elif name == "sphere":
         fit = fit_sphere(points_mm)
     else:
@@ -152,9 +159,13 @@ def shape_jacobian(fit: PlaneFit | SphereFit | CylinderFit, points_mm: Floats) -
     return cylinder_jacobian(points_mm, np.concatenate([fit.point_mm, fit.direction]))
 
 
-def _facing_up(fit: PlaneFit) -> PlaneFit:
-    """The plane with the largest component of its normal positive, so that equal planes have equal
-    values."""
-    if fit.normal[np.argmax(np.abs(fit.normal))] > 0:
+def _turn_outward(fit: PlaneFit, seen_from_mm: Floats | None) -> PlaneFit:
+    """The plane with its normal to the side of a place, or else with the largest component of its
+    normal positive, so that equal planes have equal values."""
+    if seen_from_mm is None:
+        is_outward = bool(fit.normal[np.argmax(np.abs(fit.normal))] > 0)
+    else:
+        is_outward = float(fit.normal @ seen_from_mm) >= fit.offset_mm
+    if is_outward:
         return fit
     return PlaneFit(-fit.normal, -fit.offset_mm, fit.centre_mm, fit.rms_mm, fit.form_mm, fit.used)

@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from math import isclose
 from typing import Literal
 
 import numpy as np
@@ -35,6 +36,11 @@ def combine_budget(budget: Budget) -> float:
         10.0
     """
     return K * float(np.linalg.norm([*budget.values()]))
+
+
+def is_root(expanded_uncertainty: float, budget: Budget) -> bool:
+    """Whether an expanded uncertainty is that of its budget."""
+    return isclose(expanded_uncertainty, combine_budget(budget), rel_tol=1e-6, abs_tol=1e-9)
 
 
 def largest_budget(budgets: Sequence[Budget]) -> Budget:

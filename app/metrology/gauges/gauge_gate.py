@@ -35,6 +35,10 @@ class UnfilteredForm:
     """Width of the narrowest zone about the shape that holds 95 % of them."""
     range_mm: float
     """Largest minus smallest distance."""
+    inside: NDArray[np.bool_]
+    """(N,) the points of the gate, of the points given."""
+    off_mm: Floats
+    """(points,) their distances from their own shape; outward is positive."""
     range_sd_mm: float
     """Its standard uncertainty, by the scatter of the points."""
     dispersion_sd_mm: float
@@ -58,13 +62,15 @@ def sphere_form(points_mm: Floats, fit: SphereFit, radius_mm: float) -> Unfilter
     gate = SphereGate(GATE_MM, EVERY_VIEW_DEG, CONE_DEG)
     views = np.zeros_like(points_mm)  # the gate takes every angle of incidence
     found = gate_sphere(points_mm, views, 2 * radius_mm, pole, fit.centre_mm, gate)
-    inside = points_mm[found.inside]
-    sphere = least_squares_sphere(inside)
-    distances = np.linalg.norm(inside - sphere.centre_mm, axis=1)
+    inside = found.inside
+    sphere = least_squares_sphere(points_mm[inside])
+    distances = np.linalg.norm(points_mm[inside] - sphere.centre_mm, axis=1)
     return UnfilteredForm(
-        len(inside),
+        int(inside.sum()),
         dispersion_mm(distances),
         float(np.ptp(distances)),
+        inside,
+        distances - sphere.diameter_mm / 2,
         range_sd(distances),
         zone_sd(distances, dispersion_mm),
     )
@@ -81,14 +87,17 @@ def plane_form(points_mm: Floats, fit: PlaneFit, used_mm: Floats) -> UnfilteredF
     Source:
         ISO 10360-8: flat form, over all points.
     """
-    near = points_mm[np.abs(points_mm @ fit.normal - fit.offset_mm) <= GATE_MM]
-    inside = near[_within_area(near, used_mm, fit)]
-    plane = least_squares_plane(inside)
-    off_mm = inside @ fit.normal - fit.offset_mm
+    inside = np.abs(points_mm @ fit.normal - fit.offset_mm) <= GATE_MM
+    inside[inside] = _within_area(points_mm[inside], used_mm, fit)
+    plane = least_squares_plane(points_mm[inside])
+    outward = plane.normal if plane.normal @ fit.normal > 0 else -plane.normal
+    off_mm = (points_mm[inside] - plane.centre_mm) @ outward
     return UnfilteredForm(
-        len(inside),
+        int(inside.sum()),
         plane.dispersion_mm,
         plane.form_mm,
+        inside,
+        off_mm,
         range_sd(off_mm),
         zone_sd(off_mm, dispersion_mm),
     )

@@ -47,6 +47,10 @@ class GaugeCloud:
     """Of all points of the geometric gate."""
     points_mm: Floats
     """(N, 3) points of the fit, arm frame."""
+    gate_mm: Floats
+    """(M, 3) all points of the geometric gate."""
+    gate_frame: NDArray[np.int64]
+    """(M,) their frames."""
     rms_sd_mm: float
     """Standard uncertainty of the rms, k = 1, by the scatter of the points."""
     form_sd_mm: float
@@ -54,7 +58,9 @@ class GaugeCloud:
     """Of a plane's cloud in its narrower direction."""
 
 
-def fit_gauge_plane(points_mm: Floats, frame: NDArray[np.int64]) -> GaugeCloud:
+def fit_gauge_plane(
+    points_mm: Floats, frame: NDArray[np.int64], seen_from_mm: Floats | None = None
+) -> GaugeCloud:
     """The plane gauge in a scanned cloud.
 
     Frames at the position of an earlier frame are excluded, so that a pause of the operator has no
@@ -63,6 +69,7 @@ def fit_gauge_plane(points_mm: Floats, frame: NDArray[np.int64]) -> GaugeCloud:
     Args:
         points_mm: (N, 3), arm frame; NaN points are never used.
         frame: (N,) frame number of each point, in order of time.
+        seen_from_mm: (3,) a place of the sensor, on the outside of the plane.
 
     Returns:
         The fitted plane with its covariance (k = 1), and the width of the zone that contains
@@ -73,7 +80,7 @@ def fit_gauge_plane(points_mm: Floats, frame: NDArray[np.int64]) -> GaugeCloud:
             strip that is too narrow; ``another-gauge``.
     """
     points, frames = _usable(points_mm, frame)
-    found = measure_shape("plane", points, frames)
+    found = measure_shape("plane", points, frames, seen_from_mm)
     assert isinstance(found.fit, PlaneFit)
     _refuse_rough(found.fit.rms_mm, "plane")
     inside = points[found.fit.used]
@@ -85,9 +92,10 @@ def fit_gauge_plane(points_mm: Floats, frame: NDArray[np.int64]) -> GaugeCloud:
             message("plane-needs-both-directions", width=rounded(LEAST_WIDTH_MM, "mm")),
             message("pass-over-more-gauge"),
         )
-    all_points, _ = finite_points(points_mm, 4, "gauge")
+    all_points, finite = finite_points(points_mm, 4, "gauge")
     unfiltered = plane_form(all_points, found.fit, inside)
-    return _assemble_cloud(found, points, len(points_mm), unfiltered, width)
+    gate = (all_points[unfiltered.inside], frame[finite][unfiltered.inside])
+    return _assemble_cloud(found, points, len(points_mm), unfiltered, gate, width)
 
 
 def fit_gauge_sphere(points_mm: Floats, frame: NDArray[np.int64], radius_mm: float) -> GaugeCloud:
@@ -136,9 +144,10 @@ def fit_gauge_sphere(points_mm: Floats, frame: NDArray[np.int64], radius_mm: flo
             message("pass-over-several-sides"),
         )
     _refuse_rough(fit.rms_mm, "sphere")
-    all_points, _ = finite_points(points_mm, 4, "gauge")
+    all_points, finite = finite_points(points_mm, 4, "gauge")
     unfiltered = sphere_form(all_points, fit, radius_mm)
-    return _assemble_cloud(found, points, len(points_mm), unfiltered)
+    gate = (all_points[unfiltered.inside], frame[finite][unfiltered.inside])
+    return _assemble_cloud(found, points, len(points_mm), unfiltered, gate)
 
 
 def find_spheres(points_mm: Floats, nominal: NominalSphere) -> Iterator[NDArray[np.bool_]]:
@@ -186,6 +195,7 @@ def _assemble_cloud(
     points: Floats,
     of: int,
     unfiltered: UnfilteredForm,
+    gate: tuple[Floats, NDArray[np.int64]],
     width_mm: float | None = None,
 ) -> GaugeCloud:
     off = found.distances(points[found.fit.used])
@@ -197,6 +207,7 @@ def _assemble_cloud(
         zone_mm(off),
         unfiltered,
         points,
+        *gate,
         rms_sd(off, parameters),
         zone_sd(off, zone_mm),
         width_mm,

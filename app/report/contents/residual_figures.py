@@ -15,9 +15,9 @@ from app.metrology.sensor.camera import Camera
 from app.metrology.targets.crenellated_block import Crenellated, probing_face
 from app.metrology.transforms import Floats
 from app.report.figure import (
-    BLUE,
     FAINT,
-    ORANGE,
+    INSIDE,
+    OUTSIDE,
     RED,
     SOFT,
     WHITE,
@@ -137,7 +137,7 @@ def _view(
             figure.line((a[0] - 3, a[1] - 3), (a[0] + 3, a[1] + 3), stroke=RED, width=1)
             figure.line((a[0] - 3, a[1] + 3), (a[0] + 3, a[1] - 3), stroke=RED, width=1)
             continue
-        colour = BLUE if residuals_um[i] >= 0 else ORANGE
+        colour = OUTSIDE if residuals_um[i] >= 0 else INSIDE
         figure.line(a, b, stroke=colour, width=1.4)
         figure.items.append(Dot(a, 1.7, colour, WHITE, 0.4))
 

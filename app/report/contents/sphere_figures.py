@@ -15,8 +15,9 @@ from app.report.figure import (
     FAINT,
     GROUND,
     INK,
+    INSIDE,
     LINE,
-    ORANGE,
+    OUTSIDE,
     RED,
     SOFT,
     WHITE,
@@ -49,7 +50,7 @@ def pattern_places() -> list[Point]:
 def hemisphere_figure(
     deviations_um: Sequence[float | None], title: Text
 ) -> tuple[Figure[Text], Text]:
-    """The deviations of the 25 places on the hemisphere, blue outward and orange inward.
+    """The deviations of the 25 places on the hemisphere, blue inside and orange outside.
 
     Args:
         deviations_um: of each place, in the order of the pattern; None of a place without a value.
@@ -68,7 +69,7 @@ def hemisphere_figure(
             continue
         share = abs(value) / largest if largest else 0.0
         radius = LEAST_DOT + share * (LARGEST_DOT - LEAST_DOT)
-        figure.items.append(Dot(at, radius, BLUE if value >= 0 else ORANGE, WHITE, 0.5))
+        figure.items.append(Dot(at, radius, OUTSIDE if value >= 0 else INSIDE, WHITE, 0.5))
         figure.label((at[0], at[1] - radius - 1.5), signed(value, decimals=1), 6.5, INK, "middle")
     return figure, message(
         "places-of-hemisphere", title=title, largest=micrometres(largest), count=len(known)

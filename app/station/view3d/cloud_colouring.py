@@ -9,8 +9,8 @@ from numpy.typing import NDArray
 
 from app.formats.clouds.points import Points
 from app.messages.message import Text, message
+from app.metrology.colormaps import APART, BALANCE, SCALE, Bytes, map_colours, scale_stops
 from app.metrology.transforms import Floats
-from app.station.view3d.colormaps import APART, BALANCE, SCALE, Bytes, map_colours, scale_stops
 
 Measure = Literal["height", "intensity", "uncertainty", "age", "deviation"]
 Distances = Callable[[Floats], Floats]

@@ -13,6 +13,7 @@ import viser
 from numpy.typing import NDArray
 
 from app.formats.clouds.points import Points
+from app.metrology.colormaps import Bytes
 from app.metrology.transforms import Floats
 from app.station.view3d.cloud_colouring import (
     CloudColouring,
@@ -20,7 +21,6 @@ from app.station.view3d.cloud_colouring import (
     Points32,
     point_attributes,
 )
-from app.station.view3d.colormaps import Bytes
 from app.station.view3d.nodes import M_PER_MM
 from app.station.view3d.voxel_lod import Tiers, Voxels
 

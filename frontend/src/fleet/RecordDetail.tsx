@@ -2,7 +2,8 @@ import type { FleetRecord, FoundFleetRecord } from "../api/wire";
 import { figures, moment } from "../parts/format";
 import { measured } from "../parts/lengths";
 import { QualityMark } from "../parts/QualityMark";
-import { t } from "../state/language";
+import { uncertaintyQuantity } from "../parts/uncertainty";
+import { render, t } from "../state/language";
 import { decimalsOf, qualityOf, sizeOf, useAnswer } from "./answers";
 import styles from "./FleetPage.module.css";
 import { kindName } from "./RecordSearch";
@@ -77,7 +78,7 @@ export function RecordDetail({
                   <td>
                     {one.expanded_uncertainty === null
                       ? "–"
-                      : measured(one.expanded_uncertainty, one.unit, decimalsOf(one.unit))}
+                      : render(uncertaintyQuantity(one.expanded_uncertainty, one.unit))}
                   </td>
                   <td>{one.limit === null ? "–" : measured(one.limit, one.unit, decimalsOf(one.unit))}</td>
                   <td>{one.decision && <QualityMark quality={qualityOf(one.decision)} size="1.1em" />}</td>

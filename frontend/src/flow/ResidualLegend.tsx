@@ -1,5 +1,5 @@
-import { RAMP_CSS } from "../object/residuals";
-import { measured } from "../parts/lengths";
+import { DEVIATION_CSS } from "../parts/deviationColours";
+import { lengthFigures, measured } from "../parts/lengths";
 import { t } from "../state/language";
 import styles from "./ResidualLegend.module.css";
 
@@ -7,10 +7,10 @@ import styles from "./ResidualLegend.module.css";
 export function ResidualLegend({ scale_um, sticks = false }: { scale_um: number; sticks?: boolean }) {
   return (
     <div className={styles.legend}>
-      <span>0</span>
-      <span className={styles.ramp} style={{ background: RAMP_CSS }} />
+      <span>−{lengthFigures(scale_um, "µm")}</span>
+      <span className={styles.ramp} style={{ background: DEVIATION_CSS }} />
       <span>
-        {measured(scale_um, "µm")} {t("ui-residual-lowercase")}
+        +{measured(scale_um, "µm")} {t("ui-residual-lowercase")}
       </span>
       <svg width="18" height="18" viewBox="-9 -9 18 18" aria-hidden="true">
         <path d="M0-8 8 0 0 8-8 0Z" className={styles.diamond} />

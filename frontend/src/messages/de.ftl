@@ -263,7 +263,6 @@ ui-determined-not-in-use-yet = Bestimmt, noch nicht verwendet.
 ui-determining-the-delay = Zeitversatz wird bestimmt …
 ui-deviation = Abweichung
 ui-deviation-from-the-shape = Abweichung von der Form
-ui-deviation-of-clouds = Standardabweichung der Wolken
 ui-deviations-from-the-fitted-shape = Abweichungen von der eingepassten Form
 ui-device-connection-lost = { $device }: Verbindung unterbrochen
 ui-devices = Geräte
@@ -334,6 +333,12 @@ ui-fault-device-lost-recording-failed = Störung: Geräteverbindung unterbrochen
 ui-fetch = Holen
 ui-fewer-points-this-browser-renders-slowly = Weniger Punkte: Dieser Browser zeichnet langsam
 ui-figure = Kenngröße
+ui-figure-over-clouds = 
+    { $title }: { $of ->
+        [mean] Mittelwert
+        [range] Spannweite
+       *[standard_deviation] Standardabweichung
+    } der Punktwolken
 ui-figures = Kenngrößen
 ui-file-missing-data-folder-changed = Die Datei fehlt im Datenordner oder wurde geändert.
 ui-files = { $n ->
@@ -347,8 +352,8 @@ ui-finished-scans-appear-press-start-scan = Hier erscheinen fertige Scans. Für 
 ui-first-calibration-next-one-compared = Dies ist die erste Kalibrierung. Die nächste wird hier mit ihr verglichen.
 ui-fit-a-shape = Form einpassen
 ui-fit-a-shape-first = Zuerst eine Form einpassen
-ui-fitted-plane-outward-positive = von der eingepassten Ebene, nach außen positiv
-ui-fitted-sphere-outward-positive = von der eingepassten Kugel, nach außen positiv
+ui-fitted-plane-outward-positive = von der eingepassten Ebene: Blau innen, Orange außen (positiv)
+ui-fitted-sphere-outward-positive = von der eingepassten Kugel: Blau innen, Orange außen (positiv)
 ui-flat-chessboard-laser-line-crosses-also = Auch ein ebenes Schachbrett, über das die Laserlinie verläuft, ist geeignet; es muss nicht angetastet werden.
 ui-fleet = Flotte
 ui-fleet-affected = { $n ->
@@ -662,10 +667,15 @@ ui-lower-limit-must-below-upper = Die untere Grenze muss unter der oberen liegen
 ui-manual = manuell
 ui-map = Karte
 ui-map-appears-after-first-cloud = Die Karte erscheint hier nach der ersten Punktwolke.
+ui-map-outliers = 
+    { $points ->
+        [0] Kein Punkt liegt weiter ab, als Rauschen erklärt.
+        [one] { $points } Punkt liegt weiter ab, als Rauschen erklärt (Ring; drücken Sie ihn).
+       *[other] { $points } Punkte liegen weiter ab, als Rauschen erklärt (Ringe; drücken Sie einen).
+    } Die Spannweite aller Punkte, { $range }, liegt zwischen den dicken Ringen, { $low } und { $high }.
 ui-mask-shines-picture-not-part-object = Ausblenden, was im Bild glänzt und nicht zum Objekt gehört: eine Spannpratze, die Kante des Sensors selbst.
 ui-master-sphere = Meisterkugel
 ui-mean = Mittelwert { $value }
-ui-mean-of-clouds = Mittelwert der Wolken
 ui-measure = Messen
 ui-measurements = Messungen
 ui-merlons = { $n ->
@@ -788,7 +798,7 @@ ui-of-need-attention = { $n } von { $all } mit Hinweisen
 ui-of-points = { $n } von { $all } Punkten
 ui-of-with-faults = { $n } von { $all } mit Störungen
 ui-off = aus
-ui-off-best-fitting-gauge-outward-positive = { $end } Abweichung vom am besten passenden Prüfnormal; nach außen positiv
+ui-off-best-fitting-gauge-outward-positive = { $end } Abweichung vom am besten passenden Prüfnormal: Blau innen, Orange außen (positiv)
 ui-old = alt
 ui-old-age = { $age } alt
 ui-old-password = Altes Passwort
@@ -852,6 +862,16 @@ ui-or-with-an-account-of-this-station = oder mit einem Konto dieser Station
 ui-orientations = Ausrichtungen
 ui-out-of-the-frame = außerhalb des Bildes
 ui-outlier = Ausreißer
+ui-outlier-at = 
+    { $deviation }{ $end ->
+        [highest] { "" }, der höchste Punkt von allen
+        [lowest] { "" }, der tiefste Punkt von allen
+       *[none] { "" }
+    }; { $points ->
+        [0] kein Ausreißer
+        [one] ein Ausreißer hier
+       *[other] { $points } Ausreißer hier
+    }; bei X, Y, Z = { $at } { $unit } des Arms; Bild { $frame }
 ui-outlier-does-not-fit-face-not = Ausreißer: Der Punkt passt nicht zu seiner Fläche und wird nicht verwendet.
 ui-over-time = { $figure } im zeitlichen Verlauf
 ui-overexposed = überbelichtet
@@ -949,7 +969,6 @@ ui-radius-error = Radiusabweichung
 ui-radius-error-lowercase = Radiusabweichung
 ui-range = { $low } bis { $high }
 ui-range-of-all = Spannweite aller
-ui-range-of-clouds = Spannweite der Wolken
 ui-range-over-the-calibrations = { $figure }: Spannweite über die Kalibrierungen
 ui-range-over-the-clouds = { $figure }: Spannweite über die Punktwolken
 ui-rate = Rate
@@ -980,7 +999,7 @@ ui-request-body = Anfragedaten
 ui-request-control = Bedienung anfragen
 ui-requests-control = { $name } bittet um die Bedienung
 ui-residual = Residuum
-ui-residual-lowercase = Residuum
+ui-residual-lowercase = Residuum: Blau innen, Orange außen
 ui-residuals-on-the-object = Residuen am Objekt
 ui-result-test-message-unknown = das Ergebnis der Testnachricht ist nicht bekannt
 ui-returned-light = Intensität
@@ -1258,10 +1277,10 @@ ui-u-k-2 = U (k = 2)
 ui-u-measurement = U
 ui-u-part = 
     { $source ->
-        [gauge] Normal { $value }
+        [gauge] Prüfnormal { $value }
         [probe] Taster { $value }
         [points] Punkte { $value }
-       *[clouds] Wolken { $value }
+       *[clouds] Punktwolken { $value }
     }
 ui-u-test = U der Prüfung
 ui-u-test-k-2 = U der Prüfung (k = 2)
@@ -1299,7 +1318,6 @@ ui-valid-old = gültig, { $age } alt
 ui-validity = Gültigkeit
 ui-value = Wert
 ui-value-at-pixel = { $value } bei { $u }, { $v }
-ui-value-of = Wert von
 ui-verification = Verifizierung
 ui-verifications = Verifizierungen
 ui-verified = Verifiziert
@@ -1327,7 +1345,6 @@ ui-without-a-ball-bar = Ohne Kugelstab
 ui-without-a-sphere = Ohne Kugel
 ui-without-arm-position = Ohne Armstellung
 ui-without-contact-points-only-form-size = Ohne Antastpunkte werden nur Form, Maß und Streuung beurteilt, nicht die Lage.
-ui-worst-cloud = schlechteste Wolke
 ui-write-the-datasheet-of-the-arm = Datenblatt anlegen
 ui-wrong-tip-object-appears-residuals-later = Eine falsche Tastkugel oder ein falsches Objekt zeigt sich später in den Residuen und wird dann gemeldet.
 ui-you = Sie

@@ -263,7 +263,6 @@ ui-determined-not-in-use-yet = Determined, but not in use yet.
 ui-determining-the-delay = Determining the delay…
 ui-deviation = Deviation
 ui-deviation-from-the-shape = Deviation from the shape
-ui-deviation-of-clouds = standard deviation of the clouds
 ui-deviations-from-the-fitted-shape = Deviations from the fitted shape
 ui-device-connection-lost = { $device }: connection lost
 ui-devices = Devices
@@ -334,6 +333,12 @@ ui-fault-device-lost-recording-failed = Fault: a device is lost, a recording has
 ui-fetch = Fetch
 ui-fewer-points-this-browser-renders-slowly = Fewer points: this browser renders slowly
 ui-figure = Quantity
+ui-figure-over-clouds = 
+    { $title }: { $of ->
+        [mean] mean
+        [range] range
+       *[standard_deviation] standard deviation
+    } over the clouds
 ui-figures = Results
 ui-file-missing-data-folder-changed = Its file is missing from the data folder, or was changed.
 ui-files = { $n ->
@@ -347,8 +352,8 @@ ui-finished-scans-appear-press-start-scan = Finished scans appear here. Press St
 ui-first-calibration-next-one-compared = This is the first calibration. The next one is compared with it here.
 ui-fit-a-shape = Fit a shape
 ui-fit-a-shape-first = Fit a shape first
-ui-fitted-plane-outward-positive = from the fitted plane (outward is positive)
-ui-fitted-sphere-outward-positive = from the fitted sphere (outward is positive)
+ui-fitted-plane-outward-positive = from the fitted plane: blue inside, orange outside (positive)
+ui-fitted-sphere-outward-positive = from the fitted sphere: blue inside, orange outside (positive)
 ui-flat-chessboard-laser-line-crosses-also = You can also use a flat chessboard that the laser line crosses. Touching it is optional.
 ui-fleet = Fleet
 ui-fleet-affected = { $n ->
@@ -662,10 +667,15 @@ ui-lower-limit-must-below-upper = The lower limit must be below the upper limit.
 ui-manual = manual
 ui-map = Map
 ui-map-appears-after-first-cloud = The map appears here after the first cloud.
+ui-map-outliers = 
+    { $points ->
+        [0] No point is further off than noise explains.
+        [one] { $points } point is further off than noise explains (ring; press it).
+       *[other] { $points } points are further off than noise explains (rings; press one).
+    } The range of all points, { $range }, lies between the bold rings, { $low } and { $high }.
 ui-mask-shines-picture-not-part-object = Mask bright areas that are not part of the object, such as a clamp or the sensor's own edge.
 ui-master-sphere = Master sphere
 ui-mean = mean { $value }
-ui-mean-of-clouds = mean of the clouds
 ui-measure = Measure
 ui-measurements = Measurements
 ui-merlons = { $n ->
@@ -788,7 +798,7 @@ ui-of-need-attention = { $n } of { $all } need attention
 ui-of-points = { $n } of { $all } points
 ui-of-with-faults = { $n } of { $all } with faults
 ui-off = off
-ui-off-best-fitting-gauge-outward-positive = { $end } from the best-fitting gauge; outward is positive
+ui-off-best-fitting-gauge-outward-positive = { $end } from the best-fitting gauge: blue inside, orange outside (positive)
 ui-old = old
 ui-old-age = { $age } old
 ui-old-password = Old password
@@ -852,6 +862,16 @@ ui-or-with-an-account-of-this-station = or with an account of this station
 ui-orientations = Orientations
 ui-out-of-the-frame = out of the frame
 ui-outlier = outlier
+ui-outlier-at = 
+    { $deviation }{ $end ->
+        [highest] { "" }, the highest point of all
+        [lowest] { "" }, the lowest point of all
+       *[none] { "" }
+    }; { $points ->
+        [0] no outlier
+        [one] one outlier here
+       *[other] { $points } outliers here
+    }; at X, Y, Z = { $at } { $unit } of the arm; frame { $frame }
 ui-outlier-does-not-fit-face-not = Outlier: this point does not fit its face and is not used.
 ui-over-time = { $figure } over time
 ui-overexposed = overexposed
@@ -949,7 +969,6 @@ ui-radius-error = Radius error
 ui-radius-error-lowercase = radius error
 ui-range = { $low } to { $high }
 ui-range-of-all = Range of all
-ui-range-of-clouds = range of the clouds
 ui-range-over-the-calibrations = { $figure }: range over the calibrations
 ui-range-over-the-clouds = { $figure }: range over the clouds
 ui-rate = Rate
@@ -980,7 +999,7 @@ ui-request-body = request body
 ui-request-control = Request control
 ui-requests-control = { $name } requests control
 ui-residual = Residual
-ui-residual-lowercase = residual
+ui-residual-lowercase = residual: blue inside, orange outside
 ui-residuals-on-the-object = Residuals on the object
 ui-result-test-message-unknown = the result of the test message is unknown
 ui-returned-light = Intensity
@@ -1299,7 +1318,6 @@ ui-valid-old = valid, { $age } old
 ui-validity = Validity
 ui-value = Value
 ui-value-at-pixel = { $value } at { $u }, { $v }
-ui-value-of = Value of
 ui-verification = Verification
 ui-verifications = Verifications
 ui-verified = Verified
@@ -1327,7 +1345,6 @@ ui-without-a-ball-bar = Without a ball bar
 ui-without-a-sphere = Without a sphere
 ui-without-arm-position = Without arm position
 ui-without-contact-points-only-form-size = Without contact points, only form, size and scatter are assessed, not the position.
-ui-worst-cloud = worst cloud
 ui-write-the-datasheet-of-the-arm = Write its datasheet
 ui-wrong-tip-object-appears-residuals-later = If the tip or the object is wrong, the residuals show it later and the station reports it.
 ui-you = you

@@ -2,10 +2,10 @@ import type { KeyboardEvent } from "react";
 
 import type { ObjectGeometry, Vec3 } from "../api/types";
 import type { TouchedPoint } from "../api/wire";
+import { deviationColour } from "../parts/deviationColours";
 import { signedLength } from "../parts/lengths";
 import { t, word } from "../state/language";
 import { labelSides, type Side } from "./labelSides";
-import { rampColour } from "./residuals";
 import { isVisible, normalOf } from "./shape";
 import styles from "./Touches.module.css";
 import { along } from "./vector";
@@ -88,7 +88,7 @@ interface TouchProps {
 function Touch({ point, at, radius, scale_um, chosen, side, onPoint }: TouchProps) {
   const residual = point.residual_um;
   const value = residual === null ? t("ui-no-residual-yet") : signedLength(residual, "µm");
-  const fill = residual === null ? "var(--ink-3)" : rampColour(Math.abs(residual) / scale_um);
+  const fill = residual === null ? "var(--ink-3)" : deviationColour(residual / scale_um);
   const onKey = (event: KeyboardEvent) => {
     if (event.key !== "Enter" && event.key !== " ") return;
     event.preventDefault();

@@ -3,7 +3,6 @@ import { makeStudy } from "../api/commands";
 import { get } from "../api/http";
 import type { StudyFile, StudyState } from "../api/wire";
 import { type PlainId, quantity } from "../messages/text";
-import { rampColour } from "../object/residuals";
 import { CopyCsv } from "../parts/CopyCsv";
 import { PressButton } from "../parts/PressButton";
 import { Busy } from "../parts/Progress";
@@ -13,6 +12,22 @@ import styles from "./Charts.module.css";
 import { LinesChart, RangeBars } from "./LinesChart";
 
 const POLL_MS = 400;
+/** Of the calibrations in their order, from blue through violet to orange: suitable for colour-blind users. */
+const RAMP: [number, number, number][] = [
+  [38, 118, 222],
+  [140, 92, 205],
+  [214, 92, 118],
+  [240, 140, 30],
+];
+
+function rampColour(share: number): string {
+  const place = Math.min(1, Math.max(0, share)) * (RAMP.length - 1);
+  const i = Math.min(RAMP.length - 2, Math.floor(place));
+  const low = RAMP[i] ?? [0, 0, 0];
+  const high = RAMP[i + 1] ?? low;
+  const mix = low.map((value, k) => Math.round(value + ((high[k] ?? value) - value) * (place - i)));
+  return `rgb(${mix.join(" ")})`;
+}
 
 /** The paper's test: the clouds of one verification, each rebuilt with every calibration. */
 export function StudyView({ id }: { id: string }) {

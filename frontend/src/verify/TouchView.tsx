@@ -1,10 +1,10 @@
 import { useElementSize } from "@mantine/hooks";
 import type { TouchLine } from "../api/wire";
 import legend from "../flow/ResidualLegend.module.css";
-import { quantity } from "../messages/text";
+import { signedQuantity } from "../messages/text";
 import { labelSides } from "../object/labelSides";
-import { RAMP_CSS, rampColour } from "../object/residuals";
-import { roundEnd, signedLength } from "../parts/lengths";
+import { DEVIATION_CSS, deviationColour } from "../parts/deviationColours";
+import { lengthFigures, roundEnd, signedLength } from "../parts/lengths";
 import { t } from "../state/language";
 import { GaugeDrawing } from "./GaugeDrawing";
 import styles from "./TouchView.module.css";
@@ -76,7 +76,7 @@ function Plot({ radius_mm, placed }: PlotProps) {
         )}
         {placed.map(({ index, number, at, residual_um }) => (
           <g key={index} transform={`translate(${at.join(" ")})`}>
-            <circle r={dot} style={{ fill: rampColour(Math.abs(residual_um ?? 0) / end) }} className={styles.dot} />
+            <circle r={dot} style={{ fill: deviationColour((residual_um ?? 0) / end) }} className={styles.dot} />
             <text
               x={(sides.get(index) === "left" ? -1.5 : 1.5) * dot}
               y={0.35 * LABEL_PX.text * px}
@@ -90,9 +90,9 @@ function Plot({ radius_mm, placed }: PlotProps) {
         ))}
       </svg>
       <div className={legend.legend}>
-        <span>0</span>
-        <span className={legend.ramp} style={{ background: RAMP_CSS }} />
-        <span>{t("ui-off-best-fitting-gauge-outward-positive", { end: quantity(end, "µm") })}</span>
+        <span>−{lengthFigures(end, "µm")}</span>
+        <span className={legend.ramp} style={{ background: DEVIATION_CSS }} />
+        <span>{t("ui-off-best-fitting-gauge-outward-positive", { end: signedQuantity(end, "µm") })}</span>
       </div>
     </div>
   );

@@ -1,5 +1,5 @@
 import type { FigureLine, StatisticPart } from "../api/wire";
-import { message, type PlainId, quantity } from "../messages/text";
+import { message, type PlainId, quantity, type Text } from "../messages/text";
 import type { Cell, TableData } from "../parts/table";
 import { partQuantity, uncertaintyQuantity } from "../parts/uncertainty";
 
@@ -11,11 +11,7 @@ export const SOURCES: { name: string; title: PlainId }[] = [
   { name: "clouds", title: "ui-clouds" },
 ];
 
-const STATISTICS: { name: string; title: PlainId }[] = [
-  { name: "mean", title: "ui-mean-of-clouds" },
-  { name: "standard_deviation", title: "ui-deviation-of-clouds" },
-  { name: "range", title: "ui-range-of-clouds" },
-];
+const STATISTICS = ["mean", "standard_deviation", "range"];
 
 /**
  * Measurement and test value uncertainty of a figure, k = 2. Older records list no budget, and the two do not
@@ -29,8 +25,7 @@ export function statedUncertainties(figure: FigureLine): { measurement: number |
 }
 
 interface Budgeted {
-  title: string;
-  of: PlainId;
+  title: Text;
   unit: FigureLine["unit"];
   part: StatisticPart;
 }
@@ -43,10 +38,9 @@ export function budgetTables(found: FigureLine[]): TableData[] {
   return [
     {
       title: "ui-uncertainty-budgets",
-      head: ["ui-figure", "ui-value-of", "ui-value", "ui-u-k-2", ...known.map(({ title }) => title), "ui-unit"],
+      head: ["ui-figure", "ui-value", "ui-u-k-2", ...known.map(({ title }) => title), "ui-unit"],
       rows: budgeted.map((line) => [
         line.title,
-        message(line.of),
         quantity(line.part.value, line.unit, 1),
         uncertaintyQuantity(line.part.expanded_uncertainty, line.unit),
         ...known.map(({ name }) => partCell(line, name)),
@@ -57,14 +51,12 @@ export function budgetTables(found: FigureLine[]): TableData[] {
   ];
 }
 
-function budgetedOf({ title, unit, clouds, spread, value, expanded_uncertainty, budget }: FigureLine): Budgeted[] {
-  const of = clouds.length > 0 ? "ui-worst-cloud" : "ui-range-of-clouds";
-  const whole: Budgeted = { title, of, unit, part: { value, expanded_uncertainty, budget } };
-  const statistics = STATISTICS.flatMap(({ name, title: of }) => {
-    const part = spread[name];
-    return part ? [{ title, of, unit, part }] : [];
+function budgetedOf({ title, unit, spread, value, expanded_uncertainty, budget }: FigureLine): Budgeted[] {
+  const statistics = STATISTICS.flatMap((of) => {
+    const part = spread[of];
+    return part ? [{ title: message("ui-figure-over-clouds", { title, of }), unit, part }] : [];
   });
-  return [whole, ...statistics];
+  return [{ title, unit, part: { value, expanded_uncertainty, budget } }, ...statistics];
 }
 
 function partCell({ part: { expanded_uncertainty: whole, budget }, unit }: Budgeted, source: string): Cell {

@@ -3,29 +3,34 @@
 import numpy as np
 
 from app.formats.results.verification import VerificationFile
-from app.messages.message import Text, message, quantity, signed
+from app.messages.message import Text, join, message, quantity, signed
+from app.metrology.colormaps import BALANCE, map_colours
 from app.report.contents.limits_figure import LimitedValue, draw_limits
 from app.report.figure import (
     BLUE,
     FAINT,
     GROUND,
+    INK,
     LINE,
     PANEL,
     SOFT,
     Dot,
     Figure,
+    Point,
 )
 from app.report.formatting import error_value
-from app.workflows.measure_gauge import MapFile
+from app.workflows.deviation_maps import MapFile
 
 LABELS = 192.0
 """Wide enough for the longest title of a figure, in every language."""
 TICK_SPACE = 7.0
 """Between the numbers at a plot's side, so that none lies over another."""
-INSIDE = ("#fbe3cd", "#f4bd8b", "#e8904a", "#b45309")
-OUTSIDE = ("#d6e8fb", "#a9cff6", "#5a9be4", "#1d5bd0")
-# The scale ends where all but so few of the cells lie within.
-WITHIN = 0.98
+MAP_SIDE = 140.0
+"""Of a deviation map; its legend is below."""
+STOPS = 8
+"""Colours in the legend of a deviation map."""
+RING = 3.0
+"""Radius of the ring about an outlier."""
 
 
 def limit_figure(document: VerificationFile) -> tuple[Figure[Text], Text]:
@@ -77,28 +82,60 @@ def cloud_plot(document: VerificationFile, name: str, title: Text) -> tuple[Figu
     return figure, message("cloud-cloud", title=title)
 
 
-def deviation_figure(name: str, cells: MapFile) -> tuple[Figure[Text], Text]:
-    """The cells of a cloud's map, blue outside the shape and orange inside it."""
-    x, y = np.array(cells.x_mm), np.array(cells.y_mm)
-    off = np.array(cells.deviation_um)
-    end = max(float(np.quantile(np.abs(off), WITHIN)), 0.1)
+def deviation_figure(name: str, cells: MapFile, end_um: float) -> tuple[Figure[Text], Text]:
+    """The cells of a cloud's map, blue inside the shape and orange outside it, with a ring about
+    each outlier.
+
+    Args:
+        end_um: of the scale, on both sides.
+    """
     figure = Figure[Text](165, 165, message("residuals-gauge", name=name))
-    wide = max(float(np.ptp(x)), float(np.ptp(y))) + cells.cell_mm
-    scale = 140 / wide
-    figure.box((0, 0), 165, 140, GROUND)
-    left = (165 - (float(np.ptp(x)) + cells.cell_mm) * scale) / 2
-    top = (140 - (float(np.ptp(y)) + cells.cell_mm) * scale) / 2
-    size = cells.cell_mm * scale
-    for across, up, value in zip(x - x.min(), y.max() - y, off, strict=True):
-        figure.box((left + across * scale, top + up * scale), size, size, _colour(value, end))
-    for i, colour in enumerate((*reversed(INSIDE), *OUTSIDE)):
-        figure.box((42 + 10 * i, 147), 10, 8, colour)
-    figure.label((38, 154), signed(-end, "µm"), 7, SOFT, "end")
-    figure.label((126, 154), signed(end, "µm"), 7, SOFT)
+    size_mm = cells.cell_mm
+    x = np.array([*cells.x_mm, *(one.x_mm for one in cells.outliers)])
+    y = np.array([*cells.y_mm, *(one.y_mm for one in cells.outliers)])
+    wide = max(float(np.ptp(x)), float(np.ptp(y))) + size_mm
+    scale = MAP_SIDE / wide
+    figure.box((0, 0), 165, MAP_SIDE, GROUND)
+    left = (165 - (float(np.ptp(x)) + size_mm) * scale) / 2
+    top = (MAP_SIDE - (float(np.ptp(y)) + size_mm) * scale) / 2
+
+    def place(x_mm: float, y_mm: float) -> Point:
+        """Of the upper left corner of a cell."""
+        return left + (x_mm - x.min()) * scale, top + (y.max() - y_mm) * scale
+
+    for x_mm, y_mm, value in zip(cells.x_mm, cells.y_mm, cells.deviation_um, strict=True):
+        side = size_mm * scale
+        figure.box(place(x_mm, y_mm), side, side, deviation_colour(value, end_um))
+    for one in cells.outliers:
+        corner = place(one.x_mm, one.y_mm)
+        at = (corner[0] + size_mm * scale / 2, corner[1] + size_mm * scale / 2)
+        colour = deviation_colour(one.deviation_um, end_um)
+        figure.items.append(Dot(at, RING, colour, INK, 1.2 if one.is_end else 0.6))
+    for i in range(STOPS):
+        share = 2 * (i + 0.5) / STOPS - 1
+        colour = deviation_colour(share * end_um, end_um)
+        figure.box((42 + 80 / STOPS * i, 147), 80 / STOPS, 8, colour)
+    figure.label((38, 154), signed(-end_um, "µm"), 7, SOFT, "end")
+    figure.label((126, 154), signed(end_um, "µm"), 7, SOFT)
     figure.label((2, 137), message("wide", wide=quantity(wide, "mm")), 6.5, FAINT)
-    return figure, message("distance-fitted-shape-blue-outside-orange", name=name)
+    return figure, _deviation_caption(name, cells)
 
 
-def _colour(value: float, end: float) -> str:
-    scale = OUTSIDE if value >= 0 else INSIDE
-    return scale[min(len(scale) - 1, int(abs(value) / end * len(scale)))]
+def deviation_colour(value: float, end: float) -> str:
+    """Of a deviation on the scale that every page and report has."""
+    red, green, blue = map_colours(np.array([value]), -end, end, BALANCE)[0].tolist()
+    return f"#{red:02x}{green:02x}{blue:02x}"
+
+
+def _deviation_caption(name: str, cells: MapFile) -> Text:
+    ends = [one.deviation_um for one in cells.outliers if one.is_end]
+    caption = message("distance-fitted-shape-blue-inside-orange-outside", name=name)
+    if not ends:
+        return caption
+    outliers = message(
+        "map-outliers",
+        points=cells.outlier_points,
+        low=signed(min(ends), "µm", 1),
+        high=signed(max(ends), "µm", 1),
+    )
+    return join([caption, outliers], " ")

@@ -42,7 +42,7 @@ from app.report.formatting import (
     temperature,
 )
 from app.report.provenance import inputs_section
-from app.workflows.measure_gauge import MAP, MapFile
+from app.workflows.deviation_maps import read_maps, scale_end_um
 
 WORDS: dict[Decision, Message] = {
     "pass": message("pass"),
@@ -186,13 +186,11 @@ def _filters(filters: FiltersPart) -> Text:
 
 
 def _maps(folder: Path, document: VerificationFile) -> list[Section[Text]]:
-    """The deviations of each cloud from its own shape, if the folder has them."""
-    maps = [
-        (cloud, MapFile.read(path))
-        for cloud in document.clouds
-        if (path := (folder / cloud.recording).parent / MAP).is_file()
-    ]
-    figures = [deviation_figure(cloud.name, cells) for cloud, cells in maps if cells.deviation_um]
-    if not figures:
+    """The deviations of each cloud from its own shape, all by one scale, if the folder has them."""
+    of = [(cloud.name, (folder / cloud.recording).parent) for cloud in document.clouds]
+    maps = {at: one for at, one in read_maps([at for _, at in of]).items() if one.deviation_um}
+    if not maps:
         return []
+    end_um = scale_end_um([*maps.values()])
+    figures = [deviation_figure(name, maps[at], end_um) for name, at in of if at in maps]
     return [Section(message("residuals-gauge-2"), [Pictures(figures, 3)], together=False)]

@@ -9,9 +9,9 @@ from app.formats.results.verification import (
     FigurePart,
     VerificationFile,
 )
-from app.messages.message import Message, Text, Unit, join, message, quantity, word
+from app.messages.message import Message, Text, Unit, join, message, quantity, rounded, word
 from app.messages.uncertainty import part_quantity, uncertainty_quantity
-from app.metrology.gauges.figure_budget import K, Source, Statistic
+from app.metrology.gauges.figure_budget import K, Source
 from app.report.content import Pictures, ReportTable, Section, TextBlock
 from app.report.contents.verification.figures import cloud_plot
 from app.report.formatting import NONE, error_value, millimetres, plus_minus
@@ -32,7 +32,7 @@ def results_table(document: VerificationFile) -> ReportTable[Text]:
             error_value(figure.value, figure.unit),
             millimetres(figure.value) if figure.unit == "µm" else "",
             *_uncertainties(figure),
-            NONE if figure.limit is None else error_value(figure.limit, figure.unit),
+            NONE if figure.limit is None else rounded(figure.limit, figure.unit),
             DECISIONS[figure.decision],
         )
         for figure in document.figures
@@ -69,11 +69,6 @@ SOURCES: dict[Source, Text] = {
     "points": message("scatter-of-points"),
     "clouds": message("scatter-of-clouds"),
 }
-STATISTICS: dict[Statistic, Text] = {
-    "mean": message("mean"),
-    "standard_deviation": message("standard-deviation"),
-    "range": message("range"),
-}
 
 
 def budget_sections(document: VerificationFile) -> list[Section[Text]]:
@@ -82,7 +77,7 @@ def budget_sections(document: VerificationFile) -> list[Section[Text]]:
     for figure in document.figures:
         found.append((figure.title, figure, figure.unit))
         for statistic, part in figure.spread.items():
-            title = message("figure-over-clouds", title=figure.title, of=STATISTICS[statistic])
+            title = message("figure-over-clouds", title=figure.title, of=statistic)
             found.append((title, part, figure.unit))
     found = [one for one in found if one[1].budget]
     if not found:
@@ -110,7 +105,7 @@ def budget_sections(document: VerificationFile) -> list[Section[Text]]:
 
 def _part(part: BudgetedPart, source: Source, unit: Unit) -> Text:
     if source not in part.budget:
-        return NONE
+        return "–"
     return part_quantity(K * part.budget[source], part.expanded_uncertainty, unit)
 
 
@@ -120,7 +115,7 @@ FORM_FIGURES: tuple[tuple[str, Text, int], ...] = (
 )
 """Of all points in the gate; older clouds have none."""
 CLOUD_FIGURES: tuple[tuple[str, Text, int], ...] = (
-    ("angle_arcsec", message("angle"), 0),
+    ("angle_arcsec", message("angle"), 1),
     ("z_error_um", "Z, µm", 1),
     ("offset_error_um", message("offset-m"), 1),
     ("radius_error_um", message("radius-m"), 1),
