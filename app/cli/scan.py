@@ -75,8 +75,8 @@ def reconstruct(
     delay_ms: Annotated[
         float | None,
         typer.Option(
-            min=-1000.0,
-            max=1000.0,
+            min=-5000.0,
+            max=5000.0,
             help="Delay of the arm's time stamps behind the camera's. Default: as applied by the "
             "station.",
         ),
@@ -100,6 +100,7 @@ def reconstruct(
     from app.formats.atomic_write import check_output_path
     from app.formats.datasheets.arm import read_any_arm
     from app.formats.results.calibration import read_calibration
+    from app.metrology.time_delay.course import DelayCourse
     from app.workflows.estimate_delay import read_sync
     from app.workflows.reconstruct import reconstruct_cloud
 
@@ -112,11 +113,11 @@ def reconstruct(
     check_output_path(output, [recording, *files.values(), arm, *([sync] if sync else [])])
     sensors = {name: read_calibration(path) for name, path in files.items()}
     arm_model = read_any_arm(arm)
-    delay_ns = None if delay_ms is None else round(1e6 * delay_ms)
+    delay = None if delay_ms is None else DelayCourse(1e6 * delay_ms)
     if sync is not None:
-        delay_ns = read_sync(sync, next(iter(sensors.values())), arm_model).delay_ns
+        delay = read_sync(sync, next(iter(sensors.values())), arm_model).course
     with progress_bar("Reconstructing", not as_json) as progress:
-        rebuilt = reconstruct_cloud(recording, sensors, arm_model, output, progress, delay_ns)
+        rebuilt = reconstruct_cloud(recording, sensors, arm_model, output, progress, delay)
     seconds = time.perf_counter() - began
     for text in rebuilt.warnings:
         warn(text)
@@ -136,63 +137,6 @@ def reconstruct(
     )
     print_figures(f"Cloud of {recording}", figures)
     print(f"{output} written in {seconds:.2f} s")
-
-
-@report_errors
-def sync(
-    recording: Annotated[
-        Path,
-        typer.Argument(
-            metavar="SCAN.mcap",
-            help="A pass over a plane, moving nearer and away again several times.",
-        ),
-    ],
-    calibration: Annotated[
-        str,
-        typer.Option(
-            metavar="[NAME=]CALIBRATION",
-            help="The sensor's calibration.json; of several sensors, the one with this name.",
-        ),
-    ],
-    arm: Annotated[Path, typer.Option(help="The arm's arm.json.")],
-    output: Annotated[Path, typer.Option("-o", "--output", help="Output file.")] = Path(
-        "sync.json"
-    ),
-    as_json: AsJson = False,
-) -> None:
-    """Determine the constant delay between arm and camera, with its uncertainty.
-
-    For crenel reconstruct --sync. The Settings page of a station determines and applies it, too.
-    """
-    from app.formats.atomic_write import check_output_path
-    from app.formats.datasheets.arm import read_any_arm
-    from app.formats.results.calibration import read_calibration
-    from app.workflows.estimate_delay import estimate_recording_delay as run
-
-    ((name, file),) = paths_by_sensor([calibration]).items()
-    check_output_path(output, (recording, file, arm))
-    sensor, arm_model = read_calibration(file), read_any_arm(arm)
-    with progress_bar("Determining the delay", not as_json) as progress:
-        document = run(recording, sensor, arm_model, progress, sensor=name)
-        document.write(output)
-    if as_json:
-        print_json({**document.fields(), "file": str(output)})
-        return
-    figures = (
-        ("delay of the arm's time stamps", f"{document.delay_ms:.3f} ms"),
-        ("standard uncertainty", f"{document.standard_uncertainty_ms:.3f} ms (k = 1)"),
-        (
-            "pass",
-            f"{document.seconds:.1f} s, {document.frames} frames, {document.reversals} reversals",
-        ),
-        ("speed across the plane", f"{document.speed_mm_s:.0f} mm/s rms"),
-        (
-            "points about the plane",
-            f"{document.rms_without_um:.0f} µm rms without it, {document.rms_um:.0f} µm with it",
-        ),
-    )
-    print_figures(f"Delay between arm and camera, {recording}", figures)
-    print(f"{output} written")
 
 
 @report_errors

@@ -1036,6 +1036,9 @@ decision-rule-named =
        *[other] { $name }
     }, { $standard }:{ $edition }.
 decision-rule-without-guard = Es gibt keinen Schutzabstand: Die Werte werden unmittelbar mit ihren Grenzwerten verglichen, die Unsicherheit wird nur angegeben, und beide Seiten tragen ihr Risiko.
+delay-drifts = Der Zeitversatz driftet um { $drift } (k = 1: { $u }), { $change } während der Überfahrt: Die Uhren von Messarm und Kamera gehen verschieden schnell.
+delay-drifts-its-pass-is-away = der Zeitversatz driftet um { $drift }, und die Überfahrt, aus der er stammt, liegt { $away } entfernt
+delay-jumped = Der Zeitversatz änderte sich { $at } nach dem ersten Bild (k = 1: { $at_u }) um { $change } (k = 1: { $u }): Eine Uhr wurde gestellt.
 delay-would-known-all = der Zeitversatz wäre nicht bestimmbar
 delay-would-known-k-1 = die Standardunsicherheit des Zeitversatzes betrüge { $u } (k = 1)
 delete-columns-of-one = Die Spalten einer der beiden löschen
@@ -1048,6 +1051,7 @@ denavit-hartenberg-parameters-do-same = die Denavit-Hartenberg-Parameter haben d
 depth-mm = Tiefe, mm
 described-a-camera = beschrieb eine Kamera
 described-an-arm = beschrieb einen Messarm
+determine-delay-again-pass-close = Den Zeitversatz neu bestimmen, aus einer Überfahrt kurz vor oder nach dem Scan
 deviations-distances-one = Abweichungen sind Abstände von einer Form
 deviations-of-places = Abweichungen der 25 Stellen
 device-cannot-be-opened = { $title } lässt sich nicht öffnen
@@ -1247,6 +1251,8 @@ figure-over-clouds =
 file-cannot-be-evaluated = sie lässt sich nicht auswerten ({ $error })
 file-has-no-pictures-with-laser = { $path } enthält keine Bilder mit eingeschaltetem Laser
 file-has-no-readings = { $path } enthält keine Messwerte des Arms
+frames-left-out-clock-set = { $count } von { $frames } Bildern ausgelassen: Um ihre Zeitstempel wurde eine Uhr zurückgestellt
+give-arm-and-camera-one-clock = Beide an einer Uhr betreiben (PTP oder Pulse des Messarms), oder den Zeitversatz vor jedem Scan bestimmen.
 give-each-row-angles-of-its-pose = Jeder Zeile die Gelenkwinkel ihrer eigenen Pose geben
 give-kind-charuco = Die Tafel in object.json mit kind charuco, dictionary und marker_mm beschreiben
 give-pose-of-marker-in-frame = Die Pose der Messmarke im Koordinatensystem des Messgeräts angeben
@@ -1271,8 +1277,10 @@ if-joint-turned-other-way = wenn sich das Gelenk { $joint } andersherum drehte
 if-joint-zero-elsewhere = wenn das Gelenk { $joint } { $turn } mehr anzeigte
 if-poses-inverted = wenn dies die Posen des Messgeräts im Koordinatensystem der Messmarke wären
 import-with-stripe-axis = stripe_axis in sensor.json auf { $axis } setzen und erneut einlesen
+it-is-known-to-limit = er ist dann auf { $u } (k = 1) bekannt; die Grenze ist { $limit }
 it-is-no-device = das ist keine Adresse eines Geräts
 limits-judged-by-marked-uncertainty = U: Messunsicherheit des Werts aus Normal, Taster und Punkten. U der Prüfung: Prüfwertunsicherheit allein aus dem Normal und seinem Aufbau (ISO 14253-5), ein Anteil von U. Jeder Grenzwert wird nach der mit{ $mark } gekennzeichneten beurteilt.
+line-moved-arm-did-not = die Laserlinie bewegte sich um { $line }, die Messwerte des Messarms änderten sich aber nicht
 listen-choose-higher-port = Mit --port einen Port ab 1024 wählen
 listen-failed = Port { $port } von { $host } lässt sich nicht öffnen
 listen-free-port = Beenden, was ihn verwendet, oder mit --port einen anderen wählen
@@ -1294,6 +1302,8 @@ moves-check-arm-json =
 name-frame-otherwise-than-base = Dem Koordinatensystem einen anderen Namen als base geben
 no-picture-between-readings = kein Bild von { $path } liegt zwischen zwei Messwerten von { $readings }, die dicht beieinander liegen
 no-picture-of-folder-can-be-used = keines der { $count } Bilder ist verwendbar; das erste: { $first }
+pass-over-one-flat-plate = Eine einzige ebene Platte überfahren und ihren Rand auslassen.
+pictures-do-not-fit-delay = { $off } von { $pictures } Bildern passen bei diesem Zeitversatz nicht zu einer Ebene.
 places-held-out-agree-too-well = in der Kreuzvalidierung weichen die Positionen nur um das { $times }-Fache des angegebenen Rauschens ab: standard_uncertainty_mm ist zu groß oder in einer anderen Einheit
 points-moved-from-line-on = coordinates.csv: im Koordinatensystem { $name } liegen die Punkte ab Zeile { $line } um { $off } neben denen davor, gemessen am besten Arm
 points-scatter-less-than-stated = die Punkte streuen nur um einen kleinen Teil des Angegebenen: standard_uncertainty_mm ist zu groß oder in einer anderen Einheit
@@ -1317,6 +1327,8 @@ reverse-sign-of-joint = Das Vorzeichen (sign) des Gelenks { $joint } in arm.json
 save-table-as-csv = Als CSV (UTF-8) mit Kommas zwischen den Spalten speichern
 scatter-of-clouds = Punktwolken
 scatter-of-points = Punkte
+see-that-arm-sends-its-positions = Prüfen, ob der Messarm seine Stellungen sendet, während er sich bewegt
+sensor-did-not-move = der Sensor hat sich nicht bewegt
 settings-add-as-shown = Ergänzen, wie { $document } es zeigt
 settings-certificate-and-key = Zertifikat und Schlüssel gehören zusammen
 settings-correct-name = Den Namen berichtigen
@@ -3180,7 +3192,7 @@ points-lie-one-line = die Punkte liegen auf einer Geraden
 points-lie-one-plane = die Punkte liegen in einer Ebene
 points-lie-too-small-piece = die Punkte liegen auf einem zu kleinen Ausschnitt
 points-lie-too-small-piece-sphere = die Punkte liegen auf einem zu kleinen Ausschnitt einer Kugel oder gehören zu einer anderen Form
-points-lie-within-one-plane = bei jedem Zeitversatz liegen nur { $share } der Punkte innerhalb von { $distance } um eine Ebene
+points-lie-within-one-plane = kein Zeitversatz bis ± { $range } bringt mehr als { $share } der Punkte auf { $distance } an eine Ebene: sie ist keine, oder die Uhren weichen stärker ab
 points-made = { $name }: { $points } Punkte berechnet.
 points-made-again = Die Punkte werden aus der Aufzeichnung berechnet, sobald kein Scan läuft.
 points-made-when-there-room-no = { $interrupted } Die Punkte werden berechnet, sobald Speicherplatz frei ist und kein Scan läuft.

@@ -1032,6 +1032,9 @@ decision-rule-named =
        *[other] { $name }
     }, { $standard }:{ $edition }.
 decision-rule-without-guard = There is no guard band: values are compared directly with their limits, the uncertainty is stated only, and both parties bear its risk.
+delay-drifts = The delay drifts by { $drift } (k = 1: { $u }), { $change } within the pass: the clocks of arm and camera run at different rates.
+delay-drifts-its-pass-is-away = the delay drifts by { $drift }, and the pass that determined it is { $away } away
+delay-jumped = The delay changed by { $change } (k = 1: { $u }) at { $at } after the first picture (k = 1: { $at_u }): a clock was set.
 delay-would-known-all = the delay would not be determined at all
 delay-would-known-k-1 = the standard uncertainty of the delay would be { $u } (k = 1)
 delete-columns-of-one = Delete the columns of one of them
@@ -1044,6 +1047,7 @@ denavit-hartenberg-parameters-do-same = the Denavit-Hartenberg parameters have t
 depth-mm = depth, mm
 described-a-camera = described a camera
 described-an-arm = described an arm
+determine-delay-again-pass-close = Determine the delay again, from a pass shortly before or after the scan
 deviations-distances-one = deviations are distances from a shape
 deviations-of-places = Deviations of the 25 places
 device-cannot-be-opened = { $title } cannot be opened
@@ -1243,6 +1247,8 @@ figure-over-clouds =
 file-cannot-be-evaluated = it cannot be evaluated ({ $error })
 file-has-no-pictures-with-laser = { $path } contains no pictures with the laser on
 file-has-no-readings = { $path } contains no readings
+frames-left-out-clock-set = { $count } of { $frames } frames excluded: a clock was set back around their time stamps
+give-arm-and-camera-one-clock = Keep both on one clock (PTP, or pulses of the arm), or determine the delay before each scan.
 give-each-row-angles-of-its-pose = Give every row the joint angles of its own pose
 give-kind-charuco = Describe the board in object.json with kind charuco, and its dictionary and marker_mm
 give-pose-of-marker-in-frame = Give the pose of the marker in the frame of the instrument
@@ -1267,8 +1273,10 @@ if-joint-turned-other-way = if joint { $joint } turned the other way
 if-joint-zero-elsewhere = if joint { $joint } read { $turn } more
 if-poses-inverted = if these were the poses of the instrument in the frame of the marker
 import-with-stripe-axis = Set stripe_axis to { $axis } in sensor.json, and import again
+it-is-known-to-limit = it is known to { $u } (k = 1) then; the limit is { $limit }
 it-is-no-device = it is not the address of a device
 limits-judged-by-marked-uncertainty = U: measurement uncertainty of the value by gauge, probe and points. U of test: test value uncertainty by the gauge and its set-up alone (ISO 14253-5), which is a part of U. Each limit is judged by the one marked with{ $mark }.
+line-moved-arm-did-not = the laser line moved by { $line }, but the arm's readings did not change
 listen-choose-higher-port = Choose a port from 1024 on with --port
 listen-failed = Cannot listen on { $host } port { $port }
 listen-free-port = Stop what is using it, or choose another with --port
@@ -1290,6 +1298,8 @@ moves-check-arm-json =
 name-frame-otherwise-than-base = Give the frame another name than base
 no-picture-between-readings = no picture of { $path } lies between two readings of { $readings } that are close together
 no-picture-of-folder-can-be-used = none of the { $count } pictures can be used; the first: { $first }
+pass-over-one-flat-plate = Pass over one flat plate, and leave out its edge.
+pictures-do-not-fit-delay = { $off } of { $pictures } pictures do not fit one plane at this delay.
 places-held-out-agree-too-well = in cross-validation the places deviate by only { $times } times the stated noise: standard_uncertainty_mm is too large, or in another unit
 points-moved-from-line-on = coordinates.csv: in frame { $name } the points from line { $line } on lie { $off } off those before, as the best arm has them
 points-scatter-less-than-stated = the points scatter by a small part of what is stated: standard_uncertainty_mm is too large, or in another unit
@@ -1313,6 +1323,8 @@ reverse-sign-of-joint = Reverse the sign of joint { $joint } in arm.json
 save-table-as-csv = Save it as CSV (UTF-8), with commas between the columns
 scatter-of-clouds = Clouds
 scatter-of-points = Points
+see-that-arm-sends-its-positions = Check that the arm sends its positions while it moves
+sensor-did-not-move = the sensor did not move
 settings-add-as-shown = Add it as { $document } shows
 settings-certificate-and-key = certificate and key belong together
 settings-correct-name = Correct its name
@@ -3171,7 +3183,7 @@ points-lie-one-line = the points lie on one line
 points-lie-one-plane = the points lie in one plane
 points-lie-too-small-piece = the points cover too small a part of it
 points-lie-too-small-piece-sphere = the points cover too small a part of a sphere, or belong to another shape
-points-lie-within-one-plane = whatever the delay, only { $share } of the points lie within { $distance } of one plane
+points-lie-within-one-plane = no delay within ± { $range } brings more than { $share } of the points within { $distance } of one plane: it is none, or the clocks differ by more
 points-made = { $name }: { $points } points computed.
 points-made-again = Its points are computed from its recording while no scan is running.
 points-made-when-there-room-no = { $interrupted } Its points are computed once there is space on the disk and no scan is running.

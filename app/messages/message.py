@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any, Literal, NoReturn, TypeAlias, cast
 
 Unit = Literal[
-    "", "%", "°", "′", "″", "mm", "µm", "nm", "m", "px", "s", "ms", "µs", "min", "h", "d",
+    "", "%", "ppm", "°", "′", "″", "mm", "µm", "nm", "m", "px", "s", "ms", "µs", "min", "h", "d",
     "°C", "K", "rad", "mrad", "Hz", "kHz", "fps", "kB", "MB", "GB", "MB/s", "mm/s", "°/s", "µm/K",
 ]  # fmt: skip
 """What stands behind a number; the language file has the number's place only."""

@@ -15,7 +15,8 @@ from app.formats.datasheets.arm import read_any_arm
 from app.formats.io_errors import error_from_validation
 from app.formats.results.calibration import read_calibration
 from app.formats.settings.mask import Corner, Mask
-from app.formats.settings.scan_settings import ScanOptions, ScanSettings, Sync
+from app.formats.settings.scan_settings import ScanOptions, ScanSettings
+from app.formats.settings.sync import Sync
 from app.messages.message import Text, message
 from app.station.bus import Bus
 from app.station.devices.auto_exposure import better_line_exposure_us

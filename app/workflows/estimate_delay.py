@@ -8,6 +8,7 @@ from pathlib import Path
 import numpy as np
 
 from app.errors import OperationError
+from app.findings import Finding
 from app.formats.clouds.points import Points
 from app.formats.file_names import display_path
 from app.formats.io_errors import prefix_errors
@@ -16,8 +17,8 @@ from app.formats.recording.reader import Recording, open_recording
 from app.formats.recording.reading_track import ReadingTrack
 from app.formats.recording.stream import Block, read_blocks
 from app.formats.results.calibration import Calibration
-from app.formats.settings.scan_settings import Sync
-from app.messages.message import message, word
+from app.formats.settings.sync import Sync, SyncJump
+from app.messages.message import message, quantity, signed, word
 from app.metrology.arm.kinematics import AnyArm, flange_poses
 from app.metrology.arm.reading_interpolation import Stamps
 from app.metrology.stripe import number_sharing_noise
@@ -33,6 +34,8 @@ MOST_POINTS = 150
 """Of a frame that are used: the arm's noise, which all share, is the larger part."""
 MOST_FRAMES = 20_000
 LEAST_SIGMA_MM = 1e-4
+MOST_OFF = 0.02
+"""Share of the pictures that may lie off the plane without a word."""
 
 
 def estimate_recording_delay(
@@ -90,7 +93,23 @@ def delay_document(found: ClockDelay, arm_serial: str, sensor_serial: str, recor
     return Sync(
         delay_ms=found.delay_ms,
         standard_uncertainty_ms=found.standard_uncertainty_ms,
+        stamp_ns=found.course.stamp_ns,
+        drift_ppm=found.course.drift_ppm,
+        drift_standard_uncertainty_ppm=found.drift_uncertainty_ppm,
+        jumps=tuple(
+            SyncJump(
+                at_s=(one.jump.stamp_ns - found.first_frame_ns) / 1e9,
+                at_standard_uncertainty_s=one.time_uncertainty_s,
+                change_ms=one.jump.change_ns / 1e6,
+                standard_uncertainty_ms=one.change_uncertainty_ms,
+                stamp_ns=one.jump.stamp_ns,
+                unclear_ns=one.jump.unclear_ns,
+            )
+            for one in found.jumps
+        ),
         frames=found.frames,
+        frames_off=found.frames_off,
+        frames_unplaced=found.frames_unplaced,
         reversals=found.reversals,
         seconds=found.seconds,
         speed_mm_s=found.speed_mm_s,
@@ -100,6 +119,38 @@ def delay_document(found: ClockDelay, arm_serial: str, sensor_serial: str, recor
         sensor_serial=sensor_serial,
         recording=recording,
     )
+
+
+def delay_findings(sync: Sync) -> tuple[Finding, ...]:
+    """What a user should know before using a delay: jumps, drift, pictures that do not fit."""
+    together = message("give-arm-and-camera-one-clock")
+    found = [
+        Finding(
+            "attention",
+            message(
+                "delay-jumped",
+                change=signed(jump.change_ms, "ms", 3),
+                u=quantity(jump.standard_uncertainty_ms, "ms", 3),
+                at=quantity(jump.at_s, "s", 2),
+                at_u=quantity(jump.at_standard_uncertainty_s, "s", 2),
+            ),
+            together,
+        )
+        for jump in sync.jumps
+    ]
+    if sync.drift_ppm:
+        drift = message(
+            "delay-drifts",
+            drift=signed(sync.drift_ppm, "ppm", 1),
+            u=quantity(sync.drift_standard_uncertainty_ppm or 0.0, "ppm", 1),
+            change=signed(1e-3 * sync.drift_ppm * sync.seconds, "ms", 2),
+        )
+        found.append(Finding("attention", drift, together))
+    pictures = sync.frames + sync.frames_off
+    if sync.frames_off > MOST_OFF * pictures:
+        off = message("pictures-do-not-fit-delay", off=sync.frames_off, pictures=pictures)
+        found.append(Finding("attention", off, message("pass-over-one-flat-plate")))
+    return tuple(found)
 
 
 def read_plane_pass(

@@ -9,6 +9,7 @@ from itertools import groupby
 from pathlib import Path
 
 import numpy as np
+from numpy.typing import NDArray
 
 from app.errors import OperationError
 from app.formats.clouds.files import cloud_writer
@@ -20,6 +21,8 @@ from app.formats.recording.reading_track import ReadingTrack
 from app.formats.recording.stream import Block, RecordedFrame, read_blocks
 from app.messages.message import Text, message
 from app.metrology.arm.kinematics import AnyArm, flange_poses
+from app.metrology.arm.reading_interpolation import Stamps
+from app.metrology.time_delay.course import DelayCourse
 from app.metrology.transforms import Floats
 from app.progress import Progress, no_progress
 from app.workflows.compatibility import check_content, check_serials, check_station
@@ -55,6 +58,8 @@ class Reconstruction:
     """Number of frames that gave points."""
     frames_without_stripe: int
     frames_without_joints: int
+    frames_unclear: int
+    """Left out because a clock was set around their time stamps."""
     first_without_joints_s: float | None
     """The first of these, in seconds from the recording's first message."""
     joint_samples: int
@@ -74,7 +79,8 @@ class Reconstruction:
 
     @property
     def all_frames(self) -> int:
-        return self.frames + self.frames_without_stripe + self.frames_without_joints
+        placed = self.frames + self.frames_without_stripe
+        return placed + self.frames_without_joints + self.frames_unclear
 
 
 @dataclass(frozen=True)
@@ -86,7 +92,10 @@ class _PendingFrames:
     placing: FrameReconstruction
     first_number: int
     last_ns: int
-    delay_ns: int
+    at_ns: Stamps
+    """(F,) the frames' time stamps by the arm's clock."""
+    clear: NDArray[np.bool_]
+    """(F,) False for frames around a clock that was set."""
 
 
 @dataclass(frozen=True)
@@ -96,9 +105,10 @@ class _BlockPoints:
     points: Points
     frames: int
     dark: int
-    unplaced_ns: list[int]
+    unplaced: list[tuple[int, int]]
+    """Time stamps by the camera's and the arm's clock."""
+    unclear: int
     last_ns: int
-    delay_ns: int
     first_number: int
     poses: Floats
     """(F, 4, 4)"""
@@ -110,7 +120,7 @@ def reconstruct_cloud(
     arm: AnyArm,
     cloud_path: Path,
     progress: Progress = no_progress,
-    delay_ns: int | None = None,
+    delay: DelayCourse | None = None,
     threads: int | None = None,
 ) -> Reconstruction:
     """Reconstructs the cloud of a recording in the arm frame and writes it in the format of its
@@ -122,14 +132,14 @@ def reconstruct_cloud(
     Args:
         calibration: of the only sensor, or one for each sensor by its name; frames of a named
             sensor without one are left out.
-        delay_ns: delay of the arm's time stamps relative to the camera's; None: as applied by the
-            station, if the recording states it.
+        delay: of the arm's time stamps relative to the camera's; None: as applied by the station,
+            if the recording states it.
         threads: that compute at the same time; None: one for each core.
 
     Raises:
         OperationError: calibration, arm and recording do not belong together, the recording
-            holds no frames or no joints, or none of its frames has joints around its
-            stamp; the cloud is then not written.
+            holds no frames or no joints, none of its frames has joints around its stamp, or the
+            delay drifts and was determined long before or after; the cloud is then not written.
     """
     with cloud_writer(cloud_path) as cloud:
         return reconstruct_into(
@@ -138,7 +148,7 @@ def reconstruct_cloud(
             arm,
             lambda points, _: cloud.append(points),
             progress,
-            delay_ns,
+            delay,
             threads=threads,
         )
 
@@ -147,7 +157,7 @@ def reconstruct_points(
     recording_path: Path,
     calibration: SensorCalibrations,
     arm: AnyArm,
-    delay_ns: int | None = None,
+    delay: DelayCourse | None = None,
 ) -> tuple[Floats, Reconstruction]:
     """Like ``reconstruct_cloud``, with the points (N, 3) in memory."""
     kept: list[Floats] = []
@@ -156,7 +166,7 @@ def reconstruct_points(
         calibration,
         arm,
         lambda points, _: kept.append(np.column_stack([points[axis] for axis in "xyz"])),
-        delay_ns=delay_ns,
+        delay=delay,
     )
     return np.concatenate(kept), result
 
@@ -167,7 +177,7 @@ def reconstruct_into(
     arm: AnyArm,
     take: PointConsumer,
     progress: Progress = no_progress,
-    delay_ns: int | None = None,
+    delay: DelayCourse | None = None,
     take_poses: PoseConsumer = lambda first, poses: None,
     threads: int | None = None,
 ) -> Reconstruction:
@@ -175,7 +185,7 @@ def reconstruct_into(
     ``take_poses``, in order, in the caller's thread."""
     for one in calibrations_by_sensor(calibration).values():
         check_serials(one, arm)
-    job = _Job(open_recording(recording_path), calibration, arm, (take, take_poses), delay_ns)
+    job = _Job(open_recording(recording_path), calibration, arm, (take, take_poses), delay)
     workers = threads or os.cpu_count() or 1
     with ThreadPoolExecutor(workers, "rebuild") as pool:
         try:
@@ -195,14 +205,14 @@ class _Job:
         calibration: SensorCalibrations,
         arm: AnyArm,
         take: tuple[PointConsumer, PoseConsumer],
-        delay_ns: int | None,
+        delay: DelayCourse | None,
     ) -> None:
         self._recording = recording
         self._sensors = RecordedSensors(recording, calibration)
         self._checked: set[str] = set()
         self._arm = arm
         self._take_points, self._take_poses = take
-        self._given_delay_ns = delay_ns
+        self._given_delay = delay
         self._points = 0
         self._readings = reading_reader(recording.path, arm)
         self._track = ReadingTrack(arm.reading_kind, arm.reading_size)
@@ -211,7 +221,7 @@ class _Job:
         self._numbered = 0
         self._waiting: deque[_PendingFrames] = deque()
         self._making: deque[Future[_BlockPoints]] = deque()
-        self._frames = self._dark = 0
+        self._frames = self._dark = self._unclear = 0
         self._unplaced_ns: list[int] = []
         self._unplaced_at_ns: list[int] = []
         """The same by the arm's clock."""
@@ -244,6 +254,7 @@ class _Job:
             frames=self._frames,
             frames_without_stripe=self._dark,
             frames_without_joints=len(unplaced),
+            frames_unclear=self._unclear,
             first_without_joints_s=(unplaced[0] - start_ns) / 1e9 if unplaced else None,
             joint_samples=len(self._track),
             joint_samples_unusable=self._readings.unusable,
@@ -255,9 +266,9 @@ class _Job:
             warnings=tuple(self._warnings(joints, frames)),
         )
 
-    def _delay_ns(self, sensor: str) -> int:
-        given = self._given_delay_ns
-        return self._recording.delay_of_ns(sensor) if given is None else given
+    def _delay(self, sensor: str) -> DelayCourse:
+        given = self._given_delay
+        return self._recording.delay_of(sensor) if given is None else given
 
     def _take_block(self, block: Block) -> None:
         """Adds the joints of a block to the track, and its frames to those that wait."""
@@ -277,13 +288,22 @@ class _Job:
         if sensor not in self._checked:
             check_station(self._recording, calibration, self._arm, sensor)
             self._checked.add(sensor)
-        stamps_ns = np.array([frame.stamp_ns for frame in frames])
+        stamps_ns = np.array([frame.stamp_ns for frame in frames], dtype=np.int64)
         clock = self._frame_clocks.setdefault(sensor, ClockWatch())
         clock.add(stamps_ns, np.array([frame.log_ns for frame in frames]))
         placing = FrameReconstruction(self._recording.path, calibration)
-        last_ns, delay_ns = int(stamps_ns.max()), self._delay_ns(sensor)
+        delay = self._delay(sensor)
+        delay.check_age(stamps_ns)
         self._waiting.append(
-            _PendingFrames(block, frames, placing, self._numbered, last_ns, delay_ns)
+            _PendingFrames(
+                block,
+                frames,
+                placing,
+                self._numbered,
+                int(stamps_ns.max()),
+                stamps_ns + delay.at(stamps_ns),
+                delay.is_clear(stamps_ns),
+            )
         )
         self._numbered += len(frames)
 
@@ -300,12 +320,10 @@ class _Job:
 
     def _submit_ready(self, pool: ThreadPoolExecutor, up_to_ns: int | None) -> None:
         """Starts computing the points of frames with later joints; None: no more will follow."""
-        while self._waiting and (
-            up_to_ns is None or self._waiting[0].last_ns + self._waiting[0].delay_ns <= up_to_ns
-        ):
+        while self._waiting and (up_to_ns is None or int(self._waiting[0].at_ns.max()) <= up_to_ns):
             waiting = self._waiting.popleft()
-            stamps_ns = np.array([frame.stamp_ns for frame in waiting.frames])
-            readings = self._track.at_all(stamps_ns + waiting.delay_ns)
+            readings = self._track.at_all(waiting.at_ns)
+            readings[~waiting.clear] = np.nan
             self._making.append(pool.submit(self._make_points, waiting, readings))
             if up_to_ns is None and len(self._making) > 2 * (os.cpu_count() or 1):
                 self._write()
@@ -321,18 +339,18 @@ class _Job:
             waiting.placing, waiting.block, waiting.frames, poses, waiting.first_number
         )
         unplaced = [
-            frame.stamp_ns
-            for frame, count, good in zip(waiting.frames, counts, known, strict=True)
-            if count and not good
+            (waiting.frames[i].stamp_ns, int(waiting.at_ns[i]))
+            for i in np.flatnonzero((counts > 0) & ~known & waiting.clear)
         ]
         dark = int((counts == 0).sum())
+        unclear = int(((counts > 0) & ~waiting.clear).sum())
         return _BlockPoints(
             points,
-            len(counts) - dark - len(unplaced),
+            len(counts) - dark - unclear - len(unplaced),
             dark,
             unplaced,
+            unclear,
             waiting.last_ns,
-            waiting.delay_ns,
             waiting.first_number,
             poses,
         )
@@ -344,8 +362,9 @@ class _Job:
         self._take_poses(made.first_number, made.poses)
         self._frames += made.frames
         self._dark += made.dark
-        self._unplaced_ns += made.unplaced_ns
-        self._unplaced_at_ns += [stamp_ns + made.delay_ns for stamp_ns in made.unplaced_ns]
+        self._unplaced_ns += [stamp_ns for stamp_ns, _ in made.unplaced]
+        self._unplaced_at_ns += [at_ns for _, at_ns in made.unplaced]
+        self._unclear += made.unclear
 
     def _warnings(self, joints: ClockReport, frames: Sequence[ClockReport]) -> list[Text]:
         warnings = [self._recording.cut] if self._recording.cut else []
@@ -358,6 +377,10 @@ class _Job:
                 missing_joints_warning(
                     unplaced, self._unplaced_at_ns, self._numbered, self._track, start_ns
                 )
+            )
+        if self._unclear:
+            warnings.append(
+                message("frames-left-out-clock-set", count=self._unclear, frames=self._numbered)
             )
         if self._readings.unusable:
             warnings.append(

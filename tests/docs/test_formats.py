@@ -44,7 +44,8 @@ from app.formats.session.pose_columns import COLUMNS as POSE_COLUMNS
 from app.formats.session.pose_pictures import ImageRow, write_images
 from app.formats.session.scan_folder import read_scan_folder
 from app.formats.settings.mask import Mask
-from app.formats.settings.scan_settings import ScanSettings, Sync
+from app.formats.settings.scan_settings import ScanSettings
+from app.formats.settings.sync import Sync
 from app.messages.message import Message
 from app.metrology.arm.kinematics import Arm, RobotArm, flange_pose
 from app.metrology.gauges.errors import NominalPlane, NominalSphere
@@ -197,7 +198,7 @@ def test_mask_delay_and_scan_settings_are_read(examples: Path) -> None:
     allowed = Mask.read(examples / "mask.json").where()
     assert not allowed[10, 10]
     assert allowed[500, 500]
-    assert Sync.read(examples / "sync.json").delay_ns == 3_420_000
+    assert Sync.read(examples / "sync.json").delay_ms == 3.42
     assert ScanSettings.read(examples / "scan_settings.json").choice == "strength"
 
 

@@ -10,8 +10,10 @@ from pydantic import ValidationError
 
 from app.errors import OperationError
 from app.formats.settings.mask import Mask
-from app.formats.settings.scan_settings import AUTOMATIC, ScanSettings, Sync
+from app.formats.settings.scan_settings import AUTOMATIC, ScanSettings
+from app.formats.settings.sync import Sync
 from app.metrology.stripe import StripeSettings
+from app.metrology.time_delay.course import NO_DELAY
 from app.store.store import SettingsStore
 from tests.cli.test_cli import crenel, refused
 
@@ -124,8 +126,8 @@ def test_settings_survive_a_restart_and_spoilt_ones_are_reported(
 
 def test_a_delay_of_other_devices_is_not_used() -> None:
     held = settings()
-    assert held.delay_ns("A-1", "S-1") == held.delay_ns("A-1", "") == 4_200_000
-    assert held.delay_ns("A-2", "S-1") == AUTOMATIC.delay_ns("A-1", "S-1") == 0
+    assert held.delay_of("A-1", "S-1").delay_ns == held.delay_of("A-1", "").delay_ns == 4_200_000
+    assert held.delay_of("A-2", "S-1") == AUTOMATIC.delay_of("A-1", "S-1") == NO_DELAY
 
 
 def test_a_recording_says_how_its_stripes_were_extracted() -> None:

@@ -12,6 +12,7 @@ from app.formats.clouds.files import read_cloud
 from app.formats.recording.decoders import ImageRecord, StripeRecord
 from app.formats.recording.reader import EXTRACTION, open_recording
 from app.formats.settings.scan_settings import AUTOMATIC, ScanSettings
+from app.metrology.time_delay.course import NO_DELAY
 from app.station.bus import Bus
 from app.station.devices.rig import Rig
 from app.station.jobs import Jobs
@@ -190,7 +191,7 @@ def test_the_delay_of_the_settings_is_in_cloud_and_recording(
     document, arm = file_calibration(calibration()), calibration().arm
     check_rebuilt(folder, document, arm)
     live = read_cloud(folder / "cloud.ply").points_mm
-    reconstruct_cloud(folder / "scan.mcap", document, arm, tmp_path / "raw.ply", delay_ns=0)
+    reconstruct_cloud(folder / "scan.mcap", document, arm, tmp_path / "raw.ply", delay=NO_DELAY)
     raw = read_cloud(tmp_path / "raw.ply").points_mm
     assert np.abs(raw[: len(live)] - live[: len(raw)]).max() > 0.1
 

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from app.formats.recording.decoders import JointRecord
-from app.formats.settings.scan_settings import Sync
+from app.formats.settings.sync import Sync
 from app.metrology.arm.kinematics import AnyArm, flange_poses
 from app.metrology.fitting.plane_sphere import fit_plane
 from app.workflows.estimate_delay import estimate_recording_delay
@@ -56,5 +56,5 @@ def test_a_late_arm_is_found_out_and_put_right(station: Station, tmp_path: Path)
     assert Sync.read(tmp_path / "sync.json") == found
 
     before, _ = reconstruct_points(recording, calibration, use.arm)
-    after, _ = reconstruct_points(recording, calibration, use.arm, found.delay_ns)
+    after, _ = reconstruct_points(recording, calibration, use.arm, found.course)
     assert plane_rms_um(before, station.simulation) > 3 * plane_rms_um(after, station.simulation)

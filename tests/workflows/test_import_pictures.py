@@ -18,6 +18,7 @@ from app.formats.session.scan_folder import read_scan_folder
 from app.metrology.arm.kinematics import AnyArm, RobotArm, flange_pose
 from app.metrology.fitting.plane_sphere import fit_plane
 from app.metrology.stripe import StripeSettings
+from app.metrology.time_delay.course import DelayCourse
 from app.metrology.transforms import Floats
 from app.workflows.pictures.import_pictures import ImportedScan, import_pictures
 from app.workflows.reconstruct import Reconstruction, reconstruct_cloud
@@ -86,10 +87,10 @@ def import_refused(folder: Path) -> str:
 
 
 def rebuilt(
-    folder: Path, arm: AnyArm = ARM, delay_ns: int | None = None
+    folder: Path, arm: AnyArm = ARM, delay: DelayCourse | None = None
 ) -> tuple[Reconstruction, Floats]:
     recording, cloud = folder / "scan.mcap", folder / "cloud.ply"
-    result = reconstruct_cloud(recording, little_calibration(), arm, cloud, delay_ns=delay_ns)
+    result = reconstruct_cloud(recording, little_calibration(), arm, cloud, delay=delay)
     return result, read_cloud(cloud).points_mm
 
 
@@ -122,7 +123,7 @@ def test_pictures_and_readings_become_the_cloud(
 def test_a_delay_counts_where_the_readings_have_times(tmp_path: Path) -> None:
     folder = write_scan(tmp_path / "scan", apart=True)
     imported(folder)
-    _, points = rebuilt(folder, delay_ns=20 * MS)
+    _, points = rebuilt(folder, delay=DelayCourse(20 * MS))
     assert distances_mm(points, [t + 20 * MS for t in STAMPS_NS]).max() < TOLERANCE_MM
 
 
@@ -130,7 +131,7 @@ def test_poses_of_pictures_without_times_are_never_mixed(tmp_path: Path) -> None
     folder = write_scan(tmp_path / "scan", timed=False)
     imported(folder)
     with pytest.raises(OperationError, match="no arm readings"):
-        rebuilt(folder, delay_ns=20 * MS)
+        rebuilt(folder, delay=DelayCourse(20 * MS))
 
 
 def test_rows_may_be_in_any_order_and_without_the_laser(folder: Path) -> None:

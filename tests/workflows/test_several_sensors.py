@@ -96,7 +96,7 @@ def test_the_recording_says_whose_each_stripe_is(recording: Path) -> None:
     assert tuple(one.sensor for one in records if isinstance(one, StripeRecord)) == ORDER
     assert [one.sensor for one in records if isinstance(one, ImageRecord)] == ["left"]
     assert opened.sensors == ("left", "right")
-    assert (opened.serial_of("right"), opened.delay_of_ns("right")) == ("S-right", 5 * MS)
+    assert (opened.serial_of("right"), opened.delay_of("right").delay_ns) == ("S-right", 5 * MS)
     topics = {"/sensor/left/stripe", "/sensor/right/stripe", "/sensor/left/image", "/arm/joints"}
     assert topics <= opened.topics
 

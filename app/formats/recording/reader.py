@@ -21,9 +21,13 @@ from app.formats.recording.decoders import Decoders, Record
 from app.formats.recording.raw import DAMAGE, MAGIC, raw_records, summary_statistics
 from app.formats.recording.topics import IMAGE_TOPIC, STRIPE_TOPIC, sensor_key, split_topic
 from app.messages.message import Text, message, quantity
+from app.metrology.time_delay.course import NO_DELAY, DelayCourse
 
 STATION_METADATA = "crenel/station"
 ARM_DELAY, ARM_SERIAL, SENSOR_SERIAL = "arm_delay_ns", "arm_serial", "sensor_serial"
+ARM_DRIFT, ARM_DELAY_AT = "arm_drift_ppm", "arm_delay_at_ns"
+"""Of a delay that drifts, and the camera's time stamp at which it has the stated value."""
+DELAY_KEYS = (ARM_DELAY, ARM_DELAY_AT, ARM_DRIFT)
 EXTRACTION = "extraction"
 """Settings of stripe extraction, as JSON; empty if all were automatic."""
 SMOOTHING = "smoothing_px"
@@ -49,16 +53,14 @@ class Recording:
     """Properties of arm and sensor in the recording, e.g. ``sensor_serial``."""
     topics: set[str] = field(default_factory=set)
 
-    @property
-    def delay_ns(self) -> int:
-        """The delay of the arm's time stamps relative to the camera's that was applied."""
-        return self.delay_of_ns("")
-
-    def delay_of_ns(self, sensor: str) -> int:
-        """The same of a named sensor."""
+    def delay_of(self, sensor: str = "") -> DelayCourse:
+        """The delay of the arm's time stamps relative to a sensor's that was applied."""
+        stated = {key: self.station.get(sensor_key(key, sensor), "0") for key in DELAY_KEYS}
         with suppress(ValueError):
-            return int(self.station.get(sensor_key(ARM_DELAY, sensor), "0"))
-        return 0
+            drift_ppm = float(stated[ARM_DRIFT])
+            if math.isfinite(drift_ppm):
+                return DelayCourse(int(stated[ARM_DELAY]), int(stated[ARM_DELAY_AT]), drift_ppm)
+        return NO_DELAY
 
     def serial_of(self, sensor: str) -> str:
         """The serial number of a sensor; empty if it is unknown."""

@@ -1,6 +1,6 @@
 """``scan_settings.json``: what an operator sets of a scan. What is not set is automatic.
 
-``sync.json``, the delay between arm and camera, is measured, and then a part of it.
+The delay between arm and camera is measured, and then a part of it.
 """
 
 import json
@@ -9,9 +9,11 @@ from typing import Annotated, ClassVar, Self
 
 from pydantic import BaseModel, ConfigDict, Field, StrictBool
 
-from app.formats.json_document import Document, NotNegative, Number
+from app.formats.json_document import Document, Number
 from app.formats.settings.mask import Mask
+from app.formats.settings.sync import Sync
 from app.metrology.stripe import MOST_SMOOTHING_PX, PeakChoice, StripeSettings
+from app.metrology.time_delay.course import NO_DELAY, DelayCourse
 
 Threshold = Annotated[Number, Field(gt=0, le=60_000)]
 """Grey levels over the surroundings."""
@@ -26,28 +28,6 @@ Blur = Annotated[Number, Field(ge=0.001, le=100)]
 
 EXTRACTION_FIELDS = ("threshold", "min_width_px", "max_width_px", "choice", "smoothing_px")
 """Of ``StripeSettings``, those that a user sets."""
-
-
-class Sync(Document):
-    """``sync.json``: by how much the arm's stamps are later than the camera's."""
-
-    FORMAT: ClassVar[str] = "crenel/sync"
-
-    delay_ms: Number
-    standard_uncertainty_ms: NotNegative
-    frames: int
-    reversals: int
-    seconds: NotNegative
-    speed_mm_s: NotNegative
-    rms_without_um: NotNegative
-    rms_um: NotNegative
-    arm_serial: str = ""
-    sensor_serial: str = ""
-    recording: str = ""
-
-    @property
-    def delay_ns(self) -> int:
-        return round(self.delay_ms * 1e6)
 
 
 class ScanOptions(BaseModel):
@@ -105,14 +85,14 @@ class ScanSettings(ScanOptions, Document):
         """How stripes are extracted, as JSON for a recording; empty where all is automatic."""
         return extraction_text(self.stripe, self.mask)
 
-    def delay_ns(self, arm_serial: str, sensor_serial: str) -> int:
+    def delay_of(self, arm_serial: str, sensor_serial: str) -> DelayCourse:
         """By how much the arm's stamps are later; 0 where it was found on other devices."""
         sync = self.sync
         if sync is None:
-            return 0
+            return NO_DELAY
         pairs = ((sync.arm_serial, arm_serial), (sync.sensor_serial, sensor_serial))
         alike = all(of == now or not of or not now for of, now in pairs)
-        return sync.delay_ns if alike else 0
+        return sync.course if alike else NO_DELAY
 
 
 def extraction_text(settings: StripeSettings, mask: Mask | None) -> str:

@@ -1,8 +1,9 @@
-"""The constant delay between arm and camera, from a back-and-forth pass over a plane.
+"""The delay between arm and camera, from a back-and-forth pass over a plane.
 
 The pose of a frame is that of the arm at the frame's time stamp plus the delay. A wrong delay moves
 the points of a frame by the distance that the sensor travels in the meantime: off the plane to one
 side while it approaches, to the other while it moves away. The correct delay makes both agree.
+Where a clock was set within the pass, or runs at another rate, the delay jumps or drifts.
 """
 
 from dataclasses import dataclass
@@ -12,139 +13,222 @@ from numpy.typing import NDArray
 
 from app.errors import OperationError
 from app.messages.message import message, quantity, rounded
-from app.metrology.fitting.plane_sphere import fit_plane
-from app.metrology.robust import median, sigma_from_median
-from app.metrology.time_delay.delay_fit import (
-    DelayEstimate,
-    DelayHypothesis,
-    count_reversals,
-    fit_delay,
-)
+from app.metrology.arm.reading_interpolation import Stamps
+from app.metrology.robust import sigma_from_median
+from app.metrology.time_delay.clock_changes import CourseEstimate, estimate_course, without_piece
+from app.metrology.time_delay.course import MOST_UNCERTAINTY_MS, DelayCourse, DelayJump
+from app.metrology.time_delay.delay_fit import DelayEstimate, DelayHypothesis, count_reversals
+from app.metrology.time_delay.delay_search import SEARCH_NS, search_delay
+from app.metrology.time_delay.movement import check_movement
 from app.metrology.time_delay.plane_pass import LEAST_POINTS, PlanePass, fit_stripe_lines
 from app.metrology.transforms import Floats
 
-SEARCH_NS, SEARCH_STEP_NS = 250_000_000, 5_000_000
-"""Delays tried before the fit."""
-SEARCH_FRAMES, SEARCH_POINTS = 200, 10
 GATE_MM = 1.0
-"""Points further from the plane than this initially count as another surface: half a step of the
-search at 300 mm/s."""
+"""Points further from the plane than this initially count as another surface."""
 GATE_SCALES, LEAST_GATE_MM = 4.0, 0.02
+ROUNDS, MOST_ROUNDS = 3, 6
+"""Of the fit: the last ones only if pieces of the course turned out to be false."""
 LEAST_FRAMES = 30
 LEAST_SHARE = 0.5
-"""Minimum share of the points that lie on a plane."""
+"""Minimum share of the points, and of the frames, that lie on a plane."""
 MOST_SPREAD_MM = 0.3
 """Maximum scatter of the points about a plane at any delay; an arm is better than this over one
 plate."""
-MOST_UNCERTAINTY_MS = 1.0
-"""A delay with a larger uncertainty does more harm than good."""
 SLOW_MM_S = 10.0
 ONE_WAY = 0.2
 """Minimum share of the way back relative to the way forth, perpendicular to the plane."""
 
 
 @dataclass(frozen=True)
+class FoundJump:
+    """A jump of the delay within the pass, and its standard uncertainties (k = 1)."""
+
+    jump: DelayJump
+    change_uncertainty_ms: float
+    time_uncertainty_s: float
+
+
+@dataclass(frozen=True)
 class ClockDelay:
     """The delay of the arm's time stamps relative to the camera's, and its uncertainty."""
 
-    delay_ms: float
-    """To be added to the time stamp of a frame before looking up the pose of the arm."""
+    course: DelayCourse
+    """To be added to the time stamp of a frame before looking up the pose of the arm; stated at the
+    last frame of the pass."""
     standard_uncertainty_ms: float
-    """k = 1"""
+    """k = 1, at the last frame."""
+    drift_uncertainty_ppm: float
+    """k = 1, also where no drift was found."""
+    jumps: tuple[FoundJump, ...]
+    first_frame_ns: int
     frames: int
+    frames_off: int
+    """Number of frames with a pose that do not fit the plane at this delay."""
+    frames_unplaced: int
+    """Number of frames without a pose of the arm at this delay."""
     reversals: int
     seconds: float
     speed_mm_s: float
     """Rms speed of the sensor perpendicular to the plane, which determines the delay."""
-    rms_without_um: float
-    """Rms of the points about their plane, without the delay."""
+    rms_without_um: float | None
+    """Rms of the points about their plane, without the delay; None where the arm's poses are
+    unknown then."""
     rms_um: float
     """The same with the delay."""
+
+    @property
+    def delay_ms(self) -> float:
+        """At the last frame."""
+        return self.course.delay_ns / 1e6
 
 
 def estimate_delay(passed: PlanePass) -> ClockDelay:
     """The delay between arm and camera from a pass over a plane, by maximum likelihood.
 
-    The unknowns are the delay and the plane. Errors of calibration and arm depend on the position
-    of the sensor, not on its direction of motion: terms in its height above the plane absorb them.
-    The spread of the frames about the plane, which includes the noise of the encoders, is estimated
-    from the frames themselves.
+    The unknowns are the delay, with its jumps and its drift if there are any, and the plane. Errors
+    of calibration and arm depend on the position of the sensor, not on its direction of motion:
+    terms in its height above the plane absorb them. The spread of the frames about the plane, which
+    includes the noise of the encoders, is estimated from the frames themselves.
 
     Args:
         passed: points of the frames in the sensor frame, and the poses of the arm.
 
     Returns:
-        The delay in ms with its standard uncertainty (k = 1): to be added to the time stamp of a
-        frame before looking up the pose of the arm.
+        The delay with its standard uncertainty (k = 1): to be added to the time stamp of a frame
+        before looking up the pose of the arm.
 
     Raises:
-        OperationError: ``pass-too-short``, ``no-joints-around-frames``, ``not-a-plane``,
-            ``pass-too-slow``, ``pass-along-the-plane``, ``pass-without-reversal`` or
-            ``pass-not-informative``.
+        OperationError: ``pass-too-short``, ``sensor-at-rest``, ``arm-at-rest``,
+            ``no-joints-around-frames``, ``not-a-plane``, ``pass-too-slow``,
+            ``pass-along-the-plane``, ``pass-without-reversal`` or ``pass-not-informative``.
     """
     usable = np.flatnonzero(np.diff(passed.first) >= LEAST_POINTS)
     _check_frames(len(usable))
-    even = np.linspace(0, len(usable) - 1, min(SEARCH_FRAMES, len(usable))).astype(np.int64)
-    fit, gate_mm = _search_delay(passed.subsample(usable[even], SEARCH_POINTS)), GATE_MM
-    off_mm = _distances(passed, fit)
-    for _ in range(3):
+    passed = passed.select(usable)
+    check_movement(passed, SEARCH_NS)
+    start = search_delay(passed)
+    if start is None:
+        raise _no_poses_error()
+    off_mm, gate_mm = _distances(passed, start), GATE_MM
+    for round_number in range(1, MOST_ROUNDS + 1):
         lines = fit_stripe_lines(passed, off_mm < gate_mm)
-        _check_plane(off_mm, gate_mm, len(lines.stamps_ns))
-        found = fit_delay(lines, passed.poses_at, fit)
-        fit, off_mm = found, _distances(passed, found)
+        _check_plane(passed, off_mm, gate_mm)
+        _check_frames(len(lines.stamps_ns))
+        found = estimate_course(lines, passed.poses_at, start)
+        start, off_mm = found.fit, _distances(passed, found.fit)
         near = off_mm[off_mm < gate_mm]
         gate_mm = max(GATE_SCALES * sigma_from_median(near), LEAST_GATE_MM)
-    _check_delay(found)
-    on_plane = off_mm < gate_mm
-    return ClockDelay(
-        delay_ms=found.delay_ns / 1e6,
-        standard_uncertainty_ms=found.uncertainty_ns / 1e6,
-        frames=len(lines.stamps_ns),
-        reversals=count_reversals(found.across_mm_s),
-        seconds=float(np.ptp(lines.stamps_ns)) / 1e9,
-        speed_mm_s=float(np.sqrt(np.mean(found.across_mm_s**2))),
-        rms_without_um=_rms_um(passed, on_plane, 0.0),
-        rms_um=_rms_um(passed, on_plane, found.delay_ns),
+        start, off_mm = _drop_false_pieces(passed, start, off_mm, gate_mm)
+        if round_number >= ROUNDS and start is found.fit:
+            break
+    _check_delay(found.fit)
+    return _clock_delay(passed, found, gate_mm)
+
+
+def _drop_false_pieces(
+    passed: PlanePass, fit: DelayHypothesis, off_mm: Floats, gate_mm: float
+) -> tuple[DelayHypothesis, Floats]:
+    """The hypothesis without pieces between jumps that most of their frames contradict, as where a
+    clock was set back and gave its stamps twice; and the distances by it."""
+    while fit.shape.jumps_ns:
+        known, fits = _frames_on_plane(passed, off_mm, gate_mm)
+        piece, count = fit.shape.piece(passed.stamps_ns), len(fit.shape.jumps_ns) + 1
+        share = np.bincount(piece, fits, count) / np.maximum(np.bincount(piece, known, count), 1)
+        if share.min() >= LEAST_SHARE:
+            break
+        fit = without_piece(fit, int(np.argmin(share)))
+        off_mm = _distances(passed, fit)
+    return fit, off_mm
+
+
+def _clock_delay(passed: PlanePass, found: CourseEstimate, gate_mm: float) -> ClockDelay:
+    """The result; frames on the plane are counted anew, by the last gate."""
+    fit = found.fit
+    off_mm = _distances(passed, fit)
+    known, fits = _frames_on_plane(passed, off_mm, gate_mm)
+    off_ns = passed.stamps_ns[known & ~fits]
+    drift_ppm = float(fit.values[1]) if fit.shape.drifts else 0.0
+    changes = slice(fit.shape.first_jump, None)
+    jumps = tuple(
+        FoundJump(
+            DelayJump(time.stamp_ns, change_ns, _unclear_ns(off_ns, time.stamp_ns, change_ns)),
+            u_ns / 1e6,
+            time.uncertainty_ns / 1e9,
+        )
+        for time, change_ns, u_ns in zip(
+            found.times,
+            fit.values[changes].tolist(),
+            fit.uncertainties[changes].tolist(),
+            strict=True,
+        )
     )
+    course = DelayCourse(
+        float(fit.values[0]), fit.shape.stamp_ns, drift_ppm, tuple(one.jump for one in jumps)
+    )
+    on_plane = off_mm < gate_mm
+    rms_um = _rms_um(passed, on_plane, course.at(passed.stamps_ns))
+    assert rms_um is not None  # the plane was fitted to these points
+    return ClockDelay(
+        course,
+        standard_uncertainty_ms=float(fit.uncertainties[0]) / 1e6,
+        drift_uncertainty_ppm=found.drift_uncertainty_ppm,
+        jumps=jumps,
+        first_frame_ns=int(passed.stamps_ns[0]),
+        frames=int(fits.sum()),
+        frames_off=len(off_ns),
+        frames_unplaced=int((~known).sum()),
+        reversals=count_reversals(fit.across_mm_s),
+        seconds=float(np.ptp(passed.stamps_ns[fits])) / 1e9,
+        speed_mm_s=float(np.sqrt(np.mean(fit.across_mm_s**2))),
+        rms_without_um=_rms_um(passed, on_plane, 0),
+        rms_um=rms_um,
+    )
+
+
+def _frames_on_plane(
+    passed: PlanePass, off_mm: Floats, gate_mm: float
+) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
+    """(F,) frames with a pose, and frames with enough points on the plane."""
+    known = np.isfinite(np.maximum.reduceat(off_mm, passed.first[:-1]))
+    counts = np.bincount(passed.frame, off_mm < gate_mm, len(passed.stamps_ns))
+    return known, counts >= LEAST_POINTS
+
+
+def _unclear_ns(off_ns: Stamps, jump_ns: int, change_ns: float) -> tuple[int, int] | None:
+    """The first and last of the frames around a jump that do not fit: a clock that was set back by
+    as much gave their time stamps twice."""
+    near = off_ns[np.abs(off_ns - jump_ns) <= abs(change_ns)]
+    return (int(near.min()), int(near.max())) if len(near) else None
 
 
 def _distances(passed: PlanePass, fit: DelayHypothesis) -> Floats:
     """(N,) distance of the points from the plane, mm; infinite if the pose of the arm is
     unknown."""
-    off = np.abs(passed.points_in_arm(fit.delay_ns) @ fit.normal - fit.offset_mm)
+    points = passed.points_in_arm(fit.delays_ns(passed.stamps_ns))
+    off = np.abs(points @ fit.normal - fit.offset_mm)
     return np.where(np.isfinite(off), off, np.inf)
 
 
-def _rms_um(passed: PlanePass, on_plane: NDArray[np.bool_], delay_ns: float) -> float:
-    """Rms of the points about the plane that fits them best."""
-    points = passed.points_in_arm(delay_ns)[on_plane]
+def _rms_um(
+    passed: PlanePass, on_plane: NDArray[np.bool_], delays_ns: Stamps | int
+) -> float | None:
+    """Rms of the points about the plane that fits them best; None without points."""
+    points = passed.points_in_arm(delays_ns)[on_plane]
     points = points[np.isfinite(points).all(axis=1)]
+    if not len(points):
+        return None
     centred = points - points.mean(axis=0)
     least = float(np.linalg.eigvalsh(centred.T @ centred)[0])
     return 1e3 * float(np.sqrt(max(least, 0.0) / len(points)))
 
 
-def _search_delay(sample: PlanePass) -> DelayHypothesis:
-    """The delay of a grid that brings the points closest to one plane; the smallest of equal
-    ones."""
-    best: tuple[float, DelayHypothesis] | None = None
-    for delay_ns in sorted(range(-SEARCH_NS, SEARCH_NS + 1, SEARCH_STEP_NS), key=abs):
-        points = sample.points_in_arm(delay_ns)
-        known = np.isfinite(points).all(axis=1)
-        if known.mean() < 0.7:
-            continue
-        plane = fit_plane(points[known])
-        off_mm = median(np.abs(points[known] @ plane.normal - plane.offset_mm))
-        if best is None or off_mm < 0.95 * best[0]:
-            best = off_mm, DelayHypothesis(float(delay_ns), plane.normal, plane.offset_mm)
-    if best is None:
-        raise OperationError(
-            "no-joints-around-frames",
-            message("arms-position-known-around-most-pictures"),
-            message("arm-sent-too-little-arm-camera"),
-            message("take-pass-again"),
-        )
-    return best[1]
+def _no_poses_error() -> OperationError:
+    return OperationError(
+        "no-joints-around-frames",
+        message("arms-position-known-around-most-pictures"),
+        message("arm-sent-too-little-arm-camera"),
+        message("take-pass-again"),
+    )
 
 
 def _check_frames(count: int) -> None:
@@ -157,30 +241,33 @@ def _check_frames(count: int) -> None:
         )
 
 
-def _check_plane(off_mm: Floats, gate_mm: float, frames: int) -> None:
+def _check_plane(passed: PlanePass, off_mm: Floats, gate_mm: float) -> None:
+    known, fits = _frames_on_plane(passed, off_mm, gate_mm)
     near = off_mm[off_mm < gate_mm]
-    share = len(near) / len(off_mm)
+    points = len(near) / max(int(np.isfinite(off_mm).sum()), 1)
+    share = min(points, int(fits.sum()) / max(int(known.sum()), 1))
     spread_mm = sigma_from_median(near) if len(near) else np.inf
-    if share < LEAST_SHARE or spread_mm > MOST_SPREAD_MM:
-        why = message(
-            "points-lie-within-one-plane",
-            share=quantity(100 * share, "%"),
-            distance=rounded(gate_mm, "mm", 2),
-        )
-        if share >= LEAST_SHARE:
-            why = message("points-lie-about-nearest-plane", spread=quantity(spread_mm, "mm", 2))
-        raise OperationError(
-            "not-a-plane",
-            message("what-passed-over-plane"),
-            why,
-            message("pass-over-flat-plate-fills-lasers"),
-        )
-    _check_frames(frames)
+    if share >= LEAST_SHARE and spread_mm <= MOST_SPREAD_MM:
+        return
+    why = message(
+        "points-lie-within-one-plane",
+        range=rounded(SEARCH_NS / 1e9, "s"),
+        share=quantity(100 * share, "%"),
+        distance=rounded(gate_mm, "mm", 2),
+    )
+    if share >= LEAST_SHARE:
+        why = message("points-lie-about-nearest-plane", spread=quantity(spread_mm, "mm", 2))
+    raise OperationError(
+        "not-a-plane",
+        message("what-passed-over-plane"),
+        why,
+        message("pass-over-flat-plate-fills-lasers"),
+    )
 
 
 def _check_delay(found: DelayEstimate) -> None:
     """Refuses a pass that cannot determine the delay, with a remedy."""
-    across, u_ms = found.across_mm_s, found.uncertainty_ns / 1e6
+    across, u_ms = found.across_mm_s, float(found.uncertainties[0]) / 1e6
     speed = float(np.sqrt(np.mean(across**2)))
     known = message("delay-would-known-k-1", u=quantity(u_ms, "ms", 1))
     if not np.isfinite(u_ms):

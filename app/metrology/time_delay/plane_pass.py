@@ -1,7 +1,7 @@
 """A pass of the sensor over a plane: its frames, and the line of the plane in each."""
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -35,24 +35,24 @@ class PlanePass:
         """(N,) frame of each point."""
         return np.repeat(np.arange(len(self.stamps_ns)), np.diff(self.first))
 
-    def points_in_arm(self, delay_ns: float) -> Floats:
-        """(N, 3) the points in the arm frame; NaN if the pose of the arm is unknown."""
-        T = self.poses_at(self.stamps_ns + round(delay_ns))[self.frame]
+    def points_in_arm(self, delays_ns: Stamps | int) -> Floats:
+        """(N, 3) the points in the arm frame; NaN if the pose of the arm is unknown.
+
+        ``delays_ns`` is one delay, or (F,) those of the frames."""
+        T = self.poses_at(self.stamps_ns + delays_ns)[self.frame]
         return np.asarray(np.einsum("nij,nj->ni", T[:, :3, :3], self.points_mm) + T[:, :3, 3])
 
-    def subsample(self, frames: NDArray[np.int64], most: int) -> "PlanePass":
-        """Some of the frames (in order), with at most this many points of each, evenly spaced."""
-        rows = []
-        for first, last in zip(self.first[frames], self.first[frames + 1], strict=True):
-            rows.append(np.arange(first, last, max(1, -(-int(last - first) // most))))
-        at = np.concatenate([*rows, np.zeros(0, dtype=np.int64)])
-        return PlanePass(
-            self.stamps_ns[frames],
-            np.concatenate([[0], np.cumsum([len(row) for row in rows])]),
-            self.points_mm[at],
-            self.sigma_mm[at],
-            self.poses_at,
-            self.number_sharing_noise,
+    def select(self, frames: NDArray[np.int64]) -> "PlanePass":
+        """Some of the frames, in order."""
+        counts = np.diff(self.first)[frames]
+        first = np.concatenate([[0], np.cumsum(counts)])
+        at = np.repeat(self.first[frames] - first[:-1], counts) + np.arange(first[-1])
+        return replace(
+            self,
+            stamps_ns=self.stamps_ns[frames],
+            first=first,
+            points_mm=self.points_mm[at],
+            sigma_mm=self.sigma_mm[at],
         )
 
 
@@ -69,6 +69,12 @@ class StripeLines:
     variance: Floats
     """(F,) mm², variance of the distance of centre and end from the plane, due to the points
     alone."""
+
+    def select(self, rows: NDArray[np.int64]) -> "StripeLines":
+        """Some of the lines."""
+        return StripeLines(
+            self.stamps_ns[rows], self.centre_mm[rows], self.half_mm[rows], self.variance[rows]
+        )
 
     @property
     def height(self) -> Floats:
