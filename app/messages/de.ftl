@@ -1107,6 +1107,7 @@ does-take-notifications-given-up = { $host } nimmt keine Benachrichtigungen an: 
 done = Fertig
 draw-over-part-cloud = das Rechteck über einen Teil der Punktwolke ziehen
 draw-pictures-of-each-folder-apart = Die Bilder jedes Ordners für sich zeichnen
+drifting-delay-ended-with-restart = Der Zeitversatz zwischen Messarm und Kamera driftet und gilt nach dem Neustart nicht mehr. Unter Einstellungen neu bestimmen.
 driver-cannot-be-loaded = Der Treiber { $name } ({ $table }) aus { $package } lässt sich nicht laden: { $kind }: { $error }
 driver-not-callable = Der Treiber { $name } ({ $table }) aus { $package } lässt sich nicht aufrufen: { $value }
 driver-offered = Der Treiber { $name } ({ $table }) ist mehrfach vorhanden: { $packages }

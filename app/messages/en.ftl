@@ -1103,6 +1103,7 @@ does-take-notifications-given-up = { $host } does not accept notifications: { $t
 done = Done
 draw-over-part-cloud = draw it over a part of the cloud
 draw-pictures-of-each-folder-apart = Draw the pictures of each folder apart
+drifting-delay-ended-with-restart = The delay between arm and camera drifts, and ended with the restart. Determine it again under Settings.
 driver-cannot-be-loaded = The { $table } driver { $name } of { $package } cannot be loaded: { $kind }: { $error }
 driver-not-callable = The { $table } driver { $name } of { $package } is not callable: { $value }
 driver-offered = Several packages provide the { $table } driver { $name }: { $packages }

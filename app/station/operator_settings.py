@@ -24,7 +24,7 @@ from app.station.devices.rig import Rig
 from app.station.jobs import Job, Jobs, Progress
 from app.station.preview.preview import Preview
 from app.station.scan.scanner import Scanner
-from app.workflows.estimate_delay import estimate_recording_delay
+from app.workflows.estimate_delay import delay_findings, estimate_recording_delay
 from hardware.interfaces import Frame
 
 TOPIC = "settings"
@@ -56,6 +56,8 @@ class StationSettings(ScanOptions):
     """In use, or found and not yet used."""
     delay_applied: bool
     finding_delay: bool
+    delay_findings: tuple[Finding, ...]
+    """What to know before the delay is used: jumps, drift, pictures that do not fit."""
     findings: tuple[Finding, ...]
 
 
@@ -91,6 +93,10 @@ class OperatorSettings:
         self._bus, self._rig = bus, rig
         self._scanner, self._preview, self._keep = scanner, preview, keep
         self._lock = threading.RLock()
+        if kept.sync is not None and kept.sync.drift_ppm:
+            # the devices' clocks begin anew, and with them what a drift refers to
+            kept = kept.model_copy(update={"sync": None})
+            bus.event("delay", message("drifting-delay-ended-with-restart"), "attention")
         self._settings = kept
         self._delay_estimate: Sync | None = None
         self._finding = False
@@ -103,13 +109,15 @@ class OperatorSettings:
     def view(self) -> StationSettings:
         with self._lock:
             now = self._settings
+            delay = self._delay_estimate or now.sync
             return StationSettings(
                 **now.model_dump(exclude={"mask", "sync", "sensor_exposures_us", "exposure_us"}),
                 exposure_us=now.exposure_of_us(self._rig.selected),
                 zones=now.mask.zones if now.mask is not None else (),
-                delay=self._delay_estimate or now.sync,
+                delay=delay,
                 delay_applied=self._delay_estimate is None and now.sync is not None,
                 finding_delay=self._finding,
+                delay_findings=() if delay is None else delay_findings(delay),
                 findings=self._findings(),
             )
 

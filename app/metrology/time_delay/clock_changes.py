@@ -23,6 +23,8 @@ LEAST_JUMP_NS, LEAST_DRIFT_PPM = 2e5, 2.0
 LEAST_FRAMES = 10
 """Before, between and behind jumps."""
 MOST_JUMPS, MOST_ROUNDS = 20, 4
+SHARED = 2
+"""Number of adjacent frames that share their errors, as far as the time of a jump is concerned."""
 FAR = 9.0
 """Largest squared deviation, in scatters, of an outlier among the frames around a jump."""
 
@@ -204,7 +206,7 @@ def _jump_time(
     total = total[first : last + 1] - total[first : last + 1].min()
     times_ns = (here.stamps_ns[first - 1 : last] + here.stamps_ns[first : last + 1]) / 2.0
     gaps_ns = np.diff(here.stamps_ns)[first - 1 : last].astype(np.float64)
-    likely = gaps_ns * np.exp(-total / 2)
+    likely = gaps_ns * np.exp(-total / (2 * SHARED))
     likely /= likely.sum()
     best = int(np.argmin(total))
     spread = likely @ ((times_ns - times_ns[best]) ** 2 + gaps_ns**2 / 12)

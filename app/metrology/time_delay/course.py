@@ -84,6 +84,10 @@ class DelayCourse:
         values = [self.delay_ns, *drift, *(jump.change_ns for jump in self.jumps)]
         return np.rint(shape.basis(stamps_ns) @ np.array(values)).astype(np.int64)
 
+    def at_one(self, stamp_ns: int) -> int:
+        """The delay of one frame, ns."""
+        return int(self.at(np.array([stamp_ns], dtype=np.int64))[0])
+
     def is_clear(self, stamps_ns: Stamps) -> NDArray[np.bool_]:
         """(F,) False for frames whose pose is uncertain because a clock was set then."""
         clear = np.ones(len(stamps_ns), dtype=np.bool_)

@@ -31,6 +31,8 @@ ROUNDS, MOST_ROUNDS = 3, 6
 LEAST_FRAMES = 30
 LEAST_SHARE = 0.5
 """Minimum share of the points, and of the frames, that lie on a plane."""
+SEVERAL = 3
+"""Frames off the plane around a jump that are not stray ones."""
 MOST_SPREAD_MM = 0.3
 """Maximum scatter of the points about a plane at any delay; an arm is better than this over one
 plate."""
@@ -111,7 +113,8 @@ def estimate_delay(passed: PlanePass) -> ClockDelay:
         raise _no_poses_error()
     off_mm, gate_mm = _distances(passed, start), GATE_MM
     for round_number in range(1, MOST_ROUNDS + 1):
-        lines = fit_stripe_lines(passed, off_mm < gate_mm)
+        clear = _clear_frames(passed, start, off_mm, gate_mm)
+        lines = fit_stripe_lines(passed, (off_mm < gate_mm) & clear[passed.frame])
         _check_plane(passed, off_mm, gate_mm)
         _check_frames(len(lines.stamps_ns))
         found = estimate_course(lines, passed.poses_at, start)
@@ -194,11 +197,27 @@ def _frames_on_plane(
     return known, counts >= LEAST_POINTS
 
 
+def _clear_frames(
+    passed: PlanePass, fit: DelayHypothesis, off_mm: Floats, gate_mm: float
+) -> NDArray[np.bool_]:
+    """(F,) False for frames around a jump among which several do not fit: the others fit by
+    chance."""
+    known, fits = _frames_on_plane(passed, off_mm, gate_mm)
+    off_ns = passed.stamps_ns[known & ~fits]
+    clear = np.ones(len(known), dtype=np.bool_)
+    changes_ns = fit.values[fit.shape.first_jump :]
+    for jump_ns, change_ns in zip(fit.shape.jumps_ns, changes_ns, strict=True):
+        unclear_ns = _unclear_ns(off_ns, jump_ns, float(change_ns))
+        if unclear_ns is not None:
+            clear &= (passed.stamps_ns < unclear_ns[0]) | (passed.stamps_ns > unclear_ns[1])
+    return clear
+
+
 def _unclear_ns(off_ns: Stamps, jump_ns: int, change_ns: float) -> tuple[int, int] | None:
     """The first and last of the frames around a jump that do not fit: a clock that was set back by
     as much gave their time stamps twice."""
     near = off_ns[np.abs(off_ns - jump_ns) <= abs(change_ns)]
-    return (int(near.min()), int(near.max())) if len(near) else None
+    return (int(near.min()), int(near.max())) if len(near) >= SEVERAL else None
 
 
 def _distances(passed: PlanePass, fit: DelayHypothesis) -> Floats:

@@ -69,12 +69,15 @@ class ScanPipeline:
         self._arm = arm
         self._cloud_path = folder / CLOUD
         self._extracting: queue.Queue[Future[list[StripeFrame]] | None] = queue.Queue(2 * CORES)
-        self._stripes: queue.Queue[list[StripeFrame] | None] = queue.Queue(POINTS_QUEUE)
         self._ended = False
         self._rejected_before = arm.rejected_count
         self._settings = settings
         self._sources = [ScanSource(arm, one, settings, show) for one in sensors]
         self._by_name = {source.name: source for source in self._sources}
+        late_s = max(source.longest_delay_s for source in self._sources)
+        # frames of a late arm wait for its readings
+        waiting = round(POINTS_QUEUE * (1 + late_s / LATE_S))
+        self._stripes: queue.Queue[list[StripeFrame] | None] = queue.Queue(waiting)
         first = self._sources[0].calibration
         self._arm_serial = first.arm_serial
         self._recorder = Recorder(
@@ -83,7 +86,7 @@ class ScanPipeline:
             self._metadata(),
             arm,
             tuple(self._by_name),
-            max(source.delay_ns for source in self._sources),
+            [source.delay for source in self._sources],
         )
         self._taking = len(self._sources)
         self._threads = [
@@ -133,7 +136,7 @@ class ScanPipeline:
     @property
     def backlog(self) -> float:
         """How far the slowest stage is behind, 0 to 1 (frames are lost beyond)."""
-        return max(self._recorder.backlog, self._stripes.qsize() / POINTS_QUEUE)
+        return max(self._recorder.backlog, self._stripes.qsize() / self._stripes.maxsize)
 
     @property
     def trouble(self) -> OperationError | None:
@@ -243,8 +246,9 @@ class ScanPipeline:
         while (frames := self._next_stripes()) is not None:
             source = self._by_name[frames[0].sensor]
             stamps_ns = np.array([frame.stamp_ns for frame in frames])
-            stamps_ns += source.delay_ns
-            readings = self._arm.at_all(stamps_ns, LATE_S if self._arm.fresh else 0.0)
+            stamps_ns += source.delay.at(stamps_ns)
+            late_s = LATE_S + source.longest_delay_s
+            readings = self._arm.at_all(stamps_ns, late_s if self._arm.fresh else 0.0)
             known = (
                 np.isfinite(readings).all(axis=1) if readings is not None else np.zeros(len(frames))
             )

@@ -3,7 +3,7 @@
 import logging
 import queue
 import time
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
@@ -13,6 +13,7 @@ from app.formats.recording.writer import RecordingWriter
 from app.loops import Loop, start_worker
 from app.messages.message import message
 from app.metrology.stripe import Stripe
+from app.metrology.time_delay.course import DelayCourse
 from app.station.devices.arm_device import LATE_S, StationArm
 from hardware.clock import now_ns
 from hardware.interfaces import Frame
@@ -57,15 +58,17 @@ class Recorder:
         station: Mapping[str, str],
         arm: StationArm,
         sensors: tuple[str, ...],
-        delay_ns: int,
+        delays: Sequence[DelayCourse],
     ) -> None:
-        """``joint_names``, ``station``, ``sensors``: as of ``RecordingWriter``; ``delay_ns``: the
-        longest of the arm's time stamps."""
+        """``joint_names``, ``station``, ``sensors``: as of ``RecordingWriter``; ``delays``: of the
+        arm's time stamps behind those of the sensors."""
         self.failure: OperationError | None = None
         self.pictures = self.pictures_dropped = 0
-        self._delay_ns = delay_ns
+        self._delays = tuple(delays)
         self._arm = arm
-        self._joints_after_ns = now_ns() - LEAD_NS
+        began_ns = now_ns()
+        first_ns, _ = self._arm_times_ns(began_ns)
+        self._joints_after_ns = min(began_ns, first_ns) - LEAD_NS
         self._frames: queue.Queue[list[StripeFrame] | None] = queue.Queue(QUEUE_BATCHES)
         self._pictures: queue.Queue[tuple[Frame, str]] = queue.Queue(QUEUE_PICTURES)
         self._metadata: queue.Queue[Mapping[str, str]] = queue.Queue()
@@ -121,7 +124,8 @@ class Recorder:
             with self._writer:
                 last_ns = self._write_frames()
                 if self._arm.fresh:
-                    self._arm.at(last_ns + self._delay_ns, LATE_S)
+                    at_ns = self._arm_times_ns(last_ns)[1]
+                    self._arm.at(at_ns, LATE_S + max(at_ns - last_ns, 0) / 1e9)
                 self._write_joints()
         except OperationError as refusal:
             self.failure = refusal
@@ -168,8 +172,14 @@ class Recorder:
         while not self._pictures.empty():
             self._write_picture()
 
+    def _arm_times_ns(self, stamp_ns: int) -> tuple[int, int]:
+        """The earliest and the latest time of a frame by the arm's clock."""
+        at_ns = [stamp_ns + delay.at_one(stamp_ns) for delay in self._delays]
+        return min(at_ns), max(at_ns)
+
     def _write_joints(self) -> None:
-        window = self._arm.window(self._joints_after_ns + 1, now_ns())
+        now = now_ns()
+        window = self._arm.window(self._joints_after_ns + 1, max(now, self._arm_times_ns(now)[1]))
         if window is None or not len(window):
             return
         for stamp_ns, reading in zip(window.stamps_ns.tolist(), window.readings, strict=True):

@@ -20,7 +20,7 @@ from app.station.devices.sensor_device import StationSensor
 from app.station.scan.messages import end_reason, scan_findings, start_error
 from app.station.scan.pipeline import ScanPipeline
 from app.station.scan.points import NewPoints, ScanCalibration, Show
-from app.station.scan.sources import ScanSensor
+from app.station.scan.sources import ScanSensor, check_delay_age
 from app.station.scan.state import NO_SCAN, ScanLoad, ScanResult, ScanState, State
 from app.station.scan.storage import ScanFolders, make_scan_folder, recording_size
 from app.station.view3d.scene import Scene
@@ -189,13 +189,15 @@ class Scanner:
 
         Raises:
             OperationError: no valid calibration for these devices, a device lost, another
-                scan running, or no space on the disk.
+                scan running, no space on the disk, or a drifting delay that is no longer known.
         """
         with self._lock:
             refusal = self.why_not() or self._folders.start_space_error()
             if refusal is not None:
                 raise refusal
             sensors = self._scan_sensors(into is not None)
+            for one in sensors:
+                check_delay_age(self._settings, one)
             started = datetime.now(UTC)
             folder = self._folders.new(started) if into is None else make_scan_folder(into)
             scan_id = folder.name if into is None else f"{into.parent.name}-{into.name}"

@@ -6,10 +6,17 @@ from dataclasses import dataclass
 import numpy as np
 
 from app.errors import OperationError
-from app.formats.recording.reader import ARM_DELAY, SCAN_CALIBRATION, SENSOR_SERIAL
+from app.formats.recording.reader import (
+    ARM_DELAY,
+    ARM_DELAY_AT,
+    ARM_DRIFT,
+    SCAN_CALIBRATION,
+    SENSOR_SERIAL,
+)
 from app.formats.recording.topics import sensor_key
 from app.formats.settings.scan_settings import ScanSettings
 from app.messages.message import message
+from app.metrology.time_delay.course import NO_DELAY, DelayCourse
 from app.metrology.transforms import Floats
 from app.station.devices.arm_device import StationArm
 from app.station.devices.sensor_device import StationSensor
@@ -17,6 +24,7 @@ from app.station.scan.extraction import extraction_by
 from app.station.scan.points import PointMaker, ScanCalibration, Show
 from app.station.scan.recorder import StripeFrame
 from app.station.scan.scan_speed import ScanSpeed
+from hardware.clock import now_ns
 from hardware.interfaces import Frame, SensorReading
 
 # Frames are worked on so many at a time, where they come faster than the wait for more.
@@ -45,16 +53,19 @@ class ScanSource:
         self.name, self.calibration = used.name, used.calibration
         self.speed = ScanSpeed(arm, settings.blur_limit_mm)
         self.points = PointMaker(used.calibration, show)
-        self.delay_ns = 0
+        device = used.device
+        self.delay = _delay_of(settings, used)
         """As the recording began with."""
-        device, calibration = used.device, used.calibration
-        if not device.is_paired:  # pulses have no delay
-            self.delay_ns = settings.delay_ns(calibration.arm_serial, calibration.sensor_serial)
         self._device = device
         self._lost_before = device.reader.link().lost
         self._settings = self._own(settings)
-        self._extraction = extraction_by(self._settings, calibration.stripe_axis)
+        self._extraction = extraction_by(self._settings, self.calibration.stripe_axis)
         self.tap = device.frames.tap(_queue_length(device))
+
+    @property
+    def longest_delay_s(self) -> float:
+        """By how much the arm's readings may come later than the frames."""
+        return max(self.delay.delay_ns / 1e9, 0.0)
 
     @property
     def lost_frames(self) -> int:
@@ -72,8 +83,13 @@ class ScanSource:
         named = {
             SCAN_CALIBRATION: self.calibration.id,
             SENSOR_SERIAL: self.calibration.sensor_serial,
-            ARM_DELAY: str(self.delay_ns),
+            ARM_DELAY: str(round(self.delay.delay_ns)),
         }
+        if self.delay.drift_ppm:
+            named |= {
+                ARM_DELAY_AT: str(self.delay.stamp_ns),
+                ARM_DRIFT: str(self.delay.drift_ppm),
+            }
         return {sensor_key(key, self.name): value for key, value in named.items()}
 
     def extract(self, frames: Sequence[SensorReading]) -> list[StripeFrame]:
@@ -99,7 +115,7 @@ class ScanSource:
 
     def judge_speed(self, frame: StripeFrame, readings: Floats, frames: int) -> None:
         """Of the last of some frames: how fast the sensor went."""
-        stamp_ns = frame.stamp_ns + self.delay_ns
+        stamp_ns = frame.stamp_ns + self.delay.at_one(frame.stamp_ns)
         before_reading = self.speed.reading_before(stamp_ns)
         if before_reading is None or not len(frame.stripe.u):
             return
@@ -130,6 +146,18 @@ class ScanSource:
                 ),
                 message("set-sensor-back-scan-again"),
             )
+
+
+def check_delay_age(settings: ScanSettings, used: ScanSensor) -> None:
+    """Raises ``OperationError`` where the delay drifts and was determined too long ago."""
+    _delay_of(settings, used).check_age(np.array([now_ns()]))
+
+
+def _delay_of(settings: ScanSettings, used: ScanSensor) -> DelayCourse:
+    """The delay of the arm's stamps that is set for a sensor."""
+    if used.device.is_paired:  # pulses have no delay
+        return NO_DELAY
+    return settings.delay_of(used.calibration.arm_serial, used.calibration.sensor_serial)
 
 
 def _shape(frame: SensorReading) -> tuple[int, ...]:

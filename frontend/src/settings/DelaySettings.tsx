@@ -2,6 +2,7 @@ import { applyDelay, findDelay, passForDelay } from "../api/settingsCommands";
 import type { StationSettings, Sync } from "../api/wire";
 import { quantity } from "../messages/text";
 import fields from "../parts/Field.module.css";
+import { Findings } from "../parts/Findings";
 import { signed } from "../parts/format";
 import { measured } from "../parts/lengths";
 import { PressButton } from "../parts/PressButton";
@@ -10,7 +11,7 @@ import { t } from "../state/language";
 import { useLive } from "../state/store";
 import styles from "./Settings.module.css";
 
-/** The constant delay between arm and camera: determined from a pass over a plane, then applied. */
+/** The delay between arm and camera: determined from a pass over a plane, then applied. */
 export function DelaySettings({ settings }: { settings: StationSettings }) {
   const hasOperator = useLive((s) => s.station?.has_simulation ?? false);
   const scanning = useLive((s) => s.scan?.state === "running" || s.scan?.state === "stopping");
@@ -21,7 +22,10 @@ export function DelaySettings({ settings }: { settings: StationSettings }) {
         {t("ui-delay-between-arm-and-camera")}
       </h2>
       {delay ? (
-        <CurrentDelay delay={delay} applied={delay_applied} />
+        <>
+          <CurrentDelay delay={delay} applied={delay_applied} />
+          <Findings findings={settings.delay_findings} />
+        </>
       ) : (
         <p className={fields.help}>{t("ui-none-used-determine-scan-flat-plate")}</p>
       )}
@@ -56,7 +60,7 @@ function CurrentDelay({ delay, applied }: { delay: Sync; applied: boolean }) {
       <p className={fields.help}>
         {applied ? t("ui-use-next-scan") : t("ui-determined-not-in-use-yet")}{" "}
         {t("ui-points-about-plane-rms-without", {
-          without: quantity(delay.rms_without_um, "µm"),
+          without: delay.rms_without_um == null ? "–" : quantity(delay.rms_without_um, "µm"),
           with: quantity(delay.rms_um, "µm"),
         })}
         {delay.recording && ` (${delay.recording})`}.
