@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from app.formats.clouds.files import read_cloud
-from app.formats.recording.reader import ARM_DELAY
+from app.formats.recording.reader import ARM_DELAY, ARM_DELAY_AT, ARM_DRIFT
 from app.formats.recording.writer import RecordingWriter
 from app.metrology.arm.kinematics import flange_pose
 from app.metrology.fitting.plane_sphere import fit_plane
@@ -32,15 +32,19 @@ def q_of(seconds: float) -> Floats:
     return np.asarray(np.deg2rad(POSE_DEG) + np.array(waves))
 
 
-def pass_over_a_plate(path: Path, station: dict[str, str] | None = None) -> None:
-    """Frames of a plane that stands across the light plane; the arm's stamps late."""
+def pass_over_a_plate(
+    path: Path, station: dict[str, str] | None = None, back_ms: float = 0.0
+) -> None:
+    """Frames of a plane that stands across the light plane; the arm's stamps late, and its clock
+    set back in the middle."""
     use, rng = little_calibration(), np.random.default_rng(3)
     there = flange_pose(ARM, q_of(0.0)) @ use.T_flange_sensor
     normal = there[:3, :3] @ np.array([0.0, 0.9, 0.43589])
     offset = float(normal @ (there @ [0.0, 1.5, 0.0, 1.0])[:3])
     with RecordingWriter(path, NAMES, station) as writer:
         for ms in range(0, 5200, 2):
-            writer.joints(round((ms + DELAY_MS) * MS), q_of(ms / 1e3) + 1e-6 * rng.normal(size=6))
+            late_ms = DELAY_MS - back_ms * (ms > 2600)
+            writer.joints(round((ms + late_ms) * MS), q_of(ms / 1e3) + 1e-6 * rng.normal(size=6))
         for ms in range(60, 5100, 40):
             T = flange_pose(ARM, q_of(ms / 1e3)) @ use.T_flange_sensor
             nx, ny, _ = T[:3, :3].T @ normal
@@ -83,10 +87,27 @@ def test_the_delay_is_found_and_a_rebuild_takes_it_out(folder: Path) -> None:
     assert without == pytest.approx(reported["rms_without_um"], rel=0.1)
 
 
+def test_a_clock_that_was_set_back_is_named_and_taken_out(folder: Path) -> None:
+    pass_over_a_plate(folder / "back.mcap", back_ms=200.0)
+    output = folder / "sync.json"
+    ran = crenel("sync", folder / "back.mcap", *given(folder), "-o", output)
+    assert ran.exit_code == 0
+    assert "a clock was set" in ran.stderr
+    (jump,) = json.loads(output.read_text())["jumps"]
+    assert jump["change_ms"] == pytest.approx(-200.0, abs=4 * jump["standard_uncertainty_ms"])
+    assert jump["at_s"] == pytest.approx(2.54, abs=4 * jump["at_standard_uncertainty_s"])
+    assert rms_um(folder, "--sync", output, scan="back.mcap") < 30
+    ran = crenel("reconstruct", folder / "back.mcap", *given(folder), "--sync", output)
+    assert "a clock was set back around their time stamps" in ran.stderr
+
+
 def test_a_rebuild_takes_out_what_the_station_took_out(folder: Path) -> None:
     pass_over_a_plate(folder / "late.mcap", {ARM_DELAY: "12000000"})
     assert rms_um(folder, scan="late.mcap") < 30
     assert rms_um(folder, "--delay-ms", "0", scan="late.mcap") > 80
+    drifting = {ARM_DELAY: "12004000", ARM_DELAY_AT: str(2000 * MS), ARM_DRIFT: "2.0"}
+    pass_over_a_plate(folder / "drift.mcap", drifting)
+    assert rms_um(folder, scan="drift.mcap") < 30
     pass_over_a_plate(folder / "odd.mcap", {ARM_DELAY: "soon"})
     assert rms_um(folder, scan="odd.mcap") > 80
 

@@ -9,6 +9,7 @@ from scipy.spatial.transform import Rotation
 
 from app.errors import OperationError
 from app.metrology.arm.reading_interpolation import interpolate_readings
+from app.metrology.time_delay.course import DelayCourse
 from app.metrology.time_delay.delay import estimate_delay
 from app.metrology.time_delay.plane_pass import PlanePass, fit_stripe_lines
 from app.metrology.transforms import Floats
@@ -43,6 +44,9 @@ class Setting:
     bent_mm: float = 0.0
     """Of what the calibration does wrong over the height."""
     shape: str = "plane"
+    drift_ppm: float = 0.0
+    jump_ms: float = 0.0
+    """Of the arm's clock, in the middle of the pass."""
 
 
 def poses(q: Floats) -> Floats:
@@ -73,7 +77,11 @@ def passed(setting: Setting, seed: int = 0) -> PlanePass:
     in_sensor[:, 2] += setting.point_sd_mm * rng.normal(size=len(in_sensor))
     q = setting.path(read_s)
     q[:, :3] += setting.frame_sd_mm * rng.normal(size=(len(q), 3))
-    stamps_ns = AT_NS + np.round(1e9 * read_s + 1e6 * setting.delay_ms).astype(np.int64)
+    delays_ms = setting.delay_ms + 1e-3 * setting.drift_ppm * read_s
+    delays_ms = delays_ms + setting.jump_ms * (read_s > setting.seconds / 2)
+    stamps_ns = AT_NS + np.round(1e9 * read_s + 1e6 * delays_ms).astype(np.int64)
+    order = np.argsort(stamps_ns)
+    stamps_ns, q = stamps_ns[order], q[order]
     return PlanePass(
         AT_NS + np.round(1e9 * taken_s).astype(np.int64),
         np.arange(len(taken_s) + 1) * len(across),
@@ -83,7 +91,7 @@ def passed(setting: Setting, seed: int = 0) -> PlanePass:
     )
 
 
-@pytest.mark.parametrize("delay_ms", [0.0, 4.0, -130.0])
+@pytest.mark.parametrize("delay_ms", [0.0, 4.0])
 def test_the_delay_is_found_whatever_it_is(delay_ms: float) -> None:
     found = estimate_delay(passed(Setting(delay_ms=delay_ms)))
     assert found.standard_uncertainty_ms < 0.05
@@ -91,6 +99,61 @@ def test_the_delay_is_found_whatever_it_is(delay_ms: float) -> None:
     assert found.rms_um < 13.0
     assert (found.rms_without_um > 100.0) == (delay_ms != 0.0)
     assert found.reversals == pytest.approx(7, abs=1)
+
+
+@pytest.mark.parametrize(
+    "setting",
+    [
+        Setting(delay_ms=-4800.0, seconds=12.0),
+        Setting(delay_ms=3100.0, seconds=9.0, shape="plate on a table"),
+        Setting(delay_ms=10.0, seconds=12.0, jump_ms=50.0),
+        Setting(delay_ms=10.0, seconds=12.0, jump_ms=-2.0),
+        Setting(delay_ms=-300.0, seconds=12.0, jump_ms=-900.0),
+        Setting(seconds=60.0, drift_ppm=-25.0),
+        Setting(seconds=60.0, drift_ppm=75.0, jump_ms=7.0),
+    ],
+)
+def test_jumps_and_drift_are_found_at_any_delay(setting: Setting) -> None:
+    plane = passed(setting)
+    found = estimate_delay(plane)
+    last_s = (found.course.stamp_ns - AT_NS) / 1e9
+    drift_ms = 1e-3 * setting.drift_ppm * last_s
+    true_ms = setting.delay_ms + drift_ms + setting.jump_ms
+    assert abs(found.delay_ms - true_ms) < 4 * found.standard_uncertainty_ms < 0.4
+    off_ppm = abs(found.course.drift_ppm - setting.drift_ppm)
+    assert off_ppm <= (4 * found.drift_uncertainty_ppm if setting.drift_ppm else 0)
+    assert len(found.jumps) == (setting.jump_ms != 0)
+    for one in found.jumps:
+        off_ms = abs(one.jump.change_ns / 1e6 - setting.jump_ms)
+        assert off_ms < 4 * one.change_uncertainty_ms < 0.4
+        off_s = abs((one.jump.stamp_ns - AT_NS) / 1e9 - setting.seconds / 2)
+        assert off_s < 4 * one.time_uncertainty_s
+    # a clock that was set back gives its stamps twice: those frames are told, and no others
+    twice_s = max(-setting.jump_ms, 0) / 1e3
+    assert found.frames_off <= 2 * twice_s * setting.frames_hz
+    clear = found.course.is_clear(plane.stamps_ns)
+    assert (not clear.all()) == (twice_s > 0.1)
+    counted = found.frames + found.frames_off + found.frames_unplaced
+    assert counted == len(plane.stamps_ns)
+
+
+def at_rest(t: Floats) -> Floats:
+    return np.zeros((len(t), 6))
+
+
+def test_an_arm_at_rest_under_a_moving_line_is_told_from_a_sensor_at_rest() -> None:
+    held = replace(passed(Setting()), poses_at=lambda at_ns: poses(at_rest(at_ns)))
+    refusal = refusal_of(estimate_delay, held)
+    assert refusal.code == "arm-at-rest"
+
+
+def test_a_drifting_delay_holds_only_near_its_pass() -> None:
+    course = DelayCourse(1e6, AT_NS, 50.0, (), 1e3, 0.5)
+    course.check_age(np.array([AT_NS + 1800 * 10**9]))
+    with pytest.raises(
+        OperationError, match=r"drifts by \+50\.0 ppm.* 67 min away.*known to 2\.0 ms"
+    ):
+        course.check_age(np.array([AT_NS, AT_NS + 4000 * 10**9]))
 
 
 def test_points_that_share_their_noise_tell_less_of_a_frames_line() -> None:
@@ -143,6 +206,7 @@ def moved(across: Path, along_mm: float = 30.0) -> Path:
 @pytest.mark.parametrize(
     ("setting", "code"),
     [
+        (Setting(path=at_rest), "sensor-at-rest"),
         (Setting(path=moved(lambda t: 5 * t)), "pass-without-reversal"),
         (Setting(path=moved(lambda t: 0 * t)), "pass-along-the-plane"),
         (Setting(path=moved(lambda t: 0.1 * np.sin(2 * t), 1.0)), "pass-too-slow"),

@@ -95,3 +95,20 @@ def boards(
 
     shown = Shown("Searching", f"Chessboards in pictures of {folder}", "sets")
     measure(shown, as_json, partial(run, folder), (*COLUMNS, *COLUMNS_RMS), table)
+
+
+@bench.command("sync")
+@report_errors
+def clock_delay(
+    passes: Annotated[int, typer.Option(min=5, help="Simulated passes of all kinds.")] = 300,
+    seed: Annotated[int, typer.Option(min=0, help="Seed of the first pass of each kind.")] = 0,
+    as_json: AsJson = False,
+) -> None:
+    """Determine the delay of simulated passes over a plate: constant, jumping, drifting, at rest.
+
+    Delays are up to 5 s, jumps 2 ms to 2 s, drifts 20 to 300 ppm.
+    """
+    from app.bench.metrology.clock_delay import COLUMNS, run, table
+
+    shown = Shown("Determining", "Delay between arm and camera in simulated passes", "kinds")
+    measure(shown, as_json, partial(run, passes, seed), COLUMNS, table)

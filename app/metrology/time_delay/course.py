@@ -82,7 +82,7 @@ class DelayCourse:
         )
         drift = [self.drift_ppm] if shape.drifts else []
         values = [self.delay_ns, *drift, *(jump.change_ns for jump in self.jumps)]
-        return np.rint(shape.basis(stamps_ns) @ np.array(values)).astype(np.int64)
+        return np.asarray(np.rint(shape.basis(stamps_ns) @ np.array(values)), dtype=np.int64)
 
     def at_one(self, stamp_ns: int) -> int:
         """The delay of one frame, ns."""
@@ -117,7 +117,7 @@ class CourseShape:
 
     def basis(self, stamps_ns: Stamps) -> Floats:
         """(F, m) derivatives of the delays (ns) by the values."""
-        columns = [np.ones(len(stamps_ns))]
+        columns: list[Floats] = [np.ones(len(stamps_ns))]
         if self.drifts:
             columns.append((stamps_ns - self.stamp_ns) * PPM)
         columns += [-(stamps_ns < jump_ns).astype(np.float64) for jump_ns in self.jumps_ns]

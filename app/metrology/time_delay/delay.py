@@ -11,15 +11,20 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from app.errors import OperationError
-from app.messages.message import message, quantity, rounded
 from app.metrology.arm.reading_interpolation import Stamps
 from app.metrology.robust import sigma_from_median
 from app.metrology.time_delay.clock_changes import CourseEstimate, estimate_course, without_piece
-from app.metrology.time_delay.course import MOST_UNCERTAINTY_MS, DelayCourse, DelayJump
-from app.metrology.time_delay.delay_fit import DelayEstimate, DelayHypothesis, count_reversals
+from app.metrology.time_delay.course import DelayCourse, DelayJump
+from app.metrology.time_delay.delay_fit import DelayHypothesis, count_reversals
 from app.metrology.time_delay.delay_search import SEARCH_NS, search_delay
 from app.metrology.time_delay.movement import check_movement
+from app.metrology.time_delay.pass_checks import (
+    LEAST_SHARE,
+    check_delay,
+    check_frames,
+    check_plane,
+    no_poses_error,
+)
 from app.metrology.time_delay.plane_pass import LEAST_POINTS, PlanePass, fit_stripe_lines
 from app.metrology.transforms import Floats
 
@@ -28,17 +33,8 @@ GATE_MM = 1.0
 GATE_SCALES, LEAST_GATE_MM = 4.0, 0.02
 ROUNDS, MOST_ROUNDS = 3, 6
 """Of the fit: the last ones only if pieces of the course turned out to be false."""
-LEAST_FRAMES = 30
-LEAST_SHARE = 0.5
-"""Minimum share of the points, and of the frames, that lie on a plane."""
 SEVERAL = 3
 """Frames off the plane around a jump that are not stray ones."""
-MOST_SPREAD_MM = 0.3
-"""Maximum scatter of the points about a plane at any delay; an arm is better than this over one
-plate."""
-SLOW_MM_S = 10.0
-ONE_WAY = 0.2
-"""Minimum share of the way back relative to the way forth, perpendicular to the plane."""
 
 
 @dataclass(frozen=True)
@@ -105,18 +101,18 @@ def estimate_delay(passed: PlanePass) -> ClockDelay:
             ``pass-along-the-plane``, ``pass-without-reversal`` or ``pass-not-informative``.
     """
     usable = np.flatnonzero(np.diff(passed.first) >= LEAST_POINTS)
-    _check_frames(len(usable))
+    check_frames(len(usable))
     passed = passed.select(usable)
     check_movement(passed, SEARCH_NS)
     start = search_delay(passed)
     if start is None:
-        raise _no_poses_error()
+        raise no_poses_error()
     off_mm, gate_mm = _distances(passed, start), GATE_MM
     for round_number in range(1, MOST_ROUNDS + 1):
         clear = _clear_frames(passed, start, off_mm, gate_mm)
         lines = fit_stripe_lines(passed, (off_mm < gate_mm) & clear[passed.frame])
-        _check_plane(passed, off_mm, gate_mm)
-        _check_frames(len(lines.stamps_ns))
+        check_plane(passed, off_mm, gate_mm)
+        check_frames(len(lines.stamps_ns))
         found = estimate_course(lines, passed.poses_at, start)
         start, off_mm = found.fit, _distances(passed, found.fit)
         near = off_mm[off_mm < gate_mm]
@@ -124,7 +120,7 @@ def estimate_delay(passed: PlanePass) -> ClockDelay:
         start, off_mm = _drop_false_pieces(passed, start, off_mm, gate_mm)
         if round_number >= ROUNDS and start is found.fit:
             break
-    _check_delay(found.fit)
+    check_delay(found.fit)
     return _clock_delay(passed, found, gate_mm)
 
 
@@ -134,7 +130,7 @@ def _drop_false_pieces(
     """The hypothesis without pieces between jumps that most of their frames contradict, as where a
     clock was set back and gave its stamps twice; and the distances by it."""
     while fit.shape.jumps_ns:
-        known, fits = _frames_on_plane(passed, off_mm, gate_mm)
+        known, fits = passed.frames_on_plane(off_mm, gate_mm)
         piece, count = fit.shape.piece(passed.stamps_ns), len(fit.shape.jumps_ns) + 1
         share = np.bincount(piece, fits, count) / np.maximum(np.bincount(piece, known, count), 1)
         if share.min() >= LEAST_SHARE:
@@ -148,7 +144,7 @@ def _clock_delay(passed: PlanePass, found: CourseEstimate, gate_mm: float) -> Cl
     """The result; frames on the plane are counted anew, by the last gate."""
     fit = found.fit
     off_mm = _distances(passed, fit)
-    known, fits = _frames_on_plane(passed, off_mm, gate_mm)
+    known, fits = passed.frames_on_plane(off_mm, gate_mm)
     off_ns = passed.stamps_ns[known & ~fits]
     drift_ppm = float(fit.values[1]) if fit.shape.drifts else 0.0
     changes = slice(fit.shape.first_jump, None)
@@ -188,21 +184,12 @@ def _clock_delay(passed: PlanePass, found: CourseEstimate, gate_mm: float) -> Cl
     )
 
 
-def _frames_on_plane(
-    passed: PlanePass, off_mm: Floats, gate_mm: float
-) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
-    """(F,) frames with a pose, and frames with enough points on the plane."""
-    known = np.isfinite(np.maximum.reduceat(off_mm, passed.first[:-1]))
-    counts = np.bincount(passed.frame, off_mm < gate_mm, len(passed.stamps_ns))
-    return known, counts >= LEAST_POINTS
-
-
 def _clear_frames(
     passed: PlanePass, fit: DelayHypothesis, off_mm: Floats, gate_mm: float
 ) -> NDArray[np.bool_]:
     """(F,) False for frames around a jump among which several do not fit: the others fit by
     chance."""
-    known, fits = _frames_on_plane(passed, off_mm, gate_mm)
+    known, fits = passed.frames_on_plane(off_mm, gate_mm)
     off_ns = passed.stamps_ns[known & ~fits]
     clear = np.ones(len(known), dtype=np.bool_)
     changes_ns = fit.values[fit.shape.first_jump :]
@@ -239,80 +226,3 @@ def _rms_um(
     centred = points - points.mean(axis=0)
     least = float(np.linalg.eigvalsh(centred.T @ centred)[0])
     return 1e3 * float(np.sqrt(max(least, 0.0) / len(points)))
-
-
-def _no_poses_error() -> OperationError:
-    return OperationError(
-        "no-joints-around-frames",
-        message("arms-position-known-around-most-pictures"),
-        message("arm-sent-too-little-arm-camera"),
-        message("take-pass-again"),
-    )
-
-
-def _check_frames(count: int) -> None:
-    if count < LEAST_FRAMES:
-        raise OperationError(
-            "pass-too-short",
-            message("pass-has-pictures-lasers-line-plane", count=count),
-            message("needed", least_frames=LEAST_FRAMES),
-            message("take-longer-pass-five-seconds-more"),
-        )
-
-
-def _check_plane(passed: PlanePass, off_mm: Floats, gate_mm: float) -> None:
-    known, fits = _frames_on_plane(passed, off_mm, gate_mm)
-    near = off_mm[off_mm < gate_mm]
-    points = len(near) / max(int(np.isfinite(off_mm).sum()), 1)
-    share = min(points, int(fits.sum()) / max(int(known.sum()), 1))
-    spread_mm = sigma_from_median(near) if len(near) else np.inf
-    if share >= LEAST_SHARE and spread_mm <= MOST_SPREAD_MM:
-        return
-    why = message(
-        "points-lie-within-one-plane",
-        range=rounded(SEARCH_NS / 1e9, "s"),
-        share=quantity(100 * share, "%"),
-        distance=rounded(gate_mm, "mm", 2),
-    )
-    if share >= LEAST_SHARE:
-        why = message("points-lie-about-nearest-plane", spread=quantity(spread_mm, "mm", 2))
-    raise OperationError(
-        "not-a-plane",
-        message("what-passed-over-plane"),
-        why,
-        message("pass-over-flat-plate-fills-lasers"),
-    )
-
-
-def _check_delay(found: DelayEstimate) -> None:
-    """Refuses a pass that cannot determine the delay, with a remedy."""
-    across, u_ms = found.across_mm_s, float(found.uncertainties[0]) / 1e6
-    speed = float(np.sqrt(np.mean(across**2)))
-    known = message("delay-would-known-k-1", u=quantity(u_ms, "ms", 1))
-    if not np.isfinite(u_ms):
-        known = message("delay-would-known-all")
-    again = message("move-sensor-nearer-away-again-several")
-    to, fro = float(across.clip(min=0).sum()), float((-across).clip(min=0).sum())
-    if found.speed_mm_s < SLOW_MM_S and u_ms > MOST_UNCERTAINTY_MS:
-        code, why = (
-            "pass-too-slow",
-            message("sensor-went", speed=quantity(found.speed_mm_s, "mm/s"), known=known),
-        )
-        again = message("go-faster", speed=quantity(50, "mm/s"))
-    elif speed < found.speed_mm_s / 10 and u_ms > MOST_UNCERTAINTY_MS / 10:
-        code = "pass-along-the-plane"
-        why = message(
-            "sensor-went-along-plane-across-along",
-            along=quantity(found.speed_mm_s, "mm/s"),
-            across=quantity(speed, "mm/s", 1),
-        )
-    elif min(to, fro) < ONE_WAY * max(to, fro):
-        code = "pass-without-reversal"
-        why = message("sensor-only-went-one-way-delay")
-    elif u_ms > MOST_UNCERTAINTY_MS:
-        code = "pass-not-informative"
-        why = message("known-limit-is", known=known, limit=rounded(MOST_UNCERTAINTY_MS, "ms"))
-        again = message("go-faster-farther-over-plate-nearer")
-    else:
-        return
-    raise OperationError(code, message("pass-does-tell-delay"), why, again)

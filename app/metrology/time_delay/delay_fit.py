@@ -184,7 +184,7 @@ def _covariance(rows: PlaneConditions, weight: Floats, m: int) -> Floats:
     found = (inverse @ spread @ inverse)[:m, :m] * free
     least = np.diag(inverse)[:m]
     found[np.diag_indices(m)] = np.maximum(np.diag(found), least)
-    return found / np.outer(size[:m], size[:m])
+    return np.asarray(found / np.outer(size[:m], size[:m]))
 
 
 def count_reversals(across_mm_s: Floats) -> int:

@@ -168,16 +168,19 @@ def _windows(whole: _Sample) -> Iterator[_Sample]:
 def _flattest_cells(window: _Sample) -> list[int]:
     """The delays at which the points of a window lie closest to one plane."""
     poses = window.tried(window.poses, slice(None))[:, :-1]
-    points = np.einsum("fkij,fpj->kfpi", poses, window.points)
-    known = np.isfinite(points).all(axis=(2, 3))
-    count = known.sum(axis=1)
-    points = np.where(known[:, :, None, None], points, 0.0)
+    frames, cells = poses.shape[:2]
+    # (F, 3 K, P) by matrix products, which are several times as fast as an einsum
+    seen = poses.reshape(frames, -1, 4) @ window.points.swapaxes(1, 2)
+    points = seen.reshape(frames, cells, 3, POINTS).transpose(1, 2, 0, 3).reshape(cells, 3, -1)
+    known = np.isfinite(poses).all(axis=(2, 3))
+    count = known.sum(axis=0)
+    points = np.where(np.isfinite(points), points, 0.0)
     total = np.maximum(count * POINTS, 1)[:, None]
-    centre = points.sum(axis=(1, 2)) / total
-    moments = np.einsum("kfpi,kfpj->kij", points, points) / total[:, :, None]
+    centre = points.sum(axis=2) / total
+    moments = points @ points.swapaxes(1, 2) / total[:, :, None]
     moments -= centre[:, :, None] * centre[:, None]
     flatness = np.linalg.eigvalsh(moments)[:, 0]
-    flatness[count < max(LEAST_WINDOW_FRAMES, LEAST_KNOWN * known.shape[1])] = np.inf
+    flatness[count < max(LEAST_WINDOW_FRAMES, LEAST_KNOWN * frames)] = np.inf
     found: list[int] = []
     for _ in range(PROPOSALS):
         best = int(np.argmin(flatness))
@@ -206,7 +209,7 @@ def _cell_costs(sample: _Sample, plane: Plane, scatter_mm: float) -> Floats:
     found = []
     for start in range(0, len(sample.stamps_ns), CHUNK_FRAMES):
         chosen = slice(start, start + CHUNK_FRAMES)
-        off = np.einsum("fkj,fpj->fpk", sample.tried(table, chosen), sample.points[chosen])
+        off = sample.points[chosen] @ sample.tried(table, chosen).swapaxes(1, 2)
         off = (off - plane[1]) / scatter_mm
         near = np.minimum(off[:, :, :-1] ** 2, off[:, :, 1:] ** 2)
         near[off[:, :, :-1] * off[:, :, 1:] < 0] = 0.0

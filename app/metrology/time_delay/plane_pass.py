@@ -42,6 +42,17 @@ class PlanePass:
         T = self.poses_at(self.stamps_ns + delays_ns)[self.frame]
         return np.asarray(np.einsum("nij,nj->ni", T[:, :3, :3], self.points_mm) + T[:, :3, 3])
 
+    def frames_on_plane(
+        self, off_mm: Floats, gate_mm: float
+    ) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
+        """(F,) frames with a pose, and frames with enough points nearer to the plane than a gate.
+
+        ``off_mm``: (N,) distances of the points; infinite without a pose.
+        """
+        known = np.isfinite(np.maximum.reduceat(off_mm, self.first[:-1]))
+        counts = np.bincount(self.frame, off_mm < gate_mm, len(self.stamps_ns))
+        return known, counts >= LEAST_POINTS
+
     def select(self, frames: NDArray[np.int64]) -> "PlanePass":
         """Some of the frames, in order."""
         counts = np.diff(self.first)[frames]
