@@ -97,6 +97,7 @@ def test_the_delay_is_found_whatever_it_is(delay_ms: float) -> None:
     assert found.standard_uncertainty_ms < 0.05
     assert abs(found.delay_ms - delay_ms) < 4 * found.standard_uncertainty_ms
     assert found.rms_um < 13.0
+    assert found.rms_without_um is not None
     assert (found.rms_without_um > 100.0) == (delay_ms != 0.0)
     assert found.reversals == pytest.approx(7, abs=1)
 
@@ -142,7 +143,7 @@ def at_rest(t: Floats) -> Floats:
 
 
 def test_an_arm_at_rest_under_a_moving_line_is_told_from_a_sensor_at_rest() -> None:
-    held = replace(passed(Setting()), poses_at=lambda at_ns: poses(at_rest(at_ns)))
+    held = replace(passed(Setting()), poses_at=lambda at_ns: poses(at_rest(1e-9 * at_ns)))
     refusal = refusal_of(estimate_delay, held)
     assert refusal.code == "arm-at-rest"
 

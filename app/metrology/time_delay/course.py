@@ -119,7 +119,7 @@ class CourseShape:
         """(F, m) derivatives of the delays (ns) by the values."""
         columns: list[Floats] = [np.ones(len(stamps_ns))]
         if self.drifts:
-            columns.append((stamps_ns - self.stamp_ns) * PPM)
+            columns.append(np.asarray(PPM * (stamps_ns - self.stamp_ns), dtype=np.float64))
         columns += [-(stamps_ns < jump_ns).astype(np.float64) for jump_ns in self.jumps_ns]
         return np.column_stack(columns)
 

@@ -55,7 +55,7 @@ function CurrentDelay({ delay, applied }: { delay: Sync; applied: boolean }) {
   return (
     <>
       <p className={styles.number}>
-        {signed(delay.delay_ms, 2)} <span>ms ± {measured(delay.standard_uncertainty_ms, "ms", 2)} (k = 1)</span>
+        {signed(delay.delay_ms, 3)} <span>ms ± {measured(delay.standard_uncertainty_ms, "ms", 3)} (k = 1)</span>
       </p>
       <p className={fields.help}>
         {applied ? t("ui-use-next-scan") : t("ui-determined-not-in-use-yet")}{" "}
