@@ -30,10 +30,9 @@ from app.cli.drift import drift
 from app.cli.fleet.catalogue import catalogue
 from app.cli.performance import performance
 from app.cli.pictures import detect, extract
-from app.cli.scan import reconstruct, replay, study
+from app.cli.scan import reconstruct, replay, study, sync
 from app.cli.session import calibrate, import_scan, report
 from app.cli.station import backup, mqtt_schema, password
-from app.cli.sync import sync
 from app.console import (
     AsJson,
     FullHelpGroup,

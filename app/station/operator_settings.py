@@ -94,7 +94,7 @@ class OperatorSettings:
         self._scanner, self._preview, self._keep = scanner, preview, keep
         self._lock = threading.RLock()
         if kept.sync is not None and kept.sync.drift_ppm:
-            # the devices' clocks begin anew, and with them what a drift refers to
+            # a restart begins the devices' clocks again, and a drift refers to them
             kept = kept.model_copy(update={"sync": None})
             bus.event("delay", message("drifting-delay-ended-with-restart"), "attention")
         self._settings = kept

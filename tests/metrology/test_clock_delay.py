@@ -129,7 +129,7 @@ def test_jumps_and_drift_are_found_at_any_delay(setting: Setting) -> None:
         assert off_ms < 4 * one.change_uncertainty_ms < 0.4
         off_s = abs((one.jump.stamp_ns - AT_NS) / 1e9 - setting.seconds / 2)
         assert off_s < 4 * one.time_uncertainty_s
-    # a clock that was set back gives its stamps twice: those frames are told, and no others
+    # a clock that was set back gives its stamps twice: those frames are named, and no others
     twice_s = max(-setting.jump_ms, 0) / 1e3
     assert found.frames_off <= 2 * twice_s * setting.frames_hz
     clear = found.course.is_clear(plane.stamps_ns)
@@ -142,7 +142,7 @@ def at_rest(t: Floats) -> Floats:
     return np.zeros((len(t), 6))
 
 
-def test_an_arm_at_rest_under_a_moving_line_is_told_from_a_sensor_at_rest() -> None:
+def test_an_arm_at_rest_under_a_moving_line_is_no_sensor_at_rest() -> None:
     held = replace(passed(Setting()), poses_at=lambda at_ns: poses(at_rest(1e-9 * at_ns)))
     refusal = refusal_of(estimate_delay, held)
     assert refusal.code == "arm-at-rest"

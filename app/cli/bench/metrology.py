@@ -108,7 +108,7 @@ def clock_delay(
 
     Delays are up to 5 s, jumps 2 ms to 2 s, drifts 20 to 300 ppm.
     """
-    from app.bench.metrology.clock_delay import COLUMNS, run, table
+    from app.bench.clocks.delays import COLUMNS, run, table
 
     shown = Shown("Determining", "Delay between arm and camera in simulated passes", "kinds")
     measure(shown, as_json, partial(run, passes, seed), COLUMNS, table)

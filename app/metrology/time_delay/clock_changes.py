@@ -19,7 +19,7 @@ from app.metrology.transforms import Floats
 SIGNIFICANT = 5.0
 """A jump or drift counts from this multiple of its standard uncertainty."""
 LEAST_JUMP_NS, LEAST_DRIFT_PPM = 2e5, 2.0
-"""Smaller ones are not told from errors of the arm."""
+"""Smaller ones could be errors of the arm."""
 LEAST_FRAMES = 10
 """Before, between and behind jumps."""
 MOST_JUMPS, MOST_ROUNDS = 20, 4

@@ -34,7 +34,7 @@ GATE_SCALES, LEAST_GATE_MM = 4.0, 0.02
 ROUNDS, MOST_ROUNDS = 3, 6
 """Of the fit: the last ones only if pieces of the course turned out to be false."""
 SEVERAL = 3
-"""Frames off the plane around a jump that are not stray ones."""
+"""Frames off the plane around a jump from which on they are no accident."""
 
 
 @dataclass(frozen=True)
@@ -141,7 +141,7 @@ def _drop_false_pieces(
 
 
 def _clock_delay(passed: PlanePass, found: CourseEstimate, gate_mm: float) -> ClockDelay:
-    """The result; frames on the plane are counted anew, by the last gate."""
+    """The result; frames on the plane are counted by the last gate."""
     fit = found.fit
     off_mm = _distances(passed, fit)
     known, fits = passed.frames_on_plane(off_mm, gate_mm)

@@ -73,7 +73,7 @@ class _Sample:
         count = len(self.stamps_ns)
         return self.select(np.linspace(0, count - 1, min(frames, count)).astype(np.int64))
 
-    def tried(self, table: Floats, chosen: slice) -> Floats:
+    def rows_at_delays(self, table: Floats, chosen: slice) -> Floats:
         """(f, CELLS + 1, ...) rows of a table over the grid, at all delays of some frames."""
         at = self.begins[chosen, None] + np.arange(CELLS + 2)
         share = self.share[chosen].reshape(-1, *([1] * table.ndim))
@@ -88,7 +88,7 @@ class _Sample:
         poses = (1 - within) * self.poses[at] + within * self.poses[at + 1]
         return np.asarray(np.einsum("fij,fpj->fpi", poses, self.points))
 
-    def known_share(self, path: NDArray[np.int64]) -> float:
+    def pose_share(self, path: NDArray[np.int64]) -> float:
         """Share of the frames that have a pose at the delays of a path."""
         return float(np.isfinite(self.points_at(path)).all(axis=(1, 2)).mean())
 
@@ -107,7 +107,7 @@ def search_delay(passed: PlanePass) -> DelayHypothesis | None:
     few, best = whole.spread(PROPOSAL_FRAMES), None
     for plane, cell in _propose_planes(whole):
         path, cost = cheapest_path(_cell_costs(few, plane, COARSE_MM))
-        if not few.known_share(path) > LEAST_KNOWN:
+        if not few.pose_share(path) > LEAST_KNOWN:
             path, cost = np.full(len(path), cell), CAP
         if best is None or cost < best[0]:
             best = cost, _refit_plane(few, path) or plane, path
@@ -118,7 +118,7 @@ def search_delay(passed: PlanePass) -> DelayHypothesis | None:
     path = path[np.linspace(0, len(path) - 1, len(whole.stamps_ns)).round().astype(np.int64)]
     for _ in range(2):
         tried, _ = cheapest_path(_cell_costs(whole, plane, scatter_mm))
-        if not whole.known_share(tried) > LEAST_KNOWN:
+        if not whole.pose_share(tried) > LEAST_KNOWN:
             break
         path = tried
         plane = _refit_plane(whole, path) or plane
@@ -167,7 +167,7 @@ def _windows(whole: _Sample) -> Iterator[_Sample]:
 
 def _flattest_cells(window: _Sample) -> list[int]:
     """The delays at which the points of a window lie closest to one plane."""
-    poses = window.tried(window.poses, slice(None))[:, :-1]
+    poses = window.rows_at_delays(window.poses, slice(None))[:, :-1]
     frames, cells = poses.shape[:2]
     # (F, 3 K, P) by matrix products, which are several times as fast as an einsum
     seen = poses.reshape(frames, -1, 4) @ window.points.swapaxes(1, 2)
@@ -209,7 +209,7 @@ def _cell_costs(sample: _Sample, plane: Plane, scatter_mm: float) -> Floats:
     found = []
     for start in range(0, len(sample.stamps_ns), CHUNK_FRAMES):
         chosen = slice(start, start + CHUNK_FRAMES)
-        off = sample.points[chosen] @ sample.tried(table, chosen).swapaxes(1, 2)
+        off = sample.points[chosen] @ sample.rows_at_delays(table, chosen).swapaxes(1, 2)
         off = (off - plane[1]) / scatter_mm
         near = np.minimum(off[:, :, :-1] ** 2, off[:, :, 1:] ** 2)
         near[off[:, :, :-1] * off[:, :, 1:] < 0] = 0.0

@@ -8,7 +8,7 @@ from multiprocessing import get_context
 
 import numpy as np
 
-from app.bench.metrology.plane_passes import PassPlan, PlannedJump, simulate_pass
+from app.bench.clocks.passes import PassPlan, PlannedJump, simulate_pass
 from app.errors import OperationError
 from app.messages.message import Text
 from app.metrology.time_delay.course import PPM
@@ -136,7 +136,7 @@ def _try_pass(wanted: tuple[str, int]) -> _Outcome:
 def _judge(kind: str, outcomes: Sequence[_Outcome]) -> PassKind:
     found = [(one.plan, one.found) for one in outcomes if one.found is not None]
     codes = [one.refused for one in outcomes if one.refused]
-    named = [named_jumps(plan, delay) for plan, delay in found]
+    named = [count_named_jumps(plan, delay) for plan, delay in found]
     drifting = [(plan, delay) for plan, delay in found if plan.drift_ppm]
     return PassKind(
         kind,
@@ -176,7 +176,7 @@ def drift_pull(plan: PassPlan, found: ClockDelay) -> float:
     return (found.course.drift_ppm - plan.drift_ppm) / found.drift_uncertainty_ppm
 
 
-def named_jumps(plan: PassPlan, found: ClockDelay) -> int:
+def count_named_jumps(plan: PassPlan, found: ClockDelay) -> int:
     """How many of the plan's jumps were found, with their change and their time."""
     count = 0
     for jump in plan.jumps:

@@ -77,7 +77,7 @@ def simulate_pass(plan: PassPlan) -> PlanePass:
     readings[:, :3] += plan.arm_sd_mm * random.normal(size=(len(readings), 3))
     camera_s = plan.camera_stamps_s(taken_s)
     arm_s = plan.camera_stamps_s(read_s) + plan.delay_at_s(read_s)
-    points = _seen_points(plan, taken_s, random)
+    points = _line_points(plan, taken_s, random)
     frames, samples = np.argsort(camera_s, kind="stable"), np.argsort(arm_s, kind="stable")
     arm_ns, readings = _stamps_ns(arm_s[samples]), readings[samples]
     return PlanePass(
@@ -111,7 +111,7 @@ def _poses(readings: Floats) -> Floats:
     return T
 
 
-def _seen_points(plan: PassPlan, true_s: Floats, random: np.random.Generator) -> Floats:
+def _line_points(plan: PassPlan, true_s: Floats, random: np.random.Generator) -> Floats:
     """(F, POINTS, 3) in the sensor frame, which looks down its z at the plate."""
     T = _poses(_readings(plan, true_s))
     across = np.linspace(-HALF_LINE_MM, HALF_LINE_MM, POINTS)
