@@ -6,10 +6,13 @@ from app.api.access.authorization import StationRouter
 from app.errors import OperationError
 from app.messages.message import message
 from app.operations.context import Context, TheContext
+from app.station.activity import ArmUse
 from app.station.devices.rig import Devices, SensorChoice
-from app.wire.schema import Exposure, OnOff, ScanStart, ScanStatus, SensorName
+from app.wire.schema import ActivityEnd, Exposure, OnOff, ScanStart, ScanStatus, SensorName
 
 router = StationRouter(prefix="/api")
+JOB_END_S = 3.0
+"""The simulated operator's work has ended by then."""
 
 
 @router.get("/scan")
@@ -21,12 +24,17 @@ def scan(context: TheContext) -> ScanStatus:
 @router.post("/scan/start")
 def start_scan(context: TheContext, asked: ScanStart | None = None) -> ScanStatus:
     """Starts a scan and switches the laser on."""
+    with context.activities.using("scan"):
+        return _start_scan(context, asked.name if asked else "")
+
+
+def _start_scan(context: Context, name: str) -> ScanStatus:
     job = context.jobs.current
     if job is not None:
         raise OperationError(
             "busy", message("scan-cannot-start-now"), job.text or job.title, message("wait-stop")
         )
-    context.scanner.start(asked.name if asked else "")
+    context.scanner.start(name)
     return context.scan_state()
 
 
@@ -42,10 +50,32 @@ def stop_scan(context: TheContext) -> ScanStatus:
 def simulate_scan(asked: OnOff, context: TheContext) -> ScanStatus:
     """Starts or stops the simulated operator, which moves the sensor over the parts."""
     if asked.on:
-        context.simulated_scan.start()
+        with context.activities.using("scan"):
+            context.simulated_scan.start()
     else:
         context.simulated_scan.stop()
     return context.scan_state()
+
+
+@router.get("/activity")
+def activity(context: TheContext) -> ArmUse:
+    """What has the arm, by whom and since when."""
+    return context.activities.use
+
+
+@router.post("/activity/end")
+def end_activity(asked: ActivityEnd, context: TheContext) -> ArmUse:
+    """Takes the arm from an activity: a scan is stopped and saved, a guided session stays open.
+
+    Refused if another activity has the arm by now.
+    """
+    context.activities.end(asked.id, lambda: _end_work(context))
+    return context.activities.use
+
+
+def _end_work(context: Context) -> None:
+    stop_everything(context)
+    context.jobs.wait(JOB_END_S)
 
 
 @router.post("/laser/on")

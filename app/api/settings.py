@@ -53,10 +53,11 @@ def find_delay(context: TheContext) -> StationSettings:
 @router.post("/delay/pass")
 def pass_for_delay(context: TheContext) -> StationSettings:
     """Lets the simulated operator pass over the plate, and determines the delay from that scan."""
-    refusal = context.scanner.why_not()
-    if refusal is not None:
-        raise refusal
-    context.settings.find_delay(context.jobs, lambda: _take_pass(context))
+    with context.activities.using("delay"):
+        refusal = context.scanner.why_not()
+        if refusal is not None:
+            raise refusal
+        context.settings.find_delay(context.jobs, lambda: _take_pass(context))
     return context.settings.view()
 
 

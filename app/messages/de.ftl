@@ -40,6 +40,13 @@ accounts-none = Konten: noch keines
 across-mm = quer, mm
 act-failed = fehlgeschlagen
 act-with-detail = { $act }: { $detail }
+activity-arm = Armprüfung
+activity-calibration = Kalibrierung
+activity-delay = Bestimmung der Verzögerung des Arms
+activity-ended = { $who } hat beendet: { $title }.
+activity-performance = Leistungsprüfung
+activity-scan = Scan
+activity-verification = Verifizierung
 add-exposure-us-line = Zeile exposure_us = … hinzufügen
 add-line = Zeile { $key } = … hinzufügen
 add-picture-delete-pose = Bild ergänzen oder Pose löschen
@@ -175,6 +182,7 @@ arm-has-joints-station-toml-asks = Der Messarm unter { $url } ({ $name } { $seri
 arm-has-no-tip = der Messarm { $name } hat keine Tastkugel
 arm-has-no-trigger-pulses = Der Messarm unter { $url } hat keinen Ausgang für Auslöseimpulse
 arm-identified = Der Messarm ist identifiziert.
+arm-is-in-use = Der Arm ist in Gebrauch: { $title }
 arm-json-has-joints = die arm.json von { $arm } beschreibt Gelenke
 arm-json-is-of-poses = die arm.json von { $arm } gehört zu einem Arm, der Posen meldet
 arm-json-names-joints = in arm.json heißen sie { $names }
@@ -222,6 +230,8 @@ arm-temperature = Temperatur des Arms
 arm-tip = Messarm und Tastkugel
 arm-url-cannot-be-opened = Die url { $url } des Messarms lässt sich nicht öffnen ({ $reason })
 arm-use-already = Dieser Messarm wird bereits verwendet.
+arm-used-since = seit { $since } UTC
+arm-used-since-by = seit { $since } UTC, durch { $who }
 arm-with-joints-needed = dafür ist ein Messarm nötig, der seine Gelenkwinkel meldet
 arm-without-tip-touches-nothing = { $name } hat keine Tastkugel und tastet nichts an. Fahren Sie ohne Punkte fort.
 arms-5-6-7-joints-served = Unterstützt werden Messarme mit 5, 6 oder 7 Gelenken.
@@ -1185,6 +1195,7 @@ end-cloud = Punktwolke abschließen
 end-it-first = Beenden Sie das zuerst
 end-name = Der Name muss auf .html oder .pdf enden
 ended = Sitzung beendet
+ended-activity = beendete, was den Arm hatte
 ended-token-metrics = Token für Metriken widerrufen
 enough-places = Genügend Positionen
 enter-device-address = Gerätepfad wie /dev/ttyUSB0, Anschluss wie COM5, socket://HOST:PORT oder rfc2217://HOST:PORT eingeben.
@@ -4120,6 +4131,8 @@ udp-port-in-use = Ein anderes Programm auf diesem Rechner empfängt am UDP-Port 
 uncertainty-budgets = Unsicherheitsbudgets
 uncertainty-is-not-the-root-of-its-budget = expanded_uncertainty ist nicht das Doppelte der Wurzel der Quadratsumme seines Budgets
 uncertainty-is-root-of-parts = U ist die Wurzel der Quadratsumme seiner Anteile, alle mit k = 2. Prüfnormal: U der Prüfung. Taster: aus den Antastpunkten. Punkte: aus der Streuung der Punkte einer Punktwolke. Punktwolken: aus deren Streuung. Mittelwert, Standardabweichung und Spannweite sind die der Punktwolken.
+unattended-stop = Scan und Laser wurden gestoppt: { $limit } lang hatte niemand die Bedienung, und der Arm stand still.
+unattended-stop-remedy = Was aufgenommen wurde, bleibt. Um fortzufahren, neu starten; die Zeit steht in den Einstellungen.
 uncertainty-missing = { $file }: uncertainty fehlt
 uncertainty-over-measuring-volume = Unsicherheit im Messvolumen
 uncertainty-scanned-point-k-1 = Unsicherheit eines gescannten Punkts (k = 1)

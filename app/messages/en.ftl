@@ -40,6 +40,13 @@ accounts-none = accounts: none yet
 across-mm = across, mm
 act-failed = failed
 act-with-detail = { $act }: { $detail }
+activity-arm = Arm check
+activity-calibration = Calibration
+activity-delay = Determination of the arm's delay
+activity-ended = { $who } ended: { $title }.
+activity-performance = Performance test
+activity-scan = Scan
+activity-verification = Verification
 add-exposure-us-line = Add a line exposure_us = …
 add-line = Add a line { $key } = …
 add-picture-delete-pose = Add the picture, or delete the pose
@@ -175,6 +182,7 @@ arm-has-joints-station-toml-asks = The arm at { $url } ({ $name } { $serial_numb
 arm-has-no-tip = the arm { $name } has no tip
 arm-has-no-trigger-pulses = The arm at { $url } has no output for trigger pulses
 arm-identified = The arm is identified.
+arm-is-in-use = The arm is in use: { $title }
 arm-json-has-joints = the arm.json of { $arm } describes joints
 arm-json-is-of-poses = the arm.json of { $arm } is of an arm that reports poses
 arm-json-names-joints = arm.json names them { $names }
@@ -222,6 +230,8 @@ arm-temperature = Temperature of the arm
 arm-tip = Arm and tip
 arm-url-cannot-be-opened = The arm's url { $url } cannot be opened ({ $reason })
 arm-use-already = This arm is already in use.
+arm-used-since = since { $since } UTC
+arm-used-since-by = since { $since } UTC, by { $who }
 arm-with-joints-needed = an arm that reports its joint angles is required here
 arm-without-tip-touches-nothing = { $name } has no tip and touches nothing. Go on without points.
 arms-5-6-7-joints-served = Arms with 5, 6 or 7 joints are supported.
@@ -1181,6 +1191,7 @@ end-cloud = End the cloud
 end-it-first = End it first
 end-name = End the name with .html or .pdf
 ended = ended the session
+ended-activity = ended what had the arm
 ended-token-metrics = revoked a metrics token
 enough-places = Sufficient places
 enter-device-address = Enter a device path as /dev/ttyUSB0, a port as COM5, socket://HOST:PORT or rfc2217://HOST:PORT.
@@ -4098,6 +4109,8 @@ udp-port-in-use = Another program on this computer receives at UDP port { $port 
 uncertainty-budgets = Uncertainty budgets
 uncertainty-is-not-the-root-of-its-budget = expanded_uncertainty is not twice the root of the sum of squares of its budget
 uncertainty-is-root-of-parts = U is the root of the sum of squares of its parts, all with k = 2. Gauge: U of test. Probe: of the contact points. Points: by the scatter of the points of a cloud. Clouds: by their scatter. Mean, standard deviation and range are over the clouds.
+unattended-stop = Scan and laser were stopped: for { $limit }, nobody was in control and the arm stood still.
+unattended-stop-remedy = What was recorded is kept. To go on, start again; the time is in the settings.
 uncertainty-missing = { $file }: uncertainty is missing
 uncertainty-over-measuring-volume = Uncertainty over the measuring volume
 uncertainty-scanned-point-k-1 = Uncertainty of a scanned point (k = 1)

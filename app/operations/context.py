@@ -19,6 +19,7 @@ from app.operations.recovery import Recovery
 from app.operations.sensor_selection import SensorSelection
 from app.operations.services import MonitoringServices
 from app.security.authentication import Authenticator
+from app.station.activity import Activities
 from app.station.bus import Bus
 from app.station.control_lease import Lease
 from app.station.devices.rig import Rig
@@ -27,6 +28,7 @@ from app.station.operator_settings import OperatorSettings
 from app.station.preview.preview import Preview
 from app.station.scan.scanner import Scanner
 from app.station.scan.state import ScanState as ScannerState
+from app.station.unattended import UnattendedWatch
 from app.station.view3d.scene import Scene
 from app.station.view3d.view_controller import ViewController
 from app.store.store import Store
@@ -59,6 +61,8 @@ class Context:
     performance_guide: PerformanceGuide
     settings: OperatorSettings
     lease: Lease
+    activities: Activities
+    unattended: UnattendedWatch
     authenticator: Authenticator
     monitoring: MonitoringServices
     recovery: Recovery

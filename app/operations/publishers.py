@@ -28,6 +28,7 @@ LIVE_S = 0.2
 HOME_EVERY = 5
 """Home is looked at less often than the guided sessions."""
 REPORT_S = 0.5
+UNATTENDED_S = 0.5
 STATIONS_S = 1.0
 HEALTH_S = 3.0
 LOSING_S = 0.1
@@ -35,7 +36,17 @@ LOSING_S = 0.1
 TEMPERATURE_S = 5.0
 END_S = 1.5
 DEVICE_TOPICS = {"devices", "sensors"}
-TOPICS = DEVICE_TOPICS | {"report", "stations", "flow", "scan", "preview", "view", "home", "arm"}
+TOPICS = DEVICE_TOPICS | {
+    "report",
+    "stations",
+    "flow",
+    "scan",
+    "preview",
+    "view",
+    "home",
+    "arm",
+    "activity",
+}
 """What browsers want, and the passing on of events does not."""
 Step = Callable[[], Awaitable[object]]
 DueKey = tuple[str, str | None]
@@ -87,6 +98,7 @@ async def observe(context: Context) -> None:
     watch = context.monitoring
     watch.watchdog.start(asyncio.get_running_loop())
     coroutines: list[Coroutine[object, object, None]] = [
+        _watch_arm(context),
         _reports(context),
         _stations(context),
         _events(context),
@@ -103,6 +115,16 @@ async def observe(context: Context) -> None:
         for task in tasks:
             task.cancel()
         await asyncio.wait(tasks, timeout=END_S)
+
+
+async def _watch_arm(context: Context) -> None:
+    """Stops what runs unattended, and says when an activity has ended by itself."""
+
+    def look() -> None:
+        context.unattended.look()
+        _ = context.activities.use
+
+    await repeat("unattended", lambda: asyncio.to_thread(look), period_s=UNATTENDED_S)
 
 
 async def _reports(context: Context) -> None:

@@ -126,6 +126,8 @@ ROUTES: dict[tuple[str, str], Rule] = {
     ("POST", "/api/scan/start"): Rule(Right.act, message("started-scan")),
     ("POST", "/api/scan/stop"): Rule(Right.act, message("stopped-scan")),
     ("POST", "/api/scan/simulation"): Rule(Right.act, message("moved-simulation-stopped")),
+    ("GET", "/api/activity"): LOOK,
+    ("POST", "/api/activity/end"): Rule(Right.act, message("ended-activity")),
     ("POST", "/api/laser/on"): Rule(Right.act, message("switched-laser")),
     # everyone who sees a danger can stop it, whoever has control
     ("POST", "/api/laser/off"): Rule(Right.be, message("switched-laser-off")),

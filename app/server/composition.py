@@ -19,14 +19,16 @@ from app.operations.sensor_selection import SensorSelection
 from app.operations.services import MonitoringServices
 from app.security.authentication import Authenticator
 from app.server.guides import StationGuides, open_guides
-from app.server.live_station import open_live_station
+from app.server.live_station import LiveStation, open_live_station
 from app.server.station_parts import StationParts
 from app.single_sign_on.settings import SignInSettings
+from app.station.activity import Activities
 from app.station.control_lease import Lease
 from app.station.devices.rig import Rig
 from app.station.jobs import Jobs
 from app.station.scan.scanner import Scanner
 from app.station.scan.state import ScanResult
+from app.station.unattended import Unattended, UnattendedWatch
 from app.store.scans import ScanRecord
 from app.store.store import Store
 from app.wire.schema import StationInfo
@@ -68,9 +70,11 @@ def _build_context(parts: StationParts, store: Store, opened: ExitStack) -> Cont
         use_calibrations()
         live.settings.publish()  # the exposure shown is that of the selected sensor
 
+    activities = Activities(bus, lambda: lease.last_name)
     use_calibrations()  # an open session then applies its own choice
     provenance = _provenance(parts, store, rig, lease)
     guides = open_guides(parts, store, live, provenance, use_calibrations)
+    guides.share_arm(activities)
     watch.open_archive(store, live.is_recording)
     recovery = Recovery(store, scanner, jobs, bus, live.view_controller.note_records)
     recovery.list_unlisted()
@@ -78,6 +82,14 @@ def _build_context(parts: StationParts, store: Store, opened: ExitStack) -> Cont
     buttons = Buttons(guides.press, there=lambda: rig.arm.link().state == "connected")
     rig.arm.on_button = buttons.edge
     simulated = parts.simulated_operator is not None
+    simulated_scan = SimulatedScan(
+        lambda: guides.calibration.station.simulated_operator,
+        jobs,
+        bus,
+        lambda: bus.publish("scan", scanner.state()),
+    )
+    activities.add("scan", lambda: live.is_recording() or simulated_scan.running)
+    activities.add("delay", lambda: live.settings.finding_delay)
     return Context(
         opened_as=StationInfo(
             parts.name, SOFTWARE.version, has_simulation=simulated, simulated=simulated
@@ -92,17 +104,14 @@ def _build_context(parts: StationParts, store: Store, opened: ExitStack) -> Cont
         jobs=jobs,
         store=store,
         guide=guides.calibration,
-        simulated_scan=SimulatedScan(
-            lambda: guides.calibration.station.simulated_operator,
-            jobs,
-            bus,
-            lambda: bus.publish("scan", scanner.state()),
-        ),
+        simulated_scan=simulated_scan,
         arm_guide=guides.arm,
         verify_guide=guides.verify,
         performance_guide=guides.performance,
         settings=live.settings,
         lease=lease,
+        activities=activities,
+        unattended=_watch_unattended(live, guides, simulated_scan, lease, activities),
         authenticator=Authenticator(
             store.accounts, store.login_sessions, store.api_tokens, parts.guest, parts.code
         ),
@@ -124,6 +133,32 @@ def _build_context(parts: StationParts, store: Store, opened: ExitStack) -> Cont
         due=parts.due,
         provider=_open_provider(parts.sign_in, store),
     )
+
+
+def _watch_unattended(
+    live: LiveStation,
+    guides: StationGuides,
+    simulated_scan: SimulatedScan,
+    lease: Lease,
+    activities: Activities,
+) -> UnattendedWatch:
+    """Scan and lasers stop when nobody is in control; the simulated operator is somebody."""
+    rig = live.rig
+
+    def stop(because: Text) -> None:
+        rig.lasers_off()
+        live.scanner.stop(because)
+        rig.lasers_off()
+        live.bus.event("unattended-stop", because, "bad")
+
+    station = Unattended(
+        silence_s=lambda: lease.silence_s,
+        place_mm=rig.arm.place_mm,
+        is_lit=lambda: live.is_recording() or rig.laser.state == "on",
+        is_driven=lambda: simulated_scan.running or guides.any_simulated(),
+        limit_s=lambda: live.settings.settings.unattended_limit_s,
+    )
+    return UnattendedWatch(station, stop, activities.note)
 
 
 def _provenance(parts: StationParts, store: Store, rig: Rig, lease: Lease) -> Provenance:

@@ -1,7 +1,8 @@
 """The four guides of a station, and which of them a press of the arm's button belongs to."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from functools import partial
 from typing import Any
 
 from app.guide.arm.commands import COMMANDS as ARM_COMMANDS
@@ -18,6 +19,7 @@ from app.guide.verify.guide import VerifyGuide
 from app.operations.home import last_tip_finding
 from app.server.live_station import LiveStation
 from app.server.station_parts import StationParts
+from app.station.activity import Activities, ActivityKind
 from app.store.store import Store
 
 
@@ -30,15 +32,33 @@ class StationGuides:
     verify: VerifyGuide
     performance: PerformanceGuide
 
+    @property
+    def by_activity(self) -> Mapping[ActivityKind, GuidedSession[Any, Any, Any]]:
+        return {
+            "calibration": self.calibration,
+            "arm": self.arm,
+            "verification": self.verify,
+            "performance": self.performance,
+        }
+
     def any_running(self) -> bool:
         """Whether a session is open."""
-        sessions: tuple[GuidedSession[Any, Any, Any], ...] = (
-            self.calibration,
-            self.arm,
-            self.verify,
-            self.performance,
-        )
-        return any(one.running for one in sessions)
+        return any(one.running for one in self.by_activity.values())
+
+    def any_simulated(self) -> bool:
+        """Whether the simulated operator works in a session."""
+        return any(one.simulation_running for one in self.by_activity.values())
+
+    def share_arm(self, activities: Activities) -> None:
+        """One session has the arm at a time; of several that a restart found open, the one that
+        was used last."""
+        for kind, session in self.by_activity.items():
+            activities.add(kind, partial(getattr, session, "running"))
+            session.use_arm = partial(activities.using, kind)
+        last_first = sorted(self.by_activity.items(), key=lambda one: -one[1].state.rev)
+        for kind, session in last_first:
+            if session.running:
+                activities.resume(kind, session.started_at)
 
     def press(self, event: Press) -> None:
         """A press belongs to the open session that waits for it and was used last."""

@@ -1,7 +1,8 @@
 """Control of the station: one person at a time, visible to everyone.
 
-A person takes control by acting while nobody has it, and loses it after a silence. This never ends
-a scan or a step; it only changes who may act.
+A person takes control by acting while nobody has it, and loses it after a silence, which is judged
+by the heartbeats of the login session in control. A change of control ends no scan and no step; how
+long the silence lasts is what ``unattended`` goes by.
 """
 
 import threading
@@ -42,7 +43,9 @@ class Lease:
         self._bus, self._clock = bus, clock
         self._lock = threading.RLock()
         self._control = Control()
-        self._beat_s = 0.0
+        self._heard_s: dict[str, float] = {}
+        """When the browsers of the holder and of the one who asks were last heard, by their ids."""
+        self._silent_since_s = clock()
         self.last_name = ""
         """The person who has control, or had it last: presses of the arm's buttons are attributed
         to them."""
@@ -54,6 +57,13 @@ class Lease:
         with self._lock:
             self._lapse()
             return self._control
+
+    @property
+    def silence_s(self) -> float:
+        """How long nobody who has control was heard."""
+        with self._lock:
+            self._lapse()
+            return self._clock() - self._silent_since_s
 
     def act(self, person: Person) -> None:
         """Called before every action: takes control if it is free.
@@ -67,14 +77,13 @@ class Lease:
                 self._set(Control(person))
             elif holder.id != person.id:
                 raise _not_in_control(person, holder)
-            self._beat_s = self._clock()
+            self._hear(person.id)
 
     def beat(self, person_id: str) -> None:
         """The browser is still connected."""
         with self._lock:
-            if self._control.holder is not None and self._control.holder.id == person_id:
-                self._beat_s = self._clock()
             self._lapse()
+            self._hear(person_id)
 
     def ask(self, person: Person) -> None:
         """Requests control from the holder; takes it if it is free."""
@@ -84,6 +93,7 @@ class Lease:
                 self.act(person)
                 return
             self._set(Control(holder, person))
+            self._hear(person.id)
             self._bus.event(
                 "control", message("asks-control", name=person.name, holder=holder.name)
             )
@@ -96,7 +106,6 @@ class Lease:
                 raise OperationError("control-not-asked", message("nobody-asks-control"))
             if give:
                 self._set(Control(asked_by))
-                self._beat_s = self._clock()
                 self._bus.event("control", message("has-control-now", name=asked_by.name))
             else:
                 self._set(Control(person))
@@ -107,7 +116,6 @@ class Lease:
         with self._lock:
             asked_by = self._require_holder(person).asked_by
             self._set(Control(asked_by))
-            self._beat_s = self._clock()
 
     def take_over(self, person: Person, reason: str) -> None:
         """Takes control from its holder, with a reason that everyone can read.
@@ -127,7 +135,7 @@ class Lease:
                     message("say-few-words-why-you-take"),
                 )
             self._set(Control(person))
-            self._beat_s = self._clock()
+            self._hear(person.id)
             if holder is not None and others:
                 text = message(
                     "took-over-control", name=person.name, holder=holder.name, reason=reason
@@ -140,7 +148,6 @@ class Lease:
             holder, asked_by = self._control.holder, self._control.asked_by
             if holder is not None and holder.id == person_id:
                 self._set(Control(asked_by))
-                self._beat_s = self._clock()
             elif asked_by is not None and asked_by.id == person_id:
                 self._set(Control(holder))
 
@@ -157,16 +164,39 @@ class Lease:
             raise OperationError("control-not-yours", message("you-do-have-control"))
         return control
 
+    def _hear(self, person_id: str) -> None:
+        """The browser of the holder, or of the one who asks, has been heard now."""
+        for person in (self._control.holder, self._control.asked_by):
+            if person is not None and person.id == person_id:
+                self._heard_s[person_id] = self._clock()
+        self._note_silence()
+
+    def _note_silence(self) -> None:
+        holder = self._control.holder
+        if holder is not None:
+            self._silent_since_s = max(self._silent_since_s, self._heard_s.get(holder.id, 0.0))
+
+    def _is_silent(self, person: Person) -> bool:
+        return self._clock() - self._heard_s.get(person.id, float("-inf")) > LAPSES_S
+
     def _lapse(self) -> None:
-        late = self._clock() - self._beat_s > LAPSES_S
-        if self._control.holder is not None and late:
-            self._beat_s = self._clock()
-            self._set(Control(self._control.asked_by))
+        """Whoever is silent loses control, to the one who asks for it and is not."""
+        holder, asked_by = self._control.holder, self._control.asked_by
+        if asked_by is not None and self._is_silent(asked_by):
+            asked_by = None
+        if holder is not None and self._is_silent(holder):
+            holder, asked_by = asked_by, None
+        self._set(Control(holder, asked_by))
 
     def _set(self, control: Control) -> None:
         if control != self._control:
-            self._control = control
+            had, self._control = self._control.holder, control
+            if had is not None and control.holder is None and not self._is_silent(had):
+                self._silent_since_s = self._clock()  # it was let go just now
             self.last_name = control.holder.name if control.holder else self.last_name
+            self._note_silence()
+            known = {one.id for one in (control.holder, control.asked_by) if one is not None}
+            self._heard_s = {who: at for who, at in self._heard_s.items() if who in known}
             self._bus.publish("control", control)
 
 

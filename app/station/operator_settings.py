@@ -106,6 +106,11 @@ class OperatorSettings:
     def settings(self) -> ScanSettings:
         return self._settings
 
+    @property
+    def finding_delay(self) -> bool:
+        """Whether a delay is looked for."""
+        return self._finding
+
     def view(self) -> StationSettings:
         with self._lock:
             now = self._settings
@@ -147,7 +152,7 @@ class OperatorSettings:
                 is then as before.
         """
         name, sensor, extraction = self._rig.selected, self._rig.sensor, self._preview.extraction
-        if not sensor.laser_on:
+        if sensor.laser.state == "off":
             raise OperationError(
                 "laser-off",
                 message("exposure-set-lasers-line"),

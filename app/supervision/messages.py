@@ -131,7 +131,10 @@ class StationReport(Payload):
     devices: Annotated[
         tuple[DeviceReport, ...], _keep_first(MOST_DEVICES), Field(max_length=MOST_DEVICES)
     ]
-    laser_on: bool
+    laser_on: bool = Field(description="Whether it is known to be on")
+    laser: Literal["on", "off", "unknown"] | None = Field(
+        default=None, description="None of a station of an earlier version"
+    )
     activity: ActivityReport
     calibration: CalibrationReport | None
     verification: VerificationReport | None

@@ -13,6 +13,7 @@ from app.guide.common.view import FlowView
 from app.guide.performance.view import PerformanceView
 from app.guide.verify.view import VerifyView
 from app.messages.message import Text
+from app.station.activity import ArmUse
 from app.station.control_lease import Control
 from app.station.devices.rig import Devices, SensorChoice
 from app.station.operator_settings import StationSettings
@@ -29,6 +30,7 @@ class Topics:
     """The value of each topic by its name; a tab receives only the newest one of each."""
 
     control: Control
+    activity: ArmUse
     devices: Devices
     sensors: SensorChoice
     flow: FlowView

@@ -52,6 +52,10 @@ class ScanStart(RequestBody):
     name: Annotated[str, Field(max_length=120)] = ""
 
 
+class ActivityEnd(RequestBody):
+    id: Annotated[str, Field(max_length=32)]
+
+
 class OnOff(RequestBody):
     on: bool
 

@@ -1,6 +1,7 @@
 import { useEffect } from "react";
 
 import styles from "./App.module.css";
+import { ArmQuestion } from "./frame/ArmQuestion";
 import { Rail } from "./frame/Rail";
 import { StatusLine } from "./frame/StatusLine";
 import { TopBar } from "./frame/TopBar";
@@ -62,6 +63,7 @@ export function App() {
       {/* a page loads again in another language or unit, for it has loaded texts */}
       <Page key={`${language} ${units}`} />
       <StatusLine />
+      <ArmQuestion />
     </div>
   );
 }

@@ -258,7 +258,7 @@ def scan_with_it(http: httpx.Client, server: Server) -> None:
     assert http.post("/api/scan/simulation", json={"on": True}).json()["simulation_running"] is True
     wait_for(lambda: http.get("/api/scan").json()["points"], lambda points: points >= 1000)
     assert http.post("/api/stop").status_code == 204
-    assert http.post("/api/laser/off").json()["laser_on"] is False
+    assert http.post("/api/laser/off").json()["laser"]["state"] == "off"
     scans = wait_for(lambda: http.get("/api/scans").json(), bool)
     assert scans[0]["name"] == "Shell"
     assert scans[0]["points"] >= 1000

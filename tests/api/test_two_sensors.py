@@ -66,11 +66,11 @@ def test_both_scan_into_one_cloud_and_a_killed_scan_is_rebuilt(station: Server) 
 
     assert station.http.post("/api/scan/start", json={}).status_code == 200
     assert select(station, "right") == 200  # a look at the other one leaves both lasers on
-    assert all(sensor.laser_on for sensor in context.rig.sensors.values())
+    assert all(sensor.laser.state == "on" for sensor in context.rig.sensors.values())
     assert select(station, "left") == 200
     assert station.simulation.operator.scan_part("sphere")
     assert station.http.get("/api/home").status_code == 200
-    assert context.rig.devices().laser_on
+    assert context.rig.devices().laser.state == "on"
     station.http.post("/api/scan/stop", json={})
     scan = store.scans.newest()
     assert scan is not None

@@ -9,6 +9,7 @@ import pytest
 from app.errors import OperationError
 from app.station.bus import Bus
 from app.station.devices.rig import Rig
+from app.station.devices.sensor_device import LaserBelief
 from hardware.clock import now_ns
 from hardware.interfaces import Button, ButtonEvent
 from tests.refusals import refused
@@ -258,8 +259,11 @@ def test_a_sensor_without_a_laser_switch_gives_one_picture(rig: Rig, bench: Benc
     ready(rig)
     taken = rig.capture_pair()
     assert (taken.lighting, taken.laser) == ("both", None)
+    assert rig.laser == LaserBelief("unknown", "no-switch")  # nor is there a camera that sees one
     with pytest.raises(OperationError, match="cannot be switched from here"):
         rig.sensor.set_laser(True)
+    lose_sensor(rig, bench)
+    assert rig.laser == LaserBelief("unknown", "lost")
 
 
 def test_the_exposure_is_found_and_kept_over_a_reconnection(rig: Rig, bench: Bench) -> None:
@@ -281,12 +285,14 @@ def test_the_laser_returns_after_a_short_loss_and_is_off_after_stop(rig: Rig, be
     rig.sensor.set_laser(True)
     lose_sensor(rig, bench)
     assert not bench.laser_on
-    assert not rig.devices().laser_on
+    assert rig.devices().laser == LaserBelief("unknown", "lost")
     bench.sensor_plugged = True
     until(lambda: rig.sensor.fresh)
     assert bench.laser_on
+    assert rig.laser == LaserBelief("on", "switch")
     rig.sensor.laser_off()
     assert not bench.laser_on
+    assert rig.laser == LaserBelief("off", "switch")
     rig.sensor.set_laser(True)
     rig.stop()
     assert not bench.laser_on

@@ -10,6 +10,7 @@ from app.formats.clouds.files import read_cloud
 from app.formats.recording.decoders import ImageRecord, StripeRecord
 from app.formats.settings.mask import Mask
 from app.formats.settings.scan_settings import ScanSettings
+from app.station.devices.sensor_device import LaserBelief
 from app.workflows.reconstruct import reconstruct_cloud
 from hardware.simulator.station import SECOND_SERIAL_NUMBER
 from tests.station.conftest import until
@@ -48,13 +49,14 @@ def test_both_sensors_scan_the_sphere_where_it_is(station: Station, tmp_path: Pa
 def test_a_sensor_that_is_lost_names_itself_and_the_other_goes_on(station: Station) -> None:
     station.hold_over_block()
     station.scanner.start("one lost")
-    assert all(sensor.laser_on for sensor in station.rig.sensors.values())
+    assert station.rig.laser == LaserBelief("on", "switch")
     station.simulation.second_camera_faults.lost = True
     until(lambda: any("right" in str(one.text) for one in station.scanner.state().findings))
     frames = station.scanner.state().frames
     until(lambda: station.scanner.state().frames > frames + 3)
     assert station.scanner.stop() is not None
-    assert not any(sensor.laser_on for sensor in station.rig.sensors.values())
+    assert station.rig.sensors["left"].laser == LaserBelief("off", "switch")
+    assert station.rig.laser == LaserBelief("unknown", "lost")
     error = station.scanner.why_not()
     assert error is not None
     assert error.code == "sensor-lost"
@@ -102,7 +104,7 @@ def test_a_verification_scans_with_the_selected_sensor_alone(
     folder = tmp_path / "verification" / "cloud-1"
     station.scanner.start("verification", into=folder)
     until(lambda: station.scanner.state().points > 1000)
-    assert not station.rig.sensors["left"].laser_on
+    assert station.rig.sensors["left"].laser.state == "off"
     assert station.scanner.stop() is not None
     use = station.calibrations["right"]
     rebuilt = check_rebuilt(folder, file_calibration(use), use.arm)
@@ -114,7 +116,7 @@ def test_the_selected_sensor_is_seen_switched_and_exposed(station: Station) -> N
     station.rig.sensor.set_laser(True)
     station.rig.select("right")
     assert station.rig.sensor is station.rig.sensors["right"]
-    assert not station.rig.sensors["left"].laser_on
+    assert station.rig.sensors["left"].laser.state == "off"
     before_us = station.rig.sensors["left"].exposure_us
     station.rig.sensor.set_exposure_us(700.0)
     until(lambda: station.rig.sensors["right"].exposure_us == 700.0)

@@ -91,8 +91,8 @@ class _StationCollector(Collector):
             counters["lost"].add_metric([name], state.lost)
             counters["corrupt"].add_metric([name], state.corrupt)
         yield from (up, age, *counters.values())
-        laser_on = any(sensor.laser_on for sensor in rig.sensors.values())
-        yield _gauge("laser_on", "Whether the laser is on", laser_on)
+        laser = {"on": 1.0, "off": 0.0, "unknown": float("nan")}[rig.laser.state]
+        yield _gauge("laser_on", "Whether the laser is on; NaN where that is not known", laser)
 
     def _scans(self) -> Iterator[Metric]:
         watch, scan = self._context.monitoring, self._context.scanner.state()

@@ -26,6 +26,11 @@ Exposure = Annotated[Number, Field(ge=1, le=10_000_000)]
 Blur = Annotated[Number, Field(ge=0.001, le=100)]
 """Millimetres."""
 
+UnattendedStop = Annotated[Number, Field(ge=10, le=3600)]
+"""Seconds."""
+UNATTENDED_STOP_S = 30.0
+"""Unless the operator sets another time."""
+
 EXTRACTION_FIELDS = ("threshold", "min_width_px", "max_width_px", "choice", "smoothing_px")
 """Of ``StripeSettings``, those that a user sets."""
 
@@ -42,6 +47,10 @@ class ScanOptions(BaseModel):
     exposure_us: Exposure | None = None
     blur_limit_mm: Blur | None = None
     record_pictures: StrictBool = False
+    unattended_stop_s: UnattendedStop | None = None
+    """After so long with nobody in control and the arm still, scan and lasers are stopped."""
+    runs_unattended: StrictBool = False
+    """Of a robot cell: nobody has to be in control."""
 
 
 class ScanSettings(ScanOptions, Document):
@@ -69,6 +78,13 @@ class ScanSettings(ScanOptions, Document):
         if exposure_us is not None:
             exposures_us[sensor] = exposure_us
         return self.model_copy(update={"sensor_exposures_us": exposures_us or None})
+
+    @property
+    def unattended_limit_s(self) -> float | None:
+        """After how long unattended scan and lasers are stopped; None for never."""
+        if self.runs_unattended:
+            return None
+        return self.unattended_stop_s or UNATTENDED_STOP_S
 
     @property
     def stripe(self) -> StripeSettings:

@@ -114,7 +114,7 @@ class ArmGuide(GuidedSession[ArmState, ArmLive, ArmView]):
 
     def start(self, purpose: Purpose) -> ArmView:
         """Begins a session; an open one is resumed instead."""
-        with self.lock:
+        with self.lock, self.use_arm():
             if not self.running:
                 self.begin(purpose, None)
             return self.refresh()

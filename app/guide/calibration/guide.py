@@ -128,7 +128,7 @@ class CalibrationGuide(GuidedSession[CalibrationState, CalibrationLive, FlowView
             library=self.datasheets.library(state.step in CHOOSING),
             chosen=self.datasheets.selection(state),
             touch=self.datasheets.touch(state),
-            laser_on=rig.sensor.laser_on,
+            laser_on=rig.sensor.is_taken_as_lit,
             corners_detected=len(preview.header.corners) if preview else 0,
             picture_findings=tuple(preview.header.findings) if preview else (),
             latest_outcome=self._latest_outcome(),
@@ -207,7 +207,7 @@ class CalibrationGuide(GuidedSession[CalibrationState, CalibrationLive, FlowView
 
     def start(self) -> FlowView:
         """Begins a session; an open one is resumed instead."""
-        with self.lock:
+        with self.lock, self.use_arm():
             if not self.running:
                 self._begin("devices", None)
             return self.refresh()

@@ -1,6 +1,7 @@
 """The commands of a guided session: from the browser, and from the arm's buttons."""
 
 from collections.abc import Callable, Mapping
+from contextlib import AbstractContextManager, nullcontext
 from dataclasses import dataclass, field
 from typing import Any, Generic, TypeVar
 
@@ -13,6 +14,8 @@ from app.station.jobs import Progress
 
 AT_ANY_REV = ("stop_simulation",)
 """Stopping must not wait for a fresh view."""
+WITHOUT_ARM = ("stop_simulation", "abandon", "end")
+"""Commands by which a session ends or rests, whatever has the arm meanwhile."""
 Guide = TypeVar("Guide", bound=GuidedSession[Any, Any, Any])
 Act = Callable[[Guide, Args, str | None], None]
 """Does a command with its arguments, once for its key; it leaves rows in the journal."""
@@ -38,13 +41,15 @@ class Commands(Generic[Guide]):
         """Does a command of the browser, once for each ``key``; returns the view.
 
         Raises:
-            OperationError: the command is not possible now, or was given on an old view.
+            OperationError: the command is not possible now, was given on an old view, or needs the
+                arm while another activity has it.
         """
         with guide.lock:
             if not guide.knows_key(key):
                 rev_seen = None if name in AT_ANY_REV else rev
                 typed = guide.check_allowed(name, args, rev_seen)
-                self.acts[name](guide, typed, key)
+                with _arm_for(guide, name):
+                    self.acts[name](guide, typed, key)
             return guide.refresh()
 
     def press(self, guide: Guide, event: Press) -> bool:
@@ -54,15 +59,20 @@ class Commands(Generic[Guide]):
             if not name:
                 return self.has_buttons and guide.running
             try:
-                if name in self.at_press:
-                    self.at_press[name](guide, event.stamp_ns)
-                else:
-                    typed = guide.check_allowed(name, {}, None)
-                    self.acts[name](guide, typed, None)
+                with _arm_for(guide, name):
+                    if name in self.at_press:
+                        self.at_press[name](guide, event.stamp_ns)
+                    else:
+                        typed = guide.check_allowed(name, {}, None)
+                        self.acts[name](guide, typed, None)
             except OperationError as refusal:
                 guide.decline(refusal)
             guide.refresh()
             return True
+
+
+def _arm_for(guide: GuidedSession[Any, Any, Any], name: str) -> AbstractContextManager[None]:
+    return nullcontext() if name in WITHOUT_ARM else guide.use_arm()
 
 
 def record(kind: str, *names: str, **values: object) -> Act[Any]:

@@ -5,6 +5,7 @@ import secrets
 import threading
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Mapping
+from contextlib import AbstractContextManager, nullcontext
 from dataclasses import dataclass, replace
 from datetime import UTC, datetime
 from pathlib import Path
@@ -83,6 +84,8 @@ class GuidedSession(ABC, Generic[State, Live, View]):
         self.simulation_running = False
         self.declined = 0
         """Counts what was asked for and declined."""
+        self.use_arm: Callable[[], AbstractContextManager[None]] = nullcontext
+        """Opens a block in which the session has the arm; raises where another activity has it."""
         self.station = station
         self.data_folder, self.provenance = data_folder, provenance
         self._journal, self._flow = journal, flow
@@ -182,6 +185,12 @@ class GuidedSession(ABC, Generic[State, Live, View]):
     def running(self) -> bool:
         """Whether a session is open."""
         return bool(self.state.session_id) and not self.state.ended
+
+    @property
+    def started_at(self) -> str:
+        """When the latest session began, ISO 8601; empty before the first."""
+        session = self._journal.latest_session(self._flow.kind)
+        return session.started_at if session is not None else ""
 
     @property
     def busy(self) -> Busy | None:

@@ -178,7 +178,7 @@ class GaugeSession(GuidedSession[State, Live, View], Generic[State, Live, View, 
         Raises:
             OperationError: there is no calibration in use.
         """
-        with self.lock:
+        with self.lock, self.use_arm():
             if not self.running:
                 self.begin(None)
             return self.refresh()

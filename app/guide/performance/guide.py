@@ -277,7 +277,7 @@ class PerformanceGuide(ArtefactSession[PerformanceLive, PerformanceView]):
         Raises:
             OperationError: there is no calibration in use.
         """
-        with self.lock:
+        with self.lock, self.use_arm():
             if not self.running:
                 self._begin(test, None)
             return self.refresh()

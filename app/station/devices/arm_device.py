@@ -30,6 +30,8 @@ from hardware.interfaces import ArmDriver, ArmInfo, ArmReading, ButtonEvent
 LATE_S = 0.5
 # An arm whose flange has moved by this has left its position: some pixels off.
 ELSEWHERE_MM, ELSEWHERE_RAD = 0.5, 0.003
+# The distances at which a turn counts as a movement.
+REACH_MM, TURN_MM = 1000.0, 150.0
 # An arm that sent impossible readings is not trusted for this long.
 DOUBTED_S = 1.0
 
@@ -118,6 +120,18 @@ class StationArm:
             return None
         x, y, z = tip_centres(arm, np.array([newest.reading]))[0]
         return float(x), float(y), float(z)
+
+    def place_mm(self) -> tuple[float, ...] | None:
+        """Numbers that change by as many mm as the arm moves and turns at its flange, or for want
+        of a model by what it reports, at 1 m; None without recent data."""
+        arm, newest = self._model(), self.latest()
+        if newest is None:
+            return None
+        if arm is None:
+            return tuple(REACH_MM * value for value in newest.reading)
+        T_arm_flange = flange_poses(arm, np.array([newest.reading]))[0]
+        points_mm = T_arm_flange[:3, 3] + np.vstack([np.zeros(3), TURN_MM * T_arm_flange[:3, :3].T])
+        return tuple(points_mm.ravel().tolist())
 
     def at(self, stamp_ns: int, wait_s: float = LATE_S) -> Floats | None:
         """The reading (k,) at a time stamp; None if the arm sent none around it."""

@@ -16,7 +16,7 @@ from app.station.devices.arm_device import StationArm
 from app.station.devices.capture import Capture, capture
 from app.station.devices.device_thread import Link, LinkState
 from app.station.devices.link_state import DeviceState
-from app.station.devices.sensor_device import StationSensor
+from app.station.devices.sensor_device import LaserBelief, StationSensor
 from app.station.pulses.pulse_pairing import PulsePairing
 from app.station.pulses.pulse_trigger import PulseTrigger, TriggerSettings
 from hardware.interfaces import ArmDriver, SensorDriver
@@ -32,8 +32,8 @@ class Devices:
 
     arm: DeviceState
     sensor: DeviceState
-    laser_on: bool
-    """Of any sensor."""
+    laser: LaserBelief
+    """Of all sensors: on if one is, off only if each is known to be."""
     has_laser_switch: bool
     arm_still: bool
     exposure_us: float | None
@@ -50,7 +50,7 @@ class NamedSensor:
     label: str
     """What people call it."""
     state: DeviceState
-    laser_on: bool
+    laser: LaserBelief
 
 
 @dataclass(frozen=True, slots=True)
@@ -134,6 +134,13 @@ class Rig:
             if other != name and not is_scanning:
                 sensor.laser_off()
 
+    @property
+    def laser(self) -> LaserBelief:
+        """What is believed of all lasers together, the gravest first."""
+        order = ("on", "unknown", "off")
+        beliefs = [one.laser for one in self.sensors.values()]
+        return min(beliefs, key=lambda belief: order.index(belief.state))
+
     def lasers_off(self) -> None:
         """Switches the lasers of all sensors off; never raises."""
         for sensor in self.sensors.values():
@@ -176,7 +183,7 @@ class Rig:
         return Devices(
             arm=self.arm.link(),
             sensor=self.sensor.link(),
-            laser_on=any(sensor.laser_on for sensor in self.sensors.values()),
+            laser=self.laser,
             has_laser_switch=info is not None and info.has_laser_switch,
             arm_still=self.arm.stillness().still,
             exposure_us=self.sensor.exposure_us,
@@ -201,7 +208,7 @@ class Rig:
         return SensorChoice(
             self._selected,
             tuple(
-                NamedSensor(name, one.label or name, one.link(), one.laser_on)
+                NamedSensor(name, one.label or name, one.link(), one.laser)
                 for name, one in self.sensors.items()
             ),
         )
@@ -226,7 +233,7 @@ class Rig:
                 return capture(
                     self.sensor.frames,
                     self.sensor.set_laser if info.has_laser_switch else None,
-                    self.sensor.laser_on,
+                    self.sensor.is_taken_as_lit,
                     lambda first_ns, last_ns: self.arm.mean_over(first_ns, last_ns, "arm-moved"),
                     needs_laser,
                 )

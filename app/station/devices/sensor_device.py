@@ -4,6 +4,8 @@ import threading
 import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
+from dataclasses import dataclass
+from typing import Literal
 
 from app.errors import OperationError
 from app.messages.message import message
@@ -18,11 +20,24 @@ from hardware.clock import now_ns
 from hardware.errors import DeviceError
 from hardware.interfaces import DeliversLines, Delivery, Frame, Line, SensorDriver, SensorInfo
 
+LaserState = Literal["on", "off", "unknown"]
+LaserSource = Literal["switch", "no-switch", "no-answer", "lost", "absent"]
 Better = Callable[[Frame, tuple[float, float]], float | None]
 
 # After a loss no longer than this, a laser that was on is switched on again.
 LASER_RESTORE_S = 5.0
 FRAME_TIMEOUT_S = 3.0
+
+
+@dataclass(frozen=True, slots=True)
+class LaserBelief:
+    """What is believed of a laser, and from what. Nothing that has no ground is believed."""
+
+    state: LaserState
+    known_from: LaserSource
+    """``switch``: as last switched, which the sensor took. The other four say why it is unknown:
+    nobody can switch the laser here and the camera does not see whether it has one, the sensor did
+    not answer, its connection is lost, or no sensor was connected yet."""
 
 
 class StationSensor:
@@ -39,6 +54,9 @@ class StationSensor:
         self.frames = FrameHub()
         self._exposure_wanted_us: float | None = None
         self._laser_wanted = False
+        self._laser_answered = True
+        """Whether the sensor took the last switching of its laser."""
+        self._was_connected = False
         self._delivering = threading.RLock()
         self._lines_wanted = False
         self._picture_users = 0
@@ -57,7 +75,7 @@ class StationSensor:
         """Switches the laser off and changes to another sensor, with an exposure of its own."""
         self.laser_off()
         self._exposure_wanted_us = None
-        self._lines_wanted = False
+        self._lines_wanted = self._was_connected = False
         self.reader.replace(make)
         self.frames.clear()
 
@@ -80,8 +98,21 @@ class StationSensor:
         return device_state(message("sensor-2"), self.reader.link(), self.info, self.label)
 
     @property
-    def laser_on(self) -> bool:
-        """As last switched; if the laser has no switch, as stated by the frames."""
+    def laser(self) -> LaserBelief:
+        """Whether the laser is on, and from what that is known."""
+        info = self.info
+        if info is None or not self.fresh:
+            return LaserBelief("unknown", "lost" if self._was_connected else "absent")
+        if not info.has_laser_switch:
+            return LaserBelief("unknown", "no-switch")
+        if not self._laser_answered:
+            return LaserBelief("unknown", "no-answer")
+        return LaserBelief("on" if self._laser_wanted else "off", "switch")
+
+    @property
+    def is_taken_as_lit(self) -> bool:
+        """Whether a laser line is looked for in the pictures: as the laser was last switched; if it
+        has no switch, as the driver assumes. This is no knowledge of the laser: see ``laser``."""
         info, latest = self.info, self.frames.newest
         if info is None:
             return False
@@ -104,19 +135,22 @@ class StationSensor:
                 message("sensors-laser-cannot-switched-here"),
                 remedy=message("use-switch-sensor"),
             )
+        self._laser_answered = False
         try:
             driver.set_laser(on)
         except DeviceError as error:
             raise OperationError("sensor-lost", error.what, remedy=error.remedy) from error
-        self._laser_wanted = on
+        self._laser_wanted, self._laser_answered = on, True
 
     def laser_off(self) -> None:
         """Switches the laser off if there is one; never raises."""
         self._laser_wanted = False
         driver = self.reader.driver
         if driver is not None:
+            self._laser_answered = False
             try:
                 driver.set_laser(False)
+                self._laser_answered = True
             except DeviceError:
                 # the sensor is lost; its driver switches the laser off when it closes
                 self._bus.event("laser", message("sensor-did-answer-laser-off"), "bad")
@@ -235,6 +269,7 @@ class StationSensor:
 
     def _on_connect(self, driver: SensorDriver, info: SensorInfo) -> None:
         """Restores the state of a sensor that is back."""
+        self._was_connected = True
         if self._exposure_wanted_us is not None:
             driver.set_exposure_us(self._exposure_wanted_us)
         with self._delivering:
@@ -242,7 +277,9 @@ class StationSensor:
         if info.has_laser_switch:
             away_s = time.monotonic() - self._last_frame_s
             self._laser_wanted = self._laser_wanted and away_s <= LASER_RESTORE_S
+            self._laser_answered = False
             driver.set_laser(self._laser_wanted)
+            self._laser_answered = True
 
     def _read(self, driver: SensorDriver) -> int:
         frame = driver.read(READ_TIMEOUT_S)

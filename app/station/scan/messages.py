@@ -122,14 +122,21 @@ def _serial_error(device: _Device, connected: str, calibrated: str) -> Operation
 
 
 def scan_findings(
-    pipeline: ScanPipeline, rig: Rig, running: bool, suspended_s: float
+    pipeline: ScanPipeline,
+    rig: Rig,
+    running: bool,
+    suspended_s: float,
+    stopped_because: Text = "",
 ) -> tuple[Finding, ...]:
     """What is amiss, the gravest first.
 
     Args:
         suspended_s: for how long the program was suspended during the scan.
+        stopped_because: why the station stopped the scan by itself.
     """
     found: list[Finding] = []
+    if stopped_because:
+        found.append(Finding("bad", stopped_because, message("what-recorded-kept-2")))
     if pipeline.trouble is not None:
         text = message("scan-stopped", error=pipeline.trouble.text)
         found.append(Finding("bad", text, message("what-recorded-kept-2")))
@@ -173,7 +180,7 @@ def _sensor_findings(rig: Rig) -> list[Finding]:
     for name, sensor in rig.sensors.items():
         if not sensor.fresh:
             text, remedy, quality = sensor.link().text, message("scan-goes-when-back"), BAD
-        elif not sensor.laser_on:
+        elif sensor.laser.state == "off":
             text, remedy, quality = message("laser-off-2"), message("switch-stop-scan"), ATTENTION
         else:
             continue

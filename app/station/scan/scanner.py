@@ -53,6 +53,8 @@ class _Running:
     pipeline: ScanPipeline
     suspended_before_s: float
     stopping: bool = False
+    stopped_because: Text = ""
+    """Why the station stopped it by itself; empty where it did not."""
     ended_s: float | None = None
     suspended_in_all_s: float | None = None
     """Set at its end."""
@@ -232,13 +234,17 @@ class Scanner:
         self._publish()
         return scan_id
 
-    def stop(self) -> ScanResult | None:
-        """Laser off, what was taken finished and saved; None when no scan was running."""
+    def stop(self, because: Text = "") -> ScanResult | None:
+        """Laser off, what was taken finished and saved; None when no scan was running.
+
+        Args:
+            because: why the station stops it by itself.
+        """
         with self._lock:
             scan = self._scan
             if scan is None or not self._is_running() or scan.stopping:
                 return None
-            scan.stopping = True
+            scan.stopping, scan.stopped_because = True, because
             scan.ended_s = time.monotonic()
             scan.suspended_in_all_s = scan.suspended_s
         self._end_delivery()
@@ -299,7 +305,9 @@ class Scanner:
             blur_limit_mm=now.limit_mm if now else None,
             frames_too_fast=pace.frames_too_fast,
             pictures=scan.pipeline.pictures[0],
-            findings=scan_findings(scan.pipeline, self._rig, running, scan.suspended_s),
+            findings=scan_findings(
+                scan.pipeline, self._rig, running, scan.suspended_s, scan.stopped_because
+            ),
         )
 
     def _show_to(self, watch: Show | None) -> Show:
@@ -364,7 +372,7 @@ class Scanner:
             scan.seconds,
             scan.calibration_id,
             scan.pipeline.lost_frames,
-            end_reason(scan.pipeline.trouble),
+            scan.stopped_because or end_reason(scan.pipeline.trouble),
             recording_size(scan.folder),
             scan.suspended_s,
         )
@@ -380,7 +388,7 @@ class Scanner:
             self._scene.set_arm(sample.reading)
         distance = self.distance()
         in_range = None if distance is None else distance.state == "in"
-        self._scene.set_laser(self._rig.sensor.laser_on, in_range)
+        self._scene.set_laser(self._rig.sensor.is_taken_as_lit, in_range)
 
     def _stop_when_full(self) -> None:
         scan = self._scan

@@ -2,6 +2,7 @@ import { clearBanner, notify } from "../state/banner";
 import { t } from "../state/language";
 import { localized } from "../state/localized";
 import { getState, setState } from "../state/store";
+import { LeftAlone, withArm } from "./armUse";
 import { NoAnswer, post, Refused } from "./http";
 import type { Problem, ScanStatus, SensorChoice, SignInState, StudyState } from "./wire";
 
@@ -35,13 +36,13 @@ export function notifyOfError(error: unknown, whatWas: string): void {
       remedy: t("ui-check-network-page-reconnects-automatically-then"),
       untilHeard: true,
     });
-  } else throw error;
+  } else if (!(error instanceof LeftAlone)) throw error;
 }
 
 /** Acts, and displays an error; returns whether it was done. */
 export async function done(act: () => Promise<unknown>, whatWas: string): Promise<boolean> {
   try {
-    await act();
+    await withArm(act);
     clearBanner();
     return true;
   } catch (error) {

@@ -1,6 +1,7 @@
 import { clearBanner, notify } from "../state/banner";
 import { t } from "../state/language";
 import { type Guide, getState, putView, type SessionView } from "../state/store";
+import { withArm } from "./armUse";
 import { done, newKey, notifyOfError } from "./commands";
 import { post, postOnce, Refused } from "./http";
 import type { ArmView, FlowCommand, PerformanceView } from "./wire";
@@ -28,7 +29,7 @@ export async function sendCommand(guide: Guide, name: string, args: Record<strin
 async function send(guide: Guide, name: string, args: Record<string, unknown>): Promise<boolean> {
   const command: FlowCommand = { name, args, rev: getState()[guide]?.rev ?? 0, key: newKey() };
   try {
-    const view = await postOnce<SessionView>(`/api/${guide}/command`, command);
+    const view = await withArm(() => postOnce<SessionView>(`/api/${guide}/command`, command));
     clearBanner();
     if (view) putView(guide, view);
     return true;

@@ -56,7 +56,8 @@ function onEvent(message: Extract<LiveMessage, { type: "event" }>): void {
   const { id, kind, quality, text } = message;
   put({ event: { id, kind, quality, text, at: performance.now() } });
   playFor(kind);
-  if (kind.endsWith("-lost")) return; // a banner displays the device's own state
+  // banners display the device's own state, and the note that stays
+  if (kind.endsWith("-lost") || kind === "unattended-stop") return;
   if (quality === "bad" || quality === "attention") notify({ quality, title: text }, 8000);
 }
 

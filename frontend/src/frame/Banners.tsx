@@ -24,6 +24,7 @@ export function Banners() {
       {connection !== "live" && <LostBanner first={connection === "connecting"} />}
       {connection === "live" && <LostDevices />}
       {connection === "live" && <ControlRequest />}
+      {connection === "live" && <ArmNote />}
       {banner && !onCard && <MessageBanner key={banner.id} banner={banner} />}
     </div>
   );
@@ -69,6 +70,21 @@ function ControlRequest() {
       <PressButton free kind="quiet" onPress={async () => void (await answerForControl(false))}>
         {t("ui-keep-control")}
       </PressButton>
+    </div>
+  );
+}
+
+/** What the station stopped by itself, until the next activity begins. */
+function ArmNote() {
+  const note = useLive((s) => s.activity?.note ?? null);
+  if (!note) return null;
+  return (
+    <div className={styles.banner} data-quality={note.quality} role="alert">
+      <QualityMark quality={note.quality} />
+      <div className={styles.words}>
+        <strong>{note.text}</strong>
+        <span className={styles.remedy}>{note.remedy}</span>
+      </div>
     </div>
   );
 }

@@ -1,5 +1,6 @@
 import { setLaser, stopAll } from "../api/commands";
 import type { Devices } from "../api/wire";
+import type { PlainId } from "../messages/text";
 import { LaserIcon, StopIcon } from "../parts/icons";
 import { t } from "../state/language";
 import { useLive } from "../state/store";
@@ -18,31 +19,48 @@ export function SafetyControls() {
   );
 }
 
-function laserWords(devices: Devices | null, live: boolean): { state: string; act: string; on: boolean } {
-  if (!devices || !live) return { state: t("ui-laser-unknown"), act: t("ui-laser-off"), on: false };
-  if (devices.laser_on) return { state: t("ui-laser-is-on"), act: t("ui-laser-off"), on: true };
-  return { state: t("ui-laser-is-off"), act: t("ui-switch-on"), on: false };
+type Laser = Devices["laser"];
+
+/** What is believed, and from what. */
+const GROUNDS: Record<Laser["known_from"], PlainId> = {
+  switch: "ui-laser-as-switched-here",
+  "no-switch": "ui-laser-has-no-switch-here",
+  "no-answer": "ui-laser-sensor-did-not-answer",
+  lost: "ui-laser-camera-is-lost",
+  absent: "ui-laser-no-camera-yet",
+};
+
+function laserWords(laser: Laser | null): { state: string; act: string } {
+  switch (laser?.state) {
+    case "on":
+      return { state: t("ui-laser-is-on"), act: t("ui-laser-off") };
+    case "off":
+      return { state: t("ui-laser-is-off"), act: t("ui-switch-on") };
+    default:
+      return { state: t("ui-laser-unknown"), act: t("ui-laser-off") };
+  }
 }
 
 function LaserButton() {
-  const devices = useLive((s) => s.devices);
-  const live = useLive((s) => s.connection === "live");
-  const { state, act, on } = laserWords(devices, live);
-  const switchable = !devices || devices.has_laser_switch;
+  const laser = useLive((s) => (s.connection === "live" ? (s.devices?.laser ?? null) : null));
+  const { state, act } = laserWords(laser);
+  const ground = laser ? t(GROUNDS[laser.known_from]) : t("ui-waiting-for-the-station");
+  const switchable = laser?.known_from !== "no-switch";
   // switched off unless it is known to be off
-  const press = () => void setLaser(live && devices !== null && !devices.laser_on);
+  const press = () => void setLaser(laser?.state === "off");
   return (
     <button
       type="button"
       className={styles.laser}
-      data-on={on || undefined}
+      data-on={laser?.state === "on" || undefined}
       aria-disabled={!switchable || undefined}
+      title={ground}
       onClick={switchable ? press : undefined}
       onKeyDown={(event) => event.repeat && event.preventDefault()}
     >
       <LaserIcon />
       <span className={styles.words}>
-        <span className={styles.state}>{state}</span>
+        <span className={styles.state}>{laser?.state === "unknown" ? `${state}: ${ground}` : state}</span>
         <span className={styles.act}>{switchable ? act : t("ui-switch-at-the-sensor")}</span>
       </span>
     </button>

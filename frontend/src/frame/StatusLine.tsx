@@ -5,6 +5,7 @@ import { age, days } from "../parts/format";
 import { useSilence } from "../state/freshness";
 import { t } from "../state/language";
 import { useLive } from "../state/store";
+import { activityWords } from "./activityWords";
 import styles from "./StatusLine.module.css";
 
 /** The age of each device's data in one line; grey, with its age, if the station is offline. */
@@ -13,6 +14,7 @@ export function StatusLine() {
   const home = useLive((s) => s.home);
   const { live, silent_s } = useSilence();
   const calibration = home?.calibration;
+  const activity = useLive((s) => s.activity?.activity ?? null);
   return (
     <footer className={styles.line} data-stale={!live || undefined}>
       {devices && (
@@ -33,6 +35,7 @@ export function StatusLine() {
           {calibration ? t("ui-calibration-old", { age: days(calibration.age_days) }) : t("ui-no-calibration-yet")}
         </Item>
       )}
+      {activity && <Item>{t("ui-arm-in-use-by", { activity: activityWords(activity) })}</Item>}
       {!live && <Item>{t("ui-as-of-ago", { age: age(silent_s) })}</Item>}
     </footer>
   );

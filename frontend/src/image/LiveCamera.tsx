@@ -18,6 +18,8 @@ const OLD_S = 1;
 /** After this many seconds, the reason for the old picture is shown. */
 const AWAY_S = 2;
 
+const LASER = { on: "ui-on", off: "ui-off", unknown: "ui-unknown" } as const;
+
 type Target = [number, number, number, number][];
 
 /** The size of the picture, and the number of screen pixels per picture pixel. */
@@ -163,6 +165,7 @@ interface PanelProps {
 /** Quality figures of the newest picture, and problems that are not among the findings of the card. */
 function Panel({ header, old_s, line, rate }: PanelProps) {
   const onCard = useLive((s) => s.flow?.findings) ?? [];
+  const laser = useLive((s) => s.devices?.laser.state ?? "unknown");
   const texts = onCard.map((finding) => asSent(finding).text);
   const serious = line ? [] : header.findings.filter(({ quality }) => quality === "attention" || quality === "bad");
   const wrong = newFindings(serious, [], texts);
@@ -188,7 +191,7 @@ function Panel({ header, old_s, line, rate }: PanelProps) {
                 note: rate ? `${figures(rate)}/s` : "",
               }
             : { label: t("ui-picture"), value: age(old_s), unit: t("ui-old"), quality: "bad" },
-          { label: t("ui-laser"), value: header.laser_on ? t("ui-on") : t("ui-off") },
+          { label: t("ui-laser"), value: t(LASER[laser]) },
           {
             label: t("ui-arm"),
             value: header.arm_still ? t("ui-still") : t("ui-moving"),

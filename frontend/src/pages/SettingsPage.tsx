@@ -13,6 +13,7 @@ import { LanguageSettings } from "../settings/LanguageSettings";
 import { LineSettings } from "../settings/LineSettings";
 import { NumberSetting } from "../settings/NumberSetting";
 import styles from "../settings/Settings.module.css";
+import { UnattendedSettings } from "../settings/UnattendedSettings";
 import { useZones } from "../settings/useZones";
 import { ZoneButtons } from "../settings/ZoneButtons";
 import { ZoneEditor } from "../settings/ZoneEditor";
@@ -22,7 +23,7 @@ import { useLive } from "../state/store";
 /** Settings for scans, beside the live picture, which shows their effect at once. */
 export function SettingsPage() {
   const settings = useLive((s) => s.settings);
-  const laser = useLive((s) => s.devices?.laser_on ?? false);
+  const laser = useLive((s) => s.devices !== null && s.devices.laser.state !== "off");
   const zones = useZones(settings);
   useEffect(() => void readSettings(), []);
   if (!settings) {
@@ -76,6 +77,7 @@ export function SettingsPage() {
             </label>
             <p className={fields.help}>{t("ui-pictures-take-about-30-mb-per")}</p>
           </section>
+          <UnattendedSettings settings={settings} />
           <DelaySettings settings={settings} />
           <LanguageSettings />
         </>

@@ -2,6 +2,8 @@ import { useSyncExternalStore } from "react";
 
 import type { Quality } from "../api/types";
 import type {
+  Activity,
+  ArmUse,
   ArmView,
   Control,
   Devices,
@@ -54,6 +56,10 @@ export interface LiveState {
   /** Not known before the station's first answer. */
   session: SignInState | null;
   control: Control | null;
+  /** What has the arm. */
+  activity: ArmUse | null;
+  /** Whether an activity that has the arm is to be ended for another one. */
+  armQuestion: { activity: Activity; answer: (end: boolean) => void } | null;
   station: StationInfo | null;
   devices: Devices | null;
   /** Of a station with several. */
@@ -89,6 +95,8 @@ let state: LiveState = {
   heardAt: 0,
   session: null,
   control: null,
+  activity: null,
+  armQuestion: null,
   station: null,
   devices: null,
   sensors: null,

@@ -72,13 +72,14 @@ export function facts(report: StationReport, more_s: number): Fact[] {
       t("ui-free"),
       report.disk_free_gb < 1 ? "bad" : report.disk_free_gb < 10 ? "attention" : "neutral",
     ),
-    fact(
-      "control",
-      t("ui-control"),
-      report.control ?? t("ui-nobody"),
-      report.laser_on ? t("ui-laser-is-on-lowercase") : t("ui-laser-is-off-lowercase"),
-    ),
+    fact("control", t("ui-control"), report.control ?? t("ui-nobody"), laserWords(report)),
   ];
+}
+
+/** A station of an earlier version says only whether its laser was switched on. */
+function laserWords({ laser, laser_on }: StationReport): string {
+  if (laser_on) return t("ui-laser-is-on-lowercase");
+  return laser === "off" ? t("ui-laser-is-off-lowercase") : t("ui-laser-is-unknown-lowercase");
 }
 
 function fact(id: string, label: string, value: string, note: string, quality: Quality = "neutral"): Fact {
