@@ -19,8 +19,9 @@ interface QuestionProps {
 /** A question before an action; the harmless answer has the focus. */
 export function Question({ action, opened, onClose, onAct, no = t("ui-no-continue"), free = false }: QuestionProps) {
   const agree = async () => {
+    const acted = onAct(action); // before the close, which is the other answer
     onClose();
-    await onAct(action);
+    await acted;
   };
   return (
     <Modal
