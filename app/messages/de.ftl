@@ -183,6 +183,7 @@ arm-has-no-tip = der Messarm { $name } hat keine Tastkugel
 arm-has-no-trigger-pulses = Der Messarm unter { $url } hat keinen Ausgang für Auslöseimpulse
 arm-identified = Der Messarm ist identifiziert.
 arm-is-in-use = Der Arm ist in Gebrauch: { $title }
+arm-is-where-scan-ended = Der Arm ist, wo der Scan endete
 arm-json-has-joints = die arm.json von { $arm } beschreibt Gelenke
 arm-json-is-of-poses = die arm.json von { $arm } gehört zu einem Arm, der Posen meldet
 arm-json-names-joints = in arm.json heißen sie { $names }
@@ -900,8 +901,10 @@ connected-sensors-picture-has-pixels-choose = Das Bild des angeschlossenen Senso
 connected-yet = noch nicht verbunden
 connecting = { $title } wird verbunden
 contact-labelled-but-misses-face = Antastpunkt { $number } ist der Fläche „{ $face }“ zugeordnet, verfehlt sie aber um { $distance }
+contact-limit = zwei Punkte des Objekts liegen höchstens { $limit } auseinander
 contact-off-by = { $number } ({ $face }, { $off })
 contact-points = Antastpunkte
+contact-too-far = Dieser Punkt liegt { $apart } von Punkt { $number } entfernt, weiter als das Objekt reicht; er wurde nicht übernommen
 contact-unknown-face = Antastpunkt { $number } liegt auf der unbekannten Fläche „{ $face }“
 contacts = die Antastpunkte
 contacts-agree-blocks-size-tips-diameter = Die Antastpunkte stimmen mit der Größe des Zinnenkörpers und dem Tastkugeldurchmesser überein: { $checked }.
@@ -1305,6 +1308,7 @@ map-outliers =
     } Dicke Ringe: der tiefste und der höchste Punkt, { $low } und { $high }; die Spannweite aller Punkte liegt zwischen ihnen.
 markers-in-white-squares = in ihren weißen Feldern sind Marker: sie ist eine ChArUco-Tafel
 markers-place-is-estimated-instead = stattdessen wird der Ort des Markers am Flansch geschätzt
+move-tip-to-object = Den Taster an das Objekt setzen, dann den Punkt aufnehmen
 moves-check-arm-json =
     { $beside ->
         [bars] { $name } ändert sich um { $change }: arm.json und die Längen der Kugelstäbe prüfen
@@ -1316,7 +1320,10 @@ no-picture-between-readings = kein Bild von { $path } liegt zwischen zwei Messwe
 no-picture-of-folder-can-be-used = keines der { $count } Bilder ist verwendbar; das erste: { $first }
 pass-over-one-flat-plate = Eine einzige ebene Platte überfahren und ihren Rand auslassen.
 pictures-do-not-fit-delay = { $off } von { $pictures } Bildern passen bei diesem Zeitversatz nicht zu einer Ebene.
+nothing-touched-there = er hat sich seither nicht bewegt, der Taster berührt also nichts
 places-held-out-agree-too-well = in der Kreuzvalidierung weichen die Positionen nur um das { $times }-Fache des angegebenen Rauschens ab: standard_uncertainty_mm ist zu groß oder in einer anderen Einheit
+point-off-others = Punkt { $index } liegt { $off } neben der Ebene der anderen Punkte { $where }.
+point-taken-for = Punkt { $index }, gemeint { $where }; noch nicht beurteilt.
 points-moved-from-line-on = coordinates.csv: im Koordinatensystem { $name } liegen die Punkte ab Zeile { $line } um { $off } neben denen davor, gemessen am besten Arm
 points-scatter-less-than-stated = die Punkte streuen nur um einen kleinen Teil des Angegebenen: standard_uncertainty_mm ist zu groß oder in einer anderen Einheit
 poses-agree-read-otherwise =
@@ -1335,6 +1342,7 @@ no-picture-within-readings = kein Bild von { $path } wurde während der Messwert
 one-picture-at-a-time = ein Sensor nimmt nur ein Bild zur selben Zeit auf
 picture-at-time-of-line = { $place } hat dieselbe time_s wie Zeile { $line }
 pictures-are-at = die Bilder beginnen bei { $begin }
+remove-it-or-other = Ihn entfernen, oder den von ihnen, der falsch ist, und dort noch einmal antasten.
 reverse-sign-of-joint = Das Vorzeichen (sign) des Gelenks { $joint } in arm.json umkehren
 save-table-as-csv = Als CSV (UTF-8) mit Kommas zwischen den Spalten speichern
 scatter-of-clouds = Punktwolken
@@ -2578,6 +2586,7 @@ loop-name =
         [scan-sync] Sichern der Aufnahme
         [live-state] geführte Abläufe und Start
         [report] Bericht der Station
+        [unattended] Aufsicht über unbeaufsichtigte Scans
         [stations] andere Stationen
         [events] Weitergabe von Ereignissen
         [health] Zustandsprüfungen
@@ -3178,7 +3187,6 @@ point-off-face-remove-then-go = Punkt { $point } liegt nicht auf seiner Fläche.
 point-off-plane-others = Punkt { $index } liegt { $off } neben der Ebene der übrigen.
 point-removed = Punkt { $index } ist entfernt.
 point-standard-uncertainty = Gescannter Punkt, rms im Messvolumen: Standardunsicherheit
-point-taken-at = Punkt { $index } { $where }.
 point-taken-off = Punkt { $index } { $where }: { $off }.
 point-there-any-more = Diesen Punkt gibt es nicht mehr.
 points-1-lie-apart-while-single = { $label }: Die Punkte 1 bis { $split } und { $next } bis { $points } liegen { $gap } auseinander, während einzelne Punkte um { $sd } streuen
@@ -4061,6 +4069,8 @@ touch-more-points-spread-wide-over-2 = Weitere Punkte antasten, weit über alle 
 touch-more-sphere = Mehr von der Kugel antasten
 touch-near-corners-too = Auch nahe den Ecken antasten
 touch-object = Objekt antasten
+touch-object-or-remove-wrong = Das Objekt antasten, oder Punkt { $number } entfernen, wenn der falsch ist
+touch-off-plane = Diese Antastung liegt { $off } neben der Ebene, die vorher angetastet wurde; sie wurde nicht übernommen
 touch-printed-side-more-times-spread = Die bedruckte Seite noch { $left }-mal antasten, weit verteilt. Oder fortfahren.
 touch-printed-side-once-more-far = Die bedruckte Seite noch einmal antasten, weit weg von den anderen Punkten. Oder fortfahren.
 touch-probe-press-arms-button-each =
@@ -4069,6 +4079,7 @@ touch-probe-press-arms-button-each =
        *[sphere] Mit dem Taster oben und ringsum an der Seite antasten und an jeder Stelle die Taste am Messarm drücken.
     }
 touch-right-end = Rechte Stirnseite antasten.
+touch-same-plane = Dieselbe Fläche antasten, oder ihre Antastungen zurücknehmen und neu beginnen
 touch-scan-gauge-takes-two-minutes = { $text } Ein Prüfnormal antasten und scannen: Das dauert zwei Minuten.
 touch-sphere = Kugel antasten
 touch-sphere-more-spread-over-all = Kugel weiter antasten, über die ganze obere Hälfte verteilt.

@@ -183,6 +183,7 @@ arm-has-no-tip = the arm { $name } has no tip
 arm-has-no-trigger-pulses = The arm at { $url } has no output for trigger pulses
 arm-identified = The arm is identified.
 arm-is-in-use = The arm is in use: { $title }
+arm-is-where-scan-ended = The arm is where the scan ended
 arm-json-has-joints = the arm.json of { $arm } describes joints
 arm-json-is-of-poses = the arm.json of { $arm } is of an arm that reports poses
 arm-json-names-joints = arm.json names them { $names }
@@ -900,8 +901,10 @@ connected-sensors-picture-has-pixels-choose = The connected sensor's picture has
 connected-yet = not connected yet
 connecting = Connecting to the { $title }
 contact-labelled-but-misses-face = contact point { $number } is labelled { $face }, but misses that face by { $distance }
+contact-limit = two points of the object are at most { $limit } apart
 contact-off-by = { $number } ({ $face }, { $off })
 contact-points = contact points
+contact-too-far = This point lies { $apart } from point { $number }, which is farther than the object reaches; it was not taken
 contact-unknown-face = contact point { $number } is on an unknown face '{ $face }'
 contacts = the contact points
 contacts-agree-blocks-size-tips-diameter = The contact points agree with the block's size and the tip's diameter: { $checked }.
@@ -1301,6 +1304,7 @@ map-outliers =
     } Bold rings: the lowest and the highest point, { $low } and { $high }; the range of all points lies between these.
 markers-in-white-squares = there are markers in its white squares: it is a ChArUco board
 markers-place-is-estimated-instead = the marker's place on the flange is estimated instead
+move-tip-to-object = Put the tip to the object, then take the point
 moves-check-arm-json =
     { $beside ->
         [bars] { $name } changes by { $change }: check arm.json and the bars' lengths
@@ -1312,7 +1316,10 @@ no-picture-between-readings = no picture of { $path } lies between two readings 
 no-picture-of-folder-can-be-used = none of the { $count } pictures can be used; the first: { $first }
 pass-over-one-flat-plate = Pass over one flat plate, and leave out its edge.
 pictures-do-not-fit-delay = { $off } of { $pictures } pictures do not fit one plane at this delay.
+nothing-touched-there = it has not moved since, so that the tip touches nothing
 places-held-out-agree-too-well = in cross-validation the places deviate by only { $times } times the stated noise: standard_uncertainty_mm is too large, or in another unit
+point-off-others = Point { $index } lies { $off } off the plane of the other points { $where }.
+point-taken-for = Point { $index }, meant { $where }; not judged yet.
 points-moved-from-line-on = coordinates.csv: in frame { $name } the points from line { $line } on lie { $off } off those before, as the best arm has them
 points-scatter-less-than-stated = the points scatter by a small part of what is stated: standard_uncertainty_mm is too large, or in another unit
 poses-agree-read-otherwise =
@@ -1331,6 +1338,7 @@ no-picture-within-readings = no picture of { $path } was taken during the readin
 one-picture-at-a-time = a sensor takes one picture at a time
 picture-at-time-of-line = { $place } has the same time_s as line { $line }
 pictures-are-at = the pictures begin at { $begin }
+remove-it-or-other = Remove it, or the one of them that is wrong, and touch there again.
 reverse-sign-of-joint = Reverse the sign of joint { $joint } in arm.json
 save-table-as-csv = Save it as CSV (UTF-8), with commas between the columns
 scatter-of-clouds = Clouds
@@ -2574,6 +2582,7 @@ loop-name =
         [scan-sync] syncing of the recording
         [live-state] guided sessions and Home
         [report] report of the station
+        [unattended] watch over unattended scans
         [stations] other stations
         [events] passing on of events
         [health] health checks
@@ -3169,7 +3178,6 @@ point-off-face-remove-then-go = Point { $point } is off its face. Remove it, the
 point-off-plane-others = Point { $index } is { $off } off the plane of the others.
 point-removed = Point { $index } is removed.
 point-standard-uncertainty = Scanned point, rms over the measuring volume: standard uncertainty
-point-taken-at = Point { $index } { $where }.
 point-taken-off = Point { $index } { $where }: { $off }.
 point-there-any-more = That point no longer exists.
 points-1-lie-apart-while-single = { $label }: its points 1 to { $split } and { $next } to { $points } lie { $gap } apart, while single points scatter by { $sd }
@@ -4039,6 +4047,8 @@ touch-more-points-spread-wide-over-2 = Touch more points, spread widely over all
 touch-more-sphere = Touch more of the sphere
 touch-near-corners-too = Touch it near its corners as well
 touch-object = Touch the object
+touch-object-or-remove-wrong = Touch the object, or remove point { $number } if that one is wrong
+touch-off-plane = This touch lies { $off } off the plane that was touched before; it was not taken
 touch-printed-side-more-times-spread = Touch the printed side { $left } more times, spread widely. Or continue.
 touch-printed-side-once-more-far = Touch the printed side once more, far from the other points. Or continue.
 touch-probe-press-arms-button-each =
@@ -4047,6 +4057,7 @@ touch-probe-press-arms-button-each =
        *[sphere] Touch it with the probe on its top and all around its side, and press the arm's button at each point.
     }
 touch-right-end = Touch the right end.
+touch-same-plane = Touch the same face, or take its touches back and begin again
 touch-scan-gauge-takes-two-minutes = { $text } Touch and scan a gauge: it takes two minutes.
 touch-sphere = Touch the sphere
 touch-sphere-more-spread-over-all = Touch more points on the sphere, spread over its whole upper half.

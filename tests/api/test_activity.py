@@ -69,7 +69,7 @@ def test_scan_and_session_ask_each_other(station: Server, kind: str) -> None:
     assert http.post(f"/api/{name}/start", json=body).status_code == 200
 
 
-def test_a_press_of_the_button_takes_no_point_while_a_scan_has_the_arm(
+def test_no_point_is_taken_while_a_scan_has_the_arm_nor_where_it_ended(
     station: Server, touching: Server
 ) -> None:
     end_present(station)
@@ -79,6 +79,11 @@ def test_a_press_of_the_button_takes_no_point_while_a_scan_has_the_arm(
     until(lambda: station.context.guide.declined > declined)
     assert station.context.guide.state.contacts == ()
     assert activity(station)["kind"] == "scan"
+    station.http.post("/api/scan/stop").raise_for_status()
+    until(lambda: activity(station) is None)
+    wait_for(lambda: code_of(touching.command("take_point")), (422, "where-scan-ended").__eq__)
+    assert station.simulation.operator.touch("crest", 0)  # it presses the button there
+    until(lambda: len(station.context.guide.state.contacts) == 1)
 
 
 def test_an_open_session_has_the_arm_after_a_restart_too(station: Server) -> None:

@@ -12,8 +12,15 @@ from app.guide.calibration.flow import build_view
 from app.guide.calibration.live import TouchReport
 from app.guide.calibration.state import Contact
 from app.guide.calibration.touch.block import WANTED, points_wanted, suggest_places
-from app.guide.calibration.touch.report import face_progress, next_face, same_place, touch_report
+from app.guide.calibration.touch.report import (
+    face_progress,
+    next_face,
+    refuse_far,
+    same_place,
+    touch_report,
+)
 from app.metrology.arm.strained_pose import Strain
+from app.metrology.probing.reachable import farthest_apart_mm, odd_one_out, too_far
 from app.metrology.targets.crenellated_block import FACES, Crenellated, probing_face
 from tests.guide.builders import (
     ARM,
@@ -25,6 +32,7 @@ from tests.guide.builders import (
     start_row,
     state_after,
 )
+from tests.refusals import refused
 
 widths = st.floats(1.5, 12.0)
 
@@ -142,6 +150,63 @@ def test_the_same_place_twice_is_noticed() -> None:
     assert same_place(near, contacts, ARM) == 1
     assert same_place(far, contacts, ARM) is None
     assert same_place(near, (), ARM) is None
+
+
+@given(blocks(), faces := st.sampled_from(FACES), faces, st.integers(0, 80), st.floats(8, 3000))
+def test_a_point_farther_off_than_the_block_reaches_is_refused_and_no_other(
+    block: Crenellated, face: str, other: str, pair: int, away_mm: float
+) -> None:
+    tip = ARM.tip
+    (first, second) = (
+        np.array(suggest_places(block, one)[k]) + tip.radius_mm * probing_face(block, one)[0]
+        for one, k in ((face, pair % 8), (other, pair // 8 % 8))
+    )
+    limit_mm = np.array([farthest_apart_mm(block, face, other, 2 * tip.radius_mm)])
+    assert too_far(first[None], second, limit_mm) is None
+    beyond = first + (limit_mm[0] + away_mm) * np.eye(3)[pair % 3]
+    far = too_far(first[None], beyond, limit_mm)
+    assert far is not None
+    assert far.apart_mm == pytest.approx(limit_mm[0] + away_mm)
+
+
+@given(st.integers(0, 10**6), st.integers(4, 9), st.floats(3.0, 200.0), st.booleans())
+def test_the_point_off_its_face_is_named_and_no_good_one(
+    seed: int, count: int, off_mm: float, is_first: bool
+) -> None:
+    """Before the block is aligned, by the others of its face."""
+    rng = np.random.default_rng(seed)
+    places = np.array(suggest_places(BLOCK, "crest"))[rng.permutation(9)[:count]]
+    good = places + rng.normal(0, 0.025, places.shape)
+    assert odd_one_out(good) is None
+    mixed = good.copy()
+    index = 0 if is_first and count > 4 else count - 1
+    mixed[index, 2] += off_mm
+    found = odd_one_out(mixed)
+    if found is not None and found.is_certain:
+        assert found.index == index
+        assert found.off_mm == pytest.approx(off_mm, abs=0.5)
+    else:  # without another one, those left are nearly on one plane too
+        assert count < 8
+
+
+def test_a_point_that_nothing_judges_yet_is_not_said_to_lie_on_its_face() -> None:
+    rows = touches("crest", count=5)
+    assert judged(*rows).findings == ()
+    place = np.array(suggest_places(BLOCK, "crest")[5]) + [0.0, 0.0, 12.0]
+    report = judged(*rows, touch("crest", place))
+    (finding,) = report.findings
+    assert "Point 6 lies 12.0 mm off the plane" in str(finding.text)
+    assert "Remove it" in str(finding.remedy)
+    assert [point.outlier for point in report.points] == [False] * 5 + [True]
+    assert report.questionable == (5,)
+    with refused("not-on-object"):
+        refuse_far(
+            contact_joints(ARM, BLOCK, "crest", place + [0.0, 0.0, 80.0]),
+            "crest",
+            counted(*rows),
+            ARM,
+            BLOCK,
+        )
 
 
 def test_either_end_and_either_long_side_will_do() -> None:

@@ -4,6 +4,8 @@ from collections.abc import Mapping
 from dataclasses import asdict, replace
 from pathlib import Path
 
+import numpy as np
+
 from app.errors import OperationError
 from app.formats.atomic_write import ensure_folder, write_atomically
 from app.formats.datasheets.arm import read_arm
@@ -32,9 +34,11 @@ from app.guide.common.guided_session import (
     StationServices,
     new_session_id,
 )
+from app.guide.gauge.off_gauge import refuse_off_sphere
 from app.messages.message import message
-from app.metrology.arm.kinematics import Arm
+from app.metrology.arm.kinematics import Arm, tip_centres
 from app.metrology.decision import GUARDED_95, DecisionRule
+from app.metrology.transforms import Floats
 
 FLOW = Flow(KIND, "arm", ArmState(), apply_row, build_view, RULES, (POINTS,))
 
@@ -197,16 +201,27 @@ class ArmGuide(GuidedSession[ArmState, ArmLive, ArmView]):
         """Takes the point of the sphere that the tip touches, or touched at ``until_ns``.
 
         Raises:
-            OperationError: the arm is lost or moves.
+            OperationError: the arm is lost or moves, or the point is not on the sphere of those
+                before.
         """
         side = self.station.rig.arm
         side.set_model(self.arm())  # by which it is judged whether the arm is still
         mean = side.average(until_ns=until_ns)
+        side.refuse_scan_end(mean.reading)
+        self._refuse_off_sphere(mean.reading)
         self.append(POINTS, {"q_rad": [mean.reading.tolist()]}, key)
         seat = self.state.seats[-1]
         self.station.bus.event(
             "point_taken", message("point", number=len(seat.q_rad), place=seat.place)
         )
+
+    def _refuse_off_sphere(self, reading: Floats) -> None:
+        arm, seat = self.arm(), self.state.seats[-1]
+        if arm is None or seat.artefact.size_mm is None or not seat.q_rad:
+            return
+        tips = tip_centres(arm, np.array([*seat.q_rad, reading]))
+        reach_mm = seat.artefact.size_mm / 2 + arm.tip.radius_mm
+        refuse_off_sphere(tips[:-1], tips[-1], reach_mm)
 
     def end_seat(self, key: str | None) -> None:
         """Ends the swing, with the points up to now."""

@@ -217,7 +217,8 @@ class GaugeSession(GuidedSession[State, Live, View], Generic[State, Live, View, 
         """The session's arm, and its mean reading while it touches, or touched at ``until_ns``.
 
         Raises:
-            OperationError: the arm's datasheet cannot be read, or the arm is lost or moves.
+            OperationError: the arm's datasheet cannot be read, or the arm is lost or moves, or
+                has not moved since a scan.
         """
         side, (_, arm) = self.station.rig.arm, self.datasheets()
         if arm is None:
@@ -225,7 +226,9 @@ class GaugeSession(GuidedSession[State, Live, View], Generic[State, Live, View, 
                 "no-arm-model", message("sessions-arm-cannot-read"), remedy=message("begin-new-one")
             )
         side.set_model(arm)  # by which it is judged whether the arm is still
-        return arm, side.average(until_ns=until_ns)
+        mean = side.average(until_ns=until_ns)
+        side.refuse_scan_end(mean.reading)
+        return arm, mean
 
     def write_touches(
         self,

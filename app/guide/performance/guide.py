@@ -334,7 +334,7 @@ class PerformanceGuide(ArtefactSession[PerformanceLive, PerformanceView]):
             raise OperationError("not-now", message("performance-all-touched"))
         if centre is None:
             return 0  # the first touch finds the sphere
-        return find_touched_place(self.state, part, centre, arm, reading)
+        return find_touched_place(self.state, part, centre, self.gauge(), arm, reading)
 
     def freeze(self) -> None:
         """Writes the plan, which stands from now on."""

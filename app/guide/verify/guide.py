@@ -17,6 +17,7 @@ from app.guide.common.guided_session import (
     new_session_id,
 )
 from app.guide.common.journal import Calibrations, Check, Journal, JournalEntry
+from app.guide.gauge.off_gauge import refuse_off_plane, refuse_off_sphere
 from app.guide.gauge.session import GaugeServices, GaugeSession
 from app.guide.verify.flow import build_view
 from app.guide.verify.live import CloudResults, VerifyLive
@@ -24,9 +25,10 @@ from app.guide.verify.rules import RULES
 from app.guide.verify.state import VerificationCloud, VerifyState, apply_row
 from app.guide.verify.view import VerifyView
 from app.messages.message import message, quantity
-from app.metrology.arm.kinematics import AnyArm, tip_centres
+from app.metrology.arm.kinematics import AnyArm, tip_centres, tip_of
 from app.metrology.decision import GUARDED_95, DecisionRule
 from app.metrology.gauges.probed_gauge import ProbedGauge, fit_probed_plane, fit_probed_sphere
+from app.metrology.transforms import Floats
 from app.workflows.measure_gauge import GaugeFit
 from app.workflows.verification_metrics import (
     cloud_errors,
@@ -180,7 +182,8 @@ class VerifyGuide(GaugeSession[VerifyState, VerifyLive, VerifyView, GaugeFile]):
         """Takes the place that the tip touches, or touched at ``until_ns``.
 
         Raises:
-            OperationError: the arm is lost or moves, or that place was touched before.
+            OperationError: the arm is lost or moves, that place was touched before, or it is not on
+                the gauge of the touches before.
         """
         arm, mean = self.average_touch(until_ns)
         counted = self.state.counted
@@ -195,11 +198,22 @@ class VerifyGuide(GaugeSession[VerifyState, VerifyLive, VerifyView, GaugeFile]):
                     message("away", min=quantity(1000.0 * apart.min(), "µm")),
                     message("touch-elsewhere"),
                 )
+            self._refuse_off_gauge(arm, tips[:-1], tips[-1])
         self.append("touched", {"reading": mean.reading.tolist()}, key)
         self.station.bus.event(
             "point_taken", message("touch-gauge-2", counted=len(self.state.counted))
         )
         self.keep_touches()
+
+    def _refuse_off_gauge(self, arm: AnyArm, before_mm: Floats, tip_mm: Floats) -> None:
+        gauge, _ = self.datasheets()
+        if gauge is None:
+            return
+        if gauge.shape == "plane":
+            refuse_off_plane(before_mm, tip_mm)
+            return
+        assert gauge.radius_mm is not None
+        refuse_off_sphere(before_mm, tip_mm, gauge.radius_mm + tip_of(arm).diameter_mm / 2)
 
     def keep_touches(self) -> None:
         """Brings the session's table of touches up to date."""

@@ -51,6 +51,7 @@ class StationArm:
         self._ring: ReadingRing | None = None
         self._judge: ReadingJudge | None = None
         self._newest: ArmReading | None = None
+        self._scan_ended_at: ArmReading | None = None
         self.on_button: Callable[[ButtonEvent], None] | None = None
         self.reader: DeviceReader[ArmDriver, ArmInfo] = DeviceReader(
             "arm",
@@ -170,10 +171,30 @@ class StationArm:
         reading = self.at(stamp_ns, 0.0)
         if reading is None:
             return stamp_ns < newest.stamp_ns
-        then, now = flange_poses(arm, np.array([reading, newest.reading]))
-        moved_mm = np.linalg.norm(now[:3, 3] - then[:3, 3])
-        turned_rad = np.linalg.norm(vector_from_rotation(then[:3, :3].T @ now[:3, :3]))
-        return bool(moved_mm > ELSEWHERE_MM or turned_rad > ELSEWHERE_RAD)
+        return _is_elsewhere(arm, reading, np.array(newest.reading))
+
+    def note_scan_end(self) -> None:
+        """Nothing is touched where a scan ends: see ``refuse_scan_end``."""
+        self._scan_ended_at = self.latest()
+
+    def refuse_scan_end(self, reading: Floats) -> None:
+        """Called with the reading (k,) of each contact.
+
+        Raises:
+            OperationError: the arm has not moved since a scan ended.
+        """
+        arm, ended = self._model(), self._scan_ended_at
+        if arm is None or ended is None or len(ended.reading) != len(reading):
+            return
+        if _is_elsewhere(arm, np.array(ended.reading), reading):
+            self._scan_ended_at = None
+            return
+        raise OperationError(
+            "where-scan-ended",
+            message("arm-is-where-scan-ended"),
+            message("nothing-touched-there"),
+            message("move-tip-to-object"),
+        )
 
     def average(self, window_s: float = 0.2, until_ns: int | None = None) -> ReadingMean:
         """Mean of the readings over a window in which the arm was still.
@@ -284,3 +305,11 @@ class StationArm:
     def _press(self, event: ButtonEvent) -> None:
         if self.on_button is not None:
             self.on_button(event)
+
+
+def _is_elsewhere(arm: AnyArm, before: Floats, after: Floats) -> bool:
+    """Whether the flange has left its position between two readings (k,)."""
+    then, now = flange_poses(arm, np.array([before, after]))
+    moved_mm = np.linalg.norm(now[:3, 3] - then[:3, 3])
+    turned_rad = np.linalg.norm(vector_from_rotation(then[:3, :3].T @ now[:3, :3]))
+    return bool(moved_mm > ELSEWHERE_MM or turned_rad > ELSEWHERE_RAD)

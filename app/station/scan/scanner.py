@@ -247,6 +247,7 @@ class Scanner:
             scan.stopping, scan.stopped_because = True, because
             scan.ended_s = time.monotonic()
             scan.suspended_in_all_s = scan.suspended_s
+        self._rig.arm.note_scan_end()
         self._end_delivery()
         self._publish()
         try:

@@ -8,6 +8,7 @@ from app.guide.calibration.touch.report import (
     face_in_use,
     face_progress,
     next_face,
+    refuse_far,
     same_place,
     where_on_object,
 )
@@ -18,7 +19,8 @@ def take_point(guide: CalibrationGuide, source: str, until_ns: int | None, key: 
     """Adds the point that the tip touches now, or touched at ``until_ns``.
 
     Raises:
-        OperationError: the arm is lost or moves, or the point was taken already.
+        OperationError: the arm is lost or moves, the point was taken already, or it lies where the
+            object cannot be.
     """
     with guide.lock:
         state = guide.state
@@ -26,7 +28,10 @@ def take_point(guide: CalibrationGuide, source: str, until_ns: int | None, key: 
         arm = chosen.arm
         if arm is None or chosen.object is None:
             raise OperationError("no-arm-model", message("arm-chosen-cannot-read-any-more"))
-        mean = guide.station.rig.arm.average(until_ns=until_ns)
+        side = guide.station.rig.arm
+        mean = side.average(until_ns=until_ns)
+        side.refuse_scan_end(mean.reading)
+        face = face_in_use(state.face, chosen.object)
         same = same_place(mean.reading, state.counted, arm)
         if same is not None:
             raise OperationError(
@@ -35,10 +40,11 @@ def take_point(guide: CalibrationGuide, source: str, until_ns: int | None, key: 
                 message("tip-lies-within-mm", distance=quantity(SAME_PLACE_MM, "mm", 1)),
                 message("move-tip-another-place"),
             )
+        refuse_far(mean.reading, face, state.counted, arm, chosen.object)
         guide.append(
             "point_taken",
             {
-                "face": face_in_use(state.face, chosen.object),
+                "face": face,
                 "reading": mean.reading.tolist(),
                 "scatter": mean.scatter.tolist(),
                 "samples": mean.samples,
@@ -97,10 +103,12 @@ def _report_point(guide: CalibrationGuide) -> None:
     """Reports the residual of the new point, for an operator who looks at the arm."""
     point, report = guide.state.counted[-1], guide.datasheets.touch(guide.state)
     number, where = point.index + 1, where_on_object(point.face)
-    quality: Quality = "good"
+    quality: Quality = "neutral"  # nothing shows yet that it lies there
     judged = next((p for p in report.points if p.index == point.index), None) if report else None
     if judged is None or judged.residual_um is None:
-        text = message("point-taken-at", index=number, where=where)
+        text = message("point-taken-for", index=number, where=where)
+        if report is not None and judged is not None and judged.outlier:
+            text, quality = report.findings[0].text, "attention"
     else:
         off = signed(judged.residual_um, "µm")
         text = message("point-taken-off", index=number, where=where, off=off)

@@ -5,15 +5,17 @@ from dataclasses import replace
 
 import numpy as np
 
+from app.errors import OperationError
 from app.findings import Finding
 from app.guide.calibration.live import TouchReport
 from app.guide.calibration.state import Contact
 from app.guide.calibration.touch import block as touching
 from app.guide.calibration.touch import board as board_touching
 from app.guide.common.view import FaceProgress
-from app.messages.message import Text, message
+from app.messages.message import Text, message, quantity
 from app.metrology.arm.joint_plausibility import limits_error
-from app.metrology.arm.kinematics import AnyArm, Arm, tip_centres
+from app.metrology.arm.kinematics import AnyArm, Arm, tip_centres, tip_of
+from app.metrology.probing.reachable import farthest_apart_mm, odd_one_out, too_far
 from app.metrology.targets.chessboard import Chessboard
 from app.metrology.targets.crenellated_block import FACES, on_face
 from app.metrology.targets.target import CalibrationTarget
@@ -48,8 +50,12 @@ def touch_report(
     """
     if isinstance(item, Chessboard):
         report = board_touching.board_report(contacts, arm, item)
+        if len(contacts) < board_touching.FEWEST_JUDGED:
+            report = _flag_odd_ones(report, contacts, arm)
     elif isinstance(arm, Arm):
         report = touching.block_report(contacts, arm, item, target_um)
+        if report.alignment is None:
+            report = _flag_odd_ones(report, contacts, arm)
     else:
         return touching.NO_REPORT
     return _flag_impossible(report, contacts, arm) if isinstance(arm, Arm) else report
@@ -74,6 +80,33 @@ def _flag_impossible(report: TouchReport, contacts: Sequence[Contact], arm: Arm)
     )
 
 
+def _flag_odd_ones(report: TouchReport, contacts: Sequence[Contact], arm: AnyArm) -> TouchReport:
+    """Names the point of each face that is off the plane of its others, while the object's place
+    is not known yet."""
+    odd: list[int] = []
+    findings = []
+    for face in dict.fromkeys(contact.face for contact in contacts):
+        own = [contact for contact in contacts if contact.face == face]
+        found = odd_one_out(tip_centres(arm, np.array([contact.reading for contact in own])))
+        if found is None:
+            continue
+        index = own[found.index].index
+        odd.append(index)
+        off, where = quantity(found.off_mm, "mm", 1), where_on_object(face)
+        text = message("point-off-others", index=index + 1, off=off, where=where)
+        remedy = message("remove-it-or-other")
+        if found.is_certain:
+            remedy = message("remove-touch-there-again")
+        findings.append(Finding("attention", text, remedy))
+    points = tuple(replace(one, outlier=one.outlier or one.index in odd) for one in report.points)
+    return replace(
+        report,
+        points=points,
+        findings=(*findings, *report.findings),
+        questionable=(*odd, *report.questionable),
+    )
+
+
 def face_progress(
     report: TouchReport, selected: str, item: CalibrationTarget
 ) -> list[FaceProgress]:
@@ -91,6 +124,30 @@ def same_place(reading: Floats, others: Sequence[Contact], arm: AnyArm) -> int |
     distances = np.linalg.norm(tips[:-1] - tips[-1], axis=1)
     nearest = int(np.argmin(distances))
     return others[nearest].index if distances[nearest] < SAME_PLACE_MM else None
+
+
+def refuse_far(
+    reading: Floats, face: str, others: Sequence[Contact], arm: AnyArm, item: CalibrationTarget
+) -> None:
+    """Of a new point of a face.
+
+    Raises:
+        OperationError: it is farther from a counted point than the object is long.
+    """
+    if not others:
+        return
+    tips = tip_centres(arm, np.array([c.reading for c in others] + [tuple(reading)]))
+    tip_mm = tip_of(arm).diameter_mm
+    limits = [farthest_apart_mm(item, face, other.face, tip_mm) for other in others]
+    far = too_far(tips[:-1], tips[-1], np.array(limits))
+    if far is not None:
+        number = others[far.other].index + 1
+        raise OperationError(
+            "not-on-object",
+            message("contact-too-far", apart=quantity(far.apart_mm, "mm"), number=number),
+            message("contact-limit", limit=quantity(far.limit_mm, "mm")),
+            message("touch-object-or-remove-wrong", number=number),
+        )
 
 
 def next_face(faces: Sequence[FaceProgress], selected: str) -> str:

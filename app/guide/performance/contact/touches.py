@@ -5,6 +5,7 @@ import numpy as np
 from app.errors import OperationError
 from app.formats.datasheets.gauge import GaugeFile
 from app.formats.datasheets.length_standard import LengthStandardFile
+from app.guide.gauge.off_gauge import refuse_off_sphere
 from app.guide.performance.contact.sequence import features_of
 from app.guide.performance.contact.so_far import group_tips
 from app.guide.performance.state import PerformanceState
@@ -13,12 +14,11 @@ from app.messages.message import message, quantity
 from app.metrology.arm.kinematics import AnyArm, Arm, flange_poses, tip_centres, tip_of
 from app.metrology.performance.lengths import length_of_bar_mm
 from app.metrology.performance.sphere import sphere_centre
+from app.metrology.probing.reachable import OFF_SPHERE_MM
 from app.metrology.transforms import Floats, vector_from_rotation
 
 APART = 0.3
 """Touches on a sphere are so many of its radii apart."""
-OFF_SPHERE_MM = 2.0
-"""A touch that lies farther off the sphere of the certified diameter is on something else."""
 IN_SEAT_MM = 2.0
 """A touch farther from those before is not in their seat."""
 OTHER_SEAT_MM = 50.0
@@ -70,18 +70,7 @@ def _check_on_sphere(before_mm: Floats, tip_mm: Floats, reach_mm: float) -> None
         return
     if np.min(np.linalg.norm(before_mm - tip_mm, axis=1)) < APART * reach_mm:
         raise same_place_error()
-    off_mm = 0.0
-    if len(before_mm) > 3:
-        centre = sphere_centre(before_mm, 2 * reach_mm)
-        off_mm = abs(float(np.linalg.norm(tip_mm - centre)) - reach_mm)
-    elif np.max(np.linalg.norm(before_mm - tip_mm, axis=1)) > 2 * reach_mm:
-        off_mm = float(np.max(np.linalg.norm(before_mm - tip_mm, axis=1))) - 2 * reach_mm
-    if off_mm > OFF_SPHERE_MM:
-        raise OperationError(
-            "off-the-sphere",
-            message("performance-touch-off-sphere", off=quantity(off_mm, "mm", 1)),
-            remedy=message("performance-touch-same-sphere"),
-        )
+    refuse_off_sphere(before_mm, tip_mm, reach_mm)
 
 
 def _check_seat(

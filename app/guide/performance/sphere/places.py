@@ -8,6 +8,7 @@ from app.errors import OperationError
 from app.formats.datasheets.gauge import GaugeFile
 from app.formats.performance.plan import GatePart, sphere_feature
 from app.formats.results.calibration import Calibration
+from app.guide.gauge.off_gauge import refuse_off_sphere
 from app.guide.performance.live import Places
 from app.guide.performance.state import PerformanceState
 from app.messages.message import message
@@ -132,15 +133,22 @@ def live_places(
 
 
 def find_touched_place(
-    state: PerformanceState, part: PartPlaces, centre_mm: Floats, arm: AnyArm, reading: Floats
+    state: PerformanceState,
+    part: PartPlaces,
+    centre_mm: Floats,
+    gauge: GaugeFile | None,
+    arm: AnyArm,
+    reading: Floats,
 ) -> int:
     """The free place of a part that a touch belongs to.
 
     Raises:
-        OperationError: none is near.
+        OperationError: none is near, or the touch is not on the sphere of those before.
     """
     before = state.of(state.feature)
     tips = tip_centres(arm, np.array([*(touch.reading for touch in before), reading]))
+    if gauge is not None and gauge.radius_mm is not None:
+        refuse_off_sphere(tips[:-1], tips[-1], gauge.radius_mm + tip_of(arm).diameter_mm / 2)
     taken = [touch.place for touch in before]
     free = np.array([i for i in range(len(part.directions)) if i not in taken], dtype=np.int64)
     found = assign_places(tips[-1:], centre_mm, part.directions[free], part.catch_deg)
