@@ -61,12 +61,23 @@ def test_control_passes_from_person_to_person(browser: Browser, demo: Demo, pict
     expect(anna.get_by_text("Step 2 of 7").first).to_be_visible()
     expect(admin.get_by_text("Step 2 of 7").first).to_be_visible()
 
+    anna.get_by_role("link", name="Arm & tip").click()
+    in_use = anna.get_by_text("The arm is in use: Calibration, Anna, since")
+    for answer in ("Leave it", "End it and go on"):
+        expect(admin.get_by_text("arm in use: Calibration, Anna, since")).to_be_visible()
+        anna.get_by_role("button", name="Check the tip").click()
+        expect(in_use).to_be_visible()
+        anna.screenshot(path=pictures / "people-5-arm-in-use.png")
+        anna.get_by_role("button", name=answer).click()
+        expect(in_use).to_be_hidden()
+    expect(admin.get_by_text("arm in use: Arm check, Anna, since")).to_be_visible()
+
     kiosk = page_of(browser, 1920, 1080)
     kiosk.goto(kiosk_link)
     expect(kiosk.get_by_text("Anna", exact=True)).to_be_visible()
     expect(kiosk.get_by_role("button", name="STOP")).to_have_count(0)
     assert kiosk.evaluate("fetch('/api/stop', {method: 'POST'}).then(a => a.status)") == 403
-    kiosk.screenshot(path=pictures / "people-5-kiosk.png")
+    kiosk.screenshot(path=pictures / "people-6-kiosk.png")
 
     anna.get_by_role("button", name="Control: you").click()
     anna.get_by_role("button", name="Sign out").click()
