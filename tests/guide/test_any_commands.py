@@ -233,6 +233,7 @@ class AnyCommands(RuleBasedStateMachine):
             "rev": 0 if stale else self.http.get(f"/api/{flow}").json()["rev"],
             "key": uuid.uuid4().hex,
         }
+        self.free_arm()
         answered(self.http.post(f"/api/{flow}/command", body), body)
 
     @rule(flow=st.sampled_from(sorted(NAMES)), purpose=st.sampled_from(PURPOSES))
@@ -240,7 +241,14 @@ class AnyCommands(RuleBasedStateMachine):
         asked: dict[str, str] | None = {"purpose": purpose} if flow == "arm" else None
         if flow == "performance" and purpose == "tip":
             asked = {"test": "lengths"}
+        self.free_arm()
         answered(self.http.post(f"/api/{flow}/start", asked), flow)
+
+    def free_arm(self) -> None:
+        """As people do who are asked, and agree."""
+        activity = self.http.get("/api/activity").json()["activity"]
+        if activity is not None:
+            answered(self.http.post("/api/activity/end", {"id": activity["id"]}), activity)
 
     @rule()
     def restart(self) -> None:

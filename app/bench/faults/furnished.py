@@ -71,13 +71,13 @@ def furnish(data: Path, progress: Progress = no_progress) -> FolderRecords:
             station.post("/api/scan/stop").raise_for_status()
         station.post("/api/notifications", **NOTIFIED).raise_for_status()
         station.post("/api/settings", **SETTINGS).raise_for_status()
-        station.post("/api/arm/start", purpose="check").raise_for_status()
+        station.begin_session("arm", purpose="check")
         progress(SCANS / (SCANS + 2), "a folder to be damaged: sessions")
         performance = _cancel_performance_test(station)
-        station.post("/api/performance/start").raise_for_status()
-        station.post("/api/verify/start").raise_for_status()
+        station.begin_session("performance")
+        station.begin_session("verify")
         station.wait(lambda: station.ask("verify", "choose_gauge", id="plate"))
-        station.post("/api/flow/start").raise_for_status()
+        station.begin_session("flow")
         station.wait(lambda: station.ask("flow", "confirm_devices"))
         station.wait(lambda: station.ask("flow", "run_simulation", all=True))
         station.wait(lambda: len(station.get("/api/flow")["picture"].get("points") or ()) > 3)
@@ -102,7 +102,7 @@ def furnish(data: Path, progress: Progress = no_progress) -> FolderRecords:
 
 def _cancel_performance_test(station: StationProcess) -> str:
     """Leaves a performance test of some touches behind, and returns its id."""
-    station.post("/api/performance/start").raise_for_status()
+    station.begin_session("performance")
     station.wait(lambda: station.ask("performance", "run_simulation", all=True))
     station.wait(lambda: station.get("/api/performance")["progress"]["done"] > 1)
     station.post("/api/stop").raise_for_status()

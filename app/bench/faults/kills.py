@@ -244,7 +244,7 @@ def _add_short_gauge(data: Path) -> None:
 def _begin(station: StationProcess, flow: str) -> None:
     route = ROUTES.get(flow, flow)
     kind = {"test": TESTS[flow]} if flow in TESTS else {}
-    station.post(f"/api/{route}/start", **kind).raise_for_status()
+    station.begin_session(route, **kind)
     if flow in GAUGES:
         station.wait(lambda: station.ask(route, "choose_gauge", id=GAUGES[flow]))
     if flow == "scanned-lengths":

@@ -157,6 +157,13 @@ class StationProcess:
         body = {"name": name, "args": args, "rev": rev, "key": uuid.uuid4().hex}
         return self.post(f"/api/{flow}/command", **body).status_code == 200
 
+    def begin_session(self, flow: str, **body: object) -> None:
+        """Begins a guided session; what has the arm is ended first."""
+        activity = self.get("/api/activity")["activity"]
+        if activity is not None:
+            self.post("/api/activity/end", id=activity["id"]).raise_for_status()
+        self.post(f"/api/{flow}/start", **body).raise_for_status()
+
     def begin_scan(self, name: str) -> None:
         """Starts a scan by the simulated operator, once the station allows it."""
         self.wait(lambda: self.get("/api/scan")["state"] == "idle")

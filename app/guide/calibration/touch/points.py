@@ -107,8 +107,9 @@ def _report_point(guide: CalibrationGuide) -> None:
     judged = next((p for p in report.points if p.index == point.index), None) if report else None
     if judged is None or judged.residual_um is None:
         text: Text = message("point-taken-for", index=number, where=where)
-        if report is not None and judged is not None and judged.outlier:
-            text, quality = report.findings[0].text, "attention"
+        if report is not None and point.index in report.questionable:
+            finding = report.findings[report.questionable.index(point.index)]
+            text, quality = finding.text, "attention"
     else:
         off = signed(judged.residual_um, "µm")
         text = message("point-taken-off", index=number, where=where, off=off)
