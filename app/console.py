@@ -21,6 +21,9 @@ P = ParamSpec("P")
 AsJson = Annotated[bool, typer.Option("--json", help="Print the result for programs on stdout.")]
 
 FAILED = 1
+SOME_LEFT_OUT = 3
+"""The result is there without a part of what was asked for: pictures that cannot be read or have no
+line, more than a tenth of a scan. 2 is a wrong command line."""
 INTERRUPTED = 130
 
 

@@ -51,6 +51,7 @@ def scans(context: TheContext) -> list[ScanSummary]:
             seconds=scan.seconds,
             calibration_id=scan.calibration_id,
             note=context.recovery.scan_note(scan),
+            incomplete=scan.left_out.is_too_much,
             away=is_in_archive_only(context.store.folder, "scans", scan.folder.name),
         )
         for scan in context.store.scans.all()

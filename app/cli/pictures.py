@@ -6,17 +6,22 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from app.console import AsJson, fail, print_json, print_table, progress_bar, report_errors, warn
+from app.console import (
+    SOME_LEFT_OUT,
+    AsJson,
+    fail,
+    print_json,
+    print_table,
+    progress_bar,
+    report_errors,
+    warn,
+)
 
 if TYPE_CHECKING:
     from app.errors import OperationError
     from app.metrology.channel import Channel
     from app.workflows.pictures.detect_targets import ImageDetection
     from app.workflows.pictures.extract_stripes import ImageStripe
-
-SOME_LEFT_OUT = 3
-"""Exit status if some of several pictures have no line, or cannot be read; 2 is a wrong command
-line."""
 
 
 class PeakOption(StrEnum):

@@ -20,7 +20,9 @@ from app.cli.batch_options import (
     name_places,
 )
 from app.console import (
+    SOME_LEFT_OUT,
     AsJson,
+    fail,
     print_figures,
     print_json,
     print_table,
@@ -87,6 +89,14 @@ def reconstruct(
     sync: Annotated[
         Path | None, typer.Option(help="Take the delay from a sync.json that crenel sync wrote.")
     ] = None,
+    allow_incomplete: Annotated[
+        bool,
+        typer.Option(
+            "--allow-incomplete",
+            help="Make the points that are possible, where more than a tenth of the scan is left "
+            "out and it would be refused.",
+        ),
+    ] = False,
     as_json: AsJson = False,
 ) -> None:
     """Rebuild the cloud of a recording in the arm frame, with any calibration."""
@@ -120,7 +130,15 @@ def reconstruct(
     if sync is not None:
         delay = read_sync(sync, next(iter(sensors.values())), arm_model).course
     with progress_bar("Reconstructing", not as_json) as progress:
-        rebuilt = reconstruct_cloud(recording, sensors, arm_model, output, progress, delay)
+        rebuilt = reconstruct_cloud(
+            recording,
+            sensors,
+            arm_model,
+            output,
+            progress,
+            delay,
+            allow_incomplete=allow_incomplete,
+        )
     seconds = time.perf_counter() - began
     for text in rebuilt.warnings:
         warn(text)
@@ -132,14 +150,17 @@ def reconstruct(
             "seconds": seconds,
         }
         print_json({**asdict(rebuilt), **written})
-        return
-    figures = (
-        ("points", f"{rebuilt.points:,}".replace(",", " ")),
-        ("frames", f"{rebuilt.frames} with points, {rebuilt.frames_without_stripe} without stripe"),
-        ("speed", f"{rebuilt.all_frames / seconds:.0f} frames/s"),
-    )
-    print_figures(f"Cloud of {recording}", figures)
-    print(f"{output} written in {seconds:.2f} s")
+    else:
+        without = rebuilt.frames_without_stripe
+        figures = (
+            ("points", f"{rebuilt.points:,}".replace(",", " ")),
+            ("frames", f"{rebuilt.frames} with points, {without} without stripe"),
+            ("speed", f"{rebuilt.all_frames / seconds:.0f} frames/s"),
+        )
+        print_figures(f"Cloud of {recording}", figures)
+        print(f"{output} written in {seconds:.2f} s")
+    if rebuilt.incomplete:
+        fail(f"{output} is incomplete", SOME_LEFT_OUT)
 
 
 @report_errors

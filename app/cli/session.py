@@ -8,7 +8,16 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from app.cli.pictures import Choice, MaskFile, PeakOption, Smoothing, Threshold, Width
-from app.console import AsJson, print_figures, print_json, progress_bar, report_errors, warn
+from app.console import (
+    SOME_LEFT_OUT,
+    AsJson,
+    fail,
+    print_figures,
+    print_json,
+    progress_bar,
+    report_errors,
+    warn,
+)
 
 if TYPE_CHECKING:
     from app.workflows.pictures.import_pictures import ImportedScan
@@ -132,6 +141,9 @@ def import_scan(
     with progress_bar("Importing", not as_json) as progress:
         result = import_pictures(scan, output, folder.resolve().name, settings, zones, progress)
     _show_import(folder, output, result, time.perf_counter() - began, as_json)
+    if result.left_out.is_too_much:
+        missing = f"{result.left_out.frames} of {result.left_out.of} pictures"
+        fail(f"{output} is incomplete: {missing} give no points", SOME_LEFT_OUT)
 
 
 def _show_import(

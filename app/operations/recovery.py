@@ -36,7 +36,7 @@ from app.station.scan.storage import CLOUD, RECORDING, ScanFolders
 from app.store.scans import ScanRecord
 from app.store.store import Store
 from app.timestamps import is_moment, moment_of_ns
-from app.workflows.reconstruct import reconstruct_cloud
+from app.workflows.reconstruct import Reconstruction, reconstruct_cloud
 
 log = logging.getLogger(__name__)
 DELETED = ".deleted-"
@@ -173,10 +173,14 @@ class Recovery:
 
     def _make_cloud(self, scan: ScanRecord) -> None:
         try:
-            points = self._rebuild(scan)
-            self._bus.event(
-                "scan-rebuilt", message("points-made", name=scan.name, points=points), "good"
-            )
+            made = self._rebuild(scan)
+            text = message("points-made", name=scan.name, points=made.points)
+            if made.incomplete:
+                missing = made.warnings[0]
+                text = message(
+                    "scan-saved-incomplete", name=scan.name, count=made.points, missing=missing
+                )
+            self._bus.event("scan-rebuilt", text, "bad" if made.incomplete else "good")
         except _CloudPostponedError:
             return
         except OperationError as refusal:
@@ -190,8 +194,9 @@ class Recovery:
             self._errors[scan.id] = OperationError("failed", message("program-failed"), f"{error}")
         self._note_records()
 
-    def _rebuild(self, scan: ScanRecord) -> int:
-        """Computes the cloud of a scan as during the scan; returns the number of its points."""
+    def _rebuild(self, scan: ScanRecord) -> Reconstruction:
+        """Computes the cloud of a scan as during the scan, and however much is missing: its record
+        says so."""
         recording = scan.folder / RECORDING
         stated = sensor_values(open_recording(recording).station_metadata(), SCAN_CALIBRATION)
         ids = {name: one for name, one in stated.items() if name} or {"": scan.calibration_id}
@@ -205,10 +210,13 @@ class Recovery:
             read_any_arm(next(iter(found.values())).file.parent / ARM),
             scan.folder / CLOUD,
             self._progress,
+            allow_incomplete=True,
         )
         if scan.interrupted:  # others are listed as they were counted while they ran
-            self._store.scans.complete(scan.id, made.points, made.all_frames, made.seconds)
-        return made.points
+            self._store.scans.complete(
+                scan.id, made.points, made.all_frames, made.seconds, made.left_out
+            )
+        return made
 
     def _progress(self, share: float, text: Text) -> None:
         if self._ending.is_set() or self._is_busy():
@@ -233,12 +241,15 @@ class Recovery:
         error = self._errors.get(scan.id)
         if not scan.interrupted:
             if not self._is_fetched(scan):
-                return ""
+                return sentence(scan.left_out.text) if scan.left_out.is_too_much else ""
             if error is None:
                 return message("points-made-again")
             return message("points-not-made-again", why=error.why or error.what)
         if (scan.folder / CLOUD).exists():
-            return message("what-recorded-kept", interrupted=scan.interrupted)
+            kept = message("what-recorded-kept", interrupted=scan.interrupted)
+            if scan.left_out.is_too_much:
+                return join([sentence(scan.left_out.text), kept], " ")
+            return kept
         if error is None:
             return message("points-made-when-there-room-no", interrupted=scan.interrupted)
         why = error.why or error.what

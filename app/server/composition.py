@@ -246,6 +246,7 @@ def _record_scan(result: ScanResult, store: Store, watch: MonitoringServices) ->
                 interrupted=result.interrupted,
                 recording_bytes=result.recording_bytes,
                 suspended_s=result.suspended_s,
+                left_out=result.left_out,
             )
         )
         watch.note_scan(result)

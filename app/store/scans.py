@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from app.errors import OperationError
+from app.formats.recording.completeness import NONE_MISSING, MissingFrames
 from app.messages.message import Text
 from app.messages.stored import decode_text, encode_data
 from app.store.database import NOT_SAVED, Database
@@ -31,6 +32,8 @@ class ScanRecord:
     """Size of its completed recording; None for scans from earlier versions."""
     suspended_s: float = 0.0
     """For how long the program was suspended meanwhile."""
+    left_out: MissingFrames = NONE_MISSING
+    """Nothing of scans from earlier versions."""
 
 
 class ScanStore:
@@ -64,12 +67,15 @@ class ScanStore:
                 self._insert(scan)
                 del self._waiting[scan.id]
 
-    def complete(self, scan_id: str, points: int, frames: int, seconds: float) -> None:
+    def complete(
+        self, scan_id: str, points: int, frames: int, seconds: float, left_out: MissingFrames
+    ) -> None:
         """The content of a scan, found when its cloud was computed from its recording."""
         with self._database.transaction() as connection:
             connection.execute(
-                "UPDATE scan SET points = ?, frames = ?, seconds = ? WHERE id = ?",
-                (points, frames, seconds, scan_id),
+                "UPDATE scan SET points = ?, frames = ?, seconds = ?, frames_left_out = ?,"
+                " frames_with_line = ? WHERE id = ?",
+                (points, frames, seconds, left_out.frames, left_out.of, scan_id),
             )
 
     def _insert(self, scan: ScanRecord) -> None:
@@ -77,8 +83,8 @@ class ScanStore:
             connection.execute(
                 "INSERT INTO scan (id, name, folder, started_at, points, frames, seconds,"
                 " calibration_id, interrupted, recording_bytes, name_message, interrupted_message,"
-                " suspended_s)"
-                " VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)",
+                " suspended_s, frames_left_out, frames_with_line)"
+                " VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)",
                 (
                     scan.id,
                     str(scan.name),
@@ -93,6 +99,8 @@ class ScanStore:
                     encode_data(scan.name),
                     encode_data(scan.interrupted),
                     scan.suspended_s,
+                    scan.left_out.frames,
+                    scan.left_out.of,
                 ),
             )
 
@@ -146,6 +154,7 @@ class ScanStore:
                 decode_text(row["interrupted"], row["interrupted_message"]),
                 row["recording_bytes"],
                 row["suspended_s"],
+                MissingFrames(row["frames_left_out"], row["frames_with_line"]),
             )
             for row in self._database.read(f"SELECT * FROM scan {clause}", *values)
         ]

@@ -169,6 +169,10 @@ ALTER TABLE performance_by_touch RENAME TO performance;
 SUSPENSIONS = """
 ALTER TABLE scan ADD COLUMN suspended_s REAL NOT NULL DEFAULT 0;
 """
+COMPLETENESS = """
+ALTER TABLE scan ADD COLUMN frames_left_out INTEGER NOT NULL DEFAULT 0;
+ALTER TABLE scan ADD COLUMN frames_with_line INTEGER NOT NULL DEFAULT 0;
+"""
 SCHEMAS = (
     FIRST,
     ACCESS,
@@ -183,6 +187,7 @@ SCHEMAS = (
     PROVIDERS,
     TESTS_BY_TOUCH,
     SUSPENSIONS,
+    COMPLETENESS,
 )
 """The additions of each version of the database."""
 SCHEMA_VERSION = len(SCHEMAS)

@@ -180,6 +180,8 @@ class ScanSummary:
     calibration_id: str
     note: Text
     """What is wrong with its recording, or why it ended early; usually empty."""
+    incomplete: bool
+    """So much gave no points that the cloud must not be taken for the part; the note says what."""
     away: bool
     """Only the archive has its files."""
 

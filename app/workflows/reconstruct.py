@@ -15,6 +15,7 @@ from app.errors import OperationError
 from app.formats.clouds.files import cloud_writer
 from app.formats.clouds.points import Points
 from app.formats.recording.clock_check import ClockReport, ClockWatch
+from app.formats.recording.completeness import NONE_MISSING, MissingFrames, is_mostly_unread
 from app.formats.recording.pose_samples import reading_reader
 from app.formats.recording.reader import Recording, open_recording
 from app.formats.recording.reading_track import ReadingTrack
@@ -30,6 +31,7 @@ from app.workflows.reconstruct_frames import FrameReconstruction, reconstruct_fr
 from app.workflows.reconstruct_messages import (
     clock_warnings,
     implausible_joints_warning,
+    incomplete_error,
     missing_joints_warning,
     no_joints_error,
     smoothing_warning,
@@ -76,6 +78,11 @@ class Reconstruction:
     """Where and why the recording ended early; empty if it is complete."""
     warnings: tuple[Text, ...]
     """Notes for the user of the cloud, one sentence each."""
+    incomplete: bool = False
+    """So much is missing that the cloud must not be taken for the scan; a warning says what."""
+
+    left_out: MissingFrames = NONE_MISSING
+    """Frames with a line that gave no points though the arm should have been known."""
 
     @property
     def all_frames(self) -> int:
@@ -122,6 +129,7 @@ def reconstruct_cloud(
     progress: Progress = no_progress,
     delay: DelayCourse | None = None,
     threads: int | None = None,
+    allow_incomplete: bool = False,
 ) -> Reconstruction:
     """Reconstructs the cloud of a recording in the arm frame and writes it in the format of its
     name.
@@ -135,11 +143,14 @@ def reconstruct_cloud(
         delay: of the arm's time stamps relative to the camera's; None: as applied by the station,
             if the recording states it.
         threads: that compute at the same time; None: one for each core.
+        allow_incomplete: whether the points that are possible are wanted however many are
+            missing; ``Reconstruction.incomplete`` then says that they are too few.
 
     Raises:
         OperationError: calibration, arm and recording do not belong together, the recording
-            holds no frames or no joints, none of its frames has joints around its stamp, or the
-            delay drifts and was determined long before or after; the cloud is then not written.
+            holds no frames or no joints, none of its frames has joints around its stamp, so many
+            have none that the scan is incomplete, or the delay drifts and was determined long
+            before or after; the cloud is then not written.
     """
     with cloud_writer(cloud_path) as cloud:
         return reconstruct_into(
@@ -150,6 +161,7 @@ def reconstruct_cloud(
             progress,
             delay,
             threads=threads,
+            allow_incomplete=allow_incomplete,
         )
 
 
@@ -180,6 +192,7 @@ def reconstruct_into(
     delay: DelayCourse | None = None,
     take_poses: PoseConsumer = lambda first, poses: None,
     threads: int | None = None,
+    allow_incomplete: bool = False,
 ) -> Reconstruction:
     """Like ``reconstruct_cloud``; passes the points to ``take``, and the poses of their frames to
     ``take_poses``, in order, in the caller's thread."""
@@ -193,7 +206,7 @@ def reconstruct_into(
         except BaseException:
             pool.shutdown(cancel_futures=True)
             raise
-    return job.result()
+    return job.result(allow_incomplete)
 
 
 class _Job:
@@ -243,9 +256,12 @@ class _Job:
             self._write()
         progress(1.0, "")
 
-    def result(self) -> Reconstruction:
-        """The counts; raises ``OperationError`` if there are no points."""
+    def result(self, allow_incomplete: bool) -> Reconstruction:
+        """The counts; raises ``OperationError`` if there are no points, or too few."""
         self._check_result()
+        missing = self._missing()
+        if missing and not allow_incomplete:
+            raise incomplete_error(self._recording.path, missing, self._causes())
         unplaced, start_ns = self._unplaced_ns, self._recording.first_ns or 0
         joints = self._arm_clock.report()
         frames = [clock.report() for clock in self._frame_clocks.values()]
@@ -264,7 +280,18 @@ class _Job:
             seconds=((self._recording.last_ns or start_ns) - start_ns) / 1e9,
             cut=self._recording.cut,
             warnings=tuple(self._warnings(joints, frames)),
+            incomplete=bool(missing),
+            left_out=self._missing_frames(),
         )
+
+    def _missing(self) -> Text:
+        """What makes the scan incomplete; empty if little or nothing was left out."""
+        left_out = self._missing_frames()
+        if left_out.is_too_much:
+            return left_out.text
+        if is_mostly_unread(self._recording.bytes_read, self._recording.size):
+            return message("scan-incomplete-unread")
+        return ""
 
     def _delay(self, sensor: str) -> DelayCourse:
         given = self._given_delay
@@ -366,33 +393,51 @@ class _Job:
         self._unplaced_at_ns += [at_ns for _, at_ns in made.unplaced]
         self._unclear += made.unclear
 
+    def _missing_frames(self) -> MissingFrames:
+        """Without the frames at both ends that only the delay moves beyond the arm's readings."""
+        first_ns, last_ns = self._track.first_ns or 0, self._track.last_ns or 0
+        moved = sum(
+            first_ns <= stamp_ns <= last_ns and not first_ns <= at_ns <= last_ns
+            for stamp_ns, at_ns in zip(self._unplaced_ns, self._unplaced_at_ns, strict=True)
+        )
+        missing = len(self._unplaced_ns) + self._unclear
+        return MissingFrames(missing - moved, self._frames + missing)
+
     def _warnings(self, joints: ClockReport, frames: Sequence[ClockReport]) -> list[Text]:
-        warnings = [self._recording.cut] if self._recording.cut else []
+        missing = self._missing()
+        warnings = [missing] if missing else []
         warnings += self._sensors.warnings()
         if self._recording.smoothing_px:
             warnings.append(smoothing_warning(self._recording.smoothing_px))
-        start_ns, unplaced = self._recording.first_ns or 0, self._unplaced_ns
-        if unplaced:
-            warnings.append(
-                missing_joints_warning(
-                    unplaced, self._unplaced_at_ns, self._numbered, self._track, start_ns
-                )
-            )
-        if self._unclear:
-            warnings.append(
-                message("frames-left-out-clock-set", count=self._unclear, frames=self._numbered)
-            )
-        if self._readings.unusable:
-            warnings.append(
-                message("joint-samples-left-out-numbers", unusable=self._readings.unusable)
-            )
-        first = self._readings.first_implausible
-        if first is not None:
-            warnings.append(implausible_joints_warning(self._readings.implausible, first, start_ns))
+        warnings += self._causes()
+        start_ns = self._recording.first_ns or 0
         warnings += clock_warnings("joints", joints, start_ns)
         for report in frames:
             warnings += clock_warnings("frames", report, start_ns)
         return warnings
+
+    def _causes(self) -> list[Text]:
+        """Why frames gave no points: the end of the file, and what is wrong with the joints."""
+        causes = [self._recording.cut] if self._recording.cut else []
+        start_ns = self._recording.first_ns or 0
+        if self._unplaced_ns:
+            causes.append(
+                missing_joints_warning(
+                    self._unplaced_ns, self._unplaced_at_ns, self._numbered, self._track, start_ns
+                )
+            )
+        if self._unclear:
+            causes.append(
+                message("frames-left-out-clock-set", count=self._unclear, frames=self._numbered)
+            )
+        if self._readings.unusable:
+            causes.append(
+                message("joint-samples-left-out-numbers", unusable=self._readings.unusable)
+            )
+        first = self._readings.first_implausible
+        if first is not None:
+            causes.append(implausible_joints_warning(self._readings.implausible, first, start_ns))
+        return causes
 
     def _check_result(self) -> None:
         self._sensors.refuse_unknown()

@@ -1,13 +1,15 @@
 """Messages about frames, joints and clocks from which no points could be reconstructed."""
 
 from collections.abc import Sequence
+from pathlib import Path
 from typing import Literal
 
 from app.errors import OperationError
+from app.formats.file_names import display_path
 from app.formats.recording.clock_check import ClockReport
 from app.formats.recording.pose_samples import FirstImplausible
 from app.formats.recording.reading_track import ReadingTrack
-from app.messages.message import Quantity, Text, message, quantity, rounded
+from app.messages.message import Quantity, Text, join, message, quantity, rounded
 from app.metrology.stripe import HALF_HEIGHT_PERIOD
 
 Stream = Literal["joints", "frames"]
@@ -78,6 +80,16 @@ def smoothing_warning(smoothing_px: float) -> Text:
         "stripes-were-smoothed",
         smoothing=rounded(smoothing_px, "px"),
         half=rounded(HALF_HEIGHT_PERIOD * smoothing_px, "px", 3),
+    )
+
+
+def incomplete_error(path: Path, missing: Text, causes: Sequence[Text]) -> OperationError:
+    """So much of a scan is missing that it is refused."""
+    return OperationError(
+        "scan-incomplete",
+        message("scan-is-missing-parts", path=display_path(path), missing=missing),
+        join(causes, "; "),
+        message("scan-incomplete-remedy"),
     )
 
 

@@ -82,7 +82,7 @@ def test_both_scan_into_one_cloud_and_a_killed_scan_is_rebuilt(station: Server) 
     assert topics.station["scan_calibration/right"] == "truth-right"
 
     (scan.folder / "cloud.ply").unlink()
-    assert context.recovery._rebuild(scan) == scan.points
+    assert context.recovery._rebuild(scan).points == scan.points
     np.testing.assert_allclose(read_cloud(scan.folder / "cloud.ply").points_mm, live, atol=1e-6)
 
 

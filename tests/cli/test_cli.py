@@ -8,6 +8,7 @@ import socket
 import subprocess
 import sys
 import time
+from collections.abc import Iterable
 from pathlib import Path
 from typing import Any
 
@@ -77,13 +78,18 @@ def stripe_picture(tmp_path: Path) -> Path:
 @pytest.fixture
 def scan(tmp_path: Path) -> Files:
     paths = {name: tmp_path / name for name in ("scan.mcap", "calibration.json", "arm.json")}
-    with RecordingWriter(paths["scan.mcap"], NAMES) as writer:
-        joints_every(writer, 0, 200 * MS, 4 * MS)
-        for stamp in (50 * MS, 60 * MS, 500 * MS):
-            record_stripe(writer, stamp)
+    write_scan(paths["scan.mcap"], [*range(50, 150, 10), 500])
     calibration_file().write(paths["calibration.json"])
     write_arm(paths["arm.json"], ARM)
     return paths
+
+
+def write_scan(path: Path, stamps_ms: Iterable[int]) -> None:
+    """A recording of frames, with joints over its first 200 ms."""
+    with RecordingWriter(path, NAMES) as writer:
+        joints_every(writer, 0, 200 * MS, 4 * MS)
+        for stamp_ms in stamps_ms:
+            record_stripe(writer, stamp_ms * MS)
 
 
 def write_plane(path: Path, z_mm: float = 0.0) -> Path:
@@ -180,12 +186,26 @@ def test_a_dark_or_bright_picture_is_called_so(tmp_path: Path, kind: type) -> No
 def test_reconstruct_writes_a_cloud(tmp_path: Path, scan: Files) -> None:
     out = tmp_path / "cloud.ply"
     result = done(*reconstruct_arguments(scan), "-o", out)
-    assert len(read_cloud(out).points_mm) == 50
-    assert "1 of 3 frames excluded: no arm readings" in result.stderr
+    assert len(read_cloud(out).points_mm) == 250
+    assert "1 of 11 frames excluded: no arm readings" in result.stderr
     assert str(out) in result.stdout
     fields = printed(*reconstruct_arguments(scan), "-o", out)
-    assert (fields["points"], fields["frames"], fields["frames_without_joints"]) == (50, 2, 1)
-    assert len(fields["warnings"]) == 1
+    assert (fields["points"], fields["frames"], fields["frames_without_joints"]) == (250, 10, 1)
+    assert fields["warnings"]
+    assert not fields["incomplete"]
+
+
+def test_reconstruct_of_an_incomplete_scan_needs_an_option(tmp_path: Path, scan: Files) -> None:
+    scan["scan.mcap"].unlink()
+    write_scan(scan["scan.mcap"], (50, 60, 500))
+    out = tmp_path / "cloud.ply"
+    assert "1 of 3 pictures with a line (33.3" in refused(*reconstruct_arguments(scan), "-o", out)
+    assert not out.exists()
+    wanted = crenel(*reconstruct_arguments(scan), "-o", out, "--allow-incomplete", "--json")
+    assert wanted.exit_code == 3
+    assert json.loads(wanted.stdout)["incomplete"]
+    assert "incomplete" in wanted.stderr
+    assert len(read_cloud(out).points_mm) == 50
 
 
 def reconstruct_arguments(scan: Files) -> list[str | Path]:

@@ -28,6 +28,7 @@ from app.station.scan.recorder import Recorder
 from app.station.scan.scanner import Scanner
 from app.station.scan.state import ScanResult, ScanState
 from app.station.view3d.scene import Scene
+from app.workflows.reconstruct import reconstruct_cloud
 from tests.refusals import refused
 from tests.station.conftest import HEIGHT, REST_RAD, WIDTH, Bench, six_axis_arm, until
 from tests.station.recorded_scans import check_rebuilt, end_scan, file_calibration
@@ -144,6 +145,28 @@ def test_losing_the_arm_keeps_the_scan_and_counts_its_frames(
     bench.arm_plugged = True
     until(lambda: scanner.state().points > points)
     assert end_scan(scanner).frames > 20
+
+
+def test_a_scan_in_which_a_joint_jumped_is_incomplete_and_says_so_in_red(
+    scanner: Scanner, bench: Bench
+) -> None:
+    jump = np.zeros(6)
+    bench.joints_at = lambda seconds: swing(seconds) + jump
+    scanner.start("jump")
+    until(lambda: scanner.state().frames >= 30)
+    assert not scanner.state().incomplete
+    jump[0] = 0.5
+    until(lambda: scanner.state().incomplete)
+    assert "bad" in [one.quality for one in scanner.state().findings]
+    result, state = end_scan(scanner), scanner.state()
+    assert state.incomplete
+    assert result.left_out.is_too_much
+    assert result.left_out.frames == state.frames_without_joints
+    assert [one.quality for one in state.findings][:2] == ["bad", "attention"]
+    calibrated = file_calibration(calibration())
+    recording, cloud = result.folder / "scan.mcap", result.folder / "again.ply"
+    with refused("scan-incomplete"):
+        reconstruct_cloud(recording, calibrated, calibration().arm, cloud)
 
 
 def test_losing_the_sensor_keeps_the_scan_and_its_laser(

@@ -7,11 +7,13 @@ import subprocess
 import sys
 from collections.abc import Callable
 from contextlib import closing
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
 
 from app.errors import OperationError
+from app.formats.recording.completeness import MissingFrames
 from app.store.calibrations import CalibrationFigures
 from app.store.scans import ScanRecord
 from app.store.store import Store
@@ -105,12 +107,17 @@ def test_scans_are_listed_newest_first(store: Store) -> None:
     scans = []
     for i, at in enumerate(("2026-01-01T10:00:00Z", "2026-01-01T11:00:00Z")):
         folder = store.folder / f"scans/n{i}"
-        scans.append(ScanRecord(f"n{i}", f"Scan {i}", folder, at, 10, 2, 0.5, "s1"))
+        missing = MissingFrames(i, 2)
+        record = ScanRecord(f"n{i}", f"Scan {i}", folder, at, 10, 2, 0.5, "s1", left_out=missing)
+        scans.append(record)
         store.scans.add(scans[-1])
     assert store.scans.all() == scans[::-1]
     assert store.scans.newest() == scans[1]
     assert store.scans.get("n0") == scans[0]
     assert store.scans.get("n9") is None
+    store.scans.complete("n0", 20, 4, 0.5, MissingFrames(3, 4))
+    completed = store.scans.get("n0")
+    assert completed == replace(scans[0], points=20, frames=4, left_out=MissingFrames(3, 4))
 
 
 def test_a_data_folder_can_be_moved(store: Store, tmp_path: Path) -> None:

@@ -1,8 +1,9 @@
 """From a recording to a cloud."""
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from contextlib import contextmanager
+from contextlib import contextmanager, nullcontext
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 
 import numpy as np
@@ -76,17 +77,25 @@ def expected(stamps: list[int]) -> Floats:
     )
 
 
-def rebuilt(folder: Path, arm: AnyArm = ARM) -> tuple[Reconstruction, Floats]:
-    cloud = folder / "cloud.ply"
-    result = reconstruct_cloud(folder / "scan.mcap", little_calibration(), arm, cloud)
+def rebuilt(
+    folder: Path, arm: AnyArm = ARM, allow_incomplete: bool = False
+) -> tuple[Reconstruction, Floats]:
+    path, cloud = folder / "scan.mcap", folder / "cloud.ply"
+    result = reconstruct_cloud(
+        path, little_calibration(), arm, cloud, allow_incomplete=allow_incomplete
+    )
     return result, read_cloud(cloud).points_mm
 
 
 def rebuilt_as(
-    folder: Path, stamps_ns: list[int], arm: AnyArm = ARM, within_mm: float = 1e-8
+    folder: Path,
+    stamps_ns: list[int],
+    arm: AnyArm = ARM,
+    within_mm: float = 1e-8,
+    allow_incomplete: bool = False,
 ) -> Reconstruction:
     """Rebuilds ``scan.mcap``, which gives the points of these frames."""
-    result, points = rebuilt(folder, arm)
+    result, points = rebuilt(folder, arm, allow_incomplete)
     np.testing.assert_allclose(points, expected(stamps_ns), atol=within_mm)
     return result
 
@@ -167,10 +176,60 @@ def test_frames_without_joints_are_counted_and_named(tmp_path: Path) -> None:
     with recording(tmp_path, until_ms=100) as writer:
         joints_every(writer, 300 * MS, 400 * MS, 4 * MS)
         record_stripes(writer, (50 * MS, 150 * MS, 250 * MS, 350 * MS, 450 * MS))
-    result = rebuilt_as(tmp_path, [50 * MS, 350 * MS])
+    assert "3 of 5 pictures with a line (60" in (error := refusal_of(tmp_path)).line
+    assert "3 of 5 frames excluded" in error.line
+    result = rebuilt_as(tmp_path, [50 * MS, 350 * MS], allow_incomplete=True)
     assert (result.frames, result.frames_without_joints) == (2, 3)
     assert result.first_without_joints_s == pytest.approx(0.15)
-    assert "3 of 5 frames excluded" in str(result.warnings[0])
+    assert result.incomplete
+    assert "(60.0" in str(result.warnings[0])
+
+
+@pytest.mark.parametrize(
+    ("fault", "at_ms", "refused"),
+    [
+        ("slip", 10, "scan-incomplete"),
+        ("slip", 600, "scan-incomplete"),
+        ("slip", 890, "scan-incomplete"),
+        ("slip", 960, ""),
+        ("silent", 890, "scan-incomplete"),
+        ("silent", 960, ""),
+        ("numbers", 300, "scan-incomplete"),
+        ("delay", 300, ""),
+        ("damage", 300, "scan-incomplete"),
+        ("damage", 960, ""),
+    ],
+)
+def test_a_scan_of_which_more_than_a_tenth_is_left_out_is_refused(
+    tmp_path: Path, fault: str, at_ms: int, refused: str
+) -> None:
+    """Whatever the cause, if it lies at ``at_ms`` of 1,000; what remains can be had on demand."""
+    bulk = np.random.default_rng(1)
+    with recording(tmp_path) as writer:
+        for ms in range(0, 1000, 2):
+            q = q_at(ms * MS) + (np.radians(20) if fault == "slip" and ms >= at_ms else 0.0)
+            if fault == "numbers" and ms >= at_ms:
+                q = np.full(6, np.nan)
+            if fault != "silent" or ms < at_ms:
+                writer.joints(ms * MS, q)
+            if 4 <= ms < 996 and not ms % 4:
+                record_stripe(writer, ms * MS)
+            if fault == "damage" and ms and not ms % 20:  # large, beside a stripe
+                writer.image(ms * MS, bulk.integers(0, 255, (99, 999), np.uint8))
+    path, cloud = tmp_path / "scan.mcap", tmp_path / "cloud.ply"
+    if fault == "damage":
+        content = bytearray(path.read_bytes()[:-100])  # by its index, it would pass over pictures
+        at = len(content) * at_ms // 1000
+        content[at : at + 4096] = bytes(4096)
+        path.write_bytes(content)
+    rebuild = partial(reconstruct_cloud, path, little_calibration(), ARM, cloud)
+    delay_ns = at_ms * MS if fault == "delay" else 0
+    with refused_as(refused) if refused else nullcontext():
+        rebuild(delay_ns=delay_ns)
+    assert cloud.exists() == (not refused)
+    result = rebuild(delay_ns=delay_ns, allow_incomplete=True)
+    assert result.incomplete == bool(refused)
+    assert result.points > 0
 
 
 def test_a_lost_joint_reading_is_left_out(tmp_path: Path) -> None:
@@ -311,7 +370,7 @@ def test_holes_and_jumps_of_the_clocks_are_said(tmp_path: Path) -> None:
             if not 20 <= i < 23:
                 record_stripe(writer, 20 * MS + i * 8 * MS)
         joints_every(writer, 100 * MS + 1, 140 * MS, 4 * MS)  # the clock was set back
-    result, _ = rebuilt(tmp_path)
+    result, _ = rebuilt(tmp_path, allow_incomplete=True)
     assert (result.frame_holes, result.clock_jumps) == (1, 1)
     assert result.frames_without_joints == 7
     said = " ".join(map(str, result.warnings))

@@ -5,6 +5,7 @@ from typing import Literal
 
 from app.errors import OperationError, sentence
 from app.findings import Finding, Quality
+from app.formats.recording.completeness import MOST_LEFT_OUT
 from app.messages.message import Text, join, message, quantity
 from app.metrology.arm.kinematics import Arm
 from app.station.devices.reading_buffer import reading_size
@@ -146,7 +147,8 @@ def scan_findings(
         found += _live_findings(pipeline, rig)
     else:
         found += _summary_findings(pipeline)
-    return (*found, *_loss_findings(pipeline))
+    found += _loss_findings(pipeline)
+    return tuple(sorted(found, key=lambda one: one.quality != BAD))
 
 
 def _live_findings(pipeline: ScanPipeline, rig: Rig) -> list[Finding]:
@@ -242,7 +244,7 @@ def _loss_findings(pipeline: ScanPipeline) -> list[Finding]:
     if pipeline.lost_frames > REPORT_SHARE * arrived:
         found.append(
             Finding(
-                "attention",
+                BAD if pipeline.lost_frames > MOST_LEFT_OUT * arrived else ATTENTION,
                 message("pictures-were-lost", count=pipeline.lost_frames, total=arrived),
                 message("check-sensors-cable-close-other-programs"),
             )
@@ -256,16 +258,14 @@ def _loss_findings(pipeline: ScanPipeline) -> list[Finding]:
                 message("nothing-made-them", remedy=newest.remedy),
             )
         )
-    if counts.frames_without_joints > REPORT_SHARE * counts.frames:
-        found.append(
-            Finding(
-                "attention",
-                message(
-                    "pictures-came-without-arms-position",
-                    count=counts.frames_without_joints,
-                    total=counts.frames,
-                ),
-                message("they-recording-but-gave-no-points"),
-            )
+    left_out = counts.left_out
+    if left_out.is_too_much:
+        text = sentence(left_out.text)
+        found.append(Finding("bad", text, message("scan-incomplete-again")))
+    elif left_out.frames > REPORT_SHARE * left_out.of:
+        text = message(
+            "pictures-came-without-arms-position", count=left_out.frames, total=left_out.of
         )
+        remedy = message("they-recording-but-gave-no-points")
+        found.append(Finding("attention", text, remedy))
     return found

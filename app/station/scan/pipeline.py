@@ -14,6 +14,7 @@ import numpy as np
 from app.errors import OperationError
 from app.formats.clouds.files import CloudWriter, cloud_writer
 from app.formats.io_errors import error_from_os
+from app.formats.recording.completeness import MissingFrames
 from app.formats.recording.reader import ARM_SERIAL, EXTRACTION, SCAN_CALIBRATION
 from app.formats.settings.scan_settings import AUTOMATIC, ScanSettings
 from app.loops import start_worker
@@ -42,7 +43,13 @@ class Counts:
     frames: int = 0
     points: int = 0
     frames_without_joints: int = 0
+    """With a line, which gave no points therefore."""
     frames_without_stripe: int = 0
+
+    @property
+    def left_out(self) -> MissingFrames:
+        """Of the frames with a line."""
+        return MissingFrames(self.frames_without_joints, self.frames - self.frames_without_stripe)
 
 
 class ScanPipeline:
@@ -253,7 +260,8 @@ class ScanPipeline:
                 np.isfinite(readings).all(axis=1) if readings is not None else np.zeros(len(frames))
             )
             placed = [int(i) for i in np.flatnonzero(known)]
-            self.counts.frames_without_joints += len(frames) - len(placed)
+            unplaced = set(range(len(frames))).difference(placed)
+            self.counts.frames_without_joints += sum(len(frames[i].stripe.u) > 0 for i in unplaced)
             if readings is not None and placed:
                 stripes = [frames[i].stripe for i in placed]
                 source.points.add(cloud, stripes, readings[placed], number + np.array(placed))

@@ -258,16 +258,21 @@ class Scanner:
         finally:
             with self._lock:
                 scan.stopping = False
-        if scan.pipeline.trouble is not None:
-            self._bus.event("scan-failed", scan.pipeline.trouble.text, "bad")
-        else:
-            self._bus.event(
-                "scan-saved",
-                message("points-saved", name=result.name, count=result.points),
-                "good",
-            )
+        self._tell_end(result, scan.pipeline.trouble)
         self._publish()
         return result
+
+    def _tell_end(self, result: ScanResult, trouble: OperationError | None) -> None:
+        """Says how a scan ended, by an event."""
+        name, count = result.name, result.points
+        if trouble is not None:
+            self._bus.event("scan-failed", trouble.text, "bad")
+        elif result.left_out.is_too_much:
+            missing = result.left_out.text
+            text = message("scan-saved-incomplete", name=name, count=count, missing=missing)
+            self._bus.event("scan-saved", text, "bad")
+        else:
+            self._bus.event("scan-saved", message("points-saved", name=name, count=count), "good")
 
     def forget(self, scan_id: str) -> None:
         """The last scan was deleted: its numbers are shown no more."""
@@ -300,6 +305,7 @@ class Scanner:
             frames=counts.frames,
             lost_frames=scan.pipeline.lost_frames,
             frames_without_joints=counts.frames_without_joints,
+            incomplete=counts.left_out.is_too_much,
             seconds=scan.seconds,
             blur_mm=now.blur_mm if now else None,
             step_mm=now.step_mm if now else None,
@@ -376,6 +382,7 @@ class Scanner:
             scan.stopped_because or end_reason(scan.pipeline.trouble),
             recording_size(scan.folder),
             scan.suspended_s,
+            counts.left_out,
         )
 
     def _watch(self) -> None:

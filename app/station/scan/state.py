@@ -5,6 +5,7 @@ from pathlib import Path
 from typing import Literal
 
 from app.findings import Finding
+from app.formats.recording.completeness import NONE_MISSING, MissingFrames
 from app.messages.message import Text
 
 State = Literal["idle", "running", "stopping", "blocked"]
@@ -23,6 +24,8 @@ class ScanState:
     frames: int
     lost_frames: int
     frames_without_joints: int
+    incomplete: bool
+    """So many frames gave no points that the cloud must not be taken for the part."""
     seconds: float
     blur_mm: float | None
     """The way of the surface under the stripe during the newest exposure."""
@@ -35,7 +38,7 @@ class ScanState:
     findings: tuple[Finding, ...]
 
 
-NO_SCAN = ScanState("idle", "", None, 0, 0, 0.0, 0, 0, 0, 0.0, None, None, None, 0, 0, ())
+NO_SCAN = ScanState("idle", "", None, 0, 0, 0.0, 0, 0, 0, False, 0.0, None, None, None, 0, 0, ())
 
 
 @dataclass(frozen=True)
@@ -56,6 +59,7 @@ class ScanResult:
     recording_bytes: int = 0
     suspended_s: float = 0.0
     """For how long the program was suspended meanwhile, and nothing was recorded."""
+    left_out: MissingFrames = NONE_MISSING
 
 
 @dataclass(frozen=True)

@@ -13,6 +13,7 @@ from app.errors import OperationError
 from app.formats.atomic_write import atomic_path
 from app.formats.file_names import display_path
 from app.formats.images import image_size
+from app.formats.recording.completeness import MissingFrames
 from app.formats.recording.reader import (
     ARM_DELAY,
     ARM_SERIAL,
@@ -66,6 +67,12 @@ class ImportedScan:
     """Why a picture shows no line; it is in the recording, without points."""
     unreadable: list[OperationError] = field(default_factory=list)
     """Why a picture could not be read, or is of another sensor; it is left out."""
+
+    @property
+    def left_out(self) -> MissingFrames:
+        """Pictures that give no points though they may show a line."""
+        unreadable = len(self.unreadable)
+        return MissingFrames(self.without_pose + unreadable, self.frames + unreadable)
 
 
 @dataclass(frozen=True)

@@ -48,7 +48,7 @@ export function ScanPage() {
               value: scan.points,
               unit: "",
               decimals: 0,
-              quality: "neutral",
+              quality: scan.incomplete ? "bad" : "neutral",
               note: displayedShare(scan),
             }}
           />

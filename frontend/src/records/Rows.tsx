@@ -70,12 +70,17 @@ export function VerificationRow({ summary }: { summary: VerificationSummary }) {
 export function ScanRow({ summary }: { summary: ScanSummary }) {
   return (
     <li className={styles.row}>
+      {summary.incomplete && <QualityMark quality="bad" />}
       <div className={styles.what}>
         <p className={styles.name}>{isolated(summary.name)}</p>
         <p className={styles.detail}>
           {moment(summary.started_at)} · {duration(summary.seconds)} · {t("ui-n-pictures", { n: summary.frames })}
         </p>
-        {summary.note && <p className={styles.detail}>{summary.note}</p>}
+        {summary.note && (
+          <p className={styles.detail} data-bad={summary.incomplete || undefined}>
+            {summary.note}
+          </p>
+        )}
       </div>
       <p className={styles.value}>{t("ui-n-points", { n: summary.points })}</p>
       <ScanActs scan={summary} />

@@ -49,6 +49,7 @@ function ScanLine({ scan, displayed }: { scan: ScanSummary; displayed: VisibleSc
         <span className={styles.words}>
           <span className={styles.name}>{isolated(scan.name)}</span>
           <span className={styles.detail}>{detailOf(scan, displayed)}</span>
+          {scan.incomplete && <span className={styles.incomplete}>{scan.note}</span>}
         </span>
       </button>
       <ScanActs scan={scan} />
