@@ -1296,6 +1296,7 @@ it-is-known-to-limit = er ist dann auf { $u } (k = 1) bekannt; die Grenze ist { 
 it-is-no-device = das ist keine Adresse eines Geräts
 limits-judged-by-marked-uncertainty = U: Messunsicherheit des Werts aus Normal, Taster und Punkten. U der Prüfung: Prüfwertunsicherheit allein aus dem Normal und seinem Aufbau (ISO 14253-5), ein Anteil von U. Jeder Grenzwert wird nach der mit{ $mark } gekennzeichneten beurteilt.
 line-moved-arm-did-not = die Laserlinie bewegte sich um { $line }, die Messwerte des Messarms änderten sich aber nicht
+line-stands-still = Die Linie steht still: Nach ihren ersten { $most } Bildern ergibt sie keine Punkte; Bilder ohne Punkte bisher: { $count }
 listen-choose-higher-port = Mit --port einen Port ab 1024 wählen
 listen-failed = Port { $port } von { $host } lässt sich nicht öffnen
 listen-free-port = Beenden, was ihn verwendet, oder mit --port einen anderen wählen
@@ -1309,6 +1310,7 @@ map-outliers =
 markers-in-white-squares = in ihren weißen Feldern sind Marker: sie ist eine ChArUco-Tafel
 markers-place-is-estimated-instead = stattdessen wird der Ort des Markers am Flansch geschätzt
 move-tip-to-object = Den Taster an das Objekt setzen, dann den Punkt aufnehmen
+move-sensor-or-stop-scan = Den Sensor über das Teil bewegen oder den Scan beenden.
 moves-check-arm-json =
     { $beside ->
         [bars] { $name } ändert sich um { $change }: arm.json und die Längen der Kugelstäbe prüfen
@@ -1343,6 +1345,7 @@ one-picture-at-a-time = ein Sensor nimmt nur ein Bild zur selben Zeit auf
 picture-at-time-of-line = { $place } hat dieselbe time_s wie Zeile { $line }
 pictures-are-at = die Bilder beginnen bei { $begin }
 remove-it-or-other = Ihn entfernen, oder den von ihnen, der falsch ist, und dort noch einmal antasten.
+recording-keeps-still-lines = Die Aufzeichnung enthält sie alle.
 reverse-sign-of-joint = Das Vorzeichen (sign) des Gelenks { $joint } in arm.json umkehren
 save-table-as-csv = Als CSV (UTF-8) mit Kommas zwischen den Spalten speichern
 scatter-of-clouds = Punktwolken
@@ -2691,7 +2694,6 @@ most-pixels-read = gelesen werden höchstens { $millions } Millionen
 mount-tip-of-datasheet-or-give-diameter = Taster laut Datenblatt montieren oder den Durchmesser der Kugel selbst angeben.
 move-away = Datei verschieben
 move-away-start-again = Datei verschieben und neu starten
-move-recording-keeps-them-all = Weiterbewegen; alle Punkte sind aufgezeichnet.
 move-sensor-nearer-away-again-several = Den Sensor beim Überfahren der Platte mehrmals näher heran- und wieder wegführen
 move-sensor-over-part-yourself = Sensor selbst über das Teil führen
 move-sensor-until-whole-object-picture = den Sensor bewegen, bis das ganze Objekt im Bild ist
@@ -3718,7 +3720,6 @@ standard-touches-those-sphere-tests-iso = Nicht normgerecht: Die Antastpunkte si
 standard-uncertainty-0-mm = Eine Standardunsicherheit beträgt 0 bis { $largest }.
 standard-uncertainty-k-1-scanned-point = Standardunsicherheit (k = 1) eines gescannten Punkts über der Laserebene, von { $low } ({ $low_mm }) bis { $high } ({ $high_mm }). Durchgestrichen: extrapoliert, näher oder weiter als die kalibrierten { $near } bis { $far } von der Kamera.
 standard-uncertainty-mm-too-large = standard_uncertainty_mm darf höchstens { $most } betragen; ist der Wert in Mikrometern angegeben?
-standing-still-same-points-taken-again = Stillstand: Dieselben Punkte werden wiederholt aufgenommen
 start-again = Erneut starten
 start-again-2 = erneut starten
 start-new-calibration = Neue Kalibrierung starten
@@ -3749,6 +3750,7 @@ station-uses-and-free = Die Station belegt { $process }; { $free } sind frei.
 stations-disk-full = der Datenträger der Station ist voll
 step-before-one = Das ist kein früherer Schritt.
 still = In Ruhe
+still-lines-left-out = { $count } von { $frames } Bildern zeigen eine Linie, die stillstand: Von einer solchen Linie ergeben { $most } Bilder Punkte
 still-running = { $title } läuft noch
 still-turn = Noch zu drehen
 stop-before-next = vor dem nächsten stoppen

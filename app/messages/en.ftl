@@ -1292,6 +1292,7 @@ it-is-known-to-limit = it is known to { $u } (k = 1) then; the limit is { $limit
 it-is-no-device = it is not the address of a device
 limits-judged-by-marked-uncertainty = U: measurement uncertainty of the value by gauge, probe and points. U of test: test value uncertainty by the gauge and its set-up alone (ISO 14253-5), which is a part of U. Each limit is judged by the one marked with{ $mark }.
 line-moved-arm-did-not = the laser line moved by { $line }, but the arm's readings did not change
+line-stands-still = The line stands still: beyond its first { $most } frames it gives no points; frames without them so far: { $count }
 listen-choose-higher-port = Choose a port from 1024 on with --port
 listen-failed = Cannot listen on { $host } port { $port }
 listen-free-port = Stop what is using it, or choose another with --port
@@ -1305,6 +1306,7 @@ map-outliers =
 markers-in-white-squares = there are markers in its white squares: it is a ChArUco board
 markers-place-is-estimated-instead = the marker's place on the flange is estimated instead
 move-tip-to-object = Put the tip to the object, then take the point
+move-sensor-or-stop-scan = Move the sensor over the part, or stop the scan.
 moves-check-arm-json =
     { $beside ->
         [bars] { $name } changes by { $change }: check arm.json and the bars' lengths
@@ -1339,6 +1341,7 @@ one-picture-at-a-time = a sensor takes one picture at a time
 picture-at-time-of-line = { $place } has the same time_s as line { $line }
 pictures-are-at = the pictures begin at { $begin }
 remove-it-or-other = Remove it, or the one of them that is wrong, and touch there again.
+recording-keeps-still-lines = The recording keeps them all.
 reverse-sign-of-joint = Reverse the sign of joint { $joint } in arm.json
 save-table-as-csv = Save it as CSV (UTF-8), with commas between the columns
 scatter-of-clouds = Clouds
@@ -2687,7 +2690,6 @@ most-pixels-read = at most { $millions } million are read
 mount-tip-of-datasheet-or-give-diameter = Mount the tip of the datasheet, or enter the diameter of this sphere.
 move-away = Move it away
 move-away-start-again = Move it away, and start again
-move-recording-keeps-them-all = Move on; all points are recorded.
 move-sensor-nearer-away-again-several = Move the sensor nearer and away again several times as you pass over the plate
 move-sensor-over-part-yourself = Move the sensor over the part yourself
 move-sensor-until-whole-object-picture = move the sensor until the whole object is in the picture
@@ -3705,7 +3707,6 @@ standard-touches-those-sphere-tests-iso = Not according to a standard: the conta
 standard-uncertainty-0-mm = The standard uncertainty must be 0 to { $largest }.
 standard-uncertainty-k-1-scanned-point = Standard uncertainty (k = 1) of a scanned point over the laser plane, from { $low } ({ $low_mm }) to { $high } ({ $high_mm }). Struck through: extrapolated, nearer to or further from the camera than the calibrated { $near } to { $far }.
 standard-uncertainty-mm-too-large = standard_uncertainty_mm must be at most { $most }; is it in micrometres?
-standing-still-same-points-taken-again = Standing still: the same points are recorded repeatedly
 start-again = Start it again
 start-again-2 = start it again
 start-new-calibration = Start a new calibration
@@ -3736,6 +3737,7 @@ station-uses-and-free = The station uses { $process }; { $free } is free.
 stations-disk-full = the station's disk is full
 step-before-one = That is not an earlier step.
 still = Still
+still-lines-left-out = { $count } of { $frames } frames show a line that stood still: of such a line, { $most } frames give points
 still-running = { $title } is still running
 still-turn = Remaining rotation
 stop-before-next = stop it before the next one

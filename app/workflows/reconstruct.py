@@ -23,6 +23,7 @@ from app.formats.recording.stream import Block, RecordedFrame, read_blocks
 from app.messages.message import Text, message
 from app.metrology.arm.kinematics import AnyArm, flange_poses
 from app.metrology.arm.reading_interpolation import Stamps
+from app.metrology.sensor.line_thinning import LineThinning
 from app.metrology.time_delay.course import DelayCourse
 from app.metrology.transforms import Floats
 from app.progress import Progress, no_progress
@@ -35,6 +36,7 @@ from app.workflows.reconstruct_messages import (
     missing_joints_warning,
     no_joints_error,
     smoothing_warning,
+    still_lines_warning,
 )
 from app.workflows.sensor_calibrations import (
     RecordedSensors,
@@ -59,6 +61,8 @@ class Reconstruction:
     frames: int
     """Number of frames that gave points."""
     frames_without_stripe: int
+    frames_still: int
+    """Frames of a line that stood still, which gave no points beyond the first ones."""
     frames_without_joints: int
     frames_unclear: int
     """Left out because a clock was set around their time stamps."""
@@ -86,7 +90,7 @@ class Reconstruction:
 
     @property
     def all_frames(self) -> int:
-        placed = self.frames + self.frames_without_stripe
+        placed = self.frames + self.frames_still + self.frames_without_stripe
         return placed + self.frames_without_joints + self.frames_unclear
 
 
@@ -110,8 +114,8 @@ class _BlockPoints:
     """The result of the frames of a block."""
 
     points: Points
-    frames: int
-    dark: int
+    has_line: NDArray[np.bool_]
+    """(F,)"""
     unplaced: list[tuple[int, int]]
     """Time stamps by the camera's and the arm's clock."""
     unclear: int
@@ -119,6 +123,7 @@ class _BlockPoints:
     first_number: int
     poses: Floats
     """(F, 4, 4)"""
+    thinning: LineThinning
 
 
 def reconstruct_cloud(
@@ -222,7 +227,6 @@ class _Job:
     ) -> None:
         self._recording = recording
         self._sensors = RecordedSensors(recording, calibration)
-        self._checked: set[str] = set()
         self._arm = arm
         self._take_points, self._take_poses = take
         self._given_delay = delay
@@ -234,7 +238,8 @@ class _Job:
         self._numbered = 0
         self._waiting: deque[_PendingFrames] = deque()
         self._making: deque[Future[_BlockPoints]] = deque()
-        self._frames = self._dark = self._unclear = 0
+        self._frames = self._dark = self._still = self._unclear = 0
+        self._thinning: dict[str, LineThinning] = {}
         self._unplaced_ns: list[int] = []
         self._unplaced_at_ns: list[int] = []
         """The same by the arm's clock."""
@@ -269,6 +274,7 @@ class _Job:
             points=self._points,
             frames=self._frames,
             frames_without_stripe=self._dark,
+            frames_still=self._still,
             frames_without_joints=len(unplaced),
             frames_unclear=self._unclear,
             first_without_joints_s=(unplaced[0] - start_ns) / 1e9 if unplaced else None,
@@ -312,9 +318,10 @@ class _Job:
         if calibration is None:
             self._sensors.leave_out(sensor, len(frames))
             return
-        if sensor not in self._checked:
+        if sensor not in self._thinning:
             check_station(self._recording, calibration, self._arm, sensor)
-            self._checked.add(sensor)
+            used = calibration.camera, calibration.plane, calibration.stripe_axis
+            self._thinning[sensor] = LineThinning(*used)
         stamps_ns = np.array([frame.stamp_ns for frame in frames], dtype=np.int64)
         clock = self._frame_clocks.setdefault(sensor, ClockWatch())
         clock.add(stamps_ns, np.array([frame.log_ns for frame in frames]))
@@ -369,26 +376,30 @@ class _Job:
             (waiting.frames[i].stamp_ns, int(waiting.at_ns[i]))
             for i in np.flatnonzero((counts > 0) & ~known & waiting.clear)
         ]
-        dark = int((counts == 0).sum())
         unclear = int(((counts > 0) & ~waiting.clear).sum())
         return _BlockPoints(
             points,
-            len(counts) - dark - unclear - len(unplaced),
-            dark,
+            counts > 0,
             unplaced,
             unclear,
             waiting.last_ns,
             waiting.first_number,
             poses,
+            self._thinning[waiting.frames[0].sensor],
         )
 
     def _write(self) -> None:
         made = self._making.popleft().result()
-        self._points += len(made.points)
-        self._take_points(made.points, made.last_ns)
+        points, kept = made.points, made.thinning.keep(made.poses, made.has_line)
+        if not kept.all():
+            points = points[kept[points["frame"].astype(np.int64) - made.first_number]]
+        self._points += len(points)
+        self._take_points(points, made.last_ns)
         self._take_poses(made.first_number, made.poses)
-        self._frames += made.frames
-        self._dark += made.dark
+        with_line, still = int(made.has_line.sum()), int((~kept).sum())
+        self._frames += with_line - still - len(made.unplaced) - made.unclear
+        self._still += still
+        self._dark += len(kept) - with_line
         self._unplaced_ns += [stamp_ns for stamp_ns, _ in made.unplaced]
         self._unplaced_at_ns += [at_ns for _, at_ns in made.unplaced]
         self._unclear += made.unclear
@@ -401,7 +412,7 @@ class _Job:
             for stamp_ns, at_ns in zip(self._unplaced_ns, self._unplaced_at_ns, strict=True)
         )
         missing = len(self._unplaced_ns) + self._unclear
-        return MissingFrames(missing - moved, self._frames + missing)
+        return MissingFrames(missing - moved, self._frames + self._still + missing)
 
     def _warnings(self, joints: ClockReport, frames: Sequence[ClockReport]) -> list[Text]:
         missing = self._missing()
@@ -409,6 +420,8 @@ class _Job:
         warnings += self._sensors.warnings()
         if self._recording.smoothing_px:
             warnings.append(smoothing_warning(self._recording.smoothing_px))
+        if self._still:
+            warnings.append(still_lines_warning(self._still, self._numbered))
         warnings += self._causes()
         start_ns = self._recording.first_ns or 0
         warnings += clock_warnings("joints", joints, start_ns)

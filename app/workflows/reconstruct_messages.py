@@ -10,6 +10,7 @@ from app.formats.recording.clock_check import ClockReport
 from app.formats.recording.pose_samples import FirstImplausible
 from app.formats.recording.reading_track import ReadingTrack
 from app.messages.message import Quantity, Text, join, message, quantity, rounded
+from app.metrology.sensor.line_thinning import LINES_AT_A_PLACE
 from app.metrology.stripe import HALF_HEIGHT_PERIOD
 
 Stream = Literal["joints", "frames"]
@@ -81,6 +82,11 @@ def smoothing_warning(smoothing_px: float) -> Text:
         smoothing=rounded(smoothing_px, "px"),
         half=rounded(HALF_HEIGHT_PERIOD * smoothing_px, "px", 3),
     )
+
+
+def still_lines_warning(still: int, frames: int) -> Text:
+    """Frames of a line that stood still, among a number of frames."""
+    return message("still-lines-left-out", count=still, frames=frames, most=LINES_AT_A_PLACE)
 
 
 def incomplete_error(path: Path, missing: Text, causes: Sequence[Text]) -> OperationError:

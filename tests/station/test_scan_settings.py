@@ -12,6 +12,7 @@ from app.formats.clouds.files import read_cloud
 from app.formats.recording.decoders import ImageRecord, StripeRecord
 from app.formats.recording.reader import EXTRACTION, open_recording
 from app.formats.settings.scan_settings import AUTOMATIC, ScanSettings
+from app.metrology.sensor.line_thinning import LINES_AT_A_PLACE
 from app.metrology.time_delay.course import NO_DELAY
 from app.station.bus import Bus
 from app.station.devices.rig import Rig
@@ -150,18 +151,27 @@ def test_too_fast_is_said_while_it_lasts_and_counted(scanner: Scanner, bench: Be
     assert ended.blur_mm is None
 
 
-def test_standing_still_is_said_and_a_limit_of_its_own_holds(operator: Operator) -> None:
+def test_a_line_that_stands_still_is_thinned_and_said(operator: Operator, bench: Bench) -> None:
+    """By the same rule while scanning and from the recording; a limit of its own holds."""
     operator.change(SettingsChange(blur_limit_mm=50.0))
-    operator.scanner.start("still")
-    until(
-        lambda: any("Standing still" in str(one.text) for one in operator.scanner.state().findings)
-    )
-    state = operator.scanner.state()
+    scanner = operator.scanner
+    scanner.start("still")
+    until(lambda: scanner.state().frames_still >= 20)
+    state = scanner.state()
+    assert 0.9 < state.points / (LINES_AT_A_PLACE * WIDTH) <= 1
+    assert "move-sensor-or-stop-scan" in str([one.remedy for one in state.findings])
     assert state.blur_limit_mm == 50.0
     assert state.frames_too_fast == 0
     assert state.step_mm is not None
     assert state.step_mm < 0.05
-    operator.scanner.stop()
+    bench.joints_at = lambda seconds: REST_RAD + 0.05 * np.sin(seconds)
+    until(lambda: scanner.state().points > 3 * LINES_AT_A_PLACE * WIDTH)
+    assert "move-sensor-or-stop-scan" not in str([one.remedy for one in scanner.state().findings])
+    result = end_scan(scanner)
+    use = calibration()
+    rebuilt = check_rebuilt(result.folder, file_calibration(use), use.arm)
+    assert rebuilt.frames_still == scanner.state().frames_still
+    assert "still-lines-left-out" in str([*rebuilt.warnings, *scanner.state().findings])
 
 
 def test_pictures_are_recorded_beside_their_stripes(operator: Operator) -> None:

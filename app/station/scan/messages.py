@@ -8,6 +8,7 @@ from app.findings import Finding, Quality
 from app.formats.recording.completeness import MOST_LEFT_OUT
 from app.messages.message import Text, join, message, quantity
 from app.metrology.arm.kinematics import Arm
+from app.metrology.sensor.line_thinning import LINES_AT_A_PLACE
 from app.station.devices.reading_buffer import reading_size
 from app.station.devices.rig import Rig
 from app.station.devices.sensor_device import StationSensor
@@ -163,7 +164,7 @@ def _live_findings(pipeline: ScanPipeline, rig: Rig) -> list[Finding]:
     if not sensors and pipeline.distance is None and pipeline.counts.frames > SOME_FRAMES:
         remedy = message("bring-part-into-sensors-range-if")
         found.append(Finding("neutral", message("no-line-seen-2"), remedy))
-    found += _speed_findings(pipeline)
+    found += [*_speed_findings(pipeline), *_still_findings(pipeline)]
     if pipeline.backlog > BEHIND:
         share = 100 * pipeline.backlog
         found.append(
@@ -191,7 +192,7 @@ def _sensor_findings(rig: Rig) -> list[Finding]:
 
 
 def _speed_findings(pipeline: ScanPipeline) -> list[Finding]:
-    """Too fast, or standing."""
+    """Too fast."""
     now = pipeline.speed.now
     if now is None:
         return []
@@ -202,10 +203,15 @@ def _speed_findings(pipeline: ScanPipeline) -> list[Finding]:
             limit=quantity(now.limit_mm, "mm", 2),
         )
         return [Finding("attention", text, message("go-slower-shorten-exposure"))]
-    if now.still:
-        text = message("standing-still-same-points-taken-again")
-        return [Finding("neutral", text, message("move-recording-keeps-them-all"))]
     return []
+
+
+def _still_findings(pipeline: ScanPipeline) -> list[Finding]:
+    """That the line stands still and gives no more points."""
+    if not pipeline.is_still:
+        return []
+    text = message("line-stands-still", count=pipeline.frames_still, most=LINES_AT_A_PLACE)
+    return [Finding("attention", text, message("move-sensor-or-stop-scan"))]
 
 
 def _summary_findings(pipeline: ScanPipeline) -> list[Finding]:
@@ -223,6 +229,19 @@ def _summary_findings(pipeline: ScanPipeline) -> list[Finding]:
                     worst=quantity(pace.worst_mm, "mm", 2),
                 ),
                 message("go-over-these-places-again-slower"),
+            )
+        )
+    if pipeline.frames_still > REPORT_SHARE * counts.frames:
+        found.append(
+            Finding(
+                "neutral",
+                message(
+                    "still-lines-left-out",
+                    count=pipeline.frames_still,
+                    frames=counts.frames,
+                    most=LINES_AT_A_PLACE,
+                ),
+                message("recording-keeps-still-lines"),
             )
         )
     if pipeline.pictures[1]:

@@ -135,6 +135,17 @@ class ScanPipeline:
         return None
 
     @property
+    def frames_still(self) -> int:
+        """Frames of lines that stood still, which gave no points."""
+        return sum(source.points.frames_still for source in self._sources)
+
+    @property
+    def is_still(self) -> bool:
+        """Whether some sensor sees a line, and none sees one that moves."""
+        seen = [one.points for one in self._sources if one.points.distance_mm is not None]
+        return bool(seen) and all(points.is_still for points in seen)
+
+    @property
     def implausible(self) -> tuple[int, OperationError | None]:
         """How many of the arm's readings could not be true, and what is said of the newest."""
         count = self._arm.rejected_count - self._rejected_before

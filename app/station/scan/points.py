@@ -15,6 +15,7 @@ from app.formats.clouds.points import Points
 from app.metrology.arm.kinematics import AnyArm, Arm, flange_poses
 from app.metrology.sensor.camera import Camera
 from app.metrology.sensor.laser_plane import LaserPlane
+from app.metrology.sensor.line_thinning import LineThinning
 from app.metrology.sensor.triangulation import scan_points
 from app.metrology.stripe import Stripe
 from app.metrology.transforms import Floats
@@ -93,6 +94,16 @@ class PointMaker:
         self._show = show
         self._made: deque[tuple[float, int]] = deque()
         self._distance = (-math.inf, 0.0)
+        self._thinning = LineThinning(
+            calibration.camera, calibration.plane, calibration.stripe_axis
+        )
+        self.frames_still = 0
+        """Frames of a line that stood still, which gave no points."""
+
+    @property
+    def is_still(self) -> bool:
+        """Whether the line that is seen just now stands still, so that it gives no points."""
+        return self._thinning.is_still and self.distance_mm is not None
 
     @property
     def rate_per_s(self) -> float:
@@ -124,12 +135,16 @@ class PointMaker:
         count = [len(stripe.u) for stripe in stripes]
         intensity = np.concatenate([stripe.intensity for stripe in stripes])
         records = pack_points(points, intensity, spread, np.repeat(numbers, count))
-        cloud.append(records)
-        self._count_points(len(points))
         centre_mm = self._calibration.camera.centre_mm
         cameras_mm = T_arm_sensor[:, :3, :3] @ centre_mm + T_arm_sensor[:, :3, 3]
         self._note_distance(points[len(points) - count[-1] :], cameras_mm[-1])
-        self._show(NewPoints(records, numbers, cameras_mm))
+        kept = self._thinning.keep(T_arm_sensor, np.array(count) > 0)
+        self.frames_still += int((~kept).sum())
+        records = records[np.repeat(kept, count)]
+        cloud.append(records)
+        self._count_points(len(records))
+        if kept.any():
+            self._show(NewPoints(records, numbers, cameras_mm))
 
     def _count_points(self, count: int) -> None:
         now = time.monotonic()

@@ -1,4 +1,4 @@
-"""Whether the sensor passes too fast over the part, or stands."""
+"""Whether the sensor passes too fast over the part."""
 
 import time
 from dataclasses import dataclass
@@ -11,8 +11,6 @@ from app.station.devices.arm_device import StationArm
 
 CHORD_NS = 10_000_000
 """Velocities are estimated over so much before the frame."""
-STILL_SPACINGS = 0.1
-"""A pass whose frames lie nearer together than this many spacings along the stripe stands."""
 AGE_S = 0.7
 
 
@@ -26,7 +24,6 @@ class CurrentSpeed:
     """From one frame's stripe to the next one's."""
     limit_mm: float
     """Of the blur."""
-    still: bool
 
     @property
     def too_fast(self) -> bool:
@@ -89,8 +86,7 @@ class ScanSpeed:
     def _note(self, speed: PassSpeed, uncertainty_mm: float, frames: int) -> None:
         automatic_mm = speed.limit_mm(uncertainty_mm)
         limit_mm = automatic_mm if self.limit_mm is None else self.limit_mm
-        still = speed.step_mm < STILL_SPACINGS * speed.spacing_mm
-        now = CurrentSpeed(speed.blur_mm, speed.step_mm, limit_mm, still)
+        now = CurrentSpeed(speed.blur_mm, speed.step_mm, limit_mm)
         self._newest = (time.monotonic(), now)
         self.worst_mm = max(self.worst_mm, speed.blur_mm)
         self.frames_too_fast += frames if now.too_fast else 0

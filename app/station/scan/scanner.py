@@ -305,6 +305,7 @@ class Scanner:
             frames=counts.frames,
             lost_frames=scan.pipeline.lost_frames,
             frames_without_joints=counts.frames_without_joints,
+            frames_still=scan.pipeline.frames_still,
             incomplete=counts.left_out.is_too_much,
             seconds=scan.seconds,
             blur_mm=now.blur_mm if now else None,

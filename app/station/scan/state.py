@@ -24,6 +24,8 @@ class ScanState:
     frames: int
     lost_frames: int
     frames_without_joints: int
+    frames_still: int
+    """Of a line that stood still; they gave no points beyond the first ones."""
     incomplete: bool
     """So many frames gave no points that the cloud must not be taken for the part."""
     seconds: float
@@ -38,7 +40,7 @@ class ScanState:
     findings: tuple[Finding, ...]
 
 
-NO_SCAN = ScanState("idle", "", None, 0, 0, 0.0, 0, 0, 0, False, 0.0, None, None, None, 0, 0, ())
+NO_SCAN = ScanState("idle", "", None, 0, 0, 0.0, 0, 0, 0, 0, False, 0.0, None, None, None, 0, 0, ())
 
 
 @dataclass(frozen=True)
