@@ -6,6 +6,7 @@ from typing import Literal
 from app.messages.message import Text, message
 
 Quality = Literal["good", "attention", "bad", "neutral"]
+GRAVEST_FIRST: tuple[Quality, ...] = ("bad", "attention", "neutral", "good")
 
 
 @dataclass(frozen=True, slots=True)

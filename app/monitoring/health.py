@@ -8,19 +8,18 @@ from dataclasses import dataclass
 from typing import Literal
 
 from app.errors import OperationError, sentence
-from app.findings import Quality
+from app.findings import GRAVEST_FIRST, Quality
 from app.messages.message import Text, join, message, quantity, signed, word
 from app.monitoring.loop_watchdog import Stalls
 from app.monitoring.system_info import Memory
-from app.station.devices.link_state import QUALITY, DeviceState, Losses
+from app.station.devices.link_state import DeviceState, link_quality, loss_quality
+from app.station.devices.losses import Losses
 from app.station.devices.temperature import Temperature
 
-LOSS_ATTENTION, LOSS_BAD = 0.001, 0.01
 PROCESS_MEMORY_BYTES, MEMORY_FREE_BYTES = 3_000_000_000, 500_000_000
 STALLS_BAD_S = 2.0
 READINGS_BAD_S = 600.0
 TEMPERATURE_CHANGE_C = 2.0
-ORDER: dict[Quality, int] = {"bad": 0, "attention": 1, "neutral": 2, "good": 3}
 DeviceKind = Literal["arm", "sensor"]
 
 
@@ -48,14 +47,14 @@ class Health:
 
 def summarise_health(items: Sequence[HealthItem], at: str) -> Health:
     """The worst check determines the state of the station."""
-    ordered = sorted(items, key=lambda item: ORDER[item.quality])
+    ordered = sorted(items, key=lambda item: GRAVEST_FIRST.index(item.quality))
     worst: Quality = ordered[0].quality if ordered else "good"
     return Health(at, "good" if worst == "neutral" else worst, ordered)
 
 
 def device(kind: DeviceKind, state: DeviceState) -> HealthItem:
     """Whether a device sends data."""
-    quality = QUALITY[state.state]
+    quality = link_quality(state.state, state.silent)
     what = sentence(state.text)
     if state.state == "connected" and state.age_s is not None and state.rate_hz is not None:
         what = message(
@@ -99,11 +98,7 @@ def losses(kind: DeviceKind, lately: Losses, losing: bool = False, remedy: Text 
         losing: much of it is lost, or comes later and later, just now.
         remedy: what to do on this computer, if the driver knows it.
     """
-    quality: Quality = "good"
-    if losing or lately.share > LOSS_BAD:
-        quality = "bad"
-    elif lately.share > LOSS_ATTENTION:
-        quality = "attention"
+    quality = loss_quality(lately, losing)
     missing = lately.lost + lately.corrupt
     what: Text = message("no-data-yet")
     if lately.received or missing:

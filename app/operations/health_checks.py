@@ -90,7 +90,7 @@ class HealthChecker:
         """The items of the only sensor, or of each by its name."""
         found: list[HealthItem] = []
         for name, sensor in self._context.rig.sensors.items():
-            items = self._device("sensor", sensor, name)
+            items = self._device("sensor", sensor)
             if name:
                 items = [
                     replace(one, id=f"{one.id}-{name}", title=join([one.title, name], " "))
@@ -99,17 +99,12 @@ class HealthChecker:
             found += items
         return found
 
-    def _device(
-        self, name: DeviceKind, side: StationArm | StationSensor, sensor: str = ""
-    ) -> list[HealthItem]:
+    def _device(self, name: DeviceKind, side: StationArm | StationSensor) -> list[HealthItem]:
         state = side.link()
-        counts = (state.received, state.lost, state.corrupt)
-        window = self._context.monitoring.losses[f"{name} {sensor}" if sensor else name]
-        window.note(*counts)
         return [
             health.device(name, state),
             *health.stamps(name, state),
-            health.losses(name, window.over(*counts), state.losing, state.loss_remedy),
+            health.losses(name, state.lately, state.losing, state.loss_remedy),
         ]
 
     def _readings(self) -> list[HealthItem]:

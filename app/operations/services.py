@@ -24,7 +24,6 @@ from app.monitoring.loop_watchdog import LoopWatchdog
 from app.monitoring.system_info import Network, WallClock
 from app.settings.settings import DeviceKind, DeviceTable
 from app.station.bus import Bus
-from app.station.devices.link_state import LossWindow
 from app.station.devices.temperature import TemperatureWatch, Thermometer
 from app.station.jobs import Jobs
 from app.station.scan.state import ScanResult
@@ -138,7 +137,6 @@ class MonitoringServices:
         self.temperature = TemperatureWatch(
             settings.thermometer, lambda celsius: store.temperatures.add(celsius, "thermometer")
         )
-        self.losses: dict[str, LossWindow] = defaultdict(LossWindow)
         self.fleet = Fleet()
         self.broker = None if mqtt is None else self._make_broker(mqtt)
         self.webhooks = WebhookStore(store.folder)

@@ -82,6 +82,9 @@ def _device(name: str, state: DeviceState, sensor: str = "") -> DeviceReport:
             "received": state.received,
             "lost": state.lost,
             "corrupt": state.corrupt,
+            "quality": state.quality,
+            "lost_lately": state.lately.lost + state.lately.corrupt,
+            "received_lately": state.lately.received,
             "stamps": state.stamps,
         }
     )
@@ -189,7 +192,9 @@ def _alarms(context: Context, home: Home | None) -> tuple[Alarm, ...]:
     health = context.monitoring.health
     for item in health.items if health else ():
         # Home reports a lost device, and a missing backup is not an alarm
-        if item.quality == "bad" and not item.id.startswith("device-"):
+        is_grave = item.quality == "bad" and not item.id.startswith("device-")
+        # the sign of a device shows its losses, too
+        if is_grave or (item.quality == "attention" and item.id.startswith("losses-")):
             text = join([item.title, item.what], ": ")
             alarms.setdefault(text, (item.quality, item.remedy))
     ordered = sorted(alarms.items(), key=lambda pair: pair[1][0] != "bad")

@@ -62,6 +62,13 @@ class DeviceReport(Payload):
     received: Count
     lost: Count
     corrupt: Count
+    quality: Quality | None = Field(
+        default=None, description="As the station judges the device and its losses"
+    )
+    lost_lately: Count | None = Field(
+        default=None, description="Lost or corrupt in the last ten minutes"
+    )
+    received_lately: Count | None = None
     stamps: Literal["arrival", "device", "pulse"] | None = Field(
         default=None, description="Where the time stamps of its data come from"
     )

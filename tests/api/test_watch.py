@@ -20,8 +20,8 @@ from websockets.sync.client import connect
 from app.api.access.browser import cookie_for
 from app.api.monitoring.health import BUNDLING
 from app.errors import sentence
+from app.findings import GRAVEST_FIRST
 from app.messages.message import message
-from app.monitoring.health import ORDER
 from app.operations.publishers import _notify_due, _pass_on
 from app.operations.services import MonitoringSettings
 from app.operations.status_report import build_report
@@ -175,7 +175,7 @@ def test_health_says_what_why_and_what_to_do(server: Server) -> None:
         *("device-arm", "device-sensor", "losses-arm", "losses-sensor", "room", "disk"),
         *("folder", "database", "backup", "clock", "loop", "memory", "log", "software"),
     }
-    ranks = [ORDER[item["quality"]] for item in found.values()]
+    ranks = [GRAVEST_FIRST.index(item["quality"]) for item in found.values()]
     assert ranks == sorted(ranks)
     for item in found.values():
         assert item["what"]

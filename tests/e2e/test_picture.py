@@ -15,13 +15,16 @@ pytestmark = pytest.mark.device
 ROUNDS = 2
 DRAWN = """
 window.drawn = [];
+window.denied = 0;
 const draw = CanvasRenderingContext2D.prototype.drawImage;
 CanvasRenderingContext2D.prototype.drawImage = function (...given) {
   window.drawn.push(Date.now());
+  if (document.body.innerText.includes("No picture yet")) window.denied++;
   return draw.apply(this, given);
 };
 """
-"""When pictures were drawn, in ms of the clock that the tests have too."""
+"""When pictures were drawn, in ms of the clock that the tests have too, and how many of them while
+the page said that there is none."""
 
 BREAKING = """
 const real = window.fetch;
@@ -82,6 +85,7 @@ def test_the_picture_comes_back_by_itself(
         expect(picture).not_to_have_attribute("data-old", "true")
     # nothing was loaded again: what was drawn before the camera went is still known
     assert page.evaluate("window.drawn.length") > ROUNDS
+    assert page.evaluate("window.denied") == 0
     page.close()
     with capsys.disabled():
         print(f"\nlive picture: {', '.join(figures)} the camera is back")

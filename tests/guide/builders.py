@@ -111,7 +111,7 @@ def contact_joints(arm: Arm, block: Crenellated, face: str, place_mm: object) ->
     return reach_tip(arm, target, REST_RAD)
 
 
-CONNECTED = DeviceState("Arm", "connected", "test device", 0.01, 1000.0, 10, 0, 0)
+CONNECTED = DeviceState("Arm", "connected", "good", "test device", 0.01, 1000.0, 10, 0, 0)
 SENSOR = SensorDatasheet(
     name="sensor", serial_number="S-1", width_px=1280, height_px=1024, stripe_axis="u"
 )

@@ -12,13 +12,16 @@ from pathlib import Path
 import pytest
 
 from app.errors import OperationError
+from app.findings import GRAVEST_FIRST
 from app.messages.catalogue import translator
 from app.messages.message import MessageList, message, quantity
 from app.monitoring import health, storage_health
 from app.monitoring.log_store import FILE, FILE_BYTES, MOST_WAITING, LogStore
 from app.monitoring.loop_watchdog import LoopWatchdog, Stalls
 from app.monitoring.system_info import Memory, WallClock, memory, writable
-from app.station.devices.link_state import Losses, LossWindow
+from app.station.devices.device_thread import Link, LinkState
+from app.station.devices.link_state import device_state
+from app.station.devices.losses import Losses, LossWindow
 from app.station.devices.temperature import Temperature, TemperatureWatch
 from hardware.simulator.scene.world import RoomThermometer
 from hardware.thermometer import FileThermometer
@@ -186,6 +189,23 @@ def test_losses_are_of_the_last_minutes() -> None:
     assert health.losses("arm", lately).quality == "attention"
     assert health.losses("arm", Losses(100, 5, 0)).quality == "bad"
     assert health.losses("arm", Losses(100_000, 5, 0)).quality == "good"
+
+
+@pytest.mark.parametrize("state", LinkState)
+@pytest.mark.parametrize("silent", [False, True])
+@pytest.mark.parametrize("lately", [(900, 0, 0), (99_999, 1, 0), (997, 2, 1), (20_000, 2_265, 0)])
+@pytest.mark.parametrize("losing", [False, True])
+def test_every_sign_of_a_device_is_that_of_its_state(
+    state: LinkState, silent: bool, lately: tuple[int, int, int], losing: bool
+) -> None:
+    """What *Health* shows is the worst that the other pages show, however much was lost before."""
+    link = Link(state, "", 0.1, None, 9**9, 17_663, 7, silent, losing, Losses(*lately))
+    shown = device_state("Camera", link, None)
+    items = [health.device("sensor", shown), health.losses("sensor", shown.lately, losing)]
+    assert shown.quality == min((item.quality for item in items), key=GRAVEST_FIRST.index)
+    assert (shown.quality == "good") == (
+        state is LinkState.CONNECTED and not silent and not losing and sum(lately[1:]) < 2
+    )
 
 
 def test_losses_are_those_of_the_device_in_use() -> None:

@@ -2,7 +2,7 @@
 
 import pytest
 
-from app.station.devices.loss_alarm import HELD_S, LossAlarm
+from app.station.devices.losses import HELD_S, LossAlarm
 from hardware.interfaces import LinkHealth
 
 

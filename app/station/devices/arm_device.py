@@ -12,7 +12,7 @@ from app.metrology.arm.reading_interpolation import Stamps
 from app.metrology.transforms import Floats, vector_from_rotation
 from app.station.bus import Bus
 from app.station.devices.device_thread import READ_TIMEOUT_S, DeviceReader
-from app.station.devices.link_state import DeviceState, device_state
+from app.station.devices.link_state import QUALITY, DeviceState, device_state
 from app.station.devices.reading_buffer import (
     ReadingMean,
     ReadingRing,
@@ -102,7 +102,7 @@ class StationArm:
         state = device_state(message("arm-4"), link, self.info, self.label)
         if doubt is None or state.state != "connected":
             return state
-        return replace(state, state="lost", text=doubt.text)
+        return replace(state, state="lost", quality=QUALITY["lost"], text=doubt.text)
 
     def set_model(self, arm: AnyArm | None) -> None:
         """The kinematics for judging readings, stillness and the position of the tip."""

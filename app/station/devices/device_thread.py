@@ -14,7 +14,7 @@ from app.errors import reason_sentence, sentence
 from app.loops import Loop
 from app.messages.message import Text, join, message, quantity, word
 from app.station.devices.awake_clock import AWAKE
-from app.station.devices.loss_alarm import LossAlarm
+from app.station.devices.losses import NO_LOSSES, LossAlarm, Losses, LossWindow
 from hardware.errors import DeviceError
 from hardware.interfaces import AnswersWhileSilent, LinkHealth
 
@@ -57,8 +57,11 @@ class Link:
     received: int
     lost: int
     corrupt: int
+    silent: bool = False
+    """It answers, but sends no data."""
     losing: bool = False
     """Whether much of the data is lost, or comes later and later, just now."""
+    lately: Losses = NO_LOSSES
 
 
 class Device(Protocol):
@@ -126,6 +129,7 @@ class DeviceReader(Generic[D, I_co]):
         self._records = 0
         self._arrivals: deque[tuple[float, int]] = deque()
         self._alarm = LossAlarm()
+        self._losses = LossWindow()
 
     def start(self) -> None:
         self._stopping.clear()
@@ -177,7 +181,15 @@ class DeviceReader(Generic[D, I_co]):
             health = self._total()
             rate = self._rate(time.monotonic()) if state is LinkState.CONNECTED else None
             losing = state is LinkState.CONNECTED and self._alarm.is_on(now)
-        return Link(state, text, age, rate, health.received, health.lost, health.corrupt, losing)
+            silent = state is LinkState.CONNECTED and not self._is_fresh(age)
+            counts = health.received, health.lost, health.corrupt
+            self._losses.note(*counts)
+            lately = self._losses.over(*counts)
+        return Link(state, text, age, rate, *counts, silent, losing, lately)
+
+    def _is_fresh(self, age_s: float | None) -> bool:
+        """Whether its data is recent."""
+        return age_s is not None and age_s <= self._silence_limit_s(FRESH_S)
 
     def _state(self, age_s: float | None, now: float) -> tuple[LinkState, Text]:
         title = word(self._title)
@@ -192,7 +204,7 @@ class DeviceReader(Generic[D, I_co]):
                 return LinkState.LOST, self._error or message("lost-reconnecting", title=title)
             return LinkState.CONNECTING, self._error or message("connecting", title=title)
         fresh_s = self._silence_limit_s(FRESH_S)
-        if age_s is not None and age_s <= fresh_s:
+        if self._is_fresh(age_s):
             return LinkState.CONNECTED, message("connected-3", title=title)
         if now - self._last_answer_s <= FRESH_S:
             return LinkState.CONNECTED, message("silent-but-there", title=title)

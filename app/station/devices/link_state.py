@@ -1,14 +1,12 @@
 """One device as the browser shows it."""
 
-import time
-from collections import deque
-from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Literal
 
-from app.findings import Quality
+from app.findings import GRAVEST_FIRST, Quality
 from app.messages.message import Text, join, message
 from app.station.devices.device_thread import Link, LinkState
+from app.station.devices.losses import NO_LOSSES, Losses
 from hardware.interfaces import ArmInfo, SensorInfo, StampKind
 
 State = Literal["absent", "connected", "connecting", "lost", "off"]
@@ -19,6 +17,8 @@ QUALITY: dict[State, Quality] = {
     "lost": "bad",
     "off": "bad",
 }
+LOSS_ATTENTION, LOSS_BAD = 0.001, 0.01
+"""Shares of the data of the last minutes."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -27,6 +27,8 @@ class DeviceState:
 
     title: Text
     state: State
+    quality: Quality
+    """By its link and its losses: every sign of the device shows this one."""
     text: Text
     age_s: float | None
     """Age of the newest data at that time."""
@@ -36,10 +38,33 @@ class DeviceState:
     corrupt: int
     stamps: StampKind | None = None
     """Where the time stamps come from; None while it is not connected."""
+    silent: bool = False
+    """It answers, but sends no data."""
     losing: bool = False
     """Whether much of its data is lost, or comes later and later, just now."""
+    lately: Losses = NO_LOSSES
     loss_remedy: Text = ""
     """What to do on this computer against losses, if the driver knows it."""
+
+
+def link_quality(state: State, silent: bool) -> Quality:
+    """Whether a device sends data.
+
+    Args:
+        silent: it answers, and waits for a trigger or a change: neither good nor bad.
+    """
+    return "neutral" if silent else QUALITY[state]
+
+
+def loss_quality(lately: Losses, losing: bool) -> Quality:
+    """Whether all its data arrives.
+
+    Args:
+        losing: much of it is lost, or comes later and later, just now.
+    """
+    if losing or lately.share > LOSS_BAD:
+        return "bad"
+    return "attention" if lately.share > LOSS_ATTENTION else "good"
 
 
 def device_state(
@@ -58,9 +83,12 @@ def device_state(
                 "name-and-serial-number", name=info.name, serial_number=info.serial_number
             )
         text = join([label, text], " · ") if label else text
+    state: State = link.state.value
+    qualities = link_quality(state, link.silent), loss_quality(link.lately, link.losing)
     return DeviceState(
         title,
-        link.state.value,
+        state,
+        min(qualities, key=GRAVEST_FIRST.index),
         text,
         link.age_s,
         link.rate_hz,
@@ -68,55 +96,8 @@ def device_state(
         link.lost,
         link.corrupt,
         info.stamps if info is not None else None,
+        link.silent,
         link.losing,
+        link.lately,
         info.loss_remedy if isinstance(info, SensorInfo) else "",
     )
-
-
-WINDOW_S = 600.0
-SAMPLE_S = 5.0
-
-
-@dataclass(frozen=True, slots=True)
-class Losses:
-    """Of one device, in the window."""
-
-    received: int
-    lost: int
-    corrupt: int
-
-    @property
-    def share(self) -> float:
-        """0 to 1; 0 for a silent device."""
-        total = self.received + self.lost + self.corrupt
-        return (self.lost + self.corrupt) / total if total else 0.0
-
-
-class LossWindow:
-    """Increases of growing counts within a window of time."""
-
-    def __init__(self, clock: Callable[[], float] = time.monotonic) -> None:
-        self._clock = clock
-        self._samples: deque[tuple[float, Losses]] = deque()
-
-    def note(self, received: int, lost: int, corrupt: int) -> None:
-        """The current counts; called at any rate. Counts that fall are of another device."""
-        now_s = self._clock()
-        if self._samples and received < self._samples[-1][1].received:
-            self._samples.clear()
-        if self._samples and now_s - self._samples[-1][0] < SAMPLE_S:
-            return
-        self._samples.append((now_s, Losses(received, lost, corrupt)))
-        while len(self._samples) > 2 and now_s - self._samples[1][0] >= WINDOW_S:
-            self._samples.popleft()
-
-    def over(self, received: int, lost: int, corrupt: int) -> Losses:
-        """Increase of the counts in the window."""
-        if not self._samples:
-            return Losses(0, 0, 0)
-        first = self._samples[0][1]
-        return Losses(
-            max(received - first.received, 0),
-            max(lost - first.lost, 0),
-            max(corrupt - first.corrupt, 0),
-        )

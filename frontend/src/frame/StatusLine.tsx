@@ -1,7 +1,7 @@
 import type { ReactNode } from "react";
 import type { DeviceState } from "../api/wire";
 import { type PlainId, quantity } from "../messages/text";
-import { age, days } from "../parts/format";
+import { age, days, figures } from "../parts/format";
 import { useSilence } from "../state/freshness";
 import { t } from "../state/language";
 import { useLive } from "../state/store";
@@ -24,7 +24,11 @@ export function StatusLine() {
             device={devices.arm}
             figure={freshness(devices.arm, live ? 0 : silent_s)}
           />
-          <Device name={t("ui-camera-lowercase")} device={devices.sensor} figure={rate(devices.sensor)} />
+          <Device
+            name={t("ui-camera-lowercase")}
+            device={devices.sensor}
+            figure={rate(devices.sensor, live ? 0 : silent_s)}
+          />
           {devices.disk_free_gb !== null && (
             <Item minor>{t("ui-disk-space", { space: quantity(devices.disk_free_gb, "GB") })}</Item>
           )}
@@ -45,8 +49,8 @@ function freshness(device: DeviceState, more_s: number): string {
   return device.age_s === null ? t("ui-no-data") : age(device.age_s + more_s);
 }
 
-function rate(device: DeviceState): string {
-  return device.rate_hz === null ? t("ui-no-pictures") : t("ui-fps", { n: device.rate_hz });
+function rate(device: DeviceState, more_s: number): string {
+  return device.rate_hz === null ? freshness(device, more_s) : t("ui-fps", { n: device.rate_hz });
 }
 
 const STATES: Record<DeviceState["state"], PlainId> = {
@@ -61,13 +65,22 @@ function stateWords({ state, age_s }: DeviceState): string {
   return state === "lost" && age_s !== null ? t("ui-lost-for", { age: age(age_s) }) : t(STATES[state]);
 }
 
+/** The dot and the words say the same: what the station judges, and why. */
 function Device({ name, device, figure }: { name: string; device: DeviceState; figure: string }) {
+  const words = device.silent ? t("ui-waits-for-a-trigger-or-a-change") : figure;
   return (
     <Item>
-      {name} <span className={styles.dot} data-state={device.state} />{" "}
-      {device.state === "connected" ? figure : stateWords(device)}
+      {name} <span className={styles.dot} data-quality={device.quality} />{" "}
+      {device.state === "connected" ? words + losses(device) : stateWords(device)}
     </Item>
   );
+}
+
+/** What makes the sign of a device that sends data other than good. */
+function losses({ quality, lately }: DeviceState): string {
+  const n = lately.lost + lately.corrupt;
+  if (n === 0 || quality === "good") return "";
+  return `, ${t("ui-lost-lately", { n: figures(n), all: figures(n + lately.received) })}`;
 }
 
 function Item({ children, minor = false }: { children: ReactNode; minor?: boolean }) {

@@ -1,5 +1,6 @@
 import { useElementSize } from "@mantine/hooks";
 import { type ReactNode, useEffect, useRef, useState } from "react";
+import { flushSync } from "react-dom";
 import { type Preview, watchPreview } from "../api/preview";
 import type { CaptureAid, PreviewHeader } from "../api/wire";
 import { newFindings } from "../parts/findings";
@@ -47,12 +48,16 @@ export function LiveCamera({ target = [], over, bare = false }: LiveCameraProps)
   const wanted = useRef(target);
   wanted.current = target;
   const newest = useRef(0);
+  const shown = useRef(false);
   const [header, setHeader] = useState<PreviewHeader | null>(null);
   const { rate, count } = useRate();
 
   useEffect(
     () =>
       watchPreview((preview) => {
+        // before the first picture is drawn, so that the words for none never lie over one
+        if (!shown.current) flushSync(() => setHeader(preview.header));
+        shown.current = true;
         if (canvas.current) paint(canvas.current, preview, space.current, wanted.current);
         newest.current = preview.at - preview.header.age_s * 1000;
         count();

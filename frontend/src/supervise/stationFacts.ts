@@ -86,11 +86,12 @@ function fact(id: string, label: string, value: string, note: string, quality: Q
   return { id, label, value, note, quality };
 }
 
+/** A device with the sign that its station gives it; one of an earlier version gives none to what it receives. */
 function deviceFact(device: DeviceReport, more_s: number): Fact {
   const arm = device.name === "arm";
   const sensor = device.sensor ?? "";
-  const stated = (value: string, note: string, quality: Quality) =>
-    fact(device.name, arm ? t("ui-arm") : isolated(sensor) || t("ui-camera"), value, note, quality);
+  const stated = (value: string, note: string, otherwise: Quality) =>
+    fact(device.name, arm ? t("ui-arm") : isolated(sensor) || t("ui-camera"), value, note, device.quality ?? otherwise);
   const old = device.age_s === null ? null : age(device.age_s + more_s);
   if (device.state === "lost" || device.state === "off") {
     const value = device.state === "lost" ? t("ui-lost") : t("ui-off");
@@ -98,12 +99,18 @@ function deviceFact(device: DeviceReport, more_s: number): Fact {
   }
   if (device.state === "connecting") return stated(t("ui-connecting"), t("ui-no-data-yet-lowercase"), "attention");
   const fresh = old === null ? t("ui-no-data") : t("ui-old-age", { age: old });
-  if (device.rate_hz === null) return stated(fresh, "", "good");
+  if (device.rate_hz === null) return stated(fresh, "", "neutral");
   const rate = { n: figures(device.rate_hz) };
   // a station of an earlier version does not say where they come from
   const stamps = device.stamps ? [t("ui-stamps-by", { stamps: stampsText(device.stamps) })] : [];
-  const missing = t("ui-lost-and-corrupt", { lost: device.lost, corrupt: device.corrupt });
-  return stated(arm ? t("ui-hz", rate) : t("ui-fps", rate), [fresh, missing, ...stamps].join(" · "), "good");
+  const notes = [fresh, lossText(device), ...stamps];
+  return stated(arm ? t("ui-hz", rate) : t("ui-fps", rate), notes.join(" · "), "neutral");
+}
+
+/** The losses that the sign is given by; of a station of an earlier version, those since its start. */
+function lossText({ lost_lately, received_lately, lost, corrupt }: DeviceReport): string {
+  if (lost_lately == null) return t("ui-lost-and-corrupt", { lost, corrupt });
+  return t("ui-lost-lately", { n: figures(lost_lately), all: figures(lost_lately + (received_lately ?? 0)) });
 }
 
 function calibrationFact(calibration: CalibrationReport | null): Fact {

@@ -9,7 +9,7 @@ from app.messages.message import Text, message, quantity, rounded
 from app.metrology.arm.kinematics import AnyArm, Arm
 from app.metrology.targets.chessboard import Chessboard, Markers
 from app.metrology.targets.target import CalibrationTarget
-from app.station.devices.link_state import QUALITY, DeviceState
+from app.station.devices.link_state import DeviceState
 
 
 def devices_step(state: CalibrationState, live: CalibrationLive) -> StepView:
@@ -30,7 +30,7 @@ def _line(link: DeviceState) -> DeviceLine:
     text = link.text
     if link.rate_hz is not None:
         text = message("second", text=text, rate=quantity(link.rate_hz))
-    return DeviceLine(link.title, QUALITY[link.state], text)
+    return DeviceLine(link.title, link.quality, text)
 
 
 def setup_step(state: CalibrationState, live: CalibrationLive) -> StepView:
