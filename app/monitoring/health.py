@@ -9,6 +9,7 @@ from typing import Literal
 
 from app.errors import OperationError, sentence
 from app.findings import GRAVEST_FIRST, Quality
+from app.messages.limits import beside_limit
 from app.messages.message import Text, join, message, quantity, signed, word
 from app.monitoring.loop_watchdog import Stalls
 from app.monitoring.system_info import Memory
@@ -180,13 +181,9 @@ def event_loop(stalls: Stalls, limit_s: float) -> HealthItem:
         return HealthItem("loop", message("answers-browsers"), "good", what, why, "")
     parts: list[Text] = []
     if stalls.count:
+        longest, limit = beside_limit(stalls.longest_s, limit_s, "s", 1)
         parts.append(
-            message(
-                "held-up-more-than-longest",
-                count=stalls.count,
-                limit=quantity(limit_s, "s", 2),
-                longest=quantity(stalls.longest_s, "s", 1),
-            )
+            message("held-up-more-than-longest", count=stalls.count, limit=limit, longest=longest)
         )
     if stalls.pauses:
         parts.append(

@@ -17,6 +17,7 @@ from app.guide.common.validity import (
     choose_next_action,
     tip_finding,
 )
+from app.messages.limits import beside_limit
 from app.messages.message import Text, join, message, quantity
 from app.operations.context import Context
 from app.store.calibrations import CalibrationRecord
@@ -140,10 +141,10 @@ def _state(verdict: Quality) -> State:
 
 
 def _arm_text(check: ArmCheckSummary) -> Text:
-    half_range = quantity(max(check.half_range_um), "µm")
+    worst_um = max(check.half_range_um)
     if check.limit_um is None:
-        return message("arm-check-no-limit", half_range=half_range)
-    limit = quantity(check.limit_um, "µm")
+        return message("arm-check-no-limit", half_range=quantity(worst_um, "µm"))
+    half_range, limit = beside_limit(worst_um, check.limit_um, "µm")
     return message("arm-check-with-limit", half_range=half_range, limit=limit)
 
 

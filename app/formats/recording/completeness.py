@@ -2,7 +2,8 @@
 
 from dataclasses import dataclass
 
-from app.messages.message import Text, message, quantity
+from app.messages.limits import beside_limit
+from app.messages.message import Text, message
 
 MOST_LEFT_OUT = 0.1
 """A scan is incomplete if a larger share of it gave no points. A warning is then too little, as
@@ -32,12 +33,9 @@ class MissingFrames:
     @property
     def text(self) -> Text:
         """How much of the scan is missing, with the limit."""
+        share, limit = beside_limit(100 * self.share, 100 * MOST_LEFT_OUT, "%", 1)
         return message(
-            "scan-is-incomplete",
-            count=self.frames,
-            total=self.of,
-            share=quantity(100 * self.share, "%", 1),
-            limit=quantity(100 * MOST_LEFT_OUT, "%"),
+            "scan-is-incomplete", count=self.frames, total=self.of, share=share, limit=limit
         )
 
 

@@ -26,6 +26,7 @@ from app.guide.common.view import (
     StepProgress,
     Vec3,
 )
+from app.messages.limits import beside_limit
 from app.messages.message import Text, message, quantity, rounded, text_from_json
 from app.messages.uncertainty import uncertainty_quantity
 from app.metrology.transforms import Floats
@@ -220,19 +221,13 @@ def _check_findings(state: ArmState, picture: ArmPicture) -> list[Finding]:
             ),
         )
     elif limit_quality(half_range, state.limit_um) == "bad":
-        text = message(
-            "exceed-limit-m",
-            half_range=quantity(max(half_range), "µm"),
-            limit=rounded(state.limit_um, "µm"),
-        )
+        worst, limit = beside_limit(max(half_range), state.limit_um, "µm")
+        text = message("exceed-limit-m", half_range=worst, limit=limit)
         remedy = message("clean-tip-seat-check-clamps-repeat")
         findings.insert(0, Finding("bad", text, remedy))
     else:
-        text = message(
-            "within-limit-m",
-            half_range=quantity(max(half_range), "µm"),
-            limit=rounded(state.limit_um, "µm"),
-        )
+        worst, limit = beside_limit(max(half_range), state.limit_um, "µm")
+        text = message("within-limit-m", half_range=worst, limit=limit)
         findings.insert(0, Finding("good", text))
     return findings
 

@@ -1,7 +1,8 @@
 """Why a touch on a sphere or a length standard is not taken."""
 
 from app.errors import OperationError
-from app.messages.message import message, quantity
+from app.messages.limits import beside_limit
+from app.messages.message import message
 
 
 def same_place_error() -> OperationError:
@@ -15,12 +16,9 @@ def same_place_error() -> OperationError:
 
 def another_length_error(found_mm: float, wanted_mm: float) -> OperationError:
     """The touch would make another length than that of the standard."""
+    found, wanted = beside_limit(found_mm, wanted_mm, "mm")
     return OperationError(
         "another-length",
-        message(
-            "performance-another-length",
-            found=quantity(found_mm, "mm"),
-            wanted=quantity(wanted_mm, "mm"),
-        ),
+        message("performance-another-length", found=found, wanted=wanted),
         remedy=message("performance-touch-ends-of-length"),
     )

@@ -25,7 +25,8 @@ from app.guide.verify.view import (
     GaugeOption,
     VerifyView,
 )
-from app.messages.message import Text, join, mentions, message, quantity, rounded, word
+from app.messages.limits import beside_limit
+from app.messages.message import Text, join, mentions, message, quantity, word
 from app.messages.uncertainty import uncertainty_quantity
 from app.metrology.gauges.probed_gauge import ProbedPlane, ProbedSphere
 
@@ -112,10 +113,12 @@ def _number(state: VerifyState, live: VerifyLive) -> LiveNumber | None:
     )
     expanded = uncertainty_quantity(main.judging_uncertainty, main.unit)
     note = message("expanded-uncertainty-note", expanded_uncertainty=expanded)
+    shown = quantity(abs(main.value), "µm")
     if main.limit is not None:
-        limit = rounded(main.limit, "µm")
+        shown, limit = beside_limit(shown.value, main.limit, "µm")
         note = message("limit-m-2", limit=limit, expanded_uncertainty=expanded)
-    return LiveNumber(main.title, abs(main.value), "µm", 0, DECISION_QUALITY[main.decision], note)
+    quality = DECISION_QUALITY[main.decision]
+    return LiveNumber(main.title, shown.value, "µm", shown.decimals, quality, note)
 
 
 def _uncertainty_note(touched: object) -> Text:

@@ -7,6 +7,7 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
+from app.messages.limits import beside_limit
 from app.messages.message import Text, join, message, quantity, signed, word
 from app.metrology.calibration.uncertainty_budget import BudgetContribution, source_text
 from app.metrology.detection.detect_block import ObjectDetection
@@ -118,16 +119,14 @@ def uncertainty_verdict(
 
     ``remedies`` are keyed by the names of the rows.
     """
-    total = quantity(total_um, "µm")
     if total_um <= limits.good_um:
-        return CalibrationFinding(
-            "good",
-            "uncertainty",
-            message("point-known-good", total=total, good=quantity(limits.good_um, "µm")),
-        )
+        total, good = beside_limit(total_um, limits.good_um, "µm")
+        text = message("point-known-good", total=total, good=good)
+        return CalibrationFinding("good", "uncertainty", text)
     largest = max(rows, key=lambda row: row.value_um)
     usable = total_um <= limits.usable_um
-    limit = limits.good_um if usable else limits.usable_um
+    broken_um = limits.good_um if usable else limits.usable_um
+    total, limit = beside_limit(total_um, broken_um, "µm")
     return CalibrationFinding(
         "attention" if usable else "bad",
         "uncertainty",
@@ -136,7 +135,7 @@ def uncertainty_verdict(
             total=total,
             source=source_text(largest.source),
             value=quantity(largest.value_um, "µm"),
-            limit=quantity(limit, "µm"),
+            limit=limit,
         ),
         remedies[largest.source],
     )
@@ -160,6 +159,7 @@ def contact_findings(
         )
     ]
     if rms_um > limits.good_um:
+        rms, good = beside_limit(rms_um, limits.good_um, "µm")
         findings = [
             CalibrationFinding(
                 "attention",
@@ -167,8 +167,8 @@ def contact_findings(
                 message(
                     "contacts-fit-block-rms-up-good",
                     count=count,
-                    rms=quantity(rms_um, "µm"),
-                    good=quantity(limits.good_um, "µm"),
+                    rms=rms,
+                    good=good,
                 ),
                 message("check-tip-one-arms-file-block"),
             )
@@ -256,15 +256,16 @@ def size_error_finding(
 ) -> CalibrationFinding:
     """Contact points on two opposite faces are this much further apart than the certificates
     state."""
+    opening, limit = beside_limit(1e3 * abs(opening_mm), 1e3 * limit_mm, "µm")
     return CalibrationFinding(
         offset_quality(opening_mm / 2, limits),
         "size",
         message(
             "contacts-lie-than-blocks-size-tips",
             pair=pair[0],
-            opening=quantity(1e3 * abs(opening_mm), "µm"),
+            opening=opening,
             sign="apart" if opening_mm > 0 else "together",
-            limit=quantity(1e3 * limit_mm, "µm"),
+            limit=limit,
         ),
         message("check-tips-diameter-block-then-arms"),
     )
@@ -346,14 +347,15 @@ def pixel_aspect_findings(camera: Camera, covariance_px2: Floats) -> list[Calibr
     limit = max(SQUARE, SQUARE_SIGMAS * sd)
     if abs(fy / fx - 1) <= limit:
         return []
+    difference, most = beside_limit(100 * abs(fy / fx - 1), 100 * limit, "%", 2)
     return [
         CalibrationFinding(
             "attention",
             "pixels-oblong",
             message(
                 "cameras-pixels-come-out-out-square",
-                difference=quantity(100 * abs(fy / fx - 1), "%", 2),
-                limit=quantity(100 * limit, "%", 2),
+                difference=difference,
+                limit=most,
             ),
             message("compare-blocks-depth-heights-certificate"),
         )

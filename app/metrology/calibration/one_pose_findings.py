@@ -5,6 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from app.messages.limits import beside_limit
 from app.messages.message import message, quantity
 from app.metrology.calibration.camera_refinement import CameraFit
 from app.metrology.calibration.findings import (
@@ -74,6 +75,7 @@ def collect_one_pose_findings(evidence: Evidence) -> tuple[CalibrationFinding, .
 def _scatter_findings(evidence: Evidence) -> list[CalibrationFinding]:
     if evidence.arm_excess <= EXCESS:
         return []
+    excess, limit = beside_limit(evidence.arm_excess, EXCESS)
     return [
         CalibrationFinding(
             "attention",
@@ -81,8 +83,8 @@ def _scatter_findings(evidence: Evidence) -> list[CalibrationFinding]:
             message(
                 "contacts-scatter-times-what-arms-encoders",
                 sigma=quantity(1e3 * evidence.alignment.sigma_mm, "µm"),
-                arm_excess=quantity(evidence.arm_excess),
-                excess=quantity(EXCESS),
+                arm_excess=excess,
+                excess=limit,
             ),
             message("check-tip-play-faces-dirt-have"),
         )
@@ -105,12 +107,13 @@ def _arm_findings(evidence: Evidence) -> list[CalibrationFinding]:
 
 def _picture_findings(evidence: Evidence) -> list[CalibrationFinding]:
     edges = evidence.fit.edges
+    rms, limit = beside_limit(edges.rms_px, EDGE_RMS_PX, "px", 2)
     text = message(
         "points-edges-fit-camera-rms-limit",
         points=int(edges.inliers.sum()),
         edges=len(evidence.detection.edges),
-        rms=quantity(edges.rms_px, "px", 2),
-        edge_rms_px=quantity(EDGE_RMS_PX, "px", 1),
+        rms=rms,
+        edge_rms_px=limit,
     )
     good = edges.rms_px <= EDGE_RMS_PX
     remedy = "" if good else message("clean-blocks-edges-check-focus-lighting")
@@ -123,14 +126,15 @@ def _picture_findings(evidence: Evidence) -> list[CalibrationFinding]:
     findings += pixel_aspect_findings(evidence.fit.camera, evidence.fit.covariance[:2, :2])
     condition = evidence.faugeras.condition_number
     if condition > CONDITION:
+        shown, good_limit = beside_limit(condition, CONDITION)
         findings.append(
             CalibrationFinding(
                 "attention",
                 "condition",
                 message(
                     "corners-fix-camera-weakly-condition-number",
-                    condition=quantity(condition),
-                    good=quantity(CONDITION),
+                    condition=shown,
+                    good=good_limit,
                     limit=quantity(LARGEST_CONDITION),
                 ),
                 message("show-more-block-crests-floors-front"),

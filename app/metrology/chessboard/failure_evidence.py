@@ -9,7 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.errors import OperationError
-from app.messages.message import Text, message, quantity
+from app.messages.limits import beside_limit
+from app.messages.message import Text, message
 from app.metrology.chessboard.marked_squares import has_markers
 from app.metrology.chessboard.missing_corners import Cause, CornerGrid, common_cause
 from app.metrology.detection.failure_evidence import (
@@ -204,14 +205,11 @@ def _missing_places(grid: CornerGrid) -> NDArray[np.int64]:
 
 
 def _too_small(what: Text, grid: CornerGrid) -> OperationError:
+    width, least = beside_limit(grid.spacing_px(), LEAST_SPACING_PX, "px", 1)
     return OperationError(
         "board-too-small",
         what,
-        message(
-            "squares-too-small-in-picture",
-            width=quantity(grid.spacing_px(), "px", 1),
-            least=quantity(LEAST_SPACING_PX, "px"),
-        ),
+        message("squares-too-small-in-picture", width=width, least=least),
         message("bring-camera-nearer-to-board"),
     )
 

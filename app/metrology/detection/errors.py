@@ -4,6 +4,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.errors import OperationError
+from app.messages.limits import beside_limit
 from app.messages.message import Text, join, message, quantity
 from app.metrology.detection.edges.measure_all import EdgeMeasurements
 from app.metrology.detection.image_quality import BLURRED, EDGE_WIDTH, ImageFinding
@@ -159,13 +160,10 @@ def refuse_blurred(found: EdgeMeasurements) -> None:
     limit_px = BLURRED * max(found.camera.width_px, found.camera.height_px)
     if found.blur_px > limit_px:
         # From 10 % to 90 % of its height, a step is 2.56 standard deviations wide.
+        blur, limit = beside_limit(2.56 * found.blur_px, 2.56 * limit_px, "px")
         raise OperationError(
             "image-blurred",
-            message(
-                "picture-blurred-edges-wide-most-can",
-                blur=quantity(2.56 * found.blur_px, "px"),
-                limit=quantity(2.56 * limit_px, "px"),
-            ),
+            message("picture-blurred-edges-wide-most-can", blur=blur, limit=limit),
             "",
             message("focus-camera-object-bring-into-working"),
         )

@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 from scipy.spatial import KDTree
 
 from app.errors import OperationError
+from app.messages.limits import beside_limit
 from app.messages.message import message, quantity, rounded
 from app.metrology.fitting.plane_sphere import PlaneFit, SphereFit, draw_samples, finite_points
 from app.metrology.fitting.shape import MeasuredShape, measure_shape
@@ -270,10 +271,11 @@ def _first_visits(points: Floats, frame: NDArray[np.int64]) -> NDArray[np.bool_]
 
 def _refuse_rough(rms_mm: float, shape: str) -> None:
     if rms_mm > ROUGHEST_MM:
+        rms, roughest = beside_limit(rms_mm, ROUGHEST_MM, "mm", 2)
         raise OperationError(
             "another-gauge",
-            message("cloud-no-points-lie-rms-off", shape=shape, rms=quantity(rms_mm, "mm", 2)),
-            message("up-to-taken-one", rms=rounded(ROUGHEST_MM, "mm")),
+            message("cloud-no-points-lie-rms-off", shape=shape, rms=rms),
+            message("up-to-taken-one", rms=roughest),
             message("scan-gauge-chosen-nothing-beside"),
         )
 

@@ -7,7 +7,8 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from app.errors import OperationError
-from app.messages.message import message, quantity
+from app.messages.limits import beside_limit
+from app.messages.message import message
 from app.metrology.robust import median
 from app.metrology.sensor.camera import Camera, rays
 from app.metrology.transforms import Floats
@@ -102,12 +103,13 @@ def refuse_edge_on(plane: LaserPlane, sight: Floats) -> None:
     sine = np.abs(sight @ plane.normal) / np.linalg.norm(sight, axis=1)
     angle = float(np.degrees(np.arcsin(median(sine))))
     if angle < LEAST_ANGLE_DEG:
+        shown, least = beside_limit(angle, LEAST_ANGLE_DEG, "°", 1)
         raise OperationError(
             "laser-through-camera",
             message(
                 "camera-looks-along-laser-plane-deg",
-                angle=quantity(angle, "°", 1),
-                limit=quantity(LEAST_ANGLE_DEG, "°"),
+                angle=shown,
+                limit=least,
             ),
             message("plane-through-cameras-centre-gives-no"),
             message("camera-must-look-stripe-side-check"),

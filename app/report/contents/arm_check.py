@@ -8,6 +8,7 @@ from app.formats.datasheets.arm import read_arm
 from app.formats.results.arm_checks import ARM_CHECK, ArmCheckFile
 from app.formats.results.decision_rule import describe_rule
 from app.formats.session.arm_session import ARM, ARTICULATION, read_seats
+from app.messages.limits import beside_limit
 from app.messages.message import Message, Text, message, quantity, rounded, signed
 from app.metrology.arm.kinematics import Arm, tip_centres
 from app.metrology.transforms import Floats
@@ -63,10 +64,10 @@ def arm_check_report(folder: Path) -> Report[Text]:
 
 
 def _sentence(check: ArmCheckFile) -> Message:
-    worst = quantity(max(check.half_range_um), "µm")
+    worst_um = max(check.half_range_um)
     if check.limit_um is None:
-        return message("tip-held-seat-moved-max-min", worst=worst)
-    limit = rounded(check.limit_um, "µm")
+        return message("tip-held-seat-moved-max-min", worst=quantity(worst_um, "µm"))
+    worst, limit = beside_limit(worst_um, check.limit_um, "µm")
     return message("tip-in-seat-moved-limit", worst=worst, limit=limit)
 
 

@@ -10,6 +10,7 @@ from typing import Literal
 import numpy as np
 
 from app.findings import Quality
+from app.messages.limits import beside_limit, decimals_beside
 from app.messages.message import Text, Unit, message, quantity
 from app.metrology.detection.image_quality import CLIPPED, DIM, EDGE_WIDTH, Image, ImageQuality
 from app.metrology.image import saturation_level
@@ -44,11 +45,11 @@ def exposure_aid(picture: ImageQuality) -> CaptureAid:
     """For a picture of the object: the overexposed share, or the level of the bright parts."""
     if picture.overexposed:
         share = 100 * picture.saturated
-        too_bright = message("too-bright-saturated", share=quantity(share, "%"))
-        wanted = _at_most(100 * CLIPPED, "%")
-        return CaptureAid(
-            "exposure", message("saturated"), share, "%", 0, wanted, "attention", too_bright
-        )
+        shown, limit = beside_limit(share, 100 * CLIPPED, "%")
+        too_bright = message("too-bright-saturated", share=shown)
+        title, wanted = message("saturated"), message("at-most-limit", limit=limit)
+        places = shown.decimals
+        return CaptureAid("exposure", title, share, "%", places, wanted, "attention", too_bright)
     level = 100 * picture.high
     words: Text = ""
     if picture.dim:
@@ -56,9 +57,9 @@ def exposure_aid(picture: ImageQuality) -> CaptureAid:
     elif picture.dark:
         words = message("nothing-seen-no-contrast")
     quality: Quality = "attention" if words else "good"
-    return CaptureAid(
-        "exposure", message("brightness"), level, "%", 0, _at_least(100 * DIM), quality, words
-    )
+    least = 100 * DIM
+    places, wanted = decimals_beside(level, [least]), _at_least(least)
+    return CaptureAid("exposure", message("brightness"), level, "%", places, wanted, quality, words)
 
 
 def line_aid(image: Image, stripe: Stripe) -> CaptureAid | None:
@@ -70,17 +71,18 @@ def line_aid(image: Image, stripe: Stripe) -> CaptureAid | None:
     columns = np.clip(np.rint(stripe.u).astype(int), 0, image.shape[1] - 1)
     clipped = 100 * float(np.mean(image[rows, columns] >= full))
     if clipped > 100 * LINE_CLIPPED:
-        too_bright = message("line-too-bright-saturated", clipped=quantity(clipped, "%"))
-        wanted = _at_most(100 * LINE_CLIPPED, "%")
-        return CaptureAid(
-            "exposure", message("line-saturated"), clipped, "%", 0, wanted, "attention", too_bright
-        )
+        shown, limit = beside_limit(clipped, 100 * LINE_CLIPPED, "%")
+        too_bright = message("line-too-bright-saturated", clipped=shown)
+        title, wanted = message("line-saturated"), message("at-most-limit", limit=limit)
+        places = shown.decimals
+        return CaptureAid("exposure", title, clipped, "%", places, wanted, "attention", too_bright)
     level = 100 * float(np.quantile(stripe.intensity, LINE_QUANTILE)) / full
     dim = level < 100 * LINE_DIM
     words = message("line-too-dark", level=quantity(level, "%")) if dim else ""
     quality: Quality = "attention" if dim else "good"
-    wanted = _at_least(100 * LINE_DIM)
-    return CaptureAid("exposure", message("line-brightness"), level, "%", 0, wanted, quality, words)
+    wanted, places = _at_least(100 * LINE_DIM), decimals_beside(level, [100 * LINE_DIM])
+    title = message("line-brightness")
+    return CaptureAid("exposure", title, level, "%", places, wanted, quality, words)
 
 
 def focus_aid(picture: ImageQuality) -> CaptureAid | None:
@@ -89,16 +91,14 @@ def focus_aid(picture: ImageQuality) -> CaptureAid | None:
         return None
     width, wanted = EDGE_WIDTH * picture.blur_px, EDGE_WIDTH * picture.soft_px
     soft = width > wanted
+    shown, limit = beside_limit(width, wanted, "px", 1)
     words: Text = ""
     if soft:
-        words = message(
-            "out-focus-edges-wide-wanted",
-            width=quantity(width, "px", 1),
-            wanted=quantity(wanted, "px", 1),
-        )
+        words = message("out-focus-edges-wide-wanted", width=shown, wanted=limit)
     quality: Quality = "attention" if soft else "good"
+    most = message("at-most-limit", limit=limit)
     return CaptureAid(
-        "focus", message("edge-width"), width, "px", 1, _at_most(wanted, "px", 1), quality, words
+        "focus", message("edge-width"), width, "px", shown.decimals, most, quality, words
     )
 
 
@@ -114,19 +114,17 @@ def framing_aid(outline: Sequence[Segment], width_px: int, height_px: int) -> Ca
     least, most = FILLS
     words: Text = ""
     if fills < least:
-        words = message(
-            "come-nearer-object-fills-wanted",
-            fills=quantity(100 * fills, "%"),
-            least=quantity(100 * least, "%"),
-        )
+        shown, wanted = beside_limit(100 * fills, 100 * least, "%")
+        words = message("come-nearer-object-fills-wanted", fills=shown, least=wanted)
     elif fills > most:
         words = message("go-further-away-object-does-fit")
     elif max(abs(across), abs(down)) > MIDDLE:
         words = message("object-too-far", side=_side(float(across), float(down)))
     quality: Quality = "attention" if words else "good"
-    wanted = message("from-to", low=quantity(100 * least, "%"), high=quantity(100 * most, "%"))
+    range_text = message("from-to", low=quantity(100 * least, "%"), high=quantity(100 * most, "%"))
+    places = decimals_beside(100 * fills, (100 * least, 100 * most))
     return CaptureAid(
-        "framing", message("object-fills"), 100 * fills, "%", 0, wanted, quality, words
+        "framing", message("object-fills"), 100 * fills, "%", places, range_text, quality, words
     )
 
 
@@ -138,24 +136,18 @@ def _side(across: float, down: float) -> Literal["right", "left", "down", "up"]:
 
 def distance_aid(distance: Distance) -> CaptureAid:
     """Distance from the camera to what it sees, relative to the calibrated range."""
-    wanted = message(
-        "from-to", low=quantity(distance.near_mm, "mm"), high=quantity(distance.far_mm, "mm")
-    )
+    limits = distance.near_mm, distance.far_mm
+    places = decimals_beside(distance.mm, limits)
+    low, high = (quantity(one, "mm", places) for one in limits)
     words: Text = ""
     if distance.state != "in":
+        shown = quantity(distance.mm, "mm", places)
         words = message(
-            "distance-out-of-range",
-            side=distance.state,
-            distance=quantity(distance.mm, "mm"),
-            low=quantity(distance.near_mm, "mm"),
-            high=quantity(distance.far_mm, "mm"),
+            "distance-out-of-range", side=distance.state, distance=shown, low=low, high=high
         )
     quality: Quality = "attention" if words else "good"
-    return CaptureAid("distance", message("distance"), distance.mm, "mm", 0, wanted, quality, words)
-
-
-def _at_most(limit: float, unit: Unit, decimals: int = 0) -> Text:
-    return message("at-most-limit", limit=quantity(limit, unit, decimals))
+    title, wanted = message("distance"), message("from-to", low=low, high=high)
+    return CaptureAid("distance", title, distance.mm, "mm", places, wanted, quality, words)
 
 
 def _at_least(limit_percent: float) -> Text:

@@ -6,6 +6,7 @@ from typing import Literal
 from app.errors import OperationError, sentence
 from app.findings import Finding, Quality
 from app.formats.recording.completeness import MOST_LEFT_OUT
+from app.messages.limits import beside_limit
 from app.messages.message import Text, join, message, quantity
 from app.metrology.arm.kinematics import Arm
 from app.metrology.sensor.line_thinning import LINES_AT_A_PLACE
@@ -197,11 +198,8 @@ def _speed_findings(pipeline: ScanPipeline) -> list[Finding]:
     if now is None:
         return []
     if now.too_fast:
-        text = message(
-            "too-fast-blur-limit",
-            blur=quantity(now.blur_mm, "mm", 2),
-            limit=quantity(now.limit_mm, "mm", 2),
-        )
+        blur, limit = beside_limit(now.blur_mm, now.limit_mm, "mm", 2)
+        text = message("too-fast-blur-limit", blur=blur, limit=limit)
         return [Finding("attention", text, message("go-slower-shorten-exposure"))]
     return []
 

@@ -3,6 +3,7 @@
 from dataclasses import dataclass
 from typing import Literal
 
+from app.messages.limits import beside_limit
 from app.messages.message import Text, message, quantity
 from app.messages.uncertainty import uncertainty_quantity
 from app.metrology.decision import EXPANDED_K2, Decision, DecisionRule
@@ -31,10 +32,9 @@ def describe_judgement(judged: Judgement, rule: DecisionRule) -> Text:
     """
     unit, limit, title = judged.unit, judged.limit, judged.title
     size, guard = abs(judged.value), rule.guard_factor * judged.standard_uncertainty
-    shown = quantity(size, unit)
     if limit is None:
-        return message("there-no-limit", title=title, value=shown)
-    most = quantity(limit, unit)
+        return message("there-no-limit", title=title, value=quantity(size, unit))
+    shown, most = beside_limit(size, limit, unit)
     if guard == 0:
         how = "within" if size <= limit else "beyond"
         return message("figure-without-guard", title=title, value=shown, limit=most, how=how)

@@ -24,6 +24,7 @@ from app.formats.performance.results import (
 )
 from app.formats.performance.symbols import SPHERE_QUANTITIES, editions
 from app.formats.results.calibration import SerialNumbers
+from app.messages.limits import beside_limit
 from app.messages.message import Message, Text, message, quantity
 from app.metrology.performance.lengths import LENGTHS
 from app.metrology.performance.location import ImpliedOffset, estimate_offset
@@ -277,11 +278,8 @@ def _find_moved(results: Sequence[PositionResult], certificate: SphereCertificat
         limit_um = max(still_um, MOVED_BY_SCATTER * 1e3 * result.touch_sd_mm)
         if result.moved_um <= limit_um:
             continue
-        text = message(
-            "sphere-or-arm-moved",
-            moved=quantity(result.moved_um, "µm", 1),
-            limit=quantity(limit_um, "µm", 1),
-        )
+        moved, limit = beside_limit(result.moved_um, limit_um, "µm", 1)
+        text = message("sphere-or-arm-moved", moved=moved, limit=limit)
         found.append(_at_position(text, result, len(results)))
     return found
 

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from app.formats.performance.plan import PerformancePlan
 from app.formats.performance.results import PerformanceFigure, PerformanceVerdict
 from app.formats.performance.symbols import TITLES, Quantity, symbol_of
+from app.messages.limits import beside_limit
 from app.messages.message import Text, message, quantity
 from app.messages.uncertainty import uncertainty_quantity
 from app.metrology.decision import Decision, decide
@@ -102,13 +103,13 @@ def _reason(
 ) -> Text:
     if value is None:
         return message("performance-no-value", title=title, problem=problem)
-    size = quantity(value, "µm", 1)
     if limit is None:
-        return message("there-no-limit", title=title, value=size)
+        return message("there-no-limit", title=title, value=quantity(value, "µm", 1))
+    size, most = beside_limit(value, limit, "µm", 1)
     known = {
         "title": title,
         "value": size,
-        "limit": quantity(limit, "µm", 1),
+        "limit": most,
         "uncertainty": uncertainty_quantity(expanded or 0.0, "µm"),
     }
     if problem:

@@ -9,6 +9,7 @@ from scipy.spatial import ConvexHull
 
 from app.errors import OperationError
 from app.formats.performance.plan import ORIENTATIONS, plane_scan
+from app.messages.limits import beside_limit
 from app.messages.message import Text, message, quantity
 from app.metrology.performance.plane import least_squares_plane
 from app.metrology.performance.sphere import dispersion_mm
@@ -70,13 +71,10 @@ def measure_plate_scan(cloud: ScanCloud, shell_mm: float) -> ScannedPlate:
     kept = find_on_plate(points, shell_mm)
     width_mm = _width_mm(points[kept])
     if width_mm < LEAST_WIDTH_MM:
+        width, least = beside_limit(width_mm, LEAST_WIDTH_MM, "mm")
         raise OperationError(
             "cloud-too-small",
-            message(
-                "plate-scan-too-narrow",
-                width=quantity(width_mm, "mm"),
-                least=quantity(LEAST_WIDTH_MM, "mm"),
-            ),
+            message("plate-scan-too-narrow", width=width, least=least),
             remedy=message("scan-plate-in-strips"),
         )
     return ScannedPlate(
@@ -141,11 +139,8 @@ def _why_undecided(plates: list[ScannedPlate]) -> Iterator[Text]:
 
 def orientations_alike(turn_deg: float) -> Text:
     """Said of two scans between which the sensor was turned too little."""
-    return message(
-        "plate-orientations-alike",
-        turn=quantity(turn_deg, "°"),
-        least=quantity(LEAST_TURN_DEG, "°"),
-    )
+    turn, least = beside_limit(turn_deg, LEAST_TURN_DEG, "°")
+    return message("plate-orientations-alike", turn=turn, least=least)
 
 
 def find_on_plate(points_mm: Floats, shell_mm: float) -> NDArray[np.bool_]:

@@ -10,6 +10,7 @@ from app.guide.performance.contact.sequence import features_of
 from app.guide.performance.contact.so_far import group_tips
 from app.guide.performance.state import PerformanceState
 from app.guide.performance.touch_errors import another_length_error, same_place_error
+from app.messages.limits import beside_limit
 from app.messages.message import message, quantity
 from app.metrology.arm.kinematics import AnyArm, Arm, flange_poses, tip_centres, tip_of
 from app.metrology.performance.lengths import length_of_bar_mm
@@ -89,13 +90,10 @@ def _check_seat(
     earlier = np.array([touch.reading for touch in state.of(state.feature)])
     turned_deg = least_turn_deg(arm, earlier, reading)
     if turned_deg < ARTICULATED_DEG:
+        turned, least = beside_limit(turned_deg, ARTICULATED_DEG, "°")
         raise OperationError(
             "same-posture",
-            message(
-                "performance-arm-hardly-turned",
-                turned=quantity(turned_deg, "°"),
-                least=quantity(ARTICULATED_DEG, "°"),
-            ),
+            message("performance-arm-hardly-turned", turned=turned, least=least),
             remedy=message("performance-articulate-arm"),
         )
 

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from app.messages.limits import beside_limit
 from app.messages.message import message, quantity
 from app.metrology.adjustment.core.gauss_newton import AdjustmentResult
 from app.metrology.adjustment.core.observations import BlockObservation
@@ -131,14 +132,15 @@ def _arm_findings(evidence: BlockEvidence) -> list[CalibrationFinding]:
         )
     ]
     if scales.noise > NOISY:
+        noise, noisy = beside_limit(scales.noise, NOISY, "", 1)
         findings.append(
             CalibrationFinding(
                 "attention",
                 "arm-scatter",
                 message(
                     "poses-contacts-scatter-times-more-than",
-                    noise=quantity(scales.noise, "", 1),
-                    noisy=quantity(NOISY, "", 1),
+                    noise=noise,
+                    noisy=noisy,
                 ),
                 message("check-arm-play-tip-sensor-loose"),
             )
@@ -153,7 +155,10 @@ def _image_findings(evidence: BlockEvidence) -> list[CalibrationFinding]:
     points = sum(pose.edge_points for pose in used)
     rms_px = joint_rms((pose.edges_rms_px, pose.edge_points) for pose in used)
     worst = max(used, key=lambda pose: pose.edges_rms_px)
-    good = rms_px <= EDGE_RMS_PX and worst.edges_rms_px <= WORST_POSE * EDGE_RMS_PX
+    worst_px = WORST_POSE * EDGE_RMS_PX
+    good = rms_px <= EDGE_RMS_PX and worst.edges_rms_px <= worst_px
+    rms, limit = beside_limit(rms_px, EDGE_RMS_PX, "px", 2)
+    edges_rms, worst_limit = beside_limit(worst.edges_rms_px, worst_px, "px", 2)
     return [
         CalibrationFinding(
             "good" if good else "attention",
@@ -161,10 +166,11 @@ def _image_findings(evidence: BlockEvidence) -> list[CalibrationFinding]:
             message(
                 "points-blocks-edges-fit-camera-rms",
                 points=points,
-                rms=quantity(rms_px, "px", 2),
+                rms=rms,
+                edge_rms_px=limit,
                 number=worst.number,
-                edges_rms=quantity(worst.edges_rms_px, "px", 2),
-                edge_rms_px=quantity(EDGE_RMS_PX, "px", 1),
+                edges_rms=edges_rms,
+                worst_limit=worst_limit,
             ),
             "" if good else message("clean-blocks-edges-check-focus-lighting"),
             worst.number,

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from app.errors import sentence
+from app.messages.limits import beside_limit
 from app.messages.message import message, quantity
 from app.metrology.adjustment.board.initial_guess import BoardObservation
 from app.metrology.adjustment.board.results import BoardContacts
@@ -113,12 +114,8 @@ def _contact_findings(evidence: BoardEvidence) -> list[CalibrationFinding]:
     text = message("contacts-lie-board-rms", count=count, rms=quantity(rms_um, "µm"))
     findings = [CalibrationFinding("good", "contacts", text)]
     if rms_um > limits.good_um:
-        text = message(
-            "contacts-lie-board-rms-up-good",
-            count=count,
-            rms=quantity(rms_um, "µm"),
-            good=quantity(limits.good_um, "µm"),
-        )
+        rms, good = beside_limit(rms_um, limits.good_um, "µm")
+        text = message("contacts-lie-board-rms-up-good", count=count, rms=rms, good=good)
         remedy = message("check-tip-one-arms-file-board")
         findings = [CalibrationFinding("attention", "contacts", text, remedy)]
     left_out = contact_outlier_findings(touches.features, contacts.residuals_um, contacts.excluded)

@@ -5,7 +5,8 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from app.errors import OperationError
-from app.messages.message import message, rounded, signed
+from app.messages.limits import beside_limit
+from app.messages.message import message
 from app.metrology.adjustment.board.bundle import Bundle, adjust_bundle, with_identity_pose
 from app.metrology.adjustment.board.initial_guess import (
     BoardObservation,
@@ -212,14 +213,15 @@ def _contact_observations(
     off_mm = in_obj[:, 2] - touches.radius_mm
     usual = median(off_mm)
     if abs(usual) > CONTACTS_OFF_MM:
+        off, limit = beside_limit(usual, CONTACTS_OFF_MM, "mm", 1, signed=True)
         raise OperationError(
             "contacts-off-board",
             message(
                 "contacts-lie-off-board-pictures-show",
                 touches=len(touches),
-                usual=signed(usual, "mm", 1),
+                usual=off,
             ),
-            message("limit-is-value", limit=rounded(CONTACTS_OFF_MM, "mm")),
+            message("limit-is-value", limit=limit),
             message("check-square-mm-tip-arm-json"),
         )
     by_bend = np.zeros((len(touches), coordinates))

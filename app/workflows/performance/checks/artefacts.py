@@ -7,6 +7,7 @@ from app.formats.datasheets.length_standard import LengthStandardFile
 from app.formats.performance.plan import PerformancePlan, PlatePart, SpherePart
 from app.formats.performance.symbols import Quantity
 from app.formats.results.calibration import Calibration
+from app.messages.limits import beside_limit
 from app.messages.message import Text, message, quantity
 from app.metrology.arm.kinematics import AnyArm
 from app.metrology.performance.length_places import arm_reach
@@ -133,26 +134,16 @@ def _plate_problems(plate: PlatePart) -> list[Text]:
     if plate.flatness_sd_um == 0:
         problems.append(message("certificate-without-uncertainty"))
     if plate.width_mm is not None and plate.width_mm < LEAST_WIDTH_MM:
-        problems.append(
-            message(
-                "plate-too-narrow",
-                width=quantity(plate.width_mm, "mm"),
-                least=quantity(LEAST_WIDTH_MM, "mm"),
-            )
-        )
+        width, least = beside_limit(plate.width_mm, LEAST_WIDTH_MM, "mm")
+        problems.append(message("plate-too-narrow", width=width, least=least))
     return problems
 
 
 def _sphere_problems(sphere: SpherePart) -> list[Text]:
     problems: list[Text] = []
     if sphere.diameter_mm < LEAST_DIAMETER_MM:
-        problems.append(
-            message(
-                "sphere-too-small",
-                diameter=quantity(sphere.diameter_mm, "mm", 3),
-                least=quantity(LEAST_DIAMETER_MM, "mm"),
-            )
-        )
+        diameter, least = beside_limit(sphere.diameter_mm, LEAST_DIAMETER_MM, "mm", 3)
+        problems.append(message("sphere-too-small", diameter=diameter, least=least))
     if sphere.diameter_sd_um == 0:
         problems.append(message("certificate-without-uncertainty"))
     return problems

@@ -2,6 +2,7 @@
 
 from typing import Literal
 
+from app.messages.limits import beside_limit
 from app.messages.message import Text, message, quantity
 from app.metrology.performance.articulation import (
     HELD_DEG,
@@ -47,10 +48,11 @@ def articulations_alike(directions: Floats) -> Text:
     first, second, apart_deg = nearest_pair(directions)
     if apart_deg >= LEAST_APART_DEG:
         return ""
+    apart, least = beside_limit(apart_deg, LEAST_APART_DEG, "°")
     return message(
         "articulations-nearly-same",
         first=first + 1,
         second=second + 1,
-        apart=quantity(apart_deg, "°"),
-        least=quantity(LEAST_APART_DEG, "°"),
+        apart=apart,
+        least=least,
     )

@@ -7,7 +7,8 @@ from app.formats.performance.end_temperatures import EndTemperatures
 from app.formats.performance.plan import PerformancePlan, SpherePart
 from app.formats.performance.results import TemperaturesPart
 from app.formats.performance.symbols import Quantity
-from app.messages.message import Text, message, quantity
+from app.messages.limits import beside_limit, decimals_beside
+from app.messages.message import Text, message, quantity, rounded
 from app.metrology.performance.temperature import (
     REFERENCE_C,
     ROUNDING_C,
@@ -35,24 +36,26 @@ def find_unsteady(
     found: list[Text] = []
     for which, span in (("artefact", artefact), ("arm", arm)):
         if span.is_change_too_large(limits):
+            change, most = beside_limit(abs(span.change_c or 0.0), limits.change_c, "°C", 1)
             found.append(
-                message(
-                    "performance-temperature-changed",
-                    which=which,
-                    change=quantity(abs(span.change_c or 0.0), "°C", 1),
-                    most=quantity(limits.change_c, "°C", 1),
-                )
+                message("performance-temperature-changed", which=which, change=change, most=most)
             )
         if span.is_too_far(limits):
             found.append(
                 message(
                     "performance-temperature-far",
                     which=which,
-                    celsius=quantity(span.farthest_c or 0.0, "°C", 1),
-                    most=quantity(limits.from_20_c, "°C", 1),
+                    celsius=_celsius_beside(span.farthest_c or 0.0, limits.from_20_c),
+                    most=rounded(limits.from_20_c, "°C"),
                 )
             )
     return found
+
+
+def _celsius_beside(celsius: float, most_from_20_c: float) -> Text:
+    """A temperature with as many decimals as show on which side of its limits it lies."""
+    limits = REFERENCE_C - most_from_20_c, REFERENCE_C + most_from_20_c
+    return quantity(celsius, "°C", decimals_beside(celsius, limits, 1))
 
 
 def is_expansion_known(artefact: Expanding) -> bool:
@@ -75,8 +78,8 @@ def unknown_expansion(artefact: Expanding, name: str, span: TemperatureSpan) -> 
     return message(
         "performance-expansion-unknown",
         name=name,
-        celsius=quantity(farthest_c, "°C", 1),
-        most=quantity(UNKNOWN_FROM_20_C, "°C", 1),
+        celsius=_celsius_beside(farthest_c, UNKNOWN_FROM_20_C),
+        most=rounded(UNKNOWN_FROM_20_C, "°C"),
     )
 
 
@@ -129,11 +132,12 @@ def temperature_notes(plan: PerformancePlan, end: EndTemperatures) -> list[Text]
         notes.append(message("performance-steadiness-unknown"))
     if part is not None and part.steady:
         largest_c = max(abs(span.change_c or 0.0) for span in (artefact, arm))
+        change, most = beside_limit(largest_c, plan.temperature_limits.change_c, "°C", 1)
         notes.append(
             message(
                 "performance-temperatures-steady",
-                change=quantity(largest_c, "°C", 1),
-                most=quantity(plan.temperature_limits.change_c, "°C", 1),
+                change=change,
+                most=most,
                 off=quantity(plan.temperature_limits.from_20_c, "°C", 1),
             )
         )

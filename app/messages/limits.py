@@ -1,0 +1,49 @@
+"""Numbers beside the limits that they are compared with.
+
+Rounded alone, 0.304 and 0.296 are both 0.3: a reader then sees a sign that contradicts the numbers.
+"""
+
+from collections.abc import Iterable
+
+from app.messages.message import Quantity, Unit, rounded
+
+MOST_DECIMALS = 6
+"""Numbers that differ by less than these show are equal to a reader."""
+
+
+def decimals_beside(value: float, limits: Iterable[float], decimals: int = 0) -> int:
+    """So many decimals at least that a value is not rounded to the other side of its limits, nor
+    onto one of them.
+
+    Example:
+        >>> decimals_beside(0.304, [0.3], 2), decimals_beside(0.31, [0.3], 2)
+        (3, 2)
+    """
+    compared = list(limits)
+    for places in range(decimals, MOST_DECIMALS):
+        shown = round(value, places)
+        if all(_side(value, one) == _side(shown, round(one, places)) for one in compared):
+            return places
+    return max(decimals, MOST_DECIMALS)
+
+
+def beside_limit(
+    value: float, limit: float, unit: Unit = "", decimals: int = 0, signed: bool = False
+) -> tuple[Quantity, Quantity]:
+    """A value and its limit as they are shown beside each other.
+
+    Args:
+        decimals: that the value has at least.
+        signed: the value has its sign, and its size is compared.
+
+    Example:
+        >>> [(one.value, one.decimals) for one in beside_limit(0.304, 0.3, "px", 2)]
+        [(0.304, 3), (0.3, 1)]
+    """
+    places = decimals_beside(abs(value) if signed else value, [limit], decimals)
+    shown = rounded(round(limit, places), unit, digits=15)
+    return Quantity(float(value), unit, places, signed), shown
+
+
+def _side(value: float, limit: float) -> int:
+    return int(value > limit) - int(value < limit)
