@@ -1,6 +1,7 @@
 """Numbers beside their limits: the sign and the numbers say the same."""
 
 import ast
+from collections.abc import Sequence
 from decimal import Decimal
 
 import pytest
@@ -39,6 +40,12 @@ def test_a_number_is_never_rounded_to_the_other_side_of_its_limit(
     assert number.decimals >= decimals
 
 
+def test_a_limit_that_somebody_set_is_shown_as_it_is() -> None:
+    assert [one.value for one in beside_limit(1.5, 0.25, "s", 1)] == [1.5, 0.25]
+    assert [one.value for one in beside_limit(13.0, 12.5, "µm")] == [13.0, 12.5]
+    assert beside_limit(13.0, 12.3456, "µm")[1].value == 12.0
+
+
 @pytest.mark.parametrize(
     ("value", "limits", "decimals", "enough"),
     [
@@ -56,7 +63,7 @@ def test_it_has_as_many_decimals_as_show_it(
 
 
 @reads_tree
-def rounded_alone(nodes: list[ast.AST]) -> list[int]:
+def rounded_alone(nodes: Sequence[ast.AST]) -> list[int]:
     """Lines of messages with a limit that is rounded without the number beside it."""
     found = []
     for node in nodes:

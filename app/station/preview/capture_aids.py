@@ -10,7 +10,7 @@ from typing import Literal
 import numpy as np
 
 from app.findings import Quality
-from app.messages.limits import beside_limit, decimals_beside
+from app.messages.limits import beside_limit, decimals_beside, limit_quantity
 from app.messages.message import Text, Unit, message, quantity
 from app.metrology.detection.image_quality import CLIPPED, DIM, EDGE_WIDTH, Image, ImageQuality
 from app.metrology.image import saturation_level
@@ -47,9 +47,9 @@ def exposure_aid(picture: ImageQuality) -> CaptureAid:
         share = 100 * picture.saturated
         shown, limit = beside_limit(share, 100 * CLIPPED, "%")
         too_bright = message("too-bright-saturated", share=shown)
-        title, wanted = message("saturated"), message("at-most-limit", limit=limit)
+        title, most = message("saturated"), message("at-most-limit", limit=limit)
         places = shown.decimals
-        return CaptureAid("exposure", title, share, "%", places, wanted, "attention", too_bright)
+        return CaptureAid("exposure", title, share, "%", places, most, "attention", too_bright)
     level = 100 * picture.high
     words: Text = ""
     if picture.dim:
@@ -73,9 +73,9 @@ def line_aid(image: Image, stripe: Stripe) -> CaptureAid | None:
     if clipped > 100 * LINE_CLIPPED:
         shown, limit = beside_limit(clipped, 100 * LINE_CLIPPED, "%")
         too_bright = message("line-too-bright-saturated", clipped=shown)
-        title, wanted = message("line-saturated"), message("at-most-limit", limit=limit)
+        title, most = message("line-saturated"), message("at-most-limit", limit=limit)
         places = shown.decimals
-        return CaptureAid("exposure", title, clipped, "%", places, wanted, "attention", too_bright)
+        return CaptureAid("exposure", title, clipped, "%", places, most, "attention", too_bright)
     level = 100 * float(np.quantile(stripe.intensity, LINE_QUANTILE)) / full
     dim = level < 100 * LINE_DIM
     words = message("line-too-dark", level=quantity(level, "%")) if dim else ""
@@ -138,7 +138,7 @@ def distance_aid(distance: Distance) -> CaptureAid:
     """Distance from the camera to what it sees, relative to the calibrated range."""
     limits = distance.near_mm, distance.far_mm
     places = decimals_beside(distance.mm, limits)
-    low, high = (quantity(one, "mm", places) for one in limits)
+    low, high = (limit_quantity(one, "mm", places) for one in limits)
     words: Text = ""
     if distance.state != "in":
         shown = quantity(distance.mm, "mm", places)

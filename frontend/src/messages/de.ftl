@@ -1232,6 +1232,7 @@ ui-the-picture-was-not-changed = das Bild wurde nicht geändert
 ui-the-replay-has-ended = Die Wiedergabe ist beendet
 ui-the-replay-stopped = Die Wiedergabe wurde abgebrochen
 ui-the-same-clouds-with-every-calibration = Dieselben Punktwolken mit jeder Kalibrierung
+ui-the-scan-is-incomplete = Der Scan ist unvollständig: Teile der Oberfläche fehlen.
 ui-the-scan-may-still-exist = der Scan ist vielleicht noch vorhanden
 ui-the-scan-may-still-run = der Scan läuft vielleicht noch
 ui-the-scan-was-not-fetched = Der Scan wurde nicht zurückgeholt.

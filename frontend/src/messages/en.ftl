@@ -1232,6 +1232,7 @@ ui-the-picture-was-not-changed = the picture was not changed
 ui-the-replay-has-ended = The replay has ended
 ui-the-replay-stopped = The replay stopped
 ui-the-same-clouds-with-every-calibration = The same clouds with every calibration
+ui-the-scan-is-incomplete = The scan is incomplete: parts of the surface are missing.
 ui-the-scan-may-still-exist = the scan may still exist
 ui-the-scan-may-still-run = the scan may still run
 ui-the-scan-was-not-fetched = The scan was not brought back.

@@ -67,6 +67,7 @@ export function ScanPage() {
 }
 
 function displayedShare(scan: ScanStatus): string {
+  if (scan.incomplete) return t("ui-the-scan-is-incomplete");
   return scan.points_shown < scan.points ? t("ui-view-contains-only-some-them") : "";
 }
 

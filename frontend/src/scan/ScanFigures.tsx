@@ -25,6 +25,7 @@ export function ScanFigures({ scan }: { scan: ScanStatus }) {
         label={t("ui-without-arm-position")}
         value={figures(scan.frames_without_joints)}
         lost={scan.frames_without_joints > 0}
+        bad={scan.incomplete}
       />
     </dl>
   );
@@ -34,12 +35,20 @@ function tooFast({ blur_mm, blur_limit_mm }: ScanStatus): boolean {
   return blur_mm !== null && blur_limit_mm !== null && blur_mm > blur_limit_mm;
 }
 
-function Figure({ label, value, lost = false }: { label: string; value: string; lost?: boolean }) {
+interface FigureProps {
+  label: string;
+  value: string;
+  lost?: boolean;
+  /** So much that the scan is incomplete. */
+  bad?: boolean;
+}
+
+function Figure({ label, value, lost = false, bad = false }: FigureProps) {
   return (
     <div className={styles.figure}>
       <dt>{label}</dt>
       <dd>
-        {lost && <QualityMark quality="attention" size="1.125rem" />} {value}
+        {lost && <QualityMark quality={bad ? "bad" : "attention"} size="1.125rem" />} {value}
       </dd>
     </div>
   );

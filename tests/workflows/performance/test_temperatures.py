@@ -110,7 +110,7 @@ def test_the_limits_are_those_of_the_plan(steel: Path) -> None:
     result = measured(steel, (25.5, 27.4), (27.9, 27.0))
     assert not result.problems
     assert result.figures[0].decision == "pass"
-    assert any("changed by 1.9 °C at most (limit 2.0 °C)" in str(note) for note in result.notes)
+    assert any("changed by 1.9 °C at most (limit 2 °C)" in str(note) for note in result.notes)
 
 
 def test_a_test_measured_at_its_beginning_alone_is_decided_and_says_so(steel: Path) -> None:
