@@ -82,6 +82,7 @@ def remove(asked: DeviceRemoval, context: TheContext, person: ThePerson) -> Devi
 def describe(asked: StripeDirection, context: TheContext) -> DevicesView:
     """Writes the datasheet of the chosen camera into the data folder."""
     context.device_setup.describe(asked.stripe_axis)
+    context.datasheets.note_change()
     return context.device_setup.view()
 
 
@@ -89,6 +90,7 @@ def describe(asked: StripeDirection, context: TheContext) -> DevicesView:
 def describe_arm(context: TheContext) -> DevicesView:
     """Writes the datasheet of the chosen arm, which reports poses, into the data folder."""
     context.device_setup.describe_arm()
+    context.datasheets.note_change()
     return context.device_setup.view()
 
 

@@ -20,7 +20,15 @@ from app.wire.json_response import RequestError, problem
 log = logging.getLogger(__name__)
 
 UNPROCESSABLE = 422
-STATUSES = {STALE: 409, NOT_SAVED: 507, "disk-full": 507, "catalogue-away": 503}
+STATUSES = {
+    STALE: 409,
+    NOT_SAVED: 507,
+    "disk-full": 507,
+    "catalogue-away": 503,
+    "datasheet-exists": 409,
+    "datasheet-changed": 409,
+    "no-datasheet": 404,
+}
 """Of refusals that programs recognise by their status."""
 
 

@@ -9,6 +9,7 @@ from starlette.responses import Response
 
 from app.api import (
     calibrations,
+    datasheets,
     devices,
     live,
     performance_exports,
@@ -63,6 +64,7 @@ ROUTERS: tuple[StationRouter, ...] = (
     scan.router,
     settings.router,
     devices.router,
+    datasheets.router,
     records.router,
     reports.router,
     health.router,

@@ -91,7 +91,12 @@ class Document(DocumentPart):
             OperationError: missing, unreadable, not JSON, of another format or of a newer
                 version, or a field that is missing or wrong.
         """
-        fields = _read_object(path)
+        return cls.parse(read_text(path), path)
+
+    @classmethod
+    def parse(cls, text: str, path: Path) -> Self:
+        """Checks the text of a file of this name; as ``read``."""
+        fields = _parse_object(text, path)
         cls._check_format(path, fields)
         try:
             return cls.model_validate(fields)
@@ -131,9 +136,10 @@ class Document(DocumentPart):
             )
 
 
-def document_format(path: Path) -> object:
-    """The format that a document names; raises ``OperationError`` if it is no document."""
-    return _read_object(path).get("format")
+def parse_format(text: str, path: Path) -> object:
+    """The format that the text of a file of this name states; raises ``OperationError`` if it is no
+    document."""
+    return _parse_object(text, path).get("format")
 
 
 def _with_english(part: DocumentPart, fields: dict[str, Any]) -> dict[str, Any]:
@@ -156,8 +162,7 @@ def _with_english(part: DocumentPart, fields: dict[str, Any]) -> dict[str, Any]:
     return written
 
 
-def _read_object(path: Path) -> dict[str, Any]:
-    text = read_text(path)
+def _parse_object(text: str, path: Path) -> dict[str, Any]:
     try:
         plain = json.loads(text)
         if is_deep(plain):
@@ -215,9 +220,14 @@ def _check_characters(path: Path, fields: object) -> None:
 def read_text(path: Path) -> str:
     """A UTF-8 text file, a byte-order mark taken off; raises ``OperationError`` where it cannot."""
     with convert_io_errors(path):
-        raw = read_bounded(path)
+        content = read_bounded(path)
+    return decode_text(content, path)
+
+
+def decode_text(content: bytes, path: Path) -> str:
+    """The text that a file of this name holds; as ``read_text``."""
     try:
-        return raw.decode("utf-8-sig")
+        return content.decode("utf-8-sig")
     except UnicodeDecodeError as error:
         raise OperationError(
             "file-not-text",

@@ -51,6 +51,7 @@ add-exposure-us-line = Zeile exposure_us = … hinzufügen
 add-line = Zeile { $key } = … hinzufügen
 add-picture-delete-pose = Bild ergänzen oder Pose löschen
 add-pictures-turned-about-another-axis = Bilder aufnehmen, die um eine andere Achse gedreht sind
+added-a-datasheet = fügte ein Datenblatt hinzu
 added-account = Konto angelegt
 added-gauge-certificate = Kalibrierschein eines Prüfnormals hinzugefügt
 address-none-message-can-sent = An diese Adresse lässt sich keine Nachricht senden
@@ -181,6 +182,7 @@ arm-has-joints = der Messarm { $arm } hat { $count } Gelenke
 arm-has-joints-station-toml-asks = Der Messarm unter { $url } ({ $name } { $serial_number }) hat { $joints } Gelenke, station.toml verlangt joint_count = { $joint_count }
 arm-has-no-tip = der Messarm { $name } hat keine Tastkugel
 arm-has-no-trigger-pulses = Der Messarm unter { $url } hat keinen Ausgang für Auslöseimpulse
+arm-has-other-joints = Der angeschlossene Messarm hat { $joints } Gelenke, dieses Modell hat { $rows }.
 arm-identified = Der Messarm ist identifiziert.
 arm-is-in-use = Der Messarm ist in Gebrauch: { $title }
 arm-is-where-scan-ended = Der Messarm ist, wo der Scan endete
@@ -438,6 +440,7 @@ bring-whole-board-into-picture = die ganze Tafel ins Bild bringen
 bring-whole-board-into-picture-sharp = die ganze Tafel ins Bild bringen, scharf und gleichmäßig beleuchtet
 bring-whole-object-into-view-front = das ganze Objekt ins Bild bringen, von vorn oben, und gleichmäßig beleuchten
 broker = Broker
+brought-a-datasheet-back = holte ein Datenblatt zurück
 but-what-marked-below-needs-attention = Das unten Markierte ist aber zu beachten.
 byte-is-not-utf-8 = Byte { $byte } ist kein gültiger UTF-8-Text
 bytes-but-no-packet =
@@ -1026,7 +1029,11 @@ database-is-empty = { $database } ist leer
 database-is-not-there = { $database } ist nicht vorhanden
 database-not-damaged = die Datenbank der Station lässt sich dort nicht öffnen; sie ist nicht beschädigt
 database-of-later-version = { $path } wurde von einer neueren Version von Crenel geschrieben (Schema { $version }; diese Version kennt { $known })
+datasheet-changed-meanwhile = { $file } wurde inzwischen geändert oder abgelegt; nichts wurde gespeichert
 datasheet-lets-turn = laut Datenblatt dreht es von { $low } bis { $high }
+datasheet-not-there = Das Datenblatt { $file } gibt es nicht mehr
+datasheet-of-name-exists = { $name } hat schon ein Datenblatt: { $files }
+datasheet-of-number-exists = { $name } mit der Seriennummer { $serial_number } hat schon ein Datenblatt: { $files }
 datasheet-says-raw = laut { $path } liefert der Sensor Rohbilder (bayer)
 datasheets = Datenblätter
 datasheets-set-aside-everything = Nicht lesbare Dateien in arms, objects, sensors und gauges werden unverändert beiseitegelegt; alles andere steht zur Verfügung.
@@ -1307,6 +1314,7 @@ map-outliers =
         [one] Ringe: { $points } Punkt liegt weiter ab, als Rauschen erklärt.
        *[other] Ringe: { $points } Punkte liegen weiter ab, als Rauschen erklärt.
     } Dicke Ringe: der tiefste und der höchste Punkt, { $low } und { $high }; die Spannweite aller Punkte liegt zwischen ihnen.
+load-the-list-again = Liste neu laden
 markers-in-white-squares = in ihren weißen Feldern sind Marker: sie ist eine ChArUco-Tafel
 markers-place-is-estimated-instead = stattdessen wird der Ort des Markers am Flansch geschätzt
 move-tip-to-object = Den Taster an das Objekt setzen, dann den Punkt aufnehmen
@@ -1346,6 +1354,8 @@ picture-at-time-of-line = { $place } hat dieselbe time_s wie Zeile { $line }
 pictures-are-at = die Bilder beginnen bei { $begin }
 remove-it-or-other = Ihn entfernen, oder den von ihnen, der falsch ist, und dort noch einmal antasten.
 recording-keeps-still-lines = Die Aufzeichnung enthält sie alle.
+replace-the-datasheet = das Datenblatt ersetzen; das jetzige bleibt unter den abgelegten erhalten
+retired-a-datasheet = legte ein Datenblatt ab
 reverse-sign-of-joint = Das Vorzeichen (sign) des Gelenks { $joint } in arm.json umkehren
 save-table-as-csv = Als CSV (UTF-8) mit Kommas zwischen den Spalten speichern
 scatter-of-clouds = Punktwolken

@@ -51,6 +51,7 @@ add-exposure-us-line = Add a line exposure_us = …
 add-line = Add a line { $key } = …
 add-picture-delete-pose = Add the picture, or delete the pose
 add-pictures-turned-about-another-axis = add pictures rotated about another axis
+added-a-datasheet = added a datasheet
 added-account = added an account
 added-gauge-certificate = added the certificate of a gauge
 address-none-message-can-sent = Messages cannot be sent to this address
@@ -181,6 +182,7 @@ arm-has-joints = the arm { $arm } has { $count } joints
 arm-has-joints-station-toml-asks = The arm at { $url } ({ $name } { $serial_number }) has { $joints } joints, but station.toml states joint_count = { $joint_count }
 arm-has-no-tip = the arm { $name } has no tip
 arm-has-no-trigger-pulses = The arm at { $url } has no output for trigger pulses
+arm-has-other-joints = The connected arm has { $joints } joints, this model has { $rows }.
 arm-identified = The arm is identified.
 arm-is-in-use = The arm is in use: { $title }
 arm-is-where-scan-ended = The arm is where the scan ended
@@ -438,6 +440,7 @@ bring-whole-board-into-picture = bring the whole board into the picture
 bring-whole-board-into-picture-sharp = bring the whole board into the picture, sharp and evenly lit
 bring-whole-object-into-view-front = bring the whole object into view, from its front and above, and light it evenly
 broker = Broker
+brought-a-datasheet-back = brought a datasheet back
 but-what-marked-below-needs-attention = However, the items marked below need attention.
 byte-is-not-utf-8 = byte { $byte } is not UTF-8 text
 bytes-but-no-packet =
@@ -1022,7 +1025,11 @@ database-is-empty = { $database } is empty
 database-is-not-there = { $database } does not exist
 database-not-damaged = the station's database cannot be opened there; it is not damaged
 database-of-later-version = { $path } was written by a later version of Crenel (schema { $version }; this version supports up to { $known })
+datasheet-changed-meanwhile = { $file } has been changed or retired meanwhile; nothing was saved
 datasheet-lets-turn = its datasheet allows { $low } to { $high }
+datasheet-not-there = There is no datasheet { $file } any more
+datasheet-of-name-exists = { $name } already has a datasheet: { $files }
+datasheet-of-number-exists = { $name } with the serial number { $serial_number } already has a datasheet: { $files }
 datasheet-says-raw = { $path } says that the sensor's pictures are raw (bayer)
 datasheets = Datasheets
 datasheets-set-aside-everything = Files in arms, objects, sensors and gauges that cannot be read are set aside unchanged; everything else is available.
@@ -1303,6 +1310,7 @@ map-outliers =
         [one] Rings: { $points } point is further off than noise explains.
        *[other] Rings: { $points } points are further off than noise explains.
     } Bold rings: the lowest and the highest point, { $low } and { $high }; the range of all points lies between these.
+load-the-list-again = load the list again
 markers-in-white-squares = there are markers in its white squares: it is a ChArUco board
 markers-place-is-estimated-instead = the marker's place on the flange is estimated instead
 move-tip-to-object = Put the tip to the object, then take the point
@@ -1342,6 +1350,8 @@ picture-at-time-of-line = { $place } has the same time_s as line { $line }
 pictures-are-at = the pictures begin at { $begin }
 remove-it-or-other = Remove it, or the one of them that is wrong, and touch there again.
 recording-keeps-still-lines = The recording keeps them all.
+replace-the-datasheet = replace it, and the present one is kept among the retired ones
+retired-a-datasheet = retired a datasheet
 reverse-sign-of-joint = Reverse the sign of joint { $joint } in arm.json
 save-table-as-csv = Save it as CSV (UTF-8), with commas between the columns
 scatter-of-clouds = Clouds

@@ -14,6 +14,7 @@ from app.guide.common.simulated_scan import SimulatedScan
 from app.guide.common.validity import DUE, DueLimits
 from app.guide.performance.guide import PerformanceGuide
 from app.guide.verify.guide import VerifyGuide
+from app.operations.datasheets.station_datasheets import Datasheets
 from app.operations.device_setup import KINDS, DeviceSetup
 from app.operations.recovery import Recovery
 from app.operations.sensor_selection import SensorSelection
@@ -67,6 +68,7 @@ class Context:
     monitoring: MonitoringServices
     recovery: Recovery
     device_setup: DeviceSetup
+    datasheets: Datasheets
     sensor_selection: SensorSelection
     due: DueLimits = DUE
     provider: "Provider | None" = None

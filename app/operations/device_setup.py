@@ -11,7 +11,7 @@ from app.errors import OperationError
 from app.formats.file_names import display_path
 from app.guide.common.datasheet_library import DatasheetLibrary
 from app.messages.message import Text, message, word
-from app.operations.new_datasheet import (
+from app.operations.datasheets.new_datasheet import (
     UndescribedArm,
     UndescribedSensor,
     find_undescribed,

@@ -142,6 +142,12 @@ ROUTES: dict[tuple[str, str], Rule] = {
         Right.act, message("had-simulation-pass-over-plate")
     ),
     ("POST", "/api/settings/delay"): Rule(Right.act, message("applied-dropped-arms-delay")),
+    ("GET", "/api/datasheets"): LOOK,
+    ("GET", "/api/datasheets/{kind}/{file}"): LOOK,
+    ("POST", "/api/datasheets/check"): Rule(Right.operate),
+    ("POST", "/api/datasheets"): Rule(Right.act, message("added-a-datasheet")),
+    ("POST", "/api/datasheets/retire"): Rule(Right.act, message("retired-a-datasheet")),
+    ("POST", "/api/datasheets/restore"): Rule(Right.act, message("brought-a-datasheet-back")),
     # drivers open files, ports and addresses that their options name
     ("GET", "/api/devices"): Rule(Right.administer),
     ("POST", "/api/devices/search"): Rule(Right.administer),

@@ -13,6 +13,7 @@ from app.guide.common.guided_session import Provenance
 from app.guide.common.simulated_scan import SimulatedScan
 from app.messages.message import Text, message
 from app.operations.context import Context
+from app.operations.datasheets.station_datasheets import Datasheets
 from app.operations.device_setup import KINDS, DeviceSetup
 from app.operations.recovery import Recovery
 from app.operations.sensor_selection import SensorSelection
@@ -127,6 +128,7 @@ def _build_context(parts: StationParts, store: Store, opened: ExitStack) -> Cont
             lambda: read_library(store.folder),
             store.folder,
         ),
+        datasheets=Datasheets(store, rig, guides.note_datasheets),
         sensor_selection=SensorSelection(
             rig, live.preview, show_selected_sensor, guides.any_running, live.is_recording
         ),

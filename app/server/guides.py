@@ -60,6 +60,11 @@ class StationGuides:
             if session.running:
                 activities.resume(kind, session.started_at)
 
+    def note_datasheets(self) -> None:
+        """Every session goes by the datasheets, which have been changed."""
+        for session in self.by_activity.values():
+            session.note_datasheets()
+
     def press(self, event: Press) -> None:
         """A press belongs to the open session that waits for it and was used last."""
         sessions: list[tuple[int, Callable[[], bool]]] = [

@@ -17,7 +17,11 @@ from app.formats.datasheets.arm import read_any_arm
 from app.formats.datasheets.sensor import read_sensor
 from app.formats.images import write_png
 from app.guide.common.datasheet_library import DatasheetEntry, DatasheetLibrary
-from app.operations.new_datasheet import UndescribedArm, is_described, write_arm_datasheet
+from app.operations.datasheets.new_datasheet import (
+    UndescribedArm,
+    is_described,
+    write_arm_datasheet,
+)
 from app.settings.station_toml import read_settings
 from app.station.setup.trials import DeviceTrials
 from hardware.simulator.devices.rtde_server import RobotState, RtdeServer

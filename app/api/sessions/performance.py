@@ -1,15 +1,19 @@
 """The guided performance test, and the list of tests."""
 
+from pathlib import Path
+
 from starlette.responses import Response
 
 from app.api.access.authorization import StationRouter
 from app.api.lookups import find_performance, send_file
 from app.api.sessions.routes import add_session_routes
+from app.formats.exchange.read_certificate import parse_sphere_certificate
 from app.formats.performance.plan import RESULT
 from app.guide.performance.commands import COMMANDS
 from app.guide.performance.view import ArtefactOption, PerformanceView
 from app.messages.message import message
 from app.operations.context import TheContext
+from app.operations.datasheets.files import split_ending
 from app.store.session_records import PerformanceRecord
 from app.wire.json_response import json_response
 from app.wire.schema import PerformanceStart, PerformanceSummary, UploadedCertificate
@@ -31,9 +35,11 @@ def start(context: TheContext, asked: PerformanceStart | None = None) -> Respons
 
 
 @router.post("/performance/certificate")
-def add_certificate(asked: UploadedCertificate, context: TheContext) -> ArtefactOption:
-    """Puts the digital certificate (DCC) of a sphere into the folder of gauges."""
-    return context.performance_guide.add_certificate(asked.name, asked.text)
+def add_certificate(asked: UploadedCertificate, context: TheContext) -> ArtefactOption | None:
+    """Puts the digital certificate (DCC) of a sphere among the datasheets of gauges."""
+    parse_sphere_certificate(asked.text, Path(asked.name))  # other datasheets have their own page
+    added = context.datasheets.add(asked.name, asked.text)
+    return context.performance_guide.sphere_option(split_ending(added.file)[0])
 
 
 @router.get("/performances")

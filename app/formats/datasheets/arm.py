@@ -9,7 +9,14 @@ from pydantic import Field, model_validator
 from app.errors import OperationError
 from app.formats.datasheets.arm_identification import IdentificationPart
 from app.formats.file_names import display_path
-from app.formats.json_document import Document, DocumentPart, NotNegative, Number, SizeMm
+from app.formats.json_document import (
+    Document,
+    DocumentPart,
+    NotNegative,
+    Number,
+    SizeMm,
+    read_text,
+)
 from app.messages.message import message
 from app.metrology.arm.kinematics import Arm, Joint, RobotArm, Tip
 from app.metrology.arm.link_error import LinkError, error_from_transform, error_transform
@@ -82,7 +89,12 @@ class ArmFile(Document):
 
 def read_any_arm(path: Path) -> Arm | RobotArm:
     """Reads ``arm.json`` of either convention; ``OperationError`` names the file and the field."""
-    document = ArmFile.read(path)
+    return parse_any_arm(read_text(path), path)
+
+
+def parse_any_arm(text: str, path: Path) -> Arm | RobotArm:
+    """Reads the text of a file of this name; as ``read_any_arm``."""
+    document = ArmFile.parse(text, path)
     tip = None if document.tip is None else Tip(**document.tip.model_dump())
     if document.convention == "pose":
         return RobotArm(document.name, document.serial_number, tip)

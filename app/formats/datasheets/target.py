@@ -8,7 +8,7 @@ from pydantic import Field, model_validator
 
 from app.errors import OperationError
 from app.formats.file_names import display_path
-from app.formats.json_document import Document, NotNegative, Number, SizeMm
+from app.formats.json_document import Document, NotNegative, Number, SizeMm, read_text
 from app.messages.message import message
 from app.metrology.targets.chessboard import DICTIONARIES, Chessboard, Markers
 from app.metrology.targets.crenellated_block import Crenellated
@@ -149,13 +149,18 @@ class _AnyObject(Document):
 
 def read_object(path: Path) -> Crenellated | Chessboard:
     """Reads ``object.json``; raises ``OperationError`` naming the file and the field."""
-    kind = _AnyObject.read(path).kind
+    return parse_object(read_text(path), path)
+
+
+def parse_object(text: str, path: Path) -> Crenellated | Chessboard:
+    """Reads the text of a file of this name; as ``read_object``."""
+    kind = _AnyObject.parse(text, path).kind
     if kind == "crenellated":
-        return Crenellated(**ObjectFile.read(path).model_dump(exclude={"certificate"}))
+        return Crenellated(**ObjectFile.parse(text, path).model_dump(exclude={"certificate"}))
     if kind == "chessboard":
-        return ChessboardFile.read(path).board()
+        return ChessboardFile.parse(text, path).board()
     if kind == "charuco":
-        return CharucoFile.read(path).board()
+        return CharucoFile.parse(text, path).board()
     raise OperationError(
         "object-kind-unsupported",
         message("kind-unknown", path=display_path(path), kind=repr(kind)),
@@ -166,7 +171,12 @@ def read_object(path: Path) -> Crenellated | Chessboard:
 
 def read_certificate(path: Path) -> str:
     """Which certificate ``object.json`` names, empty where none; raises ``OperationError``."""
-    return _AnyObject.read(path).certificate
+    return parse_certificate(read_text(path), path)
+
+
+def parse_certificate(text: str, path: Path) -> str:
+    """The same of the text of a file of this name."""
+    return _AnyObject.parse(text, path).certificate
 
 
 def read_block(path: Path) -> Crenellated:

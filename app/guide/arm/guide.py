@@ -68,6 +68,9 @@ class ArmGuide(GuidedSession[ArmState, ArmLive, ArmView]):
         """The present session's folder, as ``crenel identify`` and ``articulation`` take it."""
         return self.data_folder / "sessions" / self.state.session_id
 
+    def forget_datasheets(self) -> None:
+        self._library.forget()
+
     # -- what is shown -------------------------------------------------------
 
     def refresh(self) -> ArmView:

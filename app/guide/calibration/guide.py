@@ -241,6 +241,17 @@ class CalibrationGuide(GuidedSession[CalibrationState, CalibrationLive, FlowView
         for field, found in better.items():
             self.append("chosen", {"field": field, "id": found})
 
+    def forget_datasheets(self) -> None:
+        self.datasheets.forget()
+
+    def note_datasheets(self) -> None:
+        """While the operator chooses, what is now clear is chosen."""
+        with self.lock:
+            self.forget_datasheets()
+            if self.running and self.state.step == "setup":
+                self.choose_for_connected()
+            self.refresh()
+
     # -- changes -------------------------------------------------------------
 
     def accept(self, result: CalibrationResult, key: str | None) -> None:

@@ -39,6 +39,10 @@ class SessionDatasheets:
         """What the station knows."""
         return self._library.latest(choosing)
 
+    def forget(self) -> None:
+        """Has the station's datasheets read again at the next look."""
+        self._library.forget()
+
     def selection(self, state: CalibrationState) -> SelectedDatasheets:
         """The library's datasheets while choosing; later the session's own copies."""
         if state.step in CHOOSING or not state.session_id:

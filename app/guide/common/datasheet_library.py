@@ -10,14 +10,14 @@ from typing import Generic, TypeVar
 from app.errors import OperationError, sentence
 from app.findings import Finding
 from app.formats.datasheets.arm import read_any_arm
-from app.formats.datasheets.gauge import GaugeFile, read_gauge
-from app.formats.datasheets.length_standard import LengthStandardFile, read_length_standard
-from app.formats.datasheets.sensor import SensorDatasheet, read_sensor
+from app.formats.datasheets.gauge import GaugeFile
+from app.formats.datasheets.length_standard import LengthStandardFile
+from app.formats.datasheets.sensor import SensorDatasheet
 from app.formats.datasheets.target import read_object
 from app.formats.exchange.read_certificate import read_sphere_certificate
 from app.formats.file_names import check_name, display_path, escape_unprintable
 from app.formats.io_errors import convert_all_errors
-from app.formats.json_document import document_format
+from app.formats.json_document import parse_format, read_text
 from app.messages.message import Text, message
 from app.metrology.arm.kinematics import AnyArm
 from app.metrology.targets.target import CalibrationTarget
@@ -134,8 +134,12 @@ def read_arms(data_folder: Path) -> Mapping[str, DatasheetEntry[AnyArm]]:
 
 
 def _read_station_sensor(path: Path) -> SensorDatasheet:
+    return parse_station_sensor(read_text(path), path)
+
+
+def parse_station_sensor(text: str, path: Path) -> SensorDatasheet:
     """A sensor whose pictures are grey: a station's driver selects the pixels of raw ones."""
-    sensor = read_sensor(path)
+    sensor = SensorDatasheet.parse(text, path)
     if sensor.bayer is None:
         return sensor
     raise OperationError(
@@ -166,7 +170,7 @@ def read_any_gauges(data_folder: Path) -> Gauges[AnyGauge]:
     folder, findings = data_folder / "gauges", list[Finding]()
     known = _entries(folder, read_any_gauge, findings, GAUGE_ENDINGS)
     refused = []
-    for path in _files(folder, CERTIFICATE_ENDING, findings):
+    for path in list_files(folder, CERTIFICATE_ENDING, findings):
         if path.stem in known:
             continue
         try:
@@ -190,9 +194,14 @@ def list_set_aside(data_folder: Path) -> list[Text]:
 
 def read_any_gauge(path: Path) -> AnyGauge:
     """A gauge or a length standard; raises ``OperationError`` naming file and field."""
-    if document_format(path) == LengthStandardFile.FORMAT:
-        return read_length_standard(path)
-    return read_gauge(path)
+    return parse_any_gauge(read_text(path), path)
+
+
+def parse_any_gauge(text: str, path: Path) -> AnyGauge:
+    """Reads the text of a file of this name; as ``read_any_gauge``."""
+    if parse_format(text, path) == LengthStandardFile.FORMAT:
+        return LengthStandardFile.parse(text, path)
+    return GaugeFile.parse(text, path)
 
 
 def _entries(
@@ -202,7 +211,7 @@ def _entries(
     endings: tuple[str, ...] = (".json",),
 ) -> dict[str, DatasheetEntry[Datasheet]]:
     entries: dict[str, DatasheetEntry[Datasheet]] = {}
-    for path in _files(folder, ".json", findings):
+    for path in list_files(folder, ".json", findings):
         entry_id = next(path.name.removesuffix(e) for e in endings if path.name.endswith(e))
         try:
             entries.setdefault(entry_id, DatasheetEntry(entry_id, path, _evaluate(path, read)))
@@ -218,7 +227,7 @@ def _evaluate(path: Path, read: Callable[[Path], Datasheet]) -> Datasheet:
         return read(path)
 
 
-def _files(folder: Path, ending: str, findings: list[Finding]) -> list[Path]:
+def list_files(folder: Path, ending: str, findings: list[Finding]) -> list[Path]:
     """The files of a folder by their ending, without hidden ones; a folder that cannot be listed is
     a finding."""
     try:

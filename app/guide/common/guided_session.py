@@ -250,6 +250,15 @@ class GuidedSession(ABC, Generic[State, Live, View]):
                 self.station.bus.publish(self._flow.topic, view)
             return view
 
+    def forget_datasheets(self) -> None:
+        """Has the datasheets of the data folder read again at the next look."""
+
+    def note_datasheets(self) -> None:
+        """Goes by the datasheets of the data folder, which have been changed."""
+        with self.lock:
+            self.forget_datasheets()
+            self.refresh()
+
     def knows_key(self, key: str) -> bool:
         """Whether a command with this idempotency key has acted already."""
         return self._journal.knows_key(key)

@@ -100,6 +100,9 @@ class GaugeSession(GuidedSession[State, Live, View], Generic[State, Live, View, 
 
     # -- datasheets ----------------------------------------------------------
 
+    def forget_datasheets(self) -> None:
+        self._gauges.forget()
+
     def gauges(self) -> Gauges[Gauge]:
         """The data folder's; read again only while one can be chosen."""
         return self._gauges.latest(self.is_choosing())

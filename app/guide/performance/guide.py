@@ -27,7 +27,6 @@ from app.guide.common.journal import (
     Journal,
     JournalEntry,
 )
-from app.guide.gauge.certificates import store_certificate
 from app.guide.gauge.session import GaugeServices
 from app.guide.performance.artefacts.gauges import bars_of, gauges_of_test
 from app.guide.performance.artefacts.session import ArtefactSession
@@ -249,19 +248,12 @@ class PerformanceGuide(ArtefactSession[PerformanceLive, PerformanceView]):
             self._contact = (self.state, found)
         return self._contact[1]
 
-    def add_certificate(self, name: str, text: str) -> ArtefactOption:
-        """Puts a sphere's digital certificate into the folder of gauges; what it is worth.
-
-        Raises:
-            OperationError: it is no such certificate, or cannot be stored.
-        """
+    def sphere_option(self, gauge: str) -> ArtefactOption | None:
+        """What one of the gauges is worth in a test of a sphere; None where it is none."""
         with self.lock:
-            added = store_certificate(self.data_folder, name, text)
-            self._gauges.forget()
-            self.refresh()
             gauges = gauges_of_test(self.all_gauges(), "sphere")
             options = gauge_options(gauges, self.obstacles_of(gauges, "sphere"))
-            return next(one for one in options if one.id == added)
+            return next((one for one in options if one.id == gauge), None)
 
     def _is_plan_changed(self) -> bool:
         try:

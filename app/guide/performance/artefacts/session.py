@@ -73,6 +73,10 @@ class ArtefactSession(GaugeSession[PerformanceState, Live, View, AnyGauge], Gene
         )
         self._bar: tuple[str, LengthStandardFile | None] = ("", None)
 
+    def forget_datasheets(self) -> None:
+        super().forget_datasheets()
+        self._arms.forget()
+
     def first_choices(self, test: Kind, usable: Iterable[str]) -> Mapping[str, object]:
         """Calibration and artefact; of a test by touch without a calibration, arm and artefact."""
         if test not in BY_TOUCH or self.active() is not None:

@@ -4,7 +4,6 @@ A camera is asked how the line runs in its picture. Of an arm that reports poses
 be known; one that reports joints needs its kinematic model, which only its owner has.
 """
 
-import re
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Literal
@@ -12,13 +11,13 @@ from typing import Literal
 from app.errors import OperationError
 from app.formats.datasheets.arm import ArmFile
 from app.formats.datasheets.sensor import SensorDatasheet
-from app.formats.io_errors import convert_io_errors
+from app.formats.json_document import Document
 from app.guide.common.datasheet_library import DatasheetLibrary
 from app.messages.message import message
+from app.operations.datasheets.documents import FOLDERS
+from app.operations.datasheets.files import WRITING, free_path
 from app.station.devices.arm_device import StationArm
 from app.station.devices.sensor_device import StationSensor
-
-FOLDER, ARMS_FOLDER = "sensors", "arms"
 
 
 @dataclass(frozen=True)
@@ -59,15 +58,14 @@ def write_datasheet(
     if sensor is None:
         raise OperationError("no-sensor", message("no-camera-without-datasheet"))
     words = f"{sensor.name} {sensor.serial_number} {sensor.width_px}x{sensor.height_px}"
-    path = _new_path(data / FOLDER, words)
-    SensorDatasheet(
+    datasheet = SensorDatasheet(
         name=sensor.name,
         serial_number=sensor.serial_number,
         width_px=sensor.width_px,
         height_px=sensor.height_px,
         stripe_axis=stripe_axis,
-    ).write(path)
-    return path
+    )
+    return _write(datasheet, data / FOLDERS["sensor"], words)
 
 
 @dataclass(frozen=True)
@@ -108,15 +106,13 @@ def write_arm_datasheet(arm: UndescribedArm | None, data: Path) -> Path:
     """
     if arm is None or arm.joint_count:
         raise OperationError("no-arm", message("no-arm-without-datasheet"))
-    path = _new_path(data / ARMS_FOLDER, f"{arm.name} {arm.serial_number}")
-    ArmFile(name=arm.name, serial_number=arm.serial_number, convention="pose").write(path)
+    datasheet = ArmFile(name=arm.name, serial_number=arm.serial_number, convention="pose")
+    return _write(datasheet, data / FOLDERS["arm"], f"{arm.name} {arm.serial_number}")
+
+
+def _write(datasheet: Document, folder: Path, words: str) -> Path:
+    """A new file of this folder."""
+    with WRITING:
+        path = free_path(folder, words.lower(), ".json")
+        datasheet.write(path)
     return path
-
-
-def _new_path(folder: Path, words: str) -> Path:
-    """A file of this name that is not there yet, in a folder that is."""
-    stem = re.sub(r"[^a-z0-9]+", "-", words.lower()).strip("-")[-80:].strip("-")
-    names = [stem, *(f"{stem}-{number}" for number in range(2, 100))]
-    with convert_io_errors(folder):
-        folder.mkdir(parents=True, exist_ok=True)
-    return next(path for name in names if not (path := folder / f"{name}.json").exists())

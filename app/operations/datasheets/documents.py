@@ -1,0 +1,188 @@
+"""What a datasheet says: its kind by its content, what it is called, and what is wrong in it."""
+
+import json
+import unicodedata
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, Literal
+
+from pydantic import ValidationError
+
+from app.errors import OperationError
+from app.formats.datasheets.arm import ArmFile, parse_any_arm
+from app.formats.datasheets.gauge import GaugeFile
+from app.formats.datasheets.length_standard import LengthStandardFile
+from app.formats.datasheets.sensor import SensorDatasheet
+from app.formats.datasheets.target import ObjectFile, parse_object
+from app.formats.exchange.read_certificate import parse_sphere_certificate
+from app.formats.file_names import display_path
+from app.formats.io_errors import convert_all_errors
+from app.formats.json_document import is_valid_unicode, parse_format
+from app.guide.common.datasheet_library import (
+    CERTIFICATE_ENDING,
+    parse_any_gauge,
+    parse_station_sensor,
+)
+from app.messages.message import Text, message
+from app.messages.validation import validation_text
+
+DatasheetKind = Literal["arm", "sensor", "object", "gauge"]
+DatasheetForm = Literal[
+    "arm",
+    "robot",
+    "sensor",
+    "block",
+    "chessboard",
+    "charuco",
+    "sphere",
+    "plane",
+    "ball-bar",
+    "step-gauge",
+]
+FOLDERS: Mapping[DatasheetKind, str] = {
+    "arm": "arms",
+    "sensor": "sensors",
+    "object": "objects",
+    "gauge": "gauges",
+}
+"""Of the data folder."""
+KINDS: Mapping[str, DatasheetKind] = {
+    ArmFile.FORMAT: "arm",
+    SensorDatasheet.FORMAT: "sensor",
+    ObjectFile.FORMAT: "object",
+    GaugeFile.FORMAT: "gauge",
+    LengthStandardFile.FORMAT: "gauge",
+}
+PARSERS: Mapping[DatasheetKind, Callable[[str, Path], object]] = {
+    "arm": parse_any_arm,
+    "sensor": parse_station_sensor,
+    "object": parse_object,
+    "gauge": parse_any_gauge,
+}
+
+
+@dataclass(frozen=True)
+class DatasheetIdentity:
+    """What a datasheet is, and which thing it describes."""
+
+    kind: DatasheetKind
+    form: DatasheetForm
+    name: str
+    serial_number: str
+    certificate: str = ""
+    valid_until: str = ""
+    size_px: tuple[int, int] | None = None
+    """Of a sensor, which has a datasheet for each size of its pictures."""
+    joint_count: int = 0
+    """Of an arm that reports joints."""
+
+    def is_same_thing(self, other: "DatasheetIdentity") -> bool:
+        """Whether both describe one thing: by the serial number, or by the name where not both
+        state one."""
+        if (self.kind, self.size_px) != (other.kind, other.size_px):
+            return False
+        own, others = _comparable(self.serial_number), _comparable(other.serial_number)
+        if own and others:
+            return own == others
+        return _comparable(self.name) == _comparable(other.name) != ""
+
+
+@dataclass(frozen=True)
+class FieldProblem:
+    """What is wrong in a document."""
+
+    field: str
+    """As in the file, with points: ``joints.2.a_mm``; empty if it is not one field's."""
+    missing: bool
+    text: Text
+
+
+def _comparable(text: str) -> str:
+    return unicodedata.normalize("NFKC", text).strip().casefold()
+
+
+def is_certificate(path: Path, text: str) -> bool:
+    """Whether a file is a digital certificate rather than a document of the program."""
+    return path.name.lower().endswith(CERTIFICATE_ENDING) or text.lstrip("\ufeff \t\r\n")[:1] == "<"
+
+
+def identify(text: str, path: Path) -> DatasheetIdentity:
+    """Evaluates the text of a file of any kind of datasheet, as a calibration would.
+
+    Args:
+        path: name of the file in errors.
+
+    Raises:
+        OperationError: it cannot be used.
+    """
+    with convert_all_errors(path):
+        if not is_valid_unicode(text):
+            why = message("text-has-half-character")
+            raise OperationError("file-not-text", display_path(path), why, message("save-utf-8"))
+        if is_certificate(path, text):
+            return evaluate(text, path, "gauge")
+        found = parse_format(text, path)
+        kind = KINDS.get(found) if isinstance(found, str) else None
+        if kind is None:
+            raise OperationError(
+                "file-of-another-format",
+                message("document-format", path=display_path(path), format=repr(found)),
+                message("format-expected", format=", ".join(map(repr, KINDS))),
+                message("give-right-file"),
+            )
+        return evaluate(text, path, kind)
+
+
+def evaluate(text: str, path: Path, kind: DatasheetKind) -> DatasheetIdentity:
+    """The same of a file that should be of this kind."""
+    with convert_all_errors(path):
+        if kind == "gauge" and is_certificate(path, text):
+            fields: dict[str, Any] = parse_sphere_certificate(text, path).gauge.model_dump()
+        else:
+            PARSERS[kind](text, path)
+            fields = json.loads(text.removeprefix("\ufeff"))
+        return DatasheetIdentity(
+            kind=kind,
+            form=_form(kind, fields),
+            name=_text(fields, "name"),
+            serial_number=_text(fields, "serial_number"),
+            certificate=_text(fields, "certificate"),
+            valid_until=_text(fields, "valid_until"),
+            size_px=(fields["width_px"], fields["height_px"]) if kind == "sensor" else None,
+            joint_count=len(fields.get("joints", ())) if kind == "arm" else 0,
+        )
+
+
+def _text(fields: Mapping[str, Any], name: str) -> str:
+    value = fields.get(name, "")
+    return value if isinstance(value, str) else ""
+
+
+def _form(kind: DatasheetKind, fields: Mapping[str, Any]) -> DatasheetForm:
+    if kind == "arm":
+        return "robot" if fields["convention"] == "pose" else "arm"
+    if kind == "sensor":
+        return "sensor"
+    found = fields.get("shape") or fields.get("kind") or ""
+    if kind == "object":
+        forms: Mapping[str, DatasheetForm] = {"chessboard": "chessboard", "charuco": "charuco"}
+        return forms.get(found, "block")
+    gauges: Mapping[str, DatasheetForm] = {"sphere": "sphere", "plane": "plane"}
+    bars: Mapping[str, DatasheetForm] = {"step-gauge": "step-gauge"}
+    return (gauges | bars).get(found, "ball-bar")
+
+
+def list_problems(error: OperationError) -> tuple[FieldProblem, ...]:
+    """What is wrong in a refused document, by its fields as far as they are known."""
+    cause = error.__cause__
+    if not isinstance(cause, ValidationError):
+        return (FieldProblem("", False, error.text),)
+    return tuple(
+        FieldProblem(
+            ".".join(map(str, one["loc"])),
+            one["type"] == "missing",
+            message("sentence", text=validation_text(one)),
+        )
+        for one in cause.errors(include_url=False)
+    )

@@ -1,0 +1,61 @@
+"""What the browser is shown of the datasheets."""
+
+from dataclasses import dataclass
+
+from app.messages.message import Text
+from app.operations.datasheets.documents import DatasheetForm, DatasheetKind, FieldProblem
+
+
+@dataclass(frozen=True)
+class DatasheetRow:
+    """One file among the datasheets."""
+
+    kind: DatasheetKind
+    file: str
+    """Its name in the folder of its kind."""
+    version: str
+    """Of its content; another one after any change."""
+    retired: bool
+    form: DatasheetForm | None
+    """None of a file that cannot be read."""
+    problem: Text
+    """Why it cannot be read; empty if it can."""
+    name: str
+    serial_number: str
+    certificate: str
+    valid_until: str
+    since: str
+    """The file's time, ISO 8601."""
+    last_used: str | None
+    """When the thing with its serial number, or the gauge with its name, was last used by an
+    accepted calibration, a verification or a performance test; None if no record names it."""
+    connected: bool
+    """The connected device has its serial number."""
+
+
+@dataclass(frozen=True)
+class ConnectedArmView:
+    """The connected arm, for whose datasheet a form can be filled in."""
+
+    name: str
+    serial_number: str
+    joint_count: int
+
+
+@dataclass(frozen=True)
+class DatasheetsView:
+    """The content of the Datasheets page."""
+
+    rows: tuple[DatasheetRow, ...]
+    arm: ConnectedArmView | None
+
+
+@dataclass(frozen=True)
+class DatasheetCheck:
+    """What a document is worth that is not kept."""
+
+    form: DatasheetForm | None
+    problems: tuple[FieldProblem, ...]
+    """None of a document that can be kept."""
+    note: Text
+    """What is unlikely, though it can be kept; empty if nothing is."""
