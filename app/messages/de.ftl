@@ -3330,7 +3330,7 @@ protobuf-expected = erwartet wird { $schemas } in Protobuf
 put-arm-back = Vorherigen Messarm wiederherstellen
 put-back-end-swing = Wieder einsetzen oder den Schwenk abschließen.
 put-back-what-there-before = vorherigen Messarm wiederhergestellt
-put-certificate-into-folder-gauges = Datenblatt eines Prüfnormals oder digitalen Kalibrierschein (DCC) einer Kugel in den Ordner gauges legen.
+put-certificate-into-folder-gauges = Datenblatt eines Prüfnormals oder digitalen Kalibrierschein (DCC) einer Kugel unter Datenblätter hinzufügen.
 put-file-back-last-backup-leave = Datei aus der letzten Sicherung wiederherstellen oder ohne sie fortfahren.
 put-file-back-last-backup-restart = Datei aus der letzten Sicherung wiederherstellen und die Station neu starten oder neu kalibrieren
 put-file-place = Durch eine normale Datei ersetzen
@@ -3908,7 +3908,7 @@ there-no-command = Den Befehl „{ $name }“ gibt es nicht.
 there-no-earlier-step = Einen früheren Schritt „{ $to }“ gibt es nicht.
 there-no-face = Die Fläche „{ $face }“ gibt es nicht.
 there-no-fitted-shape-yet = Es ist noch keine Form eingepasst
-there-no-gauge-data-folder-yet = Im Datenordner ist noch kein Prüfnormal.
+there-no-gauge-data-folder-yet = Es gibt noch kein Datenblatt eines Prüfnormals.
 there-no-here =
     { $field ->
         [arm] Den Messarm „{ $chosen }“ gibt es hier nicht.

@@ -3321,7 +3321,7 @@ protobuf-expected = { $schemas } in protobuf is expected
 put-arm-back = Restore the previous arm
 put-back-end-swing = Put it back into the seat, or finish the swing.
 put-back-what-there-before = restored the previous arm
-put-certificate-into-folder-gauges = Put the datasheet of a gauge, or the digital certificate (DCC) of a sphere, into the folder gauges.
+put-certificate-into-folder-gauges = Add the datasheet of a gauge, or the digital certificate (DCC) of a sphere, under Datasheets.
 put-file-back-last-backup-leave = Restore the file from the last backup, or leave it and continue.
 put-file-back-last-backup-restart = Restore its file from the last backup and restart the station, or calibrate again
 put-file-place = Put a regular file in its place
@@ -3895,7 +3895,7 @@ there-no-command = There is no command '{ $name }'.
 there-no-earlier-step = There is no earlier step '{ $to }'.
 there-no-face = There is no face '{ $face }'.
 there-no-fitted-shape-yet = There is no fitted shape yet
-there-no-gauge-data-folder-yet = There is no gauge in the data folder yet.
+there-no-gauge-data-folder-yet = There is no datasheet of a gauge yet.
 there-no-here =
     { $field ->
         [arm] There is no arm '{ $chosen }' here.

@@ -7,6 +7,7 @@ import { StatusLine } from "./frame/StatusLine";
 import { TopBar } from "./frame/TopBar";
 import { ArmPage } from "./pages/ArmPage";
 import { CalibratePage } from "./pages/CalibratePage";
+import { DatasheetsPage } from "./pages/DatasheetsPage";
 import { DevicesPage } from "./pages/DevicesPage";
 import { EntrancePage } from "./pages/EntrancePage";
 import { HealthPage } from "./pages/HealthPage";
@@ -35,6 +36,7 @@ const PAGE = {
   supervise: SupervisePage,
   health: HealthPage,
   settings: SettingsPage,
+  datasheets: DatasheetsPage,
   devices: DevicesPage,
   people: PeoplePage,
   docs: ReferencePage,

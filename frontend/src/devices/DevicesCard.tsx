@@ -111,6 +111,11 @@ function ArmDatasheet({ arm, onView }: { arm: UndescribedArm; onView: DevicesCar
           {t("ui-write-the-datasheet-of-the-arm")}
         </PressButton>
       )}
+      {joints > 0 && (
+        <PressButton free kind="primary" onPress={() => go("datasheets", "new/arm")}>
+          {t("ui-enter-the-model")}
+        </PressButton>
+      )}
       <p className={styles.note}>
         {joints === 0 ? t("ui-arm-of-poses-needs-no-more") : t("ui-arm-needs-its-model", { joints })}
       </p>

@@ -1,9 +1,15 @@
+import { Fragment } from "react";
+
 import { setValue } from "../api/guideCommands";
 import type { ObjectGeometry } from "../api/types";
 import type { BlockGeometry, BoardGeometry, Choice } from "../api/wire";
+import { FORMS, formsOf } from "../datasheets/forms";
 import { ObjectDrawing } from "../object/ObjectDrawing";
 import { lengthFigures, measured, unitOf } from "../parts/lengths";
+import { PressButton } from "../parts/PressButton";
 import { t } from "../state/language";
+import { go } from "../state/router";
+import { useLive } from "../state/store";
 import { ChoiceGroup } from "./ChoiceGroup";
 import styles from "./ChoicesPicture.module.css";
 
@@ -13,8 +19,16 @@ export function ChoicesPicture({ choices, object }: { choices: Choice[]; object:
     <div className={styles.picture}>
       <div className={styles.choices}>
         {choices.map(({ field, ...choice }) => (
-          <ChoiceGroup key={field} {...choice} onChoose={(id) => void setValue("flow", "choose", { field, id })} />
+          <Fragment key={field}>
+            <ChoiceGroup {...choice} onChoose={(id) => void setValue("flow", "choose", { field, id })} />
+            {choice.options.length === 0 && <NothingToChoose field={field} />}
+          </Fragment>
         ))}
+        <div className={styles.more}>
+          <PressButton free kind="quiet" onPress={() => go("datasheets")}>
+            {t("ui-datasheets")}
+          </PressButton>
+        </div>
       </div>
       {object && (
         <div className={styles.object}>
@@ -22,6 +36,36 @@ export function ChoicesPicture({ choices, object }: { choices: Choice[]; object:
           <p className={styles.caption}>{object.kind === "block" ? blockSize(object) : boardSize(object)}</p>
         </div>
       )}
+    </div>
+  );
+}
+
+/** What is missing, and where it is made. */
+function NothingToChoose({ field }: { field: string }) {
+  const admin = useLive((s) => s.session?.you?.role === "admin");
+  if (field === "sensor") {
+    return (
+      <div className={styles.missing}>
+        <p>
+          {t("ui-nothing-to-choose")} {t("ui-made-on-the-devices-page")}
+        </p>
+        {admin && (
+          <PressButton free onPress={() => go("devices")}>
+            {t("ui-devices")}
+          </PressButton>
+        )}
+      </div>
+    );
+  }
+  const kind = field === "arm" ? "arm" : "object";
+  return (
+    <div className={styles.missing}>
+      <p>{t("ui-nothing-to-choose")}</p>
+      {formsOf(kind).map((name) => (
+        <PressButton key={name} free onPress={() => go("datasheets", `new/${name}`)}>
+          {t("ui-new-of-kind", { title: t(FORMS[name].title) })}
+        </PressButton>
+      ))}
     </div>
   );
 }

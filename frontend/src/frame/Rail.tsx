@@ -3,6 +3,7 @@ import { type MouseEvent, useEffect, useRef } from "react";
 import {
   ArmIcon,
   CalibrateIcon,
+  DatasheetsIcon,
   DevicesIcon,
   HealthIcon,
   HomeIcon,
@@ -32,6 +33,7 @@ const ICONS = {
   supervise: SuperviseIcon,
   health: HealthIcon,
   settings: SettingsIcon,
+  datasheets: DatasheetsIcon,
   devices: DevicesIcon,
   people: PeopleIcon,
 };

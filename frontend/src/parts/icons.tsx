@@ -31,6 +31,7 @@ export const CalibrateIcon = icon(<path d="M3 19V8h4v6h3V8h4v6h3V8h4v11zM2 11.5h
 export const ScanIcon = icon(
   <path d="M4 8V5a1 1 0 0 1 1-1h3M16 4h3a1 1 0 0 1 1 1v3M20 16v3a1 1 0 0 1-1 1h-3M8 20H5a1 1 0 0 1-1-1v-3M3 12h4l2.5-3 3 6 2.5-3h6" />,
 );
+export const DatasheetsIcon = icon(<path d="M6 20V4h8.500L18 7.500V20zM14 4v4h4M9 12h6M9 16h6" />);
 export const ArmIcon = icon(
   <>
     <path d="M4 20h7M7.5 20v-5" />

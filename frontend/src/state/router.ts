@@ -13,6 +13,7 @@ export const PAGES = [
   "supervise",
   "health",
   "settings",
+  "datasheets",
   "devices",
   "people",
 ] as const;
@@ -31,6 +32,7 @@ export const TITLES: Record<Page, PlainId> = {
   supervise: "ui-supervise",
   health: "ui-health",
   settings: "ui-settings",
+  datasheets: "ui-datasheets",
   devices: "ui-devices",
   people: "ui-people",
   docs: "ui-http-interface",

@@ -1,0 +1,132 @@
+import { useState } from "react";
+
+import type { NewDatasheet } from "../api/datasheetCommands";
+import { Layout } from "../frame/Layout";
+import { ObjectDrawing } from "../object/ObjectDrawing";
+import { MainAct } from "../parts/Actions";
+import { CardHead } from "../parts/CardHead";
+import { PressButton } from "../parts/PressButton";
+import { Segments } from "../parts/Segments";
+import { t } from "../state/language";
+import styles from "./Datasheets.module.css";
+import { drawn } from "./drawn";
+import { FieldInput } from "./FieldInput";
+import { FORMS, type FormName, type Values } from "./forms";
+import { JointTable } from "./JointTable";
+import { useForm } from "./useForm";
+
+/** The datasheet of which a form is an edited copy. */
+export interface Edited {
+  version: string;
+  document: Record<string, unknown>;
+}
+
+interface DatasheetFormProps {
+  name: FormName;
+  first: Values;
+  edited?: Edited | undefined;
+  onSave: (added: NewDatasheet) => Promise<void>;
+  onBack: () => void;
+}
+
+/** A datasheet that is entered or edited: checked by the station while typing, and drawn. */
+export function DatasheetForm({ name, first, edited, onSave, onBack }: DatasheetFormProps) {
+  const form = useForm(name, first, edited?.document);
+  const { fields, title } = FORMS[name];
+  const picture = useDrawing(name, form.document);
+  const save = () => onSave({ name: "", text: form.text, edited: edited?.version ?? "" });
+  const input = (field: (typeof fields)[number]) => (
+    <FieldInput
+      key={field.key}
+      field={field}
+      value={form.values[field.key] ?? ""}
+      problem={form.problemOf(field.key)}
+      onText={(text) => form.setValues({ ...form.values, [field.key]: text })}
+    />
+  );
+  return (
+    <Layout
+      picture={
+        name === "arm" ? (
+          <JointTable values={form.values} problemOf={form.problemOf} onValues={form.setValues} />
+        ) : (
+          picture
+        )
+      }
+      card={
+        <>
+          <CardHead
+            title={t(title)}
+            text={edited ? t("ui-the-former-version-is-kept") : t("ui-as-its-certificate-says")}
+          />
+          <div className={styles.fields}>
+            {fields.map((field) =>
+              field.type === "list" ? (
+                <div key={field.key} className={styles.edges}>
+                  <Segments
+                    wide
+                    label={t("ui-edges-are-entered-as")}
+                    value={form.asWidths ? "widths" : "edges"}
+                    options={[
+                      { value: "edges", label: t("ui-positions") },
+                      { value: "widths", label: t("ui-widths") },
+                    ]}
+                    onChange={(as) => form.setAsWidths(as === "widths")}
+                  />
+                  {input(field)}
+                  <p className={styles.note}>
+                    {form.asWidths ? t("ui-merlon-gap-merlon") : t("ui-left-to-right-two-for-each")}
+                  </p>
+                </div>
+              ) : (
+                input(field)
+              ),
+            )}
+          </div>
+          <div className={styles.save}>
+            {form.whole.map((words) => (
+              <p key={words} className={styles.problem} role="status">
+                {words}
+              </p>
+            ))}
+            {form.note && (
+              <p className={styles.notice} role="status">
+                {form.note}
+              </p>
+            )}
+            <MainAct>
+              <PressButton kind="primary" disabled={!form.ready} why={why(form)} onPress={save}>
+                {t("ui-save-the-datasheet")}
+              </PressButton>
+            </MainAct>
+          </div>
+          <div className={styles.foot}>
+            <PressButton free kind="quiet" onPress={onBack}>
+              {t("ui-back-to-the-list")}
+            </PressButton>
+          </div>
+        </>
+      }
+    />
+  );
+}
+
+/** Why it cannot be saved yet. */
+function why({ filled, pending }: ReturnType<typeof useForm>): string {
+  if (!filled) return t("ui-fill-in-the-fields");
+  return pending ? t("ui-being-checked") : t("ui-correct-what-is-marked");
+}
+
+/** The object as its numbers say; while they say nothing that can be drawn, as they said last. */
+function useDrawing(name: FormName, document: Record<string, unknown>) {
+  const now = drawn(name, document);
+  const [last, setLast] = useState(now);
+  if (now && JSON.stringify(now) !== JSON.stringify(last)) setLast(now);
+  const object = now ?? last;
+  if (!object) return <p className={styles.none}>{t("ui-drawing-follows-the-numbers")}</p>;
+  return (
+    <div className={styles.drawing} data-stale={now === null || undefined}>
+      <ObjectDrawing object={object} face={null} label={t("ui-drawing-of-the-datasheet")} />
+    </div>
+  );
+}

@@ -1,0 +1,54 @@
+import { useRef } from "react";
+
+import { MainAct } from "../parts/Actions";
+import { CardHead } from "../parts/CardHead";
+import { PressButton } from "../parts/PressButton";
+import { t } from "../state/language";
+import { go } from "../state/router";
+import { useLive } from "../state/store";
+import styles from "./Datasheets.module.css";
+
+interface DatasheetsCardProps {
+  /** What was just saved; empty if nothing was. */
+  saved: string;
+  onFiles: (files: FileList) => Promise<void>;
+}
+
+/** What the page is for, a file from this computer, and the way back to a calibration that waits for a choice. */
+export function DatasheetsCard({ saved, onFiles }: DatasheetsCardProps) {
+  const chooser = useRef<HTMLInputElement>(null);
+  const choosing = useLive((s) => s.flow?.running === true && s.flow.picture.kind === "choices");
+  return (
+    <>
+      {saved ? (
+        <div role="status" data-verdict>
+          <CardHead title={t("ui-the-datasheet-is-saved")} text={t("ui-saved-as", { name: saved })} />
+        </div>
+      ) : (
+        <CardHead title={t("ui-datasheets")} text={t("ui-what-datasheets-are")} />
+      )}
+      {choosing && (
+        <MainAct>
+          <PressButton free kind="primary" onPress={() => go("calibrate")}>
+            {t("ui-back-to-the-calibration")}
+          </PressButton>
+        </MainAct>
+      )}
+      <input
+        ref={chooser}
+        type="file"
+        accept=".json,.xml,application/json,text/xml"
+        multiple
+        hidden
+        data-datasheet
+        onChange={(event) => {
+          const field = event.currentTarget;
+          // the same file can be chosen once more after it was corrected
+          if (field.files) void onFiles(field.files).finally(() => (field.value = ""));
+        }}
+      />
+      <PressButton onPress={() => chooser.current?.click()}>{t("ui-add-a-file")}</PressButton>
+      <p className={styles.note}>{t("ui-files-can-be-dragged-in")}</p>
+    </>
+  );
+}

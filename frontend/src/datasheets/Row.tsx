@@ -1,0 +1,89 @@
+import { useState } from "react";
+
+import { fileOf } from "../api/datasheetCommands";
+import type { Action, DatasheetRow } from "../api/wire";
+import { Download } from "../parts/Download";
+import { moment } from "../parts/format";
+import { PressButton } from "../parts/PressButton";
+import { QualityMark } from "../parts/QualityMark";
+import { Question } from "../parts/Question";
+import { isolated } from "../state/isolated";
+import { t } from "../state/language";
+import styles from "./Datasheets.module.css";
+import { isForm } from "./forms";
+
+interface RowProps {
+  row: DatasheetRow;
+  saved: boolean;
+  onEdit: (row: DatasheetRow) => void;
+  onRetire: (row: DatasheetRow) => Promise<void>;
+  onRestore: (row: DatasheetRow) => Promise<void>;
+}
+
+/** One datasheet: what it is of, since when, when it was used, and what can be done with it. */
+export function Row({ row, saved, onEdit, onRetire, onRestore }: RowProps) {
+  const { retired, problem, file, name, connected } = row;
+  const editable = !retired && isForm(row.form) && file.endsWith(".json");
+  return (
+    <li className={styles.row} data-saved={saved || undefined} data-retired={retired || undefined}>
+      {problem && <QualityMark quality="attention" size="1.5rem" />}
+      <div className={styles.what}>
+        <p className={styles.name}>
+          {isolated(name || file)}
+          {connected && <span className={styles.badge}>{t("ui-connected-badge")}</span>}
+        </p>
+        <p className={styles.note}>{details(row).join(" · ")}</p>
+        {problem && <p className={styles.problem}>{problem}</p>}
+      </div>
+      <div className={styles.acts}>
+        {editable && <PressButton onPress={() => onEdit(row)}>{t("ui-edit")}</PressButton>}
+        <Download href={fileOf(row)}>{t("ui-file")}</Download>
+        {retired ? (
+          <PressButton kind="quiet" onPress={() => onRestore(row)}>
+            {t("ui-bring-back")}
+          </PressButton>
+        ) : (
+          <Retire row={row} onRetire={onRetire} />
+        )}
+      </div>
+    </li>
+  );
+}
+
+function details({ serial_number, certificate, valid_until, since, last_used, file, problem }: DatasheetRow): string[] {
+  return [
+    serial_number && t("ui-serial-of", { serial: serial_number }),
+    certificate && t("ui-certificate-of", { certificate }),
+    valid_until && t("ui-valid-until", { day: valid_until }),
+    t("ui-since", { when: moment(since) }),
+    !problem && (last_used ? t("ui-last-used", { at: moment(last_used) }) : t("ui-use-is-unknown")),
+    file,
+  ].filter((part) => typeof part === "string" && part !== "") as string[];
+}
+
+function Retire({ row, onRetire }: { row: DatasheetRow; onRetire: RowProps["onRetire"] }) {
+  const [asking, setAsking] = useState(false);
+  const retire: Action = {
+    name: "retire",
+    label: t("ui-retire"),
+    args: {},
+    primary: false,
+    enabled: true,
+    why_not: "",
+    confirm: t("ui-retire-it", { name: row.name || row.file }),
+  };
+  return (
+    <>
+      <PressButton kind="quiet" onPress={() => setAsking(true)}>
+        {t("ui-retire")}
+      </PressButton>
+      <Question
+        action={retire}
+        no={t("ui-no-keep-it")}
+        opened={asking}
+        onClose={() => setAsking(false)}
+        onAct={() => onRetire(row)}
+      />
+    </>
+  );
+}

@@ -1,0 +1,86 @@
+import { describe, expect, it } from "vitest";
+
+import { documentOf, edgesOf, isFilled, listed, placeOf, valuesOf } from "./document";
+import { FORMS, type FormName } from "./forms";
+
+const BLOCK = {
+  format: "crenel/object",
+  version: 1,
+  name: "Block",
+  serial_number: "B-7",
+  edges_x_mm: [-24, -15.25, 6, 19],
+  front_y_mm: -13,
+  back_y_mm: 13,
+  crest_z_mm: 15,
+  floor_z_mm: 0,
+  base_z_mm: -12,
+  standard_uncertainty_mm: 0.002,
+};
+const JOINT = { a_mm: 1.5, alpha_deg: 90, d_mm: 0, theta_deg: -30, sign: -1, limits_deg: [-170, 160] };
+const ARM = {
+  format: "crenel/arm",
+  version: 1,
+  name: "Arm",
+  convention: "dh-modified",
+  base: { z_mm: 3 },
+  joints: [1, 2, 3, 4, 5].map((n) => ({ name: `J${n}`, ...JOINT, encoder_sd_deg: 0.001, error: { x_mm: n } })),
+  tip: { x_mm: 0, y_mm: 0, z_mm: 120, diameter_mm: 6 },
+};
+const SPHERE = { format: "crenel/nominal", version: 1, shape: "sphere", radius_mm: 12.7, limits: { rms: 20 } };
+const BOARD = {
+  format: "crenel/object",
+  version: 1,
+  kind: "chessboard",
+  name: "Board",
+  inner_corners: [9, 6],
+  square_mm: 10,
+  standard_uncertainty_mm: 0.05,
+};
+const ROBOT = { format: "crenel/arm", version: 1, name: "R", convention: "pose" };
+const DOCUMENTS: [FormName, Record<string, unknown>][] = [
+  ["block", BLOCK],
+  ["arm", ARM],
+  ["sphere", SPHERE],
+  ["chessboard", BOARD],
+  ["robot", ROBOT],
+];
+
+describe("a document in the fields", () => {
+  it.each(DOCUMENTS)("comes back as it was, with what no field of %s holds", (name, document) => {
+    expect(documentOf(name, valuesOf(name, document), document)).toEqual(document);
+  });
+  it("of a sphere shows the diameter", () => {
+    expect(valuesOf("sphere", SPHERE).radius_mm).toBe("25.4");
+  });
+});
+
+describe("what was typed", () => {
+  it.each([
+    ["-24, -15; -7\n-1", ["-24", "-15", "-7", "-1"]],
+    ["-24,-15,6 +8", ["-24", "-15,6", "+8"]],
+    ["1,5 2,5", ["1,5", "2,5"]],
+    ["", []],
+  ])("%j is a list of numbers", (text, expected) => {
+    expect(listed(text)).toEqual(expected);
+  });
+  it("is sent as it is where it is no number, so that the station names it", () => {
+    const values = { ...valuesOf("block", BLOCK), crest_z_mm: "1,2,3", edges_x_mm: "1; x; 3" };
+    const document = documentOf("block", values);
+    expect([document.crest_z_mm, document.edges_x_mm]).toEqual(["1,2,3", [1, "x", 3]]);
+  });
+  it("leaves out what is empty", () => {
+    expect(documentOf("robot", { name: "R" })).toEqual(ROBOT);
+    expect(isFilled("robot", { name: "R" })).toBe(true);
+    expect(isFilled("block", { name: "R" })).toBe(false);
+  });
+  it("as widths makes edges from 0 on", () => {
+    expect(edgesOf([9.1, 8.2, 6])).toEqual([0, 9.1, 17.3, 23.3]);
+  });
+});
+
+it("a problem stands beside its field", () => {
+  const { fields } = FORMS.block;
+  expect(placeOf("edges_x_mm.3", fields)).toBe("edges_x_mm");
+  expect(placeOf("crest_z_mm", fields)).toBe("crest_z_mm");
+  expect(placeOf("", fields)).toBe("");
+});

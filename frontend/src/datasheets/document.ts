@@ -1,0 +1,120 @@
+/** Between the fields of a form and the document that is kept. */
+
+import { fromTyped, typed } from "../parts/lengths";
+import { FORMS, type FormField, type FormName, fieldsOf, jointCount, type Values } from "./forms";
+
+type Plain = Record<string, unknown>;
+
+/** Numbers of a list: separated by spaces, semicolons or lines, or by commas that are no decimal signs. */
+const SEPARATORS = /[\s;]+|,(?=[-\u2212+])|,\s+/;
+
+export function listed(text: string): string[] {
+  return text
+    .split(SEPARATORS)
+    .map((part) => part.replace(/,$/, ""))
+    .filter(Boolean);
+}
+
+/** The station's value of a typed number; the text itself where it is none, which the station refuses by name. */
+function numberOf(text: string, unit: string): number | string {
+  const value = fromTyped(text, unit);
+  return Number.isNaN(value) ? text.trim() : value;
+}
+
+function half(value: number | string): number | string {
+  return typeof value === "number" ? value / 2 : value;
+}
+
+/** A field's value in the document; undefined if nothing was entered. */
+function entered(field: FormField, text: string): unknown {
+  if (field.type === "switch") return text === "true" || undefined;
+  if (text.trim() === "") return undefined;
+  const unit = field.unit ?? "";
+  if (field.type === "list") return listed(text).map((part) => numberOf(part, unit));
+  if (field.type === "half") return half(numberOf(text, unit));
+  if (field.type === "number" || field.key.endsWith(".sign")) return numberOf(text, unit);
+  return text.trim();
+}
+
+/** Sets a value at a place like "joints.2.limits_deg.0"; the parts on the way are made. */
+function put(document: Plain, key: string, value: unknown): void {
+  const names = key.split(".");
+  const last = names.pop() ?? key;
+  let part = document;
+  names.forEach((name, i) => {
+    const isList = /^\d+$/.test(names[i + 1] ?? last);
+    part[name] ??= isList ? [] : {};
+    part = part[name] as Plain;
+  });
+  if (value === undefined) delete part[last];
+  else part[last] = value;
+}
+
+function look(document: Plain, key: string): unknown {
+  return key.split(".").reduce<unknown>((part, name) => (part as Plain | null | undefined)?.[name], document);
+}
+
+function isEmpty(part: unknown): boolean {
+  return typeof part === "object" && part !== null && Object.values(part).every((one) => one === undefined);
+}
+
+/** The document that the fields make; of an edited one, what no field holds stays. */
+export function documentOf(name: FormName, values: Values, edited: Plain = {}): Plain {
+  const document = { ...structuredClone(edited), ...FORMS[name].fixed };
+  if (name === "arm") {
+    const rows = jointCount(values);
+    const before = Array.isArray(document.joints) ? document.joints : [];
+    document.joints = Array.from({ length: rows }, (_, row) => ({
+      ...before[row],
+      name: values[`joints.${row}.name`],
+    }));
+  }
+  for (const field of fieldsOf(name, values)) put(document, field.key, entered(field, values[field.key] ?? ""));
+  for (const key of ["tip", "inner_corners"]) if (isEmpty(document[key])) delete document[key];
+  return document;
+}
+
+/** What stands in the fields for a document. */
+export function valuesOf(name: FormName, document: Plain): Values {
+  const joints = Array.isArray(document.joints) ? (document.joints as Plain[]) : [];
+  const names = joints.map((joint, row) => [`joints.${row}.name`, String(joint.name ?? "")]);
+  const values: Values = Object.fromEntries(names);
+  for (const field of fieldsOf(name, values)) values[field.key] = shown(field, look(document, field.key));
+  if (name === "arm") for (const row of joints.keys()) values[`joints.${row}.sign`] ||= "1";
+  return values;
+}
+
+function shown(field: FormField, value: unknown): string {
+  if (value === undefined || value === null) return "";
+  const unit = field.unit ?? "";
+  if (Array.isArray(value)) return value.map((one) => typed(Number(one), unit)).join("; ");
+  if (typeof value !== "number") return String(value);
+  return typed(field.type === "half" ? 2 * value : value, unit);
+}
+
+/** Edges from the widths of merlons and gaps one after the other; the first edge is at 0. */
+export function edgesOf(widths: (number | string)[]): (number | string)[] {
+  const edges: (number | string)[] = [0];
+  let at = 0;
+  for (const width of widths) {
+    if (typeof width === "number") at = round(at + width);
+    edges.push(typeof width === "number" ? at : width);
+  }
+  return edges;
+}
+
+/** Without what adding decimal fractions leaves behind the last figure. */
+const round = (value: number) => Number(value.toPrecision(12));
+
+/** Whether every needed field holds something. */
+export function isFilled(name: FormName, values: Values): boolean {
+  return fieldsOf(name, values).every(
+    ({ key, optional, type }) => optional || type === "switch" || (values[key] ?? "").trim() !== "",
+  );
+}
+
+/** The first field to which each of the station's problems belongs; "" of the whole document. */
+export function placeOf(field: string, fields: readonly FormField[]): string {
+  const owner = fields.find(({ key }) => field === key || field.startsWith(`${key}.`));
+  return owner?.key ?? "";
+}

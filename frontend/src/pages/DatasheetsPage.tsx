@@ -1,0 +1,162 @@
+import { useState } from "react";
+import { notifyOfError } from "../api/commands";
+import {
+  addDatasheet,
+  DATASHEETS,
+  fileOf,
+  type NewDatasheet,
+  restoreDatasheet,
+  retireDatasheet,
+} from "../api/datasheetCommands";
+import { getFile } from "../api/http";
+import type { Action, ConnectedArmView, DatasheetRow, DatasheetsView, Problem } from "../api/wire";
+import { DatasheetForm, type Edited } from "../datasheets/DatasheetForm";
+import { DatasheetLists } from "../datasheets/DatasheetLists";
+import { DatasheetsCard } from "../datasheets/DatasheetsCard";
+import { valuesOf } from "../datasheets/document";
+import { FORMS, type FormName, firstJoint, isForm, type Values } from "../datasheets/forms";
+import { readDatasheet } from "../datasheets/upload";
+import { Layout } from "../frame/Layout";
+import { CardHead } from "../parts/CardHead";
+import { Question } from "../parts/Question";
+import { t } from "../state/language";
+import { go, useDetail } from "../state/router";
+import { useRead } from "../state/useRead";
+
+const NEW = "new/";
+
+interface Editing {
+  name: FormName;
+  first: Values;
+  edited: Edited;
+}
+
+/** Something that is done once the person agrees that another datasheet of the same thing is retired. */
+interface Asked {
+  words: string;
+  agree: () => Promise<void>;
+}
+
+/** The datasheets of arms, sensors, objects and gauges: what is there, and what can be entered. */
+export function DatasheetsPage() {
+  const detail = useDetail();
+  const [changes, setChanges] = useState(0);
+  const { value: view } = useRead<DatasheetsView>(DATASHEETS, `${changes}`);
+  const [editing, setEditing] = useState<Editing | null>(null);
+  const [saved, setSaved] = useState<DatasheetRow | null>(null);
+  const [asked, setAsked] = useState<Asked | null>(null);
+  const created = detail.startsWith(NEW) ? detail.slice(NEW.length) : null;
+
+  const list = () => {
+    setEditing(null);
+    setChanges((n) => n + 1);
+    go("datasheets");
+  };
+  const keep = async (added: NewDatasheet, replace = false): Promise<void> => {
+    const answer = await addDatasheet(added, replace);
+    if (answer && isProblem(answer)) {
+      setAsked({ words: `${answer.detail} ${answer.remedy}`, agree: () => keep(added, true) });
+    } else if (answer) {
+      setSaved(answer);
+      list();
+    }
+  };
+  const restore = async (row: DatasheetRow, replace = false): Promise<void> => {
+    const answer = await restoreDatasheet(row, replace);
+    if (answer && isProblem(answer)) {
+      setAsked({ words: `${answer.detail} ${answer.remedy}`, agree: () => restore(row, true) });
+    } else setChanges((n) => n + 1);
+  };
+  const edit = async (row: DatasheetRow) => {
+    if (!isForm(row.form)) return;
+    setSaved(null);
+    try {
+      const document = JSON.parse(await (await getFile(fileOf(row))).text()) as Record<string, unknown>;
+      setEditing({ name: row.form, first: valuesOf(row.form, document), edited: { version: row.version, document } });
+    } catch (error) {
+      notifyOfError(error, t("ui-the-datasheet-was-not-changed"));
+    }
+  };
+  const addFiles = async (files: FileList) => {
+    setSaved(null);
+    for (const file of Array.from(files)) {
+      const added = await readDatasheet(file);
+      if (added) await keep(added);
+    }
+  };
+
+  const question = asked && <ReplaceQuestion asked={asked} onClose={() => setAsked(null)} />;
+  if (!view) {
+    return <Layout picture={null} card={<CardHead title={t("ui-datasheets")} text={t("ui-loading-the-list")} />} />;
+  }
+  if (editing) {
+    return (
+      <>
+        <DatasheetForm {...editing} onSave={keep} onBack={list} />
+        {question}
+      </>
+    );
+  }
+  if (isForm(created)) {
+    return (
+      <>
+        <DatasheetForm
+          key={created}
+          name={created}
+          first={firstValues(created, view.arm)}
+          onSave={keep}
+          onBack={list}
+        />
+        {question}
+      </>
+    );
+  }
+  return (
+    <>
+      <Layout
+        picture={
+          <DatasheetLists
+            all={view.rows}
+            saved={saved?.file ?? ""}
+            onNew={(name) => {
+              setSaved(null);
+              go("datasheets", `${NEW}${name}`);
+            }}
+            onEdit={(row) => void edit(row)}
+            onRetire={async (row) => {
+              await retireDatasheet(row);
+              setChanges((n) => n + 1);
+            }}
+            onRestore={restore}
+            onFiles={addFiles}
+          />
+        }
+        card={<DatasheetsCard saved={saved ? saved.name || saved.file : ""} onFiles={addFiles} />}
+      />
+      {question}
+    </>
+  );
+}
+
+const isProblem = (answer: object): answer is Problem => "status" in answer;
+
+/** What a new arm's form knows of the connected one. */
+function firstValues(name: FormName, arm: ConnectedArmView | null): Values {
+  if (FORMS[name].kind !== "arm" || !arm || (name === "arm") !== arm.joint_count > 0) return {};
+  const known = { name: arm.name, serial_number: arm.serial_number };
+  const extra = Array.from({ length: Math.max(0, arm.joint_count - 6) }, (_, i) => firstJoint(6 + i));
+  return Object.assign(known, ...extra) as Values;
+}
+
+function ReplaceQuestion({ asked, onClose }: { asked: Asked; onClose: () => void }) {
+  const replace: Action = {
+    name: "replace",
+    label: t("ui-replace-it"),
+    args: {},
+    primary: false,
+    enabled: true,
+    why_not: "",
+    confirm: asked.words,
+  };
+  return <Question opened action={replace} no={t("ui-no-keep-it")} onClose={onClose} onAct={asked.agree} />;
+}

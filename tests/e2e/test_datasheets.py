@@ -1,0 +1,218 @@
+"""From an empty station to a calibration that can begin, without a file on the server."""
+
+import json
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import cv2
+import numpy as np
+import pytest
+from playwright.sync_api import Browser, Locator, Page, expect
+
+from app.bench.faults.served import SMALL
+from app.store.accounts import Role
+from app.store.store import Store
+from hardware.simulator.station import SimulatedStation
+from tests.e2e.conftest import Demo
+from tests.e2e.test_access_for_all import in_both_themes
+from tests.e2e.visit import Visit
+from tests.forked import COMMAND_LINE
+
+pytestmark = pytest.mark.device
+
+PASSWORD = "three unrelated words"
+WIDE, NARROW = {"width": 1280, "height": 800}, {"width": 820, "height": 1180}
+MOST_CLICKS_AND_FIELDS = 40
+"""Beside the table of the arm's joints."""
+BLOCK = {
+    "Name": "Own block",
+    "Serial number": "B-7",
+    "Edges along X": "-24, -15, -7, -1, 6, 12, 19, 24",
+    "Front face Y": "-13",
+    "Back face Y": "13",
+    "Crests Z": "15",
+    "Floors Z": "0",
+    "Base Z": "-12",
+    "Standard uncertainty": "0.002",
+}
+COLUMNS = ("a_mm", "alpha_deg", "d_mm", "theta_deg")
+PASTE = """(cell, text) => {
+  const clipboardData = new DataTransfer();
+  clipboardData.setData("text", text);
+  const options = { clipboardData, bubbles: true, cancelable: true };
+  cell.dispatchEvent(new ClipboardEvent("paste", options));
+}"""
+DROP = """(lists, [name, text]) => {
+  const dataTransfer = new DataTransfer();
+  dataTransfer.items.add(new File([text], name));
+  lists.dispatchEvent(new DragEvent("drop", { dataTransfer, bubbles: true, cancelable: true }));
+}"""
+
+
+@pytest.fixture(scope="module")
+def simulation() -> Iterator[SimulatedStation]:
+    with SimulatedStation(SMALL) as simulation:
+        yield simulation
+
+
+@pytest.fixture
+def station(simulation: SimulatedStation, tmp_path: Path) -> Iterator[Demo]:
+    """``crenel serve`` with an arm and a camera in use, and no datasheet."""
+    pictures, data = tmp_path / "pictures", tmp_path / "data"
+    pictures.mkdir()
+    for index in range(4):
+        cv2.imwrite(str(pictures / f"{index}.png"), np.full((120, 160), 40 * index, np.uint8))
+    store = Store(data)
+    store.accounts.add("Owner", Role.admin, PASSWORD)
+    store.close()
+    config = tmp_path / "station.toml"
+    config.write_text(
+        f'[arm]\ndriver = "serial-encoder"\nurl = "{simulation.arm_url}"\n'
+        f'[sensor]\ndriver = "folder"\npath = "{pictures}"\nrate_hz = 5\n'
+    )
+    command = (COMMAND_LINE, "serve", "--config", str(config), "--data", str(data), "--port", "0")
+    running = Demo(data, command)
+    yield running
+    running.end()
+
+
+def sign_in(page: Page, station: Demo) -> None:
+    page.goto(station.address)
+    page.get_by_label("Name").fill("Owner")
+    page.get_by_label("Password").fill(PASSWORD)
+    page.get_by_label("Password").press("Enter")
+    expect(page.get_by_role("link", name="Datasheets")).to_be_visible()
+
+
+class Owner:
+    """Who fills in forms, and counts what that takes."""
+
+    def __init__(self, page: Page) -> None:
+        self.page, self.count = page, 0
+
+    def press(self, name: str) -> None:
+        self.page.get_by_role("button", name=name, exact=True).click()
+        self.count += 1
+
+    def fill(self, label: str, text: str) -> None:
+        self.field(label).fill(text)
+        self.count += 1
+
+    def field(self, label: str) -> Locator:
+        return self.page.get_by_label(label).first
+
+
+def arm_of(simulation: SimulatedStation) -> dict[str, Any]:
+    """What the maker of the connected arm states."""
+    return dict(json.loads(json.dumps(simulation.datasheets()["arm.json"])))
+
+
+def test_an_owner_comes_from_devices_to_a_calibration_that_can_begin(
+    simulation: SimulatedStation, station: Demo, browser: Browser, pictures: Path
+) -> None:
+    page = browser.new_context(viewport=WIDE).new_page()  # type: ignore[arg-type]
+    visit, owner = Visit(page), Owner(page)
+    sign_in(page, station)
+    page.get_by_role("link", name="Devices").click()
+    owner.press("Left to right")
+    owner.press("Enter the model")
+    expect(owner.field("Serial number")).not_to_have_value("")  # as the connected arm states it
+    arm = arm_of(simulation)
+    rows = ["\t".join(str(joint[name]) for name in COLUMNS) for joint in arm["joints"]]
+    page.get_by_label("a of J1").evaluate(PASTE, "\n".join(rows[:-1]))
+    for axis in "XYZ":
+        owner.fill(f"Tip centre {axis}", str(arm["tip"][f"{axis.lower()}_mm"]))
+    owner.fill("Tip diameter", "0")
+    save = page.get_by_role("button", name="Save the datasheet")
+    expect(save).to_contain_text("Fill in the fields first")
+    page.get_by_label("a of J1").evaluate(PASTE, "\n".join(rows))
+    expect(page.get_by_text("0.001").first).to_be_visible()  # beside the diameter
+    expect(save).to_contain_text("Correct what is marked first")
+    page.screenshot(path=pictures / "datasheets-1-arm.png")
+    owner.fill("Tip diameter", str(arm["tip"]["diameter_mm"]))
+    owner.press("Save the datasheet")
+    expect(page.get_by_role("heading", name="The datasheet is saved")).to_be_visible()
+    page.screenshot(path=pictures / "datasheets-2-list.png")
+
+    page.get_by_role("link", name="Calibrate").click()
+    owner.press("Start calibration")
+    owner.press("Continue")
+    expect(page.get_by_text("There is no datasheet yet.")).to_be_visible()
+    page.screenshot(path=pictures / "datasheets-3-missing.png")
+    owner.press("New: Crenellated block")
+    for label, text in BLOCK.items():
+        owner.fill(label, text)
+    owner.field("Crests Z").fill("-1")
+    expect(page.get_by_text("crest_z_mm").first).to_be_visible()  # what is wrong in the whole
+    owner.field("Crests Z").fill("15")
+    expect(page.get_by_role("group", name="Drawing of the datasheet")).to_be_visible()
+    page.screenshot(path=pictures / "datasheets-4-block.png")
+    page.set_viewport_size(NARROW)  # type: ignore[arg-type]
+    page.screenshot(path=pictures / "datasheets-5-block-narrow.png", full_page=True)
+    page.set_viewport_size(WIDE)  # type: ignore[arg-type]
+    owner.press("Save the datasheet")
+    owner.press("Back to the calibration")
+    for kind in ("Arm and tip", "Object", "Sensor"):
+        chosen = page.get_by_role("radiogroup", name=kind).get_by_role("radio", checked=True)
+        expect(chosen).to_have_count(1)
+    page.screenshot(path=pictures / "datasheets-6-chosen.png")
+    owner.press("Use these")
+    visit.wait_until("touching", "/api/flow", lambda view: view["step"] == "touch")
+    assert owner.count <= MOST_CLICKS_AND_FIELDS
+    print(f"{owner.count} clicks and fields beside the table")
+    assert not visit.faults
+    page.context.close()
+
+
+def test_files_come_and_go_and_nothing_is_lost(
+    station: Demo, browser: Browser, pictures: Path
+) -> None:
+    page = browser.new_context(viewport=WIDE).new_page()  # type: ignore[arg-type]
+    owner = Owner(page)
+    sign_in(page, station)
+    page.get_by_role("link", name="Datasheets").click()
+    owner.press("New: Chessboard")
+    board = {
+        "Name": "Board 9",
+        "Columns of inner": "9",
+        "Rows of inner": "6",
+        "Side of a square": "10",
+    }
+    for label, text in board.items():
+        owner.fill(label, text)
+    owner.press("Save the datasheet")
+    row = page.get_by_role("listitem").filter(has_text="Board 9")
+    expect(row).to_have_count(1)
+    with page.expect_download() as started:
+        row.get_by_role("link", name="File").click()
+    text = Path(started.value.path()).read_text()
+
+    row.get_by_role("button", name="Edit").click()
+    expect(owner.field("Side of a square")).to_have_value("10")
+    owner.fill("Side of a square", "10.002")
+    owner.press("Save the datasheet")
+    lists = page.locator("[data-drop]")
+    lists.evaluate(DROP, ["board.json", text])  # the former one again
+    expect(page.get_by_text("Board 9 already has a datasheet")).to_be_visible()
+    page.screenshot(path=pictures / "datasheets-7-question.png")
+    owner.press("Replace it")
+    owner.press("Show 2 retired ones")
+    expect(page.get_by_role("listitem").filter(has_text="Board 9")).to_have_count(3)
+    lists.evaluate(DROP, ["damaged.json", text[:100]])
+    expect(page.get_by_text("damaged.json").first).to_be_visible()
+    lists.evaluate(DROP, ["large.json", text + " " * (1 << 20)])
+    expect(page.get_by_text("large.json is too large for a datasheet")).to_be_visible()
+    page.screenshot(path=pictures / "datasheets-8-retired.png")
+    page.get_by_role("button", name="Retire", exact=True).click()
+    page.get_by_role("dialog").get_by_role("button", name="Retire", exact=True).click()
+    expect(page.get_by_text("No datasheet of a block or board yet.")).to_be_visible()
+    page.get_by_role("button", name="Bring back").first.click()
+    expect(page.get_by_text("No datasheet of a block or board yet.")).to_be_hidden()
+    found = in_both_themes(page, "datasheets")
+    owner.press("New: Arm with joints")
+    found += in_both_themes(page, "datasheets, arm")
+    page.set_viewport_size(NARROW)  # type: ignore[arg-type]
+    page.screenshot(path=pictures / "datasheets-9-arm-narrow.png", full_page=True)
+    assert not found, "\n".join(found)
+    page.context.close()
