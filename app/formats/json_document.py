@@ -91,10 +91,10 @@ class Document(DocumentPart):
             OperationError: missing, unreadable, not JSON, of another format or of a newer
                 version, or a field that is missing or wrong.
         """
-        return cls.parse(read_text(path), path)
+        return cls.parse_text(read_text(path), path)
 
     @classmethod
-    def parse(cls, text: str, path: Path) -> Self:
+    def parse_text(cls, text: str, path: Path) -> Self:
         """Checks the text of a file of this name; as ``read``."""
         fields = _parse_object(text, path)
         cls._check_format(path, fields)

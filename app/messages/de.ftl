@@ -1331,6 +1331,7 @@ no-picture-of-folder-can-be-used = keines der { $count } Bilder ist verwendbar; 
 pass-over-one-flat-plate = Eine einzige ebene Platte überfahren und ihren Rand auslassen.
 pictures-do-not-fit-delay = { $off } von { $pictures } Bildern passen bei diesem Zeitversatz nicht zu einer Ebene.
 nothing-touched-there = er hat sich seither nicht bewegt, der Taster berührt also nichts
+picture-of-pixels = { $width_px } × { $height_px } Pixel
 places-held-out-agree-too-well = in der Kreuzvalidierung weichen die Positionen nur um das { $times }-Fache des angegebenen Rauschens ab: standard_uncertainty_mm ist zu groß oder in einer anderen Einheit
 point-off-others = Punkt { $index } liegt { $off } neben der Ebene der anderen Punkte { $where }.
 point-taken-for = Punkt { $index }, gemeint { $where }; noch nicht beurteilt.

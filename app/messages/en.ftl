@@ -1327,6 +1327,7 @@ no-picture-of-folder-can-be-used = none of the { $count } pictures can be used; 
 pass-over-one-flat-plate = Pass over one flat plate, and leave out its edge.
 pictures-do-not-fit-delay = { $off } of { $pictures } pictures do not fit one plane at this delay.
 nothing-touched-there = it has not moved since, so that the tip touches nothing
+picture-of-pixels = { $width_px } × { $height_px } pixels
 places-held-out-agree-too-well = in cross-validation the places deviate by only { $times } times the stated noise: standard_uncertainty_mm is too large, or in another unit
 point-off-others = Point { $index } lies { $off } off the plane of the other points { $where }.
 point-taken-for = Point { $index }, meant { $where }; not judged yet.

@@ -83,7 +83,8 @@ def post(server: Server, path: str = "", **body: object) -> httpx.Response:
 
 
 def add(server: Server, text: str, name: str = "", **more: object) -> dict[str, Any]:
-    return dict(post(server, name=name, text=text, **more).raise_for_status().json())
+    body = {"name": name, "text": text} | more
+    return dict(server.http.post("/api/datasheets", json=body).raise_for_status().json())
 
 
 def rows(server: Server, **wanted: object) -> list[dict[str, Any]]:

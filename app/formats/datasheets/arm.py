@@ -94,7 +94,7 @@ def read_any_arm(path: Path) -> Arm | RobotArm:
 
 def parse_any_arm(text: str, path: Path) -> Arm | RobotArm:
     """Reads the text of a file of this name; as ``read_any_arm``."""
-    document = ArmFile.parse(text, path)
+    document = ArmFile.parse_text(text, path)
     tip = None if document.tip is None else Tip(**document.tip.model_dump())
     if document.convention == "pose":
         return RobotArm(document.name, document.serial_number, tip)

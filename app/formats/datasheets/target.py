@@ -154,13 +154,13 @@ def read_object(path: Path) -> Crenellated | Chessboard:
 
 def parse_object(text: str, path: Path) -> Crenellated | Chessboard:
     """Reads the text of a file of this name; as ``read_object``."""
-    kind = _AnyObject.parse(text, path).kind
+    kind = _AnyObject.parse_text(text, path).kind
     if kind == "crenellated":
-        return Crenellated(**ObjectFile.parse(text, path).model_dump(exclude={"certificate"}))
+        return Crenellated(**ObjectFile.parse_text(text, path).model_dump(exclude={"certificate"}))
     if kind == "chessboard":
-        return ChessboardFile.parse(text, path).board()
+        return ChessboardFile.parse_text(text, path).board()
     if kind == "charuco":
-        return CharucoFile.parse(text, path).board()
+        return CharucoFile.parse_text(text, path).board()
     raise OperationError(
         "object-kind-unsupported",
         message("kind-unknown", path=display_path(path), kind=repr(kind)),
@@ -176,7 +176,7 @@ def read_certificate(path: Path) -> str:
 
 def parse_certificate(text: str, path: Path) -> str:
     """The same of the text of a file of this name."""
-    return _AnyObject.parse(text, path).certificate
+    return _AnyObject.parse_text(text, path).certificate
 
 
 def read_block(path: Path) -> Crenellated:

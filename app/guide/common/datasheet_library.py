@@ -139,7 +139,7 @@ def _read_station_sensor(path: Path) -> SensorDatasheet:
 
 def parse_station_sensor(text: str, path: Path) -> SensorDatasheet:
     """A sensor whose pictures are grey: a station's driver selects the pixels of raw ones."""
-    sensor = SensorDatasheet.parse(text, path)
+    sensor = SensorDatasheet.parse_text(text, path)
     if sensor.bayer is None:
         return sensor
     raise OperationError(
@@ -200,8 +200,8 @@ def read_any_gauge(path: Path) -> AnyGauge:
 def parse_any_gauge(text: str, path: Path) -> AnyGauge:
     """Reads the text of a file of this name; as ``read_any_gauge``."""
     if parse_format(text, path) == LengthStandardFile.FORMAT:
-        return LengthStandardFile.parse(text, path)
-    return GaugeFile.parse(text, path)
+        return LengthStandardFile.parse_text(text, path)
+    return GaugeFile.parse_text(text, path)
 
 
 def _entries(

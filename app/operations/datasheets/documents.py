@@ -60,6 +60,14 @@ PARSERS: Mapping[DatasheetKind, Callable[[str, Path], object]] = {
     "object": parse_object,
     "gauge": parse_any_gauge,
 }
+OTHER_FORMS: Mapping[str, DatasheetForm] = {
+    "chessboard": "chessboard",
+    "charuco": "charuco",
+    "sphere": "sphere",
+    "plane": "plane",
+    "step-gauge": "step-gauge",
+}
+"""Of objects and gauges, by what their documents say."""
 
 
 @dataclass(frozen=True)
@@ -164,13 +172,8 @@ def _form(kind: DatasheetKind, fields: Mapping[str, Any]) -> DatasheetForm:
         return "robot" if fields["convention"] == "pose" else "arm"
     if kind == "sensor":
         return "sensor"
-    found = fields.get("shape") or fields.get("kind") or ""
-    if kind == "object":
-        forms: Mapping[str, DatasheetForm] = {"chessboard": "chessboard", "charuco": "charuco"}
-        return forms.get(found, "block")
-    gauges: Mapping[str, DatasheetForm] = {"sphere": "sphere", "plane": "plane"}
-    bars: Mapping[str, DatasheetForm] = {"step-gauge": "step-gauge"}
-    return (gauges | bars).get(found, "ball-bar")
+    found = _text(fields, "shape") or _text(fields, "kind")
+    return OTHER_FORMS.get(found, "block" if kind == "object" else "ball-bar")
 
 
 def list_problems(error: OperationError) -> tuple[FieldProblem, ...]:

@@ -74,7 +74,11 @@ class Datasheets:
             for entry in self._entries(kind, retired)
         ]
         info = self._rig.arm.info
-        arm = info and ConnectedArmView(info.name, info.serial_number, info.joint_count)
+        arm = (
+            None
+            if info is None
+            else ConnectedArmView(info.name, info.serial_number, info.joint_count)
+        )
         return DatasheetsView(tuple(rows), arm)
 
     def check(self, name: str, text: str) -> DatasheetCheck:
@@ -213,7 +217,7 @@ class Datasheets:
             file=escape_unprintable(entry.path.name),
             version=entry.version,
             retired=retired,
-            form=found and found.form,
+            form=found.form if found else None,
             problem=entry.problem,
             name=found.name if found else "",
             serial_number=found.serial_number if found else "",

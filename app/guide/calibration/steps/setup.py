@@ -1,5 +1,6 @@
 """The steps 'devices' and 'setup'. Pure."""
 
+from app.formats.datasheets.sensor import SensorDatasheet
 from app.guide.calibration.live import CalibrationLive
 from app.guide.calibration.rules import offer, other_devices
 from app.guide.calibration.state import DEVICE, CalibrationState
@@ -66,12 +67,7 @@ def _choices(state: CalibrationState, live: CalibrationLive) -> list[Choice]:
         ChoiceOption(
             entry.id,
             entry.datasheet.name,
-            message(
-                "serial-number-pixels",
-                serial_number=entry.datasheet.serial_number,
-                width_px=entry.datasheet.width_px,
-                height_px=entry.datasheet.height_px,
-            ),
+            _sensor_detail(entry.datasheet),
         )
         for entry in library.sensors.values()
     ]
@@ -103,6 +99,18 @@ def _arm_detail(arm: AnyArm) -> Text:
         "serial-number-poses-tip",
         serial_number=arm.serial_number,
         diameter=quantity(arm.tip.diameter_mm, "mm", 3),
+    )
+
+
+def _sensor_detail(sensor: SensorDatasheet) -> Text:
+    width_px, height_px = sensor.width_px, sensor.height_px
+    if not sensor.serial_number:
+        return message("picture-of-pixels", width_px=width_px, height_px=height_px)
+    return message(
+        "serial-number-pixels",
+        serial_number=sensor.serial_number,
+        width_px=width_px,
+        height_px=height_px,
     )
 
 
