@@ -106,10 +106,10 @@ BAD: dict[str, tuple[str, str, str, str]] = {
     "limits swapped": (
         text_of(ARM, joints=changed_joint(limits_deg=[170, -170])),
         "field-invalid",
-        "joints.2",
+        "joints.2.limits_deg",
         "J3",
     ),
-    "a row missing": (text_of(ARM, joints=changed_joint()[:4]), "field-invalid", "", "4"),
+    "a row missing": (text_of(ARM, joints=changed_joint()[:4]), "field-invalid", "joints", "4"),
     "text instead of a number": (
         text_of(ARM, joints=changed_joint(d_mm="1,2,3")),
         "field-invalid",
@@ -119,25 +119,25 @@ BAD: dict[str, tuple[str, str, str, str]] = {
     "crest and floor swapped": (
         text_of(BLOCK, crest_z_mm=0, floor_z_mm=15),
         "field-invalid",
-        "",
+        "crest_z_mm",
         "crest",
     ),
     "its own mirror image": (
         text_of(BLOCK, edges_x_mm=[-20, -10, 10, 20]),
         "field-invalid",
-        "",
+        "edges_x_mm",
         "mirror image",
     ),
     "an uncertainty in µm": (
         text_of(BLOCK, standard_uncertainty_mm=2),
         "field-invalid",
-        "",
+        "standard_uncertainty_mm",
         "standard_uncertainty_mm",
     ),
     "a sphere without its size": (
         text_of({"format": "crenel/nominal", "version": 1, "shape": "sphere"}),
         "field-invalid",
-        "",
+        "radius_mm",
         "radius_mm",
     ),
     "no certificate": ("<a/>", "no-certificate", "", "arm.json"),

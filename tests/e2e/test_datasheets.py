@@ -127,6 +127,9 @@ def test_an_owner_comes_from_devices_to_a_calibration_that_can_begin(
     save = page.get_by_role("button", name="Save the datasheet")
     expect(save).to_contain_text("Fill in the fields first")
     page.get_by_label("a of J1").evaluate(PASTE, "\n".join(rows))
+    page.get_by_label("d of J2").fill("1,2,3")
+    expect(page.get_by_text("d of J2: ")).to_be_visible()
+    page.get_by_label("d of J2").fill(str(arm["joints"][1]["d_mm"]))
     expect(page.get_by_text("0.001").first).to_be_visible()  # beside the diameter
     expect(save).to_contain_text("Correct what is marked first")
     page.screenshot(path=pictures / "datasheets-1-arm.png")
@@ -144,7 +147,7 @@ def test_an_owner_comes_from_devices_to_a_calibration_that_can_begin(
     for label, text in BLOCK.items():
         owner.fill(label, text)
     owner.field("Crests Z").fill("-1")
-    expect(page.get_by_text("crest_z_mm").first).to_be_visible()  # what is wrong in the whole
+    expect(page.locator("[data-field=crest_z_mm]").get_by_text("crest_z_mm")).to_be_visible()
     owner.field("Crests Z").fill("15")
     expect(page.get_by_role("group", name="Drawing of the datasheet")).to_be_visible()
     page.screenshot(path=pictures / "datasheets-4-block.png")

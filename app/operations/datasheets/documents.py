@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Any, Literal
 
 from pydantic import ValidationError
+from pydantic_core import ErrorDetails
 
 from app.errors import OperationError
 from app.formats.datasheets.arm import ArmFile, parse_any_arm
@@ -24,7 +25,7 @@ from app.guide.common.datasheet_library import (
     parse_any_gauge,
     parse_station_sensor,
 )
-from app.messages.message import Text, message
+from app.messages.message import Message, Text, message
 from app.messages.validation import validation_text
 
 DatasheetKind = Literal["arm", "sensor", "object", "gauge"]
@@ -68,6 +69,23 @@ OTHER_FORMS: Mapping[str, DatasheetForm] = {
     "step-gauge": "step-gauge",
 }
 """Of objects and gauges, by what their documents say."""
+FIELDS: Mapping[str, str] = {
+    "edges-x-mm-odd-count": "edges_x_mm",
+    "edges-x-mm-must-ascend-follows": "edges_x_mm",
+    "merlons-are-symmetric": "edges_x_mm",
+    "front-y-mm-must-less-than": "front_y_mm",
+    "crest-z-mm-must-above-floor": "crest_z_mm",
+    "standard-uncertainty-mm-too-large": "standard_uncertainty_mm",
+    "square-mm-too-small": "square_mm",
+    "marker-mm-less-than-square-mm": "marker_mm",
+    "dictionary-unknown": "dictionary",
+    "too-few-markers": "dictionary",
+    "limits-deg-must-ascend": "limits_deg",
+    "five-to-seven-joints-expected": "joints",
+    "tip-missing-place-flange-diameter": "tip",
+    "radius-mm-missing-sphere-judged-size": "radius_mm",
+}
+"""The fields of problems that a document as a whole has."""
 
 
 @dataclass(frozen=True)
@@ -181,11 +199,13 @@ def list_problems(error: OperationError) -> tuple[FieldProblem, ...]:
     cause = error.__cause__
     if not isinstance(cause, ValidationError):
         return (FieldProblem("", False, error.text),)
-    return tuple(
-        FieldProblem(
-            ".".join(map(str, one["loc"])),
-            one["type"] == "missing",
-            message("sentence", text=validation_text(one)),
-        )
-        for one in cause.errors(include_url=False)
-    )
+    return tuple(map(_field_problem, cause.errors(include_url=False)))
+
+
+def _field_problem(error: ErrorDetails) -> FieldProblem:
+    """One problem; of fields that do not go together, it stands at the one that is named first."""
+    text = validation_text(error)
+    place = [str(part) for part in error["loc"]]
+    if isinstance(text, Message) and (field := FIELDS.get(text.message_id)):
+        place.append(field)
+    return FieldProblem(".".join(place), error["type"] == "missing", message("sentence", text=text))

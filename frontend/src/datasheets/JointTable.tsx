@@ -61,6 +61,11 @@ export function JointTable({ values, problemOf, onValues }: JointTableProps) {
           </tbody>
         </table>
       </div>
+      {problemsIn(rows, values, problemOf).map((words) => (
+        <p key={words} className={styles.problem} role="status">
+          {words}
+        </p>
+      ))}
       <div className={styles.acts}>
         {rows < MOST_JOINTS && (
           <PressButton free onPress={() => onValues({ ...values, ...firstJoint(rows) })}>
@@ -76,6 +81,17 @@ export function JointTable({ values, problemOf, onValues }: JointTableProps) {
       <p className={styles.note}>{t("ui-cells-can-be-pasted")}</p>
     </div>
   );
+}
+
+/** What is wrong in the cells, each with its place: they are too small to say it beside them. */
+function problemsIn(rows: number, values: Values, problemOf: JointTableProps["problemOf"]): string[] {
+  return Array.from({ length: rows }, (_, row) =>
+    jointFields(row).flatMap(({ key, label }) => {
+      const words = problemOf(key);
+      const place = t("ui-of-joint", { label: t(label), joint: values[`joints.${row}.name`] ?? "" });
+      return words ? [t("ui-place-and-problem", { place, words })] : [];
+    }),
+  ).flat();
 }
 
 /** The cells of copied text: columns by tabs or semicolons, else by spaces. */

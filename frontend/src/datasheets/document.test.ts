@@ -1,7 +1,7 @@
 import { describe, expect, it } from "vitest";
 
 import { documentOf, edgesOf, isFilled, listed, placeOf, valuesOf } from "./document";
-import { FORMS, type FormName } from "./forms";
+import { FORMS, type FormName, jointFields } from "./forms";
 
 const BLOCK = {
   format: "crenel/object",
@@ -49,6 +49,12 @@ describe("a document in the fields", () => {
   it.each(DOCUMENTS)("comes back as it was, with what no field of %s holds", (name, document) => {
     expect(documentOf(name, valuesOf(name, document), document)).toEqual(document);
   });
+  it("of an identified arm loses what was identified once a parameter is changed", () => {
+    const arm = { ...ARM, identification: { rms_um: 3 } };
+    const values = valuesOf("arm", arm);
+    expect(documentOf("arm", { ...values, name: "B" }, arm).identification).toBeDefined();
+    expect(documentOf("arm", { ...values, "joints.1.d_mm": "2" }, arm).identification).toBeUndefined();
+  });
   it("of a sphere shows the diameter", () => {
     expect(valuesOf("sphere", SPHERE).radius_mm).toBe("25.4");
   });
@@ -83,4 +89,6 @@ it("a problem stands beside its field", () => {
   expect(placeOf("edges_x_mm.3", fields)).toBe("edges_x_mm");
   expect(placeOf("crest_z_mm", fields)).toBe("crest_z_mm");
   expect(placeOf("", fields)).toBe("");
+  expect(placeOf("joints.2.limits_deg", jointFields(2))).toBe("joints.2.limits_deg.0");
+  expect(placeOf("tip", FORMS.arm.fields)).toBe("tip.x_mm");
 });

@@ -71,8 +71,13 @@ export function documentOf(name: FormName, values: Values, edited: Plain = {}): 
   }
   for (const field of fieldsOf(name, values)) put(document, field.key, entered(field, values[field.key] ?? ""));
   for (const key of ["tip", "inner_corners"]) if (isEmpty(document[key])) delete document[key];
+  // what an identification found holds for the parameters that it found
+  if (!isSame(document, edited, ["convention", "joints", "tip"])) delete document.identification;
   return document;
 }
+
+const isSame = (one: Plain, other: Plain, keys: string[]) =>
+  keys.every((key) => JSON.stringify(one[key]) === JSON.stringify(other[key]));
 
 /** What stands in the fields for a document. */
 export function valuesOf(name: FormName, document: Plain): Values {
@@ -115,6 +120,7 @@ export function isFilled(name: FormName, values: Values): boolean {
 
 /** The first field to which each of the station's problems belongs; "" of the whole document. */
 export function placeOf(field: string, fields: readonly FormField[]): string {
-  const owner = fields.find(({ key }) => field === key || field.startsWith(`${key}.`));
+  if (field === "") return "";
+  const owner = fields.find(({ key }) => `${field}.`.startsWith(`${key}.`) || key.startsWith(`${field}.`));
   return owner?.key ?? "";
 }

@@ -1001,6 +1001,7 @@ ui-picture-taken-only-while-arm-still = Das Bild wird nur aufgenommen, während 
 ui-pictures = Bilder
 ui-pictures-calibrated-sensor = Mit wenigen Bildern zum kalibrierten Sensor
 ui-pictures-take-about-30-mb-per = Bilder belegen etwa 30 MB je Sekunde und lassen sich später neu auswerten. Die Linien werden immer und vorrangig aufgezeichnet.
+ui-place-and-problem = { $place }: { $words }
 ui-place-done = angetastet
 ui-place-next = als Nächstes
 ui-place-tip = Tastkugel

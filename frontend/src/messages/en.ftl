@@ -1001,6 +1001,7 @@ ui-picture-taken-only-while-arm-still = The picture is taken only while the arm 
 ui-pictures = Pictures
 ui-pictures-calibrated-sensor = From a few pictures to a calibrated sensor
 ui-pictures-take-about-30-mb-per = Pictures take about 30 MB per second; the line can be extracted from them again later. The extracted lines are always recorded, and have priority.
+ui-place-and-problem = { $place }: { $words }
 ui-place-done = touched
 ui-place-next = next
 ui-place-tip = tip
