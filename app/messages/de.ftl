@@ -4161,7 +4161,6 @@ udp-port-in-use = Ein anderes Programm auf diesem Rechner empfängt am UDP-Port 
 uncertainty-budgets = Unsicherheitsbudgets
 uncertainty-is-not-the-root-of-its-budget = expanded_uncertainty ist nicht das Doppelte der Wurzel der Quadratsumme seines Budgets
 uncertainty-is-root-of-parts = U ist die Wurzel der Quadratsumme seiner Anteile, alle mit k = 2. Prüfnormal: U der Prüfung. Taster: aus den Antastpunkten. Punkte: aus der Streuung der Punkte einer Punktwolke. Punktwolken: aus deren Streuung. Mittelwert, Standardabweichung und Spannweite sind die der Punktwolken.
-unattended-stop = Scan und Laser wurden gestoppt: { $limit } lang hatte niemand die Bedienung, und der Arm stand still.
 unattended-stop = Scan und Laser wurden gestoppt: { $limit } lang hatte niemand die Bedienung, und der Messarm stand still.
 unattended-stop-remedy = Was aufgenommen wurde, bleibt. Um fortzufahren, neu starten; die Zeit steht in den Einstellungen.
 uncertainty-missing = { $file }: uncertainty fehlt

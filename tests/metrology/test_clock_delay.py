@@ -143,7 +143,9 @@ def at_rest(t: Floats) -> Floats:
 
 
 def test_an_arm_at_rest_under_a_moving_line_is_no_sensor_at_rest() -> None:
-    held = replace(passed(Setting()), poses_at=lambda at_ns: poses(at_rest(1e-9 * at_ns)))
+    held = replace(
+        passed(Setting()), poses_at=lambda at_ns: poses(at_rest(at_ns.astype(np.float64)))
+    )
     refusal = refusal_of(estimate_delay, held)
     assert refusal.code == "arm-at-rest"
 

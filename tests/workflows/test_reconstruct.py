@@ -18,6 +18,7 @@ from app.messages.catalogue import renderer
 from app.metrology.arm.kinematics import AnyArm, RobotArm, flange_pose
 from app.metrology.arm.reported_poses import pose_from_transform
 from app.metrology.stripe import Stripe
+from app.metrology.time_delay.course import DelayCourse
 from app.metrology.transforms import Floats, apply, inverse
 from app.workflows.estimate_delay import read_plane_pass
 from app.workflows.reconstruct import Reconstruction, reconstruct_cloud
@@ -223,11 +224,11 @@ def test_a_scan_of_which_more_than_a_tenth_is_left_out_is_refused(
         content[at : at + 4096] = bytes(4096)
         path.write_bytes(content)
     rebuild = partial(reconstruct_cloud, path, little_calibration(), ARM, cloud)
-    delay_ns = at_ms * MS if fault == "delay" else 0
+    delay = DelayCourse(at_ms * MS if fault == "delay" else 0.0)
     with refused_as(refused) if refused else nullcontext():
-        rebuild(delay_ns=delay_ns)
+        rebuild(delay=delay)
     assert cloud.exists() == (not refused)
-    result = rebuild(delay_ns=delay_ns, allow_incomplete=True)
+    result = rebuild(delay=delay, allow_incomplete=True)
     assert result.incomplete == bool(refused)
     assert result.points > 0
 
