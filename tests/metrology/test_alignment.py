@@ -85,6 +85,16 @@ def test_a_slipped_contact_is_named_and_left_out() -> None:
     refuse_wrong_faces(found, features, BLOCK)
 
 
+@pytest.mark.parametrize("seed", range(6))
+def test_a_first_point_in_the_air_is_the_only_one_accused(seed: int) -> None:
+    rng = np.random.default_rng(900 + seed)
+    features, tips = contacts_on(rng, random_pose(rng), per_face=9, noise_mm=0.02)
+    away = rng.normal(size=3)
+    tips[0] += away / np.linalg.norm(away) * rng.uniform(100, 500)
+    found = align(features, tips, TIP_RADIUS_MM, BLOCK)
+    assert list(np.flatnonzero(found.outliers)) == [0]
+
+
 def touched(seed: int) -> tuple[list[str], Floats]:
     """Contacts on a block anywhere."""
     rng = np.random.default_rng(seed)

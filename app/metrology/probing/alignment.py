@@ -27,6 +27,10 @@ from app.metrology.transforms import Floats
 
 # If contact points fit worse than this, and some not at all, no single one is the cause.
 POOR_FIT_MM = 0.3
+# More contact points than this beside the faces are no slip of the hand but wrong labels.
+FEW_IN_AIR = 2
+# With fewer others, the place of the block is not certain enough to say so.
+LEAST_KEPT = 9
 CHECK_THE_ARM = message("check-arms-file-lengths-angles-signs")
 
 
@@ -52,6 +56,8 @@ class Alignment:
     outliers: NDArray[np.bool_]
     """(N,) contact points that were excluded from the fit."""
     faces: tuple[FaceFit, ...]
+    doubtful: NDArray[np.bool_]
+    """(N,) contact points of which one contradicts the others; the data cannot tell which."""
     sigma_mm: float
     """A-posteriori standard deviation of one contact point."""
     covariance: Floats
@@ -105,9 +111,14 @@ def align(
     )
     refuse_lines(contacts)
     start = best_start(contacts, tip_radius_mm, block)
-    T_arm_obj, kept = fit_without_outliers(contacts, start)
+    T_arm_obj, kept, doubtful = fit_without_outliers(contacts, start)
     points_obj = surface_points(contacts, T_arm_obj, tip_radius_mm)
     off_face = off_face_mask(contacts.features, points_obj, block) & kept
+    if 0 < off_face.sum() <= FEW_IN_AIR and len(kept) - off_face.sum() >= LEAST_KEPT:
+        # there is nothing that it could have touched: it was taken in the air
+        T_arm_obj, kept, doubtful = fit_without_outliers(contacts, T_arm_obj, ~off_face)
+        points_obj = surface_points(contacts, T_arm_obj, tip_radius_mm)
+        off_face = off_face_mask(contacts.features, points_obj, block) & kept
     if off_face.sum() > max(1, len(kept) // 10):
         mirrored = points_obj * [-1, 1, 1] + [block.edges_x_mm[0] + block.edges_x_mm[-1], 0, 0]
         if not (off_face_mask(contacts.features, mirrored, block) & kept).any():
@@ -127,6 +138,7 @@ def align(
         residuals_mm=residuals,
         outliers=~kept,
         faces=_face_fits(contacts.features, residuals, kept),
+        doubtful=doubtful,
         sigma_mm=float(np.sqrt(variance_factor * np.mean(sds_mm[kept] ** 2))),
         covariance=np.asarray(variance_factor * np.linalg.inv(J_scaled.T @ J_scaled)),
         centre_mm=centre_mm,
@@ -165,8 +177,16 @@ def refuse_wrong_faces(alignment: Alignment, features: Sequence[str], block: Cre
         OperationError: ``contact-on-wrong-face`` names the first such contact point and the face on
             which it lies; ``contacts-do-not-fit``.
     """
-    far = alignment.outliers & (np.abs(alignment.residuals_mm) >= FACE_SLACK_MM)
-    count = int(far.sum())
+    if alignment.doubtful.any():
+        raise OperationError(
+            "contact-off-unknown-which",
+            message("one-of-points-off", points=_numbers(alignment.doubtful)),
+            message("others-cannot-tell-which"),
+            message("touch-again-beside-these"),
+        )
+    missing = np.abs(alignment.residuals_mm) >= FACE_SLACK_MM
+    far = alignment.outliers & missing
+    count = int((alignment.outliers | missing).sum())
     if count and alignment.rms_mm > POOR_FIT_MM:
         raise OperationError(
             "contacts-do-not-fit",
@@ -193,6 +213,10 @@ def refuse_wrong_faces(alignment: Alignment, features: Sequence[str], block: Cre
             place,
             message("take-out-label-face-touched"),
         )
+
+
+def _numbers(chosen: NDArray[np.bool_]) -> str:
+    return ", ".join(str(i + 1) for i in np.flatnonzero(chosen))
 
 
 def _face_fits(

@@ -1,22 +1,33 @@
 """The best pose of the block for its contact points: start values, then least squares."""
 
+from collections.abc import Callable
+
 import numpy as np
 from numpy.typing import NDArray
 
 from app.metrology.probing.contacts import (
     DIRECTIONS,
     FACE_SLACK_MM,
+    MIN_CONTACTS,
     FaceContacts,
     in_plane_spread,
     missing_contacts,
     off_face_mask,
     surface_points,
 )
+from app.metrology.probing.strays import find_strays, limit_of
 from app.metrology.robust import median, sigma_from_median
 from app.metrology.targets.crenellated_block import Crenellated
 from app.metrology.transforms import Floats, nearest_rotation, rigid, rotation_from_vector
 
-OUTLIER_SIGMAS = 4.0
+# Residuals beyond this many standard deviations of most have no weight at the start.
+START_CUT = 6.0
+# Share of the contact points that a start must fit.
+START_SHARE = 0.75
+# A start that fits so well needs no other.
+GOOD_START_MM = 0.2
+# With so few contact points on a face, a stray may be taken for part of its plane.
+FEW_ON_FACE = 7
 
 
 def best_start(contacts: FaceContacts, tip_radius_mm: float, block: Crenellated) -> Floats:
@@ -26,28 +37,43 @@ def best_start(contacts: FaceContacts, tip_radius_mm: float, block: Crenellated)
     the contact points within the bounds of the faces.
     """
     found: list[tuple[int, float, Floats]] = []
-    for rotation in _start_rotations(contacts):
+    for i, rotation in enumerate(_start_rotations(contacts)):
+        if i == 4 and min(found, key=lambda start: start[:2])[:2] < (0, GOOD_START_MM):
+            break  # the planes of all contact points fit: no need to try them without one
         T = _start_translation(contacts, rotation)
-        for _ in range(20):
-            T, step = _step(contacts, T, _huber(contacts.residuals_mm(T)))
-            if step < 1e-9:
-                break
-        off_face = off_face_mask(
-            contacts.features, surface_points(contacts, T, tip_radius_mm), block
-        )
-        misfit = median(np.abs(contacts.residuals_mm(T)))
-        found.append((int(off_face.sum()), misfit, T))
+        for weigh in (_biweight, _huber, _biweight):
+            T = _iterate(contacts, T, weigh)
+            points = surface_points(contacts, T, tip_radius_mm)
+            off_face = off_face_mask(contacts.features, points, block)
+            misfit = float(np.quantile(np.abs(contacts.residuals_mm(T)), START_SHARE))
+            found.append((int(off_face.sum()), misfit, T))
     return min(found, key=lambda start: start[:2])[2]
 
 
 def _start_rotations(contacts: FaceContacts) -> list[Floats]:
-    """The four rotations ``R_arm_obj`` that align the block's axes with the probed planes."""
+    """Rotations ``R_arm_obj`` that align the block's axes with the probed planes, four of each."""
     labels = np.array(contacts.features)
-    axes: list[Floats] = []
-    for faces in DIRECTIONS:
-        spreads = [in_plane_spread(contacts.tips_mm[labels == face]) for face in faces]
-        axes.append(max(spreads, key=lambda found: found[0])[1])
-    z, y, x = axes
+    choices = [_normals(contacts.tips_mm, labels, faces) for faces in DIRECTIONS]
+    usual = [normals[0] for normals in choices]
+    triples = [usual]
+    for axis, normals in enumerate(choices):
+        triples += [[*usual[:axis], normal, *usual[axis + 1 :]] for normal in normals[1:]]
+    return [rotation for z, y, x in triples for rotation in _rotations_along(x, y, z)]
+
+
+def _normals(tips_mm: Floats, labels: NDArray[np.str_], faces: tuple[str, ...]) -> list[Floats]:
+    """The normal of the best probed face of a direction, and those without one of few contacts."""
+    found = [(in_plane_spread(tips_mm[labels == face]), face) for face in faces]
+    (_, normal), face = max(found, key=lambda spread: spread[0][0])
+    own = tips_mm[labels == face]
+    if not MIN_CONTACTS < len(own) <= FEW_ON_FACE:
+        return [normal]
+    without = [in_plane_spread(np.delete(own, i, axis=0))[1] for i in range(len(own))]
+    return [normal, *(other for other in without if np.any(other))]
+
+
+def _rotations_along(x: Floats, y: Floats, z: Floats) -> list[Floats]:
+    """The four rotations whose axes lie along three normals of unknown signs."""
     rotations = []
     for sign_y in (1.0, -1.0):
         for sign_x in (1.0, -1.0):
@@ -59,11 +85,13 @@ def _start_rotations(contacts: FaceContacts) -> list[Floats]:
 
 
 def _start_translation(contacts: FaceContacts, rotation: Floats) -> Floats:
-    """Least-squares ``T_arm_obj`` for a given ``R_arm_obj``: linear in the translation."""
-    normals_arm = contacts.normals @ rotation.T
-    along = np.einsum("ij,ij->i", normals_arm, contacts.tips_mm) - contacts.reach_mm
-    translation, *_ = np.linalg.lstsq(normals_arm, along, rcond=None)
-    return rigid(rotation, translation)
+    """``T_arm_obj`` for a given ``R_arm_obj``: along each axis what most of its contact points
+    say."""
+    sides = contacts.normals.round()
+    along = np.einsum("ij,ij->i", contacts.normals @ rotation.T, contacts.tips_mm)
+    along -= contacts.reach_mm
+    offsets = [median((sides[:, k] * along)[sides[:, k] != 0]) for k in range(3)]
+    return rigid(rotation, rotation @ np.array(offsets))
 
 
 def jacobian(contacts: FaceContacts, T_arm_obj: Floats) -> tuple[Floats, Floats]:
@@ -87,60 +115,92 @@ def _step(contacts: FaceContacts, T_arm_obj: Floats, weights: Floats) -> tuple[F
     return moved @ T_arm_obj, size
 
 
+def _iterate(
+    contacts: FaceContacts, T_arm_obj: Floats, weigh: Callable[[Floats], Floats]
+) -> Floats:
+    """The pose that weighs its own residuals, by up to 20 steps."""
+    for _ in range(20):
+        T_arm_obj, step = _step(contacts, T_arm_obj, weigh(contacts.residuals_mm(T_arm_obj)))
+        if step < 1e-9:
+            break
+    return T_arm_obj
+
+
 def _huber(residuals_mm: Floats) -> Floats:
     scale = sigma_from_median(np.abs(residuals_mm)) + 1e-6
     return np.minimum(1.0, 1.5 * scale / np.maximum(np.abs(residuals_mm), 1e-12))
 
 
+def _biweight(residuals_mm: Floats) -> Floats:
+    """Weights that vanish for residuals far beyond the scatter of most (Tukey's biweight): a
+    contact point far beside the block would tilt the pose by its leverage, however little it
+    weighs."""
+    scale = sigma_from_median(np.abs(residuals_mm)) + 1e-6
+    return np.asarray(np.maximum(1 - (residuals_mm / (START_CUT * scale)) ** 2, 0.0) ** 2)
+
+
 def fit_without_outliers(
-    contacts: FaceContacts, T_arm_obj: Floats
-) -> tuple[Floats, NDArray[np.bool_]]:
-    """Least squares on the contact points that agree; (N,) mask of those kept.
+    contacts: FaceContacts, T_arm_obj: Floats, eligible: NDArray[np.bool_] | None = None
+) -> tuple[Floats, NDArray[np.bool_], NDArray[np.bool_]]:
+    """Least squares on the contact points that agree, of those (N,) that are eligible.
 
     Contact points that miss their face by millimetres at the robust start lie on another face and
-    would tilt the fit: they are excluded at once. Then one contact point at a time is removed, the
-    one with the largest residual relative to its own standard deviation (including its leverage),
-    as long as it exceeds the limit and enough contact points remain.
+    would tilt the fit: they are excluded at once. Then those are removed without which the others
+    agree best (``find_strays``), and those put back that agree with the rest after all.
+
+    Returns:
+        The pose, (N,) the contact points kept, and (N,) those of which one contradicts the others
+        while the data cannot tell which.
     """
-    kept = np.abs(contacts.residuals_mm(T_arm_obj)) < FACE_SLACK_MM
+    allowed = np.ones(len(contacts.features), np.bool_) if eligible is None else eligible
+    kept = allowed & (np.abs(contacts.residuals_mm(T_arm_obj)) < FACE_SLACK_MM)
     if missing_contacts([contacts.features[int(i)] for i in np.flatnonzero(kept)]):
-        kept[:] = True
-    while True:
-        for _ in range(20):
-            weights = np.where(kept, contacts.sds_mm(T_arm_obj) ** -2.0, 0.0)
-            T_arm_obj, step = _step(contacts, T_arm_obj, weights)
-            if step < 1e-10:
-                break
-        worst = _worst_outlier(contacts, T_arm_obj, kept)
-        if worst is None:
-            return T_arm_obj, kept
-        kept[worst] = False
+        kept = allowed.copy()
+    doubtful = np.zeros(len(kept), np.bool_)
+    for _ in range(len(kept)):
+        T_arm_obj = _settle(contacts, T_arm_obj, kept)
+        J, residuals = _whitened(contacts, T_arm_obj)
+        own = np.flatnonzero(kept)
+        found = find_strays(J[own], residuals[own])
+        doubtful[:] = False
+        doubtful[own[list(found.doubtful)]] = True
+        agreeing = _agreeing_again(J, residuals, kept, allowed)
+        if found.rows:
+            kept[own[list(found.rows)]] = False
+        elif agreeing is not None and not found.doubtful:
+            kept[agreeing] = True
+        else:
+            break
+    return T_arm_obj, kept, doubtful
 
 
-def _worst_outlier(
-    contacts: FaceContacts, T_arm_obj: Floats, kept: NDArray[np.bool_]
-) -> int | None:
-    """Index of the contact point that most exceeds the limit, by its deleted (studentised)
-    residual."""
+def _settle(contacts: FaceContacts, T_arm_obj: Floats, kept: NDArray[np.bool_]) -> Floats:
+    """The least-squares pose for the contact points kept."""
+    for _ in range(20):
+        weights = np.where(kept, contacts.sds_mm(T_arm_obj) ** -2.0, 0.0)
+        T_arm_obj, step = _step(contacts, T_arm_obj, weights)
+        if step < 1e-10:
+            break
+    return T_arm_obj
+
+
+def _whitened(contacts: FaceContacts, T_arm_obj: Floats) -> tuple[Floats, Floats]:
+    """(N, 6) derivatives and (N,) residuals, divided by the standard deviations."""
+    sds_mm = contacts.sds_mm(T_arm_obj)
     J, _ = jacobian(contacts, T_arm_obj)
-    own = np.flatnonzero(kept)
-    sds_mm = contacts.sds_mm(T_arm_obj)[own]
-    J_kept = J[own] / sds_mm[:, None]
-    leverage = np.einsum("ij,ji->i", J_kept, np.linalg.pinv(J_kept))
-    residuals = contacts.residuals_mm(T_arm_obj)[own] / sds_mm
-    freedom = len(own) - 7
-    if freedom < 1:
+    return J / sds_mm[:, None], contacts.residuals_mm(T_arm_obj) / sds_mm
+
+
+def _agreeing_again(
+    J: Floats, residuals: Floats, kept: NDArray[np.bool_], allowed: NDArray[np.bool_]
+) -> int | None:
+    """The removed contact point that the others predict best, if it lies within their scatter."""
+    freedom = int(kept.sum()) - 6
+    if freedom < 1 or kept[allowed].all():
         return None
-    spare = np.maximum(1 - leverage, 1e-9)
-    sum_without = np.maximum(np.sum(residuals**2) - residuals**2 / spare, 0.0)
-    deleted = np.abs(residuals) / np.sqrt(spare * np.maximum(sum_without / freedom, 1e-12))
-    deleted[leverage > 0.99] = 0.0
-    # Student's t has heavier tails than the normal distribution if few contact points remain
-    limit = OUTLIER_SIGMAS * (1 + 4.0 / freedom)
-    for worst in np.argsort(-deleted):
-        if deleted[worst] <= limit:
-            return None
-        remaining = [contacts.features[int(i)] for i in own if i != own[worst]]
-        if not missing_contacts(remaining):
-            return int(own[worst])
-    return None
+    variance = max(float(residuals[kept] @ residuals[kept]) / freedom, 1.0)
+    covariance = np.linalg.pinv(J[kept].T @ J[kept])
+    spread = 1 + np.einsum("ij,jk,ik->i", J, covariance, J)
+    off = np.where(kept | ~allowed, np.inf, residuals**2 / (spread * variance))
+    best = int(np.argmin(off))
+    return best if off[best] < limit_of(freedom) / 2 else None

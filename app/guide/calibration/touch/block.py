@@ -13,7 +13,7 @@ from app.messages.message import message, quantity, signed, word
 from app.metrology.adjustment.planning.next_touches import next_touches
 from app.metrology.arm.kinematics import Arm, tip_centres, tip_covariances
 from app.metrology.probing.alignment import Alignment, align, other_face
-from app.metrology.probing.contacts import missing_contacts
+from app.metrology.probing.contacts import missing_contacts, off_face_mask
 from app.metrology.targets.crenellated_block import FACES, Crenellated, on_face
 from app.metrology.transforms import Floats
 
@@ -77,9 +77,18 @@ def block_report(
         _outlier_finding(point, i, alignment, block)
         for i, point in enumerate(points)
         if point.outlier
-    )
+    ) + _doubt_findings(points, alignment)
     advice = next_touches(alignment, faces, block, target_um) if alignment.sigma_mm > 0 else None
     return TouchReport(points, alignment, "", findings, outliers, advice, target_um)
+
+
+def _doubt_findings(points: Sequence[TouchedPoint], alignment: Alignment) -> tuple[Finding, ...]:
+    """That one of some points is off, where the others cannot tell which."""
+    doubtful = [p.index + 1 for p, one in zip(points, alignment.doubtful, strict=True) if one]
+    if not doubtful:
+        return ()
+    text = message("one-of-points-off", points=", ".join(map(str, doubtful)))
+    return (Finding("attention", text, message("touch-again-beside-these")),)
 
 
 def _outlier_finding(
@@ -88,6 +97,10 @@ def _outlier_finding(
     assert point.residual_um is not None
     number, face = point.index + 1, word(point.face)
     off_mm = abs(point.residual_um) / 1e3
+    at_mm = alignment.points_obj_mm[contact]
+    if off_mm < WRONG_FACE_MM and off_face_mask([point.face], at_mm[None], block)[0]:
+        text = message("point-beside-face", index=number, face=face)
+        return Finding("bad", text, message("remove-then-touch-face-marked-drawing"))
     if off_mm >= WRONG_FACE_MM:
         off = quantity(off_mm, "mm", 1)
         other = other_face(alignment, contact, point.face, block)
