@@ -15,7 +15,7 @@ from app.metrology.probing.contacts import (
     off_face_mask,
     surface_points,
 )
-from app.metrology.probing.strays import find_strays, limit_of
+from app.metrology.probing.outlier_search import find_outliers, limit_of
 from app.metrology.robust import median, sigma_from_median
 from app.metrology.targets.crenellated_block import Crenellated
 from app.metrology.transforms import Floats, nearest_rotation, rigid, rotation_from_vector
@@ -26,7 +26,7 @@ START_CUT = 6.0
 START_SHARE = 0.75
 # A start that fits so well needs no other.
 GOOD_START_MM = 0.2
-# With so few contact points on a face, a stray may be taken for part of its plane.
+# With so few contact points on a face, an outlier may be taken for part of its plane.
 FEW_ON_FACE = 7
 
 
@@ -146,7 +146,7 @@ def fit_without_outliers(
 
     Contact points that miss their face by millimetres at the robust start lie on another face and
     would tilt the fit: they are excluded at once. Then those are removed without which the others
-    agree best (``find_strays``), and those put back that agree with the rest after all.
+    agree best (``find_outliers``), and those put back that agree with the rest after all.
 
     Returns:
         The pose, (N,) the contact points kept, and (N,) those of which one contradicts the others
@@ -159,9 +159,9 @@ def fit_without_outliers(
     doubtful = np.zeros(len(kept), np.bool_)
     for _ in range(len(kept)):
         T_arm_obj = _settle(contacts, T_arm_obj, kept)
-        J, residuals = _whitened(contacts, T_arm_obj)
+        J, residuals = _whiten(contacts, T_arm_obj)
         own = np.flatnonzero(kept)
-        found = find_strays(J[own], residuals[own])
+        found = find_outliers(J[own], residuals[own])
         doubtful[:] = False
         doubtful[own[list(found.doubtful)]] = True
         agreeing = _agreeing_again(J, residuals, kept, allowed)
@@ -184,7 +184,7 @@ def _settle(contacts: FaceContacts, T_arm_obj: Floats, kept: NDArray[np.bool_]) 
     return T_arm_obj
 
 
-def _whitened(contacts: FaceContacts, T_arm_obj: Floats) -> tuple[Floats, Floats]:
+def _whiten(contacts: FaceContacts, T_arm_obj: Floats) -> tuple[Floats, Floats]:
     """(N, 6) derivatives and (N,) residuals, divided by the standard deviations."""
     sds_mm = contacts.sds_mm(T_arm_obj)
     J, _ = jacobian(contacts, T_arm_obj)

@@ -6,7 +6,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.errors import OperationError
-from app.messages.message import message, quantity, rounded, signed
+from app.messages.limits import beside_limit
+from app.messages.message import message, quantity, signed
 from app.metrology.arm.reading_interpolation import Stamps
 from app.metrology.transforms import Floats
 
@@ -54,6 +55,7 @@ class DelayCourse:
         u_ms = np.hypot(self.uncertainty_ns, PPM * away_ns * self.drift_uncertainty_ppm) / 1e6
         if u_ms <= MOST_UNCERTAINTY_MS:
             return
+        u, limit = beside_limit(float(u_ms), MOST_UNCERTAINTY_MS, "ms", 1)
         raise OperationError(
             "delay-too-old",
             message(
@@ -61,11 +63,7 @@ class DelayCourse:
                 drift=signed(self.drift_ppm, "ppm", 1),
                 away=quantity(away_ns / 60e9, "min"),
             ),
-            message(
-                "it-is-known-to-limit",
-                u=quantity(float(u_ms), "ms", 1),
-                limit=rounded(MOST_UNCERTAINTY_MS, "ms"),
-            ),
+            message("it-is-known-to-limit", u=u, limit=limit),
             message("determine-delay-again-pass-close"),
         )
 

@@ -16,18 +16,18 @@ LEAST_REDUNDANCY = 1e-7
 
 
 @dataclass(frozen=True)
-class Strays:
+class OutlierRows:
     """Rows that contradict the others, or of which one does and the data cannot tell which."""
 
     rows: tuple[int, ...] = ()
     doubtful: tuple[int, ...] = ()
 
 
-def find_strays(J: Floats, residuals: Floats) -> Strays:
+def find_outliers(J: Floats, residuals: Floats) -> OutlierRows:
     """The one or two rows whose removal explains most of the residuals (N,), if any.
 
     The sum of squares without one row or two is exact for linear equations, so every choice is
-    compared: neither two strays that hide each other nor a good row with much leverage mislead.
+    compared: neither two outliers that hide each other nor a good row with much leverage mislead.
     Rows are named only if each is needed and no other choice explains nearly as much.
     """
     count, unknowns = J.shape
@@ -41,7 +41,7 @@ def find_strays(J: Floats, residuals: Floats) -> Strays:
     one = _judge_one(alone, total, count - unknowns - 1)
     i, j = np.unravel_index(int(np.argmax(both)), both.shape)
     if _is_pair(alone, both, (int(i), int(j)), total, count - unknowns - 2):
-        return Strays(rows=(int(i), int(j)))
+        return OutlierRows(rows=(int(i), int(j)))
     return one
 
 
@@ -53,17 +53,19 @@ def limit_of(freedom: int) -> float:
     return (OUTLIER_SIGMAS * (1 + 4.0 / freedom)) ** 2
 
 
-def _judge_one(alone: Floats, total: float, freedom: int) -> Strays:
+def _judge_one(alone: Floats, total: float, freedom: int) -> OutlierRows:
     if freedom < 1:
-        return Strays()
+        return OutlierRows()
     best = int(np.argmax(alone))
     # whitened residuals are never smaller than the noise that the contact points have
     variance = max((total - alone[best]) / freedom, 1.0)
     limit = limit_of(freedom) * variance
     if alone[best] <= limit:
-        return Strays()
+        return OutlierRows()
     rivals = np.flatnonzero(alone > alone[best] - limit)
-    return Strays((best,)) if len(rivals) == 1 else Strays(doubtful=tuple(map(int, rivals)))
+    return (
+        OutlierRows((best,)) if len(rivals) == 1 else OutlierRows(doubtful=tuple(map(int, rivals)))
+    )
 
 
 def _is_pair(
