@@ -49,6 +49,8 @@ PointConsumer = Callable[[Points, int], None]
 PoseConsumer = Callable[[int, Floats], None]
 """Called with the number of a block's first frame, and ``T_arm_sensor`` (F, 4, 4) of its frames,
 NaN where unknown."""
+WRITTEN_TOGETHER_NS = 1_000_000_000
+"""Readings of so long may follow the frames of their time in a file."""
 RECENT_FRAMES = 4096
 """The picture of a frame is at most this many frames away from its stripe."""
 
@@ -405,14 +407,17 @@ class _Job:
         self._unclear += made.unclear
 
     def _missing_frames(self) -> MissingFrames:
-        """Without the frames at both ends that only the delay moves beyond the arm's readings."""
+        """Without the frames at both ends that only the delay moves beyond the arm's readings, and
+        those just before a cut, whose readings the file no longer has."""
         first_ns, last_ns = self._track.first_ns or 0, self._track.last_ns or 0
-        moved = sum(
-            first_ns <= stamp_ns <= last_ns and not first_ns <= at_ns <= last_ns
+        cut_ns = last_ns + WRITTEN_TOGETHER_NS if self._recording.cut else last_ns
+        at_ends = sum(
+            (first_ns <= stamp_ns <= last_ns and not first_ns <= at_ns <= last_ns)
+            or last_ns < at_ns <= cut_ns
             for stamp_ns, at_ns in zip(self._unplaced_ns, self._unplaced_at_ns, strict=True)
         )
         missing = len(self._unplaced_ns) + self._unclear
-        return MissingFrames(missing - moved, self._frames + self._still + missing)
+        return MissingFrames(missing - at_ends, self._frames + self._still + missing)
 
     def _warnings(self, joints: ClockReport, frames: Sequence[ClockReport]) -> list[Text]:
         missing = self._missing()

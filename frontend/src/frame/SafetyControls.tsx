@@ -60,7 +60,10 @@ function LaserButton() {
     >
       <LaserIcon />
       <span className={styles.words}>
-        <span className={styles.state}>{laser?.state === "unknown" ? `${state}: ${ground}` : state}</span>
+        <span className={styles.state}>
+          {state}
+          {laser?.state === "unknown" && <span className={styles.ground}>: {ground}</span>}
+        </span>
         <span className={styles.act}>{switchable ? act : t("ui-switch-at-the-sensor")}</span>
       </span>
     </button>
