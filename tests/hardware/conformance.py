@@ -527,17 +527,23 @@ class SensorConformance:
             assert driver.read(0.2) is None
             assert driver.is_alive()
         frames: list[Frame] = []
-        pulses = 0
+        pulses = missed = 0
         while len(frames) < 3:
             bench.trigger()
             pulses += 1
             frame = reading_within(driver, TRIGGERED_S)
-            if frame is not None:  # a busy machine may have lost it
+            if frame is not None:
                 assert isinstance(frame, Frame)
                 assert frame.pulse == pulses
                 assert frame.image.shape == (info.height_px, info.width_px)
                 frames.append(frame)
-            assert pulses < 20, "most pictures are lost"
+                continue
+            missed += 1  # a busy machine may have lost it, or the control of the camera
+            assert missed < 8, "most pictures are lost"
+            if missed % 2 == 0:
+                driver.close()
+                open_in_time(driver)
+                pulses = 0
         assert driver.read(0.2) is None
         assert driver.health.lost <= pulses - 3
         bench.unplug()
