@@ -73,6 +73,8 @@ def query_station(
         _ask(look, station, "GET", path)
     look.faults += _live_faults(station)
     for path, body in REQUESTS if acts else ():
+        if path.endswith("/start"):  # else it is refused because another activity has the arm
+            _free_arm(look, station)
         _ask(look, station, "POST", path, body)
     if acts:
         station.wait(lambda: _has_no_job(station.http.get("/api/health")))
@@ -85,6 +87,12 @@ def query_station(
     if TRACE in station.console_text:
         look.faults.append("a trace on the console")
     return look
+
+
+def _free_arm(look: StationResponses, station: StationProcess) -> None:
+    held = station.http.get("/api/activity")
+    if held.status_code == OK and (activity := held.json()["activity"]) is not None:
+        _ask(look, station, "POST", "/api/activity/end", {"id": activity["id"]})
 
 
 def _has_no_job(health: httpx.Response) -> bool:
