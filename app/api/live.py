@@ -5,6 +5,7 @@ topic, so that a slow tab delays nobody.
 """
 
 import asyncio
+import contextlib
 import time
 
 from fastapi import WebSocket
@@ -74,11 +75,11 @@ class _Tab:
         beat_at = time.monotonic() + BEAT_S
         while True:
             left_s = beat_at - time.monotonic()
-            try:
-                updates = await asyncio.wait_for(self._subscription.next(), max(left_s, 0.0))
+            with contextlib.suppress(TimeoutError):
+                # ``wait_for`` of Python 3.11 loses a cancellation that comes together with updates
+                async with asyncio.timeout(max(left_s, 0.0)):
+                    updates = await self._subscription.next()
                 await self._pass_on(updates)
-            except TimeoutError:
-                pass
             if time.monotonic() >= beat_at:
                 await self._text(BeatMessage())
                 beat_at = time.monotonic() + BEAT_S
