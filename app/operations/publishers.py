@@ -122,7 +122,7 @@ async def _watch_arm(context: Context) -> None:
 
     def look() -> None:
         context.unattended.look()
-        _ = context.activities.use
+        context.activities.release_ended()
 
     await repeat("unattended", lambda: asyncio.to_thread(look), period_s=UNATTENDED_S)
 

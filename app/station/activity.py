@@ -98,10 +98,15 @@ class Activities:
     def use(self) -> ArmUse:
         """What has the arm now."""
         with self._lock:
+            self.release_ended()
+            return self._use
+
+    def release_ended(self) -> None:
+        """Takes the arm from an activity that has ended by itself, and says so."""
+        with self._lock:
             activity = self._use.activity
             if activity is not None and not self._beginning and not self._is_open[activity.kind]():
                 self._set(replace(self._use, activity=None))
-            return self._use
 
     @contextmanager
     def using(self, kind: ActivityKind) -> Iterator[None]:
@@ -118,7 +123,7 @@ class Activities:
         finally:
             with self._lock:
                 self._beginning -= 1
-                _ = self.use
+                self.release_ended()
 
     def resume(self, kind: ActivityKind, since: str) -> None:
         """A session that a restart found open has the arm, unless one has it already."""

@@ -74,7 +74,9 @@ def query_station(
     look.faults += _live_faults(station)
     for path, body in REQUESTS if acts else ():
         if path.endswith("/start"):  # else it is refused because another activity has the arm
-            _free_arm(look, station)
+            ended = station.free_arm()
+            if ended is not None:
+                look.note("POST /api/activity/end", ended, ended.content)
         _ask(look, station, "POST", path, body)
     if acts:
         station.wait(lambda: _has_no_job(station.http.get("/api/health")))
@@ -87,12 +89,6 @@ def query_station(
     if TRACE in station.console_text:
         look.faults.append("a trace on the console")
     return look
-
-
-def _free_arm(look: StationResponses, station: StationProcess) -> None:
-    held = station.http.get("/api/activity")
-    if held.status_code == OK and (activity := held.json()["activity"]) is not None:
-        _ask(look, station, "POST", "/api/activity/end", {"id": activity["id"]})
 
 
 def _has_no_job(health: httpx.Response) -> bool:

@@ -159,10 +159,15 @@ class StationProcess:
 
     def begin_session(self, flow: str, **body: object) -> None:
         """Begins a guided session; what has the arm is ended first."""
-        activity = self.get("/api/activity")["activity"]
-        if activity is not None:
-            self.post("/api/activity/end", id=activity["id"]).raise_for_status()
+        ended = self.free_arm()
+        if ended is not None:
+            ended.raise_for_status()
         self.post(f"/api/{flow}/start", **body).raise_for_status()
+
+    def free_arm(self) -> httpx.Response | None:
+        """What is answered to the end of the activity that has the arm; None if none has it."""
+        activity = self.get("/api/activity")["activity"]
+        return None if activity is None else self.post("/api/activity/end", id=activity["id"])
 
     def begin_scan(self, name: str) -> None:
         """Starts a scan by the simulated operator, once the station allows it."""

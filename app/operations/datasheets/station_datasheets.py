@@ -238,7 +238,7 @@ class Datasheets:
         info = self._rig.arm.info
         if info is None or found.form != "arm" or info.joint_count in (0, found.joint_count):
             return ""
-        if {found.serial_number, info.serial_number} - {""} - {found.serial_number}:
+        if info.serial_number not in ("", found.serial_number):
             return ""  # it is of another unit
         return message("arm-has-other-joints", joints=info.joint_count, rows=found.joint_count)
 
