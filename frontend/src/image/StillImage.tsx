@@ -5,6 +5,7 @@ import type { ImageAnnotation, WorstPointLine } from "../api/wire";
 import { type PlainId, quantity } from "../messages/text";
 import { labelSides } from "../object/labelSides";
 import { measured } from "../parts/lengths";
+import { reachesOf } from "../parts/reaches";
 import { cornerName } from "../result/names";
 import { t } from "../state/language";
 import { COLOURS, type Overlay, type OverlayCorner, spacing_px } from "./overlay";
@@ -113,6 +114,10 @@ export function StillImage(props: StillImageProps) {
   const scale = Math.max(width_px / Math.max(width, 1), height_px / Math.max(height, 1));
   const corner = corners.find((c) => c.name === name);
   const apart_px = spacing_px(corners);
+  const reaches = reachesOf(
+    corners.map(({ u, v }) => [u, v]),
+    width_px / 50,
+  );
   return (
     <figure className={styles.figure}>
       <div ref={ref} className={styles.space} style={{ "--shape": `${width_px} / ${height_px}` } as CSSProperties}>
@@ -142,9 +147,9 @@ export function StillImage(props: StillImageProps) {
                 .join("")}
             />
           ))}
-          {corners.map((c) => (
+          {corners.map((c, i) => (
             <g key={c.name} transform={`translate(${c.u} ${c.v})`} onPointerEnter={() => setName(c.name)}>
-              <circle r={Math.min(width_px / 50, apart_px / 2)} className={styles.reach} />
+              <circle r={reaches[i]} className={styles.reach} />
               {times && c.off_px && (
                 <path
                   className={styles.arrow}

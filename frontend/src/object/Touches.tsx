@@ -4,6 +4,7 @@ import type { ObjectGeometry, Vec3 } from "../api/types";
 import type { TouchedPoint } from "../api/wire";
 import { deviationColour } from "../parts/deviationColours";
 import { signedLength } from "../parts/lengths";
+import { reachesOf } from "../parts/reaches";
 import { t, word } from "../state/language";
 import { labelSides, type Side } from "./labelSides";
 import { isVisible, normalOf } from "./shape";
@@ -46,6 +47,9 @@ interface TouchesProps {
 
 const LABEL_PX = { wide: 84, tall: 22 };
 
+/** Between a point's edge and the ring around it when it is chosen; as far, a press is one of it. */
+const FOCUS_APART_PX = 12;
+
 /** Contact points coloured by residual; an outlier is a diamond with its value beside it. */
 export function Touches({ view, object, points, scale_um, chosen, onPoint, named = [] }: TouchesProps) {
   const visible = placed(points)
@@ -56,14 +60,18 @@ export function Touches({ view, object, points, scale_um, chosen, onPoint, named
     labelled.map(({ index, at_mm }) => ({ index, at: project(view, at_mm) })),
     LABEL_PX,
   );
+  const radius = dotRadius(view);
+  const places = visible.map(({ at_mm }) => project(view, at_mm));
+  const reaches = reachesOf(places, radius + FOCUS_APART_PX);
   return (
     <g>
-      {visible.map((point) => (
+      {visible.map((point, i) => (
         <Touch
           key={point.index}
           point={point}
-          at={project(view, point.at_mm)}
-          radius={dotRadius(view)}
+          at={places[i] ?? [0, 0]}
+          radius={radius}
+          reach={reaches[i] ?? 0}
           scale_um={scale_um}
           chosen={point.index === chosen}
           side={sides.get(point.index)}
@@ -78,6 +86,7 @@ interface TouchProps {
   point: TouchedPoint;
   at: [number, number];
   radius: number;
+  reach: number;
   scale_um: number;
   chosen: boolean;
   /** Position of its value; without one, the value is not shown. */
@@ -85,7 +94,7 @@ interface TouchProps {
   onPoint: (index: number) => void;
 }
 
-function Touch({ point, at, radius, scale_um, chosen, side, onPoint }: TouchProps) {
+function Touch({ point, at, radius, reach, scale_um, chosen, side, onPoint }: TouchProps) {
   const residual = point.residual_um;
   const value = residual === null ? t("ui-no-residual-yet") : signedLength(residual, "µm");
   const fill = residual === null ? "var(--ink-3)" : deviationColour(residual / scale_um);
@@ -111,7 +120,8 @@ function Touch({ point, at, radius, scale_um, chosen, side, onPoint }: TouchProp
       onClick={() => onPoint(point.index)}
       onKeyDown={onKey}
     >
-      <circle r={radius + 12} className={styles.reach} />
+      <circle r={reach} className={styles.reach} />
+      <circle r={radius + FOCUS_APART_PX} className={styles.focus} />
       {point.outlier ? (
         <path d="M0-1.5 1.5 0 0 1.5-1.5 0Z" transform={`scale(${radius})`} className={styles.outlier} />
       ) : (

@@ -41,6 +41,7 @@ export function TimeChart({ points, unit, label, signed = false, onPoint }: Time
   const y = (value: number) => (HEIGHT * (top - value)) / (top - bottom);
   /* A limit is its own point's, and holds half-way to the next. */
   const reach = points.length === 1 ? 30 : step / 2;
+  const pressed = Math.min(22, reach);
   const first = points[0];
   const last = points[points.length - 1];
   const line = points.flatMap(({ value }, i) => (value === null ? [] : [`${x(i)},${y(value)}`]));
@@ -58,7 +59,9 @@ export function TimeChart({ points, unit, label, signed = false, onPoint }: Time
           {points.map(({ id, at, value, limit, uncertainty, quality }, i) => (
             <g key={id} className={onPoint && styles.point} onClick={() => onPoint?.(id)}>
               <title>{`${moment(at)}: ${value === null ? t("ui-unknown") : measured(value, unit, 1)}`}</title>
-              {onPoint && <rect x={x(i) - 22} y="0" width="44" height={HEIGHT} className={styles.reach} />}
+              {onPoint && (
+                <rect x={x(i) - pressed} y="0" width={2 * pressed} height={HEIGHT} className={styles.reach} />
+              )}
               {(limit === null ? [] : signed ? [limit, -limit] : [limit]).map((at) => (
                 <line key={at} className={styles.limit} x1={x(i) - reach} x2={x(i) + reach} y1={y(at)} y2={y(at)} />
               ))}

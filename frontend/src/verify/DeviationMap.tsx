@@ -5,6 +5,7 @@ import { quantity } from "../messages/text";
 import { Chips } from "../parts/Chips";
 import { DEVIATION_CSS, deviationColour } from "../parts/deviationColours";
 import { lengthFigures, measured, signedLength, unitOf } from "../parts/lengths";
+import { reachesOf } from "../parts/reaches";
 import { t } from "../state/language";
 import { useRead } from "../state/useRead";
 import styles from "./DeviationMap.module.css";
@@ -74,6 +75,13 @@ function Cells({ map, end_um, outliers, chosen, onChoose }: CellsProps) {
   const low_y = Math.min(...all_y) - cell;
   const width = Math.max(...all_x) + cell - low_x;
   const height = Math.max(...all_y) + cell - low_y;
+  const radius = RING * Math.min(width, height);
+  /* the furthest lie on top */
+  const drawn = outliers.toReversed();
+  const reaches = reachesOf(
+    drawn.map((one) => [one.x_mm, one.y_mm]),
+    2.2 * radius,
+  );
   return (
     <svg
       className={styles.map}
@@ -93,12 +101,12 @@ function Cells({ map, end_um, outliers, chosen, onChoose }: CellsProps) {
           />
         ))}
       </g>
-      {/* the furthest lie on top, where they can be pressed */}
-      {outliers.toReversed().map((one) => (
+      {drawn.map((one, i) => (
         <Outlier
           key={`${one.x_mm} ${one.y_mm}`}
           outlier={one}
-          radius={RING * Math.min(width, height)}
+          radius={radius}
+          reach={reaches[i] ?? 0}
           colour={deviationColour(one.deviation_um / end_um)}
           chosen={one === chosen}
           onChoose={() => onChoose(one)}
@@ -111,12 +119,14 @@ function Cells({ map, end_um, outliers, chosen, onChoose }: CellsProps) {
 interface OutlierProps {
   outlier: OutlierPart;
   radius: number;
+  /** Where a press is one of this outlier. */
+  reach: number;
   colour: string;
   chosen: boolean;
   onChoose: () => void;
 }
 
-function Outlier({ outlier, radius, colour, chosen, onChoose }: OutlierProps) {
+function Outlier({ outlier, radius, reach, colour, chosen, onChoose }: OutlierProps) {
   const onKey = (event: KeyboardEvent) => {
     if (event.key !== "Enter" && event.key !== " ") return;
     event.preventDefault();
@@ -134,7 +144,8 @@ function Outlier({ outlier, radius, colour, chosen, onChoose }: OutlierProps) {
       onClick={onChoose}
       onKeyDown={onKey}
     >
-      <circle r={2.2 * radius} className={styles.reach} />
+      <circle r={reach} className={styles.reach} />
+      <circle r={2.2 * radius} className={styles.focus} />
       <circle r={radius} fill={colour} className={styles.ring} />
     </g>
   );
