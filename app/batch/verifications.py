@@ -26,14 +26,18 @@ from app.formats.file_names import display_path
 from app.formats.io_errors import error_from_os
 from app.formats.json_document import SOFTWARE
 from app.formats.results.verification import VERIFICATION, VerificationFile, read_verification
+from app.messages.uncertainty import uncertainty_decimals
 from app.progress import Progress, no_progress
 from app.timestamps import is_moment, parse_moment
-from app.workflows.verification_study import AcceptedCalibration, study_verification
+from app.workflows.verification_study import FIGURES, AcceptedCalibration, study_verification
 
 RECORD = "record"
 CLOUD_SUFFIX = ".ply"
-FIGURES = ("rms_um", "angle_arcsec", "z_error_um", "radius_error_um", "centre_error_um")
-COLUMNS = ("station", "verification", "taken_at", "cloud", "calibration", *FIGURES)
+COLUMNS = (
+    *("station", "verification", "taken_at", "cloud", "calibration"),
+    *(column for name in FIGURES for column in (name, f"U_{name}")),
+)
+"""Beside each figure its expanded uncertainty (k = 2)."""
 With = Literal["own", "all"]
 """Which calibrations: that which was verified, or all of the station."""
 
@@ -232,7 +236,7 @@ def table_of(results: Iterable[tuple[VerificationTask, Mapping[str, Any]]]) -> l
     rows = []
     for task, study in results:
         for row in study["rows"]:
-            figures = (row.get(name) for name in FIGURES)
+            uncertainty = row.get("expanded_uncertainty", {})
             rows.append(
                 [
                     task.record.place.station,
@@ -240,10 +244,30 @@ def table_of(results: Iterable[tuple[VerificationTask, Mapping[str, Any]]]) -> l
                     task.taken_at,
                     study["clouds"][row["cloud"]],
                     study["calibration_ids"][row["calibration"]],
-                    *("" if figure is None else f"{figure:.3f}" for figure in figures),
+                    *(
+                        cell
+                        for name in FIGURES
+                        for cell in _figure_cells(row.get(name), uncertainty.get(name))
+                    ),
                 ]
             )
     return sorted(rows)
+
+
+def _figure_cells(value: float | None, uncertainty: float | None) -> tuple[str, str]:
+    if value is None or uncertainty is None:
+        return ("" if value is None else f"{value:.3f}", "")
+    return f"{value:.3f}", f"{uncertainty:.{uncertainty_decimals(uncertainty)}f}"
+
+
+def printed_table(rows: Sequence[Sequence[str]]) -> tuple[list[str], list[list[str]]]:
+    """Headings and rows for printing: figures that a row has, each with its uncertainty."""
+    first = len(COLUMNS) - 2 * len(FIGURES)
+    known = [i for i in range(first, len(COLUMNS), 2) if any(row[i] for row in rows)]
+    headings = [*COLUMNS[:first], *(COLUMNS[i] for i in known)]
+    return headings, [
+        [*row[:first], *(" ± ".join(filter(None, row[i : i + 2])) for i in known)] for row in rows
+    ]
 
 
 def table_text(rows: Iterable[Sequence[str]]) -> str:

@@ -1,4 +1,4 @@
-"""Who may read what the program creates: of a station, only its user."""
+"""Who may read what the program creates: of a station or a fleet, only its user."""
 
 import os
 from collections.abc import Iterator

@@ -18,11 +18,12 @@ from app.formats.datasheets.gauge import GaugeFile, Shape, read_gauge
 from app.formats.file_names import display_path
 from app.formats.json_document import Document, DocumentPart, NotNegative, Number
 from app.formats.results.calibration import read_calibration
-from app.formats.results.verification import CONTACTS, GAUGE, read_verification
+from app.formats.results.verification import CONTACTS, GAUGE, FigureName, read_verification
 from app.formats.session.calibration_session import ARM, read_contacts
 from app.messages.message import Text, join, message, replace_name
 from app.metrology.arm.kinematics import AnyArm
 from app.metrology.gauges.errors import NominalPlane, NominalSphere
+from app.metrology.gauges.figure_budget import combine_budget
 from app.metrology.gauges.probed_gauge import (
     ProbedGauge,
     ProbedPlane,
@@ -31,10 +32,20 @@ from app.metrology.gauges.probed_gauge import (
     fit_probed_sphere,
 )
 from app.progress import Progress, no_progress
+from app.workflows.judgement.figure_budgets import cloud_budgets, steepness_of
+from app.workflows.judgement.value_uncertainty import gauge_test_uncertainty
 from app.workflows.measure_gauge import GaugeFit, measure_recording
 from app.workflows.verification_metrics import cloud_errors
 
 STUDY_CALIBRATION = "calibration.json"
+FIGURES: dict[str, FigureName] = {
+    "rms_um": "rms",
+    "angle_arcsec": "angle",
+    "z_error_um": "z_error",
+    "radius_error_um": "radius_error",
+    "centre_error_um": "centre_error",
+}
+"""Of a row, in the order of its columns."""
 
 
 @dataclass(frozen=True)
@@ -58,6 +69,8 @@ class StudyRow(DocumentPart):
     """Along Z (Eq. 11-12); for a steep plane, along its normal."""
     radius_error_um: Number | None = None
     centre_error_um: NotNegative | None = None
+    expanded_uncertainty: Annotated[dict[str, NotNegative], Field(default_factory=dict)]
+    """Of each figure (k = 2), by the name of its field; empty of older studies."""
 
 
 class StudyRange(DocumentPart):
@@ -183,7 +196,12 @@ def _row(
     cloud: int, calibration: int, fit: GaugeFit, gauge: GaugeFile, touched: ProbedGauge | None
 ) -> StudyRow:
     errors = cloud_errors(fit, gauge, touched)
-    z = errors.z_error_um if errors.z_error_um is not None else errors.offset_error_um
+    is_steep = errors.z_error_um is None
+    z = errors.offset_error_um if is_steep else errors.z_error_um
+    widths_mm = (fit.width_mm,) if fit.width_mm else ()
+    test = gauge_test_uncertainty(gauge, widths_mm, steepness_of(touched))
+    budgets = cloud_budgets(fit, test, touched)
+    names: dict[str, FigureName] = {**FIGURES, "z_error_um": "offset" if is_steep else "z_error"}
     return StudyRow(
         cloud=cloud,
         calibration=calibration,
@@ -192,6 +210,9 @@ def _row(
         z_error_um=z,
         radius_error_um=errors.radius_error_um,
         centre_error_um=errors.centre_error_um,
+        expanded_uncertainty={
+            field: combine_budget(budgets[name]) for field, name in names.items() if name in budgets
+        },
     )
 
 

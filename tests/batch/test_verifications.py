@@ -17,6 +17,7 @@ from app.batch.verifications import (
     VerificationTask,
     With,
     plan_verifications,
+    printed_table,
     table_of,
     table_text,
 )
@@ -24,6 +25,7 @@ from app.formats.datasheets.gauge import GaugeFile
 from app.formats.open_file import LARGEST_DOCUMENT
 from app.formats.results.verification import VerificationFile
 from app.store.store import Store
+from app.workflows.verification_study import FIGURES
 from tests.batch.filled import CALIBRATION, archive_and_close, fill_station
 from tests.batch.test_rebuild import run
 from tests.cli.test_cli import crenel
@@ -120,6 +122,14 @@ def test_clouds_are_measured_with_the_verified_calibration(archive: Path, tmp_pa
     table = list(csv.DictReader(table_text(rows).splitlines()))
     heights = [float(row["z_error_um"]) for row in table[:2]]
     assert abs(heights[1] - heights[0]) == pytest.approx(20, rel=0.2)
+    # a figure that there is has its uncertainty beside it
+    for row in table:
+        assert {name for name in FIGURES if row[name]} == {
+            name for name in FIGURES if float(row[f"U_{name}"] or 0) > 0
+        }
+    headings, printed = printed_table(rows)
+    assert headings[5:] == ["rms_um", "angle_arcsec", "z_error_um"]
+    assert all("±" in cell for row in printed for cell in row[5:])
 
 
 def test_a_study_takes_all_calibrations_of_the_station(archive: Path, tmp_path: Path) -> None:

@@ -8,6 +8,7 @@ import pytest
 
 from app.api.access.browser import BACK
 from app.fleet.catalogue.catalogue import FleetCatalogue
+from app.fleet.fleet_settings import ACCOUNTS_FILE
 from app.server.fleet.access import FleetPeople
 from app.single_sign_on.person import ProviderPerson
 from app.store.accounts import Role
@@ -88,6 +89,7 @@ def test_people_sign_in_with_the_provider_or_with_the_password(tmp_path: Path) -
         assert anna.delete("/api/session").raise_for_status().json()["sign_out_page"] == ""
         anna.cookies.update(cookies)
         assert anna.get("/api/fleet/overview").status_code == 401
+    assert (tmp_path / ACCOUNTS_FILE).stat().st_mode & 0o077 == 0
 
 
 def check_that_anna_may_enter(anna: httpx.Client) -> None:

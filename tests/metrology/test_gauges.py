@@ -12,6 +12,7 @@ from app.metrology.gauges.errors import (
     check_sphere,
     compute_repeatability,
 )
+from app.metrology.gauges.figure_budget import combine_budget, spread_statistics
 from app.metrology.gauges.figure_uncertainty import fit_uncertainty
 from app.metrology.transforms import Floats, rotation_from_vector
 from tests.metrology.numerics import unit
@@ -85,6 +86,17 @@ def test_the_spread_over_clouds() -> None:
     assert found.standard_deviation == pytest.approx(np.sqrt(7))
     with pytest.raises(OperationError, match="at least two"):
         compute_repeatability([1.0])
+
+
+@pytest.mark.parametrize("clouds", [2, 3, 5, 12])
+def test_few_clouds_state_what_their_scatter_may_be(clouds: int) -> None:
+    rng = np.random.default_rng(3)
+    hits = 0
+    for _ in range(1000):
+        values = rng.normal(0, 1, clouds).tolist()
+        found = spread_statistics(values, [{"gauge": 0.0}] * clouds)["standard_deviation"]
+        hits += abs(found.value - 1) <= combine_budget(found.budget)
+    assert hits / 1000 == pytest.approx(0.9545, abs=4 * 0.0066)
 
 
 @pytest.mark.parametrize("cap_deg", [5.0, 20.0, 90.0])

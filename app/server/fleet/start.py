@@ -4,6 +4,7 @@ from pathlib import Path
 
 from app.errors import OperationError
 from app.fleet.catalogue.libraries import check_libraries
+from app.formats.file_modes import private_files
 from app.messages.message import message
 from app.server.listener import (
     LOOPBACK,
@@ -18,8 +19,9 @@ from app.server.listener import (
 PORTS_TRIED = 10
 
 
+@private_files()
 def serve_fleet(config: Path | None, host: str, port: int, open_browser: bool) -> None:
-    """Serves until SIGINT or SIGTERM.
+    """Serves until SIGINT or SIGTERM; its files, such as those of accounts, are for its user alone.
 
     Raises:
         OperationError: a library is missing, the settings are wrong, the port is in use, or other

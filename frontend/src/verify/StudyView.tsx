@@ -6,7 +6,8 @@ import { type PlainId, quantity } from "../messages/text";
 import { CopyCsv } from "../parts/CopyCsv";
 import { PressButton } from "../parts/PressButton";
 import { Busy } from "../parts/Progress";
-import type { TableData } from "../parts/table";
+import type { Head, TableData } from "../parts/table";
+import { uncertaintyQuantity } from "../parts/uncertainty";
 import { t } from "../state/language";
 import styles from "./Charts.module.css";
 import { LinesChart, RangeBars } from "./LinesChart";
@@ -87,8 +88,9 @@ function useStudy(id: string) {
 }
 
 type Row = StudyFile["rows"][number];
+type Field = "rms_um" | "angle_arcsec" | "z_error_um" | "radius_error_um" | "centre_error_um";
 interface Measure {
-  of: (row: Row) => number;
+  field: Field;
   title: PlainId;
   unit: string;
   both: boolean;
@@ -96,12 +98,12 @@ interface Measure {
 
 const MEASURES: Record<StudyFile["shape"], [Measure, Measure]> = {
   plane: [
-    { of: (row) => row.angle_arcsec ?? 0, title: "ui-angle-between-the-normals", unit: "″", both: false },
-    { of: (row) => row.z_error_um ?? 0, title: "ui-z-error-in-the-clouds-middle", unit: "µm", both: true },
+    { field: "angle_arcsec", title: "ui-angle-between-the-normals", unit: "″", both: false },
+    { field: "z_error_um", title: "ui-z-error-in-the-clouds-middle", unit: "µm", both: true },
   ],
   sphere: [
-    { of: (row) => row.radius_error_um ?? 0, title: "ui-radius-error", unit: "µm", both: true },
-    { of: (row) => row.centre_error_um ?? 0, title: "ui-distance-between-the-centres", unit: "µm", both: false },
+    { field: "radius_error_um", title: "ui-radius-error", unit: "µm", both: true },
+    { field: "centre_error_um", title: "ui-distance-between-the-centres", unit: "µm", both: false },
   ],
 };
 
@@ -116,7 +118,7 @@ function Charts({ study, newer, begin }: { study: StudyFile; newer: boolean; beg
       values: study.rows
         .filter((row) => row.calibration === c)
         .sort((a, b) => a.cloud - b.cloud)
-        .map(measure.of),
+        .map((row) => row[measure.field] ?? 0),
     }));
   const labels = study.clouds.map((_, i) => String(i + 1));
   const against = study.against_probe ? t("ui-against-the-touched-gauge") : t("ui-against-the-mean-of-all");
@@ -181,21 +183,28 @@ function Charts({ study, newer, begin }: { study: StudyFile; newer: boolean; beg
   );
 }
 
+/** Beside each figure stands its uncertainty, which older studies do not state. */
 function tables(study: StudyFile, measures: [Measure, Measure]): TableData[] {
+  const figures: Omit<Measure, "both">[] = [...measures, { field: "rms_um", title: "ui-rms", unit: "µm" }];
+  const uncertainty = (row: Row, { field, unit }: Omit<Measure, "both">) => {
+    const value = row.expanded_uncertainty[field];
+    return value === undefined ? "" : uncertaintyQuantity(value, unit);
+  };
   return [
     {
       title: "ui-clouds-and-calibrations",
       head: [
         "ui-calibration",
         "ui-cloud",
-        ...measures.map(({ title, unit }) => ({ title, unit })),
-        { title: "ui-rms", unit: "µm" },
+        ...figures.flatMap(({ title, unit }): Head[] => [
+          { title, unit },
+          { title: "ui-u-k-2", unit },
+        ]),
       ],
       rows: study.rows.map((row) => [
         study.calibrations[row.calibration] ?? "",
         study.clouds[row.cloud] ?? "",
-        ...measures.map((measure) => quantity(measure.of(row), measure.unit, 2)),
-        quantity(row.rms_um, "µm", 2),
+        ...figures.flatMap((figure) => [quantity(row[figure.field] ?? 0, figure.unit, 2), uncertainty(row, figure)]),
       ]),
     },
   ];
