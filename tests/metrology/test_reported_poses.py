@@ -126,6 +126,31 @@ def test_poses_that_stay_elsewhere_are_accepted_there_and_reported(judge: Judge)
     assert "900" in str(judge.newest.error.text)
 
 
+def test_within_a_scan_poses_of_another_frame_are_held_back_until_they_leap_back(
+    judge: Judge,
+) -> None:
+    judge.keeps_frame = True
+    away = [sample(4 + 4 * i, FAR + i * MOVED) for i in range(500)]
+    after_a_gap = [sample(4000 + 4 * i, FAR + i * MOVED) for i in range(SETTLED + 3)]
+    back = [sample(4100 + 4 * i, HERE + MOVED) for i in range(3)]
+    good = judge.filter([sample(0, HERE), *away, *after_a_gap, *back])
+    assert [one.sequence for one in good] == [0, *(one.sequence for one in back)]
+    judge.filter(away_again := [sample(4150 + 4 * i, FAR) for i in range(SETTLED)])
+    judge.keeps_frame = False  # the scan ends
+    good = judge.filter([sample(4300 + 4 * i, FAR) for i in range(3)])
+    assert [one.sequence for one in good] == [4304, 4308]
+    assert judge.rejected_count == len(away) + len(after_a_gap) + len(away_again) + 1
+
+
+def test_poses_that_the_network_held_back_are_one_frame(judge: Judge) -> None:
+    """1 m/s; those of 0.1 s come at once, stamped as they come."""
+    judge.keeps_frame = True
+    stamps_ms = [300 if 50 <= i <= 75 else 4 * i for i in range(150)]
+    path = [sample(at, HERE + [4.0 * i, 0, 0, 0, 0, 0, 0]) for i, at in enumerate(stamps_ms)]
+    good = judge.filter(path)
+    assert [one.sequence for one in good[-70:]] == stamps_ms[-70:]
+
+
 def test_an_arm_that_reconnects_may_be_anywhere(judge: Judge) -> None:
     judge.filter([sample(0, HERE)])
     judge.forget_place()

@@ -68,6 +68,7 @@ class PoseReader:
         self._path = path
         self._arm = arm
         self._judge: PosePlausibilityFilter[_PoseReading] = PosePlausibilityFilter()
+        self._judge.keeps_frame = True
         self._first: ImplausiblePose | None = None
         self.unusable = 0
 

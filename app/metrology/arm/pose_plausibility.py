@@ -3,7 +3,7 @@
 A pose is impossible if it is not a number, if its quaternion is not a rotation, if no arm moves
 that far since the previous pose, or if it repeats although it cannot (``PoseNoise``). Poses that
 stay at a new place are accepted there: the arm's software has changed its frame or tool, and the
-user is warned.
+user is warned. Within one scan they are not, since its points would lie in two frames.
 """
 
 import math
@@ -26,6 +26,8 @@ UNSURE_MM, UNSURE_RAD = 2.0, 0.01
 UNIT_TOLERANCE = 1e-3
 SETTLED = 5
 """So many poses in a row at a new place are no fault of the transmission."""
+LEAP_MM, LEAP_RAD = 200.0, 0.7
+"""An arm does not come that far while the network holds its poses back for 0.1 s: 2 m/s, 7 rad/s."""
 REMEMBERED = 4096
 
 ImplausiblePoseKind = Literal["number", "quaternion", "jump", "moved-frame", "frozen"]
@@ -81,6 +83,18 @@ class ImplausiblePose:
 
 
 P = TypeVar("P", bound=PoseReading)
+_Placed = tuple[int, Floats]
+"""A time stamp in ns, and the pose (7,)."""
+
+
+@dataclass(frozen=True)
+class _Elsewhere:
+    """Poses held back one after the other that agree among themselves."""
+
+    newest: _Placed
+    count: int
+    is_leap: bool
+    """Too far from the last good pose for late ones."""
 
 
 class PosePlausibilityFilter(Generic[P]):
@@ -95,17 +109,17 @@ class PosePlausibilityFilter(Generic[P]):
         self.newest: ImplausiblePose | None = None
         self.judged_ns: int | None = None
         """Poses up to this one are judged, and none of them waits."""
+        self.keeps_frame = False
+        """Whether poses that leapt to a new place are held back for as long as they stay there."""
         self._noise = PoseNoise()
         self._pending: list[P] = []
-        self._last: tuple[int, Floats] | None = None
-        self._elsewhere: list[tuple[int, Floats]] = []
-        """Poses held back one after the other that agree among themselves."""
+        self._last: _Placed | None = None
+        self._elsewhere: _Elsewhere | None = None
         self._rejected: deque[ImplausiblePose] = deque(maxlen=REMEMBERED)
 
     def forget_place(self) -> None:
         """The arm reconnects: it may be anywhere."""
-        self._last = None
-        self._elsewhere.clear()
+        self._last = self._elsewhere = None
 
     def first_between(self, first_ns: int, last_ns: int) -> ImplausiblePose | None:
         """The first pose held back in an interval of time; None if all were plausible."""
@@ -156,28 +170,45 @@ class PosePlausibilityFilter(Generic[P]):
             return ImplausiblePose("number", stamp_ns)
         if abs(np.linalg.norm(pose[3:]) - 1) > UNIT_TOLERANCE:
             return ImplausiblePose("quaternion", stamp_ns)
-        if self._last is None or _can_follow(self._last, stamp_ns, pose):
-            self._last = stamp_ns, pose
-            self._elsewhere.clear()
+        if self._last is None or self._is_here(self._last, stamp_ns, pose):
+            self._last, self._elsewhere = (stamp_ns, pose), None
             return None
-        step_mm, step_rad = _step(self._last[1], pose)
-        if self._elsewhere and not _can_follow(self._elsewhere[-1], stamp_ns, pose):
-            self._elsewhere.clear()
-        self._elsewhere.append((stamp_ns, pose))
-        if len(self._elsewhere) < SETTLED:
-            return ImplausiblePose("jump", stamp_ns, step_mm, step_rad)
-        self._last = stamp_ns, pose
-        self._elsewhere.clear()
-        return ImplausiblePose("moved-frame", stamp_ns, step_mm, step_rad)
+        there, step = self._elsewhere, _step(self._last[1], pose)
+        if there is None or not _can_follow(there.newest, stamp_ns, pose):
+            is_leap = step[0] > LEAP_MM or step[1] > LEAP_RAD
+            self._elsewhere = _Elsewhere((stamp_ns, pose), 1, is_leap)
+            return ImplausiblePose("jump", stamp_ns, *step)
+        self._elsewhere = there = _Elsewhere((stamp_ns, pose), there.count + 1, there.is_leap)
+        if there.count < SETTLED:
+            return ImplausiblePose("jump", stamp_ns, *step)
+        if not (self.keeps_frame and there.is_leap):
+            self._last, self._elsewhere = there.newest, None
+        return ImplausiblePose("moved-frame", stamp_ns, *step)
+
+    def _is_here(self, last: _Placed, stamp_ns: int, pose: Floats) -> bool:
+        """Whether the arm can have come from its last place, and not rather from elsewhere."""
+        there = self._elsewhere
+        if not _can_follow(last, stamp_ns, pose):
+            return False
+        if there is None or not _can_follow(there.newest, stamp_ns, pose):
+            return True
+        settled = there.count >= SETTLED and there.is_leap  # only a leap leads back
+        return not settled and _shortest_s(last, pose) <= _shortest_s(there.newest, pose)
 
 
-def _can_follow(before: tuple[int, Floats], stamp_ns: int, pose: Floats) -> bool:
+def _can_follow(before: _Placed, stamp_ns: int, pose: Floats) -> bool:
     seconds = max(stamp_ns - before[0], 0) / 1e9
     step_mm, step_rad = _step(before[1], pose)
     return (
         step_mm <= UNSURE_MM + FASTEST_MM_S * seconds
         and step_rad <= UNSURE_RAD + FASTEST_RAD_S * seconds
     )
+
+
+def _shortest_s(before: _Placed, pose: Floats) -> float:
+    """The time that the fastest arm needs from one pose to another."""
+    step_mm, step_rad = _step(before[1], pose)
+    return max(step_mm / FASTEST_MM_S, step_rad / FASTEST_RAD_S)
 
 
 def _step(before: Floats, after: Floats) -> tuple[float, float]:

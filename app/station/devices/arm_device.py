@@ -50,6 +50,7 @@ class StationArm:
         self._chosen: AnyArm | None = None
         self._ring: ReadingRing | None = None
         self._judge: ReadingJudge | None = None
+        self._keeps_frame = False
         self._newest: ArmReading | None = None
         self._scan_ended_at: ArmReading | None = None
         self.on_button: Callable[[ButtonEvent], None] | None = None
@@ -109,6 +110,13 @@ class StationArm:
         self._chosen = arm
         if self._judge is not None:
             self._judge.set_arm(arm)
+
+    def keep_frame(self, kept: bool) -> None:
+        """Whether an arm that begins to report its poses in another frame is held back until it
+        returns: the points of a scan lie in one frame."""
+        self._keeps_frame = kept
+        if self._judge is not None:
+            self._judge.keep_frame(kept)
 
     def latest(self) -> ArmReading | None:
         """The newest sample; None without recent data."""
@@ -275,6 +283,7 @@ class StationArm:
             self._judge = None
         if self._judge is None or self._judge.serial_number != info.serial_number:
             self._judge = ReadingJudge(info, self._chosen)
+            self._judge.keep_frame(self._keeps_frame)
         # switching off and on restores a joint that slipped
         self._judge.forget_place()
 

@@ -60,6 +60,10 @@ class ReadingJudge:
         """The arm reconnects: it may be anywhere."""
         self._judge.forget_place()
 
+    def keep_frame(self, kept: bool) -> None:
+        """Whether poses that leapt to a new place are held back: while a scan runs."""
+        self._poses.keeps_frame = kept
+
     def first_between(self, first_ns: int, last_ns: int) -> HeldBack | None:
         """The first reading held back in an interval of time; None if all were plausible."""
         return self._judge.first_between(first_ns, last_ns)

@@ -78,6 +78,7 @@ class ScanPipeline:
         self._extracting: queue.Queue[Future[list[StripeFrame]] | None] = queue.Queue(2 * CORES)
         self._ended = False
         self._rejected_before = arm.rejected_count
+        arm.keep_frame(True)
         self._settings = settings
         self._sources = [ScanSource(arm, one, settings, show) for one in sensors]
         self._by_name = {source.name: source for source in self._sources}
@@ -190,6 +191,7 @@ class ScanPipeline:
         for thread in self._threads:
             thread.join()
         self._recorder.close()
+        self._arm.keep_frame(False)
 
     def _take_all(self, source: ScanSource) -> None:
         """Sends frames to be extracted on all cores, some at a time; waits when they are behind."""
