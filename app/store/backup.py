@@ -116,7 +116,8 @@ def check_data_folder(data: Path) -> None:
 
 def _check(data: Path, output: Path) -> None:
     check_data_folder(data)
-    if is_within(output, data) and not is_within(output, data / "backups"):
+    folders = (data, *_linked_folders(data))
+    if any(is_within(output, one) for one in folders) and not is_within(output, data / "backups"):
         raise OperationError(
             "output-inside",
             message("folder-inside-data-folder", folder=output),
@@ -219,19 +220,30 @@ def _copy_database(source: Path, target: Path) -> None:
 
 
 def _files(data: Path) -> Iterator[tuple[Path, int]]:
-    """Every file with its size, except those that belong to the running server only."""
-    for folder, folders, names in os.walk(data, onerror=_raise):
-        top = Path(folder) == data
+    """Every file with its size, except those that belong to the running server only; links are
+    followed, each folder once, since scans may lie on a larger disk."""
+    known: set[tuple[int, int]] = set()
+    for folder, folders, names in os.walk(data, onerror=_raise, followlinks=True):
+        here, top = Path(folder).stat(), Path(folder) == data
+        if (here.st_dev, here.st_ino) in known:
+            folders.clear()
+            continue
+        known.add((here.st_dev, here.st_ino))
         folders[:] = sorted(name for name in folders if not (top and name in EXCLUDED))
         for name in sorted(names):
             path = Path(folder) / name
             unwanted = top and (name in EXCLUDED or name in DATABASE_PARTS)
-            if unwanted or name.endswith(".part") or not path.is_file() or path.is_symlink():
+            if unwanted or name.endswith(".part") or not path.is_file():
                 continue
             try:
                 yield path, path.stat().st_size
             except FileNotFoundError:
                 continue
+
+
+def _linked_folders(data: Path) -> list[Path]:
+    """Folders elsewhere that belong to the data folder by a link in it."""
+    return [path for path in data.iterdir() if path.is_symlink() and path.is_dir()]
 
 
 def _raise(error: OSError) -> None:

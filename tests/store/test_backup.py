@@ -82,6 +82,24 @@ def test_backups_beside_the_data_do_not_hold_one_another(store: Store) -> None:
     assert not (Path(second.folder) / "backups").exists()
 
 
+def test_what_lies_elsewhere_by_a_link_is_copied_too(store: Store, tmp_path: Path) -> None:
+    elsewhere = tmp_path / "larger disk"
+    (elsewhere / "one").mkdir(parents=True)
+    (elsewhere / "one/scan.mcap").write_text("x")
+    (elsewhere / "again").symlink_to(elsewhere)
+    (store.folder / "scans").rmdir()
+    (store.folder / "scans").symlink_to(elsewhere)
+    (store.folder / "arms/arm.json").symlink_to(elsewhere / "one/scan.mcap")
+    with pytest.raises(OperationError, match="inside the data folder"):
+        backup(store.folder, elsewhere / "copy")
+    copy = Path(backup(store.folder, tmp_path / "copy").folder)
+    assert [path.relative_to(copy).as_posix() for path in copy.rglob("*.mcap")] == [
+        "scans/one/scan.mcap"
+    ]
+    assert (copy / "arms/arm.json").read_text() == "x"
+    assert not (copy / "scans").is_symlink()
+
+
 def test_a_damaged_database_is_reported(store: Store, tmp_path: Path) -> None:
     assert store.check() == ""
     store.close()

@@ -27,7 +27,7 @@ UNIT_TOLERANCE = 1e-3
 SETTLED = 5
 """So many poses in a row at a new place are no fault of the transmission."""
 LEAP_MM, LEAP_RAD = 200.0, 0.7
-"""An arm does not come that far while the network holds its poses back for 0.1 s: 2 m/s, 7 rad/s."""
+"""No arm comes that far while the network holds its poses back for 0.1 s: 2 m/s, 7 rad/s."""
 REMEMBERED = 4096
 
 ImplausiblePoseKind = Literal["number", "quaternion", "jump", "moved-frame", "frozen"]
