@@ -21,5 +21,5 @@ def test_failing_devices_are_reported_and_come_back_and_nothing_is_lost() -> Non
     assert [(row.step, row.failure) for row in found] == [
         (step, failure.name) for step in STEPS for failure in FAILURES
     ]
-    assert all(row.intact for row in found), table(found)
+    assert all(row.intact and row.untrue == 0 for row in found), table(found)
     assert all(row.reported_s > 0 and row.back_s > 0 for row in found)

@@ -39,6 +39,8 @@ POLL_S = 0.05
 DEVICES = ("arm", "sensor")
 CONTACT_COUNT = 4
 """Done in their step before the devices fail there."""
+HELD_S = 1.0
+"""A failure goes on for so long after the report of it."""
 
 
 @dataclass(frozen=True)
@@ -94,11 +96,14 @@ class DeviceFaultRow:
     failure: str
     reported_s: float
     back_s: float
+    untrue: int
+    """Reports between the first that it is gone and the end of the failure that show the device as
+    there, or the laser of a lost camera as on or off."""
     intact: bool
     """Whether everything that was taken before was there afterwards, in the same step."""
 
 
-COLUMNS = ("step", "failure", "said after", "there again after", "what was taken")
+COLUMNS = ("step", "failure", "said after", "there again after", "untrue signs", "what was taken")
 
 
 def table(rows: list[DeviceFaultRow]) -> list[tuple[str, ...]]:
@@ -108,6 +113,7 @@ def table(rows: list[DeviceFaultRow]) -> list[tuple[str, ...]]:
             row.failure,
             f"{row.reported_s:.2f} s",
             f"{row.back_s:.2f} s",
+            str(row.untrue),
             "kept" if row.intact else "LOST",
         )
         for row in rows
@@ -149,6 +155,8 @@ class _DeviceMonitor:
     def __init__(self, live: Connection) -> None:
         self._live = live
         self._there: dict[str, bool] = {}
+        self._gone: str | None = None
+        self._untrue = 0
         self._changed = threading.Condition()
         self._thread = threading.Thread(target=self._read, daemon=True)
 
@@ -169,7 +177,25 @@ class _DeviceMonitor:
                 self._there = {
                     device: received["value"][device]["state"] == "connected" for device in DEVICES
                 }
+                self._untrue += self._is_untrue(received["value"])
                 self._changed.notify_all()
+
+    def _is_untrue(self, devices: View) -> bool:
+        """Whether a sign shows what cannot be known of a device that is gone."""
+        if self._gone is None:
+            return False
+        shown = devices[self._gone]
+        laser = devices["laser"]["state"] if self._gone == "sensor" else "unknown"
+        return (shown["state"], shown["quality"]) == ("connected", "good") or laser != "unknown"
+
+    def untrue_while_gone(self, device: str) -> int:
+        """How many reports are untrue within the time that a failure goes on."""
+        with self._changed:
+            self._gone, self._untrue = device, 0
+        time.sleep(HELD_S)
+        with self._changed:
+            self._gone = None
+            return self._untrue
 
     def when(self, device: str, there: bool) -> float:
         """The monotonic time in s at which a device is reported as connected, or as lost.
@@ -229,10 +255,12 @@ class _StationClient:
             failed_s = time.monotonic()
             failure.begin(self._simulation)
             said_s = self._monitor.when(failure.device, False) - failed_s
+            untrue = self._monitor.untrue_while_gone(failure.device)
             self._simulation.clear_faults()
             mended_s = time.monotonic()
             back_s = self._monitor.when(failure.device, True) - mended_s
-            yield DeviceFaultRow(step, failure.name, said_s, back_s, before == taken())
+            intact = before == taken()
+            yield DeviceFaultRow(step, failure.name, said_s, back_s, untrue, intact)
 
     def step_contents(self) -> tuple[str, int, int]:
         """The step, and how much there is in it."""
