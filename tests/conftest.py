@@ -65,6 +65,13 @@ def temporary_folder(
     check.begin(tmp_path_factory.getbasetemp() / "temporary")
 
 
+@pytest.fixture(autouse=True)
+def patience_with_pictures(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A busy machine receives no whole picture for longer than one that is not."""
+    if (source := sys.modules.get("hardware.sensor.genicam.camera_source")) is not None:
+        monkeypatch.setattr(source, "INCOMPLETE_S", 60.0)
+
+
 @pytest.fixture(scope="session")
 def samples() -> Path:
     """The folder of sample sessions with their truth, kept beside the checkout."""

@@ -31,6 +31,8 @@ STATION_PATHS = ("api", "metrics", "viewer")
 TRY_AGAIN_LATER = 1013
 ABANDONED_AFTER_S = 3.0
 """If the program is ended while a step runs, it waits for this long at most."""
+QUIET_S, SHOWN_S = 2.0, 20.0
+"""After a failure, open pages are answered until they have been quiet, and at most, for so long."""
 # The steps of the start, as the page shows them.
 NUMERICS = message("numerics")
 PICTURES = message("image-processing")
@@ -84,6 +86,8 @@ class StartingApp:
         self.on_failed: Callable[[], None] = lambda: None
         """Called on the event loop if a step failed; ``failure`` has the reason."""
         self.failure: BaseException | None = None
+        self._asked_s: float | None = None
+        """When a browser asked for something last."""
 
     @property
     def readiness(self) -> Readiness:
@@ -92,6 +96,7 @@ class StartingApp:
         costs = [step.cost_s for step in steps]
         return Readiness(
             ready=False,
+            failed=self.failure is not None,
             station=self._station,
             steps=[step.words for step in steps],
             done=self._done,
@@ -126,7 +131,17 @@ class StartingApp:
             pass  # a second interrupt does not wait for the end
         except BaseException as error:
             self.failure = error
+            await self._tell_pages()
             self.on_failed()
+
+    async def _tell_pages(self) -> None:
+        """Answers pages that are open or just loading, which then say that the start failed."""
+        failed_s = time.monotonic()
+        while self._asked_s is not None and not self._ending.is_set():
+            now_s = time.monotonic()
+            if now_s - self._asked_s > QUIET_S or now_s - failed_s > SHOWN_S:
+                break
+            await asyncio.sleep(0.1)
 
     async def _build_app(self) -> Starlette:
         """The application, built in a thread.
@@ -164,6 +179,7 @@ class StartingApp:
 
     async def _answer(self, scope: Scope, receive: Receive, send: Send) -> None:
         """During the start: the page and its progress; nothing else."""
+        self._asked_s = time.monotonic()
         if scope["type"] == "websocket":
             await receive()
             await send({"type": "websocket.close", "code": TRY_AGAIN_LATER})

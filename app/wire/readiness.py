@@ -11,6 +11,8 @@ class Readiness:
     """Progress of the start: ``done`` of the steps, which take ``share`` of the time."""
 
     ready: bool
+    failed: bool = False
+    """The start has failed, and the program is about to end."""
     station: str = ""
     steps: Sequence[Text] = ()
     done: int = 0

@@ -83,7 +83,13 @@ def test_it_says_how_far_its_start_is(monkeypatch: pytest.MonkeyPatch, tmp_path:
         until(lambda: http.get("/api/starting").json()["done"] == 1)
         state = http.get("/api/starting").json()
         assert state.pop("steps") == ["Numerics", "Devices", "Data folder"]
-        assert state == {"ready": False, "station": "Room 2", "done": 1, "share": 0.25}
+        assert state == {
+            "ready": False,
+            "failed": False,
+            "station": "Room 2",
+            "done": 1,
+            "share": 0.25,
+        }
         for path in ("/", "/calibrate"):
             page = http.get(path)
             assert (page.status_code, page.text) == (200, "<title>Starting</title>")
@@ -135,14 +141,18 @@ def test_nobody_is_turned_away_while_it_gives_way() -> None:
     assert set(answers) == {503, 200}
 
 
-def test_a_step_that_is_refused_ends_the_server() -> None:
+def test_a_step_that_is_refused_ends_the_server_once_open_pages_know() -> None:
+    gate, station = threading.Event(), Station()
+
     def refuse() -> None:
+        gate.wait()
         raise OperationError("driver", "There is no driver")
 
-    station = Station()
     starting = starting_with(refuse, station)
-    with served(starting) as (_, _):
-        until(lambda: starting.failure is not None)
+    with served(starting) as (http, _):
+        assert not http.get("/api/starting").json()["failed"]
+        gate.set()
+        until(lambda: http.get("/api/starting").json()["failed"])
     assert isinstance(starting.failure, OperationError)
     assert station.noted == []
 

@@ -1,11 +1,14 @@
 """The page that is there from the first second, and becomes the client by itself."""
 
+import threading
 from pathlib import Path
 
 import pytest
 from playwright.sync_api import Browser, expect
 
-from tests.e2e.conftest import NEWCOMER, PATIENCE_S, Demo
+from app.errors import OperationError
+from tests.api.test_starting import Station, served, starting_with
+from tests.e2e.conftest import NEWCOMER, Demo
 
 pytestmark = pytest.mark.device
 
@@ -35,18 +38,18 @@ def test_the_starting_page_becomes_the_client(
         demo.end()
 
 
-def test_the_starting_page_says_that_the_station_did_not_start(
-    browser: Browser, tmp_path: Path
-) -> None:
-    (tmp_path / "data").mkdir()
-    (tmp_path / "data" / "arms").write_text("not a folder")
-    demo = Demo(tmp_path / "data", patient=False)
-    page = browser.new_page()
-    page.goto(demo.link)
-    heading = page.get_by_role("alert").get_by_role("heading", name="The station did not start")
-    expect(heading).to_be_visible()
-    page.close()
-    # it ends by itself; a signal on its way out would be its exit status
-    assert demo.process.wait(PATIENCE_S) == 1
-    demo.end()
-    assert len(demo.errors) == 1, demo.errors
+def test_the_starting_page_says_that_the_station_did_not_start(browser: Browser) -> None:
+    gate = threading.Event()
+
+    def refuse() -> None:
+        gate.wait()
+        raise OperationError("file-is-no-folder", "data/arms is no folder")
+
+    with served(starting_with(refuse, Station())) as (http, _):
+        page = browser.new_page()
+        page.goto(str(http.base_url))
+        expect(page.get_by_role("heading", name="Starting the station")).to_be_visible()
+        gate.set()
+        alert = page.get_by_role("alert")
+        expect(alert.get_by_role("heading", name="The station did not start")).to_be_visible()
+        page.close()

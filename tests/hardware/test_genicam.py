@@ -17,7 +17,7 @@ from app.station.devices.device_thread import SILENCE_S, LinkState
 from app.station.devices.sensor_device import StationSensor
 from hardware.errors import DeviceError
 from hardware.interfaces import Frame, SelectedColour, SensorDriver, SensorInfo
-from hardware.sensor.genicam import aravis
+from hardware.sensor.genicam import aravis, camera_source
 from hardware.sensor.genicam.aravis_source import GenicamSource
 from hardware.sensor.genicam.driver import FIRST_WITHIN_S, camera_title, from_options
 from hardware.sensor.genicam.settings import GenicamOptions
@@ -361,7 +361,10 @@ def test_lost_packets_without_resend_are_counted(port: None) -> None:
         assert 0 < len(set(range(max(seen))) - seen) <= driver.health.lost
 
 
-def test_a_network_that_passes_no_whole_picture_is_named(port: None) -> None:
+def test_a_network_that_passes_no_whole_picture_is_named(
+    port: None, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(camera_source, "INCOMPLETE_S", 2.0)
     with AravisFake("-r", "500"):
         text = refusal(options(region=[0, 0, 640, 480], rate_hz=50.0))
     assert "arrive incomplete" in text

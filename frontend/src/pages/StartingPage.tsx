@@ -86,6 +86,7 @@ function useReadiness(): { readiness: Readiness | null; ended: boolean } {
         if (answer.ready) return window.location.reload();
         setReadiness(answer);
         setUnanswered(0);
+        if (answer.failed) return;
       } catch {
         setUnanswered((times) => times + 1);
       }
@@ -94,5 +95,5 @@ function useReadiness(): { readiness: Readiness | null; ended: boolean } {
     void ask();
     return () => window.clearTimeout(timer);
   }, []);
-  return { readiness, ended: unanswered >= UNANSWERED };
+  return { readiness, ended: readiness?.failed || unanswered >= UNANSWERED };
 }

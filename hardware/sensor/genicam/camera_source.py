@@ -40,7 +40,8 @@ from hardware.sensor.image_source import (
     NoImage,
 )
 
-_INCOMPLETE_S = 2.0
+INCOMPLETE_S = 2.0
+"""A camera that sends no whole picture for longer is refused."""
 _FEWEST_INCOMPLETE = 10
 _LONGEST_GAPS = 3
 _QUEUE_S = 0.4
@@ -270,7 +271,7 @@ class CameraSource(ImageSource):
     def _note_incomplete(self) -> None:
         self._incomplete += 1
         since_s = time.monotonic() - self._whole_s
-        if self._incomplete >= _FEWEST_INCOMPLETE and since_s > _INCOMPLETE_S:
+        if self._incomplete >= _FEWEST_INCOMPLETE and since_s > INCOMPLETE_S:
             check: Text = message("check-packet-size-and-network")
             raise DeviceError(
                 message("pictures-arrive-incomplete", title=self._title),
