@@ -260,7 +260,7 @@ def _figure_cells(value: float | None, uncertainty: float | None) -> tuple[str, 
     return f"{value:.3f}", f"{uncertainty:.{uncertainty_decimals(uncertainty)}f}"
 
 
-def printed_table(rows: Sequence[Sequence[str]]) -> tuple[list[str], list[list[str]]]:
+def table_with_uncertainties(rows: Sequence[Sequence[str]]) -> tuple[list[str], list[list[str]]]:
     """Headings and rows for printing: figures that a row has, each with its uncertainty."""
     first = len(COLUMNS) - 2 * len(FIGURES)
     known = [i for i in range(first, len(COLUMNS), 2) if any(row[i] for row in rows)]

@@ -38,7 +38,7 @@ def measure_places(
         kind: ``verify``: with the calibration that was verified; ``study``: with all of the
             station; each with ``calibrations`` instead, if there are any.
     """
-    from app.batch.verifications import COLUMNS, printed_table, table_of, table_text
+    from app.batch.verifications import COLUMNS, table_of, table_text, table_with_uncertainties
 
     done = measure_verifications(kind, places, calibrations, arm, shape, options)
     rows = table_of(done.documents)
@@ -55,7 +55,7 @@ def measure_places(
         )
     else:
         title = count_words(len(done.documents), "verification")
-        print_table(title, *printed_table(rows[:MOST_ROWS]))
+        print_table(title, *table_with_uncertainties(rows[:MOST_ROWS]))
         place = done.results.settings.place.rstrip("/")
         are = "is" if len(rows) == 1 else "are"
         print(f"{count_words(len(rows), 'row')} {are} in {place}/{TABLE}")

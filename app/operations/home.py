@@ -1,16 +1,24 @@
 """What is valid, what is due, and what to do next."""
 
+from collections.abc import Sequence
 from datetime import UTC, datetime
 
 from app.errors import OperationError
 from app.findings import Finding, Quality
 from app.guide.arm.guide import ArmGuide
 from app.guide.arm.view import ArmCheckSummary
+from app.guide.calibration.preparation import (
+    ConnectedDevices,
+    PreparationStep,
+    list_preparation,
+    next_preparation,
+)
 from app.guide.common.validity import (
     CheckResult,
     DueLimits,
     Page,
     State,
+    Validity,
     ValidityInputs,
     age_days,
     check_validity,
@@ -50,14 +58,32 @@ def build_home(context: Context) -> Home:
     error = context.scanner.why_not() if record is not None else None
     blocked = "" if error is None or error.code in PASSING else error.text
     reading = context.store.temperatures.newest()
+    under_way = _page_under_way(context)
+    preparation = _preparation(context, lines) if record is None else ()
+    action = choose_next_action(lines, under_way, blocked)
+    if preparation and under_way is None:
+        action = next_preparation(preparation) or action
     return Home(
         context.station,
         summary,
         lines,
+        preparation,
         None if reading is None else reading.celsius,
         tuple(findings),
-        choose_next_action(lines, _page_under_way(context), blocked),
+        action,
     )
+
+
+def _preparation(context: Context, lines: Sequence[Validity]) -> tuple[PreparationStep, ...]:
+    """What is there for the first calibration; empty after one that is not in use any more."""
+    if context.store.calibrations.newest() is not None:
+        return ()
+    rig, guide = context.rig, context.guide
+    devices = ConnectedDevices(
+        rig.arm.link(), rig.sensor.link(), guide.describe_arm(), guide.describe_sensor()
+    )
+    tip = next((line for line in lines if line.id == "tip"), None)
+    return list_preparation(devices, context.datasheets.library(), tip)
 
 
 def _page_under_way(context: Context) -> Page | None:

@@ -116,7 +116,7 @@ def check_data_folder(data: Path) -> None:
 
 def _check(data: Path, output: Path) -> None:
     check_data_folder(data)
-    folders = (data, *_linked_folders(data))
+    folders = (data, *_folders_by_link(data))
     if any(is_within(output, one) for one in folders) and not is_within(output, data / "backups"):
         raise OperationError(
             "output-inside",
@@ -241,7 +241,7 @@ def _files(data: Path) -> Iterator[tuple[Path, int]]:
                 continue
 
 
-def _linked_folders(data: Path) -> list[Path]:
+def _folders_by_link(data: Path) -> list[Path]:
     """Folders elsewhere that belong to the data folder by a link in it."""
     return [path for path in data.iterdir() if path.is_symlink() and path.is_dir()]
 

@@ -9,6 +9,7 @@ from pydantic import BaseModel, BeforeValidator, ConfigDict, Field
 from app.findings import Finding, Quality
 from app.formats.datasheets.gauge import Shape
 from app.formats.results.verification import Result
+from app.guide.calibration.preparation import PreparationStep
 from app.guide.common import validity as due
 from app.guide.common.view import FlowView, ResultPicture
 from app.messages.message import Text
@@ -207,6 +208,8 @@ class Home:
     station: StationInfo
     calibration: CalibrationSummary | None
     checks: tuple[due.Validity, ...]
+    preparation: tuple[PreparationStep, ...]
+    """What the first calibration needs; empty once there has been one."""
     temperature_c: float | None
     """Room temperature, if it was entered or measured recently."""
     findings: tuple[Finding, ...]

@@ -17,9 +17,9 @@ from app.batch.verifications import (
     VerificationTask,
     With,
     plan_verifications,
-    printed_table,
     table_of,
     table_text,
+    table_with_uncertainties,
 )
 from app.formats.datasheets.gauge import GaugeFile
 from app.formats.open_file import LARGEST_DOCUMENT
@@ -127,7 +127,7 @@ def test_clouds_are_measured_with_the_verified_calibration(archive: Path, tmp_pa
         assert {name for name in FIGURES if row[name]} == {
             name for name in FIGURES if float(row[f"U_{name}"] or 0) > 0
         }
-    headings, printed = printed_table(rows)
+    headings, printed = table_with_uncertainties(rows)
     assert headings[5:] == ["rms_um", "angle_arcsec", "z_error_um"]
     assert all("±" in cell for row in printed for cell in row[5:])
 

@@ -21,7 +21,7 @@ from tests.fleet.records import add_every_kind, add_recorded_scan
 from tests.fleet.test_questions import ten_months
 
 pytestmark = pytest.mark.device
-DEADLINE_S = 90.0
+DEADLINE_S = 300.0
 
 
 @contextmanager

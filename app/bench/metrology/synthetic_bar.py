@@ -28,6 +28,8 @@ ROD_SHARE = 0.4
 BEYOND_MM = 6.0
 """The scan goes on over the rod so far."""
 STEP_MM = 0.5
+WAY_FRAMES = 50
+"""So long the arm is on its way from one pass to the next; these frames are not recorded."""
 NO_FAULTS = Faults()
 
 
@@ -53,6 +55,7 @@ def write_bar_scan(
         for centre, held in passes:
             R_arm_sensor = scan_orientation(held)
             reach_mm = diameter_mm / 2 + BEYOND_MM
+            number += WAY_FRAMES
             for step_mm in np.arange(-reach_mm, reach_mm, STEP_MM):
                 number += 1
                 stamp_ns = 10**9 + number * FRAME_NS

@@ -121,8 +121,8 @@ class CalibrationGuide(GuidedSession[CalibrationState, CalibrationLive, FlowView
             rev=self.rev,
             arm_link=rig.arm.link(),
             sensor_link=rig.sensor.link(),
-            arm=self._arm_info(),
-            sensor=self._sensor_info(),
+            arm=self.describe_arm(),
+            sensor=self.describe_sensor(),
             devices=self._devices(),
             stillness=rig.arm.stillness(),
             library=self.datasheets.library(state.step in CHOOSING),
@@ -186,13 +186,15 @@ class CalibrationGuide(GuidedSession[CalibrationState, CalibrationLive, FlowView
         scan = self.station.bus.latest("scan")
         return isinstance(scan, ScanState) and scan.state in ("running", "stopping")
 
-    def _arm_info(self) -> ConnectedArm | None:
+    def describe_arm(self) -> ConnectedArm | None:
+        """What the arm on the line says of itself; None without one."""
         info = self.station.rig.arm.info
         if info is None:
             return None
         return ConnectedArm(info.serial_number, info.joint_count, info.reports)
 
-    def _sensor_info(self) -> ConnectedSensor | None:
+    def describe_sensor(self) -> ConnectedSensor | None:
+        """The same of the sensor."""
         info = self.station.rig.sensor.info
         if info is None:
             return None
@@ -225,7 +227,7 @@ class CalibrationGuide(GuidedSession[CalibrationState, CalibrationLive, FlowView
         library = self.datasheets.library(True)
         choices = dict(self.state.choices)
         if step == "devices":
-            choices = best_guess(library, self.state, self._arm_info(), self._sensor_info())
+            choices = best_guess(library, self.state, self.describe_arm(), self.describe_sensor())
             if len(self.station.rig.sensors) > 1:
                 choices[DEVICE] = self.station.rig.selected
         session_id = new_session_id()
@@ -237,7 +239,9 @@ class CalibrationGuide(GuidedSession[CalibrationState, CalibrationLive, FlowView
     def choose_for_connected(self) -> None:
         """Chooses again what cannot belong to the devices that are connected by now."""
         library = self.datasheets.library(True)
-        better = guess_for_connected(library, self.state, self._arm_info(), self._sensor_info())
+        better = guess_for_connected(
+            library, self.state, self.describe_arm(), self.describe_sensor()
+        )
         for field, found in better.items():
             self.append("chosen", {"field": field, "id": found})
 

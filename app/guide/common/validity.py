@@ -11,7 +11,9 @@ from app.messages.message import Text, message, quantity, rounded, signed
 from app.timestamps import parse_moment
 
 CheckName = Literal["calibration", "verification", "performance", "tip", "arm"]
-Page = Literal["home", "calibrate", "verify", "performance", "scan", "arm", "records"]
+Page = Literal[
+    "home", "calibrate", "verify", "performance", "scan", "arm", "records", "devices", "datasheets"
+]
 State = Literal["valid", "due", "missing", "failed", "unsure"]
 SECONDS_A_DAY = 86400.0
 

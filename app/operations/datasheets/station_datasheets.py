@@ -11,7 +11,12 @@ from app.formats.file_names import check_name, display_path, escape_unprintable
 from app.formats.io_errors import convert_io_errors
 from app.formats.json_document import decode_text
 from app.formats.open_file import read_bounded
-from app.guide.common.datasheet_library import list_files
+from app.guide.common.datasheet_library import (
+    DatasheetLibrary,
+    FolderContent,
+    list_files,
+    read_library,
+)
 from app.messages.message import Text, join, message
 from app.operations.datasheets.documents import (
     FOLDERS,
@@ -63,6 +68,11 @@ class Datasheets:
 
     def __init__(self, store: Store, rig: Rig, note: Callable[[], None]) -> None:
         self._store, self._rig, self.note_change = store, rig, note
+        self._library = FolderContent(read_library, store.folder)
+
+    def library(self) -> DatasheetLibrary:
+        """What can be chosen for a calibration, as it was at most ``FRESH_S`` ago."""
+        return self._library.latest(choosing=True)
 
     def view(self) -> DatasheetsView:
         """All that are there, those in use before the retired ones, by their names."""

@@ -1067,6 +1067,7 @@ ui-rebuild-with-calibrations = { $n ->
        *[other] Mit { $n } Kalibrierungen neu berechnen
     }
 ui-rebuilding-the-clouds = Punktwolken werden neu berechnet …
+ui-recommended = Empfohlen
 ui-record-of = Eintrag vom { $when }
 ui-recorded-data-safe-check-power-cable = Aufgezeichnete Daten sind sicher. Stromversorgung und Kabel prüfen; die Verbindung wird automatisch wiederhergestellt.
 ui-recording = Aufzeichnung
@@ -1450,6 +1451,7 @@ ui-waiting = wird erwartet
 ui-waiting-for-the-station = Warten auf die Station …
 ui-waits-for-a-trigger-or-a-change = wartet auf einen Trigger oder eine Änderung
 ui-warnings = Warnungen
+ui-way-to-the-first-calibration = Der Weg zur ersten Kalibrierung
 ui-what = Was
 ui-what-datasheets-are = Was die Station von Messarmen, Sensoren, Blöcken und Tafeln und von Prüfnormalen weiß. Eine Kalibrierung wählt daraus und behält eigene Kopien.
 ui-what-is-missing = Was fehlt

@@ -1067,6 +1067,7 @@ ui-rebuild-with-calibrations = { $n ->
        *[other] Rebuild with { $n } calibrations
     }
 ui-rebuilding-the-clouds = Rebuilding the clouds…
+ui-recommended = Recommended
 ui-record-of = Record of { $when }
 ui-recorded-data-safe-check-power-cable = Recorded data is safe. Check power and cable. The device reconnects automatically.
 ui-recording = Recording
@@ -1450,6 +1451,7 @@ ui-waiting = waiting
 ui-waiting-for-the-station = Waiting for the station…
 ui-waits-for-a-trigger-or-a-change = waits for a trigger or a change
 ui-warnings = Warnings
+ui-way-to-the-first-calibration = The way to the first calibration
 ui-what = What
 ui-what-datasheets-are = What the station knows of arms, sensors, blocks and boards, and gauges. A calibration chooses from them, and keeps its own copies.
 ui-what-is-missing = What is missing

@@ -1,5 +1,6 @@
 import type { CalibrationSummary, DeviceState, Home } from "../api/wire";
 import { Layout } from "../frame/Layout";
+import { PreparationList } from "../home/PreparationList";
 import { TemperatureField } from "../home/TemperatureField";
 import { ValidityList } from "../home/ValidityList";
 import { MainAct } from "../parts/Actions";
@@ -23,7 +24,11 @@ export function HomePage() {
       picture={
         <div className={styles.home}>
           {home.calibration && <Active calibration={home.calibration} />}
-          <ValidityList checks={home.checks} next={home.next.label} />
+          {home.preparation.length > 0 ? (
+            <PreparationList steps={home.preparation} next={home.next.label} />
+          ) : (
+            <ValidityList checks={home.checks} next={home.next.label} />
+          )}
         </div>
       }
       card={<Next home={home} />}
@@ -71,7 +76,7 @@ function Next({ home }: { home: Home }) {
           {next.label}
         </PressButton>
       </MainAct>
-      {admin && (home.station.simulated || missing) && (
+      {admin && next.page !== "devices" && (home.station.simulated || missing) && (
         <PressButton free onPress={() => go("devices")}>
           {home.station.simulated ? t("ui-connect-your-own-devices") : t("ui-devices")}
         </PressButton>
