@@ -26,8 +26,8 @@ class SensorDatasheet(Document):
 
     name: str
     serial_number: str = ""
-    width_px: Annotated[int, Field(gt=0, le=65536, strict=True)]
-    height_px: Annotated[int, Field(gt=0, le=65536, strict=True)]
+    width_px: Annotated[int, Field(ge=1, le=65536, strict=True)]
+    height_px: Annotated[int, Field(ge=1, le=65536, strict=True)]
     stripe_axis: Literal["u", "v"]
     laser_wavelength_nm: Positive | None = None
     bayer: BayerPattern | None = None

@@ -45,7 +45,8 @@ class ObjectFile(Document):
     crest_z_mm: Number
     floor_z_mm: Number
     base_z_mm: Number
-    standard_uncertainty_mm: NotNegative
+    # the range is stated here, and checked below, in words that name the likely mistake
+    standard_uncertainty_mm: Annotated[NotNegative, Field(json_schema_extra={"le": COARSEST_MM})]
 
     @model_validator(mode="after")
     def _is_a_block(self) -> Self:
@@ -77,7 +78,7 @@ class _BoardFile(Document):
     name: str
     serial_number: str = ""
     certificate: Certificate = ""
-    square_mm: SizeMm
+    square_mm: Annotated[SizeMm, Field(json_schema_extra={"ge": SMALLEST_SQUARE_MM})]
     standard_uncertainty_mm: NotNegative = PRINTED_MM
     flatness_mm: NotNegative | None = None
     """By how much the board typically bends over the pattern; where missing, as printed paper."""

@@ -37,6 +37,7 @@ from app.operations.datasheets.files import (
     split_ending,
 )
 from app.operations.datasheets.last_uses import read_last_uses
+from app.operations.datasheets.ranges import list_ranges
 from app.operations.datasheets.view import (
     ConnectedArmView,
     DatasheetCheck,
@@ -89,7 +90,7 @@ class Datasheets:
             if info is None
             else ConnectedArmView(info.name, info.serial_number, info.joint_count)
         )
-        return DatasheetsView(tuple(rows), arm)
+        return DatasheetsView(tuple(rows), arm, list_ranges())
 
     def check(self, name: str, text: str) -> DatasheetCheck:
         """Evaluates a document without keeping it."""

@@ -1,9 +1,11 @@
 """What the browser is shown of the datasheets."""
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 from app.messages.message import Text
 from app.operations.datasheets.documents import DatasheetForm, DatasheetKind, FieldProblem
+from app.operations.datasheets.ranges import FieldRange
 
 
 @dataclass(frozen=True)
@@ -48,6 +50,8 @@ class DatasheetsView:
 
     rows: tuple[DatasheetRow, ...]
     arm: ConnectedArmView | None
+    ranges: Mapping[str, Mapping[str, FieldRange]]
+    """Of the numbers in each form, by their fields: ``lengths.*.length_mm``."""
 
 
 @dataclass(frozen=True)

@@ -9,10 +9,12 @@ import { PressButton } from "../parts/PressButton";
 import { Segments } from "../parts/Segments";
 import { t } from "../state/language";
 import styles from "./Datasheets.module.css";
-import { drawn } from "./drawn";
+import { drawn, drawnFlat } from "./drawn";
 import { FieldInput } from "./FieldInput";
-import { FORMS, type FormName, type Values } from "./forms";
-import { JointTable } from "./JointTable";
+import { FlatDrawing } from "./FlatDrawing";
+import { FORMS, type FormField, type FormName, type Values } from "./forms";
+import { type Ranges, rangeText } from "./ranges";
+import { RowTable } from "./RowTable";
 import { useForm } from "./useForm";
 
 /** The datasheet of which a form is an edited copy. */
@@ -24,35 +26,41 @@ export interface Edited {
 interface DatasheetFormProps {
   name: FormName;
   first: Values;
+  ranges: Ranges;
   edited?: Edited | undefined;
   onSave: (added: NewDatasheet) => Promise<void>;
   onBack: () => void;
 }
 
 /** A datasheet that is entered or edited: checked by the station while typing, and drawn. */
-export function DatasheetForm({ name, first, edited, onSave, onBack }: DatasheetFormProps) {
+export function DatasheetForm({ name, first, ranges, edited, onSave, onBack }: DatasheetFormProps) {
   const form = useForm(name, first, edited?.document);
-  const { fields, title } = FORMS[name];
+  const { fields, title, table } = FORMS[name];
   const picture = useDrawing(name, form.document);
   const save = () => onSave({ name: "", text: form.text, edited: edited?.version ?? "" });
-  const input = (field: (typeof fields)[number]) => (
+  const rangeOf = (field: FormField) => rangeText(name, field, ranges);
+  const input = (field: FormField) => (
     <FieldInput
       key={field.key}
       field={field}
       value={form.values[field.key] ?? ""}
+      range={rangeOf(field)}
       problem={form.problemOf(field.key)}
       onText={(text) => form.setValues({ ...form.values, [field.key]: text })}
     />
   );
+  const rows = table && (
+    <RowTable
+      table={table}
+      values={form.values}
+      rangeOf={rangeOf}
+      problemOf={form.problemOf}
+      onValues={form.setValues}
+    />
+  );
   return (
     <Layout
-      picture={
-        name === "arm" ? (
-          <JointTable values={form.values} problemOf={form.problemOf} onValues={form.setValues} />
-        ) : (
-          picture
-        )
-      }
+      picture={name === "arm" ? <div className={styles.joints}>{rows}</div> : picture}
       card={
         <>
           <CardHead
@@ -82,6 +90,7 @@ export function DatasheetForm({ name, first, edited, onSave, onBack }: Datasheet
                 input(field)
               ),
             )}
+            {name !== "arm" && rows}
           </div>
           <div className={styles.save}>
             {form.whole.map((words) => (
@@ -117,16 +126,20 @@ function why({ filled, pending }: ReturnType<typeof useForm>): string {
   return pending ? t("ui-being-checked") : t("ui-correct-what-is-marked");
 }
 
-/** The object as its numbers say; while they say nothing that can be drawn, as they said last. */
+/** The thing as its numbers say; while they say nothing that can be drawn, as they said last. */
 function useDrawing(name: FormName, document: Record<string, unknown>) {
-  const now = drawn(name, document);
-  const [last, setLast] = useState(now);
-  if (now && JSON.stringify(now) !== JSON.stringify(last)) setLast(now);
-  const object = now ?? last;
-  if (!object) return <p className={styles.none}>{t("ui-drawing-follows-the-numbers")}</p>;
+  const object = drawn(name, document);
+  const flat = drawnFlat(name, document);
+  const [last, setLast] = useState({ object, flat });
+  if ((object || flat) && JSON.stringify({ object, flat }) !== JSON.stringify(last)) setLast({ object, flat });
+  if (!last.object && !last.flat) {
+    return name === "robot" ? null : <p className={styles.none}>{t("ui-drawing-follows-the-numbers")}</p>;
+  }
+  const label = t("ui-drawing-of-the-datasheet");
   return (
-    <div className={styles.drawing} data-stale={now === null || undefined}>
-      <ObjectDrawing object={object} face={null} label={t("ui-drawing-of-the-datasheet")} />
+    <div className={styles.drawing} data-stale={!(object || flat) || undefined}>
+      {last.object && <ObjectDrawing object={last.object} face={null} label={label} />}
+      {last.flat && <FlatDrawing shape={last.flat} label={label} />}
     </div>
   );
 }

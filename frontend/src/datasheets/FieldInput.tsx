@@ -11,13 +11,15 @@ import type { FormField } from "./forms";
 interface FieldInputProps {
   field: FormField;
   value: string;
+  /** Between which limits its number is; empty if nothing is known. */
+  range: string;
   /** What the station finds wrong in it. */
   problem: string;
   onText: (text: string) => void;
 }
 
 /** One field of a form: its label with the unit, and beside it what is wrong. */
-export function FieldInput({ field, value, problem, onText }: FieldInputProps) {
+export function FieldInput({ field, value, range, problem, onText }: FieldInputProps) {
   const id = useId();
   const { label, unit, optional, type } = field;
   if (type === "switch") {
@@ -34,7 +36,7 @@ export function FieldInput({ field, value, problem, onText }: FieldInputProps) {
       <label className={fields.label} htmlFor={id}>
         {optional ? t("ui-optional-field", { label: title }) : title}
       </label>
-      <Entry field={field} value={value} problem={problem} id={id} onText={onText} />
+      <Entry field={field} value={value} range={range} problem={problem} id={id} onText={onText} />
       {problem && (
         <p id={`${id}-problem`} className={styles.problem} role="status">
           {problem}
@@ -45,7 +47,8 @@ export function FieldInput({ field, value, problem, onText }: FieldInputProps) {
 }
 
 /** What is filled in, without its label. */
-export function Entry({ field, value, problem, onText, id, label }: FieldInputProps & { id?: string; label?: string }) {
+export function Entry(props: FieldInputProps & { id?: string; label?: string }) {
+  const { field, value, range, problem, onText, id, label } = props;
   const common = {
     id,
     className: `${look.input} ${fields.input}`,
@@ -77,11 +80,15 @@ export function Entry({ field, value, problem, onText, id, label }: FieldInputPr
       />
     );
   }
-  const isNumber = field.type !== "text";
+  const isNumber = field.type === "number";
+  if (field.type === "date" && /^(\d{4}-\d\d-\d\d)?$/.test(value)) {
+    return <input {...common} type="date" onChange={(event) => onText(event.target.value)} />;
+  }
   return (
     <input
       {...common}
       type="text"
+      placeholder={range}
       inputMode={isNumber ? "decimal" : "text"}
       maxLength={isNumber ? 40 : 120}
       autoComplete="off"
@@ -93,6 +100,8 @@ export function Entry({ field, value, problem, onText, id, label }: FieldInputPr
 function choiceText(choice: string): string {
   if (choice === "dh-standard") return t("ui-denavit-hartenberg-standard");
   if (choice === "dh-modified") return t("ui-denavit-hartenberg-modified");
+  if (choice === "u") return t("ui-from-left-to-right");
+  if (choice === "v") return t("ui-from-top-to-bottom");
   if (choice === "1") return "+";
   return choice === "-1" ? "\u2212" : choice;
 }

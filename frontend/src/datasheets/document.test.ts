@@ -1,7 +1,7 @@
 import { describe, expect, it } from "vitest";
 
 import { documentOf, edgesOf, isFilled, listed, placeOf, valuesOf } from "./document";
-import { FORMS, type FormName, jointFields } from "./forms";
+import { FORMS, type FormName, fieldsOf } from "./forms";
 
 const BLOCK = {
   format: "crenel/object",
@@ -36,6 +36,24 @@ const BOARD = {
   square_mm: 10,
   standard_uncertainty_mm: 0.05,
 };
+const STEPS = {
+  format: "crenel/length-standard",
+  version: 1,
+  kind: "step-gauge",
+  name: "Steps",
+  valid_until: "2028-03-12",
+  expansion_per_c: 0.0000115,
+  lengths: [20, 40.0003].map((length_mm) => ({ length_mm, standard_uncertainty_um: 0.1 })),
+};
+const SENSOR = {
+  format: "crenel/sensor",
+  version: 1,
+  name: "S",
+  width_px: 640,
+  height_px: 480,
+  stripe_axis: "v",
+  selected: { colour: "red" },
+};
 const ROBOT = { format: "crenel/arm", version: 1, name: "R", convention: "pose" };
 const DOCUMENTS: [FormName, Record<string, unknown>][] = [
   ["block", BLOCK],
@@ -43,6 +61,8 @@ const DOCUMENTS: [FormName, Record<string, unknown>][] = [
   ["sphere", SPHERE],
   ["chessboard", BOARD],
   ["robot", ROBOT],
+  ["step-gauge", STEPS],
+  ["sensor", SENSOR],
 ];
 
 describe("a document in the fields", () => {
@@ -55,8 +75,11 @@ describe("a document in the fields", () => {
     expect(documentOf("arm", { ...values, name: "B" }, arm).identification).toBeDefined();
     expect(documentOf("arm", { ...values, "joints.1.d_mm": "2" }, arm).identification).toBeUndefined();
   });
-  it("of a sphere shows the diameter", () => {
+  it("shows the diameter of a sphere, the expansion in µm/(m·K), and a sign where none is stated", () => {
     expect(valuesOf("sphere", SPHERE).radius_mm).toBe("25.4");
+    expect(valuesOf("step-gauge", STEPS).expansion_per_c).toBe("11.5");
+    const { sign, ...joint } = JOINT;
+    expect(valuesOf("arm", { ...ARM, joints: [joint] })["joints.0.sign"]).toBe("1");
   });
 });
 
@@ -89,6 +112,6 @@ it("a problem stands beside its field", () => {
   expect(placeOf("edges_x_mm.3", fields)).toBe("edges_x_mm");
   expect(placeOf("crest_z_mm", fields)).toBe("crest_z_mm");
   expect(placeOf("", fields)).toBe("");
-  expect(placeOf("joints.2.limits_deg", jointFields(2))).toBe("joints.2.limits_deg.0");
+  expect(placeOf("joints.2.limits_deg", fieldsOf("arm", FORMS.arm.first))).toBe("joints.2.limits_deg.0");
   expect(placeOf("tip", FORMS.arm.fields)).toBe("tip.x_mm");
 });

@@ -1,7 +1,7 @@
 /** Between the fields of a form and the document that is kept. */
 
 import { fromTyped, typed } from "../parts/lengths";
-import { FORMS, type FormField, type FormName, fieldsOf, jointCount, type Values } from "./forms";
+import { FORMS, type FormField, type FormName, fieldsOf, rowCount, type Values } from "./forms";
 
 type Plain = Record<string, unknown>;
 
@@ -21,18 +21,17 @@ function numberOf(text: string, unit: string): number | string {
   return Number.isNaN(value) ? text.trim() : value;
 }
 
-function half(value: number | string): number | string {
-  return typeof value === "number" ? value / 2 : value;
-}
-
 /** A field's value in the document; undefined if nothing was entered. */
 function entered(field: FormField, text: string): unknown {
   if (field.type === "switch") return text === "true" || undefined;
   if (text.trim() === "") return undefined;
   const unit = field.unit ?? "";
   if (field.type === "list") return listed(text).map((part) => numberOf(part, unit));
-  if (field.type === "half") return half(numberOf(text, unit));
-  if (field.type === "number" || field.key.endsWith(".sign")) return numberOf(text, unit);
+  if (field.type === "number") {
+    const value = numberOf(text, unit);
+    return typeof value === "number" && field.scale ? round(value * field.scale) : value;
+  }
+  if (field.key.endsWith(".sign")) return Number(text);
   return text.trim();
 }
 
@@ -60,14 +59,14 @@ function isEmpty(part: unknown): boolean {
 
 /** The document that the fields make; of an edited one, what no field holds stays. */
 export function documentOf(name: FormName, values: Values, edited: Plain = {}): Plain {
-  const document = { ...structuredClone(edited), ...FORMS[name].fixed };
-  if (name === "arm") {
-    const rows = jointCount(values);
-    const before = Array.isArray(document.joints) ? document.joints : [];
-    document.joints = Array.from({ length: rows }, (_, row) => ({
-      ...before[row],
-      name: values[`joints.${row}.name`],
-    }));
+  const { fixed, table } = FORMS[name];
+  const document: Plain = { ...structuredClone(edited), ...fixed };
+  if (table) {
+    const before = partsOf(document, table.key);
+    document[table.key] = Array.from({ length: rowCount(table, values) }, (_, row) => {
+      const called = values[`${table.key}.${row}.name`];
+      return called === undefined ? { ...before[row] } : { ...before[row], name: called };
+    });
   }
   for (const field of fieldsOf(name, values)) put(document, field.key, entered(field, values[field.key] ?? ""));
   for (const key of ["tip", "inner_corners"]) if (isEmpty(document[key])) delete document[key];
@@ -81,12 +80,24 @@ const isSame = (one: Plain, other: Plain, keys: string[]) =>
 
 /** What stands in the fields for a document. */
 export function valuesOf(name: FormName, document: Plain): Values {
-  const joints = Array.isArray(document.joints) ? (document.joints as Plain[]) : [];
-  const names = joints.map((joint, row) => [`joints.${row}.name`, String(joint.name ?? "")]);
-  const values: Values = Object.fromEntries(names);
-  for (const field of fieldsOf(name, values)) values[field.key] = shown(field, look(document, field.key));
-  if (name === "arm") for (const row of joints.keys()) values[`joints.${row}.sign`] ||= "1";
+  const { table } = FORMS[name];
+  const values: Values = {};
+  if (table) {
+    partsOf(document, table.key).forEach((part, row) => {
+      Object.assign(values, table.first(row));
+      if (part.name !== undefined) values[`${table.key}.${row}.name`] = String(part.name);
+    });
+  }
+  for (const field of fieldsOf(name, values)) {
+    const text = shown(field, look(document, field.key));
+    if (text || field.type !== "choice") values[field.key] = text;
+  }
   return values;
+}
+
+/** The parts of a list of the document. */
+function partsOf(document: Plain, key: string): Plain[] {
+  return Array.isArray(document[key]) ? (document[key] as Plain[]) : [];
 }
 
 function shown(field: FormField, value: unknown): string {
@@ -94,7 +105,7 @@ function shown(field: FormField, value: unknown): string {
   const unit = field.unit ?? "";
   if (Array.isArray(value)) return value.map((one) => typed(Number(one), unit)).join("; ");
   if (typeof value !== "number") return String(value);
-  return typed(field.type === "half" ? 2 * value : value, unit);
+  return typed(value / (field.scale ?? 1), unit);
 }
 
 /** Edges from the widths of merlons and gaps one after the other; the first edge is at 0. */

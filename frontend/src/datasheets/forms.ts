@@ -1,19 +1,37 @@
 import type { DatasheetRow } from "../api/wire";
 import type { PlainId } from "../messages/text";
+import { t } from "../state/language";
 
 export type Kind = DatasheetRow["kind"];
-/** What can be entered; of other datasheets, the file is uploaded. */
-export type FormName = "arm" | "robot" | "block" | "chessboard" | "charuco" | "sphere" | "plane";
+export type FormName = NonNullable<DatasheetRow["form"]>;
 
 export interface FormField {
   /** In the document, with points: "tip.x_mm", "inner_corners.0". */
   key: string;
   label: PlainId;
-  /** A "list" has several lengths; of "half" the document has half, as a radius of a diameter. */
-  type: "text" | "number" | "half" | "list" | "choice" | "switch";
+  /** A "list" has several lengths; a "date" is written as in ISO 8601. */
+  type: "text" | "number" | "list" | "choice" | "switch" | "date";
   unit?: string;
+  /** The document has the entered number times this: half of a diameter as radius. */
+  scale?: number;
   choices?: readonly string[];
   optional?: boolean;
+}
+
+/** A table of a form: a row for each part of a list of the document. */
+export interface Table {
+  /** Of the list in the document. */
+  key: string;
+  label: PlainId;
+  /** What stands above the rows' names. */
+  rows: PlainId;
+  columns: readonly FormField[];
+  least: number;
+  most: number;
+  add: PlainId;
+  remove: PlainId;
+  /** What a new row holds, to be seen and changed. */
+  first: (row: number) => Values;
 }
 
 export interface Form {
@@ -22,6 +40,7 @@ export interface Form {
   /** What the document has beside the fields. */
   fixed: Record<string, unknown>;
   fields: readonly FormField[];
+  table?: Table;
   /** What the fields hold at first. */
   first: Values;
 }
@@ -33,10 +52,10 @@ const NAME: FormField = { key: "name", label: "ui-name", type: "text" };
 const SERIAL: FormField = { key: "serial_number", label: "ui-serial-number", type: "text" };
 const SERIAL_IF_ANY: FormField = { ...SERIAL, optional: true };
 const CERTIFICATE: FormField = { key: "certificate", label: "ui-certificate", type: "text", optional: true };
-const UNTIL: FormField = { key: "valid_until", label: "ui-certificate-valid-until", type: "text", optional: true };
+const UNTIL: FormField = { key: "valid_until", label: "ui-certificate-valid-until", type: "date", optional: true };
 const mm = (key: string, label: PlainId): FormField => ({ key, label, type: "number", unit: "mm" });
 const um = (key: string, label: PlainId): FormField => ({ key, label, type: "number", unit: "µm", optional: true });
-const count = (key: string, label: PlainId): FormField => ({ key, label, type: "number" });
+const count = (key: string, label: PlainId, unit = ""): FormField => ({ key, label, type: "number", unit });
 const SD = mm("standard_uncertainty_mm", "ui-standard-uncertainty");
 const FLATNESS: FormField = { ...mm("flatness_mm", "ui-flatness-of-the-board"), optional: true };
 const SQUARE = mm("square_mm", "ui-side-of-a-square");
@@ -46,7 +65,12 @@ const TIP = [
   mm("tip.z_mm", "ui-tip-z"),
   mm("tip.diameter_mm", "ui-tip-diameter"),
 ];
-const GAUGE = [um("standard_uncertainty_um", "ui-standard-uncertainty"), um("form_um", "ui-form-deviation")];
+const PER_MILLION = { type: "number", unit: "µm/(m·K)", scale: 1e-6, optional: true } as const;
+const EXPANSION: readonly FormField[] = [
+  { key: "expansion_per_c", label: "ui-coefficient-of-expansion", ...PER_MILLION },
+  { key: "expansion_sd_per_c", label: "ui-its-standard-uncertainty", ...PER_MILLION },
+];
+const GAUGE = [NAME, SERIAL_IF_ANY, CERTIFICATE, UNTIL];
 
 const DICTIONARIES = [
   ...[4, 5, 6, 7].flatMap((bits) => [50, 100, 250, 1000].map((size) => `DICT_${bits}X${bits}_${size}`)),
@@ -58,38 +82,64 @@ const DICTIONARIES = [
   "DICT_APRILTAG_36h11",
 ];
 
-/** Joints of the table, in which `KEY` stands for the number of the row. */
-export const JOINT: readonly FormField[] = [
-  { key: "a_mm", label: "ui-joint-a", type: "number", unit: "mm" },
-  { key: "alpha_deg", label: "ui-joint-alpha", type: "number", unit: "°" },
-  { key: "d_mm", label: "ui-joint-d", type: "number", unit: "mm" },
-  { key: "theta_deg", label: "ui-joint-theta", type: "number", unit: "°" },
-  { key: "limits_deg.0", label: "ui-joint-lowest", type: "number", unit: "°" },
-  { key: "limits_deg.1", label: "ui-joint-highest", type: "number", unit: "°" },
-  { key: "sign", label: "ui-joint-sign", type: "choice", choices: ["1", "-1"] },
-  { key: "encoder_sd_deg", label: "ui-joint-encoder", type: "number", unit: "°" },
-];
-export const LEAST_JOINTS = 5;
-export const MOST_JOINTS = 7;
+const JOINTS: Table = {
+  key: "joints",
+  label: "ui-denavit-hartenberg-table",
+  rows: "ui-joint-column",
+  columns: [
+    { key: "a_mm", label: "ui-joint-a", type: "number", unit: "mm" },
+    { key: "alpha_deg", label: "ui-joint-alpha", type: "number", unit: "°" },
+    { key: "d_mm", label: "ui-joint-d", type: "number", unit: "mm" },
+    { key: "theta_deg", label: "ui-joint-theta", type: "number", unit: "°" },
+    { key: "limits_deg.0", label: "ui-joint-lowest", type: "number", unit: "°" },
+    { key: "limits_deg.1", label: "ui-joint-highest", type: "number", unit: "°" },
+    { key: "sign", label: "ui-joint-sign", type: "choice", choices: ["1", "-1"] },
+    { key: "encoder_sd_deg", label: "ui-joint-encoder", type: "number", unit: "°", optional: true },
+  ],
+  least: 5,
+  most: 7,
+  add: "ui-add-a-joint",
+  remove: "ui-remove-the-last-joint",
+  first: (row) => ({
+    [`joints.${row}.name`]: `J${row + 1}`,
+    [`joints.${row}.limits_deg.0`]: "-180",
+    [`joints.${row}.limits_deg.1`]: "180",
+    [`joints.${row}.sign`]: "1",
+    [`joints.${row}.encoder_sd_deg`]: "0",
+  }),
+};
+const LENGTHS: Table = {
+  key: "lengths",
+  label: "ui-calibrated-lengths",
+  rows: "ui-number-column",
+  columns: [
+    { key: "length_mm", label: "ui-length", type: "number", unit: "mm" },
+    { key: "standard_uncertainty_um", label: "ui-standard-uncertainty", type: "number", unit: "µm" },
+  ],
+  least: 1,
+  most: 50,
+  add: "ui-add-a-length",
+  remove: "ui-remove-the-last-length",
+  first: (row) => ({ [`lengths.${row}.length_mm`]: "" }),
+};
 
-/** The fields of a row of the table. */
-export const jointFields = (row: number): FormField[] =>
-  JOINT.map((field) => ({ ...field, key: `joints.${row}.${field.key}` }));
+/** The fields of a row of a table. */
+export const rowFields = ({ key, columns }: Table, row: number): FormField[] =>
+  columns.map((field) => ({ ...field, key: `${key}.${row}.${field.key}` }));
 
-/** What a new row holds: the limits and the sign that most joints have, to be seen and changed. */
-export const firstJoint = (row: number): Values => ({
-  [`joints.${row}.name`]: `J${row + 1}`,
-  [`joints.${row}.limits_deg.0`]: "-180",
-  [`joints.${row}.limits_deg.1`]: "180",
-  [`joints.${row}.sign`]: "1",
-  [`joints.${row}.encoder_sd_deg`]: "0",
-});
-
-/** How many rows the table has. */
-export function jointCount(values: Values): number {
-  const rows = Object.keys(values).map((key) => Number(/^joints\.(\d+)\.name$/.exec(key)?.[1] ?? -1));
-  return Math.max(-1, ...rows) + 1;
+/** How many rows a table has. */
+export function rowCount({ key }: Table, values: Values): number {
+  const rows = Object.keys(values).filter((one) => one.startsWith(`${key}.`));
+  return Math.max(-1, ...rows.map((one) => Number(one.split(".")[1]))) + 1;
 }
+
+/** What people call a row: a joint by its name, a length by its number. */
+export const rowName = ({ key }: Table, row: number, values: Values): string =>
+  values[`${key}.${row}.name`] ?? t("ui-number-n", { n: row + 1 });
+
+/** What the first rows of a table hold. */
+export const firstRows = ({ first }: Table, count: number): Values =>
+  Object.assign({}, ...Array.from({ length: count }, (_, row) => first(row)));
 
 export const FORMS: Record<FormName, Form> = {
   arm: {
@@ -102,10 +152,8 @@ export const FORMS: Record<FormName, Form> = {
       { key: "convention", label: "ui-convention", type: "choice", choices: ["dh-standard", "dh-modified"] },
       ...TIP,
     ],
-    first: {
-      convention: "dh-standard",
-      ...Object.assign({}, ...[0, 1, 2, 3, 4, 5].map(firstJoint)),
-    },
+    table: JOINTS,
+    first: { convention: "dh-standard", ...firstRows(JOINTS, 6) },
   },
   robot: {
     kind: "arm",
@@ -167,18 +215,32 @@ export const FORMS: Record<FormName, Form> = {
     ],
     first: { dictionary: "DICT_4X4_50", standard_uncertainty_mm: "0.05" },
   },
+  sensor: {
+    kind: "sensor",
+    title: "ui-sensor",
+    fixed: { format: "crenel/sensor", version: 1 },
+    fields: [
+      NAME,
+      SERIAL_IF_ANY,
+      count("width_px", "ui-width-of-the-picture", "px"),
+      count("height_px", "ui-height-of-the-picture", "px"),
+      { key: "stripe_axis", label: "ui-how-does-the-laser-line-run", type: "choice", choices: ["u", "v"] },
+      { key: "laser_wavelength_nm", label: "ui-wavelength-of-the-laser", type: "number", unit: "nm", optional: true },
+      { ...count("focal_px", "ui-focal-length", "px"), optional: true },
+      { ...mm("standoff_mm", "ui-stand-off"), optional: true },
+    ],
+    first: { stripe_axis: "u" },
+  },
   sphere: {
     kind: "gauge",
     title: "ui-sphere",
     fixed: { format: "crenel/nominal", version: 1, shape: "sphere" },
     fields: [
-      NAME,
-      SERIAL_IF_ANY,
-      CERTIFICATE,
-      UNTIL,
-      { key: "radius_mm", label: "ui-diameter", type: "half", unit: "mm" },
+      ...GAUGE,
+      { ...mm("radius_mm", "ui-diameter"), scale: 0.5 },
       um("standard_uncertainty_um", "ui-standard-uncertainty-of-the-radius"),
       um("form_um", "ui-form-deviation"),
+      ...EXPANSION,
     ],
     first: {},
   },
@@ -187,24 +249,45 @@ export const FORMS: Record<FormName, Form> = {
     title: "ui-plate",
     fixed: { format: "crenel/nominal", version: 1, shape: "plane" },
     fields: [
-      NAME,
-      SERIAL_IF_ANY,
-      CERTIFICATE,
-      UNTIL,
-      { ...mm("width_mm", "ui-narrower-side"), optional: true },
       ...GAUGE,
+      { ...mm("width_mm", "ui-narrower-side"), optional: true },
+      um("form_um", "ui-form-deviation"),
+      um("standard_uncertainty_um", "ui-its-standard-uncertainty"),
+      ...EXPANSION,
     ],
     first: {},
   },
+  "ball-bar": {
+    kind: "gauge",
+    title: "ui-ball-bar",
+    fixed: { format: "crenel/length-standard", version: 1, kind: "ball-bar" },
+    fields: [
+      ...GAUGE,
+      { ...mm("sphere_diameter_mm", "ui-diameter-of-the-spheres"), optional: true },
+      um("sphere_form_um", "ui-form-deviation-of-the-spheres"),
+      ...EXPANSION,
+    ],
+    table: LENGTHS,
+    first: firstRows(LENGTHS, 1),
+  },
+  "step-gauge": {
+    kind: "gauge",
+    title: "ui-step-gauge",
+    fixed: { format: "crenel/length-standard", version: 1, kind: "step-gauge" },
+    fields: [...GAUGE, ...EXPANSION],
+    table: LENGTHS,
+    first: firstRows(LENGTHS, 5),
+  },
 };
 
-/** The forms of a kind of datasheet; those of sensors come from the connected camera. */
+/** The forms of a kind of datasheet. */
 export const formsOf = (kind: Kind) => (Object.keys(FORMS) as FormName[]).filter((name) => FORMS[name].kind === kind);
 
 export const isForm = (name: string | null): name is FormName => name !== null && name in FORMS;
 
 /** All fields of a form, with the rows of the table as they are now. */
 export function fieldsOf(name: FormName, values: Values): FormField[] {
-  const table = name === "arm" ? Array.from({ length: jointCount(values) }, (_, row) => jointFields(row)).flat() : [];
-  return [...FORMS[name].fields, ...table];
+  const { fields, table } = FORMS[name];
+  const rows = table ? Array.from({ length: rowCount(table, values) }, (_, row) => rowFields(table, row)) : [];
+  return [...fields, ...rows.flat()];
 }

@@ -5,7 +5,7 @@ import type { DatasheetCheck } from "../api/wire";
 import { useSettled } from "../parts/useSettled";
 import { useBarred } from "../state/control";
 import { documentOf, edgesOf, isFilled, placeOf } from "./document";
-import { FORMS, type FormName, fieldsOf, type Values } from "./forms";
+import { type FormName, fieldsOf, type Values } from "./forms";
 
 interface Checked {
   text: string;
@@ -14,7 +14,7 @@ interface Checked {
 
 /** The fields of a form, and what the station says of them while they are filled in. */
 export function useForm(name: FormName, first: Values, edited: Record<string, unknown> | undefined) {
-  const [values, setValues] = useState<Values>(() => ({ ...FORMS[name].first, ...first }));
+  const [values, setValues] = useState(first);
   const [asWidths, setAsWidths] = useState(false);
   const document = documentOf(name, values, edited);
   if (asWidths && Array.isArray(document.edges_x_mm)) document.edges_x_mm = edgesOf(document.edges_x_mm);

@@ -14,7 +14,7 @@ import { DatasheetForm, type Edited } from "../datasheets/DatasheetForm";
 import { DatasheetLists } from "../datasheets/DatasheetLists";
 import { DatasheetsCard } from "../datasheets/DatasheetsCard";
 import { valuesOf } from "../datasheets/document";
-import { FORMS, type FormName, firstJoint, isForm, type Values } from "../datasheets/forms";
+import { FORMS, type FormName, firstRows, isForm, type Values } from "../datasheets/forms";
 import { readDatasheet } from "../datasheets/upload";
 import { Layout } from "../frame/Layout";
 import { CardHead } from "../parts/CardHead";
@@ -92,7 +92,7 @@ export function DatasheetsPage() {
   if (editing) {
     return (
       <>
-        <DatasheetForm {...editing} onSave={keep} onBack={list} />
+        <DatasheetForm {...editing} ranges={view.ranges} onSave={keep} onBack={list} />
         {question}
       </>
     );
@@ -104,6 +104,7 @@ export function DatasheetsPage() {
           key={created}
           name={created}
           first={firstValues(created, view.arm)}
+          ranges={view.ranges}
           onSave={keep}
           onBack={list}
         />
@@ -140,12 +141,12 @@ export function DatasheetsPage() {
 
 const isProblem = (answer: object): answer is Problem => "status" in answer;
 
-/** What a new arm's form knows of the connected one. */
+/** What a new form begins with: of an arm, what is known of the connected one. */
 function firstValues(name: FormName, arm: ConnectedArmView | null): Values {
-  if (FORMS[name].kind !== "arm" || !arm || (name === "arm") !== arm.joint_count > 0) return {};
+  const { kind, first, table } = FORMS[name];
+  if (kind !== "arm" || !arm || (name === "arm") !== arm.joint_count > 0) return first;
   const known = { name: arm.name, serial_number: arm.serial_number };
-  const extra = Array.from({ length: Math.max(0, arm.joint_count - 6) }, (_, i) => firstJoint(6 + i));
-  return Object.assign(known, ...extra) as Values;
+  return table ? { convention: "dh-standard", ...firstRows(table, arm.joint_count), ...known } : known;
 }
 
 function ReplaceQuestion({ asked, onClose }: { asked: Asked; onClose: () => void }) {

@@ -5,35 +5,37 @@ import { PressButton } from "../parts/PressButton";
 import { t } from "../state/language";
 import styles from "./Datasheets.module.css";
 import { Entry } from "./FieldInput";
-import { firstJoint, JOINT, jointCount, jointFields, LEAST_JOINTS, MOST_JOINTS, type Values } from "./forms";
+import { type FormField, rowCount, rowFields, rowName, type Table, type Values } from "./forms";
 
-interface JointTableProps {
+interface RowTableProps {
+  table: Table;
   values: Values;
+  rangeOf: (field: FormField) => string;
   problemOf: (key: string) => string;
   onValues: (values: Values) => void;
 }
 
-/** The Denavit-Hartenberg table: a row for each joint. Cells of a spreadsheet can be pasted into it. */
-export function JointTable({ values, problemOf, onValues }: JointTableProps) {
-  const rows = jointCount(values);
+/** The parts of a list, such as joints, a row for each. Cells of a spreadsheet can be pasted into it. */
+export function RowTable({ table, values, rangeOf, problemOf, onValues }: RowTableProps) {
+  const rows = rowCount(table, values);
   const paste = (row: number, column: number) => (event: ClipboardEvent) => {
     const cells = pasted(event.clipboardData.getData("text"));
     if (cells.length === 1 && cells[0]?.length === 1) return;
     event.preventDefault();
-    onValues({ ...values, ...placed(cells, row, column, rows) });
+    onValues({ ...values, ...placed(cells, table, row, column, rows) });
   };
   const remove = () => {
-    const last = `joints.${rows - 1}.`;
+    const last = `${table.key}.${rows - 1}.`;
     onValues(Object.fromEntries(Object.entries(values).filter(([key]) => !key.startsWith(last))));
   };
   return (
-    <div className={styles.joints}>
+    <div className={styles.rows}>
       <div className={styles.scroll}>
-        <table className={styles.table} aria-label={t("ui-denavit-hartenberg-table")}>
+        <table className={styles.table} aria-label={t(table.label)}>
           <thead>
             <tr>
-              <th scope="col">{t("ui-joint-column")}</th>
-              {JOINT.map(({ key, label, unit }) => (
+              <th scope="col">{t(table.rows)}</th>
+              {table.columns.map(({ key, label, unit }) => (
                 <th key={key} scope="col">
                   {t(label)}
                   {unit && <span>{unitOf(unit)}</span>}
@@ -44,13 +46,14 @@ export function JointTable({ values, problemOf, onValues }: JointTableProps) {
           <tbody>
             {Array.from({ length: rows }, (_, row) => (
               <tr key={row}>
-                <th scope="row">{values[`joints.${row}.name`]}</th>
-                {jointFields(row).map((field, column) => (
+                <th scope="row">{rowName(table, row, values)}</th>
+                {rowFields(table, row).map((field, column) => (
                   <td key={field.key} onPaste={paste(row, column)}>
                     <Entry
                       field={field}
-                      label={t("ui-of-joint", { label: t(field.label), joint: values[`joints.${row}.name`] ?? "" })}
+                      label={t("ui-of-row", { label: t(field.label), row: rowName(table, row, values) })}
                       value={values[field.key] ?? ""}
+                      range={rangeOf(field)}
                       problem={problemOf(field.key)}
                       onText={(text) => onValues({ ...values, [field.key]: text })}
                     />
@@ -61,20 +64,20 @@ export function JointTable({ values, problemOf, onValues }: JointTableProps) {
           </tbody>
         </table>
       </div>
-      {problemsIn(rows, values, problemOf).map((words) => (
+      {problemsIn(table, values, problemOf).map((words) => (
         <p key={words} className={styles.problem} role="status">
           {words}
         </p>
       ))}
       <div className={styles.acts}>
-        {rows < MOST_JOINTS && (
-          <PressButton free onPress={() => onValues({ ...values, ...firstJoint(rows) })}>
-            {t("ui-add-a-joint")}
+        {rows < table.most && (
+          <PressButton free onPress={() => onValues({ ...values, ...table.first(rows) })}>
+            {t(table.add)}
           </PressButton>
         )}
-        {rows > LEAST_JOINTS && (
+        {rows > table.least && (
           <PressButton free kind="quiet" onPress={remove}>
-            {t("ui-remove-the-last-joint")}
+            {t(table.remove)}
           </PressButton>
         )}
       </div>
@@ -84,11 +87,11 @@ export function JointTable({ values, problemOf, onValues }: JointTableProps) {
 }
 
 /** What is wrong in the cells, each with its place: they are too small to say it beside them. */
-function problemsIn(rows: number, values: Values, problemOf: JointTableProps["problemOf"]): string[] {
-  return Array.from({ length: rows }, (_, row) =>
-    jointFields(row).flatMap(({ key, label }) => {
+function problemsIn(table: Table, values: Values, problemOf: RowTableProps["problemOf"]): string[] {
+  return Array.from({ length: rowCount(table, values) }, (_, row) =>
+    rowFields(table, row).flatMap(({ key, label }) => {
       const words = problemOf(key);
-      const place = t("ui-of-joint", { label: t(label), joint: values[`joints.${row}.name`] ?? "" });
+      const place = t("ui-of-row", { label: t(label), row: rowName(table, row, values) });
       return words ? [t("ui-place-and-problem", { place, words })] : [];
     }),
   ).flat();
@@ -102,10 +105,10 @@ function pasted(text: string): string[][] {
 }
 
 /** The cells from a place of the table on; what is beyond it is left out. */
-function placed(cells: string[][], row: number, column: number, rows: number): Values {
+function placed(cells: string[][], table: Table, row: number, column: number, rows: number): Values {
   const found: Values = {};
   cells.slice(0, rows - row).forEach((line, i) => {
-    const fields = jointFields(row + i);
+    const fields = rowFields(table, row + i);
     line.forEach((cell, j) => {
       const field = fields[column + j];
       if (field) found[field.key] = field.key.endsWith(".sign") ? (cell.includes("-") ? "-1" : "1") : cell.trim();
