@@ -14,7 +14,7 @@ from app.formats.atomic_write import write_atomically
 from app.formats.file_names import display_path
 from app.formats.io_errors import convert_io_errors, error_from_validation
 from app.formats.open_file import LARGEST_DOCUMENT, open_file, read_bounded
-from app.messages.message import message
+from app.messages.message import Message, message
 from app.messages.stored import RENDERED, SUFFIX, restore_texts
 
 # no line break can stand within a text of JSON
@@ -52,6 +52,12 @@ Row4 = tuple[Number, Number, Number, Number]
 Matrix3 = tuple[Vector3, Vector3, Vector3]
 Matrix34 = tuple[Row4, Row4, Row4]
 Matrix4 = tuple[Row4, Row4, Row4, Row4]
+
+
+def field_name(name: str) -> Message:
+    """A field in a text about a document: as in the file, or as a form calls it that shows the
+    text."""
+    return message("field-name", name=name)
 
 
 class DocumentPart(BaseModel):

@@ -358,7 +358,7 @@ batch-store-away = { $why }; die Arbeit wartet so lange
 batch-store-back = Der Speicher ist wieder da.
 batch-waited = er wurde { $time } lang erwartet
 batch-worker-failed = Ein Worker ist mit { $error } ausgefallen
-bayer-needs-wavelength = bayer braucht laser_wavelength_nm: gemessen werden die Pixel dieser Farbe
+bayer-needs-wavelength = { $bayer } braucht { $wavelength }: gemessen werden die Pixel dieser Farbe
 before = Vorher
 before-after = Vorher und nachher
 before-after-identification = Vor und nach der Identifikation
@@ -1018,7 +1018,7 @@ count-inner-corners = Falls { $columns } × { $rows } die Zahl der Felder ist, d
 cover-one-board = eine davon abdecken oder aus dem Bild nehmen
 create-choose-another-place = Ordner anlegen oder einen anderen wählen
 crenel = Crenel { $version }
-crest-z-mm-must-above-floor = crest_z_mm muss über floor_z_mm liegen und floor_z_mm über base_z_mm
+crest-z-mm-must-above-floor = { $crest } muss über { $floor } liegen und { $floor } über { $base }
 crests-top = Zinnen oben
 damaged = Die Datenbank ist beschädigt: { $trouble }.
 dark-brightest-pixel = es ist dunkel: Das hellste Pixel hat { $brightest } von { $full } Graustufen
@@ -1095,7 +1095,7 @@ devices-of-replay-are-fixed = Eine Wiedergabe hat die Geräte ihrer Aufzeichnung
 diameter = Durchmesser
 diameter-of-tip-by-datasheet = Tastkugeldurchmesser laut Datenblatt
 diameter-tip-found = Gemessener Tastkugeldurchmesser
-dictionary-unknown = dictionary ist eines von { $names }
+dictionary-unknown = { $field } ist eines von { $names }
 did-you-mean = Meinen Sie { $name }?
 disk = Datenträger
 disk-fails = Der Datenträger von { $folder } liest oder schreibt fehlerhaft
@@ -1193,9 +1193,9 @@ edges-lie-off-average-where-certificate = seine Kanten liegen im Mittel { $usual
 edges-px = Kanten, px
 edges-would-fit-only-if-cameras = seine Kanten würden nur passen, wenn die Pixel der Kamera um { $off_square } von der quadratischen Form abwichen
 edges-would-fit-only-lens-distorted = seine Kanten würden nur zu einem Objektiv mit der Verzeichnung k1 = { $k1 }, k2 = { $k2 } passen
-edges-x-mm-must-ascend-follows = die Werte in edges_x_mm müssen ansteigen: { $right } folgt auf { $left }
+edges-x-mm-must-ascend-follows = die Werte in { $edges } müssen ansteigen: { $right } folgt auf { $left }
 edges-x-mm-odd-count =
-    edges_x_mm enthält { $count ->
+    { $edges } enthält { $count ->
         [one] { $count } Kante
        *[other] { $count } Kanten
     }; jede Zinne hat zwei, eine linke und eine rechte
@@ -1468,6 +1468,7 @@ field-missing =
        *[other] { $path }: { $place } fehlt (und { $more } weitere)
     }
 field-must-be-less-than-half-square = { $field } muss kleiner als ein halbes Feld sein; ist der Wert in Mikrometern angegeben?
+field-name = { $name }
 figure = Kenngröße
 figure-between-close-limits =
     { $title }: { $value }; die Grenzwerte von ±{ $limit } liegen im Vergleich zum Schutzabstand von { $guard } nahe beieinander: { $decision ->
@@ -1552,7 +1553,7 @@ fitting =
     }
 fitting-arm = Armparameter werden ausgeglichen
 fitting-contact-points = Antastpunkte werden ausgeglichen
-five-to-seven-joints-expected = erwartet werden fünf bis sieben Gelenke, nicht { $joints }
+five-to-seven-joints-expected = { $field }: erwartet werden fünf bis sieben Gelenke, nicht { $joints }
 fix-board-flat-plate = Tafel auf einer ebenen Platte befestigen.
 fix-board-so-cannot-rock-warp = Tafel so befestigen, dass sie nicht wackeln oder sich verziehen kann, und das Objektiv der Kamera feststellen.
 fix-object-arm-so-neither-can = Objekt und Messarm so befestigen, dass sich keines bewegen kann, das Objekt antasten und die Bilder neu aufnehmen.
@@ -1632,7 +1633,7 @@ from = Von
 from-to = { $low } bis { $high }
 front = von vorn
 front-face = Vorderseite
-front-y-mm-must-less-than = front_y_mm muss kleiner als back_y_mm sein
+front-y-mm-must-less-than = { $front } muss kleiner als { $back } sein
 further-cloud-aside-one-other-s =
     { $aside ->
         [one] { $aside } weitere Punktwolke wurde ausgeschlossen.
@@ -2546,7 +2547,7 @@ limit-k-1 = Grenzwert, k = 1
 limit-m-2 = Grenzwert { $limit }; U = { $expanded_uncertainty }, k = 2
 limit-mark = Grenzwert
 limit-number-micrometres-1-100-000 = Ein Grenzwert ist eine Zahl von 1 bis 100 000 Mikrometern.
-limits-deg-must-ascend = die Werte in limits_deg von { $name } müssen ansteigen
+limits-deg-must-ascend = die Werte in { $limits } von { $name } müssen ansteigen
 line-brightness = Linienhelligkeit
 line-gives-other-length = Zeile { $line } gibt { $length } für denselben Prüfkörper an: { $label }
 line-gives-other-place = Zeile { $line } nennt einen anderen
@@ -2667,7 +2668,7 @@ make-backup-another-disk = Sicherung auf einem anderen Datenträger anlegen
 make-one-below-crenel-backup = Unten oder mit crenel backup eine anlegen.
 make-somebody-else-administrator-first = Zuerst jemand anderen zum Administrator machen
 many-points-have-very-same-angles = viele Punkte haben exakt dieselben Winkel
-marker-mm-less-than-square-mm = marker_mm muss kleiner als square_mm sein
+marker-mm-less-than-square-mm = { $marker } muss kleiner als { $square } sein
 marker-place-differs = { $place }: Messmarke { $marker } hat einen anderen Ort am Flansch
 markers-are-wide = die Markierungen von „{ $name }“ sind im Verhältnis zu den Feldern { $width } breit
 markers-lie-far = coordinates.csv: Im Koordinatensystem { $name } liegen die Punkte typisch { $off } von der Stelle, an der sie laut arm.json sind
@@ -2696,7 +2697,7 @@ measuring-arm = Messarm
 measuring-cloud = Punktwolke wird ausgewertet
 measuring-cloud-2 = Punktwolke { $number } wird ausgewertet
 memory = Arbeitsspeicher
-merlons-are-symmetric = Breiten und Abstände der Zinnen sind von beiden Enden aus gleich, sodass sich der Zinnenkörper nicht von seinem Spiegelbild unterscheiden lässt
+merlons-are-symmetric = { $edges }: Breiten und Abstände der Zinnen sind von beiden Enden aus gleich, sodass sich der Zinnenkörper nicht von seinem Spiegelbild unterscheiden lässt
 merlons-read-alike-either-side = seine Zinnen sehen von beiden Seiten gleich aus
 merlons-read-mirrored-order = die Zinnen von „{ $name }“ erscheinen in gespiegelter Reihenfolge
 merlons-stand-mirrored-order = die Zinnen liegen in gespiegelter Reihenfolge
@@ -3372,7 +3373,7 @@ puts-object-where-others-put = danach läge das Objekt { $off } neben seiner Lag
 python-package-missing = Das Python-Paket { $package } fehlt
 quaternion-length = { $place }: (qx, qy, qz, qw) hat die Länge { $length }
 radius-m = Radius, µm
-radius-mm-missing-sphere-judged-size = radius_mm fehlt: Eine Kugel wird nach ihrer Größe beurteilt
+radius-mm-missing-sphere-judged-size = { $radius } fehlt: Eine Kugel wird nach ihrer Größe beurteilt
 raise-receive-buffer = Der Empfangspuffer dieses Rechners ({ $limit }) ist kleiner als ein Bild ({ $picture }). Ausführen: { $command }
 read-yet = Noch nicht gelesen.
 reading-arm-number = ein Wert des Messarms { $name } ist keine Zahl
@@ -3744,14 +3745,14 @@ spheres-size-by-certificate-or-datasheet =
 spread-needs-least-two-clouds = für eine Spannweite sind mindestens zwei Punktwolken nötig
 spread-points-hold-still-press-arms = { $place } { $wanted } Punkte verteilt aufnehmen: an jedem ruhig halten und die Taste am Messarm drücken.
 spread-them-wide-clear-edges = Weit verteilen, mit Abstand zu den Kanten.
-square-mm-too-small = square_mm muss mindestens { $least } betragen; ist der Wert in Metern angegeben?
+square-mm-too-small = { $field } muss mindestens { $least } betragen; ist der Wert in Metern angegeben?
 squares-too-small-in-picture = ihre Felder sind im Bild nur { $width } breit; mindestens { $least } sind nötig
 standard-one-seat-continuous-swing-positions = Nicht normgerecht: eine Pfanne und ein stetiger Schwenk statt der Positionen und Punkte nach ASME B89.4.22 oder ISO 10360-12. Ein Ergebnis nach diesen Normen wird nicht angegeben.
 standard-positions-articulations-counts-iso-10360 = Nicht normgerecht: Positionen, Gelenkstellungen und Anzahlen nach ISO 10360-8 und ISO 10360-12 werden nicht genau eingehalten; daher wird keines ihrer Formelzeichen verwendet.
 standard-touches-those-sphere-tests-iso = Nicht normgerecht: Die Antastpunkte sind nicht die der Kugelprüfungen nach ISO 10360-12; daher wird keines ihrer Formelzeichen verwendet.
 standard-uncertainty-0-mm = Eine Standardunsicherheit beträgt 0 bis { $largest }.
 standard-uncertainty-k-1-scanned-point = Standardunsicherheit (k = 1) eines gescannten Punkts über der Laserebene, von { $low } ({ $low_mm }) bis { $high } ({ $high_mm }). Durchgestrichen: extrapoliert, näher oder weiter als die kalibrierten { $near } bis { $far } von der Kamera.
-standard-uncertainty-mm-too-large = standard_uncertainty_mm darf höchstens { $most } betragen; ist der Wert in Mikrometern angegeben?
+standard-uncertainty-mm-too-large = { $field } darf höchstens { $most } betragen; ist der Wert in Mikrometern angegeben?
 start-again = Erneut starten
 start-again-2 = erneut starten
 start-new-calibration = Neue Kalibrierung starten
@@ -4019,7 +4020,7 @@ tip-itself-was-not-measured = die Tastkugel selbst wurde nicht gemessen
 tip-known = Unsicherheit der Tastkugel
 tip-known-apart-from-size = Über die Reichweite wich die Tastkugel um { $before } rms ab; die Standardunsicherheit beträgt jetzt { $after } (k = 1), ohne den Maßstab des Messarms.
 tip-lies-within-mm = die Tastkugel liegt weniger als { $distance } davon entfernt
-tip-missing-place-flange-diameter = tip fehlt: Lage der Tastkugel am Flansch und ihr Durchmesser
+tip-missing-place-flange-diameter = { $tip } fehlt: Lage der Tastkugel am Flansch und ihr Durchmesser
 tip-never-checked = Die Tastkugel wurde noch nie geprüft.
 tip-off-place-arm = Abweichung der Tastkugel von ihrer Lage am Messarm
 tip-over-whole-reach = Tastkugel über die ganze Reichweite
@@ -4058,7 +4059,7 @@ too-bright-saturated = Zu hell: { $share } übersteuert
 too-dark-brightest-parts = Zu dunkel: hellste Stellen bei { $level }
 too-fast-blur-limit = Zu schnell: { $blur } Unschärfe; der Grenzwert ist { $limit }
 too-few-edges-could-measured = zu wenige seiner Kanten ließen sich messen
-too-few-markers = die Tafel hat { $count } Markierungen, { $dictionary } aber nur { $known }
+too-few-markers = { $field }: die Tafel hat { $count } Markierungen, { $dictionary } aber nur { $known }
 too-few-places-were-touched = zu wenige Positionen wurden angetastet: { $count }
 too-little-arm-data-yet = Noch zu wenig Daten vom Messarm
 too-many-wrong-tries = Zu viele Fehlversuche.

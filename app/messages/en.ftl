@@ -358,7 +358,7 @@ batch-store-away = { $why }; meanwhile the work waits
 batch-store-back = The store is there again.
 batch-waited = it was waited for during { $time }
 batch-worker-failed = A worker failed with { $error }
-bayer-needs-wavelength = bayer requires laser_wavelength_nm, whose colour's pixels are measured
+bayer-needs-wavelength = { $bayer } requires { $wavelength }, whose colour's pixels are measured
 before = Before
 before-after = Before and after
 before-after-identification = Before and after the identification
@@ -1014,7 +1014,7 @@ count-inner-corners = If { $columns } × { $rows } is the number of squares, giv
 cover-one-board = cover one of them, or take it out of the picture
 create-choose-another-place = Create it, or choose another location
 crenel = Crenel { $version }
-crest-z-mm-must-above-floor = crest_z_mm must be above floor_z_mm, and floor_z_mm above base_z_mm
+crest-z-mm-must-above-floor = { $crest } must be above { $floor }, and { $floor } above { $base }
 crests-top = Crest tops
 damaged = The database is damaged: { $trouble }.
 dark-brightest-pixel = it is dark: its brightest pixel is at { $brightest } of { $full } grey levels
@@ -1091,7 +1091,7 @@ devices-of-replay-are-fixed = A replay has the devices of its recording
 diameter = Diameter
 diameter-of-tip-by-datasheet = Tip diameter from the datasheet
 diameter-tip-found = Measured tip diameter
-dictionary-unknown = dictionary is one of { $names }
+dictionary-unknown = { $field } is one of { $names }
 did-you-mean = Did you mean { $name }?
 disk = Disk
 disk-fails = The disk of { $folder } does not read or write reliably
@@ -1189,9 +1189,9 @@ edges-lie-off-average-where-certificate = its edges deviate from the certificate
 edges-px = Edges, px
 edges-would-fit-only-if-cameras = its edges would fit only if the camera's pixels were { $off_square } out of square
 edges-would-fit-only-lens-distorted = its edges would fit only with a lens distortion of k1 = { $k1 }, k2 = { $k2 }
-edges-x-mm-must-ascend-follows = edges_x_mm must ascend: { $right } follows { $left }
+edges-x-mm-must-ascend-follows = { $edges } must ascend: { $right } follows { $left }
 edges-x-mm-odd-count =
-    edges_x_mm contains { $count ->
+    { $edges } contains { $count ->
         [one] { $count } edge
        *[other] { $count } edges
     }; every merlon has two, a left and a right one
@@ -1464,6 +1464,7 @@ field-missing =
        *[other] { $path }: { $place } is missing (and { $more } more)
     }
 field-must-be-less-than-half-square = { $field } must be less than half a square; is it in micrometres?
+field-name = { $name }
 figure = Figure
 figure-between-close-limits =
     { $title }: { $value }; the limits of ±{ $limit } lie close together compared with the guard band of { $guard }: { $decision ->
@@ -1548,7 +1549,7 @@ fitting =
     }
 fitting-arm = Fitting the arm
 fitting-contact-points = Fitting the contact points
-five-to-seven-joints-expected = five to seven joints are expected, not { $joints }
+five-to-seven-joints-expected = { $field }: five to seven joints are expected, not { $joints }
 fix-board-flat-plate = Fix the board to a flat plate.
 fix-board-so-cannot-rock-warp = Fix the board so that it cannot rock or warp, and lock the camera's lens.
 fix-object-arm-so-neither-can = Fix object and arm so that neither can move, touch the object, and take the pictures again.
@@ -1628,7 +1629,7 @@ from = From
 from-to = { $low } to { $high }
 front = from the front
 front-face = Front face
-front-y-mm-must-less-than = front_y_mm must be less than back_y_mm
+front-y-mm-must-less-than = { $front } must be less than { $back }
 further-cloud-aside-one-other-s =
     { $aside ->
         [one] { $aside } further cloud was excluded.
@@ -2542,7 +2543,7 @@ limit-k-1 = Limit, k = 1
 limit-m-2 = limit { $limit }; U = { $expanded_uncertainty }, k = 2
 limit-mark = limit
 limit-number-micrometres-1-100-000 = The limit must be 1 to 100 000 micrometres.
-limits-deg-must-ascend = limits_deg of { $name } must ascend
+limits-deg-must-ascend = { $limits } of { $name } must ascend
 line-brightness = Line brightness
 line-gives-other-length = line { $line } states { $length } for the same { $label }
 line-gives-other-place = line { $line } states another one
@@ -2663,7 +2664,7 @@ make-backup-another-disk = Make the backup on another disk
 make-one-below-crenel-backup = Make a backup below, or with crenel backup.
 make-somebody-else-administrator-first = Make somebody else an administrator first
 many-points-have-very-same-angles = many points have identical joint angles
-marker-mm-less-than-square-mm = marker_mm must be less than square_mm
+marker-mm-less-than-square-mm = { $marker } must be less than { $square }
 marker-place-differs = { $place }: marker { $marker } has another place on the flange
 markers-are-wide = the markers of { $name } are { $width } wide in proportion to its squares
 markers-lie-far = coordinates.csv: in frame { $name } the points typically lie { $off } from where arm.json has them
@@ -2692,7 +2693,7 @@ measuring-arm = Measuring arm
 measuring-cloud = Measuring the cloud
 measuring-cloud-2 = Measuring cloud { $number }
 memory = Memory
-merlons-are-symmetric = the merlons' widths and gaps read the same from both ends, so that the block cannot be distinguished from its mirror image
+merlons-are-symmetric = { $edges }: the merlons' widths and gaps read the same from both ends, so that the block cannot be distinguished from its mirror image
 merlons-read-alike-either-side = its merlons look the same from both sides
 merlons-read-mirrored-order = the merlons of { $name } appear in mirrored order
 merlons-stand-mirrored-order = the merlons are in mirrored order
@@ -3363,7 +3364,7 @@ puts-object-where-others-put = it places the object { $off } away from where the
 python-package-missing = The Python package { $package } is missing
 quaternion-length = { $place }: (qx, qy, qz, qw) is { $length } long
 radius-m = Radius, µm
-radius-mm-missing-sphere-judged-size = radius_mm is missing: a sphere is assessed by its size
+radius-mm-missing-sphere-judged-size = { $radius } is missing: a sphere is assessed by its size
 raise-receive-buffer = The receive buffer of this computer ({ $limit }) is smaller than one picture ({ $picture }). Run: { $command }
 read-yet = Not read yet.
 reading-arm-number = a reading of the arm { $name } is not a number
@@ -3731,14 +3732,14 @@ spheres-size-by-certificate-or-datasheet =
 spread-needs-least-two-clouds = a range requires at least two clouds
 spread-points-hold-still-press-arms = { $place } Spread { $wanted } points; hold still and press the arm's button at each.
 spread-them-wide-clear-edges = Spread them widely, away from the edges.
-square-mm-too-small = square_mm must be at least { $least }; is it in metres?
+square-mm-too-small = { $field } must be at least { $least }; is it in metres?
 squares-too-small-in-picture = its squares are only { $width } wide in the picture; at least { $least } are required
 standard-one-seat-continuous-swing-positions = Not according to a standard: one seat and a continuous swing instead of the positions and points of ASME B89.4.22 or ISO 10360-12. No result of these standards is claimed.
 standard-positions-articulations-counts-iso-10360 = Not according to a standard: positions, articulations and counts differ from those of ISO 10360-8 and ISO 10360-12, so none of their symbols is used.
 standard-touches-those-sphere-tests-iso = Not according to a standard: the contact points are not those of the sphere tests of ISO 10360-12, so none of its symbols is used.
 standard-uncertainty-0-mm = The standard uncertainty must be 0 to { $largest }.
 standard-uncertainty-k-1-scanned-point = Standard uncertainty (k = 1) of a scanned point over the laser plane, from { $low } ({ $low_mm }) to { $high } ({ $high_mm }). Struck through: extrapolated, nearer to or further from the camera than the calibrated { $near } to { $far }.
-standard-uncertainty-mm-too-large = standard_uncertainty_mm must be at most { $most }; is it in micrometres?
+standard-uncertainty-mm-too-large = { $field } must be at most { $most }; is it in micrometres?
 start-again = Start it again
 start-again-2 = start it again
 start-new-calibration = Start a new calibration
@@ -4006,7 +4007,7 @@ tip-itself-was-not-measured = the tip itself was not measured
 tip-known = Tip uncertainty
 tip-known-apart-from-size = Over the reach the tip error was { $before } rms; the standard uncertainty is now { $after } (k = 1), without the arm's scale.
 tip-lies-within-mm = the tip lies within { $distance } of it
-tip-missing-place-flange-diameter = tip is missing: its position on the flange and its diameter
+tip-missing-place-flange-diameter = { $tip } is missing: its position on the flange and its diameter
 tip-never-checked = The tip has never been checked.
 tip-off-place-arm = Tip offset from its position on the arm
 tip-over-whole-reach = Tip over the whole reach
@@ -4045,7 +4046,7 @@ too-bright-saturated = Too bright: { $share } saturated
 too-dark-brightest-parts = Too dark: brightest parts at { $level }
 too-fast-blur-limit = Too fast: { $blur } of blur; the limit is { $limit }
 too-few-edges-could-measured = too few of its edges could be measured
-too-few-markers = the board has { $count } markers, but { $dictionary } has only { $known }
+too-few-markers = { $field }: the board has { $count } markers, but { $dictionary } has only { $known }
 too-few-places-were-touched = too few places were measured: { $count }
 too-little-arm-data-yet = Too little arm data yet
 too-many-wrong-tries = Too many failed attempts.

@@ -147,7 +147,7 @@ def test_an_owner_comes_from_devices_to_a_calibration_that_can_begin(
     for label, text in BLOCK.items():
         owner.fill(label, text)
     owner.field("Crests Z").fill("-1")
-    expect(page.locator("[data-field=crest_z_mm]").get_by_text("crest_z_mm")).to_be_visible()
+    expect(page.locator("[data-field=crest_z_mm]").get_by_text("“Floors Z”")).to_be_visible()
     owner.field("Crests Z").fill("15")
     expect(page.get_by_role("group", name="Drawing of the datasheet")).to_be_visible()
     page.screenshot(path=pictures / "datasheets-4-block.png")

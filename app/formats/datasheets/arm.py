@@ -15,6 +15,7 @@ from app.formats.json_document import (
     NotNegative,
     Number,
     SizeMm,
+    field_name,
     read_text,
 )
 from app.messages.message import message
@@ -48,7 +49,8 @@ class JointPart(DocumentPart):
     @model_validator(mode="after")
     def _limits_ascend(self) -> Self:
         if self.limits_deg[0] >= self.limits_deg[1]:
-            raise ValueError(message("limits-deg-must-ascend", name=self.name))
+            limits = field_name("limits_deg")
+            raise ValueError(message("limits-deg-must-ascend", limits=limits, name=self.name))
         return self
 
 
@@ -77,9 +79,10 @@ class ArmFile(Document):
     @model_validator(mode="after")
     def _check_joints(self) -> Self:
         if self.convention != "pose" and len(self.joints) not in JOINT_COUNTS:
-            raise ValueError(message("five-to-seven-joints-expected", joints=len(self.joints)))
+            field, joints = field_name("joints"), len(self.joints)
+            raise ValueError(message("five-to-seven-joints-expected", field=field, joints=joints))
         if self.convention != "pose" and self.tip is None:
-            raise ValueError(message("tip-missing-place-flange-diameter"))
+            raise ValueError(message("tip-missing-place-flange-diameter", tip=field_name("tip")))
         names = [joint.name for joint in self.joints]
         for name in names:
             if names.count(name) > 1:

@@ -22,6 +22,7 @@ from app.formats.json_document import (
     NotNegative,
     Positive,
     SizeMm,
+    field_name,
 )
 from app.messages.message import message
 
@@ -96,7 +97,8 @@ class GaugeFile(Document):
     @model_validator(mode="after")
     def _check_radius(self) -> Self:
         if self.shape == "sphere" and self.radius_mm is None:
-            raise ValueError(message("radius-mm-missing-sphere-judged-size"))
+            radius = field_name("radius_mm")
+            raise ValueError(message("radius-mm-missing-sphere-judged-size", radius=radius))
         return self
 
 

@@ -5,7 +5,7 @@ from typing import Annotated, ClassVar, Literal, Self
 
 from pydantic import Field, model_validator
 
-from app.formats.json_document import Document, DocumentPart, Positive
+from app.formats.json_document import Document, DocumentPart, Positive, field_name
 from app.messages.message import message
 from app.metrology.bayer import BayerPattern, BayerPlane
 from app.metrology.channel import Channel
@@ -40,7 +40,8 @@ class SensorDatasheet(Document):
     @model_validator(mode="after")
     def _colour_of_raw_pictures_is_known(self) -> Self:
         if self.bayer is not None and self.laser_wavelength_nm is None:
-            raise ValueError(message("bayer-needs-wavelength"))
+            bayer, wavelength = field_name("bayer"), field_name("laser_wavelength_nm")
+            raise ValueError(message("bayer-needs-wavelength", bayer=bayer, wavelength=wavelength))
         return self
 
     @property

@@ -8,8 +8,15 @@ from pydantic import Field, model_validator
 
 from app.errors import OperationError
 from app.formats.file_names import display_path
-from app.formats.json_document import Document, NotNegative, Number, SizeMm, read_text
-from app.messages.message import message
+from app.formats.json_document import (
+    Document,
+    NotNegative,
+    Number,
+    SizeMm,
+    field_name,
+    read_text,
+)
+from app.messages.message import message, rounded
 from app.metrology.targets.chessboard import DICTIONARIES, Chessboard, Markers
 from app.metrology.targets.crenellated_block import Crenellated
 
@@ -50,23 +57,27 @@ class ObjectFile(Document):
 
     @model_validator(mode="after")
     def _is_a_block(self) -> Self:
-        x = self.edges_x_mm
+        x, edges = self.edges_x_mm, field_name("edges_x_mm")
         if len(x) % 2:
-            raise ValueError(message("edges-x-mm-odd-count", count=len(x)))
+            raise ValueError(message("edges-x-mm-odd-count", edges=edges, count=len(x)))
         for left, right in pairwise(x):
             if left >= right:
-                raise ValueError(
-                    message("edges-x-mm-must-ascend-follows", right=f"{right:g}", left=f"{left:g}")
-                )
+                pair = {"right": rounded(right, "mm", 9), "left": rounded(left, "mm", 9)}
+                raise ValueError(message("edges-x-mm-must-ascend-follows", edges=edges, **pair))
         if self.front_y_mm >= self.back_y_mm:
-            raise ValueError(message("front-y-mm-must-less-than"))
+            front, back = field_name("front_y_mm"), field_name("back_y_mm")
+            raise ValueError(message("front-y-mm-must-less-than", front=front, back=back))
         if not self.crest_z_mm > self.floor_z_mm > self.base_z_mm:
-            raise ValueError(message("crest-z-mm-must-above-floor"))
+            crest, floor, base = map(field_name, ("crest_z_mm", "floor_z_mm", "base_z_mm"))
+            raise ValueError(
+                message("crest-z-mm-must-above-floor", crest=crest, floor=floor, base=base)
+            )
         if self.standard_uncertainty_mm > COARSEST_MM:
-            raise ValueError(message("standard-uncertainty-mm-too-large", most=f"{COARSEST_MM:g}"))
+            field, most = field_name("standard_uncertainty_mm"), rounded(COARSEST_MM, "mm")
+            raise ValueError(message("standard-uncertainty-mm-too-large", field=field, most=most))
         mirrored = [x[0] + x[-1] - edge for edge in reversed(x)]
         if max(abs(a - b) for a, b in zip(x, mirrored, strict=True)) < MIRROR_TOLERANCE_MM:
-            raise ValueError(message("merlons-are-symmetric"))
+            raise ValueError(message("merlons-are-symmetric", edges=edges))
         return self
 
 
@@ -86,10 +97,13 @@ class _BoardFile(Document):
     @model_validator(mode="after")
     def _is_a_board(self) -> Self:
         if self.square_mm < SMALLEST_SQUARE_MM:
-            raise ValueError(message("square-mm-too-small", least=f"{SMALLEST_SQUARE_MM:g}"))
+            field, least = field_name("square_mm"), rounded(SMALLEST_SQUARE_MM, "mm")
+            raise ValueError(message("square-mm-too-small", field=field, least=least))
         for name in ("standard_uncertainty_mm", "flatness_mm"):
             if (getattr(self, name) or 0.0) > self.square_mm / 2:
-                raise ValueError(message("field-must-be-less-than-half-square", field=name))
+                raise ValueError(
+                    message("field-must-be-less-than-half-square", field=field_name(name))
+                )
         return self
 
 
@@ -119,16 +133,24 @@ class CharucoFile(_BoardFile):
 
     @model_validator(mode="after")
     def _has_markers(self) -> Self:
+        field = field_name("dictionary")
         if self.dictionary not in DICTIONARIES:
             names = ", ".join(DICTIONARIES)
-            raise ValueError(message("dictionary-unknown", names=names))
+            raise ValueError(message("dictionary-unknown", field=field, names=names))
         count, known = self.squares_x * self.squares_y // 2, DICTIONARIES[self.dictionary]
         if count > known:
             raise ValueError(
-                message("too-few-markers", count=count, dictionary=self.dictionary, known=known)
+                message(
+                    "too-few-markers",
+                    field=field,
+                    count=count,
+                    dictionary=self.dictionary,
+                    known=known,
+                )
             )
         if self.marker_mm >= self.square_mm:
-            raise ValueError(message("marker-mm-less-than-square-mm"))
+            marker, square = field_name("marker_mm"), field_name("square_mm")
+            raise ValueError(message("marker-mm-less-than-square-mm", marker=marker, square=square))
         return self
 
     def board(self) -> Chessboard:

@@ -5,7 +5,7 @@ import unicodedata
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, Literal
+from typing import Any, Literal, TypeGuard
 
 from pydantic import ValidationError
 from pydantic_core import ErrorDetails
@@ -19,13 +19,13 @@ from app.formats.datasheets.target import ObjectFile, parse_object
 from app.formats.exchange.read_certificate import parse_sphere_certificate
 from app.formats.file_names import display_path
 from app.formats.io_errors import convert_all_errors
-from app.formats.json_document import is_valid_unicode, parse_format
+from app.formats.json_document import field_name, is_valid_unicode, parse_format
 from app.guide.common.datasheet_library import (
     CERTIFICATE_ENDING,
     parse_any_gauge,
     parse_station_sensor,
 )
-from app.messages.message import Message, Text, message
+from app.messages.message import Message, Text, Value, message
 from app.messages.validation import validation_text
 
 DatasheetKind = Literal["arm", "sensor", "object", "gauge"]
@@ -69,23 +69,7 @@ OTHER_FORMS: Mapping[str, DatasheetForm] = {
     "step-gauge": "step-gauge",
 }
 """Of objects and gauges, by what their documents say."""
-FIELDS: Mapping[str, str] = {
-    "edges-x-mm-odd-count": "edges_x_mm",
-    "edges-x-mm-must-ascend-follows": "edges_x_mm",
-    "merlons-are-symmetric": "edges_x_mm",
-    "front-y-mm-must-less-than": "front_y_mm",
-    "crest-z-mm-must-above-floor": "crest_z_mm",
-    "standard-uncertainty-mm-too-large": "standard_uncertainty_mm",
-    "square-mm-too-small": "square_mm",
-    "marker-mm-less-than-square-mm": "marker_mm",
-    "dictionary-unknown": "dictionary",
-    "too-few-markers": "dictionary",
-    "limits-deg-must-ascend": "limits_deg",
-    "five-to-seven-joints-expected": "joints",
-    "tip-missing-place-flange-diameter": "tip",
-    "radius-mm-missing-sphere-judged-size": "radius_mm",
-}
-"""The fields of problems that a document as a whole has."""
+FIELD_NAME = field_name("").message_id
 
 
 @dataclass(frozen=True)
@@ -205,7 +189,11 @@ def list_problems(error: OperationError) -> tuple[FieldProblem, ...]:
 def _field_problem(error: ErrorDetails) -> FieldProblem:
     """One problem; of fields that do not go together, it stands at the one that is named first."""
     text = validation_text(error)
-    place = [str(part) for part in error["loc"]]
-    if isinstance(text, Message) and (field := FIELDS.get(text.message_id)):
-        place.append(field)
+    values = text.values.values() if isinstance(text, Message) else ()
+    named = [str(one.values["name"]) for one in values if _is_field_name(one)]
+    place = [str(part) for part in error["loc"]] + named[:1]
     return FieldProblem(".".join(place), error["type"] == "missing", message("sentence", text=text))
+
+
+def _is_field_name(value: Value) -> TypeGuard[Message]:
+    return isinstance(value, Message) and value.message_id == FIELD_NAME

@@ -1,9 +1,10 @@
+import type { Text } from "../messages/text";
 import { clearBanner } from "../state/banner";
 import { t } from "../state/language";
 import { localized } from "../state/localized";
 import { ask, notifyOfError } from "./commands";
 import { post, Refused } from "./http";
-import type { DatasheetCheck, DatasheetRow, DatasheetsView, Problem } from "./wire";
+import type { DatasheetCheck, DatasheetRow, DatasheetsView, FieldProblem, Problem } from "./wire";
 
 export const DATASHEETS = "/api/datasheets";
 
@@ -29,8 +30,14 @@ export async function addDatasheet(added: NewDatasheet, replace: boolean): Promi
   }
 }
 
-export const checkDatasheet = async (text: string) =>
-  localized(await post<DatasheetCheck>(`${DATASHEETS}/check`, { name: "", text }));
+/** What the station says of a document, as data: a form says it in its own words. */
+export type CheckedDatasheet = Omit<DatasheetCheck, "problems" | "note"> & {
+  problems: (Omit<FieldProblem, "text"> & { text: Text })[];
+  note: Text;
+};
+
+export const checkDatasheet = (text: string) =>
+  post<CheckedDatasheet>(`${DATASHEETS}/check`, { name: "", text });
 
 const reference = ({ kind, file, version }: DatasheetRow) => ({ kind, file, version });
 

@@ -1,7 +1,9 @@
 import { describe, expect, it } from "vitest";
 
+import type { Message } from "../messages/text";
 import { documentOf, edgesOf, isFilled, listed, placeOf, valuesOf } from "./document";
 import { FORMS, type FormName, fieldsOf } from "./forms";
+import { problemText } from "./wording";
 
 const BLOCK = {
   format: "crenel/object",
@@ -104,6 +106,27 @@ describe("what was typed", () => {
   });
   it("as widths makes edges from 0 on", () => {
     expect(edgesOf([9.1, 8.2, 6])).toEqual([0, 9.1, 17.3, 23.3]);
+  });
+});
+
+const mostIs = (limit: string) => ({ message_id: "value-must-be-at-most", values: { limit } });
+const named = (name: string) => ({ message_id: "field-name", values: { name } });
+const limits = { message_id: "limits-deg-must-ascend", values: { limits: named("limits_deg"), name: "J3" } };
+const tooLong = { message_id: "sentence", values: { text: mostIs("300") } };
+const marker = {
+  message_id: "marker-mm-less-than-square-mm",
+  values: { marker: named("marker_mm"), square: named("x") },
+};
+
+describe("what the station says of a document", () => {
+  it.each<[FormName, Message, string | undefined, string]>([
+    ["arm", limits, undefined, "“Limits” of J3 must ascend"],
+    ["charuco", marker, undefined, "“Side of a marker” must be less than x"],
+    ["sphere", tooLong, "radius_mm", "It must be at most 600\u00a0mm."],
+    ["sphere", tooLong, undefined, "It must be at most 300."],
+  ])("stands in the words of the form of %s", (name, said, key, words) => {
+    const field = FORMS[name].fields.find((one) => one.key === key);
+    expect(problemText(said, name, field)).toBe(words);
   });
 });
 

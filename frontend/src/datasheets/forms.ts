@@ -41,6 +41,8 @@ export interface Form {
   fixed: Record<string, unknown>;
   fields: readonly FormField[];
   table?: Table;
+  /** What people call parts of the document with several fields. */
+  parts?: Record<string, PlainId>;
   /** What the fields hold at first. */
   first: Values;
 }
@@ -153,6 +155,7 @@ export const FORMS: Record<FormName, Form> = {
       ...TIP,
     ],
     table: JOINTS,
+    parts: { tip: "ui-tip", joints: "ui-denavit-hartenberg-table", limits_deg: "ui-limits" },
     first: { convention: "dh-standard", ...firstRows(JOINTS, 6) },
   },
   robot: {
