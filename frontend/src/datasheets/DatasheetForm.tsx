@@ -17,8 +17,9 @@ import { type Ranges, rangeText } from "./ranges";
 import { RowTable } from "./RowTable";
 import { useForm } from "./useForm";
 
-/** The datasheet of which a form is an edited copy. */
+/** The datasheet that is edited or copied. */
 export interface Edited {
+  /** Which takes its place; empty of a copy, which is a new one. */
   version: string;
   document: Record<string, unknown>;
 }
@@ -65,7 +66,7 @@ export function DatasheetForm({ name, first, ranges, edited, onSave, onBack }: D
         <>
           <CardHead
             title={t(title)}
-            text={edited ? t("ui-the-former-version-is-kept") : t("ui-as-its-certificate-says")}
+            text={edited?.version ? t("ui-the-former-version-is-kept") : t("ui-as-its-certificate-says")}
           />
           <div className={styles.fields}>
             {fields.map((field) =>

@@ -29,6 +29,7 @@ interface DatasheetListsProps {
   saved: string;
   onNew: (name: FormName) => void;
   onEdit: (row: DatasheetRow) => void;
+  onCopy: (row: DatasheetRow) => void;
   onRetire: (row: DatasheetRow) => Promise<void>;
   onRestore: (row: DatasheetRow) => Promise<void>;
   onFiles: (files: FileList) => Promise<void>;

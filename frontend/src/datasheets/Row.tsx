@@ -16,14 +16,15 @@ interface RowProps {
   row: DatasheetRow;
   saved: boolean;
   onEdit: (row: DatasheetRow) => void;
+  onCopy: (row: DatasheetRow) => void;
   onRetire: (row: DatasheetRow) => Promise<void>;
   onRestore: (row: DatasheetRow) => Promise<void>;
 }
 
 /** One datasheet: what it is of, since when, when it was used, and what can be done with it. */
-export function Row({ row, saved, onEdit, onRetire, onRestore }: RowProps) {
+export function Row({ row, saved, onEdit, onCopy, onRetire, onRestore }: RowProps) {
   const { retired, problem, file, name, connected } = row;
-  const editable = !retired && isForm(row.form) && file.endsWith(".json");
+  const hasForm = isForm(row.form) && file.endsWith(".json");
   return (
     <li className={styles.row} data-saved={saved || undefined} data-retired={retired || undefined}>
       {problem && <QualityMark quality="attention" size="1.5rem" />}
@@ -36,7 +37,8 @@ export function Row({ row, saved, onEdit, onRetire, onRestore }: RowProps) {
         {problem && <p className={styles.problem}>{problem}</p>}
       </div>
       <div className={styles.acts}>
-        {editable && <PressButton onPress={() => onEdit(row)}>{t("ui-edit")}</PressButton>}
+        {hasForm && !retired && <PressButton onPress={() => onEdit(row)}>{t("ui-edit")}</PressButton>}
+        {hasForm && <PressButton onPress={() => onCopy(row)}>{t("ui-copy")}</PressButton>}
         <Download href={fileOf(row)}>{t("ui-file")}</Download>
         {retired ? (
           <PressButton kind="quiet" onPress={() => onRestore(row)}>

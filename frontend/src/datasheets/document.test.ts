@@ -1,7 +1,7 @@
 import { describe, expect, it } from "vitest";
 
 import type { Message } from "../messages/text";
-import { documentOf, edgesOf, isFilled, listed, placeOf, valuesOf } from "./document";
+import { copyOf, documentOf, edgesOf, isFilled, listed, placeOf, valuesOf } from "./document";
 import { FORMS, type FormName, fieldsOf } from "./forms";
 import { problemText } from "./wording";
 
@@ -76,6 +76,13 @@ describe("a document in the fields", () => {
     const values = valuesOf("arm", arm);
     expect(documentOf("arm", { ...values, name: "B" }, arm).identification).toBeDefined();
     expect(documentOf("arm", { ...values, "joints.1.d_mm": "2" }, arm).identification).toBeUndefined();
+  });
+  it("of a copy has the numbers, and nothing that belongs to one unit", () => {
+    const { identification, ...copy } = copyOf({ ...ARM, serial_number: "A-1", identification: {} }, "Copy");
+    expect([copy.name, copy.serial_number, identification]).toEqual(["Copy", undefined, undefined]);
+    expect(valuesOf("arm", copy)).toEqual({ ...valuesOf("arm", ARM), name: "Copy" });
+    expect(JSON.stringify(copy)).not.toContain("error");
+    expect(copyOf(ARM, "Copy")).toEqual({ ...ARM, name: "Copy" });
   });
   it("shows the diameter of a sphere, the expansion in µm/(m·K), and a sign where none is stated", () => {
     expect(valuesOf("sphere", SPHERE).radius_mm).toBe("25.4");

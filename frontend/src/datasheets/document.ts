@@ -95,6 +95,18 @@ export function valuesOf(name: FormName, document: Plain): Values {
   return values;
 }
 
+/** What belongs to one unit, and not to another that is like it. */
+const OF_ONE_UNIT = ["serial_number", "certificate", "valid_until", "point_mm", "normal", "centre_mm"];
+
+/** A document from which that of another thing begins; of an identified arm, without what was found of it. */
+export function copyOf(document: Plain, name: string): Plain {
+  const copy: Plain = { ...structuredClone(document), name };
+  for (const key of OF_ONE_UNIT) delete copy[key];
+  if (copy.identification) for (const joint of partsOf(copy, "joints")) delete joint.error;
+  delete copy.identification;
+  return copy;
+}
+
 /** The parts of a list of the document. */
 function partsOf(document: Plain, key: string): Plain[] {
   return Array.isArray(document[key]) ? (document[key] as Plain[]) : [];

@@ -13,7 +13,7 @@ import type { Action, ConnectedArmView, DatasheetRow, DatasheetsView, Problem } 
 import { DatasheetForm, type Edited } from "../datasheets/DatasheetForm";
 import { DatasheetLists } from "../datasheets/DatasheetLists";
 import { DatasheetsCard } from "../datasheets/DatasheetsCard";
-import { valuesOf } from "../datasheets/document";
+import { copyOf, valuesOf } from "../datasheets/document";
 import { FORMS, type FormName, firstRows, isForm, type Values } from "../datasheets/forms";
 import { readDatasheet } from "../datasheets/upload";
 import { Layout } from "../frame/Layout";
@@ -67,12 +67,14 @@ export function DatasheetsPage() {
       setAsked({ words: `${answer.detail} ${answer.remedy}`, agree: () => restore(row, true) });
     } else setChanges((n) => n + 1);
   };
-  const edit = async (row: DatasheetRow) => {
+  const edit = async (row: DatasheetRow, asCopy = false) => {
     if (!isForm(row.form)) return;
     setSaved(null);
     try {
-      const document = JSON.parse(await (await getFile(fileOf(row))).text()) as Record<string, unknown>;
-      setEditing({ name: row.form, first: valuesOf(row.form, document), edited: { version: row.version, document } });
+      const present = JSON.parse(await (await getFile(fileOf(row))).text()) as Record<string, unknown>;
+      const document = asCopy ? copyOf(present, t("ui-copy-of", { name: row.name })) : present;
+      const version = asCopy ? "" : row.version;
+      setEditing({ name: row.form, first: valuesOf(row.form, document), edited: { version, document } });
     } catch (error) {
       notifyOfError(error, t("ui-the-datasheet-was-not-changed"));
     }
@@ -124,6 +126,7 @@ export function DatasheetsPage() {
               go("datasheets", `${NEW}${name}`);
             }}
             onEdit={(row) => void edit(row)}
+            onCopy={(row) => void edit(row, true)}
             onRetire={async (row) => {
               await retireDatasheet(row);
               setChanges((n) => n + 1);
