@@ -11,7 +11,12 @@ from app.api.lookups import send_file
 from app.messages.message import message
 from app.operations.context import TheContext
 from app.operations.datasheets.documents import FOLDERS, DatasheetKind
-from app.operations.datasheets.view import DatasheetCheck, DatasheetRow, DatasheetsView
+from app.operations.datasheets.view import (
+    DatasheetCheck,
+    DatasheetRow,
+    DatasheetsView,
+    JointsView,
+)
 from app.wire.schema import RequestBody
 
 router = StationRouter(prefix="/api/datasheets")
@@ -55,6 +60,12 @@ class RetiredDatasheet(NamedDatasheet):
 def datasheets(context: TheContext) -> DatasheetsView:
     """All datasheets, those in use and the retired ones."""
     return context.datasheets.view()
+
+
+@router.get("/joints")
+def joints(context: TheContext) -> JointsView:
+    """How the joints of the connected arm stand, which turn its drawing."""
+    return context.datasheets.joints()
 
 
 @router.post("")

@@ -183,7 +183,7 @@ arm-has-joints = der Messarm { $arm } hat { $count } Gelenke
 arm-has-joints-station-toml-asks = Der Messarm unter { $url } ({ $name } { $serial_number }) hat { $joints } Gelenke, station.toml verlangt joint_count = { $joint_count }
 arm-has-no-tip = der Messarm { $name } hat keine Tastkugel
 arm-has-no-trigger-pulses = Der Messarm unter { $url } hat keinen Ausgang für Auslöseimpulse
-arm-has-other-joints = Der angeschlossene Messarm hat { $joints } Gelenke, dieses Modell hat { $rows }.
+arm-has-other-joints = Der angeschlossene Messarm hat { $joints } Gelenke, dieses Modell hat { $rows }: Eine Kalibrierung damit wird abgelehnt. Für jedes Gelenk eine Zeile eintragen oder die Seriennummer des Messarms, den es beschreibt.
 arm-identified = Der Messarm ist identifiziert.
 arm-is-in-use = Der Messarm ist in Gebrauch: { $title }
 arm-is-where-scan-ended = Der Messarm ist, wo der Scan endete

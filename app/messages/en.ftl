@@ -183,7 +183,7 @@ arm-has-joints = the arm { $arm } has { $count } joints
 arm-has-joints-station-toml-asks = The arm at { $url } ({ $name } { $serial_number }) has { $joints } joints, but station.toml states joint_count = { $joint_count }
 arm-has-no-tip = the arm { $name } has no tip
 arm-has-no-trigger-pulses = The arm at { $url } has no output for trigger pulses
-arm-has-other-joints = The connected arm has { $joints } joints, this model has { $rows }.
+arm-has-other-joints = The connected arm has { $joints } joints, this model has { $rows }: a calibration with it is refused. Give it a row for each joint, or enter the serial number of the arm that it describes.
 arm-identified = The arm is identified.
 arm-is-in-use = The arm is in use: { $title }
 arm-is-where-scan-ended = The arm is where the scan ended

@@ -143,6 +143,7 @@ ROUTES: dict[tuple[str, str], Rule] = {
     ),
     ("POST", "/api/settings/delay"): Rule(Right.act, message("applied-dropped-arms-delay")),
     ("GET", "/api/datasheets"): LOOK,
+    ("GET", "/api/datasheets/joints"): LOOK,
     ("GET", "/api/datasheets/{kind}/{file}"): LOOK,
     ("POST", "/api/datasheets/check"): Rule(Right.operate),
     ("POST", "/api/datasheets"): Rule(Right.act, message("added-a-datasheet")),

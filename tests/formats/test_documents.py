@@ -14,7 +14,7 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from app.errors import OperationError
-from app.formats.datasheets.arm import read_arm
+from app.formats.datasheets.arm import parse_any_arm, read_arm
 from app.formats.datasheets.gauge_nominal import read_nominal
 from app.formats.datasheets.sensor import SensorDatasheet, read_sensor
 from app.formats.datasheets.target import read_object
@@ -28,14 +28,16 @@ from app.formats.results.calibration import (
 )
 from app.formats.results.verification import VerificationVerdict
 from app.messages.message import message, quantity
-from app.metrology.arm.kinematics import Arm, Joint, Tip
+from app.metrology.arm.kinematics import Arm, Joint, Tip, tip_centres
 from app.metrology.arm.link_error import LinkError
 from app.metrology.gauges.errors import NominalPlane, NominalSphere
 from app.metrology.transforms import rigid, rotation_from_vector
 from tests.datasheets import write_arm, write_object
 from tests.formats.builders import ARM, BLOCK, SENSOR, edit_json, little_calibration, write_session
 from tests.refusals import refused_as
+from tests.sources import ROOT
 
+DRAWN = ROOT / "frontend/src/datasheets/chainCases.json"
 lengths = st.floats(-1e4, 1e4)
 angles = st.floats(-6.3, 6.3)
 joints = st.builds(
@@ -132,6 +134,14 @@ def test_a_spoilt_arm_is_refused(tmp_path: Path, spoil: Any, code: str, said: st
     assert str(path) in str(refused.value.what)
     assert said in refused.value.line
     assert "\n" not in refused.value.line
+
+
+def test_the_tips_that_the_client_draws_are_those_of_the_kinematics() -> None:
+    for case in json.loads(DRAWN.read_text()):
+        arm = parse_any_arm(json.dumps(case["document"]), DRAWN)
+        assert isinstance(arm, Arm)
+        tip_mm = tip_centres(arm, np.deg2rad([case["q_deg"]]))[0]
+        np.testing.assert_allclose(tip_mm, case["tip_mm"], atol=1e-6)
 
 
 @pytest.mark.parametrize("name", ["arm.json", "sensor.json"])

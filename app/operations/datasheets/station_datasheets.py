@@ -43,6 +43,7 @@ from app.operations.datasheets.view import (
     DatasheetCheck,
     DatasheetRow,
     DatasheetsView,
+    JointsView,
 )
 from app.station.devices.rig import Rig
 from app.store.store import Store
@@ -91,6 +92,10 @@ class Datasheets:
             else ConnectedArmView(info.name, info.serial_number, info.joint_count)
         )
         return DatasheetsView(tuple(rows), arm, list_ranges())
+
+    def joints(self) -> JointsView:
+        """How the connected arm stands."""
+        return JointsView(self._rig.arm.joints_deg())
 
     def check(self, name: str, text: str) -> DatasheetCheck:
         """Evaluates a document without keeping it."""
@@ -237,6 +242,7 @@ class Datasheets:
             since=moment_of_ns(entry.since_ns).isoformat(timespec="seconds"),
             last_used=last_used,
             connected=not retired and found is not None and self._is_connected(found),
+            note="" if retired or found is None else self._unlikely(found),
         )
 
     def _is_connected(self, found: DatasheetIdentity) -> bool:
@@ -249,7 +255,7 @@ class Datasheets:
         info = self._rig.arm.info
         if info is None or found.form != "arm" or info.joint_count in (0, found.joint_count):
             return ""
-        if info.serial_number not in ("", found.serial_number):
+        if len({info.serial_number, found.serial_number} - {""}) > 1:
             return ""  # it is of another unit
         return message("arm-has-other-joints", joints=info.joint_count, rows=found.joint_count)
 

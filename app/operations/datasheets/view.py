@@ -33,6 +33,8 @@ class DatasheetRow:
     accepted calibration, a verification or a performance test; None if no record names it."""
     connected: bool
     """The connected device has its serial number."""
+    note: Text
+    """What is unlikely of one in use, and what to do; empty if nothing is."""
 
 
 @dataclass(frozen=True)
@@ -42,6 +44,14 @@ class ConnectedArmView:
     name: str
     serial_number: str
     joint_count: int
+
+
+@dataclass(frozen=True)
+class JointsView:
+    """How the joints of the connected arm stand."""
+
+    joints_deg: tuple[float, ...]
+    """Empty without recent readings, and of an arm that reports poses."""
 
 
 @dataclass(frozen=True)

@@ -1,5 +1,6 @@
 """The arm of the rig: its current reading, at a time stamp, and averaged while it is still."""
 
+import math
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 
@@ -24,7 +25,7 @@ from app.station.devices.reading_judge import ReadingJudge
 from app.station.devices.stillness import UNKNOWN, WINDOW_S, Stillness, stillness
 from app.station.pulses.pulse_pairing import PulsePairing
 from hardware.clock import now_ns
-from hardware.interfaces import ArmDriver, ArmInfo, ArmReading, ButtonEvent
+from hardware.interfaces import ArmDriver, ArmInfo, ArmReading, ButtonEvent, JointSample
 
 # Packets may arrive late on a busy machine; their time stamps are correct nevertheless.
 LATE_S = 0.5
@@ -121,6 +122,13 @@ class StationArm:
     def latest(self) -> ArmReading | None:
         """The newest sample; None without recent data."""
         return self._newest if self.fresh else None
+
+    def joints_deg(self) -> tuple[float, ...]:
+        """The newest joint angles as they are shown; empty without recent data, and of an arm that
+        reports poses."""
+        newest = self.latest()
+        angles = newest.joints_rad if isinstance(newest, JointSample) else ()
+        return tuple(round(math.degrees(angle), 2) for angle in angles)
 
     def tip_mm(self) -> tuple[float, float, float] | None:
         """Tip centre in the arm frame; None while it is unknown, or without a tip."""

@@ -14,9 +14,7 @@ from app.station.devices.rig import DeviceName
 from app.station.devices.sensor_device import StationSensor
 from hardware.interfaces import (
     ArmInfo,
-    ArmReading,
     Frame,
-    JointSample,
     OptionOffer,
     PoseSample,
     SensorInfo,
@@ -84,12 +82,11 @@ class TrialSubject:
 def view_arm(number: int, subject: TrialSubject, arm: StationArm, ended: Text = "") -> TrialView:
     """The view of an arm; ``ended`` says why the trial is over, if it is."""
     info = arm.info
-    newest: ArmReading | None = arm.latest()
-    joints = newest.joints_rad if isinstance(newest, JointSample) else ()
+    newest = arm.latest()
     pose = newest if isinstance(newest, PoseSample) else None
     return replace(
         _view_link(number, subject, arm.reader, info, ended),
-        joints_deg=tuple(round(math.degrees(q), 2) for q in joints),
+        joints_deg=arm.joints_deg(),
         position_mm=None if pose is None else pose.position_mm,
         rotation_deg=None if pose is None else _rotation_deg(pose.quaternion_xyzw),
     )

@@ -3,8 +3,8 @@ import { clearBanner } from "../state/banner";
 import { t } from "../state/language";
 import { localized } from "../state/localized";
 import { ask, notifyOfError } from "./commands";
-import { post, Refused } from "./http";
-import type { DatasheetCheck, DatasheetRow, DatasheetsView, FieldProblem, Problem } from "./wire";
+import { get, post, Refused } from "./http";
+import type { DatasheetCheck, DatasheetRow, DatasheetsView, FieldProblem, JointsView, Problem } from "./wire";
 
 export const DATASHEETS = "/api/datasheets";
 
@@ -38,6 +38,8 @@ export type CheckedDatasheet = Omit<DatasheetCheck, "problems" | "note"> & {
 
 export const checkDatasheet = (text: string) =>
   post<CheckedDatasheet>(`${DATASHEETS}/check`, { name: "", text });
+
+export const readJoints = () => get<JointsView>(`${DATASHEETS}/joints`);
 
 const reference = ({ kind, file, version }: DatasheetRow) => ({ kind, file, version });
 

@@ -1,6 +1,7 @@
 import { useState } from "react";
 
 import type { NewDatasheet } from "../api/datasheetCommands";
+import type { ConnectedArmView } from "../api/wire";
 import { Layout } from "../frame/Layout";
 import { ObjectDrawing } from "../object/ObjectDrawing";
 import { MainAct } from "../parts/Actions";
@@ -8,13 +9,14 @@ import { CardHead } from "../parts/CardHead";
 import { PressButton } from "../parts/PressButton";
 import { Segments } from "../parts/Segments";
 import { t } from "../state/language";
+import { ArmPicture } from "./ArmPicture";
 import styles from "./Datasheets.module.css";
 import { drawn, drawnFlat } from "./drawn";
 import { FieldInput } from "./FieldInput";
 import { FlatDrawing } from "./FlatDrawing";
 import { FORMS, type FormField, type FormName, type Values } from "./forms";
-import { type Ranges, rangeText } from "./ranges";
 import { RowTable } from "./RowTable";
+import { type Ranges, rangeText } from "./ranges";
 import { useForm } from "./useForm";
 
 /** The datasheet that is edited or copied. */
@@ -28,15 +30,16 @@ interface DatasheetFormProps {
   name: FormName;
   first: Values;
   ranges: Ranges;
+  arm: ConnectedArmView | null;
   edited?: Edited | undefined;
   onSave: (added: NewDatasheet) => Promise<void>;
   onBack: () => void;
 }
 
 /** A datasheet that is entered or edited: checked by the station while typing, and drawn. */
-export function DatasheetForm({ name, first, ranges, edited, onSave, onBack }: DatasheetFormProps) {
+export function DatasheetForm({ name, first, ranges, arm, edited, onSave, onBack }: DatasheetFormProps) {
   const form = useForm(name, first, edited?.document);
-  const { fields, title, table } = FORMS[name];
+  const { kind, fields, title, table } = FORMS[name];
   const picture = useDrawing(name, form.document);
   const save = () => onSave({ name: "", text: form.text, edited: edited?.version ?? "" });
   const rangeOf = (field: FormField) => rangeText(name, field, ranges);
@@ -61,7 +64,16 @@ export function DatasheetForm({ name, first, ranges, edited, onSave, onBack }: D
   );
   return (
     <Layout
-      picture={name === "arm" ? <div className={styles.joints}>{rows}</div> : picture}
+      picture={
+        kind === "arm" ? (
+          <div className={styles.joints}>
+            <ArmPicture document={form.document} arm={arm} />
+            {rows}
+          </div>
+        ) : (
+          picture
+        )
+      }
       card={
         <>
           <CardHead
@@ -91,7 +103,7 @@ export function DatasheetForm({ name, first, ranges, edited, onSave, onBack }: D
                 input(field)
               ),
             )}
-            {name !== "arm" && rows}
+            {kind !== "arm" && rows}
           </div>
           <div className={styles.save}>
             {form.whole.map((words) => (
@@ -133,9 +145,7 @@ function useDrawing(name: FormName, document: Record<string, unknown>) {
   const flat = drawnFlat(name, document);
   const [last, setLast] = useState({ object, flat });
   if ((object || flat) && JSON.stringify({ object, flat }) !== JSON.stringify(last)) setLast({ object, flat });
-  if (!last.object && !last.flat) {
-    return name === "robot" ? null : <p className={styles.none}>{t("ui-drawing-follows-the-numbers")}</p>;
-  }
+  if (!last.object && !last.flat) return <p className={styles.none}>{t("ui-drawing-follows-the-numbers")}</p>;
   const label = t("ui-drawing-of-the-datasheet");
   return (
     <div className={styles.drawing} data-stale={!(object || flat) || undefined}>

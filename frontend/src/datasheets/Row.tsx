@@ -23,7 +23,7 @@ interface RowProps {
 
 /** One datasheet: what it is of, since when, when it was used, and what can be done with it. */
 export function Row({ row, saved, onEdit, onCopy, onRetire, onRestore }: RowProps) {
-  const { retired, problem, file, name, connected } = row;
+  const { retired, problem, note, file, name, connected } = row;
   const hasForm = isForm(row.form) && file.endsWith(".json");
   return (
     <li className={styles.row} data-saved={saved || undefined} data-retired={retired || undefined}>
@@ -35,6 +35,7 @@ export function Row({ row, saved, onEdit, onCopy, onRetire, onRestore }: RowProp
         </p>
         <p className={styles.note}>{details(row).join(" · ")}</p>
         {problem && <p className={styles.problem}>{problem}</p>}
+        {note && <p className={styles.notice}>{note}</p>}
       </div>
       <div className={styles.acts}>
         {hasForm && !retired && <PressButton onPress={() => onEdit(row)}>{t("ui-edit")}</PressButton>}

@@ -78,16 +78,22 @@ function fittingScale(object: ObjectGeometry, width: number, height: number): nu
   return Math.max(0.5, Math.min((width / 2 - margin) / across, (height / 2 - margin) / up));
 }
 
-/** Parallel projection in which the object has the same size at every heading. */
-export function makeView(object: ObjectGeometry, heading: Heading, width: number, height: number): View {
+/** The unit vectors of a viewer at a heading. */
+export function lookFrom(heading: Heading): Pick<View, "to" | "right" | "up"> {
   const azimuth = (heading.azimuth_deg * Math.PI) / 180;
   const elevation = (heading.elevation_deg * Math.PI) / 180;
   const flat = Math.cos(elevation);
-  const to: Vec3 = [Math.sin(azimuth) * flat, -Math.cos(azimuth) * flat, Math.sin(elevation)];
-  const right: Vec3 = [Math.cos(azimuth), Math.sin(azimuth), 0];
-  const up: Vec3 = [-Math.sin(azimuth) * Math.sin(elevation), Math.cos(azimuth) * Math.sin(elevation), flat];
+  return {
+    to: [Math.sin(azimuth) * flat, -Math.cos(azimuth) * flat, Math.sin(elevation)],
+    right: [Math.cos(azimuth), Math.sin(azimuth), 0],
+    up: [-Math.sin(azimuth) * Math.sin(elevation), Math.cos(azimuth) * Math.sin(elevation), flat],
+  };
+}
+
+/** Parallel projection in which the object has the same size at every heading. */
+export function makeView(object: ObjectGeometry, heading: Heading, width: number, height: number): View {
   const scale = fittingScale(object, width, height);
-  return { to, right, up, scale, centre: middle(object), width, height };
+  return { ...lookFrom(heading), scale, centre: middle(object), width, height };
 }
 
 /** A point of the object frame on the screen, in px. */

@@ -94,7 +94,7 @@ export function DatasheetsPage() {
   if (editing) {
     return (
       <>
-        <DatasheetForm {...editing} ranges={view.ranges} onSave={keep} onBack={list} />
+        <DatasheetForm {...editing} ranges={view.ranges} arm={view.arm} onSave={keep} onBack={list} />
         {question}
       </>
     );
@@ -107,6 +107,7 @@ export function DatasheetsPage() {
           name={created}
           first={firstValues(created, view.arm)}
           ranges={view.ranges}
+          arm={view.arm}
           onSave={keep}
           onBack={list}
         />
