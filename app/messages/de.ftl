@@ -471,6 +471,7 @@ calibration-closed-start-new-one = Diese Kalibrierung ist abgeschlossen. Eine ne
 calibration-computed = Die Kalibrierung ist berechnet.
 calibration-due = Die Kalibrierung ist fällig. { $text }
 calibration-has-no-picture = Diese Kalibrierung hat kein Bild { $name }.
+calibration-has-other-version = Die verwendete Kalibrierung { $name } beruht auf einer anderen Fassung dieses Datenblatts und behält sie: Neu kalibrieren, um diese zu verwenden.
 calibration-here-any-more = Die Kalibrierung von { $name } ist nicht mehr vorhanden
 calibration-in-use-unreadable = Die verwendete Kalibrierung ist nicht lesbar: { $error }
 calibration-is-for-joints = die Kalibrierung gilt für einen Messarm mit { $joints } Gelenken
@@ -487,6 +488,7 @@ calibration-use-cannot-read = Die verwendete Kalibrierung ist nicht lesbar
 calibration-utc = Kalibrierung { $now } UTC
 calibration-valid-verified-scan-part = Die Kalibrierung ist gültig und verifiziert. Das Teil scannen.
 calibration-verified-yet = Diese Kalibrierung ist noch nicht verifiziert.
+calibration-with-total = Kalibrierung { $name }, { $total } (k = 1)
 calibrations-unknowns-did-settle-what-seen = die Unbekannten der Kalibrierung konvergieren mit diesen Bildern und Antastpunkten nicht
 camera = Die Kamera { $source }
 camera-address-not-known = Es gibt kein Gerät mit der Adresse oder dem Namen { $address }

@@ -471,6 +471,7 @@ calibration-closed-start-new-one = This calibration is closed. Start a new one.
 calibration-computed = The calibration is computed.
 calibration-due = The calibration is due. { $text }
 calibration-has-no-picture = This calibration has no picture { $name }.
+calibration-has-other-version = The calibration in use, { $name }, was made with another version of this datasheet, which it keeps: calibrate again to use this one.
 calibration-here-any-more = The calibration of { $name } no longer exists here
 calibration-in-use-unreadable = The calibration in use cannot be read: { $error }
 calibration-is-for-joints = the calibration is for an arm with { $joints } joints
@@ -487,6 +488,7 @@ calibration-use-cannot-read = The calibration in use cannot be read
 calibration-utc = Calibration { $now } UTC
 calibration-valid-verified-scan-part = The calibration is valid and verified. Scan the part.
 calibration-verified-yet = This calibration is not verified yet.
+calibration-with-total = calibration { $name }, { $total } (k = 1)
 calibrations-unknowns-did-settle-what-seen = the calibration did not converge on the pictures and contact points
 camera = The camera { $source }
 camera-address-not-known = There is no device with the address or name { $address }

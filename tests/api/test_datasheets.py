@@ -328,12 +328,41 @@ def test_an_arm_with_other_joints_than_the_connected_one_is_noticed(station: Ser
         assert not post(station, "/check", text=fits).json()["note"]
 
 
+def test_the_page_has_the_ranges_and_how_the_arm_stands(station: Server) -> None:
+    view = station.http.get("/api/datasheets").raise_for_status().json()
+    arm, ranges = station.context.rig.arm.info, view["ranges"]
+    assert arm is not None
+    joints_deg = station.http.get("/api/datasheets/joints").raise_for_status().json()["joints_deg"]
+    assert len(joints_deg) == arm.joint_count == view["arm"]["joint_count"]
+    for form, field, least, most in (
+        ("chessboard", "inner_corners.0", 3, 200),
+        ("block", "standard_uncertainty_mm", 0, 0.1),
+        ("charuco", "square_mm", 0.2, None),
+        ("step-gauge", "lengths.*.length_mm", 0.001, None),
+    ):
+        assert (ranges[form][field]["least"], ranges[form][field]["most"]) == (least, most)
+
+
 def test_a_datasheet_that_is_used_says_when(station: Server, calibration: str) -> None:
     (used,) = rows(station, kind="sensor", connected=True)
     record = station.context.store.calibrations.get(calibration)
     assert record is not None
-    assert used["last_used"] == record.accepted_at
-    assert add(station, text_of(BLOCK))["last_used"] is None
+    assert used["last_use"]["at"] == record.accepted_at
+    assert used["last_use"]["quality"] == record.figures.verdict
+    assert used["in_use"] == [record.name]
+    assert add(station, text_of(BLOCK))["last_use"] is None
+    # a certificate that is newer than the calibration is said; the result keeps its own
+    (block,) = rows(station, kind="object", serial_number=record.figures.object_serial)
+    text, copy = (
+        files(station)[f"objects/{block['file']}"].decode(),
+        record.file.parent / "object.json",
+    )
+    copy.write_text(text)
+    assert not rows(station, file=block["file"])[0]["note"]
+    newer = text_of(json.loads(text), certificate="DKD 4711, 2026-12")
+    assert record.name in english(add(station, newer, edited=block["version"])["note"])
+    assert copy.read_text() == text
+    add(station, text, replace=True)
 
 
 def test_what_is_added_while_the_operator_chooses_is_chosen(station: Server) -> None:

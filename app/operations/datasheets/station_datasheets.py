@@ -36,7 +36,7 @@ from app.operations.datasheets.files import (
     retire_file,
     split_ending,
 )
-from app.operations.datasheets.last_uses import read_last_uses
+from app.operations.datasheets.last_uses import Uses, read_uses
 from app.operations.datasheets.ranges import list_ranges
 from app.operations.datasheets.view import (
     ConnectedArmView,
@@ -78,9 +78,9 @@ class Datasheets:
 
     def view(self) -> DatasheetsView:
         """All that are there, those in use before the retired ones, by their names."""
-        uses = read_last_uses(self._store)
+        uses = read_uses(self._store)
         rows = [
-            self._row(kind, entry, retired, uses.of(entry.found))
+            self._row(kind, entry, retired, uses)
             for kind in FOLDERS
             for retired in (False, True)
             for entry in self._entries(kind, retired)
@@ -225,9 +225,9 @@ class Datasheets:
         return entry
 
     def _row(
-        self, kind: DatasheetKind, entry: _Entry, retired: bool, last_used: str | None = None
+        self, kind: DatasheetKind, entry: _Entry, retired: bool, uses: Uses | None = None
     ) -> DatasheetRow:
-        found = entry.found
+        found, uses = entry.found, uses or read_uses(self._store)
         return DatasheetRow(
             kind=kind,
             file=escape_unprintable(entry.path.name),
@@ -240,9 +240,12 @@ class Datasheets:
             certificate=found.certificate if found else "",
             valid_until=found.valid_until if found else "",
             since=moment_of_ns(entry.since_ns).isoformat(timespec="seconds"),
-            last_used=last_used,
+            last_use=uses.last(found),
+            in_use=() if retired else tuple(uses.calibrations(found, entry.version)),
             connected=not retired and found is not None and self._is_connected(found),
-            note="" if retired or found is None else self._unlikely(found),
+            note=""
+            if retired or found is None
+            else self._unlikely(found) or uses.note(found, entry.version),
         )
 
     def _is_connected(self, found: DatasheetIdentity) -> bool:

@@ -3,9 +3,21 @@
 from collections.abc import Mapping
 from dataclasses import dataclass
 
+from app.findings import Quality
 from app.messages.message import Text
 from app.operations.datasheets.documents import DatasheetForm, DatasheetKind, FieldProblem
 from app.operations.datasheets.ranges import FieldRange
+
+
+@dataclass(frozen=True)
+class LastUse:
+    """For what a thing was last used: an accepted calibration or verification, or a test."""
+
+    at: str
+    """ISO 8601."""
+    quality: Quality
+    text: Text
+    """The result in one sentence."""
 
 
 @dataclass(frozen=True)
@@ -28,9 +40,11 @@ class DatasheetRow:
     valid_until: str
     since: str
     """The file's time, ISO 8601."""
-    last_used: str | None
-    """When the thing with its serial number, or the gauge with its name, was last used by an
-    accepted calibration, a verification or a performance test; None if no record names it."""
+    last_use: LastUse | None
+    """Of the thing with its serial number, or the gauge with its name; None if no record names
+    it."""
+    in_use: tuple[str, ...]
+    """Names of the calibrations in use that rest on it."""
     connected: bool
     """The connected device has its serial number."""
     note: Text

@@ -36,8 +36,7 @@ export type CheckedDatasheet = Omit<DatasheetCheck, "problems" | "note"> & {
   note: Text;
 };
 
-export const checkDatasheet = (text: string) =>
-  post<CheckedDatasheet>(`${DATASHEETS}/check`, { name: "", text });
+export const checkDatasheet = (text: string) => post<CheckedDatasheet>(`${DATASHEETS}/check`, { name: "", text });
 
 export const readJoints = () => get<JointsView>(`${DATASHEETS}/joints`);
 

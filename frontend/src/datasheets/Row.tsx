@@ -3,7 +3,7 @@ import { useState } from "react";
 import { fileOf } from "../api/datasheetCommands";
 import type { Action, DatasheetRow } from "../api/wire";
 import { Download } from "../parts/Download";
-import { moment } from "../parts/format";
+import { days, daysAgo, moment } from "../parts/format";
 import { PressButton } from "../parts/PressButton";
 import { QualityMark } from "../parts/QualityMark";
 import { Question } from "../parts/Question";
@@ -23,7 +23,7 @@ interface RowProps {
 
 /** One datasheet: what it is of, since when, when it was used, and what can be done with it. */
 export function Row({ row, saved, onEdit, onCopy, onRetire, onRestore }: RowProps) {
-  const { retired, problem, note, file, name, connected } = row;
+  const { retired, problem, note, file, name, connected, in_use, last_use } = row;
   const hasForm = isForm(row.form) && file.endsWith(".json");
   return (
     <li className={styles.row} data-saved={saved || undefined} data-retired={retired || undefined}>
@@ -32,8 +32,17 @@ export function Row({ row, saved, onEdit, onCopy, onRetire, onRestore }: RowProp
         <p className={styles.name}>
           {isolated(name || file)}
           {connected && <span className={styles.badge}>{t("ui-connected-badge")}</span>}
+          {in_use.length > 0 && (
+            <span className={styles.badge}>{t("ui-in-use-by", { names: in_use.map(isolated).join(", ") })}</span>
+          )}
         </p>
         <p className={styles.note}>{details(row).join(" · ")}</p>
+        {last_use && (
+          <p className={styles.result}>
+            <QualityMark quality={last_use.quality} size="1.125rem" />
+            {t("ui-last-used", { at: moment(last_use.at), result: last_use.text })}
+          </p>
+        )}
         {problem && <p className={styles.problem}>{problem}</p>}
         {note && <p className={styles.notice}>{note}</p>}
       </div>
@@ -53,15 +62,26 @@ export function Row({ row, saved, onEdit, onCopy, onRetire, onRestore }: RowProp
   );
 }
 
-function details({ serial_number, certificate, valid_until, since, last_used, file, problem }: DatasheetRow): string[] {
+function details({ serial_number, certificate, valid_until, since, last_use, file, problem }: DatasheetRow): string[] {
+  const age = -daysUntil(since);
   return [
     serial_number && t("ui-serial-of", { serial: serial_number }),
     certificate && t("ui-certificate-of", { certificate }),
-    valid_until && t("ui-valid-until", { day: valid_until }),
-    t("ui-since", { when: moment(since) }),
-    !problem && (last_used ? t("ui-last-used", { at: moment(last_used) }) : t("ui-use-is-unknown")),
+    valid_until && validity(valid_until),
+    t("ui-since", { when: age < 1 ? moment(since) : `${moment(since)} (${daysAgo(age)})` }),
+    !problem && !last_use && t("ui-use-is-unknown"),
     file,
   ].filter((part) => typeof part === "string" && part !== "") as string[];
+}
+
+const DAY_MS = 86_400_000;
+const daysUntil = (day: string) => (new Date(day).getTime() - Date.now()) / DAY_MS;
+
+/** Until when a certificate holds, or that it is over. */
+function validity(day: string): string {
+  const left = daysUntil(day) + 1; // the last day is one of them
+  if (Number.isNaN(left)) return t("ui-valid-until", { day });
+  return left < 0 ? t("ui-expired-on", { day }) : t("ui-valid-until-left", { day, left: days(left) });
 }
 
 function Retire({ row, onRetire }: { row: DatasheetRow; onRetire: RowProps["onRetire"] }) {
