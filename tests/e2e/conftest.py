@@ -90,17 +90,24 @@ class Demo:
         command: a module and its arguments, for a process that begins in a moment, or the whole
             command of another; the bench's station, without one.
         patient: waits until it is ready, not only for its first page.
+        folder: in which it runs.
     """
 
-    def __init__(self, data: Path, command: Sequence[str] = (), patient: bool = True) -> None:
+    def __init__(
+        self,
+        data: Path,
+        command: Sequence[str] = (),
+        patient: bool = True,
+        folder: Path = ROOT,
+    ) -> None:
         self.data = data
         first, *arguments = command or ("app.bench.faults.served", str(data), *HALF_SIZE)
         self.process: ForkedProgram | subprocess.Popen[str] = (
             subprocess.Popen(
-                command, cwd=ROOT, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
+                command, cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
             )
             if first == sys.executable
-            else ForkedProgram(first, arguments)
+            else ForkedProgram(first, arguments, folder)
         )
         self.errors: list[str] = []
         self.listener = threading.Thread(target=self._listen, daemon=True)

@@ -1,23 +1,34 @@
 """From an empty station to a calibration that can begin, without a file on the server."""
 
 import json
+import os
+import sys
 from collections.abc import Iterator
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
+from unittest.mock import patch
 
 import cv2
 import numpy as np
 import pytest
 from playwright.sync_api import Browser, Locator, Page, expect
 
-from app.bench.faults.served import SMALL
+from app.bench.faults.served import HALF, SMALL
+from app.server import demo
 from app.store.accounts import Role
 from app.store.store import Store
+from hardware.simulator.devices.gige_camera.camera import LASER_LINE
+from hardware.simulator.scene.world import Board as SimulatedBoard
+from hardware.simulator.scene.world import BoardMarkers
 from hardware.simulator.station import SimulatedStation
 from tests.e2e.conftest import Demo
 from tests.e2e.test_access_for_all import in_both_themes
 from tests.e2e.visit import Visit
 from tests.forked import COMMAND_LINE
+from tests.hardware.fake_cameras import ADDRESS
+from tests.hardware.test_genicam import require_aravis
+from tests.hardware.test_registry import install
 
 pytestmark = pytest.mark.device
 
@@ -25,6 +36,26 @@ PASSWORD = "three unrelated words"
 WIDE, NARROW = {"width": 1280, "height": 800}, {"width": 820, "height": 1180}
 MOST_CLICKS_AND_FIELDS = 40
 """Beside the table of the arm's joints."""
+MOST_OF_A_ROBOT = 20
+"""Until its first pose can be taken."""
+CARD = SimulatedBoard(markers=BoardMarkers())
+CHARUCO = {
+    "Name": "Printed board",
+    "Squares across": str(CARD.inner_corners[0] + 1),
+    "Squares down": str(CARD.inner_corners[1] + 1),
+    "Side of a square": f"{CARD.square_x_mm:g}",
+    "Side of a marker": f"{BoardMarkers().side * CARD.square_x_mm:g}",
+}
+SERVE = (sys.executable, "-c", "from app.cli.main import main; main()", "serve")
+FINDER = f"""
+from hardware.discovery import FoundDevice
+
+def find():
+    options = {{"address": "{ADDRESS}", "laser_line": "{LASER_LINE}"}}
+    return [FoundDevice("sensor", "genicam", "Bench camera", options)]
+"""
+"""Aravis finds no camera at an address of this computer."""
+RTDE_PORT, POSES = 30004, 8
 BLOCK = {
     "Name": "Own block",
     "Serial number": "B-7",
@@ -63,9 +94,7 @@ def station(simulation: SimulatedStation, tmp_path: Path) -> Iterator[Demo]:
     pictures.mkdir()
     for index in range(4):
         cv2.imwrite(str(pictures / f"{index}.png"), np.full((120, 160), 40 * index, np.uint8))
-    store = Store(data)
-    store.accounts.add("Owner", Role.admin, PASSWORD)
-    store.close()
+    add_owner(data)
     config = tmp_path / "station.toml"
     config.write_text(
         f'[arm]\ndriver = "serial-encoder"\nurl = "{simulation.arm_url}"\n'
@@ -75,6 +104,12 @@ def station(simulation: SimulatedStation, tmp_path: Path) -> Iterator[Demo]:
     running = Demo(data, command)
     yield running
     running.end()
+
+
+def add_owner(data: Path) -> None:
+    store = Store(data)
+    store.accounts.add("Owner", Role.admin, PASSWORD)
+    store.close()
 
 
 def sign_in(page: Page, station: Demo) -> None:
@@ -219,3 +254,105 @@ def test_files_come_and_go_and_nothing_is_lost(
     page.screenshot(path=pictures / "datasheets-9-arm-narrow.png", full_page=True)
     assert not found, "\n".join(found)
     page.context.close()
+
+
+@pytest.fixture
+def robot() -> Iterator[SimulatedStation]:
+    """A robot by its poses, and a GigE camera that switches the laser."""
+    require_aravis()
+    config = replace(
+        HALF,
+        arm=demo.ROBOT.arm,
+        robot=True,
+        host=ADDRESS,
+        port=RTDE_PORT,
+        camera="gige",
+        camera_address=ADDRESS,
+        board=CARD,
+        pace=4.0,
+    )
+    with SimulatedStation(config) as simulation:
+        yield simulation
+
+
+def test_a_robot_and_a_printed_board_from_an_empty_folder_to_an_accepted_calibration(
+    robot: SimulatedStation, tmp_path: Path, browser: Browser, pictures: Path
+) -> None:
+    empty, data, site = tmp_path / "empty", tmp_path / "data", tmp_path / "site"
+    add_owner(data)
+    empty.mkdir()
+    site.mkdir()
+    (site / "bench_finder.py").write_text(FINDER)
+    install(site, "bench-finder", "crenel.finders", "bench = bench_finder:find")
+    paths = [str(site), *filter(None, [os.environ.get("PYTHONPATH")])]
+    with patch.dict(os.environ, PYTHONPATH=os.pathsep.join(paths)):
+        station = Demo(data, (*SERVE, "--data", str(data), "--port", "0"), folder=empty)
+    try:
+        page = browser.new_context(viewport=WIDE).new_page()  # type: ignore[arg-type]
+        visit, owner = Visit(page), Owner(page)
+        sign_in(page, station)
+        choose_the_devices(owner, visit)
+        page.get_by_role("link", name="Datasheets").click()
+        owner.press("New: ChArUco board")
+        for label, text in CHARUCO.items():
+            owner.fill(label, text)
+        expect(page.get_by_role("group", name="Drawing of the datasheet")).to_be_visible()
+        page.screenshot(path=pictures / "datasheets-robot-1-board.png")
+        owner.press("Save the datasheet")
+        expect(page.get_by_role("heading", name="The datasheet is saved")).to_be_visible()
+        page.get_by_role("link", name="Calibrate").click()
+        owner.press("Start calibration")
+        owner.press("Continue")
+        owner.press("Use these")
+        visit.wait_until("placing", "/api/flow", lambda view: view["step"] == "place")
+        page.screenshot(path=pictures / "datasheets-robot-2-place.png")
+        assert owner.count <= MOST_OF_A_ROBOT
+        print(f"{owner.count} clicks and fields to the first pose")
+        take_board_poses(robot, owner, visit)
+        print(f"{owner.count} with the poses")
+        result = visit.ask("/api/flow")["picture"]["result"]
+        assert result["verdict"] in ("good", "attention"), visit.ask("/api/flow")["findings"]
+        page.screenshot(path=pictures / "datasheets-robot-3-result.png")
+        owner.press("Accept this calibration")
+        visit.wait_until("accepted", "/api/calibrations", bool)
+        assert not visit.faults
+        page.context.close()
+    finally:
+        station.end()
+
+
+def choose_the_devices(owner: Owner, visit: Visit) -> None:
+    page = owner.page
+    page.get_by_role("link", name="Devices").click()
+    camera = page.get_by_role("listitem").filter(has_text="Bench camera")
+    camera.get_by_role("button", name="Try").click()
+    owner.count += 1
+    owner.press("Use this camera")
+    owner.press("Left to right")
+    owner.press("My arm is not listed")
+    page.get_by_label("Connection").select_option("ur-rtde")
+    owner.count += 1
+    owner.fill("Address", ADDRESS)
+    owner.press("Try this device")
+    owner.press("Use this arm")
+    owner.press("Write its datasheet")
+    visit.wait_until(
+        "both connected",
+        "/api/devices",
+        lambda now: all(one["state"]["state"] == "connected" for one in now["devices"]),
+    )
+
+
+def take_board_poses(robot: SimulatedStation, owner: Owner, visit: Visit) -> None:
+    """As the guide asks for them, until the result is there."""
+    for view in range(POSES):
+        assert robot.operator.hold_over("board", view)
+        owner.press("The object is in the picture")
+        while (now := visit.ask("/api/flow"))["step"] != "solve":
+            if now["busy"] is None:  # again where a busy machine kept a device waiting
+                owner.press("Take the picture")
+            owner.page.wait_for_timeout(1000)
+        if view < POSES - 1:
+            owner.press("Capture another pose")
+    owner.press("Calibrate")
+    visit.wait_until("the result", "/api/flow", lambda now: now["step"] == "review")
