@@ -10,6 +10,7 @@ from app.api.access.authorization import StationRouter
 from app.api.lookups import send_file
 from app.messages.message import message
 from app.operations.context import TheContext
+from app.operations.datasheets.arm_models import ArmModelView, view_model
 from app.operations.datasheets.documents import FOLDERS, DatasheetKind
 from app.operations.datasheets.view import (
     DatasheetCheck,
@@ -31,6 +32,16 @@ class DatasheetDocument(RequestBody):
     name: Annotated[str, Field(max_length=200)] = ""
     """Of the file; empty of a form."""
     text: str
+
+
+class ModelText(RequestBody):
+    """A text with the model of an arm, pasted or of a file."""
+
+    text: str
+    answers: dict[Annotated[str, Field(max_length=40)], Annotated[str, Field(max_length=200)]] = (
+        Field(default={}, max_length=20)
+    )
+    """What the person said so far, by the keys of the questions."""
 
 
 class AddedDatasheet(DatasheetDocument):
@@ -82,6 +93,12 @@ def add(asked: AddedDatasheet, context: TheContext, request: Request) -> Datashe
 def check(asked: DatasheetDocument, context: TheContext) -> DatasheetCheck:
     """Evaluates a document without keeping it."""
     return context.datasheets.check(asked.name, asked.text)
+
+
+@router.post("/model")
+def read_arm_model(asked: ModelText) -> ArmModelView:
+    """Reads the model of an arm without keeping anything."""
+    return view_model(asked.text, asked.answers)
 
 
 @router.post("/retire")

@@ -67,6 +67,56 @@ def identify(
 
 
 @report_errors
+def import_arm(
+    source: Annotated[
+        Path, typer.Argument(metavar="FILE", help="Text with the arm's D-H table, or a CSV file.")
+    ],
+    tip: Annotated[
+        tuple[float, float, float, float],
+        typer.Option(metavar="X Y Z DIAMETER", help="The tip's centre on the flange, in mm."),
+    ],
+    output: Annotated[Path, typer.Option("-o", "--output", help="Output file.")] = Path("arm.json"),
+    name: Annotated[str, typer.Option(help="Name of the arm. Default: that in the file.")] = "",
+    serial_number: Annotated[str, typer.Option(help="Its serial number.")] = "",
+    say: Annotated[
+        list[str] | None,
+        typer.Option(metavar="KEY=VALUE", help="What the file leaves open, such as length=mm."),
+    ] = None,
+    as_json: AsJson = False,
+) -> None:
+    """Make arm.json from the model of an arm as its maker states it.
+
+    What the file does not say itself, such as the unit of its lengths, is asked and never guessed:
+    the command names what is open, and what is likely. Repeat it with --say.
+    """
+    from app.formats.arm_models.import_model import import_arm_file
+
+    answers = {}
+    for one in say or []:
+        key, sign, value = one.partition("=")
+        if not sign:
+            raise typer.BadParameter(f"{one}: KEY=VALUE is expected", param_hint="--say")
+        answers[key.strip()] = value.strip()
+    document, model = import_arm_file(source, output, answers, tip, name, serial_number)
+    for note in model.notes:
+        warn(note)
+    if as_json:
+        print_json({**document.fields(), "file": str(output)})
+        return
+    joints = [
+        (
+            one.name,
+            *(f"{value:.6g}" for value in (one.a_mm, one.alpha_deg, one.d_mm, one.theta_deg)),
+        )
+        for one in model.joints
+    ]
+    print_table(
+        f"{model.source!s}: {model.convention}", ("joint", "a mm", "α °", "d mm", "θ °"), joints
+    )
+    print(f"{output} written. Check the table, and try the arm against its own display.")
+
+
+@report_errors
 def articulation(
     place: Annotated[
         Path, typer.Argument(metavar="FOLDER|CSV", help="articulation.csv or its folder.")

@@ -10,7 +10,7 @@ from typing import Annotated, NoReturn
 import typer
 
 from app.cli.archive import archive
-from app.cli.arm import articulation, identify
+from app.cli.arm import articulation, identify, import_arm
 from app.cli.batch import rebuild
 from app.cli.batch_options import (
     ArmFile,
@@ -276,6 +276,7 @@ def _verify_clouds(
 cli.command()(extract)
 cli.command()(detect)
 cli.command("import")(import_scan)
+cli.command("import-arm")(import_arm)
 cli.command()(reconstruct)
 cli.command()(rebuild)
 cli.command()(drift)

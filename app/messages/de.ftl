@@ -47,6 +47,7 @@ activity-ended = { $who } hat beendet: { $title }.
 activity-performance = Leistungsprüfung
 activity-scan = Scan
 activity-verification = Verifizierung
+add-dh-row = Geben Sie je Gelenk eine Zeile an, der Reihe nach
 add-exposure-us-line = Zeile exposure_us = … hinzufügen
 add-line = Zeile { $key } = … hinzufügen
 add-picture-delete-pose = Bild ergänzen oder Pose löschen
@@ -82,7 +83,14 @@ all-there-they-were-recorded = Alle Aufzeichnungen sind vorhanden und unverände
 and-more-records = Und { $count } weitere.
 angle = Winkel, ″
 angle-between-clouds = Winkel zwischen den Punktwolken
+angle-beyond-a-turn = darunter steht { $value }, mehr als eine volle Umdrehung im Bogenmaß: Das sind Grad
 angle-touched-plane = Winkel zur angetasteten Ebene
+angles-are-multiples = alle sind Vielfache von π/2, etwa { $value }: Das ist Bogenmaß
+angles-called =
+    { $unit ->
+        [rad] Die Winkel heißen Bogenmaß
+       *[deg] Die Winkel heißen Grad
+    }
 another-arm-answers = Unter { $url } antwortet ein anderer Messarm: { $name } { $serial_number } ({ $joints } Gelenke) statt { $expected_name } { $expected_serial_number }
 another-calibration-came-into-use-meanwhile = Inzwischen wird eine andere Kalibrierung verwendet. Mit dieser neu beginnen.
 another-device-is-tried = Ein anderes Gerät wird ausprobiert
@@ -869,6 +877,7 @@ column-cell-is = { $place }: Spalte { $column } ist { $value }
 column-empty = { $place }: Spalte { $column } ist leer
 column-is = { $place }: { $column } ist { $value }
 column-stands-there-twice = { $path }: Spalte { $names } kommt zweimal vor
+columns-not-read = Nicht gelesene Spalten: { $names }
 columns-not-separated-by-commas = die Spalten sind nicht durch Kommas getrennt
 come-nearer-object-fills-wanted = Näher heran: Das Objekt füllt { $fills }, Soll { $least }
 comes-after-calibration = Zuerst kalibrieren, dann verifizieren.
@@ -1047,6 +1056,8 @@ datasheets-set-aside-everything = Nicht lesbare Dateien in arms, objects, sensor
 date = Datum
 dcc-version-needed = Gelesen werden Kalibrierscheine der Version 3
 dcc-version-unknown = der Kalibrierschein hat die Version { $version }
+decimal-commas-read = Kommas wurden als Dezimalzeichen gelesen.
+decimal-signs-mixed = Einige Zahlen haben ein Dezimalkomma ({ $one }), andere einen Dezimalpunkt ({ $other })
 decision = Entscheidung
 decision-rule-guard =
     Schutzabstand: das { $factor }-Fache der Standardunsicherheit. { $bearer ->
@@ -1094,6 +1105,22 @@ device-was-chosen = Die Station verwendet jetzt ein anderes Gerät: { $title }
 devices = Geräte
 devices-cannot-be-changed-now = Die Geräte können jetzt nicht geändert werden
 devices-of-replay-are-fixed = Eine Wiedergabe hat die Geräte ihrer Aufzeichnung
+dh-cell = Zeile { $line }: { $column } { $value }
+dh-column-missing = Keine Spalte für { $names }
+dh-column-twice = Zwei Spalten für { $names }
+dh-commas-between-cells = Hier stehen Kommas zwischen den Zellen: Schreiben Sie Zahlen mit Dezimalpunkt
+dh-needs-four-numbers = jede Zeile braucht a, alpha, d und theta und darf mit dem Namen des Gelenks beginnen
+dh-number-expected = erwartet wird eine Zahl, ein Vielfaches von π oder ein Gelenkwinkel wie q1 + 90
+dh-row-has-cells =
+    { $count ->
+        [one] Zeile { $line } hat eine Zelle
+       *[other] Zeile { $line } hat { $count } Zellen
+    }
+dh-rows-missing = Die Zeile von Gelenk { $names } fehlt
+dh-rows-out-of-order = Die Zeilen gehören zu den Gelenken { $names }, in dieser Reihenfolge
+dh-rows-there = vorhanden sind die Zeilen { $names }
+dh-table-has-columns = die Tabelle hat { $count } Spalten
+dh-variable-not-an-angle = das Gelenk schiebt: Seine Variable ist eine Länge
 diameter = Durchmesser
 diameter-of-tip-by-datasheet = Tastkugeldurchmesser laut Datenblatt
 diameter-tip-found = Gemessener Tastkugeldurchmesser
@@ -1283,15 +1310,21 @@ figure-over-clouds =
 file-cannot-be-evaluated = sie lässt sich nicht auswerten ({ $error })
 file-has-no-pictures-with-laser = { $path } enthält keine Bilder mit eingeschaltetem Laser
 file-has-no-readings = { $path } enthält keine Messwerte des Arms
+first-row-empty = Länge und Verdrehung der ersten Zeile sind null, die der letzten nicht
+flange-row-read = Die Zeile { $name } dreht um kein Gelenk: Sie gilt als feste Transformation hinter dem letzten Gelenk.
 frames-left-out-clock-set = { $count } von { $frames } Bildern ausgelassen: Um ihre Zeitstempel wurde eine Uhr zurückgestellt
 give-arm-and-camera-one-clock = Beide an einer Uhr betreiben (PTP oder Pulse des Messarms), oder den Zeitversatz vor jedem Scan bestimmen.
 give-each-row-angles-of-its-pose = Jeder Zeile die Gelenkwinkel ihrer eigenen Pose geben
 give-kind-charuco = Die Tafel in object.json mit kind charuco, dictionary und marker_mm beschreiben
+give-one-of = Möglich sind { $names }
 give-pose-of-marker-in-frame = Die Pose der Messmarke im Koordinatensystem des Messgeräts angeben
 give-quaternions-with-more-digits = qx, qy, qz, qw mit mindestens vier Nachkommastellen angeben, den Skalar zuletzt
+give-row-of-each-joint = Geben Sie je Gelenk eine Zeile an; eine Zeile des Flanschs kommt zuletzt und heißt flange
 give-times-in-seconds = Zeiten in Sekunden angeben, ab einem beliebigen Anfang
 give-times-in-seconds-readings-closer = Alle Zeiten in Sekunden angeben, und Messwerte des Messarms im Abstand von höchstens { $longest }
 give-times-of-one-clock = Bildern und Messwerten Zeiten derselben Uhr geben
+give-unit-of-angles = Wählen Sie die Einheit der Winkel
+give-unit-of-lengths = Wählen Sie die Einheit der Längen
 if-angles-of-next-row =
     { $row ->
         [before] wenn jede Zeile die Gelenkwinkel der vorherigen Zeile hätte
@@ -1309,9 +1342,14 @@ if-joint-turned-other-way = wenn sich das Gelenk { $joint } andersherum drehte
 if-joint-zero-elsewhere = wenn das Gelenk { $joint } { $turn } mehr anzeigte
 if-poses-inverted = wenn dies die Posen des Messgeräts im Koordinatensystem der Messmarke wären
 import-with-stripe-axis = stripe_axis in sensor.json auf { $axis } setzen und erneut einlesen
+index-before = Längen oder Verdrehungen haben den Index i − 1
 it-is-known-to-limit = er ist dann auf { $u } (k = 1) bekannt; die Grenze ist { $limit }
 it-is-no-device = das ist keine Adresse eines Geräts
+last-row-empty = Länge und Verdrehung der letzten Zeile sind null, die der ersten nicht
+lengths-add-up = seine Längen ergeben zusammen { $total }, in { $unit } also einen Arm von { $length }
+lengths-in-unit = In { $unit } gelesen misst der Arm { $length }
 limits-judged-by-marked-uncertainty = U: Messunsicherheit des Werts aus Normal, Taster und Punkten. U der Prüfung: Prüfwertunsicherheit allein aus dem Normal und seinem Aufbau (ISO 14253-5), ein Anteil von U. Jeder Grenzwert wird nach der mit{ $mark } gekennzeichneten beurteilt.
+limits-not-stated = Der Text nennt keine Grenzen der Gelenke: ±180° wurden eingesetzt.
 line-moved-arm-did-not = die Laserlinie bewegte sich um { $line }, die Messwerte des Messarms änderten sich aber nicht
 line-stands-still = Die Linie steht still: Nach ihren ersten { $most } Bildern ergibt sie keine Punkte; Bilder ohne Punkte bisher: { $count }
 listen-choose-higher-port = Mit --port einen Port ab 1024 wählen
@@ -1327,6 +1365,10 @@ map-outliers =
 load-the-list-again = Liste neu laden
 markers-in-white-squares = in ihren weißen Feldern sind Marker: sie ist eine ChArUco-Tafel
 markers-place-is-estimated-instead = stattdessen wird der Ort des Markers am Flansch geschätzt
+model-answer-unknown = { $key } kann nicht { $answer } sein
+model-leaves-open = { $path } lässt offen, was es bedeutet
+model-open = { $key } ({ $options })
+model-open-likely = { $key } ({ $options }; wahrscheinlich { $likely }: { $why })
 move-tip-to-object = Den Taster an das Objekt setzen, dann den Punkt aufnehmen
 move-sensor-or-stop-scan = Den Sensor über das Teil bewegen oder den Scan beenden.
 moves-check-arm-json =
@@ -1335,10 +1377,15 @@ moves-check-arm-json =
         [marker] { $name } ändert sich um { $change }: arm.json und den Marker prüfen: seinen Namen in der Spalte marker, wenn er nicht die Tastkugel ist, und seinen Ort, wenn er angegeben ist
        *[arm] { $name } ändert sich um { $change }: arm.json prüfen
     }
+name-dh-columns = Nennen Sie die Spalten in einer ersten Zeile, etwa: joint, a [mm], alpha [deg], d [mm], theta [deg]
 name-frame-otherwise-than-base = Dem Koordinatensystem einen anderen Namen als base geben
+no-arm-has-such-lengths = so klein oder groß ist kein Arm
+no-dh-table = Der Text enthält keine Denavit-Hartenberg-Tabelle
 no-picture-between-readings = kein Bild von { $path } liegt zwischen zwei Messwerten von { $readings }, die dicht beieinander liegen
 no-picture-of-folder-can-be-used = keines der { $count } Bilder ist verwendbar; das erste: { $first }
+only-order-with-right-angles = nur in dieser Reihenfolge sind alle Verdrehungen Vielfache von 90°
 pass-over-one-flat-plate = Eine einzige ebene Platte überfahren und ihren Rand auslassen.
+paste-dh-table = Fügen Sie je Gelenk eine Zeile mit a, alpha, d und theta ein
 pictures-do-not-fit-delay = { $off } von { $pictures } Bildern passen bei diesem Zeitversatz nicht zu einer Ebene.
 nothing-touched-there = er hat sich seither nicht bewegt, der Taster berührt also nichts
 picture-of-pixels = { $width_px } × { $height_px } Pixel
@@ -1371,7 +1418,9 @@ recording-keeps-still-lines = Die Aufzeichnung enthält sie alle.
 replace-the-datasheet = das Datenblatt ersetzen; das jetzige bleibt unter den abgelegten erhalten
 retired-a-datasheet = legte ein Datenblatt ab
 reverse-sign-of-joint = Das Vorzeichen (sign) des Gelenks { $joint } in arm.json umkehren
+rotary-joints-only = Verwendbar sind Arme mit Drehgelenken
 save-table-as-csv = Als CSV (UTF-8) mit Kommas zwischen den Spalten speichern
+say-what-is-open = Geben Sie für jedes --say KEY=VALUE an
 scatter-of-clouds = Punktwolken
 scatter-of-points = Punkte
 see-that-arm-sends-its-positions = Prüfen, ob der Messarm seine Stellungen sendet, während er sich bewegt
@@ -1434,6 +1483,11 @@ so-poses-are-not-what-is-expected =
         [scalar-first-inverted] dies sind Posen der Basis des Messarms im Koordinatensystem des Flanschs, und in den Spalten stehen qw, qx, qy, qz
         [turns-inverted] die Drehungen sind die der Basis des Messarms im Koordinatensystem des Flanschs
        *[other] Posen und Bilder sind um eins gegeneinander verschoben
+    }
+source-dh-table =
+    { $rows ->
+        [one] Denavit-Hartenberg-Tabelle mit einer Zeile
+       *[other] Denavit-Hartenberg-Tabelle mit { $rows } Zeilen
     }
 sphere-diameter-not-read = der Kalibrierschein nennt keinen Durchmesser der Kugeln oder mehrere: sphere_diameter_mm in der Datei eintragen
 expected = erwartet wird { $wanted }
@@ -4181,6 +4235,7 @@ two-pictures-named = zwei Bilder heißen { $name } und wären eine Datei in { $f
 two-s-of-distances = 2 s dieser Abstände
 two-seats-or-seat-carried = sie gehören zu zwei Pfannen, oder die Pfanne wurde zwischendurch versetzt
 two-seats-or-seat-carried-or-arm = sie gehören zu zwei Pfannen, oder die Pfanne wurde zwischendurch versetzt, oder arm.json gehört nicht zu diesem Messarm: Auch in anderen Pfannen wandert die Tastkugel { $far }
+two-units-of-length = Die Spalten nennen zwei Einheiten der Länge: { $units }
 u-v = es ist „u“ oder „v“
 udp-port-cannot-be-opened = Der UDP-Port { $port } dieses Rechners lässt sich nicht öffnen: { $reason }
 udp-port-in-use = Ein anderes Programm auf diesem Rechner empfängt am UDP-Port { $port }
@@ -4375,6 +4430,7 @@ without-marker-coordinates-are-tips = ohne die Spalte marker gelten Koordinaten 
 without-nothing-measured-what-taken-kept = Ohne dieses Gerät wird nicht gemessen; alles Aufgenommene bleibt erhalten.
 without-one-pixels-cannot-become-points = ohne Kalibrierung lassen sich aus Pixeln keine Punkte berechnen
 without-schema = ohne Schema
+write-all-numbers-with-point = Schreiben Sie alle Zahlen mit Dezimalpunkt
 write-readings-of-arm = Die Messwerte des Arms mit ihren Zeiten eintragen
 xlsx-extra-missing = Braucht XlsxWriter auf der Station: pip install 'crenel[xlsx]'
 xlsx-requires-package = XLSX-Dateien benötigen das Paket XlsxWriter, das nicht installiert ist

@@ -47,6 +47,7 @@ activity-ended = { $who } ended: { $title }.
 activity-performance = Performance test
 activity-scan = Scan
 activity-verification = Verification
+add-dh-row = Give one row for each joint, in order
 add-exposure-us-line = Add a line exposure_us = …
 add-line = Add a line { $key } = …
 add-picture-delete-pose = Add the picture, or delete the pose
@@ -82,7 +83,14 @@ all-there-they-were-recorded = All recordings are present and unchanged.
 and-more-records = And { $count } more.
 angle = Angle, ″
 angle-between-clouds = Angle between clouds
+angle-beyond-a-turn = { $value } stands among them, more than a full turn in radians: these are degrees
 angle-touched-plane = Angle to the touched plane
+angles-are-multiples = all are multiples of π/2, as { $value }: these are radians
+angles-called =
+    { $unit ->
+        [rad] The angles are called radians
+       *[deg] The angles are called degrees
+    }
 another-arm-answers = Another arm responds at { $url }: { $name } { $serial_number } ({ $joints } joints) instead of { $expected_name } { $expected_serial_number }
 another-calibration-came-into-use-meanwhile = The calibration in use has changed in the meantime. Start again with the new one.
 another-device-is-tried = Another device is being tried
@@ -869,6 +877,7 @@ column-cell-is = { $place }: column { $column } is { $value }
 column-empty = { $place }: column { $column } is empty
 column-is = { $place }: { $column } is { $value }
 column-stands-there-twice = { $path }: column { $names } appears twice
+columns-not-read = Columns that are not read: { $names }
 columns-not-separated-by-commas = its columns are not separated by commas
 come-nearer-object-fills-wanted = Move closer: the object fills { $fills }, at least { $least } required
 comes-after-calibration = Calibrate before verifying.
@@ -1043,6 +1052,8 @@ datasheets-set-aside-everything = Files in arms, objects, sensors and gauges tha
 date = Date
 dcc-version-needed = Certificates of version 3 are read
 dcc-version-unknown = the certificate has version { $version }
+decimal-commas-read = Commas were read as decimal signs.
+decimal-signs-mixed = Some numbers have a decimal comma ({ $one }), others a decimal point ({ $other })
 decision = Decision
 decision-rule-guard =
     Guard band: { $factor } times the standard uncertainty. { $bearer ->
@@ -1090,6 +1101,22 @@ device-was-chosen = The station uses another { $title }
 devices = Devices
 devices-cannot-be-changed-now = Devices cannot be changed now
 devices-of-replay-are-fixed = A replay has the devices of its recording
+dh-cell = Line { $line }: { $column } { $value }
+dh-column-missing = No column for { $names }
+dh-column-twice = Two columns for { $names }
+dh-commas-between-cells = Commas stand between the cells here: write numbers with a decimal point
+dh-needs-four-numbers = each row needs a, alpha, d and theta, and may begin with the name of the joint
+dh-number-expected = a number, a multiple of π or a joint angle such as q1 + 90 is expected
+dh-row-has-cells =
+    { $count ->
+        [one] Line { $line } has one cell
+       *[other] Line { $line } has { $count } cells
+    }
+dh-rows-missing = The row of joint { $names } is missing
+dh-rows-out-of-order = The rows are of joints { $names }, in this order
+dh-rows-there = there are rows of { $names }
+dh-table-has-columns = the table has { $count } columns
+dh-variable-not-an-angle = the joint slides: its variable is a length
 diameter = Diameter
 diameter-of-tip-by-datasheet = Tip diameter from the datasheet
 diameter-tip-found = Measured tip diameter
@@ -1279,15 +1306,21 @@ figure-over-clouds =
 file-cannot-be-evaluated = it cannot be evaluated ({ $error })
 file-has-no-pictures-with-laser = { $path } contains no pictures with the laser on
 file-has-no-readings = { $path } contains no readings
+first-row-empty = length and twist of the first row are zero, and those of the last are not
+flange-row-read = The row { $name } turns about no joint: it was taken as a constant transform behind the last joint.
 frames-left-out-clock-set = { $count } of { $frames } frames excluded: a clock was set back around their time stamps
 give-arm-and-camera-one-clock = Keep both on one clock (PTP, or pulses of the arm), or determine the delay before each scan.
 give-each-row-angles-of-its-pose = Give every row the joint angles of its own pose
 give-kind-charuco = Describe the board in object.json with kind charuco, and its dictionary and marker_mm
+give-one-of = Give one of { $names }
 give-pose-of-marker-in-frame = Give the pose of the marker in the frame of the instrument
 give-quaternions-with-more-digits = Give qx, qy, qz, qw with at least four digits after the decimal point, the scalar last
+give-row-of-each-joint = Give one row for each joint; a row of the flange comes last and is called flange
 give-times-in-seconds = Give the times in seconds, from any beginning
 give-times-in-seconds-readings-closer = Give all times in seconds, and readings of the arm at most { $longest } apart
 give-times-of-one-clock = Give pictures and readings the times of one clock
+give-unit-of-angles = Choose the unit of the angles
+give-unit-of-lengths = Choose the unit of the lengths
 if-angles-of-next-row =
     { $row ->
         [before] if every row had the joint angles of the row before
@@ -1305,9 +1338,14 @@ if-joint-turned-other-way = if joint { $joint } turned the other way
 if-joint-zero-elsewhere = if joint { $joint } read { $turn } more
 if-poses-inverted = if these were the poses of the instrument in the frame of the marker
 import-with-stripe-axis = Set stripe_axis to { $axis } in sensor.json, and import again
+index-before = lengths or twists have the index i − 1
 it-is-known-to-limit = it is known to { $u } (k = 1) then; the limit is { $limit }
 it-is-no-device = it is not the address of a device
+last-row-empty = length and twist of the last row are zero, and those of the first are not
+lengths-add-up = its lengths add up to { $total }, which in { $unit } is an arm of { $length }
+lengths-in-unit = Read in { $unit }, the arm measures { $length }
 limits-judged-by-marked-uncertainty = U: measurement uncertainty of the value by gauge, probe and points. U of test: test value uncertainty by the gauge and its set-up alone (ISO 14253-5), which is a part of U. Each limit is judged by the one marked with{ $mark }.
+limits-not-stated = The text states no limits of the joints: ±180° were put in.
 line-moved-arm-did-not = the laser line moved by { $line }, but the arm's readings did not change
 line-stands-still = The line stands still: beyond its first { $most } frames it gives no points; frames without them so far: { $count }
 listen-choose-higher-port = Choose a port from 1024 on with --port
@@ -1323,6 +1361,10 @@ map-outliers =
 load-the-list-again = load the list again
 markers-in-white-squares = there are markers in its white squares: it is a ChArUco board
 markers-place-is-estimated-instead = the marker's place on the flange is estimated instead
+model-answer-unknown = { $key } cannot be { $answer }
+model-leaves-open = { $path } leaves open what it means
+model-open = { $key } ({ $options })
+model-open-likely = { $key } ({ $options }; likely { $likely }: { $why })
 move-tip-to-object = Put the tip to the object, then take the point
 move-sensor-or-stop-scan = Move the sensor over the part, or stop the scan.
 moves-check-arm-json =
@@ -1331,10 +1373,15 @@ moves-check-arm-json =
         [marker] { $name } changes by { $change }: check arm.json, and the marker: its name in the column marker, if it is not the tip, and its place, if it is given
        *[arm] { $name } changes by { $change }: check arm.json
     }
+name-dh-columns = Name the columns in a first line, such as: joint, a [mm], alpha [deg], d [mm], theta [deg]
 name-frame-otherwise-than-base = Give the frame another name than base
+no-arm-has-such-lengths = no arm is so small or so large
+no-dh-table = There is no Denavit-Hartenberg table in the text
 no-picture-between-readings = no picture of { $path } lies between two readings of { $readings } that are close together
 no-picture-of-folder-can-be-used = none of the { $count } pictures can be used; the first: { $first }
+only-order-with-right-angles = only in this order are all twists multiples of 90°
 pass-over-one-flat-plate = Pass over one flat plate, and leave out its edge.
+paste-dh-table = Paste a line for each joint with a, alpha, d and theta
 pictures-do-not-fit-delay = { $off } of { $pictures } pictures do not fit one plane at this delay.
 nothing-touched-there = it has not moved since, so that the tip touches nothing
 picture-of-pixels = { $width_px } × { $height_px } pixels
@@ -1367,7 +1414,9 @@ recording-keeps-still-lines = The recording keeps them all.
 replace-the-datasheet = replace it, and the present one is kept among the retired ones
 retired-a-datasheet = retired a datasheet
 reverse-sign-of-joint = Reverse the sign of joint { $joint } in arm.json
+rotary-joints-only = Arms of rotary joints can be used
 save-table-as-csv = Save it as CSV (UTF-8), with commas between the columns
+say-what-is-open = Say it with --say KEY=VALUE for each
 scatter-of-clouds = Clouds
 scatter-of-points = Points
 see-that-arm-sends-its-positions = Check that the arm sends its positions while it moves
@@ -1430,6 +1479,11 @@ so-poses-are-not-what-is-expected =
         [scalar-first-inverted] these are poses of the arm's base in the flange frame, and the columns hold qw, qx, qy, qz
         [turns-inverted] the rotations are those of the arm's base in the flange frame
        *[other] poses and pictures are shifted by one
+    }
+source-dh-table =
+    { $rows ->
+        [one] Denavit-Hartenberg table of one row
+       *[other] Denavit-Hartenberg table of { $rows } rows
     }
 sphere-diameter-not-read = the certificate states no diameter of the spheres, or several: enter sphere_diameter_mm in the file
 expected = { $wanted } is expected
@@ -4159,6 +4213,7 @@ two-pictures-named = two pictures are named { $name }, and would be one file in 
 two-s-of-distances = 2 s of these distances
 two-seats-or-seat-carried = they belong to two seats, or the seat was moved in between
 two-seats-or-seat-carried-or-arm = they belong to two seats, or the seat was moved in between, or arm.json belongs to another arm (in other seats, too, its tip moves by { $far })
+two-units-of-length = The columns state two units of length: { $units }
 u-v = it is "u" or "v"
 udp-port-cannot-be-opened = UDP port { $port } of this computer cannot be opened: { $reason }
 udp-port-in-use = Another program on this computer receives at UDP port { $port }
@@ -4361,6 +4416,7 @@ without-marker-coordinates-are-tips = without the column marker, coordinates are
 without-nothing-measured-what-taken-kept = Nothing is measured without it; all recorded data is kept.
 without-one-pixels-cannot-become-points = without one, pixels cannot be converted to points
 without-schema = without a schema
+write-all-numbers-with-point = Write all numbers with a decimal point
 write-readings-of-arm = Write the readings of the arm, with their times
 xlsx-extra-missing = Needs XlsxWriter on the station: pip install 'crenel[xlsx]'
 xlsx-requires-package = XLSX files require the package XlsxWriter, which is not installed

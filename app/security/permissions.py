@@ -146,6 +146,7 @@ ROUTES: dict[tuple[str, str], Rule] = {
     ("GET", "/api/datasheets/joints"): LOOK,
     ("GET", "/api/datasheets/{kind}/{file}"): LOOK,
     ("POST", "/api/datasheets/check"): Rule(Right.operate),
+    ("POST", "/api/datasheets/model"): Rule(Right.operate),
     ("POST", "/api/datasheets"): Rule(Right.act, message("added-a-datasheet")),
     ("POST", "/api/datasheets/retire"): Rule(Right.act, message("retired-a-datasheet")),
     ("POST", "/api/datasheets/restore"): Rule(Right.act, message("brought-a-datasheet-back")),

@@ -40,6 +40,21 @@ def test_identify_writes_the_arm_and_shows_before_and_after(tmp_path: Path, fold
     assert {pair["first"] for pair in pairs} <= names
 
 
+def test_a_model_is_imported_once_everything_is_said(tmp_path: Path) -> None:
+    out, table = tmp_path / "new.json", tmp_path / "table.txt"
+    rows = [f"{number} {100 * number} 0 π/2 q{number}" for number in range(1, 7)]
+    table.write_text("joint d a alpha theta\n" + "\n".join(rows))
+    command = ("import-arm", table, "--tip", 0, 0, 150, 6, "-o", out)
+    said = refused(*command)
+    assert "length (mm | cm | m | inch; likely mm" in said
+    assert "convention (dh-standard | dh-modified)" in said
+    assert "KEY=VALUE" in crenel(*command, "--say", "length").stderr
+    assert not out.exists()
+    result = done(*command, "--say", "length=mm", "--say", "convention=dh-standard")
+    assert "±180°" in result.stderr
+    assert read_arm(out).joints[5].d_mm == 600
+
+
 def test_identify_refuses_on_one_line_and_writes_nothing(tmp_path: Path, folder: Path) -> None:
     before = names_in(tmp_path)
     assert "no such folder" in refused("identify", tmp_path / "none")

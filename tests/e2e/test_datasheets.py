@@ -67,6 +67,14 @@ BLOCK = {
     "Base Z": "-12",
     "Standard uncertainty": "0.002",
 }
+ARM_TABLE = """joint a alpha d theta
+1 0 π/2 0.1625 q1
+2 -0.425 0 0 q2
+3 -0.3922 0 0 q3
+4 0 π/2 0.1333 q4
+5 0 -π/2 0.0997 q5
+6 0 0 0.0996 q6
+"""
 COLUMNS = ("a_mm", "alpha_deg", "d_mm", "theta_deg")
 PASTE = """(cell, text) => {
   const clipboardData = new DataTransfer();
@@ -249,6 +257,18 @@ def test_files_come_and_go_and_nothing_is_lost(
     expect(page.get_by_text("No datasheet of a block or board yet.")).to_be_hidden()
     found = in_both_themes(page, "datasheets")
     owner.press("New: Arm with joints")
+    owner.press("Take the model from a text or a file")
+    page.get_by_label("D-H table").fill(ARM_TABLE)
+    page.get_by_label("Unit of the lengths").select_option("mm")
+    expect(page.get_by_text("which in m is an arm of 1312 mm").first).to_be_visible()
+    page.screenshot(path=pictures / "datasheets-10-model-refused.png")
+    page.get_by_label("Unit of the lengths").select_option("m")
+    page.locator("[data-question=convention] select").select_option("dh-standard")
+    expect(page.get_by_role("table", name="The model as it was read")).to_be_visible()
+    found += in_both_themes(page, "datasheets, model of an arm")
+    page.screenshot(path=pictures / "datasheets-11-model.png", full_page=True)
+    owner.press("This is the arm: take it over")
+    expect(page.get_by_label("a of J2")).to_have_value("-425")
     found += in_both_themes(page, "datasheets, arm")
     page.set_viewport_size(NARROW)  # type: ignore[arg-type]
     page.screenshot(path=pictures / "datasheets-9-arm-narrow.png", full_page=True)

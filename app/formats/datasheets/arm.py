@@ -131,8 +131,8 @@ def arm_document(arm: Arm, identification: IdentificationPart | None = None) -> 
         name=arm.name,
         serial_number=arm.serial_number,
         convention="dh-standard",
-        base=_error_part(arm.base),
-        joints=tuple(_joint_part(joint) for joint in arm.joints),
+        base=error_part(arm.base),
+        joints=tuple(joint_part(joint) for joint in arm.joints),
         tip=TipPart(x_mm=tip.x_mm, y_mm=tip.y_mm, z_mm=tip.z_mm, diameter_mm=tip.diameter_mm),
         identification=identification,
     )
@@ -165,7 +165,8 @@ def _link_error(part: ErrorPart | None) -> LinkError:
     )
 
 
-def _joint_part(joint: Joint) -> JointPart:
+def joint_part(joint: Joint) -> JointPart:
+    """A joint as it stands in the file."""
     return JointPart(
         name=joint.name,
         a_mm=joint.a_mm,
@@ -175,12 +176,12 @@ def _joint_part(joint: Joint) -> JointPart:
         sign=1 if joint.sign > 0 else -1,
         limits_deg=(float(np.rad2deg(joint.limits_rad[0])), float(np.rad2deg(joint.limits_rad[1]))),
         encoder_sd_deg=float(np.rad2deg(joint.encoder_sd_rad)),
-        error=_error_part(joint.error),
+        error=error_part(joint.error),
     )
 
 
-def _error_part(error: LinkError) -> ErrorPart | None:
-    """None for no error, so that files stay short."""
+def error_part(error: LinkError) -> ErrorPart | None:
+    """A constant transform in mm and degrees; None for no error, so that files stay short."""
     if error == LinkError():
         return None
     return ErrorPart(

@@ -4,7 +4,15 @@ import { t } from "../state/language";
 import { localized } from "../state/localized";
 import { ask, notifyOfError } from "./commands";
 import { get, post, Refused } from "./http";
-import type { DatasheetCheck, DatasheetRow, DatasheetsView, FieldProblem, JointsView, Problem } from "./wire";
+import type {
+  ArmModelView,
+  DatasheetCheck,
+  DatasheetRow,
+  DatasheetsView,
+  FieldProblem,
+  JointsView,
+  Problem,
+} from "./wire";
 
 export const DATASHEETS = "/api/datasheets";
 
@@ -39,6 +47,10 @@ export type CheckedDatasheet = Omit<DatasheetCheck, "problems" | "note"> & {
 export const checkDatasheet = (text: string) => post<CheckedDatasheet>(`${DATASHEETS}/check`, { name: "", text });
 
 export const readJoints = () => get<JointsView>(`${DATASHEETS}/joints`);
+
+/** What the station makes of a text with the model of an arm. */
+export const readArmModel = async (text: string, answers: Record<string, string>) =>
+  localized(await post<ArmModelView>(`${DATASHEETS}/model`, { text, answers }));
 
 const reference = ({ kind, file, version }: DatasheetRow) => ({ kind, file, version });
 

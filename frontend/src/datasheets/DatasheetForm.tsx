@@ -9,6 +9,7 @@ import { CardHead } from "../parts/CardHead";
 import { PressButton } from "../parts/PressButton";
 import { Segments } from "../parts/Segments";
 import { t } from "../state/language";
+import { ArmModelImport } from "./ArmModelImport";
 import { ArmPicture } from "./ArmPicture";
 import styles from "./Datasheets.module.css";
 import { drawn, drawnFlat } from "./drawn";
@@ -33,11 +34,13 @@ interface DatasheetFormProps {
   arm: ConnectedArmView | null;
   edited?: Edited | undefined;
   onSave: (added: NewDatasheet) => Promise<void>;
+  /** A model of the arm was read, which takes the place of the joints. */
+  onModel: (values: Values, document: Record<string, unknown>) => void;
   onBack: () => void;
 }
 
 /** A datasheet that is entered or edited: checked by the station while typing, and drawn. */
-export function DatasheetForm({ name, first, ranges, arm, edited, onSave, onBack }: DatasheetFormProps) {
+export function DatasheetForm({ name, first, ranges, arm, edited, onSave, onModel, onBack }: DatasheetFormProps) {
   const form = useForm(name, first, edited?.document);
   const { kind, fields, title, table } = FORMS[name];
   const picture = useDrawing(name, form.document);
@@ -68,7 +71,11 @@ export function DatasheetForm({ name, first, ranges, arm, edited, onSave, onBack
         kind === "arm" ? (
           <div className={styles.joints}>
             <ArmPicture document={form.document} arm={arm} />
-            {rows}
+            {name === "arm" ? (
+              <ArmModelImport onTake={(document) => onModel(form.values, document)}>{rows}</ArmModelImport>
+            ) : (
+              rows
+            )}
           </div>
         ) : (
           picture

@@ -95,6 +95,13 @@ export function valuesOf(name: FormName, document: Plain): Values {
   return values;
 }
 
+/** The fields of an arm whose joints and convention are those of a model; its name, where none was entered. */
+export function withModel(values: Values, document: Plain): Values {
+  const rest = Object.entries(values).filter(([key]) => !key.startsWith("joints."));
+  const model = Object.entries(valuesOf("arm", document)).filter(([key]) => /^(joints\.|convention$)/.test(key));
+  return Object.fromEntries([...rest, ...model, ["name", values.name || String(document.name ?? "")]]);
+}
+
 /** What belongs to one unit, and not to another that is like it. */
 const OF_ONE_UNIT = ["serial_number", "certificate", "valid_until", "point_mm", "normal", "centre_mm"];
 

@@ -13,7 +13,7 @@ import type { Action, ConnectedArmView, DatasheetRow, DatasheetsView, Problem } 
 import { DatasheetForm, type Edited } from "../datasheets/DatasheetForm";
 import { DatasheetLists } from "../datasheets/DatasheetLists";
 import { DatasheetsCard } from "../datasheets/DatasheetsCard";
-import { copyOf, valuesOf } from "../datasheets/document";
+import { copyOf, valuesOf, withModel } from "../datasheets/document";
 import { FORMS, type FormName, firstRows, isForm, type Values } from "../datasheets/forms";
 import { readDatasheet } from "../datasheets/upload";
 import { Layout } from "../frame/Layout";
@@ -29,6 +29,8 @@ interface Editing {
   name: FormName;
   first: Values;
   edited: Edited;
+  /** Another one each time a model of an arm takes the place of the joints. */
+  key: number;
 }
 
 /** Something that is done once the person agrees that another datasheet of the same thing is retired. */
@@ -74,11 +76,18 @@ export function DatasheetsPage() {
       const present = JSON.parse(await (await getFile(fileOf(row))).text()) as Record<string, unknown>;
       const document = asCopy ? copyOf(present, t("ui-copy-of", { name: row.name })) : present;
       const version = asCopy ? "" : row.version;
-      setEditing({ name: row.form, first: valuesOf(row.form, document), edited: { version, document } });
+      setEditing({ name: row.form, first: valuesOf(row.form, document), edited: { version, document }, key: 0 });
     } catch (error) {
       notifyOfError(error, t("ui-the-datasheet-was-not-changed"));
     }
   };
+  const takeModel = (values: Values, document: Record<string, unknown>) =>
+    setEditing({
+      name: "arm",
+      first: withModel(values, document),
+      edited: { version: editing?.edited.version ?? "", document },
+      key: (editing?.key ?? 0) + 1,
+    });
   const addFiles = async (files: FileList) => {
     setSaved(null);
     for (const file of Array.from(files)) {
@@ -94,7 +103,15 @@ export function DatasheetsPage() {
   if (editing) {
     return (
       <>
-        <DatasheetForm {...editing} ranges={view.ranges} arm={view.arm} onSave={keep} onBack={list} />
+        <DatasheetForm
+          {...editing}
+          key={editing.key}
+          ranges={view.ranges}
+          arm={view.arm}
+          onSave={keep}
+          onModel={takeModel}
+          onBack={list}
+        />
         {question}
       </>
     );
@@ -109,6 +126,7 @@ export function DatasheetsPage() {
           ranges={view.ranges}
           arm={view.arm}
           onSave={keep}
+          onModel={takeModel}
           onBack={list}
         />
         {question}

@@ -1,0 +1,51 @@
+"""Cells of a Denavit-Hartenberg table: numbers, multiples of π, degrees, joint variables."""
+
+import math
+import re
+from dataclasses import dataclass
+from typing import Literal
+
+AngleUnit = Literal["deg", "rad"]
+
+_VARIABLE = re.compile(r"([-+]?)\s*(?:q|θ|ϑ|theta|phi|φ|t|j)_?\{?[1-9]\}?\*?", re.IGNORECASE)
+_NUMBER = r"\d+(?:\.\d*)?(?:e[-+]?\d+)?|\.\d+(?:e[-+]?\d+)?"
+_WITH_PI = re.compile(rf"([-+]?)({_NUMBER})?\*?π(?:/({_NUMBER}))?", re.IGNORECASE)
+_PLAIN = re.compile(rf"([-+]?)({_NUMBER})(°|deg|rad)?", re.IGNORECASE)
+
+
+@dataclass(frozen=True)
+class Cell:
+    """A cell as it stands there; of a joint's angle, what is added to its reading."""
+
+    value: float
+    unit: AngleUnit | None = None
+    """The cell itself says it: ``π/2``, ``90°``."""
+    sign: int = 0
+    """Of the joint's variable; 0 without one."""
+
+
+def parse_cell(text: str) -> Cell | None:
+    """The value of a cell; None if it is none: ``-0.425``, ``-π/2``, ``90°``, ``q2 - 90``.
+
+    Decimal commas are those of the table, and replaced before.
+    """
+    rest = re.sub(r"\s+", "", text.replace("\u2212", "-").replace("–", "-"))
+    rest = re.sub(r"\\?pi", "π", rest, flags=re.IGNORECASE)
+    sign = 0
+    if (variable := _VARIABLE.search(rest)) is not None:
+        sign = -1 if variable[1] == "-" else 1
+        rest = rest[: variable.start()] + rest[variable.end() :]
+        if rest in ("", "+"):
+            return Cell(0.0, sign=sign)
+    if (found := _WITH_PI.fullmatch(rest)) is not None:
+        divisor = float(found[3] or 1)
+        if divisor == 0:
+            return None
+        value = float(found[2] or 1) * math.pi / divisor
+        return Cell(-value if found[1] == "-" else value, "rad", sign)
+    if (found := _PLAIN.fullmatch(rest)) is not None:
+        value = float(found[2]) * (-1 if found[1] == "-" else 1)
+        suffix = (found[3] or "").lower()
+        unit: AngleUnit | None = "rad" if suffix == "rad" else "deg" if suffix else None
+        return Cell(value, unit, sign) if math.isfinite(value) else None
+    return None

@@ -1,0 +1,86 @@
+"""Recognizes what a text with a model of an arm is, reads it, and makes ``arm.json`` of it."""
+
+from pathlib import Path
+
+from app.errors import OperationError
+from app.formats.arm_models.dh_model import read_dh_model
+from app.formats.arm_models.model import Answers, ImportedArm, Question
+from app.formats.atomic_write import check_output_path
+from app.formats.datasheets.arm import ArmFile, TipPart
+from app.formats.file_names import display_path
+from app.formats.io_errors import prefix_errors
+from app.formats.json_document import read_text
+from app.messages.message import Text, join, message
+
+
+def read_model(text: str, answers: Answers) -> ImportedArm:
+    """The arm that a text describes: a Denavit-Hartenberg table.
+
+    Args:
+        text: pasted, or of a file.
+        answers: what a person said to the questions of an earlier call.
+
+    Returns:
+        The joints, or the questions that are open.
+
+    Raises:
+        OperationError: it is nothing of this kind, it is incomplete or malformed, or an answer
+            cannot be true.
+    """
+    return read_dh_model(text, answers)
+
+
+def import_arm_file(
+    source: Path,
+    output: Path,
+    answers: Answers,
+    tip: tuple[float, float, float, float],
+    name: str = "",
+    serial_number: str = "",
+) -> tuple[ArmFile, ImportedArm]:
+    """Writes ``arm.json`` of the model in a file.
+
+    Args:
+        answers: what the file leaves open, by the keys of the questions.
+        tip: its centre in the flange frame and its diameter, mm.
+        name: of the arm; that in the file, or the file's own, if it is empty.
+
+    Raises:
+        OperationError: the file has no model or a damaged one; a question is open
+            (``model-questions-open``); or ``arm.json`` cannot be written. Nothing is then written.
+    """
+    check_output_path(output, [source])
+    text = read_text(source)
+    with prefix_errors(source):
+        model = read_model(text, answers)
+    if model.is_open:
+        raise OperationError(
+            "model-questions-open",
+            message("model-leaves-open", path=display_path(source)),
+            join([_open_text(one) for one in model.questions if not one.answer], "; "),
+            message("say-what-is-open"),
+        )
+    x_mm, y_mm, z_mm, diameter_mm = tip
+    document = ArmFile(
+        name=name or model.name or source.stem,
+        serial_number=serial_number,
+        convention=model.convention,
+        base=model.base,
+        joints=model.joints,
+        tip=TipPart(x_mm=x_mm, y_mm=y_mm, z_mm=z_mm, diameter_mm=diameter_mm),
+    )
+    document.write(output)
+    return document, model
+
+
+def _open_text(question: Question) -> Text:
+    options = " | ".join(question.options)
+    if not question.likely:
+        return message("model-open", key=question.key, options=options)
+    return message(
+        "model-open-likely",
+        key=question.key,
+        options=options,
+        likely=question.likely,
+        why=question.why,
+    )
