@@ -69,7 +69,7 @@ def identify(
 @report_errors
 def import_arm(
     source: Annotated[
-        Path, typer.Argument(metavar="FILE", help="Text with the arm's D-H table, or a CSV file.")
+        Path, typer.Argument(metavar="FILE", help="The arm's D-H table as text or CSV, or URDF.")
     ],
     tip: Annotated[
         tuple[float, float, float, float],

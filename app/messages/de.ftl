@@ -709,6 +709,7 @@ chessboard-seen-several-sides-take-one = Ein Schachbrett muss von mehreren Seite
 chessboard-x-inner-corners-found = es wurde ein Schachbrett mit { $columns } × { $rows } inneren Ecken gefunden
 choice-needs-field-id = Eine Auswahl braucht ein Feld und eine Kennung.
 choose-another = Einen anderen wählen
+choose-another-end = Wählen Sie ein anderes Ende, oder geben Sie das URDF eines einzelnen Arms an
 choose-another-name = Einen anderen Namen wählen
 choose-another-place = Einen anderen Speicherort wählen
 choose-another-port = Hier und an der Robotersteuerung einen anderen Port wählen.
@@ -1299,6 +1300,7 @@ every-reading-joints-could-true = Alle Messwerte der Gelenke sind plausibel.
 every-stripe-pictures-wait-them = Alle Laserlinien sind aufgezeichnet; sie haben Vorrang vor Bildern.
 everything-grows-metre-aluminium = Mit der Temperatur dehnt sich alles aus, ein Meter Aluminium um { $growth } je Grad.
 exceed-limit-m = { $half_range } überschreiten den Grenzwert von { $limit }.
+expand-xacro = Wandeln Sie es mit xacro DATEI > robot.urdf um, und geben Sie das Ergebnis an
 expanded-uncertainty-note = U = { $expanded_uncertainty }, k = 2
 expansion-not-read = der Ausdehnungskoeffizient des Kalibrierscheins wird nicht gelesen: expansion_per_c in der Datei eintragen
 figure-over-clouds = 
@@ -1325,6 +1327,7 @@ give-times-in-seconds-readings-closer = Alle Zeiten in Sekunden angeben, und Mes
 give-times-of-one-clock = Bildern und Messwerten Zeiten derselben Uhr geben
 give-unit-of-angles = Wählen Sie die Einheit der Winkel
 give-unit-of-lengths = Wählen Sie die Einheit der Längen
+give-urdf = Geben Sie das URDF des Roboters an, wie ROS es liest
 if-angles-of-next-row =
     { $row ->
         [before] wenn jede Zeile die Gelenkwinkel der vorherigen Zeile hätte
@@ -1489,6 +1492,7 @@ source-dh-table =
         [one] Denavit-Hartenberg-Tabelle mit einer Zeile
        *[other] Denavit-Hartenberg-Tabelle mit { $rows } Zeilen
     }
+source-urdf = URDF von { $name }
 sphere-diameter-not-read = der Kalibrierschein nennt keinen Durchmesser der Kugeln oder mehrere: sphere_diameter_mm in der Datei eintragen
 expected = erwartet wird { $wanted }
 expected-by-datasheet-and-expanded-uncertainty = laut Datenblatt { $expected }; U = { $expanded_uncertainty }, k = 2
@@ -4281,6 +4285,41 @@ ur-refuses-start = Der Roboter unter { $address } weigert sich, Daten zu senden
 ur-switch-on = Den Roboterarm am Handbediengerät einschalten.
 ur-tool-changed = Das aktive Werkzeug (TCP) des Roboters unter { $address } wurde gewechselt
 ur-update-polyscope = PolyScope, die Software des Roboters, mindestens auf 3.12 (CB3) oder 5.5.1 (e-Series) aktualisieren; mit älterer Software report = "joints" verwenden.
+urdf-axis-is-zero = Gelenk { $name }: Seine Achse hat keine Richtung
+urdf-branches = Bei Glied { $link } verzweigt sich der Roboter: { $links }
+urdf-chain-too-long = Zu Glied { $end } führen { $joints } Drehgelenke: Ein Arm hat fünf bis sieben
+urdf-chain-too-short =
+    { $joints ->
+        [0] Kein Glied des Roboters folgt auf ein Drehgelenk
+       *[other] Kein Glied des Roboters folgt auf fünf Drehgelenke: Es sind höchstens { $joints }
+    }
+urdf-circle = Die Glieder vor { $link } folgen im Kreis aufeinander
+urdf-continuous = Endlos drehende Gelenke (continuous) haben die Grenzen ±360°.
+urdf-first-link = es ist das erste Glied vor den Gelenken des Arms
+urdf-flange = dem Namen nach sitzt dort ein Werkzeug
+urdf-has-metres = Geben Sie die Längen eines URDF in Metern an
+urdf-is-xacro = Der Text ist ein xacro, aus dem ein URDF entsteht
+urdf-joint-between = Gelenk { $joint } zwischen { $base } und { $end } lässt sich nicht verwenden
+urdf-joint-follows = es folgt Gelenk { $other } (mimic), der Arm meldet seinen Winkel also nicht
+urdf-joint-kind =
+    { $kind ->
+        [prismatic] es schiebt (prismatic)
+       *[other] seine Art ist { $kind }
+    }
+urdf-kinds = der Roboter hat diese Gelenke: { $kinds }
+urdf-meshes =
+    { $count ->
+        [one] Die Datei nennt ein Netz (mesh): Es wird nicht gebraucht und nicht gelesen.
+       *[other] Die Datei nennt { $count } Netze (mesh): Sie werden nicht gebraucht und nicht gelesen.
+    }
+urdf-numbers = Gelenk { $joint }: { $name } ist { $text }
+urdf-numbers-expected =
+    { $count ->
+        [one] erwartet wird eine Zahl
+       *[other] erwartet werden { $count } Zahlen, durch Leerzeichen getrennt
+    }
+urdf-only-end = dort endet der Roboter
+urdf-without-joints = Das URDF hat kein Gelenk
 usable = Nicht brauchbar: { $fault }
 usable-2 = Nicht brauchbar
 usable-attention = Brauchbar, mit Vorbehalt
@@ -4435,6 +4474,7 @@ write-readings-of-arm = Die Messwerte des Arms mit ihren Zeiten eintragen
 xlsx-extra-missing = Braucht XlsxWriter auf der Station: pip install 'crenel[xlsx]'
 xlsx-requires-package = XLSX-Dateien benötigen das Paket XlsxWriter, das nicht installiert ist
 xml-document-type-refused = die Datei hat einen Dokumenttyp (DOCTYPE oder ENTITY), den kein Kalibrierschein braucht; sie wird nicht gelesen
+xml-is-no-urdf = Der Text ist XML mit dem äußeren Element { $name }; das eines URDF ist robot
 xml-not-well-formed = die Datei ist kein wohlgeformtes XML: { $error }
 word-above = oben
 word-ambient = Umgebungslicht

@@ -709,6 +709,7 @@ chessboard-seen-several-sides-take-one = A chessboard must be seen from several 
 chessboard-x-inner-corners-found = a chessboard of { $columns } × { $rows } inner corners was found
 choice-needs-field-id = A choice needs a field and an id.
 choose-another = Choose another
+choose-another-end = Choose another end, or give the URDF of one arm
 choose-another-name = Choose another name
 choose-another-place = Choose another location
 choose-another-port = Choose another port here and on the robot's controller.
@@ -1295,6 +1296,7 @@ every-reading-joints-could-true = All joint readings are plausible.
 every-stripe-pictures-wait-them = All stripes are recorded; they take precedence over pictures.
 everything-grows-metre-aluminium = Everything expands with it: one metre of aluminium by { $growth } per degree.
 exceed-limit-m = { $half_range } exceeds the limit of { $limit }.
+expand-xacro = Expand it with xacro FILE > robot.urdf, and give that
 expanded-uncertainty-note = U = { $expanded_uncertainty }, k = 2
 expansion-not-read = the certificate's coefficient of expansion is not read: enter expansion_per_c in the file
 figure-over-clouds = 
@@ -1321,6 +1323,7 @@ give-times-in-seconds-readings-closer = Give all times in seconds, and readings 
 give-times-of-one-clock = Give pictures and readings the times of one clock
 give-unit-of-angles = Choose the unit of the angles
 give-unit-of-lengths = Choose the unit of the lengths
+give-urdf = Give the URDF of the robot, as ROS reads it
 if-angles-of-next-row =
     { $row ->
         [before] if every row had the joint angles of the row before
@@ -1485,6 +1488,7 @@ source-dh-table =
         [one] Denavit-Hartenberg table of one row
        *[other] Denavit-Hartenberg table of { $rows } rows
     }
+source-urdf = URDF of { $name }
 sphere-diameter-not-read = the certificate states no diameter of the spheres, or several: enter sphere_diameter_mm in the file
 expected = { $wanted } is expected
 expected-by-datasheet-and-expanded-uncertainty = datasheet: { $expected }; U = { $expanded_uncertainty }, k = 2
@@ -4259,6 +4263,41 @@ ur-refuses-start = The robot at { $address } refuses to send data
 ur-switch-on = Switch the robot arm on at its teach pendant.
 ur-tool-changed = The active tool (TCP) of the robot at { $address } was changed
 ur-update-polyscope = Update PolyScope, the robot's software, to 3.12 (CB3) or 5.5.1 (e-Series) or later; on older software, use report = "joints".
+urdf-axis-is-zero = Joint { $name }: its axis has no direction
+urdf-branches = At link { $link }, the robot branches: { $links }
+urdf-chain-too-long = { $joints } rotary joints lead to link { $end }: an arm has five to seven
+urdf-chain-too-short =
+    { $joints ->
+        [0] No link of the robot follows a rotary joint
+       *[other] No link of the robot follows five rotary joints: the most is { $joints }
+    }
+urdf-circle = The links before { $link } follow each other in a circle
+urdf-continuous = Joints that turn without end (continuous) have limits of ±360°.
+urdf-first-link = it is the first link before the joints of the arm
+urdf-flange = a tool is mounted there by its name
+urdf-has-metres = Give the lengths of a URDF in metres
+urdf-is-xacro = The text is a xacro, from which a URDF is made
+urdf-joint-between = Joint { $joint } between { $base } and { $end } cannot be used
+urdf-joint-follows = it follows joint { $other } (mimic), so the arm does not report its angle
+urdf-joint-kind =
+    { $kind ->
+        [prismatic] it slides (prismatic)
+       *[other] its type is { $kind }
+    }
+urdf-kinds = the robot has these joints: { $kinds }
+urdf-meshes =
+    { $count ->
+        [one] One mesh is named in the file: it is not needed, and not read.
+       *[other] { $count } meshes are named in the file: they are not needed, and not read.
+    }
+urdf-numbers = Joint { $joint }: { $name } is { $text }
+urdf-numbers-expected =
+    { $count ->
+        [one] a number is expected
+       *[other] { $count } numbers are expected, separated by spaces
+    }
+urdf-only-end = the robot ends there
+urdf-without-joints = The URDF has no joint
 usable = Not usable: { $fault }
 usable-2 = Not usable
 usable-attention = Usable, with attention
@@ -4421,6 +4460,7 @@ write-readings-of-arm = Write the readings of the arm, with their times
 xlsx-extra-missing = Needs XlsxWriter on the station: pip install 'crenel[xlsx]'
 xlsx-requires-package = XLSX files require the package XlsxWriter, which is not installed
 xml-document-type-refused = the file has a document type (DOCTYPE or ENTITY), which no certificate needs; it is not read
+xml-is-no-urdf = The text is XML with the element { $name } outside, but that of a URDF is robot
 xml-not-well-formed = the file is not well-formed XML: { $error }
 word-above = above
 word-ambient = ambient

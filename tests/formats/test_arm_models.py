@@ -5,6 +5,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from scipy.spatial.transform import Rotation
 
 from app.errors import OperationError
 from app.formats.arm_models.import_model import read_model
@@ -44,6 +45,32 @@ CRAIG = """Modified Denavit-Hartenberg
 | 5 | 90 | 0 | 99.7 | 0 |
 | 6 | -90 | 0 | 0 | 0 |
 | flange | 0 | 0 | 99.6 | 0 |"""
+JOINT = """<joint name="{0}" type="{1}"><parent link="{2}"/><child link="{3}"/>
+<origin xyz="{4}" rpy="{5}"/><axis xyz="{6}"/><limit lower="-6.2" upper="6.2"/></joint>"""
+QUARTER = "1.5707963267948966 0 0"
+TREE = (
+    ("rail", "fixed", "world", "base", "3 0 0", "0 0 0", "1 0 0"),
+    ("pan", "revolute", "base", "shoulder", "0 0 0.1625", "0 0 0", "0 0 1"),
+    ("lift", "revolute", "shoulder", "upper", "0 0 0", QUARTER, "0 0 2"),
+    ("elbow", "revolute", "upper", "fore", "-0.425 0.01 0", "3.1 0.2 0", "0 0 -1"),
+    ("w1", "continuous", "fore", "wrist1", "-0.3922 0 -0.1333", QUARTER, "0 -1 0"),
+    ("w2", "revolute", "wrist1", "wrist2", "0 0.02 0.0997", "0.3 -0.4 1", "1 2 -1"),
+    ("w3", "revolute", "wrist2", "wrist3", "0 0 -0.0996", "3 0 0.7", "0 -1 0"),
+    ("mount", "fixed", "wrist3", "tool0", "0.03 0.02 0.01", "0.1 0.2 0.3", "0 0 1"),
+    ("finger", "prismatic", "wrist3", "gripper", "0 0 0", "0 0 0", "0 0 1"),
+)
+MESH = '<link name="world"><visual><geometry><mesh filename="package://ur/base.dae"/></geometry>'
+
+
+def urdf(*changes: tuple[str, str]) -> str:
+    text = "".join(JOINT.format(*row) for row in TREE)
+    for before, after in changes:
+        assert before in text
+        text = text.replace(before, after)
+    return f'<robot name="ur">{MESH}</visual></link>{text}</robot>'
+
+
+CHAIN = {"end": "tool0", "base": "base"}
 ORDER = "theta, a, d, alpha"
 STANDARD = {"convention": "dh-standard"}
 
@@ -90,7 +117,63 @@ def test_what_a_text_does_not_say_is_asked(text: str, likely: dict[str, str]) ->
     assert {one.key: one.likely for one in found.questions if not one.answer} == likely
 
 
+def test_the_chain_of_a_urdf_moves_as_the_robot() -> None:
+    model = read_model(urdf(), CHAIN)
+    assert not model.is_open
+    q = np.random.default_rng(3).uniform(-2, 2, (3, 6))
+    for one, found in zip(q, poses(model), strict=True):
+        T, angles = np.eye(4), iter(one)
+        for _, kind, _, _, xyz, rpy, axis in TREE[1:8]:
+            placed, turned = np.eye(4), np.eye(4)
+            placed[:3, :3] = Rotation.from_euler("xyz", [*map(float, rpy.split())]).as_matrix()
+            placed[:3, 3] = [1000 * float(part) for part in xyz.split()]
+            if kind != "fixed":
+                direction = np.array([float(part) for part in axis.split()])
+                vector = next(angles) * direction / np.linalg.norm(direction)
+                turned[:3, :3] = Rotation.from_rotvec(vector).as_matrix()
+            T = T @ placed @ turned
+        np.testing.assert_allclose(found, T, atol=1e-9)
+
+
+def test_the_ends_of_a_urdf_are_asked_and_what_does_not_matter_is_said() -> None:
+    end = read_model(urdf(), {})
+    assert [(one.key, one.likely) for one in end.questions] == [("end", "tool0")]
+    assert end.questions[0].options == ("wrist2", "wrist3", "tool0", "gripper")
+    said = " ".join(map(str, end.notes))
+    for words in ("link wrist3, the robot branches: tool0, gripper", "One mesh", "±360°"):
+        assert words in said
+    base = read_model(urdf(), {"end": "tool0"}).questions[1]
+    assert (base.options, base.likely) == (("world", "base", "shoulder"), "world")
+    on_rail = urdf(('"rail" type="fixed"', '"rail" type="prismatic"'))
+    assert read_model(on_rail, {"end": "tool0"}).questions[1].likely == "base"
+
+
+W1 = '"w1" type="continuous"'
+NO_ARM = ('type="revolute"', 'type="prismatic"')
 BAD = {
+    "prismatic": (urdf((W1, '"w1" type="prismatic"')), CHAIN, "urdf-joint-not-rotary", "it slides"),
+    "planar": (urdf((W1, '"w1" type="planar"')), CHAIN, "urdf-joint-not-rotary", "planar"),
+    "gripper": (urdf(), {**CHAIN, "end": "gripper"}, "urdf-joint-not-rotary", "finger"),
+    "mimic": (
+        urdf(('<axis xyz="0 0 2"/>', '<axis xyz="0 0 2"/><mimic joint="pan"/>')),
+        CHAIN,
+        "urdf-joint-not-free",
+        "follows joint pan",
+    ),
+    "no arm": (urdf(NO_ARM), {}, "urdf-chain", "6 prismatic"),
+    "no such link": (urdf(), {"end": "hand"}, "model-answer-unknown", "wrist2"),
+    "circle": (urdf(('link="world"', 'link="tool0"')), {}, "urdf-malformed", "circle"),
+    "mm": (
+        urdf(("-0.425", "-425"), ("-0.3922", "-392.2")),
+        CHAIN,
+        "model-length-unit",
+        "in metres",
+    ),
+    "numbers": (urdf(("0.1 0.2 0.3", "0.1 0,2 0.3")), {}, "urdf-malformed", "0,2"),
+    "no axis": (urdf(('"0 0 2"', '"0 0 0"')), {}, "urdf-malformed", "lift"),
+    "xacro": (urdf(("0.1625", "${d1}")), {}, "urdf-is-xacro", "xacro FILE"),
+    "other XML": ("<sdf/>", {}, "model-not-recognized", "sdf"),
+    "cut off": (urdf()[:300], {}, "xml-malformed", "URDF"),
     "missing row": (UR.replace("Joint 3: 0 −0.3922 0 0\n", ""), {}, "dh-row-missing", "joint 3"),
     "row twice": (UR.replace("Joint 3", "Joint 2"), {}, "dh-row-missing", "joint 3"),
     "four joints": ("\n".join(GERMAN.splitlines()[:5]), {}, "dh-joint-count", "not 4"),

@@ -5,6 +5,7 @@ from pathlib import Path
 from app.errors import OperationError
 from app.formats.arm_models.dh_model import read_dh_model
 from app.formats.arm_models.model import Answers, ImportedArm, Question
+from app.formats.arm_models.urdf import is_urdf, read_urdf
 from app.formats.atomic_write import check_output_path
 from app.formats.datasheets.arm import ArmFile, TipPart
 from app.formats.file_names import display_path
@@ -14,7 +15,7 @@ from app.messages.message import Text, join, message
 
 
 def read_model(text: str, answers: Answers) -> ImportedArm:
-    """The arm that a text describes: a Denavit-Hartenberg table.
+    """The arm that a text describes: a Denavit-Hartenberg table, or URDF.
 
     Args:
         text: pasted, or of a file.
@@ -27,6 +28,8 @@ def read_model(text: str, answers: Answers) -> ImportedArm:
         OperationError: it is nothing of this kind, it is incomplete or malformed, or an answer
             cannot be true.
     """
+    if is_urdf(text):
+        return read_urdf(text, answers)
     return read_dh_model(text, answers)
 
 

@@ -69,7 +69,7 @@ def view_model(text: str, answers: Mapping[str, str]) -> ArmModelView:
         for one in model.questions
     )
     if model.is_open:
-        return ArmModelView(model.source, "", questions, (), (), "")
+        return ArmModelView(model.source, "", questions, model.notes, (), "")
     rows = tuple(
         ModelRow(joint.name, joint.a_mm, joint.alpha_deg, joint.d_mm, joint.theta_deg)
         for joint in model.joints

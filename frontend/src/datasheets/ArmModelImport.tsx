@@ -16,6 +16,8 @@ const QUESTIONS: Record<ModelQuestion["key"], PlainId> = {
   length: "ui-unit-of-the-lengths",
   angle: "ui-unit-of-the-angles",
   convention: "ui-convention",
+  end: "ui-the-arm-ends-at",
+  base: "ui-the-arm-begins-at",
 };
 const OPTIONS: Record<string, PlainId> = {
   deg: "ui-degrees",
@@ -120,14 +122,14 @@ function Found({
       {view.questions.map((question) => (
         <Question key={question.key} question={question} onAnswer={(value) => onAnswer(question.key, value)} />
       ))}
+      {view.notes.map((note) => (
+        <p key={note} className={table.note}>
+          {note}
+        </p>
+      ))}
       {view.rows.length > 0 && (
         <>
           <ModelTable view={view} />
-          {view.notes.map((note) => (
-            <p key={note} className={table.note}>
-              {note}
-            </p>
-          ))}
           <div className={table.acts}>
             <PressButton kind="primary" onPress={() => onTake(JSON.parse(view.document) as Document)}>
               {t("ui-this-is-the-arm-take-it-over")}

@@ -21,6 +21,7 @@ from app.metrology.arm.identification.parameters import (
     tip_index,
 )
 from app.metrology.arm.kinematics import Arm
+from app.metrology.arm.near_frames import PARALLEL
 from app.metrology.transforms import Floats
 
 FixedReason = Literal[
@@ -50,8 +51,6 @@ LENGTH_MM, ANGLE_RAD = 0.1, 2e-4
 TIP_MM = 1.0
 """Of the tip, which is exchangeable and may be unknown."""
 LARGEST_SCALE = 30.0
-PARALLEL = 0.1
-"""Axes with a smaller sine between them are parallel: E's ry is their angle (Hayati), not d."""
 INDEPENDENT = 0.02
 """Share of a parameter's effect that others do not explain; with less, it is redundant."""
 
