@@ -69,7 +69,12 @@ def identify(
 @report_errors
 def import_arm(
     source: Annotated[
-        Path, typer.Argument(metavar="FILE", help="The arm's D-H table as text or CSV, or URDF.")
+        Path,
+        typer.Argument(
+            metavar="FILE|NAME",
+            help="The arm's D-H table as text or CSV, its URDF, or calibration.conf of a UR; or "
+            "the name of a robot of the list.",
+        ),
     ],
     tip: Annotated[
         tuple[float, float, float, float],

@@ -1315,6 +1315,7 @@ file-has-no-readings = { $path } enthält keine Messwerte des Arms
 first-row-empty = Länge und Verdrehung der ersten Zeile sind null, die der letzten nicht
 flange-row-read = Die Zeile { $name } dreht um kein Gelenk: Sie gilt als feste Transformation hinter dem letzten Gelenk.
 frames-left-out-clock-set = { $count } von { $frames } Bildern ausgelassen: Um ihre Zeitstempel wurde eine Uhr zurückgestellt
+frames-moved-near-the-arm = Koordinatensysteme der Glieder mit fast parallelen Achsen lagen in arm.json bis zu { $far } entfernt: Sie wurden in die Nähe des Arms verlegt und beschreiben denselben Arm
 give-arm-and-camera-one-clock = Beide an einer Uhr betreiben (PTP oder Pulse des Messarms), oder den Zeitversatz vor jedem Scan bestimmen.
 give-each-row-angles-of-its-pose = Jeder Zeile die Gelenkwinkel ihrer eigenen Pose geben
 give-kind-charuco = Die Tafel in object.json mit kind charuco, dictionary und marker_mm beschreiben
@@ -1327,6 +1328,7 @@ give-times-in-seconds-readings-closer = Alle Zeiten in Sekunden angeben, und Mes
 give-times-of-one-clock = Bildern und Messwerten Zeiten derselben Uhr geben
 give-unit-of-angles = Wählen Sie die Einheit der Winkel
 give-unit-of-lengths = Wählen Sie die Einheit der Längen
+give-ur-files = Geben Sie calibration.conf des Arms an, allein oder gefolgt von urcontrol.conf
 give-urdf = Geben Sie das URDF des Roboters an, wie ROS es liest
 if-angles-of-next-row =
     { $row ->
@@ -1386,6 +1388,7 @@ no-arm-has-such-lengths = so klein oder groß ist kein Arm
 no-dh-table = Der Text enthält keine Denavit-Hartenberg-Tabelle
 no-picture-between-readings = kein Bild von { $path } liegt zwischen zwei Messwerten von { $readings }, die dicht beieinander liegen
 no-picture-of-folder-can-be-used = keines der { $count } Bilder ist verwendbar; das erste: { $first }
+nominal-is-not-this-arm = Ein Nennmodell passt zu jedem Arm seiner Bauart, und zu keinem genau: Identifizieren Sie Ihren Arm, oder geben Sie seine Werkskalibrierung an.
 only-order-with-right-angles = nur in dieser Reihenfolge sind alle Verdrehungen Vielfache von 90°
 pass-over-one-flat-plate = Eine einzige ebene Platte überfahren und ihren Rand auslassen.
 paste-dh-table = Fügen Sie je Gelenk eine Zeile mit a, alpha, d und theta ein
@@ -1491,6 +1494,13 @@ source-dh-table =
     { $rows ->
         [one] Denavit-Hartenberg-Tabelle mit einer Zeile
        *[other] Denavit-Hartenberg-Tabelle mit { $rows } Zeilen
+    }
+source-nominal-arm = { $name }, nach { $source }
+source-robot-of-the-list = Ohne Text: ein Roboter der Liste
+source-ur-calibration =
+    { $calibrated ->
+        [yes] Werkskalibrierung eines Arms von Universal Robots
+       *[no] Nennmodell eines Arms von Universal Robots (urcontrol.conf)
     }
 source-urdf = URDF von { $name }
 sphere-diameter-not-read = der Kalibrierschein nennt keinen Durchmesser der Kugeln oder mehrere: sphere_diameter_mm in der Datei eintragen
@@ -4279,9 +4289,17 @@ ur-has-not = Der Roboter unter { $address } bietet { $names } nicht an
 ur-keep-tool = Während einer Sitzung dasselbe aktive Werkzeug verwenden. Die Verbindung öffnet sich von selbst wieder; danach den letzten Schritt wiederholen.
 ur-no-answer = Der Roboter unter { $address } nimmt die Verbindung an, antwortet aber nicht wie RTDE
 ur-no-rtde = Was von { $address } kommt, ist kein RTDE ({ $reason })
+ur-nominal-only = Der Text hat keine Werkskalibrierung: Die Zeilen delta_theta, delta_a, delta_d und delta_alpha stehen in calibration.conf.
+ur-not-calibrated = Nach eigener Angabe der Datei wurde der Arm nicht kalibriert (calibration_status = 0)
 ur-rate-too-high = Der Roboter unter { $address } sendet höchstens mit { $fastest }, station.toml nennt aber { $rate }
 ur-refuses-protocol = Der Roboter unter { $address } spricht Version 2 von RTDE nicht
 ur-refuses-start = Der Roboter unter { $address } weigert sich, Daten zu senden
+ur-row-malformed =
+    { $there ->
+        [yes] Die Zeile { $name } ist beschädigt
+       *[no] Die Zeile { $name } fehlt
+    }
+ur-six-numbers = erwartet werden sechs Zahlen in Klammern je Zeile
 ur-switch-on = Den Roboterarm am Handbediengerät einschalten.
 ur-tool-changed = Das aktive Werkzeug (TCP) des Roboters unter { $address } wurde gewechselt
 ur-update-polyscope = PolyScope, die Software des Roboters, mindestens auf 3.12 (CB3) oder 5.5.1 (e-Series) aktualisieren; mit älterer Software report = "joints" verwenden.

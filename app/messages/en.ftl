@@ -1311,6 +1311,7 @@ file-has-no-readings = { $path } contains no readings
 first-row-empty = length and twist of the first row are zero, and those of the last are not
 flange-row-read = The row { $name } turns about no joint: it was taken as a constant transform behind the last joint.
 frames-left-out-clock-set = { $count } of { $frames } frames excluded: a clock was set back around their time stamps
+frames-moved-near-the-arm = link frames of nearly parallel axes lay up to { $far } away in arm.json: they were moved near the arm, and describe the same arm
 give-arm-and-camera-one-clock = Keep both on one clock (PTP, or pulses of the arm), or determine the delay before each scan.
 give-each-row-angles-of-its-pose = Give every row the joint angles of its own pose
 give-kind-charuco = Describe the board in object.json with kind charuco, and its dictionary and marker_mm
@@ -1323,6 +1324,7 @@ give-times-in-seconds-readings-closer = Give all times in seconds, and readings 
 give-times-of-one-clock = Give pictures and readings the times of one clock
 give-unit-of-angles = Choose the unit of the angles
 give-unit-of-lengths = Choose the unit of the lengths
+give-ur-files = Give calibration.conf of the arm, alone or followed by urcontrol.conf
 give-urdf = Give the URDF of the robot, as ROS reads it
 if-angles-of-next-row =
     { $row ->
@@ -1382,6 +1384,7 @@ no-arm-has-such-lengths = no arm is so small or so large
 no-dh-table = There is no Denavit-Hartenberg table in the text
 no-picture-between-readings = no picture of { $path } lies between two readings of { $readings } that are close together
 no-picture-of-folder-can-be-used = none of the { $count } pictures can be used; the first: { $first }
+nominal-is-not-this-arm = A nominal model is right for every arm of its kind, and exact for none: identify yours, or give its factory calibration.
 only-order-with-right-angles = only in this order are all twists multiples of 90°
 pass-over-one-flat-plate = Pass over one flat plate, and leave out its edge.
 paste-dh-table = Paste a line for each joint with a, alpha, d and theta
@@ -1487,6 +1490,13 @@ source-dh-table =
     { $rows ->
         [one] Denavit-Hartenberg table of one row
        *[other] Denavit-Hartenberg table of { $rows } rows
+    }
+source-nominal-arm = { $name }, by { $source }
+source-robot-of-the-list = Without a text: a robot of the list
+source-ur-calibration =
+    { $calibrated ->
+        [yes] Factory calibration of a Universal Robots arm
+       *[no] Nominal model of a Universal Robots arm (urcontrol.conf)
     }
 source-urdf = URDF of { $name }
 sphere-diameter-not-read = the certificate states no diameter of the spheres, or several: enter sphere_diameter_mm in the file
@@ -4257,9 +4267,17 @@ ur-has-not = The robot at { $address } does not offer { $names }
 ur-keep-tool = Keep one active tool during a session. The connection opens again by itself; then repeat the last action.
 ur-no-answer = The robot at { $address } accepts the connection but does not answer as RTDE does
 ur-no-rtde = What arrives from { $address } is no RTDE ({ $reason })
+ur-nominal-only = The text has no factory calibration: the rows delta_theta, delta_a, delta_d and delta_alpha are in calibration.conf.
+ur-not-calibrated = The file says of itself that the arm was not calibrated (calibration_status = 0)
 ur-rate-too-high = The robot at { $address } sends at most { $fastest }, but station.toml states { $rate }
 ur-refuses-protocol = The robot at { $address } does not speak version 2 of RTDE
 ur-refuses-start = The robot at { $address } refuses to send data
+ur-row-malformed =
+    { $there ->
+        [yes] The row { $name } is damaged
+       *[no] The row { $name } is missing
+    }
+ur-six-numbers = six numbers in brackets are expected in each row
 ur-switch-on = Switch the robot arm on at its teach pendant.
 ur-tool-changed = The active tool (TCP) of the robot at { $address } was changed
 ur-update-polyscope = Update PolyScope, the robot's software, to 3.12 (CB3) or 5.5.1 (e-Series) or later; on older software, use report = "joints".

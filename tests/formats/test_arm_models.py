@@ -1,7 +1,9 @@
 """Models of arms as their makers state them: read as they mean it, asked about, or refused."""
 
 import json
+from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -10,9 +12,16 @@ from scipy.spatial.transform import Rotation
 from app.errors import OperationError
 from app.formats.arm_models.import_model import read_model
 from app.formats.arm_models.model import ImportedArm
-from app.formats.datasheets.arm import TipPart, parse_any_arm
-from app.metrology.arm.kinematics import flange_poses
+from app.formats.datasheets.arm import TipPart, arm_document, parse_any_arm
+from app.metrology.arm import near_frames
+from app.metrology.arm.identification.identify import identify
+from app.metrology.arm.identification.observations import ArmObservations
+from app.metrology.arm.kinematics import Arm, flange_poses, link_transforms
+from app.metrology.arm.near_frames import chain_length_mm, with_near_frames
 from app.metrology.transforms import Floats
+from tests.present import present
+from tests.simulated_robots import Tracker, built, measure, postures
+from tests.sources import ROOT
 
 UR = """Joint 1: 0 0 0.1625 π/2
 Joint 2: 0 −0.425 0 0
@@ -70,16 +79,22 @@ def urdf(*changes: tuple[str, str]) -> str:
     return f'<robot name="ur">{MESH}</visual></link>{text}</robot>'
 
 
+UR5 = "Universal Robots UR5"
+DELTAS = "".join(f"delta_{term} = [0, 0, 0, 0, 0, 0]\n" for term in ("theta", "a", "d", "alpha"))
 CHAIN = {"end": "tool0", "base": "base"}
 ORDER = "theta, a, d, alpha"
 STANDARD = {"convention": "dh-standard"}
 
 
+def with_tip(model: ImportedArm) -> dict[str, Any]:
+    """The fields of ``arm.json``."""
+    tip = TipPart(x_mm=0, y_mm=0, z_mm=100, diameter_mm=6)
+    return {**model.fields(), "name": "Arm", "tip": tip.model_dump()}
+
+
 def poses(model: ImportedArm) -> Floats:
     """The flange in three postures."""
-    tip = TipPart(x_mm=0, y_mm=0, z_mm=100, diameter_mm=6)
-    fields = {**model.fields(), "name": "Arm", "tip": tip.model_dump()}
-    arm = parse_any_arm(json.dumps(fields), Path("arm.json"))
+    arm = parse_any_arm(json.dumps(with_tip(model)), Path("arm.json"))
     return flange_poses(arm, np.random.default_rng(3).uniform(-2, 2, (3, 6)))
 
 
@@ -148,9 +163,110 @@ def test_the_ends_of_a_urdf_are_asked_and_what_does_not_matter_is_said() -> None
     assert read_model(on_rail, {"end": "tool0"}).questions[1].likely == "base"
 
 
+def factory_files(arm: Arm) -> tuple[str, ...]:
+    """``calibration.conf`` and ``urcontrol.conf`` of an arm that was calibrated as a UR5."""
+    rows = {
+        "theta": [one.theta_rad for one in arm.joints],
+        "a": [one.a_mm / 1000 for one in arm.joints],
+        "d": [one.d_mm / 1000 for one in arm.joints],
+        "alpha": [one.alpha_rad for one in arm.joints],
+    }
+    nominal = {
+        "a": [0, -0.425, -0.39225, 0, 0, 0],
+        "d": [0.089159, 0, 0, 0.10915, 0.09465, 0.0823],
+        "alpha": [np.pi / 2, 0, 0, np.pi / 2, -np.pi / 2, 0],
+    }
+    deltas = {
+        f"delta_{term}": [*np.subtract(values, nominal.get(term, 0.0))]
+        for term, values in rows.items()
+    }
+    return tuple(
+        f"[{head}]\n" + "".join(f"{name} = {[*map(float, row)]}\n" for name, row in part.items())
+        for head, part in (("mounting", deltas), ("DH", nominal))
+    )
+
+
+def nominal_arm() -> Arm:
+    arm = parse_any_arm(json.dumps(with_tip(read_model("", {"robot": UR5}))), Path("arm.json"))
+    assert isinstance(arm, Arm)
+    return arm
+
+
+def factory_arm() -> Arm:
+    """A UR5 as it was made, its nearly parallel axes written by their common normals."""
+    near = built(nominal_arm(), np.random.default_rng(6))
+    links = link_transforms(near, np.zeros((1, 6)))[:, 0]
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(near_frames, "PARALLEL", 0.0)
+        joints = near_frames.joints_of_links(links, near.joints)
+    assert max(abs(one.d_mm) for one in joints) > 1e5
+    return replace(near, joints=joints)
+
+
+def test_frames_far_away_are_moved_near_the_arm() -> None:
+    arm = factory_arm()
+    near = with_near_frames(arm)
+    assert chain_length_mm(near.joints) < 2500
+    assert with_near_frames(near) is near
+    q = np.random.default_rng(3).uniform(-2, 2, (100, 6))
+    np.testing.assert_allclose(flange_poses(near, q), flange_poses(arm, q), atol=1e-9)
+    table = "a [mm]; alpha [rad]; d [mm]; theta [rad]\n"
+    rows = [(one.a_mm, one.alpha_rad, one.d_mm, one.theta_rad) for one in arm.joints]
+    lines = [";".join(map(repr, map(float, row))) for row in rows]
+    as_table = read_model("Standard\n" + table + "\n".join(lines), {})
+    np.testing.assert_allclose(poses(as_table), flange_poses(arm, q)[[0, 1, 2]], atol=3e-9)
+
+
+@pytest.mark.parametrize("both", [True, False])
+def test_a_factory_calibration_is_moved_near_the_arm(both: bool) -> None:
+    arm = factory_arm()
+    deltas, nominal = factory_files(arm)
+    text, answers = (deltas + nominal, {}) if both else (deltas, {"robot": UR5})
+    found = read_model(text, answers)
+    assert max(abs(one.d_mm) for one in found.joints) < 2000
+    assert "m away" in " ".join(map(str, found.notes))
+    q = np.random.default_rng(3).uniform(-2, 2, (3, 6))
+    np.testing.assert_allclose(poses(found), flange_poses(arm, q), atol=3e-9)
+    read = parse_any_arm(arm_document(arm).text(), Path("arm.json"))
+    assert isinstance(read, Arm)
+    assert chain_length_mm(read.joints) < 2500
+    np.testing.assert_allclose(flange_poses(read, q), flange_poses(arm, q), atol=3e-9)
+
+
+@pytest.mark.slow
+def test_a_factory_calibration_is_identified_as_well_as_the_catalogue() -> None:
+    rng = np.random.default_rng(7)
+    factory = parse_any_arm(arm_document(factory_arm()).text(), Path("arm.json"))
+    assert isinstance(factory, Arm)
+    true = built(factory, rng, 0.1, 2e-4)
+    seen = measure(true, postures(true, 60, rng), Tracker.somewhere(rng, 0.02), rng)
+    found = [
+        identify(arm, ArmObservations((), (), (), (seen,))) for arm in (factory, nominal_arm())
+    ]
+    after_um = [present(one.validation.after.coordinates_um) for one in found]
+    assert after_um[0] == pytest.approx(after_um[1], rel=0.05)
+    assert after_um[0] < 60
+    assert "m away in arm.json" in str(found[0].warnings[0])
+
+
+def test_nominal_models_are_listed_with_their_sources() -> None:
+    listed = read_model("", {}).questions[0].options
+    documented = (ROOT / "docs/formats.md").read_text()
+    for name in listed:
+        model = read_model("", {"robot": name})
+        assert parse_any_arm(json.dumps(with_tip(model)), Path("arm.json"))
+        assert f"| `{name}` | {model.source.values['source']} |" in documented  # type: ignore[union-attr]
+    ur5e = read_model("", {"robot": "Universal Robots UR5e"})
+    np.testing.assert_allclose(poses(ur5e), poses(read_model("Standard\n" + UR_HEAD + UR, {})))
+
+
 W1 = '"w1" type="continuous"'
 NO_ARM = ('type="revolute"', 'type="prismatic"')
 BAD = {
+    "no delta_d": (DELTAS.replace("delta_d", "d"), {}, "ur-row-malformed", "delta_d is missing"),
+    "five": (DELTAS.replace("[0, 0,", "[0,"), {}, "ur-row-malformed", "delta_theta is damaged"),
+    "not calibrated": (f"calibration_status = 0\n{DELTAS}", {}, "ur-not-calibrated", "calibration"),
+    "no such robot": (DELTAS, {"robot": "UR4"}, "model-answer-unknown", "UR5e"),
     "prismatic": (urdf((W1, '"w1" type="prismatic"')), CHAIN, "urdf-joint-not-rotary", "it slides"),
     "planar": (urdf((W1, '"w1" type="planar"')), CHAIN, "urdf-joint-not-rotary", "planar"),
     "gripper": (urdf(), {**CHAIN, "end": "gripper"}, "urdf-joint-not-rotary", "finger"),

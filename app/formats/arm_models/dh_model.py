@@ -21,6 +21,7 @@ from app.formats.arm_models.model import LIMIT_DEG, Answers, ImportedArm, Questi
 from app.formats.datasheets.arm import JOINT_COUNTS, ErrorPart, JointPart, error_part
 from app.messages.message import Text, message
 from app.metrology.arm.link_error import LinkError, error_from_transform, error_transform
+from app.metrology.arm.near_frames import PARALLEL
 
 ORDERS = (
     "a, alpha, d, theta",
@@ -129,14 +130,30 @@ def _ask_units(
             message("two-units-of-length", units=", ".join(sorted(stated))),
             remedy=message("give-unit-of-lengths"),
         )
-    total = sum(abs(row[role].value) for row in rows for role in LENGTHS)
-    angles = [row[role] for row in rows for role in ("alpha", "theta")]
+    angle = ask_angle([row[role] for row in rows for role in ("alpha", "theta")], answers)
     twists = [(row["a"].value, row["alpha"].value) for row in rows]
-    return (
-        ask_length(total, next(iter(stated), ""), answers),
-        ask_angle(angles, answers),
-        ask_convention(table.title, table.heads.counts_before, twists, answers),
-    )
+    convention = ask_convention(table.title, table.heads.counts_before, twists, answers)
+    unit = angle.answer or angle.likely
+    total = _total_length(rows, unit, before=convention.answer == "dh-modified")
+    return ask_length(total, next(iter(stated), ""), answers), angle, convention
+
+
+def _total_length(rows: Sequence[Cells], angle: str, before: bool) -> float:
+    """Sum of the lengths of an arm: offsets along parallel axes may cancel out.
+
+    Args:
+        before: a row has the twist before its joint, as modified tables have.
+    """
+    twists = [math.radians(degrees_of(row["alpha"], angle)) for row in rows]
+    if before:
+        twists = [*twists[1:], math.pi / 2]
+    total, along, sense = sum(abs(row["a"].value) for row in rows), 0.0, 1.0
+    for row, twist in zip(rows, twists, strict=True):
+        along += sense * row["d"].value
+        sense = math.copysign(sense, sense * math.cos(twist))
+        if abs(math.sin(twist)) >= PARALLEL:
+            total, along, sense = total + abs(along), 0.0, 1.0
+    return total + abs(along)
 
 
 def _joint(name: str, cells: Cells, length: str, angle: str) -> JointPart:

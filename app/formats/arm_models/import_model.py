@@ -5,6 +5,8 @@ from pathlib import Path
 from app.errors import OperationError
 from app.formats.arm_models.dh_model import read_dh_model
 from app.formats.arm_models.model import Answers, ImportedArm, Question
+from app.formats.arm_models.nominal_arms import nominal_arms, read_nominal_arm
+from app.formats.arm_models.ur_calibration import is_ur_calibration, read_ur_calibration
 from app.formats.arm_models.urdf import is_urdf, read_urdf
 from app.formats.atomic_write import check_output_path
 from app.formats.datasheets.arm import ArmFile, TipPart
@@ -15,10 +17,11 @@ from app.messages.message import Text, join, message
 
 
 def read_model(text: str, answers: Answers) -> ImportedArm:
-    """The arm that a text describes: a Denavit-Hartenberg table, or URDF.
+    """The arm that a text describes: a Denavit-Hartenberg table, URDF, or the factory
+    calibration of a Universal Robots arm.
 
     Args:
-        text: pasted, or of a file.
+        text: pasted, or of a file. Without one, a robot of the program's own list is asked for.
         answers: what a person said to the questions of an earlier call.
 
     Returns:
@@ -28,8 +31,12 @@ def read_model(text: str, answers: Answers) -> ImportedArm:
         OperationError: it is nothing of this kind, it is incomplete or malformed, or an answer
             cannot be true.
     """
+    if not text.strip():
+        return read_nominal_arm(answers)
     if is_urdf(text):
         return read_urdf(text, answers)
+    if is_ur_calibration(text):
+        return read_ur_calibration(text, answers)
     return read_dh_model(text, answers)
 
 
@@ -44,6 +51,7 @@ def import_arm_file(
     """Writes ``arm.json`` of the model in a file.
 
     Args:
+        source: a file, or the name of a robot of the program's own list.
         answers: what the file leaves open, by the keys of the questions.
         tip: its centre in the flange frame and its diameter, mm.
         name: of the arm; that in the file, or the file's own, if it is empty.
@@ -53,9 +61,12 @@ def import_arm_file(
             (``model-questions-open``); or ``arm.json`` cannot be written. Nothing is then written.
     """
     check_output_path(output, [source])
-    text = read_text(source)
-    with prefix_errors(source):
-        model = read_model(text, answers)
+    if str(source) in nominal_arms() and not source.exists():
+        model = read_nominal_arm({"robot": str(source)})
+    else:
+        text = read_text(source)
+        with prefix_errors(source):
+            model = read_model(text, answers)
     if model.is_open:
         raise OperationError(
             "model-questions-open",

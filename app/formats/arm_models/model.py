@@ -8,7 +8,7 @@ from app.errors import OperationError
 from app.formats.datasheets.arm import ArmFile, ErrorPart, JointPart
 from app.messages.message import Text, message
 
-QuestionKey = Literal["columns", "length", "angle", "convention", "end", "base"]
+QuestionKey = Literal["columns", "length", "angle", "convention", "end", "base", "robot"]
 Answers = Mapping[str, str]
 """What a person said, by the key of the question."""
 LIMIT_DEG = 180.0

@@ -22,6 +22,7 @@ from app.messages.message import message
 from app.metrology.arm.kinematics import Arm, Joint, RobotArm, Tip
 from app.metrology.arm.link_error import LinkError, error_from_transform, error_transform
 from app.metrology.arm.modified_dh import standard_from_modified
+from app.metrology.arm.near_frames import with_near_frames
 
 JOINT_COUNTS = (5, 6, 7)
 
@@ -107,7 +108,7 @@ def parse_any_arm(text: str, path: Path) -> Arm | RobotArm:
     if document.convention == "dh-modified":
         first, joints = standard_from_modified(joints)
         base = error_from_transform(error_transform(base) @ error_transform(first))
-    return Arm(document.name, document.serial_number, joints, tip, base)
+    return with_near_frames(Arm(document.name, document.serial_number, joints, tip, base))
 
 
 def read_arm(path: Path) -> Arm:

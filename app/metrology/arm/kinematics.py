@@ -55,6 +55,8 @@ class Arm:
     tip: Tip
     base: LinkError = field(default_factory=LinkError)
     """Constant transform from the frame of the first joint to the arm frame."""
+    frames_moved_mm: float = 0.0
+    """How far away link frames lay in the datasheet, if they were moved near the arm; else 0."""
 
     @property
     def joint_count(self) -> int:

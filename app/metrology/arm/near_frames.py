@@ -38,7 +38,7 @@ def with_near_frames(arm: Arm) -> Arm:
     joints = joints_of_links(links, arm.joints)
     if chain_length_mm(arm.joints) < SHORTER * chain_length_mm(joints):
         return arm
-    return replace(arm, joints=joints)
+    return replace(arm, joints=joints, frames_moved_mm=max(abs(one.d_mm) for one in arm.joints))
 
 
 def chain_length_mm(joints: Sequence[Joint]) -> float:

@@ -18,6 +18,7 @@ const QUESTIONS: Record<ModelQuestion["key"], PlainId> = {
   convention: "ui-convention",
   end: "ui-the-arm-ends-at",
   base: "ui-the-arm-begins-at",
+  robot: "ui-robot",
 };
 const OPTIONS: Record<string, PlainId> = {
   deg: "ui-degrees",

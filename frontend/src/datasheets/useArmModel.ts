@@ -17,10 +17,6 @@ export function useArmModel() {
   useEffect(() => {
     let wanted = true;
     if (barred) return;
-    if (settled.trim() === "") {
-      setView(null);
-      return;
-    }
     readArmModel(settled, answers).then(
       (found) => {
         if (!wanted || !found) return;

@@ -202,7 +202,12 @@ def identification_warnings(
     arm: Arm, observations: ArmObservations, fit: ArmFit
 ) -> tuple[Text, ...]:
     """Findings for the user in addition to the result."""
-    return *size_warnings(arm, observations, fit), *_far_moves(arm, observations, fit)
+    far_m = quantity(arm.frames_moved_mm / 1000, "m", 0)
+    return (
+        *([message("frames-moved-near-the-arm", far=far_m)] if arm.frames_moved_mm else []),
+        *size_warnings(arm, observations, fit),
+        *_far_moves(arm, observations, fit),
+    )
 
 
 def _far_moves(arm: Arm, observations: ArmObservations, fit: ArmFit) -> list[Text]:
