@@ -19,6 +19,7 @@ from app.formats.arm_models.dh_units import (
 )
 from app.formats.arm_models.model import LIMIT_DEG, Answers, ImportedArm, Question, answer_to
 from app.formats.datasheets.arm import JOINT_COUNTS, ErrorPart, JointPart, error_part
+from app.formats.json_document import field_name
 from app.messages.message import Text, message
 from app.metrology.arm.link_error import LinkError, error_from_transform, error_transform
 from app.metrology.arm.near_frames import PARALLEL
@@ -58,7 +59,7 @@ def read_dh_model(text: str, answers: Answers) -> ImportedArm:
     rows = [_cells(table, roles, row) for row in table.rows]
     count = sum(not row.is_flange for row in table.rows)
     if count not in JOINT_COUNTS or any(row.is_flange for row in table.rows[:-1]):
-        what = message("five-to-seven-joints-expected", joints=count)
+        what = message("five-to-seven-joints-expected", field=field_name("joints"), joints=count)
         raise OperationError("dh-joint-count", what, remedy=message("give-row-of-each-joint"))
     length, angle, convention = _ask_units(table, rows[:count], answers)
     asked = (*(() if order.stated else (order,)), length, angle, convention)
