@@ -229,20 +229,16 @@ def table(driver: str, label: str = "", **options: Any) -> DeviceTable:
 
 @pytest.fixture
 def file(tmp_path: Path) -> Path:
-    path = tmp_path / "station.toml"
-    path.write_text(FILE)
-    return path
+    return write(tmp_path, FILE)
 
 
-def test_a_changed_option_leaves_every_comment(file: Path) -> None:
+def test_changed_and_new_options_leave_every_comment(file: Path) -> None:
     write_device(file, "arm", table(driver="serial-encoder", url="/dev/ttyUSB1"))
-    assert file.read_text() == FILE.replace("ttyUSB0", "ttyUSB1")
-
-
-def test_a_new_option_follows_the_others_of_its_table(file: Path) -> None:
-    write_device(file, "arm", table("serial-encoder", url="/dev/ttyUSB0", joint_count=6))
-    last = 'url = "/dev/ttyUSB0"       # left\n'
-    assert file.read_text() == FILE.replace(last, f"{last}joint_count = 6\n")
+    changed = FILE.replace("ttyUSB0", "ttyUSB1")
+    assert file.read_text() == changed
+    write_device(file, "arm", table("serial-encoder", url="/dev/ttyUSB1", joint_count=6))
+    last = 'url = "/dev/ttyUSB1"       # left\n'
+    assert file.read_text() == changed.replace(last, f"{last}joint_count = 6\n")
 
 
 def test_another_driver_has_only_its_own_options(file: Path) -> None:
