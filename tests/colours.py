@@ -24,11 +24,8 @@ def line_rows(u: Floats) -> Floats:
 
 
 def render_colours(laser: LaserColour | Mapping[LaserColour, float], width_px: float) -> Floats:
-    """(H, W, 3) light, blue first, of a line of a width at half height.
-
-    Args:
-        laser: its colour, or how much each channel sees of it; nothing while it is off.
-    """
+    """(H, W, 3) light, blue first, of a line of a width at half height. ``laser``: its colour, or
+    how much each channel sees of it; nothing while it is off."""
     shares: Mapping[LaserColour, float]
     if isinstance(laser, str):
         shares = {name: 1.0 if name == laser else LEAK for name in PLANES}

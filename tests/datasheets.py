@@ -11,7 +11,6 @@ from app.metrology.targets.crenellated_block import Crenellated
 
 
 def write_arm(path: Path, arm: Arm | RobotArm) -> None:
-    """Writes ``arm.json``."""
     if isinstance(arm, Arm):
         arm_document(arm).write(path)
         return
@@ -21,7 +20,6 @@ def write_arm(path: Path, arm: Arm | RobotArm) -> None:
 
 
 def write_object(path: Path, item: Crenellated | Chessboard) -> None:
-    """Writes ``object.json``."""
     if isinstance(item, Crenellated):
         ObjectFile.model_validate(item, from_attributes=True).write(path)
     elif item.markers is not None:

@@ -29,11 +29,8 @@ def fork_server() -> None:
 
 
 class ForkedProgram:
-    """Runs a module as ``python -m`` does; has the methods of ``subprocess.Popen``.
-
-    Args:
-        output: a file for all that it says; without one, ``stdout`` and ``stderr`` have it.
-    """
+    """Runs a module as ``python -m`` does; has the methods of ``subprocess.Popen``. ``output``: a
+    file for all that it says."""
 
     def __init__(
         self,
@@ -103,7 +100,6 @@ def _run(
     folder: Path,
     said: Path | tuple[Connection, Connection],
 ) -> None:
-    """In the process."""
     if isinstance(said, Path):
         console = os.open(said, os.O_WRONLY | os.O_APPEND)
         descriptors = [console, console]

@@ -18,11 +18,8 @@ def refused(code: str) -> Iterator[pytest.ExceptionInfo[OperationError]]:
 
 @contextmanager
 def refused_as(code: str, *words: str, where: object = "") -> Iterator[None]:
-    """What is done within ends in this error, whose line has these words.
-
-    Args:
-        where: what its first part names, such as a file.
-    """
+    """What is done within ends in this error, whose line has these words; ``where``: its first
+    part's."""
     with refused(code) as caught:
         yield
     assert str(where) in str(caught.value.what)

@@ -30,7 +30,6 @@ QUOTED_TEXTS = ("Can't connect to device",)
 
 
 def english(data: object) -> str:
-    """A text that was sent, in English."""
     return str(text_from_json(data))
 
 

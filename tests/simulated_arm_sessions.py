@@ -175,11 +175,8 @@ class _ArmProber:
         )
 
     def swing(self, centre_mm: Floats, count: int) -> list[Floats]:
-        """Joint angles that hold the tip at one place, the stylus leaning every way.
-
-        Half way the arm is taken round to another posture, as from the elbow on one
-        side to the other.
-        """
+        """Joint angles that hold the tip at one place, the stylus leaning every way, half of them
+        in another posture, as from the elbow on one side to the other."""
         path: list[Floats] = []
         q = self._posture()
         leaning = self._leaning(centre_mm)

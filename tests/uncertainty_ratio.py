@@ -40,12 +40,8 @@ def ratio_of_rms(claimed: float, observed: float, count: int) -> UncertaintyRati
 
 
 def ratio_of_pulls(pulls: Floats) -> UncertaintyRatio:
-    """By deviations over their claimed uncertainty.
-
-    Args:
-        pulls: (N,) independent ones of a normal distribution, or (N, M): N independent rows of M
-            that err together, whose own scatter gives the standard error.
-    """
+    """By deviations over their claimed uncertainty, (N,) independent ones or (N, M) rows of M that
+    err together, whose own scatter gives the standard error."""
     squares = np.mean(np.square(pulls).reshape(len(pulls), -1), axis=1)
     value = float(1 / np.sqrt(np.mean(squares)))
     if pulls.ndim == 1:

@@ -6,10 +6,8 @@ from app.bench.faults.served import accept_truth
 
 
 def use_truth(server: Any, name: str) -> str:
-    """Accepts a true calibration of the server's simulation under this session's name.
-
-    ``server`` has the simulation, the data folder and the context of one.
-    """
+    """Accepts a true calibration of the simulation, for ``server`` or what has its parts, by this
+    name."""
     accept_truth(server.context.store, server.simulation, name)
     server.context.guide._on_closed()  # the station works with it from now on
     return name

@@ -134,8 +134,6 @@ class Desk:
 
 @dataclass
 class Server(Desk):
-    """A running server, its context, and its simulation."""
-
     port: int
     data: Path
     context: Context
@@ -209,10 +207,8 @@ def running_server(
 def server(
     request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory
 ) -> Iterator[Server]:
-    """Ended with its module: a station takes much of a core, also while nobody asks it anything.
-
-    A module may say by ``STATION`` what is simulated.
-    """
+    """Ended with its module, as it takes much of a core; ``STATION`` of a module says what is
+    simulated."""
     config: SimulationConfig = getattr(request.module, "STATION", HALF)
     with running_server(tmp_path_factory.mktemp("station"), config) as server:
         yield server
@@ -222,10 +218,7 @@ def server(
 
 @pytest.fixture
 def at_setup(server: Server) -> Server:
-    """A new session at the set-up step, with the block chosen.
-
-    What was used last is preselected, and a test before may have used the chessboard.
-    """
+    """A new session at the set-up step, with the block chosen, whatever a test before has used."""
     server.close()
     server.http.post("/api/flow/start").raise_for_status()
     server.do("confirm_devices")

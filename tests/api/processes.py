@@ -42,9 +42,7 @@ def _serve(pipe: Connection, data: Path, calibrated: bool) -> None:
 @contextlib.contextmanager
 def demonstration(data: Path, calibrated: bool = False) -> Iterator[tuple[httpx.Client, int]]:
     """A client that entered, and the process's id; killed at the end if it still runs.
-
-    ``calibrated``: a true calibration of the simulated sensor is in use from the beginning.
-    """
+    ``calibrated``: a true calibration is in use from the beginning."""
     ours, theirs = CONTEXT.Pipe(duplex=False)
     process = CONTEXT.Process(target=_serve, args=(theirs, data, calibrated), daemon=True)
     with ours:

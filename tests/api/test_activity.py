@@ -69,9 +69,7 @@ def test_scan_and_session_ask_each_other(station: Server, kind: str) -> None:
     assert http.post(f"/api/{name}/start", json=body).status_code == 200
 
 
-def test_no_point_is_taken_while_a_scan_has_the_arm_nor_where_it_ended(
-    station: Server, touching: Server
-) -> None:
+def test_no_point_is_taken_in_a_scan_or_where_it_ended(station: Server, touching: Server) -> None:
     end_present(station)
     station.http.post("/api/scan/start", json={}).raise_for_status()
     declined = station.context.guide.declined
@@ -97,9 +95,7 @@ def test_an_open_session_has_the_arm_after_a_restart_too(station: Server) -> Non
     assert found["since"][:16] == began["since"][:16]
 
 
-def test_scan_and_laser_stop_once_the_browser_in_control_is_gone(
-    station: Server, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_scan_and_laser_stop_unwatched(station: Server, monkeypatch: pytest.MonkeyPatch) -> None:
     context = station.context
     station.http.post("/api/scan/start", json={"name": "Alone"}).raise_for_status()
     wait_for(lambda: context.rig.laser.state, lambda state: state == "on")

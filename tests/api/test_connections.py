@@ -91,9 +91,7 @@ def test_a_handshake_with_other_characters_is_refused(
     assert not [one for one in caplog.records if one.levelname == "ERROR"]
 
 
-def test_what_comes_before_a_live_connection_is_let_in_ends_it(
-    server: Server, caplog: pytest.LogCaptureFixture
-) -> None:
+def test_early_bytes_end_a_connection(server: Server, caplog: pytest.LogCaptureFixture) -> None:
     key = b"Sec-WebSocket-Version: 13\r\nSec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\n\r\n"
     assert answer_to(server, UPGRADE + key + b"\x00" * 100_000) in (b"", b"closed")
     assert "Fatal error" not in caplog.text

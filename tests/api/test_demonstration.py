@@ -2,9 +2,6 @@
 
 from pathlib import Path
 
-import pytest
-
-from app.errors import OperationError
 from app.formats.datasheets.arm import read_arm
 from app.formats.datasheets.sensor import read_sensor
 from app.formats.datasheets.target import read_object
@@ -12,6 +9,7 @@ from app.metrology.targets.chessboard import Chessboard
 from app.metrology.targets.crenellated_block import Crenellated
 from app.server.demo import write_datasheets
 from hardware.simulator.station import SimulatedStation, SimulationConfig
+from tests.refusals import refused_as
 
 CONFIG = SimulationConfig(width_px=640, height_px=512)
 
@@ -35,7 +33,5 @@ def test_block_and_board_stand_side_by_side(tmp_path: Path) -> None:
 
 def test_a_folder_that_cannot_be_written_is_refused_with_a_remedy(tmp_path: Path) -> None:
     (tmp_path / "file").touch()
-    with pytest.raises(OperationError) as refused:
+    with refused_as("data-folder-unwritable", "--data"):
         write_datasheets(SimulatedStation(CONFIG), tmp_path / "file" / "data")
-    assert refused.value.code == "data-folder-unwritable"
-    assert "--data" in str(refused.value.remedy)

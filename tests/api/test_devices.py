@@ -29,6 +29,7 @@ from tests.api.conftest import Server, View, running_server, wait_for
 from tests.hardware.test_kuka_rsi import rsi_packet
 from tests.hardware.udp_robot import UdpRobot
 from tests.pictures import decode_picture
+from tests.present import present
 from tests.sent_texts import english
 from tests.simulated_robots import robot
 
@@ -291,15 +292,13 @@ def test_a_trial_ends_by_itself(
     before, setup.trials = setup.trials, DeviceTrials(station.context.rig, longest_s, away_s)
     try:
         setup.try_device("sensor", "folder", {"path": str(pictures)})
-        inside = setup.trials._trial
-        assert inside is not None
+        inside = present(setup.trials._trial)
         assert inside.sensor is not None
         if looks:
             wait_for(setup.trials.view, lambda one: one is not None and one.state == "ended")
         else:
             wait_for(lambda: inside.ended, bool)
-        ended = setup.trials.view()
-        assert ended is not None
+        ended = present(setup.trials.view())
         assert words in str(ended.text)
         wait_for(lambda: inside.sensor and inside.sensor.reader.driver, lambda one: one is None)
     finally:

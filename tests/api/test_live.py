@@ -13,6 +13,7 @@ from websockets.sync.connection import Connection
 from websockets.typing import Origin
 
 from tests.api.conftest import PATIENCE_S, Server
+from tests.present import present
 from tests.sent_texts import english
 
 pytestmark = pytest.mark.device
@@ -86,13 +87,11 @@ def test_the_next_picture_waits_for_the_last_to_be_acknowledged(server: Server) 
     with live(server) as socket:
         assert picture(socket, 0.5) is None
         socket.send(json.dumps({"type": "preview", "on": True}))
-        first = picture(socket, PATIENCE_S)
-        assert first is not None
+        first = present(picture(socket, PATIENCE_S))
         assert first["width_px"] == server.simulation.config.width_px
         assert picture(socket, 1.0) is None
         socket.send(json.dumps({"type": "preview_ack", "seq": first["seq"]}))
-        second = picture(socket, PATIENCE_S)
-        assert second is not None
+        second = present(picture(socket, PATIENCE_S))
         assert second["seq"] > first["seq"]
         socket.send(json.dumps({"type": "preview", "on": False}))
         socket.send(json.dumps({"type": "preview_ack", "seq": second["seq"]}))

@@ -188,9 +188,7 @@ def test_signing_out_names_the_page_of_the_provider(station: Station) -> None:
         assert browser.delete("/api/session").json()["sign_out_page"] == ""
 
 
-def test_each_failure_is_one_sentence_on_the_page_and_in_the_audit_log(
-    station: Station, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_each_failure_is_one_sentence(station: Station, monkeypatch: pytest.MonkeyPatch) -> None:
     def assert_reported(refused: httpx.Response, code: str) -> None:
         assert code_of(refused) == (401, f"sign-in-{code}")
         assert refused.json()["remedy"]

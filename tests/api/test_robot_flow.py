@@ -79,11 +79,7 @@ def stated_um(session: Path) -> float:
 
 def scan_plate(server: Server, session: Path) -> tuple[Cloud, Reconstruction]:
     """The cloud of a scan of the plate, which its recording is rebuilt to, and the rebuild's
-    counts.
-
-    Args:
-        session: of the calibration in use.
-    """
+    counts."""
     http = server.http
     assert http.post("/api/scan/start", json={"name": "Plate"}).json()["state"] == "running"
     assert server.simulation.operator.scan_part("plate")

@@ -1,7 +1,9 @@
-"""station.toml: read with its defaults, refused with the key's name."""
+"""station.toml: read with its defaults, refused with the key's name, and changed by the program."""
 
+import tomllib
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -10,9 +12,11 @@ from app.formats.datasheets.gauge import DEFAULT_LIMITS
 from app.guide.common.validity import DUE
 from app.metrology.decision import EXPANDED_K2, GUARDED_95
 from app.metrology.limits import LIMITS
-from app.settings.settings import LimitsTable
+from app.settings.device_tables import write_device
+from app.settings.settings import DeviceTable, LimitsTable
 from app.settings.station_toml import read_settings
 from app.station.pulses.pulse_trigger import TriggerSettings
+from tests.present import present
 
 GOOD = """
 [station]
@@ -27,6 +31,19 @@ driver = "opencv"
 source = 0
 [limits]
 good_um = 30
+"""
+FILE = """# Measuring room 2
+[station]
+name = "Room 2"   # by the window
+
+[arm]
+driver = "serial-encoder"  # own firmware
+# the port of the left adapter
+url = "/dev/ttyUSB0"       # left
+
+# stricter than usual
+[limits]
+good_um = 30 # agreed with the customer
 """
 
 
@@ -56,13 +73,11 @@ def test_a_whole_file(tmp_path: Path) -> None:
 def test_an_archive(tmp_path: Path) -> None:
     assert read_settings(write(tmp_path, GOOD)).archive is None
     more = '\n[archive]\nurl = "copies"\nkeep_days = 90\n'
-    archive = read_settings(write(tmp_path, GOOD + more)).archive
-    assert archive is not None
+    archive = present(read_settings(write(tmp_path, GOOD + more)).archive)
     assert (archive.url, archive.keep_days, archive.free_gb) == (f"{tmp_path / 'copies'}", 90, None)
     more = '[archive]\nurl = "s3://bucket/room"\naccess_key = "k"\nsecret_file = "secret"\n'
     (tmp_path / "secret").write_text("hidden\n")
-    archive = read_settings(write(tmp_path, GOOD + more)).archive
-    assert archive is not None
+    archive = present(read_settings(write(tmp_path, GOOD + more)).archive)
     assert (archive.url, archive.secret()) == ("s3://bucket/room", "hidden")
     (tmp_path / "secret").unlink()
     with pytest.raises(OperationError, match="secret"):
@@ -76,13 +91,11 @@ def test_a_broker_and_a_thermometer(tmp_path: Path) -> None:
     named = 'name = "Room 2"\naddress = "http://room2:8000/"\nbackups = "copies"'
     text = GOOD.replace('name = "Room 2"', named)
     settings = read_settings(write(tmp_path, text + more))
-    broker = settings.mqtt
-    assert broker is not None
+    broker = present(settings.mqtt)
     assert (broker.host, broker.port) == ("broker.local", 1883)
     assert (broker.prefix, broker.tls) == ("crenel", False)
     assert broker.password() == "a word"
-    assert settings.temperature is not None
-    assert settings.temperature.file == Path("/sys/room")
+    assert present(settings.temperature).file == Path("/sys/room")
     assert settings.station.backups == tmp_path / "copies"
     (tmp_path / "secret").unlink()
     with pytest.raises(OperationError, match="secret"):
@@ -191,8 +204,7 @@ def test_several_sensors_have_tables_with_names(tmp_path: Path) -> None:
 
 def test_several_sensors_are_triggered_with_delays_of_their_own(tmp_path: Path) -> None:
     table = "[trigger]\nrate_hz = 20.0\ndelay_us = 12.0\ndelays_us = { right = 30.0 }\n"
-    trigger = read_settings(write(tmp_path, TWO + table)).trigger
-    assert trigger is not None
+    trigger = present(read_settings(write(tmp_path, TWO + table)).trigger)
     used = TriggerSettings(trigger.rate_hz, trigger.delay_us, trigger.delays_us)
     assert [used.delay_of_us(name) for name in ("left", "right")] == [12.0, 30.0]
 
@@ -209,3 +221,68 @@ def test_several_sensors_are_triggered_with_delays_of_their_own(tmp_path: Path) 
 )
 def test_odd_tables_of_sensors_are_refused(tmp_path: Path, text: str, code: str) -> None:
     assert refusal(write(tmp_path, text)).code == code
+
+
+def table(driver: str, label: str = "", **options: Any) -> DeviceTable:
+    return DeviceTable(driver=driver, label=label, **options)
+
+
+@pytest.fixture
+def file(tmp_path: Path) -> Path:
+    return write(tmp_path, FILE)
+
+
+def test_changed_and_new_options_leave_every_comment(file: Path) -> None:
+    write_device(file, "arm", table(driver="serial-encoder", url="/dev/ttyUSB1"))
+    changed = FILE.replace("ttyUSB0", "ttyUSB1")
+    assert file.read_text() == changed
+    write_device(file, "arm", table("serial-encoder", url="/dev/ttyUSB1", joint_count=6))
+    last = 'url = "/dev/ttyUSB1"       # left\n'
+    assert file.read_text() == changed.replace(last, f"{last}joint_count = 6\n")
+
+
+def test_another_driver_has_only_its_own_options(file: Path) -> None:
+    write_device(file, "arm", table(driver="bench", label="Old arm", port=3))
+    arm = tomllib.loads(file.read_text())["arm"]
+    assert arm == {"driver": "bench", "label": "Old arm", "port": 3}
+    assert "# stricter than usual\n[limits]" in file.read_text()
+
+
+def test_a_new_table_is_read_as_it_was_written(file: Path) -> None:
+    options = {"exposure_range_us": [100.0, 2e4], "loop": True}
+    camera = table("opencv", 'The "left" one', source="rtsp://10.0.0.9/stream", **options)
+    write_device(file, "sensor", camera)
+    assert file.read_text().startswith(FILE)
+    assert read_settings(file).sensor == camera
+
+
+def test_a_file_is_created_with_its_folder(tmp_path: Path) -> None:
+    path = tmp_path / "data" / "station.toml"
+    write_device(path, "sensor", table(driver="opencv", source=0))
+    assert path.read_text() == '[sensor]\ndriver = "opencv"\nsource = 0\n'
+    assert read_settings(path).arm is None
+    assert [one.name for one in path.parent.iterdir()] == ["station.toml"]
+
+
+def test_the_file_before_is_kept(file: Path) -> None:
+    write_device(file, "sensor", table(driver="opencv", source=0))
+    assert file.with_name("station.toml.backup").read_text() == FILE
+
+
+def test_a_device_is_taken_out(file: Path) -> None:
+    write_device(file, "arm", None)
+    assert read_settings(file).devices == {}
+    assert "good_um = 30 # agreed with the customer" in file.read_text()
+
+
+@pytest.mark.parametrize(
+    "text",
+    ["[arm\n", 'arm = "serial-encoder"\n[station]\nnam = "x"\n', "[station]\nname = 5\n"],
+)
+def test_a_file_with_an_error_stays_as_it_is(file: Path, text: str) -> None:
+    file.write_text(text)
+    with pytest.raises(OperationError) as caught:
+        write_device(file, "sensor", table(driver="opencv", source=0))
+    assert caught.value.code == "settings-not-valid"
+    assert file.read_text() == text
+    assert [one.name for one in file.parent.iterdir()] == ["station.toml"]

@@ -6,18 +6,17 @@ import logging
 import pytest
 
 from app.wire.topic_texts import TopicTexts
+from tests.present import present
 
 
 def test_all_tabs_receive_the_same_text_until_the_value_changes() -> None:
     texts = TopicTexts()
     value = {"points": 5}
-    first = texts.of("scan", value)
-    assert first is not None
+    first = present(texts.of("scan", value))
     assert json.loads(first) == {"type": "topic", "name": "scan", "value": value}
     assert texts.of("scan", value) is first
     assert texts.of("home", value) != first
-    changed = texts.of("scan", {"points": 6})
-    assert changed is not None
+    changed = present(texts.of("scan", {"points": 6}))
     assert json.loads(changed)["value"] == {"points": 6}
 
 

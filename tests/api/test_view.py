@@ -1,4 +1,4 @@
-"""The 3D view's commands through the server: scans shown, renamed, deleted, colours, fits."""
+"""The 3D view through the server: its sockets, its commands, and fewer points for slow browsers."""
 
 import contextlib
 import dataclasses
@@ -6,19 +6,42 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
 
+import msgspec
 import numpy as np
 import pytest
+from viser import _messages as viser_messages
+from websockets.exceptions import ConnectionClosed
+from websockets.sync.client import ClientConnection, connect
+from websockets.typing import Subprotocol
 
+from app.api.viewer.point_limit import PointLimiter
+from app.api.viewer.proxy import KEY, decode_camera
+from app.bench.station.viewer_client import PROTOCOL
 from app.formats.clouds.files import cloud_writer
 from app.formats.clouds.points import pack_points
+from app.station.view3d.cloud_node import NODE_POINTS
+from app.station.view3d.scene import Scene
 from app.store.scans import ScanRecord
-from tests.api.conftest import Server, run_command, wait_for
-from tests.api.test_viewer import CAMERA, as_sent, viewer_socket
+from tests.api.conftest import PATIENCE_S, Server, run_command, wait_for
 from tests.sent_texts import english
+from tests.station.conftest import until
+from tests.station.test_scene import records, surface
+from tests.station.viewer import Viewer
 
 pytestmark = pytest.mark.device
 
-KEY = "0123456789abcdef" * 2
+CAMERA = viser_messages.ViewerCameraMessage(
+    wxyz=(1.0, 0.0, 0.0, 0.0),
+    position=(1.0, 2.0, 3.0),
+    fov=0.8,
+    near=0.1,
+    far=100.0,
+    image_height=600,
+    image_width=800,
+    look_at=(0.0, 0.0, 0.0),
+    up_direction=(0.0, 0.0, 1.0),
+)
+VIEW_KEY = "0123456789abcdef" * 2
 # From above the middle of the plate: x to the right, y down, z ahead.
 LOOK = dataclasses.replace(
     dataclasses.replace(CAMERA, near=0.01, far=50.0, image_width=900),
@@ -26,6 +49,85 @@ LOOK = dataclasses.replace(
     position=(0.5, 0.0, 0.3),
     look_at=(0.5, 0.0, 0.0),
 )
+MOST = 20_000
+
+
+def viewer_socket(server: Server, path: str, protocol: Subprotocol = PROTOCOL) -> ClientConnection:
+    return connect(
+        f"ws://127.0.0.1:{server.port}{path}",
+        additional_headers=server.cookie,
+        subprotocols=[protocol],
+        max_size=None,
+        close_timeout=0.5,
+    )
+
+
+def as_sent(message: viser_messages.Message) -> bytes:
+    assert dataclasses.is_dataclass(message)
+    return msgspec.msgpack.encode({"type": type(message).__name__, **dataclasses.asdict(message)})
+
+
+def test_a_camera_message_is_passed_on_whole() -> None:
+    through = decode_camera(as_sent(CAMERA))
+    assert through is not None
+    assert viser_messages.Message.deserialize(msgspec.msgpack.encode(through)) == CAMERA
+
+
+def test_no_other_message_is_passed_on() -> None:
+    kinds = viser_messages.Message.get_subclasses()
+    assert len(kinds) > 50
+    for kind in kinds:
+        if kind is not viser_messages.ViewerCameraMessage:
+            assert dataclasses.is_dataclass(kind)
+            fields = {field.name: None for field in dataclasses.fields(kind)}
+            assert decode_camera(msgspec.msgpack.encode({"type": kind.__name__, **fields})) is None
+    assert decode_camera(as_sent(viser_messages.ShareUrlRequest())) is None
+
+
+@pytest.mark.parametrize(
+    "sent",
+    [
+        *(b"", b"\xc1", b"\x93\x01\x02\x03", as_sent(CAMERA)[:-3]),
+        msgspec.msgpack.encode({"type": "ViewerCameraMessage"}),
+        *(
+            msgspec.msgpack.encode({**msgspec.msgpack.decode(as_sent(CAMERA)), **change})
+            for change in ({"more": 1}, {"fov": "wide"})
+        ),
+    ],
+)
+def test_a_message_that_only_looks_like_a_camera_is_dropped(sent: bytes) -> None:
+    assert decode_camera(sent) is None
+
+
+def test_the_viewers_page_comes_through_with_a_policy_of_its_own(server: Server) -> None:
+    page = server.http.get("/viewer/", headers={"accept-encoding": "gzip"})
+    assert page.status_code == 200
+    assert "<title>Viser</title>" in page.text
+    policy = page.headers["content-security-policy"]
+    assert "frame-ancestors 'self'" in policy
+    own = f"127.0.0.1:{server.port}/viewer/"
+    assert f"connect-src http://{own} https://{own} ws://{own} wss://{own} data: blob:;" in policy
+    for path in ("/viewers", "/viewer-x", "/viewer.html"):
+        assert "unsafe-eval" not in server.http.get(path).headers["content-security-policy"]
+    assert server.http.get("/viewer").status_code == 307
+    assert server.http.get("/viewer/nothing.js").status_code == 404
+
+
+def test_the_scene_comes_through_and_cameras_do_not_end_it(server: Server) -> None:
+    with viewer_socket(server, "/viewer") as socket:
+        assert socket.subprotocol == PROTOCOL
+        assert isinstance(socket.recv(PATIENCE_S), bytes)
+        socket.send(as_sent(viser_messages.ShareUrlRequest()))
+        socket.send(b"\x00 nonsense")
+        socket.send(as_sent(CAMERA))
+        server.context.scene.set_laser(True)
+        assert isinstance(socket.recv(PATIENCE_S), bytes)
+
+
+def test_a_page_of_another_version_is_turned_away_as_viser_does(server: Server) -> None:
+    other = Subprotocol("viser-v0.0.1")
+    with viewer_socket(server, "/viewer/", other) as socket, pytest.raises(ConnectionClosed):
+        socket.recv(PATIENCE_S)
 
 
 @pytest.fixture
@@ -78,9 +180,16 @@ def test_a_shown_scan_is_coloured_hidden_and_shown(server: Server, scan: ScanRec
 
 def test_a_rectangle_is_fitted_as_its_page_looks_at_it(server: Server, scan: ScanRecord) -> None:
     show(server)
-    region = {"view": KEY, "shape": "plane", "left": 0.4, "top": 0.4, "right": 0.6, "bottom": 0.6}
+    region = {
+        "view": VIEW_KEY,
+        "shape": "plane",
+        "left": 0.4,
+        "top": 0.4,
+        "right": 0.6,
+        "bottom": 0.6,
+    }
     assert "not connected" in server.http.post("/api/view/fits", json=region).text
-    with viewer_socket(server, f"/viewer/{KEY}") as socket:
+    with viewer_socket(server, f"/viewer/{VIEW_KEY}") as socket:
         socket.send(as_sent(LOOK))
         run_command(lambda: server.http.post("/api/view/fits", json=region))
     (fitted,) = wait(server, lambda view: bool(view["fits"]))["fits"]
@@ -114,3 +223,56 @@ def test_a_scan_is_renamed_and_deleted_with_its_files(server: Server, scan: Scan
     assert not scan.folder.exists()
     assert not list(Path(scan.folder.parent).glob(".deleted-*"))
     assert server.http.delete("/api/scans/plate").status_code == 404
+
+
+def large(viewer: Viewer) -> dict[str, np.ndarray]:
+    """The nodes of one tier each."""
+    return {name: points for name, points in viewer.clouds().items() if "-" in name}
+
+
+def test_a_slow_browser_gets_an_even_picture_of_fewer_points_and_nothing_goes_wrong() -> None:
+    scene = Scene(point_budget=400_000)
+    fewer, all_of_it = Viewer(scene, PointLimiter(MOST).filter_frame), Viewer(scene)
+    try:
+        for seed in range(6):
+            scene.add_points(records(surface(60_000, seed)))
+            until(lambda: scene.waiting == 0)
+        until(lambda: sum(map(len, all_of_it.listen(0.2).clouds().values())) == scene.points_shown)
+        fewer.listen()
+        assert scene.points_shown > 2 * NODE_POINTS
+        assert MOST / 4 < sum(map(len, large(fewer).values())) <= MOST
+        assert set(fewer.clouds()) < set(all_of_it.clouds())
+        shown = np.concatenate(list(large(fewer).values()))
+        cells = np.unique(np.floor(shown[:, :2] / 4).astype(int), axis=0)
+        assert len(cells) >= 0.95 * 15 * 15
+        (name, *_) = large(fewer)
+        size, usual = (viewer.nodes[name]["props"]["point_size"] for viewer in (fewer, all_of_it))
+        assert size > 2 * usual
+
+        scene.colour_by("intensity", None)
+        joined = Viewer(scene, PointLimiter(MOST).filter_frame)
+        assert set(large(joined.listen())) <= set(large(fewer.listen()))
+        joined.close()
+
+        scene.begin()
+        until(lambda: not fewer.listen(0.2).clouds())
+        scene.add_points(records(surface(5_000)))
+        until(lambda: sum(map(len, fewer.listen(0.2).clouds().values())) == scene.points_shown)
+    finally:
+        fewer.close()
+        all_of_it.close()
+        scene.close()
+
+
+@pytest.mark.parametrize(
+    ("key", "most"), [("ab" * 16, None), ("ab" * 16 + "-75", "75"), ("ab" * 16 + "-9999", "9999")]
+)
+def test_a_page_says_in_its_address_what_it_can_draw(key: str, most: str | None) -> None:
+    known = KEY.fullmatch(key)
+    assert known
+    assert known[2] == most
+
+
+@pytest.mark.parametrize("key", ["ab" * 16 + "-0", "ab" * 16 + "-", "ab" * 16 + "-x", "-75", "ab"])
+def test_what_is_no_key_is_none(key: str) -> None:
+    assert KEY.fullmatch(key) is None

@@ -15,12 +15,8 @@ HOP = {"connection", "transfer-encoding", "keep-alive"}
 
 
 class FullBucket(ThreadingHTTPServer):
-    """Forwards requests; one whose body would not fit is answered as ``store`` answers it.
-
-    Args:
-        port: of the server behind it.
-        room: bytes that still fit.
-    """
+    """Forwards requests to a port; one for which there is no ``room`` left (bytes) is answered as
+    ``store`` answers it."""
 
     daemon_threads = True
 

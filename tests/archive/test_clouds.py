@@ -79,9 +79,7 @@ def remove_calibration(store: Store) -> None:
 @pytest.mark.parametrize(
     "spoil", [cut_recording, damage_recording, remove_recording, remove_calibration]
 )
-def test_a_cloud_that_cannot_be_made_again_is_archived(
-    room: Room, spoil: Callable[[Store], None]
-) -> None:
+def test_an_irreplaceable_cloud_is_archived(room: Room, spoil: Callable[[Store], None]) -> None:
     spoil(room.store)
     before = content_of(folder_of(room.store))
     archive = room.archive()

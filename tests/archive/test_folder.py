@@ -48,9 +48,7 @@ def test_everything_finished_is_copied_once_and_what_is_open_stays(room: Room) -
     assert archive.run() == 0
 
 
-def test_a_record_that_changed_is_copied_again_and_the_earlier_content_stays(
-    room: Room, archived: Path
-) -> None:
+def test_a_changed_record_is_copied_beside_its_earlier_content(room: Room, archived: Path) -> None:
     (archived / "cloud.ply").write_bytes(b"computed again")
     assert room.archive().run() == 1
     assert len(room.manifests()) == 2
@@ -126,9 +124,7 @@ def test_verifications_of_the_calibrations_in_use_and_the_last_one_stay(room: Ro
     assert sorted(room.away()) == ["former", "other"]
 
 
-def test_what_is_damaged_in_the_archive_stays_on_the_disk_and_is_copied_again(
-    room: Room, archived: Path
-) -> None:
+def test_a_damaged_copy_is_made_again_and_the_record_stays(room: Room, archived: Path) -> None:
     (copy,) = room.place.glob("scans/one/*/scan.mcap")
     copy.write_bytes(bytes(1000))
     room.archive(later=LATER, rules={"keep_days": 90}).run()
@@ -262,9 +258,7 @@ def test_two_processes_do_not_copy_at_once(room: Room) -> None:
     assert not (room.place / MARKER).exists()
 
 
-def test_a_record_is_fetched_by_its_manifest_where_the_note_is_lost(
-    room: Room, archived: Path
-) -> None:
+def test_without_its_note_a_record_is_fetched_by_its_manifest(room: Room, archived: Path) -> None:
     before = content_of(archived)
     archive = room.archive()
     shutil.rmtree(archived)

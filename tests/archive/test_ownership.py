@@ -1,5 +1,7 @@
-"""An archive is that of one station: no other one writes to it, or believes its records there."""
+"""An archive is that of one station, whatever names, times and files are in it or in a record."""
 
+import json
+import os
 import shutil
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import closing
@@ -12,9 +14,11 @@ from app.archive.notes import NOTES
 from app.archive.ownership import FIRST_LINE, IDENTITY, MARKER
 from app.archive.remote_store import FolderStore
 from app.archive.store_errors import store_error
+from app.archive.transfer import newest_manifest
+from app.errors import OperationError
 from app.store.store import Store
-from tests.archive.filled import Room, add_scan, archive_of, content_of
-from tests.refusals import refused
+from tests.archive.filled import LATER, Room, add_scan, archive_of, content_of
+from tests.refusals import refused, refused_as
 
 Calls = dict[str, Callable[[Archive], object]]
 CALLS: Calls = {
@@ -46,10 +50,8 @@ def forget_owner(place: Path) -> None:
 def check_refused(archive: Archive, place: Path, owner: str) -> None:
     before = content_of(place)
     for call in CALLS.values():
-        with refused("archive-foreign") as failed:
+        with refused_as("archive-foreign", owner, "station.toml"):
             call(archive)
-        assert owner in failed.value.line
-        assert "station.toml" in failed.value.line
     assert content_of(place) == before
 
 
@@ -76,9 +78,7 @@ def test_a_new_archive_without_records_is_that_of_its_station(room: Room, other:
 
 
 @pytest.mark.usefixtures("archived")
-def test_the_archive_of_an_earlier_version_goes_on_and_then_names_its_station(
-    room: Room, other: Store
-) -> None:
+def test_an_archive_of_an_earlier_version_then_names_its_station(room: Room, other: Store) -> None:
     forget_owner(room.place)
     room.add_scan("two", 1000)
     assert room.archive().run() == 1
@@ -112,10 +112,84 @@ def test_a_station_without_its_notes_knows_its_archive_by_the_records(room: Room
     assert room.archive().run() == 0
 
 
-def test_a_new_data_folder_takes_an_archive_over_without_its_marker(
-    store: Store, theirs: Path
-) -> None:
+def test_a_new_data_folder_takes_an_archive_without_its_marker(store: Store, theirs: Path) -> None:
     (theirs / MARKER).unlink()
     add_scan(store, "ours", 1000)
     assert archive_of(store, str(theirs), station="Room 3").run() == 1
     assert "Name: Room 3\n" in (theirs / MARKER).read_text()
+
+
+@pytest.fixture
+def copy(archived: Path, place: Path) -> Path:
+    """The archive's folder of the scan ``one``."""
+    (manifest,) = place.rglob("manifest.json")
+    return manifest.parent
+
+
+@pytest.mark.parametrize(
+    "name", [b"Pr\xfcf.txt", b"\xfc/inner", b"a\\b", b"manifest.json", b"/".join([b"d" * 90] * 5)]
+)
+def test_a_name_that_no_manifest_holds_stops_no_other_record(room: Room, name: bytes) -> None:
+    path = room.add_scan("one", 1000) / os.fsdecode(name)
+    path.parent.mkdir(parents=True, exist_ok=True)
+    path.write_text("the operator's")
+    room.add_scan("two", 1000)
+    with refused("archive-name") as failed:
+        room.archive().run()
+    assert failed.value.line.isprintable()
+    assert [one.id for one in room.manifests()] == ["two"]
+
+
+@pytest.mark.parametrize("time_s", [-1e6, 1e13], ids=["before 1970", "year 300000"])
+def test_a_file_time_outside_the_calendar_is_the_nearest_in_it(room: Room, time_s: float) -> None:
+    os.utime(room.add_scan("one", 1000) / "cloud.ply", (time_s, time_s))
+    archive = room.archive()
+    assert (archive.run(), archive.run()) == (1, 0)
+
+
+@pytest.mark.parametrize("foreign", [os.mkfifo, os.mkdir])
+@pytest.mark.parametrize("name", ["scan.mcap", "manifest.json"])
+def test_what_is_no_file_in_the_archive_keeps_no_other_record_from_it(
+    room: Room, copy: Path, name: str, foreign: Callable[[Path], None]
+) -> None:
+    archive = room.archive(later=LATER, rules={"keep_days": 1})
+    (copy / name).unlink()
+    foreign(copy / name)
+    room.add_scan("two", 1000)
+    archive.run()
+    with refused("archive-differs"):
+        archive.run()
+    assert room.away() == ["two"]
+    assert (room.store.folder / "scans" / "one").exists()
+    with pytest.raises(OperationError):
+        archive.fetch("scans", "three")
+
+
+@pytest.mark.parametrize("name", ["scan.mcap", "manifest.json"])
+def test_a_link_to_itself_in_the_archive_is_replaced(room: Room, copy: Path, name: str) -> None:
+    (copy / name).unlink()
+    (copy / name).symlink_to(name)
+    assert room.archive().verify()
+    assert room.archive().run() == 1
+    assert room.archive().verify() == []
+
+
+@pytest.mark.parametrize(
+    "damage",
+    [
+        {"archived_at": "yesterday"},
+        {"archived_at": "0001-01-01T00:00:00+14:00"},
+        {"label": "\ud800"},
+        {"id": "another"},
+        {"files": [{"path": "a", "bytes": 10**30, "sha256": "0" * 64, "mtime_ns": 1}]},
+        {"files": [{"path": "a", "bytes": 1, "sha256": "0" * 64, "mtime_ns": 10**30}]},
+    ],
+    ids=lambda damage: ascii(damage)[:30],
+)
+def test_an_unusable_manifest_is_none(place: Path, copy: Path, damage: dict[str, object]) -> None:
+    manifest = copy / "manifest.json"
+    changed = json.loads(manifest.read_text()) | damage
+    manifest.write_text(json.dumps(changed))
+    assert newest_manifest(FolderStore(place), "scans", "one") is None
+    os.truncate(manifest, 1 << 42)
+    assert newest_manifest(FolderStore(place), "scans", "one") is None

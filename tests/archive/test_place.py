@@ -88,9 +88,7 @@ def test_a_folder_under_another_name_by_a_second_mount_is_the_same(
 
 
 @pytest.mark.parametrize("mode", [0o700, 0o755, 0o2775])
-def test_who_may_read_in_the_folder_of_the_archive_may_read_the_copies(
-    store: Store, place: Path, mode: int
-) -> None:
+def test_copies_are_readable_as_their_folder_is(store: Store, place: Path, mode: int) -> None:
     add_scan(store, "one", 1000)
     place.chmod(mode)
     with private_files():
@@ -102,9 +100,7 @@ def test_who_may_read_in_the_folder_of_the_archive_may_read_the_copies(
         assert path.stat().st_mode & 0o777 == mode & most, path
 
 
-def test_results_are_not_written_into_records_under_another_name(
-    store: Store, tmp_path: Path
-) -> None:
+def test_results_are_not_written_into_records_by_other_names(store: Store, tmp_path: Path) -> None:
     data = ArchiveSettings.model_construct(url=str(store.folder))
     check_results_apart(ArchiveSettings.model_construct(url=str(tmp_path)), [data])
     scans = link_away(store.folder, tmp_path / "big/scans")
@@ -113,9 +109,7 @@ def test_results_are_not_written_into_records_under_another_name(
             check_results_apart(ArchiveSettings.model_construct(url=url), [data])
 
 
-def test_partitions_and_volumes_of_one_disk_are_one_disk(
-    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
-) -> None:
+def test_parts_of_one_disk_are_one_disk(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     block, devices = tmp_path / "block", tmp_path / "devices"
     block.mkdir()
     for device in ("sda/sda1", "sda/sda2", "sdb/sdb1", "dm-0/slaves"):

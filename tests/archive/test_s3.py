@@ -65,9 +65,7 @@ def refusal(archive: Archive) -> OperationError:
     return refused.value
 
 
-def test_records_go_to_the_store_and_come_back(
-    store: Store, tmp_path: Path, server: S3Server
-) -> None:
+def test_records_go_to_the_store_and_back(store: Store, tmp_path: Path, server: S3Server) -> None:
     folder = add_scan(store, "a scan + one", LARGE)
     (folder / "empty").touch()
     before = content_of(folder)
@@ -85,9 +83,7 @@ def test_records_go_to_the_store_and_come_back(
     assert content_of(folder) == before
 
 
-def test_the_place_of_another_station_is_refused(
-    store: Store, tmp_path: Path, server: S3Server
-) -> None:
+def test_another_stations_place_is_refused(store: Store, tmp_path: Path, server: S3Server) -> None:
     add_scan(store, "one", 1000)
     assert open_archive(store, tmp_path, server.port).run() == 1
     before = server.content(f"{tmp_path.name}/")
@@ -99,9 +95,7 @@ def test_the_place_of_another_station_is_refused(
     assert server.content(f"{tmp_path.name}/") == before
 
 
-def test_uploads_that_are_cut_at_random_leave_nothing_partial_with_a_manifest(
-    store: Store, tmp_path: Path, server: S3Server
-) -> None:
+def test_cut_uploads_leave_nothing_partial(store: Store, tmp_path: Path, server: S3Server) -> None:
     for number in range(3):
         add_scan(store, f"scan-{number}", LARGE if number == 1 else 400_000)
     proxy = CuttingProxy(server.port, seed=7)
@@ -121,9 +115,7 @@ def test_uploads_that_are_cut_at_random_leave_nothing_partial_with_a_manifest(
     assert complete == 3
 
 
-def test_a_file_that_is_missing_alone_is_no_store_that_is_not_there(
-    store: Store, tmp_path: Path, server: S3Server
-) -> None:
+def test_a_missing_file_is_no_lost_store(store: Store, tmp_path: Path, server: S3Server) -> None:
     add_scan(store, "one", 1000)
     opened = open_archive(store, tmp_path, server.port).store
     opened.write("there", [b"content"], 7)
@@ -136,9 +128,7 @@ def test_a_file_that_is_missing_alone_is_no_store_that_is_not_there(
             read()
 
 
-def test_a_store_that_refuses_or_is_not_there_is_named_with_a_remedy(
-    store: Store, tmp_path: Path, server: S3Server
-) -> None:
+def test_a_store_that_fails_has_a_remedy(store: Store, tmp_path: Path, server: S3Server) -> None:
     add_scan(store, "one", 1000)
     server.check_keys(True)
     try:

@@ -64,9 +64,7 @@ def findings(view: Any) -> dict[str, Any]:
 
 
 @pytest.mark.device
-def test_a_scan_that_left_the_disk_is_listed_and_comes_back_while_the_station_runs(
-    store: Store, place: Path
-) -> None:
+def test_a_scan_that_left_the_disk_is_listed_and_comes_back(store: Store, place: Path) -> None:
     folder = add_old_scan(store, "old")
     before = content_of(folder)
     store.close()
@@ -92,9 +90,7 @@ def test_a_scan_that_left_the_disk_is_listed_and_comes_back_while_the_station_ru
         assert server.http.get("/api/scans/old/cloud.ply").content == before["cloud.ply"]
 
 
-def test_the_commands_fill_verify_and_read_an_archive(
-    store: Store, tmp_path: Path, place: Path
-) -> None:
+def test_commands_fill_verify_and_read_archives(store: Store, tmp_path: Path, place: Path) -> None:
     folder = add_old_scan(store, "old")
     before = content_of(folder)
     file = settings_file(tmp_path, f'[archive]\nurl = "{place}"\nkeep_days = 90\n')
@@ -133,9 +129,7 @@ def test_the_commands_fill_verify_and_read_an_archive(
 
 
 @pytest.mark.device
-def test_a_scan_that_comes_back_without_its_cloud_gets_it_again(
-    tmp_path: Path, place: Path
-) -> None:
+def test_a_scan_that_comes_back_without_a_cloud_gets_it_again(tmp_path: Path, place: Path) -> None:
     store = fill_station(tmp_path / "data", ["old"])
     session, folder = tmp_path / "data/sessions" / CALIBRATION, tmp_path / "data/scans/old"
     figures = {"total_um": 20.0, "verdict": "good"}

@@ -54,13 +54,9 @@ def touch_plane() -> Floats:
 
 
 def fill(tmp_path: Path, moved_mm: float, recalibrated: bool, touched: bool = True) -> Path:
-    """An archive of a station with a scan and a verification on each day.
-
-    Args:
-        moved_mm: by how much the gauge lies lower for the sensor than for the probe from the day
-            ``CHANGED`` on.
-        recalibrated: whether another calibration is in use from then on.
-    """
+    """An archive of a station with a scan and a verification on each day. From the day ``CHANGED``
+    on the gauge lies lower for the sensor than for the probe, and another calibration may be in
+    use."""
     place = tmp_path / "room-2"
     store = fill_station(tmp_path / "data", [f"scan-{day}" for day in DAYS])
     add_calibration(store, OTHER)

@@ -27,6 +27,7 @@ from app.formats.results.calibration import read_calibration
 from app.workflows.reconstruct import reconstruct_cloud
 from tests.batch.filled import CALIBRATION, archive_and_close, fill_archive, fill_station
 from tests.cli.test_cli import crenel, refused
+from tests.present import present
 
 pytestmark = pytest.mark.device
 
@@ -178,8 +179,7 @@ def test_a_damaged_recording_of_a_store_is_named_by_its_address(tmp_path: Path) 
     (tmp_path / "data/scans/one/scan.mcap").write_bytes(b"no recording")
     archive_and_close(store, place)
     tasks, _ = plan(f"file://{place}", tmp_path / "out")
-    refusal = perform(tasks[0], tmp_path, 1).refusal
-    assert refusal is not None
+    refusal = present(perform(tasks[0], tmp_path, 1).refusal)
     (record,) = place.glob("scans/one/*")
     named = f"file://{place}/scans/one/{record.name}/scan.mcap: "
     assert refusal.error().line.startswith(named)
@@ -189,8 +189,7 @@ def test_a_calibration_that_is_damaged_is_named_and_no_temporary_file(tmp_path: 
     fill_station(tmp_path / "data", SCANS).close()
     (tmp_path / "data/sessions" / CALIBRATION / "arm.json").write_text("{")
     tasks, _ = plan(tmp_path / "data", tmp_path / "out")
-    refusal = perform(tasks[0], tmp_path, 1).refusal
-    assert refusal is not None
+    refusal = present(perform(tasks[0], tmp_path, 1).refusal)
     line = refusal.error().line
     said = f"The calibration {CALIBRATION} cannot be used: arm.json: it is not JSON"
     assert line.startswith(said)

@@ -26,6 +26,7 @@ from tests.batch.filled import ABOUT, FIRST, fill_station
 from tests.batch.s3 import archive_in_s3, through_proxy
 from tests.batch.test_rebuild import direct_cloud
 from tests.formats.builders import joints_every
+from tests.present import present
 from tests.running.usual import usual
 from tests.workflows.test_reconstruct import MS, NAMES, record_image, record_stripe
 
@@ -96,8 +97,7 @@ def test_pictures_stay_in_the_store_and_the_cloud_is_the_same(
     print(f"fetched {fetched} of {size} bytes")
     assert 10 * PICTURE.size < size
     assert fetched < size - 9 * PICTURE.size
-    made = results.read(task.stem)
-    assert made is not None
+    made = present(results.read(task.stem))
     assert made["frames"] == FRAMES
     assert (tmp_path / "out" / made["cloud"]).read_bytes() == direct_cloud(tmp_path / "data", "one")
 
@@ -114,8 +114,7 @@ def test_a_copy_that_was_damaged_in_the_store_is_not_used(server: S3Server, tmp_
     finally:
         proxy.close()
     assert outcome.state == "again"
-    assert outcome.refusal is not None
-    assert outcome.refusal.code == "archive-differs"
+    assert present(outcome.refusal).code == "archive-differs"
 
 
 def test_a_recording_without_its_end_has_no_index(tmp_path: Path) -> None:
@@ -123,8 +122,7 @@ def test_a_recording_without_its_end_has_no_index(tmp_path: Path) -> None:
     path.touch()
     record_with_pictures(path)
     with path.open("rb") as file:
-        index = read_index(file)
-        assert index is not None
+        index = present(read_index(file))
         assert len(index.pictures) == 10
         assert find_needless_pictures(file, index) == index.picture_spans
     for damage in (-30, -500):

@@ -46,12 +46,7 @@ def add_verification(
     calibration: str = CALIBRATION,
     clouds: int = 2,
 ) -> Path:
-    """Clouds of one plane, 20 µm apart.
-
-    Args:
-        offset_mm: of the plane, along its normal.
-        calibration: the session whose calibration is verified.
-    """
+    """Clouds of one plane, 20 µm apart and off along its normal, by a session's calibration."""
     folder = store.folder / "verifications" / record_id
     for number in range(1, clouds + 1):
         (folder / f"cloud-{number}").mkdir(parents=True)
@@ -198,9 +193,7 @@ def refusal_of(tmp_path: Path, url: str, name: str, damage: Damage) -> tuple[str
         *(("verification.json", replace_by_text), ("arm.json", Path.unlink)),
     ],
 )
-def test_a_file_that_was_archived_damaged_is_named_by_archive_and_record(
-    tmp_path: Path, address: str, name: str, damage: Damage
-) -> None:
+def test_a_damaged_copy_is_named(tmp_path: Path, address: str, name: str, damage: Damage) -> None:
     url = address.format(tmp_path / "room-2")
     line, record = refusal_of(tmp_path, url, name, damage)
     assert line.startswith(f"{url}/verifications/v1/{record.name}/{name}: ")

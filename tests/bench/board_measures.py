@@ -91,7 +91,6 @@ def board_from(solved: PeerCalibration, frame: BoardFrame) -> Camera:
 
 
 def move_camera(camera: Camera, T_cam_frame: Floats) -> Camera:
-    """The same camera as seen from another frame."""
     return replace(camera, rotation=T_cam_frame[:3, :3], translation_mm=T_cam_frame[:3, 3])
 
 
@@ -142,10 +141,8 @@ def laser_plane_rms_mm(solved: PeerCalibration, frames: Sequence[BoardFrame]) ->
 
 
 def common_plane_rms_mm(solved: PeerCalibration, frames: Sequence[BoardFrame]) -> float:
-    """The line's points of all pictures, in the arm's frame, to the plane through them.
-
-    Points beyond ``TRIMMED_SIGMAS`` are left out, until none is.
-    """
+    """The line's points of all pictures, in the arm's frame, to the plane through them, without
+    points beyond ``TRIMMED_SIGMAS``."""
     parts = []
     for frame in frames:
         near = frame.stripe_px[frame.near_pattern()]

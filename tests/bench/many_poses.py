@@ -40,11 +40,7 @@ def draw_plan(arm_um: float, wrong_in: ErrorSource, rng: np.random.Generator) ->
 
 
 def measure_session(folder: Path) -> dict[str, tuple[float, float]]:
-    """Sensor frame and flange frame, rms in um, by who calibrated.
-
-    Raises:
-        Refusal: Crenel does not calibrate this session.
-    """
+    """Sensor frame and flange frame, rms in um, by who calibrated. Refusal: Crenel does not."""
     session = read_session(folder)
     inputs = joint_inputs(session)
     found = calibrate_block(inputs)

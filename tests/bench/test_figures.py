@@ -176,9 +176,7 @@ def test_a_command_runs_once_and_one_that_fails_is_unreadable(tmp_path: Path) ->
     assert "No module named tests.bench.nothing" in both[0].why
 
 
-def test_without_the_sample_folders_nothing_is_measured(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_without_samples_nothing_is_run(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(measure, "SHARED", tmp_path / "shared")
     for found in measure.outcomes(choose(["gauge", "lines"]), tmp_path):
         assert found.verdict == Verdict.NOT_MEASURED

@@ -21,6 +21,7 @@ from app.metrology.targets.chessboard import Chessboard
 from app.metrology.transforms import Floats
 from tests.cli.test_cli import crenel
 from tests.datasheets import write_object
+from tests.present import present
 
 pytestmark = pytest.mark.soak
 
@@ -130,8 +131,7 @@ def test_a_line_is_measured_beside_its_peers() -> None:
     assert set(found.false.values()) == {0}
     own, theirs = found.noise_px["crenel"], found.noise_px["centroid"]
     assert own is not None
-    assert theirs is not None
-    assert own < theirs
+    assert own < present(theirs)
     assert found.sigma_px == pytest.approx(own, rel=0.2)
     assert found.scatter_ratio == pytest.approx(1.0, abs=0.15)
     turned = measure_lines("turned", lazily(*(frame.T for frame in frames[:2])))
@@ -197,8 +197,7 @@ def test_pictures_without_a_folder_for_their_set_are_one_set(tmp_path: Path) -> 
     write_object(tmp_path / "object.json", board)
     (boards,) = find_sets(tmp_path)
     assert boards.kind == "boards"
-    assert boards.board is not None
-    assert boards.board.inner_corners == (9, 6)
+    assert present(boards.board).inner_corners == (9, 6)
 
 
 def test_a_damaged_picture_is_left_out_and_named(tmp_path: Path) -> None:
@@ -256,8 +255,7 @@ def test_lines_of_a_robots_sensor_are_quieter_than_those_of_peers(real: Path) ->
     (pictures,) = find_sets(real / "robot-laser-chessboard" / "calib1")
     about = PictureSetNotes(stripe_axis="v", width_px=18.0)
     line = measure_lines("robot", pictures.pictures()[:2], about)
-    noise = line.noise_px["crenel"]
-    assert noise is not None
+    noise = present(line.noise_px["crenel"])
     assert noise < 0.03
     assert noise < 0.9 * (line.noise_px["centroid"] or 0.0)
     assert line.missed < 0.02 * line.agreed

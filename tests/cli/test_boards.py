@@ -44,6 +44,7 @@ from tests.metrology.boards import (
 )
 from tests.metrology.seen_boards import camera_at
 from tests.metrology.test_board_calibration import touching
+from tests.present import present
 from tests.real_sessions import write_real_session
 from tests.running.usual import usual
 
@@ -92,8 +93,7 @@ def arm_session(pictures: Path, tmp_path_factory: pytest.TempPathFactory) -> Pat
     rows = []
     for k, T in enumerate(POSES, 1):
         T_arm_flange = T_arm_obj @ inverse(T) @ inverse(T_FLANGE_CAM)
-        q_rad = solve_inverse_kinematics(ARM, T_arm_flange, START_RAD)
-        assert q_rad is not None
+        q_rad = present(solve_inverse_kinematics(ARM, T_arm_flange, START_RAD))
         rows.append(ImageRow(k, f"images/{k}.png", "both", q_rad))
     write_images(folder / "images.csv", rows)
     return folder
@@ -216,8 +216,7 @@ def test_a_scan_is_reconstructed_with_its_arm(
     done("reconstruct", tmp_path / "scan.mcap", *given, "-o", cloud)
     in_cam = sensor_points(camera_at(np.eye(4)), LaserPlane(NORMAL, OFFSET_MM), uv)
     true = apply(flange_pose(ARM, START_RAD) @ T_FLANGE_CAM, in_cam)
-    claimed = CalibrationFile.read(calibration).uncertainty
-    assert claimed is not None
+    claimed = present(CalibrationFile.read(calibration).uncertainty)
     off_um = 1e3 * np.linalg.norm(read_cloud(cloud).points_mm - true, axis=1)
     assert float(np.sqrt(np.mean(off_um**2))) < max(3 * claimed.total_um, 100)
 
@@ -338,8 +337,7 @@ def test_pictures_without_the_laser_are_refused(few: Path) -> None:
 
 def test_mirrored_pictures_are_refused_as_such(few: Path) -> None:
     for path in (few / "images").glob("*.png"):
-        picture = cv2.imread(str(path), cv2.IMREAD_UNCHANGED)
-        assert picture is not None
+        picture = present(cv2.imread(str(path), cv2.IMREAD_UNCHANGED))
         cv2.imwrite(str(path), picture[:, ::-1])
     assert "check that the pictures are not mirrored" in why_refused(few).replace("Check", "check")
 

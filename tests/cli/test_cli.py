@@ -330,9 +330,7 @@ def test_a_sphere_beside_a_table_is_found_by_its_nominal(tmp_path: Path) -> None
 
 
 @pytest.mark.parametrize("away_mm", [3e4, 2e6, 9.9e6])
-def test_a_cloud_in_other_coordinates_keeps_what_does_not_depend_on_them(
-    tmp_path: Path, away_mm: float
-) -> None:
+def test_other_coordinates_keep_what_does_not_need_them(tmp_path: Path, away_mm: float) -> None:
     points = ball(np.random.default_rng(0), 1500) + [0.0, away_mm, 0.0]
     np.savetxt(tmp_path / "s.xyz", points, fmt="%.6f")
     nominal = write_nominal(tmp_path / "n.json", "sphere")
@@ -358,9 +356,7 @@ def test_half_a_cloud_that_is_exact_is_no_measurement(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("unit", [(), ("--unit", "mm")])
-def test_an_e57_is_in_metres_unless_its_unit_is_given(
-    tmp_path: Path, unit: tuple[str, ...]
-) -> None:
+def test_an_e57_is_in_metres_unless_a_unit_is_given(tmp_path: Path, unit: tuple[str, ...]) -> None:
     points = ball(np.random.default_rng(0), 1500) * (1000 if unit else 1)
     with cloud_writer(tmp_path / "s.e57") as cloud:
         cloud.write(points, points[:, 0], points[:, 0], 0)
@@ -518,9 +514,7 @@ def test_help_imports_nothing_heavy(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize(("number", "status"), [(signal.SIGINT, 130), (signal.SIGTERM, 143)])
-def test_an_interrupted_job_leaves_nothing(
-    tmp_path: Path, scan: Files, number: int, status: int
-) -> None:
+def test_interrupts_leave_nothing(tmp_path: Path, scan: Files, number: int, status: int) -> None:
     scan["scan.mcap"].unlink()
     with RecordingWriter(scan["scan.mcap"], NAMES) as writer:
         for stamp in range(0, 20_000 * MS, MS):

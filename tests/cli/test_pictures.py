@@ -10,6 +10,7 @@ import pytest
 
 from tests.cli.test_cli import crenel, done, printed, refused
 from tests.colours import HEIGHT, WIDTH, expose, line_rows, mosaic, render_colours
+from tests.present import present
 
 
 @pytest.fixture
@@ -62,8 +63,7 @@ def test_corners_are_listed_and_drawn(tmp_path: Path, board: Path) -> None:
     assert all(0 < float(row["sigma_px"]) < 0.2 for row in corners)
     (without,) = (row for row in rows if row["image"] == str(empty))
     assert without["refusal"] == "board-not-found"
-    image = cv2.imread(str(drawn / "seen.png"))
-    assert image is not None
+    image = present(cv2.imread(str(drawn / "seen.png")))
     assert (image[..., 0] != image[..., 1]).any()
     assert (drawn / "empty.png").is_file()
     (found,) = printed("detect", seen, "--object", board)["images"]
@@ -99,8 +99,7 @@ def test_stripes_are_smoothed_as_wished(tmp_path: Path) -> None:
 def test_stripes_are_drawn(tmp_path: Path) -> None:
     line, drawn = write_line(tmp_path / "line.png"), tmp_path / "drawn"
     done("extract", line, "-o", tmp_path / "s.csv", "--draw", drawn)
-    image = cv2.imread(str(drawn / "line.png"))
-    assert image is not None
+    image = present(cv2.imread(str(drawn / "line.png")))
     red = (image[..., 2] > image[..., 0]).any(axis=1)
     assert np.flatnonzero(red).tolist() == [39, 40, 41]
 
@@ -191,8 +190,7 @@ def test_raw_pictures_are_measured_at_the_pixels_of_the_lasers_colour(tmp_path: 
     assert set(np.diff(u)) == {2.0}
     assert float(np.sqrt(np.mean((v - line_rows(u)) ** 2))) < 0.06
     assert 0.03 < float(np.median(sigma)) < 0.06
-    image = cv2.imread(str(drawn / "raw.png"))
-    assert image is not None
+    image = present(cv2.imread(str(drawn / "raw.png")))
     assert image.shape == (HEIGHT, WIDTH, 3)
     found = printed("extract", raw, "-o", table, *options)
     assert found["images"][0]["channel"] == "red pixels of GRBG"
@@ -218,8 +216,7 @@ def test_raw_pictures_that_are_not_called_raw_are_warned_of(tmp_path: Path, boar
 
 def test_corners_of_raw_pictures_are_in_their_pixels(tmp_path: Path, board: Path) -> None:
     seen = picture(tmp_path / "seen.png")
-    grey = cv2.imread(str(seen), cv2.IMREAD_GRAYSCALE)
-    assert grey is not None
+    grey = present(cv2.imread(str(seen), cv2.IMREAD_GRAYSCALE))
     dimmer = (grey[..., None] * np.array([0.6, 1.0, 0.8])).astype(np.uint8)
     cv2.imwrite(str(seen), mosaic(dimmer, "BGGR"))
     table = tmp_path / "corners.csv"

@@ -181,9 +181,7 @@ def keep_faces(*faces: str) -> Spoil:
         "two",
     ],
 )
-def test_a_session_that_cannot_be_calibrated_is_refused(
-    samples: Path, tmp_path: Path, spoil: Spoil, said: str
-) -> None:
+def test_bad_sessions_are_refused(samples: Path, tmp_path: Path, spoil: Spoil, said: str) -> None:
     session, sample = tmp_path / "session", samples / "one-pose"
     (session / "images").mkdir(parents=True)
     for path in (*(sample / name for name in FILES), *(sample / "images").iterdir()):

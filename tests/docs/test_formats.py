@@ -53,6 +53,7 @@ from app.metrology.targets.chessboard import Chessboard, Markers
 from app.settings.settings import Settings
 from app.settings.station_toml import read_settings
 from hardware.arm.robots.rotations import axis_angles_quaternion, rotation_vector_quaternion
+from tests.present import present
 from tests.sources import ROOT
 
 PAGE = (ROOT / "docs/formats.md").read_text(encoding="utf-8")
@@ -152,8 +153,7 @@ def test_the_robots_session_on_a_chessboard_is_read(examples: Path) -> None:
     assert isinstance(marked, Chessboard)
     assert marked.markers == Markers("DICT_4X4_50", 7.5)
     (pose,) = session.poses
-    assert pose.T_arm_flange is not None
-    assert pose.T_arm_flange[:3, 3].tolist() == [612.5, -80.25, 433.0]
+    assert present(pose.T_arm_flange)[:3, 3].tolist() == [612.5, -80.25, 433.0]
     assert columns(examples / "board/images.csv")[3:] == POSE_COLUMNS
 
 
@@ -181,8 +181,7 @@ def test_the_calibration_is_read_and_its_fields_are_named(examples: Path) -> Non
     for name in CalibrationFile.model_fields:
         assert f"`{name}`" in section or f'"{name}"' in section, name
     document = CalibrationFile.read(examples / "calibration.json")
-    assert document.verdict is not None
-    text = document.verdict.text
+    text = present(document.verdict).text
     assert isinstance(text, Message), "the example's message is none of the language files"
     assert str(text) == json.loads(document.text())["verdict"]["text"]
     assert f'"{text!s}"' in section
@@ -267,10 +266,8 @@ def test_a_length_standard_and_a_plan_of_a_performance_test_are_read(examples: P
     assert bar.lengths[0].length_mm == 400.0123
     plan = read_plan(examples / "performance")
     assert read_end_temperatures(examples / "performance").arm_c == 21.4
-    assert plan.sphere is not None
-    assert plan.sphere.diameter_mm == 24.9987
-    limit = plan.limit("length-touch")
-    assert limit is not None
+    assert present(plan.sphere).diameter_mm == 24.9987
+    limit = present(plan.limit("length-touch"))
     assert limit.at(1000.0) == 60.0
 
 

@@ -46,10 +46,8 @@ CHROMIUM_FLAGS = [
 
 @pytest.fixture(scope="package")
 def browser() -> Iterator[Browser]:
-    """Debian's chromium; where it is missing the tests skip, except in CI.
-
-    Closed with the last of these tests: while it runs, this thread may run no other loop.
-    """
+    """Debian's chromium; where it is missing the tests skip, except in CI. Closed with the last of
+    them: while it runs, this thread may run no other loop."""
     path = shutil.which("chromium") or shutil.which("chromium-browser")
     if path is None:
         if os.environ.get("CI"):
@@ -181,11 +179,8 @@ def screenshots(request: pytest.FixtureRequest, pictures: Path) -> Path | None:
 
 
 def wait_in_page(page: Page, condition: str, argument: object = None) -> None:
-    """Wait until a function of JavaScript is true in the page.
-
-    ``page.wait_for_function`` evaluates text again at each look, which the station's policy for
-    content forbids as soon as the first look is not enough.
-    """
+    """Wait until a function of JavaScript is true in the page: ``page.wait_for_function`` evaluates
+    text again at each look, which the station's policy forbids."""
     page.evaluate(
         f"""async argument => {{
           const condition = {condition};

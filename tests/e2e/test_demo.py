@@ -13,6 +13,7 @@ from playwright.sync_api import Browser, expect
 from app.formats.clouds.files import read_cloud
 from tests.e2e.conftest import Demo
 from tests.e2e.visit import Visit, is_at, is_verifying, take_poses
+from tests.present import present
 
 pytestmark = pytest.mark.device
 
@@ -193,8 +194,7 @@ def look_closer(visit: Visit, folder: Path) -> None:
     visit.look("uncertainty")
     page.get_by_role("button", name="Measure").click()
     page.get_by_role("button", name="Plane", exact=True).click()
-    area = page.locator("iframe").bounding_box()
-    assert area is not None
+    area = present(page.locator("iframe").bounding_box())
     page.mouse.move(area["x"] + 0.02 * area["width"], area["y"] + 0.3 * area["height"])
     page.mouse.down()
     page.mouse.move(area["x"] + 0.98 * area["width"], area["y"] + 0.98 * area["height"], steps=5)
@@ -211,8 +211,7 @@ def look_closer(visit: Visit, folder: Path) -> None:
         page.get_by_role("button", name="Save picture").click()
     saved = folder / "view.png"
     download.value.save_as(saved)
-    picture = cv2.imread(str(saved))
-    assert picture is not None
+    picture = present(cv2.imread(str(saved)))
     assert picture.shape[0] > 500
     assert len(np.unique(picture.reshape(-1, 3), axis=0)) > 300
     rename_and_hide(visit)

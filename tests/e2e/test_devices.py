@@ -67,9 +67,7 @@ def clicks(page: Page) -> int:
     return int(page.evaluate("window.clicks"))
 
 
-def test_an_industrial_camera_is_connected_in_a_few_clicks(
-    station: Demo, browser: Browser, pictures: Path
-) -> None:
+def test_an_industrial_camera_is_in_use(station: Demo, browser: Browser, pictures: Path) -> None:
     with port_for_this_test():
         camera = AravisFake()
         page = browser.new_page(viewport={"width": 1280, "height": 800})
@@ -120,9 +118,7 @@ def is_used(driver: str) -> Callable[[dict[str, Any]], bool]:
     return look
 
 
-def test_a_camera_is_connected_in_a_few_clicks(
-    station: Demo, browser: Browser, pictures: Path, folder: Path
-) -> None:
+def test_a_camera_is_in_use(station: Demo, browser: Browser, pictures: Path, folder: Path) -> None:
     page = browser.new_page(viewport={"width": 1280, "height": 800})
     page.add_init_script(COUNT_CLICKS)
     visit = Visit(page)
@@ -182,9 +178,7 @@ def test_a_camera_is_connected_in_a_few_clicks(
     page.close()
 
 
-def test_an_address_that_is_wrong_is_named_and_can_be_corrected(
-    station: Demo, browser: Browser, folder: Path
-) -> None:
+def test_a_wrong_address_can_be_corrected(station: Demo, browser: Browser, folder: Path) -> None:
     page = browser.new_page(viewport={"width": 820, "height": 1180})
     page.goto(station.link)
     page.get_by_role("button", name="Connect your own devices").click()

@@ -85,9 +85,7 @@ def test_stations_and_records(page: Page) -> None:
     expect(page.get_by_text("No record is found.")).to_be_visible()
 
 
-def test_a_row_of_records_fits_and_names_its_station_as_everywhere(
-    page: Page, pictures: Path
-) -> None:
+def test_a_row_of_records_fits_and_names_its_station(page: Page, pictures: Path) -> None:
     expect(page.get_by_role("heading", name="Room one")).to_be_visible()
     expect(page.get_by_text(re.compile(r"^Times: .*(UTC|Etc)"))).to_be_visible()
     open_view(page, "Records")
@@ -152,9 +150,7 @@ def test_a_search_that_takes_long_shows_it_and_is_tried_again(page: Page, pictur
     expect(rows.first).to_have_css("opacity", "1")
 
 
-def test_a_cloud_is_made_with_todays_calibration_and_downloaded(
-    browser: Browser, tmp_path: Path, pictures: Path
-) -> None:
+def test_a_cloud_is_made_and_downloaded(browser: Browser, tmp_path: Path, pictures: Path) -> None:
     clouds.fill_room(tmp_path, of_two=True)
     settings = clouds.write_settings(tmp_path, 'archive = { url = "plant/room-2" }')
     with clouds.collected(settings) as client:
@@ -213,9 +209,7 @@ def choose_for_each_sensor(page: Page, pictures: Path) -> None:
         assert page.evaluate("document.documentElement.scrollWidth") == width
 
 
-def test_calibrations_that_are_wrong_are_marked_where_a_cloud_is_made(
-    page: Page, pictures: Path
-) -> None:
+def test_wrong_calibrations_are_marked_where_a_cloud_is_made(page: Page, pictures: Path) -> None:
     open_view(page, "Records")
     page.get_by_label("Station").select_option("room-2")
     page.get_by_label("Kind").select_option("scan")
@@ -292,9 +286,7 @@ def test_ageing_is_drawn_against_hours_and_temperature(page: Page) -> None:
     expect(page.get_by_text("(95 %)")).to_have_count(3)
 
 
-def test_a_person_signs_in_with_the_provider_and_out_again(
-    browser: Browser, tmp_path: Path, pictures: Path
-) -> None:
+def test_a_person_signs_in_and_out_again(browser: Browser, tmp_path: Path, pictures: Path) -> None:
     port = free_port()
     with mock_provider() as provider:
         provider.register(f"http://127.0.0.1:{port}/sign-in")

@@ -22,9 +22,7 @@ __all__ = ["station"]
 pytestmark = pytest.mark.device
 
 
-def test_each_kind_begins_and_is_cancelled(
-    station: Demo, browser: Browser, screenshots: Path | None
-) -> None:
+def test_each_can_be_cancelled(station: Demo, browser: Browser, screenshots: Path | None) -> None:
     visit = visit_station(station, browser, screenshots)
     for begin in (begin_sphere_test, begin_length_test, begin_contact_test):
         before = len(visit.ask("/api/performances"))
@@ -47,9 +45,7 @@ def cancel_once_touched(visit: Visit) -> None:
     expect(page.get_by_role("heading", name="Performance tests")).to_be_visible()
 
 
-def test_the_plane_test_from_start_to_form(
-    station: Demo, browser: Browser, screenshots: Path | None
-) -> None:
+def test_the_whole_plane_test(station: Demo, browser: Browser, screenshots: Path | None) -> None:
     visit = visit_station(station, browser, screenshots)
     page = visit.page
     page.get_by_role("button", name="Plane", exact=True).click()

@@ -11,9 +11,7 @@ from tests.e2e.conftest import Demo
 pytestmark = pytest.mark.device
 
 
-def test_the_reference_lists_every_route_for_whoever_is_signed_in(
-    demo: Demo, browser: Browser, pictures: Path
-) -> None:
+def test_the_reference_lists_every_route(demo: Demo, browser: Browser, pictures: Path) -> None:
     page = browser.new_page(viewport={"width": 1440, "height": 900})
     page.goto(f"{demo.address}docs")
     expect(page.get_by_role("heading", name="HTTP interface")).to_have_count(0)
@@ -36,9 +34,7 @@ def test_the_reference_lists_every_route_for_whoever_is_signed_in(
     page.close()
 
 
-def test_who_is_quicker_than_his_sign_in_sees_the_page_once_he_is_signed_in(
-    demo: Demo, browser: Browser
-) -> None:
+def test_who_is_quicker_than_the_sign_in_sees_the_page_later(demo: Demo, browser: Browser) -> None:
     page = browser.new_page(viewport={"width": 1280, "height": 800})
     signing_in: list[Route] = []
     refused: list[str] = []

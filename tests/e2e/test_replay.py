@@ -16,9 +16,7 @@ from tests.formats.test_documents import calibration_file
 pytestmark = pytest.mark.device
 
 
-def test_the_replay_is_the_first_page(
-    browser: Browser, screenshots: Path | None, tmp_path: Path
-) -> None:
+def test_a_replay_comes_first(browser: Browser, screenshots: Path | None, tmp_path: Path) -> None:
     calibration_file().write(tmp_path / "calibration.json")
     write_arm(tmp_path / "arm.json", ARM)
     recording = str(scan(tmp_path / "scan.mcap", images=True))

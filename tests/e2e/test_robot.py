@@ -26,9 +26,7 @@ def robot(tmp_path: Path) -> Iterator[Demo]:
 
 
 @pytest.mark.soak
-def test_a_robot_station_from_the_first_page_to_a_verification(
-    robot: Demo, browser: Browser, screenshots: Path | None
-) -> None:
+def test_a_whole_robot_station(robot: Demo, browser: Browser, screenshots: Path | None) -> None:
     page = browser.new_page(viewport={"width": 1440, "height": 900})
     visit = Visit(page, screenshots)
     page.goto(robot.link)

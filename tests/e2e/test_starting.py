@@ -1,4 +1,4 @@
-"""The page that is there from the first second, and becomes the client by itself."""
+"""The page that is there from the first second, becomes the client, and awaits the sign-in."""
 
 import threading
 from pathlib import Path
@@ -9,13 +9,20 @@ from playwright.sync_api import Browser, expect
 from app.errors import OperationError
 from tests.api.test_starting import Station, served, starting_with
 from tests.e2e.conftest import NEWCOMER, Demo
+from tests.e2e.visit import Visit
 
 pytestmark = pytest.mark.device
 
+SLOW_SIGN_IN = """
+    const send = window.fetch;
+    window.fetch = async (path, init) => {
+        if (String(path).endsWith("/session/code")) await new Promise((go) => setTimeout(go, 3000));
+        return send(path, init);
+    };
+"""
 
-def test_the_starting_page_becomes_the_client(
-    browser: Browser, pictures: Path, tmp_path: Path
-) -> None:
+
+def test_it_becomes_the_client(browser: Browser, pictures: Path, tmp_path: Path) -> None:
     data = str(tmp_path / "data")
     demo = Demo(tmp_path, (*NEWCOMER, "--port", "0", "--data", data), patient=False)
     try:
@@ -38,7 +45,7 @@ def test_the_starting_page_becomes_the_client(
         demo.end()
 
 
-def test_the_starting_page_says_that_the_station_did_not_start(browser: Browser) -> None:
+def test_it_says_that_the_station_did_not_start(browser: Browser) -> None:
     gate = threading.Event()
 
     def refuse() -> None:
@@ -53,3 +60,16 @@ def test_the_starting_page_says_that_the_station_did_not_start(browser: Browser)
         alert = page.get_by_role("alert")
         expect(alert.get_by_role("heading", name="The station did not start")).to_be_visible()
         page.close()
+
+
+def test_it_waits_for_the_sign_in(browser: Browser, demo: Demo) -> None:
+    page = browser.new_page(viewport={"width": 1280, "height": 800})
+    visit = Visit(page)
+    page.add_init_script(SLOW_SIGN_IN)
+    page.goto(demo.link)
+    page.get_by_role("link", name="Performance").click()
+    page.get_by_role("button", name="Contact tests", exact=True).click()
+    page.get_by_role("button", name="Start the test").click()
+    expect(page.get_by_role("radio", name="Without a sphere")).to_be_visible()
+    assert not visit.faults, "\n".join(visit.faults)
+    page.close()

@@ -2,7 +2,6 @@
 
 import asyncio
 import json
-import os
 import signal
 import subprocess
 import sys
@@ -16,13 +15,15 @@ import pytest
 from jsonschema import Draft202012Validator
 from playwright.sync_api import Browser, Page, expect
 
-from app.bench.faults.broker.mosquitto import BINARY, Mosquitto
+from app.bench.faults.broker.mosquitto import Mosquitto
 from app.formats.recording.decoders import StripeRecord
 from app.formats.recording.reader import open_recording
 from app.store.store import Store
 from app.supervision.messages import schema
 from tests.e2e.conftest import PATIENCE_S, ROOT, Demo, wait_in_page
+from tests.supervision.conftest import broker
 
+__all__ = ["broker"]
 pytestmark = pytest.mark.device
 
 COLLECT_NOTIFICATIONS = """
@@ -35,16 +36,6 @@ window.Notification = class extends Plain {
   }
 };
 """
-
-
-@pytest.fixture(scope="module")
-def broker(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Mosquitto]:
-    if BINARY is None:
-        if os.environ.get("CI"):
-            pytest.fail("mosquitto is not installed, and CI must run these tests")
-        pytest.skip("mosquitto is not installed")
-    with Mosquitto(tmp_path_factory.mktemp("broker")) as running:
-        yield running
 
 
 @pytest.fixture(scope="module")

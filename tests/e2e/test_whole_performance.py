@@ -33,9 +33,7 @@ LENGTHS = 7 * 3
 """Of a standard with a single length."""
 
 
-def test_the_one_sphere_test_from_start_to_figures(
-    station: Demo, browser: Browser, screenshots: Path | None
-) -> None:
+def test_the_one_sphere_test(station: Demo, browser: Browser, screenshots: Path | None) -> None:
     visit = visit_station(station, browser, screenshots)
     page = visit.page
     begin_sphere_test(visit)
@@ -96,9 +94,7 @@ def check_record(station: Demo, page: Page) -> None:
     assert "two capital letters" in refused.json()["detail"]
 
 
-def test_the_length_test_from_start_to_errors(
-    station: Demo, browser: Browser, screenshots: Path | None
-) -> None:
+def test_the_length_test(station: Demo, browser: Browser, screenshots: Path | None) -> None:
     visit = visit_station(station, browser, screenshots)
     page = visit.page
     begin_length_test(visit)
@@ -149,9 +145,7 @@ def test_the_length_test_from_start_to_errors(
     page.close()
 
 
-def test_the_contact_tests_from_start_to_figures(
-    station: Demo, browser: Browser, screenshots: Path | None
-) -> None:
+def test_the_contact_tests(station: Demo, browser: Browser, screenshots: Path | None) -> None:
     visit = visit_station(station, browser, screenshots)
     page = visit.page
     begin_contact_test(visit)

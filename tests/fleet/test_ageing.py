@@ -11,6 +11,7 @@ from app.fleet.ageing import StationAgeing, ageing_of, spread_of
 from app.fleet.catalogue.catalogue import FleetCatalogue
 from app.fleet.catalogue.entry import CatalogueEntry
 from tests.fleet.entries import START, entry_of, figure_of
+from tests.present import present
 
 pytestmark = pytest.mark.device
 
@@ -71,8 +72,7 @@ def test_ageing_is_found_where_it_is_and_nowhere_else(catalogue: FleetCatalogue)
     per_1000_h, hours_u, per_k, kelvin_u = slopes_of(aged)
     assert abs(per_1000_h - PER_1000_H) < 1.5 * hours_u < PER_1000_H
     assert abs(per_k - PER_K) < 1.5 * kelvin_u < PER_K
-    assert steady.per_1000_h is not None
-    assert not steady.per_1000_h.is_significant
+    assert not present(steady.per_1000_h).is_significant
     assert alone == steady
     assert len(later.points) == 60
 
@@ -97,8 +97,7 @@ def test_figures_of_calibrations_count_from_the_first_one(catalogue: FleetCatalo
         assert spread_of(connection, "gauge-offset") == []
     assert found.since == "first"
     assert [one.hours for one in found.points] == [720.0 * number for number in range(6)]
-    assert found.per_1000_h is not None
-    assert found.per_1000_h.value == pytest.approx(1 / 0.72)
+    assert present(found.per_1000_h).value == pytest.approx(1 / 0.72)
     assert [one.value for one in spread.values] == [20.0, 21.0, 22.0, 23.0, 24.0, 25.0]
     assert (spread.station, spread.sensor_serial, spread.limit) == ("room-1", "L-3", 60.0)
     assert spread.median == 22.5

@@ -1,20 +1,35 @@
-"""The catalogue stores each record once, and finds it again."""
+"""The catalogue stores each record once, finds it again, and opens those of earlier versions."""
 
+import sqlite3
+from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
+from contextlib import closing, contextmanager
 from dataclasses import replace
-from datetime import timedelta
+from datetime import UTC, datetime, timedelta
 from pathlib import Path
 
 import pytest
+from alembic.autogenerate import compare_metadata
+from alembic.runtime.migration import MigrationContext
+from sqlalchemy import Connection, Engine, text
 
-from app.fleet.catalogue import reading
+from app.errors import OperationError
+from app.fleet.catalogue import database, reading
 from app.fleet.catalogue.catalogue import FleetCatalogue
 from app.fleet.catalogue.database import CatalogueError
 from app.fleet.catalogue.entry import CatalogueEntry, EntryFile
+from app.fleet.catalogue.tables import CatalogueTable
 from tests.fleet.entries import START, entry_of, figure_of
 from tests.fleet.postgres import PostgresServer
 
 pytestmark = pytest.mark.device
+
+FIRST = Path(__file__).parent / "revision_1.sql"
+"""Of a catalogue that the first version made."""
+
+
+ROWS = ("station", "record", "file", "figure")
+"""The tables, each behind those that it refers to."""
 
 
 def found_ids(catalogue: FleetCatalogue, **query: object) -> list[str]:
@@ -187,15 +202,15 @@ def test_a_database_that_is_away_is_one_clear_line() -> None:
 def test_what_a_user_lacks_is_named(postgres: PostgresServer) -> None:
     postgres.add_reader()
 
-    def refusal(user: str, database: str) -> str:
+    def refusal(user: str, name: str) -> str:
         with pytest.raises(CatalogueError) as refused:
-            FleetCatalogue(f"postgresql://{user}@127.0.0.1:{postgres.port}/{database}")
+            FleetCatalogue(f"postgresql://{user}@127.0.0.1:{postgres.port}/{name}")
         assert "LINE" not in refused.value.line
         assert "\n" not in refused.value.line
         return str(refused.value.remedy)
 
-    for user, database in (("reader:wrong", "postgres"), ("reader:secret", "none")):
-        assert refusal(user, database).startswith("Check the user, password_file and the name")
+    for user, name in (("reader:wrong", "postgres"), ("reader:secret", "none")):
+        assert refusal(user, name).startswith("Check the user, password_file and the name")
     assert refusal("reader:secret", "postgres").startswith("Let the user own the database")
 
 
@@ -203,3 +218,62 @@ def test_a_folder_that_is_not_there_is_named(tmp_path: Path) -> None:
     with pytest.raises(CatalogueError) as refused:
         FleetCatalogue(f"sqlite:///{tmp_path}/none/catalogue.db")
     assert str(refused.value.remedy).startswith("Check that its folder is there")
+
+
+@contextmanager
+def connected(engine: Engine) -> Iterator[Connection]:
+    try:
+        with engine.begin() as connection:
+            yield connection
+    finally:
+        engine.dispose()
+
+
+def check_content(url: str) -> None:
+    with FleetCatalogue(url) as catalogue, catalogue.reading() as connection:
+        record = reading.read_record(connection, "room-1", "performance", "20260504-101500-ab12")
+        assert record is not None
+        assert (record.figures[0].value, record.files[0].path) == (12.5, "performance.json")
+        assert [one.value for one in reading.figure_points(connection, "location-scan")] == [12.5]
+        found = reading.search(connection, reading.SearchQuery(text="housing 4711"))
+        assert [one.entry.id for one in found] == ["20260504-111500"]
+        (station,) = reading.summarise_stations(connection)
+        assert (station.records, station.archived, station.size_bytes) == (2, 0, 24)
+        assert station.newest_at == datetime(2026, 5, 4, 10, 12, tzinfo=UTC)
+
+
+def test_a_database_of_the_first_version_opens(tmp_path: Path) -> None:
+    path = tmp_path / "catalogue.db"
+    with closing(sqlite3.connect(path)) as made:
+        made.executescript(FIRST.read_text())
+    check_content(f"sqlite:///{path}")
+    check_content(f"sqlite:///{path}")
+
+
+@pytest.mark.parametrize("revision", [database.FIRST_REVISION, "0002", database.LAST_REVISION])
+def test_what_the_first_version_stored_is_there_by_way_of_each(url: str, revision: str) -> None:
+    engine = database.create_engine(url)
+    database.upgrade(engine, database.FIRST_REVISION)
+    lines = FIRST.read_text().splitlines()
+    with connected(engine) as connection:
+        for table in ROWS:
+            for one in lines:
+                if one.startswith(f"INSERT INTO {table} "):
+                    connection.execute(text(one))
+    database.upgrade(engine, revision)
+    engine.dispose()
+    check_content(url)
+
+
+def test_the_migrations_lead_to_the_tables_of_today(url: str) -> None:
+    with connected(database.open_engine(url)) as connection:
+        found = MigrationContext.configure(connection)
+        assert found.get_current_revision() == database.LAST_REVISION
+        assert compare_metadata(found, CatalogueTable.metadata) == []
+
+
+def test_a_later_version_is_refused(url: str) -> None:
+    with connected(database.open_engine(url)) as connection:
+        connection.execute(text("UPDATE alembic_version SET version_num = '9999'"))
+    with pytest.raises(OperationError, match="made by a later version"):
+        FleetCatalogue(url)

@@ -24,7 +24,6 @@ from app.batch.results import PROBE, ResultStore
 from app.batch.single_cloud import CloudOrder, plan_cloud
 from app.batch.task import perform
 from app.bench.fleet.dask_processes import DaskProcesses
-from app.errors import OperationError
 from app.formats.clouds.files import COPC, read_cloud
 from app.formats.datasheets.arm import read_any_arm
 from app.formats.recording.reader import ARM_SERIAL, SCAN_CALIBRATION, SENSOR_SERIAL
@@ -41,6 +40,7 @@ from tests.batch.standing_dask import standing_dask as standing_dask
 from tests.fleet.test_server import count, refused_start, running_fleet, until
 from tests.fleet.test_sign_in import HOST, PASSWORD, browser_of, sign_in
 from tests.formats.builders import q_at
+from tests.refusals import refused
 from tests.single_sign_on.mock_provider import SIGN_IN, mock_provider
 from tests.store.test_full_disk import fill
 from tests.store.test_full_disk import small as small
@@ -107,11 +107,8 @@ def write_settings(folder: Path, place: str = ARCHIVE, more: str = "") -> Path:
 
 
 def fill_room(folder: Path, of_two: bool = False) -> None:
-    """The archive of a station that has three scans, and its data folder.
-
-    Args:
-        of_two: the second scan is one of two sensors.
-    """
+    """The archive of a station that has three scans, one of them perhaps of two sensors, and its
+    folder."""
     archive, data = folder / "plant/room-2", folder / "data"
     archive.mkdir(parents=True)
     store = fill_station(data, ("one", "two", "long"))
@@ -453,9 +450,8 @@ def test_a_recording_in_the_data_folder_needs_no_archive(filled: Path, tmp_path:
         ((data, away), {"scan_id": "none"}, "archive-missing"),
         ((data,), {"calibration_id": "none"}, "no-calibration"),
     ):
-        with pytest.raises(OperationError) as refused:
+        with refused(code):
             task_in(*places, **wanted)
-        assert refused.value.code == code
 
 
 def test_each_sensor_of_a_scan_can_have_another_calibration(filled: Path, tmp_path: Path) -> None:
@@ -492,9 +488,8 @@ def test_each_sensor_of_a_scan_can_have_another_calibration(filled: Path, tmp_pa
         (("other-arm",), "different-arms"),
         (("none",), "no-calibration"),
     ):
-        with pytest.raises(OperationError) as refused:
+        with refused(code):
             used_by(*wanted)
-        assert refused.value.code == code
 
 
 def test_the_cloud_that_was_used_least_recently_is_removed_first(tmp_path: Path) -> None:

@@ -22,6 +22,7 @@ from app.fleet.questions import (
     find_doubted,
 )
 from tests.fleet.entries import entry_of, figure_of
+from tests.present import present
 from tests.running.usual import usual
 
 pytestmark = pytest.mark.device
@@ -119,16 +120,13 @@ def test_two_wrong_calibrations_in_a_row_name_their_recordings(catalogue: FleetC
 
 
 @pytest.mark.parametrize("by_calibration", [True, False])
-def test_a_wrong_first_month_names_its_recordings_unless_it_is_taken_as_right(
-    catalogue: FleetCatalogue, by_calibration: bool
-) -> None:
+def test_a_wrong_first_month_is_named(catalogue: FleetCatalogue, by_calibration: bool) -> None:
     catalogue.add(ten_months((0, 30), by_calibration))
     drift, period = only_period(catalogue)
     with catalogue.reading() as connection:
         (chosen,) = drift_of(connection, "location-scan", right_since=START)
         (later,) = find_affected(connection, chosen)
-    assert drift.history.right is not None
-    assert drift.history.right.because == "most"
+    assert present(drift.history.right).because == "most"
     assert period.change is None
     first, sure = set(scans_of(0, 30)), set(ids_of(period.recordings))
     assert sure <= first <= sure.union(ids_of(period.possible))
@@ -211,10 +209,8 @@ def test_the_calibration_in_use_when_a_part_was_scanned(catalogue: FleetCatalogu
     with catalogue.reading() as connection:
         (used,) = find_calibrations(connection, "part 4711")
         assert search(connection, SearchQuery(text="part 4711"))[0].entry == used.recording
-    assert used.calibration is not None
-    assert (used.recording.id, used.calibration.id) == ("scan-11", "cal-0")
-    assert used.newest is not None
-    assert used.newest.id == "cal-9"
+    assert (used.recording.id, present(used.calibration).id) == ("scan-11", "cal-0")
+    assert present(used.newest).id == "cal-9"
 
 
 def test_a_calibration_that_becomes_known_later_is_added(catalogue: FleetCatalogue) -> None:

@@ -85,14 +85,12 @@ def write_session(folder: Path) -> Path:
 
 
 def edit_json(path: Path, change: Callable[[dict[str, Any]], object]) -> None:
-    """Spoils a JSON file."""
     fields = json.loads(path.read_text())
     change(fields)
     path.write_text(json.dumps(fields))
 
 
 def edit_text(path: Path, old: str, new: str) -> None:
-    """Spoils a text file."""
     text = path.read_text()
     assert old in text
     path.write_text(text.replace(old, new, 1))

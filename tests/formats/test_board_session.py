@@ -187,9 +187,7 @@ def test_a_charuco_board_reads_back(folder: Path) -> None:
         ({"kind": "aruco"}, "'crenellated', 'chessboard' or 'charuco'"),
     ],
 )
-def test_a_wrong_charuco_certificate_is_refused(
-    tmp_path: Path, fields: dict[str, object], words: str
-) -> None:
+def test_another_charuco_is_refused(tmp_path: Path, fields: dict[str, object], words: str) -> None:
     write_object(tmp_path / "object.json", CHARUCO)
     certified(**fields)(tmp_path)
     with pytest.raises(OperationError) as refused:

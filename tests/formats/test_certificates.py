@@ -202,9 +202,7 @@ def test_a_ball_bar_is_read_with_every_length(tmp_path: Path) -> None:
         (certificate(lengths("300 600 900", "0.001", TWO_UNITS)), "certificate-incomplete"),
     ],
 )
-def test_lengths_that_do_not_fit_their_lists_are_refused(
-    tmp_path: Path, text: str, code: str
-) -> None:
+def test_lengths_that_do_not_fit_lists_are_refused(tmp_path: Path, text: str, code: str) -> None:
     with refused_as(code):
         read_length_certificate(xml_file(tmp_path, text), "step-gauge")
 

@@ -111,9 +111,7 @@ def test_a_schema_that_is_missing_is_named_and_not_fetched(tmp_path: Path, locat
         (None, "file-missing"),
     ],
 )
-def test_a_schema_that_cannot_be_used_is_refused(
-    tmp_path: Path, text: str | None, code: str
-) -> None:
+def test_an_unusable_schema_is_refused(tmp_path: Path, text: str | None, code: str) -> None:
     schema = tmp_path / "main.xsd"
     if text is not None:
         schema.write_text(text, encoding="utf-8")

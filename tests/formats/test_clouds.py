@@ -134,9 +134,7 @@ def test_decimal_commas_are_named(tmp_path: Path, separator: str, head: str) -> 
 
 @pytest.mark.parametrize("separator", [" ", ",", ";"])
 @pytest.mark.parametrize("start", ["", "//", "# "])
-def test_columns_named_above_the_points_are_found(
-    tmp_path: Path, separator: str, start: str
-) -> None:
+def test_columns_named_above_points_are_found(tmp_path: Path, separator: str, start: str) -> None:
     rows = [separator.join(["7", *(f"{c:.17g}" for c in point)]) for point in POINTS[:, ::-1]]
     path = tmp_path / "c.xyz"
     path.write_text("\n".join([start + separator.join(["id", "Z", "Y", "X"]), *rows]) + "\n")
@@ -245,9 +243,7 @@ def test_unknown_columns_are_named_and_can_be_given(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("none", [(0.0, 0.0, 0.0), (-0.0, 0.0, -0.0), (-9999.0, 7.0, 1.5)])
-def test_points_that_were_not_measured_or_repeat_others_are_left_out(
-    tmp_path: Path, none: tuple[float, float, float]
-) -> None:
+def test_unmeasured_points_are_left_out(tmp_path: Path, none: tuple[float, float, float]) -> None:
     rows = np.concatenate([POINTS[:100], np.tile(none, (300, 1)), POINTS, POINTS[:7]])
     np.savetxt(tmp_path / "c.xyz", rows, fmt="%.17g")
     cloud = read_cloud(tmp_path / "c.xyz")

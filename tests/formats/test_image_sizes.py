@@ -70,9 +70,7 @@ def test_a_picture_that_is_too_large_is_refused_by_its_size(name: str) -> None:
 @pytest.mark.parametrize("kind", KINDS)
 @pytest.mark.parametrize("colour", [False, True])
 @pytest.mark.parametrize("shape", [(1, 1), (30, 41), (257, 1000)])
-def test_headers_announce_what_decoding_finds(
-    kind: str, colour: bool, shape: tuple[int, int]
-) -> None:
+def test_headers_say_what_decoding_finds(kind: str, colour: bool, shape: tuple[int, int]) -> None:
     picture = np.random.default_rng(0).integers(0, 255, (*shape, 3) if colour else shape)
     done, encoded = cv2.imencode(f".{kind}", picture.astype(np.uint8))
     assert done

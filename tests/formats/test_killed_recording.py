@@ -70,9 +70,7 @@ def writing(path: Path, largest: int = 0) -> subprocess.Popen[str]:
 
 
 @pytest.mark.parametrize("after_s", [0.1, 0.87, 1.61])
-def test_a_killed_recording_loses_at_most_what_followed_its_last_flush(
-    tmp_path: Path, after_s: float
-) -> None:
+def test_a_killed_recording_loses_what_was_not_flushed(tmp_path: Path, after_s: float) -> None:
     """1.2 million points a second; whatever is there is rebuilt."""
     path = tmp_path / "scan.mcap"
     with writing(path) as process:

@@ -66,9 +66,7 @@ def test_a_mask_of_another_picture_is_refused(picture: Path, tmp_path: Path) -> 
         ({"format": "crenel/sensor"}, "format is"),
     ],
 )
-def test_a_mask_that_cannot_be_meant_is_refused(
-    change: dict[str, object], words: str, tmp_path: Path
-) -> None:
+def test_odd_masks_are_refused(change: dict[str, object], words: str, tmp_path: Path) -> None:
     with pytest.raises(OperationError, match=words):
         Mask.read(written(tmp_path / "mask.json", **change))
 

@@ -87,8 +87,7 @@ def test_what_was_written_reads_back(path: Path) -> None:
 def summary_of(path: Path) -> Summary:
     with open(path, "rb") as file:
         summary = make_reader(file).get_summary()
-    assert summary is not None
-    return summary
+    return present(summary)
 
 
 def test_the_file_is_a_whole_mcap_to_others(path: Path) -> None:

@@ -98,9 +98,7 @@ def frugal() -> Iterator[None]:
 
 
 @pytest.mark.parametrize("name", BOMBS)
-def test_a_bomb_is_damage_to_both_readers(
-    name: str, tmp_path: Path, request: pytest.FixtureRequest
-) -> None:
+def test_both_call_bombs_damage(name: str, tmp_path: Path, request: pytest.FixtureRequest) -> None:
     path = tmp_path / "scan.mcap"
     path.write_bytes(MAGIC + record(HEADER, text(b"") + text(b"")) + station() + BOMBS[name]())
     request.getfixturevalue("frugal")
@@ -115,9 +113,7 @@ def test_a_bomb_is_damage_to_both_readers(
 
 @pytest.mark.usefixtures("frugal")
 @pytest.mark.parametrize("sparse", [False, True])
-def test_a_recordings_metadata_is_read_from_its_beginning_alone(
-    sparse: bool, tmp_path: Path
-) -> None:
+def test_metadata_is_read_from_the_beginning_alone(sparse: bool, tmp_path: Path) -> None:
     path = tmp_path / "scan.mcap"
     late = record(ATTACHMENT, bytes(1 << 20)) + station()
     path.write_bytes(MAGIC + (b"" if sparse else late))

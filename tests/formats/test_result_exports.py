@@ -1,18 +1,75 @@
-"""Results of performance tests as CSV and XLSX."""
+"""Results of performance tests as CSV, XLSX and QIF 3.0."""
 
 import csv
 import io
 import sys
 from pathlib import Path
+from statistics import stdev
+from xml.etree import ElementTree as ET
 
 import openpyxl
 import pytest
 
+from app.formats.exchange.qif_elements import QIF
 from app.formats.exchange.result_tables import result_tables
+from app.formats.exchange.write_qif import qif_bytes
 from app.formats.exchange.write_tables import workbook_obstacle, write_csv_tables, write_workbook
-from app.formats.performance.results import PerformanceFile
-from tests.formats.performance_builders import BUILDERS, Build, lengths_result, sphere_result
+from app.formats.exchange.xml_text import local_name
+from app.formats.performance.results import PerformanceFigure, PerformanceFile
+from tests.formats.performance_builders import (
+    BUILDERS,
+    SPHERE,
+    Build,
+    contact_result,
+    lengths_result,
+    plane_result,
+    sphere_result,
+)
+from tests.present import present
 from tests.refusals import refused_as
+
+NAMES = {"q": QIF}
+LINEAR = "UserDefinedLinearCharacteristic"
+ORDER = {
+    "QIFDocument": (
+        "QPId! Header StandardsDefinitions FileUnits MeasurementResources Characteristics Results!"
+    ),
+    "Standard": "Organization! Designator! Year",
+    "PrimaryUnits": "AngularUnit LinearUnit TemperatureUnit",
+    "LinearUnit": "SIUnitName UnitName! UnitConversion",
+    "UnitConversion": "Factor! Offset",
+    "AACMM": "Name! SerialNumber Accuracies",
+    "AACMMAccuracy": "EnvironmentalRange! AACMMB89Test! AccuracySource!",
+    "EnvironmentalRange": "MaxAmbientTemperature MinAmbientTemperature",
+    "AACMMB89Test": (
+        "EffectiveDiameterPerformanceTest SinglePointArticulationPerformanceTest "
+        "VolumetricPerformanceTest"
+    ),
+    "EffectiveDiameterPerformanceTest": "AverageDiameter! StandardDeviation!",
+    "SinglePointArticulationPerformanceTest": " ".join(
+        f"{value}{seat}!"
+        for value in ("MaxDeviationFromAverage", "TwiceStandardDeviation")
+        for seat in ("Near", "Far", "Middle")
+    ),
+    "VolumetricPerformanceTest": "DeviationsFromCalibration! TwiceStandardDeviation!",
+    "Characteristics": (
+        "FormalStandardId! CharacteristicDefinitions! CharacteristicNominals! CharacteristicItems"
+    ),
+    f"{LINEAR}Definition": "Description Name Tolerance NonTolerance WhatToMeasure!",
+    "Tolerance": "MaxValue! MinValue DefinedAsLimit!",
+    f"{LINEAR}Nominal": "CharacteristicDefinitionId! TargetValue",
+    f"{LINEAR}Item": "Name CharacteristicNominalId!",
+    f"{LINEAR}Measurement": "Status! CharacteristicItemId! Value",
+    "MeasurementResults": "MeasuredCharacteristics InspectionStatus!",
+}
+"""The children of elements in the order of the schema; those with a mark are required."""
+VALUES = {
+    "CharacteristicStatusEnum": {"PASS", "FAIL", "INDETERMINATE", "NOT_ANALYZED", "UNDEFINED"},
+    "InspectionStatusEnum": {"PASS", "FAIL", "UNKNOWN"},
+    "NonTolerance": {"MEASURED", "SET"},
+    "StandardsOrganizationEnum": {"ASME", "DIN", "ISO"},
+}
+"""What enumerations of the schema have of ours."""
 
 
 class Tables:
@@ -52,8 +109,7 @@ def test_csv_has_places_centres_and_offset(tmp_path: Path) -> None:
     assert len(centres) == 30
     scanned = [row for row in centres if row["by"] == "scan" and row["position"] == "1"]
     assert float(scanned[4]["z_mm"]) == document.spheres[0].scan_centres_mm[4][2]
-    assert document.offset is not None
-    assert float(tables["offset"][0]["offset_mm"]) == document.offset.offset_mm[0]
+    assert float(tables["offset"][0]["offset_mm"]) == present(document.offset).offset_mm[0]
     assert len(tables["inputs"]) == 11
 
 
@@ -98,12 +154,146 @@ def test_a_workbook_is_the_same_again_and_has_no_formulas(tmp_path: Path) -> Non
     assert not [cell for cell in cells if cell.hyperlink]
 
 
-def test_without_the_extra_the_error_names_it(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_without_its_extra_it_is_named(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     assert not workbook_obstacle()
     monkeypatch.setitem(sys.modules, "xlsxwriter", None)
     assert "pip install 'crenel[xlsx]'" in str(workbook_obstacle())
     with refused_as("extra-missing", "crenel[xlsx]"):
         write_workbook(sphere_result(tmp_path / "test"), tmp_path / "result.xlsx")
     assert not (tmp_path / "result.xlsx").exists()
+
+
+def variants(document: PerformanceFile) -> list[PerformanceFile]:
+    """The result, and what it may lack."""
+    unknown = tuple(one.model_copy(update={"value": None}) for one in document.figures)
+    return [
+        document,
+        document.model_copy(update={"figures": unknown}),
+        document.model_copy(update={"figures": (), "standards": ()}),
+        document.model_copy(update={"temperature_c": (None, None), "sphere": None}),
+    ]
+
+
+@pytest.mark.parametrize("build", BUILDERS)
+def test_elements_are_in_the_order_of_the_schema_and_complete(tmp_path: Path, build: Build) -> None:
+    for document in variants(build(tmp_path)):
+        for element in ET.fromstring(qif_bytes(document)).iter():
+            name, children = local_name(element), [local_name(child) for child in element]
+            if name in ORDER:
+                known = ORDER[name].replace("!", "").split()
+                places = [known.index(child) for child in children]
+                assert places == sorted(set(places))
+                needed = {one[:-1] for one in ORDER[name].split() if one.endswith("!")}
+                assert needed <= set(children)
+            if name == f"{LINEAR}Definition":
+                assert ("Tolerance" in children) != ("NonTolerance" in children)
+            if name in VALUES:
+                assert element.text in VALUES[name]
+
+
+@pytest.mark.parametrize("build", BUILDERS)
+def test_every_measurement_is_linked_to_its_definition(tmp_path: Path, build: Build) -> None:
+    document = build(tmp_path)
+    root = ET.fromstring(qif_bytes(document))
+    ids = [int(one.get("id", "0")) for one in root.iter() if one.get("id")]
+    assert sorted(ids) == list(range(1, int(root.get("idMax", "0")) + 1))
+    by_id = {one.get("id"): one for one in root.iter() if one.get("id")}
+    standard = by_id[root.findtext("q:Characteristics/q:FormalStandardId", "", NAMES)]
+    assert local_name(standard) == "Standard"
+    measurements = root.findall(".//q:CharacteristicMeasurements/*", NAMES)
+    assert len(measurements) == len(document.figures)
+    for one, figure in zip(measurements, document.figures, strict=True):
+        item = by_id[one.findtext("q:CharacteristicItemId", "", NAMES)]
+        nominal = by_id[item.findtext("q:CharacteristicNominalId", "", NAMES)]
+        definition = by_id[nominal.findtext("q:CharacteristicDefinitionId", "", NAMES)]
+        assert definition.findtext("q:Name", "", NAMES) == figure.symbol
+        value = one.find("q:Value", NAMES)
+        status = one.findtext("q:Status/q:CharacteristicStatusEnum", "", NAMES)
+        if figure.value is None:
+            assert (value, status) == (None, "NOT_ANALYZED")
+            continue
+        assert value is not None
+        assert float(value.text or "") == pytest.approx(figure.value / 1e3, abs=6e-7)
+        # the schema wants both or none
+        assert (value.get("meanError") is None) == (value.get("combinedUncertainty") is None)
+        assert (status == "PASS") == (figure.decision == "pass")
+        largest = definition.findtext("q:Tolerance/q:MaxValue", None, NAMES)
+        assert (None if largest is None else 1e3 * float(largest)) == figure.limit
+
+
+@pytest.mark.parametrize("build", BUILDERS)
+def test_lists_state_how_much_they_hold(tmp_path: Path, build: Build) -> None:
+    for document in variants(build(tmp_path)):
+        content = qif_bytes(document)
+        assert content == qif_bytes(document)
+        counted = [one for one in ET.fromstring(content).iter() if one.get("n")]
+        assert counted
+        assert all(int(one.get("n", "")) == len(one) > 0 for one in counted)
+
+
+@pytest.mark.parametrize(
+    ("name", "parts"),
+    [
+        ("ISO 10360-12:2016", ("ISO", "10360-12", "2016")),
+        ("ASME B89.4.22-2004 (R2019)", ("ASME", "B89.4.22", "2004 (R2019)")),
+        ("VDI 2617:2011", ("VDI", "2617", "2011")),
+        ("House rule 7", ("–", "House rule 7", None)),
+    ],
+)
+def test_a_standard_is_split(tmp_path: Path, name: str, parts: tuple[str | None, ...]) -> None:
+    document = plane_result(tmp_path).model_copy(update={"standards": (name,)})
+    standard = present(ET.fromstring(qif_bytes(document)).find(".//q:Standard", NAMES))
+    publisher = standard.findtext("q:Organization/*", None, NAMES)
+    kind = local_name(standard[0][0])
+    assert (kind == "StandardsOrganizationEnum") == (publisher in ("ASME", "ISO"))
+    stated = [standard.findtext(f"q:{one}", None, NAMES) for one in ("Designator", "Year")]
+    assert (publisher, *stated) == parts
+
+
+def numbers(part: ET.Element | None) -> list[float]:
+    assert part is not None
+    return [float(one.text or "nan") for one in part]
+
+
+def values_mm(figure: PerformanceFigure) -> list[float]:
+    return [1e-3 * (value or 0.0) for value in figure.values]
+
+
+def test_the_contact_test_is_the_accuracy_of_the_arm(tmp_path: Path) -> None:
+    document = contact_result(tmp_path)
+    root = ET.fromstring(qif_bytes(document))
+    test = present(root.find("q:MeasurementResources//q:AACMMB89Test", NAMES))
+    found = {one.quantity: one for one in document.figures}
+    diameter = numbers(test.find("q:EffectiveDiameterPerformanceTest", NAMES))
+    errors_mm = values_mm(found["effective-diameter"])
+    mean = SPHERE.diameter_mm + sum(errors_mm) / 3
+    assert diameter == pytest.approx([mean, stdev(errors_mm)], abs=6e-7)
+    # near, far and in the middle
+    of_seats = (found["articulation-largest"], found["articulation-two-s"])
+    seats = [values_mm(figure)[place] for figure in of_seats for place in (0, 2, 1)]
+    articulation = test.find("q:SinglePointArticulationPerformanceTest", NAMES)
+    assert numbers(articulation) == pytest.approx(seats, abs=6e-7)
+    deviations = values_mm(found["volumetric-largest"])
+    listed = test.find("q:VolumetricPerformanceTest/q:DeviationsFromCalibration", NAMES)
+    assert numbers(listed) == pytest.approx(deviations, abs=6e-7)
+    twice = test.findtext("q:VolumetricPerformanceTest/q:TwiceStandardDeviation", "", NAMES)
+    assert float(twice) == pytest.approx(2 * stdev(deviations), abs=6e-7)
+    conditions = root.find(".//q:EnvironmentalRange", NAMES)
+    assert numbers(conditions) == [20.9, 20.4]
+    arm = present(root.find(".//q:AACMM", NAMES))
+    assert arm.findtext("q:SerialNumber", "", NAMES) == "A-1"
+
+
+def test_incomplete_parts_of_the_contact_test_are_left_out(tmp_path: Path) -> None:
+    document = contact_result(tmp_path)
+    figures = tuple(
+        one.model_copy(update={"values": one.values[:2]})
+        if one.quantity != "volumetric-largest"
+        else one
+        for one in document.figures
+    )
+    root = ET.fromstring(qif_bytes(document.model_copy(update={"figures": figures})))
+    test = present(root.find(".//q:AACMMB89Test", NAMES))
+    assert [local_name(one) for one in test] == ["VolumetricPerformanceTest"]
+    other = ET.fromstring(qif_bytes(sphere_result(tmp_path)))
+    assert other.find(".//q:MeasurementResources", NAMES) is None

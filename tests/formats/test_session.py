@@ -234,9 +234,7 @@ def test_a_colour_picture_is_read_in_its_lasers_channel(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("kind", ["png", "tiff"])
 @pytest.mark.parametrize("channels", [3, 4])
-def test_a_grey_picture_with_equal_channels_is_grey(
-    tmp_path: Path, kind: str, channels: int
-) -> None:
+def test_a_picture_with_equal_channels_is_grey(tmp_path: Path, kind: str, channels: int) -> None:
     path = tmp_path / f"picture.{kind}"
     grey = np.random.default_rng(2).integers(0, 65535, (HEIGHT, WIDTH)).astype(np.uint16)
     opaque = [np.full_like(grey, 65535)] * (channels - 3)
@@ -269,9 +267,7 @@ def test_pictures_of_a_session_may_be_of_any_kind_that_is_read(tmp_path: Path, k
         (b"II*\0\x10\0\0\0CR\2\0", "RAW"),
     ],
 )
-def test_kinds_of_pictures_that_are_not_read_are_named(
-    tmp_path: Path, start: bytes, kind: str
-) -> None:
+def test_kinds_of_pictures_not_read_are_named(tmp_path: Path, start: bytes, kind: str) -> None:
     path = tmp_path / "picture"
     path.write_bytes(start + bytes(64))
     with refused_as("image-kind", f"{kind} file", "Save it as PNG"):

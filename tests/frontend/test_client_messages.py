@@ -1,6 +1,7 @@
-"""The client's language files: all ids that it uses, and no others, alike in every language."""
+"""The client's language files and CSS modules have all that it uses, and no others."""
 
 import re
+from pathlib import Path
 
 import pytest
 from fluent.syntax import FluentParser
@@ -16,6 +17,7 @@ SOURCES = FRONTEND / "src"
 FILES = SOURCES / "messages"
 DRIVER_NAMES = (SOURCES / "devices/names.ts").read_text(encoding="utf-8")
 USED = re.compile(r'"(ui-[a-z0-9-]+)"')
+IMPORT = re.compile(r'import (\w+) from "(\.[^"]+\.module\.css)"')
 
 
 def source(language: str) -> str:
@@ -71,3 +73,28 @@ def test_a_file_has_nothing_but_messages(language: str) -> None:
 @pytest.mark.parametrize("language", languages()[1:])
 def test_a_language_has_the_same_texts_with_the_same_places(language: str) -> None:
     assert places_by_id(source(language)) == places_by_id(source("en"))
+
+
+def unknown_classes(component: Path) -> list[str]:
+    """The classes in a component that their CSS module does not have."""
+    text = component.read_text("utf-8")
+    found = []
+    for name, address in IMPORT.findall(text):
+        css = (component.parent / address).read_text("utf-8")
+        known = set(re.findall(r"\.([A-Za-z]\w*)", css))
+        used = set(re.findall(rf"\b{name}\.(\w+)", text))
+        found += [f"{component.name}: {name}.{one}" for one in sorted(used - known)]
+    return found
+
+
+def test_every_class_is_in_its_css_module() -> None:
+    components = sorted((FRONTEND / "src").rglob("*.tsx"))
+    assert len(components) > 100
+    assert not [one for component in components for one in unknown_classes(component)]
+
+
+def test_an_unknown_class_is_found(tmp_path: Path) -> None:
+    (tmp_path / "a.module.css").write_text(".row { color: red }")
+    component = tmp_path / "A.tsx"
+    component.write_text('import styles from "./a.module.css";\nstyles.row; styles.column;')
+    assert unknown_classes(component) == ["A.tsx: styles.column"]

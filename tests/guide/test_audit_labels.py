@@ -25,9 +25,7 @@ FLOWS: tuple[tuple[Commands[Any], CommandRules[Any, Any]], ...] = (
 
 
 @pytest.mark.parametrize(("commands", "rules"), FLOWS)
-def test_what_is_done_has_a_rule_and_what_has_a_rule_is_done(
-    commands: Commands[Any], rules: CommandRules[Any, Any]
-) -> None:
+def test_acts_are_those_with_rules(commands: Commands[Any], rules: CommandRules[Any, Any]) -> None:
     assert commands.acts.keys() == rules.commands.keys()
     assert commands.at_press.keys() <= commands.acts.keys()
 

@@ -49,9 +49,7 @@ def pressed() -> Iterator[Pressed]:
     made.buttons.close()
 
 
-def test_the_main_button_counts_as_it_goes_down_and_undo_as_it_is_let_go(
-    pressed: Pressed, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_main_counts_down_and_undo_up(pressed: Pressed, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(buttons, "LONG_PRESS_S", PATIENCE_S)
     pressed.edge(1.0, "undo", True)
     pressed.edge(1.2, "undo", False)
@@ -82,9 +80,7 @@ def test_a_release_that_was_late_by_the_arms_own_clock_is_back(pressed: Pressed)
     assert pressed.wait().button == "back"
 
 
-def test_a_button_that_goes_down_with_the_cable_pulled_out_means_nothing(
-    pressed: Pressed, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_a_pulled_cable_is_no_press(pressed: Pressed, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(buttons, "LONG_PRESS_S", 0.05)
     pressed.there = False
     pressed.edge(1.0, "undo", True)

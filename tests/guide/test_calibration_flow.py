@@ -90,9 +90,7 @@ def states(contacts: Rows) -> dict[str, CalibrationState]:
 @pytest.mark.parametrize("still", [True, False])
 @pytest.mark.parametrize("connected", [True, False])
 @pytest.mark.parametrize("step", STEPS)
-def test_every_step_says_what_to_do_and_why_not(
-    step: str, connected: bool, still: bool, contacts: Rows
-) -> None:
+def test_steps_say_what_and_why(step: str, connected: bool, still: bool, contacts: Rows) -> None:
     state = states(contacts)[step]
     live = make_live(state, latest_outcome=outcome() if step == "review" else None)
     if not connected:
@@ -266,8 +264,7 @@ def test_a_pose_set_aside_in_the_review_makes_the_result_of_before(contacts: Row
     back, only = (pose.action for pose in picture.poses)
     assert back is not None
     assert (back.name, back.enabled) == ("restore_pose", True)
-    assert only is not None
-    assert "only pose" in str(only.why_not)
+    assert "only pose" in str(present(only).why_not)
 
     _, picture = shown(("pose_voided", {"number": 1}), ("pose_restored", {"number": 1}))
     assert not picture.stale
@@ -300,8 +297,7 @@ def test_with_few_points_it_is_shown_how_many_more_help(contacts: Rows) -> None:
     some = [*contacts[:5], *contacts[9:14], *contacts[18:23]]
     state = state_after(start_row("touch"), *some)
     live = make_live(state)
-    assert live.touch is not None
-    known = present(live.touch.advice).now_um
+    known = present(present(live.touch).advice).now_um
     live = replace(live, touch=touch_report(state.counted, ARM, BLOCK, 0.6 * known))
     view = build_view(state, live)
     assert present(view.number).value == pytest.approx(known)
@@ -338,9 +334,7 @@ def test_an_ended_session_is_shown_and_takes_no_more_commands(contacts: Rows) ->
     ],
 )
 @pytest.mark.parametrize("step", ["setup", "touch"])
-def test_what_makes_no_sense_here_is_declined_with_a_reason(
-    name: str, args: dict[str, object], step: str
-) -> None:
+def test_nonsense_is_declined_with_a_reason(name: str, args: dict[str, object], step: str) -> None:
     state = state_after(start_row(step))
     assert RULES.rejection_reason(state, make_live(state), name, args)
 

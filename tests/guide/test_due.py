@@ -80,9 +80,7 @@ def test_a_newcomer_is_led_from_calibrating_over_verifying_to_scanning() -> None
         ({"arm": done(1, "failed", "400 µm, limit 250 µm.")}, "arm", "400 µm"),
     ],
 )
-def test_what_is_not_in_order_is_named_and_led_to(
-    change: dict[str, Any], page: str, said: str
-) -> None:
+def test_what_is_amiss_is_named_and_led_to(change: dict[str, Any], page: str, said: str) -> None:
     found = after(replace(ALL, **change))
     assert found.page == page
     assert said in str(found.text)
@@ -106,9 +104,7 @@ def test_a_check_that_is_due_is_said_but_holds_up_nothing() -> None:
         (done(9, "unsure", "Not known."), "unsure", "undecided"),
     ],
 )
-def test_a_performance_test_becomes_due_and_holds_up_nothing(
-    test: CheckResult | None, state: State, said: str
-) -> None:
+def test_a_due_test_holds_up_nothing(test: CheckResult | None, state: State, said: str) -> None:
     known = replace(ALL, performance=test)
     line = lines(known)["performance"]
     assert (line.state, line.page) == (state, "performance")

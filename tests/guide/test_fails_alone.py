@@ -67,9 +67,7 @@ def test_an_address_that_is_none_is_not_read_from_the_file(station: Station, url
         assert are_made(bundled(context))
 
 
-def test_a_check_that_fails_is_a_finding_and_the_others_are_made(
-    context: Context, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_a_failed_check_stops_no_other(context: Context, monkeypatch: pytest.MonkeyPatch) -> None:
     whole = {item.id for item in HealthChecker(context).look().items}
 
     def broken(*_: object) -> list[str]:
@@ -87,9 +85,7 @@ def test_a_check_that_fails_is_a_finding_and_the_others_are_made(
     assert whole - set(items) == {"records", "database"}
 
 
-def test_what_fails_in_a_guide_stops_no_other_and_no_recovery(
-    context: Context, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_a_failed_guide_stops_no_other(context: Context, monkeypatch: pytest.MonkeyPatch) -> None:
     done: list[str] = []
 
     def broken() -> None:
@@ -111,9 +107,7 @@ def test_what_fails_in_a_guide_stops_no_other_and_no_recovery(
     assert done[:3] == ["arm_guide", "performance_guide", "recovery"]
 
 
-def test_a_part_of_the_support_bundle_that_cannot_be_made_holds_its_error(
-    context: Context, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_a_failed_part_holds_its_error(context: Context, monkeypatch: pytest.MonkeyPatch) -> None:
     def broken(_: Context) -> object:
         raise IndexError(f"in {context.store.folder}")
 

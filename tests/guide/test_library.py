@@ -1,20 +1,26 @@
-"""What the station knows: what can be chosen, and what is said of all else."""
+"""What the station knows: what can be chosen, by certificates too, and what is said of all else."""
 
 import json
 from dataclasses import replace
 from pathlib import Path
 
+import pytest
+
+from app.formats.datasheets.gauge import GaugeFile
 from app.formats.datasheets.sensor import SensorDatasheet
 from app.guide.calibration.live import ConnectedArm
 from app.guide.calibration.session_datasheets import best_guess, guess_for_connected
 from app.guide.calibration.state import CalibrationState
-from app.guide.common.datasheet_library import DatasheetLibrary, read_library
+from app.guide.common.datasheet_library import DatasheetLibrary, read_gauges, read_library
 from app.metrology.targets.chessboard import Chessboard
 from app.metrology.targets.crenellated_block import Crenellated
 from tests.datasheets import write_object
+from tests.formats.certificates import DIAMETER, FORM, certificate, quantity, real
 from tests.guide.builders import BLOCK
 
 BOARD = Chessboard("board 7", "", (7, 6), 10.0, 0.05)
+SPHERE = certificate(DIAMETER, FORM)
+BARE = certificate(quantity("Diameter", real("25", "\\milli\\metre")))
 
 
 def library_with(folder: Path, **objects: Crenellated | Chessboard) -> DatasheetLibrary:
@@ -77,3 +83,39 @@ def test_a_sensor_of_raw_pictures_is_not_chosen_on_a_station(tmp_path: Path) -> 
     assert not library.sensors
     (finding,) = library.findings
     assert "bayer and laser_colour in [sensor] of station.toml" in str(finding.text)
+
+
+def folder_with(data: Path, **certificates: str) -> Path:
+    """A data folder with these certificates of gauges."""
+    (data / "gauges").mkdir()
+    for name, text in certificates.items():
+        (data / f"gauges/{name}.xml").write_text(text)
+    return data
+
+
+def test_a_certificate_is_a_gauge_with_all_that_it_states(tmp_path: Path) -> None:
+    entry = read_gauges(folder_with(tmp_path, k=SPHERE)).known["k"]
+    gauge = entry.datasheet
+    named = (gauge.name, gauge.serial_number, gauge.certificate)
+    assert named == ("Ceramic sphere", "K-17", "4711-2026")
+    assert gauge.valid_until == "2028-03-12"
+    assert gauge.radius_mm == pytest.approx(12.5006)
+    assert gauge.standard_uncertainty_um == pytest.approx(0.15)
+    assert gauge.form_um == pytest.approx(0.08)
+    assert gauge.form_sd_um == pytest.approx(0.025)
+
+
+def test_a_certificate_without_uncertainty_is_listed_with_its_reason(tmp_path: Path) -> None:
+    gauges = read_gauges(folder_with(tmp_path, bare=BARE))
+    assert not gauges.known
+    assert not gauges.findings
+    (refused,) = gauges.refused
+    assert refused.id == "bare"
+    assert "has no uncertainty" in str(refused.reason)
+    assert str(refused.reason).count(". ") == 0
+
+
+def test_a_datasheet_counts_before_a_certificate_of_its_name(tmp_path: Path) -> None:
+    folder_with(tmp_path, k=SPHERE)
+    GaugeFile(shape="sphere", radius_mm=10.0, name="own").write(tmp_path / "gauges/k.nominal.json")
+    assert read_gauges(tmp_path).known["k"].datasheet.name == "own"

@@ -50,8 +50,7 @@ def test_points_and_frames_grow_until_the_scan_is_judged() -> None:
     watch(points_of(7, frame=1))
     seen = coverage.counts(scanning(ended=True))  # it waits to be measured
     assert seen_patches(seen) == {3: (20, 2), 7: (10, 1)}
-    assert seen is not None
-    assert seen.points == 30
+    assert present(seen).points == 30
     assert coverage.counts(scanning(ended=True, patches=COUNTED)) is None
     assert coverage.counts(scanning(ended=True, refused={})) is None
     assert coverage.counts(scanning(ended=True, aside="dropped")) is None

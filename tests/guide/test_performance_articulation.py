@@ -40,9 +40,7 @@ def test_the_stylus_is_compared_with_the_articulation_that_is_touched(arm: AnyAr
         assert off_deg == pytest.approx(expected_deg, abs=1e-6)
 
 
-def test_the_camera_is_compared_with_the_articulation_that_is_scanned(
-    arm: AnyArm, tmp_path: Path
-) -> None:
+def test_the_camera_is_compared_with_the_scanned_articulation(arm: AnyArm, tmp_path: Path) -> None:
     write_calibration(tmp_path / "calibration.json")
     calibration = read_calibration(tmp_path / "calibration.json")
     first = SphereScan(

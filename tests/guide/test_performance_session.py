@@ -12,6 +12,7 @@ from app.metrology.decision import EXPANDED_K2, GUARDED_95, SIMPLE, DecisionRule
 from app.metrology.performance.temperature import TemperatureLimits
 from tests.guide.builders import Row
 from tests.guide.performance_sessions import started, state_after
+from tests.present import present
 
 SPHERE = GaugeFile(shape="sphere", radius_mm=12.5, standard_uncertainty_um=0.4)
 STATE = PerformanceState(session_id="1", started_at="2026-11-26T08:00:00Z", gauge="sphere")
@@ -33,8 +34,7 @@ def test_at_the_end_the_first_temperatures_are_filled_in() -> None:
     state = state_after(*TO_THE_END, changed)
     assert state.temperatures == Temperatures(21.0, 22.0)
     assert (state.at_begin, state.expanded_c) == (Temperatures(20.4, 21.0), 0.4)
-    assert state.artefact is not None
-    assert state.artefact.celsius == pytest.approx(20.7)
+    assert present(state.artefact).celsius == pytest.approx(20.7)
 
 
 def test_temperatures_changed_after_the_result_have_it_computed_again() -> None:
@@ -68,8 +68,7 @@ def test_the_decision_rule_is_the_stations(rule: DecisionRule) -> None:
 
 
 def test_radius_and_its_uncertainty_become_those_of_the_diameter() -> None:
-    sphere = build_plan(STATE, SPHERE, NO_PROVENANCE, SIMPLE).sphere
-    assert sphere is not None
+    sphere = present(build_plan(STATE, SPHERE, NO_PROVENANCE, SIMPLE).sphere)
     assert (sphere.name, sphere.diameter_mm, sphere.diameter_sd_um) == ("sphere", 25.0, 0.8)
 
 

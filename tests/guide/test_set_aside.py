@@ -63,9 +63,7 @@ def test_a_session_with_a_bad_row_is_set_aside(station: Station, kind: str, payl
         "UPDATE scan SET name = CAST(x'e4' AS TEXT)",
     ],
 )
-def test_damaged_rows_do_not_keep_health_and_home_from_being_shown(
-    station: Station, change: str
-) -> None:
+def test_with_damaged_rows_health_and_home_are_shown(station: Station, change: str) -> None:
     folder = station.data / "scans/one"
     with station.opened(calibrated=True) as context:
         context.store.scans.add(ScanRecord("one", "One", folder, utc_now(), 7, 3, 1.0, "true"))

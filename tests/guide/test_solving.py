@@ -72,9 +72,7 @@ def test_a_session_is_solved_as_it_is_shown(folder: SessionFolder) -> None:
     assert 50 < len(pose.stripe) <= 300
 
 
-def test_what_is_graver_than_the_uncertainty_is_pointed_to(
-    folder: SessionFolder, tmp_path: Path
-) -> None:
+def test_what_is_graver_than_uncertainty_is_said(folder: SessionFolder, tmp_path: Path) -> None:
     shutil.copytree(folder.path, tmp_path / "slipped")
     probing = tmp_path / "slipped" / "probing.csv"
     head, *rows = probing.read_text().splitlines()
@@ -110,9 +108,7 @@ def test_the_worst_points_have_their_place(folder: SessionFolder) -> None:
             assert point.at_px in corners if point.kind == "corner" else on_stripe
 
 
-def test_a_calibration_is_compared_with_the_one_in_use(
-    folder: SessionFolder, tmp_path: Path
-) -> None:
+def test_it_is_compared_with_the_calibration_in_use(folder: SessionFolder, tmp_path: Path) -> None:
     session = read_session(folder.path)
     result = calibrate_block(joint_inputs(session))
     document = joint_document(result, calibration_origin(session, session.poses, ""))

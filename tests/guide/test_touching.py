@@ -32,6 +32,7 @@ from tests.guide.builders import (
     start_row,
     state_after,
 )
+from tests.present import present
 from tests.refusals import refused
 
 widths = st.floats(1.5, 12.0)
@@ -98,8 +99,7 @@ def test_what_is_missing_is_said_until_an_alignment_is_possible() -> None:
 def test_points_that_agree_have_small_residuals_and_their_place() -> None:
     report = judged(*touches("crest", "front", "right"))
     assert report.missing == ""
-    assert report.alignment is not None
-    assert report.alignment.rms_mm == pytest.approx(0.0, abs=1e-5)
+    assert present(report.alignment).rms_mm == pytest.approx(0.0, abs=1e-5)
     assert report.questionable == ()
     places = [p.at_mm for p in report.points]
     expected = [q for f in ("crest", "front", "right") for q in suggest_places(BLOCK, f)]
@@ -164,8 +164,7 @@ def test_a_point_farther_off_than_the_block_reaches_is_refused_and_no_other(
     limit_mm = np.array([farthest_apart_mm(block, face, other, 2 * tip.radius_mm)])
     assert too_far(first[None], second, limit_mm) is None
     beyond = first + (limit_mm[0] + away_mm) * np.eye(3)[pair % 3]
-    far = too_far(first[None], beyond, limit_mm)
-    assert far is not None
+    far = present(too_far(first[None], beyond, limit_mm))
     assert far.apart_mm == pytest.approx(limit_mm[0] + away_mm)
 
 

@@ -272,7 +272,5 @@ AT_TOUCH: list[Row] = [STARTED, ("gauge_confirmed", {}), TOUCHED]
         (TO_SCAN, "back", {"to": "review"}),
     ],
 )
-def test_arguments_that_name_nothing_are_declined(
-    rows: list[Row], name: str, args: dict[str, object]
-) -> None:
+def test_empty_arguments_are_declined(rows: list[Row], name: str, args: dict[str, object]) -> None:
     assert RULES.rejection_reason(state_after(*rows), live_of(), name, args)

@@ -124,10 +124,8 @@ class SensorBench(Bench):
         """A new driver, unopened."""
 
     def lossy_driver(self, resent: bool) -> tuple[SensorDriver, set[int]]:
-        """A driver whose device loses parts of the pictures with these sequence numbers.
-
-        The device sends them again if it is asked and ``resent`` is true.
-        """
+        """A driver whose device loses parts of these pictures, and sends them again if asked and
+        ``resent``."""
         pytest.skip("this device counts no pictures, or loses none")
 
     def pictures_until_wrap(self) -> int:
@@ -245,9 +243,7 @@ class ArmConformance:
         assert_opens_after_closing_twice(driver)
         read_readings(driver, 4)
 
-    def test_close_from_another_thread_ends_reading(
-        self, bench: ArmBench, driver: ArmDriver
-    ) -> None:
+    def test_close_elsewhere_ends_reading(self, bench: ArmBench, driver: ArmDriver) -> None:
         driver.open()
         bench.silence(True)
         assert_close_ends_reading(lambda: driver.read(LONG_S), driver.close)
@@ -310,17 +306,13 @@ class ArmConformance:
         assert isinstance(records[at - 1], JointSample | PoseSample)
         assert records[at].stamp_ns == records[at - 1].stamp_ns
 
-    def test_loss_is_an_error_and_open_works_again(
-        self, bench: ArmBench, driver: ArmDriver
-    ) -> None:
+    def test_loss_is_an_error_until_opened(self, bench: ArmBench, driver: ArmDriver) -> None:
         driver.open()
         assert_lost_while_unplugged(bench, driver)
         open_in_time(driver)
         read_readings(driver, 4)
 
-    def test_a_silent_arm_that_sends_changes_answers(
-        self, bench: ArmBench, driver: ArmDriver
-    ) -> None:
+    def test_a_silent_arm_that_is_asked_answers(self, bench: ArmBench, driver: ArmDriver) -> None:
         """An arm that sends changes alone can be asked whether it is there."""
         if driver.open().free_running:
             pytest.skip("the arm sends all the time")
@@ -425,7 +417,7 @@ class SensorConformance:
         assert_opens_after_closing_twice(driver)
         next_reading(driver)
 
-    def test_close_from_another_thread_ends_reading(self, driver: SensorDriver) -> None:
+    def test_close_elsewhere_ends_reading(self, driver: SensorDriver) -> None:
         driver.open()
         assert_close_ends_reading(lambda: driver.read(LONG_S), driver.close)
 
@@ -474,9 +466,7 @@ class SensorConformance:
         driver.close()
         driver.set_laser(False)
 
-    def test_loss_is_an_error_and_open_works_again(
-        self, bench: SensorBench, driver: SensorDriver
-    ) -> None:
+    def test_loss_is_an_error_until_opened(self, bench: SensorBench, driver: SensorDriver) -> None:
         driver.open()
         next_reading(driver)
         assert_lost_while_unplugged(bench, driver)
@@ -508,9 +498,7 @@ class SensorConformance:
                 return
             assert time.monotonic() < deadline, f"{damaged - seen} of {damaged} are lost each time"
 
-    def test_a_counter_that_begins_again_loses_nothing(
-        self, bench: SensorBench, driver: SensorDriver
-    ) -> None:
+    def test_a_counter_may_begin_again(self, bench: SensorBench, driver: SensorDriver) -> None:
         enough = bench.pictures_until_wrap() + 30
         driver.open()
         frames = [next_frame(driver) for _ in range(enough)]
@@ -552,9 +540,7 @@ class SensorConformance:
         assert not driver.is_alive()
         driver.close()
 
-    def test_a_device_of_another_program_is_refused_until_it_is_free(
-        self, bench: SensorBench, driver: SensorDriver
-    ) -> None:
+    def test_a_device_in_use_is_refused(self, bench: SensorBench, driver: SensorDriver) -> None:
         bench.take_control()
         with pytest.raises(DeviceError, match="in use by another program"):
             driver.open()
@@ -562,9 +548,7 @@ class SensorConformance:
         open_in_time(driver)
         next_frame(driver)
 
-    def test_a_device_that_no_longer_obeys_is_lost(
-        self, bench: SensorBench, driver: SensorDriver
-    ) -> None:
+    def test_a_disobedient_device_is_lost(self, bench: SensorBench, driver: SensorDriver) -> None:
         driver.open()
         next_reading(driver)
         bench.revoke_control()

@@ -290,7 +290,6 @@ class FakeArm(SpeakingDevice):
         super().__init__(line, 1 / rate_hz)
 
     def inject(self, data: bytes) -> None:
-        """Puts bytes between two samples."""
         with self._lock:
             self._injected.append(data)
 
@@ -381,8 +380,6 @@ class FakeArm(SpeakingDevice):
 
 
 class SpeakingBench(ArmBench):
-    """The bench of a device that speaks."""
-
     def __init__(self, device: SpeakingDevice) -> None:
         self._device = device
 

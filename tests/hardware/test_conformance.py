@@ -151,7 +151,7 @@ SUITE = ArmConformance()
             lambda _, driver: SUITE.test_says_what_it_is(driver),
         ),
         ({"info": FOUR_JOINTS}, lambda _, driver: SUITE.test_says_what_it_is(driver)),
-        ({"answers_unplugged": True}, SUITE.test_a_silent_arm_that_sends_changes_answers),
+        ({"answers_unplugged": True}, SUITE.test_a_silent_arm_that_is_asked_answers),
     ],
 )
 def test_an_arm_with_a_fault_does_not_pass(
@@ -170,7 +170,7 @@ def test_what_an_arm_does_not_have_is_skipped() -> None:
     for check in (
         SUITE.test_buttons_give_their_edges_once,
         SUITE.test_a_button_held_at_open_is_no_press,
-        SUITE.test_a_silent_arm_that_sends_changes_answers,
+        SUITE.test_a_silent_arm_that_is_asked_answers,
     ):
         with pytest.raises(pytest.skip.Exception):
             check(bench, bench.driver())

@@ -125,9 +125,7 @@ def test_every_serial_port_found_is_one_of_this_machine() -> None:
             assert Path(str(found.options["url"])).exists()
 
 
-def test_a_port_of_another_user_names_the_group_to_join(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_a_foreign_port_names_the_group(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     port = tmp_path / "ttyUSB0"
     port.touch()
     assert permission_error(port, "Adapter") is None

@@ -19,6 +19,7 @@ from hardware.arm.serial_encoder import from_options
 from hardware.interfaces import ArmDriver, Button, PoseSample
 from tests.hardware.conformance import ArmBench, ArmConformance
 from tests.hardware.reading import button_edges, opened, read_readings, read_until, select_readings
+from tests.present import present
 
 pytestmark = pytest.mark.device
 
@@ -27,8 +28,7 @@ BITS = {Button.PRIMARY: 1, Button.UNDO: 2, Button.BACK: 4}
 
 
 def load() -> ModuleType:
-    spec = importlib.util.spec_from_file_location("faro_bridge", SCRIPT)
-    assert spec is not None
+    spec = present(importlib.util.spec_from_file_location("faro_bridge", SCRIPT))
     assert spec.loader is not None
     module = importlib.util.module_from_spec(spec)
     sys.modules["faro_bridge"] = module
@@ -157,8 +157,7 @@ def test_the_file_alone_serves_a_simulated_arm(tmp_path: Path) -> None:
         closing(from_options({"url": f"socket://127.0.0.1:{port}", "setting": 1})) as driver,
     ):
         try:
-            assert process.stdout is not None
-            assert f"poses per second at port {port}" in process.stdout.readline()
+            assert f"poses per second at port {port}" in present(process.stdout).readline()
             info = driver.open()
             assert (info.stamps, info.free_running) == ("arrival", False)
             assert driver.is_alive()

@@ -102,9 +102,7 @@ def lay_out(root: Path, name: str, subclass: str, number: int) -> Path:
     return node
 
 
-def test_a_usb_camera_of_another_user_is_reported(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_anothers_usb_camera_is_reported(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     node = lay_out(tmp_path, "2-1", "05", 7)
     lay_out(tmp_path, "2-2", "02", 8)
     assert list(find_forbidden_cameras(tmp_path / "dev", tmp_path / "sys")) == []

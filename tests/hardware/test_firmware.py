@@ -213,9 +213,7 @@ def assert_sampled_every(line: RawLine, period_us: int) -> None:
 
 
 @pytest.mark.parametrize("rate_hz", [20.0, 33.0, 130.0, 200.0])
-def test_pulses_trigger_and_latch_at_one_moment(
-    board: Board, driver: SerialEncoderArm, rate_hz: float
-) -> None:
+def test_pulses_trigger_and_latch(board: Board, driver: SerialEncoderArm, rate_hz: float) -> None:
     driver.open()
     driver.start_pulses(rate_hz)
     at_pulse: list[JointSample] = []
@@ -302,9 +300,7 @@ def test_a_bouncing_contact_gives_one_press(board: Board, line: RawLine) -> None
     assert np.diff(changes)[0] >= 5
 
 
-def test_an_encoder_that_reports_an_error_costs_few_samples(
-    board: Board, driver: SerialEncoderArm
-) -> None:
+def test_an_encoders_error_costs_few_samples(board: Board, driver: SerialEncoderArm) -> None:
     board.turn([500] * 6)
     driver.open()
     samples_at(driver, [500] * 6)

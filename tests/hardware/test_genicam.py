@@ -284,7 +284,7 @@ def test_a_region_is_a_part_of_the_sensor(fake: AravisFake) -> None:
     assert (info.width_px, info.height_px) == (2048, 2048)
 
 
-def test_what_the_camera_cannot_do_is_said(fake: AravisFake) -> None:
+def test_what_it_cannot_do_is_said(fake: AravisFake) -> None:
     refused: tuple[tuple[dict[str, object], str], ...] = (
         ({"pixel_format": "Mono11"}, "pixel_format = Mono11; it offers BayerBG8"),
         ({"region": [0, 0, 5000, 100]}, "region"),

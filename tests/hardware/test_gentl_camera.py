@@ -56,9 +56,7 @@ class TestViky(SensorConformance):
     def bench(self, producer: Path, tmp_path: Path) -> SensorBench:
         return VikyBench(producer, tmp_path)
 
-    def test_loss_is_an_error_and_open_works_again(
-        self, bench: SensorBench, driver: SensorDriver
-    ) -> None:
+    def test_loss_is_an_error_until_opened(self, bench: SensorBench, driver: SensorDriver) -> None:
         pytest.skip("this simulated camera cannot be unplugged while it is open")
 
 
@@ -118,7 +116,7 @@ def test_a_file_that_is_no_producer_is_named(tmp_path: Path) -> None:
         from_options({"producer": str(other)}).open()
 
 
-def test_what_the_camera_cannot_do_is_said(producer: Path) -> None:
+def test_what_it_cannot_do_is_said(producer: Path) -> None:
     for more, words in (
         ({"pixel_format": "Mono12"}, "pixel_format = Mono12; it offers RGBa8, Mono8"),
         ({"pixel_format": "RGBa8"}, "pixel format RGBa8, which is not supported"),
@@ -131,9 +129,7 @@ def test_what_the_camera_cannot_do_is_said(producer: Path) -> None:
         assert caught.value.remedy
 
 
-def test_producers_are_found_in_the_folders_of_the_environment(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_producers_are_found_in_folders(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.delenv(PRODUCER_PATH, raising=False)
     with pytest.raises(DeviceError, match=PRODUCER_PATH):
         find_producers(None)

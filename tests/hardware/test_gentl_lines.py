@@ -31,6 +31,7 @@ from tests.hardware.fake_cameras import ADDRESS
 from tests.hardware.reading import loss_of, next_frame, read_until_delivery, wait_until
 from tests.hardware.test_profiles import DARK, DELAY_MS, DETECTOR, HEIGHT, WIDTH, picture, row_in
 from tests.hardware.test_simulated_gige import serve
+from tests.present import present
 
 pytestmark = pytest.mark.device
 
@@ -80,8 +81,7 @@ class Acquirer:
         self.pixel_format: int | None = None
         """What buffers state instead of what is in them."""
         self._blocks: queue.SimpleQueue[PictureBlock] = queue.SimpleQueue()
-        assert camera._sender is not None
-        camera._sender.submit = self._keep  # type: ignore[method-assign]
+        present(camera._sender).submit = self._keep  # type: ignore[method-assign]
 
     def start(self) -> None:
         self.remote_device.node_map.TLParamsLocked.value = 1
@@ -201,8 +201,7 @@ class ProfileBench(SensorBench):
     def _set_unplugged(self, unplugged: bool) -> None:
         """Waits until the camera has noticed it, as it does before it answers at its sockets."""
         self._camera.faults.unplugged = unplugged
-        control = self._camera._control
-        assert control is not None
+        control = present(self._camera._control)
         wait_until(lambda: control._was_plugged != unplugged)
 
 

@@ -141,9 +141,7 @@ def test_a_clock_that_was_compared_badly_at_first_is_used_once_known(times: Pict
     ("set_by_ns", "jumps"),
     [(-3_600_000_000_000, True), (-100_000_000, True), (3_600_000_000_000, True), (0, False)],
 )
-def test_a_clock_that_is_set_between_two_pictures_shows(
-    times: PictureTimes, set_by_ns: int, jumps: bool
-) -> None:
+def test_a_clock_set_between_two_shows(times: PictureTimes, set_by_ns: int, jumps: bool) -> None:
     for number in range(100):
         begun_ns = 10**13 + number * PERIOD_NS
         way_ns = 2_500_000_000 if number in (20, 60) else DELAY_NS  # as of a busy computer
@@ -151,7 +149,7 @@ def test_a_clock_that_is_set_between_two_pictures_shows(
         assert times.has_jumped(camera_ns, begun_ns + way_ns) == (jumps and number == 50)
 
 
-def test_one_picture_that_was_overtaken_is_a_straggler_and_the_next_one_shows_a_set_clock(
+def test_an_overtaken_picture_is_a_straggler_two_show_a_set_clock(
     times: PictureTimes,
 ) -> None:
     seen = []

@@ -18,6 +18,7 @@ from hardware.sensor.genicam.profiles.profile_points import (
     estimate_sigma_px,
     line_points,
 )
+from tests.present import present
 
 C16, C32F, C8 = (COORDINATES[f"Coord3D_{name}"][0] for name in ("C16", "C32f", "C8"))
 MONO8, MONO12 = 0x01080001, 0x01100005
@@ -31,8 +32,7 @@ def as_bytes(numbers: NDArray[np.generic]) -> NDArray[np.uint8]:
 def test_known_bytes() -> None:
     """The low byte first; 0 is no point, and 65535 is a row outside the picture."""
     data = bytes.fromhex("0000 2000 2100 ffff 1800 0f00")
-    points = line_points(np.frombuffer(data, np.uint8), C16, SIXTEENTHS)
-    assert points is not None
+    points = present(line_points(np.frombuffer(data, np.uint8), C16, SIXTEENTHS))
     assert points.u.tolist() == [1.0, 2.0, 4.0]
     assert points.v.tolist() == [0.0, 0.0625, -0.5]
     assert points.sigma_px.tolist() == [0.25] * 3
@@ -43,18 +43,15 @@ def test_known_bytes() -> None:
 def test_floats_and_bytes() -> None:
     profile = ProfileFormat(1.0, 0.0, -1.0, (5, 100), 0.1)
     floats = np.array([np.nan, -1.0, 20.25, np.inf, 99.75], "<f4")
-    points = line_points(as_bytes(floats), C32F, profile)
-    assert points is not None
+    points = present(line_points(as_bytes(floats), C32F, profile))
     assert (points.u.tolist(), points.v.tolist()) == ([2.0], [20.25])
-    points = line_points(np.array([0, 1, 99, 100, 255], np.uint8), C8, profile)
-    assert points is not None
+    points = present(line_points(np.array([0, 1, 99, 100, 255], np.uint8), C8, profile))
     assert points.v.tolist() == [0.0, 1.0, 99.0]
 
 
 def test_a_camera_without_an_invalid_number_has_a_point_in_every_column() -> None:
     profile = replace(SIXTEENTHS, invalid=None, offset_px=0.0)
-    points = line_points(np.zeros(12, np.uint8), C16, profile)
-    assert points is not None
+    points = present(line_points(np.zeros(12, np.uint8), C16, profile))
     assert points.v.tolist() == [0.0] * 6
 
 
@@ -67,19 +64,16 @@ def test_the_brightness_beside_the_rows_is_the_intensity() -> None:
     grey = np.arange(10, 70, 10)
     for code, kind, level in ((MONO8, "u1", [20, 30, 50, 60]), (MONO12, "<u2", [20, 30, 50, 60])):
         points = line_points(data, C16, SIXTEENTHS, Brightness(as_bytes(grey.astype(kind)), code))
-        assert points is not None
-        assert points.intensity.tolist() == level
+        assert present(points).intensity.tolist() == level
     for short_or_unknown in (Brightness(np.zeros(5, np.uint8), MONO8), Brightness(data, 0x1234)):
-        points = line_points(data, C16, SIXTEENTHS, short_or_unknown)
-        assert points is not None
+        points = present(line_points(data, C16, SIXTEENTHS, short_or_unknown))
         assert points.intensity.tolist() == [INTENSITY] * 4
 
 
 @given(st.lists(st.integers(0, 65_535), min_size=1, max_size=40))
 def test_points_are_in_order_and_in_the_picture(numbers: list[int]) -> None:
     profile = ProfileFormat(1 / 16, -2.0, 0.0, (len(numbers), 1000), None)
-    points = line_points(as_bytes(np.array(numbers, "<u2")), C16, profile)
-    assert points is not None
+    points = present(line_points(as_bytes(np.array(numbers, "<u2")), C16, profile))
     assert np.all(np.diff(points.u) > 0)
     assert np.all((points.v >= -0.5) & (points.v < 999.5))
     assert np.all(points.sigma_px > 0)

@@ -159,18 +159,14 @@ def feed_in_pieces(reader: PacketReader, stream: bytes, cuts: list[int]) -> list
 
 
 @given(st.lists(st.tuples(sync_rich, samples), max_size=12), st.lists(st.integers(0, 9999)))
-def test_every_intact_packet_is_found_in_noise(
-    parts: list[tuple[bytes, Values]], cuts: list[int]
-) -> None:
+def test_packets_are_found_in_noise(parts: list[tuple[bytes, Values]], cuts: list[int]) -> None:
     stream = b"".join(noise + sample_packet(*sample) for noise, sample in parts)
     expected = [Sample(s, t, b, tuple(c)) for _, (s, t, b, c) in parts]
     assert feed_in_pieces(PacketReader(), stream, cuts) == expected
 
 
 @given(samples, samples, st.data())
-def test_a_packet_cut_at_any_byte_costs_only_itself(
-    first: Values, second: Values, data: st.DataObject
-) -> None:
+def test_a_cut_packet_costs_itself(first: Values, second: Values, data: st.DataObject) -> None:
     whole = sample_packet(*first)
     kept = data.draw(st.integers(0, len(whole) - 1))
     from_its_end = data.draw(st.booleans())

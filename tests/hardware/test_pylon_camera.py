@@ -48,9 +48,7 @@ class TestPylonEmulation(SensorConformance):
     def bench(self, emulation: None) -> SensorBench:
         return EmulationBench(options(laser_line="Line2"))
 
-    def test_loss_is_an_error_and_open_works_again(
-        self, bench: SensorBench, driver: SensorDriver
-    ) -> None:
+    def test_loss_is_an_error_until_opened(self, bench: SensorBench, driver: SensorDriver) -> None:
         pytest.skip("an emulated camera that is open cannot be unplugged")
 
 
@@ -103,9 +101,7 @@ def test_a_camera_that_waits_for_its_trigger_is_silent_and_there(emulation: None
         ({"region": [0, 0, 5000, 10]}, "region"),
     ],
 )
-def test_what_the_camera_cannot_do_is_said(
-    emulation: None, table: dict[str, object], words: str
-) -> None:
+def test_what_it_cannot_do_is_said(emulation: None, table: dict[str, object], words: str) -> None:
     with pytest.raises(DeviceError, match=words) as caught:
         from_options(options(**table)).open()
     assert caught.value.remedy

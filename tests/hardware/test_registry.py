@@ -1,18 +1,24 @@
-"""Drivers by name: built in, from other packages, and broken ones."""
+"""Drivers by name: built in, from other packages, broken ones; and their options as form fields."""
 
 import sys
 import tomllib
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from pathlib import Path
 from textwrap import dedent
+from typing import Literal
 
 import pytest
+from pydantic import Field, PositiveInt
 
 import hardware
 from hardware import registry
 from hardware.arm.serial_encoder import SerialEncoderArm
 from hardware.errors import DeviceError
+from hardware.option_fields import OptionField, option_fields, read_entered
+from hardware.options import Options, options_model, read_options
+from hardware.registry import arm_driver, driver_options, sensor_driver
 from hardware.sensor.grabbing import GrabbingSensor
+from tests.present import present
 
 PYPROJECT = Path(__file__).resolve().parents[2] / "pyproject.toml"
 
@@ -97,8 +103,7 @@ def test_two_packages_with_one_name_are_refused(site: Path) -> None:
 
 
 def guide_in_the_package() -> str:
-    assert hardware.__doc__ is not None
-    lines = hardware.__doc__.split("::\n\n", 1)[1].split("\n2. ")[0].splitlines()
+    lines = present(hardware.__doc__).split("::\n\n", 1)[1].split("\n2. ")[0].splitlines()
     return "\n".join(line[7:] for line in lines)
 
 
@@ -118,3 +123,101 @@ def test_the_guide_for_driver_authors_works_as_written(site: Path, read: Callabl
     assert driver.options.rate_hz == 500.0  # type: ignore[attr-defined]
     with pytest.raises(DeviceError, match=r"\[arm\]: the option 'address' is missing"):
         registry.arm_driver("my-arm", {})
+
+
+class BenchOptions(Options):
+    late_ms: float = 2.5
+    mode: Literal["fast", "exact"] = "exact"
+    port: int = Field(ge=1, le=65535, description="Of the controller")
+    invert: bool = False
+    range_mm: list[float] | None = None
+    lines: list[str] = Field(default_factory=list)
+    counts: PositiveInt | list[PositiveInt] | None = None
+    source: int | str = 0
+
+
+def from_options(options: Mapping[str, object]) -> BenchOptions:
+    return read_options(BenchOptions, options, "arm")
+
+
+def fields() -> dict[str, OptionField]:
+    return {one.key: one for one in option_fields(BenchOptions)}
+
+
+def test_the_model_is_found_through_the_factory_without_making_a_driver() -> None:
+    assert options_model(from_options) is BenchOptions
+    assert from_options({"port": 1}).port == 1
+
+
+def test_a_factory_that_reads_its_options_otherwise_has_no_model() -> None:
+    assert options_model(lambda options: options["port"]) is None
+    assert options_model(dict) is None
+
+
+def test_every_built_in_driver_has_its_fields() -> None:
+    camera = present(driver_options("sensor", "opencv"))
+    first, *_ = option_fields(camera)
+    assert (first.key, first.required, first.main) == ("source", True, True)
+    industrial = present(driver_options("sensor", "genicam"))
+    assert [one.key for one in option_fields(industrial)][:2] == ["address", "serial_number"]
+
+
+def test_kinds_units_and_defaults() -> None:
+    found = fields()
+    kinds = {
+        "number": {"late_ms", "port"},
+        "choice": {"mode"},
+        "switch": {"invert"},
+        "list": {"range_mm", "lines"},
+        "text": {"counts", "source"},
+    }
+    for kind, keys in kinds.items():
+        assert {key for key, one in found.items() if one.kind == kind} == keys
+    assert (found["late_ms"].unit, found["late_ms"].default) == ("ms", "2.5")
+    assert found["mode"].choices == ("fast", "exact")
+    assert found["invert"].default == "false"
+    assert found["range_mm"].default == ""
+
+
+def test_what_is_required_comes_first_and_what_is_rarely_needed_last() -> None:
+    assert list(fields())[:2] == ["port", "source"]
+    assert fields()["port"].help == "Of the controller"
+    assert not fields()["late_ms"].main
+
+
+def test_entered_texts_get_the_types_of_the_options() -> None:
+    single = {"late_ms": "3", "port": " 7431 ", "invert": "true", "mode": ""}
+    several = {"range_mm": "1, 2.5", "lines": "Line1, Line2", "counts": "4096, 8192"}
+    entered = {**single, **several, "source": "/dev/video0"}
+    typed = read_entered(BenchOptions, entered)
+    wanted = {"late_ms": 3, "port": 7431, "invert": True, "range_mm": [1, 2.5]}
+    lists = {"lines": ["Line1", "Line2"], "counts": [4096, 8192]}
+    assert typed == {**wanted, **lists, "source": "/dev/video0"}
+    assert from_options(typed).counts == [4096, 8192]
+
+
+@pytest.mark.parametrize(
+    ("text", "lines"),
+    [("Line1", ["Line1"]), ('["Line1"]', ["Line1"]), ("7, Line1", ["7", "Line1"])],
+)
+def test_a_list_of_texts_is_entered_with_commas(text: str, lines: list[str]) -> None:
+    assert read_entered(BenchOptions, {"lines": text}) == {"lines": lines}
+    assert read_entered(BenchOptions, {"range_mm": "4"}) == {"range_mm": [4]}
+
+
+def test_a_number_is_a_text_where_the_option_is_one() -> None:
+    model = driver_options("arm", "serial-encoder")
+    assert read_entered(model, {"url": "5"}) == {"url": "5"}
+    assert read_entered(driver_options("sensor", "opencv"), {"source": "0"}) == {"source": 0}
+
+
+def test_a_value_that_does_not_fit_is_named_by_the_driver() -> None:
+    typed = read_entered(driver_options("sensor", "opencv"), {"source": "0", "rate_hz": "-5"})
+    with pytest.raises(DeviceError, match="rate_hz"):
+        sensor_driver("opencv", typed)
+    with pytest.raises(DeviceError, match="'speed'"):
+        arm_driver("serial-encoder", read_entered(None, {"url": "x", "speed": "5"}))
+
+
+def test_without_a_model_what_looks_like_a_number_is_one() -> None:
+    assert read_entered(None, {"a": "5", "b": "x", "c": True}) == {"a": 5, "b": "x", "c": True}

@@ -1,4 +1,4 @@
-"""What is taken from a controller's stream, counted and refused, without a device."""
+"""What is taken from a controller's stream, counted and refused; frames that it does not name."""
 
 import math
 
@@ -7,6 +7,7 @@ import pytest
 from hypothesis import example, given
 from hypothesis import strategies as st
 
+from hardware.arm.robots.frame_watch import FrameWatch
 from hardware.arm.robots.readings import RobotReading, StreamJudge, WrappingCounter
 from hardware.errors import DeviceError
 from hardware.interfaces import ArmInfo, Button, ButtonEvent, JointSample, LinkHealth, PoseSample
@@ -15,6 +16,8 @@ CYCLE_NS = 4_000_000
 JOINTS = ArmInfo("Arm", "", 6, 250.0)
 POSES = ArmInfo("Arm", "", 0, 250.0, reports="pose")
 ANGLES = (0.1, 0.2, 0.3, 0.4, 0.5, 0.6)
+JOINTS_RAD = (0.1, -0.5, 1.0, 0.0, 0.7, 0.2)
+UPRIGHT = (0.0, 0.0, 0.0, 1.0)
 
 
 def joints_at(cycle: int, counted: bool = True, offset_ns: int = 0) -> RobotReading:
@@ -139,3 +142,37 @@ def test_a_counter_goes_on_beyond_its_maximum(modulus: int, start: int, turns: l
     unwrapped = [counter.unwrap(value % modulus) for value in values]
     assert np.diff(unwrapped).tolist() == np.diff(values).tolist()
     assert unwrapped[0] == start % modulus
+
+
+def note(watch: FrameWatch, at_ms: float, x_mm: float, turned_rad: float = 0.0) -> None:
+    joints = (JOINTS_RAD[0] + turned_rad, *JOINTS_RAD[1:])
+    watch.require_same_frames(round(1e6 * at_ms), joints, ((x_mm, 0.0, 500.0), UPRIGHT))
+
+
+@pytest.mark.parametrize("cycle_ms", [4, 12])
+def test_a_leap_at_rest_shows(cycle_ms: int) -> None:
+    watch = FrameWatch("robot")
+    for cycle in range(5):
+        note(watch, cycle * cycle_ms, 100.0 + 0.01 * (cycle % 2))
+    with pytest.raises(DeviceError, match=r"leapt by 2\.0 mm"):
+        note(watch, 5 * cycle_ms, 102.0)
+
+
+@pytest.mark.parametrize("cycle_ms", [4, 12])
+def test_a_robot_that_moves_or_rides_on_a_track_does_not_leap(cycle_ms: int) -> None:
+    for joint_share in (0.0, 1.0):
+        watch = FrameWatch("robot")
+        for cycle in range(200):
+            passed_s = 1e-3 * cycle_ms * max(0, cycle - 5)
+            x_mm = 1e3 * 0.5 * 5.0 * passed_s**2  # 5 m/s2
+            note(watch, cycle * cycle_ms, x_mm, joint_share * x_mm / 1500)
+
+
+def test_nothing_is_known_after_a_gap_or_without_joints() -> None:
+    watch = FrameWatch("robot")
+    for cycle in range(5):
+        note(watch, 4 * cycle, 100.0)
+    note(watch, 500, 300.0)
+    watch = FrameWatch("robot")
+    for cycle in range(5):
+        watch.require_same_frames(4_000_000 * cycle, (), ((100.0 * (cycle > 3), 0, 0), UPRIGHT))

@@ -213,7 +213,7 @@ def test_a_slow_reader_of_a_recording_misses_nothing(tmp_path: Path) -> None:
         assert driver.health.lost == 0
 
 
-def test_a_slow_reader_of_a_camera_gets_fresh_pictures_and_the_loss_is_counted(
+def test_a_slow_reader_gets_fresh_pictures_and_the_loss_is_counted(
     server: MjpegServer,
 ) -> None:
     with opened(camera_of(server.url)) as driver:
@@ -351,9 +351,7 @@ def test_a_lasers_channel_is_taken_of_a_colour_camera() -> None:
 
 @pytest.mark.parametrize("pattern", BAYER_PATTERNS)
 @pytest.mark.parametrize("colour", ["red", "green", "blue"])
-def test_raw_pixels_of_the_lasers_colour_are_those_that_files_give(
-    pattern: BayerPattern, colour: LaserColour
-) -> None:
+def test_raw_pixels_are_those_of_files(pattern: BayerPattern, colour: LaserColour) -> None:
     rng = np.random.default_rng(4)
     levels = rng.integers(0, 4095, (HEIGHT, 62))
     levels[:4] = 4095

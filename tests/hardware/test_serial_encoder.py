@@ -290,9 +290,7 @@ def test_what_is_wrong_at_opening_is_said(arm: FakeArm) -> None:
         *("file://{}", "{}", "/dev/..{}", "dev.toml", "socket://h:1/../{}", " spy://x?file={}"),
     ],
 )
-def test_what_is_no_address_of_a_device_is_not_opened(
-    tmp_path: Path, url: str, driver: str
-) -> None:
+def test_what_is_no_device_address_is_not_opened(tmp_path: Path, url: str, driver: str) -> None:
     kept = tmp_path / "station.db"
     kept.write_bytes(b"kept")
     with pytest.raises(DeviceError, match=r"not the address of a device|There is no serial"):

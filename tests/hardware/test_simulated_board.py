@@ -134,7 +134,7 @@ def test_the_board_is_made_after_its_certificate() -> None:
     assert np.std(sizes) == pytest.approx(0.005, rel=0.3)
 
 
-def test_the_simulated_operator_touches_places_all_over_the_printed_side(
+def test_the_operator_touches_all_over_the_printed_side(
     simulation: SimulatedStation,
 ) -> None:
     board, T = board_of(simulation)

@@ -263,9 +263,7 @@ def test_every_pixel_format_shows_the_same_picture(camera: GigeCamera, name: str
     np.testing.assert_array_equal(frame.image, scale * picture(0, 0, 0)[:100, 16:176].astype(int))
 
 
-def test_a_hundredth_of_all_packets_lost_costs_no_picture_unseen(
-    camera: GigeCamera, driver: GrabbingSensor
-) -> None:
+def test_lost_packets_cost_no_picture_unseen(camera: GigeCamera, driver: GrabbingSensor) -> None:
     """Each picture arrives whole, packets sent again, or counts as lost."""
     camera.faults.packet_drop_rate = 0.01
     driver.open()
@@ -307,9 +305,7 @@ def test_only_the_program_in_control_may_write(camera: GigeCamera) -> None:
     second.close()
 
 
-def test_a_camera_of_a_program_that_lets_no_other_read_is_in_use(
-    camera: GigeCamera, driver: GrabbingSensor
-) -> None:
+def test_a_camera_kept_from_others_is_in_use(camera: GigeCamera, driver: GrabbingSensor) -> None:
     driver.open()
     next_frame(driver)
     camera.faults.taken = True
@@ -359,9 +355,7 @@ def test_a_clock_that_answers_late_gives_true_stamps() -> None:
 
 
 @pytest.mark.parametrize("later_s", [-0.5, 3600.0])
-def test_a_clock_that_is_set_is_named_and_nothing_taken_from_it(
-    camera: GigeCamera, driver: GrabbingSensor, later_s: float
-) -> None:
+def test_a_set_clock_is_named(camera: GigeCamera, driver: GrabbingSensor, later_s: float) -> None:
     driver.open()
     before = next_frame(driver)
     camera._born_ns -= round(1e9 * later_s)
@@ -390,12 +384,9 @@ def test_a_camera_that_answers_again_is_opened_at_once(camera: GigeCamera) -> No
 
 
 @pytest.mark.slow
-def test_a_frame_shows_the_arm_as_it_was_at_its_stamp() -> None:
-    """The laser's line on the plate, from frame and true pose, lies in the plate's plane.
-
-    The sensor is tilted and passes to and fro: a millisecond would be 0.03 mm. The camera's clock
-    is fast and has another zero, and pictures arrive late.
-    """
+def test_a_frame_shows_its_own_moment() -> None:
+    """The laser's line on the plate, from frame and true pose, lies in the plate's plane: a
+    millisecond would be 0.03 mm. The camera's clock is fast, and pictures arrive late."""
     with SimulatedStation(GIGE) as simulation, opened(simulation.sensor()) as driver:
         driver.set_laser(True)
         places = points_on_plate(simulation, driver, simulation.operator.pass_over_plate, 15)

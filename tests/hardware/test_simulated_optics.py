@@ -106,10 +106,8 @@ EDGES = {
 
 
 def step_places(image: Floats, line: Floats, reach: int = 7) -> Floats:
-    """How far each crossing of a straightish edge is off ``line``, along rows or columns, in px.
-
-    The light between two plateaus, summed, says where the step is, whatever the blur.
-    """
+    """How far each crossing of an edge is off ``line``, along rows or columns, in px: the light
+    between two plateaus, summed, says where the step is."""
     upright = abs(line[-1, 1] - line[0, 1]) > abs(line[-1, 0] - line[0, 0])
     if upright:
         image, line = image.T, line[:, ::-1]
@@ -141,9 +139,7 @@ def test_edges_are_where_geometry_puts_them(name: str, distortion: Lens) -> None
 
 @pytest.mark.parametrize("distortion", LENSES)
 @pytest.mark.parametrize("patch", [(-22, -14, 15), (5, 10, 15), (-2, 5, 0)])
-def test_the_stripe_is_where_geometry_puts_it(
-    patch: tuple[float, float, float], distortion: Lens
-) -> None:
+def test_the_stripe_lies_by_geometry(patch: tuple[float, float, float], distortion: Lens) -> None:
     optics, light_plane = draw_sensor(BLOCK, np.random.default_rng(4), distortion=distortion)
     scene = block_scene()
     T = over_block(scene)
@@ -247,7 +243,7 @@ def test_too_much_light_saturates() -> None:
 @pytest.mark.parametrize(
     "shape", [GaugeSphere(12.7), FreeformPart(), Box((-20, -15, -5), (20, 15, 0))]
 )
-def test_stripes_on_other_shapes_lie_on_shape_and_light_plane(
+def test_stripes_lie_on_shape_and_light_plane(
     shape: GaugeSphere | FreeformPart | Box,
 ) -> None:
     optics, light_plane = draw_sensor(BLOCK)

@@ -162,9 +162,7 @@ def test_an_unknown_face_or_part_is_refused(simulation: SimulatedStation) -> Non
             simulation.operator.hold_over(name)
 
 
-def test_the_sensor_is_held_over_the_block(
-    simulation: SimulatedStation, driver: SensorDriver
-) -> None:
+def test_a_sensor_is_held_over_a_block(simulation: SimulatedStation, driver: SensorDriver) -> None:
     assert simulation.operator.hold_over("block")
     ambient = [next_frame(driver) for _ in range(3)][-1].image
     driver.set_laser(True)
@@ -179,9 +177,7 @@ def test_the_sensor_is_held_over_the_block(
     assert np.median(laser.image) < 10
 
 
-def test_light_follows_the_exposure_and_the_lamps(
-    simulation: SimulatedStation, driver: SensorDriver
-) -> None:
+def test_exposure_and_lamps_make_light(simulation: SimulatedStation, driver: SensorDriver) -> None:
     assert simulation.operator.hold_over("block")
 
     def level() -> float:
@@ -200,9 +196,7 @@ def test_light_follows_the_exposure_and_the_lamps(
     assert both.max() > 100
 
 
-def test_a_frame_shows_the_arm_as_it_was_at_its_stamp(
-    simulation: SimulatedStation, driver: SensorDriver
-) -> None:
+def test_a_frame_shows_its_own_moment(simulation: SimulatedStation, driver: SensorDriver) -> None:
     """The laser's line on the plate, from frame and true pose, lies in the plate's plane."""
     driver.set_laser(True)
     places = points_on_plate(simulation, driver, lambda: simulation.operator.scan_part("plate"), 8)
@@ -271,9 +265,7 @@ def test_a_cancelled_move_ends_soon_and_the_next_one_works(simulation: Simulated
     assert simulation.operator.touch("crest", 1)
 
 
-def test_lost_frames_are_counted_and_leave_a_gap(
-    simulation: SimulatedStation, driver: SensorDriver
-) -> None:
+def test_lost_frames_leave_a_known_gap(simulation: SimulatedStation, driver: SensorDriver) -> None:
     simulation.camera_faults.drop_rate = 0.5
     sequence = [next_frame(driver).sequence for _ in range(12)]
     assert driver.health.lost == sequence[-1] - len(sequence) + 1 > 0

@@ -40,11 +40,8 @@ def begun_line() -> SlowLine:
 
 
 def watch(pictures_ms: list[float], until_ms: int, busy: bool = True) -> list[int]:
-    """The times in ms at which the line is said to be too slow, looked at every 50 ms.
-
-    Pictures are exposed every 40 ms. ``pictures_ms``: when one is complete; ``busy``: bytes arrive
-    all the time, and otherwise only with the pictures.
-    """
+    """The times in ms at which the line is said to be too slow, looked at every 50 ms. Pictures,
+    exposed every 40 ms, are complete at ``pictures_ms``; ``busy``: bytes arrive all the time."""
     line, said, come = begun_line(), [], 0
     for at_ms in range(0, until_ms, 50):
         now = sum(at <= at_ms for at in pictures_ms)

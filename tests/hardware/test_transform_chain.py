@@ -6,6 +6,7 @@ from scipy.spatial.transform import Rotation
 
 from hardware.arm.robots.transform_chain import STALE_NS, FramePlacement, TransformChain
 from hardware.errors import DeviceError
+from tests.present import present
 
 MS = 1_000_000
 
@@ -50,8 +51,7 @@ def test_a_chain_leads_over_the_frame_that_both_descend_from(chain: TransformCha
     found = chain.pose()
     expected = np.linalg.inv(T["base"]) @ T["stand"] @ T["rail"] @ T["tool"]
     np.testing.assert_allclose(matrix(found), expected, atol=1e-9)
-    assert found is not None
-    assert found.stamp_ns == 5 * MS
+    assert present(found).stamp_ns == 5 * MS
     assert chain.pose() is None  # nothing newer
     moved, T_moved = placement(9, 9 * MS)
     chain.add("stand", "rail", moved)
@@ -65,8 +65,7 @@ def test_transforms_of_different_times_meet_at_the_newest_common_one(chain: Tran
     chain.add("base", "arm", FramePlacement(0, (0.0, 0.0, 0.0), still))
     chain.add("base", "arm", FramePlacement(10 * MS, (10.0, 0.0, 0.0), turned))
     chain.add("arm", "tool", FramePlacement(4 * MS, (0.0, 0.0, 100.0), still))
-    found = chain.pose()
-    assert found is not None
+    found = present(chain.pose())
     assert found.stamp_ns == 4 * MS
     assert found.position_mm == pytest.approx((4.0, 0.0, 100.0))
     assert Rotation.from_quat(found.rotation).magnitude() == pytest.approx(0.008, rel=1e-3)

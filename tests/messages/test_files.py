@@ -39,7 +39,6 @@ class Call:
 
 @cache
 def resource(language: str) -> ftl.Resource:
-    """A language file, parsed."""
     return FluentResource((FOLDER / f"{language}.ftl").read_text(encoding="utf-8"))
 
 

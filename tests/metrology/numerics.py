@@ -21,7 +21,6 @@ def on_sphere(height: Floats, turn_rad: ArrayLike) -> Floats:
 
 
 def rms_length(vectors: Floats) -> float:
-    """Root mean square of the lengths of vectors (N, 3)."""
     return float(np.sqrt(np.mean(np.sum(vectors**2, axis=1))))
 
 

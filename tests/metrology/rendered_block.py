@@ -36,7 +36,6 @@ class RenderedBlock:
 
 
 def certificate(comb: CrenellatedBlock) -> Crenellated:
-    """The certificate of a simulated block."""
     y_mm, z_mm = (comb.front_y_mm, comb.back_y_mm), (comb.crest_z_mm, comb.floor_z_mm)
     return Crenellated("rendered", "R-1", comb.edges_x_mm, *y_mm, *z_mm, comb.base_z_mm, MADE_MM)
 

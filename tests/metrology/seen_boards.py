@@ -57,10 +57,8 @@ def session(
     offset_mm: float = OFFSET_MM,
     rows_apart: int = 1,
 ) -> BoardInputs:
-    """One session of a robot, all errors drawn again; poses ``T_cam_obj`` a little different.
-
-    The line has a point in every ``rows_apart``-th row of the pictures.
-    """
+    """One session of a robot, all errors drawn again; poses ``T_cam_obj`` a little different, the
+    line with a point in every ``rows_apart``-th row."""
     errors = errors or BoardErrors()
     rng = np.random.default_rng(seed)
     prior = board_prior(board)

@@ -251,9 +251,7 @@ def test_real_pictures(real: Path, tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("seed", usual(range(2), 1, pytest.mark.soak))
 @pytest.mark.parametrize(("line_mm", "least", "most"), [(0.005, 0.004, 0.03), (0.2, 0.1, 0.4)])
-def test_a_steady_laser_is_distinguished_from_an_unsteady_one(
-    line_mm: float, least: float, most: float, seed: int
-) -> None:
+def test_a_steady_laser_is_known(line_mm: float, least: float, most: float, seed: int) -> None:
     """Both are far from what is usual, which is thought of only where little is seen."""
     errors = BoardErrors(turn_rad=5e-5, shift_mm=0.02, line_mm=line_mm, line_rad=line_mm / 50)
     off_mm, _ = line_scatter(calibrate_board(session(seed, errors)).adjustment)

@@ -1,22 +1,36 @@
-"""A board that looks the same when turned round is numbered by the arm's poses."""
+"""Boards that look the same when turned round are numbered by the poses; reasons of refusals."""
 
+from collections.abc import Callable
 from dataclasses import replace
+from functools import partial
+from typing import Any
 
+import cv2
 import numpy as np
 import pytest
+from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
 from app.metrology.adjustment.board.calibrate import calibrate_board
 from app.metrology.adjustment.board.initial_guess import BoardObservation
 from app.metrology.adjustment.board.problem import BoardInputs
-from app.metrology.targets.chessboard import Chessboard, corner_grid
+from app.metrology.chessboard.detect_board import detect_board
+from app.metrology.chessboard.failure_evidence import BoardFailure, explain_failure
+from app.metrology.chessboard.laser_light import drop_faint_stripe
+from app.metrology.chessboard.missing_corners import CornerGrid
+from app.metrology.sensor.camera import project
+from app.metrology.stripe import extract_stripe
+from app.metrology.targets.chessboard import Chessboard, corner_grid, corner_points
 from app.metrology.transforms import Floats, rigid
-from tests.metrology.refusals import refusal_of
-from tests.metrology.seen_boards import error_um, session
+from tests.metrology.boards import BOARD, POSES, Look, camera_pose, picture
+from tests.metrology.refusals import detection_refusal_of, refusal_of
+from tests.metrology.seen_boards import camera_at, error_um, session
+from tests.pictures import blur
 
 pytestmark = pytest.mark.slow
 
 EVEN_BOARD = Chessboard("even board", "", (8, 6), 10.0, 0.02, 0.2)
+Grey = NDArray[np.uint8]
 
 
 def either_way(seen: BoardObservation, turned: bool) -> BoardObservation:
@@ -63,3 +77,138 @@ def test_where_most_poses_do_not_tell_the_board_is_refused() -> None:
     readings[:, :3, :3] = Rotation.random(len(readings), random_state=0).as_matrix()
     refusal = refusal_of(calibrate_board, replace(given, readings=readings))
     assert refusal.code == "board-ambiguous"
+
+
+def moved(right_mm: float) -> Floats:
+    T = POSES[1].copy()
+    T[0, 3] += right_mm
+    return T
+
+
+def seen_corners(T: Floats = POSES[1], board: Chessboard = BOARD) -> Floats:
+    """(rows, columns, 2) where the corners are in a picture."""
+    columns, rows = board.inner_corners
+    return project(camera_at(T), corner_points(board)).reshape(rows, columns, 2)
+
+
+def covered(image: Grey) -> Grey:
+    """Paper over all but three columns."""
+    uv = seen_corners()
+    edge = (uv[:, 2] + uv[:, 3]) / 2
+    down = edge[5] - edge[0]
+    left, across = [edge[0] - down, edge[5] + down], 8 * (uv[[5, 0], 6] - uv[[5, 0], 5])
+    paper = [*left, left[1] + across[0], left[0] + across[1]]
+    hidden = image.copy()
+    cv2.fillPoly(hidden, [np.round(paper).astype(np.int32)], (70,))
+    return hidden
+
+
+def glared(image: Grey) -> Grey:
+    """A reflection of a window over two columns and the board beyond."""
+    uv = seen_corners()
+    step = uv[:, 1] - uv[:, 0]
+    left, right = uv[:, 4] - step / 2, uv[:, 6] + 2 * step
+    ends = [left[0], right[0], right[5], left[5]]
+    bright = np.zeros(image.shape, np.float32)
+    down = (uv[5, 4] - uv[0, 4]) / 3
+    ends = [ends[0] - down, ends[1] - down, ends[2] + down, ends[3] + down]
+    cv2.fillPoly(bright, [np.round(ends).astype(np.int32)], (400.0,))
+    lit = image + np.asarray(cv2.GaussianBlur(bright, (0, 0), 4))
+    return np.asarray(lit.clip(0, 255), np.uint8)
+
+
+def shown(T: Floats = POSES[1], spoil: Callable[[Grey], Grey] = np.asarray, **look: Any) -> Grey:
+    return spoil(picture(T, Look(laser=False, **look)))
+
+
+DIM = partial(shown, dark=5.0, bright=8.0)
+FAR = partial(shown, camera_pose(10, 30, 5, 3000), bright=220.0)
+FINER = partial(shown, board=replace(BOARD, inner_corners=(9, 8), square_mm=7.0))
+SMALLER = partial(shown, board=replace(BOARD, inner_corners=(6, 5)))
+FOUND = "inner corners was found: rendered board has 7 × 6"
+
+
+@pytest.mark.parametrize(
+    ("image", "code", "fault", "words"),
+    [
+        (partial(shown, moved(45.0)), "board-partly-seen", "framing", "partly out of"),
+        (partial(shown, spoil=glared), "board-partly-seen", "lighting", "others are overexposed"),
+        (partial(shown, spoil=covered), "another-board", "object", "uncover the rest of this one"),
+        (partial(shown, blur_px=20.0), "board-not-found", "focus", "blurred"),
+        (DIM, "board-not-found", "exposure", "no contrast"),
+        (partial(DIM, noise=2.0), "board-not-found", "exposure", "the picture is dim"),
+        (FAR, "board-too-small", "framing", "wide in"),
+        (FINER, "another-board", "object", f"9 × 8 {FOUND}"),
+        (SMALLER, "another-board", "object", f"6 × 5 {FOUND}"),
+    ],
+)
+def test_the_reason_is_true(image: Callable[[], Grey], code: str, fault: str, words: str) -> None:
+    refusal = detection_refusal_of(detect_board, image(), BOARD)
+    assert (refusal.code, refusal.fault) == (code, fault)
+    assert words in refusal.line
+    assert "laser" not in refusal.line.lower()
+
+
+def test_a_line_over_the_outermost_corners_is_named() -> None:
+    image = shown().astype(np.float64)
+    uv = seen_corners()[:, 6]
+    along = np.polyfit(uv[:, 1], uv[:, 0], 1)
+    v, u = np.mgrid[0 : image.shape[0], 0 : image.shape[1]]
+    image += 800 * np.exp(-((u - np.polyval(along, v)) ** 2) / (2 * 4.0**2))
+    lit = np.clip(image, 0, 255).astype(np.uint8)
+    stripe = drop_faint_stripe(lit, extract_stripe(lit, "v"))
+    assert len(stripe.u) > 300
+    refusal = detection_refusal_of(detect_board, lit, BOARD, stripe)
+    assert (refusal.code, refusal.fault) == ("board-partly-seen", "framing")
+    assert "laser line covers" in refusal.line
+
+
+def test_a_cover_across_the_middle_of_a_board_as_wide_as_the_picture_is_named() -> None:
+    wide = replace(BOARD, inner_corners=(9, 6), square_mm=7.0)
+    T = camera_pose(5, 30, 2, 135)
+    image = shown(T, board=wide)
+    uv = seen_corners(T, wide)
+    assert len(detect_board(image, wide)) == 54
+    down = uv[5] - uv[0]
+    ends = [uv[0, 3] - down[3], uv[0, 6] - down[6], uv[5, 6] + down[6], uv[5, 3] + down[3]]
+    cv2.fillPoly(image, [np.round(ends).astype(np.int32)], (70,))
+    refusal = detection_refusal_of(detect_board, image, wide)
+    assert (refusal.code, refusal.fault) == ("board-partly-seen", "framing")
+    assert "the others are covered" in refusal.line
+    assert "Uncover the whole board" in refusal.line
+
+
+@pytest.mark.parametrize(
+    ("spacing_px", "words"), [(28.0, "the others are covered"), (8.0, "partly out of")]
+)
+def test_another_end_of_a_board_has_squares_about_as_large(spacing_px: float, words: str) -> None:
+    image = np.full((480, 330), 90, np.uint8)
+    cut_off = grid_on(image, 3, 6, (245.0, 95.0), 31.0)
+    other = grid_on(image, 5, 6, (20.0, 180.0), spacing_px)
+    failure = BoardFailure(cut_off, np.ones(18, np.bool_), None, (cut_off, other))
+    refusal = explain_failure(replace(BOARD, inner_corners=(9, 6)), failure)
+    assert words in refusal.line
+
+
+def test_a_square_part_of_a_board_is_cut_off_on_whichever_side_the_picture_ends() -> None:
+    image = np.full((480, 330), 90, np.uint8)
+    board = replace(BOARD, inner_corners=(9, 6))
+    for first_px in ((20.0, 150.0), (155.0, 150.0), (90.0, 20.0), (90.0, 305.0)):
+        cut_off = grid_on(image, 6, 6, first_px, 31.0)
+        failure = BoardFailure(cut_off, np.ones(36, np.bool_), None, (cut_off,))
+        assert "partly out of" in explain_failure(board, failure).line
+
+
+def grid_on(
+    image: Grey, columns: int, rows: int, first_px: tuple[float, float], spacing_px: float
+) -> CornerGrid:
+    places = np.stack(np.meshgrid(np.arange(columns), np.arange(rows)), axis=-1).reshape(-1, 2)
+    uv_px = np.array(first_px) + spacing_px * places
+    return CornerGrid(image, np.zeros(image.shape, np.bool_), places, uv_px)
+
+
+def test_a_board_of_which_no_corner_can_be_measured_is_refused_as_blurred() -> None:
+    fine = replace(BOARD, square_mm=5.0)
+    refusal = refusal_of(detect_board, blur(shown(board=fine), 6), fine)
+    assert refusal.code in ("board-blurred", "board-not-found")
+    assert "blurred" in refusal.line

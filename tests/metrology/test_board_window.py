@@ -7,6 +7,7 @@ from numpy.typing import NDArray
 from app.metrology.adjustment.board.straight_line import mask_straight_piece
 from app.metrology.chessboard.window import find_window
 from app.metrology.transforms import Floats
+from tests.present import present
 
 
 def grid(columns: int, rows: int) -> NDArray[np.int64]:
@@ -15,15 +16,13 @@ def grid(columns: int, rows: int) -> NDArray[np.int64]:
 
 def test_a_whole_board_is_found_whichever_way_it_lies() -> None:
     for places in (grid(9, 6), grid(6, 9)):
-        within = find_window(places + np.array([-3, 7]), (9, 6))
-        assert within is not None
+        within = present(find_window(places + np.array([-3, 7]), (9, 6)))
         assert within.all()
 
 
 def test_corners_of_an_outline_are_left_out() -> None:
     beside = np.array([[9, 1], [-1, 4], [3, -1]])
-    within = find_window(np.concatenate([grid(9, 6), beside]), (9, 6))
-    assert within is not None
+    within = present(find_window(np.concatenate([grid(9, 6), beside]), (9, 6)))
     assert within.tolist() == [True] * 54 + [False] * 3
 
 
@@ -42,8 +41,7 @@ def test_a_side_that_is_hardly_seen_decides_nothing_where_corners_lie_beyond_the
 def test_covered_corners_are_no_hindrance() -> None:
     places = grid(9, 6)
     seen = places[(places[:, 0] < 3) | (places[:, 0] > 5)]
-    within = find_window(seen, (9, 6))
-    assert within is not None
+    within = present(find_window(seen, (9, 6)))
     assert within.all()
 
 

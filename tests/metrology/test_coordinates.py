@@ -30,6 +30,8 @@ from app.metrology.transforms import (
 )
 from tests.metrology.numerics import differences, rms_length
 from tests.metrology.refusals import refusal_of
+from tests.present import present
+from tests.refusals import refused_as
 from tests.running.usual import usual
 from tests.simulated_robots import Tracker, ball_bar, built, measure, postures, robot, swing
 from tests.uncertainty_ratio import EXACT, ratio_of_rms
@@ -106,8 +108,7 @@ def test_as_good_as_least_squares_on_the_same_coordinates(axes: int, poses: int)
     assert ours < held_out_mm(arm, given, check) / 15
     assert result.outliers == ()
     assert result.size_known
-    left = result.validation.after.coordinates_um
-    assert left is not None
+    left = present(result.validation.after.coordinates_um)
     assert left / 1e3 == pytest.approx(np.sqrt(3) * 0.05, rel=0.35)
 
 
@@ -135,11 +136,9 @@ def test_full_poses_know_the_arm_better() -> None:
         result = identified(case.arm, found)
         errors.append(held_out_mm(result.arm, result.frames[0].T_frame_arm, check))
     assert errors[1] < errors[0]
-    turned = result.markers[0].rotation
-    assert turned is not None
+    turned = present(result.markers[0].rotation)
     np.testing.assert_allclose(vector_from_rotation(turned), [0.3, -0.2, 0.9], atol=1e-3)
-    angle = result.validation.after.rotations_deg
-    assert angle is not None
+    angle = present(result.validation.after.rotations_deg)
     assert np.deg2rad(angle) == pytest.approx(np.sqrt(3) * 2e-4, rel=0.35)
 
 
@@ -232,10 +231,8 @@ def test_a_bar_of_another_length_contradicts_the_coordinates() -> None:
     result = identify(arm, ArmObservations(bars=tuple(good), coordinates=(found,)))
     assert not any("B1" in str(text) for text in result.warnings)
     wrong = tuple(replace(bar, length_mm=300.5) for bar in good)
-    refusal = refusal_of(identify, arm, ArmObservations(bars=wrong, coordinates=(found,)))
-    assert refusal.code == "bar-length"
-    assert "bar B1" in str(refusal.what)
-    assert "coordinates scatter" in str(refusal.why)
+    with refused_as("bar-length", "coordinates scatter", where="bar B1"):
+        identify(arm, ArmObservations(bars=wrong, coordinates=(found,)))
 
 
 def with_longer(arm: Arm, name: str, by_mm: float) -> Arm:
@@ -297,10 +294,8 @@ def session() -> Session:
 
 def test_coordinates_in_metres_are_recognised(session: Session) -> None:
     case, found = session
-    refusal = refusal_of(identified, case.arm, replace(found, points_mm=found.points_mm / 1000))
-    assert refusal.code == "coordinates-unit"
-    assert "metres" in str(refusal.why)
-    assert "millimetres" in str(refusal.remedy)
+    with refused_as("coordinates-unit", "metres", "millimetres"):
+        identified(case.arm, replace(found, points_mm=found.points_mm / 1000))
 
 
 @pytest.mark.parametrize("later", usual([10, 30], 1, pytest.mark.soak))
@@ -311,18 +306,15 @@ def test_points_of_two_set_ups_under_one_name_are_refused(session: Session, late
     other = measure(true, postures(arm, later, rng), Tracker.somewhere(rng), rng, True)
     other = replace(other, lines=tuple(range(100, 100 + later)))
     first = found.part(np.arange(60) < 40)
-    refusal = refusal_of(identified, arm, first, other)
-    assert refusal.code == "frames-mixed"
-    assert "column frame" in str(refusal.remedy)
-    assert "line 100" in str(refusal.what)
+    with refused_as("frames-mixed", "column frame", where="line 100"):
+        identified(arm, first, other)
     named = replace(other, frame="second")
     assert len(identified(arm, first, named).frames) == 2
 
 
 def test_rotations_in_another_order_are_refused(session: Session) -> None:
     case, found = session
-    assert found.rotations is not None
-    other = replace(found, rotations=np.swapaxes(found.rotations, 1, 2))
+    other = replace(found, rotations=np.swapaxes(present(found.rotations), 1, 2))
     assert refusal_of(identified, case.arm, other).code == "rotations-do-not-fit"
 
 
@@ -333,10 +325,8 @@ def test_fewer_poses_than_unknowns_are_refused(session: Session) -> None:
     def of_poses(count: int) -> Coordinates:
         return measure(case.true, postures(case.arm, count, rng), case.tracker, rng)
 
-    refusal = refusal_of(identified, case.arm, of_poses(8))
-    assert refusal.code == "too-few-points"
-    assert "coordinates.csv" in str(refusal.what)
-    assert "8 poses" in str(refusal.what)
+    with refused_as("too-few-points", "8 poses", where="coordinates.csv"):
+        identified(case.arm, of_poses(8))
     few = identified(case.arm, of_poses(15))
     assert any("15 poses" in str(text) for text in few.warnings)
     assert refusal_of(identified, case.arm, of_poses(3)).code.startswith("too")

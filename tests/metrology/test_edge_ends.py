@@ -14,6 +14,7 @@ from app.metrology.sensor.camera import project
 from app.metrology.targets.crenellated_block import corners
 from app.metrology.transforms import Floats
 from tests.metrology.rendered_block import RenderedBlock, survey, with_edge
+from tests.present import present
 
 pytestmark = pytest.mark.slow
 
@@ -91,8 +92,7 @@ def test_ends_within_what_is_clipped_are_not_known(plain: RenderedBlock) -> None
 def test_a_wrong_size_is_named_with_amount(plain: RenderedBlock, edge: int, by_mm: float) -> None:
     grey = plain.image.astype(float)
     found = survey(plain, with_edge(plain.block, edge, by_mm), grey)
-    against = elsewhere_by_ends(grey, found)
-    assert against is not None
+    against = present(elsewhere_by_ends(grey, found))
     assert against.definite
     # Something over both ends of a crest shortens it as well; nothing makes it longer.
     shorter = (by_mm > 0) == (edge % 2 == 1)
@@ -108,8 +108,7 @@ def test_a_wrong_size_is_named_with_amount(plain: RenderedBlock, edge: int, by_m
 def test_one_end_that_lines_elsewhere_bear_out(plain: RenderedBlock, by_mm: float) -> None:
     grey = covered(plain, "crest:1:R:front", level=np.nan)
     found = survey(plain, with_edge(plain.block, 3, by_mm), grey)
-    against = elsewhere_by_ends(grey, found)
-    assert against is not None
+    against = present(elsewhere_by_ends(grey, found))
     assert found.frame.names[against.edges[0]] == "crest:1:R"
 
 
@@ -143,8 +142,7 @@ def test_a_chance_line_does_not_outweigh_edges_that_go_on(plain: RenderedBlock, 
     at_mm = claimed.edges_x_mm[1]
     edges = next(e for axis, at, e in planes(found.frame) if (axis, at) == (0, at_mm))
     assert count_in_place(found, edges, 0) == 1
-    against = elsewhere_by_ends(grey, found)
-    assert against is not None
+    against = present(elsewhere_by_ends(grey, found))
     assert against.edges == edges
 
 

@@ -22,6 +22,7 @@ from app.metrology.detection.visibility import wireframe
 from app.metrology.sensor.camera import project
 from app.metrology.targets.crenellated_block import Crenellated
 from tests.metrology.rendered_block import MADE_MM, RenderedBlock, render_block, survey, with_edge
+from tests.present import present
 
 SIDE = "crest:1:L"
 
@@ -114,8 +115,7 @@ def runs_on(plain: RenderedBlock, block: Crenellated, noise: float) -> Rejection
 @pytest.mark.parametrize("kept", [slice(2, None), slice(0, -2)])
 def test_a_longer_block_is_reported(plain: RenderedBlock, noise: float, kept: slice) -> None:
     shorter = replace(plain.block, edges_x_mm=plain.block.edges_x_mm[kept])
-    against = runs_on(plain, shorter, noise)
-    assert against is not None
+    against = present(runs_on(plain, shorter, noise))
     assert "continues beyond its" in str(against.text)
 
 
@@ -158,5 +158,4 @@ def test_an_edge_a_little_off_is_left_out_and_its_side_named(turned: RenderedBlo
 def test_an_edge_further_off_is_doubtful(turned: RenderedBlock) -> None:
     found = with_one_edge_off(turned, 1.4)
     _, against = check_measurements(turned.image.astype(float), found, MADE_MM)
-    assert against is not None
-    assert against.definite
+    assert present(against).definite

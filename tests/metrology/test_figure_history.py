@@ -1,18 +1,24 @@
-"""Periods of figures end where the right level is back; steps and slopes of series are found."""
+"""Periods, steps and slopes in series of figures, and what moved between two calibrations."""
 
+from dataclasses import replace
 from datetime import datetime, timedelta
 
 import numpy as np
 import pytest
 
+from app.metrology.calibration.drift import ARCSEC, Drift, MountedSensor, measure_drift
 from app.metrology.change_points import MOST_VALUES, find_changes
 from app.metrology.common_slope import fit_common_slope
 from app.metrology.figure_history import FigureHistory, find_history
-from app.metrology.transforms import Floats
+from app.metrology.sensor.laser_plane import LaserPlane
+from app.metrology.transforms import Floats, rigid, rotation_from_vector
+from tests.formats.builders import little_calibration
+from tests.present import present
 
 START = datetime(2026, 1, 1)
 DAY = timedelta(days=1)
 MONTH = 30
+UV = np.array([(u, v) for u in (10, 20, 30, 40, 50) for v in (15, 24, 33)], dtype=float)
 
 
 def history(
@@ -143,8 +149,7 @@ def test_no_values_and_few_values_have_a_history() -> None:
     assert find_history([], []).right is None
     assert find_history([START], [1.0]).levels == ()
     three = find_history([START + DAY * n for n in range(3)], [1.0, 2.0, 1.5])
-    assert three.right is not None
-    assert three.right.values == 3
+    assert present(three.right).values == 3
 
 
 def series(seed: int, *levels: tuple[int, float]) -> Floats:
@@ -208,8 +213,7 @@ def test_levels_of_groups_do_not_look_like_a_slope() -> None:
     groups = np.repeat(np.arange(4), 5)
     hours = np.tile(np.linspace(0, 100, 5), 4) + 10.0 * groups
     values = 50.0 * groups + 0.02 * hours
-    found = fit_common_slope(hours, values, groups)
-    assert found is not None
+    found = present(fit_common_slope(hours, values, groups))
     assert found.value == pytest.approx(0.02)
     assert found.is_significant
     assert (found.values, found.groups) == (20, 4)
@@ -226,9 +230,8 @@ def test_the_uncertainty_covers_the_slope_in_95_of_100_cases() -> None:
         aged = fit_common_slope(hours, level + 0.01 * hours + noise, groups)
         constant = fit_common_slope(hours, level + noise, groups)
         assert aged is not None
-        assert constant is not None
         covered += abs(aged.value - 0.01) <= aged.expanded_uncertainty
-        by_chance += constant.is_significant
+        by_chance += present(constant).is_significant
     assert 0.935 <= covered / runs <= 0.965
     assert 0.035 <= by_chance / runs <= 0.065
 
@@ -246,3 +249,46 @@ def test_too_few_values_have_no_slope(arguments: list[float], groups: list[int])
     values = np.array(arguments, dtype=np.float64) * 2
     numbers = np.array(groups, dtype=np.int64)
     assert fit_common_slope(np.array(arguments, dtype=np.float64), values, numbers) is None
+
+
+@pytest.fixture
+def mounted() -> MountedSensor:
+    found = little_calibration()
+    return MountedSensor(found.camera, found.plane, found.T_flange_sensor)
+
+
+def drift_of(before: MountedSensor, after: MountedSensor) -> Drift:
+    return present(measure_drift(before, after, UV))
+
+
+def test_a_sensor_that_stayed_did_not_move(mounted: MountedSensor) -> None:
+    found = drift_of(mounted, mounted)
+    assert (found.sensor_um, found.plane_um, found.points_um) == (0, 0, 0)
+    assert found.sensor_arcsec == pytest.approx(0, abs=1e-2)
+
+
+def test_a_shift_and_a_turn_are_distinguished(mounted: MountedSensor) -> None:
+    T = mounted.T_flange_sensor
+    shifted = replace(mounted, T_flange_sensor=rigid(np.eye(3), np.array([0.03, 0, 0.04])) @ T)
+    found = drift_of(mounted, shifted)
+    assert found.sensor_um == pytest.approx(50)
+    assert found.points_um == pytest.approx(50)
+    assert found.sensor_arcsec == pytest.approx(0, abs=1e-2)
+    assert found.plane_um <= 50
+    turn = rotation_from_vector(np.array([0, 60 / ARCSEC, 0]))
+    turned = replace(mounted, T_flange_sensor=T @ rigid(turn, np.zeros(3)))
+    assert drift_of(mounted, turned).sensor_arcsec == pytest.approx(60, rel=1e-6)
+
+
+def test_a_plane_that_tilts_is_reported_in_seconds_of_arc(mounted: MountedSensor) -> None:
+    plane = mounted.plane
+    along = np.cross(plane.normal, [1.0, 0.0, 0.0])
+    tilt = rotation_from_vector(along / np.linalg.norm(along) * 30 / ARCSEC)
+    flipped = LaserPlane(-(tilt @ plane.normal), -plane.offset_mm)
+    assert drift_of(mounted, replace(mounted, plane=flipped)).plane_arcsec == pytest.approx(
+        30, rel=1e-6
+    )
+
+
+def test_too_few_common_points_give_no_drift(mounted: MountedSensor) -> None:
+    assert measure_drift(mounted, mounted, UV[:5]) is None

@@ -7,6 +7,7 @@ import pytest
 
 from app.metrology.arm.joint_plausibility import PlausibilityFilter
 from tests.metrology.joint_motions import ARM, Motion, Sample, judged, read, samples, sweep
+from tests.present import present
 from tests.running.usual import usual
 
 pytestmark = pytest.mark.slow
@@ -29,8 +30,7 @@ def test_single_wrong_readings_are_left_out_and_nothing_else(rate_hz: float, bit
         q[wrong, 2] += np.radians(degrees)
         found = judged(samples(read(q, bits), rate_hz), rate_hz)
         np.testing.assert_array_equal(found.passed[:-3], ~wrong[:-3])
-        assert found.judge.first is not None
-        assert found.judge.first.joint == "J3"
+        assert present(found.judge.first).joint == "J3"
 
 
 @OF_ENCODERS
@@ -71,8 +71,7 @@ def test_what_slipped_stays_refused_over_a_gap_and_beside_other_faults() -> None
     readings = samples(read(q), 1000.0)
     found = judged([*readings[:3500], *readings[3800:]])
     np.testing.assert_array_equal(np.flatnonzero(found.passed), np.arange(2200))
-    assert found.judge.newest is not None
-    assert "J3 jumped by 10.0°" in found.judge.newest.error.line
+    assert "J3 jumped by 10.0°" in present(found.judge.newest).error.line
 
 
 def test_a_wrong_first_reading_is_not_what_the_others_are_held_against() -> None:

@@ -9,6 +9,7 @@ from app.metrology.transforms import Floats
 from tests.metrology.joint_motions import ARM, MS, NOISE_RAD, Sample
 from tests.metrology.joint_motions import judged as judged_each
 from tests.metrology.joint_motions import samples as samples_at
+from tests.present import present
 
 FINE, COARSE = 2 * np.pi / 2**22, 2 * np.pi / 2**14
 
@@ -90,8 +91,7 @@ def test_one_wrong_reading_is_left_out_alone() -> None:
     judge, passed = judged(samples(q))
     assert judge.impossible == len(wrong)
     assert not set(passed) & set(wrong.tolist())
-    assert judge.first is not None
-    assert "90.0° away from where it can be" in judge.first.error.line
+    assert "90.0° away from where it can be" in present(judge.first).error.line
 
 
 def test_readings_outside_the_limits_are_left_out_and_named() -> None:
@@ -100,8 +100,7 @@ def test_readings_outside_the_limits_are_left_out_and_named() -> None:
     judge, passed = judged(samples(q))
     assert (judge.impossible, judge.outside) == (3, 3)
     assert not set(passed) & {1500, 1501, 1502}
-    assert judge.newest is not None
-    line = judge.newest.error.line
+    line = present(judge.newest).error.line
     assert "joint J1 reads" in line
     assert "−171.9° to 171.9°" in line
 
@@ -110,8 +109,7 @@ def test_no_number_is_no_reading() -> None:
     q = swept(100)
     q[50, 5] = np.nan
     judge, passed = judged(samples(q), None)
-    assert judge.newest is not None
-    assert str(judge.newest.error.what) == "the reading of joint J6 is not a number"
+    assert str(present(judge.newest).error.what) == "the reading of joint J6 is not a number"
     assert len(passed) == 99
 
 
@@ -127,8 +125,7 @@ def test_a_joint_that_jumped_farther_is_not() -> None:
     q = swept(3000)
     q[300:, 1] += 1.0
     judge, passed = judged(samples(q))
-    assert judge.newest is not None
-    assert judge.newest.kind == "slip"
+    assert present(judge.newest).kind == "slip"
     np.testing.assert_array_equal(passed, np.arange(300))
 
 
@@ -140,6 +137,5 @@ def test_after_a_gap_the_arm_may_be_anywhere() -> None:
 
 def test_limits_are_those_of_the_arm_with_a_little_beyond_the_stop() -> None:
     assert limits_error([0.0, 3.005, 0, 0, 0, -3.005], ARM) is None
-    refusal = limits_error([0.0, 0.0, 0, 0, 3.5, 0], ARM)
-    assert refusal is not None
+    refusal = present(limits_error([0.0, 0.0, 0, 0, 3.5, 0], ARM))
     assert "joint J5 reads 200.5°" in refusal.line

@@ -73,9 +73,7 @@ STEPS = np.arange(400.0)
     ],
 )
 @pytest.mark.parametrize("axis", ["u", "v"])
-def test_a_line_is_thinned_where_it_stands_still_only(
-    poses: Floats, most: int, axis: Literal["u", "v"]
-) -> None:
+def test_only_a_line_at_rest_is_thinned(poses: Floats, most: int, axis: Literal["u", "v"]) -> None:
     """However its frames come in blocks; frames without a line do not count."""
     matrix = np.array([[1000.0, 0, 320], [0, 1000, 256], [0, 0, 1]])
     camera = Camera(matrix, np.eye(3), np.array([0.0, 0.0, 100.0]), 640, 512)

@@ -94,10 +94,3 @@ def test_a_step_of_the_surface_stays_a_step() -> None:
     far = np.arange(HEIGHT)[:, None] - line
     stripe = extract_stripe(taken(np.asarray(1500 * np.exp(-0.5 * (far / 3) ** 2))))
     assert np.max(np.abs(stripe.v - line[stripe.u.astype(int)])) < 0.2
-
-
-def test_rows_and_columns_are_treated_alike() -> None:
-    image = taken(beam(3.0, 1200))
-    along_u, along_v = extract_stripe(image, "u"), extract_stripe(image.T, "v")
-    np.testing.assert_array_equal(along_u.v, along_v.u)
-    np.testing.assert_array_equal(along_u.sigma_px, along_v.sigma_px)

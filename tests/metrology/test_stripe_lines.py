@@ -89,9 +89,7 @@ def errors(stripe: Stripe, rows: Floats) -> Floats:
     + [(600, 2, 50, width_px) for width_px in (3, 5, 10, 20, 35, 50, 70)]
     + [(150, 8, 15, width_px) for width_px in (2, 3, 5, 10, 20, 35, 50, 70)],
 )
-def test_a_line_of_any_width_is_found_and_nothing_beside_it(
-    height: float, power: float, light: float, width_px: float
-) -> None:
+def test_any_width_is_found(height: float, power: float, light: float, width_px: float) -> None:
     for seed in range(3):
         rows = course(seed)
         image = expose(room(seed, light) + beam(rows, width_px, height, power), seed)

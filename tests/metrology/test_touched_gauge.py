@@ -167,9 +167,7 @@ def test_the_map_shows_where_a_plane_is_high() -> None:
 
 @pytest.mark.parametrize("outward", [[0.0, 0.0, 1.0], [0.0, 0.0, -1.0], [-0.8, 0.0, 0.6]])
 @pytest.mark.parametrize("shape", ["plane", "sphere"])
-def test_outliers_are_found_where_they_are_and_outward_is_positive(
-    shape: str, outward: list[float]
-) -> None:
+def test_outliers_are_found_in_place_outward_is_positive(shape: str, outward: list[float]) -> None:
     rng = np.random.default_rng(3)
     axis = np.array(outward)
     if shape == "plane":

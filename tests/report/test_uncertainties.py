@@ -85,9 +85,7 @@ def number(text: Text | None) -> str:
 
 @pytest.mark.parametrize("seed", range(3))
 @pytest.mark.parametrize("shape", ["plane", "sphere"])
-def test_a_report_lists_what_its_uncertainties_consist_of(
-    tmp_path: Path, shape: Shape, seed: int
-) -> None:
+def test_a_report_lists_parts_of_uncertainties(tmp_path: Path, shape: Shape, seed: int) -> None:
     figures = figures_of(shape, seed)
     document = VerificationFile.model_validate({**RECORD, "figures": figures})
     write_verification(tmp_path, document)
@@ -142,9 +140,7 @@ def test_an_uncertainty_is_rounded_as_in_the_browser(one: dict[str, str]) -> Non
 @pytest.mark.parametrize("count", [1, 3])
 @pytest.mark.parametrize("with_nominal", [False, True])
 @pytest.mark.parametrize("shape", ["plane", "sphere"])
-def test_the_command_prints_what_its_uncertainties_consist_of(
-    tmp_path: Path, shape: Shape, with_nominal: bool, count: int
-) -> None:
+def test_it_prints_the_parts(tmp_path: Path, shape: Shape, with_nominal: bool, count: int) -> None:
     rng = np.random.default_rng(count)
     clouds = [tmp_path / f"{i}.xyz" for i in range(count)]
     for path in clouds:

@@ -37,7 +37,6 @@ class Mentions:
 
 @reads_tree
 def mentions(nodes: Sequence[ast.AST]) -> Mentions:
-    """What a file mentions."""
     imported: set[str] = set()
     started: frozenset[str] | None = None
     docstrings = {id(node.value) for node in nodes if isinstance(node, ast.Expr)}
@@ -67,10 +66,8 @@ def known_files() -> frozenset[str]:
 
 @cache
 def files_of_module(module: str) -> frozenset[str]:
-    """The files that an import runs: the module's, and those of the packages that it is in.
-
-    Of a dotted name, as much is taken as is a module; the rest may be a name within it.
-    """
+    """The files that an import runs: the module's, and those of the packages that it is in. Of a
+    dotted name, as much is taken as is a module."""
     parts = module.split(".")
     places = ("/".join(parts[:count]) for count in range(1, len(parts) + 1))
     ways = (file for place in places for file in (f"{place}.py", f"{place}/__init__.py"))
@@ -78,11 +75,8 @@ def files_of_module(module: str) -> frozenset[str]:
 
 
 def files_of_start(module: str) -> frozenset[str]:
-    """The files that a process runs by an entry of ``STARTED_MODULES``.
-
-    Raises:
-        ValueError: there is no such module or folder.
-    """
+    """The files that a process runs by an entry of ``STARTED_MODULES``. ValueError: it names
+    none."""
     place = module.replace(".", "/")
     below = {name for name in known_files() if name.startswith(f"{place}/")}
     if not below and f"{place}.py" not in known_files():

@@ -43,18 +43,13 @@ class Reach:
 
 
 def all_tests() -> tuple[str, ...]:
-    """The names of all test files."""
     names = (name for name in known_files() if name.startswith("tests/"))
     return tuple(sorted(name for name in names if PurePath(name).name.startswith("test_")))
 
 
 def reached_tests(changed: Iterable[str], text_before: Callable[[str], str]) -> Reach:
-    """What a change reaches, by the names of the changed, new and deleted files.
-
-    Args:
-        changed: names in the project.
-        text_before: the text of a file before the change, empty if there was none.
-    """
+    """What a change reaches, by the names of changed, new and deleted files; ``text_before``: of a
+    file before the change, empty if there was none."""
     try:
         first = {file for name in changed for file in first_reached(name, text_before)}
     except AllError as error:
@@ -64,11 +59,7 @@ def reached_tests(changed: Iterable[str], text_before: Callable[[str], str]) -> 
 
 
 def first_reached(name: str, text_before: Callable[[str], str]) -> set[str]:
-    """The Python files that a changed file reaches directly.
-
-    Raises:
-        AllError: any.
-    """
+    """The Python files that a changed file reaches directly. AllError: any."""
     path = PurePath(name)
     if path.name == "conftest.py":
         raise AllError(name)
@@ -97,7 +88,6 @@ def _below(*folders: str) -> set[str]:
 
 
 def _naming(file: str) -> set[str]:
-    """The files that name a file."""
     return {
         one for one in known_files() if any(file in text for text in mentions(ROOT / one).texts)
     }
@@ -116,7 +106,6 @@ def _using_messages(name: str, before: str) -> set[str]:
 
 
 def git(*arguments: str) -> str:
-    """What a command of Git prints."""
     done = subprocess.run(
         ["git", *arguments], cwd=ROOT, stdout=subprocess.PIPE, text=True, check=True
     )

@@ -86,11 +86,8 @@ class PoolScheduler:
         self._give(node)
 
     def remove_node(self, node: WorkerController) -> str | None:
-        """Takes away a worker that ended; what it had not begun is given to others.
-
-        Returns:
-            The test at which it ended, if it did not end in order.
-        """
+        """Takes away a worker that ended; what it had not begun is given to others. Returns the
+        test at which it ended, if not in order."""
         pending = self._pending.pop(node)
         if not pending:
             return None

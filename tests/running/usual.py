@@ -8,13 +8,9 @@ import pytest
 def usual(
     cases: Iterable[object], kept: int | Collection[int], others: pytest.MarkDecorator
 ) -> list[object]:
-    """Cases of ``parametrize``, of which all but some have a mark.
-
-    Args:
-        cases: values of one argument, or tuples of several.
-        kept: the places of those without the mark, or how many of the first.
-        others: written out where it is given, as marks are read from the text of a file.
-    """
+    """Cases of ``parametrize``, of which all but some have a mark, written out at the call as marks
+    are read from the text of a file. ``kept``: the places of those without, or how many of the
+    first."""
     chosen = range(kept) if isinstance(kept, int) else kept
     return [
         case

@@ -85,9 +85,7 @@ def test_a_person_signs_in(client: Client) -> None:
         ({"preferred_username": ["anna"]}, "no-name"),
     ],
 )
-def test_a_token_for_something_else_is_refused(
-    client: Client, claims: dict[str, object], code: str
-) -> None:
+def test_a_foreign_token_is_refused(client: Client, claims: dict[str, object], code: str) -> None:
     client.own.claims = claims
     assert client.failure() == f"sign-in-{code}"
 
@@ -129,9 +127,7 @@ def test_a_forged_signature_is_refused(client: Client) -> None:
 
 
 @pytest.mark.parametrize("algorithm", ["none", "HS256", "HS512"])
-def test_a_token_that_anyone_could_make_is_refused(
-    client: Client, tmp_path: Path, algorithm: str
-) -> None:
+def test_a_token_of_anyone_is_refused(client: Client, tmp_path: Path, algorithm: str) -> None:
     client.own.header = {"alg": algorithm}
     assert Client(client.own, tmp_path).failure() == "sign-in-signature"
     public = OctKey.import_key("a public secret", {"kid": "first"})
@@ -228,9 +224,7 @@ def test_what_the_provider_says_to_a_code_is_reported(
     ("error", "code"),
     [("access_denied", "cancelled"), ("server_error", "refused"), ("", "refused")],
 )
-def test_what_the_provider_says_in_place_of_a_code_is_reported(
-    client: Client, error: str, code: str
-) -> None:
+def test_what_comes_in_place_of_a_code_is_reported(client: Client, error: str, code: str) -> None:
     page, cookie = asyncio.run(client.begin(BACK))
     answer = ProviderAnswer(client.own.answer_to(page).state, error=error)
     with refused(f"sign-in-{code}"):
@@ -293,9 +287,7 @@ def test_compressed_answers_are_unpacked_up_to_the_size_of_an_answer(client: Cli
         assert client.own.asked == [path]
 
 
-def test_a_provider_that_nobody_reaches_or_that_is_silent(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_an_unreached_or_silent_provider(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     with own_provider() as own:
         provider = Provider(own.settings(tmp_path))
     with refused("sign-in-provider-away"):

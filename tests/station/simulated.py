@@ -1,17 +1,20 @@
-"""Devices and scans of simulated stations, and what a scan of theirs must be."""
+"""Devices and scans of simulated stations, what scans must be, and what is in their recordings."""
 
 import json
 from collections.abc import Iterator
 from contextlib import closing, contextmanager
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeVar
 
 import numpy as np
 import pytest
 
 from app.formats.clouds.files import read_cloud
 from app.formats.datasheets.arm import read_arm
+from app.formats.recording.reader import open_recording
+from app.formats.results.calibration import Calibration, SerialNumbers
+from app.metrology.arm.kinematics import AnyArm
 from app.metrology.fitting.plane_sphere import SphereFit, fit_sphere
 from app.metrology.sensor.camera import Camera
 from app.metrology.sensor.laser_plane import LaserPlane
@@ -22,12 +25,14 @@ from app.station.scan.points import ScanCalibration
 from app.station.scan.scanner import Scanner
 from app.station.scan.state import ScanResult
 from app.station.view3d.scene import Scene
+from app.workflows.reconstruct import Reconstruction, reconstruct_cloud
+from app.workflows.sensor_calibrations import SensorCalibrations
 from hardware.registry import arm_driver
 from hardware.simulator.station import SECOND_SERIAL_NUMBER, SimulatedStation, SimulationConfig
 from tests.station.conftest import running, until
-from tests.station.recorded_scans import end_scan
 
 USUAL = SimulationConfig(imperfection_um=0.0, width_px=640, height_px=512, pace=1.5, frames_hz=20.0)
+R = TypeVar("R")
 
 
 def true_calibration(simulation: SimulatedStation, folder: Path) -> ScanCalibration:
@@ -126,11 +131,8 @@ def nominal_of(simulation: SimulatedStation, part: str) -> Any:
 def check_sphere(
     simulation: SimulatedStation, cloud: Path, within_mm: float = 0.03
 ) -> tuple[SphereFit, Floats]:
-    """The sphere has its radius, and its centre to twice as much.
-
-    Returns:
-        The fit, and the points (N, 3) that it goes through.
-    """
+    """The sphere has its radius, and its centre to twice as much: the fit, and its points (N,
+    3)."""
     nominal = nominal_of(simulation, "sphere")
     points = read_cloud(cloud).points_mm
     near = np.linalg.norm(points - nominal["centre_mm"], axis=1) < nominal["radius_mm"] + 0.5
@@ -138,3 +140,31 @@ def check_sphere(
     assert fit.radius_mm == pytest.approx(nominal["radius_mm"], abs=within_mm)
     np.testing.assert_allclose(fit.centre_mm, nominal["centre_mm"], atol=2 * within_mm)
     return fit, points[near]
+
+
+def end_scan(scanner: Scanner) -> ScanResult:
+    """Stops a scan that is under way."""
+    result = scanner.stop()
+    assert result is not None
+    return result
+
+
+def recorded(folder: Path, kind: type[R]) -> list[R]:
+    """The records of a kind in a scan's recording."""
+    records = open_recording(folder / "scan.mcap").records()
+    return [one for one in records if isinstance(one, kind)]
+
+
+def file_calibration(use: ScanCalibration) -> Calibration:
+    """The calibration of a scan, as a file has it."""
+    serials = SerialNumbers(arm=use.arm_serial, sensor=use.sensor_serial, object="B-1")
+    return Calibration(use.camera, use.plane, use.T_flange_sensor, "u", serials)
+
+
+def check_rebuilt(folder: Path, calibration: SensorCalibrations, arm: AnyArm) -> Reconstruction:
+    """A scan's recording, rebuilt, gives the very points that were saved live."""
+    again, live = folder / "again.ply", folder / "cloud.ply"
+    rebuilt = reconstruct_cloud(folder / "scan.mcap", calibration, arm, again)
+    points = read_cloud(again).points_mm
+    np.testing.assert_allclose(points, read_cloud(live).points_mm, atol=1e-6)
+    return rebuilt

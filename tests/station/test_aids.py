@@ -22,6 +22,7 @@ from app.station.working_distance import WorkingRange, classify_distance
 from hardware.interfaces import Frame
 from tests.formats.builders import BLOCK
 from tests.pictures import of_depth
+from tests.present import present
 
 WIDTH, HEIGHT = 640, 480
 RANGE_US = (20.0, 100_000.0)
@@ -56,8 +57,7 @@ def test_too_bright_too_dark_and_out_of_focus_say_by_how_much() -> None:
     assert str(bright.words).endswith(" % saturated")
     assert bright.value > 3
     assert str(exposure_aid(measure_image_quality(picture(60) // 3)).words).startswith("Too dark")
-    soft = focus_aid(measure_image_quality(picture(180, blur_px=3.0)))
-    assert soft is not None
+    soft = present(focus_aid(measure_image_quality(picture(180, blur_px=3.0))))
     assert soft.quality == "attention"
     assert "allowed" in str(soft.words)
     # the aid and the finding report the same width
@@ -77,8 +77,7 @@ def test_too_bright_too_dark_and_out_of_focus_say_by_how_much() -> None:
 def test_the_object_is_led_into_the_frame(
     outline: list[tuple[float, float, float, float]], words: str
 ) -> None:
-    aid = framing_aid(outline, WIDTH, HEIGHT)
-    assert aid is not None
+    aid = present(framing_aid(outline, WIDTH, HEIGHT))
     assert words in str(aid.words)
     assert (aid.words == "") == (words == "")
     assert framing_aid((), WIDTH, HEIGHT) is None
@@ -89,12 +88,10 @@ def test_the_lines_exposure_is_of_the_line() -> None:
     u = np.arange(100.0, 500.0)
     v = np.full(400, 240.0)
     image[240, 100:500] = 180
-    good = line_aid(image, Stripe(u, v, np.full(400, 170.0), np.full(400, 0.1)))
-    assert good is not None
+    good = present(line_aid(image, Stripe(u, v, np.full(400, 170.0), np.full(400, 0.1))))
     assert good.quality == "good"
     image[240, 100:140] = 255
-    bright = line_aid(image, Stripe(u, v, np.full(400, 170.0), np.full(400, 0.1)))
-    assert bright is not None
+    bright = present(line_aid(image, Stripe(u, v, np.full(400, 170.0), np.full(400, 0.1))))
     assert str(bright.words) == "Line too bright: 10 % saturated"
     assert line_aid(image, Stripe(u[:0], v[:0], v[:0], v[:0])) is None
 
@@ -149,8 +146,7 @@ def test_the_distance_of_a_line() -> None:
 @pytest.mark.parametrize("upright", [True, False])
 def test_the_first_outline_fills_the_picture(upright: bool) -> None:
     lines = first_outline(BLOCK, 1280, 1024, upright)
-    aid = framing_aid(lines, 1280, 1024)
-    assert aid is not None
+    aid = present(framing_aid(lines, 1280, 1024))
     assert aid.words == ""
     assert aid.value == pytest.approx(68, abs=3)
     ends = np.array(lines).reshape(-1, 2)

@@ -1,11 +1,16 @@
-"""Live state: newest values, numbered events, readers that delay nobody."""
+"""Live state and long work: newest values, numbered events, jobs off the event loop."""
 
 import asyncio
 import threading
 from collections.abc import Callable, Coroutine
 from functools import wraps
 
+import pytest
+
+from app.errors import OperationError
 from app.station.bus import EVENT_BUFFER, Bus
+from app.station.jobs import Job, Jobs, Progress
+from tests.present import present
 
 
 def on_its_loop(test: Callable[[Bus], Coroutine[None, None, None]]) -> Callable[[Bus], None]:
@@ -104,3 +109,55 @@ def test_a_bus_without_a_loop_drops_calls_and_keeps_values() -> None:
     bus.call(lambda: 1 / 0)
     bus.publish("scan", 5)
     assert bus.latest("scan") == 5
+
+
+def run(bus: Bus, jobs: Jobs, work: Callable[[Progress], int]) -> Job[int]:
+    async def scenario() -> Job[int]:
+        loop = asyncio.get_running_loop()
+        bus.attach(loop)
+        ended: asyncio.Future[Job[int]] = loop.create_future()
+        jobs.start("Solving", work, ended.set_result)
+        return await asyncio.wait_for(ended, 240)
+
+    return asyncio.run(scenario())
+
+
+def test_work_runs_on_a_thread_and_reports_its_progress(bus: Bus) -> None:
+    jobs, seen = Jobs(bus), []
+
+    def work(progress: Progress) -> int:
+        progress("half of it", 0.5)
+        assert jobs.current is not None
+        seen.append((threading.current_thread().name, jobs.current.text, jobs.current.fraction))
+        return 42
+
+    job = run(bus, jobs, work)
+    assert (job.result, job.refusal, job.finished) == (42, None, True)
+    assert seen == [("job-Solving", "half of it", 0.5)]
+    assert jobs.current is None
+
+
+def test_a_refusal_and_a_mistake_both_end_as_a_reason(bus: Bus) -> None:
+    def refuse(progress: Progress) -> int:
+        raise OperationError("too-few-contacts", "four contacts", "six are needed")
+
+    def fail(progress: Progress) -> int:
+        return 1 // 0
+
+    jobs = Jobs(bus)
+    refused = present(run(bus, jobs, refuse).refusal)
+    assert refused.code == "too-few-contacts"
+    failed = present(run(bus, jobs, fail).refusal)
+    assert "division" in str(failed.why)
+    assert jobs.current is None
+
+
+def test_one_job_at_a_time(bus: Bus) -> None:
+    jobs, go_on = Jobs(bus), threading.Event()
+    jobs.start("Solving", lambda progress: go_on.wait(240), lambda job: None)
+    with pytest.raises(OperationError, match="Solving is still running"):
+        jobs.start("Another", lambda progress: 1, lambda job: None)
+    go_on.set()
+    jobs.wait(240)
+    jobs.start("Another", lambda progress: 1, lambda job: None)
+    jobs.wait(240)

@@ -10,6 +10,7 @@ from app.formats.clouds.points import Points, pack_points
 from app.metrology.colormaps import APART, BALANCE, NO_VALUE, SCALE, map_colours, oklab, srgb
 from app.station.view3d.cloud_colouring import ATTRIBUTES, CloudColouring, ReferenceShape
 from app.station.view3d.scene import Scene
+from tests.present import present
 from tests.station.conftest import until
 from tests.station.viewer import Viewer, viewer
 
@@ -85,8 +86,7 @@ def test_a_browser_gets_other_colours_for_the_points_it_has(scene: Scene, viewer
     scene.add_points(slope(4000))
     until(lambda: scene.points_shown > 0)
     shown = colours(viewer)
-    legend = scene.legend
-    assert legend is not None
+    legend = present(scene.legend)
     assert (legend.measure, legend.unit, legend.automatic) == ("height", "mm", True)
     assert legend.low == pytest.approx(0, abs=0.5)
     assert legend.high == pytest.approx(60, abs=0.5)
@@ -142,8 +142,7 @@ def test_the_newest_points_stand_out_by_age() -> None:
     painter, taken_s = CloudColouring(), np.linspace(0, 20, 201)
     painter.show("age", None)
     painter.settle_range(20.0 - taken_s)
-    legend = painter.legend
-    assert legend is not None
+    legend = present(painter.legend)
     assert (legend.low, legend.high, legend.unit) == (0.0, 20.0, "s")
     found = painter.colours(np.zeros((201, 3)), traits(taken_s), 20.0)
     lightness = oklab(found.astype(float))[:, 0]
@@ -159,8 +158,7 @@ def test_deviations_are_in_micrometres_from_the_shape_and_the_rest_stands_apart(
     painter.aim_at(ReferenceShape(lambda points: points[:, 2], rms_mm=0.01))
     painter.show("deviation", None)
     painter.settle_range(np.zeros(0))
-    legend = painter.legend
-    assert legend is not None
+    legend = present(painter.legend)
     assert (legend.low, legend.high) == pytest.approx((-30, 30))
     heights = np.array([-0.03, 0.0, 0.03, 5.0])
     points = np.column_stack([np.zeros((4, 2)), heights])

@@ -36,7 +36,7 @@ def hold_up(seconds: float) -> None:
     time.sleep(seconds)
 
 
-def test_a_loop_that_is_held_up_is_counted_with_the_stack_of_what_does_it(
+def test_a_held_up_loop_is_counted_with_the_stack_of_why(
     caplog: pytest.LogCaptureFixture,
 ) -> None:
     watchdog = LoopWatchdog(0.1)
@@ -90,7 +90,7 @@ def test_what_is_logged_is_read_by_level_and_words(book: LogStore) -> None:
         assert set(json.loads(text)) >= {"at", "level", "logger", "thread", "text"}
 
 
-def test_a_message_is_logged_with_its_data_and_searched_in_the_readers_language(
+def test_a_message_is_logged_with_data_and_searched_in_the_readers_language(
     book: LogStore,
 ) -> None:
     stood = message("log-program-stood-still", duration=quantity(1.5, "s", 1))
@@ -153,9 +153,7 @@ def test_a_log_is_rotated_and_a_line_cut_off_by_a_kill_is_left_out(book: LogStor
     assert texts == ["after 2", "after 1", "after 0", "first"]
 
 
-def test_a_disk_that_hangs_keeps_few_lines_waiting_and_those_lost_are_counted(
-    book: LogStore, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_a_hanging_disk_keeps_few_lines(book: LogStore, monkeypatch: pytest.MonkeyPatch) -> None:
     hanging, whole = threading.Event(), book._file.handle
     monkeypatch.setattr(book._file, "handle", lambda line: hanging.wait() and whole(line))
     for number in range(MOST_WAITING + 101):  # one may be in the hands of the writer

@@ -17,6 +17,7 @@ from app.station.devices.reading_buffer import (
 )
 from app.station.devices.stillness import stillness
 from hardware.interfaces import ArmInfo, JointSample, PoseSample
+from tests.present import present
 from tests.station.conftest import REST_RAD, six_axis_arm
 
 MS = 1_000_000
@@ -34,8 +35,7 @@ def ring_of(count: int, period_ns: int = 2 * MS) -> ReadingRing:
 
 @given(st.integers(min_value=0, max_value=198 * MS))
 def test_a_pose_between_two_samples_lies_on_the_line_between_them(stamp_ns: int) -> None:
-    found = ring_of(100).at(stamp_ns)
-    assert found is not None
+    found = present(ring_of(100).at(stamp_ns))
     np.testing.assert_allclose(found, np.array([0.001, -0.002]) * stamp_ns / (2 * MS), atol=1e-12)
 
 
@@ -55,8 +55,7 @@ def test_a_gap_is_not_bridged() -> None:
 def test_an_encoder_that_rolls_over_is_interpolated_the_short_way() -> None:
     ring = ReadingRing(info(1))
     ring.extend([JointSample(0, 0, (np.pi - 0.01,)), JointSample(1, 2 * MS, (-np.pi + 0.03,))])
-    found = ring.at(MS)
-    assert found is not None
+    found = present(ring.at(MS))
     assert np.cos(found[0] - (np.pi + 0.01)) == pytest.approx(1.0, abs=1e-12)
     mean = average_readings(ring.between(0, 2 * MS)).reading
     assert np.cos(mean[0] - (np.pi + 0.01)) == pytest.approx(1.0, abs=1e-12)
@@ -83,8 +82,7 @@ def test_a_reader_waits_for_the_sample_after_its_stamp() -> None:
     later.start()
     found = ring.at(5 * MS, wait_s=5.0)
     later.join()
-    assert found is not None
-    np.testing.assert_allclose(found, [0.0025, -0.005])
+    np.testing.assert_allclose(present(found), [0.0025, -0.005])
 
 
 def window_of(q_rad: np.ndarray) -> ReadingWindow:
@@ -173,8 +171,7 @@ def test_a_ring_of_poses_interpolates_and_averages_them() -> None:
             )
         ]
     )
-    between = ring.at(6 * MS)
-    assert between is not None
+    between = present(ring.at(6 * MS))
     np.testing.assert_allclose(between[:3], poses.readings[1:3, :3].mean(axis=0))
     mean = average_readings(ring.between(0, 300 * MS))
     np.testing.assert_allclose(mean.reading[:3], poses.readings[:, :3].mean(axis=0))

@@ -33,9 +33,7 @@ def test_the_first_to_act_has_it_and_all_are_notified(lease: Lease, bus: Bus) ->
         lease.act(TABLET)
 
 
-def test_it_lapses_without_beats_and_goes_to_the_one_who_asked(
-    lease: Lease, clock: Clock, bus: Bus
-) -> None:
+def test_without_beats_it_goes_to_the_one_who_asked(lease: Lease, clock: Clock, bus: Bus) -> None:
     assert lease.last_name == ""
     lease.act(ANNA)
     clock.now_s += LAPSES_S - 1
@@ -74,9 +72,7 @@ def test_only_the_holder_answers_and_lets_go(lease: Lease) -> None:
     assert lease.control == Control(BEN)
 
 
-def test_the_same_person_takes_over_without_a_reason_others_need_one(
-    lease: Lease, bus: Bus
-) -> None:
+def test_the_same_person_takes_over_without_reason_others_need_one(lease: Lease, bus: Bus) -> None:
     lease.act(ANNA)
     lease.take_over(TABLET, "")
     assert lease.control == Control(TABLET)

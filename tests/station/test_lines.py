@@ -18,13 +18,16 @@ from app.station.pulses.pulse_pairing import PulsePairing
 from app.station.scan.extraction import Extraction
 from hardware.interfaces import Delivery, Frame, Line
 from hardware.simulator.station import SimulatedStation
+from tests.present import present
 from tests.refusals import refused
 from tests.station.conftest import until
-from tests.station.recorded_scans import check_rebuilt, file_calibration, recorded
 from tests.station.simulated import (
     USUAL,
     Station,
+    check_rebuilt,
     check_sphere,
+    file_calibration,
+    recorded,
     running_station,
     station,
 )
@@ -69,8 +72,7 @@ def test_captures_and_exposure_get_pictures_while_a_scan_has_lines(station: Stat
     station.scanner.start("lines")
     until(lambda: is_line(station.rig))
     taken = station.rig.capture_pair()
-    assert taken.laser is not None
-    assert taken.ambient.image.shape == taken.laser.image.shape
+    assert taken.ambient.image.shape == present(taken.laser).image.shape
     until(lambda: is_line(station.rig))
     assert station.rig.sensor.auto_exposure() > 0
     until(lambda: is_line(station.rig))
@@ -100,8 +102,7 @@ def test_the_preview_draws_the_line_that_a_scan_gets(station: Station, bus: Bus)
             until(lambda: preview.latest() is not None)
             station.scanner.start("lines")
             until(lambda: (latest := preview.latest()) is not None and latest.header.stripe)
-            latest = preview.latest()
-            assert latest is not None
+            latest = present(preview.latest())
             assert (latest.header.width_px, latest.header.height_px) == (640, 512)
             picture = cv2.imdecode(np.frombuffer(latest.jpeg, np.uint8), cv2.IMREAD_GRAYSCALE)
             assert picture is not None

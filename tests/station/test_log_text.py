@@ -90,9 +90,7 @@ def test_what_is_said_of_normal_work_is_not_counted() -> None:
     assert all(repeats.filter(record("point %d", n, level=logging.INFO)) for n in range(100))
 
 
-def test_a_flood_pushes_no_fault_out_of_the_log(
-    tmp_path: Path, caplog: pytest.LogCaptureFixture
-) -> None:
+def test_a_flood_hides_no_logged_fault(tmp_path: Path, caplog: pytest.LogCaptureFixture) -> None:
     caplog.set_level(logging.CRITICAL)
     book, log = LogStore(tmp_path), logging.getLogger("app.test")
     log.setLevel(logging.INFO)

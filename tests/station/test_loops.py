@@ -1,10 +1,15 @@
-"""Loops: each goes on after whatever kills a step of it, is logged once and shown in Health."""
+"""Loops go on after whatever kills a step; silence is measured by a clock that stands with them."""
 
 import asyncio
 import gc
 import json
 import logging
+import os
+import signal
+import subprocess
+import sys
 import threading
+import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import replace
@@ -40,6 +45,13 @@ THREADS = {
     *("preview", "object-watch", "loop-watchdog", "log-writer", "simulated-arm"),
 }
 TASKS = {"live-state", "report", "stations", "events", "health", "temperature", "notifications"}
+SCRIPT = """
+import sys, time
+from app.station.devices.awake_clock import AWAKE
+begin_s, awake_s = time.monotonic(), AWAKE.now_s()
+for line in sys.stdin:
+    print(time.monotonic() - begin_s, AWAKE.now_s() - awake_s, flush=True)
+"""
 
 
 def state_of(name: str) -> LoopState:
@@ -232,3 +244,38 @@ def test_each_loop_of_a_station_is_restarted_and_its_signs_stay_true(
 
 def has_devices(devices: object, state: str) -> bool:
     return isinstance(devices, Devices) and devices.arm.state == devices.sensor.state == state
+
+
+def seconds(process: subprocess.Popen[str]) -> tuple[float, float]:
+    """Wall-clock and awake seconds of a process."""
+    assert process.stdin is not None
+    assert process.stdout is not None
+    process.stdin.write("\n")
+    process.stdin.flush()
+    wall_s, awake_s = process.stdout.readline().split()
+    return float(wall_s), float(awake_s)
+
+
+@pytest.fixture
+def process() -> Iterator[subprocess.Popen[str]]:
+    command = [sys.executable, "-c", SCRIPT]
+    with subprocess.Popen(
+        command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True
+    ) as running:
+        seconds(running)
+        yield running
+
+
+def test_it_stands_while_the_program_is_stopped(process: subprocess.Popen[str]) -> None:
+    os.kill(process.pid, signal.SIGSTOP)
+    time.sleep(1.5)
+    os.kill(process.pid, signal.SIGCONT)
+    wall_s, awake_s = seconds(process)
+    assert wall_s >= 1.5
+    assert awake_s <= wall_s - 1.0
+
+
+def test_it_goes_on_while_the_program_runs(process: subprocess.Popen[str]) -> None:
+    until(lambda: seconds(process)[1] >= 0.5)
+    wall_s, awake_s = seconds(process)
+    assert awake_s <= wall_s + 0.05

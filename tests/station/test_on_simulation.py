@@ -35,9 +35,7 @@ def test_the_sphere_is_scanned_to_its_size(station: Station) -> None:
     check_sphere(station.simulation, result.folder / "cloud.ply")
 
 
-def test_a_touch_of_the_simulated_operator_is_received_and_averaged(
-    station: Station, bus: Bus
-) -> None:
+def test_a_touch_of_the_operator_is_received_and_averaged(station: Station, bus: Bus) -> None:
     async def scenario() -> ButtonEvent:
         loop = asyncio.get_running_loop()
         bus.attach(loop)

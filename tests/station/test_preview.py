@@ -112,9 +112,7 @@ def test_a_stripe_is_thinned_evenly() -> None:
     assert decimate(None) == ()
 
 
-def test_the_object_is_found_in_the_live_picture_and_lost_with_its_reason(
-    preview: Preview, bench: Bench, samples: Path
-) -> None:
+def test_an_object_is_found_and_then_lost(preview: Preview, bench: Bench, samples: Path) -> None:
     session = samples / "one-pose"
     ambient = read_grey(session / "images/pose00_ambient.png")
     bench.picture = ambient
@@ -133,9 +131,7 @@ def test_the_object_is_found_in_the_live_picture_and_lost_with_its_reason(
         until(lambda: newest(preview).header.outline == ())
 
 
-def test_what_was_found_goes_with_the_hold_that_it_was_found_in(
-    preview: Preview, bench: Bench, samples: Path
-) -> None:
+def test_what_was_found_goes_with_its_hold(preview: Preview, bench: Bench, samples: Path) -> None:
     session = samples / "one-pose"
     bench.picture = read_grey(session / "images/pose00_ambient.png")
     preview.detect(read_block(session / "object.json"))
@@ -159,9 +155,7 @@ def test_the_stripe_of_a_real_picture_is_drawn_on_it(samples: Path) -> None:
     assert np.median(picture[at[:, 1], at[:, 0]]) > 3 * np.median(picture)
 
 
-def test_zones_cut_the_drawn_stripe_but_not_while_an_object_is_looked_for(
-    preview: Preview, rig: Rig, samples: Path
-) -> None:
+def test_zones_cut_the_stripe_without_an_object(preview: Preview, rig: Rig, samples: Path) -> None:
     corners = ((-2.0, -2.0), (WIDTH / 2, -2.0), (WIDTH / 2, HEIGHT + 2.0), (-2.0, HEIGHT + 2.0))
     preview.set_settings(
         ScanSettings(mask=Mask(width_px=WIDTH, height_px=HEIGHT, zones=(corners,)))

@@ -105,9 +105,7 @@ def test_a_loss_at_the_pause_asks_for_another_start(lost_side: str) -> None:
 
 
 @pytest.mark.parametrize(("held_up", "period_ns"), [(1, 160 * MS), (4, PERIOD_NS)])
-def test_frames_that_were_held_up_over_the_pause_give_no_other_frame_their_time(
-    held_up: int, period_ns: int
-) -> None:
+def test_frames_held_up_over_the_pause_give_no_other_a_time(held_up: int, period_ns: int) -> None:
     """The last frames before the pause arrive with the first one after it."""
     camera, pairing = after_trains(Camera(0, 7), 15)
     pairing.restart()
@@ -215,7 +213,7 @@ def as_line(frame: Frame) -> Line:
 
 
 @pytest.mark.parametrize("missed", [0, 3])
-def test_a_camera_that_missed_triggers_between_pictures_and_lines_is_paired_again(
+def test_a_camera_that_missed_triggers_between_pictures_and_lines_is_paired(
     missed: int,
 ) -> None:
     """``missed`` triggers come during the change; the camera does not count them, it leaves one

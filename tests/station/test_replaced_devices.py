@@ -57,9 +57,7 @@ def test_an_arm_that_is_chosen_later_is_connected_to_and_absent_no_more(rig: Rig
     assert rig.arm.link().state == "connecting"
 
 
-def test_another_camera_counts_from_the_start_and_its_frames_are_its_own(
-    rig: Rig, tmp_path: Path
-) -> None:
+def test_another_camera_counts_from_the_start_with_own_frames(rig: Rig, tmp_path: Path) -> None:
     until(lambda: rig.sensor.link().received > 20)
     states: set[str] = set()
     stop = threading.Event()

@@ -23,7 +23,7 @@ from app.station.scan.scanner import Scanner
 from app.workflows.reconstruct import reconstruct_cloud
 from tests.formats.test_mask import settings
 from tests.station.conftest import HEIGHT, REST_RAD, WIDTH, Bench, until
-from tests.station.recorded_scans import check_rebuilt, end_scan, file_calibration, recorded
+from tests.station.simulated import check_rebuilt, end_scan, file_calibration, recorded
 from tests.station.test_scanner import calibration, scanner, scene
 
 pytestmark = pytest.mark.device
@@ -117,9 +117,7 @@ def test_zones_that_cannot_be_meant_change_nothing(operator: Operator) -> None:
     assert operator.view().zones == ()
 
 
-def test_the_exposure_is_set_and_found_from_the_line(
-    operator: Operator, bench: Bench, rig: Rig
-) -> None:
+def test_the_exposure_is_set_and_found_by_line(operator: Operator, bench: Bench, rig: Rig) -> None:
     operator.change(SettingsChange(exposure_us=2500.0))
     assert bench.exposure_us == 2500.0
     with pytest.raises(OperationError, match="the laser is off"):
@@ -190,9 +188,7 @@ def test_pictures_are_recorded_beside_their_stripes(operator: Operator) -> None:
     assert rebuilt.points == result.points
 
 
-def test_the_delay_of_the_settings_is_in_cloud_and_recording(
-    scanner: Scanner, bench: Bench, tmp_path: Path
-) -> None:
+def test_a_delay_is_in_cloud_and_recording(scanner: Scanner, bench: Bench, tmp_path: Path) -> None:
     bench.joints_at = lambda seconds: REST_RAD + 0.1 * np.sin(2 * seconds)
     scanner.set_settings(ScanSettings(sync=settings().sync))
     scanner.start("late")
@@ -237,9 +233,7 @@ def test_a_delay_that_cannot_be_found_is_said(operator: Operator, bus: Bus, tmp_
     assert operator.view().delay is None
 
 
-def test_what_the_disk_does_not_keep_is_not_used(
-    operator: Operator, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_what_is_not_kept_is_not_used(operator: Operator, monkeypatch: pytest.MonkeyPatch) -> None:
     def full(_: ScanSettings) -> None:
         raise OperationError("disk-full", "scan_settings.json", "the disk is full")
 

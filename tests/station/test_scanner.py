@@ -31,7 +31,7 @@ from app.station.view3d.scene import Scene
 from app.workflows.reconstruct import reconstruct_cloud
 from tests.refusals import refused
 from tests.station.conftest import HEIGHT, REST_RAD, WIDTH, Bench, six_axis_arm, until
-from tests.station.recorded_scans import check_rebuilt, end_scan, file_calibration
+from tests.station.simulated import check_rebuilt, end_scan, file_calibration
 
 pytestmark = pytest.mark.device
 
@@ -95,9 +95,7 @@ def test_a_scan_is_recorded_saved_and_shown(scanner: Scanner, bench: Bench, scen
     until(lambda: scene.points_shown > 1000)
 
 
-def test_frames_before_the_laser_came_on_give_no_points(
-    scanner: Scanner, bench: Bench, rig: Rig
-) -> None:
+def test_frames_without_the_laser_give_no_points(scanner: Scanner, bench: Bench, rig: Rig) -> None:
     scanner.start("dark")
     until(lambda: scanner.state().frames > 3)
     bench.laser_on = False
@@ -133,9 +131,7 @@ def test_a_scan_is_published_to_all_subscribers(scanner: Scanner, bus: Bus) -> N
     assert any(state.state == "running" for state in states)
 
 
-def test_losing_the_arm_keeps_the_scan_and_counts_its_frames(
-    scanner: Scanner, bench: Bench
-) -> None:
+def test_losing_the_arm_keeps_the_scan_and_counts_frames(scanner: Scanner, bench: Bench) -> None:
     scanner.start("lost arm")
     until(lambda: scanner.state().points > 0)
     bench.arm_plugged = False
@@ -147,9 +143,7 @@ def test_losing_the_arm_keeps_the_scan_and_counts_its_frames(
     assert end_scan(scanner).frames > 20
 
 
-def test_a_scan_in_which_a_joint_jumped_is_incomplete_and_says_so_in_red(
-    scanner: Scanner, bench: Bench
-) -> None:
+def test_a_scan_with_a_jumped_joint_is_incomplete_in_red(scanner: Scanner, bench: Bench) -> None:
     jump = np.zeros(6)
     bench.joints_at = lambda seconds: swing(seconds) + jump
     scanner.start("jump")
@@ -169,9 +163,7 @@ def test_a_scan_in_which_a_joint_jumped_is_incomplete_and_says_so_in_red(
         reconstruct_cloud(recording, calibrated, calibration().arm, cloud)
 
 
-def test_losing_the_sensor_keeps_the_scan_and_its_laser(
-    scanner: Scanner, bench: Bench, rig: Rig
-) -> None:
+def test_losing_the_sensor_keeps_scan_and_laser(scanner: Scanner, bench: Bench, rig: Rig) -> None:
     scanner.start("lost sensor")
     until(lambda: scanner.state().points > 0)
     bench.sensor_plugged = False
@@ -231,9 +223,7 @@ def test_a_scan_without_a_point_is_saved_as_an_empty_cloud(scanner: Scanner, ben
     assert (result.folder / "cloud.ply").exists()
 
 
-def test_a_full_disk_stops_the_scan_with_an_alarm_and_the_station_lives(
-    scanner: Scanner, rig: Rig, tmp_path: Path, bench: Bench
-) -> None:
+def test_a_full_disk_ends_a_scan(scanner: Scanner, rig: Rig, tmp_path: Path, bench: Bench) -> None:
     """A limit on the size of this process's files is as good as a full disk."""
     bench.frame_period_s = 0.003
     soft, hard = resource.getrlimit(resource.RLIMIT_FSIZE)
@@ -321,9 +311,7 @@ def test_a_thread_of_a_scan_that_dies_ends_the_scan_with_a_reason(
     assert scanner.stop() is not None
 
 
-def test_a_scan_during_which_the_program_was_suspended_says_so(
-    scanner: Scanner, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_a_scan_says_it_was_suspended(scanner: Scanner, monkeypatch: pytest.MonkeyPatch) -> None:
     scanner.start("interrupted")
     until(lambda: scanner.state().points > 0)
     real_s = awake_clock._since_boot_s
@@ -338,9 +326,7 @@ def test_a_scan_during_which_the_program_was_suspended_says_so(
 
 
 @pytest.mark.parametrize("level", [0, 255])
-def test_dark_and_bright_pictures_give_no_points_and_say_so(
-    scanner: Scanner, bench: Bench, level: int
-) -> None:
+def test_dark_and_bright_pictures_say_so(scanner: Scanner, bench: Bench, level: int) -> None:
     scanner.start("blind")
     bench.picture = np.full((HEIGHT, WIDTH), level, np.uint8)
     until(lambda: any("No laser line" in str(one.text) for one in scanner.state().findings))

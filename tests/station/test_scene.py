@@ -56,9 +56,7 @@ def add(scene: Scene, points: np.ndarray) -> None:
     until(lambda: scene.points_shown != before)
 
 
-def test_points_come_to_the_browser_where_they_are_to_a_micrometre(
-    scene: Scene, viewer: Viewer
-) -> None:
+def test_points_come_to_the_browser_right_to_a_micrometre(scene: Scene, viewer: Viewer) -> None:
     points = surface(3000)
     add(scene, points)
     until(lambda: viewer.listen(0.1).clouds())
@@ -79,9 +77,7 @@ def test_a_growing_cloud_sends_only_what_is_new(scene: Scene, viewer: Viewer) ->
     assert sum(map(len, after.values())) == scene.points_shown
 
 
-def test_above_its_budget_the_cloud_is_thinned_and_stays_a_subset(
-    scene: Scene, viewer: Viewer
-) -> None:
+def test_above_its_budget_a_cloud_is_thinned_to_a_subset(scene: Scene, viewer: Viewer) -> None:
     for seed in range(4):
         add(scene, surface(15_000, seed))
     # the thinned cloud may be on its way yet

@@ -13,8 +13,15 @@ from app.metrology.fitting.plane_sphere import fit_plane
 from app.workflows.estimate_delay import estimate_recording_delay
 from app.workflows.reconstruct import reconstruct_points
 from hardware.simulator.station import SimulatedStation
-from tests.station.recorded_scans import end_scan, file_calibration, recorded
-from tests.station.simulated import USUAL, Station, nominal_of, station
+from tests.station.simulated import (
+    USUAL,
+    Station,
+    end_scan,
+    file_calibration,
+    nominal_of,
+    recorded,
+    station,
+)
 
 pytestmark = pytest.mark.device
 __all__ = ["station"]  # a fixture

@@ -100,9 +100,7 @@ def collect(rig: Rig, count: int) -> list[Frame]:
     return [one for one in collect_readings(rig, count) if isinstance(one, Frame)]
 
 
-def test_arm_and_frames_are_paired_exactly(
-    simulation: SimulatedStation, noted: Noted, rig: Rig
-) -> None:
+def test_arm_and_frames_are_paired(simulation: SimulatedStation, noted: Noted, rig: Rig) -> None:
     """While the arm moves, with 1 % of the frames and of the arm's samples lost."""
     simulation.camera_faults.drop_rate = simulation.arm_faults.drop_rate = 0.01
     until(lambda: rig.sensor.is_paired)

@@ -14,8 +14,16 @@ from app.station.devices.sensor_device import LaserBelief
 from app.workflows.reconstruct import reconstruct_cloud
 from hardware.simulator.station import SECOND_SERIAL_NUMBER
 from tests.station.conftest import until
-from tests.station.recorded_scans import check_rebuilt, end_scan, file_calibration, recorded
-from tests.station.simulated import USUAL, Station, check_sphere, station
+from tests.station.simulated import (
+    USUAL,
+    Station,
+    check_rebuilt,
+    check_sphere,
+    end_scan,
+    file_calibration,
+    recorded,
+    station,
+)
 
 pytestmark = pytest.mark.device
 __all__ = ["station"]  # a fixture
@@ -95,9 +103,7 @@ def test_zones_belong_to_the_sensor_in_whose_picture_they_were_drawn(station: St
     assert points["right"] == 0
 
 
-def test_a_verification_scans_with_the_selected_sensor_alone(
-    station: Station, tmp_path: Path
-) -> None:
+def test_a_verification_scans_with_one_sensor_alone(station: Station, tmp_path: Path) -> None:
     """Recorded as the only one, so that its calibration alone rebuilds it."""
     station.hold_over_block()
     station.rig.select("right")

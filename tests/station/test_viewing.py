@@ -27,6 +27,7 @@ from app.station.view3d.selection import (
 from app.station.view3d.shape_fits import shape_parameters
 from app.station.view3d.view_controller import StoredScan, ViewController
 from app.station.working_distance import classify_distance
+from tests.present import present
 from tests.station.conftest import until
 from tests.station.viewer import Viewer
 from tests.uncertainty_ratio import ratio_of_pulls
@@ -167,8 +168,7 @@ def test_a_sphere_is_fitted_to_all_points_of_the_file(views: Views) -> None:
     units = diameter.unit, diameter.uncertainty_unit
     assert (str(diameter.label), *units) == ("Diameter", "mm", "µm")
     assert diameter.value == pytest.approx(40.0, abs=0.003)
-    assert diameter.uncertainty is not None
-    assert 0.05 < diameter.uncertainty < 3.0
+    assert 0.05 < present(diameter.uncertainty) < 3.0
     assert [figure.value for figure in centre] == pytest.approx([500, 0, 15], abs=0.003)
     assert fitted.rms_um == pytest.approx(10, rel=0.1)
     assert fitted.rms_um < fitted.largest_um < fitted.form_um < 8 * fitted.rms_um
@@ -201,8 +201,7 @@ def test_deviations_are_from_the_last_fit_and_end_with_it(views: Views) -> None:
     views.fitted(Rectangle(0, 0, 1, 1), "sphere")
     views.viewing.colour_by("deviation", None)
     until(lambda: views.viewing.state().legend is not None)
-    legend = views.viewing.state().legend
-    assert legend is not None
+    legend = present(views.viewing.state().legend)
     assert (legend.unit, legend.low) == ("µm", -legend.high)
     assert legend.high == pytest.approx(30, rel=0.15)
     views.viewing.remove_fit(1)
@@ -270,8 +269,7 @@ def test_manual_limits_must_be_a_range(views: Views) -> None:
         with pytest.raises(OperationError, match="lower limit"):
             views.viewing.colour_by("intensity", limits)
     views.viewing.colour_by("intensity", (0.0, 50.0))
-    legend = views.viewing.state().legend
-    assert legend is not None
+    legend = present(views.viewing.state().legend)
     assert (legend.low, legend.high, legend.automatic) == (0.0, 50.0, False)
 
 
@@ -290,6 +288,5 @@ def test_a_plane_far_from_the_arm_is_known_the_worse_at_its_zero() -> None:
         off = rng.normal(0, 0.005, 3000) + rng.normal(0, 0.01, FRAMES)[frame]
         points = np.column_stack([780 + 0.7 * frame, rng.uniform(-20, 20, 3000), 30 + off])
         distance = shape_parameters(measure_shape("plane", points, frame))[0]
-        assert distance.uncertainty is not None
-        scores.append(1e3 * (distance.value - 30.0) / distance.uncertainty)
+        scores.append(1e3 * (distance.value - 30.0) / present(distance.uncertainty))
     ratio_of_pulls(np.array(scores)).assert_within(k=2)

@@ -38,7 +38,7 @@ def test_passwords_match_their_own_account_only(store: Store) -> None:
         assert store.accounts.authenticate(name, password) is None
 
 
-def test_a_guest_has_no_password_and_is_an_administrator_while_the_code_lets_it_in(
+def test_a_guest_has_no_password_and_is_an_administrator_while_the_code_holds(
     store: Store,
 ) -> None:
     store.accounts.add("Demo", Role.admin, None)
@@ -78,9 +78,7 @@ def test_what_will_not_do_is_refused(store: Store, name: str, password: str, cod
     assert store.accounts.all() == []
 
 
-def test_sign_ins_end_with_time_and_with_the_account(
-    store: Store, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_sign_ins_end_with_time_or_account(store: Store, monkeypatch: pytest.MonkeyPatch) -> None:
     store.accounts.add("Anna", Role.operator, PASSWORD)
     first, second = (store.login_sessions.begin("Anna", "a browser") for _ in range(2))
     assert store.login_sessions.principal(first) != store.login_sessions.principal(second)
@@ -107,9 +105,7 @@ def moment(ahead: timedelta) -> type[datetime]:
     return Ahead
 
 
-def test_a_page_left_open_is_signed_out_at_last(
-    store: Store, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_a_page_left_open_is_signed_out(store: Store, monkeypatch: pytest.MonkeyPatch) -> None:
     store.accounts.add("Anna", Role.operator, PASSWORD)
     cookie = store.login_sessions.begin("Anna", "a browser")
     hour = timedelta(hours=1)

@@ -8,6 +8,7 @@ import pytest
 from app.messages.message import message
 from app.store import temperatures
 from app.store.store import Store
+from tests.present import present
 from tests.store.conftest import open_database, reopened
 
 FOUND = {
@@ -35,13 +36,11 @@ def test_the_newest_verification_of_a_calibration_is_found_again(calibrated: Sto
         folder = calibrated.folder / "verifications" / name
         calibrated.verifications.accept(name, "c1", folder, FOUND, f"key-{name}")
     with reopened(calibrated) as again:
-        newest = again.verifications.newest_for("c1")
-        assert newest is not None
+        newest = present(again.verifications.newest_for("c1"))
         assert (newest.id, newest.folder) == ("v2", again.folder / "verifications/v2")
         assert [record.id for record in again.verifications.all()] == ["v2", "v1"]
         assert again.verifications.newest() == newest
-        session = again.journal.latest_session("verify")
-        assert session is not None
+        session = present(again.journal.latest_session("verify"))
         assert session.ended_at is not None
 
 
@@ -67,18 +66,14 @@ def test_a_key_that_was_used_keeps_nothing_twice(calibrated: Store) -> None:
     assert calibrated.verifications.all() == []
 
 
-def test_a_temperature_counts_only_near_its_time(
-    store: Store, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_temperatures_count_near_their_time(store: Store, monkeypatch: pytest.MonkeyPatch) -> None:
     assert store.temperatures.newest() is None
     for at, celsius in (("2026-11-21T08:00:00.000Z", 20.0), ("2026-11-21T10:00:00.000Z", 21.5)):
         monkeypatch.setattr(temperatures, "utc_now", lambda at=at: at)
         store.temperatures.add(celsius, "Anna")
-    near = store.temperatures.near("2026-11-21T08:40:00Z")
-    assert near is not None
+    near = present(store.temperatures.near("2026-11-21T08:40:00Z"))
     assert near.celsius == 20.0
-    newest = store.temperatures.newest()
-    assert newest is not None
+    newest = present(store.temperatures.newest())
     assert newest.celsius == 21.5
     assert store.temperatures.near("2026-11-21T14:00:00Z") is None
     assert store.temperatures.change_since("2026-11-21T08:00:00Z") == 1.5
@@ -100,8 +95,7 @@ def test_tests_are_listed_newest_first_the_cancelled_ones_too(calibrated: Store)
     assert [one.figures.result for one in found] == ["cancelled", "pass"]
     assert found[0].figures.text == reason
     assert found[1].folder == calibrated.folder / "performance" / "p1"
-    latest = calibrated.journal.latest_session("performance")
-    assert latest is not None
+    latest = present(calibrated.journal.latest_session("performance"))
     assert latest.ended_at is not None
 
 
@@ -122,5 +116,4 @@ def test_a_row_that_cannot_be_read_hides_no_other(calibrated: Store, figures: st
         assert [one.id for one in store.performances.all()] == ["p1"]
         assert store.performances.unreadable() == ["p2"]
         judged = store.performances.newest_judged()
-    assert judged is not None
-    assert judged.id == "p1"
+    assert present(judged).id == "p1"

@@ -38,10 +38,8 @@ Script = Callable[..., Ran]
 
 @pytest.fixture
 def script(tmp_path: Path) -> Script:
-    """Runs a script of CI where each program notes its call, and does no more.
-
-    ``answers`` has lines of ``case`` for programs that do.
-    """
+    """Runs a script of CI where each program notes its call, and does what ``answers`` has as a
+    ``case``."""
 
     def run(name: str, *arguments: str, answers: str = "") -> Ran:
         stub = STUB.format(answers=answers)
@@ -81,7 +79,7 @@ def test_the_tests_that_are_named_exist() -> None:
                 assert (ROOT / path).exists(), f"{file.name} names {path}"
 
 
-def test_a_landing_runs_the_checks_the_tests_and_the_soak_tests_that_it_reaches(
+def test_a_landing_runs_checks_tests_and_the_soak_tests_that_it_reaches(
     script: Script,
 ) -> None:
     done, calls = script("run", answers=TWO_REACHED)

@@ -48,10 +48,8 @@ FORMER = (
 
 @reads_tree
 def functions(nodes: Sequence[ast.AST]) -> list[tuple[int, str]]:
-    """Line and name of those of modules and classes.
-
-    Properties are read like fields, and have such names.
-    """
+    """Line and name of those of modules and classes; properties, read like fields, have such
+    names."""
     return [
         (child.lineno, child.name)
         for node in nodes
@@ -64,7 +62,6 @@ def functions(nodes: Sequence[ast.AST]) -> list[tuple[int, str]]:
 
 @reads_tree
 def classes(nodes: Sequence[ast.AST]) -> list[str]:
-    """The names of a module's classes."""
     module = nodes[0]
     assert isinstance(module, ast.Module)
     return [node.name for node in module.body if isinstance(node, ast.ClassDef)]

@@ -143,9 +143,7 @@ def project(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Callable[[str, f
     return commit
 
 
-def test_the_change_begins_a_day_before_its_last_commit(
-    project: Callable[[str, float], str], tmp_path: Path
-) -> None:
+def test_changes_begin_a_day_before(project: Callable[[str, float], str], tmp_path: Path) -> None:
     project("first", 80)
     assert base_commit() == ""
     second = project("second", 40)

@@ -21,6 +21,7 @@ from app.supervision.broker import Broker
 from app.supervision.broker_settings import BrokerSettings
 from app.supervision.messages import new_instance, parse_topic, schema
 from app.supervision.remote_stations import Fleet, RemoteStation
+from tests.present import present
 from tests.supervision.publishing import publish
 
 pytestmark = pytest.mark.device
@@ -41,8 +42,7 @@ def started(port: int, name: str) -> Iterator[subprocess.Popen[str]]:
 
 
 def connected(process: subprocess.Popen[str]) -> None:
-    assert process.stdout is not None
-    assert process.stdout.readline() == "connected\n"
+    assert present(process.stdout).readline() == "connected\n"
 
 
 @asynccontextmanager
@@ -102,8 +102,7 @@ def test_a_station_that_is_killed_or_hangs_is_lost(broker: Mosquitto) -> None:
         paused.send_signal(signal.SIGSTOP)
         await watch.until(lambda: watch.state("killed") == watch.state("paused") == "lost")
         await watch.until(lambda: watch.state("well") == "live")
-        found = watch.shown("paused")
-        assert found is not None
+        found = present(watch.shown("paused"))
         assert found.report is not None, "what it last said is kept"
 
     async def look_later(watch: Watch) -> None:
@@ -203,8 +202,7 @@ def test_what_is_published_is_as_the_schema_says(broker: Mosquitto) -> None:
         ):
             await early.subscribe("crenel/lasting/#")
             async for message in early.messages:
-                found = parse_topic("crenel", message.topic.value)
-                assert found is not None
+                found = present(parse_topic("crenel", message.topic.value))
                 heard[found[1]] = message
                 if set(heard) == {"presence", "report", "event"}:
                     break

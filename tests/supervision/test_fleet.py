@@ -158,9 +158,7 @@ def test_a_station_that_goes_on_finds_a_place_among_new_names(made: Fleet, clock
     assert len(names(made)) == MOST_STATIONS
 
 
-def test_a_lost_station_that_was_there_long_outlasts_those_that_just_came(
-    made: Fleet, clock: Clock
-) -> None:
+def test_a_lost_station_that_was_there_long_outlasts_new_ones(made: Fleet, clock: Clock) -> None:
     for _ in range(70):
         take_of(made, "real")
         clock.now_s += 1.0

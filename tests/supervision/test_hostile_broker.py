@@ -70,9 +70,7 @@ def test_of_a_long_message_only_the_beginning_is_kept(broker: Mosquitto) -> None
     asyncio.run(run())
 
 
-def test_a_flood_and_invented_stations_hide_nothing(
-    broker: Mosquitto, caplog: pytest.LogCaptureFixture
-) -> None:
+def test_a_flood_hides_no_station(broker: Mosquitto, caplog: pytest.LogCaptureFixture) -> None:
     async def flood(until: asyncio.Event) -> None:
         """Of two topics, of many stations, and of no station."""
         padded = make_report("loud", "1").model_dump_json().encode().ljust(60_000)

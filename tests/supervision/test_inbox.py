@@ -29,9 +29,7 @@ def drained(inbox: Inbox) -> list[tuple[str, bytes]]:
     return found
 
 
-def test_the_latest_of_a_topic_wins_and_known_stations_come_first(
-    inbox: Inbox, unread: Unread
-) -> None:
+def test_the_latest_of_a_topic_wins_known_stations_are_first(inbox: Inbox, unread: Unread) -> None:
     for number in range(TOLERATED):
         inbox.put("crenel/new/report", b"%d" % number, False)
         inbox.put("crenel/known-1/report", b"%d" % number, False)
@@ -50,9 +48,7 @@ def test_a_flood_of_one_topic_is_counted(inbox: Inbox, unread: Unread) -> None:
     assert unread.counts == {"often": 5}, "it is at an end"
 
 
-def test_the_longest_waiting_of_unknown_stations_is_dropped_first(
-    inbox: Inbox, unread: Unread
-) -> None:
+def test_of_unknown_stations_the_longest_waiting_is_dropped(inbox: Inbox, unread: Unread) -> None:
     inbox.put("crenel/known-1/report", b"x", False)
     for number in range(MOST_UNKNOWN + 3):
         inbox.put(f"crenel/new-{number}/report", b"x", False)

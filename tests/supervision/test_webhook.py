@@ -118,9 +118,7 @@ def test_a_notice_arrives_signed_and_is_tried_again_until_it_does(receiver: Rece
 
 
 @pytest.mark.parametrize(("status", "tries"), [(500, 4), (404, 1), (302, 1)])
-def test_what_is_never_taken_is_given_up_and_the_next_is_sent(
-    receiver: Receiver, status: int, tries: int
-) -> None:
+def test_what_is_never_taken_is_given_up(receiver: Receiver, status: int, tries: int) -> None:
     receiver.refused = {1: status}
     webhook = Webhook(WebhookSettings(url=receiver.url), PAUSES_S)
     troubles: list[str] = []

@@ -107,9 +107,7 @@ def distances_mm(points: Floats, stamps_ns: Sequence[int]) -> Floats:
 
 @pytest.mark.parametrize("arm", [ARM, ROBOT], ids=["joints", "poses"])
 @pytest.mark.parametrize(("timed", "apart"), [(False, False), (True, False), (True, True)])
-def test_pictures_and_readings_become_the_cloud(
-    tmp_path: Path, arm: AnyArm, timed: bool, apart: bool
-) -> None:
+def test_pictures_become_the_cloud(tmp_path: Path, arm: AnyArm, timed: bool, apart: bool) -> None:
     folder = write_scan(tmp_path / "scan", arm, timed, apart)
     result = imported(folder)
     assert (result.frames, result.without_line, result.unreadable) == (5, [], [])
@@ -226,9 +224,7 @@ SPOILT = {
 
 
 @pytest.mark.parametrize(("file", "old", "new", "words"), SPOILT.values(), ids=SPOILT)
-def test_a_table_that_is_not_in_order_is_refused(
-    tmp_path: Path, file: str, old: str, new: str, words: str
-) -> None:
+def test_odd_tables_are_refused(tmp_path: Path, file: str, old: str, new: str, words: str) -> None:
     folder = write_scan(tmp_path / "scan", apart=True)
     edit_text(folder / file, old, new)
     assert words in import_refused(folder)

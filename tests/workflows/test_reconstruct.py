@@ -132,9 +132,7 @@ def test_the_cost_of_smoothing_is_said(tmp_path: Path, extraction: str, words: l
 
 
 @pytest.mark.parametrize(("points", "sharing"), [(25, 10.6), (600, 2.7), (60_000, 1.0)])
-def test_a_delay_counts_points_that_share_their_noise(
-    tmp_path: Path, points: int, sharing: float
-) -> None:
+def test_delays_count_points_of_shared_noise(tmp_path: Path, points: int, sharing: float) -> None:
     smoothed = {EXTRACTION: '{"smoothing_px": 3.0}'}
     u = np.linspace(0, WIDTH - 1, points)
     stripe = Stripe(u, np.full(points, HEIGHT / 2), np.full(points, 99.0), np.full(points, 0.05))
@@ -201,9 +199,7 @@ def test_frames_without_joints_are_counted_and_named(tmp_path: Path) -> None:
         ("damage", 960, ""),
     ],
 )
-def test_a_scan_of_which_more_than_a_tenth_is_left_out_is_refused(
-    tmp_path: Path, fault: str, at_ms: int, refused: str
-) -> None:
+def test_incomplete_scans_are_refused(tmp_path: Path, fault: str, at_ms: int, refused: str) -> None:
     """Whatever the cause, if it lies at ``at_ms`` of 1,000; what remains can be had on demand."""
     bulk = np.random.default_rng(1)
     with recording(tmp_path) as writer:
@@ -279,11 +275,8 @@ def test_a_cut_recording_gives_the_points_before_the_cut(tmp_path: Path) -> None
 
 
 def refusal_of(tmp_path: Path, *serials: str) -> OperationError:
-    """Rebuilds ``scan.mcap``, which is refused, and leaves no cloud behind.
-
-    Args:
-        serials: of sensor and arm in the calibration; those of the recording if not given.
-    """
+    """Rebuilds ``scan.mcap``, which is refused, and leaves no cloud; ``serials``: of the
+    calibration."""
     path, calibration = tmp_path / "scan.mcap", little_calibration(*serials)
     before = sorted(path.name for path in tmp_path.iterdir())
     with pytest.raises(OperationError) as refused:
@@ -486,9 +479,7 @@ def test_a_recording_of_another_kind_of_arm_is_refused(
         ("frames", 4, "about 4 frames are missing in 1", "es fehlen etwa 4 Bilder an 1"),
     ],
 )
-def test_what_is_missing_is_said_of_joints_as_of_poses(
-    stream: Stream, missing: int, english: str, german: str
-) -> None:
+def test_what_is_missing_is_said(stream: Stream, missing: int, english: str, german: str) -> None:
     (said,) = clock_warnings(stream, ClockReport(1, missing, 7 * MS, 9 * MS, 0, 0), 0)
     assert english in renderer("en")(said)
     assert german in renderer("de")(said)

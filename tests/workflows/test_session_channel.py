@@ -97,9 +97,7 @@ def test_a_raw_picture_needs_the_lasers_colour(session: Path) -> None:
             read_any_session(session)
 
 
-def test_weights_are_found_where_the_lasers_colour_is_not_stated(
-    samples: Path, tmp_path: Path
-) -> None:
+def test_weights_are_found_where_no_colour_is_stated(samples: Path, tmp_path: Path) -> None:
     """From the first pose with a picture of each kind."""
     session = read_any_session(samples / "one-pose")
     assert session_channel(session) == "red"

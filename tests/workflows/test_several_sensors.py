@@ -81,9 +81,7 @@ def expected(names: tuple[str, ...] = ("left", "right")) -> Floats:
     return np.concatenate(found)
 
 
-def test_each_frame_becomes_points_by_its_own_sensors_calibration(
-    recording: Path, tmp_path: Path
-) -> None:
+def test_each_frame_is_rebuilt_by_its_sensors_calibration(recording: Path, tmp_path: Path) -> None:
     result = reconstruct_cloud(recording, CALIBRATIONS, ARM, tmp_path / "cloud.ply")
     cloud = read_cloud(tmp_path / "cloud.ply")
     assert (result.frames, result.clock_jumps, result.warnings) == (len(ORDER), 0, ())
@@ -101,9 +99,7 @@ def test_the_recording_says_whose_each_stripe_is(recording: Path) -> None:
     assert topics <= opened.topics
 
 
-def test_one_sensor_alone_is_rebuilt_and_the_other_one_named(
-    recording: Path, tmp_path: Path
-) -> None:
+def test_one_sensor_alone_is_rebuilt_and_the_other_named(recording: Path, tmp_path: Path) -> None:
     only = {"right": CALIBRATIONS["right"]}
     result = reconstruct_cloud(recording, only, ARM, tmp_path / "cloud.ply")
     np.testing.assert_allclose(

@@ -1,4 +1,4 @@
-"""The article's study: clouds of one plane by calibrations."""
+"""The article's study by calibrations, and what moved from one calibration to the next."""
 
 import csv
 import json
@@ -11,18 +11,23 @@ import pytest
 from app.errors import OperationError
 from app.formats.clouds.files import read_cloud
 from app.formats.recording.writer import RecordingWriter
+from app.formats.results.acceptance import ACCEPTANCE, Acceptance
+from app.formats.results.calibration import BudgetPart, MapPart, PlanePart, Uncertainty
 from app.metrology.arm.kinematics import flange_pose
 from app.metrology.fitting.plane_sphere import fit_plane
 from app.metrology.sensor.camera import project
 from app.metrology.stripe import Stripe
 from app.metrology.transforms import apply, inverse, rigid, rotation_from_vector
+from app.workflows.calibration_history import read_history
 from app.workflows.reconstruct import reconstruct_cloud
 from app.workflows.repeatability_study import Study, range_rows, run_study
 from tests.formats.builders import ARM, HEIGHT, WIDTH, joints_every, little_calibration, q_at
+from tests.formats.test_documents import calibration_file
 from tests.workflows.test_reconstruct import MS, NAMES
 
 NORMAL = np.array([0.2, -0.3, 0.9]) / np.linalg.norm([0.2, -0.3, 0.9])
 MIDDLE = (flange_pose(ARM, q_at(200 * MS)) @ little_calibration().T_flange_sensor)[:3, 3]
+UV = tuple((float(u), float(v)) for u in (10, 20, 30, 40) for v in (15, 24, 33))
 
 
 def scan_a_plane(path: Path, offset_mm: float) -> Path:
@@ -91,3 +96,58 @@ def test_what_is_no_study_is_refused(tmp_path: Path) -> None:
     recording = scan_a_plane(tmp_path / "a.mcap", 0.0)
     with pytest.raises(OperationError, match="one plane"):
         run_study([recording], [(Path("c.json"), little_calibration())], ARM)
+
+
+def write(folder: Path, name: str, shift_mm: float, arm: str = "A-1") -> tuple[str, Path]:
+    own = folder / name
+    own.mkdir()
+    document = calibration_file()
+    matrix = np.array(document.probe_matrix)
+    matrix[0, 3] += shift_mm
+    serials = document.serial_numbers.model_copy(update={"arm": arm})
+    known = Uncertainty(
+        total_um=3.0,
+        budget=(BudgetPart(source="stripe", value_um=3.0),),
+        depth_range_mm=(90.0, 110.0),
+        plane=PlanePart(angle_arcsec=6.0, offset_um=2.0),
+        map=MapPart(
+            uv_px=UV,
+            points_mm=((0.0, 0.0, 0.0),) * len(UV),
+            u_um=(3.0,) * len(UV),
+            calibrated=(True,) * len(UV),
+        ),
+    )
+    changed = {
+        "probe_matrix": tuple(map(tuple, matrix.tolist())),
+        "serial_numbers": serials,
+        "uncertainty": known,
+    }
+    path = own / "calibration.json"
+    document.model_copy(update=changed).write(path)
+    Acceptance(
+        name=name, accepted_at="2026-11-21", calibration_sha256="0", good_um=40, temperature_c=21.0
+    ).write(own / ACCEPTANCE)
+    return name, path
+
+
+def test_each_is_compared_with_the_one_before_of_the_same_arm(tmp_path: Path) -> None:
+    files = [
+        write(tmp_path, "first", 0.0),
+        write(tmp_path, "other", 1.0, arm="A-2"),
+        write(tmp_path, "second", 0.02),
+    ]
+    first, other, second = read_history(files)
+    assert first.since is None
+    assert other.since is None
+    assert (first.good_um, first.temperature_c) == (40, 21.0)
+    assert second.since is not None
+    assert second.since.drift.sensor_um == pytest.approx(20)
+    assert second.since.expected_um == pytest.approx(2 * np.hypot(3, 3))
+    assert second.since.expected_arcsec == pytest.approx(2 * np.hypot(6, 6))
+
+
+def test_a_file_that_is_gone_is_passed_over(tmp_path: Path) -> None:
+    files = [write(tmp_path, "first", 0.0), write(tmp_path, "second", 0.01)]
+    files[0][1].write_text(json.dumps({}))
+    (second,) = read_history(files)
+    assert (second.id, second.since) == ("second", None)

@@ -40,10 +40,8 @@ class Tolerance:
 
 @dataclass(frozen=True)
 class Command:
-    """A command as docs/accuracy.md prints it; ``folders`` replaces the words that stand for one.
-
-    A folder is named from ``shared`` on, beside the checkout; a word without one is left out.
-    """
+    """A command as docs/accuracy.md prints it; ``folders`` replaces words, by a name from
+    ``shared`` on."""
 
     documented: str
     folders: tuple[tuple[str, str], ...] = ()
@@ -83,11 +81,7 @@ class Outcome:
 
 
 def read_printed(figure: Figure) -> PrintedNumber:
-    """The number that all places of a figure print: the most exact one.
-
-    Raises:
-        UnreadableError: one of them is missing, or they contradict each other.
-    """
+    """The number that all places of a figure print: the most exact one, if none contradicts it."""
     numbers = [place.number() for place in figure.places]
     best = min(numbers, key=lambda number: number.rounding)
     for place, number in zip(figure.places, numbers, strict=True):

@@ -31,12 +31,8 @@ class MissingError(MeasureError):
 
 
 def outcomes(figures: Sequence[Figure], scratch: Path) -> Iterator[Outcome]:
-    """Each figure measured; those of one command follow each other.
-
-    Args:
-        scratch: a folder for what commands print and for links to pictures. What another run has
-            left there is read instead of measured again.
-    """
+    """Each figure measured, those of one command one after another. What another run has left in
+    the folder ``scratch`` is read instead."""
     for command in dict.fromkeys(figure.command for figure in figures):
         of_command = [figure for figure in figures if figure.command == command]
         try:
@@ -48,12 +44,7 @@ def outcomes(figures: Sequence[Figure], scratch: Path) -> Iterator[Outcome]:
 
 
 def measure(command: Command, scratch: Path) -> Any:
-    """What a command prints, parsed; from ``scratch`` if it is there.
-
-    Raises:
-        MissingError: a folder is missing.
-        MeasureError: the command failed.
-    """
+    """What a command prints, parsed; from ``scratch`` if it is there. MeasureError: it failed."""
     kept = scratch / f"{file_name(command)}.json"
     if not kept.exists():
         words = arguments(command, scratch)
@@ -69,16 +60,11 @@ def measure(command: Command, scratch: Path) -> Any:
 
 
 def file_name(command: Command) -> str:
-    """A file's name for a command."""
     return "".join(letter if letter.isalnum() else "-" for letter in str(command))
 
 
 def arguments(command: Command, scratch: Path) -> list[str]:
-    """The command as a process, with JSON as its output.
-
-    Raises:
-        MissingError: a folder is missing.
-    """
+    """The command as a process, with JSON as its output. MissingError: a folder is missing."""
     program, *words = command.documented.split()
     here = Path(sys.executable).parent
     programs = {"python": sys.executable, "crenel": str(here / "crenel")}

@@ -58,11 +58,7 @@ class Place:
         return f"{self.page}, {', '.join((self.section, *self.row))}"
 
     def number(self) -> PrintedNumber:
-        """The number as it is printed.
-
-        Raises:
-            UnreadableError: it is not there, or not once.
-        """
+        """The number as it is printed. UnreadableError: it is not there, or not once."""
         lines = section_lines(self.page, self.section)
         text = self._cell(lines) if self.row else " ".join(lines)
         if self.pattern:
@@ -122,11 +118,7 @@ def page_lines(page: str) -> tuple[str, ...]:
 
 
 def section_lines(page: str, section: str) -> list[str]:
-    """The lines below a heading, up to the next one of any level.
-
-    Raises:
-        UnreadableError: there is no such heading.
-    """
+    """The lines below a heading, which must exist, up to the next one of any level."""
     lines: list[str] | None = None
     for line in page_lines(page):
         heading = HEADING.match(line)

@@ -10,10 +10,8 @@ Step = str | Mapping[str, object]
 
 
 def at(*path: Step) -> Read:
-    """The value at keys within each other; fields and their values choose one of a list.
-
-    A text gives its first number.
-    """
+    """The value at keys within each other, or the first number of its text; fields and their values
+    choose one of a list."""
 
     def read(found: Any) -> float:
         for step in path:
@@ -31,7 +29,6 @@ def _entry(found: Any, fields: Mapping[str, object]) -> Any:
 
 
 def over(of: Read, to: Read) -> Read:
-    """The quotient of two values."""
     return lambda found: of(found) / to(found)
 
 

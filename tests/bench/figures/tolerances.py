@@ -37,10 +37,8 @@ def mean_of(count: int, scatter: float, what: str) -> Tolerance:
 
 
 def count_of(total: int, what: str, unit: float = 1.0) -> Tolerance:
-    """Of a count among ``total`` trials, or of a share of them in ``unit``/total (percent).
-
-    Laplace's rule gives the probability, so that none and all leave a tolerance, too.
-    """
+    """Of a count among ``total`` trials, or of a share of them in ``unit``/total, by Laplace's
+    rule."""
 
     def of(printed: float) -> float:
         p = (printed / unit + 1) / (total + 2)

@@ -19,7 +19,6 @@ WITHIN_S = 120.0
 
 
 def missing_tool() -> str | None:
-    """What of the tools is not installed."""
     for tool in ("make", "gcc", "avr-gcc", "avr-objcopy"):
         if shutil.which(tool) is None:
             return tool
@@ -91,7 +90,6 @@ class Board:
         self._process.send_signal(signal.SIGSTOP if stop else signal.SIGCONT)
 
     def tell(self, *words: object) -> None:
-        """One command of ``board.c``."""
         assert self._process is not None
         assert self._process.stdin is not None
         self._process.stdin.write(" ".join(str(word) for word in words) + "\n")

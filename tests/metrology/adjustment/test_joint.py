@@ -211,9 +211,7 @@ def about(result: BlockCalibration, code: str) -> list[CalibrationFinding]:
 
 # The adjustment starts from the third.
 @pytest.mark.parametrize("place", usual(range(8), {2, 5}, pytest.mark.soak))
-def test_one_line_off_the_others_plane_is_named_and_left_out(
-    inputs: BlockInputs, found: BlockCalibration, place: int
-) -> None:
+def test_a_line_off_is_left_out(inputs: BlockInputs, found: BlockCalibration, place: int) -> None:
     result = calibrate_block(shifted(inputs, {place: 3.0}))
     (said,) = about(result, "laser-moved")
     assert (said.quality, said.pose) == ("attention", inputs.observations[place].number)

@@ -1,14 +1,30 @@
-"""Location error over articulations, and the error of the probe matrix that it implies."""
+"""Where a sphere is touched, and its location error over articulations."""
 
 import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
+from app.metrology.performance.articulation import (
+    LOCATION_CATCH_DEG,
+    TILT_DEG,
+    articulation_directions,
+    assign_places,
+    find_centre,
+    flat_deg,
+    frame_about,
+    location_places,
+    nearest_free,
+)
 from app.metrology.performance.location import estimate_offset, location_error_mm
+from app.metrology.performance.pattern import CATCH_DEG, RIM_DEG, pattern_directions
 from tests.metrology.refusals import refusal_of
 from tests.uncertainty_ratio import EXACT, ratio_of_rms
 
 CENTRE = np.array([700.0, 100.0, 200.0])
+POLE = np.array([0.0, 0.0, 1.0])
+SPHERE_AT = np.array([700.0, -120.0, 40.0])
+RADIUS_MM = 15.7
+PATTERN = pattern_directions(POLE, RIM_DEG)
 
 
 def articulations(tilt_deg: float) -> np.ndarray:
@@ -71,3 +87,54 @@ def test_what_the_arm_itself_scatters_is_not_blamed_on_the_probe_matrix() -> Non
     assert estimate_offset(off, R).is_significant
     assert not estimate_offset(off, R, arm_sd_mm=0.012).is_significant
     assert estimate_offset(centres(R, 10 * offset, 0.002), R, arm_sd_mm=0.012).is_significant
+
+
+@pytest.mark.parametrize("count", [1, 2, 3, 4, 25])
+def test_the_centre_follows_from_few_touches(count: int) -> None:
+    touches = SPHERE_AT + RADIUS_MM * PATTERN[:count]
+    assert find_centre(touches, RADIUS_MM, POLE) == pytest.approx(SPHERE_AT, abs=1e-6)
+
+
+def test_a_first_touch_beside_the_pole_is_made_up_for_by_the_others() -> None:
+    aside = np.array([np.sin(np.radians(9.0)), 0.0, np.cos(np.radians(9.0))])
+    touches = SPHERE_AT + RADIUS_MM * np.vstack([aside, PATTERN[[5, 9, 14, 20]]])
+    assert find_centre(touches, RADIUS_MM, POLE) == pytest.approx(SPHERE_AT, abs=1e-6)
+
+
+def test_a_touch_belongs_to_the_nearest_free_place_within_reach() -> None:
+    touches = SPHERE_AT + RADIUS_MM * PATTERN[[3, 3, 7]]
+    found = assign_places(touches, SPHERE_AT, PATTERN, CATCH_DEG)
+    assert found.tolist() == [3, -1, 7]
+    between = (PATTERN[5] + PATTERN[6]) / np.linalg.norm(PATTERN[5] + PATTERN[6])
+    apart_deg = np.degrees(np.arccos(between @ PATTERN[5]))
+    at = (SPHERE_AT + RADIUS_MM * between)[None]
+    assert assign_places(at, SPHERE_AT, PATTERN, apart_deg - 1.0).tolist() == [-1]
+    assert assign_places(at, SPHERE_AT, PATTERN, apart_deg + 1.0)[0] in (5, 6)
+
+
+def test_the_next_place_is_the_nearest_that_is_free() -> None:
+    tip = SPHERE_AT + 40.0 * PATTERN[12]
+    assert nearest_free(tip, SPHERE_AT, PATTERN, []) == 12
+    assert nearest_free(tip, SPHERE_AT, PATTERN, [12]) != 12
+    assert nearest_free(tip, SPHERE_AT, PATTERN, range(25)) == -1
+
+
+def test_the_articulations_tilt_away_right_towards_the_arm_and_left() -> None:
+    towards = -SPHERE_AT
+    found = articulation_directions(POLE, towards)
+    assert np.linalg.norm(found, axis=1) == pytest.approx(1.0)
+    flat = flat_deg(found, POLE, towards)
+    expected = [[0, 0], [0, TILT_DEG], [TILT_DEG, 0], [0, -TILT_DEG], [-TILT_DEG, 0]]
+    assert flat == pytest.approx(np.array(expected, dtype=float), abs=1e-6)
+    assert np.linalg.det(frame_about(POLE, towards)) == pytest.approx(1.0)
+
+
+@pytest.mark.parametrize("number", range(5))
+def test_the_places_of_an_articulation_are_around_its_direction(number: int) -> None:
+    towards = -SPHERE_AT
+    direction = articulation_directions(POLE, towards)[number]
+    places = location_places(direction, POLE, towards)
+    assert places[0] == pytest.approx(direction)
+    assert places[1:] @ direction == pytest.approx(0.5)
+    apart_deg = np.degrees(np.arccos(np.clip(places @ places.T, -1, 1)))[~np.eye(5, dtype=bool)]
+    assert apart_deg.min() > LOCATION_CATCH_DEG

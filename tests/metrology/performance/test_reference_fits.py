@@ -117,11 +117,8 @@ def arc_of_cylinder(arc_deg: float, seed: int, count: int = 300) -> np.ndarray:
 def exact_cylinder(
     points: np.ndarray, point: np.ndarray, direction: np.ndarray, radius: float
 ) -> tuple[list[mpmath.mpf], list[mpmath.mpf], mpmath.mpf]:
-    """Point of the axis, direction and radius of least squares of radial distances.
-
-    The axis has four parameters: where it meets the plane across the start's direction, and how
-    it is inclined to it.
-    """
+    """Point of the axis, direction and radius of least squares of radial distances, by four
+    parameters: where it meets the plane across the start's direction, and its inclination."""
     a, b = perpendicular_axes(direction)
     axes = exact([a, b, direction])
     rows = [

@@ -53,9 +53,7 @@ def station() -> RenderedStation:
     ],
     ids=["as it should be", "with faults"],
 )
-def test_every_figure_agrees(
-    station: RenderedStation, tmp_path: Path, faults: PlantedFaults
-) -> None:
+def test_figures_agree(station: RenderedStation, tmp_path: Path, faults: PlantedFaults) -> None:
     folder = station.write(tmp_path / "test", faults)
     result = write_performance(folder)
     values = {one.quantity: one.value for one in result.figures}

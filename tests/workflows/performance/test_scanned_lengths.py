@@ -101,7 +101,7 @@ def test_the_lengths_of_a_scanned_bar_are_the_distances_of_its_spheres(tmp_path:
     assert f"{length_scan(1, 1)}/scan.mcap" in {one.file for one in result.inputs}
 
 
-def test_noise_scatters_the_lengths_and_form_and_temperature_are_their_uncertainty(
+def test_noise_scatters_lengths_form_and_temperature_are_their_uncertainty(
     tmp_path: Path,
 ) -> None:
     standard = bar(80.0, sphere_form_um=1.0, expansion_per_c=11.5e-6)
@@ -127,9 +127,7 @@ def test_noise_scatters_the_lengths_and_form_and_temperature_are_their_uncertain
 
 
 @pytest.mark.parametrize("loose", [True, False])
-def test_a_bar_that_gives_way_in_all_places_differs_from_its_scans(
-    tmp_path: Path, loose: bool
-) -> None:
+def test_a_bar_that_gives_way_everywhere_differs_from_scans(tmp_path: Path, loose: bool) -> None:
     centres = spheres_at(0.0, 80.0)
     noisy = Faults(point_sd_mm=0.01)
     folder = bar_test(tmp_path / "t", bar(80.0), {length_scan(1, 1): centres}, noisy)

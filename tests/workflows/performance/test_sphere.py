@@ -158,9 +158,7 @@ def test_a_sphere_that_moved_has_no_symbols(tmp_path: Path) -> None:
         ({"diameter_sd_um": 0.0}, "no uncertainty"),
     ],
 )
-def test_an_artefact_that_cannot_serve_is_named(
-    tmp_path: Path, changes: dict[str, object], words: str
-) -> None:
+def test_unfit_artefacts_are_named(tmp_path: Path, changes: dict[str, object], words: str) -> None:
     sphere = SPHERE.model_copy(update=changes)
     folder = SphereSession(tmp_path / "t", Faults(articulations=1), sphere).write()
     result = evaluate_performance(folder)
@@ -358,9 +356,7 @@ def test_every_filter_is_declared(
     assert "no filter" not in notes
 
 
-def test_scans_by_different_settings_are_no_set(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_scans_of_two_settings_are_no_set(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     set_extraction(monkeypatch, "", "", '{"threshold": 40.0}', "", "")
     folder = with_faults(tmp_path / "t")
     result = evaluate_performance(folder)
@@ -384,9 +380,7 @@ LOOSE += [("end", "at the end")]
 
 
 @pytest.mark.parametrize(("part", "said"), usual(LOOSE, 1, pytest.mark.soak))
-def test_a_sphere_that_gives_way_while_it_is_touched_has_no_symbols(
-    tmp_path: Path, part: str, said: str
-) -> None:
+def test_a_sphere_that_gives_way_has_no_symbols(tmp_path: Path, part: str, said: str) -> None:
     folder, random = with_faults(tmp_path / "t", **QUIET), np.random.default_rng(1)
     of_part = f"p1-{part}"
     change_touches(folder, lambda rows: [shake(r, random) if of_part in r else r for r in rows])

@@ -160,9 +160,7 @@ def test_near_20_degrees_an_unknown_expansion_is_neglected(folder: Path, celsius
 @pytest.mark.parametrize(
     "known", [{"expansion_per_c": 11.5e-6}, {"expansion_sd_per_c": 1e-8}], ids=["steel", "zero"]
 )
-def test_a_stated_expansion_is_decided_also_a_true_zero(
-    folder: Path, known: dict[str, float]
-) -> None:
+def test_a_stated_expansion_is_decided_even_zero(folder: Path, known: dict[str, float]) -> None:
     planned(folder, artefact_c=22.0, length=BAR.model_copy(update=known))
     result = evaluate_performance(folder)
     assert result.figures[0].decision == "pass"
