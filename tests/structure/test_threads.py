@@ -31,6 +31,7 @@ OF_THE_PROGRAM = (
     "app/bench/",
     "app/native/",
     "app/messages/",
+    "app/formats/arm_models/nominal_arms.py",
     "app/report/html.py",
     "app/formats/performance/symbols.py",
 )

@@ -18,11 +18,13 @@ interface ArmPictureProps {
 
 /** An arm as its numbers say, as far as they are entered. */
 export function ArmPicture({ document, arm }: ArmPictureProps) {
-  const count = Array.isArray(document.joints) ? document.joints.length : 0;
+  const joints = Array.isArray(document.joints) ? (document.joints as { a_mm?: number; d_mm?: number }[]) : [];
+  const count = joints.length;
+  const hasLengths = joints.some(({ a_mm, d_mm }) => a_mm || d_mm);
   const q_deg = useJoints(count > 0 && arm?.joint_count === count);
   const chain = chainOf(document, q_deg);
   const room = useRoom(JSON.stringify(document), chain);
-  if (!chain || !room) return null;
+  if (!chain || !room || (count > 0 && !hasLengths)) return null;
   return (
     <figure className={styles.drawing} data-live={q_deg !== null || undefined}>
       <ArmDrawing chain={chain} room={room} label={t("ui-drawing-of-the-datasheet")} />

@@ -70,11 +70,13 @@ export function DatasheetForm({ name, first, ranges, arm, edited, onSave, onMode
       picture={
         kind === "arm" ? (
           <div className={styles.joints}>
-            <ArmPicture document={form.document} arm={arm} />
             {name === "arm" ? (
-              <ArmModelImport onTake={(document) => onModel(form.values, document)}>{rows}</ArmModelImport>
+              <ArmModelImport onTake={(document) => onModel(form.values, document)}>
+                <ArmPicture document={form.document} arm={arm} />
+                {rows}
+              </ArmModelImport>
             ) : (
-              rows
+              <ArmPicture document={form.document} arm={arm} />
             )}
           </div>
         ) : (
