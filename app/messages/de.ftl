@@ -1143,7 +1143,7 @@ distance = Abstand
 distance-between-clouds = Abstand zwischen den Punktwolken
 distance-between-clouds-centres = Abstand der Mittelpunkte der Punktwolken
 distance-each-touch-face-times-larger = Abstand jedes Antastpunkts von seiner Fläche, { $factor }-fach vergrößert: Blau innen, Orange außen, Kreuze ausgeschlossen. Der längste Strich entspricht { $largest } ({ $largest_mm }).
-distance-each-touch-sphere-through-all = Abstand jedes Antastpunkts von der Ausgleichskugel.
+distance-each-touch-sphere-through-all = Abstand jedes Antastpunkts von der Ausgleichskugel derer, die übereinstimmen.
 distance-fitted-shape-blue-inside-orange-outside = { $name }: Abstand von der eingepassten Form, Blau innen, Orange außen.
 distance-out-of-range =
     { $side ->
@@ -1395,9 +1395,10 @@ paste-dh-table = Fügen Sie je Gelenk eine Zeile mit a, alpha, d und theta ein
 pictures-do-not-fit-delay = { $off } von { $pictures } Bildern passen bei diesem Zeitversatz nicht zu einer Ebene.
 nothing-touched-there = er hat sich seither nicht bewegt, der Taster berührt also nichts
 picture-of-pixels = { $width_px } × { $height_px } Pixel
-one-of-points-off = Einer der Punkte { $points } liegt neben seiner Fläche
+one-of-points-off = Einer der Punkte { $points } liegt neben der Fläche
 others-cannot-tell-which = die übrigen zeigen nicht, welcher
 places-held-out-agree-too-well = in der Kreuzvalidierung weichen die Positionen nur um das { $times }-Fache des angegebenen Rauschens ab: standard_uncertainty_mm ist zu groß oder in einer anderen Einheit
+point-off-surface-left-out = Punkt { $index } liegt { $off } neben der Fläche der übrigen. Er ist ausgeschlossen.
 point-off-others = Punkt { $index } liegt { $off } neben der Ebene der anderen Punkte { $where }.
 point-taken-for = Punkt { $index }, gemeint { $where }; noch nicht beurteilt.
 point-beside-face = Punkt { $index } liegt neben der Fläche „{ $face }“: Dort hat er nichts berührt.
@@ -1419,7 +1420,6 @@ no-picture-within-readings = kein Bild von { $path } wurde während der Messwert
 one-picture-at-a-time = ein Sensor nimmt nur ein Bild zur selben Zeit auf
 picture-at-time-of-line = { $place } hat dieselbe time_s wie Zeile { $line }
 pictures-are-at = die Bilder beginnen bei { $begin }
-remove-it-or-other = Ihn entfernen, oder den von ihnen, der falsch ist, und dort noch einmal antasten.
 recording-keeps-still-lines = Die Aufzeichnung enthält sie alle.
 replace-the-datasheet = das Datenblatt ersetzen; das jetzige bleibt unter den abgelegten erhalten
 retired-a-datasheet = legte ein Datenblatt ab
@@ -2200,6 +2200,7 @@ performance-touch-off-seat = Die Tastkugel ist { $off } von den Antastungen davo
 performance-touch-off-sphere = Diese Antastung liegt { $off } neben der Kugel, die vorher angetastet wurde; sie wurde nicht übernommen
 performance-touch-pattern = Die markierten Stellen in beliebiger Reihenfolge antasten, das Handgelenk dabei frei drehen. Die nächste freie ist hervorgehoben.
 performance-touch-place = Stelle { $number } der Zeichnung antasten
+performance-touch-same-seat = Die Tastkugel in die Pfanne setzen oder den Punkt davor entfernen, falls er der falsche ist
 performance-touch-same-sphere = Dieselbe Kugel antasten, oder ihre Antastungen zurücknehmen und neu beginnen
 performance-touch-seat = Die Tastkugel in die Pfanne setzen und { $count } Antastpunkte aufnehmen. Dazwischen den Ellbogen bewegen und das Handgelenk drehen, zu beiden Seiten.
 performance-touch-sphere-elsewhere = Die Antastungen über die Kugel verteilen
@@ -3643,6 +3644,7 @@ schema-requires-package = die Prüfung benötigt das Paket lxml, das nicht insta
 schema-unusable = das Schema ist nicht verwendbar: { $error }
 schema-violated = die Datei entspräche nicht { $schema }: { $errors }
 screw-home-check-again-change-if = Fest einschrauben und erneut prüfen; bleibt es dabei, tauschen.
+check-tip-again-holding-still = Erneut prüfen, an jedem Punkt in Ruhe.
 screw-tip-home-clamp-sphere-check = Taster fest einschrauben, Kugel festspannen und erneut prüfen.
 search-object-failed = Die Suche nach dem Objekt ist fehlgeschlagen
 seat-3 = die Pfanne
@@ -4151,7 +4153,7 @@ total-k-1 = { $total } (k = 1)
 touch = Antasten
 touch-2 = { $place } antasten
 touch-3 = Antasten
-touch-again-beside-these = Auf jeder ihrer Flächen zwei weitere Stellen antasten.
+touch-again-beside-these = Neben jedem von ihnen zwei weitere Stellen antasten.
 touch-all-over-upper-half-every = Die ganze obere Hälfte von allen Seiten antasten, mit dem Messarm in vielen Haltungen. An jedem Punkt ruhig halten und die Taste am Messarm drücken.
 touch-back-face = Rückseite antasten.
 touch-elsewhere = An anderer Stelle antasten
@@ -4206,6 +4208,11 @@ touches-2 = Antastpunkte
 touches-3 = Antastpunkte
 touches-about-sphere-limit = Abstand jedes Antastpunkts von der Ausgleichskugel. Gestrichelt: der Grenzwert von { $limit }.
 touches-agree = Übereinstimmung der Antastpunkte
+tip-points-off-sphere-of-others =
+    { $count ->
+        [one] Punkt { $points } liegt { $scatter } neben der Kugel der übrigen.
+       *[other] Die Punkte { $points } liegen bis zu { $scatter } neben der Kugel der übrigen.
+    }
 touches-disagree-up-tip-sphere-loose = Die Antastpunkte weichen um bis zu { $scatter } voneinander ab: Tastkugel oder Kugel ist locker, oder der Messarm ist gerutscht.
 touches-lie-too-near-together-one = Die Antastpunkte liegen zu nah beieinander oder auf einem Ring um die Kugel
 touches-lie-within-one-line = Die Antastpunkte liegen innerhalb von { $width } um eine Gerade

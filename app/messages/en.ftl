@@ -1139,7 +1139,7 @@ distance = Distance
 distance-between-clouds = Distance between clouds
 distance-between-clouds-centres = Distance between the centres of the clouds
 distance-each-touch-face-times-larger = Distance of each contact point from its face, magnified { $factor } times: blue inside, orange outside, crosses excluded. The longest line is { $largest } ({ $largest_mm }).
-distance-each-touch-sphere-through-all = Distance of each contact point from the sphere fitted to all of them.
+distance-each-touch-sphere-through-all = Distance of each contact point from the sphere fitted to those that agree.
 distance-fitted-shape-blue-inside-orange-outside = { $name }: distance from its fitted shape, blue inside, orange outside.
 distance-out-of-range =
     { $side ->
@@ -1391,9 +1391,10 @@ paste-dh-table = Paste a line for each joint with a, alpha, d and theta
 pictures-do-not-fit-delay = { $off } of { $pictures } pictures do not fit one plane at this delay.
 nothing-touched-there = it has not moved since, so that the tip touches nothing
 picture-of-pixels = { $width_px } × { $height_px } pixels
-one-of-points-off = One of the points { $points } is off its face
+one-of-points-off = One of the points { $points } is off the surface
 others-cannot-tell-which = the others cannot tell which
 places-held-out-agree-too-well = in cross-validation the places deviate by only { $times } times the stated noise: standard_uncertainty_mm is too large, or in another unit
+point-off-surface-left-out = Point { $index } is { $off } off the surface of the others. It is excluded.
 point-off-others = Point { $index } lies { $off } off the plane of the other points { $where }.
 point-taken-for = Point { $index }, meant { $where }; not judged yet.
 point-beside-face = Point { $index } lies beside the { $face } face: it touched nothing there.
@@ -1415,7 +1416,6 @@ no-picture-within-readings = no picture of { $path } was taken during the readin
 one-picture-at-a-time = a sensor takes one picture at a time
 picture-at-time-of-line = { $place } has the same time_s as line { $line }
 pictures-are-at = the pictures begin at { $begin }
-remove-it-or-other = Remove it, or the one of them that is wrong, and touch there again.
 recording-keeps-still-lines = The recording keeps them all.
 replace-the-datasheet = replace it, and the present one is kept among the retired ones
 retired-a-datasheet = retired a datasheet
@@ -2196,6 +2196,7 @@ performance-touch-off-seat = The tip is { $off } away from the touches before: i
 performance-touch-off-sphere = This touch lies { $off } off the sphere that was touched before; it was not taken
 performance-touch-pattern = Touch the marked places in any order, with the wrist turned freely. The nearest free one is highlighted.
 performance-touch-place = Touch place { $number } of the drawing
+performance-touch-same-seat = Put the tip into the seat, or remove the contact point before if that one is wrong
 performance-touch-same-sphere = Touch the same sphere, or take its touches back and begin again
 performance-touch-seat = Put the tip into the seat and take { $count } touches. Between the touches move the elbow and turn the wrist, over both sides.
 performance-touch-sphere-elsewhere = Spread the touches over the sphere
@@ -3634,6 +3635,7 @@ schema-requires-package = validation requires the package lxml, which is not ins
 schema-unusable = the schema cannot be used: { $error }
 schema-violated = the file would not comply with { $schema }: { $errors }
 screw-home-check-again-change-if = Tighten it and check again; replace it if the error persists.
+check-tip-again-holding-still = Check again, holding still at each point.
 screw-tip-home-clamp-sphere-check = Tighten the tip, clamp the sphere, and check again.
 search-object-failed = The detection of the object failed
 seat-3 = the seat
@@ -4138,7 +4140,7 @@ total-k-1 = { $total } (k = 1)
 touch = Touch it
 touch-2 = Touch { $place }
 touch-3 = Touch
-touch-again-beside-these = Touch two more places on each of their faces.
+touch-again-beside-these = Touch two more places beside each of them.
 touch-all-over-upper-half-every = Touch it all over its upper half, from every side, with the arm in many postures. Hold still and press the arm's button at each point.
 touch-back-face = Touch the back face.
 touch-elsewhere = Touch it elsewhere
@@ -4184,6 +4186,11 @@ touches-2 = Contact points
 touches-3 = Contact points
 touches-about-sphere-limit = Distance of each contact point from the sphere fitted to all of them. Dashed: the limit of { $limit }.
 touches-agree = Agreement of contact points
+tip-points-off-sphere-of-others =
+    { $count ->
+        [one] Point { $points } is { $scatter } off the sphere of the others.
+       *[other] Points { $points } are up to { $scatter } off the sphere of the others.
+    }
 touches-disagree-up-tip-sphere-loose = The contact points disagree by up to { $scatter }: the tip or the sphere is loose, or the arm slipped.
 touches-lie-too-near-together-one = The contact points are too close together, or on one ring around the sphere
 touches-lie-within-one-line = The contact points lie within { $width } of one line

@@ -184,12 +184,12 @@ def _mean_gauge(fits: Sequence[Sequence[GaugeFit]], gauge: GaugeFile) -> ProbedG
     nothing = np.zeros(0)
     if gauge.radius_mm is not None:
         nominal = NominalSphere(centre, gauge.radius_mm)
-        return ProbedSphere(nominal, nothing, np.zeros((3, 3)), gauge.radius_mm, 0.0)
+        return ProbedSphere(nominal, nothing, np.zeros((3, 3)), gauge.radius_mm, 0.0, nothing > 0)
     normals = np.array([fit.plane.normal for fit in every])
     normals *= np.sign(normals @ normals[0])[:, None]
     normal = normals.mean(axis=0)
     normal /= np.linalg.norm(normal)
-    return ProbedPlane(NominalPlane(centre, normal), nothing, np.zeros((3, 3)))
+    return ProbedPlane(NominalPlane(centre, normal), nothing, np.zeros((3, 3)), nothing > 0)
 
 
 def _row(

@@ -96,7 +96,8 @@ def test_touches_on_the_sphere_are_apart_and_on_it() -> None:
     state = on_sphere(begun(), 5)
     assert check_contact(state, SPHERE, BAR, ROBOT, reading(CENTRE + 14.5 * PLACES[5])) == 5
     assert refusal(state, reading(CENTRE + 14.5 * PLACES[1])) == "same-place"
-    assert refusal(state, reading(CENTRE + 20.0 * PLACES[6])) == "off-the-sphere"
+    six = on_sphere(begun(), 6)
+    assert refusal(six, reading(CENTRE + 20.0 * PLACES[6])) == "off-the-sphere"
     two = on_sphere(begun(), 2)
     assert refusal(two, reading(CENTRE + np.array([60.0, 0, 0]))) == "off-the-sphere"
 

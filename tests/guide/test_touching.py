@@ -20,7 +20,7 @@ from app.guide.calibration.touch.report import (
     touch_report,
 )
 from app.metrology.arm.strained_pose import Strain
-from app.metrology.probing.reachable import farthest_apart_mm, odd_one_out, too_far
+from app.metrology.probing.reachable import farthest_apart_mm, too_far
 from app.metrology.targets.crenellated_block import FACES, Crenellated, probing_face
 from tests.guide.builders import (
     ARM,
@@ -168,24 +168,21 @@ def test_a_point_farther_off_than_the_block_reaches_is_refused_and_no_other(
     assert far.apart_mm == pytest.approx(limit_mm[0] + away_mm)
 
 
-@given(st.integers(0, 10**6), st.integers(4, 9), st.floats(3.0, 200.0), st.booleans())
-def test_the_point_off_its_face_is_named_and_no_good_one(
-    seed: int, count: int, off_mm: float, is_first: bool
-) -> None:
-    """Before the block is aligned, by the others of its face."""
-    rng = np.random.default_rng(seed)
-    places = np.array(suggest_places(BLOCK, "crest"))[rng.permutation(9)[:count]]
-    good = places + rng.normal(0, 0.025, places.shape)
-    assert odd_one_out(good) is None
-    mixed = good.copy()
-    index = 0 if is_first and count > 4 else count - 1
-    mixed[index, 2] += off_mm
-    found = odd_one_out(mixed)
-    if found is not None and found.is_certain:
-        assert found.index == index
-        assert found.off_mm == pytest.approx(off_mm, abs=0.5)
-    else:  # without another one, those left are nearly on one plane too
-        assert count < 8
+def test_one_of_four_points_in_the_air_accuses_none_of_them() -> None:
+    places = np.array(suggest_places(BLOCK, "crest"))
+    report = judged(*(touch("crest", places[i] + [0, 0, 12.0 * (i == 0)]) for i in (0, 2, 6, 8)))
+    (finding,) = report.findings
+    assert "One of the points 1, 2, 3, 4 is off the surface." in str(finding.text)
+    assert report.questionable == ()
+    assert list(report.doubts) == [0, 1, 2, 3]
+
+
+def test_a_point_beside_its_face_touched_nothing() -> None:
+    beside = np.array(suggest_places(BLOCK, "crest")[4]) + [60.0, 0.0, 0.0]
+    report = judged(*touches("crest", "front", "right"), touch("crest", beside))
+    (finding,) = report.findings
+    assert "Point 28 lies beside the crest face: it touched nothing there." in str(finding.text)
+    assert report.questionable == (27,)
 
 
 def test_a_point_that_nothing_judges_yet_is_not_said_to_lie_on_its_face() -> None:

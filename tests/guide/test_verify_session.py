@@ -155,7 +155,13 @@ def test_a_lost_arm_is_said_and_nothing_is_lost() -> None:
 
 def touched_plane(height_mm: float = 0.0) -> ProbedPlane:
     nominal = NominalPlane(np.array([0.0, 0.0, height_mm]), np.array([0.0, 0.0, 1.0]))
-    return ProbedPlane(nominal, np.zeros(6), np.diag([4e-6, 1e-9, 1e-9]))
+    none = np.zeros(6, np.bool_)
+    return ProbedPlane(nominal, np.zeros(6), np.diag([4e-6, 1e-9, 1e-9]), none)
+
+
+def touched_sphere(radius_sd_mm: float) -> ProbedSphere:
+    nominal, none = NominalSphere(np.zeros(3), 10.0), np.zeros(7, np.bool_)
+    return ProbedSphere(nominal, np.zeros(7), 9e-6 * np.eye(3), 10.0, radius_sd_mm, none)
 
 
 FLAT = GaugeFit.model_validate(fit())
@@ -207,9 +213,7 @@ def test_a_sphere_is_judged_by_its_nominal_and_its_touched_centre() -> None:
     assert set(alone) == {"form", "rms", "radius_error"}
     assert alone["radius_error"].value == pytest.approx(20.0)
     assert alone["radius_error"].expanded_uncertainty == pytest.approx(2 * np.hypot(1.0, 1.0))
-    nominal = NominalSphere(np.zeros(3), 10.0)
-    touched = ProbedSphere(nominal, np.zeros(7), 9e-6 * np.eye(3), 10.0, 0.001)
-    errors = cloud_errors(one, SPHERE, touched)
+    errors = cloud_errors(one, SPHERE, touched_sphere(0.001))
     assert errors.centre_error_um == pytest.approx(50.0)
     assert errors.angle_arcsec is None
 
@@ -218,7 +222,7 @@ def test_performance_is_judged_by_the_test_uncertainty_and_places_by_the_measure
     gauge = SPHERE.model_copy(update={"form_um": 2.0})
     all_points = {"form_all_um": 90.0, "range_all_um": 200.0}
     one = sphere_fit([0.03, 0.0, 0.04], [1e-4] * 4, **all_points)
-    touched = ProbedSphere(NominalSphere(np.zeros(3), 10.0), np.zeros(7), 9e-6 * np.eye(3), 10, 0.1)
+    touched = touched_sphere(0.1)
     limits = DEFAULT_LIMITS.model_copy(update={"radius_error": 25.0, "centre_error": 60.0})
     found = figures_of([one], gauge, touched, limits)
     by = {name: figure.judged_by for name, figure in found.items()}

@@ -24,6 +24,7 @@ from app.metrology.gauges.tip_check import check_tip
 from tests.guide.builders import REST_RAD, reach_tip
 from tests.metrology.builders import six_axis_arm
 from tests.metrology.numerics import on_sphere, unit
+from tests.refusals import refused_as
 from tests.uncertainty_ratio import ratio_of_deviations
 
 RNG = np.random.default_rng(7)
@@ -61,6 +62,18 @@ def test_touches_on_a_line_fix_no_plane(arm: Arm) -> None:
         fit_probed_plane(arm, q)
     with pytest.raises(OperationError, match="at least 4"):
         fit_probed_plane(arm, q[:3])
+
+
+def test_one_of_four_points_is_off_a_plane_and_nothing_tells_which(arm: Arm) -> None:
+    middle = tip_centres(arm, REST_RAD[None])[0]
+    places = np.array(
+        [(-20, -15, 0), (20, 15, 0), (-20, 15, 0), (20, -15, 3), (0, 9, 0), (9, 0, 0)]
+    )
+    with refused_as("contact-off-unknown-which", "One of the points 1, 2, 3, 4 is off"):
+        fit_probed_plane(arm, touching(arm, middle + places[:4]))
+    found = fit_probed_plane(arm, touching(arm, middle + places))
+    assert np.flatnonzero(found.outliers).tolist() == [3]
+    assert found.rms_mm < 1e-4
 
 
 def test_the_stated_uncertainty_of_a_touched_sphere_is_how_it_scatters(arm: Arm) -> None:
@@ -324,11 +337,12 @@ def test_what_is_wrong_with_it_is_named(arm: Arm, true: Tip, cause: str) -> None
         assert found.diameter_mm == pytest.approx(true.diameter_mm, abs=0.03)
 
 
-def test_a_touch_beside_the_sphere_is_scatter_not_a_bend(arm: Arm) -> None:
+def test_a_touch_beside_the_sphere_is_named_and_is_no_bend(arm: Arm) -> None:
     q = touches(arm, arm.tip)
     q[4] = reach_tip(arm, tip_centres(arm, q[4][None])[0] + [0.0, 0.0, 0.6], q[4])
     found = check_tip(arm, q, 2 * RADIUS_MM, limit_um=80)
-    assert (found.decision, found.cause) == ("fail", "scatter")
+    assert (found.decision, found.cause, found.outliers) == ("fail", "outlier", (4,))
+    assert abs(found.error_um) < 30
 
 
 def test_without_the_wrist_turned_no_bend_is_claimed(arm: Arm) -> None:

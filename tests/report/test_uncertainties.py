@@ -45,11 +45,19 @@ def figures_of(shape: Shape, seed: int) -> tuple[FigurePart, ...]:
     )
     normal = np.array([0.6, 0.0, 0.8])
     touched: ProbedGauge = ProbedPlane(
-        NominalPlane(np.zeros(3), normal), np.zeros(6), np.diag([1e-6, 1e-10, 1e-10]) * drawn()
+        NominalPlane(np.zeros(3), normal),
+        np.zeros(6),
+        np.diag([1e-6, 1e-10, 1e-10]) * drawn(),
+        np.zeros(6, np.bool_),
     )
     if shape == "sphere":
         touched = ProbedSphere(
-            NominalSphere(np.zeros(3), 10.0), np.zeros(7), 1e-6 * drawn() * np.eye(3), 10.0, 0.1
+            NominalSphere(np.zeros(3), 10.0),
+            np.zeros(7),
+            1e-6 * drawn() * np.eye(3),
+            10.0,
+            0.1,
+            np.zeros(7, np.bool_),
         )
     fits = []
     for offset_mm in rng.normal(0.0, 0.01, 3).tolist():

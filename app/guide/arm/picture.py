@@ -18,8 +18,9 @@ from app.guide.common.view import Vec3
 from app.guide.verify.view import TouchLine
 from app.messages.message import Text, message, signed
 from app.metrology.arm.identification.articulation import tip_spread_um
-from app.metrology.arm.kinematics import Arm, tip_centres, tips_with_covariances
+from app.metrology.arm.kinematics import Arm, tip_centres, tip_covariances, tips_with_covariances
 from app.metrology.fitting.deviation_map import flat_places
+from app.metrology.fitting.touched_shape import agree_on_sphere
 from app.metrology.performance.contact_tests import seat_articulation
 from app.metrology.transforms import Floats
 
@@ -73,14 +74,15 @@ def _tip_picture(state: ArmState, arm: Arm | None, seat: SeatSamples | None) -> 
     if len(seat.q_rad) >= FEWEST_ON_BALL:
         radius_mm = seat.artefact.size_mm / 2
         tips = tip_centres(arm, np.array(seat.q_rad))
-        centre = _ball_centre(tips, radius_mm + arm.tip.radius_mm)
-        away = tips - centre
+        reach_mm = radius_mm + arm.tip.radius_mm
+        kept = agree_on_sphere(tips, tip_covariances(arm, np.array(seat.q_rad)), reach_mm).kept
+        away = tips - _ball_centre(tips[kept], reach_mm)
         far = np.linalg.norm(away, axis=1)
         flat = flat_places(away / far[:, None] * radius_mm, np.array([0.0, 0.0, 1.0]))
-        off_um = 1e3 * (far - radius_mm - arm.tip.radius_mm)
+        off_um = 1e3 * (far - reach_mm)
         touches = [
-            TouchLine(i, float(x), float(y), float(off))
-            for i, ((x, y), off) in enumerate(zip(flat, off_um, strict=True))
+            TouchLine(i, float(x), float(y), float(off), not agrees)
+            for i, ((x, y), off, agrees) in enumerate(zip(flat, off_um, kept, strict=True))
         ]
         largest = float(np.max(np.abs(off_um)))
         half_range = (largest, largest, largest)

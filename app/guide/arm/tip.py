@@ -32,6 +32,7 @@ def to_payload(found: TipCheck, expected_mm: float, limit_um: float | None) -> d
         "error_decision": found.error_decision,
         "decision": found.decision,
         "cause": found.cause,
+        "outliers": list(found.outliers),
     }
 
 
@@ -57,6 +58,7 @@ def _cause(payload: Mapping[str, Any]) -> tuple[Text, Text]:
     off = quantity(abs(payload["error_um"]), "µm")
     known = uncertainty_quantity(payload["expanded_uncertainty_um"], "µm")
     bend = quantity(payload["bend_um"] or 0.0, "µm")
+    outliers = payload.get("outliers", ())
     causes: dict[str, tuple[Text, Text]] = {
         "sound": (
             message("tip-sound-diameter-off-touches-agree", off=off, scatter=scatter),
@@ -83,6 +85,15 @@ def _cause(payload: Mapping[str, Any]) -> tuple[Text, Text]:
         "bent": (
             message("tip-sits-off-its-place", off=bend),
             message("screw-home-check-again-change-if"),
+        ),
+        "outlier": (
+            message(
+                "tip-points-off-sphere-of-others",
+                count=len(outliers),
+                points=", ".join(str(i + 1) for i in outliers),
+                scatter=scatter,
+            ),
+            message("check-tip-again-holding-still"),
         ),
         "scatter": (
             message("touches-disagree-up-tip-sphere-loose", scatter=scatter),

@@ -1,8 +1,9 @@
 """What the flow's view depends on beside the journal. Pure."""
 
-from collections.abc import Mapping
-from dataclasses import dataclass
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field, replace
 
+from app.errors import sentence
 from app.findings import Finding
 from app.formats.datasheets.sensor import SensorDatasheet
 from app.guide.calibration.outcome import CalibrationOutcome
@@ -10,7 +11,7 @@ from app.guide.calibration.poses.advice import Advice
 from app.guide.common.datasheet_library import DatasheetLibrary
 from app.guide.common.rules import SessionLive
 from app.guide.common.view import TouchedPoint
-from app.messages.message import Text
+from app.messages.message import Text, message
 from app.metrology.adjustment.planning.next_pose import PoseDelta
 from app.metrology.adjustment.planning.next_touches import TouchAdvice
 from app.metrology.arm.kinematics import AnyArm
@@ -70,6 +71,19 @@ class TouchReport:
     advice: TouchAdvice | None = None
     """How many more, on which face, make the object known as well as is wanted."""
     target_um: float = 0.0
+    doubts: Mapping[int, Text] = field(default_factory=dict)
+    """By the index of a point: that it or another one is off while nothing tells which."""
+
+    def with_doubt(self, doubtful: Iterable[int]) -> "TouchReport":
+        """The same, with a finding that one of these points is off, if there are any."""
+        numbers = tuple(doubtful)
+        if not numbers:
+            return self
+        listed = ", ".join(str(i + 1) for i in numbers)
+        text = sentence(message("one-of-points-off", points=listed))
+        finding = Finding("attention", text, message("touch-again-beside-these"))
+        doubts = {**self.doubts, **dict.fromkeys(numbers, text)}
+        return replace(self, findings=(*self.findings, finding), doubts=doubts)
 
     def face_rms_um(self, face: str) -> float | None:
         if self.alignment is None:

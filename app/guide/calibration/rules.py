@@ -171,7 +171,7 @@ def _touch(state: CalibrationState, live: CalibrationLive, args: Args) -> Text:
             return message(
                 "remove-point-first-face", index=point.index + 1, where=where_on_object(point.face)
             )
-    return ""
+    return next(iter(touch.doubts.values()), "")
 
 
 def _place(state: CalibrationState, live: CalibrationLive, args: Args) -> Text:

@@ -2,7 +2,6 @@
 
 from app.errors import OperationError
 from app.messages.message import message, quantity
-from app.metrology.performance.sphere import sphere_centre
 from app.metrology.probing.reachable import off_plane_mm, off_sphere_mm
 from app.metrology.transforms import Floats
 
@@ -18,8 +17,7 @@ def refuse_off_sphere(before_mm: Floats, tip_mm: Floats, reach_mm: float) -> Non
     Raises:
         OperationError: it is not on the sphere of those before.
     """
-    centre = sphere_centre(before_mm, 2 * reach_mm) if len(before_mm) > 3 else None
-    off_mm = off_sphere_mm(before_mm, tip_mm, centre, reach_mm)
+    off_mm = off_sphere_mm(before_mm, tip_mm, reach_mm)
     if off_mm:
         raise OperationError(
             "off-the-sphere",

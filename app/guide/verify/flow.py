@@ -171,7 +171,8 @@ def _findings(state: VerifyState, live: VerifyLive) -> list[Finding]:
             )
     if state.step == "touch":
         shown = live.trouble.text if live.trouble else ""
-        findings += [one for one in _about_touches(live) if not mentions(shown, one.text)]
+        about = _about_touches(state, live)
+        findings += [one for one in about if not mentions(shown, one.text)]
     if state.step == "scan":
         findings += _about_clouds(state, live)
     if state.step == "review":
@@ -194,12 +195,29 @@ def _remedy(result: str) -> Text:
     return message("touch-gauge-more-places-scan-more") if result != "pass" else ""
 
 
-def _about_touches(live: VerifyLive) -> list[Finding]:
+def _about_touches(state: VerifyState, live: VerifyLive) -> list[Finding]:
     touched = live.touched
-    if isinstance(touched, OperationError) and touched.code != "too-few-touches":
-        return [Finding("attention", touched.reason, sentence(touched.remedy))]
-    if not isinstance(touched, ProbedSphere):
+    if isinstance(touched, OperationError):
+        known = touched.code == "too-few-touches"
+        return [] if known else [Finding("attention", touched.reason, sentence(touched.remedy))]
+    if touched is None:
         return []
+    outliers = [
+        Finding(
+            "attention",
+            message(
+                "point-off-surface-left-out",
+                index=i + 1,
+                off=quantity(1e3 * abs(touched.residuals_mm[i]), "µm"),
+            ),
+            message("remove-touch-there-again-rest"),
+        )
+        for i in map(int, np.flatnonzero(touched.outliers))
+    ]
+    return outliers + (_about_size(touched) if isinstance(touched, ProbedSphere) else [])
+
+
+def _about_size(touched: ProbedSphere) -> list[Finding]:
     off_mm = touched.radius_mm - touched.nominal.radius_mm
     if abs(off_mm) < max(OTHER_SIZE_MM, OTHER_SIZE_SDS * touched.radius_sd_mm):
         return []
@@ -237,6 +255,13 @@ def _about_clouds(state: VerifyState, live: VerifyLive) -> list[Finding]:
     return findings
 
 
+def _outliers(state: VerifyState, live: VerifyLive) -> list[tuple[int, int]]:
+    """Places among the counted touches, from 0, and indices of those that are left out."""
+    if live.touched is None or isinstance(live.touched, OperationError):
+        return []
+    return [(int(i), state.counted[i].index) for i in np.flatnonzero(live.touched.outliers)]
+
+
 def _actions(state: VerifyState, live: VerifyLive) -> list[Action]:
     offer = partial(RULES.offer, state, live)
     leave = offer(
@@ -259,6 +284,10 @@ def _actions(state: VerifyState, live: VerifyLive) -> list[Action]:
             offer("confirm_touch", message("go-scanning"), primary=enough),
             offer("undo", message("undo")),
             *(offer("redo", message("put-touch-back", i=i + 1)) for i in state.undone[-1:]),
+            *(
+                offer("void_touch", message("remove-point", index=i + 1), {"index": index})
+                for i, index in _outliers(state, live)
+            ),
             *operator_actions,
             offer("skip_touch", message("go-without-probe")),
             back,

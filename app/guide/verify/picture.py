@@ -72,8 +72,10 @@ def _touches(state: VerifyState, live: VerifyLive) -> list[TouchLine]:
     tips = tip_centres(live.arm, np.array([touch.reading for touch in counted]))
     places = _flat(touched, tips)
     return [
-        TouchLine(touch.index, float(x), float(y), float(residual) * 1e3)
-        for touch, (x, y), residual in zip(counted, places, touched.residuals_mm, strict=True)
+        TouchLine(touch.index, float(x), float(y), float(residual) * 1e3, bool(outlier))
+        for touch, (x, y), residual, outlier in zip(
+            counted, places, touched.residuals_mm, touched.outliers, strict=True
+        )
     ]
 
 

@@ -39,6 +39,8 @@ class TouchLine:
     x_mm: float | None
     y_mm: float | None
     residual_um: float | None
+    is_outlier: bool = False
+    """It contradicts the others, and is left out."""
 
 
 @dataclass(frozen=True)

@@ -6,6 +6,7 @@ A scan of the same gauge is compared with it, as ISO 10360-9 compares two probin
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
 from app.errors import OperationError
 from app.messages.message import message, quantity
@@ -17,6 +18,8 @@ from app.metrology.arm.kinematics import (
     tip_of,
 )
 from app.metrology.fitting.cylinder import perpendicular_axes
+from app.metrology.fitting.outlier_search import Agreement
+from app.metrology.fitting.touched_shape import agree_on_plane, agree_on_sphere, refuse_doubt
 from app.metrology.gauges.errors import NominalPlane, NominalSphere
 from app.metrology.transforms import Floats
 
@@ -43,10 +46,12 @@ class ProbedPlane:
     """(N,) of the contact points, outward."""
     covariance: Floats
     """(3, 3) of the height in the middle (mm) and the tilts (rad) along ``perpendicular_axes``."""
+    outliers: NDArray[np.bool_]
+    """(N,) contact points that contradict the others and are excluded."""
 
     @property
     def rms_mm(self) -> float:
-        return _rms(self.residuals_mm)
+        return _rms(self.residuals_mm[~self.outliers])
 
     @property
     def angle_sd_rad(self) -> float:
@@ -73,10 +78,12 @@ class ProbedSphere:
     radius_mm: float
     """From the contact points alone, not from the certificate."""
     radius_sd_mm: float
+    outliers: NDArray[np.bool_]
+    """(N,) contact points that contradict the others and are excluded."""
 
     @property
     def rms_mm(self) -> float:
-        return _rms(self.residuals_mm)
+        return _rms(self.residuals_mm[~self.outliers])
 
     @property
     def centre_sd_mm(self) -> float:
@@ -98,9 +105,12 @@ def fit_probed_plane(arm: AnyArm, readings: Floats) -> ProbedPlane:
         The plane in the arm frame, its normal towards the flange, with covariance (k = 1).
 
     Raises:
-        OperationError: ``too-few-touches`` or ``touches-on-a-line``.
+        OperationError: ``too-few-touches`` or ``touches-on-a-line``; as ``refuse_doubt``.
     """
-    tips = _tips(arm, readings, PLANE_LEAST, "plane")
+    every = _tips(arm, readings, PLANE_LEAST, "plane")
+    found = agree_on_plane(every, tip_covariances(arm, readings))
+    refuse_doubt(found.doubtful)
+    tips, used = every[found.kept], readings[found.kept]
     middle = tips.mean(axis=0)
     values, vectors = np.linalg.eigh((tips - middle).T @ (tips - middle) / len(tips))
     if np.sqrt(values[1]) < LEAST_SPREAD_MM:
@@ -111,14 +121,14 @@ def fit_probed_plane(arm: AnyArm, readings: Floats) -> ProbedPlane:
             message("touch-near-corners-too"),
         )
     normal = vectors[:, 0]
-    if float(np.mean((_flanges(arm, readings) - tips) @ normal)) < 0:
+    if float(np.mean((_flanges(arm, used) - tips) @ normal)) < 0:
         normal = -normal
-    off = (tips - middle) @ normal
+    off = (every - middle) @ normal
     a, b = perpendicular_axes(normal)
     J = np.column_stack([np.ones(len(tips)), (tips - middle) @ a, (tips - middle) @ b])
-    sd = _contact_sd(arm, readings, off, np.tile(normal, (len(tips), 1)), 3)
+    sd = _contact_sd(arm, used, off[found.kept], np.tile(normal, (len(tips), 1)), 3)
     nominal = NominalPlane(middle - tip_of(arm).radius_mm * normal, normal)
-    return ProbedPlane(nominal, off, sd**2 * np.linalg.inv(J.T @ J))
+    return ProbedPlane(nominal, off, sd**2 * np.linalg.inv(J.T @ J), ~found.kept)
 
 
 def fit_probed_sphere(arm: AnyArm, readings: Floats, radius_mm: float) -> ProbedSphere:
@@ -135,10 +145,34 @@ def fit_probed_sphere(arm: AnyArm, readings: Floats, radius_mm: float) -> Probed
         alone give.
 
     Raises:
-        OperationError: ``too-few-touches`` or ``touches-too-close``.
+        OperationError: ``too-few-touches`` or ``touches-too-close``; as ``refuse_doubt``.
+    """
+    found = agree_on_probed_sphere(arm, readings, radius_mm)
+    refuse_doubt(found.doubtful)
+    return fit_agreeing_sphere(arm, readings, radius_mm, found.kept)
+
+
+def agree_on_probed_sphere(arm: AnyArm, readings: Floats, radius_mm: float) -> Agreement:
+    """Which contact points, as those of ``fit_probed_sphere``, agree.
+
+    Raises:
+        OperationError: ``too-few-touches``.
     """
     tips = _tips(arm, readings, SPHERE_LEAST, "sphere")
     reach_mm = radius_mm + tip_of(arm).radius_mm
+    return agree_on_sphere(tips, tip_covariances(arm, readings), reach_mm)
+
+
+def fit_agreeing_sphere(
+    arm: AnyArm, readings: Floats, radius_mm: float, kept: NDArray[np.bool_]
+) -> ProbedSphere:
+    """The same sphere by those contact points (N,) alone that are kept.
+
+    Raises:
+        OperationError: ``touches-too-close``.
+    """
+    every, reach_mm = tip_centres(arm, readings), radius_mm + tip_of(arm).radius_mm
+    tips, used = every[kept], readings[kept]
     free, free_mm, J = sphere_through(tips)
     centre = _fit_centre(tips, reach_mm, free)
     far, outward = _outward(tips, centre)
@@ -149,13 +183,14 @@ def fit_probed_sphere(arm: AnyArm, readings: Floats, radius_mm: float) -> Probed
             message("they-do-fix-centre"),
             message("touch-top-all-around-side"),
         )
-    sd = _contact_sd(arm, readings, far - reach_mm, outward, 3)
+    sd = _contact_sd(arm, used, far - reach_mm, outward, 3)
     return ProbedSphere(
         NominalSphere(centre, radius_mm),
-        far - reach_mm,
+        _outward(every, centre)[0] - reach_mm,
         np.asarray(sd**2 * np.linalg.inv(outward.T @ outward)),
         free_mm - tip_of(arm).radius_mm,
-        _radius_sd_mm(arm, readings, _outward(tips, free)[0] - free_mm, J),
+        _radius_sd_mm(arm, used, _outward(tips, free)[0] - free_mm, J),
+        ~kept,
     )
 
 

@@ -8,10 +8,15 @@ from dataclasses import dataclass
 from typing import Literal
 
 import numpy as np
+from numpy.typing import NDArray
 
 from app.metrology.arm.kinematics import Arm, flange_poses, tip_centres
 from app.metrology.decision import GUARDED_95, Decision, DecisionRule, decide
-from app.metrology.gauges.probed_gauge import fit_probed_sphere, sphere_through
+from app.metrology.gauges.probed_gauge import (
+    agree_on_probed_sphere,
+    fit_agreeing_sphere,
+    sphere_through,
+)
 from app.metrology.transforms import Floats
 
 OTHER_TIP_MM = 0.3
@@ -22,7 +27,7 @@ LEAST_TURN_RAD = float(np.deg2rad(25.0))
 """Minimum difference of the stylus directions for a bend to be detectable."""
 K = 2.0
 
-Cause = Literal["sound", "other-tip", "small", "large", "bent", "scatter", "unsure"]
+Cause = Literal["sound", "other-tip", "small", "large", "bent", "outlier", "scatter", "unsure"]
 
 
 @dataclass(frozen=True)
@@ -37,7 +42,7 @@ class TipCheck:
     expanded_uncertainty_um: float
     """Its expanded uncertainty, k = 2."""
     scatter_um: float
-    """Largest distance of a contact point from the sphere that fits all of them."""
+    """Largest distance of a contact point from the sphere that fits those that agree."""
     bend_um: float | None
     """Distance of the tip centre from its position in the datasheet; None if the wrist was not
     turned enough."""
@@ -46,6 +51,8 @@ class TipCheck:
     decision: Decision
     """``fail`` too if the scatter is beyond the limit."""
     cause: Cause
+    outliers: tuple[int, ...]
+    """Contact points, from 0, that contradict the others; only the scatter includes them."""
 
 
 def check_tip(
@@ -72,16 +79,20 @@ def check_tip(
         Errors in µm, the expanded uncertainty (k = 2), the decision by the rule and the cause.
 
     Raises:
-        OperationError: as ``fit_probed_sphere``.
+        OperationError: ``too-few-touches`` or ``touches-too-close``.
     """
-    found = fit_probed_sphere(arm, q_rad, sphere_diameter_mm / 2)
+    agreement = agree_on_probed_sphere(arm, q_rad, sphere_diameter_mm / 2)
+    # a bent tip makes all contact points disagree
+    kept = agreement.kept | agreement.doubtful.any()
+    found = fit_agreeing_sphere(arm, q_rad, sphere_diameter_mm / 2, kept)
     # the sphere appears larger by the excess of the tip over its datasheet
     error_mm = 2 * (found.radius_mm - sphere_diameter_mm / 2)
     sd_mm = float(np.hypot(2 * found.radius_sd_mm, sphere_sd_mm))
     tips = tip_centres(arm, q_rad)
-    centre, free_mm, _ = sphere_through(tips)
-    scatter_um = 1e3 * float(np.max(np.abs(np.linalg.norm(tips - centre, axis=1) - free_mm)))
-    bend = _bend_mm(arm, q_rad, tips, centre)
+    centre, free_mm, _ = sphere_through(tips[kept])
+    off_um = 1e3 * np.abs(np.linalg.norm(tips - centre, axis=1) - free_mm)
+    scatter_um = float(np.max(off_um))
+    bend = _bend_mm(arm, q_rad, tips, sphere_through(tips)[0])
     error_um, expanded_um = 1e3 * error_mm, 1e3 * K * sd_mm
     both_limits = bool(np.isfinite(sd_mm))  # an unknown size has no probability between them
     of_error = decide(error_um, limit_um, 1e3 * sd_mm, rule, signed=both_limits)
@@ -97,13 +108,15 @@ def check_tip(
         bend_um=None if bend is None else 1e3 * bend[0],
         error_decision=of_error,
         decision=decision,
-        cause=_cause(error_um, scatter_um, expanded_um, bend, decision, limit_um),
+        cause=_cause(error_um, off_um, kept, expanded_um, bend, decision, limit_um),
+        outliers=tuple(map(int, np.flatnonzero(~kept))),
     )
 
 
 def _cause(
     error_um: float,
-    scatter_um: float,
+    off_um: Floats,
+    kept: NDArray[np.bool_],
     expanded_um: float,
     bend: tuple[float, float] | None,
     decision: Decision,
@@ -111,13 +124,15 @@ def _cause(
 ) -> Cause:
     if decision in ("pass", "none"):
         return "sound"
-    limit = limit_um or 0.0
+    limit, scatter_um = limit_um or 0.0, float(np.max(off_um))
     unproven = abs(error_um) <= limit and scatter_um <= limit
     if decision == "uncertain" or unproven:
         return "unsure"
     if scatter_um > limit:
         bent = bend is not None and bend[0] > BEND_SDS * bend[1] and 1e3 * bend[0] > limit
-        return "bent" if bent else "scatter"
+        if bent:
+            return "bent"
+        return "outlier" if float(np.max(off_um[kept])) <= limit else "scatter"
     if abs(error_um) > max(1e3 * OTHER_TIP_MM, expanded_um):
         return "other-tip"
     return "small" if error_um < 0 else "large"

@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 from app.errors import OperationError
 from app.messages.message import join, message, quantity, word
 from app.metrology.arm.kinematics import Arm, tip_centres, tip_covariances
+from app.metrology.fitting.touched_shape import refuse_doubt
 from app.metrology.probing.contact_fit import best_start, fit_without_outliers, jacobian
 from app.metrology.probing.contacts import (
     FACE_SLACK_MM,
@@ -175,15 +176,9 @@ def refuse_wrong_faces(alignment: Alignment, features: Sequence[str], block: Cre
 
     Raises:
         OperationError: ``contact-on-wrong-face`` names the first such contact point and the face on
-            which it lies; ``contacts-do-not-fit``.
+            which it lies; ``contacts-do-not-fit``; as ``refuse_doubt``.
     """
-    if alignment.doubtful.any():
-        raise OperationError(
-            "contact-off-unknown-which",
-            message("one-of-points-off", points=_numbers(alignment.doubtful)),
-            message("others-cannot-tell-which"),
-            message("touch-again-beside-these"),
-        )
+    refuse_doubt(alignment.doubtful)
     missing = np.abs(alignment.residuals_mm) >= FACE_SLACK_MM
     far = alignment.outliers & missing
     count = int((alignment.outliers | missing).sum())
@@ -213,10 +208,6 @@ def refuse_wrong_faces(alignment: Alignment, features: Sequence[str], block: Cre
             place,
             message("take-out-label-face-touched"),
         )
-
-
-def _numbers(chosen: NDArray[np.bool_]) -> str:
-    return ", ".join(str(i + 1) for i in np.flatnonzero(chosen))
 
 
 def _face_fits(

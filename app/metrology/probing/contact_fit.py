@@ -5,6 +5,7 @@ from collections.abc import Callable
 import numpy as np
 from numpy.typing import NDArray
 
+from app.metrology.fitting.outlier_search import find_agreement
 from app.metrology.probing.contacts import (
     DIRECTIONS,
     FACE_SLACK_MM,
@@ -15,7 +16,6 @@ from app.metrology.probing.contacts import (
     off_face_mask,
     surface_points,
 )
-from app.metrology.probing.outlier_search import find_outliers, limit_of
 from app.metrology.robust import median, sigma_from_median
 from app.metrology.targets.crenellated_block import Crenellated
 from app.metrology.transforms import Floats, nearest_rotation, rigid, rotation_from_vector
@@ -145,8 +145,7 @@ def fit_without_outliers(
     """Least squares on the contact points that agree, of those (N,) that are eligible.
 
     Contact points that miss their face by millimetres at the robust start lie on another face and
-    would tilt the fit: they are excluded at once. Then those are removed without which the others
-    agree best (``find_outliers``), and those put back that agree with the rest after all.
+    would tilt the fit: they are excluded at once. ``find_agreement`` judges the others.
 
     Returns:
         The pose, (N,) the contact points kept, and (N,) those of which one contradicts the others
@@ -156,22 +155,11 @@ def fit_without_outliers(
     kept = allowed & (np.abs(contacts.residuals_mm(T_arm_obj)) < FACE_SLACK_MM)
     if missing_contacts([contacts.features[int(i)] for i in np.flatnonzero(kept)]):
         kept = allowed.copy()
-    doubtful = np.zeros(len(kept), np.bool_)
-    for _ in range(len(kept)):
-        T_arm_obj = _settle(contacts, T_arm_obj, kept)
-        J, residuals = _whiten(contacts, T_arm_obj)
-        own = np.flatnonzero(kept)
-        found = find_outliers(J[own], residuals[own])
-        doubtful[:] = False
-        doubtful[own[list(found.doubtful)]] = True
-        agreeing = _agreeing_again(J, residuals, kept, allowed)
-        if found.rows:
-            kept[own[list(found.rows)]] = False
-        elif agreeing is not None and not found.doubtful:
-            kept[agreeing] = True
-        else:
-            break
-    return T_arm_obj, kept, doubtful
+    start = T_arm_obj
+    found = find_agreement(
+        lambda some: _whiten(contacts, _settle(contacts, start, some)), kept, allowed
+    )
+    return _settle(contacts, start, found.kept), found.kept, found.doubtful
 
 
 def _settle(contacts: FaceContacts, T_arm_obj: Floats, kept: NDArray[np.bool_]) -> Floats:
@@ -189,18 +177,3 @@ def _whiten(contacts: FaceContacts, T_arm_obj: Floats) -> tuple[Floats, Floats]:
     sds_mm = contacts.sds_mm(T_arm_obj)
     J, _ = jacobian(contacts, T_arm_obj)
     return J / sds_mm[:, None], contacts.residuals_mm(T_arm_obj) / sds_mm
-
-
-def _agreeing_again(
-    J: Floats, residuals: Floats, kept: NDArray[np.bool_], allowed: NDArray[np.bool_]
-) -> int | None:
-    """The removed contact point that the others predict best, if it lies within their scatter."""
-    freedom = int(kept.sum()) - 6
-    if freedom < 1 or kept[allowed].all():
-        return None
-    variance = max(float(residuals[kept] @ residuals[kept]) / freedom, 1.0)
-    covariance = np.linalg.pinv(J[kept].T @ J[kept])
-    spread = 1 + np.einsum("ij,jk,ik->i", J, covariance, J)
-    off = np.where(kept | ~allowed, np.inf, residuals**2 / (spread * variance))
-    best = int(np.argmin(off))
-    return best if off[best] < limit_of(freedom) / 2 else None

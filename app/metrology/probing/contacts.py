@@ -20,6 +20,8 @@ MIN_SPREAD_MM = 0.5
 """Contact points with a smaller rms distance from their best line count as lying on it."""
 CONTACT_SD_MM = 0.001
 """Repeatability of the touch itself, in addition to the encoder noise."""
+ALIKE_MM = 0.1
+"""Contact points that differ by less may be on one plane."""
 FACE_SLACK_MM = 1.5
 """Tolerated distance of a contact point beyond its face before it counts as off the face."""
 MERLON_SLACK_MM = 0.5
@@ -139,8 +141,10 @@ def in_plane_spread(points_mm: Floats) -> tuple[float, Floats]:
     normals, corners = normals[proper] / lengths[proper, None], corners[proper]
     offsets = np.einsum("ij,ij->i", normals, corners[:, 0])
     distances = np.abs(points_mm @ normals.T - offsets)
-    best = int(np.argmin(np.median(distances, axis=0)))
-    near = distances[:, best] <= np.maximum(3 * median(distances[:, best]), 0.1)
+    # of planes that fit alike, as any three of four points do, the one through the widest triangle
+    alike = (np.median(distances, axis=0) / ALIKE_MM).round()
+    best = int(np.lexsort((-lengths[proper], alike))[0])
+    near = distances[:, best] <= np.maximum(3 * median(distances[:, best]), ALIKE_MM)
     _, s, Vt = np.linalg.svd(points_mm[near] - points_mm[near].mean(axis=0))
     return float(s[1] / np.sqrt(near.sum())), Vt[2]
 

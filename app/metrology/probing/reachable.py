@@ -4,7 +4,13 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from app.metrology.probing.contacts import MIN_SPREAD_MM
+from app.metrology.fitting.touched_shape import (
+    CONTACT_SD_MM,
+    agree_on_plane,
+    agree_on_sphere,
+    distances_from_plane_mm,
+)
+from app.metrology.performance.sphere import sphere_centre
 from app.metrology.targets.chessboard import Chessboard
 from app.metrology.targets.crenellated_block import Crenellated
 from app.metrology.targets.target import CalibrationTarget
@@ -16,9 +22,8 @@ OFF_SPHERE_MM = 2.0
 """A contact that lies farther off the sphere of the certified diameter is on something else."""
 OFF_PLANE_MM = 1.0
 """The same of a plane."""
-CONTACT_SD_MM = 0.1
-"""Generously, of one contact: by this a plane through a few is known beside them."""
-SDS = 4.0
+FEWEST_ON_PLANE, FEWEST_ON_SPHERE = 6, 7
+"""With fewer contacts, another one may be the wrong one."""
 BOARD_MARGIN = 1.5
 """A board is larger than its pattern, by no more than this factor."""
 
@@ -31,16 +36,6 @@ class TooFar:
     """Index of the earlier one."""
     apart_mm: float
     limit_mm: float
-
-
-@dataclass(frozen=True)
-class OddContact:
-    """A contact that is not on the plane of the others of its face."""
-
-    index: int
-    off_mm: float
-    is_certain: bool
-    """False where another one of them may be the wrong one."""
 
 
 def too_far(before_mm: Floats, tip_mm: Floats, limits_mm: Floats) -> TooFar | None:
@@ -71,23 +66,23 @@ def farthest_apart_mm(
     return float(np.linalg.norm(_size_mm(item) + tip_diameter_mm)) + SLACK_MM
 
 
-def off_sphere_mm(
-    before_mm: Floats, tip_mm: Floats, centre_mm: Floats | None, reach_mm: float
-) -> float:
+def off_sphere_mm(before_mm: Floats, tip_mm: Floats, reach_mm: float) -> float:
     """By how much a contact misses the sphere that others touched; 0 while that is not known.
 
     Args:
         before_mm: (N, 3) tip centres of the earlier contacts.
         tip_mm: (3,) of the new one.
-        centre_mm: (3,) of the sphere, None while they do not say it.
         reach_mm: radius of the sphere and of the tip together.
     """
-    if centre_mm is not None:
-        off_mm = abs(float(np.linalg.norm(tip_mm - centre_mm)) - reach_mm)
-    elif len(before_mm):
-        off_mm = float(np.max(np.linalg.norm(before_mm - tip_mm, axis=1))) - 2 * reach_mm
-    else:
+    tips = np.vstack([before_mm, tip_mm])
+    if len(before_mm) and len(tips) < FEWEST_ON_SPHERE:
+        apart_mm = float(np.max(np.linalg.norm(before_mm - tip_mm, axis=1))) - 2 * reach_mm
+        return apart_mm if apart_mm > OFF_SPHERE_MM else 0.0
+    found = agree_on_sphere(tips, _contact_covariances_mm2(len(tips)), reach_mm)
+    if found.kept[-1]:
         return 0.0
+    centre = sphere_centre(tips[found.kept], 2 * reach_mm)
+    off_mm = abs(float(np.linalg.norm(tip_mm - centre)) - reach_mm)
     return off_mm if off_mm > OFF_SPHERE_MM else 0.0
 
 
@@ -98,41 +93,16 @@ def off_plane_mm(before_mm: Floats, tip_mm: Floats) -> float:
         before_mm: (N, 3) tip centres of the earlier contacts.
         tip_mm: (3,) of the new one.
     """
-    if len(before_mm) < 3:
+    tips = np.vstack([before_mm, tip_mm])
+    if len(tips) < FEWEST_ON_PLANE:
         return 0.0
-    centre = before_mm.mean(axis=0)
-    _, s, Vt = np.linalg.svd(before_mm - centre)
-    if s[1] / np.sqrt(len(before_mm)) < MIN_SPREAD_MM:
-        return 0.0
-    along_1, along_2, off = Vt @ (tip_mm - centre)
-    lever = 1 / len(before_mm) + (along_1 / s[0]) ** 2 + (along_2 / s[1]) ** 2
-    known_mm = SDS * CONTACT_SD_MM * float(np.sqrt(1 + lever))
-    return abs(float(off)) if abs(off) > OFF_PLANE_MM + known_mm else 0.0
+    found = agree_on_plane(tips, _contact_covariances_mm2(len(tips)))
+    off_mm = abs(float(distances_from_plane_mm(tips, found.kept)[-1]))
+    return 0.0 if found.kept[-1] or off_mm <= OFF_PLANE_MM else off_mm
 
 
-def odd_one_out(tips_mm: Floats) -> OddContact | None:
-    """The contact that is off the plane of the others; None of fewer than four, or if all are on
-    one plane. Where several are such that the others are on a plane without them, as of four, the
-    last of these.
-
-    Args:
-        tips_mm: (N, 3) tip centres on one face, in the order in which they were taken.
-    """
-    count = len(tips_mm)
-    if count < 4 or _unevenness_mm(tips_mm) <= CONTACT_SD_MM:
-        return None
-    rest = [np.delete(tips_mm, i, axis=0) for i in range(count)]
-    uneven_mm = np.array([_unevenness_mm(one) for one in rest])
-    possible = np.flatnonzero(uneven_mm <= max(SDS * CONTACT_SD_MM, float(uneven_mm.min())))
-    index = int(possible[-1])
-    off_mm = off_plane_mm(rest[index], tips_mm[index])
-    return OddContact(index, off_mm, len(possible) == 1) if off_mm > 0 else None
-
-
-def _unevenness_mm(points_mm: Floats) -> float:
-    """Root mean square distance from the best plane."""
-    off_mm = np.linalg.svd(points_mm - points_mm.mean(axis=0), compute_uv=False)[2]
-    return float(off_mm / np.sqrt(len(points_mm)))
+def _contact_covariances_mm2(count: int) -> Floats:
+    return np.tile(CONTACT_SD_MM**2 * np.eye(3), (count, 1, 1))
 
 
 def _size_mm(block: Crenellated) -> Floats:

@@ -11,6 +11,7 @@ from app.formats.session.arm_session import ARM, SPHERES, read_spheres
 from app.messages.message import Text, message, quantity, rounded, signed
 from app.messages.uncertainty import uncertainty_quantity
 from app.metrology.arm.kinematics import tip_centres
+from app.metrology.fitting.touched_shape import agree_on_sphere
 from app.metrology.gauges.probed_gauge import sphere_through
 from app.metrology.transforms import Floats
 from app.report.content import (
@@ -50,7 +51,7 @@ def tip_check_report(folder: Path) -> Report[Text]:
         Section(message("what-checked"), [_facts(check)]),
         Section(message("results"), [_table(check), *_rule(check)]),
         signatures(check.operator),
-        Section(message("touches-3"), [Pictures([_contact_figure(tips, check.limit_um)])]),
+        Section(message("touches-3"), [Pictures([_contact_figure(tips, check)])]),
         inputs_section(folder, check.inputs, TIP_CHECK),
     ]
     return arm_report(folder, message("tip-check"), check, check.checked_at, verdict, sections)
@@ -99,9 +100,11 @@ def _rule(check: TipCheckFile) -> list[TextBlock[Text]]:
     ]
 
 
-def _contact_figure(tips_mm: Floats, limit_um: float | None) -> tuple[Figure[Text], Text]:
-    """The distance of each contact point from the sphere through all of them, in order."""
-    centre, reach_mm, _ = sphere_through(tips_mm)
+def _contact_figure(tips_mm: Floats, check: TipCheckFile) -> tuple[Figure[Text], Text]:
+    """The distance of each contact point from the sphere through those that agree, in order."""
+    limit_um, noise = check.limit_um, np.zeros((len(tips_mm), 3, 3))
+    found = agree_on_sphere(tips_mm, noise, (check.sphere_mm + check.expected_mm) / 2)
+    centre, reach_mm, _ = sphere_through(tips_mm[found.kept])
     off_um = 1e3 * (np.linalg.norm(tips_mm - centre, axis=1) - reach_mm)
     end = 1.2 * max(float(np.abs(off_um).max()), limit_um or 0.0, 1.0)
     figure = Figure[Text](520, 150, message("each-touchs-distance-sphere"))

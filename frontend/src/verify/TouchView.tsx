@@ -46,7 +46,8 @@ interface PlotProps {
 /** The gauge in millimetres; dots and labels in screen pixels, whatever its size. */
 function Plot({ radius_mm, placed }: PlotProps) {
   const { ref: plot, width, height } = useElementSize();
-  const worst = Math.max(...placed.map(({ residual_um }) => Math.abs(residual_um ?? 0)));
+  const agreeing = placed.filter((touch) => !touch.is_outlier);
+  const worst = Math.max(...agreeing.map(({ residual_um }) => Math.abs(residual_um ?? 0)));
   const end = roundEnd(worst, "µm", 5, 1000);
   const reach = radius_mm ?? Math.max(...placed.flatMap(({ at }) => at.map(Math.abs)));
   const half = 1.3 * reach;
@@ -74,9 +75,13 @@ function Plot({ radius_mm, placed }: PlotProps) {
             className={styles.gauge}
           />
         )}
-        {placed.map(({ index, number, at, residual_um }) => (
+        {placed.map(({ index, number, at, residual_um, is_outlier }) => (
           <g key={index} transform={`translate(${at.join(" ")})`}>
-            <circle r={dot} style={{ fill: deviationColour((residual_um ?? 0) / end) }} className={styles.dot} />
+            {is_outlier ? (
+              <path d="M0-1.5 1.5 0 0 1.5-1.5 0Z" transform={`scale(${dot})`} className={styles.outlier} />
+            ) : (
+              <circle r={dot} style={{ fill: deviationColour((residual_um ?? 0) / end) }} className={styles.dot} />
+            )}
             <text
               x={(sides.get(index) === "left" ? -1.5 : 1.5) * dot}
               y={0.35 * LABEL_PX.text * px}

@@ -7,11 +7,13 @@ from tests.bench.figures.printed import in_readme
 from tests.bench.figures.readings import at, smallest_of_rows
 from tests.bench.figures.section import AS_PRINTED, LARGER, NEAR_ONE, SMALLER, Section
 from tests.bench.figures.tolerances import count_of, mean_of, rms_of, share_of
+from tests.bench.outlier_contacts import TOUCHED
 
 SAMPLES = Command("python -m tests.bench.accuracy SAMPLES", (("SAMPLES", "samples"),))
 PEERS = Command("python -m tests.bench.many_poses --sessions 16")
 WRONG_PARAMETERS = Command(PEERS.documented, more=("--wrong-in", "parameters"))
 FAULTS = Command("python -m tests.bench.fault_identification")
+OUTLIERS = Command("python -m tests.bench.outlier_contacts --first 100000")
 GAUGES = Command("python -m tests.bench.gauges SAMPLES", (("SAMPLES", "samples"),))
 NAMES = ("one-pose", "many-poses", "metal")
 SAMPLE = share_of(0.25, "1/√(2·8): the same pictures, whose noise moves eight unknowns")
@@ -87,6 +89,22 @@ def fault_detection() -> Iterator[Figure]:
                 yield figure(what, (label, f"{arm} µm", which), read, better, tolerance)
 
 
+def outliers() -> Iterator[Figure]:
+    figure = Section(OUTLIERS, "Outliers among contact points")
+    for name, touched in TOUCHED.items():
+        sets = 500 // touched.slow
+        tolerance = count_of(sets, "sets, in %", 100 / sets)
+        for column, key, better, counts in (
+            ("good point named", "good named", SMALLER, (0, 1, 2)),
+            ("in doubt", "in doubt", SMALLER, (0, 1, 2)),
+            ("outlier named", "named", LARGER, (1, 2)),
+            ("clear outlier overlooked", "overlooked", SMALLER, (1, 2)),
+        ):
+            for which, count in enumerate(counts):
+                what, read = f"{name}, {count} outliers: {key}", at(name, f"{count}: {key}")
+                yield figure(what, (name, column, which), read, better, tolerance)
+
+
 def gauges() -> Iterator[Figure]:
     figure = Section(GAUGES, "Gauges")
     for row, which, name, key, pattern in (
@@ -101,4 +119,4 @@ def gauges() -> Iterator[Figure]:
         yield figure(f"gauge, {name}: {key}", (row, 1, which), at(name, key), SMALLER, SAMPLE, also)
 
 
-FIGURES = (*samples(), *beside_opencv(), *fault_detection(), *gauges())
+FIGURES = (*samples(), *beside_opencv(), *fault_detection(), *outliers(), *gauges())

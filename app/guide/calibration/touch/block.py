@@ -77,18 +77,12 @@ def block_report(
         _outlier_finding(point, i, alignment, block)
         for i, point in enumerate(points)
         if point.outlier
-    ) + _doubt_findings(points, alignment)
+    )
     advice = next_touches(alignment, faces, block, target_um) if alignment.sigma_mm > 0 else None
-    return TouchReport(points, alignment, "", findings, outliers, advice, target_um)
-
-
-def _doubt_findings(points: Sequence[TouchedPoint], alignment: Alignment) -> tuple[Finding, ...]:
-    """That one of some points is off, where the others cannot tell which."""
-    doubtful = [p.index + 1 for p, one in zip(points, alignment.doubtful, strict=True) if one]
-    if not doubtful:
-        return ()
-    text = message("one-of-points-off", points=", ".join(map(str, doubtful)))
-    return (Finding("attention", text, message("touch-again-beside-these")),)
+    report = TouchReport(points, alignment, "", findings, outliers, advice, target_um)
+    return report.with_doubt(
+        contacts[i].index for i in map(int, np.flatnonzero(alignment.doubtful))
+    )
 
 
 def _outlier_finding(

@@ -4,14 +4,13 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from app.errors import OperationError
 from app.findings import Finding
 from app.guide.calibration.live import TouchReport
 from app.guide.calibration.state import Contact
 from app.guide.common.view import FaceProgress, TouchedPoint, Vec3
 from app.messages.message import message, signed
-from app.metrology.arm.kinematics import AnyArm, tip_centres
-from app.metrology.fitting.plane_sphere import fit_plane
+from app.metrology.arm.kinematics import AnyArm, tip_centres, tip_covariances
+from app.metrology.fitting.touched_shape import agree_on_plane, distances_from_plane_mm
 from app.metrology.targets.chessboard import Chessboard, pattern_centre
 
 FACE = "board"
@@ -19,26 +18,34 @@ FACE = "board"
 TITLE = message("board-printed-side")
 WANTED = 6
 """Three fix a plane, the others show whether one of them slipped."""
-FEWEST_JUDGED = 6
-SLIPPED_MM, SLIPPED_BENDS = 0.1, 2.0
+FEWEST_JUDGED = 4
+SLIPPED_MM, SLIPPED_BENDS, SLIPPED_SDS = 0.1, 2.0, 4.0
 """A point has slipped that lies so far off the others, and by more than the board bends."""
 
 
 def board_report(contacts: Sequence[Contact], arm: AnyArm, board: Chessboard) -> TouchReport:
     """How well the points so far fit a plane; the pictures show where on it they lie."""
-    off_um = _off_plane_um(contacts, arm)
-    slipped_um = 1e3 * max(SLIPPED_MM, SLIPPED_BENDS * board.flatness_mm)
+    if len(contacts) < FEWEST_JUDGED:
+        unjudged = tuple(TouchedPoint(c.index, FACE, None, None, False) for c in contacts)
+        return TouchReport(unjudged, None, "", (), ())
+    readings = np.array([contact.reading for contact in contacts])
+    tips = tip_centres(arm, readings)
+    usual_mm = max(SLIPPED_MM, SLIPPED_BENDS * board.flatness_mm) / SLIPPED_SDS
+    spread = tip_covariances(arm, readings) + usual_mm**2 * np.eye(3)
+    found = agree_on_plane(tips, spread, usual_mm)
+    off_mm = distances_from_plane_mm(tips, found.kept)
     points = tuple(
-        TouchedPoint(c.index, FACE, None, um, um is not None and abs(um) > slipped_um)
-        for c, um in zip(contacts, off_um, strict=True)
+        TouchedPoint(c.index, FACE, None, float(1e3 * mm), not kept)
+        for c, mm, kept in zip(contacts, off_mm, found.kept, strict=True)
     )
-    return TouchReport(
+    report = TouchReport(
         points,
         None,
         "",
         tuple(_outlier_finding(point) for point in points if point.outlier),
         tuple(point.index for point in points if point.outlier),
     )
+    return report.with_doubt(contacts[i].index for i in map(int, np.flatnonzero(found.doubtful)))
 
 
 def board_face(report: TouchReport, board: Chessboard) -> FaceProgress:
@@ -58,21 +65,6 @@ def suggest_board_places(board: Chessboard) -> list[Vec3]:
     """Places spread over the pattern, ``WANTED`` of them, in the board's frame, mm."""
     (x, y), (half_x, half_y) = pattern_centre(board)[:2].tolist(), (board.extent_mm / 2).tolist()
     return [(x + a * half_x, y + b * half_y, 0.0) for b in (-0.8, 0.8) for a in (-0.8, 0.0, 0.8)]
-
-
-def _off_plane_um(contacts: Sequence[Contact], arm: AnyArm) -> list[float | None]:
-    """Each point's distance from the plane of those that agree, positive upward; None for all
-    while they are too few to judge one another."""
-    if len(contacts) < FEWEST_JUDGED:
-        return [None] * len(contacts)
-    tips = tip_centres(arm, np.array([contact.reading for contact in contacts]))
-    try:
-        plane = fit_plane(tips)
-    except OperationError:  # all on one line
-        return [None] * len(contacts)
-    up = 1.0 if plane.normal[2] >= 0 else -1.0
-    off_mm = up * (tips @ plane.normal - plane.offset_mm)
-    return [float(1e3 * mm) for mm in off_mm]
 
 
 def _outlier_finding(point: TouchedPoint) -> Finding:

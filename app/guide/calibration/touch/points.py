@@ -12,7 +12,7 @@ from app.guide.calibration.touch.report import (
     same_place,
     where_on_object,
 )
-from app.messages.message import Text, message, quantity, signed
+from app.messages.message import message, quantity, signed
 
 
 def take_point(guide: CalibrationGuide, source: str, until_ns: int | None, key: str | None) -> None:
@@ -105,8 +105,10 @@ def _report_point(guide: CalibrationGuide) -> None:
     number, where = point.index + 1, where_on_object(point.face)
     quality: Quality = "neutral"  # nothing shows yet that it lies there
     judged = next((p for p in report.points if p.index == point.index), None) if report else None
-    if judged is None or judged.residual_um is None:
-        text: Text = message("point-taken-for", index=number, where=where)
+    if report is not None and point.index in report.doubts:
+        text, quality = report.doubts[point.index], "attention"
+    elif judged is None or judged.residual_um is None:
+        text = message("point-taken-for", index=number, where=where)
         if report is not None and point.index in report.questionable:
             finding = report.findings[report.questionable.index(point.index)]
             text, quality = finding.text, "attention"

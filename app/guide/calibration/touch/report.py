@@ -15,13 +15,19 @@ from app.guide.common.view import FaceProgress
 from app.messages.message import Text, message, quantity
 from app.metrology.arm.joint_plausibility import limits_error
 from app.metrology.arm.kinematics import AnyArm, Arm, tip_centres, tip_of
-from app.metrology.probing.reachable import farthest_apart_mm, odd_one_out, too_far
+from app.metrology.fitting.touched_shape import (
+    CONTACT_SD_MM,
+    agree_on_plane,
+    distances_from_plane_mm,
+)
+from app.metrology.probing.reachable import farthest_apart_mm, too_far
 from app.metrology.targets.chessboard import Chessboard
 from app.metrology.targets.crenellated_block import FACES, on_face
 from app.metrology.targets.target import CalibrationTarget
 from app.metrology.transforms import Floats
 
 SAME_PLACE_MM = 0.3
+FEWEST_JUDGED = board_touching.FEWEST_JUDGED
 
 
 def face_names(item: CalibrationTarget) -> tuple[str, ...]:
@@ -50,8 +56,6 @@ def touch_report(
     """
     if isinstance(item, Chessboard):
         report = board_touching.board_report(contacts, arm, item)
-        if len(contacts) < board_touching.FEWEST_JUDGED:
-            report = _flag_odd_ones(report, contacts, arm)
     elif isinstance(arm, Arm):
         report = touching.block_report(contacts, arm, item, target_um)
         if report.alignment is None:
@@ -81,23 +85,23 @@ def _flag_impossible(report: TouchReport, contacts: Sequence[Contact], arm: Arm)
 
 
 def _flag_odd_ones(report: TouchReport, contacts: Sequence[Contact], arm: AnyArm) -> TouchReport:
-    """Names the point of each face that is off the plane of its others, while the object's place
+    """Names the points of each face that are off the plane of its others, while the object's place
     is not known yet."""
     odd: list[int] = []
     findings = []
     for face in dict.fromkeys(contact.face for contact in contacts):
         own = [contact for contact in contacts if contact.face == face]
-        found = odd_one_out(tip_centres(arm, np.array([contact.reading for contact in own])))
-        if found is None:
+        if len(own) < FEWEST_JUDGED:
             continue
-        index = own[found.index].index
-        odd.append(index)
-        off, where = quantity(found.off_mm, "mm", 1), where_on_object(face)
-        text = message("point-off-others", index=index + 1, off=off, where=where)
-        remedy = message("remove-it-or-other")
-        if found.is_certain:
-            remedy = message("remove-touch-there-again")
-        findings.append(Finding("attention", text, remedy))
+        tips = tip_centres(arm, np.array([contact.reading for contact in own]))
+        found = agree_on_plane(tips, np.tile(CONTACT_SD_MM**2 * np.eye(3), (len(own), 1, 1)))
+        report = report.with_doubt(own[i].index for i in np.flatnonzero(found.doubtful))
+        off_mm = distances_from_plane_mm(tips, found.kept)
+        for i in np.flatnonzero(~found.kept):
+            odd.append(own[i].index)
+            off, where = quantity(abs(off_mm[i]), "mm", 1), where_on_object(face)
+            text = message("point-off-others", index=own[i].index + 1, off=off, where=where)
+            findings.append(Finding("attention", text, message("remove-touch-there-again")))
     points = tuple(replace(one, outlier=one.outlier or one.index in odd) for one in report.points)
     return replace(
         report,

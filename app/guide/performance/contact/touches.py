@@ -85,7 +85,7 @@ def _check_seat(
         raise OperationError(
             "off-the-seat",
             message("performance-touch-off-seat", off=quantity(off_mm, "mm", 1)),
-            remedy=message("put-tip-into-seat"),
+            remedy=message("performance-touch-same-seat"),
         )
     earlier = np.array([touch.reading for touch in state.of(state.feature)])
     turned_deg = least_turn_deg(arm, earlier, reading)

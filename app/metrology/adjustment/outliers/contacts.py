@@ -5,72 +5,59 @@ from dataclasses import replace
 import numpy as np
 
 from app.metrology.adjustment.core.gauss_newton import AdjustmentResult, solve_adjustment
-from app.metrology.adjustment.core.linearise import ContactEquations
 from app.metrology.adjustment.core.variance_components import USUAL_CONTACT_MM
-from app.metrology.robust import huber_weights, sigma_from_median
-from app.metrology.transforms import Floats
+from app.metrology.fitting.outlier_search import Disagreement, Outliers, find_outlier_points
+from app.metrology.fitting.touched_shape import CONTACT_SD_MM, refuse_doubt
 
 # With fewer contact points than this, no outlier can be identified.
-FEWEST_CONTACTS = 5
-SIGMAS = 4.0
-# Share of a contact point that the others must determine before it is judged.
-LEAST_REDUNDANCY = 0.05
-# Deviations beyond this many standard deviations weigh less.
-HUBER, ROBUST_STEPS = 1.5, 15
-LEAST_SCATTER_MM = 1e-6
+FEWEST_CONTACTS = 4
 
 
 def remove_outlier_contacts(found: AdjustmentResult) -> AdjustmentResult:
-    """Adjusts without the contact points that disagree with the others, worst first; ``kept`` marks
-    the others. Fewer than half are excluded."""
+    """Adjusts without the contact points that contradict the others; ``inliers`` marks the others.
+    Fewer than half are excluded.
+
+    Raises:
+        OperationError: as ``refuse_doubt``.
+    """
     touches = found.problem.contacts
     if touches is None:
         return found
-    while 2 * (int((~touches.inliers).sum()) + 1) < len(touches):
-        outlier = find_outlier_contact(found)
-        if outlier is None:
-            break
-        touches = replace(touches, inliers=touches.inliers & (np.arange(len(touches)) != outlier))
-        found = solve_adjustment(replace(found.problem, contacts=touches), found.state)
-    return found
+    inliers = touches.inliers.copy()
+    while True:
+        own, outliers = np.flatnonzero(inliers), find_outlier_contacts(found)
+        if len(outliers.doubtful) < len(own):  # else no contact point is the cause
+            refuse_doubt(np.isin(np.arange(len(touches)), own[list(outliers.doubtful)]))
+        left = inliers & ~np.isin(np.arange(len(touches)), own[list(outliers.points)])
+        if not outliers.points or 2 * int((~left).sum()) >= len(touches):
+            return found
+        inliers = left
+        contacts = replace(touches, inliers=inliers)
+        found = solve_adjustment(replace(found.problem, contacts=contacts), found.state)
 
 
-def find_outlier_contact(found: AdjustmentResult) -> int | None:
-    """The row of the contact point that is furthest off relative to the scatter of the others
-    (their median, which a few outliers do not affect), and beyond what a usual touch and the noise
-    of the readings explain; None if there is none."""
-    contacts, touches = found.linear.contacts, found.problem.contacts
-    if contacts is None or touches is None or len(contacts.residuals_mm) < FEWEST_CONTACTS:
-        return None
-    off_mm = _robust_deviations_mm(contacts, found)
-    usual_mm = np.sqrt(contacts.variances(replace(found.scales, touch_mm=USUAL_CONTACT_MM)))
-    scatter_mm = max(sigma_from_median(off_mm), LEAST_SCATTER_MM)
-    # few contact points determine their scatter poorly
-    limit = SIGMAS * (1 + 4.0 / len(off_mm))
-    off = np.minimum(off_mm / (limit * scatter_mm), off_mm / (SIGMAS * usual_mm))
-    worst = int(np.argmax(off))
-    return int(np.flatnonzero(touches.inliers)[worst]) if off[worst] > 1 else None
-
-
-def _robust_deviations_mm(contacts: ContactEquations, found: AdjustmentResult) -> Floats:
-    """(N,) magnitudes of the residuals about what most contact points and the pictures agree on.
+def find_outlier_contacts(found: AdjustmentResult) -> Outliers:
+    """Which of the contact points that count contradict the others and the pictures.
 
     An outlier raises the estimated noise of all touches, so that they hardly move the board any
-    more: all others then lie off it by the same, which hides the outlier. Here their own scatter
-    weighs them (Huber's estimate, by steps of the linear equations), and each residual is divided
-    by the root of its redundancy.
+    more: all others then lie off it by the same. So each is judged as if it were touched as well as
+    is usual, by its residual from what the pictures alone say, of which the covariance follows
+    from that of the adjustment.
     """
-    J, residuals_mm = contacts.jacobian, contacts.residuals_mm
-    given = 1 / contacts.variances(found.scales)
-    spread = J @ found.covariance @ J.T
-    weights = given
-    deviations_mm = np.abs(residuals_mm)
-    for _ in range(ROBUST_STEPS):
-        # the residuals and their covariance by the board, once these weights have moved it
-        change = np.eye(len(given)) - spread * (given - weights)
-        moved = np.linalg.solve(change, np.column_stack([spread, residuals_mm]))
-        redundancy = np.maximum(1 - np.diag(moved[:, :-1]) * weights, LEAST_REDUNDANCY)
-        deviations_mm = np.abs(moved[:, -1]) / np.sqrt(redundancy)
-        scatter_mm = max(sigma_from_median(deviations_mm), LEAST_SCATTER_MM)
-        weights = huber_weights(deviations_mm, HUBER * scatter_mm) / scatter_mm**2
-    return deviations_mm
+    contacts = found.linear.contacts
+    if contacts is None or len(contacts.residuals_mm) < FEWEST_CONTACTS:
+        return Outliers()
+    J = contacts.jacobian
+    given = contacts.variances(found.scales)
+    usual = contacts.variances(replace(found.scales, touch_mm=USUAL_CONTACT_MM))
+    # inverse covariance of these residuals, with the variances of the adjustment, then the usual
+    by_given = J / given[:, None]
+    information = np.diag(1 / given) - by_given @ found.covariance @ by_given.T
+    both = np.column_stack([information, contacts.residuals_mm / given])
+    solved = np.linalg.solve(np.eye(len(given)) + information * (usual - given), both)
+    sds = np.sqrt(usual)
+    whitened = sds[:, None] * solved[:, :-1] * sds
+    most = max(CONTACT_SD_MM**2 / float(np.min(usual)), 1.0)
+    return find_outlier_points(
+        Disagreement((whitened + whitened.T) / 2, sds * solved[:, -1], 1, most)
+    )

@@ -5,9 +5,11 @@ The centre of each place is unknown and affects only its own points: it is elimi
 their rows to it.
 """
 
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
 import numpy as np
+from numpy.typing import NDArray
 from scipy.linalg import solve_triangular
 
 from app.metrology.arm.identification.coordinate_rows import (
@@ -24,6 +26,7 @@ from app.metrology.arm.identification.parameters import (
 from app.metrology.arm.identification.scatter import Scatter
 from app.metrology.arm.identification.unknowns import Unknowns
 from app.metrology.arm.kinematics import tips_with_covariances
+from app.metrology.fitting.outlier_search import Disagreement
 from app.metrology.transforms import Floats
 
 CONSTRAINT_MM = 1e-4
@@ -146,6 +149,24 @@ def _touch_rows(
     """Rows of the touches without their centres, and what recovers the centres of each group."""
     others = data.others
     width = others.count + len(columns)
+    by_centre, body = _touch_equations(data, at, columns, weights, scatter_mm)
+    left: list[Floats] = [np.zeros((0, width + 1))]
+    back: list[Floats] = []
+    for group in data.groups:
+        triangle = _triangle(_group_rows(data, at, group, by_centre, body))
+        unknown = 3 * len(group.places)
+        back.append(triangle[:unknown])
+        left.append(triangle[unknown:, unknown:])
+    return np.concatenate(left), back
+
+
+def _touch_equations(
+    data: StackedObservations, at: Unknowns, columns: Indices, weights: Floats, scatter_mm: float
+) -> tuple[Floats, Floats]:
+    """Derivatives (N, 3, 3) of the touches by their centres, and (N, 3, width + 1) by all other
+    unknowns, with the right side."""
+    others = data.others
+    width = others.count + len(columns)
     linear = _linearise(data, at, predict_tips(data, at), scatter_mm)
     root = np.sqrt(weights)
     body = np.zeros((data.touches, 3, width + 1))
@@ -157,15 +178,43 @@ def _touch_rows(
         body[:, :, others.count : width] = linear.by_tip @ J
     body[:, :, width] = -linear.right
     body *= root[:, None, None]
-    by_centre = -linear.by_tip * root[:, None, None]
-    left: list[Floats] = [np.zeros((0, width + 1))]
-    back: list[Floats] = []
+    return -linear.by_tip * root[:, None, None], body
+
+
+def group_disagreements(
+    data: StackedObservations,
+    at: Unknowns,
+    columns: Indices,
+    kept: NDArray[np.bool_],
+    scatter: Scatter,
+    covariance: Floats,
+) -> Iterator[tuple[NDArray[np.intp], Disagreement]]:
+    """How the touches of each group disagree at the best fit, and which they are.
+
+    Args:
+        columns: the parameters that move.
+        kept: (N + M,) points that count.
+        covariance: of all unknowns but the centres.
+    """
+    weights = kept[: data.touches].astype(np.float64)
+    by_centre, body = _touch_equations(data, at, columns, weights, scatter.touch_mm)
     for group in data.groups:
-        triangle = _triangle(_group_rows(data, at, group, by_centre, body))
+        rows = _group_rows(data, at, group, by_centre, body)
+        touches = np.concatenate(
+            [np.arange(data.touches)[data.places[i].rows] for i in group.places]
+        )
         unknown = 3 * len(group.places)
-        back.append(triangle[:unknown])
-        left.append(triangle[unknown:, unknown:])
-    return np.concatenate(left), back
+        U, s, _ = np.linalg.svd(rows[:, :unknown], full_matrices=False)
+        Q = U[:, s > 1e-9 * s.max(initial=0.0)]
+        by_others = rows[:, unknown:-1] - Q @ (Q.T @ rows[:, unknown:-1])
+        information = np.eye(len(rows)) - Q @ Q.T - by_others @ covariance @ by_others.T
+        size = 1 if data.on_sphere[touches[0]] else 3
+        counted = np.flatnonzero(kept[touches])
+        own = (3 * counted[:, None] + np.arange(size)).ravel()
+        yield (
+            touches[counted],
+            Disagreement(information[np.ix_(own, own)], -rows[own, -1], size),
+        )
 
 
 def step(

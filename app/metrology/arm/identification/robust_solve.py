@@ -14,6 +14,7 @@ from app.metrology.arm.identification.coordinate_rows import (
 from app.metrology.arm.identification.initial_unknowns import initial_unknowns
 from app.metrology.arm.identification.least_squares import (
     ReducedSystem,
+    group_disagreements,
     reduce_system,
     residuals,
     settle_centres,
@@ -34,7 +35,7 @@ from app.metrology.arm.identification.parameters import (
     tip_index,
     with_parameters,
 )
-from app.metrology.arm.identification.scatter import Scatter, distance_limit
+from app.metrology.arm.identification.scatter import GOOD_POINTS, Scatter, distance_limit
 from app.metrology.arm.identification.scatter_estimates import (
     match_scatter,
     median_scatter,
@@ -43,6 +44,7 @@ from app.metrology.arm.identification.scatter_estimates import (
 )
 from app.metrology.arm.identification.unknowns import Unknowns
 from app.metrology.arm.kinematics import Arm
+from app.metrology.fitting.outlier_search import find_outlier_points
 from app.metrology.robust import huber_weights
 from app.metrology.transforms import Floats
 
@@ -258,8 +260,8 @@ def _without_outliers(
 ) -> tuple[Unknowns, Scatter, NDArray[np.bool_]]:
     """Least squares on the points that agree.
 
-    The worst touch of each place is excluded in turn, and every coordinate beyond the limit; an
-    excluded point that agrees returns.
+    Of each group the touches are excluded without which its others agree best, and every
+    coordinate beyond the limit; an excluded point that agrees returns.
     """
     for _ in range(OUTLIER_ROUNDS):
         system = reduce_system(data, at, columns, kept.astype(float), scatter)
@@ -274,16 +276,37 @@ def _without_outliers(
         levers = _leverages(data, at, columns, system, scatter)
         off = residuals(data, at, scatter).whitened / _limits(data, kept, levers, freedoms)
         chosen = kept | (off < BACK_AGAIN)
-        for number in range(len(data.places)):
-            own = np.flatnonzero(kept[: data.touches] & (data.place_of == number))
-            if len(own) and off[worst := own[np.argmax(off[own])]] > 1.0:
-                chosen[worst] = False
+        chosen[_contradicting_touches(data, at, columns, kept, scatter, freedoms[0])] = False
         chosen[data.touches :] &= off[data.touches :] <= 1.0
         chosen = _enough_left(data, chosen)
         if np.array_equal(chosen, kept):
             break
         kept = chosen
     return at, scatter, kept
+
+
+def _contradicting_touches(
+    data: StackedObservations,
+    at: Unknowns,
+    columns: Indices,
+    kept: NDArray[np.bool_],
+    scatter: Scatter,
+    freedom: float,
+) -> list[int]:
+    """The touches that contradict the others of their seat, sphere or bar.
+
+    Args:
+        freedom: degrees of freedom of the scatter of touches.
+    """
+    covariance = system_covariance(
+        reduce_system(data, at, columns, kept.astype(float), scatter).rows
+    )
+    found: list[int] = []
+    for touches, one in group_disagreements(data, at, columns, kept, scatter, covariance):
+        elsewhere = max(freedom - float(np.trace(one.information)), 0.0)
+        judged = replace(one, elsewhere=elsewhere, alarms=GOOD_POINTS * one.count)
+        found += touches[list(find_outlier_points(judged).points)].tolist()
+    return found
 
 
 def _leverages(
