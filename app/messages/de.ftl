@@ -4153,7 +4153,7 @@ total-k-1 = { $total } (k = 1)
 touch = Antasten
 touch-2 = { $place } antasten
 touch-3 = Antasten
-touch-again-beside-these = Neben jedem von ihnen zwei weitere Stellen antasten.
+touch-again-beside-these = Auf jeder ihrer Flächen zwei weitere Stellen antasten.
 touch-all-over-upper-half-every = Die ganze obere Hälfte von allen Seiten antasten, mit dem Messarm in vielen Haltungen. An jedem Punkt ruhig halten und die Taste am Messarm drücken.
 touch-back-face = Rückseite antasten.
 touch-elsewhere = An anderer Stelle antasten

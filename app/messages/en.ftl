@@ -4140,7 +4140,7 @@ total-k-1 = { $total } (k = 1)
 touch = Touch it
 touch-2 = Touch { $place }
 touch-3 = Touch
-touch-again-beside-these = Touch two more places beside each of them.
+touch-again-beside-these = Touch two more places on each of their surfaces.
 touch-all-over-upper-half-every = Touch it all over its upper half, from every side, with the arm in many postures. Hold still and press the arm's button at each point.
 touch-back-face = Touch the back face.
 touch-elsewhere = Touch it elsewhere

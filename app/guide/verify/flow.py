@@ -26,7 +26,7 @@ from app.guide.verify.view import (
     VerifyView,
 )
 from app.messages.limits import beside_limit
-from app.messages.message import Text, join, mentions, message, quantity, word
+from app.messages.message import Quantity, Text, join, mentions, message, quantity, word
 from app.messages.uncertainty import uncertainty_quantity
 from app.metrology.gauges.probed_gauge import ProbedPlane, ProbedSphere
 
@@ -208,13 +208,17 @@ def _about_touches(state: VerifyState, live: VerifyLive) -> list[Finding]:
             message(
                 "point-off-surface-left-out",
                 index=i + 1,
-                off=quantity(1e3 * abs(touched.residuals_mm[i]), "µm"),
+                off=_distance(abs(float(touched.residuals_mm[i]))),
             ),
             message("remove-touch-there-again-rest"),
         )
         for i in map(int, np.flatnonzero(touched.outliers))
     ]
     return outliers + (_about_size(touched) if isinstance(touched, ProbedSphere) else [])
+
+
+def _distance(mm: float) -> Quantity:
+    return quantity(mm, "mm", 1) if mm >= 1.0 else quantity(1e3 * mm, "µm")
 
 
 def _about_size(touched: ProbedSphere) -> list[Finding]:
