@@ -164,6 +164,15 @@ def touched_sphere(radius_sd_mm: float) -> ProbedSphere:
     return ProbedSphere(nominal, np.zeros(7), 9e-6 * np.eye(3), 10.0, radius_sd_mm, none)
 
 
+def test_an_outlier_is_named_and_can_be_removed() -> None:
+    one = replace(touched_plane(), residuals_mm=np.arange(6) * 2.0, outliers=np.arange(6) == 4)
+    view = build_view(
+        state_after(STARTED, ("gauge_confirmed", {}), *[TOUCHED] * 6), live_of(touched=one)
+    )
+    assert "Point 5 is 8.0 mm off the surface of the others." in str(view.findings[0].text)
+    assert [a.args for a in view.actions if a.name == "void_touch"] == [{"index": 4}]
+
+
 FLAT = GaugeFit.model_validate(fit())
 
 
