@@ -48,6 +48,8 @@ ARM = {
     "tip": {"x_mm": 0, "y_mm": 0, "z_mm": 120, "diameter_mm": 6},
 }
 
+STEPS = {"format": "crenel/length-standard", "version": 1, "name": "Steps", "kind": "step-gauge"}
+
 
 def text_of(document: dict[str, Any], **changes: object) -> str:
     return json.dumps({**document, **changes})
@@ -134,6 +136,18 @@ BAD: dict[str, tuple[str, str, str, str]] = {
         "standard_uncertainty_mm",
         "standard_uncertainty_mm",
     ),
+    "a length in a list of one": (
+        text_of(STEPS, lengths=[{"length_mm": 20, "standard_uncertainty_um": -1}]),
+        "field-invalid",
+        "lengths.0.standard_uncertainty_um",
+        "-1",
+    ),
+    "a picture without width": (
+        text_of({"format": "crenel/sensor", "version": 1, "name": "S", "stripe_axis": "u"}),
+        "field-missing",
+        "width_px",
+        "width_px",
+    ),
     "a sphere without its size": (
         text_of({"format": "crenel/nominal", "version": 1, "shape": "sphere"}),
         "field-invalid",
@@ -166,6 +180,7 @@ def test_what_cannot_be_used_is_not_kept(
     assert checked["form"] is None
     assert field in [problem["field"] for problem in checked["problems"]]
     assert all(problem["text"] for problem in checked["problems"])
+    assert "lengths" not in [problem["field"] for problem in checked["problems"]]
     assert files(station) == before
 
 

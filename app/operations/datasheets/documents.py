@@ -2,7 +2,7 @@
 
 import json
 import unicodedata
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Literal, TypeGuard
@@ -183,7 +183,16 @@ def list_problems(error: OperationError) -> tuple[FieldProblem, ...]:
     cause = error.__cause__
     if not isinstance(cause, ValidationError):
         return (FieldProblem("", False, error.text),)
-    return tuple(map(_field_problem, cause.errors(include_url=False)))
+    errors = cause.errors(include_url=False)
+    return tuple(_field_problem(one) for one in errors if not _is_follower(one, errors))
+
+
+def _is_follower(error: ErrorDetails, errors: Sequence[ErrorDetails]) -> bool:
+    """Whether a list is too short only because what is in it is wrong."""
+    place = error["loc"]
+    return error["type"] == "too_short" and any(
+        one["loc"][: len(place)] == place and one is not error for one in errors
+    )
 
 
 def _field_problem(error: ErrorDetails) -> FieldProblem:

@@ -1,5 +1,5 @@
 import type { ClipboardEvent } from "react";
-
+import lists from "../parts/List.module.css";
 import { unitOf } from "../parts/lengths";
 import { PressButton } from "../parts/PressButton";
 import { t } from "../state/language";
@@ -46,7 +46,7 @@ export function RowTable({ table, values, rangeOf, problemOf, onValues }: RowTab
           <tbody>
             {Array.from({ length: rows }, (_, row) => (
               <tr key={row}>
-                <th scope="row">{rowName(table, row, values)}</th>
+                <th scope="row">{values[`${table.key}.${row}.name`] ?? row + 1}</th>
                 {rowFields(table, row).map((field, column) => (
                   <td key={field.key} onPaste={paste(row, column)}>
                     <Entry
@@ -81,7 +81,7 @@ export function RowTable({ table, values, rangeOf, problemOf, onValues }: RowTab
           </PressButton>
         )}
       </div>
-      <p className={styles.note}>{t("ui-cells-can-be-pasted")}</p>
+      <p className={lists.detail}>{t("ui-cells-can-be-pasted")}</p>
     </div>
   );
 }
