@@ -40,7 +40,7 @@ export function AccessTokens({ path, title, intro, add, remove, texts }: Props) 
   };
   return (
     <section className={styles.section} aria-label={title}>
-      <h2 className={styles.title}>{title}</h2>
+      <h2 className={rows.heading}>{title}</h2>
       {list && intro(list.length)}
       {list && list.length > 0 && (
         <ul className={rows.list}>

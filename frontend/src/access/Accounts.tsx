@@ -20,7 +20,7 @@ export function Accounts() {
   const { list, reread } = useReread<AccountSummary>("/api/accounts");
   return (
     <section className={styles.section} aria-label={t("ui-accounts")}>
-      <h1 className={styles.title}>{t("ui-accounts")}</h1>
+      <h1 className={rows.heading}>{t("ui-accounts")}</h1>
       <ul className={rows.list}>
         {list?.map((account) => (
           <AccountRow key={account.name} account={account} onChange={reread} />

@@ -2,6 +2,7 @@ import { useState } from "react";
 
 import type { AuditEntry } from "../api/wire";
 import { moment } from "../parts/format";
+import rows from "../parts/List.module.css";
 import { PressButton } from "../parts/PressButton";
 import { TextField } from "../parts/TextField";
 import { useSettled } from "../parts/useSettled";
@@ -18,7 +19,7 @@ export function AuditList() {
   const { list, reread } = useReread<AuditEntry>(`/api/audit?words=${encodeURIComponent(settled)}&lang=${language}`);
   return (
     <section className={styles.section} aria-label={t("ui-audit-log")}>
-      <h2 className={styles.title}>{t("ui-actions-by-user")}</h2>
+      <h2 className={rows.heading}>{t("ui-actions-by-user")}</h2>
       <div className={styles.line}>
         <TextField label={t("ui-search-text")} value={words} maxLength={100} onText={setWords} />
         <PressButton free kind="quiet" onPress={reread}>

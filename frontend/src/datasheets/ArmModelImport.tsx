@@ -4,6 +4,7 @@ import type { ArmModelView, ModelQuestion } from "../api/wire";
 import type { PlainId } from "../messages/text";
 import look from "../parts/Control.module.css";
 import fields from "../parts/Field.module.css";
+import lists from "../parts/List.module.css";
 import { PressButton } from "../parts/PressButton";
 import { t } from "../state/language";
 import styles from "./ArmModelImport.module.css";
@@ -124,7 +125,7 @@ function Found({
         <Question key={question.key} question={question} onAnswer={(value) => onAnswer(question.key, value)} />
       ))}
       {view.notes.map((note) => (
-        <p key={note} className={table.note}>
+        <p key={note} className={lists.detail}>
           {note}
         </p>
       ))}
@@ -165,7 +166,7 @@ function Question({ question, onAnswer }: { question: ModelQuestion; onAnswer: (
           </option>
         ))}
       </select>
-      <p id={`${id}-note`} className={table.note}>
+      <p id={`${id}-note`} className={lists.detail}>
         {stated && t("ui-the-text-says-so")}
         {!stated && likely && t("ui-likely-because", { option: optionText(likely), why })}
       </p>

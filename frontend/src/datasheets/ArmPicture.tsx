@@ -2,6 +2,7 @@ import { useEffect, useRef, useState } from "react";
 
 import { readJoints } from "../api/datasheetCommands";
 import type { ConnectedArmView } from "../api/wire";
+import rows from "../parts/List.module.css";
 import { t } from "../state/language";
 import { useLive } from "../state/store";
 import { ArmDrawing } from "./ArmDrawing";
@@ -29,7 +30,7 @@ export function ArmPicture({ document, arm }: ArmPictureProps) {
     <figure className={styles.drawing} data-live={q_deg !== null || undefined}>
       <ArmDrawing chain={chain} room={room} label={t("ui-drawing-of-the-datasheet")} />
       {count > 0 && (
-        <figcaption className={styles.note}>
+        <figcaption className={rows.detail}>
           {q_deg && arm ? t("ui-drawn-as-the-arm-stands", { name: arm.name }) : t("ui-drawn-with-joints-at-zero")}
         </figcaption>
       )}

@@ -6,6 +6,7 @@ import { Layout } from "../frame/Layout";
 import { ObjectDrawing } from "../object/ObjectDrawing";
 import { MainAct } from "../parts/Actions";
 import { CardHead } from "../parts/CardHead";
+import lists from "../parts/List.module.css";
 import { PressButton } from "../parts/PressButton";
 import { Segments } from "../parts/Segments";
 import { t } from "../state/language";
@@ -104,7 +105,7 @@ export function DatasheetForm({ name, first, ranges, arm, edited, onSave, onMode
                     onChange={(as) => form.setAsWidths(as === "widths")}
                   />
                   {input(field)}
-                  <p className={styles.note}>
+                  <p className={lists.detail}>
                     {form.asWidths ? t("ui-merlon-gap-merlon") : t("ui-left-to-right-two-for-each")}
                   </p>
                 </div>

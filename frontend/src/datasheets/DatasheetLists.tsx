@@ -78,8 +78,8 @@ function KindList({ kind, all, saved, onNew, ...acts }: Omit<DatasheetListsProps
   );
   return (
     <section className={styles.kind} aria-label={title}>
-      <h2 className={styles.title}>{title}</h2>
-      {present.length > 0 ? list(present) : <p className={styles.empty}>{t(NONE[kind])}</p>}
+      <h2 className={rows.heading}>{title}</h2>
+      {present.length > 0 ? list(present) : <p className={rows.empty}>{t(NONE[kind])}</p>}
       <div className={styles.acts}>
         {formsOf(kind).map((name) => (
           <PressButton key={name} onPress={() => onNew(name)}>

@@ -2,11 +2,11 @@ import { useRef } from "react";
 
 import { MainAct } from "../parts/Actions";
 import { CardHead } from "../parts/CardHead";
+import rows from "../parts/List.module.css";
 import { PressButton } from "../parts/PressButton";
 import { t } from "../state/language";
 import { go } from "../state/router";
 import { useLive } from "../state/store";
-import styles from "./Datasheets.module.css";
 
 interface DatasheetsCardProps {
   /** What was just saved; empty if nothing was. */
@@ -48,7 +48,7 @@ export function DatasheetsCard({ saved, onFiles }: DatasheetsCardProps) {
         }}
       />
       <PressButton onPress={() => chooser.current?.click()}>{t("ui-add-a-file")}</PressButton>
-      <p className={styles.note}>{t("ui-files-can-be-dragged-in")}</p>
+      <p className={rows.detail}>{t("ui-files-can-be-dragged-in")}</p>
     </>
   );
 }

@@ -4,6 +4,7 @@ import { fileOf } from "../api/datasheetCommands";
 import type { Action, DatasheetRow } from "../api/wire";
 import { Download } from "../parts/Download";
 import { days, daysAgo, moment } from "../parts/format";
+import rows from "../parts/List.module.css";
 import { PressButton } from "../parts/PressButton";
 import { QualityMark } from "../parts/QualityMark";
 import { Question } from "../parts/Question";
@@ -26,19 +27,19 @@ export function Row({ row, saved, onEdit, onCopy, onRetire, onRestore }: RowProp
   const { retired, problem, note, file, name, connected, in_use, last_use } = row;
   const hasForm = isForm(row.form) && file.endsWith(".json");
   return (
-    <li className={styles.row} data-saved={saved || undefined} data-retired={retired || undefined}>
+    <li className={`${rows.row} ${styles.row}`} data-saved={saved || undefined} data-retired={retired || undefined}>
       {problem && <QualityMark quality="attention" size="1.5rem" />}
       <div className={styles.what}>
-        <p className={styles.name}>
+        <p className={rows.name}>
           {isolated(name || file)}
-          {connected && <span className={styles.badge}>{t("ui-connected-badge")}</span>}
+          {connected && <span className={rows.badge}>{t("ui-connected-badge")}</span>}
           {in_use.length > 0 && (
-            <span className={styles.badge}>{t("ui-in-use-by", { names: in_use.map(isolated).join(", ") })}</span>
+            <span className={rows.badge}>{t("ui-in-use-by", { names: in_use.map(isolated).join(", ") })}</span>
           )}
         </p>
-        <p className={styles.note}>{details(row).join(" · ")}</p>
+        <p className={rows.detail}>{details(row).join(" · ")}</p>
         {last_use && (
-          <p className={styles.result}>
+          <p className={`${rows.detail} ${styles.result}`}>
             <QualityMark quality={last_use.quality} size="1.125rem" />
             {t("ui-last-used", { at: moment(last_use.at), result: last_use.text })}
           </p>

@@ -1,6 +1,7 @@
 import type { DeviceKind } from "../api/deviceCommands";
 import type { DevicesView, FoundView } from "../api/wire";
 import { ArmIcon, CameraIcon } from "../parts/icons";
+import rows from "../parts/List.module.css";
 import { PressButton } from "../parts/PressButton";
 import { t } from "../state/language";
 import styles from "./Devices.module.css";
@@ -29,7 +30,7 @@ function Kind({ kind, view, onTry, onManual }: DeviceListProps & { kind: DeviceK
   const none = camera ? t("ui-no-camera-was-found") : t("ui-no-arm-was-found");
   return (
     <section className={styles.kind} aria-label={title}>
-      <h2 className={styles.title}>{title}</h2>
+      <h2 className={rows.heading}>{title}</h2>
       {found.length === 0 && (
         <p className={styles.none} role="status">
           {view.searched ? none : t("ui-searching")}

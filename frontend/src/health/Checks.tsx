@@ -1,4 +1,5 @@
 import type { Health, HealthItem } from "../api/wire";
+import rows from "../parts/List.module.css";
 import { QualityMark } from "../parts/QualityMark";
 import { t } from "../state/language";
 import styles from "./Health.module.css";
@@ -9,7 +10,7 @@ export function Checks({ health }: { health: Health }) {
   const fine = health.items.filter((item) => item.quality === "good" || item.quality === "neutral");
   return (
     <section className={styles.section} aria-label={t("ui-health")}>
-      <h1 className={styles.title}>{titleOf(wanting)}</h1>
+      <h1 className={rows.heading}>{titleOf(wanting)}</h1>
       {wanting.length > 0 && (
         <ul className={styles.wanting}>
           {wanting.map((item) => (

@@ -2,6 +2,7 @@ import { useState } from "react";
 
 import { useReread } from "../access/useReread";
 import type { LogLine } from "../api/wire";
+import rows from "../parts/List.module.css";
 import { PressButton } from "../parts/PressButton";
 import { QualityMark } from "../parts/QualityMark";
 import { TextField } from "../parts/TextField";
@@ -27,7 +28,7 @@ export function LogList() {
   const { list: lines, reread } = useReread<LogLine>(`/api/logs?${query}`);
   return (
     <section className={styles.section} aria-label={t("ui-log")}>
-      <h2 className={styles.title}>{t("ui-log")}</h2>
+      <h2 className={rows.heading}>{t("ui-log")}</h2>
       <div className={styles.filter}>
         <div className={styles.levels} role="group" aria-label={t("ui-log-level")}>
           {LEVELS.map((one) => (

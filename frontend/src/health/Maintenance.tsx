@@ -3,6 +3,7 @@ import type { BackupState } from "../api/wire";
 import { quantity } from "../messages/text";
 import { Download } from "../parts/Download";
 import { moment } from "../parts/format";
+import rows from "../parts/List.module.css";
 import { PressButton } from "../parts/PressButton";
 import { Progress } from "../parts/Progress";
 import { t } from "../state/language";
@@ -26,7 +27,7 @@ export function Maintenance({ backup, admin, operator, onChange }: MaintenancePr
   return (
     <>
       <section className={styles.section} aria-label={t("ui-backup")}>
-        <h2 className={styles.title}>{t("ui-backup")}</h2>
+        <h2 className={rows.heading}>{t("ui-backup")}</h2>
         <div className={styles.box}>
           <p>
             {last
@@ -54,7 +55,7 @@ export function Maintenance({ backup, admin, operator, onChange }: MaintenancePr
         </div>
       </section>
       <section className={styles.section} aria-label={t("ui-http-interface")}>
-        <h2 className={styles.title}>{t("ui-http-interface")}</h2>
+        <h2 className={rows.heading}>{t("ui-http-interface")}</h2>
         <div className={styles.box}>
           <p>{t("ui-http-interface-explained")}</p>
           <p>
@@ -64,7 +65,7 @@ export function Maintenance({ backup, admin, operator, onChange }: MaintenancePr
       </section>
       {operator && (
         <section className={styles.section} aria-label={t("ui-support-bundle")}>
-          <h2 className={styles.title}>{t("ui-support-bundle")}</h2>
+          <h2 className={rows.heading}>{t("ui-support-bundle")}</h2>
           <div className={styles.box}>
             <p>{t("ui-one-file-support-checks-versions-settings")}</p>
             <div className={styles.row}>

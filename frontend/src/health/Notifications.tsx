@@ -3,6 +3,7 @@ import { useCallback, useEffect, useState } from "react";
 import { get } from "../api/http";
 import { changeNotifications, readNotifications, tryNotifications } from "../api/watchCommands";
 import type { Notifications as NotificationSettings } from "../api/wire";
+import rows from "../parts/List.module.css";
 import { PressButton } from "../parts/PressButton";
 import { QualityMark } from "../parts/QualityMark";
 import { TextField } from "../parts/TextField";
@@ -20,7 +21,7 @@ const KINDS = [
 export function Notifications({ admin }: { admin: boolean }) {
   return (
     <section className={styles.section} aria-label={t("ui-notifications")}>
-      <h2 className={styles.title}>{t("ui-notifications")}</h2>
+      <h2 className={rows.heading}>{t("ui-notifications")}</h2>
       <div className={styles.box}>
         <h3>{t("ui-in-this-browser")}</h3>
         <InBrowser />

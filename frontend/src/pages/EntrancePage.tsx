@@ -3,6 +3,7 @@ import { enterByCode, makeAdmin, signIn, signInWithProvider } from "../api/sessi
 import type { SignInState } from "../api/wire";
 import { ChooseLanguage } from "../parts/ChooseLanguage";
 import { Mark } from "../parts/icons";
+import rows from "../parts/List.module.css";
 import { PressButton } from "../parts/PressButton";
 import { QualityMark } from "../parts/QualityMark";
 import { TextField } from "../parts/TextField";
@@ -111,7 +112,7 @@ function Form({ title, text, act, onAct, children }: FormProps) {
   };
   return (
     <form className={styles.form} onSubmit={submit}>
-      <h1 className={styles.title}>{title}</h1>
+      <h1 className={rows.heading}>{title}</h1>
       <p className={styles.text}>{text}</p>
       {children}
       <PressButton free kind="primary" onPress={send}>

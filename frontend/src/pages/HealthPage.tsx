@@ -8,6 +8,7 @@ import { LogList } from "../health/LogList";
 import { Maintenance } from "../health/Maintenance";
 import { MetricsTokens } from "../health/MetricsTokens";
 import { Notifications } from "../health/Notifications";
+import rows from "../parts/List.module.css";
 import { t } from "../state/language";
 import { useLive } from "../state/store";
 import styles from "./RecordsPage.module.css";
@@ -37,7 +38,7 @@ export function HealthPage() {
   return (
     <main className={styles.page}>
       <div className={styles.records} tabIndex={0}>
-        {view ? <Checks health={view.health} /> : <p className={styles.empty}>{t("ui-checking-the-station")}</p>}
+        {view ? <Checks health={view.health} /> : <p className={rows.empty}>{t("ui-checking-the-station")}</p>}
         {view && <Maintenance backup={view.backup} admin={admin} operator={operator} onChange={read} />}
         <Notifications admin={admin} />
         {admin && <MetricsTokens />}

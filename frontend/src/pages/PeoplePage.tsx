@@ -2,6 +2,7 @@ import { Accounts } from "../access/Accounts";
 import { AuditList } from "../access/AuditList";
 import { KioskLinks } from "../access/KioskLinks";
 import { Banners } from "../frame/Banners";
+import rows from "../parts/List.module.css";
 import { t } from "../state/language";
 import { useLive } from "../state/store";
 import styles from "./RecordsPage.module.css";
@@ -19,7 +20,7 @@ export function PeoplePage() {
             <AuditList />
           </>
         ) : (
-          <p className={styles.empty}>{t("ui-only-an-administrator-can-manage-accounts")}</p>
+          <p className={rows.empty}>{t("ui-only-an-administrator-can-manage-accounts")}</p>
         )}
       </div>
       <Banners />

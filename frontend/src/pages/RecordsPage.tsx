@@ -113,12 +113,12 @@ interface SectionProps<T> {
 function Section<T>({ title, above, empty, list, failed, row }: SectionProps<T>) {
   return (
     <section className={styles.section} aria-label={title}>
-      <h1 className={styles.title}>{title}</h1>
+      <h1 className={`${rows.heading} ${styles.title}`}>{title}</h1>
       {above}
       {list && list.length > 0 ? (
         <ul className={rows.list}>{list.map(row)}</ul>
       ) : (
-        <p className={styles.empty}>
+        <p className={rows.empty}>
           {list ? empty : failed ? t("ui-list-could-not-loaded-reloads-when") : t("ui-loading-the-list")}
         </p>
       )}

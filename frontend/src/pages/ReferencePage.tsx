@@ -2,6 +2,7 @@ import { createContext, useContext } from "react";
 
 import { Banners } from "../frame/Banners";
 import health from "../health/Health.module.css";
+import rows from "../parts/List.module.css";
 import { bodySchema, type OpenApi, type Route, routesByGroup, type Schema, typeText } from "../reference/openapi";
 import { t } from "../state/language";
 import { useRead } from "../state/useRead";
@@ -29,7 +30,7 @@ function Reference({ description }: { description: OpenApi }) {
     <DataTypes value={new Set(Object.keys(schemas))}>
       <div className={records.records}>
         <section className={health.section}>
-          <h2 className={health.title}>{t("ui-http-interface-version", { version: description.info.version })}</h2>
+          <h2 className={rows.heading}>{t("ui-http-interface-version", { version: description.info.version })}</h2>
           <p>
             {t("ui-http-interface-explained")}{" "}
             <a className={styles.link} href="/api/openapi.json">

@@ -1,6 +1,7 @@
 import type { PerformanceSummary } from "../api/wire";
 import type { PlainId } from "../messages/text";
 import { moment } from "../parts/format";
+import rows from "../parts/List.module.css";
 import { PressButton } from "../parts/PressButton";
 import { QualityMark } from "../parts/QualityMark";
 import { Reports } from "../parts/Reports";
@@ -20,13 +21,13 @@ export const RESULT_QUALITY = { pass: "good", fail: "bad", uncertain: "attention
 /** A performance test in a list, with its verdict or why it was cancelled. */
 export function PerformanceRow({ summary }: { summary: PerformanceSummary }) {
   return (
-    <li className={styles.row}>
+    <li className={`${rows.row} ${styles.row}`}>
       <QualityMark quality={RESULT_QUALITY[summary.result]} />
       <div className={styles.what}>
-        <p className={styles.name}>
+        <p className={rows.name}>
           {t(RESULTS[summary.result])}: {isolated(summary.artefact)}
         </p>
-        <p className={styles.detail}>
+        <p className={rows.detail}>
           {moment(summary.ended_at)} · {summary.text}
           {summary.operator && ` · ${isolated(summary.operator)}`}
         </p>

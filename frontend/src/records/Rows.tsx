@@ -2,6 +2,7 @@ import { fetchScan } from "../api/viewCommands";
 import type { CalibrationSummary, ScanSummary, VerificationSummary } from "../api/wire";
 import { Download } from "../parts/Download";
 import { daysAgo, duration, moment } from "../parts/format";
+import rows from "../parts/List.module.css";
 import { measured } from "../parts/lengths";
 import { PressButton } from "../parts/PressButton";
 import { QualityMark } from "../parts/QualityMark";
@@ -16,14 +17,14 @@ import { ScanActs } from "./ScanActs";
 
 export function CalibrationRow({ summary }: { summary: CalibrationSummary }) {
   return (
-    <li className={styles.row} data-active={summary.active || undefined}>
+    <li className={`${rows.row} ${styles.row}`} data-active={summary.active || undefined}>
       <QualityMark quality={summary.verdict} />
       <div className={styles.what}>
-        <p className={styles.name}>
+        <p className={rows.name}>
           {isolated(summary.name)}
-          {summary.active && <span className={styles.active}>{t("ui-active")}</span>}
+          {summary.active && <span className={rows.badge}>{t("ui-active")}</span>}
         </p>
-        <p className={styles.detail}>
+        <p className={rows.detail}>
           {moment(summary.accepted_at)}, {daysAgo(summary.age_days)} ·{" "}
           {t("ui-arm-serial", { serial: summary.arm_serial })} ·{" "}
           {t("ui-sensor-serial", { serial: summary.sensor_serial })} ·{" "}
@@ -47,13 +48,13 @@ export function VerificationRow({ summary }: { summary: VerificationSummary }) {
     go("verify");
   };
   return (
-    <li className={styles.row}>
+    <li className={`${rows.row} ${styles.row}`}>
       <QualityMark quality={QUALITY[summary.result]} />
       <div className={styles.what}>
-        <p className={styles.name}>
+        <p className={rows.name}>
           {t(DECISIONS[summary.result])}: {isolated(summary.gauge)}
         </p>
-        <p className={styles.detail}>
+        <p className={rows.detail}>
           {moment(summary.accepted_at)} · {t("ui-n-clouds", { n: summary.clouds })} ·{" "}
           {t("ui-of", { calibration: summary.calibration })}
           {summary.operator && ` · ${isolated(summary.operator)}`}
@@ -69,15 +70,15 @@ export function VerificationRow({ summary }: { summary: VerificationSummary }) {
 
 export function ScanRow({ summary }: { summary: ScanSummary }) {
   return (
-    <li className={styles.row}>
+    <li className={`${rows.row} ${styles.row}`}>
       {summary.incomplete && <QualityMark quality="bad" />}
       <div className={styles.what}>
-        <p className={styles.name}>{isolated(summary.name)}</p>
-        <p className={styles.detail}>
+        <p className={rows.name}>{isolated(summary.name)}</p>
+        <p className={rows.detail}>
           {moment(summary.started_at)} · {duration(summary.seconds)} · {t("ui-n-pictures", { n: summary.frames })}
         </p>
         {summary.note && (
-          <p className={styles.detail} data-bad={summary.incomplete || undefined}>
+          <p className={rows.detail} data-bad={summary.incomplete || undefined}>
             {summary.note}
           </p>
         )}
