@@ -1052,6 +1052,7 @@ datasheet-not-there = Das Datenblatt { $file } gibt es nicht mehr
 datasheet-of-name-exists = { $name } hat schon ein Datenblatt: { $files }
 datasheet-of-number-exists = { $name } mit der Seriennummer { $serial_number } hat schon ein Datenblatt: { $files }
 datasheet-says-raw = laut { $path } liefert der Sensor Rohbilder (bayer)
+datasheet-twice = { $files } beschreibt dasselbe: eines davon ablegen oder dessen Seriennummer oder Namen berichtigen.
 datasheets = Datenblätter
 datasheets-set-aside-everything = Nicht lesbare Dateien in arms, objects, sensors und gauges werden unverändert beiseitegelegt; alles andere steht zur Verfügung.
 date = Datum

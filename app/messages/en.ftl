@@ -1048,6 +1048,7 @@ datasheet-not-there = There is no datasheet { $file } any more
 datasheet-of-name-exists = { $name } already has a datasheet: { $files }
 datasheet-of-number-exists = { $name } with the serial number { $serial_number } already has a datasheet: { $files }
 datasheet-says-raw = { $path } says that the sensor's pictures are raw (bayer)
+datasheet-twice = { $files } describes the same thing: retire one of them, or correct its serial number or name.
 datasheets = Datasheets
 datasheets-set-aside-everything = Files in arms, objects, sensors and gauges that cannot be read are set aside unchanged; everything else is available.
 date = Date

@@ -232,6 +232,8 @@ def test_a_thing_has_one_datasheet_and_its_former_ones_are_kept(station: Server)
     assert add(station, text_of(BLOCK, serial_number="B-8"), "block.json")["file"] == "block-2.json"
     # two files of one thing, put there by hand, are asked about together
     (station.data / "objects/twice.json").write_text(first)
+    (listed,) = rows(station, file="block.json", kind="object", retired=False)
+    assert "twice.json describes the same thing" in english(listed["note"])
     assert code_of(post(station, text=text_of(BLOCK, crest_z_mm=17))) == (409, "datasheet-exists")
     add(station, text_of(BLOCK, crest_z_mm=17), replace=True)
     assert len(rows(station, kind="object", serial_number="B-7", retired=False)) == 1

@@ -2,27 +2,22 @@
 
 import hashlib
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass
 from pathlib import Path
 
 from app.errors import OperationError
 from app.formats.atomic_write import write_atomically
-from app.formats.file_names import check_name, display_path, escape_unprintable
-from app.formats.io_errors import convert_io_errors
-from app.formats.json_document import decode_text
-from app.formats.open_file import read_bounded
+from app.formats.file_names import display_path, escape_unprintable
 from app.guide.common.datasheet_library import (
     DatasheetLibrary,
     FolderContent,
     list_files,
     read_library,
 )
-from app.messages.message import Text, join, message
+from app.messages.message import join, message
 from app.operations.datasheets.documents import (
     FOLDERS,
     DatasheetIdentity,
     DatasheetKind,
-    evaluate,
     identify,
     is_certificate,
     list_problems,
@@ -36,7 +31,8 @@ from app.operations.datasheets.files import (
     retire_file,
     split_ending,
 )
-from app.operations.datasheets.last_uses import Uses, read_uses
+from app.operations.datasheets.last_uses import read_uses
+from app.operations.datasheets.listed import Entry, Rows, read_entry
 from app.operations.datasheets.ranges import list_ranges
 from app.operations.datasheets.view import (
     ConnectedArmView,
@@ -47,18 +43,6 @@ from app.operations.datasheets.view import (
 )
 from app.station.devices.rig import Rig
 from app.store.store import Store
-from app.timestamps import moment_of_ns
-
-
-@dataclass(frozen=True)
-class _Entry:
-    """A file that is there."""
-
-    path: Path
-    version: str
-    since_ns: int
-    found: DatasheetIdentity | None
-    problem: Text
 
 
 class Datasheets:
@@ -70,6 +54,7 @@ class Datasheets:
 
     def __init__(self, store: Store, rig: Rig, note: Callable[[], None]) -> None:
         self._store, self._rig, self.note_change = store, rig, note
+        self._rows = Rows(store, rig)
         self._library = FolderContent(read_library, store.folder)
 
     def library(self) -> DatasheetLibrary:
@@ -80,10 +65,11 @@ class Datasheets:
         """All that are there, those in use before the retired ones, by their names."""
         uses = read_uses(self._store)
         rows = [
-            self._row(kind, entry, retired, uses)
+            self._rows.row(kind, entry, retired, uses, [] if retired else entries)
             for kind in FOLDERS
             for retired in (False, True)
-            for entry in self._entries(kind, retired)
+            for entries in [list(self._entries(kind, retired))]
+            for entry in entries
         ]
         info = self._rig.arm.info
         arm = (
@@ -103,7 +89,7 @@ class Datasheets:
             found = identify(text, _path_of(name))
         except OperationError as error:
             return DatasheetCheck(None, list_problems(error), "")
-        return DatasheetCheck(found.form, (), self._unlikely(found))
+        return DatasheetCheck(found.form, (), self._rows.unlikely(found))
 
     def add(self, name: str, text: str, replace: bool = False, edited: str = "") -> DatasheetRow:
         """Keeps a document that can be evaluated; one of the same thing is retired.
@@ -130,7 +116,7 @@ class Datasheets:
             version = hashlib.sha256(content).hexdigest()
             kept = next((one for one in present if one.version == version), None)
             if kept is not None:
-                return self._row(found.kind, kept, False)
+                return self._rows.row(found.kind, kept, False)
             others = [one for one in same if one not in old]
             if others and not replace:
                 raise _exists_error(path, found, others)
@@ -138,7 +124,7 @@ class Datasheets:
             ending = ".xml" if is_certificate(path, text) else ".json"
             written = self._put(found.kind, words, ending, content, [*old, *others])
         self.note_change()
-        return self._row(found.kind, _read_entry(written, found.kind), False)
+        return self._rows.row(found.kind, read_entry(written, found.kind), False)
 
     def retire(self, kind: DatasheetKind, file: str, version: str) -> None:
         """Takes a datasheet out of use; it is kept.
@@ -179,7 +165,7 @@ class Datasheets:
         return self._find(kind, file, retired).path
 
     def _put(
-        self, kind: DatasheetKind, words: str, ending: str, content: bytes, replaced: list[_Entry]
+        self, kind: DatasheetKind, words: str, ending: str, content: bytes, replaced: list[Entry]
     ) -> Path:
         """Writes a new version under the name of the one that it replaces, if its kind of file is
         the same; those that it replaces are retired."""
@@ -198,15 +184,15 @@ class Datasheets:
         folder = self._store.folder / FOLDERS[kind]
         return folder / RETIRED if retired else folder
 
-    def _entries(self, kind: DatasheetKind, retired: bool) -> Iterator[_Entry]:
+    def _entries(self, kind: DatasheetKind, retired: bool) -> Iterator[Entry]:
         folder = self._folder(kind, retired)
         endings = (".json", ".xml") if kind == "gauge" else (".json",)
         paths = [path for ending in endings for path in list_files(folder, ending, [])]
-        return (_read_entry(path, kind) for path in sorted(paths))
+        return (read_entry(path, kind) for path in sorted(paths))
 
     def _find(
         self, kind: DatasheetKind, file: str, retired: bool, version: str | None = None
-    ) -> _Entry:
+    ) -> Entry:
         """The file of this name, which is never used as a path."""
         folder = self._folder(kind, retired)
         entry = next(
@@ -224,66 +210,13 @@ class Datasheets:
             raise _conflict_error(entry.path)
         return entry
 
-    def _row(
-        self, kind: DatasheetKind, entry: _Entry, retired: bool, uses: Uses | None = None
-    ) -> DatasheetRow:
-        found, uses = entry.found, uses or read_uses(self._store)
-        return DatasheetRow(
-            kind=kind,
-            file=escape_unprintable(entry.path.name),
-            version=entry.version,
-            retired=retired,
-            form=found.form if found else None,
-            problem=entry.problem,
-            name=found.name if found else "",
-            serial_number=found.serial_number if found else "",
-            certificate=found.certificate if found else "",
-            valid_until=found.valid_until if found else "",
-            since=moment_of_ns(entry.since_ns).isoformat(timespec="seconds"),
-            last_use=uses.last(found),
-            in_use=() if retired else tuple(uses.calibrations(found, entry.version)),
-            connected=not retired and found is not None and self._is_connected(found),
-            note=""
-            if retired or found is None
-            else self._unlikely(found) or uses.note(found, entry.version),
-        )
-
-    def _is_connected(self, found: DatasheetIdentity) -> bool:
-        devices = {"arm": self._rig.arm.info, "sensor": self._rig.sensor.info}
-        info = devices.get(found.kind)
-        return info is not None and found.serial_number == info.serial_number != ""
-
-    def _unlikely(self, found: DatasheetIdentity) -> Text:
-        """That the model of the connected arm has fewer or more rows than it has joints."""
-        info = self._rig.arm.info
-        if info is None or found.form != "arm" or info.joint_count in (0, found.joint_count):
-            return ""
-        if len({info.serial_number, found.serial_number} - {""}) > 1:
-            return ""  # it is of another unit
-        return message("arm-has-other-joints", joints=info.joint_count, rows=found.joint_count)
-
 
 def _path_of(name: str) -> Path:
     """The file as errors name it; a form has none."""
     return Path(name or "datasheet.json")
 
 
-def _read_entry(path: Path, kind: DatasheetKind) -> _Entry:
-    """A file that is there, or why it cannot be read."""
-    version, since_ns = "", 0
-    try:
-        with convert_io_errors(path):
-            since_ns = path.stat().st_mtime_ns
-            content = read_bounded(path)
-        version = hashlib.sha256(content).hexdigest()
-        check_name(path)
-        found = evaluate(decode_text(content, path), path, kind)
-    except OperationError as error:
-        return _Entry(path, version, since_ns, None, error.text)
-    return _Entry(path, version, since_ns, found, "")
-
-
-def _exists_error(path: Path, found: DatasheetIdentity, same: list[_Entry]) -> OperationError:
+def _exists_error(path: Path, found: DatasheetIdentity, same: list[Entry]) -> OperationError:
     known = join([display_path(one.path) for one in same])
     number, name = found.serial_number, found.name
     what = (

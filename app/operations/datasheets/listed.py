@@ -1,0 +1,111 @@
+"""One file among the datasheets: read, and as the page lists it."""
+
+import hashlib
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from app.errors import OperationError
+from app.formats.file_names import check_name, display_path, escape_unprintable
+from app.formats.io_errors import convert_io_errors
+from app.formats.json_document import decode_text
+from app.formats.open_file import read_bounded
+from app.messages.message import Text, join, message
+from app.operations.datasheets.documents import DatasheetIdentity, DatasheetKind, evaluate
+from app.operations.datasheets.last_uses import Uses, read_uses
+from app.operations.datasheets.view import DatasheetRow
+from app.station.devices.rig import Rig
+from app.store.store import Store
+from app.timestamps import moment_of_ns
+
+
+@dataclass(frozen=True)
+class Entry:
+    """A file that is there."""
+
+    path: Path
+    version: str
+    since_ns: int
+    found: DatasheetIdentity | None
+    problem: Text
+
+
+def read_entry(path: Path, kind: DatasheetKind) -> Entry:
+    """A file that is there, or why it cannot be read."""
+    version, since_ns = "", 0
+    try:
+        with convert_io_errors(path):
+            since_ns = path.stat().st_mtime_ns
+            content = read_bounded(path)
+        version = hashlib.sha256(content).hexdigest()
+        check_name(path)
+        found = evaluate(decode_text(content, path), path, kind)
+    except OperationError as error:
+        return Entry(path, version, since_ns, None, error.text)
+    return Entry(path, version, since_ns, found, "")
+
+
+class Rows:
+    """What is said of a file beside what it says: of the connected devices, and of records."""
+
+    def __init__(self, store: Store, rig: Rig) -> None:
+        self._store, self._rig = store, rig
+
+    def row(
+        self,
+        kind: DatasheetKind,
+        entry: Entry,
+        retired: bool,
+        uses: Uses | None = None,
+        present: Sequence[Entry] = (),
+    ) -> DatasheetRow:
+        """A file as the page shows it.
+
+        Args:
+            uses: of all things; read if they are not given.
+            present: all files of its kind that are in use.
+        """
+        found, uses = entry.found, uses or read_uses(self._store)
+        return DatasheetRow(
+            kind=kind,
+            file=escape_unprintable(entry.path.name),
+            version=entry.version,
+            retired=retired,
+            form=found.form if found else None,
+            problem=entry.problem,
+            name=found.name if found else "",
+            serial_number=found.serial_number if found else "",
+            certificate=found.certificate if found else "",
+            valid_until=found.valid_until if found else "",
+            since=moment_of_ns(entry.since_ns).isoformat(timespec="seconds"),
+            last_use=uses.last(found),
+            in_use=() if retired else tuple(uses.calibrations(found, entry.version)),
+            connected=not retired and found is not None and self._is_connected(found),
+            note="" if retired or found is None else self._note(found, entry, uses, present),
+        )
+
+    def _is_connected(self, found: DatasheetIdentity) -> bool:
+        devices = {"arm": self._rig.arm.info, "sensor": self._rig.sensor.info}
+        info = devices.get(found.kind)
+        return info is not None and found.serial_number == info.serial_number != ""
+
+    def _note(
+        self, found: DatasheetIdentity, entry: Entry, uses: Uses, present: Sequence[Entry]
+    ) -> Text:
+        twins = [
+            display_path(one.path.name)
+            for one in present
+            if one is not entry and one.found and one.found.is_same_thing(found)
+        ]
+        if twins:
+            return message("datasheet-twice", files=join(twins))
+        return self.unlikely(found) or uses.note(found, entry.version)
+
+    def unlikely(self, found: DatasheetIdentity) -> Text:
+        """That the model of the connected arm has fewer or more rows than it has joints."""
+        info = self._rig.arm.info
+        if info is None or found.form != "arm" or info.joint_count in (0, found.joint_count):
+            return ""
+        if len({info.serial_number, found.serial_number} - {""}) > 1:
+            return ""  # it is of another unit
+        return message("arm-has-other-joints", joints=info.joint_count, rows=found.joint_count)
