@@ -28,7 +28,7 @@ RESULTS: Mapping[str, Quality] = {
 
 
 @dataclass(frozen=True)
-class _ActiveCalibration:
+class _CalibrationInUse:
     """A calibration by which the station scans."""
 
     name: str
@@ -41,7 +41,7 @@ class Uses:
     """The newest record of each thing, and the calibrations in use."""
 
     newest: Mapping[Thing, LastUse]
-    in_use: tuple[_ActiveCalibration, ...]
+    in_use: tuple[_CalibrationInUse, ...]
 
     def last(self, found: DatasheetIdentity | None) -> LastUse | None:
         """The newest use of this thing; None where no record names it."""
@@ -59,7 +59,7 @@ class Uses:
                 return message("calibration-has-other-version", name=one.name)
         return ""
 
-    def _of(self, found: DatasheetIdentity | None, version: str) -> Iterator[_ActiveCalibration]:
+    def _of(self, found: DatasheetIdentity | None, version: str) -> Iterator[_CalibrationInUse]:
         thing = _thing(found)
         for one in self.in_use:
             if found and (thing in one.things or one.versions.get(found.kind) == version):
@@ -83,7 +83,7 @@ def read_uses(store: Store) -> Uses:
                 newest[thing] = use
     active = (one for one in calibrations if one.active)
     return Uses(
-        newest, tuple(_ActiveCalibration(one.name, _things(one), _versions(one)) for one in active)
+        newest, tuple(_CalibrationInUse(one.name, _things(one), _versions(one)) for one in active)
     )
 
 

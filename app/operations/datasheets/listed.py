@@ -45,7 +45,7 @@ def read_entry(path: Path, kind: DatasheetKind) -> Entry:
     return Entry(path, version, since_ns, found, "")
 
 
-class Rows:
+class DatasheetRows:
     """What is said of a file beside what it says: of the connected devices, and of records."""
 
     def __init__(self, store: Store, rig: Rig) -> None:
@@ -92,13 +92,13 @@ class Rows:
     def _note(
         self, found: DatasheetIdentity, entry: Entry, uses: Uses, present: Sequence[Entry]
     ) -> Text:
-        twins = [
+        doubles = [
             display_path(one.path.name)
             for one in present
             if one is not entry and one.found and one.found.is_same_thing(found)
         ]
-        if twins:
-            return message("datasheet-twice", files=join(twins))
+        if doubles:
+            return message("datasheet-twice", files=join(doubles))
         return self.unlikely(found) or uses.note(found, entry.version)
 
     def unlikely(self, found: DatasheetIdentity) -> Text:

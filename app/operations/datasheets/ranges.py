@@ -72,7 +72,7 @@ def _walk(
         yield ".".join(place), FieldRange(above if is_above else least, most, is_above)
     inner = [
         *((one, place) for one in schema.get("anyOf", ())),
-        *((one, (*place, name)) for name, one in _fields_to_enter(schema)),
+        *((one, (*place, name)) for name, one in _form_fields(schema)),
         *((one, (*place, str(i))) for i, one in enumerate(schema.get("prefixItems", ()))),
     ]
     if "items" in schema and "prefixItems" not in schema:
@@ -81,6 +81,6 @@ def _walk(
         yield from _walk(piece, parts, where)
 
 
-def _fields_to_enter(schema: Schema) -> Iterator[tuple[str, Schema]]:
+def _form_fields(schema: Schema) -> Iterator[tuple[str, Schema]]:
     fields = schema.get("properties", {}).items()
     return ((name, field) for name, field in fields if name not in NOT_ENTERED)

@@ -32,7 +32,7 @@ from app.operations.datasheets.files import (
     split_ending,
 )
 from app.operations.datasheets.last_uses import read_uses
-from app.operations.datasheets.listed import Entry, Rows, read_entry
+from app.operations.datasheets.listed import DatasheetRows, Entry, read_entry
 from app.operations.datasheets.ranges import list_ranges
 from app.operations.datasheets.view import (
     ConnectedArmView,
@@ -54,7 +54,7 @@ class Datasheets:
 
     def __init__(self, store: Store, rig: Rig, note: Callable[[], None]) -> None:
         self._store, self._rig, self.note_change = store, rig, note
-        self._rows = Rows(store, rig)
+        self._rows = DatasheetRows(store, rig)
         self._library = FolderContent(read_library, store.folder)
 
     def library(self) -> DatasheetLibrary:
