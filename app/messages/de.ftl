@@ -85,6 +85,11 @@ angle = Winkel, ″
 angle-between-clouds = Winkel zwischen den Punktwolken
 angle-beyond-a-turn = darunter steht { $value }, mehr als eine volle Umdrehung im Bogenmaß: Das sind Grad
 angle-touched-plane = Winkel zur angetasteten Ebene
+angles-are-in-other-unit =
+    { $unit ->
+        [deg] das ist Bogenmaß, wo Grad erwartet werden
+       *[rad] das sind Grad, wo Bogenmaß erwartet wird
+    }
 angles-are-multiples = alle sind Vielfache von π/2, etwa { $value }: Das ist Bogenmaß
 angles-called =
     { $unit ->
@@ -198,6 +203,7 @@ arm-is-where-scan-ended = Der Messarm ist, wo der Scan endete
 arm-json-has-joints = die arm.json von { $arm } beschreibt Gelenke
 arm-json-is-of-poses = die arm.json von { $arm } gehört zu einem Arm, der Posen meldet
 arm-json-names-joints = in arm.json heißen sie { $names }
+arm-json-states-rotation = rotation in arm.json ist { $name }
 arm-json-tip-goes-far-while = nach dieser arm.json wandert die Tastkugel weit, obwohl sie in einer Pfanne sitzt: { $far } von der Mitte der Pfanne { $name }
 arm-json-tip-goes-fro = { $label }: Nach arm.json wandert die Tastkugel um { $distance } hin und her
 arm-measures-within = ein Messarm misst bis höchstens { $farthest }
@@ -980,6 +986,7 @@ convert-poses-read-otherwise =
         [scalar-first] qx, qy, qz, qw in dieser Reihenfolge schreiben
         [scalar-first-inverted] die Posen des Flanschs im Koordinatensystem des Messarms angeben und qx, qy, qz, qw in dieser Reihenfolge schreiben
         [turns-inverted] die Drehungen des Flanschs im Koordinatensystem des Messarms angeben: das Vorzeichen von qw umkehren
+        [rotations] die eigenen Spalten der Steuerung schreiben und sie als rotation in arm.json nennen: { $controllers }
        *[other] jedem Bild die Pose geben, in der es aufgenommen wurde
     }
 convert-them-name-columns = Werte umrechnen und die Spalten { $first } bis { $last } nennen
@@ -1351,6 +1358,7 @@ import-with-stripe-axis = stripe_axis in sensor.json auf { $axis } setzen und er
 index-before = Längen oder Verdrehungen haben den Index i − 1
 it-is-known-to-limit = er ist dann auf { $u } (k = 1) bekannt; die Grenze ist { $limit }
 it-is-no-device = das ist keine Adresse eines Geräts
+largest-angle-of-poses = { $path }: der größte Wert von { $names } ist { $largest }
 last-row-empty = Länge und Verdrehung der letzten Zeile sind null, die der ersten nicht
 lengths-add-up = seine Längen ergeben zusammen { $total }, in { $unit } also einen Arm von { $length }
 lengths-in-unit = In { $unit } gelesen misst der Arm { $length }
@@ -1383,6 +1391,11 @@ moves-check-arm-json =
         [marker] { $name } ändert sich um { $change }: arm.json und den Marker prüfen: seinen Namen in der Spalte marker, wenn er nicht die Tastkugel ist, und seinen Ort, wenn er angegeben ist
        *[arm] { $name } ändert sich um { $change }: arm.json prüfen
     }
+name-columns-by-unit =
+    { $unit ->
+        [deg] Nennen Sie die Spalten mit _rad, oder rechnen Sie die Winkel um
+       *[rad] Nennen Sie die Spalten mit _deg, oder rechnen Sie die Winkel um
+    }
 name-dh-columns = Nennen Sie die Spalten in einer ersten Zeile, etwa: joint, a [mm], alpha [deg], d [mm], theta [deg]
 name-frame-otherwise-than-base = Dem Koordinatensystem einen anderen Namen als base geben
 no-arm-has-such-lengths = so klein oder groß ist kein Arm
@@ -1411,6 +1424,10 @@ poses-agree-read-otherwise =
         [scalar-first] mit dem Skalar der Quaternion zuerst stimmen { $agree } von { $count } Posen auf { $apart } mit den Bildern von „{ $name }“ überein; so, wie sie angegeben sind, widersprechen sie ihnen
         [scalar-first-inverted] invertiert und mit dem Skalar der Quaternion zuerst stimmen { $agree } von { $count } Posen auf { $apart } mit den Bildern von „{ $name }“ überein; so, wie sie angegeben sind, widersprechen sie ihnen
         [turns-inverted] mit invertierten Drehungen stimmen { $agree } von { $count } Posen auf { $apart } mit den Bildern von „{ $name }“ überein; so, wie sie angegeben sind, widersprechen sie ihnen
+        [rotations] { $right ->
+            [vector] mit Drehvektoren
+           *[other] mit den Winkeln als { $right }
+        } stimmen { $agree } von { $count } Posen auf { $apart } mit den Bildern von „{ $name }“ überein; so, wie sie angegeben sind, widersprechen sie ihnen
         [before] { $agree } von { $count } Posen stimmen auf { $apart } mit den Bildern von „{ $name }“ überein, wenn jede zum nächsten Bild gehört; mit dem eigenen nicht
        *[after] { $agree } von { $count } Posen stimmen auf { $apart } mit den Bildern von „{ $name }“ überein, wenn jede zum Bild davor gehört; mit dem eigenen nicht
     }
@@ -1426,6 +1443,9 @@ replace-the-datasheet = das Datenblatt ersetzen; das jetzige bleibt unter den ab
 retired-a-datasheet = legte ein Datenblatt ab
 reverse-sign-of-joint = Das Vorzeichen (sign) des Gelenks { $joint } in arm.json umkehren
 rotary-joints-only = Verwendbar sind Arme mit Drehgelenken
+rotation-means-several = sie können je nach Steuerung Verschiedenes bedeuten: { $names }
+rotation-not-stated = { $path }: Nichts sagt, wie { $columns } eine Drehung ergeben
+rotation-of-poses = rotation { $name } ist nicht bekannt, oder der Arm meldet Gelenke: Die eines Roboters ist eine von { $names }
 save-table-as-csv = Als CSV (UTF-8) mit Kommas zwischen den Spalten speichern
 say-what-is-open = Geben Sie für jedes --say KEY=VALUE an
 scatter-of-clouds = Punktwolken
@@ -1489,6 +1509,10 @@ so-poses-are-not-what-is-expected =
         [scalar-first] in den Spalten stehen qw, qx, qy, qz
         [scalar-first-inverted] dies sind Posen der Basis des Messarms im Koordinatensystem des Flanschs, und in den Spalten stehen qw, qx, qy, qz
         [turns-inverted] die Drehungen sind die der Basis des Messarms im Koordinatensystem des Flanschs
+        [rotations] { $given ->
+            [vector] ihre Zahlen wurden für Drehvektoren gehalten
+           *[other] ihre Zahlen wurden für Winkel als { $given } gehalten
+        }
        *[other] Posen und Bilder sind um eins gegeneinander verschoben
     }
 source-dh-table =
@@ -3832,6 +3856,7 @@ start-new-calibration = Neue Kalibrierung starten
 started-scan = Scan gestartet
 state-bayer = --bayer und --colour angeben (bei einem Ordner: bayer und laser_wavelength_nm in sensor.json; bei der Kamera einer Station: bayer und laser_colour)
 state-laser-colour = laser_wavelength_nm im Datenblatt des Sensors angeben (crenel extract, crenel detect: --colour), oder Graubilder verwenden
+state-rotation-in-arm-json = Nennen Sie die Steuerung als rotation in arm.json, etwa "rotation": "kuka"
 state-uncertainty-in-mm = standard_uncertainty_mm in mm angeben, k = 1
 stated = nicht angegeben
 station-does-answer-name-names-added = Dieser Server ist unter dem Namen „{ $name }“ nicht erreichbar. Namen lassen sich mit hosts in { $file } ergänzen.

@@ -85,6 +85,11 @@ angle = Angle, ″
 angle-between-clouds = Angle between clouds
 angle-beyond-a-turn = { $value } stands among them, more than a full turn in radians: these are degrees
 angle-touched-plane = Angle to the touched plane
+angles-are-in-other-unit =
+    { $unit ->
+        [deg] these are radians where degrees are expected
+       *[rad] these are degrees where radians are expected
+    }
 angles-are-multiples = all are multiples of π/2, as { $value }: these are radians
 angles-called =
     { $unit ->
@@ -198,6 +203,7 @@ arm-is-where-scan-ended = The arm is where the scan ended
 arm-json-has-joints = the arm.json of { $arm } describes joints
 arm-json-is-of-poses = the arm.json of { $arm } is of an arm that reports poses
 arm-json-names-joints = arm.json names them { $names }
+arm-json-states-rotation = rotation in arm.json is { $name }
 arm-json-tip-goes-far-while = according to this arm.json the tip moves too far while it is in a seat: { $far } from the centre of seat { $name }
 arm-json-tip-goes-fro = { $label }: according to arm.json the tip moves over { $distance }
 arm-measures-within = the reach of an arm is at most { $farthest }
@@ -980,6 +986,7 @@ convert-poses-read-otherwise =
         [scalar-first] write qx, qy, qz, qw in this order
         [scalar-first-inverted] give the poses of the flange in the frame of the arm, and write qx, qy, qz, qw in this order
         [turns-inverted] give the rotations of the flange in the frame of the arm: change the sign of qw
+        [rotations] write the controller's own columns, and state it as rotation in arm.json: { $controllers }
        *[other] give every picture the pose in which it was taken
     }
 convert-them-name-columns = Convert them, and name the columns { $first } to { $last }
@@ -1347,6 +1354,7 @@ import-with-stripe-axis = Set stripe_axis to { $axis } in sensor.json, and impor
 index-before = lengths or twists have the index i − 1
 it-is-known-to-limit = it is known to { $u } (k = 1) then; the limit is { $limit }
 it-is-no-device = it is not the address of a device
+largest-angle-of-poses = { $path }: the largest of { $names } is { $largest }
 last-row-empty = length and twist of the last row are zero, and those of the first are not
 lengths-add-up = its lengths add up to { $total }, which in { $unit } is an arm of { $length }
 lengths-in-unit = Read in { $unit }, the arm measures { $length }
@@ -1379,6 +1387,11 @@ moves-check-arm-json =
         [marker] { $name } changes by { $change }: check arm.json, and the marker: its name in the column marker, if it is not the tip, and its place, if it is given
        *[arm] { $name } changes by { $change }: check arm.json
     }
+name-columns-by-unit =
+    { $unit ->
+        [deg] Name the columns with _rad, or convert the angles
+       *[rad] Name the columns with _deg, or convert the angles
+    }
 name-dh-columns = Name the columns in a first line, such as: joint, a [mm], alpha [deg], d [mm], theta [deg]
 name-frame-otherwise-than-base = Give the frame another name than base
 no-arm-has-such-lengths = no arm is so small or so large
@@ -1407,6 +1420,10 @@ poses-agree-read-otherwise =
         [scalar-first] with the scalar of the quaternion first, { $agree } of { $count } poses agree with the pictures of { $name } to { $apart }; as they are given, they contradict them
         [scalar-first-inverted] inverted and with the scalar of the quaternion first, { $agree } of { $count } poses agree with the pictures of { $name } to { $apart }; as they are given, they contradict them
         [turns-inverted] with inverted rotations, { $agree } of { $count } poses agree with the pictures of { $name } to { $apart }; as they are given, they contradict them
+        [rotations] { $right ->
+            [vector] with rotation vectors
+           *[other] with the angles as { $right }
+        }, { $agree } of { $count } poses agree with the pictures of { $name } to { $apart }; as they are given, they contradict them
         [before] { $agree } of { $count } poses agree with the pictures of { $name } to { $apart } if each belongs to the next picture; with their own, they contradict
        *[after] { $agree } of { $count } poses agree with the pictures of { $name } to { $apart } if each belongs to the picture before; with their own, they contradict
     }
@@ -1422,6 +1439,9 @@ replace-the-datasheet = replace it, and the present one is kept among the retire
 retired-a-datasheet = retired a datasheet
 reverse-sign-of-joint = Reverse the sign of joint { $joint } in arm.json
 rotary-joints-only = Arms of rotary joints can be used
+rotation-means-several = by the controller they can mean different things: { $names }
+rotation-not-stated = { $path }: nothing says how { $columns } make a rotation
+rotation-of-poses = rotation { $name } is not known, or the arm reports joints: a robot's is one of { $names }
 save-table-as-csv = Save it as CSV (UTF-8), with commas between the columns
 say-what-is-open = Say it with --say KEY=VALUE for each
 scatter-of-clouds = Clouds
@@ -1485,6 +1505,10 @@ so-poses-are-not-what-is-expected =
         [scalar-first] the columns hold qw, qx, qy, qz
         [scalar-first-inverted] these are poses of the arm's base in the flange frame, and the columns hold qw, qx, qy, qz
         [turns-inverted] the rotations are those of the arm's base in the flange frame
+        [rotations] { $given ->
+            [vector] their numbers were taken for rotation vectors
+           *[other] their numbers were taken for angles as { $given }
+        }
        *[other] poses and pictures are shifted by one
     }
 source-dh-table =
@@ -3819,6 +3843,7 @@ start-new-calibration = Start a new calibration
 started-scan = started a scan
 state-bayer = State --bayer and --colour (of a folder: bayer and laser_wavelength_nm in sensor.json; of a station's camera: bayer and laser_colour)
 state-laser-colour = State laser_wavelength_nm in the sensor's datasheet (crenel extract, crenel detect: --colour), or give grey pictures
+state-rotation-in-arm-json = State the controller as rotation in arm.json, such as "rotation": "kuka"
 state-uncertainty-in-mm = Give standard_uncertainty_mm in mm, k = 1
 stated = not stated
 station-does-answer-name-names-added = This server does not respond to the name '{ $name }'. Add names with hosts in { $file }.

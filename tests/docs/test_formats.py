@@ -40,7 +40,7 @@ from app.formats.session.calibration_session import (
     read_any_session,
     write_contacts,
 )
-from app.formats.session.pose_columns import COLUMNS as POSE_COLUMNS
+from app.formats.session.flange_columns import COLUMNS as POSE_COLUMNS
 from app.formats.session.pose_pictures import ImageRow, write_images
 from app.formats.session.scan_folder import read_scan_folder
 from app.formats.settings.mask import Mask
@@ -50,9 +50,9 @@ from app.messages.message import Message
 from app.metrology.arm.kinematics import Arm, RobotArm, flange_pose
 from app.metrology.gauges.errors import NominalPlane, NominalSphere
 from app.metrology.targets.chessboard import Chessboard, Markers
+from app.rotations import CONVENTIONS
 from app.settings.settings import Settings
 from app.settings.station_toml import read_settings
-from hardware.arm.robots.rotations import axis_angles_quaternion, rotation_vector_quaternion
 from tests.present import present
 from tests.sources import ROOT
 
@@ -131,17 +131,25 @@ def test_the_folders_of_scans_are_read(examples: Path) -> None:
     assert timed.stamps_ns[0] < picture.stamp_ns < timed.stamps_ns[1]
 
 
-def test_the_rotations_of_robot_controllers_are_converted_as_the_drivers_do_it() -> None:
-    shown = dict(re.findall(r"^\| (Universal Robots|FANUC|KUKA) \|.*`(Rot.+)` \|$", PAGE, re.M))
-    named = {"rx": 0.3, "ry": -0.8, "rz": 1.9, "Rotation": Rotation}
-    named |= {"W": 20, "P": -50, "R": 110, "C": 20, "B": -50, "A": 110}
-    about_axes = axis_angles_quaternion(*np.deg2rad([20, -50, 110]))
-    of_vector = rotation_vector_quaternion((0.3, -0.8, 1.9))
-    wanted = {"Universal Robots": of_vector, "FANUC": about_axes, "KUKA": about_axes}
-    assert set(shown) == set(wanted)
-    for controller, expression in shown.items():
-        found = eval(expression, dict(named))
-        assert abs(np.dot(found, wanted[controller])) == pytest.approx(1)
+def test_the_rotations_of_robot_controllers_are_those_of_the_program() -> None:
+    rows = re.findall(r"^\| [^|]+ \| `([a-z-]+)` \| `([^`]+)` \| `?([^`|]+)`? \|$", PAGE, re.M)
+    shown = {name: (columns, what) for name, columns, what in rows}
+    wanted = {
+        name: (", ".join(one.columns), one.product or shown[name][1])
+        for name, one in CONVENTIONS.items()
+        if not name.startswith("euler-")
+    }
+    assert shown == wanted
+    axes = ", ".join(name.removeprefix("euler-") for name in CONVENTIONS if "euler-" in name)
+    assert f"the letters are the axes of the product: {axes} |" in PAGE
+    assert f"`{CONVENTIONS['euler-ZYX'].product}`; the letters" in PAGE
+
+
+def test_a_table_in_the_words_of_a_controller_is_read(examples: Path) -> None:
+    (examples / "kuka/sensor.json").write_text((examples / "session/sensor.json").read_text())
+    folder = read_scan_folder(examples / "kuka")
+    turned = Rotation.from_euler("ZYX", [0, 90, -180], degrees=True).as_quat()
+    assert abs(np.dot(folder.readings[0, 3:], turned)) == pytest.approx(1)
 
 
 def test_the_robots_session_on_a_chessboard_is_read(examples: Path) -> None:

@@ -7,18 +7,16 @@ from hypothesis import strategies as st
 from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
-from hardware.arm.robots.rotations import (
-    axis_angles_quaternion,
-    flange_behind_tool,
-    multiply,
-    rotate,
-    rotation_vector_quaternion,
-)
+from app.rotations import CONVENTIONS, Quaternion, Vector, multiply, quaternion_of
+from hardware.arm.robots.tool_frames import flange_behind_tool, rotate
 from hardware.arm.universal_robots.ur_rtde import flange_pose
 
-Vector = tuple[float, float, float]
 ANGLE = st.floats(-3.2, 3.2)
 VECTORS = st.tuples(ANGLE, ANGLE, ANGLE)
+
+
+def rotation_vector(vector: Vector) -> Quaternion:
+    return quaternion_of(CONVENTIONS["rotation-vector"], vector)
 
 
 def assert_same_rotation(quaternion: tuple[float, ...], expected: Rotation) -> None:
@@ -28,24 +26,39 @@ def assert_same_rotation(quaternion: tuple[float, ...], expected: Rotation) -> N
 
 @given(VECTORS)
 def test_a_rotation_vector(vector: Vector) -> None:
-    assert_same_rotation(rotation_vector_quaternion(vector), Rotation.from_rotvec(vector))
+    assert_same_rotation(rotation_vector(vector), Rotation.from_rotvec(vector))
 
 
 @pytest.mark.parametrize("length", [0.0, 1e-300, 1e-12, 1e-8, np.pi, 2 * np.pi])
 def test_rotation_vectors_of_no_length_and_of_turns(length: float) -> None:
     vector = (0.6 * length, 0.0, -0.8 * length)
-    assert_same_rotation(rotation_vector_quaternion(vector), Rotation.from_rotvec(vector))
+    assert_same_rotation(rotation_vector(vector), Rotation.from_rotvec(vector))
+
+
+SCIPY = {
+    "comau": "ZYZ", "denso": "xyz", "doosan": "ZYZ", "epson": "ZYX", "fanuc": "xyz",
+    "kawasaki": "ZYZ", "kuka": "ZYX", "mitsubishi": "xyz", "staubli": "XYZ", "techman": "xyz",
+    "yaskawa": "xyz",
+}  # fmt: skip
+"""How SciPy calls the angles of controllers."""
 
 
 @given(ANGLE, ANGLE, ANGLE)
-def test_angles_about_fixed_axes(x: float, y: float, z: float) -> None:
-    assert_same_rotation(axis_angles_quaternion(x, y, z), Rotation.from_euler("xyz", [x, y, z]))
+def test_the_angles_of_each_controller(x: float, y: float, z: float) -> None:
+    own = {name: name.removeprefix("euler-") for name in CONVENTIONS if name.startswith("euler-")}
+    assert {*SCIPY, *own, "abb", "universal-robots", "rotation-vector"} == {*CONVENTIONS}
+    for name, axes in (SCIPY | own).items():
+        expected = Rotation.from_euler(axes, [x, y, z])
+        assert_same_rotation(quaternion_of(CONVENTIONS[name], (x, y, z)), expected)
+    xyzw = Rotation.from_rotvec([x, y, z]).as_quat()
+    found = quaternion_of(CONVENTIONS["abb"], np.roll(xyzw, 1).tolist())
+    assert_same_rotation(found, Rotation.from_quat(xyzw))
 
 
 @given(VECTORS, VECTORS, VECTORS)
 def test_products_and_rotated_vectors(a: Vector, b: Vector, v: Vector) -> None:
     A, B = Rotation.from_rotvec(a), Rotation.from_rotvec(b)
-    qa, qb = rotation_vector_quaternion(a), rotation_vector_quaternion(b)
+    qa, qb = rotation_vector(a), rotation_vector(b)
     assert_same_rotation(multiply(qa, qb), A * B)
     np.testing.assert_allclose(rotate(qa, v), A.apply(v), atol=1e-12)
 
@@ -63,7 +76,7 @@ def test_the_flange_behind_a_tool(
 
 
 def test_a_tool_without_offset_is_the_flange() -> None:
-    turned = axis_angles_quaternion(0.1, 0.2, 0.3)
+    turned = rotation_vector((0.1, 0.2, 0.3))
     none = (0.0, 0.0, 0.0), (0.0, 0.0, 0.0, 1.0)
     position, quaternion = flange_behind_tool((1.0, 2.0, 3.0), turned, *none)
     assert position == (1.0, 2.0, 3.0)

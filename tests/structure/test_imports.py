@@ -13,9 +13,9 @@ from tests.sources import ALL, PROGRAM, ROOT, name_of, python_files, reads_tree,
 NUMERICS = {"numpy", "scipy", "cv2"}
 OUTSIDE = {"time", "socket", "os", "io", "pathlib", "threading"}
 """Modules by which mathematics would depend on more than its arguments."""
-LOOPS = "app.loops"
-"""The module that every package may import."""
-LEAVES = {"app.errors", "app.findings", LOOPS, "app.progress", "app.timestamps"}
+EVERYWHERE = {"app.loops", "app.rotations"}
+"""The modules that every package may import."""
+LEAVES = {"app.errors", "app.findings", *EVERYWHERE, "app.progress", "app.timestamps"}
 """Modules that every package but ``hardware`` may import."""
 MESSAGES = "app.messages"
 """The package that every other may import; it imports none of them."""
@@ -88,7 +88,7 @@ def test_a_package_imports_only_what_is_below_it(package: str) -> None:
     assert python_files(folder)
     allowed = {package, *LAYERS[package]}
     if package != MESSAGES:
-        allowed |= {MESSAGES, LOOPS} if package == "hardware" else {MESSAGES, *LEAVES}
+        allowed |= {MESSAGES, *EVERYWHERE} if package == "hardware" else {MESSAGES, *LEAVES}
     for path, module in imports(folder):
         if module.split(".")[0] in {"app", "hardware", "tests"}:
             within = any(is_within(module, one) for one in allowed)
@@ -116,7 +116,7 @@ def test_packages_beside_each_other_import_one_way() -> None:
         if module.split(".")[0] in PROGRAM:
             is_package = (ROOT / module.replace(".", "/")).is_dir()
             target = module if is_package else module.rpartition(".")[0]
-            if target != package and module != LOOPS:
+            if target != package and module not in EVERYWHERE:
                 edges[package, target] = f"{name_of(path)} imports {module}"
     for (package, target), where in edges.items():
         if not (is_within(package, target) or is_within(target, package)):
@@ -140,5 +140,5 @@ def test_the_mathematics_uses_numerical_libraries_only() -> None:
 
 def test_the_simulator_shares_nothing_with_the_solver() -> None:
     for path, module in imports("hardware"):
-        common = any(is_within(module, one) for one in ("app.native", MESSAGES, LOOPS))
+        common = any(is_within(module, one) for one in ("app.native", MESSAGES, *EVERYWHERE))
         assert common or not is_within(module, "app"), f"{name_of(path)} imports {module}"

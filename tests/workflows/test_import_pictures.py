@@ -13,7 +13,8 @@ from app.errors import OperationError
 from app.formats.clouds.files import read_cloud
 from app.formats.csv_table import table_text
 from app.formats.images import read_grey, write_png
-from app.formats.session.pose_columns import COLUMNS, joint_columns, pose_cells
+from app.formats.session.flange_columns import COLUMNS, pose_cells
+from app.formats.session.pose_columns import joint_columns
 from app.formats.session.scan_folder import read_scan_folder
 from app.metrology.arm.kinematics import AnyArm, RobotArm, flange_pose
 from app.metrology.fitting.plane_sphere import fit_plane

@@ -23,6 +23,7 @@ from app.metrology.arm.kinematics import Arm, Joint, RobotArm, Tip
 from app.metrology.arm.link_error import LinkError, error_from_transform, error_transform
 from app.metrology.arm.modified_dh import standard_from_modified
 from app.metrology.arm.near_frames import with_near_frames
+from app.rotations import CONVENTIONS
 
 JOINT_COUNTS = (5, 6, 7)
 
@@ -70,6 +71,8 @@ class ArmFile(Document):
     name: str
     serial_number: str = ""
     convention: Literal["dh-standard", "dh-modified", "pose"]
+    rotation: str | None = None
+    """Of a robot: how its tables of poses write rotations; without it, as quaternions."""
     base: ErrorPart | None = None
     """Constant transform before the first joint."""
     joints: tuple[JointPart, ...] = Field(default=())
@@ -84,6 +87,9 @@ class ArmFile(Document):
             raise ValueError(message("five-to-seven-joints-expected", field=field, joints=joints))
         if self.convention != "pose" and self.tip is None:
             raise ValueError(message("tip-missing-place-flange-diameter", tip=field_name("tip")))
+        if self.rotation and (self.convention != "pose" or self.rotation not in CONVENTIONS):
+            known = ", ".join(CONVENTIONS)
+            raise ValueError(message("rotation-of-poses", name=repr(self.rotation), names=known))
         names = [joint.name for joint in self.joints]
         for name in names:
             if names.count(name) > 1:
@@ -101,7 +107,7 @@ def parse_any_arm(text: str, path: Path) -> Arm | RobotArm:
     document = ArmFile.parse_text(text, path)
     tip = None if document.tip is None else Tip(**document.tip.model_dump())
     if document.convention == "pose":
-        return RobotArm(document.name, document.serial_number, tip)
+        return RobotArm(document.name, document.serial_number, tip, document.rotation or "")
     assert tip is not None
     joints = tuple(_joint(part) for part in document.joints)
     base = _link_error(document.base)

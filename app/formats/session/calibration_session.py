@@ -13,7 +13,8 @@ from app.formats.datasheets.arm import read_any_arm, read_arm
 from app.formats.datasheets.sensor import SensorDatasheet, read_sensor
 from app.formats.datasheets.target import read_block, read_object
 from app.formats.file_names import display_path
-from app.formats.session.pose_columns import COLUMNS, ArmReadings, joint_columns, pose_cells
+from app.formats.session.flange_columns import COLUMNS, pose_cells
+from app.formats.session.pose_columns import ArmReadings, joint_columns
 from app.formats.session.pose_pictures import Pose, read_poses
 from app.messages.message import message
 from app.metrology.arm.kinematics import AnyArm, Arm

@@ -16,7 +16,8 @@ from app.errors import OperationError
 from app.formats.csv_table import CsvTable, TableRow, parse_table
 from app.formats.file_names import display_path
 from app.formats.json_document import read_text
-from app.formats.session.pose_columns import JointAngles, unit_quaternion
+from app.formats.session.flange_columns import unit_quaternion
+from app.formats.session.pose_columns import JointAngles
 from app.messages.message import Text, message
 from app.metrology.arm.identification.observations import TIP, Coordinates
 from app.metrology.arm.kinematics import Arm

@@ -12,7 +12,8 @@ from app.formats.csv_table import TableRow, read_table, table_text
 from app.formats.datasheets.sensor import SensorDatasheet
 from app.formats.file_names import display_path
 from app.formats.images import image_size
-from app.formats.session.pose_columns import COLUMNS, ArmReadings, joint_columns, pose_cells
+from app.formats.session.flange_columns import COLUMNS, pose_cells
+from app.formats.session.pose_columns import ArmReadings, joint_columns
 from app.messages.message import Text, join, message, quantity
 from app.metrology.arm.kinematics import AnyArm, Arm
 from app.metrology.arm.reported_poses import transforms_from_poses

@@ -86,6 +86,8 @@ class RobotArm:
     serial_number: str
     tip: Tip | None = None
     """The tip, if one is mounted for probing."""
+    rotation: str = ""
+    """How its tables write rotations: a name of ``CONVENTIONS``; empty for quaternions."""
 
     @property
     def reading_kind(self) -> ReadingKind:

@@ -26,9 +26,9 @@ from typing import Literal
 from pydantic import Field
 
 from app.messages.message import Text, message
+from app.rotations import CONVENTIONS, quaternion_of
 from hardware.arm.robots.link import ControllerLink
 from hardware.arm.robots.readings import RobotReading, WrappingCounter, require_finite
-from hardware.arm.robots.rotations import axis_angles_quaternion
 from hardware.arm.robots.streaming_arm import RobotOptions, StreamingArm
 from hardware.errors import DeviceError
 from hardware.interfaces import ArmInfo, LinkHealth
@@ -126,7 +126,7 @@ class StreamMotion:
             joints = tuple(radians(value) for value in values[9 : 9 + _AXES])
             return RobotReading(device_ns, count, joints_rad=joints)
         x, y, z, w, p, r = values[:6]
-        orientation = axis_angles_quaternion(radians(w), radians(p), radians(r))
+        orientation = quaternion_of(CONVENTIONS["fanuc"], (radians(w), radians(p), radians(r)))
         return RobotReading(device_ns, count, position_mm=(x, y, z), quaternion_xyzw=orientation)
 
     def _capabilities(self, deadline: float) -> tuple[int, ...]:

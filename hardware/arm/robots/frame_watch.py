@@ -7,7 +7,7 @@ while the robot stands still: the pose leaps, and no joint has moved.
 from math import asin, degrees, hypot, sqrt
 
 from app.messages.message import message, quantity
-from hardware.arm.robots.rotations import Quaternion, Vector
+from app.rotations import Quaternion, Vector
 from hardware.errors import DeviceError
 
 _LONGEST_STEP_NS = 20_000_000

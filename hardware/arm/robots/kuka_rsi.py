@@ -28,9 +28,9 @@ from xml.etree import ElementTree
 from pydantic import Field, FiniteFloat
 
 from app.messages.message import Text, message
+from app.rotations import CONVENTIONS, quaternion_of
 from hardware.arm.robots.listening import FIRST_PACKETS, ListeningOptions, ListeningStream, Pose
 from hardware.arm.robots.readings import RobotReading, require_finite
-from hardware.arm.robots.rotations import axis_angles_quaternion
 from hardware.arm.robots.streaming_arm import StreamingArm, await_readings
 from hardware.errors import DeviceError
 from hardware.interfaces import ArmInfo, LinkHealth
@@ -135,4 +135,4 @@ def _parse(data: bytes) -> ElementTree.Element | None:
 def _frame(values: Sequence[float]) -> Pose:
     """X, Y, Z in mm and A, B, C in degrees as position and quaternion."""
     x, y, z, a, b, c = values
-    return (x, y, z), axis_angles_quaternion(radians(c), radians(b), radians(a))
+    return (x, y, z), quaternion_of(CONVENTIONS["kuka"], (radians(a), radians(b), radians(c)))

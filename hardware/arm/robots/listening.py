@@ -6,11 +6,12 @@ from typing import Literal, TypeAlias
 from pydantic import Field
 
 from app.messages.message import Text, message
+from app.rotations import Quaternion, Vector
 from hardware.arm.robots.frame_watch import FrameWatch
 from hardware.arm.robots.link import ControllerLink
 from hardware.arm.robots.readings import RobotReading
-from hardware.arm.robots.rotations import Quaternion, Vector, flange_behind_tool, place_in_arm
 from hardware.arm.robots.streaming_arm import RobotOptions
+from hardware.arm.robots.tool_frames import flange_behind_tool, place_in_arm
 from hardware.errors import DeviceError
 from hardware.interfaces import ArmInfo, LinkHealth
 

@@ -18,7 +18,8 @@ from math import sqrt
 from operator import attrgetter
 
 from app.messages.message import message, quantity
-from hardware.arm.robots.rotations import Quaternion, Vector, multiply, rotate
+from app.rotations import Quaternion, Vector, multiply
+from hardware.arm.robots.tool_frames import rotate
 from hardware.errors import DeviceError
 
 _KEPT = 500

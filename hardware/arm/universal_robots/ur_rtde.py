@@ -26,15 +26,13 @@ from typing import Literal
 from pydantic import Field
 
 from app.messages.message import Text, message, rounded
+from app.rotations import CONVENTIONS, Quaternion, Vector, quaternion_of
 from hardware.arm.robots.link import ControllerLink
 from hardware.arm.robots.readings import RobotReading, require_finite
-from hardware.arm.robots.rotations import (
-    Quaternion,
-    Vector,
-    flange_behind_tool,
-    rotation_vector_quaternion,
-)
 from hardware.arm.robots.streaming_arm import RobotOptions, StreamingArm
+from hardware.arm.robots.tool_frames import (
+    flange_behind_tool,
+)
 from hardware.arm.universal_robots import packages
 from hardware.errors import DeviceError
 from hardware.interfaces import ArmInfo, LinkHealth
@@ -234,4 +232,6 @@ def flange_pose(
 
 def _split(pose: Sequence[float]) -> tuple[Vector, Quaternion]:
     x, y, z, rx, ry, rz = pose
-    return (1000 * x, 1000 * y, 1000 * z), rotation_vector_quaternion((rx, ry, rz))
+    return (1000 * x, 1000 * y, 1000 * z), quaternion_of(
+        CONVENTIONS["universal-robots"], (rx, ry, rz)
+    )

@@ -1,6 +1,7 @@
 """What the poses of another program are, if they do not agree with the pictures as they are given:
-inverted, with their quaternions in another order, or those of the next pictures."""
+inverted, with their rotations in another convention, or those of the next pictures."""
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Literal, get_args
 
@@ -16,6 +17,7 @@ from app.metrology.adjustment.board.initial_guess import (
     refuse_other_size,
     size_by_motion,
 )
+from app.metrology.adjustment.board.misread_rotations import MisreadRotations, list_rereadings
 from app.metrology.adjustment.board.problem import BoardInputs
 from app.metrology.adjustment.core.arm_readings import flange_motion
 from app.metrology.adjustment.core.hand_eye import (
@@ -30,8 +32,9 @@ from app.metrology.targets.chessboard import Chessboard, corner_points
 from app.metrology.transforms import Floats, inverse, rigid
 
 PoseFault = Literal[
-    "inverted", "scalar-first", "scalar-first-inverted", "turns-inverted", "before", "after"
-]
+    "inverted", "scalar-first", "scalar-first-inverted", "turns-inverted", "before", "after",
+    "rotations",
+]  # fmt: skip
 POSE_CODES = frozenset({"poses-contradict", "poses-reversed", "square-size", "board-ambiguous"})
 """Refusals whose cause may be one of these faults."""
 FEWEST_PAIRS = 4
@@ -55,6 +58,8 @@ class OtherReading:
     agree: int
     apart_mm: float
     given_mm: float
+    rotations: MisreadRotations | None = None
+    """What the rotations were taken for, if the fault is in them."""
 
 
 def explain_poses(inputs: BoardInputs, error: OperationError) -> OperationError:
@@ -100,18 +105,44 @@ def find_other_reading(inputs: BoardInputs) -> OtherReading | None:
     given = _mounting(inputs.observations, inputs.board, camera, T_arm_flange)
     given_mm = np.inf if given is None else size_by_motion(given).scatter_mm
     found: list[OtherReading] = []
-    for fault in get_args(PoseFault):
-        if isinstance(inputs.arm, RobotArm) or fault in ("before", "after"):
-            pictures, poses = reread(T_arm_flange, fault)
-            seen = tuple(inputs.observations[p] for p in pictures)
-            mounting = _agreement(seen, inputs.board, camera, poses)
-            if mounting is not None:
-                agree = int(np.sum(~mounting.contradicts))
-                found.append(OtherReading(fault, agree, median(mounting.off_mm), given_mm))
+    for fault, rotations, pictures, poses in _readings(inputs, camera, T_arm_flange):
+        if rotations and any(one.rotations is None for one in found):
+            break  # a simpler fault explains it
+        seen = tuple(inputs.observations[p] for p in pictures)
+        mounting = _agreement(seen, inputs.board, camera, poses)
+        if mounting is not None:
+            agree, apart_mm = int(np.sum(~mounting.contradicts)), median(mounting.off_mm)
+            found.append(OtherReading(fault, agree, apart_mm, given_mm, rotations))
     return min(found, key=lambda other: other.apart_mm, default=None)
 
 
+def _readings(
+    inputs: BoardInputs, camera: Camera, T_arm_flange: Floats
+) -> Iterator[tuple[PoseFault, MisreadRotations | None, list[int], Floats]]:
+    """Each other reading, with the pictures that then have a pose, and these poses."""
+    for fault in get_args(PoseFault):
+        if fault == "rotations":
+            continue
+        if isinstance(inputs.arm, RobotArm) or fault in ("before", "after"):
+            yield fault, None, *reread(T_arm_flange, fault)
+    if isinstance(inputs.arm, RobotArm):
+        turns = _board_turns(inputs, camera)
+        for rotations, poses in list_rereadings(T_arm_flange, turns):
+            yield "rotations", rotations, list(range(len(poses))), poses
+
+
+def _board_turns(inputs: BoardInputs, camera: Camera) -> Floats | None:
+    """(P, 3, 3) rotations of the board before the camera; None where its corners could be numbered
+    in several ways."""
+    seen = [one.detection for one in inputs.observations]
+    if any(one.other_numbers for one in seen):
+        return None
+    points = corner_points(inputs.board)
+    return np.array([solve_pnp(camera, points[one.number], one.uv_px)[:3, :3] for one in seen])
+
+
 def _read_otherwise(inputs: BoardInputs, other: OtherReading) -> OperationError:
+    rotations = other.rotations or MisreadRotations("", "")
     return OperationError(
         "poses-read-otherwise",
         message(
@@ -121,9 +152,14 @@ def _read_otherwise(inputs: BoardInputs, other: OtherReading) -> OperationError:
             agree=other.agree,
             count=len(inputs.observations),
             apart=quantity(other.apart_mm, "mm", 1),
+            right=rotations.right,
         ),
-        message("so-poses-are-not-what-is-expected", fault=other.fault),
-        message("convert-poses-read-otherwise", fault=other.fault),
+        message("so-poses-are-not-what-is-expected", fault=other.fault, given=rotations.given),
+        message(
+            "convert-poses-read-otherwise",
+            fault=other.fault,
+            controllers=", ".join(rotations.controllers),
+        ),
     )
 
 
