@@ -165,7 +165,7 @@ def touched_sphere(radius_sd_mm: float) -> ProbedSphere:
 
 
 def test_an_outlier_is_named_and_can_be_removed() -> None:
-    one = replace(touched_plane(), residuals_mm=np.arange(6) * 2.0, outliers=np.arange(6) == 4)
+    one = replace(touched_plane(), residuals_mm=2.0 * np.arange(6.0), outliers=np.arange(6) == 4)
     view = build_view(
         state_after(STARTED, ("gauge_confirmed", {}), *[TOUCHED] * 6), live_of(touched=one)
     )
