@@ -502,7 +502,7 @@ calibration-use-cannot-read = Die verwendete Kalibrierung ist nicht lesbar
 calibration-utc = Kalibrierung { $now } UTC
 calibration-valid-verified-scan-part = Die Kalibrierung ist gültig und verifiziert. Das Teil scannen.
 calibration-verified-yet = Diese Kalibrierung ist noch nicht verifiziert.
-calibration-with-total = Kalibrierung { $name }, { $total } (k = 1)
+calibration-with-total = { $name }, { $total } (k = 1)
 calibrations-unknowns-did-settle-what-seen = die Unbekannten der Kalibrierung konvergieren mit diesen Bildern und Antastpunkten nicht
 camera = Die Kamera { $source }
 camera-address-not-known = Es gibt kein Gerät mit der Adresse oder dem Namen { $address }

@@ -502,7 +502,7 @@ calibration-use-cannot-read = The calibration in use cannot be read
 calibration-utc = Calibration { $now } UTC
 calibration-valid-verified-scan-part = The calibration is valid and verified. Scan the part.
 calibration-verified-yet = This calibration is not verified yet.
-calibration-with-total = calibration { $name }, { $total } (k = 1)
+calibration-with-total = { $name }, { $total } (k = 1)
 calibrations-unknowns-did-settle-what-seen = the calibration did not converge on the pictures and contact points
 camera = The camera { $source }
 camera-address-not-known = There is no device with the address or name { $address }

@@ -1,4 +1,4 @@
-import { useState } from "react";
+import { useEffect, useRef, useState } from "react";
 import { notifyOfError } from "../api/commands";
 import {
   addDatasheet,
@@ -49,7 +49,16 @@ export function DatasheetsPage() {
   const [asked, setAsked] = useState<Asked | null>(null);
   const created = detail.startsWith(NEW) ? detail.slice(NEW.length) : null;
 
+  const here = useRef(true);
+  useEffect(() => {
+    here.current = true;
+    return () => {
+      here.current = false;
+    };
+  }, []);
+
   const list = () => {
+    if (!here.current) return; // who went on while it was saved is not called back
     setEditing(null);
     setChanges((n) => n + 1);
     go("datasheets");
