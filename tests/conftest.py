@@ -68,8 +68,9 @@ def temporary_folder(
 @pytest.fixture(autouse=True)
 def patience_with_pictures(monkeypatch: pytest.MonkeyPatch) -> None:
     """A busy machine receives no whole picture for longer than one that is not."""
-    if (source := sys.modules.get("hardware.sensor.genicam.camera_source")) is not None:
-        monkeypatch.setattr(source, "INCOMPLETE_S", 60.0)
+    for module, name in (("camera_source", "INCOMPLETE_S"), ("driver", "FIRST_WITHIN_S")):
+        if (found := sys.modules.get(f"hardware.sensor.genicam.{module}")) is not None:
+            monkeypatch.setattr(found, name, 60.0)
 
 
 @pytest.fixture(scope="session")

@@ -23,6 +23,8 @@ if (location.pathname.startsWith("/viewer")) {
 """
 """The 3D view draws two pictures a second, so that it leaves the processor to the station."""
 
+ASK = "path => fetch(path).then(answer => (answer.ok ? answer.json() : null))"
+
 
 class Visit:
     """A page that keeps what went wrong in it, and takes numbered screenshots if there is a folder
@@ -51,8 +53,12 @@ class Visit:
         self.page.screenshot(path=path, timeout=SCREENSHOT_MS)
 
     def ask(self, path: str) -> Any:
-        """What the server answers to the page's own question."""
-        return self.page.evaluate("path => fetch(path).then(answer => answer.json())", path)
+        """What the server answers to the page's own question, once it lets it ask."""
+        end = time.monotonic() + PATIENCE_S
+        while (answer := self.page.evaluate(ASK, path)) is None:
+            assert time.monotonic() < end, f"{path} is not answered"
+            self.page.wait_for_timeout(300)
+        return answer
 
     def wait_until(self, what: str, path: str, done: Callable[[dict[str, Any]], bool]) -> None:
         """Asks until the answer satisfies; the page goes on meanwhile."""
@@ -83,7 +89,7 @@ def take_poses(visit: Visit) -> None:
         visit.wait_until("the simulated operator", "/api/flow", lambda view: view["busy"] is None)
         view = visit.ask("/api/flow")
         if view["step"] == "review":
-            assert len(poses) >= 3
+            assert len(view["picture"]["poses"]) >= 3
             return
         if view["step"] == "capture":
             poses.add(view["rev"])

@@ -172,7 +172,7 @@ def test_one_of_four_points_in_the_air_accuses_none_of_them() -> None:
     places = np.array(suggest_places(BLOCK, "crest"))
     report = judged(*(touch("crest", places[i] + [0, 0, 12.0 * (i == 0)]) for i in (0, 2, 6, 8)))
     (finding,) = report.findings
-    assert "One of the points 1, 2, 3, 4 is off the surface." in str(finding.text)
+    assert "At least one of the points 1, 2, 3, 4 is off the surface." in str(finding.text)
     assert report.questionable == ()
     assert list(report.doubts) == [0, 1, 2, 3]
 

@@ -168,10 +168,11 @@ def test_contacts_that_only_scatter_are_all_kept(given: BoardInputs) -> None:
     assert "contact-outliers" not in codes
 
 
-def test_contacts_of_which_a_quarter_slipped_are_not_called_good(given: BoardInputs) -> None:
-    said = finding(replace(given, contact_readings=slipped((0, 5, 10), 0.6)), "contacts")
-    assert said.quality == "attention"
-    assert "fixed firmly" in str(said.remedy)
+def test_contacts_of_which_a_quarter_slipped_are_named_and_refused(given: BoardInputs) -> None:
+    inputs = replace(given, contact_readings=slipped((0, 5, 10), 0.6))
+    said = refusal_of(calibrate_board, inputs)
+    assert said.code == "contact-off-unknown-which"
+    assert "1, 6, 11" in str(said.what)
 
 
 def test_swapped_poses_are_named_with_one_another(given: BoardInputs) -> None:

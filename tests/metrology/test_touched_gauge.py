@@ -69,7 +69,7 @@ def test_one_of_four_points_is_off_a_plane_and_nothing_tells_which(arm: Arm) -> 
     places = np.array(
         [(-20, -15, 0), (20, 15, 0), (-20, 15, 0), (20, -15, 3), (0, 9, 0), (9, 0, 0)]
     )
-    with refused_as("contact-off-unknown-which", "One of the points 1, 2, 3, 4 is off"):
+    with refused_as("contact-off-unknown-which", "At least one of the points 1, 2, 3, 4 is off"):
         fit_probed_plane(arm, touching(arm, middle + places[:4]))
     found = fit_probed_plane(arm, touching(arm, middle + places))
     assert np.flatnonzero(found.outliers).tolist() == [3]

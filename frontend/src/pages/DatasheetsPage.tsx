@@ -24,6 +24,7 @@ import { go, useDetail } from "../state/router";
 import { useRead } from "../state/useRead";
 
 const NEW = "new/";
+const EDIT = "edit";
 
 interface Editing {
   name: FormName;
@@ -47,6 +48,7 @@ export function DatasheetsPage() {
   const [editing, setEditing] = useState<Editing | null>(null);
   const [saved, setSaved] = useState<DatasheetRow | null>(null);
   const [asked, setAsked] = useState<Asked | null>(null);
+  const edited = detail === EDIT ? editing : null; // the menu and the way back leave the form
   const created = detail.startsWith(NEW) ? detail.slice(NEW.length) : null;
 
   const here = useRef(true);
@@ -86,17 +88,20 @@ export function DatasheetsPage() {
       const document = asCopy ? copyOf(present, t("ui-copy-of", { name: row.name })) : present;
       const version = asCopy ? "" : row.version;
       setEditing({ name: row.form, first: valuesOf(row.form, document), edited: { version, document }, key: 0 });
+      go("datasheets", EDIT);
     } catch (error) {
       notifyOfError(error, t("ui-the-datasheet-was-not-changed"));
     }
   };
-  const takeModel = (values: Values, document: Record<string, unknown>) =>
+  const takeModel = (values: Values, document: Record<string, unknown>) => {
     setEditing({
       name: "arm",
       first: withModel(values, document),
-      edited: { version: editing?.edited.version ?? "", document },
-      key: (editing?.key ?? 0) + 1,
+      edited: { version: edited?.edited.version ?? "", document },
+      key: (edited?.key ?? 0) + 1,
     });
+    go("datasheets", EDIT);
+  };
   const addFiles = async (files: FileList) => {
     setSaved(null);
     for (const file of Array.from(files)) {
@@ -109,12 +114,12 @@ export function DatasheetsPage() {
   if (!view) {
     return <Layout picture={null} card={<CardHead title={t("ui-datasheets")} text={t("ui-loading-the-list")} />} />;
   }
-  if (editing) {
+  if (edited) {
     return (
       <>
         <DatasheetForm
-          {...editing}
-          key={editing.key}
+          {...edited}
+          key={edited.key}
           ranges={view.ranges}
           arm={view.arm}
           onSave={keep}

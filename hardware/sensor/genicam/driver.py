@@ -60,6 +60,7 @@ from hardware.sensor.grabbing import GrabbingSensor
 from hardware.sensor.grey import require_colour
 
 FIRST_WITHIN_S = 5.0
+"""A camera that sends no picture within this time of its start is refused."""
 
 
 def from_options(options: Mapping[str, object]) -> GrabbingSensor:
