@@ -21,6 +21,7 @@ from app.metrology.gauges.scanned_gauge import (
     zone_mm,
 )
 from app.metrology.gauges.tip_check import check_tip
+from app.metrology.probing.reachable import off_sphere_mm
 from tests.guide.builders import REST_RAD, reach_tip
 from tests.metrology.builders import six_axis_arm
 from tests.metrology.numerics import on_sphere, unit
@@ -353,3 +354,7 @@ def test_without_the_wrist_turned_no_bend_is_claimed(arm: Arm) -> None:
 def test_without_a_limit_nothing_is_decided(arm: Arm) -> None:
     found = check_tip(arm, touches(arm, arm.tip), 2 * RADIUS_MM)
     assert (found.decision, found.cause) == ("none", "sound")
+
+
+def test_the_first_contact_on_a_sphere_misses_nothing() -> None:
+    assert off_sphere_mm(np.zeros((0, 3)), np.ones(3), 12.0) == 0.0

@@ -75,8 +75,8 @@ def off_sphere_mm(before_mm: Floats, tip_mm: Floats, reach_mm: float) -> float:
         reach_mm: radius of the sphere and of the tip together.
     """
     tips = np.vstack([before_mm, tip_mm])
-    if len(before_mm) and len(tips) < FEWEST_ON_SPHERE:
-        apart_mm = float(np.max(np.linalg.norm(before_mm - tip_mm, axis=1))) - 2 * reach_mm
+    if len(tips) < FEWEST_ON_SPHERE:
+        apart_mm = float(np.linalg.norm(tips[:-1] - tip_mm, axis=1).max(initial=0.0)) - 2 * reach_mm
         return apart_mm if apart_mm > OFF_SPHERE_MM else 0.0
     found = agree_on_sphere(tips, _contact_covariances_mm2(len(tips)), reach_mm)
     if found.kept[-1]:
