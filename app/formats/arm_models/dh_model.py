@@ -17,7 +17,7 @@ from app.formats.arm_models.dh_units import (
     ask_length,
     degrees_of,
 )
-from app.formats.arm_models.model import LIMIT_DEG, Answers, ImportedArm, Question, answer_to
+from app.formats.arm_models.model import LIMIT_DEG, Answers, ImportedArm, ModelQuestion, answer_to
 from app.formats.datasheets.arm import JOINT_COUNTS, ErrorPart, JointPart, error_part
 from app.formats.json_document import field_name
 from app.messages.message import Text, message
@@ -93,13 +93,13 @@ def _cells(table: DhTable, roles: Sequence[Role | None], row: DhRow) -> Cells:
     return cells
 
 
-def _ask_columns(table: DhTable, answers: Answers) -> Question:
+def _ask_columns(table: DhTable, answers: Answers) -> ModelQuestion:
     if table.roles:
-        return Question("columns", ORDERS, ", ".join(filter(None, table.roles)), stated=True)
+        return ModelQuestion("columns", ORDERS, ", ".join(filter(None, table.roles)), stated=True)
     possible = [order for order in ORDERS if _may_be(table, _roles_of(order))]
     likely = possible[0] if len(possible) == 1 else ""
     why: Text = message("only-order-with-right-angles") if likely else ""
-    question = Question("columns", tuple(possible or ORDERS), likely=likely, why=why)
+    question = ModelQuestion("columns", tuple(possible or ORDERS), likely=likely, why=why)
     return replace(question, answer=answer_to(question, answers))
 
 
@@ -122,7 +122,7 @@ def _may_be(table: DhTable, order: Sequence[Role]) -> bool:
 
 def _ask_units(
     table: DhTable, rows: Sequence[Cells], answers: Answers
-) -> tuple[Question, Question, Question]:
+) -> tuple[ModelQuestion, ModelQuestion, ModelQuestion]:
     """The questions for the unit of length, for that of angles, and for the convention."""
     stated = {table.heads.units[role] for role in LENGTHS if role in table.heads.units}
     if len(stated) > 1:

@@ -87,7 +87,7 @@ def parse_dh_table(text: str) -> DhTable:
             roles.insert(0, "name")
     for line in lines:
         _check_width(line, width, separator)
-    commas = _has_decimal_commas(lines, separator)
+    commas = _replace_decimal_commas(lines, separator)
     rows = tuple(_read_row(line, roles, named, k + 1) for k, line in enumerate(lines))
     _refuse_missing_rows(rows)
     plain = tuple(role for role in roles if role != "name") if named else ()
@@ -134,8 +134,8 @@ def _check_width(line: _Line, width: int, separator: str) -> None:
     )
 
 
-def _has_decimal_commas(lines: Sequence[_Line], separator: str) -> bool:
-    """Whether numbers have decimal commas, which are then written as points in ``lines``.
+def _replace_decimal_commas(lines: Sequence[_Line], separator: str) -> bool:
+    """Writes the decimal commas of numbers as points; says whether there were some.
 
     Raises:
         OperationError: some have commas and others points.

@@ -7,7 +7,7 @@ from decimal import Decimal
 
 from app.errors import OperationError
 from app.formats.arm_models.dh_cells import Cell
-from app.formats.arm_models.model import Answers, Question, answer_to
+from app.formats.arm_models.model import Answers, ModelQuestion, answer_to
 from app.messages.message import Text, message, rounded
 
 MM_PER = {"mm": 1.0, "cm": 10.0, "m": 1000.0, "inch": 25.4}
@@ -24,7 +24,7 @@ FEWEST_DECIMALS = 2
 """With which a multiple of π/2 is recognized."""
 
 
-def ask_length(total: float, stated: str, answers: Answers) -> Question:
+def ask_length(total: float, stated: str, answers: Answers) -> ModelQuestion:
     """The unit of length.
 
     Args:
@@ -35,7 +35,7 @@ def ask_length(total: float, stated: str, answers: Answers) -> Question:
         OperationError: with the stated or answered unit, no arm has such lengths.
     """
     usual = [one for one in MM_PER if _is_within(total * MM_PER[one], USUAL_MM)]
-    question = Question("length", tuple(MM_PER), stated, bool(stated))
+    question = ModelQuestion("length", tuple(MM_PER), stated, bool(stated))
     why: Text = ""
     if len(usual) == 1:
         as_mm = rounded(total * MM_PER[usual[0]], "mm", 4)
@@ -62,7 +62,7 @@ def refuse_impossible_length(total_mm: float, unit: str, remedy: Text, why: Text
         raise OperationError("model-length-unit", shown, why, remedy)
 
 
-def ask_angle(angles: Sequence[Cell], answers: Answers) -> Question:
+def ask_angle(angles: Sequence[Cell], answers: Answers) -> ModelQuestion:
     """The unit of the angles that do not state theirs.
 
     Raises:
@@ -70,7 +70,7 @@ def ask_angle(angles: Sequence[Cell], answers: Answers) -> Question:
     """
     plain = [cell for cell in angles if cell.value and cell.unit is None]
     own = next((cell.unit for cell in angles if cell.value and cell.unit), "deg")
-    question = Question("angle", ANGLE_UNITS, "" if plain else own, stated=not plain)
+    question = ModelQuestion("angle", ANGLE_UNITS, "" if plain else own, stated=not plain)
     likely, why = _likely_unit(plain)
     if likely:
         question = replace(question, likely=likely, why=why)
@@ -89,7 +89,7 @@ def ask_angle(angles: Sequence[Cell], answers: Answers) -> Question:
 
 def ask_convention(
     title: str, counts_before: bool, twists: Sequence[tuple[float, float]], answers: Answers
-) -> Question:
+) -> ModelQuestion:
     """Whether the table is standard, or modified as Craig's.
 
     Args:
@@ -99,7 +99,7 @@ def ask_convention(
     """
     words = {WORDS[word] for word in title.lower().replace("-", " ").split() if word in WORDS}
     stated = CONVENTIONS[words.pop()] if len(words) == 1 else ""
-    question = Question("convention", CONVENTIONS, stated, bool(stated))
+    question = ModelQuestion("convention", CONVENTIONS, stated, bool(stated))
     first, last = any(twists[0]), any(twists[-1])
     if counts_before:
         question = replace(question, likely="dh-modified", why=message("index-before"))

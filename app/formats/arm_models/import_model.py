@@ -4,7 +4,7 @@ from pathlib import Path
 
 from app.errors import OperationError
 from app.formats.arm_models.dh_model import read_dh_model
-from app.formats.arm_models.model import Answers, ImportedArm, Question
+from app.formats.arm_models.model import Answers, ImportedArm, ModelQuestion
 from app.formats.arm_models.nominal_arms import nominal_arms, read_nominal_arm
 from app.formats.arm_models.ur_calibration import is_ur_calibration, read_ur_calibration
 from app.formats.arm_models.urdf import is_urdf, read_urdf
@@ -87,7 +87,7 @@ def import_arm_file(
     return document, model
 
 
-def _open_text(question: Question) -> Text:
+def _open_text(question: ModelQuestion) -> Text:
     options = " | ".join(question.options)
     if not question.likely:
         return message("model-open", key=question.key, options=options)

@@ -16,7 +16,7 @@ LIMIT_DEG = 180.0
 
 
 @dataclass(frozen=True)
-class Question:
+class ModelQuestion:
     """Something that decides what a text means."""
 
     key: QuestionKey
@@ -37,7 +37,7 @@ class ImportedArm:
 
     source: Text
     """What the text was recognized as."""
-    questions: tuple[Question, ...]
+    questions: tuple[ModelQuestion, ...]
     name: str = ""
     convention: Literal["dh-standard", "dh-modified"] = "dh-standard"
     base: ErrorPart | None = None
@@ -63,7 +63,7 @@ class ImportedArm:
         }
 
 
-def answer_to(question: Question, answers: Answers) -> str:
+def answer_to(question: ModelQuestion, answers: Answers) -> str:
     """The person's answer to a question that the text leaves open; empty if there is none.
 
     Raises:

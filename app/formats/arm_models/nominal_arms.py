@@ -7,7 +7,7 @@ from typing import Literal
 
 from pydantic import TypeAdapter
 
-from app.formats.arm_models.model import Answers, ImportedArm, Question, answer_to
+from app.formats.arm_models.model import Answers, ImportedArm, ModelQuestion, answer_to
 from app.formats.datasheets.arm import ErrorPart, JointPart
 from app.formats.json_document import DocumentPart, Number
 from app.messages.message import message
@@ -46,7 +46,7 @@ def read_nominal_arm(answers: Answers) -> ImportedArm:
     Raises:
         OperationError: there is none of this name.
     """
-    question = Question("robot", tuple(nominal_arms()))
+    question = ModelQuestion("robot", tuple(nominal_arms()))
     name = answer_to(question, answers)
     asked = (replace(question, answer=name),)
     if not name:

@@ -12,7 +12,7 @@ from collections.abc import Mapping
 import numpy as np
 
 from app.errors import OperationError
-from app.formats.arm_models.model import Answers, ImportedArm, Question, answer_to
+from app.formats.arm_models.model import Answers, ImportedArm, ModelQuestion, answer_to
 from app.formats.arm_models.nominal_arms import nominal_arms
 from app.formats.datasheets.arm import joint_part
 from app.messages.message import Text, message, quantity
@@ -54,14 +54,14 @@ def read_ur_calibration(text: str, answers: Answers) -> ImportedArm:
             "ur-not-calibrated", message("ur-not-calibrated"), remedy=message("give-ur-files")
         )
     source = message("source-ur-calibration", calibrated="yes" if deltas else "no")
-    asked: tuple[Question, ...] = ()
+    asked: tuple[ModelQuestion, ...] = ()
     if "alpha" in rows:
         nominal = {"theta": np.zeros(JOINTS), **_read_rows(rows, "")}
     else:
         robots = tuple(name for name in nominal_arms() if name.startswith(MAKER))
-        question = Question("robot", robots)
+        question = ModelQuestion("robot", robots)
         answer = answer_to(question, answers)
-        asked = (Question("robot", robots, answer),)
+        asked = (ModelQuestion("robot", robots, answer),)
         if not answer:
             return ImportedArm(source, asked)
         nominal = _nominal_rows(answer)

@@ -15,7 +15,7 @@ import numpy as np
 
 from app.errors import OperationError
 from app.formats.arm_models.dh_units import refuse_impossible_length
-from app.formats.arm_models.model import Answers, ImportedArm, Question, answer_to
+from app.formats.arm_models.model import Answers, ImportedArm, ModelQuestion, answer_to
 from app.formats.datasheets.arm import JOINT_COUNTS, error_part, joint_part
 from app.formats.exchange.xml_text import parse_xml
 from app.messages.message import Text, message
@@ -167,7 +167,7 @@ def _numbers(
 
 def _ask_end(
     children: Mapping[str, Sequence[str]], by_child: Mapping[str, UrdfJoint], answers: Answers
-) -> Question:
+) -> ModelQuestion:
     """At which link the arm ends.
 
     Raises:
@@ -182,7 +182,7 @@ def _ask_end(
             _kinds_text(by_child.values()),
             message("rotary-joints-only"),
         )
-    question = Question("end", usable)
+    question = ModelQuestion("end", usable)
     flanges = [link for link in usable if link.lower() in FLANGES]
     ends = [link for link in usable if not children[link]]
     if flanges:
@@ -192,7 +192,7 @@ def _ask_end(
     return replace(question, answer=answer_to(question, answers))
 
 
-def _ask_base(end: str, by_child: Mapping[str, UrdfJoint], answers: Answers) -> Question:
+def _ask_base(end: str, by_child: Mapping[str, UrdfJoint], answers: Answers) -> ModelQuestion:
     """At which link the arm begins: any before the end with few enough joints between."""
     chain = _chain("", end, by_child)
     starts = tuple(
@@ -206,7 +206,7 @@ def _ask_base(end: str, by_child: Mapping[str, UrdfJoint], answers: Answers) -> 
             message("urdf-chain-too-long", joints=len(_rotary(chain)), end=end),
             remedy=message("choose-another-end"),
         )
-    question = Question("base", starts)
+    question = ModelQuestion("base", starts)
     usable = [link for link in starts if _is_free(_chain(link, end, by_child))]
     if usable:
         question = replace(question, likely=usable[0], why=message("urdf-first-link"))

@@ -129,8 +129,9 @@ def _subsets(count: int, unknowns: int) -> Floats:
     """(B, N) of ones and zeros: all points but two, or but one of few; all of many."""
     spare = count - unknowns
     left_out = 0 if spare < 2 or count > MOST_IN_SUBSETS else 1 if spare < 4 else 2
-    subsets = np.ones((max(len(list(combinations(range(count), left_out))), 1), count))
-    for subset, out in zip(subsets, combinations(range(count), left_out), strict=True):
+    choices = list(combinations(range(count), left_out))
+    subsets = np.ones((len(choices), count))
+    for subset, out in zip(subsets, choices, strict=True):
         subset[list(out)] = 0.0
     return subsets
 

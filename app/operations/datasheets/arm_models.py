@@ -6,24 +6,8 @@ from dataclasses import dataclass
 
 from app.errors import OperationError
 from app.formats.arm_models.import_model import read_model
-from app.formats.arm_models.model import QuestionKey
+from app.formats.arm_models.model import ModelQuestion
 from app.messages.message import Text
-
-
-@dataclass(frozen=True)
-class ModelQuestion:
-    """Something that decides what the text means, for a person to answer."""
-
-    key: QuestionKey
-    options: tuple[str, ...]
-    answer: str
-    """What was answer_to, or the text says itself; empty while it is open."""
-    stated: bool
-    """The text says it itself."""
-    likely: str
-    """One of the options, or empty."""
-    why: Text
-    """Why that one is likely."""
 
 
 @dataclass(frozen=True)
@@ -64,14 +48,12 @@ def view_model(text: str, answers: Mapping[str, str]) -> ArmModelView:
         model = read_model(text, answers)
     except OperationError as error:
         return ArmModelView("", error.text, (), (), (), "")
-    questions = tuple(
-        ModelQuestion(one.key, one.options, one.answer, one.stated, one.likely, one.why)
-        for one in model.questions
-    )
     if model.is_open:
-        return ArmModelView(model.source, "", questions, model.notes, (), "")
+        return ArmModelView(model.source, "", model.questions, model.notes, (), "")
     rows = tuple(
         ModelRow(joint.name, joint.a_mm, joint.alpha_deg, joint.d_mm, joint.theta_deg)
         for joint in model.joints
     )
-    return ArmModelView(model.source, "", questions, model.notes, rows, json.dumps(model.fields()))
+    return ArmModelView(
+        model.source, "", model.questions, model.notes, rows, json.dumps(model.fields())
+    )
