@@ -18,7 +18,8 @@ if TYPE_CHECKING:
     from distributed import Client, LocalCluster
 
 CONNECT_S = 5.0
-CLOSE_S = 5.0
+CLOSE_S = 30.0
+"""Dask may take so long to end on a busy machine; what is cut short leaves its loop and sockets."""
 PAUSE_S = 1.0
 SCRATCH = "temporary-directory"
 """Of Dask: where its scheduler puts a folder that it leaves behind."""
