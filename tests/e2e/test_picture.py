@@ -10,6 +10,7 @@ import pytest
 from playwright.sync_api import Browser, Page, expect
 
 from tests.e2e.conftest import Demo, wait_in_page
+from tests.e2e.visit import Visit
 
 pytestmark = pytest.mark.device
 
@@ -107,6 +108,7 @@ def test_stop_is_whole_on_a_phone(
     browser: Browser, station: Demo, pictures: Path, language: str, width: int
 ) -> None:
     page = browser.new_page(viewport={"width": width, "height": 760}, has_touch=True)
+    visit = Visit(page)
     page.goto(station.link.replace("#", f"?lang={language}#"))
     page.get_by_role("main").wait_for()
     stop = page.get_by_role("button", name="STOP")
@@ -114,6 +116,7 @@ def test_stop_is_whole_on_a_phone(
     # nothing lies over it, from edge to edge, once the page has all of its header
     wait_in_page(page, f"button => ({SEEN})(button).length === 0", stop.element_handle())
     page.screenshot(path=pictures / f"stop-{language}-{width}.png")
+    visit.wait_until("let in by the link", "/api/session", lambda now: now["you"] is not None)
     with page.expect_response("**/api/stop") as answered:
         stop.tap()
     assert answered.value.status == 204

@@ -115,6 +115,7 @@ class FakeMicroscribe(SpeakingDevice):
         if self.skip:
             self.skip -= 1
             return
+        late_s = self.late_s  # before the counts: an answer that is in time has those of now
         number = {0: 0, 1: 5, 2: 7, 3: 6}[command & 3]
         counts = (self.counts + [0, 0])[:number]
         payload = bytes([self.pedals & 0x7F])
@@ -124,8 +125,8 @@ class FakeMicroscribe(SpeakingDevice):
         if self.damage:
             self.damage -= 1
             payload = payload[:-1] + b"\xff"
-        if self.late_s:
-            time.sleep(self.late_s)
+        if late_s:
+            time.sleep(late_s)
         self.line.write(bytes([command | 0x80]) + payload)
 
 
