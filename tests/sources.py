@@ -6,6 +6,8 @@ from functools import cache
 from pathlib import Path
 from typing import Any, TypeVar
 
+import pytest
+
 T = TypeVar("T")
 Reading = Callable[[Sequence[ast.AST]], T]
 
@@ -13,6 +15,9 @@ ROOT = Path(__file__).resolve().parents[1]
 PROGRAM = ("app", "hardware")
 """The folders of what is installed."""
 ALL = (*PROGRAM, "tests")
+
+READS_TREE = pytest.mark.xdist_group("tree")
+"""For test files that read the whole project: one process runs them all."""
 
 _readings: list[Reading[Any]] = []
 _found: dict[Path, dict[Reading[Any], Any]] = {}

@@ -8,7 +8,9 @@ from collections.abc import Iterator, Sequence
 
 import pytest
 
-from tests.sources import ROOT, python_files, reads_tree, text_of
+from tests.sources import READS_TREE, ROOT, python_files, reads_tree, text_of
+
+pytestmark = READS_TREE
 
 SOURCES = {
     ".".join(path.relative_to(ROOT).with_suffix("").parts): path

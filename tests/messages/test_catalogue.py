@@ -29,7 +29,9 @@ from app.messages.message import (
 )
 from app.report.html import escape
 from app.report.pdf import _replace_missing
-from tests.sources import name_of, python_files, reads_tree
+from tests.sources import READS_TREE, name_of, python_files, reads_tree
+
+pytestmark = READS_TREE
 
 HEBREW, ARABIC = "זרוע מדידה", "ذراع القياس"
 ENGLISH, GERMAN = renderer("en"), renderer("de")

@@ -11,7 +11,9 @@ from fluent.syntax import ast as ftl
 
 from app.messages.catalogue import FUNCTIONS
 from app.messages.language_file import ENGLISH, FOLDER, languages
-from tests.sources import PROGRAM, name_of, python_files, reads_tree
+from tests.sources import PROGRAM, READS_TREE, name_of, python_files, reads_tree
+
+pytestmark = READS_TREE
 
 OTHERS = languages()[1:]
 MADE_FROM_TERMS = ("word-",)

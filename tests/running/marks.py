@@ -43,7 +43,10 @@ class FileMarks:
 def read_marks(path: Path) -> FileMarks:
     """The marks of a file, as its text has them; none if pytest must say what is wrong with it."""
     try:
-        tree = ast.parse(path.read_text("utf-8"))
+        text = path.read_text("utf-8")
+        if not any(f".mark.{cost}" in text for cost in Cost):
+            return FileMarks()
+        tree = ast.parse(text)
     except (OSError, SyntaxError, ValueError):
         return FileMarks()
     of_all = frozenset(

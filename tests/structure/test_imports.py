@@ -8,7 +8,9 @@ from pathlib import Path
 
 import pytest
 
-from tests.sources import ALL, PROGRAM, ROOT, name_of, python_files, reads_tree, text_of
+from tests.sources import ALL, PROGRAM, READS_TREE, ROOT, name_of, python_files, reads_tree, text_of
+
+pytestmark = READS_TREE
 
 NUMERICS = {"numpy", "scipy", "cv2"}
 OUTSIDE = {"time", "socket", "os", "io", "pathlib", "threading"}

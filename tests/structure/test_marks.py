@@ -9,8 +9,10 @@ from pathlib import PurePath
 from tests.running.imports import known_files
 from tests.running.marks import Cost, read_marks
 from tests.running.reach import all_tests
-from tests.sources import ROOT
+from tests.sources import READS_TREE, ROOT
 from tests.structure.definitions import definitions
+
+pytestmark = READS_TREE
 
 Place = tuple[str, str]
 """A file and a name in it."""

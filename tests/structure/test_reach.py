@@ -17,7 +17,9 @@ from tests.running.reach import (
     reached_tests,
     text_at,
 )
-from tests.sources import ROOT, name_of
+from tests.sources import READS_TREE, ROOT, name_of
+
+pytestmark = READS_TREE
 
 ENGLISH = "app/messages/en.ftl"
 

@@ -8,7 +8,9 @@ from pathlib import Path
 import pytest
 
 from tests.running.imports import files_of_text, mentions
-from tests.sources import PROGRAM, ROOT, name_of, python_files, reads_tree
+from tests.sources import PROGRAM, READS_TREE, ROOT, name_of, python_files, reads_tree
+
+pytestmark = READS_TREE
 
 STARTER = ROOT / "app/loops.py"
 MEASUREMENTS = ROOT / "app/bench"
