@@ -90,6 +90,7 @@ def test_a_scan_that_left_the_disk_is_listed_and_comes_back(store: Store, place:
         assert server.http.get("/api/scans/old/cloud.ply").content == before["cloud.ply"]
 
 
+@pytest.mark.slow
 def test_commands_fill_verify_and_read_archives(store: Store, tmp_path: Path, place: Path) -> None:
     folder = add_old_scan(store, "old")
     before = content_of(folder)

@@ -149,6 +149,7 @@ def test_a_spoilt_board_session_is_refused(
         read_any_session(folder)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("name", "count"), [("calib1", 8), ("calib3", 16)])
 def test_the_real_recordings_read(real: Path, tmp_path: Path, name: str, count: int) -> None:
     folder = write_real_session(real / "robot-laser-chessboard" / name, tmp_path / "s")

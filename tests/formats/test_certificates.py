@@ -355,6 +355,7 @@ PIECES = st.sampled_from(
 )
 
 
+@pytest.mark.slow
 @given(pieces=st.lists(PIECES | st.text(max_size=20), max_size=6), cut=st.integers(0, 3000))
 @settings(max_examples=200, suppress_health_check=[HealthCheck.function_scoped_fixture])
 def test_any_file_is_read_or_refused(tmp_path: Path, pieces: list[str], cut: int) -> None:

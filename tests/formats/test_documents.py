@@ -202,6 +202,7 @@ json_values = st.recursive(
 )
 
 
+@pytest.mark.slow
 @given(st.data())
 @settings(max_examples=150, suppress_health_check=[HealthCheck.function_scoped_fixture])
 def test_any_wrong_value_is_refused_or_harmless(tmp_path: Path, data: st.DataObject) -> None:

@@ -132,6 +132,7 @@ def test_a_recording_still_being_written_reads_up_to_its_last_chunk(path: Path) 
     writer.close()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("compression", [None, MCAPCompression.Zstd, MCAPCompression.Lz4])
 @pytest.mark.parametrize("chunks", [True, False])
 def test_a_cut_file_reads_up_to_the_cut(

@@ -97,6 +97,7 @@ def frugal() -> Iterator[None]:
     assert seconds < MOST_S
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", BOMBS)
 def test_both_call_bombs_damage(name: str, tmp_path: Path, request: pytest.FixtureRequest) -> None:
     path = tmp_path / "scan.mcap"
@@ -137,6 +138,7 @@ def test_attachments_of_any_size_are_passed_over(tmp_path: Path) -> None:
     assert (recording.cut, recording.station) == ("", {"scan_name": "Bracket"})
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("compression", [b"", b"zstd", b"lz4"])
 def test_a_chunk_as_large_as_is_read_is_read(compression: bytes, tmp_path: Path) -> None:
     path = tmp_path / "scan.mcap"

@@ -158,6 +158,7 @@ def feed_in_pieces(reader: PacketReader, stream: bytes, cuts: list[int]) -> list
     return found
 
 
+@pytest.mark.slow
 @given(st.lists(st.tuples(sync_rich, samples), max_size=12), st.lists(st.integers(0, 9999)))
 def test_packets_are_found_in_noise(parts: list[tuple[bytes, Values]], cuts: list[int]) -> None:
     stream = b"".join(noise + sample_packet(*sample) for noise, sample in parts)

@@ -69,6 +69,7 @@ def test_raw_pixels_are_those_under_the_filter(pattern: BayerPattern, colour: La
     assert np.argwhere(~plane.select_mask(where)).tolist() == [[0, 0]]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("width_px", [3.0, 6.0, 20.0])
 @pytest.mark.parametrize("pattern", ["RGGB", "GBRG"])
 @pytest.mark.parametrize("colour", ["red", "green", "blue"])
@@ -182,6 +183,7 @@ def raw_of(colours: NDArray[np.uint8], pattern: BayerPattern) -> NDArray[np.uint
     return mosaic((colours * SENSITIVITY).astype(np.uint8), pattern)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("pattern", BAYER_PATTERNS)
 @pytest.mark.parametrize("colour", ["red", "green", "blue"])
 @pytest.mark.parametrize("width_px", [3.0, 20.0])
@@ -241,6 +243,7 @@ def test_noise_and_small_pictures_show_none() -> None:
         assert not shows_mosaic(np.zeros(shape, np.uint16))
 
 
+@pytest.mark.slow
 def test_a_board_in_a_raw_picture_is_refused_for_that(real: Path) -> None:
     board = Chessboard("B", "1", (8, 6), 10.0, 0.01)
     raw = raw_of(read_colours(sorted((real / "boards/wide").iterdir())[0]), "GRBG")

@@ -172,6 +172,7 @@ def test_what_does_not_change_has_none() -> None:
     assert wrong <= 5
 
 
+@pytest.mark.slow
 def test_the_interval_holds_the_step_as_often_as_it_says() -> None:
     held = found = 0
     for seed in range(200):

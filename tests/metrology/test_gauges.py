@@ -99,6 +99,7 @@ def test_few_clouds_state_what_their_scatter_may_be(clouds: int) -> None:
     assert hits / 1000 == pytest.approx(0.9545, abs=4 * 0.0066)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("cap_deg", [5.0, 20.0, 90.0])
 def test_a_fit_scatters_as_it_states(cap_deg: float) -> None:
     rng = np.random.default_rng(1)

@@ -110,6 +110,7 @@ def test_settings_that_cannot_be_meant_are_refused(wrong: StripeSettings) -> Non
         extract_stripe(picture((MAIN, steady(100))), settings=wrong)
 
 
+@pytest.mark.slow
 def test_reflections_spots_and_hot_pixels_give_no_points() -> None:
     found = measure_errors([simulate_reflections(seed) for seed in range(4)], crenel_line)
     assert found.false < 0.5

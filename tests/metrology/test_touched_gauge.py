@@ -77,6 +77,7 @@ def test_one_of_four_points_is_off_a_plane_and_nothing_tells_which(arm: Arm) -> 
     assert found.rms_mm < 1e-4
 
 
+@pytest.mark.slow
 def test_the_stated_uncertainty_of_a_touched_sphere_is_how_it_scatters(arm: Arm) -> None:
     centre = tip_centres(arm, REST_RAD[None])[0]
     outward = on_sphere(np.linspace(1.0, 0.1, 9), 2.4 * np.arange(9))

@@ -68,6 +68,7 @@ def test_a_point_is_visible_just_when_nothing_is_before_it(eye: Floats, at: list
             assert shown == clear(BLOCK, eye, point), (edge.name, share)
 
 
+@pytest.mark.slow
 @settings(max_examples=20, deadline=None)
 @given(eye=SEEN_FROM)
 def test_corners_agree_with_the_march(eye: Floats) -> None:
@@ -91,6 +92,7 @@ def test_a_merlon_hides_the_foot_of_the_wall_behind_it() -> None:
     assert "floor:0:R" not in names  # behind merlon 1
 
 
+@pytest.mark.slow
 @settings(max_examples=15, deadline=None)
 @given(eye=SEEN_FROM)
 def test_regions_beside_an_edge_are_what_rays_meet_there(eye: Floats) -> None:

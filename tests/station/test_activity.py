@@ -238,6 +238,7 @@ class StationInUse(RuleBasedStateMachine):
         assert self.bus.latest(TOPIC) == use
 
 
+@pytest.mark.slow
 def test_no_activity_begins_unasked_and_nothing_runs_unattended() -> None:
     run_state_machine_as_test(
         StationInUse, settings=settings(max_examples=100, stateful_step_count=40, deadline=None)

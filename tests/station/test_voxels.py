@@ -31,6 +31,7 @@ def test_the_first_point_of_each_cube_is_shown() -> None:
     assert voxels.count == 2
 
 
+@pytest.mark.slow
 def test_what_is_left_is_as_if_the_cubes_had_always_been_so_large() -> None:
     """Also of points that come after the cubes have grown, and while the table grows."""
     voxels = Voxels(0.5)

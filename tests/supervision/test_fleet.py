@@ -129,6 +129,7 @@ def names(made: Fleet) -> list[str]:
     return [shown.id for shown in made.stations()]
 
 
+@pytest.mark.slow
 def test_invented_stations_hide_none_that_sends(made: Fleet, clock: Clock) -> None:
     """Also those that were sent once, and what the broker keeps of them."""
     for number in range(2 * MOST_STATIONS):
@@ -158,6 +159,7 @@ def test_a_station_that_goes_on_finds_a_place_among_new_names(made: Fleet, clock
     assert len(names(made)) == MOST_STATIONS
 
 
+@pytest.mark.slow
 def test_a_lost_station_that_was_there_long_outlasts_new_ones(made: Fleet, clock: Clock) -> None:
     for _ in range(70):
         take_of(made, "real")

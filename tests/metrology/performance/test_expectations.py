@@ -42,6 +42,7 @@ def noisy() -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     return np.array(forms), np.array(centres), np.array(radii)
 
 
+@pytest.mark.slow
 def test_the_form_of_25_points(noisy: tuple[np.ndarray, np.ndarray, np.ndarray]) -> None:
     """The range of 25 deviations about a known centre is 3.931 standard deviations; the fit takes
     four of the 25 degrees of freedom."""

@@ -189,6 +189,7 @@ def test_a_small_cap_does_not_fix_a_centre(half_deg: float, covered: bool) -> No
     assert found.is_covered == covered
 
 
+@pytest.mark.slow
 def test_centres_scatter_as_their_normals_say() -> None:
     """The covariance of a fit with a known radius is ``sd² (Σ n nᵀ)⁻¹``."""
     sd_mm, apart = 0.05, []

@@ -66,6 +66,7 @@ def test_noise_alone_implies_nothing() -> None:
     assert sum(claimed) < 20
 
 
+@pytest.mark.slow
 def test_the_stated_scatter_of_the_offset_is_true() -> None:
     R = articulations(60)
     found = [estimate_offset(centres(R, np.zeros(3), 0.005, seed), R) for seed in range(500)]
