@@ -1527,6 +1527,20 @@ source-ur-calibration =
         [yes] Werkskalibrierung eines Arms von Universal Robots
        *[no] Nennmodell eines Arms von Universal Robots (urcontrol.conf)
     }
+give-ros-kinematics = Geben Sie die YAML-Datei mit kinematics an, wie der Treiber des Roboters für ROS sie schreibt
+ros-has-metres = Geben Sie die Längen in Metern an, wie ROS sie hat
+ros-link-count =
+    { $count ->
+        [0] es fehlt
+       *[other] es steht { $count }-mal da
+    }
+ros-link-malformed = Das Glied { $link } der Kinematik lässt sich nicht verwenden
+ros-number =
+    { $there ->
+        [yes] { $name } ist { $text }; das ist keine Zahl
+       *[no] { $name } fehlt
+    }
+source-ros-kinematics = Kinematik eines Arms von Universal Robots, wie ROS dessen Werkskalibrierung aufbewahrt
 source-urdf = URDF von { $name }
 sphere-diameter-not-read = der Kalibrierschein nennt keinen Durchmesser der Kugeln oder mehrere: sphere_diameter_mm in der Datei eintragen
 expected = erwartet wird { $wanted }

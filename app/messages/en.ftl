@@ -1523,6 +1523,20 @@ source-ur-calibration =
         [yes] Factory calibration of a Universal Robots arm
        *[no] Nominal model of a Universal Robots arm (urcontrol.conf)
     }
+give-ros-kinematics = Give the YAML file with kinematics as the driver of the robot for ROS writes it
+ros-has-metres = Give the lengths in metres, as ROS has them
+ros-link-count =
+    { $count ->
+        [0] it is missing
+       *[other] it is there { $count } times
+    }
+ros-link-malformed = The link { $link } of the kinematics cannot be used
+ros-number =
+    { $there ->
+        [yes] { $name } is { $text }, which is no number
+       *[no] { $name } is missing
+    }
+source-ros-kinematics = Kinematics of a Universal Robots arm, as ROS keeps its factory calibration
 source-urdf = URDF of { $name }
 sphere-diameter-not-read = the certificate states no diameter of the spheres, or several: enter sphere_diameter_mm in the file
 expected = { $wanted } is expected

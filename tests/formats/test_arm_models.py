@@ -217,6 +217,53 @@ def test_frames_far_away_are_moved_near_the_arm() -> None:
     np.testing.assert_allclose(poses(as_table), flange_poses(arm, q)[[0, 1, 2]], atol=3e-9)
 
 
+ROS_UR5E = """kinematics:
+  shoulder: {x: 0, y: 0, z: 0.1625, roll: -0, pitch: 0, yaw: -0}
+  upper_arm:
+    x: 0
+    y: 0
+    z: 0
+    roll: 1.5707963267948966
+    pitch: 0
+    yaw: -0
+  forearm: {x: -0.425, y: 0, z: 0, roll: -0, pitch: 0, yaw: -0}
+  wrist_1: {x: -0.3922, y: 0, z: 0.1333, roll: -0, pitch: 0, yaw: -0}
+  wrist_2: {x: 0, y: -9.97e-2, z: -2.0e-11, roll: 1.5707963267948966, pitch: 0, yaw: -0}
+  wrist_3:
+    x: 0
+    y: 0.0996
+    z: 0
+    roll: 1.5707963267948966
+    pitch: 3.141592653589793
+    yaw: 3.141592653589793
+  hash: calib_209549117540498681
+"""
+
+
+def test_the_kinematics_of_ros_are_the_makers_table() -> None:
+    found = read_model(ROS_UR5E, {})
+    named = read_model("", {"robot": "Universal Robots UR5e"})
+    for T, other in zip(poses(found), poses(named), strict=True):
+        np.testing.assert_allclose(T, other, atol=1e-6)
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "said"),
+    [
+        ("forearm", "elbow", "link forearm of the kinematics cannot be used: it is missing"),
+        ("forearm", "wrist_1", "forearm of the kinematics cannot be used: it is missing"),
+        ("-9.97e-2", "-9,97e-2", "y is '-9,97e-2', which is no number"),
+        ("0.0996", ".nan", "y is '.nan', which is no number"),
+        ("    pitch: 0\n", "", "upper_arm of the kinematics cannot be used: pitch is missing"),
+        ("z: 0.1625", "z: 162.5", "Give the lengths in metres"),
+    ],
+)
+def test_spoilt_kinematics_of_ros_are_refused(old: str, new: str, said: str) -> None:
+    assert old in ROS_UR5E
+    with pytest.raises(OperationError, match=said.replace(".", r"\.")):
+        read_model(ROS_UR5E.replace(old, new, 1), {})
+
+
 @pytest.mark.parametrize("both", [True, False])
 def test_a_factory_calibration_is_moved_near_the_arm(both: bool) -> None:
     arm = factory_arm()

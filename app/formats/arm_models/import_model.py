@@ -6,6 +6,7 @@ from app.errors import OperationError
 from app.formats.arm_models.dh_model import read_dh_model
 from app.formats.arm_models.model import Answers, ImportedArm, ModelQuestion
 from app.formats.arm_models.nominal_arms import nominal_arms, read_nominal_arm
+from app.formats.arm_models.ros_kinematics import is_ros_kinematics, read_ros_kinematics
 from app.formats.arm_models.ur_calibration import is_ur_calibration, read_ur_calibration
 from app.formats.arm_models.urdf import is_urdf, read_urdf
 from app.formats.atomic_write import check_output_path
@@ -18,7 +19,7 @@ from app.messages.message import Text, join, message
 
 def read_model(text: str, answers: Answers) -> ImportedArm:
     """The arm that a text describes: a Denavit-Hartenberg table, URDF, or the factory
-    calibration of a Universal Robots arm.
+    calibration of a Universal Robots arm as its controller or ROS has it.
 
     Args:
         text: pasted, or of a file. Without one, a robot of the program's own list is asked for.
@@ -35,6 +36,8 @@ def read_model(text: str, answers: Answers) -> ImportedArm:
         return read_nominal_arm(answers)
     if is_urdf(text):
         return read_urdf(text, answers)
+    if is_ros_kinematics(text):
+        return read_ros_kinematics(text)
     if is_ur_calibration(text):
         return read_ur_calibration(text, answers)
     return read_dh_model(text, answers)

@@ -82,7 +82,7 @@ def read_urdf(text: str, answers: Answers) -> ImportedArm:
         return ImportedArm(source, (end, base), notes=notes)
     chain = _chain(base.answer, end.answer, by_child)
     _refuse_chain(chain, base.answer, end.answer)
-    first, arm = _arm_of(chain)
+    first, arm = joints_of_chain(chain)
     refuse_impossible_length(chain_length_mm(arm), "m", message("urdf-has-metres"))
     return ImportedArm(
         source,
@@ -258,8 +258,9 @@ def _refuse_chain(chain: Sequence[UrdfJoint], base: str, end: str) -> None:
             )
 
 
-def _arm_of(chain: Sequence[UrdfJoint]) -> tuple[LinkError, tuple[Joint, ...]]:
-    """The transform before the first joint, and the joints in the standard convention."""
+def joints_of_chain(chain: Sequence[UrdfJoint]) -> tuple[LinkError, tuple[Joint, ...]]:
+    """The transform before the first of five to seven free rotary joints, with fixed ones between
+    them, and the rotary joints in the standard convention."""
     before: list[Floats] = []
     T = np.eye(4)
     for joint in chain:
