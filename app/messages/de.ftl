@@ -1239,6 +1239,8 @@ edges-x-mm-odd-count =
     }; jede Zinne hat zwei, eine linke und eine rechte
 edition-has-no-symbol = die Ausgabe { $edition } hat kein Symbol für { $quantity }
 editions-are = Ausgaben sind { $names }
+egm-external-axis = Der Roboter unter { $address } sendet neben seinen Gelenken eine externe Achse
+state-external-axis = external_axis auf "third" setzen, wenn der Roboter sieben Achsen hat, oder auf "other" für eine Verfahrachse oder einen Drehtisch, die stillstehen müssen
 egm-lacks = Die Pakete des Roboters unter { $address } enthalten kein { $name }
 egm-no-egm = Was der Roboter unter { $address } sendet, ist kein EGM
 egm-start-stream = Das RAPID-Programm ausführen, das den Datenstrom startet (EGMStreamStart). Sein UDPUC-Gerät muss Adresse und Port dieses Rechners haben.
@@ -1361,6 +1363,7 @@ it-is-no-device = das ist keine Adresse eines Geräts
 largest-angle-of-poses = { $path }: der größte Wert von { $names } ist { $largest }
 last-row-empty = Länge und Verdrehung der letzten Zeile sind null, die der ersten nicht
 lengths-add-up = seine Längen ergeben zusammen { $total }, in { $unit } also einen Arm von { $length }
+lengths-are-in-metres = kein a_mm oder d_mm ist größer als { $longest }: Das sind Meter, erwartet werden Millimeter
 lengths-in-unit = In { $unit } gelesen misst der Arm { $length }
 limits-judged-by-marked-uncertainty = U: Messunsicherheit des Werts aus Normal, Taster und Punkten. U der Prüfung: Prüfwertunsicherheit allein aus dem Normal und seinem Aufbau (ISO 14253-5), ein Anteil von U. Jeder Grenzwert wird nach der mit{ $mark } gekennzeichneten beurteilt.
 limits-not-stated = Der Text nennt keine Grenzen der Gelenke: ±180° wurden eingesetzt.

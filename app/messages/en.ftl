@@ -1235,6 +1235,8 @@ edges-x-mm-odd-count =
     }; every merlon has two, a left and a right one
 edition-has-no-symbol = the edition { $edition } has no symbol for { $quantity }
 editions-are = editions are { $names }
+egm-external-axis = The robot at { $address } sends an external axis beside its joints
+state-external-axis = Set external_axis to "third" if the robot has seven axes, or to "other" for a track or a turntable, which must stand still
 egm-lacks = The packets of the robot at { $address } have no { $name }
 egm-no-egm = What the robot at { $address } sends is no EGM
 egm-start-stream = Run the RAPID program that starts the stream (EGMStreamStart). Its UDPUC device must have the address and port of this computer.
@@ -1357,6 +1359,7 @@ it-is-no-device = it is not the address of a device
 largest-angle-of-poses = { $path }: the largest of { $names } is { $largest }
 last-row-empty = length and twist of the last row are zero, and those of the first are not
 lengths-add-up = its lengths add up to { $total }, which in { $unit } is an arm of { $length }
+lengths-are-in-metres = no a_mm or d_mm exceeds { $longest }: these are metres, but millimetres are expected
 lengths-in-unit = Read in { $unit }, the arm measures { $length }
 limits-judged-by-marked-uncertainty = U: measurement uncertainty of the value by gauge, probe and points. U of test: test value uncertainty by the gauge and its set-up alone (ISO 14253-5), which is a part of U. Each limit is judged by the one marked with{ $mark }.
 limits-not-stated = The text states no limits of the joints: ±180° were put in.

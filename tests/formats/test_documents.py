@@ -118,6 +118,11 @@ def test_the_samples_nominals_read(samples: Path) -> None:
         (lambda arm: arm["joints"][2].update(a_mm=True), "field-invalid", "a number"),
         (lambda arm: arm["joints"][2].update(sign=0), "field-invalid", "joints[2].sign is 0"),
         (lambda arm: arm["joints"][0].update(limits_deg=[5, -5]), "field-invalid", "ascend"),
+        (
+            lambda arm: [one.update(a_mm=one["a_mm"] / 1e3, d_mm=0.3) for one in arm["joints"]],
+            "field-invalid",
+            "these are metres",
+        ),
         (lambda arm: arm["joints"][0].update(encoder_sd_deg=-1), "field-invalid", "encoder_sd_deg"),
         (lambda arm: arm["tip"].update(diameter_mm=0), "field-invalid", "tip.diameter_mm is 0"),
         (lambda arm: arm["joints"][3].update(name="J1"), "field-invalid", "two joints are named"),

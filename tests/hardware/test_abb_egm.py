@@ -16,7 +16,7 @@ from scipy.spatial.transform import Rotation
 from app.bench.station.subprocess_station import free_port
 from hardware.arm.robots.egm_message import decode_robot
 from hardware.errors import DeviceError
-from hardware.interfaces import ArmDriver, PoseSample
+from hardware.interfaces import ArmDriver, JointSample, PoseSample
 from hardware.registry import arm_driver
 from tests.hardware.conformance import ArmBench, ArmConformance
 from tests.hardware.reading import PATIENT_S, SILENT_S, loss_of, opened, read_readings, read_samples
@@ -167,6 +167,29 @@ def test_joints_of_another_count_are_an_error(robot: UdpRobot) -> None:
     with opened(make_driver(robot, report="joints")) as driver:
         robot.spoil = change_message(lambda message: message.feedBack.joints.joints.append(1.0))
         assert "announced 6 joints, but sends 7" in str(loss_of(driver).what)
+
+
+def joints_deg(driver: ArmDriver) -> NDArray[np.float64]:
+    reading = read_readings(driver)[-1]
+    assert isinstance(reading, JointSample)
+    return np.rad2deg(reading.joints_rad)
+
+
+def test_the_axis_beside_six_is_the_third_of_seven_or_none_of_the_arm(robot: UdpRobot) -> None:
+    def turn(message: Any) -> None:
+        message.feedBack.externalJoints.joints.extend([77.0, 0.0])
+
+    robot.spoil = change_message(turn)
+    with opened(make_driver(robot, report="joints", external_axis="third")) as driver:
+        found = joints_deg(driver)
+    np.testing.assert_allclose(found, [*JOINTS_DEG[:2], 77.0, *JOINTS_DEG[2:]])
+    with opened(make_driver(robot, report="joints", external_axis="other")) as driver:
+        np.testing.assert_allclose(joints_deg(driver), JOINTS_DEG)
+    with pytest.raises(DeviceError, match='Set external_axis to "third"'):
+        make_driver(robot, report="joints").open()
+    robot.spoil = lambda data: data
+    with pytest.raises(DeviceError, match="have no externalJoints"):
+        make_driver(robot, report="joints", external_axis="third").open()
 
 
 def test_what_is_no_egm_counts_as_corrupt(robot: UdpRobot) -> None:

@@ -148,6 +148,7 @@ def test_what_is_no_rsi_counts_as_corrupt(robot: UdpRobot, packet: bytes) -> Non
         (lambda data: data.replace(b"350.0000", b"nan"), "no numbers"),
         (lambda data: data.replace(b"350.0000", b"1e300"), "impossibly large"),
         (lambda data: data.replace(b"350.0000", b"up"), "no numbers"),
+        (lambda data: data.replace(b"350.0000", b"1,350.0000"), "no numbers"),
         (lambda data: data.replace(b"350.0000", b"370.0000"), "leapt by 20.0 mm and 0.0°"),
         (lambda data: data.replace(b'"30.0000"', b'"35.0000"'), "leapt by 0.0 mm and 5.0°"),
         (lambda data: data.replace(b"<IPOC>4", b"<IPOC>3"), "has jumped"),
@@ -161,6 +162,15 @@ def test_what_cannot_be_true_is_an_error(
         read_readings(driver)
         robot.spoil = change
         assert words in str(loss_of(driver).what)
+
+
+def test_decimal_commas_are_read(robot: UdpRobot) -> None:
+    with opened(make_driver(robot)) as driver:
+        robot.spoil = lambda data: data.replace(b"350.0000", b"350,2500")
+        read_readings(driver)
+        reading = read_readings(driver)[-1]
+        assert isinstance(reading, PoseSample)
+        assert reading.position_mm[2] == 350.25
 
 
 def test_what_is_wrong_at_opening_is_said(robot: UdpRobot) -> None:

@@ -18,7 +18,7 @@ from app.formats.json_document import (
     field_name,
     read_text,
 )
-from app.messages.message import message
+from app.messages.message import message, rounded
 from app.metrology.arm.kinematics import Arm, Joint, RobotArm, Tip
 from app.metrology.arm.link_error import LinkError, error_from_transform, error_transform
 from app.metrology.arm.modified_dh import standard_from_modified
@@ -26,6 +26,8 @@ from app.metrology.arm.near_frames import with_near_frames
 from app.rotations import CONVENTIONS
 
 JOINT_COUNTS = (5, 6, 7)
+METRES_MM = 10.0
+"""No arm has all of its lengths below this: they are in metres."""
 
 
 class ErrorPart(DocumentPart):
@@ -90,6 +92,10 @@ class ArmFile(Document):
         if self.rotation and (self.convention != "pose" or self.rotation not in CONVENTIONS):
             known = ", ".join(CONVENTIONS)
             raise ValueError(message("rotation-of-poses", name=repr(self.rotation), names=known))
+        lengths = [abs(length) for joint in self.joints for length in (joint.a_mm, joint.d_mm)]
+        if 0 < max(lengths, default=0.0) < METRES_MM:
+            longest = rounded(max(lengths), "mm", 4)
+            raise ValueError(message("lengths-are-in-metres", longest=longest))
         names = [joint.name for joint in self.joints]
         for name in names:
             if names.count(name) > 1:

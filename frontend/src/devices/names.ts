@@ -31,6 +31,7 @@ const OPTIONS: Record<string, PlainId> = {
   domain_id: "ui-option-domain-id",
   exposure_range_us: "ui-option-exposure-range",
   exposure_us: "ui-exposure",
+  external_axis: "ui-option-external-axis",
   gain_db: "ui-option-gain",
   height_px: "ui-option-height",
   host: "ui-option-host",

@@ -9,6 +9,7 @@ const HELP: Record<string, PlainId> = {
   base: "ui-help-base",
   chunks: "ui-help-chunks",
   exposure_range_us: "ui-help-exposure-range",
+  external_axis: "ui-help-external-axis",
   joint_names: "ui-help-joint-names",
   laser_line: "ui-help-laser-line",
   latency_us: "ui-help-latency",
@@ -27,6 +28,8 @@ const HELP: Record<string, PlainId> = {
 
 /** Values of choices in words; those of other drivers are shown as they are. */
 const CHOICES: Record<string, PlainId> = {
+  "external_axis third": "ui-choice-third-axis",
+  "external_axis other": "ui-choice-other-axis",
   "kind joints": "ui-choice-joints",
   "kind pose": "ui-choice-pose",
   "kind tf": "ui-choice-tf",

@@ -10,6 +10,8 @@ read-only; the driver sends nothing. In station.toml::
     report = "flange"           # or "joints"
     tool = [0, 0, 120, 1, 0, 0, 0]  # optional: tframe of the active tooldata: mm, q1 … q4
     base = [0, 0, 0, 1, 0, 0, 0]    # optional: the work object's frame in the base frame
+    external_axis = "third"     # optional, for joints: the first external axis is the third joint
+                                # (robots of seven axes), or "other" (a track, a turntable)
     serial_number = "2019-0042" # optional: of this robot, which does not state it
     latency_us = 0              # optional: least time from measuring to arrival here
     timeout_s = 3.0             # how long ``open`` waits for the controller
@@ -21,7 +23,7 @@ Source:
 
 from collections.abc import Mapping, Sequence
 from math import radians, sqrt
-from typing import Annotated, Any
+from typing import Annotated, Any, Literal
 
 from pydantic import AfterValidator, Field, FiniteFloat
 
@@ -55,6 +57,7 @@ class AbbEgmOptions(ListeningOptions):
     port: int = Field(default=_PORT, ge=1, le=65535)
     tool: Frame7 = Field(default=[0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0])
     base: Frame7 = Field(default=[0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0])
+    external_axis: Literal["third", "other"] | None = None
 
 
 def from_options(options: Mapping[str, object]) -> StreamingArm:
@@ -74,6 +77,7 @@ class EgmStream(ListeningStream):
         super().__init__(options, tool, base, unreadable)
         self._sequence, self._time_ms = WrappingCounter(1 << 32), WrappingCounter(1 << 32)
         self._has_clock: bool | None = None
+        self._external_axis = options.external_axis
 
     def start(self, timeout_s: float, health: LinkHealth) -> ArmInfo:
         """Listens, and learns rate and joints from the first packets."""
@@ -95,7 +99,7 @@ class EgmStream(ListeningStream):
         device_ns = self._device_ns(robot)
         feedback = robot.feedBack
         if not self._sends_poses:
-            joints = list(feedback.joints.joints)
+            joints = self._joints_deg(feedback)
             require_finite(self._address, joints)
             if not 5 <= len(joints) <= 7:
                 raise self._lack_error("joints")
@@ -106,6 +110,25 @@ class EgmStream(ListeningStream):
         values = (pos.x, pos.y, pos.z, orient.u0, orient.u1, orient.u2, orient.u3)
         joints_rad = tuple(map(radians, feedback.joints.joints))
         return self._pose_reading(device_ns, count, values, joints_rad)
+
+    def _joints_deg(self, feedback: Any) -> list[float]:
+        """The arm's joints in their order in the chain: robots of seven axes send the third of them
+        as the first external axis.
+
+        Raises:
+            DeviceError: an external axis moves or is turned, and nobody said what it is.
+        """
+        joints, external = list(feedback.joints.joints), list(feedback.externalJoints.joints)
+        if self._external_axis == "third":
+            if not external:
+                raise self._lack_error("externalJoints")
+            return [*joints[:2], external[0], *joints[2:]]
+        if self._external_axis is None and any(external):
+            raise DeviceError(
+                message("egm-external-axis", address=self._address),
+                message("state-external-axis"),
+            )
+        return joints
 
     def _pose_reading(
         self,

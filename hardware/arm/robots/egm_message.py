@@ -25,6 +25,7 @@ _FIELDS: dict[str, list[tuple[int, str, "FieldDescriptorProto.Type.ValueType | s
     "EgmFeedBack": [
         (1, "joints", "EgmJoints"),
         (2, "cartesian", "EgmPose"),
+        (3, "externalJoints", "EgmJoints"),
         (4, "time", "EgmClock"),
     ],
     "EgmRobot": [(1, "header", "EgmHeader"), (2, "feedBack", "EgmFeedBack")],

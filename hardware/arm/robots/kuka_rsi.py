@@ -106,18 +106,25 @@ class RsiStream(ListeningStream):
                 message("kuka-add-element", name=name),
             )
         try:
-            values = [float(element.attrib[key]) for key in keys]
+            values = [_number(element.attrib[key]) for key in keys]
         except ValueError:
             values = [float("nan")]
         require_finite(self._address, values)
         return values
 
 
+def _number(text: str) -> float:
+    """A number, also with the decimal comma that some objects of RSI write."""
+    return float(text.replace(",", ".") if text.count(",") == 1 and "." not in text else text)
+
+
 def _joints_beside(root: ElementTree.Element) -> tuple[float, ...]:
     """The joints in rad, if the packet has them beside the pose; else none."""
     element = root.find("AIPos")
     try:
-        return () if element is None else tuple(radians(float(element.attrib[k])) for k in _JOINTS)
+        return (
+            () if element is None else tuple(radians(_number(element.attrib[k])) for k in _JOINTS)
+        )
     except (KeyError, ValueError):
         return ()
 
