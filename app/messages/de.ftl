@@ -624,7 +624,13 @@ check-arms-cable-then-switch-arm = Kabel des Messarms prüfen, dann den Messarm 
 check-arms-file-lengths-angles-signs = Armdatei prüfen: Längen und Winkel, Vorzeichen und Reihenfolge der Gelenke sowie die Tastkugel; dann prüfen, auf welcher Fläche jeder Punkt angetastet wurde, und den Kalibrierschein des Objekts
 check-baud-rate-arm-port-another = Baudrate prüfen; sicherstellen, dass an diesem Anschluss der Messarm und kein anderes Gerät hängt.
 check-board-how-exact-certificate-takes = Prüfen, ob es diese Tafel ist und welche Unsicherheit ihr Kalibrierschein angibt.
-check-broker-runs-user-password-right = Prüfen, ob der Broker läuft und Benutzer und Passwort stimmen. Die Verbindung wird erneut versucht.
+broker-gives-no-answer = dort antwortet etwas, aber nicht wie ein Broker ohne Verschlüsselung ({ $reason })
+broker-speaks-no-tls = was dort antwortet, verschlüsselt nicht ({ $reason })
+check-broker-certificate = ca_file unter [mqtt] auf das Zertifikat der Stelle setzen, die das des Brokers ausgestellt hat, und host auf den Namen in dessen Zertifikat. Die Station versucht es selbst erneut.
+check-broker-runs = Prüfen, ob der Broker läuft, und host und port unter [mqtt]. Die Station versucht es selbst erneut.
+check-broker-tls-off = port unter [mqtt] auf den verschlüsselten Port des Brokers setzen (oft 8883), oder tls und ca_file entfernen. Die Station versucht es selbst erneut.
+check-broker-tls-on = tls = true unter [mqtt] setzen, wenn der Broker an diesem Port verschlüsselt, und den Port prüfen. Die Station versucht es selbst erneut.
+check-broker-user-and-password = user und password_file unter [mqtt] prüfen. Die Station versucht es selbst erneut.
 check-cable-no-other-program-uses = Kabel prüfen; sicherstellen, dass kein anderes Programm das Gerät verwendet.
 check-cable-power = Kabel und Stromversorgung prüfen.
 check-cable-power-looked-again-itself = Kabel und Stromversorgung prüfen. Das Gerät wird automatisch wieder gesucht.

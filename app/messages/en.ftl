@@ -624,7 +624,13 @@ check-arms-cable-then-switch-arm = check the arm's cable, then switch the arm of
 check-arms-file-lengths-angles-signs = Check the arm's file: its lengths and angles, the signs and order of its joints, and the tip; then check which face each contact point was taken on, and the object's certificate
 check-baud-rate-arm-port-another = Check the baud rate, and that the device on this port is the arm.
 check-board-how-exact-certificate-takes = Check that this is the board, and the uncertainty that its certificate states.
-check-broker-runs-user-password-right = Check that the broker is running and that user and password are correct. The station retries automatically.
+broker-gives-no-answer = something answers there, but not as a broker without encryption does ({ $reason })
+broker-speaks-no-tls = what answers there does not encrypt ({ $reason })
+check-broker-certificate = Set ca_file of [mqtt] to the certificate of the broker's authority, and host to the name in the broker's certificate. The station retries automatically.
+check-broker-runs = Check that the broker runs, and host and port of [mqtt]. The station retries automatically.
+check-broker-tls-off = Set port of [mqtt] to the encrypted port of the broker (often 8883), or remove tls and ca_file. The station retries automatically.
+check-broker-tls-on = Set tls = true in [mqtt], if the broker encrypts at this port, and check the port. The station retries automatically.
+check-broker-user-and-password = Check user and password_file of [mqtt]. The station retries automatically.
 check-cable-no-other-program-uses = Check its cable, and that no other program uses it.
 check-cable-power = Check its cable and its power.
 check-cable-power-looked-again-itself = Check its cable and its power. It reconnects automatically.

@@ -256,7 +256,9 @@ def temperature(now: Temperature, change_c: float | None) -> HealthItem:
     )
 
 
-def broker(host: str, connected: bool, text: Text, for_s: float, doubled: bool) -> HealthItem:
+def broker(
+    host: str, connected: bool, text: Text, remedy: Text, for_s: float, doubled: bool
+) -> HealthItem:
     """Whether other stations see this station."""
     why = message("other-stations-see-one-one-them")
     if doubled:
@@ -278,7 +280,7 @@ def broker(host: str, connected: bool, text: Text, for_s: float, doubled: bool) 
         "attention",
         message("connected-2", host=host, duration=quantity(for_s, "s"), reason=text),
         why,
-        message("check-broker-runs-user-password-right"),
+        remedy,
     )
 
 

@@ -224,7 +224,7 @@ class HealthChecker:
         for_s = time.monotonic() - state.since_s
         host, unread = watch.broker.settings.host, watch.fleet.unread
         return [
-            health.broker(host, state.connected, state.text, for_s, doubled),
+            health.broker(host, state.connected, state.text, state.remedy, for_s, doubled),
             *health_messages.messages(unread.counts, unread.ago_s),
         ]
 

@@ -14,6 +14,7 @@ from app.errors import OperationError
 from app.messages.message import Text, message
 from app.supervision.bounded_client import BoundedClient
 from app.supervision.broker_settings import BrokerSettings
+from app.supervision.broker_trouble import explain_failure
 from app.supervision.inbox import Inbox, ReceivedMessage
 from app.supervision.messages import (
     BEAT_S,
@@ -45,6 +46,7 @@ class BrokerState:
     """The last error, while it is not connected."""
     since_s: float
     tries: int
+    remedy: Text = ""
 
 
 class Broker:
@@ -108,7 +110,7 @@ class Broker:
                 await self._connection()
             except (aiomqtt.MqttError, OperationError, OSError, ssl.SSLError, ValueError) as error:
                 _end_if_cancelled()
-                text = error.text if isinstance(error, OperationError) else str(error)
+                text, remedy = explain_failure(error, self._settings.is_encrypted)
                 if self._state.connected:
                     log.warning(message("log-broker-lost", reason=text))
                     tries = 0
@@ -116,7 +118,7 @@ class Broker:
                     pause_s = FIRST_BACK_OFF_S
                 tries += 1
                 since_s = time.monotonic() if self._state.connected else self._state.since_s
-                self._state = BrokerState(False, text, since_s, tries)
+                self._state = BrokerState(False, text, since_s, tries, remedy)
                 self.fleet.note_broker(False)
                 self.on_message()
             await asyncio.sleep(pause_s)
@@ -125,7 +127,7 @@ class Broker:
     async def _connection(self) -> None:
         settings = self._settings
         tls = None
-        if settings.tls or settings.ca_file is not None:
+        if settings.is_encrypted:
             tls = ssl.create_default_context(cafile=settings.ca_file)
         lost = aiomqtt.Will(
             self._topic("presence"), self._presence("lost").model_dump_json(), 1, True

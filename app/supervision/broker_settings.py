@@ -21,6 +21,10 @@ class BrokerSettings(TomlTable):
     station: Annotated[str, Field(pattern="^[a-z0-9-]{1,40}$")] | None = None
     """As a part of topics; else by the station's name."""
 
+    @property
+    def is_encrypted(self) -> bool:
+        return self.tls or self.ca_file is not None
+
     def password(self) -> str | None:
         """The content of the password file, without the line ending.
 

@@ -13,10 +13,12 @@ from pathlib import Path
 
 import aiomqtt
 import pytest
+import trustme
 from jsonschema import Draft202012Validator
 
 from app.bench.faults.broker.mosquitto import PASSWORD, USER, Mosquitto
 from app.bench.faults.broker.usual_messages import make_event, make_report
+from app.bench.station.subprocess_station import free_port
 from app.supervision.broker import Broker
 from app.supervision.broker_settings import BrokerSettings
 from app.supervision.messages import new_instance, parse_topic, schema
@@ -187,6 +189,52 @@ def test_a_broker_with_passwords(tmp_path: Path, broker: Mosquitto) -> None:
                 await asyncio.gather(running, return_exceptions=True)
 
         asyncio.run(look())
+
+
+# paho lets the socket of a refused handshake go without closing it
+@pytest.mark.filterwarnings("ignore:.*SSLSocket:pytest.PytestUnraisableExceptionWarning")
+def test_what_keeps_a_station_from_its_broker_is_said(tmp_path: Path, broker: Mosquitto) -> None:
+    authority = trustme.CA()
+    authority.cert_pem.write_to_path(str(tmp_path / "ca.pem"))
+    other = tmp_path / "other.pem"
+    trustme.CA().cert_pem.write_to_path(str(other))
+    own = authority.issue_cert("127.0.0.1")
+    own.private_key_pem.write_to_path(str(tmp_path / "key.pem"))
+    own.cert_chain_pems[0].write_to_path(str(tmp_path / "cert.pem"))
+    lines = [f"keyfile {tmp_path / 'key.pem'}", f"certfile {tmp_path / 'cert.pem'}"]
+    with (
+        Mosquitto(tmp_path, settings=lines) as encrypted,
+        Mosquitto(folder_of(tmp_path, "passwords"), passwords=True) as secret,
+    ):
+        there, ca_file = encrypted.port, tmp_path / "ca.pem"
+        for options, remedy in (
+            ({"port": there, "ca_file": ca_file}, ""),
+            ({"port": there}, "Set tls = true"),
+            ({"port": there, "ca_file": other}, "Set ca_file"),
+            ({"port": broker.port, "tls": True}, "remove tls"),
+            ({"port": secret.port}, "Check user and password_file"),
+            ({"port": free_port()}, "Check that the broker runs"),
+            ({"host": "no-such-host.invalid"}, "host and port"),
+        ):
+            settings = BrokerSettings.model_validate({"host": "127.0.0.1", **options})
+            assert remedy in asyncio.run(first_remedy(settings)), options
+
+
+def folder_of(parent: Path, name: str) -> Path:
+    (parent / name).mkdir()
+    return parent / name
+
+
+async def first_remedy(settings: BrokerSettings) -> str:
+    """What helps a station that tries once; nothing, if it connects."""
+    watch = Watch(settings, "watcher")
+    running = asyncio.create_task(watch.broker.run())
+    state = watch.broker.state
+    await watch.until(lambda: watch.broker.state is not state)
+    running.cancel()
+    await asyncio.gather(running, return_exceptions=True)
+    assert watch.broker.state.connected == (not watch.broker.state.remedy)
+    return str(watch.broker.state.remedy)
 
 
 def test_what_is_published_is_as_the_schema_says(broker: Mosquitto) -> None:

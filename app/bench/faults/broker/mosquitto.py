@@ -5,6 +5,7 @@ import shutil
 import socket
 import subprocess
 import time
+from collections.abc import Sequence
 from pathlib import Path
 from types import TracebackType
 from typing import Self
@@ -17,13 +18,17 @@ USER, PASSWORD = "station", "a broker's password"
 
 
 class Mosquitto:
-    """Can be killed and started again on the same port."""
+    """Can be killed and started again on the same port.
 
-    def __init__(self, folder: Path, passwords: bool = False) -> None:
+    Args:
+        settings: further lines of its configuration, such as those of TLS.
+    """
+
+    def __init__(self, folder: Path, passwords: bool = False, settings: Sequence[str] = ()) -> None:
         self.port = free_port()
         self._config = folder / "mosquitto.conf"
         # started by root it would become a user who may not read the passwords
-        lines = [f"listener {self.port} 127.0.0.1", f"user {getpass.getuser()}"]
+        lines = [f"listener {self.port} 127.0.0.1", f"user {getpass.getuser()}", *settings]
         if passwords:
             listed = folder / "passwords"
             maker = shutil.which("mosquitto_passwd") or "mosquitto_passwd"
