@@ -428,6 +428,15 @@ block-corner =
         [L-back] hinten links
        *[R-back] hinten rechts
     }
+block-dimension =
+    { $name ->
+        [base] Höhe der Böden über der Unterseite
+        [depth] Tiefe von vorn bis hinten
+        [height] Höhe der Kronen über den Böden
+       *[width] Breite von links bis rechts
+    }
+block-dimensions-open = Weder Bilder noch Antastpunkte zeigen vom Block: { $names }; dort zählt die Toleranz.
+block-edges-estimated = Vom Block ist nur die Zeichnung bekannt: seine Kanten wurden mit der Kalibrierung geschätzt. Sie liegen bis zu { $beside } neben der Zeichnung, mit einer Standardunsicherheit von { $known }, die in allen Posen dieselbe ist.
 board-bends-over-pattern-allowed = Die Tafel ist über das Muster um { $bend } durchgebogen; das ist berücksichtigt.
 board-bends-over-pattern-flat-expected = Die Tafel ist über das Muster um { $bend } durchgebogen; erwartet wurde eine Ebenheit von { $flatness }.
 board-has-corners = „{ $name }“ hat { $columns } × { $rows }
@@ -3872,7 +3881,7 @@ standard-positions-articulations-counts-iso-10360 = Nicht normgerecht: Positione
 standard-touches-those-sphere-tests-iso = Nicht normgerecht: Die Antastpunkte sind nicht die der Kugelprüfungen nach ISO 10360-12; daher wird keines ihrer Formelzeichen verwendet.
 standard-uncertainty-0-mm = Eine Standardunsicherheit beträgt 0 bis { $largest }.
 standard-uncertainty-k-1-scanned-point = Standardunsicherheit (k = 1) eines gescannten Punkts über der Laserebene, von { $low } ({ $low_mm }) bis { $high } ({ $high_mm }). Durchgestrichen: extrapoliert, näher oder weiter als die kalibrierten { $near } bis { $far } von der Kamera.
-standard-uncertainty-mm-too-large = { $field } darf höchstens { $most } betragen; ist der Wert in Mikrometern angegeben?
+standard-uncertainty-mm-too-large = { $field } darf höchstens { $most } betragen; ist der Wert in Mikrometern angegeben? Für einen Block, den niemand gemessen hat, stattdessen { $tolerance } angeben
 start-again = Erneut starten
 start-again-2 = erneut starten
 start-new-calibration = Neue Kalibrierung starten
@@ -4176,6 +4185,7 @@ tls-no-pair-reason = sie sind kein Zertifikat mit seinem Schlüssel im PEM-Forma
 tls-pair-unusable = { $certificate } und { $key } lassen sich nicht verwenden
 to-2 = Bis
 together = Gesamt
+tolerance-mm-out-of-range = { $field } muss größer als 0 und höchstens { $most } sein; einen gröber gefertigten Block messen und aus den Messwerten sein Zertifikat erstellen
 too-bright-saturated = Zu hell: { $share } übersteuert
 too-dark-brightest-parts = Zu dunkel: hellste Stellen bei { $level }
 too-fast-blur-limit = Zu schnell: { $blur } Unschärfe; der Grenzwert ist { $limit }
@@ -4235,6 +4245,7 @@ touch-near-corners-too = Auch nahe den Ecken antasten
 touch-object = Objekt antasten
 touch-object-or-remove-wrong = Das Objekt antasten, oder Punkt { $number } entfernen, wenn der falsch ist
 touch-off-plane = Diese Antastung liegt { $off } neben der Ebene, die vorher angetastet wurde; sie wurde nicht übernommen
+touch-opposite-faces-tilt-more = Gegenüberliegende Flächen antasten (links und rechts, vorn und hinten, Kronen und Böden) und den Sensor zwischen den Posen stärker neigen
 touch-printed-side-more-times-spread = Die bedruckte Seite noch { $left }-mal antasten, weit verteilt. Oder fortfahren.
 touch-printed-side-once-more-far = Die bedruckte Seite noch einmal antasten, weit weg von den anderen Punkten. Oder fortfahren.
 touch-probe-press-arms-button-each =
@@ -4309,12 +4320,15 @@ two-units-of-length = Die Spalten nennen zwei Einheiten der Länge: { $units }
 u-v = es ist „u“ oder „v“
 udp-port-cannot-be-opened = Der UDP-Port { $port } dieses Rechners lässt sich nicht öffnen: { $reason }
 udp-port-in-use = Ein anderes Programm auf diesem Rechner empfängt am UDP-Port { $port }
+uncertainties-above-largest = { $field } braucht daneben { $one }, den größten dieser Werte
+uncertainties-of-edges-count = { $field } hat { $found } Kanten, der Block hat { $wanted }
 uncertainty-budgets = Unsicherheitsbudgets
 uncertainty-is-not-the-root-of-its-budget = expanded_uncertainty ist nicht das Doppelte der Wurzel der Quadratsumme seines Budgets
 uncertainty-is-root-of-parts = U ist die Wurzel der Quadratsumme seiner Anteile, alle mit k = 2. Prüfnormal: U der Prüfung. Taster: aus den Antastpunkten. Punkte: aus der Streuung der Punkte einer Punktwolke. Punktwolken: aus deren Streuung. Mittelwert, Standardabweichung und Spannweite sind die der Punktwolken.
 unattended-stop = Scan und Laser wurden gestoppt: { $limit } lang hatte niemand die Bedienung, und der Messarm stand still.
 unattended-stop-remedy = Was aufgenommen wurde, bleibt. Um fortzufahren, neu starten; die Zeit steht in den Einstellungen.
 uncertainty-missing = { $file }: uncertainty fehlt
+uncertainty-or-tolerance = genau eines von { $one } und { $tolerance } ist nötig: das erste, wenn der Block gemessen wurde, das zweite, wenn nur seine Zeichnung bekannt ist
 uncertainty-over-measuring-volume = Unsicherheit im Messvolumen
 uncertainty-scanned-point-k-1 = Unsicherheit eines gescannten Punkts (k = 1)
 uncertainty-scanned-point-so-far-k = Bisherige Unsicherheit eines gescannten Punkts (k = 1)

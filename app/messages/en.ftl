@@ -428,6 +428,15 @@ block-corner =
         [L-back] back left
        *[R-back] back right
     }
+block-dimension =
+    { $name ->
+        [base] height of the floors above the base
+        [depth] depth from front to back
+        [height] height of the crests above the floors
+       *[width] width from left to right
+    }
+block-dimensions-open = Neither pictures nor contact points tell the block's { $names }: the tolerance counts there.
+block-edges-estimated = Only the drawing of the block is known: its edges were estimated with the calibration. They lie up to { $beside } beside the drawing, with a standard uncertainty of { $known }, which is the same in all poses.
 board-bends-over-pattern-allowed = The board is bent by { $bend } over the pattern; the calibration allows for it.
 board-bends-over-pattern-flat-expected = The board is bent by { $bend } over the pattern; its certificate states a flatness of { $flatness }.
 board-has-corners = { $name } has { $columns } × { $rows }
@@ -3859,7 +3868,7 @@ standard-positions-articulations-counts-iso-10360 = Not according to a standard:
 standard-touches-those-sphere-tests-iso = Not according to a standard: the contact points are not those of the sphere tests of ISO 10360-12, so none of its symbols is used.
 standard-uncertainty-0-mm = The standard uncertainty must be 0 to { $largest }.
 standard-uncertainty-k-1-scanned-point = Standard uncertainty (k = 1) of a scanned point over the laser plane, from { $low } ({ $low_mm }) to { $high } ({ $high_mm }). Struck through: extrapolated, nearer to or further from the camera than the calibrated { $near } to { $far }.
-standard-uncertainty-mm-too-large = { $field } must be at most { $most }; is it in micrometres?
+standard-uncertainty-mm-too-large = { $field } must be at most { $most }; is it in micrometres? For a block that nobody measured, state { $tolerance } instead
 start-again = Start it again
 start-again-2 = start it again
 start-new-calibration = Start a new calibration
@@ -4163,6 +4172,7 @@ tls-no-pair-reason = they are not a certificate and its key in PEM format ({ $re
 tls-pair-unusable = { $certificate } and { $key } cannot be used
 to-2 = To
 together = Together
+tolerance-mm-out-of-range = { $field } must be above 0 and at most { $most }; measure a block that is made worse, and make its certificate of the readings
 too-bright-saturated = Too bright: { $share } saturated
 too-dark-brightest-parts = Too dark: brightest parts at { $level }
 too-fast-blur-limit = Too fast: { $blur } of blur; the limit is { $limit }
@@ -4213,6 +4223,7 @@ touch-near-corners-too = Touch it near its corners as well
 touch-object = Touch the object
 touch-object-or-remove-wrong = Touch the object, or remove point { $number } if that one is wrong
 touch-off-plane = This touch lies { $off } off the plane that was touched before; it was not taken
+touch-opposite-faces-tilt-more = Touch opposite faces (left and right, front and back, crests and floors), and tilt the sensor more between poses
 touch-printed-side-more-times-spread = Touch the printed side { $left } more times, spread widely. Or continue.
 touch-printed-side-once-more-far = Touch the printed side once more, far from the other points. Or continue.
 touch-probe-press-arms-button-each =
@@ -4287,12 +4298,15 @@ two-units-of-length = The columns state two units of length: { $units }
 u-v = it is "u" or "v"
 udp-port-cannot-be-opened = UDP port { $port } of this computer cannot be opened: { $reason }
 udp-port-in-use = Another program on this computer receives at UDP port { $port }
+uncertainties-above-largest = { $field } needs { $one } beside it, which is the largest of them
+uncertainties-of-edges-count = { $field } has { $found } edges, but the block has { $wanted }
 uncertainty-budgets = Uncertainty budgets
 uncertainty-is-not-the-root-of-its-budget = expanded_uncertainty is not twice the root of the sum of squares of its budget
 uncertainty-is-root-of-parts = U is the root of the sum of squares of its parts, all with k = 2. Gauge: U of test. Probe: of the contact points. Points: by the scatter of the points of a cloud. Clouds: by their scatter. Mean, standard deviation and range are over the clouds.
 unattended-stop = Scan and laser were stopped: for { $limit }, nobody was in control and the arm stood still.
 unattended-stop-remedy = What was recorded is kept. To go on, start again; the time is in the settings.
 uncertainty-missing = { $file }: uncertainty is missing
+uncertainty-or-tolerance = exactly one of { $one } and { $tolerance } is needed: the first if the block was measured, the second if only its drawing is known
 uncertainty-over-measuring-volume = Uncertainty over the measuring volume
 uncertainty-scanned-point-k-1 = Uncertainty of a scanned point (k = 1)
 uncertainty-scanned-point-so-far-k = Uncertainty of a scanned point so far (k = 1)

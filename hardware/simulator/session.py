@@ -76,6 +76,8 @@ class SessionPlan:
     contacts_per_face: int = 15
     contact_sd_mm: float = 0.006
     certificate_sd_mm: float = 0.002
+    tolerance_mm: float | None = None
+    """Nobody measured the block: it is made within this, and ``object.json`` is its drawing."""
     merlons: int | None = None
     encoder_noise: bool = True
     detector: Detector = field(default_factory=Detector)
@@ -125,7 +127,7 @@ def draw_rig(
         optics,
         light_plane,
         random_mounting(rng),
-        draw_true_block(certificate, plan.certificate_sd_mm, rng),
+        draw_true_block(certificate, plan.certificate_sd_mm, rng, plan.tolerance_mm),
         certificate,
         random_block_pose(rng),
     )
@@ -172,7 +174,11 @@ def render_session(
     rng = np.random.default_rng(seed + 77_000)
     (folder / "images").mkdir(parents=True, exist_ok=True)
     write_document(folder / "arm.json", arm_datasheet(rig.nominal_arm))
-    write_document(folder / "object.json", block_datasheet(rig.certificate, plan.certificate_sd_mm))
+    drawn = block_datasheet(rig.certificate, plan.certificate_sd_mm)
+    if plan.tolerance_mm is not None:
+        del drawn["standard_uncertainty_mm"]
+        drawn["tolerance_mm"] = plan.tolerance_mm
+    write_document(folder / "object.json", drawn)
     write_document(folder / "sensor.json", sensor_datasheet(rig.optics, rig.light_plane))
     angles = [f"q{i + 1}_deg" for i in range(rig.arm.joint_count)]
     images = _take_images(folder, seed, rig, plan, rng)

@@ -17,7 +17,7 @@ from app.errors import OperationError
 from app.formats.datasheets.arm import parse_any_arm, read_arm
 from app.formats.datasheets.gauge_nominal import read_nominal
 from app.formats.datasheets.sensor import SensorDatasheet, read_sensor
-from app.formats.datasheets.target import read_object
+from app.formats.datasheets.target import read_block, read_object
 from app.formats.json_document import Document, has_sha256
 from app.formats.results.calibration import (
     CalibrationFile,
@@ -157,6 +157,28 @@ def test_a_serial_number_may_be_missing(tmp_path: Path, name: str) -> None:
     assert (read_sensor(folder / "sensor.json").serial_number == "") == (name == "sensor.json")
 
 
+def _as_drawn(block: dict[str, Any], tolerance_mm: float) -> None:
+    del block["standard_uncertainty_mm"]
+    block["tolerance_mm"] = tolerance_mm
+
+
+def _with_uncertainties(block: dict[str, Any], count: int = 6, each: float = 0.001) -> None:
+    faces = ("front_y_mm", "back_y_mm", "crest_z_mm", "floor_z_mm", "base_z_mm")
+    known = {"edges_x_mm": [each] * count, **dict.fromkeys(faces, each / 2)}
+    block["standard_uncertainties_mm"] = known
+
+
+def test_a_block_says_how_well_each_coordinate_is_known(tmp_path: Path) -> None:
+    path = write_session(tmp_path / "s") / "object.json"
+    edit_json(path, _with_uncertainties)
+    np.testing.assert_allclose(read_block(path).sds_mm, [0.001] * 6 + [0.0005] * 5)
+    assert not read_block(path).is_nominal
+    edit_json(path, lambda block: block.pop("standard_uncertainties_mm"))
+    edit_json(path, lambda block: _as_drawn(block, 0.1))
+    np.testing.assert_allclose(read_block(path).sds_mm, 0.1 / np.sqrt(3))
+    assert read_block(path).is_nominal
+
+
 @pytest.mark.parametrize(
     ("spoil", "said"),
     [
@@ -167,6 +189,12 @@ def test_a_serial_number_may_be_missing(tmp_path: Path, name: str) -> None:
         (lambda block: block.update(crest_z_mm=-1), "crest_z_mm"),
         (lambda block: block.update(front_y_mm=99), "front_y_mm"),
         (lambda block: block.update(standard_uncertainty_mm=2), "micrometres"),
+        (lambda block: block.pop("standard_uncertainty_mm"), "exactly one"),
+        (lambda block: block.update(tolerance_mm=0.1), "exactly one"),
+        (lambda block: _as_drawn(block, 0.5), r"at most 0\.3 mm"),
+        (lambda block: _as_drawn(block, 0), "above 0"),
+        (lambda block: _with_uncertainties(block, count=5), "5 edges"),
+        (lambda block: _with_uncertainties(block, each=0.01), "largest"),
         (lambda block: block.update(kind="chessboard"), "square_mm is missing"),
         (lambda block: block.update(kind="ball"), "ball"),
         (lambda block: block.pop("serial_number"), "serial_number is missing"),

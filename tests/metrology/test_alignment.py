@@ -158,6 +158,27 @@ def test_contacts_on_an_own_face_are_refused_by_name(taken: str, called: str, co
         refuse_wrong_faces(found, features, BLOCK)
 
 
+def test_faces_that_only_a_drawing_gives_are_found_with_the_pose() -> None:
+    rng = np.random.default_rng(21)
+    tolerance_mm = 0.1
+    drawing = replace(BLOCK, standard_uncertainty_mm=tolerance_mm / np.sqrt(3), is_nominal=True)
+    edges = (BLOCK.edges_x_mm[0] - 0.07, *BLOCK.edges_x_mm[1:-1], BLOCK.edges_x_mm[-1] + 0.06)
+    made = replace(BLOCK, edges_x_mm=edges, crest_z_mm=BLOCK.crest_z_mm + 0.05)
+    faces = ("crest", "front", "left", "right")
+    T_arm_obj = random_pose(rng)
+    features, tips = contacts_on(rng, T_arm_obj, faces=faces, noise_mm=0.004, block=made)
+    slipped = features.index("right") + 2
+    tips[slipped] += 0.05 * T_arm_obj[:3, 0]
+    found = align(features, tips, TIP_RADIUS_MM, drawing)
+    assert list(np.flatnonzero(found.outliers)) == [slipped]
+    assert found.rms_mm < 0.006
+    off_mm = found.face_offsets_mm
+    assert off_mm["left"] + off_mm["right"] == pytest.approx(0.13, abs=0.01)
+    certified = align(features, tips, TIP_RADIUS_MM, BLOCK)
+    assert certified.rms_mm > 0.03
+    assert not certified.face_offsets_mm
+
+
 def test_a_block_taken_for_itself_turned_half_round_is_refused() -> None:
     features, tips = touched(13)
     turned = {"front": "back", "left": "right", "crest": "crest"}

@@ -71,6 +71,23 @@ def test_any_block_from_any_side(seed: int, look: dict[str, Any]) -> None:
     assert errors.max() < 1.5
 
 
+def test_a_block_known_by_its_drawing_is_found_as_made(plain: RenderedBlock) -> None:
+    rng = np.random.default_rng(3)
+    off_mm = rng.uniform(-0.1, 0.1, len(plain.block.edges_x_mm))
+    drawn = replace(
+        plain.block,
+        edges_x_mm=tuple(float(x) for x in plain.block.edges_x_mm + off_mm),
+        crest_z_mm=plain.block.crest_z_mm + 0.08,
+        standard_uncertainty_mm=0.1 / np.sqrt(3),
+        is_nominal=True,
+    )
+    errors = corner_errors(detect_object(plain.image, drawn), plain)
+    assert len(errors) >= 10
+    assert np.median(errors) < 0.25
+    certified = replace(drawn, standard_uncertainty_mm=0.002, is_nominal=False)
+    assert refused(plain.image, certified).code == "object-does-not-match"
+
+
 def test_the_stripe_over_the_edges_is_left_out(plain: RenderedBlock) -> None:
     lit = render_block(1, merlons=4, laser=0.9)
     stripe = extract_stripe(lit.image)
@@ -188,7 +205,7 @@ def test_edges_of_a_few_long_pieces_make_corners(plain: RenderedBlock) -> None:
     middle = rows[len(rows) // 2]
     used[rows], used[middle], length[middle] = False, True, length[rows].sum()
     few = replace(found, at=replace(at, length_px=length), used=used)
-    corners = {corner.name: corner for corner in fit_corners(few, plain.block)}
+    corners = {corner.name: corner for corner in fit_corners(few)}
     for name in ("crest:1:L:front", "crest:1:R:front"):
         true = project(plain.camera, corners_of(plain.block)[name][None])[0]
         corner = corners[name]

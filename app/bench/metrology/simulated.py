@@ -53,6 +53,8 @@ class SetUp:
     distortion: tuple[float, float, float, float, float] = (-0.04, 0.0, 0.0, 0.0, 0.0)
     scales: Scales = USUAL
     """What the noise is drawn with."""
+    tolerance_mm: float | None = None
+    """Nobody measured the block: it is made within this, and the certificate is its drawing."""
     seed: int = 1
 
 
@@ -97,7 +99,7 @@ def design_setup(setup: SetUp, rig: SimulatedRig, rng: np.random.Generator) -> S
     Raises:
         UnreachableError: the arm cannot do it.
     """
-    arm, certificate = _read_datasheets(rig)
+    arm, certificate = _read_datasheets(rig, setup.tolerance_mm)
     T_cam_sensor = np.array(rig.optics.T_cam_sensor)
     optics = rig.optics
     K = np.array([[optics.fx_px, 0, optics.cx_px], [0, optics.fy_px, optics.cy_px], [0, 0, 1.0]])
@@ -125,11 +127,15 @@ def design_setup(setup: SetUp, rig: SimulatedRig, rng: np.random.Generator) -> S
     )
 
 
-def _read_datasheets(rig: SimulatedRig) -> tuple[Arm, Crenellated]:
+def _read_datasheets(rig: SimulatedRig, tolerance_mm: float | None) -> tuple[Arm, Crenellated]:
     with tempfile.TemporaryDirectory() as folder:
         arm, block = Path(folder, "arm.json"), Path(folder, "object.json")
         arm.write_text(json.dumps(arm_datasheet(rig.nominal_arm)))
-        block.write_text(json.dumps(block_datasheet(rig.certificate, 0.002)))
+        drawn = block_datasheet(rig.certificate, 0.002)
+        if tolerance_mm is not None:
+            del drawn["standard_uncertainty_mm"]
+            drawn["tolerance_mm"] = tolerance_mm
+        block.write_text(json.dumps(drawn))
         return read_arm(arm), read_block(block)
 
 
@@ -205,7 +211,10 @@ def draw_session(
         links = sd * rng.normal(size=len(sd))
     arm = _with_links(station.arm, links)
     prior = block_prior(station.certificate)
-    values = prior.coordinates + share * prior.sd * rng.normal(size=len(prior.sd))
+    off = prior.sd * rng.normal(size=len(prior.sd))
+    if (tolerance_mm := station.setup.tolerance_mm) is not None:
+        off = rng.uniform(-tolerance_mm, tolerance_mm, len(prior.sd))
+    values = prior.coordinates + share * off
     block = with_coordinates(station.certificate, values)
     contact_q = _contact_joints(station, arm, block, share * scales.touch_mm, rng)
     encoders = share * scales.noise * station.arm.encoder_sd_rad

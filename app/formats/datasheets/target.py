@@ -1,5 +1,6 @@
 """``object.json``: the certificate of the crenellated object, or of a board with squares."""
 
+import math
 from itertools import pairwise
 from pathlib import Path
 from typing import Annotated, ClassVar, Literal, Self
@@ -10,6 +11,7 @@ from app.errors import OperationError
 from app.formats.file_names import display_path
 from app.formats.json_document import (
     Document,
+    DocumentPart,
     NotNegative,
     Number,
     SizeMm,
@@ -22,10 +24,14 @@ from app.metrology.targets.crenellated_block import Crenellated
 
 COARSEST_MM = 0.1
 """A certificate that is no better than this is rather one in other units."""
+WIDEST_MM = 0.3
+"""A block made within more than this cannot be calibrated with: pictures no longer tell its edges
+from each other's places."""
 PRINTED_MM = 0.05
 """Standard uncertainty of a printed pattern's width and height, where its certificate is silent."""
 SMALLEST_SQUARE_MM = 0.2
 """Squares smaller than this are rather given in metres."""
+ROUNDING_MM = 1e-9
 MIRROR_TOLERANCE_MM = 0.1
 """A block whose edges come closer than this to their mirror image reads both ways."""
 
@@ -36,6 +42,22 @@ Squares = Annotated[int, Field(ge=4, le=201, strict=True)]
 
 Certificate = Annotated[str, Field(max_length=200)]
 """Who issued it and when, as reports name it."""
+
+
+class CoordinateUncertainties(DocumentPart):
+    """The standard uncertainty of each coordinate of a block, in the order of its fields."""
+
+    edges_x_mm: tuple[NotNegative, ...]
+    front_y_mm: NotNegative
+    back_y_mm: NotNegative
+    crest_z_mm: NotNegative
+    floor_z_mm: NotNegative
+    base_z_mm: NotNegative
+
+    def values_mm(self) -> tuple[float, ...]:
+        """One for each coordinate: edges, front, back, crest, floor, base."""
+        z = (self.crest_z_mm, self.floor_z_mm, self.base_z_mm)
+        return (*self.edges_x_mm, self.front_y_mm, self.back_y_mm, *z)
 
 
 class ObjectFile(Document):
@@ -53,7 +75,13 @@ class ObjectFile(Document):
     floor_z_mm: Number
     base_z_mm: Number
     # the range is stated here, and checked below, in words that name the likely mistake
-    standard_uncertainty_mm: Annotated[NotNegative, Field(json_schema_extra={"le": COARSEST_MM})]
+    standard_uncertainty_mm: (
+        Annotated[NotNegative, Field(json_schema_extra={"le": COARSEST_MM})] | None
+    ) = None
+    """Of every coordinate, or the largest of them."""
+    standard_uncertainties_mm: CoordinateUncertainties | None = None
+    tolerance_mm: Annotated[NotNegative, Field(json_schema_extra={"le": WIDEST_MM})] | None = None
+    """Instead, of a block that nobody measured: each coordinate is made within ± this."""
 
     @model_validator(mode="after")
     def _is_a_block(self) -> Self:
@@ -72,13 +100,60 @@ class ObjectFile(Document):
             raise ValueError(
                 message("crest-z-mm-must-above-floor", crest=crest, floor=floor, base=base)
             )
-        if self.standard_uncertainty_mm > COARSEST_MM:
-            field, most = field_name("standard_uncertainty_mm"), rounded(COARSEST_MM, "mm")
-            raise ValueError(message("standard-uncertainty-mm-too-large", field=field, most=most))
+        self._check_uncertainty()
         mirrored = [x[0] + x[-1] - edge for edge in reversed(x)]
         if max(abs(a - b) for a, b in zip(x, mirrored, strict=True)) < MIRROR_TOLERANCE_MM:
             raise ValueError(message("merlons-are-symmetric", edges=edges))
         return self
+
+    def _check_uncertainty(self) -> None:
+        one, tolerance = field_name("standard_uncertainty_mm"), field_name("tolerance_mm")
+        if (self.standard_uncertainty_mm is None) == (self.tolerance_mm is None):
+            raise ValueError(message("uncertainty-or-tolerance", one=one, tolerance=tolerance))
+        if (self.standard_uncertainty_mm or 0.0) > COARSEST_MM:
+            most = rounded(COARSEST_MM, "mm")
+            raise ValueError(
+                message(
+                    "standard-uncertainty-mm-too-large", field=one, most=most, tolerance=tolerance
+                )
+            )
+        if self.tolerance_mm is not None and not 0.0 < self.tolerance_mm <= WIDEST_MM:
+            most = rounded(WIDEST_MM, "mm")
+            raise ValueError(message("tolerance-mm-out-of-range", field=tolerance, most=most))
+        each = self.standard_uncertainties_mm
+        if each is None:
+            return
+        field = field_name("standard_uncertainties_mm")
+        if len(each.edges_x_mm) != len(self.edges_x_mm):
+            counts = {"found": len(each.edges_x_mm), "wanted": len(self.edges_x_mm)}
+            raise ValueError(message("uncertainties-of-edges-count", field=field, **counts))
+        if self.standard_uncertainty_mm is None or max(each.values_mm()) > (
+            self.standard_uncertainty_mm + ROUNDING_MM
+        ):
+            raise ValueError(message("uncertainties-above-largest", field=field, one=one))
+
+    def block(self) -> Crenellated:
+        """The block that the file describes.
+
+        Source:
+            GUM 4.3.7: within a tolerance, anything is equally likely, so that its standard
+            uncertainty is the tolerance over the root of three.
+        """
+        each = self.standard_uncertainties_mm
+        made_mm = (self.tolerance_mm or 0.0) / math.sqrt(3)
+        return Crenellated(
+            self.name,
+            self.serial_number,
+            self.edges_x_mm,
+            self.front_y_mm,
+            self.back_y_mm,
+            self.crest_z_mm,
+            self.floor_z_mm,
+            self.base_z_mm,
+            made_mm or self.standard_uncertainty_mm or 0.0,
+            () if each is None else each.values_mm(),
+            self.tolerance_mm is not None,
+        )
 
 
 class _BoardFile(Document):
@@ -179,7 +254,7 @@ def parse_object(text: str, path: Path) -> Crenellated | Chessboard:
     """Reads the text of a file of this name; as ``read_object``."""
     kind = _AnyObject.parse_text(text, path).kind
     if kind == "crenellated":
-        return Crenellated(**ObjectFile.parse_text(text, path).model_dump(exclude={"certificate"}))
+        return ObjectFile.parse_text(text, path).block()
     if kind == "chessboard":
         return ChessboardFile.parse_text(text, path).board()
     if kind == "charuco":

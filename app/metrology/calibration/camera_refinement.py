@@ -213,7 +213,7 @@ def _prior(scene: SceneModel, certificate: Crenellated) -> tuple[Floats, Floats]
     N, g = np.zeros((count, count)), np.zeros(count)
     camera = scene.camera
     K = camera.matrix
-    weight = max(certificate.standard_uncertainty_mm, 1e-6) ** -2.0
+    weight = np.maximum(certificate.sds_mm, 1e-6) ** -2.0
     at = np.arange(count)[BLOCK]
     N[at, at] = weight
     g[at] = weight * (coordinates(scene.block) - coordinates(certificate))

@@ -242,6 +242,7 @@ def size_finding(
         if not all(len(residuals) for residuals in own):
             continue
         opening_mm = sum(float(np.mean(residuals)) for residuals in own)
+        opening_mm += sum(alignment.face_offsets_mm.get(face, 0.0) for face in pair)
         spread = sum(float(np.var(residuals)) / len(residuals) for residuals in own)
         sd_mm = float(np.sqrt(spread + 2 * block.standard_uncertainty_mm**2))
         limit_mm = max(OPENING_SIGMAS * sd_mm, OPENING_MM)

@@ -159,7 +159,7 @@ def _certificate_covariance(fit: CameraFit, placed: Placement, by_alignment: Flo
     answer = np.zeros((SENSOR + 6, fit.by_certificate.shape[1]))
     answer[:SENSOR] = fit.by_certificate[:SENSOR]
     answer[PROBE] = by_alignment @ _alignment_by_certificate(placed)
-    return np.asarray(answer @ answer.T * placed.block.standard_uncertainty_mm**2)
+    return np.asarray((answer * placed.block.sds_mm**2) @ answer.T)
 
 
 def _alignment_by_certificate(placed: Placement) -> Floats:

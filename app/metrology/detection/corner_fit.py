@@ -7,7 +7,6 @@ import numpy as np
 from app.metrology.detection.edges.measure_all import EdgeMeasurements
 from app.metrology.detection.visibility import find_visible_edges, visible_corners
 from app.metrology.sensor.camera import project
-from app.metrology.targets.crenellated_block import Crenellated
 from app.metrology.targets.crenellated_block import corners as corners_of
 from app.metrology.transforms import Floats
 
@@ -37,9 +36,9 @@ class Corner:
     covariance_px2: Floats
 
 
-def fit_corners(measured: EdgeMeasurements, block: Crenellated) -> tuple[Corner, ...]:
+def fit_corners(measured: EdgeMeasurements) -> tuple[Corner, ...]:
     """Corners where two measured edges meet, with their covariance."""
-    camera, frame = measured.camera, measured.frame
+    camera, frame, block = measured.camera, measured.frame, measured.frame.block
     parts = find_visible_edges(frame, camera.centre_mm)
     begin = frame.starts_mm[parts.edge]
     along = frame.ends_mm[parts.edge] - begin

@@ -223,7 +223,7 @@ def _detection(measured: EdgeMeasurements, block: Crenellated) -> ObjectDetectio
             )
         )
     off = measured.off_px[measured.used]
-    corners = fit_corners(measured, block)
+    corners = fit_corners(measured)
     if len(corners) < _LEAST_CORNERS:
         raise refusals.unclear_error(
             block, message("only-corners-can-measured", found=len(corners))

@@ -58,13 +58,14 @@ class VisiblePart:
 
 @dataclass(frozen=True)
 class Wireframe:
-    """The block as arrays, for many visibility queries.
+    """A block as arrays, for many visibility queries.
 
     ``starts_mm``, ``ends_mm``: (E, 3) edges in the order of ``names``;
     ``boxes_mm``: (B, 6) as xmin, xmax, ymin, ymax, zmin, zmax, the body first;
     ``regions``: names by the region numbers that ``find_visible_edges`` gives.
     """
 
+    block: Crenellated
     names: tuple[str, ...]
     starts_mm: Floats
     ends_mm: Floats
@@ -103,6 +104,7 @@ def wireframe(block: Crenellated) -> Wireframe:
     regions += [f"crest:{i}" for i in range(count)] + [f"wall:{i}:L" for i in range(count)]
     regions += [f"wall:{i}:R" for i in range(count)] + [f"floor:{j}" for j in range(count - 1)]
     return Wireframe(
+        block,
         tuple(edge.name for edge in drawn),
         np.array([edge.start_mm for edge in drawn], dtype=np.float64),
         np.array([edge.end_mm for edge in drawn], dtype=np.float64),

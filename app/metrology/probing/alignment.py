@@ -6,7 +6,7 @@ probed. All faces are fitted together by least squares.
 """
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 from numpy.typing import NDArray
@@ -69,6 +69,9 @@ class Alignment:
     """(N, 3) contact points, with the tip radius subtracted, in the object frame."""
     tips_obj_mm: Floats
     """(N, 3) tip centres in the object frame."""
+    face_offsets_mm: dict[str, float] = field(default_factory=dict)
+    """How much further out than certified the contacts put each face, where the certificate leaves
+    that open; the residuals are then from the faces as found."""
 
     @property
     def rms_mm(self) -> float:
@@ -86,7 +89,8 @@ def align(
 ) -> Alignment:
     """Fits all faces of the block to the contact points together.
 
-    Contact points that contradict the others are excluded and marked in ``outliers``.
+    Faces that the certificate leaves open by more than ``OPEN_MM`` are found with the pose. Contact
+    points that contradict the others are excluded and marked in ``outliers``.
 
     Args:
         features: the face of each of the N contact points, one of ``FACES``.
@@ -112,12 +116,14 @@ def align(
     )
     refuse_lines(contacts)
     start = best_start(contacts, tip_radius_mm, block)
-    T_arm_obj, kept, doubtful = fit_without_outliers(contacts, start)
+    fit, kept, doubtful = fit_without_outliers(contacts, start)
+    T_arm_obj = fit.T_arm_obj
     points_obj = surface_points(contacts, T_arm_obj, tip_radius_mm)
     off_face = off_face_mask(contacts.features, points_obj, block) & kept
     if 0 < off_face.sum() <= FEW_IN_AIR and len(kept) - off_face.sum() >= LEAST_KEPT:
         # there is nothing that it could have touched: it was taken in the air
-        T_arm_obj, kept, doubtful = fit_without_outliers(contacts, T_arm_obj, ~off_face)
+        fit, kept, doubtful = fit_without_outliers(contacts, T_arm_obj, ~off_face)
+        T_arm_obj = fit.T_arm_obj
         points_obj = surface_points(contacts, T_arm_obj, tip_radius_mm)
         off_face = off_face_mask(contacts.features, points_obj, block) & kept
     if off_face.sum() > max(1, len(kept) // 10):
@@ -125,11 +131,12 @@ def align(
         if not (off_face_mask(contacts.features, mirrored, block) & kept).any():
             raise _mirror_error(int(off_face.sum()), len(kept))
         raise _label_error(contacts.features, off_face)
-    residuals = contacts.residuals_mm(T_arm_obj)
+    residuals = contacts.with_faces_at(fit.offsets_mm).residuals_mm(T_arm_obj)
     J, centre_mm = jacobian(contacts, T_arm_obj)
     sds_mm = contacts.sds_mm(T_arm_obj)
     scaled = residuals[kept] / sds_mm[kept]
-    variance_factor = float(scaled @ scaled) / max(int(kept.sum()) - 6, 1)
+    unknowns = 6 + len(contacts.faces)
+    variance_factor = float(scaled @ scaled) / max(int(kept.sum()) - unknowns, 1)
     if tip_covariances_mm2 is not None:
         # few contact points may agree by chance: never claim less than the encoder noise
         variance_factor = max(variance_factor, 1.0)
@@ -145,6 +152,7 @@ def align(
         centre_mm=centre_mm,
         points_obj_mm=points_obj,
         tips_obj_mm=points_obj + tip_radius_mm * contacts.normals,
+        face_offsets_mm=dict(zip(contacts.faces, fit.offsets_mm.tolist(), strict=True)),
     )
 
 

@@ -1,12 +1,14 @@
 """The best pose of the block for its contact points: start values, then least squares."""
 
 from collections.abc import Callable
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
 from app.metrology.fitting.outlier_search import find_agreement
 from app.metrology.probing.contacts import (
+    CONTACT_SD_MM,
     DIRECTIONS,
     FACE_SLACK_MM,
     MIN_CONTACTS,
@@ -109,10 +111,18 @@ def _step(contacts: FaceContacts, T_arm_obj: Floats, weights: Floats) -> tuple[F
     root = np.sqrt(weights)
     residuals = contacts.residuals_mm(T_arm_obj)
     change, *_ = np.linalg.lstsq(J * root[:, None], -residuals * root, rcond=None)
+    return _move(T_arm_obj, np.asarray(change), centre_mm), _size(np.asarray(change))
+
+
+def _move(T_arm_obj: Floats, change: Floats, centre_mm: Floats) -> Floats:
+    """The pose after a left perturbation (6,) about a pivot (3,)."""
     turn = rotation_from_vector(np.asarray(change[:3]))
-    moved = rigid(turn, centre_mm - turn @ centre_mm + change[3:])
-    size = float(np.linalg.norm(change[3:]) + 100.0 * np.linalg.norm(change[:3]))
-    return moved @ T_arm_obj, size
+    return rigid(turn, centre_mm - turn @ centre_mm + change[3:6]) @ T_arm_obj
+
+
+def _size(change: Floats) -> float:
+    """A step's size in mm."""
+    return float(np.linalg.norm(change[3:]) + 100.0 * np.linalg.norm(change[:3]))
 
 
 def _iterate(
@@ -139,41 +149,64 @@ def _biweight(residuals_mm: Floats) -> Floats:
     return np.asarray(np.maximum(1 - (residuals_mm / (START_CUT * scale)) ** 2, 0.0) ** 2)
 
 
+@dataclass(frozen=True)
+class ContactFit:
+    """The pose for the contacts, and how far out its ``faces`` lie beside the certificate (F,)."""
+
+    T_arm_obj: Floats
+    offsets_mm: Floats
+
+
 def fit_without_outliers(
     contacts: FaceContacts, T_arm_obj: Floats, eligible: NDArray[np.bool_] | None = None
-) -> tuple[Floats, NDArray[np.bool_], NDArray[np.bool_]]:
+) -> tuple[ContactFit, NDArray[np.bool_], NDArray[np.bool_]]:
     """Least squares on the contact points that agree, of those (N,) that are eligible.
 
     Contact points that miss their face by millimetres at the robust start lie on another face and
     would tilt the fit: they are excluded at once. ``find_agreement`` judges the others.
 
     Returns:
-        The pose, (N,) the contact points kept, and (N,) those of which one contradicts the others
+        The fit, (N,) the contact points kept, and (N,) those of which one contradicts the others
         while the data cannot tell which.
     """
     allowed = np.ones(len(contacts.features), np.bool_) if eligible is None else eligible
     kept = allowed & (np.abs(contacts.residuals_mm(T_arm_obj)) < FACE_SLACK_MM)
     if missing_contacts([contacts.features[int(i)] for i in np.flatnonzero(kept)]):
         kept = allowed.copy()
-    start = T_arm_obj
+    start = ContactFit(T_arm_obj, np.zeros(len(contacts.faces)))
     found = find_agreement(
-        lambda some: _whiten(contacts, _settle(contacts, start, some)), kept, allowed
+        lambda some: _whiten(contacts, _settle(contacts, start, some)),
+        kept,
+        allowed,
+        given=len(contacts.faces),
     )
     return _settle(contacts, start, found.kept), found.kept, found.doubtful
 
 
-def _settle(contacts: FaceContacts, T_arm_obj: Floats, kept: NDArray[np.bool_]) -> Floats:
-    """The least-squares pose for the contact points kept."""
+def _settle(contacts: FaceContacts, start: ContactFit, kept: NDArray[np.bool_]) -> ContactFit:
+    """The least-squares pose for the contact points kept, with the faces that are to be found."""
+    T_arm_obj, offsets_mm = start.T_arm_obj, start.offsets_mm
     for _ in range(20):
-        weights = np.where(kept, contacts.sds_mm(T_arm_obj) ** -2.0, 0.0)
-        T_arm_obj, step = _step(contacts, T_arm_obj, weights)
-        if step < 1e-10:
+        J, residuals = _whiten(contacts, ContactFit(T_arm_obj, offsets_mm))
+        counts = np.append(kept, np.ones(len(offsets_mm), np.bool_))
+        change, *_ = np.linalg.lstsq(J[counts], -residuals[counts], rcond=None)
+        _, centre_mm = jacobian(contacts, T_arm_obj)
+        T_arm_obj = _move(T_arm_obj, np.asarray(change), centre_mm)
+        offsets_mm = offsets_mm + change[6:]
+        if _size(np.asarray(change)) < 1e-10:
             break
-    return T_arm_obj
+    return ContactFit(T_arm_obj, offsets_mm)
 
 
-def _whiten(contacts: FaceContacts, T_arm_obj: Floats) -> tuple[Floats, Floats]:
-    """(N, 6) derivatives and (N,) residuals, divided by the standard deviations."""
-    sds_mm = contacts.sds_mm(T_arm_obj)
-    J, _ = jacobian(contacts, T_arm_obj)
-    return J / sds_mm[:, None], contacts.residuals_mm(T_arm_obj) / sds_mm
+def _whiten(contacts: FaceContacts, at: ContactFit) -> tuple[Floats, Floats]:
+    """(N + F, 6 + F) derivatives and (N + F,) residuals, divided by the standard deviations; the
+    faces' offsets by the certificate last."""
+    sds_mm = contacts.sds_mm(at.T_arm_obj)
+    placed = contacts.with_faces_at(at.offsets_mm)
+    J, _ = jacobian(contacts, at.T_arm_obj)
+    rows = np.column_stack([J, contacts.by_faces()]) / sds_mm[:, None]
+    known = np.eye(len(at.offsets_mm)) / max(contacts.made_mm, CONTACT_SD_MM)
+    return (
+        np.vstack([rows, np.column_stack([np.zeros((len(known), 6)), known])]),
+        np.concatenate([placed.residuals_mm(at.T_arm_obj) / sds_mm, known @ at.offsets_mm]),
+    )

@@ -1,7 +1,7 @@
 """Contact points on the crenellated object, and whether they determine its position."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import combinations
 
 import numpy as np
@@ -22,6 +22,8 @@ CONTACT_SD_MM = 0.001
 """Repeatability of the touch itself, in addition to the encoder noise."""
 ALIKE_MM = 0.1
 """Contact points that differ by less may be on one plane."""
+OPEN_MM = 0.01
+"""Faces that are known worse than this are estimated with the pose: contacts know them better."""
 FACE_SLACK_MM = 1.5
 """Tolerated distance of a contact point beyond its face before it counts as off the face."""
 MERLON_SLACK_MM = 0.5
@@ -37,6 +39,23 @@ class FaceContacts:
     normals: Floats  # (N, 3) outward normal of each contact point's face, object frame
     reach_mm: Floats  # (N,) face offset plus tip radius
     tip_covariances_mm2: Floats  # (N, 3, 3) of the tip centres; equal if nothing is known
+    made_mm: float
+    """Standard uncertainty of a face's offset that contacts are to find; 0 where it is known."""
+
+    @property
+    def faces(self) -> tuple[str, ...]:
+        """The faces whose offsets are to be found."""
+        return tuple(dict.fromkeys(self.features)) if self.made_mm else ()
+
+    def by_faces(self) -> Floats:
+        """(N, F) derivatives of the residuals by the offsets of ``faces``."""
+        return -np.array(
+            [[float(own == face) for face in self.faces] for own in self.features]
+        ).reshape(len(self.features), len(self.faces))
+
+    def with_faces_at(self, offsets_mm: Floats) -> "FaceContacts":
+        """The contacts on ``faces`` that lie further out by offsets (F,)."""
+        return replace(self, reach_mm=self.reach_mm - self.by_faces() @ offsets_mm)
 
     def residuals_mm(self, T_arm_obj: Floats) -> Floats:
         """(N,) distance of each contact point from its face, positive outward."""
@@ -101,6 +120,7 @@ def build_contacts(
         tip_covariances_mm2=(
             np.zeros((len(features), 3, 3)) if tip_covariances_mm2 is None else tip_covariances_mm2
         ),
+        made_mm=made_mm if (made_mm := block.standard_uncertainty_mm) > OPEN_MM else 0.0,
     )
 
 

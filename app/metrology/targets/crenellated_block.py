@@ -36,6 +36,17 @@ class Crenellated:
     floor_z_mm: float
     base_z_mm: float
     standard_uncertainty_mm: float
+    coordinate_sds_mm: tuple[float, ...] = ()
+    """Of each coordinate by itself: edges, front, back, crest, floor, base; empty: all as above."""
+    is_nominal: bool = False
+    """The block is as drawn and nobody measured it: its edges are to be estimated."""
+
+    @property
+    def sds_mm(self) -> Floats:
+        """(B,) standard uncertainty of each coordinate."""
+        if self.coordinate_sds_mm:
+            return np.array(self.coordinate_sds_mm)
+        return np.full(len(self.edges_x_mm) + 5, self.standard_uncertainty_mm)
 
     @property
     def merlon_count(self) -> int:

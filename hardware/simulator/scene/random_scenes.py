@@ -24,11 +24,17 @@ RIGHT_ANGLE = np.pi / 2
 
 
 def draw_true_block(
-    certificate: CrenellatedBlock, sd_mm: float, rng: np.random.Generator
+    certificate: CrenellatedBlock,
+    sd_mm: float,
+    rng: np.random.Generator,
+    tolerance_mm: float | None = None,
 ) -> CrenellatedBlock:
-    """The block as truly made: each size off its certificate by a few micrometres."""
+    """The block as truly made: each size off its certificate by a few micrometres, or anywhere
+    within its tolerance."""
 
     def near(value: float) -> float:
+        if tolerance_mm is not None:
+            return float(value + rng.uniform(-tolerance_mm, tolerance_mm))
         return float(value + rng.normal(0.0, sd_mm)) if sd_mm else value
 
     return CrenellatedBlock(

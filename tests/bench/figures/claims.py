@@ -11,6 +11,7 @@ from tests.bench.figures.tolerances import count_of, exactly, mean_of, rms_of, w
 SOLVES = Command("crenel bench calibration --solves 1000")
 ARTICLE = Command("crenel bench paper --arms 3")
 ARMS = Command("python -m tests.bench.arms")
+DRAWINGS = Command("python -m tests.bench.nominal_block --solves 60 --sessions 0")
 DETECTION = Command("crenel bench detection --seed 5000")
 CLAIMED = "Claimed and observed uncertainty"
 THOUSAND = rms_of(1000, "solves")
@@ -99,4 +100,19 @@ def detection() -> Iterator[Figure]:
         yield figure(what, (label, 1), at(key), better, tolerance, also)
 
 
-FIGURES = (*claims(), *article(), *arms(), *detection())
+def drawings() -> Iterator[Figure]:
+    figure = Section(DRAWINGS, "A block known by its drawing")
+    sixty = rms_of(60, "solves")
+    for label, name in (("three faces touched", "3 faces"), ("five faces touched", "5 faces")):
+        found, drawn = f"{name}, edges estimated", f"{name}, drawing as certificate"
+        for column, row, key, better in (
+            ("a point, edges estimated", found, "point, rms µm", SMALLER),
+            ("drawing as certificate", drawn, "point, rms µm", AS_PRINTED),
+            ("claimed / observed, point", found, "claimed / observed", NEAR_ONE),
+            ("edges, rms", found, "edges, rms µm", SMALLER),
+            ("claimed / observed, edges", found, "edges, claimed / obs.", NEAR_ONE),
+        ):
+            yield figure(f"{label}: {column}", (label, column), at(row, key), better, sixty)
+
+
+FIGURES = (*claims(), *drawings(), *article(), *arms(), *detection())

@@ -8,6 +8,7 @@ import pytest
 from app.bench.metrology.calibration import SET_UPS, bound_adjustment, run
 from app.bench.metrology.simulated import Draw, SetUp, draw_session, draw_setup
 from app.errors import OperationError
+from app.metrology.adjustment.block.nominal_block import estimate_block
 from app.metrology.adjustment.core.gauss_newton import solve_adjustment
 from app.metrology.adjustment.core.hand_eye import mounting_by_motion
 from app.metrology.adjustment.core.linearise import linearise
@@ -145,3 +146,20 @@ def test_the_camera_of_a_state_is_its_own_frame(draw: Draw) -> None:
     camera = solve_adjustment(draw.problem, draw.start).state.camera
     np.testing.assert_array_equal(camera.rotation, np.eye(3))
     np.testing.assert_array_equal(camera.translation_mm, np.zeros(3))
+
+
+def test_edges_of_a_drawing_are_estimated_beside_the_calibration() -> None:
+    faces = ("crest", "front", "back", "left", "right")
+    setup = SetUp("drawn", 4, faces=faces, tolerance_mm=0.1, seed=31)
+    draw = draw_session(draw_setup(setup), np.random.default_rng(31))
+    found = solve_adjustment(draw.problem, draw.start)
+    made = estimate_block(found)
+    edges = slice(0, len(draw.truth.coordinates) - 5)
+    off_mm = (found.state.coordinates - draw.truth.coordinates)[edges]
+    drawn_off_mm = (draw.problem.prior.coordinates - draw.truth.coordinates)[edges]
+    assert np.std(off_mm) < 0.1 * np.std(drawn_off_mm)
+    assert np.max(np.abs(off_mm - off_mm.mean()) / made.sd_mm[edges]) < 5
+    assert not made.undetermined
+    touched_less = replace(setup, faces=("crest", "front", "left"), poses=1)
+    draw = draw_session(draw_setup(touched_less), np.random.default_rng(32))
+    assert "width" in estimate_block(solve_adjustment(draw.problem, draw.start)).undetermined

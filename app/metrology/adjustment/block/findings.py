@@ -7,6 +7,7 @@ import numpy as np
 
 from app.messages.limits import beside_limit
 from app.messages.message import message, quantity
+from app.metrology.adjustment.block.nominal_block import nominal_findings
 from app.metrology.adjustment.core.gauss_newton import AdjustmentResult
 from app.metrology.adjustment.core.observations import BlockObservation
 from app.metrology.adjustment.core.uncertainty import CalibrationUncertainty
@@ -60,6 +61,7 @@ def block_findings(evidence: BlockEvidence) -> tuple[CalibrationFinding, ...]:
         ),
         *contact_findings(evidence.alignment, evidence.features, evidence.limits),
         *block_fault_findings(evidence.result, evidence.limits),
+        *nominal_findings(evidence.block, evidence.result),
         *_pose_findings(evidence),
         *_arm_findings(evidence),
         *_image_findings(evidence),

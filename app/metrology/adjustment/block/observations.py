@@ -99,8 +99,7 @@ def block_prior(block: Crenellated) -> TargetPrior:
     count = len(block.edges_x_mm)
     names = tuple(f"edge_x:{i}" for i in range(count))
     names += ("front_y", "back_y", "crest_z", "floor_z", "base_z")
-    sd = max(block.standard_uncertainty_mm, LEAST_CERTIFICATE_MM)
-    return TargetPrior(names, coordinates(block), np.full(len(names), sd))
+    return TargetPrior(names, coordinates(block), np.maximum(block.sds_mm, LEAST_CERTIFICATE_MM))
 
 
 def block_contacts(

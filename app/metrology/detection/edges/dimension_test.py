@@ -142,7 +142,7 @@ def find_unobserved_planes(found: EdgeMeasurements) -> tuple[tuple[int, int], ..
     """
     faces = planes(found.frame)
     rows = np.flatnonzero(found.used)
-    sensitive = (np.abs(_shift_effects(found, rows, faces)) > _SENSITIVE_PX).sum(axis=0)
+    sensitive = (np.abs(shift_effects(found, rows, faces)) > _SENSITIVE_PX).sum(axis=0)
     count = dict.fromkeys(range(3), 0)
     hidden = []
     for (axis, _, _), points in zip(faces, sensitive, strict=True):
@@ -175,7 +175,7 @@ def _gather_pieces(
     _, effects = residuals_with_jacobian(
         camera, at.points_mm[rows], found.uv_px[rows], at.normal[rows]
     )
-    effects = np.column_stack([effects[:, list(free)], _shift_effects(found, rows, faces)])
+    effects = np.column_stack([effects[:, list(free)], shift_effects(found, rows, faces)])
     depth = at.points_mm[rows] @ camera.rotation[2] + camera.translation_mm[2]
     certificate_px = certificate_mm * camera.matrix[0, 0] / depth
     weight = 1 / found.sigma_along_px[rows] ** 2
@@ -199,7 +199,7 @@ def _gather_pieces(
     )
 
 
-def _shift_effects(
+def shift_effects(
     found: EdgeMeasurements,
     rows: NDArray[np.int64],
     faces: list[tuple[int, float, tuple[int, ...]]],
