@@ -26,6 +26,7 @@ from app.cli.batch_options import (
 )
 from app.cli.bench import bench
 from app.cli.certificate import certificate
+from app.cli.design import design
 from app.cli.drift import drift
 from app.cli.fleet.catalogue import catalogue
 from app.cli.performance import performance
@@ -295,3 +296,4 @@ cli.add_typer(bench, name="bench")
 cli.add_typer(catalogue, name="catalogue")
 cli.add_typer(performance, name="performance")
 cli.add_typer(certificate, name="certificate")
+cli.add_typer(design, name="design")

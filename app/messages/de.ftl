@@ -224,6 +224,7 @@ arm-place-title =
        *[seat] Pfanne { $number }
     }
 arm-poses-other-setting = Die Posen des Messarms unter { $url } gelten für die Einstellung { $setting } von Werkzeug und Koordinatensystem statt für { $expected }
+arm-reaches-no-place-for-block = { $arm } erreicht keine Stelle auf einem Tisch, an der sich der Zinnenkörper antasten und der Sensor über ihn halten lässt
 arm-refuses-pulse-rate = Der Messarm unter { $url } kann nicht mit { $rate } auslösen
 arm-reports-joints =
     Der Messarm unter { $url } meldet { $joints ->
@@ -417,6 +418,7 @@ belongs-another-step-verification-stands =
 beyond-limit = Grenzwert überschritten
 bits-expected = erwartet werden 8 oder 16 Bit
 bits-per-pixel = { $bits } Bit je Pixel
+block-as-drawn = wie gezeichnet, gefertigt auf ± { $value }
 block-corner =
     { $level ->
         [crest] Zinne { $number }
@@ -437,6 +439,8 @@ block-dimension =
     }
 block-dimensions-open = Weder Bilder noch Antastpunkte zeigen vom Block: { $names }; dort zählt die Toleranz.
 block-edges-estimated = Vom Block ist nur die Zeichnung bekannt: seine Kanten wurden mit der Kalibrierung geschätzt. Sie liegen bis zu { $beside } neben der Zeichnung, mit einer Standardunsicherheit von { $known }, die in allen Posen dieselbe ist.
+block-measured-to = gemessen auf { $value } (k = 1)
+block-needs-depth = Zinnen und Nutgründe des Zinnenkörpers müssen zugleich scharf sein.
 board-bends-over-pattern-allowed = Die Tafel ist über das Muster um { $bend } durchgebogen; das ist berücksichtigt.
 board-bends-over-pattern-flat-expected = Die Tafel ist über das Muster um { $bend } durchgebogen; erwartet wurde eine Ebenheit von { $flatness }.
 board-has-corners = „{ $name }“ hat { $columns } × { $rows }
@@ -697,6 +701,7 @@ check-robot-network = Prüfen, ob die Robotersteuerung eingeschaltet ist; Adress
 check-robot-on-and-clients = Prüfen, ob die Steuerung eingeschaltet ist und nicht zu viele andere Programme mit ihr verbunden sind.
 check-sensor = Temperaturfühler prüfen.
 check-sensor-address = Korrigieren Sie address oder serial_number in der Tabelle [sensor] von station.toml
+check-sensor-numbers = Messfeld, Arbeitsabstand und Schärfentiefe des Sensors prüfen.
 check-sensor-path = { "[" }sensor] path prüfen.
 check-sensor-source = { "[" }sensor] source prüfen.
 check-sensors-cable-close-other-programs = Kabel des Sensors prüfen oder andere Programme schließen.
@@ -1111,8 +1116,23 @@ deleted = { $name } wurde gelöscht
 deleted-scan = Scan gelöscht
 denavit-hartenberg-parameters-do-same = die Denavit-Hartenberg-Parameter haben dieselbe Wirkung
 depth-mm = Tiefe, mm
+depth-of-field-too-small = die Schärfentiefe ist { $depth }, bei diesem Messfeld müssen es mindestens { $least } sein
 described-a-camera = beschrieb eine Kamera
 described-an-arm = beschrieb einen Messarm
+design-compares-blocks = Zinnenkörper werden verglichen
+design-edge-break = Kanten gebrochen um höchstens
+design-give-pixels-and-standoff = Als Optionen angeben, oder eine sensor.json, in der sie stehen.
+design-groove-depth = Tiefe der Nuten
+design-grooves = Nuten, von links
+design-height = Höhe
+design-length = Länge der Nuten
+design-merlons = Zinnen, von links
+design-mirror = Abstand vom eigenen Spiegelbild
+design-needs-pixels-and-standoff = die Bildgröße (mindestens 64 × 64 Pixel) und der Arbeitsabstand des Sensors werden gebraucht
+design-plans-poses = Posen und Antastpunkte werden geplant
+design-predicts-accuracy = Genauigkeit wird vorausberechnet
+design-tolerance = Toleranz, wenn wie gezeichnet verwendet
+design-width = Breite
 determine-delay-again-pass-close = Den Zeitversatz neu bestimmen, aus einer Überfahrt kurz vor oder nach dem Scan
 deviations-distances-one = Abweichungen sind Abstände von einer Form
 deviations-of-places = Abweichungen der 25 Stellen
@@ -1185,6 +1205,14 @@ does-take-notifications-given-up = { $host } nimmt keine Benachrichtigungen an: 
 done = Fertig
 draw-over-part-cloud = das Rechteck über einen Teil der Punktwolke ziehen
 draw-pictures-of-each-folder-apart = Die Bilder jedes Ordners für sich zeichnen
+drawing-edges = Kanten scharf: gratfrei, höchstens { $largest } gebrochen.
+drawing-flat = Flächen eben sowie parallel oder rechtwinklig zueinander, innerhalb von { $within }.
+drawing-front-view = Vorderansicht
+drawing-material = Aluminium oder Stahl, spannungsarm; alle Maße bei 20 °C, in mm.
+drawing-scale = Maßstab { $scale } (A4)
+drawing-side-view = Seitenansicht
+drawing-surface = Alle Flächen hell, gleichmäßig und matt (zum Beispiel glasperlengestrahlt), ohne glänzende Bearbeitungsspuren.
+drawing-tolerance = Maße ± { $tolerance }, wenn der Zinnenkörper wie gezeichnet verwendet wird; ± { $loose } genügen, wenn ein Labor danach jedes Maß misst.
 drifting-delay-ended-with-restart = Der Zeitversatz zwischen Messarm und Kamera driftet und gilt nach dem Neustart nicht mehr. Unter Einstellungen neu bestimmen.
 driver-cannot-be-loaded = Der Treiber { $name } ({ $table }) aus { $package } lässt sich nicht laden: { $kind }: { $error }
 driver-not-callable = Der Treiber { $name } ({ $table }) aus { $package } lässt sich nicht aufrufen: { $value }
@@ -1215,6 +1243,7 @@ duration-minutes =
         [one] { $count } Minute
        *[other] { $count } Minuten
     }
+dxf-requires-package = DXF braucht das Paket ezdxf
 each-point-needs-three-coordinates-one = jeder Punkt braucht drei Koordinaten und ein Pixel (u, v)
 each-point-swing-about-middle-all = Jeder Punkt des Schwenks relativ zur Mitte aller Punkte, im Koordinatensystem des Messarms.
 each-touchs-distance-sphere = Abstand jedes Antastpunkts von der Kugel
@@ -1417,6 +1446,7 @@ name-columns-by-unit =
 name-dh-columns = Nennen Sie die Spalten in einer ersten Zeile, etwa: joint, a [mm], alpha [deg], d [mm], theta [deg]
 name-frame-otherwise-than-base = Dem Koordinatensystem einen anderen Namen als base geben
 no-arm-has-such-lengths = so klein oder groß ist kein Arm
+no-block-fits-sensor = kein Zinnenkörper, der sich fertigen und antasten lässt, passt in dieses Messfeld und diese Schärfentiefe
 no-dh-table = Der Text enthält keine Denavit-Hartenberg-Tabelle
 no-picture-between-readings = kein Bild von { $path } liegt zwischen zwei Messwerten von { $readings }, die dicht beieinander liegen
 no-picture-of-folder-can-be-used = keines der { $count } Bilder ist verwendbar; das erste: { $first }
@@ -1430,6 +1460,7 @@ picture-of-pixels = { $width_px } × { $height_px } Pixel
 one-of-points-off = Mindestens einer der Punkte { $points } liegt neben der Fläche
 others-cannot-tell-which = die übrigen zeigen nicht, welcher
 places-held-out-agree-too-well = in der Kreuzvalidierung weichen die Positionen nur um das { $times }-Fache des angegebenen Rauschens ab: standard_uncertainty_mm ist zu groß oder in einer anderen Einheit
+plus-minus = ± { $uncertainty }
 point-off-surface-left-out = Punkt { $index } liegt { $off } neben der Fläche der übrigen. Er ist ausgeschlossen.
 point-off-others = Punkt { $index } liegt { $off } neben der Ebene der anderen Punkte { $where }.
 point-taken-for = Punkt { $index }, gemeint { $where }; noch nicht beurteilt.
@@ -1450,6 +1481,7 @@ poses-agree-read-otherwise =
        *[after] { $agree } von { $count } Posen stimmen auf { $apart } mit den Bildern von „{ $name }“ überein, wenn jede zum Bild davor gehört; mit dem eigenen nicht
     }
 probe = Taster
+range-too-large-for-standoff = ein Messfeld von { $field } und eine Schärfentiefe von { $depth } gehören nicht zu einem Arbeitsabstand von { $standoff }
 readings-are-apart = die Messwerte liegen im Mittel { $period } auseinander; über mehr als { $longest } wird nicht interpoliert
 no-picture-of-folder-has-a-line = keines der { $count } Bilder zeigt eine Linie; das erste: { $first }
 no-picture-within-readings = kein Bild von { $path } wurde während der Messwerte von { $readings } aufgenommen, von { $begin } bis { $end }
@@ -3338,7 +3370,6 @@ plate-in-one-orientation = die Platte wurde nicht in { $count } Ausrichtungen ge
 plate-scan-too-narrow = der Scan zeigt nur einen { $width } breiten Streifen der Platte; nötig sind { $least }
 plate-was-not-scanned = die Platte wurde nicht gescannt
 plug-right-arm-correct-arm-joint = Richtigen Messarm anschließen oder [arm] joint_count berichtigen.
-plus-minus = ± { $uncertainty }
 point = Punkt { $number }, { $place }.
 point-2 = { $face }, Punkt { $index }
 point-again = Das ist erneut Punkt { $point }

@@ -224,6 +224,7 @@ arm-place-title =
        *[seat] Seat { $number }
     }
 arm-poses-other-setting = The poses of the arm at { $url } are in the setting { $setting } of tool and coordinate system instead of { $expected }
+arm-reaches-no-place-for-block = { $arm } reaches no place on a table from which the block can be touched and the sensor held over it
 arm-refuses-pulse-rate = The arm at { $url } cannot trigger at { $rate }
 arm-reports-joints =
     The arm at { $url } reports { $joints ->
@@ -417,6 +418,7 @@ belongs-another-step-verification-stands =
 beyond-limit = Beyond the limit
 bits-expected = 8 or 16 bits are expected
 bits-per-pixel = { $bits } bits per pixel
+block-as-drawn = as drawn, made to ± { $value }
 block-corner =
     { $level ->
         [crest] crest { $number }
@@ -437,6 +439,8 @@ block-dimension =
     }
 block-dimensions-open = Neither pictures nor contact points tell the block's { $names }: the tolerance counts there.
 block-edges-estimated = Only the drawing of the block is known: its edges were estimated with the calibration. They lie up to { $beside } beside the drawing, with a standard uncertainty of { $known }, which is the same in all poses.
+block-measured-to = measured to { $value } (k = 1)
+block-needs-depth = Crests and floors of a block must both be sharp.
 board-bends-over-pattern-allowed = The board is bent by { $bend } over the pattern; the calibration allows for it.
 board-bends-over-pattern-flat-expected = The board is bent by { $bend } over the pattern; its certificate states a flatness of { $flatness }.
 board-has-corners = { $name } has { $columns } × { $rows }
@@ -697,6 +701,7 @@ check-robot-network = Check that the robot's controller is on, its address, the 
 check-robot-on-and-clients = Check that the controller is on, and that not too many other programs are connected to it.
 check-sensor = Check the sensor.
 check-sensor-address = Correct address or serial_number in the table [sensor] of station.toml
+check-sensor-numbers = Check the field of view, the stand-off and the depth of field of the sensor.
 check-sensor-path = Check [sensor] path.
 check-sensor-source = Check [sensor] source.
 check-sensors-cable-close-other-programs = Check the sensor's cable, or close other programs.
@@ -1107,8 +1112,23 @@ deleted = { $name } was deleted
 deleted-scan = deleted a scan
 denavit-hartenberg-parameters-do-same = the Denavit-Hartenberg parameters have the same effect
 depth-mm = depth, mm
+depth-of-field-too-small = the depth of field is { $depth }, and must be { $least } at least for this field of view
 described-a-camera = described a camera
 described-an-arm = described an arm
+design-compares-blocks = Comparing blocks
+design-edge-break = edges broken by at most
+design-give-pixels-and-standoff = Give them as options, or a sensor.json that has them.
+design-groove-depth = depth of the grooves
+design-grooves = grooves, from the left
+design-height = height
+design-length = length of the grooves
+design-merlons = merlons, from the left
+design-mirror = off its mirror image by
+design-needs-pixels-and-standoff = the picture's size (64 × 64 pixels or more) and the stand-off of the sensor are needed
+design-plans-poses = Planning poses and contact points
+design-predicts-accuracy = Predicting the accuracy
+design-tolerance = tolerance, if used as drawn
+design-width = width
 determine-delay-again-pass-close = Determine the delay again, from a pass shortly before or after the scan
 deviations-distances-one = deviations are distances from a shape
 deviations-of-places = Deviations of the 25 places
@@ -1181,6 +1201,14 @@ does-take-notifications-given-up = { $host } does not accept notifications: { $t
 done = Done
 draw-over-part-cloud = draw it over a part of the cloud
 draw-pictures-of-each-folder-apart = Draw the pictures of each folder apart
+drawing-edges = Edges sharp: free of burrs, broken by { $largest } at most.
+drawing-flat = Faces flat, and parallel or square to each other, within { $within }.
+drawing-front-view = Front
+drawing-material = Aluminium or steel, stress-relieved; all sizes at 20 °C, in mm.
+drawing-scale = Scale { $scale } (A4)
+drawing-side-view = Side
+drawing-surface = All faces bright, even and matt (for example bead-blasted), without glossy tool marks.
+drawing-tolerance = Sizes ± { $tolerance } if the block is used as drawn; ± { $loose } is enough if a laboratory then measures every size.
 drifting-delay-ended-with-restart = The delay between arm and camera drifts, and ended with the restart. Determine it again under Settings.
 driver-cannot-be-loaded = The { $table } driver { $name } of { $package } cannot be loaded: { $kind }: { $error }
 driver-not-callable = The { $table } driver { $name } of { $package } is not callable: { $value }
@@ -1211,6 +1239,7 @@ duration-minutes =
         [one] { $count } minute
        *[other] { $count } minutes
     }
+dxf-requires-package = DXF needs the package ezdxf
 each-point-needs-three-coordinates-one = each point requires three coordinates and one pixel (u, v)
 each-point-swing-about-middle-all = Each point of the swing relative to the mean of all points, in the arm frame.
 each-touchs-distance-sphere = Distance of each contact point from the sphere
@@ -1413,6 +1442,7 @@ name-columns-by-unit =
 name-dh-columns = Name the columns in a first line, such as: joint, a [mm], alpha [deg], d [mm], theta [deg]
 name-frame-otherwise-than-base = Give the frame another name than base
 no-arm-has-such-lengths = no arm is so small or so large
+no-block-fits-sensor = no block that can be made and touched fits into this field of view and depth of field
 no-dh-table = There is no Denavit-Hartenberg table in the text
 no-picture-between-readings = no picture of { $path } lies between two readings of { $readings } that are close together
 no-picture-of-folder-can-be-used = none of the { $count } pictures can be used; the first: { $first }
@@ -1426,6 +1456,7 @@ picture-of-pixels = { $width_px } × { $height_px } pixels
 one-of-points-off = At least one of the points { $points } is off the surface
 others-cannot-tell-which = the others cannot tell which
 places-held-out-agree-too-well = in cross-validation the places deviate by only { $times } times the stated noise: standard_uncertainty_mm is too large, or in another unit
+plus-minus = ± { $uncertainty }
 point-off-surface-left-out = Point { $index } is { $off } off the surface of the others. It is excluded.
 point-off-others = Point { $index } lies { $off } off the plane of the other points { $where }.
 point-taken-for = Point { $index }, meant { $where }; not judged yet.
@@ -1446,6 +1477,7 @@ poses-agree-read-otherwise =
        *[after] { $agree } of { $count } poses agree with the pictures of { $name } to { $apart } if each belongs to the picture before; with their own, they contradict
     }
 probe = Probe
+range-too-large-for-standoff = a field of view of { $field } and a depth of field of { $depth } do not belong to a stand-off of { $standoff }
 readings-are-apart = the readings are { $period } apart on average; nothing is interpolated over more than { $longest }
 no-picture-of-folder-has-a-line = none of the { $count } pictures shows a line; the first: { $first }
 no-picture-within-readings = no picture of { $path } was taken during the readings of { $readings }, from { $begin } to { $end }
@@ -3329,7 +3361,6 @@ plate-in-one-orientation = the plate was not scanned in { $count } orientations
 plate-scan-too-narrow = the scan shows a strip of the plate only { $width } wide; { $least } are needed
 plate-was-not-scanned = the plate was not scanned
 plug-right-arm-correct-arm-joint = Connect the right arm, or correct [arm] joint_count.
-plus-minus = ± { $uncertainty }
 point = Point { $number }, { $place }.
 point-2 = { $face }, point { $index }
 point-again = This is point { $point } again

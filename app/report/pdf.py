@@ -2,7 +2,6 @@
 
 import io
 from collections.abc import Sequence
-from functools import cache
 from html import escape
 
 from reportlab.lib.colors import Color, HexColor
@@ -10,8 +9,6 @@ from reportlab.lib.enums import TA_LEFT, TA_RIGHT
 from reportlab.lib.pagesizes import A4
 from reportlab.lib.styles import ParagraphStyle
 from reportlab.lib.units import mm
-from reportlab.pdfbase import pdfmetrics
-from reportlab.pdfbase.ttfonts import TTFont
 from reportlab.pdfgen.canvas import Canvas
 from reportlab.platypus import (
     CondPageBreak,
@@ -24,7 +21,7 @@ from reportlab.platypus import (
 )
 from reportlab.platypus import Table as Grid
 
-from app.messages.catalogue import TURNING, Render, renderer
+from app.messages.catalogue import Render, renderer
 from app.messages.message import message
 from app.report.content import (
     Block,
@@ -38,10 +35,10 @@ from app.report.content import (
     TextBlock,
 )
 from app.report.figure import FAINT, INK, SOFT
-from app.report.fonts import REGULAR, SEMIBOLD
 from app.report.formatting import join_units
 from app.report.html import MARKS, producer_text
 from app.report.pdf_figure import BOLD, PLAIN, Drawing
+from app.report.pdf_fonts import register_fonts, replace_missing
 
 MARGIN = 16 * mm
 WIDTH = A4[0] - 2 * MARGIN
@@ -60,7 +57,7 @@ LEAST_SPACE = 45 * mm
 
 def pdf_document(report: Report[str]) -> bytes:
     """The whole file."""
-    _fonts()
+    register_fonts()
     # each page has the total number of pages, which is known after the layout
     _, pages = _lay_out(report, 0)
     return _lay_out(report, pages)[0]
@@ -82,7 +79,7 @@ def _lay_out(report: Report[str], pages: int) -> tuple[bytes, int]:
         lang=report.language,
         invariant=1,
     )
-    foot = _replace_missing(f"{report.title} {report.number}")
+    foot = replace_missing(f"{report.title} {report.number}")
 
     def footer(canvas: Canvas, own: SimpleDocTemplate) -> None:
         canvas.setFont(PLAIN, 7)
@@ -101,24 +98,6 @@ def _lay_out(report: Report[str], pages: int) -> tuple[bytes, int]:
     return file.getvalue(), document.page
 
 
-@cache
-def _fonts() -> frozenset[int]:
-    """Registers the fonts once; returns their characters."""
-    regular = TTFont(PLAIN, REGULAR)
-    pdfmetrics.registerFont(regular)
-    pdfmetrics.registerFont(TTFont(BOLD, SEMIBOLD))
-    pdfmetrics.registerFontFamily(PLAIN, normal=PLAIN, bold=BOLD, italic=PLAIN, boldItalic=BOLD)
-    return frozenset(regular.face.charToGlyph)
-
-
-def _replace_missing(text: str) -> str:
-    """The text with a box for each character that the font lacks, or that changes the text
-    direction."""
-    known = _fonts()
-    boxed = TURNING.sub("□", text)
-    return "".join(c if ord(c) in known else " " if c.isspace() else "□" for c in boxed)
-
-
 def _style(size: float, colour: str, bold: bool, right: bool) -> ParagraphStyle:
     return ParagraphStyle(
         "own",
@@ -134,7 +113,7 @@ def _paragraph(
     text: str, size: float = 8.5, colour: str = INK, bold: bool = False, right: bool = False
 ) -> Paragraph:
     return Paragraph(
-        escape(_replace_missing(join_units(text)), quote=False), _style(size, colour, bold, right)
+        escape(replace_missing(join_units(text)), quote=False), _style(size, colour, bold, right)
     )
 
 

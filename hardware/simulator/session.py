@@ -80,6 +80,9 @@ class SessionPlan:
     """Nobody measured the block: it is made within this, and ``object.json`` is its drawing."""
     merlons: int | None = None
     encoder_noise: bool = True
+    tilts_deg: Sequence[tuple[float, float, float]] = ()
+    """How the sensor is turned about the block's X, Y and Z in each pose; where not given, at
+    random and by little."""
     detector: Detector = field(default_factory=Detector)
     light: Light = field(default_factory=Light)
 
@@ -170,7 +173,11 @@ def render_session(
         UnreachableError: the arm cannot do the session; take another seed.
     """
     plan = plan or SessionPlan()
-    rig = draw_rig(seed, plan, block, arm)
+    return render_rig_session(folder, seed, draw_rig(seed, plan, block, arm), plan)
+
+
+def render_rig_session(folder: Path, seed: int, rig: SimulatedRig, plan: SessionPlan) -> JsonObject:
+    """A session of a given arm, sensor and block; as ``render_session``."""
     rng = np.random.default_rng(seed + 77_000)
     (folder / "images").mkdir(parents=True, exist_ok=True)
     write_document(folder / "arm.json", arm_datasheet(rig.nominal_arm))
@@ -210,7 +217,9 @@ def _take_images(
     rows: list[list[object]] = []
     q = np.zeros(rig.arm.joint_count)
     for pose in range(plan.poses):
-        T_arm_sensor, q = _draw_reachable_pose(rig, 1.0 if pose == 0 else 3.0, q, rng)
+        turned = plan.tilts_deg[pose] if plan.tilts_deg else None
+        spread = 1.0 if pose == 0 or turned is not None else 3.0
+        T_arm_sensor, q = _draw_reachable_pose(rig, spread, q, rng, turned)
         degrees = np.degrees(_encoder_readings_rad(rig, plan, q, rng)).tolist()
         for lighting, room, laser in kinds:
             name = f"images/pose{pose:02d}_{lighting}.png"
@@ -220,11 +229,18 @@ def _take_images(
 
 
 def _draw_reachable_pose(
-    rig: SimulatedRig, spread: float, q_rad: Floats, rng: np.random.Generator
+    rig: SimulatedRig,
+    spread: float,
+    q_rad: Floats,
+    rng: np.random.Generator,
+    turned_deg: tuple[float, float, float] | None = None,
 ) -> tuple[Floats, Floats]:
     """A sensor pose over the block, and joint angles for it."""
     for _ in range(TRIES):
         T_arm_sensor = draw_sensor_pose(rig, rng, spread)
+        if turned_deg is not None:
+            for axis, angle in zip("zyx", turned_deg[::-1], strict=True):
+                T_arm_sensor = T_arm_sensor @ rotation_about(axis, float(np.radians(angle)))
         with suppress(UnreachableError):
             target = T_arm_sensor @ np.linalg.inv(rig.T_flange_sensor)
             return T_arm_sensor, solve_joints(rig.arm, target, q_rad, rng)

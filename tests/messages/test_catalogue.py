@@ -28,7 +28,7 @@ from app.messages.message import (
     word,
 )
 from app.report.html import escape
-from app.report.pdf import _replace_missing
+from app.report.pdf_fonts import replace_missing
 from tests.sources import READS_TREE, name_of, python_files, reads_tree
 
 pytestmark = READS_TREE
@@ -138,7 +138,7 @@ def test_a_text_with_names_in_any_script(text: str, shown: str) -> None:
 def test_reports_isolate_whatever_they_show() -> None:
     assert escape(f"{HEBREW} <12>") == f"\u2068{HEBREW}\u2069 &lt;12&gt;"
     assert "\u202e" not in escape("a\u202eb")
-    assert _replace_missing("a\u202eb") == "a□b"
+    assert replace_missing("a\u202eb") == "a□b"
 
 
 def test_a_missing_value_leaves_the_rest() -> None:

@@ -24,7 +24,7 @@ IRREGULAR = frozenset(
 REGULAR = re.compile(r"^(?!need|seed|feed|speed|exceed|embed|proceed|succeed|shed)\w+ed$")
 QUANTITIES = frozenset(
     # an adjective before its noun, or with the noun "quantity" left out
-    ("bound_adjustment", "saturated_rms_px", "signed", "rounded")
+    ("saturated_rms_px", "signed", "rounded")
 )
 
 RETIRED = frozenset(

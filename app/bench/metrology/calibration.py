@@ -17,12 +17,10 @@ import numpy as np
 from app.bench.metrology.simulated import Draw, SetUp, draw_session, draw_setup
 from app.metrology.adjustment.core.gauss_newton import (
     AdjustmentResult,
-    free_covariance,
     solve_adjustment,
 )
-from app.metrology.adjustment.core.linearise import assemble_normal_equations, linearise
-from app.metrology.adjustment.core.parameters import LENS, SENSOR, AdjustmentState, parameter_layout
-from app.metrology.adjustment.core.robust_weights import RobustWeights
+from app.metrology.adjustment.core.information import information_at
+from app.metrology.adjustment.core.parameters import SENSOR, AdjustmentState
 from app.metrology.adjustment.core.uncertainty import (
     Volume,
     measuring_volume,
@@ -114,7 +112,7 @@ def run(
     for i, setup in enumerate(setups):
         station = draw_setup(setup)
         reference = draw_session(station, np.random.default_rng(0), noisy=False)
-        exact = bound_adjustment(reference, setup.scales)
+        exact = information_at(reference.problem, reference.truth, setup.scales)
         volume = measuring_volume(exact)
         done, failed = [], 0
         for trial in range(solves):
@@ -127,29 +125,6 @@ def run(
                 progress((i + trial / solves) / len(setups), f"{setup.name}: {refusal}")
         results.append(_summarise(setup, exact, volume, done, failed))
     return results
-
-
-def bound_adjustment(reference: Draw, scales: Scales) -> AdjustmentResult:
-    """The adjustment's normal matrix at the truth, with true weights: the inverse of its sum
-    is the (Bayesian) Cramér-Rao bound for all unknowns."""
-    problem, state = reference.problem, reference.truth
-    at = parameter_layout(problem)
-    linear = linearise(problem, at, state)
-    judgements = tuple(
-        (_unit_weights(len(shape.sigma)), _unit_weights(len(stripe.sigma)))
-        for shape, stripe in linear.rows
-    )
-    parts, _ = assemble_normal_equations(linear, judgements).with_scales(scales)
-    free = np.ones(at.count, dtype=np.bool_)
-    free[np.arange(LENS.start, LENS.stop)] = state.camera.distortion[:4] != 0
-    covariance = free_covariance(np.sum(list(parts.values()), axis=0), free)
-    return AdjustmentResult(
-        linear, scales, free, covariance, parts, judgements, scales_estimated=False
-    )
-
-
-def _unit_weights(count: int) -> RobustWeights:
-    return RobustWeights(np.ones(count, np.bool_), np.ones(count))
 
 
 def _solve_draw(draw: Draw, exact: AdjustmentResult, volume: Volume) -> _Solve:

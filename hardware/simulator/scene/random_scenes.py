@@ -151,14 +151,13 @@ def random_arm(rng: np.random.Generator, joints: int = 6) -> ArmModel:
     )
 
 
-def random_mounting(rng: np.random.Generator) -> Floats:
+def random_mounting(rng: np.random.Generator, standoff_mm: float = 125.0) -> Floats:
     """``T_flange_sensor`` (4, 4): the sensor below the flange, looking along its axis."""
     turn = np.eye(4)
     for axis in "xyz":
         turn = turn @ rotation_about(axis, float(rng.normal(0.0, 0.08)))
-    place = translation(
-        float(rng.uniform(-6, 6)), float(rng.uniform(-64, -50)), float(rng.uniform(205, 225))
-    )
+    x, y = float(rng.uniform(-6, 6)), float(rng.uniform(-64, -50))
+    place = translation(x, y, float(rng.uniform(standoff_mm + 80, standoff_mm + 100)))
     return np.asarray(place @ np.diag([1.0, -1.0, -1.0, 1.0]) @ turn)
 
 

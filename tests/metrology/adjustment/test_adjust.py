@@ -5,12 +5,13 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from app.bench.metrology.calibration import SET_UPS, bound_adjustment, run
+from app.bench.metrology.calibration import SET_UPS, run
 from app.bench.metrology.simulated import Draw, SetUp, draw_session, draw_setup
 from app.errors import OperationError
 from app.metrology.adjustment.block.nominal_block import estimate_block
 from app.metrology.adjustment.core.gauss_newton import solve_adjustment
 from app.metrology.adjustment.core.hand_eye import mounting_by_motion
+from app.metrology.adjustment.core.information import information_at
 from app.metrology.adjustment.core.linearise import linearise
 from app.metrology.adjustment.core.parameters import SENSOR, parameter_layout
 from app.metrology.adjustment.core.uncertainty import (
@@ -106,7 +107,7 @@ def test_more_poses_are_known_better() -> None:
     for poses in (1, 4, 8):
         setup = SetUp("", poses, seed=7)
         draw = draw_session(draw_setup(setup), np.random.default_rng(0), noisy=False)
-        exact = bound_adjustment(draw, setup.scales)
+        exact = information_at(draw.problem, draw.truth, setup.scales)
         claims.append(estimate_uncertainty(exact, np.eye(4)).total_um)
     assert claims[0] > claims[1] > claims[2]
 

@@ -105,7 +105,8 @@ def estimate_uncertainty(found: AdjustmentResult, T_cam_sensor: Floats) -> Calib
     volume = measuring_volume(found)
     J = sensor_jacobian(found.state, volume.uv_px)
     squares = {
-        source: _squares(J, C[SENSOR, SENSOR]) for source, C in covariance_by_source(found).items()
+        source: error_squares(J, C[SENSOR, SENSOR])
+        for source, C in covariance_by_source(found).items()
     }
     total = np.sum(list(squares.values()), axis=0)
     rows = tuple(
@@ -198,7 +199,7 @@ def uncertainty_map(found: AdjustmentResult, T_cam_sensor: Floats) -> Uncertaint
     usable &= (in_cam[:, 2] > near - margin) & (in_cam[:, 2] < far + margin)
     uv, in_cam = uv[usable], in_cam[usable]
     J = sensor_jacobian(state, uv)
-    u_um = 1e3 * np.sqrt(_squares(J, found.uncertainty[SENSOR, SENSOR]))
+    u_um = 1e3 * np.sqrt(error_squares(J, found.uncertainty[SENSOR, SENSOR]))
     calibrated = (in_cam[:, 2] >= near) & (in_cam[:, 2] <= far)
     return UncertaintyMap(uv, apply(inverse(T_cam_sensor), in_cam), u_um, calibrated)
 
@@ -252,7 +253,7 @@ def _points(state: AdjustmentState, uv_px: Floats) -> Floats:
     return sensor_points(state.camera, state.plane, uv_px)
 
 
-def _squares(J: Floats, covariance: Floats) -> Floats:
+def error_squares(J: Floats, covariance: Floats) -> Floats:
     """Squared length (G,) of the errors of points, mm^2."""
     return np.asarray(np.maximum(np.einsum("gik,kl,gil->g", J, covariance, J), 0.0))
 

@@ -1,0 +1,9 @@
+"""``crenel design``: calibration targets for a sensor, before they are made."""
+
+import typer
+
+from app.cli.design.block import block
+from app.console import FullHelpGroup
+
+design = typer.Typer(cls=FullHelpGroup, help="Design an object for a sensor.", no_args_is_help=True)
+design.command()(block)

@@ -1,0 +1,1 @@
+"""What is made of a designed block: its drawing, and its files."""

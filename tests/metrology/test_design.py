@@ -1,0 +1,99 @@
+"""Blocks for sensors: never their own mirror image, and the accuracy that is stated."""
+
+from dataclasses import replace
+from itertools import pairwise, permutations
+from typing import Literal
+
+import numpy as np
+import pytest
+
+from app.errors import OperationError
+from app.metrology.design.making_tolerance import ToleranceEffect, widest_tolerance_mm
+from app.metrology.design.merlon_widths import merlon_edges, mirror_difference_mm
+from app.metrology.design.propose_block import FILL, assess_block, propose_block
+from app.metrology.design.stripe_sensor import (
+    StripeSensor,
+    nominal_camera,
+    range_points,
+    share_of_picture,
+)
+from app.metrology.design.usual_arm import usual_arm
+from app.metrology.sensor.camera import project
+
+SENSOR = StripeSensor(55.0, 115.0, 20.0, 1280, 1024)
+
+
+def distinction(widths: np.ndarray) -> float:
+    """The least rms by which edges miss the mirror image, shifted or not, and the shifted copy."""
+    edges = np.concatenate([[0.0], np.cumsum(widths)])
+    mirrored = edges[-1] - edges[::-1]
+    pairs = [(edges, mirrored), (edges[:-2], mirrored[2:]), (edges[2:], mirrored[:-2])]
+    pairs.append((edges[2:], edges[:-2]))
+    return float(min(np.std(a - b) for a, b in pairs))
+
+
+def test_hardly_any_order_of_the_widths_is_farther_from_its_mirror_image() -> None:
+    edges = merlon_edges(70.0, 3, 0.5)
+    assert edges is not None
+    widths = np.diff(edges)
+    assert len(set(widths)) == len(widths)
+    own = distinction(widths)
+    others = [distinction(np.array(order)) for order in permutations(widths)]
+    assert own > 0.9 * max(others)
+
+
+def test_a_coarse_grid_has_no_room_for_different_widths() -> None:
+    assert merlon_edges(10.0, 5, 0.5) is None
+
+
+@pytest.mark.parametrize("axis", ["u", "v"])
+def test_the_stripe_runs_along_its_axis(axis: Literal["u", "v"]) -> None:
+    sensor = replace(SENSOR, stripe_axis=axis)
+    uv = project(nominal_camera(sensor), range_points(sensor))
+    ends = project(nominal_camera(sensor), np.array([[-10.0, 0.0, 0.0], [10.0, 0.0, 0.0]]))
+    along, across = np.abs(ends[1] - ends[0])[:: 1 if axis == "u" else -1]
+    assert along == pytest.approx(20.0 / sensor.pixel_mm, rel=0.01)
+    assert across < 1e-6 * along
+    assert len(uv) > 50
+
+
+def test_a_block_fits_its_sensor_and_differs_from_its_mirror_image() -> None:
+    design = propose_block(SENSOR, usual_arm(), "B")
+    block = design.block
+    assert share_of_picture(SENSOR, block) <= FILL
+    assert block.crest_z_mm - block.floor_z_mm <= SENSOR.depth_of_field_mm
+    merlons = [b - a for a, b in zip(block.edges_x_mm[::2], block.edges_x_mm[1::2], strict=True)]
+    assert len(set(merlons)) == len(merlons)
+    assert mirror_difference_mm(block.edges_x_mm) > 0.1 * SENSOR.field_of_view_mm
+    assert design.eight_poses.total_um < design.one_pose.total_um
+    for before, after in pairwise(design.effects[1:]):
+        assert before.one_pose_um < after.one_pose_um
+    worse = assess_block(SENSOR, replace(block, crest_z_mm=block.floor_z_mm + 2.0), usual_arm())
+    assert worse.one_pose.total_um > design.one_pose.total_um
+
+
+def test_the_widest_tolerance_costs_little() -> None:
+    effects = [ToleranceEffect(None, 10.0, 5.0), ToleranceEffect(0.005, 10.1, 5.1)]
+    effects += [ToleranceEffect(0.01, 11.0, 6.2), ToleranceEffect(0.02, 14.0, 6.3)]
+    assert widest_tolerance_mm(effects) == 0.01
+
+
+@pytest.mark.parametrize(
+    "wrong",
+    [
+        replace(SENSOR, depth_of_field_mm=1.0),
+        replace(SENSOR, depth_of_field_mm=250.0),
+        replace(SENSOR, field_of_view_mm=400.0),
+    ],
+)
+def test_numbers_of_no_sensor_are_refused(wrong: StripeSensor) -> None:
+    with pytest.raises(OperationError) as refusal:
+        propose_block(wrong, usual_arm(), "B")
+    assert refusal.value.code == "sensor-numbers"
+
+
+def test_a_sensor_for_which_no_block_can_be_touched_is_refused() -> None:
+    tiny = StripeSensor(4.0, 30.0, 1.0, 1280, 1024)
+    with pytest.raises(OperationError) as refusal:
+        propose_block(tiny, usual_arm(), "B")
+    assert refusal.value.code == "no-block-for-sensor"
