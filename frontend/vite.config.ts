@@ -3,9 +3,10 @@ import { defineConfig } from "vite";
 
 const station = "http://127.0.0.1:8000";
 
-export default defineConfig({
+export default defineConfig(({ command }) => ({
   plugins: [react()],
-  base: "/",
+  // the station puts what is before them into the pages that it sends (app/api/static_files.py)
+  base: command === "build" ? "./" : "/",
   build: {
     outDir: "../app/static",
     emptyOutDir: true,
@@ -30,4 +31,4 @@ export default defineConfig({
       "/viewer": { target: station, ws: true },
     },
   },
-});
+}));

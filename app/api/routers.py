@@ -21,6 +21,7 @@ from app.api import (
 )
 from app.api.access import accounts, auth, provider, tokens
 from app.api.access.authorization import StationRouter
+from app.api.access.sub_path import page_base
 from app.api.monitoring import health, metrics, notifications
 from app.api.sessions import arm, calibration, performance, verification
 from app.api.static_files import file_response, names_a_file, page_response
@@ -42,12 +43,12 @@ def no_such_interface(path: str) -> Response:
 
 
 @client.api_route("/{path:path}", methods=["GET", "HEAD"])
-def client_file(path: str) -> Response:
+def client_file(path: str, request: Request) -> Response:
     """A built file, or the page itself, which finds its own way by the address."""
     found = file_response(path)
     if found is None and names_a_file(path):
         raise HTTPException(404)
-    return found or page_response("index.html")
+    return found or page_response("index.html", page_base(request.scope))
 
 
 ROUTERS: tuple[StationRouter, ...] = (

@@ -4,7 +4,11 @@ from pathlib import Path
 
 from starlette.responses import FileResponse, HTMLResponse, Response
 
+from app.formats.open_file import read_bounded
+
 STATIC = Path(__file__).resolve().parents[1] / "static"
+OWN_FOLDER = '"./'
+"""Before each file that a built page names."""
 FOREVER = "public, max-age=31536000, immutable"
 NOT_BUILT = """<!doctype html>
 <html lang="en"><head><meta charset="utf-8"><title>Crenel</title>
@@ -31,12 +35,17 @@ def file_response(path: str) -> Response | None:
     return FileResponse(file, headers={"Cache-Control": FOREVER if hashed else "no-cache"})
 
 
-def page_response(name: str) -> Response:
-    """One of the built pages, whatever the address: it selects its own view."""
+def page_response(name: str, base: str) -> Response:
+    """One of the built pages, whatever the address: it selects its own view.
+
+    Args:
+        base: before the addresses of the page's files, as ``page_base`` has it.
+    """
     page = STATIC / name
     if not page.is_file():
         return HTMLResponse(NOT_BUILT, 503)
-    return FileResponse(page, headers={"Cache-Control": "no-cache"})
+    text = read_bounded(page).decode().replace(OWN_FOLDER, f'"{base}')
+    return HTMLResponse(text, headers={"Cache-Control": "no-cache"})
 
 
 def names_a_file(path: str) -> bool:

@@ -58,6 +58,10 @@ cli = typer.Typer(
 Host = Annotated[str, typer.Option(help="Address to listen on.")]
 Port = Annotated[int, typer.Option(min=0, max=65535, help="Port to listen on; 0: a free one.")]
 Open = Annotated[bool, typer.Option("--open/--no-open", help="Open the browser.")]
+RootPath = Annotated[
+    str,
+    typer.Option("--root-path", help="Sub-path under which a proxy offers it, such as /crenel."),
+]
 DataFolder = Annotated[
     Path | None, typer.Option("--data", help="Data folder of the station.", file_okay=False)
 ]
@@ -124,11 +128,12 @@ def demo(
     gige: Annotated[
         bool, typer.Option("--gige", help="The camera sends its pictures over GigE Vision.")
     ] = False,
+    root_path: RootPath = "",
 ) -> None:
     """Run the whole station on simulated hardware, in the browser."""
     from app.server.startup import demo as run_demo
 
-    run_demo(data, host, port, open_browser, robot, gige)
+    run_demo(data, host, port, open_browser, robot, gige, root_path)
 
 
 @cli.command()
@@ -141,11 +146,12 @@ def serve(
     host: Host = "127.0.0.1",
     port: Port = 8000,
     open_browser: Open = False,
+    root_path: RootPath = "",
 ) -> None:
     """Run the station on real hardware."""
     from app.server.startup import serve as run_serve
 
-    run_serve(config, data, host, port, open_browser)
+    run_serve(config, data, host, port, open_browser, root_path)
 
 
 @cli.command()
@@ -157,11 +163,12 @@ def fleet(
     host: Host = "127.0.0.1",
     port: Port = 8100,
     open_browser: Open = False,
+    root_path: RootPath = "",
 ) -> None:
     """Serve one page for all stations: search, drift, calibrations, archive state."""
     from app.server.fleet.start import serve_fleet
 
-    serve_fleet(config, host, port, open_browser)
+    serve_fleet(config, host, port, open_browser, root_path)
 
 
 cli.command()(calibrate)

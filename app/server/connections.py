@@ -175,8 +175,20 @@ class BoundedWebSocket(WebSocketsSansIOProtocol):
 
 def http_protocol(proxies: Collection[str]) -> type[BoundedHttp]:
     """The protocol of a server behind these proxies."""
-    networks = [ipaddress.ip_network(proxy, strict=False) for proxy in proxies]
-    return type("BoundedHttp", (BoundedHttp,), {"proxies": networks})
+    return type("BoundedHttp", (BoundedHttp,), {"proxies": networks_of(proxies)})
+
+
+def networks_of(proxies: Collection[str]) -> list[Network]:
+    """The networks of proxies, each given as an address or a network."""
+    return [ipaddress.ip_network(proxy, strict=False) for proxy in proxies]
+
+
+def is_among(address: str, proxies: Collection[Network]) -> bool:
+    """Whether a connection from this address is a proxy's."""
+    if not proxies or not address:
+        return False
+    plain = ipaddress.ip_address(address.partition("%")[0])
+    return any(plain in network for network in proxies)
 
 
 def make_space(connections: set[Any], grace_s: float = GRACE_S) -> None:
@@ -224,8 +236,5 @@ _client_address = lru_cache(4096)(address_key)
 
 
 def _is_proxy(connection: Any) -> bool:
-    proxies = getattr(connection, "proxies", ())
-    if not proxies or not connection.client:
-        return False
-    address = ipaddress.ip_address(connection.client[0].partition("%")[0])
-    return any(address in network for network in proxies)
+    client = connection.client
+    return is_among(client[0] if client else "", getattr(connection, "proxies", ()))

@@ -9,6 +9,7 @@ import ssl
 import sys
 import time
 import webbrowser
+from typing import TypeVar
 
 import uvicorn
 from starlette.types import ASGIApp
@@ -20,10 +21,12 @@ from app.formats.open_file import read_bounded
 from app.messages.message import Text, message
 from app.monitoring.log_text import RepeatFilter
 from app.monitoring.system_info import Network
+from app.server.behind_proxy import BehindProxy
 from app.server.connections import BoundedWebSocket, http_protocol, make_space
-from app.settings.settings import Serving
+from app.settings.settings import Serving, check_root_path
 
 LOCAL = Serving()
+S = TypeVar("S", bound=Serving)
 SHUTDOWN_S = 3
 LARGEST_MESSAGE = 1 << 16
 """Of a browser's messages; all are small."""
@@ -78,6 +81,18 @@ def listen(host: str, port: int, tries: int) -> socket.socket:
     )
 
 
+def with_root_path(serving: S, root_path: str) -> S:
+    """The settings with the sub-path of ``--root-path``; unchanged if it is empty.
+
+    Raises:
+        OperationError: it is no sub-path.
+    """
+    if not root_path:
+        return serving
+    checked = check_root_path(root_path, "--root-path")
+    return serving.model_copy(update={"root_path": checked})
+
+
 def network_exposure(host: str, serving: Serving) -> Network:
     """From where the station can be reached, and whether the traffic can be read."""
     if host in LOOPBACK:
@@ -97,7 +112,7 @@ def local_address(host: str, listening: socket.socket, serving: Serving) -> str:
     shown = "127.0.0.1" if host in ("0.0.0.0", "::") else host
     bracketed = f"[{shown}]" if ":" in shown else shown
     scheme = "https" if serving.tls_certificate else "http"
-    return f"{scheme}://{bracketed}:{listening.getsockname()[1]}/"
+    return f"{scheme}://{bracketed}:{listening.getsockname()[1]}{serving.root_path}/"
 
 
 class OneLineFormatter(logging.Formatter):
@@ -164,6 +179,7 @@ def make_server(app: ASGIApp, serving: Serving = LOCAL) -> "StationServer":
             else message("tls-no-pair"),
             message("tls-give-own-key"),
         ) from error
+    config.loaded_app = BehindProxy(config.loaded_app, serving.root_path, serving.proxies)
     return StationServer(config)
 
 

@@ -10,6 +10,7 @@ because they are read before their sender is known. Permissions are checked afte
 import asyncio
 import ipaddress
 from collections.abc import Collection
+from dataclasses import dataclass
 from urllib.parse import urlsplit
 
 from starlette.datastructures import Headers, MutableHeaders
@@ -17,8 +18,10 @@ from starlette.responses import PlainTextResponse
 from starlette.types import ASGIApp, Receive, Scope, Send
 from starlette.types import Message as AsgiMessage
 
+from app.api.access.sub_path import sub_path_of
 from app.messages.message import Text, message, quantity
 from app.report.html_policy import POLICY
+from app.server.behind_proxy import Complaints
 from app.wire.json_response import RequestError, problem
 
 LOCAL_NAMES = ("localhost", "127.0.0.1", "::1")
@@ -32,6 +35,7 @@ OWNED_SITES = ("same-origin", "none")
 """Browsers' marks of a request by the station's own pages, or of a typed address."""
 LONGEST_PATH, LONGEST_PART = 1024, 200
 NOTHING = message("no-page-file-has-such-address")
+FOREIGN = message("only-stations-own-pages-may-do")
 PAGES = (
     "default-src 'self'; img-src 'self' data: blob:; style-src 'self' 'unsafe-inline'; "
     "frame-ancestors 'self'; object-src 'none'; base-uri 'none'; form-action 'none'"
@@ -49,6 +53,15 @@ VIEWER = (
 REPORT = f"{POLICY}; sandbox; frame-ancestors 'self'; base-uri 'none'; form-action 'none'"
 
 
+@dataclass(frozen=True, slots=True)
+class RequestRefusal:
+    """Why a request is refused; with a ``kind``, a proxy may be the cause, and it is logged."""
+
+    what: Text
+    remedy: Text = ""
+    kind: str = ""
+
+
 class Guard:
     """ASGI middleware around the whole application.
 
@@ -62,35 +75,44 @@ class Guard:
     ) -> None:
         self._app, self._file = app, file
         self._hosts = {*LOCAL_NAMES, *(host.lower().strip("[]") for host in hosts)}
+        self._complaints = Complaints()
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
         if scope["type"] not in ("http", "websocket"):
             await self._app(scope, receive, send)
             return
         refusal = self._refusal(scope)
-        if refusal:
+        if refusal is not None:
+            if refusal.kind:
+                self._complaints.log(refusal.kind, refusal.what, refusal.remedy)
             await _refuse(refusal, scope, receive, send)
             return
         path = scope["path"]
         if not _may_be(path):
-            await _refuse(NOTHING, scope, receive, send, 404)
+            await _refuse(RequestRefusal(NOTHING), scope, receive, send, 404)
             return
         if scope["type"] == "http":
             receive = _Body(receive)
         await self._app(scope, receive, _with_headers(send, _policy(scope), path))
 
-    def _refusal(self, scope: Scope) -> Text:
+    def _refusal(self, scope: Scope) -> RequestRefusal | None:
         headers = Headers(scope=scope)
         host = headers.get("host", "").lower()
         if _name(host) not in self._hosts and not _is_address(_name(host)):
             name = _name(host)
-            return message("station-does-answer-name-names-added", name=name, file=self._file)
+            what = message("station-does-answer-name-names-added", name=name, file=self._file)
+            return RequestRefusal(what, message("proxy-pass-host"), "name")
         if scope["type"] == "http" and scope["method"] in SAFE_METHODS:
-            return ""
+            return None
         origin, site = headers.get("origin"), headers.get("sec-fetch-site", "none")
-        if (origin is not None and _place(origin) != host) or site.lower() not in OWNED_SITES:
-            return message("only-stations-own-pages-may-do")
-        return ""
+        if site.lower() not in OWNED_SITES:
+            return RequestRefusal(FOREIGN)
+        if origin is None or _place(origin) == host:
+            return None
+        if not _name(_place(origin)):
+            return RequestRefusal(FOREIGN)
+        what = message("proxy-changes-host", page=_place(origin), host=host)
+        return RequestRefusal(what, message("proxy-pass-host"), "host")
 
 
 def _may_be(path: str) -> bool:
@@ -103,7 +125,8 @@ def _policy(scope: Scope) -> str:
     path: str = scope["path"]
     if path.startswith("/viewer/"):
         host = Headers(scope=scope).get("host", "")
-        return VIEWER.format(places=" ".join(f"{one}://{host}/viewer/" for one in SCHEMES))
+        place = f"{host}{sub_path_of(scope)}/viewer/"
+        return VIEWER.format(places=" ".join(f"{one}://{place}" for one in SCHEMES))
     return REPORT if path.endswith("/report.html") else PAGES
 
 
@@ -163,17 +186,18 @@ class _Body:
 
 
 async def _refuse(
-    text: Text, scope: Scope, receive: Receive, send: Send, status: int = 403
+    refusal: RequestRefusal, scope: Scope, receive: Receive, send: Send, status: int = 403
 ) -> None:
     if scope["type"] == "websocket":
         await receive()
-        await send({"type": "websocket.close", "code": 1008, "reason": str(text)[:120]})
+        await send({"type": "websocket.close", "code": 1008, "reason": str(refusal.what)[:120]})
         return
     if "text/html" in Headers(scope=scope).get("accept", ""):  # somebody reads it
-        await PlainTextResponse(str(text), status)(scope, receive, send)
+        text = f"{refusal.what!s} {refusal.remedy!s}".strip()
+        await PlainTextResponse(text, status)(scope, receive, send)
         return
     code = "not-found" if status == 404 else "not-allowed"
-    await problem(status, code, text)(scope, receive, send)
+    await problem(status, code, refusal.what, refusal.remedy)(scope, receive, send)
 
 
 def _with_headers(send: Send, policy: str, path: str) -> Send:

@@ -17,6 +17,7 @@ from starlette.applications import Starlette
 from starlette.responses import Response
 from starlette.types import ASGIApp, Receive, Scope, Send
 
+from app.api.access.sub_path import page_base
 from app.api.static_files import file_response, names_a_file, page_response
 from app.loops import start_worker
 from app.messages.message import Text, message
@@ -184,16 +185,17 @@ class StartingApp:
             await receive()
             await send({"type": "websocket.close", "code": TRY_AGAIN_LATER})
             return
-        await self._response(scope["method"], scope["path"])(scope, receive, send)
+        await self._response(scope)(scope, receive, send)
 
-    def _response(self, method: str, path: str) -> Response:
+    def _response(self, scope: Scope) -> Response:
+        method, path = scope["method"], scope["path"]
         asked = path.removeprefix("/")
         if method not in ("GET", "HEAD") or asked.split("/")[0] in STATION_PATHS:
             return self._progress() if path == PROGRESS else _starting_problem()
         found = file_response(asked)
         if found is None and names_a_file(asked):
             return problem(404, "not-found", message("there-nothing", path=path))
-        return found or _forbid_caching(page_response(PAGE))
+        return found or _forbid_caching(page_response(PAGE, page_base(scope)))
 
     def _progress(self) -> Response:
         return Response(to_json(self.readiness), media_type="application/json")

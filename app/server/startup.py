@@ -27,6 +27,7 @@ from app.server.listener import (
     network_exposure,
     network_words,
     raise_file_limit,
+    with_root_path,
 )
 from app.server.starting_page import (
     DATA,
@@ -68,11 +69,21 @@ class Plan:
     serving: Serving = LOCAL
 
 
-def serve(config: Path | None, data: Path | None, host: str, port: int, open_browser: bool) -> None:
+def serve(
+    config: Path | None,
+    data: Path | None,
+    host: str,
+    port: int,
+    open_browser: bool,
+    root_path: str = "",
+) -> None:
     """Runs the station with the devices in ``station.toml`` until it is ended.
 
     Without a ``station.toml`` in the working folder, it is a station without devices: they are
     chosen on the Devices page.
+
+    Args:
+        root_path: the sub-path under which a proxy offers the station; empty: by the settings.
 
     Raises:
         OperationError: settings, driver, data folder or port are unusable.
@@ -85,7 +96,7 @@ def serve(config: Path | None, data: Path | None, host: str, port: int, open_bro
         lambda: _load_parts(settings, data, config or Path(DEFAULT_FILE)),
         host,
         settings.station.hosts,
-        serving=settings.station,
+        serving=with_root_path(settings.station, root_path),
     )
     print("Starting the station.", flush=True)
     run(plan, listening, open_browser)
@@ -196,16 +207,19 @@ def demo(
     open_browser: bool,
     robot: bool = False,
     gige: bool = False,
+    root_path: str = "",
 ) -> None:
     """Runs the complete station with simulated devices; if the port is taken, on the next free one.
 
     Args:
         robot: a robot carries the sensor, instead of an arm that an operator guides.
         gige: the sensor's camera sends its pictures over GigE Vision.
+        root_path: the sub-path under which a proxy offers the station.
 
     Raises:
         OperationError: the data folder is unusable, or no port is free.
     """
+    serving = with_root_path(LOCAL, root_path)
     listening = listen(host, port, PORTS_TRIED)
     folder = data or user_data_folder() / ("demo-robot" if robot else "demo")
     with ExitStack() as devices:
@@ -216,7 +230,8 @@ def demo(
             return devices.enter_context(open_simulation(folder, robot, gige))
 
         print("Starting the simulated station.", flush=True)
-        run(Plan("Demonstration", parts, host, by_link=True), listening, open_browser)
+        plan = Plan("Demonstration", parts, host, by_link=True, serving=serving)
+        run(plan, listening, open_browser)
 
 
 def replay(

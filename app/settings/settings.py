@@ -5,6 +5,7 @@ The context of a validation is the path of the file.
 
 import ipaddress
 import os
+import re
 from collections.abc import Mapping
 from dataclasses import replace
 from pathlib import Path
@@ -66,6 +67,34 @@ Proxies = Annotated[
 ]
 
 
+ROOT_PATH = r"(?!/(?:api|assets|metrics|viewer)(?:/|$))(?:/[A-Za-z0-9_~-][A-Za-z0-9._~-]*){1,8}"
+"""A sub-path; it begins with nothing that is the server's own."""
+
+
+def check_root_path(root_path: str, place: str) -> str:
+    """The sub-path under which a proxy offers the server, without a slash at its end.
+
+    Args:
+        place: where it was given, such as ``station.toml``.
+
+    Raises:
+        OperationError: it is none.
+    """
+    plain = root_path.rstrip("/")
+    if plain and (len(plain) > 200 or not re.fullmatch(ROOT_PATH, plain)):
+        raise OperationError(
+            "settings-root-path",
+            message("settings-root-path-is", place=place, path=repr(root_path)),
+            message("settings-root-path-unusable"),
+            message("settings-give-root-path"),
+        )
+    return plain
+
+
+def _check_root_path(root_path: str, info: ValidationInfo) -> str:
+    return check_root_path(root_path, str(info.context))
+
+
 class Serving(TomlTable):
     """How browsers reach the server."""
 
@@ -73,6 +102,8 @@ class Serving(TomlTable):
     tls_key: SettingsPath | None = None
     proxies: Proxies = ()
     hosts: Names = ()
+    root_path: Annotated[str, AfterValidator(_check_root_path)] = ""
+    """The sub-path under which a proxy offers the server; empty if there is none."""
 
     @model_validator(mode="after")
     def _check_certificate(self, info: ValidationInfo) -> Self:

@@ -91,7 +91,9 @@ class SignInState:
     """``first_start``: the console's code creates the administrator; ``by_code``: the code signs
     in; ``provider``: the name of the provider of accounts, empty if there is none, and
     ``provider_trouble``, why it cannot be used; ``sign_out_page``: where it ends its own
-    session; ``password_page``: where a browser asks for the password of the fleet's page."""
+    session; ``password_page``: where a browser asks for the password of the fleet's page;
+    ``address``: that of the server's pages as the server was asked for it. A browser that knows
+    another one is behind a proxy that does not pass everything on."""
 
     station: str
     you: CurrentUser | None
@@ -101,6 +103,7 @@ class SignInState:
     provider_trouble: Text = ""
     sign_out_page: str = ""
     password_page: str = ""
+    address: str = ""
 
 
 @dataclass(frozen=True)

@@ -136,6 +136,8 @@ def test_the_decision_rule_and_who_bears_the_uncertainty(tmp_path: Path) -> None
         (('name = "Room 2"', 'address = "room-2"'), "begin with http:// or https://"),
         (('["station.local"]', '"room-2"'), "it must be a list"),
         (('name = "Room 2"', 'proxies = ["proxy.local"]'), "it is no address"),
+        (('name = "Room 2"', 'root_path = "/api"'), "it is no sub-path"),
+        (('name = "Room 2"', 'root_path = "crenel"'), "it is no sub-path"),
         (('name = "Room 2"', 'tls_key = "station.toml"'), "tls_key is given without the other"),
         (('data = "records"', "data = 5"), "data = 5: it must be text in quotes"),
         (('data = "records"', 'data = ""'), "it is empty"),

@@ -16,8 +16,9 @@ from websockets.sync.client import connect
 
 from app.api import static_files
 from app.errors import OperationError
-from app.server.listener import make_server
+from app.server.listener import LOCAL, make_server
 from app.server.starting_page import StartingApp, StartStep
+from app.settings.settings import Serving
 from tests.api.conftest import PATIENCE_S, code_of, until
 
 pytestmark = pytest.mark.device
@@ -47,12 +48,14 @@ def starting_with(work: Callable[[], object], station: Station) -> StartingApp:
 
 
 @contextmanager
-def served(starting: StartingApp) -> Iterator[tuple[httpx.Client, Callable[[], None]]]:
+def served(
+    starting: StartingApp, serving: Serving = LOCAL
+) -> Iterator[tuple[httpx.Client, Callable[[], None]]]:
     """A client of it, and what ends its server and waits for that."""
     with socket.socket() as listening:
         listening.bind(("127.0.0.1", 0))
         listening.listen()
-        server = make_server(starting)
+        server = make_server(starting, serving)
 
         def end() -> None:
             server.should_exit = True

@@ -15,7 +15,7 @@ SCREENSHOT_MS = 120_000
 SETTLING_MS = 500
 """Before a screenshot."""
 FEW_PICTURES = """
-if (location.pathname.startsWith("/viewer")) {
+if (location.pathname.includes("/viewer/")) {
   const draw = window.requestAnimationFrame.bind(window);
   window.requestAnimationFrame = (callback) => setTimeout(() => draw(callback), 500);
   window.cancelAnimationFrame = clearTimeout;
@@ -30,9 +30,10 @@ class Visit:
     """A page that keeps what went wrong in it, and takes numbered screenshots if there is a folder
     for them."""
 
-    def __init__(self, page: Page, screenshots: Path | None = None) -> None:
+    def __init__(self, page: Page, screenshots: Path | None = None, sub_path: str = "") -> None:
         self.page = page
         self.screenshots = screenshots
+        self.sub_path = sub_path
         self.taken = 0
         self.faults: list[str] = []
         page.add_init_script(FEW_PICTURES)
@@ -55,7 +56,7 @@ class Visit:
     def ask(self, path: str) -> Any:
         """What the server answers to the page's own question, once it lets it ask."""
         end = time.monotonic() + PATIENCE_S
-        while (answer := self.page.evaluate(ASK, path)) is None:
+        while (answer := self.page.evaluate(ASK, self.sub_path + path)) is None:
             assert time.monotonic() < end, f"{path} is not answered"
             self.page.wait_for_timeout(300)
         return answer

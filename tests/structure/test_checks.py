@@ -17,7 +17,10 @@ STARTED_MODULES = ()  # scripts, with stubs of what they call
 
 CONTRIBUTING = ROOT / "CONTRIBUTING.md"
 CHECK = re.compile(r"\.venv/bin/(?:ruff|mypy)(?: [\w.-]+)*")
-OF_THE_SYSTEM = ("chromium", "mosquitto", "arv-fake-gv-camera-0.8", "avr-gcc", "apt-get", "python3")
+OF_THE_SYSTEM = (
+    *("chromium", "mosquitto", "nginx", "arv-fake-gv-camera-0.8", "avr-gcc"),
+    *("apt-get", "python3"),
+)
 OF_THE_ENVIRONMENT = ("pip", "pytest", "python", "ruff", "mypy")
 PARTS = ("figures", "sanitize", "cross")
 STUB = """#!/usr/bin/env bash

@@ -40,7 +40,7 @@ SIGNED_IN = message("signed")
 @router.get("/session")
 def session(request: Request, context: TheContext) -> SignInState:
     """Who is signed in here, or how to sign in."""
-    return sign_in_state(context, visitor_of(request))
+    return sign_in_state(context, request, visitor_of(request))
 
 
 @router.get("/starting")
@@ -111,7 +111,7 @@ def sign_in_kiosk(
         )
     set_cookie(response, request, asked.code, kiosk=True)
     context.store.audit.note(visitor.name, address_of(request), message("opened-kiosk"))
-    return sign_in_state(context, visitor)
+    return sign_in_state(context, request, visitor)
 
 
 @router.delete("/session")
@@ -122,7 +122,7 @@ async def sign_out(request: Request, response: Response, context: TheContext) ->
     """
     visitor = await asyncio.to_thread(_end_session, request, context)
     set_cookie(response, request, "", kiosk=False)
-    signed_out = await asyncio.to_thread(sign_in_state, context, None)
+    signed_out = await asyncio.to_thread(sign_in_state, context, request, None)
     if visitor is None or not visitor.provider or context.provider is None:
         return signed_out
     async with without_place(request):
@@ -201,7 +201,7 @@ def begin_session(
     token = context.store.login_sessions.begin(name, request.headers.get("user-agent", ""))
     set_cookie(response, request, token, kiosk=False)
     context.store.audit.note(name, address_of(request), act)
-    return sign_in_state(context, context.store.login_sessions.principal(token))
+    return sign_in_state(context, request, context.store.login_sessions.principal(token))
 
 
 def _trust_browser(name: str, request: Request, response: Response, context: Context) -> None:
@@ -213,7 +213,7 @@ def _trust_browser(name: str, request: Request, response: Response, context: Con
         )
 
 
-def sign_in_state(context: Context, visitor: Principal | None) -> SignInState:
+def sign_in_state(context: Context, request: Request, visitor: Principal | None) -> SignInState:
     """Who is signed in, or how to sign in."""
     entrance, provider = context.authenticator, context.provider
     return SignInState(
@@ -223,6 +223,7 @@ def sign_in_state(context: Context, visitor: Principal | None) -> SignInState:
         entrance.by_code,
         provider.name if provider else "",
         provider.trouble if provider else "",
+        address=own_address(request, "/"),
     )
 
 

@@ -3,6 +3,7 @@
 from starlette.requests import HTTPConnection
 from starlette.responses import Response
 
+from app.api.access.sub_path import sub_path_of
 from app.store.accounts import Role
 from app.store.login_sessions import LONGEST, Principal
 from app.wire.sign_in import CurrentUser, RoleName
@@ -29,9 +30,10 @@ def token_of(connection: HTTPConnection) -> str:
 
 
 def cookie_name(connection: HTTPConnection) -> str:
-    """One name per port, because browsers store cookies by host name only."""
-    url = connection.url
-    return cookie_for(url.port or PORTS[url.scheme])
+    """One name per port and sub-path: browsers store cookies by host name, and send those of a
+    station at ``/`` to one at ``/crenel/``, too."""
+    url, sub_path = connection.url, sub_path_of(connection.scope)
+    return cookie_for(url.port or PORTS[url.scheme]) + sub_path.replace("/", "-")
 
 
 def cookie_for(port: int) -> str:
@@ -46,7 +48,8 @@ def browser_token(connection: HTTPConnection) -> str:
 
 def own_address(connection: HTTPConnection, path: str) -> str:
     """The address of a page, as this browser reaches the server."""
-    return f"{connection.url.scheme}://{connection.url.netloc}{path}"
+    sub_path = sub_path_of(connection.scope)
+    return f"{connection.url.scheme}://{connection.url.netloc}{sub_path}{path}"
 
 
 def pending_cookie(connection: HTTPConnection) -> str:
@@ -79,6 +82,7 @@ def _write_cookie(
         name,
         token,
         max_age=lasts_s,
+        path=f"{sub_path_of(connection.scope)}/",
         httponly=True,
         samesite="strict",
         secure=connection.url.scheme == "https",

@@ -12,7 +12,7 @@ from urllib.parse import quote
 
 import httpx
 import msgspec
-from fastapi import WebSocket
+from fastapi import Request, WebSocket
 from starlette.responses import RedirectResponse, Response
 from websockets.asyncio.client import ClientConnection, connect
 from websockets.exceptions import ConnectionClosed, InvalidHandshake
@@ -20,6 +20,7 @@ from websockets.typing import Subprotocol
 
 from app.api.access.authorization import StationRouter
 from app.api.access.connection import CloseReason, run_connection
+from app.api.access.sub_path import sub_path_of
 from app.api.problems import NotFoundError
 from app.api.viewer.point_limit import PointLimiter
 from app.messages.message import message
@@ -73,8 +74,8 @@ def decode_camera(message: bytes) -> CameraMessage | None:
 
 
 @router.get("/viewer")
-def redirect() -> Response:
-    return RedirectResponse("/viewer/")
+def redirect(request: Request) -> Response:
+    return RedirectResponse(f"{sub_path_of(request.scope)}/viewer/")
 
 
 @router.get("/viewer/{path:path}")

@@ -17,6 +17,7 @@ from app.server.demo import ROBOT, station_parts, write_datasheets
 from app.server.listener import listen
 from app.server.startup import Plan, run
 from app.server.station_parts import StationParts
+from app.settings.settings import Settings
 from app.settings.station_toml import DEFAULT_FILE, read_settings
 from app.store.store import Store
 from hardware.simulator.station import (
@@ -101,12 +102,17 @@ def prepare(data: Path, config: SimulationConfig = CONFIG) -> None:
             store.close()
 
 
-def _parts_with_settings(simulation: SimulatedStation, data: Path) -> StationParts:
-    """The parts of the demonstration, with archive and broker of the data folder's station.toml."""
-    parts, file = station_parts(simulation, data), data / DEFAULT_FILE
-    if not file.exists():
-        return parts
-    settings = read_settings(file)
+def _read_settings(data: Path) -> Settings:
+    """Those of the data folder's station.toml."""
+    file = data / DEFAULT_FILE
+    return read_settings(file) if file.exists() else Settings()
+
+
+def _parts_with_settings(
+    simulation: SimulatedStation, data: Path, settings: Settings
+) -> StationParts:
+    """The parts of the demonstration, with archive and broker of the settings."""
+    parts = station_parts(simulation, data)
     monitoring = replace(parts.monitoring, archive=settings.archive, mqtt=settings.mqtt)
     return replace(parts, monitoring=monitoring)
 
@@ -124,13 +130,14 @@ def serve(
     config = SMALL if small else sized
     if robot:
         config = replace(config, arm=ROBOT.arm, robot=ROBOT.robot)
+    settings = _read_settings(data)
     with ExitStack() as devices:
-        plan = Plan(
-            "Bench",
-            lambda: _parts_with_settings(devices.enter_context(SimulatedStation(config)), data),
-            HOST,
-            by_link=True,
-        )
+
+        def parts() -> StationParts:
+            simulation = devices.enter_context(SimulatedStation(config))
+            return _parts_with_settings(simulation, data, settings)
+
+        plan = Plan("Bench", parts, HOST, by_link=True, serving=settings.station)
         run(plan, listen(HOST, 0, 1), open_browser=False)
 
 

@@ -6,11 +6,12 @@ from contextlib import asynccontextmanager, suppress
 from datetime import UTC, datetime
 from typing import Annotated
 
-from fastapi import FastAPI, Query
+from fastapi import FastAPI, Query, Request
 from pydantic import AfterValidator
 from starlette.responses import RedirectResponse, Response
 
 from app.api import problems
+from app.api.access.sub_path import page_base, sub_path_of
 from app.api.problems import NotFoundError
 from app.api.static_files import file_response, page_response
 from app.fleet.ageing import ageing_of, spread_of
@@ -243,15 +244,15 @@ def _add_questions(app: FastAPI, service: FleetService) -> None:
 
 def _add_pages(app: FastAPI) -> None:
     @app.get(PASSWORD_PAGE)
-    def after_password() -> Response:
-        return RedirectResponse("/", 303)
+    def after_password(request: Request) -> Response:
+        return RedirectResponse(f"{sub_path_of(request.scope)}/", 303)
 
     @app.get("/{path:path}")
-    async def page(path: str) -> Response:
+    async def page(path: str, request: Request) -> Response:
         found = await asyncio.to_thread(file_response, path)
         if found is None and (path.startswith("api/") or "." in path):
             raise NotFoundError(message("there-nothing", path=f"/{path}"))
-        return found or page_response(PAGE)
+        return found or page_response(PAGE, page_base(request.scope))
 
 
 def _record_of(found: FoundRecord) -> FoundFleetRecord:

@@ -75,7 +75,7 @@ def sign_in_router(access: FleetAccess) -> APIRouter:
 
     @router.get("")
     def session(request: Request) -> SignInState:
-        return _state(access, access.visitor(request), access.knows_password(request))
+        return _state(access, request, access.visitor(request), access.knows_password(request))
 
     @router.post("/provider")
     async def begin(request: Request, response: Response) -> ProviderPage:
@@ -103,7 +103,7 @@ def sign_in_router(access: FleetAccess) -> APIRouter:
         access.note_attempt(True, address)
         set_pending_cookie(response, request, "", 0)
         set_cookie(response, request, token, kiosk=False)
-        return _state(access, await asyncio.to_thread(people.sessions.principal, token))
+        return _state(access, request, await asyncio.to_thread(people.sessions.principal, token))
 
     @router.delete("")
     async def sign_out(request: Request, response: Response) -> SignInState:
@@ -111,10 +111,10 @@ def sign_in_router(access: FleetAccess) -> APIRouter:
         visitor = await asyncio.to_thread(access.visitor, request)
         set_cookie(response, request, "", kiosk=False)
         if visitor is None:
-            return _state(access)
+            return _state(access, request)
         await asyncio.to_thread(people.sessions.end, token_of(request))
         page = await people.provider.sign_out_address(own_address(request, "/"))
-        return replace(_state(access), sign_out_page=page)
+        return replace(_state(access, request), sign_out_page=page)
 
     return router
 
@@ -126,7 +126,10 @@ def _people(access: FleetAccess) -> FleetPeople:
 
 
 def _state(
-    access: FleetAccess, visitor: Principal | None = None, by_password: bool = False
+    access: FleetAccess,
+    request: Request,
+    visitor: Principal | None = None,
+    by_password: bool = False,
 ) -> SignInState:
     """Who is signed in, or how to sign in; no provider: nobody has to."""
     provider = None if access.people is None or by_password else access.people.provider
@@ -138,6 +141,7 @@ def _state(
         provider="" if provider is None else provider.name,
         provider_trouble="" if provider is None else provider.trouble,
         password_page=PASSWORD_PAGE if access.has_password else "",
+        address=own_address(request, "/"),
     )
 
 

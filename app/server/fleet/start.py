@@ -14,14 +14,20 @@ from app.server.listener import (
     make_server,
     network_words,
     raise_file_limit,
+    with_root_path,
 )
 
 PORTS_TRIED = 10
 
 
 @private_files()
-def serve_fleet(config: Path | None, host: str, port: int, open_browser: bool) -> None:
+def serve_fleet(
+    config: Path | None, host: str, port: int, open_browser: bool, root_path: str = ""
+) -> None:
     """Serves until SIGINT or SIGTERM; its files, such as those of accounts, are for its user alone.
+
+    Args:
+        root_path: the sub-path under which a proxy offers the page; empty: by the settings.
 
     Raises:
         OperationError: a library is missing, the settings are wrong, the port is in use, or other
@@ -40,7 +46,7 @@ def serve_fleet(config: Path | None, host: str, port: int, open_browser: bool) -
     from app.server.fleet.service import FleetService
 
     settings = read_fleet_settings(config)
-    serving, password = settings.server, settings.server.password()
+    serving, password = with_root_path(settings.server, root_path), settings.server.password()
     if host not in LOOPBACK and not password and settings.sign_in is None:
         raise OperationError(
             "fleet-open",

@@ -1,3 +1,4 @@
+import { addressOf } from "../state/base";
 import { t } from "../state/language";
 import { ask } from "./commands";
 import { drop, get, post } from "./http";
@@ -45,4 +46,5 @@ export async function endTrial(): Promise<void> {
 }
 
 /** The address of a picture: each has its own, so that none is shown from memory. */
-export const trialPicture = ({ number, picture }: TrialView) => `${PATH}/trial/picture.jpg?n=${number}-${picture}`;
+export const trialPicture = ({ number, picture }: TrialView) =>
+  addressOf(`${PATH}/trial/picture.jpg?n=${number}-${picture}`);

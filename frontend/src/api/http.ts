@@ -1,4 +1,5 @@
 import type { Text } from "../messages/text";
+import { addressOf } from "../state/base";
 import { render, t } from "../state/language";
 import { localized } from "../state/localized";
 import type { Problem } from "./wire";
@@ -48,7 +49,7 @@ async function request(path: string, init: RequestInit): Promise<Blob> {
   let answer: Response;
   let content: Blob;
   try {
-    answer = await fetch(path, { ...init, signal: AbortSignal.timeout(ANSWER_WITHIN_MS) });
+    answer = await fetch(addressOf(path), { ...init, signal: AbortSignal.timeout(ANSWER_WITHIN_MS) });
     content = await answer.blob();
   } catch {
     throw new NoAnswer(path);

@@ -1,4 +1,5 @@
 import { noteReturn, notify } from "../state/banner";
+import { addressOf, BASE } from "../state/base";
 import { t } from "../state/language";
 import { playFor } from "../state/sounds";
 import { getState, type LiveState, putView, setState, subscribe } from "../state/store";
@@ -11,12 +12,16 @@ import type { CurrentUser, SignInState } from "./wire";
 const SILENCE_MS = 2500;
 /** Whoever has control keeps it so. */
 const BEAT_MS = 5000;
+/** So many in a row are no accident. */
+const BLOCKED_AFTER = 3;
 const RETRY_MS = [250, 500, 1000, 2000];
 
 let socket: WebSocket | null = null;
 let openedAt = 0;
 let beatAt = Number.NEGATIVE_INFINITY;
 let attempt = 0;
+/** Connections that ended without being opened, although the station answered. */
+let unopened = 0;
 /** After a new connection its first view counts, whatever the state was before. */
 let resync = true;
 /** Nobody is signed in here. */
@@ -104,13 +109,16 @@ async function onBinary(from: WebSocket, data: ArrayBuffer): Promise<void> {
 }
 
 function connect(): void {
-  const scheme = window.location.protocol === "https:" ? "wss" : "ws";
-  const opened = new WebSocket(`${scheme}://${window.location.host}/api/live`);
+  const address = new URL(addressOf("/api/live"), BASE);
+  address.protocol = BASE.protocol.replace("http", "ws");
+  const opened = new WebSocket(address);
   opened.binaryType = "arraybuffer";
   socket = opened;
   openedAt = performance.now();
   opened.onopen = () => {
     attempt = 0;
+    unopened = 0;
+    if (getState().liveBlocked) setState({ liveBlocked: false });
     heard();
     if (previewInterest.wanted) send({ type: "preview", on: true });
     if (stationsInterest.wanted) send({ type: "stations", on: true });
@@ -122,7 +130,9 @@ function connect(): void {
     else void onBinary(opened, message.data);
   };
   opened.onclose = () => {
-    if (opened === socket) lose();
+    if (opened !== socket) return;
+    unopened++; // 1 after one that was open, and the next one that opens sets it to 0
+    lose();
   };
 }
 
@@ -138,7 +148,10 @@ function lose(): void {
 async function again(): Promise<void> {
   const before = getState().session?.you;
   await readSession();
-  if (getState().session?.you) return connect();
+  if (getState().session?.you) {
+    if (unopened >= BLOCKED_AFTER && !getState().liveBlocked) setState({ liveBlocked: true });
+    return connect();
+  }
   waiting = true;
   if (before?.kiosk) {
     notify({

@@ -1,4 +1,5 @@
 import { clearBanner } from "../state/banner";
+import { BASE, stationPath } from "../state/base";
 import { t } from "../state/language";
 import { asSent } from "../state/localized";
 import { setState } from "../state/store";
@@ -23,9 +24,9 @@ function fragment(): { way: "code" | "kiosk"; value: string } | null {
 
 /** What a provider of accounts sent, removed from the address at once. */
 function providerReply(): ProviderReply | null {
-  if (window.location.pathname !== PROVIDER_PATH) return null;
+  if (stationPath() !== PROVIDER_PATH) return null;
   const query = new URLSearchParams(window.location.search);
-  window.history.replaceState(null, "", sessionStorage.getItem(PATH_BEFORE) ?? "/");
+  window.history.replaceState(null, "", sessionStorage.getItem(PATH_BEFORE) ?? BASE.pathname);
   sessionStorage.removeItem(PATH_BEFORE);
   const state = query.get("state");
   return state ? { state, code: query.get("code") ?? "", error: query.get("error") ?? "" } : null;
@@ -139,7 +140,7 @@ export async function addKioskLink(name: string): Promise<string> {
   let address = "";
   await done(async () => {
     const link = await post<AccessTokenSummary>("/api/kiosk-links", { name });
-    if (link?.token) address = `${window.location.origin}/#kiosk=${link.token}`;
+    if (link?.token) address = `${BASE.href}#kiosk=${link.token}`;
   }, t("ui-the-link-was-not-created"));
   return address;
 }

@@ -8,6 +8,7 @@ import control from "../parts/Control.module.css";
 import { timeZone } from "../parts/format";
 import { Mark } from "../parts/icons";
 import { PressButton } from "../parts/PressButton";
+import { addressOf } from "../state/base";
 import { isolated } from "../state/isolated";
 import { t, useLanguage } from "../state/language";
 import { useLive } from "../state/store";
@@ -36,7 +37,7 @@ function FleetEntrance({ session }: { session: SignInState }) {
   return (
     <Entrance session={session}>
       {session.password_page && (
-        <a className={control.button} href={session.password_page}>
+        <a className={control.button} href={addressOf(session.password_page)}>
           {t("ui-fleet-with-the-password")}
         </a>
       )}

@@ -10,18 +10,21 @@ import { t } from "../state/language";
 import { usePage } from "../state/router";
 import { type BannerMessage, useLive } from "../state/store";
 import styles from "./Banners.module.css";
+import { ProxyBanner, useMissing } from "./ProxyBanner";
 
 /** Urgent messages: a lost connection, a lost device, a refusal, a stop. */
 export function Banners() {
   const banner = useLive((s) => s.banner);
   const connection = useLive((s) => s.connection);
   const page = usePage();
+  const missing = useMissing();
   const onCard = useLive(
     (s) => page === "calibrate" && s.banner !== null && isOnCard(s.banner, s.flow?.findings ?? []),
   );
   return (
     <div className={styles.banners}>
-      {connection !== "live" && <LostBanner first={connection === "connecting"} />}
+      {missing && <ProxyBanner missing={missing} />}
+      {!missing && connection !== "live" && <LostBanner first={connection === "connecting"} />}
       {connection === "live" && <LostDevices />}
       {connection === "live" && <ControlRequest />}
       {connection === "live" && <ArmNote />}

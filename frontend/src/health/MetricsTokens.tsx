@@ -1,11 +1,12 @@
 import styles from "../access/Access.module.css";
 import { AccessTokens } from "../access/AccessTokens";
 import { addMetricsToken, removeMetricsToken } from "../api/watchCommands";
+import { addressOf, BASE } from "../state/base";
 import { t } from "../state/language";
 
 /** Tokens by which programs read the metrics. */
 export function MetricsTokens() {
-  const address = `${window.location.origin}/metrics`;
+  const address = new URL(addressOf("/metrics"), BASE).href;
   return (
     <AccessTokens
       path="/api/tokens"

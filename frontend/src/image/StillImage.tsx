@@ -7,6 +7,7 @@ import { labelSides } from "../object/labelSides";
 import { measured } from "../parts/lengths";
 import { reachesOf } from "../parts/reaches";
 import { cornerName } from "../result/names";
+import { addressOf } from "../state/base";
 import { t } from "../state/language";
 import { COLOURS, type Overlay, type OverlayCorner, spacing_px } from "./overlay";
 import styles from "./StillImage.module.css";
@@ -127,7 +128,7 @@ export function StillImage(props: StillImageProps) {
           role="img"
           aria-label={t("ui-captured-picture-corners-outline-stripe")}
         >
-          <image href={image_url} x="-0.5" y="-0.5" width={width_px} height={height_px} />
+          <image href={addressOf(image_url)} x="-0.5" y="-0.5" width={width_px} height={height_px} />
           <path
             className={styles.line}
             stroke={COLOURS.outline}

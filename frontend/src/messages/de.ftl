@@ -1077,6 +1077,14 @@ ui-problems = { $n ->
 ui-prometheus-reads = Prometheus liest { $address } mit einem eigenen Token, gesendet als Bearer.
 ui-provider-sets-role-and-password = Konto des Anbieters, der Rolle und Passwort festlegt
 ui-provider-trouble = { $trouble }. Melden Sie sich auf anderem Weg an, oder versuchen Sie es später noch einmal.
+ui-proxy-changes-host = Ein Proxy ändert den Host der Anfragen: Diese Seite ist unter { $here }, die Station wird nach { $there } gefragt. So nimmt sie keine Änderungen an.
+ui-proxy-drops-upgrade = Die Station antwortet, aber es öffnet sich keine Live-Verbindung: Ein Proxy oder Filter reicht WebSockets nicht weiter.
+ui-proxy-hides-scheme = Die Station weiß nicht, dass diese Seite verschlüsselt ist: Ihren Cookies fehlt das Kennzeichen dafür.
+ui-proxy-hides-sub-path = Die Station weiß nicht, dass sie unter { $here } angeboten wird: 3D-Ansicht und Anmeldung arbeiten nicht zuverlässig.
+ui-proxy-pass-host = Der Proxy soll den Host des Browsers weiterreichen. In nginx: proxy_set_header Host $http_host;
+ui-proxy-pass-scheme = Der Proxy soll X-Forwarded-Proto senden, und seine Adresse gehört in den Einstellungen unter proxies.
+ui-proxy-pass-sub-path = In den Einstellungen root_path = "{ $path }" setzen oder mit --root-path { $path } starten.
+ui-proxy-pass-upgrade = Der Proxy soll das Upgrade weiterreichen. In nginx: proxy_http_version 1.1; proxy_set_header Upgrade $http_upgrade; proxy_set_header Connection $http_connection;
 ui-put-datasheet-plate-sphere-into-folder = Eine Platte oder Kugel unter Datenblätter eingeben, oder dort ihre Datei oder den digitalen Kalibrierschein (DCC) einer Kugel hinzufügen. Das Datenblatt enthält Nennmaß, Kalibrierschein und Grenzwerte. Das Prüfnormal erscheint sofort hier.
 ui-put-length-standard-into-folder = Die Datei eines Kugelstabs, Maßstabs oder Stufenendmaßes unter Datenblätter hinzufügen; crenel certificate read macht sie aus einem Kalibrierschein. Sie erscheint hier sofort.
 ui-radians = Bogenmaß

@@ -1077,6 +1077,14 @@ ui-problems = { $n ->
 ui-prometheus-reads = Prometheus reads { $address } with its own token, sent as a Bearer token.
 ui-provider-sets-role-and-password = Account of the provider, which sets role and password
 ui-provider-trouble = { $trouble }. Sign in in another way, or try again later.
+ui-proxy-changes-host = A proxy changes the Host of requests: this page is at { $here }, and the station is asked for { $there }. It accepts no changes this way.
+ui-proxy-drops-upgrade = The station answers, but no live connection opens: a proxy or filter does not pass on WebSockets.
+ui-proxy-hides-scheme = The station does not know that this page is encrypted: its cookies lack the mark for that.
+ui-proxy-hides-sub-path = The station does not know that it is offered under { $here }: the 3D view and the sign-in do not work reliably.
+ui-proxy-pass-host = Let the proxy pass on the browser's Host. In nginx: proxy_set_header Host $http_host;
+ui-proxy-pass-scheme = Let the proxy send X-Forwarded-Proto, and add its address to proxies in the settings.
+ui-proxy-pass-sub-path = Set root_path = "{ $path }" in the settings, or start with --root-path { $path }.
+ui-proxy-pass-upgrade = Let the proxy pass on the upgrade. In nginx: proxy_http_version 1.1; proxy_set_header Upgrade $http_upgrade; proxy_set_header Connection $http_connection;
 ui-put-datasheet-plate-sphere-into-folder = Enter a plate or sphere under Datasheets, or add its file or the digital certificate (DCC) of a sphere there. The file holds the nominal size, the certificate and the limits. The gauge appears here at once.
 ui-put-length-standard-into-folder = Add the file of a ball bar, scale bar or step gauge under Datasheets; crenel certificate read makes one of a certificate. It appears here at once.
 ui-radians = radians

@@ -1,6 +1,7 @@
 import { type FormEvent, type ReactNode, useState } from "react";
 import { enterByCode, makeAdmin, signIn, signInWithProvider } from "../api/session";
 import type { SignInState } from "../api/wire";
+import { ProxyBanner, useMissing } from "../frame/ProxyBanner";
 import { ChooseLanguage } from "../parts/ChooseLanguage";
 import { Mark } from "../parts/icons";
 import rows from "../parts/List.module.css";
@@ -24,6 +25,7 @@ export function EntrancePage({ session }: { session: SignInState }) {
 
 /** The sign-in with a provider, if there is one, above other ways. */
 export function Entrance({ session, children }: { session: SignInState; children: ReactNode }) {
+  const missing = useMissing();
   return (
     <main className={styles.page}>
       <div className={styles.card}>
@@ -35,6 +37,7 @@ export function Entrance({ session, children }: { session: SignInState; children
           </div>
         </div>
         {session.provider && <WithProvider session={session} />}
+        {missing && <ProxyBanner missing={missing} />}
         {children}
         <EntranceMessage />
         <ChooseLanguage id="entrance-language" />

@@ -1,9 +1,9 @@
 import { createContext, useContext } from "react";
-
 import { Banners } from "../frame/Banners";
 import health from "../health/Health.module.css";
 import rows from "../parts/List.module.css";
 import { bodySchema, type OpenApi, type Route, routesByGroup, type Schema, typeText } from "../reference/openapi";
+import { addressOf } from "../state/base";
 import { t } from "../state/language";
 import { useRead } from "../state/useRead";
 import records from "./RecordsPage.module.css";
@@ -33,7 +33,7 @@ function Reference({ description }: { description: OpenApi }) {
           <h2 className={rows.heading}>{t("ui-http-interface-version", { version: description.info.version })}</h2>
           <p>
             {t("ui-http-interface-explained")}{" "}
-            <a className={styles.link} href="/api/openapi.json">
+            <a className={styles.link} href={addressOf("/api/openapi.json")}>
               openapi.json
             </a>
           </p>

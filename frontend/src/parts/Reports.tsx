@@ -1,3 +1,4 @@
+import { addressOf } from "../state/base";
 import { currentLanguage, t } from "../state/language";
 import look from "./Control.module.css";
 import download from "./Download.module.css";
@@ -11,7 +12,7 @@ export function Reports({ of }: { of: string }) {
     <div className={styles.reports}>
       <a
         className={`${look.button} ${download.download}`}
-        href={`${of}/report.html${lang}`}
+        href={addressOf(`${of}/report.html${lang}`)}
         target="_blank"
         rel="noopener"
       >
@@ -19,7 +20,7 @@ export function Reports({ of }: { of: string }) {
       </a>
       <a
         className={`${look.button} ${download.download}`}
-        href={`${of}/report.pdf${lang}`}
+        href={addressOf(`${of}/report.pdf${lang}`)}
         target="_blank"
         rel="noopener"
       >

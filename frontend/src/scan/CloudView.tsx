@@ -1,4 +1,5 @@
 import { type ReactNode, type RefObject, type SyntheticEvent, useState } from "react";
+import { addressOf } from "../state/base";
 
 import { t } from "../state/language";
 import styles from "./CloudView.module.css";
@@ -39,7 +40,7 @@ export function CloudView({ viewKey, frame, children }: CloudViewProps) {
         ref={frame}
         className={styles.frame}
         data-ready={ready || undefined}
-        src={`/viewer/${viewKey}${thousands ? `-${thousands}` : ""}/`}
+        src={addressOf(`/viewer/${viewKey}${thousands ? `-${thousands}` : ""}/`)}
         title={t("ui-live-cloud-of-points")}
         onLoad={prepare}
       />

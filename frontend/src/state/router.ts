@@ -1,6 +1,6 @@
 import { useSyncExternalStore } from "react";
-
 import type { PlainId } from "../messages/text";
+import { addressOf, stationPath } from "./base";
 
 export const PAGES = [
   "home",
@@ -41,7 +41,7 @@ export const TITLES: Record<Page, PlainId> = {
 const listeners = new Set<() => void>();
 
 function parts(): string[] {
-  return window.location.pathname.split("/").filter(Boolean);
+  return stationPath().split("/").filter(Boolean);
 }
 
 function current(): Page {
@@ -55,7 +55,7 @@ function currentDetail(): string {
 }
 
 export function pathOf(page: Page, detail = ""): string {
-  const path = page === "home" ? "/" : `/${page}`;
+  const path = addressOf(page === "home" ? "/" : page);
   return detail ? `${path}/${detail.split("/").map(encodeURIComponent).join("/")}` : path;
 }
 

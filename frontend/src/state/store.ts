@@ -51,6 +51,8 @@ export interface BannerMessage {
 
 export interface LiveState {
   connection: Connection;
+  /** The station answers, but no live connection opens. */
+  liveBlocked: boolean;
   /** performance.now() of the newest sign of life, 0 before the first. */
   heardAt: number;
   /** Not known before the station's first answer. */
@@ -92,6 +94,7 @@ export interface LiveState {
 
 let state: LiveState = {
   connection: "connecting",
+  liveBlocked: false,
   heardAt: 0,
   session: null,
   control: null,
