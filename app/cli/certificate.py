@@ -131,3 +131,55 @@ def write(
     issuer = Issuer(laboratory or document.station, country, customer)
     written, warnings = export_result(document, "dcc", output, issuer, schema)
     print_written(written, warnings, schema)
+
+
+@certificate.command()
+@report_errors
+def block(
+    readings: Annotated[Path, typer.Argument(help="The readings, a CSV table.")],
+    drawing: Annotated[
+        Path, typer.Option(help="object.json of the block as drawn, with tolerance_mm.")
+    ],
+    output: Annotated[
+        Path, typer.Option("-o", "--output", help="Where to write object.json.")
+    ] = Path("object.json"),
+    page: Annotated[
+        Path | None, typer.Option(help="Where to write the page, as .html or .pdf.")
+    ] = None,
+    issued: Annotated[str, typer.Option(help="Who certifies it and when, for reports.")] = "",
+    language: Annotated[str, typer.Option(help="Of the page.")] = "en",
+    as_json: AsJson = False,
+) -> None:
+    """Certify a block from readings of its widths and heights by calliper, micrometer or tip."""
+    from app.formats.atomic_write import check_output_path, write_atomically
+    from app.formats.datasheets.block_certificate import certify_block
+    from app.report.contents.block_certificate import block_certificate_report
+    from app.report.reports import render
+    from app.timestamps import utc_now
+
+    made = certify_block(drawing, readings, issued)
+    target = check_output_path(output, [readings])
+    if page is not None:
+        content = render(block_certificate_report(made, utc_now()), page.suffix, language)
+        write_atomically(check_output_path(page, [readings, drawing]), content)
+    made.document.write(target)
+    if as_json:
+        print_json(made.document.model_dump(mode="json", exclude_none=True))
+        return
+    each = made.document.standard_uncertainties_mm
+    assert each is not None
+    edges = zip(made.document.edges_x_mm, each.edges_x_mm, strict=True)
+    print_figures(
+        f"Certificate of {made.document.name}",
+        [
+            *(
+                (f"edge_{number}", f"{x:.4f} mm ± {2e3 * sd:.1f} µm, k = 2")
+                for number, (x, sd) in enumerate(edges, 1)
+            ),
+            *(
+                (message("tool-zero-or-diameter", tool=tool), f"{value:.4f} mm")
+                for tool, (value, _) in made.fit.tools.items()
+            ),
+        ],
+    )
+    print(f"{output} written")

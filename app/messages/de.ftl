@@ -50,8 +50,10 @@ activity-verification = Verifizierung
 add-dh-row = Geben Sie je Gelenk eine Zeile an, der Reihe nach
 add-exposure-us-line = Zeile exposure_us = … hinzufügen
 add-line = Zeile { $key } = … hinzufügen
+add-micrometer-reading-of-width = Die Breite eines Zahns mit der Messschraube messen und ergänzen, oder den Tasterdurchmesser abziehen und seine Unsicherheit als tool_uncertainty_mm unter einem anderen Gerät angeben
 add-picture-delete-pose = Bild ergänzen oder Pose löschen
 add-pictures-turned-about-another-axis = Bilder aufnehmen, die um eine andere Achse gedreht sind
+add-readings-from-face-known = Messwerte dieser Flächen gegen andere ergänzen
 added-a-datasheet = fügte ein Datenblatt hinzu
 added-account = Konto angelegt
 added-gauge-certificate = Kalibrierschein eines Prüfnormals hinzugefügt
@@ -419,6 +421,12 @@ beyond-limit = Grenzwert überschritten
 bits-expected = erwartet werden 8 oder 16 Bit
 bits-per-pixel = { $bits } Bit je Pixel
 block-as-drawn = wie gezeichnet, gefertigt auf ± { $value }
+block-certificate = Zertifikat des Blocks
+block-certified-by-readings =
+    { $count ->
+        [one] Koordinaten aus einem Messwert; die größte Standardunsicherheit ist { $largest } (k = 1).
+       *[other] Koordinaten durch Ausgleichung von { $count } Messwerten; die größte Standardunsicherheit ist { $largest } (k = 1).
+    }
 block-corner =
     { $level ->
         [crest] Zinne { $number }
@@ -574,6 +582,7 @@ certificate-date-unreadable = { $until } ist kein Datum; die Gültigkeit des Kal
 certificate-days-reversed = nach der Uhr der Station begann die Prüfung am { $begun } und endete am { $ended }; der Kalibrierschein braucht beide Tage in ihrer Reihenfolge
 certificate-has-lengths = der Kalibrierschein nennt: { $names }
 certificate-has-no-length = der Kalibrierschein nennt keine Länge
+certificate-must-be-known-to = ein Zertifikat ist auf { $most } bekannt
 certificate-needs-country = der Kalibrierschein braucht das Land des Laboratoriums als zwei Großbuchstaben, nicht { $country }
 certificate-needs-date = der Kalibrierschein braucht den Tag der Prüfung, und { $text } ist keiner
 certificate-needs-laboratory = der Kalibrierschein braucht den Namen des Laboratoriums
@@ -1010,8 +1019,10 @@ convert-poses-read-otherwise =
        *[other] jedem Bild die Pose geben, in der es aufgenommen wurde
     }
 convert-them-name-columns = Werte umrechnen und die Spalten { $first } bis { $last } nennen
+coordinate = Koordinate
 coordinate-left-out-off = coordinates.csv Zeile { $number } ({ $place }): { $distance } Abweichung
 coordinates = Koordinaten des Objekts
+coordinates-about-mean-of-faces = Die Unsicherheiten gelten gegen den Mittelwert der Flächen jeder Achse, so dass der Abstand zweier Flächen die Wurzel aus der Summe ihrer Quadrate hat.
 coordinates-fit-otherwise = { $reason }, lägen sie typischerweise { $off } von der Stelle, an der sie laut arm.json sind
 coordinates-give-figures = coordinates.csv: { $poses } Posen ergeben { $figures } Werte
 coordinates-held-out = Gemessene Koordinaten, kreuzvalidiert
@@ -1354,9 +1365,14 @@ every-reading-joints-could-true = Alle Messwerte der Gelenke sind plausibel.
 every-stripe-pictures-wait-them = Alle Laserlinien sind aufgezeichnet; sie haben Vorrang vor Bildern.
 everything-grows-metre-aluminium = Mit der Temperatur dehnt sich alles aus, ein Meter Aluminium um { $growth } je Grad.
 exceed-limit-m = { $half_range } überschreiten den Grenzwert von { $limit }.
+exchange-readings-or-read-again = Tauschen, oder beide noch einmal messen
 expand-xacro = Wandeln Sie es mit xacro DATEI > robot.urdf um, und geben Sie das Ergebnis an
 expanded-uncertainty-note = U = { $expanded_uncertainty }, k = 2
 expansion-not-read = der Ausdehnungskoeffizient des Kalibrierscheins wird nicht gelesen: expansion_per_c in der Datei eintragen
+face-known-only-to = die Messwerte lassen eine Fläche um { $known } unsicher
+face-of-block = Fläche
+faces-are-not-parallel = das sind nicht zwei parallele Flächen
+faces-of-readings-are = die Flächen sind edge_1 bis edge_{ $edges }, { $names }
 figure-over-clouds = 
     { $title }: { $of ->
         [mean] Mittelwert
@@ -1438,6 +1454,7 @@ moves-check-arm-json =
         [marker] { $name } ändert sich um { $change }: arm.json und den Marker prüfen: seinen Namen in der Spalte marker, wenn er nicht die Tastkugel ist, und seinen Ort, wenn er angegeben ist
        *[arm] { $name } ändert sich um { $change }: arm.json prüfen
     }
+multiply-readings-by-inch = Mit 25,4 multiplizieren
 name-columns-by-unit =
     { $unit ->
         [deg] Nennen Sie die Spalten mit _rad, oder rechnen Sie die Winkel um
@@ -1451,6 +1468,7 @@ no-dh-table = Der Text enthält keine Denavit-Hartenberg-Tabelle
 no-picture-between-readings = kein Bild von { $path } liegt zwischen zwei Messwerten von { $readings }, die dicht beieinander liegen
 no-picture-of-folder-can-be-used = keines der { $count } Bilder ist verwendbar; das erste: { $first }
 nominal-is-not-this-arm = Ein Nennmodell passt zu jedem Arm seiner Bauart, und zu keinem genau: Identifizieren Sie Ihren Arm, oder geben Sie seine Werkskalibrierung an.
+one-of-readings-is-wrong = die Messwerte zeigen nicht, welcher davon falsch ist
 only-order-with-right-angles = nur in dieser Reihenfolge sind alle Verdrehungen Vielfache von 90°
 pass-over-one-flat-plate = Eine einzige ebene Platte überfahren und ihren Rand auslassen.
 paste-dh-table = Fügen Sie je Gelenk eine Zeile mit a, alpha, d und theta ein
@@ -1489,12 +1507,41 @@ proxy-not-listed = X-Forwarded-Prefix von { $address } wird nicht verwendet: Kei
 proxy-pass-host = Steht ein Proxy vor dem Server, soll er den Host des Browsers weiterreichen; in nginx: proxy_set_header Host $http_host;
 proxy-pass-upgrade = Der Proxy soll das Upgrade weiterreichen; in nginx: proxy_http_version 1.1; proxy_set_header Upgrade $http_upgrade; proxy_set_header Connection $http_connection;
 proxy-sub-path-unusable = X-Forwarded-Prefix des Proxys wird nicht verwendet: Es ist kein Unterpfad.
+read-these-again = Diese noch einmal messen
+reading-between-faces = { $place }: ein Messwert von { $first } bis { $second }
+reading-far-beside-drawing = { $place }: { $reading } gemessen, wo die Zeichnung { $drawn } hat
+reading-in-row = Messwert { $number } ({ $first } bis { $second })
+reading-minus-fit = Messwert − Ausgleichung
+reading-of-certificate = Messwert
+reading-of-other-faces = die Zeile gehört zu anderen Flächen, einem anderen Block oder einer anderen Einheit
+reading-off-by = { $reading } um { $off }
+readings-agree = Messwerte passen zusammen
+readings-agree-if-exchanged = alle Messwerte passen zusammen, wenn { $one } und { $other } getauscht werden
 readings-are-apart = die Messwerte liegen im Mittel { $period } auseinander; über mehr als { $longest } wird nicht interpoliert
 no-picture-of-folder-has-a-line = keines der { $count } Bilder zeigt eine Linie; das erste: { $first }
 no-picture-within-readings = kein Bild von { $path } wurde während der Messwerte von { $readings } aufgenommen, von { $begin } bis { $end }
 one-picture-at-a-time = ein Sensor nimmt nur ein Bild zur selben Zeit auf
 picture-at-time-of-line = { $place } hat dieselbe time_s wie Zeile { $line }
 pictures-are-at = die Bilder beginnen bei { $begin }
+readings-are-inches =
+    { $count ->
+        [one] { $place }: der Messwert passt zur Zeichnung, wenn er in Zoll ist
+       *[other] { $place } und die folgenden: { $count } Messwerte passen zur Zeichnung, wenn sie in Zoll sind
+    }
+readings-contradict-others =
+    { $count ->
+        [one] ein Messwert widerspricht den anderen: { $first }
+       *[other] { $count } Messwerte widersprechen den anderen, vor allem { $first }
+    }
+readings-expected-in-mm = erwartet werden Millimeter
+readings-miss-faces =
+    { $count ->
+        [one] keine Kette von Messwerten in { $path } erreicht { $faces }
+       *[other] keine Kette von Messwerten in { $path } erreicht die Flächen { $faces }
+    }
+readings-must-connect-faces = die Messwerte müssen alle Kanten entlang X verbinden, vorn mit hinten, und Krone, Boden und Unterseite
+readings-of-certificate = Messwerte
+readings-scatter-more = Die Messwerte streuen { $times }-mal so stark wie angegeben; die Unsicherheiten sind um diesen Faktor größer.
 recording-keeps-still-lines = Die Aufzeichnung enthält sie alle.
 replace-the-datasheet = das Datenblatt ersetzen; das jetzige bleibt unter den abgelegten erhalten
 retired-a-datasheet = legte ein Datenblatt ab
@@ -2702,6 +2749,7 @@ sphere-gives-way =
     }: Die Antastungen streuen um { $scatter }, die Punkte der Scans um { $expected }
 sphere-moved = Bewegt um
 sphere-position = Position
+standard-uncertainty-k-1 = u, k = 1
 started-simulation = simulierten Bediener gestartet
 lies-face = er liegt { $where }
 lies-no-face-all = er liegt auf keiner Fläche
@@ -4182,8 +4230,10 @@ time-stamps-of =
     }
 tip = Tastkugel
 tip-3 = Tastkugel: { $text }
+tip-alone-never-shows-diameter = ein kleinerer Taster und ein größerer Block ergeben dieselben Messwerte
 tip-bars-end = Die Tastkugel sitzt im Stabende
 tip-check = Tastkugelprüfung
+tip-diameter-not-shown = kein Messwert in { $path } zeigt den Durchmesser des Tasters „{ $tool }“
 tip-held-seat-moved-max-min = Die Tastkugel hat sich in einer Pfanne um { $worst } bewegt, (max − min)/2 auf der schlechtesten Achse.
 tip-in-seat-moved-limit = Die Tastkugel hat sich in einer Pfanne um { $worst } bewegt, (max − min)/2 auf der schlechtesten Achse; der Grenzwert ist { $limit }.
 tip-is-checked-in-a-seat = Um seine Spitze in einem Sitz gedreht, zeigt der Arm, ob die Spitze da ist, wo sein Modell sie hat.
@@ -4247,6 +4297,9 @@ took-picture-bundle = Bild für den Support gespeichert
 took-point = Punkt aufgenommen
 took-pose-back = Pose wieder einbezogen
 took-support-bundle = Diagnosepaket gespeichert
+tool-found = { $value }, Standardunsicherheit { $known } (k = 1)
+tool-of-reading = Gerät
+tool-zero-or-diameter = Nullfehler oder Tasterdurchmesser, { $tool }
 top-all-around-side-wrist-turned = Oben und ringsum an der Seite, mit jedes Mal anders gedrehtem Handgelenk. An jeder Stelle ruhig halten und die Taste am Messarm drücken.
 topic-holds = { $path }: { $topic } enthält { $schema } ({ $encoding })
 total-k-1 = { $total } (k = 1)
@@ -4363,6 +4416,7 @@ udp-port-cannot-be-opened = Der UDP-Port { $port } dieses Rechners lässt sich n
 udp-port-in-use = Ein anderes Programm auf diesem Rechner empfängt am UDP-Port { $port }
 uncertainties-above-largest = { $field } braucht daneben { $one }, den größten dieser Werte
 uncertainties-of-edges-count = { $field } hat { $found } Kanten, der Block hat { $wanted }
+uncertainty-above-zero-up-to = erwartet wird eine Unsicherheit in mm über 0 und bis { $most }
 uncertainty-budgets = Unsicherheitsbudgets
 uncertainty-is-not-the-root-of-its-budget = expanded_uncertainty ist nicht das Doppelte der Wurzel der Quadratsumme seines Budgets
 uncertainty-is-root-of-parts = U ist die Wurzel der Quadratsumme seiner Anteile, alle mit k = 2. Prüfnormal: U der Prüfung. Taster: aus den Antastpunkten. Punkte: aus der Streuung der Punkte einer Punktwolke. Punktwolken: aus deren Streuung. Mittelwert, Standardabweichung und Spannweite sind die der Punktwolken.

@@ -50,8 +50,10 @@ activity-verification = Verification
 add-dh-row = Give one row for each joint, in order
 add-exposure-us-line = Add a line exposure_us = …
 add-line = Add a line { $key } = …
+add-micrometer-reading-of-width = Add a reading of a merlon's width by micrometer, or subtract the tip's diameter and state its uncertainty as tool_uncertainty_mm under another tool
 add-picture-delete-pose = Add the picture, or delete the pose
 add-pictures-turned-about-another-axis = add pictures rotated about another axis
+add-readings-from-face-known = Add readings of these faces from others
 added-a-datasheet = added a datasheet
 added-account = added an account
 added-gauge-certificate = added the certificate of a gauge
@@ -419,6 +421,12 @@ beyond-limit = Beyond the limit
 bits-expected = 8 or 16 bits are expected
 bits-per-pixel = { $bits } bits per pixel
 block-as-drawn = as drawn, made to ± { $value }
+block-certificate = Certificate of the block
+block-certified-by-readings =
+    { $count ->
+        [one] Coordinates by one reading; the largest standard uncertainty is { $largest } (k = 1).
+       *[other] Coordinates by least squares from { $count } readings; the largest standard uncertainty is { $largest } (k = 1).
+    }
 block-corner =
     { $level ->
         [crest] crest { $number }
@@ -574,6 +582,7 @@ certificate-date-unreadable = { $until } is no date; the certificate’s validit
 certificate-days-reversed = by the clock of the station, the test began on { $begun } and ended on { $ended }; the certificate needs both days in order
 certificate-has-lengths = the certificate states: { $names }
 certificate-has-no-length = the certificate states no length
+certificate-must-be-known-to = a certificate is known to { $most }
 certificate-needs-country = the certificate needs the laboratory's country as two capital letters, not { $country }
 certificate-needs-date = the certificate needs the day of the test, and { $text } is none
 certificate-needs-laboratory = the certificate needs the name of the laboratory
@@ -1010,8 +1019,10 @@ convert-poses-read-otherwise =
        *[other] give every picture the pose in which it was taken
     }
 convert-them-name-columns = Convert them, and name the columns { $first } to { $last }
+coordinate = Coordinate
 coordinate-left-out-off = coordinates.csv line { $number } ({ $place }): { $distance } off
 coordinates = Coordinates
+coordinates-about-mean-of-faces = The uncertainties are about the mean of the faces of each axis, so that the distance of two faces has the root of the sum of their squares.
 coordinates-fit-otherwise = { $reason }, they would typically lie { $off } from where arm.json has them
 coordinates-give-figures = coordinates.csv: { $poses } poses give { $figures } values
 coordinates-held-out = Measured coordinates, cross-validated
@@ -1350,9 +1361,14 @@ every-reading-joints-could-true = All joint readings are plausible.
 every-stripe-pictures-wait-them = All stripes are recorded; they take precedence over pictures.
 everything-grows-metre-aluminium = Everything expands with it: one metre of aluminium by { $growth } per degree.
 exceed-limit-m = { $half_range } exceeds the limit of { $limit }.
+exchange-readings-or-read-again = Exchange them, or read both again
 expand-xacro = Expand it with xacro FILE > robot.urdf, and give that
 expanded-uncertainty-note = U = { $expanded_uncertainty }, k = 2
 expansion-not-read = the certificate's coefficient of expansion is not read: enter expansion_per_c in the file
+face-known-only-to = the readings leave a face uncertain by { $known }
+face-of-block = Face
+faces-are-not-parallel = these are not two parallel faces
+faces-of-readings-are = faces are edge_1 to edge_{ $edges }, { $names }
 figure-over-clouds = 
     { $title }: { $of ->
         [mean] mean
@@ -1434,6 +1450,7 @@ moves-check-arm-json =
         [marker] { $name } changes by { $change }: check arm.json, and the marker: its name in the column marker, if it is not the tip, and its place, if it is given
        *[arm] { $name } changes by { $change }: check arm.json
     }
+multiply-readings-by-inch = Multiply them by 25.4
 name-columns-by-unit =
     { $unit ->
         [deg] Name the columns with _rad, or convert the angles
@@ -1447,6 +1464,7 @@ no-dh-table = There is no Denavit-Hartenberg table in the text
 no-picture-between-readings = no picture of { $path } lies between two readings of { $readings } that are close together
 no-picture-of-folder-can-be-used = none of the { $count } pictures can be used; the first: { $first }
 nominal-is-not-this-arm = A nominal model is right for every arm of its kind, and exact for none: identify yours, or give its factory calibration.
+one-of-readings-is-wrong = the readings do not tell which of them is wrong
 only-order-with-right-angles = only in this order are all twists multiples of 90°
 pass-over-one-flat-plate = Pass over one flat plate, and leave out its edge.
 paste-dh-table = Paste a line for each joint with a, alpha, d and theta
@@ -1485,12 +1503,41 @@ proxy-not-listed = X-Forwarded-Prefix from { $address } is not used: no listed p
 proxy-pass-host = If a proxy is in front of the server, let it pass on the browser's Host; in nginx: proxy_set_header Host $http_host;
 proxy-pass-upgrade = Let the proxy pass on the upgrade; in nginx: proxy_http_version 1.1; proxy_set_header Upgrade $http_upgrade; proxy_set_header Connection $http_connection;
 proxy-sub-path-unusable = X-Forwarded-Prefix of the proxy is not used: it is no sub-path.
+read-these-again = Read these again
+reading-between-faces = { $place }: a reading from { $first } to { $second }
+reading-far-beside-drawing = { $place }: { $reading } was read where the drawing has { $drawn }
+reading-in-row = reading { $number } ({ $first } to { $second })
+reading-minus-fit = Reading − fit
+reading-of-certificate = Reading
+reading-of-other-faces = the row belongs to other faces, another block or another unit
+reading-off-by = { $reading } by { $off }
+readings-agree = Readings agree
+readings-agree-if-exchanged = all readings agree if those of { $one } and { $other } are exchanged
 readings-are-apart = the readings are { $period } apart on average; nothing is interpolated over more than { $longest }
 no-picture-of-folder-has-a-line = none of the { $count } pictures shows a line; the first: { $first }
 no-picture-within-readings = no picture of { $path } was taken during the readings of { $readings }, from { $begin } to { $end }
 one-picture-at-a-time = a sensor takes one picture at a time
 picture-at-time-of-line = { $place } has the same time_s as line { $line }
 pictures-are-at = the pictures begin at { $begin }
+readings-are-inches =
+    { $count ->
+        [one] { $place }: the reading agrees with the drawing if it is in inches
+       *[other] { $place } and the following: { $count } readings agree with the drawing if they are in inches
+    }
+readings-contradict-others =
+    { $count ->
+        [one] one reading contradicts the others: { $first }
+       *[other] { $count } readings contradict the others, foremost { $first }
+    }
+readings-expected-in-mm = millimetres are expected
+readings-miss-faces =
+    { $count ->
+        [one] no chain of readings in { $path } reaches { $faces }
+       *[other] no chain of readings in { $path } reaches the faces { $faces }
+    }
+readings-must-connect-faces = readings must connect all edges along X, front with back, and crest, floor and base
+readings-of-certificate = Readings
+readings-scatter-more = The readings scatter { $times } times as much as they state; the uncertainties are larger by this factor.
 recording-keeps-still-lines = The recording keeps them all.
 replace-the-datasheet = replace it, and the present one is kept among the retired ones
 retired-a-datasheet = retired a datasheet
@@ -2698,6 +2745,7 @@ sphere-gives-way =
     }: the touches scatter by { $scatter }, the points of the scans by { $expected }
 sphere-moved = Moved by
 sphere-position = Position
+standard-uncertainty-k-1 = u, k = 1
 started-simulation = started the simulated operator
 lies-face = it lies { $where }
 lies-no-face-all = it lies on no face
@@ -4169,8 +4217,10 @@ time-stamps-of =
     }
 tip = Tip
 tip-3 = Tip: { $text }
+tip-alone-never-shows-diameter = a smaller tip and a larger block give the same readings
 tip-bars-end = The tip is in the bar's end
 tip-check = Tip check
+tip-diameter-not-shown = no reading in { $path } shows the diameter of the { $tool }
 tip-held-seat-moved-max-min = The tip in a seat moved by { $worst }, (max − min)/2 on the worst axis.
 tip-in-seat-moved-limit = The tip in a seat moved by { $worst }, (max − min)/2 on the worst axis; the limit is { $limit }.
 tip-is-checked-in-a-seat = Turned about its tip in a seat, the arm shows whether the tip is where its model has it.
@@ -4234,6 +4284,9 @@ took-picture-bundle = saved a picture for support
 took-point = took a point
 took-pose-back = included a pose again
 took-support-bundle = saved the support bundle
+tool-found = { $value }, uncertainty { $known } (k = 1)
+tool-of-reading = Tool
+tool-zero-or-diameter = Zero error or tip diameter, { $tool }
 top-all-around-side-wrist-turned = Touch its top and all around its side, with the wrist turned differently each time. Hold still and press the arm's button at each point.
 topic-holds = { $path }: { $topic } contains { $schema } ({ $encoding })
 total-k-1 = { $total } (k = 1)
@@ -4341,6 +4394,7 @@ udp-port-cannot-be-opened = UDP port { $port } of this computer cannot be opened
 udp-port-in-use = Another program on this computer receives at UDP port { $port }
 uncertainties-above-largest = { $field } needs { $one } beside it, which is the largest of them
 uncertainties-of-edges-count = { $field } has { $found } edges, but the block has { $wanted }
+uncertainty-above-zero-up-to = an uncertainty in mm above 0 and up to { $most } is expected
 uncertainty-budgets = Uncertainty budgets
 uncertainty-is-not-the-root-of-its-budget = expanded_uncertainty is not twice the root of the sum of squares of its budget
 uncertainty-is-root-of-parts = U is the root of the sum of squares of its parts, all with k = 2. Gauge: U of test. Probe: of the contact points. Points: by the scatter of the points of a cloud. Clouds: by their scatter. Mean, standard deviation and range are over the clouds.

@@ -1,5 +1,6 @@
 """The report of a folder, in its two forms."""
 
+from collections.abc import Callable
 from pathlib import Path
 
 from app.errors import OperationError
@@ -66,6 +67,20 @@ def render_report(folder: Path, suffix: str, language: str = "en") -> bytes:
     Raises:
         OperationError: as ``folder_report``, or for another ``suffix`` or an unknown ``language``.
     """
+    form = _form(suffix)
+    return form(translate_report(folder_report(folder), language))
+
+
+def render(report: Report[Text], suffix: str, language: str = "en") -> bytes:
+    """A report as ``.html`` or ``.pdf``.
+
+    Raises:
+        OperationError: another ``suffix`` or an unknown ``language``.
+    """
+    return _form(suffix)(translate_report(report, language))
+
+
+def _form(suffix: str) -> Callable[[Report[str]], bytes]:
     form = FORMS.get(suffix.lower())
     if form is None:
         raise OperationError(
@@ -73,4 +88,4 @@ def render_report(folder: Path, suffix: str, language: str = "en") -> bytes:
             message("report-cannot-written", suffix=suffix),
             remedy=message("end-name"),
         )
-    return form(translate_report(folder_report(folder), language))
+    return form

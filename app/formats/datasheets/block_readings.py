@@ -1,0 +1,175 @@
+"""``readings.csv``: distances of a block's faces by calliper, micrometer or the arm's own tip.
+
+``from,to,distance_mm,standard_uncertainty_mm[,tool][,tool_uncertainty_mm]``: one row for each
+reading, from the face that lies lower along its axis to the other one.
+"""
+
+import re
+from dataclasses import replace
+from pathlib import Path
+
+from app.errors import OperationError
+from app.formats.csv_table import TableRow, read_table
+from app.formats.datasheets.target import COARSEST_MM
+from app.messages.message import Text, message, quantity
+from app.metrology.calibration.observation_model import coordinates
+from app.metrology.targets.block_readings import (
+    FACE_NAMES,
+    TIP,
+    BlockReading,
+    face_axis,
+    free_tools,
+    open_faces,
+    tool_sense,
+)
+from app.metrology.targets.crenellated_block import Crenellated
+
+REQUIRED = ("from", "to", "distance_mm", "standard_uncertainty_mm")
+EDGE = re.compile(r"edge_(\d+)")
+FURTHEST_MM = 2.0
+"""A reading that is further than this beside the drawing is another one's, or in another unit."""
+LARGEST_TIP_MM = 20.0
+MM_PER_INCH = 25.4
+INCHES_AGREE = 0.9
+"""Readings are in inches where this share of them agrees with the drawing if they were."""
+
+
+def read_readings(path: Path, drawing: Crenellated) -> tuple[BlockReading, ...]:
+    """The readings of a block.
+
+    Args:
+        path: the table.
+        drawing: the block as drawn; a reading that does not lie near it is refused.
+
+    Raises:
+        OperationError: as ``read_table``; a face that the block does not have, a reading between
+            faces that are not parallel, in inches, or far beside the drawing; a face that no
+            reading reaches (``readings-incomplete``); a tip whose diameter nothing shows
+            (``tip-unknown``).
+    """
+    table = read_table(path, REQUIRED)
+    rows = table.rows
+    readings = tuple(_reading(row, drawing, table.columns) for row in rows)
+    _refuse_unlike(rows, readings, drawing)
+    edges = len(drawing.edges_x_mm)
+    missing = open_faces(readings, edges)
+    if missing:
+        raise OperationError(
+            "readings-incomplete",
+            message(
+                "readings-miss-faces",
+                path=path.name,
+                count=len(missing),
+                faces=", ".join(face_name(face, edges) for face in missing),
+            ),
+            message("readings-must-connect-faces"),
+            message("add-readings-from-face-known"),
+        )
+    if free_tools(readings, edges):
+        raise OperationError(
+            "tip-unknown",
+            message("tip-diameter-not-shown", path=path.name, tool=TIP),
+            message("tip-alone-never-shows-diameter"),
+            message("add-micrometer-reading-of-width"),
+        )
+    return readings
+
+
+def face_name(face: int, edge_count: int) -> str:
+    """The name of a face in a table."""
+    return f"edge_{face + 1}" if face < edge_count else FACE_NAMES[face - edge_count]
+
+
+def _reading(row: TableRow, drawing: Crenellated, columns: tuple[str, ...]) -> BlockReading:
+    edges = len(drawing.edges_x_mm)
+    first, second = (_face(row, column, edges) for column in ("from", "to"))
+    values = coordinates(drawing)
+    if face_axis(first, edges) != face_axis(second, edges) or first == second:
+        names = {"first": row.text("from"), "second": row.text("to")}
+        raise OperationError(
+            "reading-not-parallel",
+            message("reading-between-faces", place=row.place, **names),
+            message("faces-are-not-parallel"),
+            message("correct-cell-delete-row"),
+        )
+    if values[first] > values[second]:
+        first, second = second, first
+    sd_mm = row.number("standard_uncertainty_mm")
+    common_mm = row.number("tool_uncertainty_mm") if "tool_uncertainty_mm" in columns else 0.0
+    for name, value in (("standard_uncertainty_mm", sd_mm), ("tool_uncertainty_mm", common_mm)):
+        if not (0.0 if name.startswith("tool") else 1e-6) <= value <= COARSEST_MM:
+            raise OperationError(
+                "reading-uncertainty",
+                message("column-cell-is", place=row.place, column=name, value=f"{value:g}"),
+                message("uncertainty-above-zero-up-to", most=quantity(COARSEST_MM, "mm", 1)),
+                message("correct-cell-delete-row"),
+            )
+    tool = row.cells["tool"].strip() if "tool" in columns else ""
+    return BlockReading(first, second, row.number("distance_mm"), sd_mm, tool, common_mm)
+
+
+def _face(row: TableRow, column: str, edge_count: int) -> int:
+    name = row.text(column)
+    found = EDGE.fullmatch(name)
+    if found and 1 <= int(found[1]) <= edge_count:
+        return int(found[1]) - 1
+    if name in FACE_NAMES:
+        return edge_count + FACE_NAMES.index(name)
+    raise OperationError(
+        "reading-of-unknown-face",
+        message("column-cell-is", place=row.place, column=column, value=repr(name)),
+        message("faces-of-readings-are", edges=edge_count, names=", ".join(FACE_NAMES)),
+        message("correct-cell-delete-row"),
+    )
+
+
+def _refuse_unlike(
+    rows: tuple[TableRow, ...], readings: tuple[BlockReading, ...], drawing: Crenellated
+) -> None:
+    """Refuses readings that are not of this block, the first of them by its row."""
+    inches = [_fits(one, drawing, MM_PER_INCH) and not _fits(one, drawing) for one in readings]
+    if sum(inches) > INCHES_AGREE * len(inches):
+        first: Text = rows[inches.index(True)].place
+        raise OperationError(
+            "readings-in-inches",
+            message("readings-are-inches", place=first, count=sum(inches)),
+            message("readings-expected-in-mm"),
+            message("multiply-readings-by-inch"),
+        )
+    unlike = [i for i, one in enumerate(readings) if not _fits(one, drawing)]
+    if len(unlike) == 2:
+        one, other = (readings[i] for i in unlike)
+        exchanged = (
+            replace(one, distance_mm=other.distance_mm),
+            replace(other, distance_mm=one.distance_mm),
+        )
+        if all(_fits(each, drawing) for each in exchanged):
+            first, second = (rows[i].place for i in unlike)
+            raise OperationError(
+                "readings-exchanged",
+                message("readings-agree-if-exchanged", one=first, other=second),
+                "",
+                message("exchange-readings-or-read-again"),
+            )
+    values = coordinates(drawing)
+    for row, one in zip(rows, readings, strict=True):
+        if not _fits(one, drawing):
+            raise OperationError(
+                "reading-beside-drawing",
+                message(
+                    "reading-far-beside-drawing",
+                    place=row.place,
+                    reading=quantity(one.distance_mm, "mm", 3),
+                    drawn=quantity(float(values[one.second] - values[one.first]), "mm", 3),
+                ),
+                message("reading-of-other-faces"),
+                message("correct-cell-delete-row"),
+            )
+
+
+def _fits(one: BlockReading, drawing: Crenellated, times: float = 1.0) -> bool:
+    values = coordinates(drawing)
+    sense = tool_sense(one.first, one.second, len(drawing.edges_x_mm)) if one.tool == TIP else 0
+    beside_mm = times * one.distance_mm - float(values[one.second] - values[one.first])
+    low, high = sorted((0.0, sense * LARGEST_TIP_MM))
+    return low - FURTHEST_MM <= beside_mm <= high + FURTHEST_MM
