@@ -2,7 +2,8 @@
 
 from pathlib import Path
 
-from app.formats.datasheets.target import read_block
+from app.formats.datasheets.target import read_block, read_object
+from app.metrology.targets.chessboard import Chessboard
 from tests.cli.test_cli import done, printed, refused
 
 NUMBERS = ("--field-of-view", 55, "--depth-of-field", 20)
@@ -30,5 +31,27 @@ def test_what_is_missing_of_the_sensor_is_named(tmp_path: Path) -> None:
     assert not (tmp_path / "block").exists()
 
 
+def test_a_board_is_made_and_its_file_follows_from_two_measured_lengths(tmp_path: Path) -> None:
+    board = ("design", "board", "charuco", "--squares", "11x8", "--square", 20, "-o", tmp_path)
+    assert len(printed(*board)["files"]) == 2
+    printed(*board, "--measured-x", 219.78, "--measured-y", 159.84)
+    found = read_object(tmp_path / "object.json")
+    assert isinstance(found, Chessboard)
+    assert found.square_mm == 19.98
+    said = refused(*board[:-2], "-o", tmp_path / "other", "--measured-x", 200, "--measured-y", 100)
+    assert "100.0 mm was measured where 160.0 mm" in said
+    assert not (tmp_path / "other").exists()
+
+
+def test_a_board_that_fits_on_no_page_is_refused(tmp_path: Path) -> None:
+    said = refused(
+        "design", "board", "chessboard", "--squares", "40x40", "--square", 50, "-o", tmp_path / "b"
+    )
+    assert "A0" in said
+    assert not (tmp_path / "b").exists()
+
+
 def test_help_names_the_designs() -> None:
-    assert "block" in done("design", "--help").output
+    said = done("design", "--help").output
+    assert "block" in said
+    assert "board" in said

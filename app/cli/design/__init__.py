@@ -3,7 +3,9 @@
 import typer
 
 from app.cli.design.block import block
+from app.cli.design.board import board
 from app.console import FullHelpGroup
 
 design = typer.Typer(cls=FullHelpGroup, help="Design an object for a sensor.", no_args_is_help=True)
 design.command()(block)
+design.command()(board)

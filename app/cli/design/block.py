@@ -65,7 +65,7 @@ def block(
         angle_deg=angle,
         datasheet=sensor,
         standoff_mm=standoff,
-        size_px=None if pixels is None else _two_numbers(pixels),
+        size_px=None if pixels is None else two_numbers(pixels, "--pixels"),
         stripe_axis=_axis(stripe_axis),
     )
     with progress_bar("Designing", not as_json) as progress:
@@ -77,10 +77,11 @@ def block(
     _print(found, files)
 
 
-def _two_numbers(text: str) -> tuple[int, int]:
+def two_numbers(text: str, option: str) -> tuple[int, int]:
+    """Both numbers of ``1280x1024``."""
     parts = text.lower().replace("×", "x").split("x")
     if len(parts) != 2 or not all(part.strip().isdigit() for part in parts):
-        raise typer.BadParameter("width x height, as in 1280x1024", param_hint="--pixels")
+        raise typer.BadParameter("two whole numbers, as in 12x8", param_hint=option)
     return int(parts[0]), int(parts[1])
 
 

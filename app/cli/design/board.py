@@ -1,0 +1,69 @@
+"""``crenel design board``: a chessboard or ChArUco board to print."""
+
+from enum import StrEnum
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from app.cli.design.block import two_numbers
+from app.console import AsJson, print_json, report_errors
+
+
+class BoardKind(StrEnum):
+    """What is in its white squares."""
+
+    CHARUCO = "charuco"
+    CHESSBOARD = "chessboard"
+
+
+@report_errors
+def board(
+    kind: Annotated[BoardKind, typer.Argument(help="With markers, or without.")],
+    squares: Annotated[str, typer.Option(help="Columns and rows of squares, as in 11x8.")],
+    square: Annotated[float, typer.Option(min=0.2, help="Width of a square, in mm.")],
+    output: Annotated[
+        Path, typer.Option("-o", "--output", help="Folder for board.pdf and object.json.")
+    ] = Path("board"),
+    name: Annotated[str | None, typer.Option(help="Name of the board.")] = None,
+    measured_x: Annotated[
+        float | None, typer.Option(min=1.0, help="Width of the printed pattern, in mm.")
+    ] = None,
+    measured_y: Annotated[
+        float | None, typer.Option(min=1.0, help="Height of the printed pattern, in mm.")
+    ] = None,
+    measured_sd: Annotated[
+        float, typer.Option(min=0.0, help="Standard uncertainty of both, in mm.")
+    ] = 0.1,
+    language: Annotated[str, typer.Option(help="Of the words on the page.")] = "en",
+    as_json: AsJson = False,
+) -> None:
+    """Make a board to print, to scale; or, of a printed one, its file by two measured lengths."""
+    from app.formats.atomic_write import write_atomically
+    from app.metrology.design.board_pattern import scale_board
+    from app.report.board_pdf import board_pdf
+    from app.workflows.design.board_files import board_file, plan_board
+    from app.workflows.design.design_files import make_folder
+
+    if (measured_x is None) != (measured_y is None):
+        raise typer.BadParameter("give both lengths, or none", param_hint="--measured-x")
+    size = two_numbers(squares, "--squares")
+    planned = plan_board(
+        name or f"{kind.value} {size[0]} x {size[1]}", size, square, kind == "charuco"
+    )
+    paths = [output / "object.json"]
+    if measured_x is None or measured_y is None:
+        content = board_pdf(planned, language)
+        make_folder(output)
+        write_atomically(output / "board.pdf", content)
+        paths.append(output / "board.pdf")
+    else:
+        planned = scale_board(planned, (measured_x, measured_y), measured_sd)
+        make_folder(output)
+    file = board_file(planned)
+    file.write(paths[0])
+    if as_json:
+        print_json({"object": file.fields(), "files": [str(path) for path in paths]})
+        return
+    for path in paths:
+        print(f"{path} written")

@@ -1,0 +1,107 @@
+"""A board to print, as PDF to scale, with what checks the printer."""
+
+import io
+
+from reportlab.lib.pagesizes import A0, A1, A2, A3, A4, landscape
+from reportlab.lib.units import mm
+from reportlab.pdfgen.canvas import Canvas
+
+from app.errors import OperationError
+from app.messages.catalogue import Render, renderer
+from app.messages.message import message, quantity
+from app.metrology.design.board_pattern import BoardPattern, board_pattern
+from app.metrology.targets.chessboard import Chessboard
+from app.metrology.transforms import Floats
+from app.report.pdf_figure import BOLD, PLAIN
+from app.report.pdf_fonts import register_fonts, replace_missing
+
+BAR_MM = 100.0
+"""Length of the bar that checks the printer."""
+MARGIN_MM, FOOT_MM, GAP_MM = 12.0, 32.0, 6.0
+"""Around everything, for the bar and the words below, and of white around the pattern."""
+TEXT_PT, LINE_MM, TICK_MM = 8.0, 0.2, 4.0
+PAGES = {"A4": A4, "A3": A3, "A2": A2, "A1": A1, "A0": A0}
+
+
+def board_pdf(board: Chessboard, language: str) -> bytes:
+    """One page with the pattern at its size, on the smallest of A4 to A0 that has room.
+
+    Below are a bar of ``BAR_MM`` and the nominal width and height of the pattern.
+
+    Raises:
+        OperationError: ``board-too-large``.
+    """
+    register_fonts()
+    pattern = board_pattern(board)
+    name, page = _page(pattern)
+    file, render = io.BytesIO(), renderer(language)
+    canvas = Canvas(file, pagesize=page, invariant=1, lang=language)
+    canvas.setTitle(replace_missing(board.name))
+    canvas.setCreator("Crenel")
+    canvas.setViewerPreference("PrintScaling", "None")
+    left_mm = (page[0] / mm - pattern.size_mm[0]) / 2
+    low_mm = MARGIN_MM + FOOT_MM + GAP_MM
+    canvas.saveState()
+    canvas.translate(left_mm * mm, low_mm * mm)
+    _fill(canvas, pattern.black, 0.0)
+    for cells in pattern.white:
+        _fill(canvas, cells, 1.0)
+    canvas.restoreState()
+    _foot(canvas, board, pattern, name, render)
+    canvas.showPage()
+    canvas.save()
+    return file.getvalue()
+
+
+def _page(pattern: BoardPattern) -> tuple[str, tuple[float, float]]:
+    """The smallest page, by its name, and its width and height in points."""
+    width = max(pattern.size_mm[0], BAR_MM) + 2 * (MARGIN_MM + GAP_MM)
+    height = pattern.size_mm[1] + 2 * (MARGIN_MM + GAP_MM) + FOOT_MM
+    for name, page in PAGES.items():
+        for across, up in (page, landscape(page)):
+            if width * mm <= across and height * mm <= up:
+                return name, (across, up)
+    raise OperationError(
+        "board-too-large",
+        message(
+            "board-larger-than-a0",
+            width=quantity(pattern.size_mm[0], "mm"),
+            height=quantity(pattern.size_mm[1], "mm"),
+        ),
+        "",
+        message("board-fewer-or-smaller-squares"),
+    )
+
+
+def _fill(canvas: Canvas, rectangles_mm: Floats, grey: float) -> None:
+    """All rectangles as one path, so that no seam shows between neighbours."""
+    canvas.setFillGray(grey)
+    path = canvas.beginPath()
+    for left, bottom, right, top in rectangles_mm:
+        path.rect(left * mm, bottom * mm, (right - left) * mm, (top - bottom) * mm)
+    canvas.drawPath(path, stroke=0, fill=1)
+
+
+def _foot(
+    canvas: Canvas, board: Chessboard, pattern: BoardPattern, page: str, render: Render
+) -> None:
+    """The bar, and what to measure."""
+    canvas.setFillGray(0.0)
+    canvas.setLineWidth(LINE_MM * mm)
+    level = (MARGIN_MM + 22.0) * mm
+    begin, end = MARGIN_MM * mm, (MARGIN_MM + BAR_MM) * mm
+    canvas.line(begin, level, end, level)
+    for x in (begin, end):
+        canvas.line(x, level - TICK_MM / 2 * mm, x, level + TICK_MM / 2 * mm)
+    canvas.setFont(PLAIN, TEXT_PT)
+    width, height = (quantity(size, "mm", 2) for size in pattern.size_mm)
+    rows = [
+        message("board-bar", length=quantity(BAR_MM, "mm")),
+        message("board-nominal-size", width=width, height=height),
+        message("board-print-and-glue", page=page),
+    ]
+    for number, row in enumerate(rows):
+        at = (MARGIN_MM + 15.0 - 4.5 * number) * mm
+        canvas.drawString(MARGIN_MM * mm, at, replace_missing(render(row)))
+    canvas.setFont(BOLD, TEXT_PT)
+    canvas.drawString(MARGIN_MM * mm, (MARGIN_MM + 27.0) * mm, replace_missing(board.name))

@@ -1,0 +1,63 @@
+"""The file of a board to print."""
+
+from app.errors import OperationError
+from app.formats.datasheets.target import CharucoFile, ChessboardFile
+from app.messages.message import message
+from app.metrology.targets.chessboard import DICTIONARIES, Chessboard, Markers
+
+USUAL_DICTIONARIES = ("DICT_4X4_50", "DICT_4X4_100", "DICT_4X4_250", "DICT_4X4_1000")
+MARKER_SHARE = 0.75
+"""Of a square, for a marker."""
+MEASURED_SD_MM = 0.1
+"""Standard uncertainty of a length that is measured with a ruler."""
+
+
+def plan_board(name: str, squares: tuple[int, int], square_mm: float, markers: bool) -> Chessboard:
+    """A board of so many columns and rows of squares.
+
+    Raises:
+        OperationError: ``board-squares``, where they are too few or too many.
+    """
+    columns, rows = squares
+    if not (min(squares) >= 4 and max(squares) <= 60):
+        raise OperationError(
+            "board-squares", message("board-has-4-to-60-squares"), "", message("correct-it")
+        )
+    count = columns * rows // 2
+    dictionary = next((one for one in USUAL_DICTIONARIES if DICTIONARIES[one] >= count), None)
+    if markers and dictionary is None:
+        raise OperationError(
+            "board-squares", message("board-has-4-to-60-squares"), "", message("correct-it")
+        )
+    own = Markers(dictionary, MARKER_SHARE * square_mm) if markers and dictionary else None
+    file = board_file(Chessboard(name, "", (columns - 1, rows - 1), square_mm, 0.05, markers=own))
+    return file.board()
+
+
+def board_file(board: Chessboard) -> CharucoFile | ChessboardFile:
+    """The ``object.json`` of a board."""
+    columns, rows = board.inner_corners
+    sd_mm = round(board.standard_uncertainty_mm, 6)
+    if board.markers is None:
+        return ChessboardFile(
+            kind="chessboard",
+            name=board.name,
+            serial_number=board.serial_number,
+            inner_corners=board.inner_corners,
+            square_mm=round(board.square_mm, 6),
+            standard_uncertainty_mm=sd_mm,
+            flatness_mm=board.flatness_mm,
+        )
+    return CharucoFile(
+        kind="charuco",
+        name=board.name,
+        serial_number=board.serial_number,
+        squares_x=columns + 1,
+        squares_y=rows + 1,
+        square_mm=round(board.square_mm, 6),
+        marker_mm=round(board.markers.side_mm, 6),
+        dictionary=board.markers.dictionary,
+        legacy_pattern=board.markers.legacy,
+        standard_uncertainty_mm=sd_mm,
+        flatness_mm=board.flatness_mm,
+    )
