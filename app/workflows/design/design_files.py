@@ -74,7 +74,7 @@ def object_file(design: BlockDesign) -> ObjectFile:
         crest_z_mm=block.crest_z_mm,
         floor_z_mm=block.floor_z_mm,
         base_z_mm=block.base_z_mm,
-        standard_uncertainty_mm=round(design.tolerance_mm / 3**0.5, 6),
+        tolerance_mm=design.tolerance_mm,
     )
 
 
