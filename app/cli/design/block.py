@@ -52,7 +52,9 @@ def block(
         Path | None, typer.Option(help="arm.json of the arm; otherwise, a usual portable arm.")
     ] = None,
     name: Annotated[str, typer.Option(help="Name of the block.")] = "Crenellated block",
-    language: Annotated[str, typer.Option(help="Of the drawing.")] = "en",
+    language: Annotated[
+        str, typer.Option(help="Of the drawing: en, or another language of app/messages.")
+    ] = "en",
     as_json: AsJson = False,
 ) -> None:
     """Propose a crenellated block for a sensor, and state the accuracy that it will give."""
@@ -109,11 +111,11 @@ def _write(found: "BlockDesign", folder: Path, language: str) -> list[Path]:
     from app.workflows.design.block_drawing import draw_block
     from app.workflows.design.design_files import make_folder, write_dxf_of, write_solid
 
+    content = drawing_pdf(draw_block(found), language)
     make_folder(folder)
-    written = write_solid(found, folder)
     path = folder / "block.pdf"
-    write_atomically(path, drawing_pdf(draw_block(found), language))
-    written.append(path)
+    write_atomically(path, content)
+    written = [*write_solid(found, folder), path]
     try:
         written.append(write_dxf_of(found, folder, language))
     except OperationError as refusal:

@@ -35,7 +35,9 @@ def board(
     measured_sd: Annotated[
         float, typer.Option(min=0.0, help="Standard uncertainty of both, in mm.")
     ] = 0.1,
-    language: Annotated[str, typer.Option(help="Of the words on the page.")] = "en",
+    language: Annotated[
+        str, typer.Option(help="Of the page: en, or another language of app/messages.")
+    ] = "en",
     as_json: AsJson = False,
 ) -> None:
     """Make a board to print, to scale; or, of a printed one, its file by two measured lengths."""
