@@ -285,8 +285,8 @@ def test_the_worst_comes_first_and_is_what_the_station_is() -> None:
         assert storage_health.archive("x", waiting, 0.1, 3, 1, None, 0.0).quality == "good"
     assert health.clock(0, 0.0, 2.0).quality == "bad"
     assert health.clock(1, 9.0, 0.0).quality == "attention"
-    assert health.broker("b", False, "refused", 5.0, False).quality == "attention"
-    assert health.broker("b", True, "", 5.0, True).quality == "bad"
+    assert health.broker("b", False, "refused", "try", 5.0, False).remedy == "try"
+    assert health.broker("b", True, "", "", 5.0, True).quality == "bad"
 
 
 def test_readings_that_cannot_be_true_are_reported_with_a_remedy() -> None:

@@ -759,6 +759,7 @@ ui-lost-records = Verloren
 ui-lower-limit = Untere Grenze, { $unit }
 ui-lower-limit-must-below-upper = Die untere Grenze muss unter der oberen liegen.
 ui-made-on-the-devices-page = Das Datenblatt der Kamera entsteht auf der Seite Geräte.
+ui-made-within-if-nobody-measured-it = Hergestellt auf ±, falls niemand gemessen hat
 ui-manual = manuell
 ui-map = Karte
 ui-map-appears-after-first-cloud = Die Karte erscheint hier nach der ersten Punktwolke.

@@ -759,6 +759,7 @@ ui-lost-records = Lost
 ui-lower-limit = Lower limit, { $unit }
 ui-lower-limit-must-below-upper = The lower limit must be below the upper limit.
 ui-made-on-the-devices-page = The camera’s datasheet is made on the Devices page.
+ui-made-within-if-nobody-measured-it = Made within ±, if nobody measured it
 ui-manual = manual
 ui-map = Map
 ui-map-appears-after-first-cloud = The map appears here after the first cloud.
