@@ -6,6 +6,10 @@ const OWN_FILE = import.meta.url;
  */
 export const BASE = import.meta.env.PROD ? new URL("..", OWN_FILE) : new URL("/", window.location.href);
 
+// relative to the page it would be looked for elsewhere once the client has changed the address
+const icon = document.querySelector<HTMLLinkElement>("link[rel=icon]");
+if (icon) icon.href = new URL("favicon.svg", BASE).href;
+
 /** The address of a path of the station, such as `/api/session`. */
 export function addressOf(path: string): string {
   return BASE.pathname + path.replace(/^\//, "");
