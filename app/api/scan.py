@@ -119,6 +119,6 @@ def stop_everything(context: Context) -> None:
     context.rig.lasers_off()
     context.simulated_scan.stop()
     for guide in context.guides:
-        guide.stop_simulation()
+        guide.stop_work()
     context.scanner.stop()
     context.rig.lasers_off()

@@ -149,6 +149,7 @@ def _watch_unattended(
 
     def stop(because: Text) -> None:
         rig.lasers_off()
+        guides.calibration.stop_work()  # a picture would light the laser again
         live.scanner.stop(because)
         rig.lasers_off()
         live.bus.event("unattended-stop", because, "bad")
@@ -156,7 +157,9 @@ def _watch_unattended(
     station = Unattended(
         silence_s=lambda: lease.silence_s,
         place_mm=rig.arm.place_mm,
-        is_lit=lambda: live.is_recording() or rig.laser.state == "on",
+        is_lit=lambda: (
+            live.is_recording() or rig.laser.state == "on" or guides.calibration.taking_poses
+        ),
         is_driven=lambda: simulated_scan.running or guides.any_simulated(),
         limit_s=lambda: live.settings.settings.unattended_limit_s,
     )

@@ -147,6 +147,7 @@ def make_live(
         has_simulation=False,
         busy=None,
         simulation_running=False,
+        taking_poses=False,
         trouble=None,
     )
     return replace(live, **changes)

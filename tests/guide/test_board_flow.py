@@ -1,6 +1,6 @@
 """The guided calibration on a chessboard: views planned, touching left to the operator."""
 
-from dataclasses import asdict
+from dataclasses import asdict, replace
 from pathlib import Path
 
 import numpy as np
@@ -8,20 +8,22 @@ import pytest
 
 from app.errors import OperationError
 from app.formats.datasheets.arm import arm_document
-from app.guide.calibration.live import SelectedDatasheets
+from app.guide.calibration.flow import build_view
+from app.guide.calibration.live import ConnectedArm, SelectedDatasheets
 from app.guide.calibration.outcome import to_payload
 from app.guide.calibration.poses.board_views import VIEWS, next_view, plan_view, still_missing
 from app.guide.calibration.poses.detection import detect_in_capture
+from app.guide.calibration.rules import RULES
 from app.guide.calibration.session_folder import SessionFolder
 from app.guide.calibration.state import CalibrationState
 from app.guide.calibration.steps.first_pose import first_outline
 from app.guide.calibration.steps.poses import pose_pictures
 from app.guide.calibration.touch.board import WANTED, suggest_board_places
 from app.guide.calibration.touch.report import face_in_use, face_names
-from app.guide.common.view import BoardGeometry, CameraPicture, ChoicesPicture, ObjectPicture
+from app.guide.common.view import BoardGeometry, Busy, CameraPicture, ChoicesPicture, ObjectPicture
 from app.metrology.adjustment.board.initial_guess import BoardObservation
 from app.metrology.adjustment.planning.next_pose import PoseDelta
-from app.metrology.arm.kinematics import tip_centres
+from app.metrology.arm.kinematics import RobotArm, tip_centres
 from app.metrology.targets.chessboard import Chessboard
 from app.metrology.targets.crenellated_block import FACES
 from app.station.devices.capture import Capture, Lighting
@@ -289,3 +291,28 @@ def test_a_block_keeps_its_faces() -> None:
     assert face_names(BLOCK) == FACES
     assert face_in_use("floor", BLOCK) == "floor"
     assert asdict(BoardGeometry((7, 6), 10.0))["kind"] == "board"
+
+
+ROBOT = SelectedDatasheets(RobotArm("robot", "R-1"), BOARD, SENSOR)
+
+
+def test_pictures_by_themselves_are_for_a_robot_and_a_board() -> None:
+    setup, place = state_after(start_row("setup")), at("place")
+    for state, name in ((setup, "setup_and_poses"), (place, "take_poses")):
+        live = replace(make_live(state, BOARD), arm=ConnectedArm("R-1", 6, "pose"), chosen=ROBOT)
+        assert action(build_view(state, live), name).enabled
+    for state in (setup, place):
+        names = {one.name for one in view_of(state, BOARD).actions}
+        assert not names & {"setup_and_poses", "take_poses"}
+    reason = RULES.rejection_reason(place, make_live(place, BOARD), "take_poses", {})
+    assert "with a robot without a tip" in str(reason)
+
+
+def test_pictures_by_themselves_can_be_ended_while_they_are_taken() -> None:
+    place, busy = at("place"), Busy("Pictures by themselves", 0.1)
+    taking = view_of(place, BOARD, chosen=ROBOT, taking_poses=True, busy=busy)
+    assert action(taking, "stop_poses").enabled
+    assert not action(taking, "confirm_place").enabled
+    assert not any(one.name == "take_poses" for one in taking.actions)
+    live = make_live(place, BOARD, chosen=ROBOT)
+    assert RULES.rejection_reason(place, live, "stop_poses", {})

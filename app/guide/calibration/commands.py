@@ -4,6 +4,7 @@ from functools import partial
 
 from app.guide.calibration import tasks
 from app.guide.calibration.guide import CalibrationGuide
+from app.guide.calibration.resting_poses import start_taking
 from app.guide.calibration.simulated_operator import simulate
 from app.guide.calibration.state import STEPS
 from app.guide.calibration.tasks import CONFIRMATIONS, confirm
@@ -65,6 +66,23 @@ def _capture(guide: CalibrationGuide, args: Args, key: str | None) -> None:
     guide.start_job(message("taking-picture"), lambda progress: tasks.capture(guide, progress))
 
 
+def _take_poses(guide: CalibrationGuide, args: Args, key: str | None) -> None:
+    guide.append("poses_started", {}, key)
+    start_taking(guide)
+
+
+def _setup_and_poses(guide: CalibrationGuide, args: Args, key: str | None) -> None:
+    confirm(guide, "confirm_setup", key)
+    _take_poses(guide, {}, None)
+
+
+def _stop_poses(guide: CalibrationGuide, args: Args, key: str | None) -> None:
+    guide.stop_work()
+    guide.append("poses_stopped", {}, key)
+    if guide.state.step in ("place", "capture") and guide.state.pictures:
+        guide.append("capture_kept", {})
+
+
 def _solve(guide: CalibrationGuide, args: Args, key: str | None) -> None:
     guide.append("solve_started", {}, key)
     guide.start_job(message("calibrating"), lambda progress: tasks.calibrate(guide, progress))
@@ -91,6 +109,9 @@ ACTS: dict[str, Act[CalibrationGuide]] = {
     "void_pose": partial(_change_pose, "pose_voided"),
     "restore_pose": partial(_change_pose, "pose_restored"),
     "capture": _capture,
+    "setup_and_poses": _setup_and_poses,
+    "take_poses": _take_poses,
+    "stop_poses": _stop_poses,
     "solve": _solve,
     **simulation_acts(simulate),
     "accept": _accept,

@@ -70,7 +70,10 @@ def build_view(state: CalibrationState, live: CalibrationLive) -> FlowView:
 def _common_actions(state: CalibrationState, live: CalibrationLive) -> list[Action]:
     """What every step offers: the simulated operator, the way back, the way out."""
     actions = []
-    if live.simulation_running or state.step != "review":
+    if live.taking_poses:
+        label = message("end-pictures-by-themselves")
+        actions.append(offer(state, live, "stop_poses", label, primary=True))
+    elif live.simulation_running or state.step != "review":
         actions = RULES.offer_simulation(state, live, whole=state.step == "devices")
     if state.step not in ("devices", "review"):
         actions.append(offer(state, live, "back", message("back")))

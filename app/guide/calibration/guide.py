@@ -42,6 +42,7 @@ from app.metrology.decision import GUARDED_95, DecisionRule
 from app.metrology.limits import LIMITS, Limits
 from app.metrology.transforms import Floats
 from app.station.devices.rig import NamedSensor
+from app.station.jobs import Progress
 from app.station.preview.preview import Preview
 from app.station.scan.state import ScanState
 from app.station.view3d.scene import Scene
@@ -86,6 +87,8 @@ class CalibrationGuide(GuidedSession[CalibrationState, CalibrationLive, FlowView
         self.calibrations = calibrations
         self.tip: Callable[[], Finding | None] = lambda: None
         """What the last check of the tip says."""
+        self.taking_poses = False
+        """Whether pictures are taken by themselves."""
         self._sessions = data_folder / "sessions"
         self._on_closed = on_closed
         self._datasheets: SessionDatasheets | None = None
@@ -140,6 +143,7 @@ class CalibrationGuide(GuidedSession[CalibrationState, CalibrationLive, FlowView
             has_simulation=self.station.simulated_operator is not None,
             busy=self.busy,
             simulation_running=self.simulation_running,
+            taking_poses=self.taking_poses,
             trouble=self._trouble,
         )
 
@@ -255,6 +259,28 @@ class CalibrationGuide(GuidedSession[CalibrationState, CalibrationLive, FlowView
             if self.running and self.state.step == "setup":
                 self.choose_for_connected()
             self.refresh()
+
+    # -- pictures by themselves ----------------------------------------------
+
+    def start_taking_poses(self, work: Callable[[Progress], None]) -> None:
+        """Takes pictures by themselves; raises ``OperationError`` while another job runs."""
+
+        def run(progress: Progress) -> None:
+            try:
+                work(progress)
+            finally:
+                self.taking_poses = False
+
+        self.taking_poses = True
+        try:
+            self.start_job(message("pictures-by-themselves"), run)
+        except OperationError:
+            self.taking_poses = False
+            raise
+
+    def stop_work(self) -> None:
+        self.taking_poses = False
+        super().stop_work()
 
     # -- changes -------------------------------------------------------------
 

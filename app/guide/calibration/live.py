@@ -106,6 +106,8 @@ class CalibrationLive(SessionLive):
     chosen: SelectedDatasheets
     touch: TouchReport | None
     """None until an arm and an object are chosen."""
+    taking_poses: bool
+    """Whether pictures are taken by themselves."""
     laser_on: bool
     corners_detected: int
     """Corners of the object found in the live picture."""

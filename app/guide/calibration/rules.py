@@ -22,7 +22,7 @@ from app.guide.common.arguments import (
 )
 from app.guide.common.rules import Command, CommandRules, no_simulation_reason
 from app.messages.message import Text, join, message, quantity, word
-from app.metrology.arm.kinematics import AnyArm, Arm
+from app.metrology.arm.kinematics import AnyArm, Arm, RobotArm
 
 
 def _devices(state: CalibrationState, live: CalibrationLive, args: Args) -> Text:
@@ -186,6 +186,27 @@ def _capture(state: CalibrationState, live: CalibrationLive, args: Args) -> Text
     return "" if live.stillness.still else message("hold-arm-still", text=live.stillness.text)
 
 
+def can_take_poses(live: CalibrationLive) -> bool:
+    """Whether pictures can be taken by themselves: a robot states where it rests, and only a
+    board needs no touch."""
+    arm = live.chosen.arm
+    return isinstance(arm, RobotArm) and arm.tip is None and live.chosen.board is not None
+
+
+def _take_poses(state: CalibrationState, live: CalibrationLive, args: Args) -> Text:
+    if not can_take_poses(live):
+        return message("by-themselves-for-robot-and-board")
+    return _place(state, live, args)
+
+
+def _setup_and_poses(state: CalibrationState, live: CalibrationLive, args: Args) -> Text:
+    return _setup(state, live, args) or _take_poses(state, live, args)
+
+
+def _stop_poses(state: CalibrationState, live: CalibrationLive, args: Args) -> Text:
+    return "" if live.taking_poses else message("no-pictures-by-themselves")
+
+
 def _keep(state: CalibrationState, live: CalibrationLive, args: Args) -> Text:
     return "" if state.picture else message("there-no-picture-yet-take-one")
 
@@ -273,6 +294,9 @@ RULES = CommandRules[CalibrationState, CalibrationLive](
         "back": Command(STEPS[1:], _back, BackArguments),
         "run_simulation": Command(STEPS[:-1], no_simulation_reason, OperatorArguments),
         "stop_simulation": Command(),
+        "setup_and_poses": Command(("setup",), _setup_and_poses),
+        "take_poses": Command(("place", "capture", "solve"), _take_poses),
+        "stop_poses": Command(rule=_stop_poses, while_busy=True),
         "repeat": Command(when_closed=True),
         "abandon": Command(),
     },

@@ -176,7 +176,7 @@ FORWARD = {
     "capture_kept": "solve",
 }
 ENDS = ("accepted", "abandoned", "repeated")
-NOTES = ("capture_started", "solve_started", *SIMULATION_NOTES)
+NOTES = ("capture_started", "solve_started", "poses_started", "poses_stopped", *SIMULATION_NOTES)
 """Rows that record what was done, and change nothing that the flow hangs on."""
 
 

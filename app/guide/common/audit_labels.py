@@ -60,6 +60,9 @@ AUDIT_LABELS = {
     "again": message("began-again"),
     "run_simulation": message("started-simulation"),
     "stop_simulation": message("stopped-simulation"),
+    "setup_and_poses": message("started-pictures-by-themselves"),
+    "take_poses": message("started-pictures-by-themselves"),
+    "stop_poses": message("ended-pictures-by-themselves"),
     "end": message("ended"),
     "abandon": message("abandoned"),
 }

@@ -12,9 +12,9 @@ from app.guide.common.guided_session import GuidedSession
 from app.guide.common.simulated_operator import SimulatedOperator
 from app.station.jobs import Progress
 
-AT_ANY_REV = ("stop_simulation",)
+AT_ANY_REV = ("stop_simulation", "stop_poses")
 """Stopping must not wait for a fresh view."""
-WITHOUT_ARM = ("stop_simulation", "abandon", "end")
+WITHOUT_ARM = ("stop_simulation", "stop_poses", "abandon", "end")
 """Commands by which a session ends or rests, whatever has the arm meanwhile."""
 Guide = TypeVar("Guide", bound=GuidedSession[Any, Any, Any])
 Act = Callable[[Guide, Args, str | None], None]

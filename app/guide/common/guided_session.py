@@ -302,6 +302,10 @@ class GuidedSession(ABC, Generic[State, Live, View]):
             self.simulation_running = False
             raise
 
+    def stop_work(self) -> None:
+        """Ends early what works by itself in this session; idempotent."""
+        self.stop_simulation()
+
     def stop_simulation(self) -> None:
         """Ends the simulated operator's work in this session early; idempotent."""
         if self.simulation_running and self.station.simulated_operator is not None:

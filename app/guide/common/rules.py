@@ -51,6 +51,8 @@ class Command(Generic[State, Live]):
     rule: Rule[State, Live] | None = None
     """What else it waits for."""
     arguments: type[Arguments] = Arguments
+    while_busy: bool = False
+    """Whether it is possible while work is under way."""
     when_closed: bool = False
     """Whether a session that is over takes it, too."""
 
@@ -80,7 +82,7 @@ class CommandRules(Generic[State, Live]):
             return "" if live.simulation_running else message("simulation-moving")
         if (state.ended or not state.session_id) and not command.when_closed:
             return self.closed
-        if live.busy is not None:
+        if live.busy is not None and not command.while_busy:
             return message("wait-2", text=live.busy.text)
         if command.steps and state.step not in command.steps:
             return self.elsewhere(state.step)

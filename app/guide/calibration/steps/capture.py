@@ -7,7 +7,7 @@ from app.findings import Finding, Quality
 from app.guide.calibration.live import CalibrationLive
 from app.guide.calibration.poses.advice import ENOUGH_OF_A_BOARD, ENOUGH_POSES, Advice
 from app.guide.calibration.poses.board_views import plan_view, view_instruction
-from app.guide.calibration.rules import offer
+from app.guide.calibration.rules import can_take_poses, offer
 from app.guide.calibration.state import CalibrationState, SolveFailure
 from app.guide.calibration.steps.body import StepView
 from app.guide.calibration.steps.first_pose import first_outline
@@ -57,6 +57,7 @@ def place_step(state: CalibrationState, live: CalibrationLive) -> StepView:
         ],
         actions=[
             offer(state, live, "confirm_place", message("object-picture"), primary=True),
+            *_offer_taking(state, live),
             *_enough(state, live),
         ],
     )
@@ -75,6 +76,13 @@ def capture_step(state: CalibrationState, live: CalibrationLive) -> StepView:
             *_enough(state, live),
         ],
     )
+
+
+def _offer_taking(state: CalibrationState, live: CalibrationLive) -> list[Action]:
+    """Of a robot with a board, whenever it rests."""
+    if not can_take_poses(live) or live.taking_poses:
+        return []
+    return [offer(state, live, "take_poses", message("picture-whenever-robot-rests"))]
 
 
 def _poses(state: CalibrationState, live: CalibrationLive) -> StepProgress:

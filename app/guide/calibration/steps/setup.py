@@ -2,10 +2,17 @@
 
 from app.formats.datasheets.sensor import SensorDatasheet
 from app.guide.calibration.live import CalibrationLive
-from app.guide.calibration.rules import offer, other_devices
+from app.guide.calibration.rules import can_take_poses, offer, other_devices
 from app.guide.calibration.state import DEVICE, CalibrationState
 from app.guide.calibration.steps.body import StepView, geometry
-from app.guide.common.view import Choice, ChoiceOption, ChoicesPicture, DeviceLine, DevicesPicture
+from app.guide.common.view import (
+    Action,
+    Choice,
+    ChoiceOption,
+    ChoicesPicture,
+    DeviceLine,
+    DevicesPicture,
+)
 from app.messages.message import Text, message, quantity, rounded
 from app.metrology.arm.kinematics import AnyArm, Arm
 from app.metrology.targets.chessboard import Chessboard, Markers
@@ -40,13 +47,23 @@ def setup_step(state: CalibrationState, live: CalibrationLive) -> StepView:
     return StepView(
         instruction=message("check-arm-tip-object-sensor-those"),
         picture=ChoicesPicture(_choices(state, live), geometry(item) if item else None),
-        actions=[offer(state, live, "confirm_setup", message("these-use"), primary=True)],
+        actions=[
+            offer(state, live, "confirm_setup", message("these-use"), primary=True),
+            *_offer_taking(state, live),
+        ],
         findings=[
             *other_devices(live),
             *([live.tip] if live.tip is not None and isinstance(chosen_arm, Arm) else []),
             *live.library.findings,
         ],
     )
+
+
+def _offer_taking(state: CalibrationState, live: CalibrationLive) -> list[Action]:
+    """Of a robot with a board: on to the pictures, taken by themselves."""
+    if not can_take_poses(live):
+        return []
+    return [offer(state, live, "setup_and_poses", message("these-use-and-pictures"))]
 
 
 def _choices(state: CalibrationState, live: CalibrationLive) -> list[Choice]:
