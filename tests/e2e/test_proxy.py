@@ -14,9 +14,10 @@ import pytest
 from playwright.sync_api import Browser, Page, ViewportSize, expect
 
 from app.bench.station.subprocess_station import free_port
+from app.formats.clouds.files import read_cloud
 from tests.api.conftest import until
 from tests.e2e.conftest import ROOT, Demo, wait_in_page
-from tests.e2e.test_demo import calibrate, scan
+from tests.e2e.test_demo import calibrate
 from tests.e2e.visit import Visit
 from tests.present import present
 
@@ -126,7 +127,6 @@ def test_a_station_works_under_a_sub_path(
         page.get_by_role("button", name="Start calibration").click()
         calibrate(visit)
         scan(visit, tmp_path)
-        page.screenshot(path=pictures / "proxy-records.png")
         look_at_a_report(page, plant.address)
         look_at_the_view(page, pictures / "proxy-scan.png")
         cookies = {one.get("path") for one in page.context.cookies()}
@@ -143,6 +143,24 @@ def test_a_station_works_under_a_sub_path(
         kept.close()
     assert station.end() in (0, 130)
     assert not station.complaints, "".join(station.complaints)
+
+
+def scan(visit: Visit, folder: Path) -> None:
+    """A scan, and its cloud as it is downloaded."""
+    page = visit.page
+    page.get_by_role("link", name="Scan").click()
+    page.get_by_role("button", name="Start scan").click()
+    page.get_by_role("button", name="Let the simulated operator do it").click()
+    visit.wait_until("scanning", "/api/scan", lambda scan: scan["points"] > 10_000)
+    # it is always there, also after a scan that ended while the page was drawn
+    page.get_by_role("button", name="STOP", exact=True).click()
+    visit.wait_until("stopping", "/api/scan", lambda scan: scan["state"] == "idle")
+    page.get_by_role("link", name="Records").click()
+    with page.expect_download() as download:
+        page.get_by_role("link", name=re.compile("PLY")).first.click()
+    saved = folder / "cloud.ply"
+    download.value.save_as(saved)
+    assert len(read_cloud(saved).points_mm) > 10_000
 
 
 def look_at_a_report(page: Page, address: str) -> None:
