@@ -20,7 +20,7 @@ from websockets.exceptions import ConnectionClosed
 from websockets.sync.connection import Connection
 
 from app.bench.faults.served import HALF
-from app.guide.calibration import simulated_operator
+from app.guide.calibration.automatic import simulated_operator
 from app.operations.context import Context
 from app.operations.services import MonitoringSettings
 from app.server.application import build_app

@@ -7,7 +7,7 @@ import pytest
 
 from app.bench.faults.devices import FAILURES, run, table
 from app.bench.faults.served import HALF
-from app.guide.calibration import simulated_operator
+from app.guide.calibration.automatic import simulated_operator
 
 pytestmark = [pytest.mark.device, pytest.mark.soak]
 

@@ -3,7 +3,7 @@
 import typer
 
 from app.bench.faults.served import serve
-from app.guide.calibration import simulated_operator
+from app.guide.calibration.automatic import simulated_operator
 
 simulated_operator.POSES, simulated_operator.BOARD_POSES = 4, 8
 

@@ -3,9 +3,9 @@
 from functools import partial
 
 from app.guide.calibration import tasks
+from app.guide.calibration.automatic.resting_poses import start_taking
+from app.guide.calibration.automatic.simulated_operator import simulate
 from app.guide.calibration.guide import CalibrationGuide
-from app.guide.calibration.resting_poses import start_taking
-from app.guide.calibration.simulated_operator import simulate
 from app.guide.calibration.state import STEPS
 from app.guide.calibration.tasks import CONFIRMATIONS, confirm
 from app.guide.calibration.touch import points as taking
