@@ -56,7 +56,7 @@ def find():
 """
 """Aravis finds no camera at an address of this computer."""
 RTDE_PORT = 30004
-MOST_RESTS, LOOKS_AT_A_REST = 16, 60
+MOST_RESTS, LOOKS_AT_A_REST = 16, 240
 BLOCK = {
     "Name": "Own block",
     "Serial number": "B-7",
@@ -296,6 +296,7 @@ def robot() -> Iterator[SimulatedStation]:
         yield simulation
 
 
+@pytest.mark.timeout(1800)  # ten pictures by a camera that renders, beside whatever else runs
 def test_a_robot_and_a_printed_board_from_an_empty_folder_to_an_accepted_calibration(
     robot: SimulatedStation, tmp_path: Path, browser: Browser, pictures: Path
 ) -> None:
