@@ -1,6 +1,5 @@
 """Libraries for some cloud formats, which come with the extras ``clouds`` and ``copc``."""
 
-import importlib
 from collections.abc import Callable
 from pathlib import Path
 from types import ModuleType
@@ -8,6 +7,7 @@ from typing import TypeVar
 
 from app.errors import OperationError
 from app.formats.file_names import display_path
+from app.formats.optional_library import import_library
 from app.messages.message import message
 
 T = TypeVar("T")
@@ -19,19 +19,13 @@ def load_library(path: Path, name: str, extra: str = "clouds") -> ModuleType:
     Args:
         extra: of this package, with which it comes.
     """
-    try:
-        return importlib.import_module(name)
-    except ImportError as error:
-        raise OperationError(
-            "extra-missing",
-            display_path(path),
-            message(
-                "cloud-format-requires-package",
-                format=path.suffix.upper().lstrip("."),
-                package=name,
-            ),
-            message("cloud-install-package", command=f"pip install 'crenel[{extra}]'"),
-        ) from error
+    suffix = path.suffix.upper().lstrip(".")
+    return import_library(
+        path,
+        name,
+        message("cloud-format-requires-package", format=suffix, package=name),
+        message("cloud-install-package", command=f"pip install 'crenel[{extra}]'"),
+    )
 
 
 def call_library(path: Path, failure: str, work: Callable[[], T]) -> T:

@@ -1,15 +1,12 @@
 """A drawing as DXF, with true dimensions, by the library ezdxf of the extra ``cad``."""
 
-import importlib
 import io
 from pathlib import Path
-from types import ModuleType
 from typing import Any
 
-from app.errors import OperationError
 from app.formats.atomic_write import write_atomically
 from app.formats.drawings.drawing import PartDrawing, scale_text
-from app.formats.file_names import display_path
+from app.formats.optional_library import import_library
 from app.messages.catalogue import Render
 from app.messages.message import message
 
@@ -25,7 +22,8 @@ def write_dxf(path: Path, drawing: PartDrawing, render: Render) -> None:
     Raises:
         OperationError: ``extra-missing``, where ezdxf is not installed; the file cannot be written.
     """
-    document = _load_ezdxf(path).new(VERSION, setup=True, units=4)
+    needed, remedy = message("dxf-requires-package"), message("install-extra", extra="cad")
+    document = import_library(path, "ezdxf", needed, remedy).new(VERSION, setup=True, units=4)
     space = document.modelspace()
     for layer in (EDGES, FINE, SIZES, NOTES):
         document.layers.add(layer)
@@ -74,15 +72,3 @@ def _add_dimensions(space: Any, drawing: PartDrawing, unit: float) -> None:
 def _add_text(space: Any, text: str, at: tuple[float, float], height: float) -> None:
     attributes = {"layer": NOTES, "height": height, "insert": at}
     space.add_text(text, dxfattribs=attributes)
-
-
-def _load_ezdxf(path: Path) -> ModuleType:
-    try:
-        return importlib.import_module("ezdxf")
-    except ImportError as error:
-        raise OperationError(
-            "extra-missing",
-            display_path(path),
-            message("dxf-requires-package"),
-            message("cloud-install-package", command="pip install 'crenel[cad]'"),
-        ) from error

@@ -4,7 +4,6 @@ Schemas are read from the disk alone. What they include or import by an address 
 stand beside them, under the last part of that address.
 """
 
-import importlib
 import re
 import tempfile
 from pathlib import Path
@@ -15,6 +14,7 @@ from app.errors import OperationError
 from app.formats.file_names import display_path
 from app.formats.io_errors import convert_io_errors
 from app.formats.open_file import read_bounded
+from app.formats.optional_library import import_library
 from app.messages.message import Text, join, message
 
 LIBRARY, EXTRA = "lxml.etree", "schema"
@@ -37,7 +37,8 @@ def check_schema(content: bytes, schema: Path, output: Path) -> None:
             ``schema-unusable`` or ``schema-incomplete`` if the schema, or what it includes or
             imports, cannot be read; ``extra-missing`` without the extra ``schema``.
     """
-    library = _load_library(schema)
+    needed, remedy = message("schema-requires-package"), message("install-extra", extra=EXTRA)
+    library = import_library(schema, LIBRARY, needed, remedy)
     compiled = _compile(library, schema)
     if compiled.validate(library.fromstring(content)):
         return
@@ -54,18 +55,6 @@ def check_schema(content: bytes, schema: Path, output: Path) -> None:
         message("schema-violated", schema=display_path(schema), errors=join(named, "; ")),
         message("schema-nothing-written"),
     )
-
-
-def _load_library(schema: Path) -> Any:
-    try:
-        return importlib.import_module(LIBRARY)
-    except ImportError as error:
-        raise OperationError(
-            "extra-missing",
-            display_path(schema),
-            message("schema-requires-package"),
-            message("install-extra", extra=EXTRA),
-        ) from error
 
 
 def _compile(library: Any, schema: Path) -> Any:

@@ -1,18 +1,15 @@
 """A performance test as a folder of CSV files, or as one XLSX workbook."""
 
-import importlib
 import importlib.util
 import io
 from datetime import UTC, datetime
 from pathlib import Path
-from typing import Any
 
-from app.errors import OperationError
 from app.formats.atomic_write import check_output_path, write_atomically
 from app.formats.csv_table import table_text
 from app.formats.exchange.result_tables import result_tables
-from app.formats.file_names import display_path
 from app.formats.io_errors import convert_io_errors
+from app.formats.optional_library import import_library
 from app.formats.performance.results import PerformanceFile
 from app.messages.message import Text, message
 from app.timestamps import parse_moment
@@ -47,7 +44,8 @@ def write_workbook(document: PerformanceFile, path: Path) -> None:
         OperationError: ``extra-missing`` without the extra ``xlsx``; the file cannot be written.
     """
     check_output_path(path)
-    library = _load_library(path)
+    needed, remedy = message("xlsx-requires-package"), message("install-extra-xlsx")
+    library = import_library(path, LIBRARY, needed, remedy)
     content = io.BytesIO()
     # texts stay texts: none becomes a formula, a link or a number
     options = {
@@ -83,15 +81,3 @@ def workbook_obstacle() -> Text:
     if importlib.util.find_spec(LIBRARY) is not None:
         return ""
     return message("xlsx-extra-missing")
-
-
-def _load_library(path: Path) -> Any:
-    try:
-        return importlib.import_module(LIBRARY)
-    except ImportError as error:
-        raise OperationError(
-            "extra-missing",
-            display_path(path),
-            message("xlsx-requires-package"),
-            message("install-extra-xlsx"),
-        ) from error
