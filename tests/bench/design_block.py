@@ -26,11 +26,10 @@ from app.metrology.adjustment.block.problem import BlockInputs
 from app.metrology.arm.kinematics import Arm
 from app.metrology.design.expected_accuracy import TILTS_DEG
 from app.metrology.design.making_tolerance import MEASURED_MM
-from app.metrology.design.merlon_widths import mirror_difference_mm
 from app.metrology.design.propose_block import BlockDesign, propose_block
 from app.metrology.design.stripe_sensor import StripeSensor
 from app.metrology.sensor.triangulation import sensor_points
-from app.metrology.targets.crenellated_block import Crenellated
+from app.metrology.targets.crenellated_block import Crenellated, mirror_difference_mm
 from app.metrology.transforms import Floats, apply
 from app.workflows.calibrate import joint_inputs
 from hardware.simulator.devices.kinematics import ArmModel, UnreachableError, perturb_arm

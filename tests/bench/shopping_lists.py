@@ -9,7 +9,7 @@ arm itself errs by comes on top in a cloud, and is the last column.
 
 import tempfile
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
 
@@ -60,7 +60,7 @@ def measure_blocks(plan: SessionPlan, count: int) -> Iterator[Measured]:
     """Pictures and touches of a block each; what is refused is left out."""
 
     def draw(rng: np.random.Generator) -> SessionPlan:
-        return SessionPlan(**{**vars(plan), **draw_camera(rng)})
+        return replace(plan, **draw_camera(rng))
 
     with tempfile.TemporaryDirectory() as scratch:
         for folder in draw_sessions(count, FIRST_SEED, draw, Path(scratch)):

@@ -9,7 +9,7 @@ import pytest
 
 from app.errors import OperationError
 from app.metrology.design.making_tolerance import ToleranceEffect, widest_tolerance_mm
-from app.metrology.design.merlon_widths import merlon_edges, mirror_difference_mm
+from app.metrology.design.merlon_widths import merlon_edges
 from app.metrology.design.propose_block import FILL, assess_block, propose_block
 from app.metrology.design.stripe_sensor import (
     StripeSensor,
@@ -19,6 +19,7 @@ from app.metrology.design.stripe_sensor import (
 )
 from app.metrology.design.usual_arm import usual_arm
 from app.metrology.sensor.camera import project
+from app.metrology.targets.crenellated_block import mirror_difference_mm
 
 SENSOR = StripeSensor(55.0, 115.0, 20.0, 1280, 1024)
 

@@ -14,6 +14,7 @@ import numpy as np
 from app.errors import OperationError
 from app.formats.arm_models.dh_units import refuse_impossible_length
 from app.formats.arm_models.model import ImportedArm
+from app.formats.arm_models.ur_calibration import LIMITS_RAD, MAKER
 from app.formats.arm_models.urdf import MM_PER_M, UrdfJoint, joints_of_chain
 from app.formats.datasheets.arm import error_part, joint_part
 from app.messages.message import Text, message
@@ -22,7 +23,6 @@ from app.metrology.arm.near_frames import chain_length_mm
 
 LINKS = ("shoulder", "upper_arm", "forearm", "wrist_1", "wrist_2", "wrist_3")
 TERMS = ("x", "y", "z", "roll", "pitch", "yaw")
-LIMITS_RAD = (-2 * math.pi, 2 * math.pi)
 _LINK = re.compile(rf"^[ \t]*({'|'.join(LINKS)})[ \t]*:", re.MULTILINE)
 _TERM = re.compile(rf"\b({'|'.join(TERMS)})[ \t]*:[ \t]*([^\s}}]+?),?(?=[\s}}]|$)")
 
@@ -37,7 +37,7 @@ def read_ros_kinematics(text: str) -> ImportedArm:
 
     Raises:
         OperationError: a link or one of its numbers is missing or malformed, a link is there twice,
-            or the arm is of another size than any such arm (``model-impossible-length``).
+            or the arm is of another size than any such arm (``model-length-unit``).
     """
     places = list(_LINK.finditer(text))
     ends = [*(place.start() for place in places[1:]), len(text)]
@@ -51,7 +51,7 @@ def read_ros_kinematics(text: str) -> ImportedArm:
     return ImportedArm(
         message("source-ros-kinematics"),
         (),
-        name="Universal Robots",
+        name=MAKER.strip(),
         base=error_part(first),
         joints=tuple(joint_part(joint) for joint in joints),
     )

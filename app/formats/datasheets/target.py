@@ -20,7 +20,7 @@ from app.formats.json_document import (
 )
 from app.messages.message import message, rounded
 from app.metrology.targets.chessboard import DICTIONARIES, Chessboard, Markers
-from app.metrology.targets.crenellated_block import Crenellated
+from app.metrology.targets.crenellated_block import Crenellated, mirror_difference_mm
 
 COARSEST_MM = 0.1
 """A certificate that is no better than this is rather one in other units."""
@@ -101,8 +101,7 @@ class ObjectFile(Document):
                 message("crest-z-mm-must-above-floor", crest=crest, floor=floor, base=base)
             )
         self._check_uncertainty()
-        mirrored = [x[0] + x[-1] - edge for edge in reversed(x)]
-        if max(abs(a - b) for a, b in zip(x, mirrored, strict=True)) < MIRROR_TOLERANCE_MM:
+        if mirror_difference_mm(x) < MIRROR_TOLERANCE_MM:
             raise ValueError(message("merlons-are-symmetric", edges=edges))
         return self
 

@@ -19,12 +19,8 @@ from app.metrology.adjustment.core.arm_errors import arm_motion
 from app.metrology.adjustment.core.gauss_newton import AdjustmentResult
 from app.metrology.adjustment.core.information import information_at
 from app.metrology.adjustment.core.observations import AdjustmentProblem
-from app.metrology.adjustment.core.parameters import SENSOR, AdjustmentState
-from app.metrology.adjustment.core.uncertainty import (
-    covariance_by_source,
-    error_squares,
-    sensor_jacobian,
-)
+from app.metrology.adjustment.core.parameters import AdjustmentState
+from app.metrology.adjustment.core.uncertainty import point_budget, sensor_jacobian
 from app.metrology.adjustment.core.variance_components import Scales
 from app.metrology.arm.kinematics import Arm
 from app.metrology.calibration.uncertainty_budget import BudgetContribution
@@ -162,19 +158,10 @@ def predict_accuracy(
         OperationError: ``adjustment-failed``, where the block does not determine the sensor.
     """
     found = _information(session, poses, scales)
-    state = found.state
     points = range_points(session.sensor)
-    J = sensor_jacobian(state, project(nominal_camera(session.sensor), points))
-    squares = {
-        source: error_squares(J, C[SENSOR, SENSOR])
-        for source, C in covariance_by_source(found).items()
-    }
-    rows = tuple(
-        BudgetContribution(source, 1e3 * float(np.sqrt(np.mean(square))))
-        for source, square in squares.items()
-    )
-    total = np.sum(list(squares.values()), axis=0)
-    return ExpectedAccuracy(poses, 1e3 * float(np.sqrt(np.mean(total))), rows)
+    J = sensor_jacobian(found.state, project(nominal_camera(session.sensor), points))
+    rows, total_um = point_budget(found, J)
+    return ExpectedAccuracy(poses, total_um, rows)
 
 
 def _information(session: ExpectedSession, poses: int, scales: Scales) -> AdjustmentResult:

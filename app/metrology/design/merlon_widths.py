@@ -35,14 +35,3 @@ def merlon_edges(width_mm: float, merlons: int, step_mm: float) -> tuple[float, 
     edges = np.concatenate([[0], np.cumsum(steps)])
     edges = (edges - round(edges[-1] / 2)) * step_mm
     return tuple(round(float(x), 6) for x in edges)
-
-
-def mirror_difference_mm(edges_x_mm: tuple[float, ...]) -> float:
-    """Largest distance of an edge from that of the mirror image, mm.
-
-    Example:
-        >>> mirror_difference_mm((-21.5, -9.5, 1.0, 9.5, 16.5, 21.5))
-        10.5
-    """
-    x = np.array(edges_x_mm)
-    return float(np.max(np.abs(x - (x[0] + x[-1] - x[::-1]))))

@@ -171,3 +171,14 @@ def probing_face(block: Crenellated, face: str) -> tuple[Floats, float]:
     }
     normal, offset_mm = planes[face]
     return np.array(normal), offset_mm
+
+
+def mirror_difference_mm(edges_x_mm: tuple[float, ...]) -> float:
+    """Largest distance of an edge from that of the mirror image, mm.
+
+    Example:
+        >>> mirror_difference_mm((-21.5, -9.5, 1.0, 9.5, 16.5, 21.5))
+        10.5
+    """
+    x = np.array(edges_x_mm)
+    return float(np.max(np.abs(x - (x[0] + x[-1] - x[::-1]))))

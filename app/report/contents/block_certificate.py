@@ -4,6 +4,7 @@ from app.formats.datasheets.block_certificate import BlockCertificate
 from app.formats.datasheets.block_readings import face_name
 from app.formats.json_document import SOFTWARE
 from app.messages.message import Text, message, quantity, signed
+from app.metrology.calibration.observation_model import coordinates
 from app.metrology.targets.block_readings import BlockReading
 from app.report.content import Facts, Report, ReportTable, Section, TextBlock, Verdict, signatures
 from app.report.formatting import UNKNOWN, device_name, format_moment, micrometres, software_name
@@ -47,14 +48,7 @@ def _coordinates(made: BlockCertificate) -> ReportTable[Text]:
     document, edges = made.document, len(made.document.edges_x_mm)
     each = document.standard_uncertainties_mm
     assert each is not None
-    values = (
-        *document.edges_x_mm,
-        document.front_y_mm,
-        document.back_y_mm,
-        document.crest_z_mm,
-        document.floor_z_mm,
-        document.base_z_mm,
-    )
+    values = coordinates(document.block()).tolist()
     rows: list[tuple[Text, ...]] = [
         (face_name(face, edges), quantity(value, "mm", 4), micrometres(1e3 * sd))
         for face, (value, sd) in enumerate(zip(values, each.values_mm(), strict=True))

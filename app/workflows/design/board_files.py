@@ -8,8 +8,6 @@ from app.metrology.targets.chessboard import DICTIONARIES, Chessboard, Markers
 USUAL_DICTIONARIES = ("DICT_4X4_50", "DICT_4X4_100", "DICT_4X4_250", "DICT_4X4_1000")
 MARKER_SHARE = 0.75
 """Of a square, for a marker."""
-MEASURED_SD_MM = 0.1
-"""Standard uncertainty of a length that is measured with a ruler."""
 
 
 def plan_board(name: str, squares: tuple[int, int], square_mm: float, markers: bool) -> Chessboard:

@@ -13,9 +13,9 @@ from app.formats.io_errors import convert_io_errors
 from app.messages.catalogue import renderer
 from app.messages.message import Text, message, quantity, rounded
 from app.metrology.design.making_tolerance import MEASURED_MM
-from app.metrology.design.merlon_widths import mirror_difference_mm
 from app.metrology.design.propose_block import BlockDesign
 from app.metrology.design.stripe_sensor import StripeSensor
+from app.metrology.targets.crenellated_block import mirror_difference_mm
 from app.workflows.design.block_drawing import draw_block, edge_break_mm
 
 

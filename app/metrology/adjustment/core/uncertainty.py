@@ -103,20 +103,11 @@ def estimate_uncertainty(found: AdjustmentResult, T_cam_sensor: Floats) -> Calib
         measuring volume, and over the image.
     """
     volume = measuring_volume(found)
-    J = sensor_jacobian(found.state, volume.uv_px)
-    squares = {
-        source: error_squares(J, C[SENSOR, SENSOR])
-        for source, C in covariance_by_source(found).items()
-    }
-    total = np.sum(list(squares.values()), axis=0)
-    rows = tuple(
-        BudgetContribution(source, 1e3 * float(np.sqrt(np.mean(square))))
-        for source, square in squares.items()
-    )
+    rows, total_um = point_budget(found, sensor_jacobian(found.state, volume.uv_px))
     pivot = volume.points_flange_mm.mean(axis=0)
     return CalibrationUncertainty(
         rows,
-        1e3 * float(np.sqrt(np.mean(total))),
+        total_um,
         volume,
         uncertainty_map(found, T_cam_sensor),
         plane_uncertainty(found, volume),
@@ -184,6 +175,23 @@ def sensor_jacobian(state: AdjustmentState, uv_px: Floats) -> Floats:
     return J
 
 
+def point_budget(
+    found: AdjustmentResult, J: Floats
+) -> tuple[tuple[BudgetContribution, ...], float]:
+    """Standard uncertainty of points with Jacobian (G, 3, S), rms over them, µm: by source, and of
+    all sources together."""
+    squares = {
+        source: _error_squares(J, C[SENSOR, SENSOR])
+        for source, C in covariance_by_source(found).items()
+    }
+    rows = tuple(
+        BudgetContribution(source, 1e3 * float(np.sqrt(np.mean(square))))
+        for source, square in squares.items()
+    )
+    total = np.sum(list(squares.values()), axis=0)
+    return rows, 1e3 * float(np.sqrt(np.mean(total)))
+
+
 def uncertainty_map(found: AdjustmentResult, T_cam_sensor: Floats) -> UncertaintyMap:
     """The uncertainty over the picture, wherever rays meet the laser plane at a usable depth."""
     state, camera = found.state, found.state.camera
@@ -199,7 +207,7 @@ def uncertainty_map(found: AdjustmentResult, T_cam_sensor: Floats) -> Uncertaint
     usable &= (in_cam[:, 2] > near - margin) & (in_cam[:, 2] < far + margin)
     uv, in_cam = uv[usable], in_cam[usable]
     J = sensor_jacobian(state, uv)
-    u_um = 1e3 * np.sqrt(error_squares(J, found.uncertainty[SENSOR, SENSOR]))
+    u_um = 1e3 * np.sqrt(_error_squares(J, found.uncertainty[SENSOR, SENSOR]))
     calibrated = (in_cam[:, 2] >= near) & (in_cam[:, 2] <= far)
     return UncertaintyMap(uv, apply(inverse(T_cam_sensor), in_cam), u_um, calibrated)
 
@@ -253,7 +261,7 @@ def _points(state: AdjustmentState, uv_px: Floats) -> Floats:
     return sensor_points(state.camera, state.plane, uv_px)
 
 
-def error_squares(J: Floats, covariance: Floats) -> Floats:
+def _error_squares(J: Floats, covariance: Floats) -> Floats:
     """Squared length (G,) of the errors of points, mm^2."""
     return np.asarray(np.maximum(np.einsum("gik,kl,gil->g", J, covariance, J), 0.0))
 
