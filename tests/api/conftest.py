@@ -44,6 +44,8 @@ View = dict[str, Any]
 PATIENCE_S = 240.0
 """For everything that is waited for: a machine with other work takes long."""
 PRESS_S = 20.0
+ATTEMPTS = 5
+"""Of the simulated operator, who stops where a device is lost."""
 LOOK_S = 0.15
 """How often a test looks whether a view is as wanted: each look costs station and test time."""
 QUICK_HASHER = PasswordHasher(time_cost=1, memory_cost=64)
@@ -124,6 +126,16 @@ class Desk:
 
     def wait_until_idle(self) -> View:
         return self.wait(lambda view: view["busy"] is None)
+
+    def simulate_up_to_review(self) -> View:
+        """The simulated operator does what is left, and begins again where a busy machine lost a
+        device for a moment."""
+        attempts = 0
+        while (view := self.wait_until_idle())["step"] != "review":
+            assert attempts < ATTEMPTS, view["findings"]
+            attempts += 1
+            self.do("run_simulation", all=True)
+        return view
 
     def close(self) -> None:
         """Ends what is open, once nothing is under way."""

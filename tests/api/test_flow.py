@@ -134,9 +134,7 @@ def test_a_whole_calibration_by_the_simulated_operator(at_setup: Server, tmp_pat
     server, http = at_setup, at_setup.http
     with first_picture_in_the_dark(server):
         server.do("run_simulation", all=True)
-    server.wait_until_idle()
-    view = http.get("/api/flow").json()
-    assert view["step"] == "review", view["findings"]
+    view = server.simulate_up_to_review()
     # the picture in which nothing is seen was taken again
     assert min(pose["number"] for pose in view["picture"]["poses"]) > 1
 
@@ -273,10 +271,7 @@ def test_a_calibration_on_the_chessboard_by_the_operator(at_setup: Server, tmp_p
     view = server.do("choose", field="object", id="chessboard")
     assert view["picture"]["object"]["kind"] == "board"
     server.do("confirm_setup")
-    server.do("run_simulation", all=True)
-    server.wait_until_idle()
-    view = http.get("/api/flow").json()
-    assert view["step"] == "review", view["findings"]
+    view = server.simulate_up_to_review()
 
     picture, result = view["picture"], view["picture"]["result"]
     reported = "\n".join(f"{each['quality']}: {each['text']}" for each in view["findings"])

@@ -51,9 +51,7 @@ def test_a_whole_calibration_through_its_stream(server: Server) -> None:
     server.do("confirm_devices")
     server.do("choose", field="object", id="simulated")
     server.do("confirm_setup")
-    server.do("run_simulation", all=True)
-    view = server.wait_until_idle()
-    assert view["step"] == "review", view["findings"]
+    view = server.simulate_up_to_review()
     result = view["picture"]["result"]
     # at half the size, block edges look soft: attention is called to that
     assert result["verdict"] in ("good", "attention"), view["findings"]

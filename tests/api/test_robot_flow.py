@@ -45,9 +45,7 @@ def calibrated(server: Server) -> Server:
     assert chosen == {"arm": "simulated", "object": "chessboard", "sensor": "simulated"}
     server.do("confirm_setup")
     assert server.flow()["step"] == "place"  # it has no tip, and touches nothing
-    server.do("run_simulation", all=True)
-    server.wait(lambda view: view["busy"] is None and view["step"] == "review")
-    view = server.flow()
+    view = server.simulate_up_to_review()
     assert view["picture"]["result"]["verdict"] in ("good", "attention"), view["findings"]
     server.do("accept")
     return server
@@ -118,8 +116,7 @@ def test_a_verification_needs_no_touches(calibrated: Server) -> None:
     calibrated.http.post("/api/verify/start").raise_for_status()
     desk.do("choose_gauge", id="plate")
     assert desk.do("confirm_gauge")["step"] == "scan"
-    desk.do("run_simulation", all=True)
-    view = desk.wait(lambda view: view["busy"] is None and view["step"] == "review")
+    view = desk.simulate_up_to_review()
     assert len([one for one in view["picture"]["clouds"] if one["state"] == "good"]) == 3
     figures = {one["name"]: one for one in view["picture"]["figures"]}
     assert {"form", "rms", "angle_range"} <= set(figures)

@@ -66,8 +66,7 @@ def test_a_plate_is_verified_by_the_operator_and_kept(desk: VerifyDesk, calibrat
     desk.start("plate")
     desk.do("back")
     server.http.post("/api/temperature", json={"celsius": 20.5}).raise_for_status()
-    desk.do("run_simulation", all=True)
-    view = desk.wait(lambda view: view["step"] == "review" and view["busy"] is None)
+    view = desk.simulate_up_to_review()
     # how well a busy machine's pass is known differs; what is found does not
     result = view["picture"]["verdict"]["result"]
     decisions = {figure["decision"] for figure in view["picture"]["figures"]} - {"none"}

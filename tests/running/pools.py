@@ -8,7 +8,10 @@ import json
 import os
 import shutil
 import tempfile
+import time
+import timeit
 from collections.abc import Sequence
+from dataclasses import asdict
 from itertools import groupby
 from pathlib import Path
 
@@ -16,13 +19,17 @@ import pytest
 from xdist.workermanage import WorkerController
 
 from tests.running.marks import Cost, Pool, pool_of_test, pools_of_file, read_marks, test_files
-from tests.running.scheduler import PoolScheduler
+from tests.running.scheduler import PoolScheduler, Unit
 
 WAITING_WORKERS = 6
 YIELDED = 4
 """Steps of priority by which tests that compute yield to those that wait."""
 COSTLY = ("e2e", "api", "bench", "batch", "fleet")
 """Folders of tests that wait and also take much of a core: a browser, a whole station."""
+ALONE = "xdist_group"
+"""The mark of tests that cannot run beside each other."""
+QUICK_S = 0.004
+"""In which a quick machine adds half a million numbers; on it, every worker may take the costly."""
 
 
 def pytest_xdist_auto_num_workers(config: pytest.Config) -> int:
@@ -76,6 +83,14 @@ def planned_workers(files: Sequence[Path], count: int | None = None) -> list[fro
     return [frozenset({pool}) for pool, number in of_each for _ in range(number)]
 
 
+def count_costly_at_once() -> int:
+    """How many tests that wait and take much of a core run at once: at least one more than there
+    are cores, and all that can only on a machine on which stations leave each other time."""
+    taken_s = min(timeit.repeat("sum(range(500_000))", timer=time.process_time, number=1))
+    on_this_machine = round(WAITING_WORKERS * QUICK_S / taken_s)
+    return min(max(on_this_machine, (os.cpu_count() or 1) + 1), WAITING_WORKERS)
+
+
 class Controller:
     """What the process does that starts the workers."""
 
@@ -83,7 +98,7 @@ class Controller:
         self.folder = Path(tempfile.mkdtemp(prefix="pytest-pools-"))
         self.vacant = planned_workers(Choice(config).files, len(config.getvalue("tx")))
         self.pools: dict[WorkerController, frozenset[Pool]] = {}
-        self.scheduler = PoolScheduler(len(self.vacant))
+        self.scheduler = PoolScheduler(len(self.vacant), count_costly_at_once())
 
     def pytest_configure_node(self, node: WorkerController) -> None:
         self.pools[node] = pools = self.vacant.pop(0)
@@ -137,21 +152,22 @@ class Worker:
             self.config.hook.pytest_deselected(items=left_out)
         if self.units is not None:
             units = ordered_units(items)
-            self.units.write_text(json.dumps([[item.nodeid for item in unit] for unit in units]))
+            described = [Unit(_is_costly(unit), [one.nodeid for one in unit]) for unit in units]
+            self.units.write_text(json.dumps([asdict(one) for one in described]))
 
 
 def ordered_units(items: Sequence[pytest.Item]) -> list[list[pytest.Item]]:
     """Tests that one worker runs one after another, the costly first.
 
     These are single tests that wait, the files of those that share something or compute, and all
-    tests with one name of the mark ``xdist_group``, which cannot run beside each other.
+    tests with one name of the mark ``ALONE``.
     """
     units: dict[str, list[pytest.Item]] = {}
     for path, group in groupby(items, lambda item: item.path):
         tests = list(group)
         together = pool_of_test(tests[0]) == Pool.COMPUTING or any(map(_shares, tests))
         for test in tests:
-            grouped = test.get_closest_marker("xdist_group")
+            grouped = test.get_closest_marker(ALONE)
             name = str(grouped.args[0]) if grouped else str(path) if together else test.nodeid
             units.setdefault(name, []).append(test)
     return sorted(units.values(), key=_rank)
@@ -164,9 +180,14 @@ def _shares(item: pytest.Item) -> bool:
     return any(one[-1].scope in ("module", "class") for one in definitions if one)
 
 
+def _is_costly(unit: list[pytest.Item]) -> bool:
+    first = unit[0]
+    return bool(first.get_closest_marker(ALONE)) or first.path.parent.name in COSTLY
+
+
 def _rank(unit: list[pytest.Item]) -> int:
     first = unit[0]
-    if first.get_closest_marker("xdist_group"):
+    if first.get_closest_marker(ALONE):
         return -1
     if pool_of_test(first) == Pool.COMPUTING:
         return 0 if first.get_closest_marker(Cost.SLOW) else 1

@@ -6,6 +6,7 @@ A unit of work is a test, or all tests of a file where they share what one of th
 import json
 from collections import deque
 from collections.abc import Sequence
+from dataclasses import dataclass
 from pathlib import Path
 
 import pytest
@@ -17,19 +18,31 @@ AHEAD = 2
 """Tests that a worker needs to go on: it begins one when it knows the next."""
 
 
+@dataclass(frozen=True)
+class Unit:
+    """Tests that one worker runs one after another, and whether they take much of a core."""
+
+    costly: bool
+    tests: list[str]
+
+
 class PoolScheduler:
     """Runs each test once, in its pool; implements the interface of pytest-xdist's schedulers.
 
-    Workers of a pool have the same tests; of those that wait, the first two take the costly
-    tests from the front of the queue, and the others the light ones from its end.
+    Workers of a pool have the same tests; of those that wait, the first take the costly tests from
+    the front of the queue, and the others the light ones from its end, and no costly ones.
+
+    Args:
+        expected: how many workers there are.
+        costly_at_once: how many of those that wait may take costly tests.
     """
 
-    def __init__(self, expected: int) -> None:
+    def __init__(self, expected: int, costly_at_once: int) -> None:
         self.session: pytest.Session | None = None
-        self._expected = expected
+        self._expected, self._costly_at_once = expected, costly_at_once
         self._ids: dict[WorkerController, list[str]] = {}
         self._pending: dict[WorkerController, list[int]] = {}
-        self._queues: dict[frozenset[Pool], deque[list[str]]] = {}
+        self._queues: dict[frozenset[Pool], deque[Unit]] = {}
         self._front: dict[frozenset[Pool], list[WorkerController]] = {}
 
     @property
@@ -66,9 +79,9 @@ class PoolScheduler:
         if pools not in self._queues:
             written = units_file(node)  # none if a file that was asked for is not there
             units = json.loads(written.read_text("utf-8")) if written.exists() else []
-            self._queues[pools] = deque(units)
+            self._queues[pools] = deque(Unit(**unit) for unit in units)
         front = self._front.setdefault(pools, [])
-        if Pool.COMPUTING in pools or len(front) < 2:
+        if Pool.COMPUTING in pools or len(front) < self._costly_at_once:
             front.append(node)
 
     def schedule(self) -> None:
@@ -91,10 +104,12 @@ class PoolScheduler:
         pending = self._pending.pop(node)
         if not pending:
             return None
-        ids = self._ids.pop(node)
+        ids, pools = self._ids.pop(node), pools_of_worker(node)
+        if node in self._front[pools]:
+            self._front[pools].remove(node)  # another takes its place
         ended_at, *rest = (ids[index] for index in pending)
         if rest:
-            self._queues[pools_of_worker(node)].appendleft(rest)
+            self._queues[pools].appendleft(Unit(True, rest))
         self.schedule()
         return ended_at
 
@@ -107,16 +122,23 @@ class PoolScheduler:
         raise NotImplementedError
 
     def _give(self, node: WorkerController) -> None:
-        pools = pools_of_worker(node)
-        queue = self._queues[pools]
-        while queue and len(self._pending[node]) < AHEAD and not node.shutting_down:
-            unit = queue.popleft() if node in self._front[pools] else queue.pop()
+        while len(self._pending[node]) < AHEAD and not node.shutting_down:
+            unit = self._next_unit(node)
+            if unit is None:
+                node.shutdown()
+                return
             places = {test: index for index, test in enumerate(self._ids[node])}
-            given = [places[test] for test in unit]
+            given = [places[test] for test in unit.tests]
             self._pending[node] += given
             node.send_runtest_some(given)
-        if not queue and not node.shutting_down:
-            node.shutdown()
+
+    def _next_unit(self, node: WorkerController) -> Unit | None:
+        """Takes what a worker runs next off its queue; None if nothing is left for it."""
+        pools = pools_of_worker(node)
+        queue = self._queues[pools]
+        if node in self._front[pools]:
+            return queue.popleft() if queue else None
+        return queue.pop() if queue and not queue[-1].costly else None
 
 
 def pools_of_worker(node: WorkerController) -> frozenset[Pool]:

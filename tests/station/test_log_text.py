@@ -2,7 +2,6 @@
 
 import json
 import logging
-import time
 from pathlib import Path
 
 import pytest
@@ -101,8 +100,6 @@ def test_a_flood_hides_no_logged_fault(tmp_path: Path, caplog: pytest.LogCapture
         except ValueError:
             log.exception("GET /%s failed", "a" * 5000)
     book.close()
-    began = time.monotonic()
     assert book.read("error", "camera", 10)[0].text == "the camera is gone"
-    assert time.monotonic() - began < 60
     assert sum(file.stat().st_size for file in book.files()) < 200_000
     assert "of these since" in json.dumps([str(line.text) for line in book.read("error", "", 5)])
