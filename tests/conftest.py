@@ -12,7 +12,12 @@ from hypothesis import settings
 import app  # noqa: F401  # sets the numerical libraries' threads before numpy is loaded
 from app.native.library import CRENEL
 from tests.running.leaks import LeakCheck
-from tests.running.pools import Controller, Worker, pytest_xdist_auto_num_workers
+from tests.running.pools import (
+    Controller,
+    Worker,
+    add_within,
+    pytest_xdist_auto_num_workers,
+)
 
 __all__ = ["pytest_xdist_auto_num_workers"]
 
@@ -27,7 +32,8 @@ sys.dont_write_bytecode = False
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:
-    """Of the tests with a real browser."""
+    """Of the workers, and of the tests with a real browser."""
+    add_within(parser)
     parser.addoption(
         "--screenshots",
         action="store_true",

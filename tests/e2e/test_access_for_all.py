@@ -24,6 +24,7 @@ PAINTED = "performance.getEntriesByName('first-contentful-paint')[0].startTime"
 WHERE = {"exclude": [["iframe"]]}
 
 
+@pytest.mark.soak
 def test_axe_finds_no_serious_fault(browser: Browser, demo: Demo) -> None:
     page = browser.new_page(viewport=USUAL)
     page.goto(demo.link)

@@ -296,6 +296,7 @@ def robot() -> Iterator[SimulatedStation]:
         yield simulation
 
 
+@pytest.mark.soak
 @pytest.mark.timeout(1800)  # ten pictures by a camera that renders, beside whatever else runs
 def test_a_robot_and_a_printed_board_from_an_empty_folder_to_an_accepted_calibration(
     robot: SimulatedStation, tmp_path: Path, browser: Browser, pictures: Path

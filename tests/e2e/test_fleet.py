@@ -20,7 +20,7 @@ from tests.fleet.test_server import running_fleet
 from tests.fleet.test_sign_in import write_settings
 from tests.single_sign_on.mock_provider import mock_provider
 
-pytestmark = pytest.mark.device
+pytestmark = [pytest.mark.device, pytest.mark.soak]
 WRONG_SINCE = START + timedelta(days=120)
 SEARCHES = "**/api/fleet/records?*"
 STEP = PlantedStep("room-2", WRONG_SINCE, WRONG_SINCE + timedelta(days=30), 14.0)

@@ -14,7 +14,7 @@ from tests.e2e.conftest import Demo
 from tests.forked import COMMAND_LINE
 from tests.single_sign_on.mock_provider import SIGN_IN, MockProvider, mock_provider
 
-pytestmark = pytest.mark.device
+pytestmark = [pytest.mark.device, pytest.mark.soak]
 
 PASSWORD = "three unrelated words"
 STATION = (

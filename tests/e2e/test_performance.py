@@ -19,7 +19,7 @@ from tests.e2e.performance_visits import (
 from tests.e2e.visit import Visit
 
 __all__ = ["station"]
-pytestmark = pytest.mark.device
+pytestmark = [pytest.mark.device, pytest.mark.soak]
 
 
 def test_each_can_be_cancelled(station: Demo, browser: Browser, screenshots: Path | None) -> None:

@@ -21,7 +21,7 @@ from tests.e2e.test_demo import calibrate
 from tests.e2e.visit import Visit
 from tests.present import present
 
-pytestmark = pytest.mark.device
+pytestmark = [pytest.mark.device, pytest.mark.soak]
 
 NGINX = shutil.which("nginx") or shutil.which("nginx", path="/usr/sbin:/usr/local/sbin")
 DOCUMENT = ROOT / "docs" / "proxy.md"

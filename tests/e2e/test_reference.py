@@ -8,7 +8,7 @@ from playwright.sync_api import Browser, Route, expect
 
 from tests.e2e.conftest import Demo
 
-pytestmark = pytest.mark.device
+pytestmark = [pytest.mark.device, pytest.mark.soak]
 
 
 def test_the_reference_lists_every_route(demo: Demo, browser: Browser, pictures: Path) -> None:

@@ -13,7 +13,7 @@ from tests.forked import COMMAND_LINE
 from tests.formats.builders import ARM
 from tests.formats.test_documents import calibration_file
 
-pytestmark = pytest.mark.device
+pytestmark = [pytest.mark.device, pytest.mark.soak]
 
 
 def test_a_replay_comes_first(browser: Browser, screenshots: Path | None, tmp_path: Path) -> None:

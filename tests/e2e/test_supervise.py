@@ -24,7 +24,7 @@ from tests.e2e.conftest import PATIENCE_S, ROOT, Demo, wait_in_page
 from tests.supervision.conftest import broker
 
 __all__ = ["broker"]
-pytestmark = pytest.mark.device
+pytestmark = [pytest.mark.device, pytest.mark.soak]
 
 COLLECT_NOTIFICATIONS = """
 const Plain = Notification;

@@ -194,7 +194,9 @@ def test_a_damaged_answer_is_lost_and_the_next_is_read(
     before = driver.health.corrupt  # of a busy machine, answers were late
     arm.damage = 3
     read_until(driver, lambda _: driver.health.corrupt >= before + 3 and not arm.damage)
-    assert driver.health.lost == driver.health.corrupt == before + 3
+    # one more if a busy machine is late again
+    assert before + 3 <= driver.health.corrupt <= before + 4
+    assert driver.health.lost == driver.health.corrupt
     read_readings(driver, 6)
 
 

@@ -5,6 +5,7 @@ wait, which need a core for moments, but then at once.
 """
 
 import json
+import math
 import os
 import shutil
 import tempfile
@@ -12,6 +13,7 @@ import time
 import timeit
 from collections.abc import Sequence
 from dataclasses import asdict
+from functools import cache
 from itertools import groupby
 from pathlib import Path
 
@@ -22,6 +24,7 @@ from tests.running.marks import Cost, Pool, pool_of_test, pools_of_file, read_ma
 from tests.running.scheduler import PoolScheduler, Unit
 
 WAITING_WORKERS = 6
+"""On a quick machine; on a slow one, stations and browsers would starve each other."""
 YIELDED = 4
 """Steps of priority by which tests that compute yield to those that wait."""
 COSTLY = ("e2e", "api", "bench", "batch", "fleet")
@@ -29,7 +32,18 @@ COSTLY = ("e2e", "api", "bench", "batch", "fleet")
 ALONE = "xdist_group"
 """The mark of tests that cannot run beside each other."""
 QUICK_S = 0.004
-"""In which a quick machine adds half a million numbers; on it, every worker may take the costly."""
+"""In which a quick machine adds half a million numbers."""
+CORES = os.cpu_count() or 1
+
+
+def add_within(parser: pytest.Parser) -> None:
+    """The option for a run that has an end."""
+    parser.addoption(
+        "--within",
+        type=float,
+        metavar="SECONDS",
+        help="begin no further test after this time, and say which were left out",
+    )
 
 
 def pytest_xdist_auto_num_workers(config: pytest.Config) -> int:
@@ -69,8 +83,9 @@ class Choice:
 def planned_workers(files: Sequence[Path], count: int | None = None) -> list[frozenset[Pool]]:
     """The pools of each worker, for so many workers; None: for as many as the files are worth."""
     pools = [pools_of_file(path) for path in files]
-    computing = min(os.cpu_count() or 1, sum(Pool.COMPUTING in one for one in pools))
-    waiting = min(WAITING_WORKERS, sum(Pool.WAITING in one for one in pools))
+    computing = min(CORES, sum(Pool.COMPUTING in one for one in pools))
+    most_waiting = min(max(round(WAITING_WORKERS * quickness()), CORES + 2), WAITING_WORKERS)
+    waiting = min(most_waiting, sum(Pool.WAITING in one for one in pools))
     if count is None:
         count = computing + waiting
     if count == 1:
@@ -83,12 +98,15 @@ def planned_workers(files: Sequence[Path], count: int | None = None) -> list[fro
     return [frozenset({pool}) for pool, number in of_each for _ in range(number)]
 
 
+@cache
+def quickness() -> float:
+    """Of one core of this machine, beside one of a quick machine."""
+    return QUICK_S / min(timeit.repeat("sum(range(500_000))", timer=time.process_time, number=1))
+
+
 def count_costly_at_once() -> int:
-    """How many tests that wait and take much of a core run at once: at least one more than there
-    are cores, and all that can only on a machine on which stations leave each other time."""
-    taken_s = min(timeit.repeat("sum(range(500_000))", timer=time.process_time, number=1))
-    on_this_machine = round(WAITING_WORKERS * QUICK_S / taken_s)
-    return min(max(on_this_machine, (os.cpu_count() or 1) + 1), WAITING_WORKERS)
+    """How many tests that wait and take much of a core run at once."""
+    return min(max(int(WAITING_WORKERS * quickness()), CORES), WAITING_WORKERS)
 
 
 class Controller:
@@ -98,7 +116,9 @@ class Controller:
         self.folder = Path(tempfile.mkdtemp(prefix="pytest-pools-"))
         self.vacant = planned_workers(Choice(config).files, len(config.getvalue("tx")))
         self.pools: dict[WorkerController, frozenset[Pool]] = {}
-        self.scheduler = PoolScheduler(len(self.vacant), count_costly_at_once())
+        within_s: float | None = config.getoption("within")
+        ends_s = math.inf if within_s is None else time.monotonic() + within_s
+        self.scheduler = PoolScheduler(len(self.vacant), count_costly_at_once(), ends_s)
 
     def pytest_configure_node(self, node: WorkerController) -> None:
         self.pools[node] = pools = self.vacant.pop(0)
@@ -114,6 +134,12 @@ class Controller:
 
     def pytest_sessionstart(self, session: pytest.Session) -> None:
         self.scheduler.session = session
+
+    def pytest_terminal_summary(self, terminalreporter: pytest.TerminalReporter) -> None:
+        if left := self.scheduler.left:
+            files = sorted({test.partition("::")[0] for test in left})
+            line = f"{len(left)} tests were not begun in time, of {', '.join(files)}"
+            terminalreporter.write_line(line, yellow=True)
 
     def pytest_unconfigure(self) -> None:
         shutil.rmtree(self.folder, ignore_errors=True)

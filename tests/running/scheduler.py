@@ -4,6 +4,7 @@ A unit of work is a test, or all tests of a file where they share what one of th
 """
 
 import json
+import time
 from collections import deque
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -35,11 +36,13 @@ class PoolScheduler:
     Args:
         expected: how many workers there are.
         costly_at_once: how many of those that wait may take costly tests.
+        ends_s: no test is begun after it (``time.monotonic``); ``left`` has those left out.
     """
 
-    def __init__(self, expected: int, costly_at_once: int) -> None:
+    def __init__(self, expected: int, costly_at_once: int, ends_s: float) -> None:
         self.session: pytest.Session | None = None
-        self._expected, self._costly_at_once = expected, costly_at_once
+        self.left: list[str] = []
+        self._expected, self._costly_at_once, self._ends_s = expected, costly_at_once, ends_s
         self._ids: dict[WorkerController, list[str]] = {}
         self._pending: dict[WorkerController, list[int]] = {}
         self._queues: dict[frozenset[Pool], deque[Unit]] = {}
@@ -136,6 +139,9 @@ class PoolScheduler:
         """Takes what a worker runs next off its queue; None if nothing is left for it."""
         pools = pools_of_worker(node)
         queue = self._queues[pools]
+        if time.monotonic() > self._ends_s:
+            self.left += [test for unit in queue for test in unit.tests]
+            queue.clear()
         if node in self._front[pools]:
             return queue.popleft() if queue else None
         return queue.pop() if queue and not queue[-1].costly else None

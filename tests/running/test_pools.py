@@ -12,7 +12,9 @@ CONFTEST = """
 import json, os
 from pathlib import Path
 import pytest
-from tests.running.pools import Controller, Worker, pytest_xdist_auto_num_workers
+from tests.running.pools import Controller, Worker, add_within, pytest_xdist_auto_num_workers
+
+pytest_addoption = add_within
 
 def pytest_configure(config):
     for mark in ("quick", "slow", "device", "soak"):
@@ -119,6 +121,13 @@ def test_who_asks_for_a_test_gets_it(
     result, ran = run(project, "-n", "auto", *asked)
     assert result.ret == 0
     assert {name for name, _, _ in ran} == expected
+
+
+def test_no_test_is_begun_after_the_end(project: pytest.Pytester) -> None:
+    result, ran = run(project, "-n", "auto", "--within", "0")
+    assert result.ret == 0
+    assert not ran
+    result.stdout.fnmatch_lines([f"{len(USUAL)} tests were not begun in time, of *test_slow.py*"])
 
 
 def test_nothing_chosen_ends_as_without_pools(project: pytest.Pytester) -> None:
