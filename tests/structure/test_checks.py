@@ -33,7 +33,7 @@ esac
 """
 REACH = "python -m tests.running.reach"
 TWO_REACHED = f'"{REACH}") echo tests/a/test_a.py; echo tests/b/test_b.py ;;'
-SOAK = "pytest -m soak tests/a/test_a.py tests/b/test_b.py"
+SOAK = "pytest -m soak --within 900 tests/a/test_a.py tests/b/test_b.py"
 
 Ran = tuple[subprocess.CompletedProcess[str], list[str]]
 Script = Callable[..., Ran]
@@ -99,6 +99,16 @@ def test_a_landing_that_reaches_no_soak_test_says_so(script: Script) -> None:
     assert done.returncode == 0
     assert calls[-1] == REACH
     assert "No soak test is reached" in done.stdout
+
+
+def test_a_slow_machine_leaves_soak_tests_to_the_night(
+    script: Script, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("SLOW_S", "-1")
+    done, calls = script("run", answers=TWO_REACHED)
+    assert done.returncode == 0
+    assert calls[-1] == REACH
+    assert "This machine is too slow" in done.stdout
 
 
 def test_soak_tests_that_need_what_is_missing_fail_no_landing(script: Script) -> None:
