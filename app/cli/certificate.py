@@ -136,10 +136,32 @@ def write(
 @certificate.command()
 @report_errors
 def block(
-    readings: Annotated[Path, typer.Argument(help="The readings, a CSV table.")],
     drawing: Annotated[
         Path, typer.Option(help="object.json of the block as drawn, with tolerance_mm.")
     ],
+    readings: Annotated[
+        Path | None,
+        typer.Argument(metavar="[READINGS]", help="Distances of faces, a CSV table."),
+    ] = None,
+    points: Annotated[
+        Path | None,
+        typer.Option(help="Touches of faces, a CSV table, or a session's folder."),
+    ] = None,
+    arm: Annotated[
+        Path | None, typer.Option(help="arm.json of the arm whose joint angles the touches are.")
+    ] = None,
+    arm_um: Annotated[
+        float | None,
+        typer.Option(
+            min=0.0, help="Rms error of its tip over the reach; by default, as identified."
+        ),
+    ] = None,
+    tip_um: Annotated[
+        float | None,
+        typer.Option(
+            min=0.0, help="Standard uncertainty of the tip's diameter; by default, unknown."
+        ),
+    ] = None,
     output: Annotated[
         Path, typer.Option("-o", "--output", help="Where to write object.json.")
     ] = Path("object.json"),
@@ -150,18 +172,28 @@ def block(
     language: Annotated[str, typer.Option(help="Of the page.")] = "en",
     as_json: AsJson = False,
 ) -> None:
-    """Certify a block from readings of its widths and heights by calliper, micrometer or tip."""
+    """Certify a block from readings of its widths and heights, and from touches of its faces.
+
+    Readings are by calliper, micrometer or tip, touches by a coordinate measuring machine or an
+    arm.
+    """
     from app.formats.atomic_write import check_output_path, write_atomically
     from app.formats.datasheets.block_certificate import certify_block
+    from app.formats.datasheets.block_points import read_touching_arm, session_files
     from app.report.contents.block_certificate import block_certificate_report
     from app.report.reports import render
     from app.timestamps import utc_now
 
-    made = certify_block(drawing, readings, issued)
-    target = check_output_path(output, [readings])
+    if points is not None and points.is_dir():
+        of_session, points = session_files(points)
+        arm = arm or of_session
+    by = None if arm is None else read_touching_arm(arm, arm_um, tip_um)
+    made = certify_block(drawing, readings, issued, points, by)
+    inputs = [one for one in (readings, points, arm) if one is not None]
+    target = check_output_path(output, inputs)
     if page is not None:
         content = render(block_certificate_report(made, utc_now()), page.suffix, language)
-        write_atomically(check_output_path(page, [readings, drawing]), content)
+        write_atomically(check_output_path(page, [*inputs, drawing]), content)
     made.document.write(target)
     if as_json:
         print_json(made.document.model_dump(mode="json", exclude_none=True))

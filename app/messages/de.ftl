@@ -47,6 +47,7 @@ activity-ended = { $who } hat beendet: { $title }.
 activity-performance = Leistungsprüfung
 activity-scan = Scan
 activity-verification = Verifizierung
+add-column-or-leave-both = Spalte ergänzen oder beide weglassen
 add-dh-row = Geben Sie je Gelenk eine Zeile an, der Reihe nach
 add-exposure-us-line = Zeile exposure_us = … hinzufügen
 add-line = Zeile { $key } = … hinzufügen
@@ -427,6 +428,7 @@ block-certified-by-readings =
         [one] Koordinaten aus einem Messwert; die größte Standardunsicherheit ist { $largest } (k = 1).
        *[other] Koordinaten durch Ausgleichung von { $count } Messwerten; die größte Standardunsicherheit ist { $largest } (k = 1).
     }
+block-certified-by-touches = Koordinaten durch Ausgleichung von { $touches } Antastungen und { $readings } Messwerten; die größte Standardunsicherheit ist { $largest } (k = 1).
 block-corner =
     { $level ->
         [crest] Zinne { $number }
@@ -697,6 +699,7 @@ check-moved-every-picture-has-arms =
         [board] prüfen, ob die Tafel unbewegt blieb und ob zu jedem Bild die Messarmwerte seiner Pose gehören
        *[object] prüfen, ob das Objekt unbewegt blieb und ob zu jedem Bild die Messarmwerte seiner Pose gehören
     }
+check-names-of-faces-and-axes = Die Namen der Flächen und die Richtungen der Maschinenachsen prüfen
 check-network-load-or-power = Das Netz war unterbrochen, oder die Kamera hat neu gestartet: Prüfen Sie ihr Kabel und ihre Stromversorgung
 check-object-certificate-lengths-mm = Prüfen, ob dies das Objekt des Kalibrierscheins ist und ob seine Längen in mm angegeben sind.
 check-object-picture-take-picture-again = prüfen, ob dies das Objekt im Bild ist, und das Bild neu aufnehmen
@@ -1188,8 +1191,11 @@ dh-variable-not-an-angle = das Gelenk schiebt: Seine Variable ist eine Länge
 diameter = Durchmesser
 diameter-of-tip-by-datasheet = Tastkugeldurchmesser laut Datenblatt
 diameter-tip-found = Gemessener Tastkugeldurchmesser
+diameter-up-to-or-unknown = erwartet wird ein Durchmesser in mm bis { $most }, 0 für Punkte, die die Maschine korrigiert hat, oder unknown
 dictionary-unknown = { $field } ist eines von { $names }
 did-you-mean = Meinen Sie { $name }?
+direction-points-into-block = { $place }: die Richtung i, j, k zeigt bei { $face } in den Block
+directions-point-out-of-surface = Richtungen zeigen aus der Oberfläche heraus; die Antastung gehört zu einer anderen Fläche, oder die Vorzeichen sind vertauscht
 disk = Datenträger
 disk-fails = Der Datenträger von { $folder } liest oder schreibt fehlerhaft
 disk-fails-takes-every-calibration-scan = Mit einem defekten Datenträger gehen alle Kalibrierungen und Scans verloren.
@@ -1304,6 +1310,29 @@ edges-x-mm-odd-count =
 edition-has-no-symbol = die Ausgabe { $edition } hat kein Symbol für { $quantity }
 editions-are = Ausgaben sind { $names }
 egm-external-axis = Der Roboter unter { $address } sendet neben seinen Gelenken eine externe Achse
+error-of-arm-over-reach-unknown = { $path } nennt den Fehler des Arms über seine Reichweite nicht
+errors-of-links-counted = Fehler der Armglieder zählen, mit allem, was den Antastungen davon gemeinsam ist: { $error } (Effektivwert) des Tasters über die Reichweite des Arms.
+exchange-faces-or-touch-again = Die Namen tauschen, oder beide noch einmal antasten
+face-has-touches =
+    { $count ->
+        [one] { $face } wurde einmal angetastet
+       *[other] { $face } wurde { $count }-mal angetastet
+    }
+faces-as-touched = Flächen, wie angetastet
+file-has-touches = { $path } hat { $count } Antastungen
+flatness-of-touches = Ebenheit
+form-of-faces-is = Ebenheit ist die Spanne der Antastungen um ihre eigene Ausgleichsebene; Parallelitätsabweichung ist, was diese Ebene über die angetastete Fläche gegen die Achse des Blocks ansteigt. Drei Antastungen zeigen keine Form.
+give-arm-of-touches = Die Datei des Arms mit --arm angeben
+give-readings-points-or-both = readings.csv, --points oder beides angeben
+identify-arm-or-state-arm-um = Den Arm identifizieren, oder den Effektivwert des Fehlers seines Tasters über die Reichweite mit --arm-um angeben
+leave-out-touches-evenly = Antastungen gleichmäßig auf allen Flächen weglassen
+links-errors-do-not-average-out = Fehler der Glieder sind bei jeder Antastung gleich und mitteln sich nicht heraus
+most-touches-are = höchstens { $most } sind verwendbar
+multiply-coordinates-by = Die Koordinaten mit { $factor } multiplizieren
+neither-readings-nor-points = weder Messwerte noch Punkte wurden angegeben
+opposite-faces-exchanged-or-left-handed = gegenüberliegende Flächen wie front und back sind vertauscht, oder die Maschinenachsen sind linkshändig
+out-of-parallel = Parallelitätsabweichung
+posture-and-its-uncertainty = posture und posture_uncertainty_mm werden zusammen angegeben
 state-external-axis = external_axis auf "third" setzen, wenn der Roboter sieben Achsen hat, oder auf "other" für eine Verfahrachse oder einen Drehtisch, die stillstehen müssen
 egm-lacks = Die Pakete des Roboters unter { $address } enthalten kein { $name }
 egm-no-egm = Was der Roboter unter { $address } sendet, ist kein EGM
@@ -3993,6 +4022,7 @@ started-scan = Scan gestartet
 state-bayer = --bayer und --colour angeben (bei einem Ordner: bayer und laser_wavelength_nm in sensor.json; bei der Kamera einer Station: bayer und laser_colour)
 state-laser-colour = laser_wavelength_nm im Datenblatt des Sensors angeben (crenel extract, crenel detect: --colour), oder Graubilder verwenden
 state-rotation-in-arm-json = Nennen Sie die Steuerung als rotation in arm.json, etwa "rotation": "kuka"
+state-tip-uncertainty-or-unknown = tip_uncertainty_mm angeben, oder als Durchmesser unknown schreiben und eine Breite mit einem anderen Gerät ergänzen
 state-uncertainty-in-mm = standard_uncertainty_mm in mm angeben, k = 1
 stated = nicht angegeben
 station-does-answer-name-names-added = Dieser Server ist unter dem Namen „{ $name }“ nicht erreichbar. Namen lassen sich mit hosts in { $file } ergänzen.
@@ -4250,6 +4280,7 @@ tip-alone-never-shows-diameter = ein kleinerer Taster und ein größerer Block e
 tip-bars-end = Die Tastkugel sitzt im Stabende
 tip-check = Tastkugelprüfung
 tip-diameter-not-shown = kein Messwert in { $path } zeigt den Durchmesser des Tasters „{ $tool }“
+tip-error-is-in-every-width = der Fehler des Durchmessers steckt in jeder Breite
 tip-held-seat-moved-max-min = Die Tastkugel hat sich in einer Pfanne um { $worst } bewegt, (max − min)/2 auf der schlechtesten Achse.
 tip-in-seat-moved-limit = Die Tastkugel hat sich in einer Pfanne um { $worst } bewegt, (max − min)/2 auf der schlechtesten Achse; der Grenzwert ist { $limit }.
 tip-is-checked-in-a-seat = Um seine Spitze in einem Sitz gedreht, zeigt der Arm, ob die Spitze da ist, wo sein Modell sie hat.
@@ -4277,6 +4308,7 @@ tip-uncertainty-before =
     }
 tips-coordinates-moved-instead = stattdessen werden die Koordinaten der Tastkugel geändert
 tips-diameter = Tastkugeldurchmesser
+tips-diameter-has-no-uncertainty = { $place }: der Tasterdurchmesser hat keine Unsicherheit
 tips-diameter-how-well-touches-agree = Durchmesser der Tastkugel und Übereinstimmung ihrer Antastpunkte.
 tips-diameter-off-known-only-k = Der Durchmesser der Tastkugel weicht um { $off } ab; die erweiterte Unsicherheit von { $known } (k = 2) ist zu groß, um die Einhaltung des Grenzwerts nachzuweisen.
 tips-places = Positionen der Tastkugel
@@ -4343,7 +4375,11 @@ touch-gauge = Prüfnormal antasten
 touch-gauge-2 = Antastpunkt { $counted } am Prüfnormal.
 touch-gauge-more-places-scan-more = Prüfnormal an mehr Stellen antasten und langsamer scannen.
 touch-in-another-posture = So genommene Punkte sind schlechter: Nehmen Sie eine andere Stellung, oder versetzen Sie das Objekt
+touch-in-row = Antastung in Zeile { $line } ({ $face })
 touch-left-end = Linke Stirnseite antasten.
+touch-lies-beside-face = { $place }: die Antastung liegt { $off } neben { $face }
+touch-lies-on-face = sie liegt auf { $face }
+touch-lies-on-no-face = sie liegt auf keiner anderen Fläche oder auf mehreren
 touch-more-contacts = Antasten: { $contacts }
 touch-more-least-places = Weiter antasten: { $taken } von mindestens { $touches_needed } Stellen.
 touch-more-least-points = Weiter antasten: { $taken } von mindestens { $least } Punkten.
@@ -4370,6 +4406,7 @@ touch-sphere = Kugel antasten
 touch-sphere-more-spread-over-all = Kugel weiter antasten, über die ganze obere Hälfte verteilt.
 touch-top-all-around-side = Oben und ringsum an der Seite antasten
 touch-tops-merlons = Zinnen oben antasten.
+touch-two-faces-of-two-axes = nötig sind Antastungen auf je zwei Flächen von zwei Achsen, etwa alle Kanten, front und back
 touched-centres-of-position = Durch Antasten, Position { $position }
 touched-places-of-position = Angetastete Kugel, Position { $position }
 touched-sphere-seems-to-have-diameter = Die angetastete Kugel hat anscheinend einen Durchmesser von { $radius }, laut Kalibrierschein { $radius2 }.
@@ -4383,14 +4420,21 @@ tip-points-off-sphere-of-others =
         [one] Punkt { $points } liegt { $scatter } neben der Kugel der übrigen.
        *[other] Die Punkte { $points } liegen bis zu { $scatter } neben der Kugel der übrigen.
     }
+touches-agree-if-exchanged = alle Antastungen passen zusammen, wenn die Namen von { $one } und { $other } getauscht werden
+touches-agree-in-unit = { $place } und die folgenden: die Antastungen passen zur Zeichnung, wenn sie in { $unit } sind
+touches-are-joint-angles = { $path } hat die Gelenkwinkel eines Arms
+touches-are-mirror-image = die Antastungen gehören zum Spiegelbild des Blocks
 touches-disagree-up-tip-sphere-loose = Die Antastpunkte weichen um bis zu { $scatter } voneinander ab: Tastkugel oder Kugel ist locker, oder der Messarm ist gerutscht.
+touches-do-not-show-place = die Antastungen zeigen nicht, wo der Block steht
 touches-lie-too-near-together-one = Die Antastpunkte liegen zu nah beieinander oder auf einem Ring um die Kugel
 touches-lie-within-one-line = Die Antastpunkte liegen innerhalb von { $width } um eine Gerade
 touches-miss-places = keine Antastung liegt nahe den Stellen { $places } der Kugel
 touches-missing-of-pattern = nur { $count } der { $needed } Antastungen wurden genommen
+touches-of-face = Antastungen
 touches-on-face = { $count } { $where }
 touches-over-all-faces = { $total } weitere auf allen Flächen, davon { $most } { $where },
 touches-rms-known-k-1 = { $touches } Antastpunkte, { $rms } rms, Standardunsicherheit { $known } (k = 1)
+touches-scatter-more = Die Antastungen streuen { $times }-mal so stark wie angegeben; die Unsicherheiten jeder für sich sind um diesen Faktor größer.
 touches-would-bring =
     { $total ->
         [one] Standardunsicherheit des Objekts: { $now } (k = 1); { $words } ergibt { $then }.

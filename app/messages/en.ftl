@@ -47,6 +47,7 @@ activity-ended = { $who } ended: { $title }.
 activity-performance = Performance test
 activity-scan = Scan
 activity-verification = Verification
+add-column-or-leave-both = Add the column, or leave out both
 add-dh-row = Give one row for each joint, in order
 add-exposure-us-line = Add a line exposure_us = …
 add-line = Add a line { $key } = …
@@ -427,6 +428,7 @@ block-certified-by-readings =
         [one] Coordinates by one reading; the largest standard uncertainty is { $largest } (k = 1).
        *[other] Coordinates by least squares from { $count } readings; the largest standard uncertainty is { $largest } (k = 1).
     }
+block-certified-by-touches = Coordinates by least squares from { $touches } touches and { $readings } readings; the largest standard uncertainty is { $largest } (k = 1).
 block-corner =
     { $level ->
         [crest] crest { $number }
@@ -697,6 +699,7 @@ check-moved-every-picture-has-arms =
         [board] check that the board did not move, and that every picture has the arm's readings of its own pose
        *[object] check that the object did not move, and that every picture has the arm's readings of its own pose
     }
+check-names-of-faces-and-axes = Check the names of the faces and the directions of the machine's axes
 check-network-load-or-power = The network was interrupted, or the camera restarted: check its cable and its power
 check-object-certificate-lengths-mm = Check that this object belongs to the certificate, and that its lengths are in mm.
 check-object-picture-take-picture-again = check that this is the object in the picture, and take the picture again
@@ -1184,8 +1187,11 @@ dh-variable-not-an-angle = the joint slides: its variable is a length
 diameter = Diameter
 diameter-of-tip-by-datasheet = Tip diameter from the datasheet
 diameter-tip-found = Measured tip diameter
+diameter-up-to-or-unknown = a diameter in mm up to { $most } is expected, 0 for points that the machine has compensated, or unknown
 dictionary-unknown = { $field } is one of { $names }
 did-you-mean = Did you mean { $name }?
+direction-points-into-block = { $place }: the direction i, j, k points into the block at { $face }
+directions-point-out-of-surface = directions point out of the surface; the touch belongs to another face or the signs are exchanged
 disk = Disk
 disk-fails = The disk of { $folder } does not read or write reliably
 disk-fails-takes-every-calibration-scan = If the disk fails, every calibration and scan on it is lost.
@@ -1300,6 +1306,29 @@ edges-x-mm-odd-count =
 edition-has-no-symbol = the edition { $edition } has no symbol for { $quantity }
 editions-are = editions are { $names }
 egm-external-axis = The robot at { $address } sends an external axis beside its joints
+error-of-arm-over-reach-unknown = { $path } does not state the arm's error over its reach
+errors-of-links-counted = Errors of the arm's links count, with all that the touches share of them: { $error } rms of the tip over the arm's reach.
+exchange-faces-or-touch-again = Exchange the names, or touch both again
+face-has-touches =
+    { $count ->
+        [one] { $face } was touched once
+       *[other] { $face } was touched { $count } times
+    }
+faces-as-touched = Faces as touched
+file-has-touches = { $path } has { $count } touches
+flatness-of-touches = Flatness
+form-of-faces-is = Flatness is the range of the touches about their own least-squares plane; out of parallel is what this plane rises over the touched area against the axis of the block. Three touches show no form.
+give-arm-of-touches = Give the arm's file with --arm
+give-readings-points-or-both = Give readings.csv, --points, or both
+identify-arm-or-state-arm-um = Identify the arm, or state the rms error of its tip over the reach with --arm-um
+leave-out-touches-evenly = Leave out touches evenly over all faces
+links-errors-do-not-average-out = errors of the links are the same in every touch and do not average out
+most-touches-are = at most { $most } can be used
+multiply-coordinates-by = Multiply the coordinates by { $factor }
+neither-readings-nor-points = neither readings nor points were given
+opposite-faces-exchanged-or-left-handed = opposite faces, such as front and back, are exchanged, or the machine's axes are left-handed
+out-of-parallel = Out of parallel
+posture-and-its-uncertainty = posture and posture_uncertainty_mm are given together
 state-external-axis = Set external_axis to "third" if the robot has seven axes, or to "other" for a track or a turntable, which must stand still
 egm-lacks = The packets of the robot at { $address } have no { $name }
 egm-no-egm = What the robot at { $address } sends is no EGM
@@ -3980,6 +4009,7 @@ started-scan = started a scan
 state-bayer = State --bayer and --colour (of a folder: bayer and laser_wavelength_nm in sensor.json; of a station's camera: bayer and laser_colour)
 state-laser-colour = State laser_wavelength_nm in the sensor's datasheet (crenel extract, crenel detect: --colour), or give grey pictures
 state-rotation-in-arm-json = State the controller as rotation in arm.json, such as "rotation": "kuka"
+state-tip-uncertainty-or-unknown = State tip_uncertainty_mm, or write unknown for the diameter and add a width by another tool
 state-uncertainty-in-mm = Give standard_uncertainty_mm in mm, k = 1
 stated = not stated
 station-does-answer-name-names-added = This server does not respond to the name '{ $name }'. Add names with hosts in { $file }.
@@ -4237,6 +4267,7 @@ tip-alone-never-shows-diameter = a smaller tip and a larger block give the same 
 tip-bars-end = The tip is in the bar's end
 tip-check = Tip check
 tip-diameter-not-shown = no reading in { $path } shows the diameter of the { $tool }
+tip-error-is-in-every-width = the error of the diameter is in every width
 tip-held-seat-moved-max-min = The tip in a seat moved by { $worst }, (max − min)/2 on the worst axis.
 tip-in-seat-moved-limit = The tip in a seat moved by { $worst }, (max − min)/2 on the worst axis; the limit is { $limit }.
 tip-is-checked-in-a-seat = Turned about its tip in a seat, the arm shows whether the tip is where its model has it.
@@ -4264,6 +4295,7 @@ tip-uncertainty-before =
     }
 tips-coordinates-moved-instead = the tip's coordinates are changed instead
 tips-diameter = The tip's diameter
+tips-diameter-has-no-uncertainty = { $place }: the tip's diameter has no uncertainty
 tips-diameter-how-well-touches-agree = The tip's diameter, and the agreement of its contact points.
 tips-diameter-off-known-only-k = The tip's diameter deviates by { $off }; its expanded uncertainty of { $known } (k = 2) is too large to prove that the limit is kept.
 tips-places = Tip positions
@@ -4321,7 +4353,11 @@ touch-gauge = Touch the gauge
 touch-gauge-2 = Contact point { $counted } on the gauge.
 touch-gauge-more-places-scan-more = Touch the gauge at more positions, and scan it more slowly.
 touch-in-another-posture = Points taken so are worse: take them in another posture, or move the object
+touch-in-row = the touch in line { $line } ({ $face })
 touch-left-end = Touch the left end.
+touch-lies-beside-face = { $place }: the touch lies { $off } beside { $face }
+touch-lies-on-face = it lies on { $face }
+touch-lies-on-no-face = it lies on no other face, or on several
 touch-more-contacts = Touch { $contacts }
 touch-more-least-places = Touch more points: { $taken } of at least { $touches_needed }.
 touch-more-least-points = Touch more points: { $taken } of at least { $least }.
@@ -4348,6 +4384,7 @@ touch-sphere = Touch the sphere
 touch-sphere-more-spread-over-all = Touch more points on the sphere, spread over its whole upper half.
 touch-top-all-around-side = Touch its top and all around its side
 touch-tops-merlons = Touch the tops of the merlons.
+touch-two-faces-of-two-axes = touches on two faces each of two axes are needed, such as all edges, front and back
 touched-centres-of-position = By touch, position { $position }
 touched-places-of-position = Touched sphere, position { $position }
 touched-sphere-seems-to-have-diameter = The touched sphere measures { $radius } in diameter, but its certificate states { $radius2 }.
@@ -4361,14 +4398,21 @@ tip-points-off-sphere-of-others =
         [one] Point { $points } is { $scatter } off the sphere of the others.
        *[other] Points { $points } are up to { $scatter } off the sphere of the others.
     }
+touches-agree-if-exchanged = all touches agree if the names of { $one } and { $other } are exchanged
+touches-agree-in-unit = { $place } and the following: the touches agree with the drawing if they are in { $unit }
+touches-are-joint-angles = { $path } has the joint angles of an arm
+touches-are-mirror-image = the touches are those of the block's mirror image
 touches-disagree-up-tip-sphere-loose = The contact points disagree by up to { $scatter }: the tip or the sphere is loose, or the arm slipped.
+touches-do-not-show-place = the touches do not show where the block stands
 touches-lie-too-near-together-one = The contact points are too close together, or on one ring around the sphere
 touches-lie-within-one-line = The contact points lie within { $width } of one line
 touches-miss-places = no touch lies near the places { $places } of the sphere
 touches-missing-of-pattern = only { $count } of the { $needed } touches were taken
+touches-of-face = Touches
 touches-on-face = { $count } { $where }
 touches-over-all-faces = { $total } more over all faces, { $most } of them { $where },
 touches-rms-known-k-1 = { $touches } contact points, { $rms } rms, uncertainty { $known } (k = 1)
+touches-scatter-more = The touches scatter { $times } times as much as they state; the uncertainties of each by itself are larger by this factor.
 touches-would-bring =
     { $total ->
         [one] Uncertainty of the object's position: { $now } (k = 1); { $words } reduces it to { $then }.

@@ -1,4 +1,4 @@
-"""A block's certificate from readings of its faces."""
+"""A block's certificate from readings of its faces, and from touches of them."""
 
 from dataclasses import dataclass
 from pathlib import Path
@@ -6,46 +6,80 @@ from pathlib import Path
 import numpy as np
 
 from app.errors import OperationError
+from app.formats.datasheets.block_points import TouchingArm, TouchTable, read_touches
 from app.formats.datasheets.block_readings import face_name, read_readings
+from app.formats.datasheets.block_touch_checks import exchange_refusal, place_table, touch_in_row
 from app.formats.datasheets.target import (
     COARSEST_MM,
     CoordinateUncertainties,
     ObjectFile,
     read_block,
 )
-from app.messages.message import Text, message, quantity, signed
+from app.messages.message import Text, join, message, quantity, signed
 from app.metrology.calibration.observation_model import coordinates
-from app.metrology.targets.block_readings import BlockReading, ReadingFit, fit_readings
+from app.metrology.targets.block_fit import BlockFit, TouchFit, fit_block, shows_tip
+from app.metrology.targets.block_readings import TIP, BlockReading, open_faces
 from app.metrology.targets.crenellated_block import Crenellated
 from app.metrology.transforms import Floats
+
+MOST_NAMED = 4
+"""Of readings that contradict, so many are shown."""
 
 
 @dataclass(frozen=True)
 class BlockCertificate:
-    """A block by its readings: what was read, how it fits, and ``object.json``."""
+    """A block by its readings and touches: what was measured, how it fits, and ``object.json``."""
 
     drawing: Crenellated
     readings: tuple[BlockReading, ...]
-    fit: ReadingFit
+    touches: TouchTable | None
+    fit: BlockFit
     document: ObjectFile
 
 
-def certify_block(drawing: Path, readings: Path, certificate: str) -> BlockCertificate:
+def certify_block(
+    drawing: Path,
+    readings: Path | None,
+    certificate: str,
+    points: Path | None = None,
+    by: TouchingArm | None = None,
+) -> BlockCertificate:
     """The certificate of the block whose ``object.json`` has at least its drawing.
 
     The axes of its frame stay where the drawing has the mean of the faces.
 
     Args:
+        readings: distances of faces; None where the touches tell everything.
         certificate: who certifies it and when, for reports.
+        points: touches of the faces.
+        by: the arm that took them, where they are joint angles.
 
     Raises:
-        OperationError: as ``read_block`` and ``read_readings``; ``readings-contradict`` with every
-            reading that contradicts the others; ``certificate-too-coarse``.
+        OperationError: as ``read_block``, ``read_readings``, ``read_touches`` and ``place_table``;
+            ``nothing-measured``; ``readings-incomplete`` for a face that nothing reaches;
+            ``tip-unknown`` for a tip whose diameter nothing shows; ``readings-exchanged``,
+            ``touches-exchanged``, or ``readings-contradict`` with every reading and touch that
+            contradicts the others; ``certificate-too-coarse``.
     """
     block = read_block(drawing)
-    read = read_readings(readings, block)
-    fit = fit_readings(read, len(block.edges_x_mm))
-    _refuse_contradictions(read, fit, len(block.edges_x_mm))
+    if readings is None and points is None:
+        raise OperationError(
+            "nothing-measured",
+            message("neither-readings-nor-points"),
+            "",
+            message("give-readings-points-or-both"),
+        )
+    read = () if readings is None else read_readings(readings, block)
+    touched = None if points is None else read_touches(points, block, by)
+    _refuse_incomplete(points or readings or drawing, read, touched, block)
+    drawn_mm, edges = coordinates(block), len(block.edges_x_mm)
+    placed = None if touched is None else place_table(touched, drawn_mm)
+    touches = None if touched is None else touched.touches
+    fit = fit_block(drawn_mm, read, touches, None if placed is None else placed.block)
+    _refuse_exchanges(read, touched, fit, edges)
+    if placed is not None and placed.refusal is not None:
+        raise placed.refusal
+    _refuse_contradictions(read, touched, fit, edges)
     largest_mm = float(np.max(fit.sds_mm))
     if largest_mm > COARSEST_MM:
         raise OperationError(
@@ -54,10 +88,41 @@ def certify_block(drawing: Path, readings: Path, certificate: str) -> BlockCerti
             message("certificate-must-be-known-to", most=quantity(1e3 * COARSEST_MM, "µm")),
             message("add-readings-from-face-known"),
         )
-    return BlockCertificate(block, read, fit, _document(block, fit, certificate))
+    return BlockCertificate(block, read, touched, fit, _document(block, fit, certificate))
 
 
-def _document(block: Crenellated, fit: ReadingFit, certificate: str) -> ObjectFile:
+def _refuse_incomplete(
+    path: Path,
+    readings: tuple[BlockReading, ...],
+    touched: TouchTable | None,
+    block: Crenellated,
+) -> None:
+    edges = len(block.edges_x_mm)
+    touches = None if touched is None else touched.touches
+    faces = () if touches is None else tuple(dict.fromkeys(touches.faces.tolist()))
+    missing = open_faces(readings, edges, faces)
+    if missing:
+        raise OperationError(
+            "readings-incomplete",
+            message(
+                "readings-miss-faces",
+                path=path.name,
+                count=len(missing),
+                faces=", ".join(face_name(face, edges) for face in missing),
+            ),
+            message("readings-must-connect-faces"),
+            message("add-readings-from-face-known"),
+        )
+    if not shows_tip(coordinates(block), readings, touches):
+        raise OperationError(
+            "tip-unknown",
+            message("tip-diameter-not-shown", path=path.name, tool=TIP),
+            message("tip-alone-never-shows-diameter"),
+            message("add-micrometer-reading-of-width"),
+        )
+
+
+def _document(block: Crenellated, fit: BlockFit, certificate: str) -> ObjectFile:
     edges = len(block.edges_x_mm)
     values = fit.coordinates_mm + _means(coordinates(block), edges)
     names = ("front_y_mm", "back_y_mm", "crest_z_mm", "floor_z_mm", "base_z_mm")
@@ -86,7 +151,9 @@ def _means(values: Floats, edges: int) -> Floats:
     return np.concatenate([np.full(len(part), part.mean()) for part in parts])
 
 
-def _refuse_contradictions(readings: tuple[BlockReading, ...], fit: ReadingFit, edges: int) -> None:
+def _refuse_exchanges(
+    readings: tuple[BlockReading, ...], touched: TouchTable | None, fit: BlockFit, edges: int
+) -> None:
     if fit.exchanged is not None:
         one, other = (_row(i, readings, edges) for i in fit.exchanged)
         raise OperationError(
@@ -95,22 +162,39 @@ def _refuse_contradictions(readings: tuple[BlockReading, ...], fit: ReadingFit, 
             "",
             message("exchange-readings-or-read-again"),
         )
-    wrong = np.flatnonzero(~fit.kept | fit.doubtful)
-    if len(wrong):
+    if touched is not None and fit.touched is not None and fit.touched.exchanged is not None:
+        raise exchange_refusal(touched, fit.touched.exchanged, edges)
+
+
+def _refuse_contradictions(
+    readings: tuple[BlockReading, ...], touched: TouchTable | None, fit: BlockFit, edges: int
+) -> None:
+    wrong = [
+        (_row(int(i), readings, edges), float(fit.residuals_mm[i]))
+        for i in np.flatnonzero(~fit.kept | fit.doubtful)
+    ]
+    doubtful = bool(fit.doubtful.any())
+    if touched is not None and fit.touched is not None:
+        wrong += _wrong_touches(touched, fit.touched, edges)
+        doubtful = doubtful or bool(fit.touched.doubtful.any())
+    if wrong:
         off = [
-            message(
-                "reading-off-by",
-                reading=_row(int(i), readings, edges),
-                off=signed(1e3 * float(fit.residuals_mm[i]), "µm"),
-            )
-            for i in wrong[:4]
+            message("reading-off-by", reading=row, off=signed(1e3 * residual_mm, "µm"))
+            for row, residual_mm in wrong[:MOST_NAMED]
         ]
         raise OperationError(
             "readings-contradict",
-            message("readings-contradict-others", count=len(wrong), first=off[0]),
-            message("one-of-readings-is-wrong") if fit.doubtful.any() else "",
+            message("readings-contradict-others", count=len(wrong), first=join(off)),
+            message("one-of-readings-is-wrong") if doubtful else "",
             message("read-these-again"),
         )
+
+
+def _wrong_touches(touched: TouchTable, fit: TouchFit, edges: int) -> list[tuple[Text, float]]:
+    return [
+        (touch_in_row(touched, int(i), edges), float(fit.residuals_mm[i]))
+        for i in np.flatnonzero(~fit.kept | fit.doubtful)
+    ]
 
 
 def _row(index: int, readings: tuple[BlockReading, ...], edges: int) -> Text:

@@ -18,8 +18,6 @@ from app.metrology.targets.block_readings import (
     TIP,
     BlockReading,
     face_axis,
-    free_tools,
-    open_faces,
     tool_sense,
 )
 from app.metrology.targets.crenellated_block import Crenellated
@@ -43,35 +41,12 @@ def read_readings(path: Path, drawing: Crenellated) -> tuple[BlockReading, ...]:
 
     Raises:
         OperationError: as ``read_table``; a face that the block does not have, a reading between
-            faces that are not parallel, in inches, or far beside the drawing; a face that no
-            reading reaches (``readings-incomplete``); a tip whose diameter nothing shows
-            (``tip-unknown``).
+            faces that are not parallel, in inches, or far beside the drawing.
     """
     table = read_table(path, REQUIRED)
     rows = table.rows
     readings = tuple(_reading(row, drawing, table.columns) for row in rows)
     _refuse_unlike(rows, readings, drawing)
-    edges = len(drawing.edges_x_mm)
-    missing = open_faces(readings, edges)
-    if missing:
-        raise OperationError(
-            "readings-incomplete",
-            message(
-                "readings-miss-faces",
-                path=path.name,
-                count=len(missing),
-                faces=", ".join(face_name(face, edges) for face in missing),
-            ),
-            message("readings-must-connect-faces"),
-            message("add-readings-from-face-known"),
-        )
-    if free_tools(readings, edges):
-        raise OperationError(
-            "tip-unknown",
-            message("tip-diameter-not-shown", path=path.name, tool=TIP),
-            message("tip-alone-never-shows-diameter"),
-            message("add-micrometer-reading-of-width"),
-        )
     return readings
 
 
@@ -82,7 +57,7 @@ def face_name(face: int, edge_count: int) -> str:
 
 def _reading(row: TableRow, drawing: Crenellated, columns: tuple[str, ...]) -> BlockReading:
     edges = len(drawing.edges_x_mm)
-    first, second = (_face(row, column, edges) for column in ("from", "to"))
+    first, second = (read_face(row, column, edges) for column in ("from", "to"))
     values = coordinates(drawing)
     if face_axis(first, edges) != face_axis(second, edges) or first == second:
         names = {"first": row.text("from"), "second": row.text("to")}
@@ -94,21 +69,29 @@ def _reading(row: TableRow, drawing: Crenellated, columns: tuple[str, ...]) -> B
         )
     if values[first] > values[second]:
         first, second = second, first
-    sd_mm = row.number("standard_uncertainty_mm")
-    common_mm = row.number("tool_uncertainty_mm") if "tool_uncertainty_mm" in columns else 0.0
-    for name, value in (("standard_uncertainty_mm", sd_mm), ("tool_uncertainty_mm", common_mm)):
-        if not (0.0 if name.startswith("tool") else 1e-6) <= value <= COARSEST_MM:
-            raise OperationError(
-                "reading-uncertainty",
-                message("column-cell-is", place=row.place, column=name, value=f"{value:g}"),
-                message("uncertainty-above-zero-up-to", most=quantity(COARSEST_MM, "mm", 1)),
-                message("correct-cell-delete-row"),
-            )
+    sd_mm = read_uncertainty_mm(row, "standard_uncertainty_mm", 1e-6)
+    common_mm = 0.0
+    if "tool_uncertainty_mm" in columns:
+        common_mm = read_uncertainty_mm(row, "tool_uncertainty_mm")
     tool = row.cells["tool"].strip() if "tool" in columns else ""
     return BlockReading(first, second, row.number("distance_mm"), sd_mm, tool, common_mm)
 
 
-def _face(row: TableRow, column: str, edge_count: int) -> int:
+def read_uncertainty_mm(row: TableRow, column: str, least_mm: float = 0.0) -> float:
+    """A standard uncertainty; ``reading-uncertainty`` refuses one that no tool has."""
+    value = row.number(column)
+    if not least_mm <= value <= COARSEST_MM:
+        raise OperationError(
+            "reading-uncertainty",
+            message("column-cell-is", place=row.place, column=column, value=f"{value:g}"),
+            message("uncertainty-above-zero-up-to", most=quantity(COARSEST_MM, "mm", 1)),
+            message("correct-cell-delete-row"),
+        )
+    return value
+
+
+def read_face(row: TableRow, column: str, edge_count: int) -> int:
+    """The number of the face that a cell names; ``reading-of-unknown-face`` refuses others."""
     name = row.text(column)
     found = EDGE.fullmatch(name)
     if found and 1 <= int(found[1]) <= edge_count:

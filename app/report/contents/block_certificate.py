@@ -1,6 +1,7 @@
 """The page of a block's certificate: its coordinates, and the readings that they rest on."""
 
 from app.formats.datasheets.block_certificate import BlockCertificate
+from app.formats.datasheets.block_points import face_label
 from app.formats.datasheets.block_readings import face_name
 from app.formats.json_document import SOFTWARE
 from app.messages.message import Text, message, quantity, signed
@@ -15,6 +16,13 @@ def block_certificate_report(made: BlockCertificate, made_at: str) -> Report[Tex
     document = made.document
     largest = micrometres(1e3 * (document.standard_uncertainty_mm or 0.0))
     text = message("block-certified-by-readings", count=len(made.readings), largest=largest)
+    if made.touches is not None:
+        text = message(
+            "block-certified-by-touches",
+            touches=len(made.touches.rows),
+            readings=len(made.readings),
+            largest=largest,
+        )
     return Report(
         title=message("block-certificate"),
         number=document.serial_number,
@@ -24,7 +32,8 @@ def block_certificate_report(made: BlockCertificate, made_at: str) -> Report[Tex
         sections=[
             Section(message("object"), [_facts(made)]),
             Section(message("coordinates"), [_coordinates(made), *_notes(made)]),
-            Section(message("readings-of-certificate"), [_readings(made)], together=False),
+            *_touches(made),
+            *_readings(made),
             signatures(""),
         ],
     )
@@ -62,10 +71,48 @@ def _notes(made: BlockCertificate) -> list[TextBlock[Text]]:
     if made.fit.variance_factor > 1:
         times = quantity(made.fit.variance_factor**0.5, "", 1)
         notes.append(TextBlock(message("readings-scatter-more", times=times)))
+    touched = made.fit.touched
+    if touched is not None and touched.variance_factor > 1:
+        times = quantity(touched.variance_factor**0.5, "", 1)
+        notes.append(TextBlock(message("touches-scatter-more", times=times)))
+    if made.touches is not None and made.touches.arm_error_mm is not None:
+        error = micrometres(1e3 * made.touches.arm_error_mm)
+        notes.append(TextBlock(message("errors-of-links-counted", error=error)))
     return notes
 
 
-def _readings(made: BlockCertificate) -> ReportTable[Text]:
+def _touches(made: BlockCertificate) -> list[Section[Text]]:
+    """The form of the faces, where they were touched."""
+    if made.fit.touched is None:
+        return []
+    edges = len(made.document.edges_x_mm)
+
+    def known(value_mm: float | None) -> Text:
+        return UNKNOWN if value_mm is None else micrometres(1e3 * value_mm)
+
+    rows: list[tuple[Text, ...]] = [
+        (
+            face_label(one.face, one.away, edges),
+            str(one.touches),
+            known(one.flatness_mm),
+            known(one.out_of_parallel_mm),
+        )
+        for one in made.fit.touched.forms
+    ]
+    columns = (
+        message("face-of-block"),
+        message("touches-of-face"),
+        message("flatness-of-touches"),
+        message("out-of-parallel"),
+    )
+    table = ReportTable(columns, rows, (34, 18, 24, 24))
+    note = TextBlock[Text](message("form-of-faces-is"))
+    return [Section(message("faces-as-touched"), [table, note], together=False)]
+
+
+def _readings(made: BlockCertificate) -> list[Section[Text]]:
+    if not made.readings:
+        return []
     edges = len(made.document.edges_x_mm)
 
     def row(number: int, one: BlockReading, off_mm: float) -> tuple[Text, ...]:
@@ -91,4 +138,5 @@ def _readings(made: BlockCertificate) -> ReportTable[Text]:
         message("standard-uncertainty-k-1"),
         message("reading-minus-fit"),
     )
-    return ReportTable(columns, rows, (36, 16, 18, 15, 15), numbers=2, small=True)
+    table = ReportTable(columns, rows, (36, 16, 18, 15, 15), numbers=2, small=True)
+    return [Section(message("readings-of-certificate"), [table], together=False)]

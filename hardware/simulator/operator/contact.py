@@ -8,6 +8,11 @@ from hardware.simulator.scene.world import Board, CrenellatedBlock
 BOARD = "board"
 """The chessboard's one face: its printed side."""
 FACES = ("crest", "floor", "front", "back", "left", "right")
+TABLE = "table"
+"""What a block stands on, beside it."""
+EDGE = "edge_"
+"""The wall at an edge, by its number from the left, as a block's certificate counts: the left sides
+of merlons are odd."""
 MARGIN_MM = 1.5
 """Contacts keep this far from a face's edges."""
 
@@ -19,12 +24,25 @@ _NORMALS = {
     "left": (-1.0, 0.0, 0.0),
     "right": (1.0, 0.0, 0.0),
     BOARD: (0.0, 0.0, 1.0),
+    TABLE: (0.0, 0.0, 1.0),
 }
 
 
 def outward_normal(face: str) -> Floats:
     """(3,) outward normal of a face, in the frame of what has it."""
+    if face.startswith(EDGE):
+        return np.array(_NORMALS["left" if _edge_number(face) % 2 else "right"])
     return np.array(_NORMALS[face])
+
+
+def _edge_number(face: str) -> int:
+    return int(face.removeprefix(EDGE))
+
+
+def certified_faces(block: CrenellatedBlock) -> tuple[str, ...]:
+    """The faces that a block's certificate has a coordinate of, with the table for its base."""
+    walls = (f"{EDGE}{number}" for number in range(2, len(block.edges_x_mm)))
+    return ("left", *walls, "right", "front", "back", "crest", "floor", TABLE)
 
 
 def reachable_faces(block: CrenellatedBlock, tip_radius_mm: float) -> tuple[str, ...]:
@@ -49,6 +67,10 @@ def _patches(
     if isinstance(block, Board):
         half = np.array([*(block.half_pattern_mm - MARGIN_MM), 0.0])
         return [(block.middle_mm - half, block.middle_mm + half)] if face == BOARD else []
+    if face.startswith(EDGE):
+        return [_wall(block, _edge_number(face), tip_radius_mm)]
+    if face == TABLE:
+        return _beside(block, tip_radius_mm)
     if face not in FACES:
         return []
     x, m = block.edges_x_mm, MARGIN_MM
@@ -74,6 +96,24 @@ def _patches(
         return [(np.array([a + m, y, low]), np.array([b - m, y, crest - m])) for a, b in merlons]
     at = x[0] if face == "left" else x[-1]
     return [(np.array([at, front + m, low]), np.array([at, back - m, crest - m]))]
+
+
+def _wall(block: CrenellatedBlock, number: int, tip_radius_mm: float) -> tuple[Floats, Floats]:
+    """The rectangle of a wall in a groove, above its floor."""
+    x, m = block.edges_x_mm[number - 1], MARGIN_MM
+    low = np.array([x, block.front_y_mm + m, block.floor_z_mm + tip_radius_mm + 0.5])
+    return low, np.array([x, block.back_y_mm - m, block.crest_z_mm - m])
+
+
+def _beside(block: CrenellatedBlock, tip_radius_mm: float) -> list[tuple[Floats, Floats]]:
+    """Rectangles of the table in front of a block and behind it."""
+    near, far, z = tip_radius_mm + 2.0, tip_radius_mm + 12.0, block.base_z_mm
+    left, right = block.edges_x_mm[0], block.edges_x_mm[-1]
+    front, back = block.front_y_mm, block.back_y_mm
+    return [
+        (np.array([left, front - far, z]), np.array([right, front - near, z])),
+        (np.array([left, back + near, z]), np.array([right, back + far, z])),
+    ]
 
 
 def choose_contact_point(
@@ -124,8 +164,9 @@ def contact_pose(
     up, normal = np.array([0.0, 0.0, 1.0]), outward_normal(face)
     lean = up + 0.4 * (1.0 - normal[2]) * normal
     sway = rng.normal(0.0, sway_rad, 3)
-    if face == "floor":
-        sway[0] = 0.0
+    if face == "floor" or face.startswith(EDGE):
+        # a groove leaves the stylus no room across
+        lean, sway[0] = up, 0.0
     away = lean + sway
     away /= np.linalg.norm(away)
     z = -(T_arm_obj[:3, :3] @ away)

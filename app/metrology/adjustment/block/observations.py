@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from app.metrology.adjustment.core.arm_errors import arm_motion, tip_shift
+from app.metrology.adjustment.core.arm_errors import arm_motion, tip_by_links
 from app.metrology.adjustment.core.observations import ContactObservations, TargetPrior
 from app.metrology.adjustment.core.robust_weights import RobustWeights, bin_neighbours, unit_weights
 from app.metrology.arm.kinematics import Arm, tip_centres, tip_covariances
@@ -120,12 +120,7 @@ def block_contacts(
         arm.tip.radius_mm,
         tip_centres(arm, q_rad),
         moves.T_arm_flange[:, :3, :3],
-        np.array(
-            [
-                tip_shift(T, arm.tip.centre_mm) @ by_links
-                for T, by_links in zip(moves.T_arm_flange, moves.by_links, strict=True)
-            ]
-        ),
+        tip_by_links(moves, arm.tip.centre_mm),
         tip_covariances(arm, q_rad),
         kept,
     )

@@ -9,7 +9,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from app.metrology.arm.kinematics import Arm, link_transforms
+from app.metrology.arm.identification.volumetric_error import reach_poses, rms_beside_rigid_mm
+from app.metrology.arm.kinematics import Arm, link_transforms, tip_centres
 from app.metrology.arm.link_error import error_transform
 from app.metrology.transforms import Floats, adjoint
 
@@ -86,3 +87,28 @@ def tip_shift(T_arm_flange: Floats, tip_mm: Floats) -> Floats:
     x, y, z = at
     turn = np.array([[0.0, z, -y], [-z, 0.0, x], [y, -x, 0.0]])
     return np.column_stack([turn, np.eye(3)])
+
+
+def tip_errors_by_links(arm: Arm, q_rad: Floats, volume_mm: float) -> Floats:
+    """What errors of the links, the same in every posture, move the tip by.
+
+    Args:
+        q_rad: (N, n) encoder angles.
+        volume_mm: rms error of the tip over the arm's reach, beside a motion of the whole arm. All
+            links share it in their usual proportion of rotations and translations.
+
+    Returns:
+        (N, 3, 6n) mm, arm frame, for one standard deviation of each of the links' errors.
+    """
+    reach = reach_poses(arm)
+    usual = np.tile(np.repeat([1 / LEVER_MM, 1.0], 3), arm.joint_count)
+    by_links = tip_by_links(arm_motion(arm, reach), arm.tip.centre_mm) * usual
+    unit_mm = rms_beside_rigid_mm(tip_centres(arm, reach), by_links, np.eye(len(usual)))
+    moved = tip_by_links(arm_motion(arm, q_rad), arm.tip.centre_mm)
+    return np.asarray(moved * usual * (volume_mm / unit_mm))
+
+
+def tip_by_links(moves: FlangeMotion, tip_mm: Floats) -> Floats:
+    """(P, 3, 6n) translation of the tip (3,) on the flange, arm frame, by the links' errors."""
+    pairs = zip(moves.T_arm_flange, moves.by_links, strict=True)
+    return np.array([tip_shift(T, tip_mm) @ by_links for T, by_links in pairs])

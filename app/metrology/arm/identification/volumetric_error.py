@@ -53,9 +53,21 @@ def volumetric_uncertainty_mm(arm: Arm, moved: Indices, covariance: Floats) -> f
     if not len(moved):
         return 0.0
     tips, J = tip_jacobian(arm, reach_poses(arm))
+    return rms_beside_rigid_mm(tips, J[:, :, moved], covariance)
+
+
+def rms_beside_rigid_mm(tips_mm: Floats, by_errors: Floats, covariance: Floats) -> float:
+    """Rms of what errors move tips by, beside the best rigid motion of them all.
+
+    Args:
+        tips_mm: (N, 3) over the reach.
+        by_errors: (N, 3, P) derivatives by the errors.
+        covariance: (P, P) of the errors.
+    """
+    tips = tips_mm
     turns = -skews((tips - tips.mean(axis=0)) / 100.0)
     rigid = np.concatenate([np.tile(np.eye(3), (len(tips), 1, 1)), turns], axis=2).reshape(-1, 6)
-    by_parameters = J[:, :, moved].reshape(-1, len(moved))
+    by_parameters = by_errors.reshape(-1, by_errors.shape[2])
     basis, _ = np.linalg.qr(rigid)
     left = by_parameters - basis @ (basis.T @ by_parameters)
     squares = np.einsum("ri,ij,rj->r", left, covariance, left)
