@@ -178,8 +178,8 @@ def block(
     arm.
     """
     from app.formats.atomic_write import check_output_path, write_atomically
-    from app.formats.datasheets.block_certificate import certify_block
-    from app.formats.datasheets.block_points import read_touching_arm, session_files
+    from app.formats.certifying.block_certificate import certify_block
+    from app.formats.certifying.block_points import read_touching_arm, session_files
     from app.report.contents.block_certificate import block_certificate_report
     from app.report.reports import render
     from app.timestamps import utc_now

@@ -18,9 +18,9 @@ from pathlib import Path
 import numpy as np
 
 from app.errors import OperationError
+from app.formats.certifying.block_certificate import BlockCertificate, certify_block
+from app.formats.certifying.block_points import TouchingArm, read_touching_arm
 from app.formats.csv_table import table_text
-from app.formats.datasheets.block_certificate import BlockCertificate, certify_block
-from app.formats.datasheets.block_points import TouchingArm, read_touching_arm
 from app.formats.session.pose_columns import joint_columns
 from app.metrology.transforms import Floats
 from hardware.simulator.devices.kinematics import (
@@ -30,9 +30,9 @@ from hardware.simulator.devices.kinematics import (
     solve_joints,
 )
 from hardware.simulator.operator.contact import (
-    certified_faces,
     choose_contact_point,
     contact_pose,
+    faces_to_certify,
 )
 from hardware.simulator.scene.datasheets import arm_datasheet, block_datasheet, write_document
 from hardware.simulator.scene.random_scenes import (
@@ -89,7 +89,7 @@ def _touch(seed: int, rng: np.random.Generator, folder: Path) -> TouchedBlock:
     off_mm = rng.normal(0.0, CERTIFIED_UM / 1e3 if certified else OFF_MM)
     true_arm = replace(perturb_arm(arm, ARM_UM, rng), tip_diameter_mm=tip_mm + float(off_mm))
     made = draw_true_block(drawn, 0.0, rng, TOLERANCE_MM)
-    faces = tuple(face for face in certified_faces(drawn) for _ in range(ON_FACE))
+    faces = tuple(face for face in faces_to_certify(drawn) for _ in range(ON_FACE))
     q_rad = _touch_faces(true_arm, made, faces, rng)
     write_document(folder / "arm.json", arm_datasheet(arm))
     drawing = block_datasheet(drawn, 0.0)

@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 
 from app.errors import OperationError
+from app.formats.certifying.block_certificate import BlockCertificate, certify_block
+from app.formats.certifying.block_readings import face_name
 from app.formats.csv_table import table_text
-from app.formats.datasheets.block_certificate import BlockCertificate, certify_block
-from app.formats.datasheets.block_readings import face_name
 from app.formats.datasheets.target import ObjectFile, read_block
 from app.metrology.calibration.observation_model import coordinates, with_coordinates
 from app.metrology.targets.block_readings import TIP, tool_sense

@@ -8,10 +8,10 @@ import numpy as np
 import pytest
 
 from app.errors import OperationError
+from app.formats.certifying.block_certificate import BlockCertificate, certify_block
+from app.formats.certifying.block_points import read_touching_arm
+from app.formats.certifying.block_readings import face_name
 from app.formats.csv_table import table_text
-from app.formats.datasheets.block_certificate import BlockCertificate, certify_block
-from app.formats.datasheets.block_points import read_touching_arm
-from app.formats.datasheets.block_readings import face_name
 from app.formats.datasheets.target import ObjectFile
 from app.metrology.calibration.observation_model import coordinates
 from app.metrology.targets.block_readings import TIP, face_axis, outward

@@ -43,13 +43,13 @@ class BlockEquations:
     def given(self) -> int:
         return len(self.table) - self.measured
 
-    def used(self, kept: Mask) -> Mask:
+    def rows_of(self, kept: Mask) -> Mask:
         """(R,) the rows without the readings and touches that are left out."""
         return np.append(kept, np.ones(self.given, np.bool_))
 
     def groups(self, kept: Mask) -> tuple[Mask, Mask]:
         """The rows by which the readings' scatter is judged, and those by which the touches'."""
-        number, used = np.arange(len(self.table)), self.used(kept)
+        number, used = np.arange(len(self.table)), self.rows_of(kept)
         of_tools = (number >= self.measured) & (number < self.measured + self.tool_rows)
         of_touches = (number >= self.readings) & (number < self.measured)
         return used & ((number < self.readings) | of_tools), used & of_touches
@@ -82,14 +82,14 @@ def assemble(
     distances = np.array([one.distance_mm for one in readings])
     off = distances - rows[:, :count] @ drawn_mm
     known = {one.tool: one.common_sd_mm for one in readings if one.tool and one.tool != TIP}
-    of_tools = _given_rows(known, tools, count)
+    of_tools = _prior_rows(known, tools, count)
     if touches is None or not len(touches):
         table = np.vstack([rows / sds[:, None], of_tools])
         whitened = np.append(off / sds, np.zeros(len(known)))
         return BlockEquations(table, whitened, len(readings), 0, len(known), tools, sds)
     taken = touch_rows(touches, T_obj_machine, drawn_mm)
     shared = taken.by_shared.shape[1]
-    of_tips = _given_rows(
+    of_tips = _prior_rows(
         {one.name: one.sd_mm for one in touches.tips if one.sd_mm > 0 and not one.is_unknown},
         tools,
         count,
@@ -106,7 +106,7 @@ def assemble(
     return BlockEquations(table, whitened, len(readings), len(touches), len(known), tools, every_sd)
 
 
-def _given_rows(sds_mm: dict[str, float], tools: Sequence[str], count: int) -> Floats:
+def _prior_rows(sds_mm: dict[str, float], tools: Sequence[str], count: int) -> Floats:
     """A row for each tool whose error is known to a standard deviation."""
     rows = np.zeros((len(sds_mm), count + len(tools)))
     for i, (tool, sd_mm) in enumerate(sds_mm.items()):
@@ -124,7 +124,7 @@ def _touch_table(taken: TouchRows, touches: BlockTouches, tools: Sequence[str]) 
 
 def residuals_at_best(equations: BlockEquations, kept: Mask) -> tuple[Floats, Floats]:
     """Derivatives (R, U) and residuals (R,) of all rows, at the best fit to some (M + N,)."""
-    table, off, rows = equations.table, equations.off, equations.used(kept)
+    table, off, rows = equations.table, equations.off, equations.rows_of(kept)
     solution = np.linalg.lstsq(table[rows], off[rows], rcond=None)[0]
     return table, table @ solution - off
 
@@ -137,7 +137,7 @@ def solve_block(equations: BlockEquations, kept: Mask) -> BlockSolution:
     Source:
         Gauss-Markov; variance components after Foerstner.
     """
-    table, off, used = equations.table, equations.off, equations.used(kept)
+    table, off, used = equations.table, equations.off, equations.rows_of(kept)
     groups = [one for one in equations.groups(kept) if one.any()]
     factors = np.ones(2)
     numbers = [i for i, one in enumerate(equations.groups(kept)) if one.any()]

@@ -18,7 +18,7 @@ from app.metrology.targets.block_equations import (
 )
 from app.metrology.targets.block_placement import BlockPlacement
 from app.metrology.targets.block_readings import TIP, BlockReading, face_axis
-from app.metrology.targets.block_touches import BlockTouches, FaceForm, face_forms, turned
+from app.metrology.targets.block_touches import BlockTouches, FaceForm, face_forms, turn_block
 from app.metrology.transforms import Floats, apply
 
 EXPLAINED = 0.05
@@ -122,7 +122,7 @@ def fit_block(
         found = find_agreement(solve, every, every, given=equations.given)
         solved = solve_block(equations, found.kept)
         turn = len(drawn_mm) + len(equations.tools)
-        T = T if touches is None else turned(T, solved.values[turn : turn + 3])
+        T = T if touches is None else turn_block(T, solved.values[turn : turn + 3])
     count, own = equations.readings, slice(0, len(drawn_mm))
     centring, growth = _centring(len(drawn_mm) - 5)
     about_mean = centring @ solved.covariance[own, own] @ centring.T

@@ -120,7 +120,7 @@ def touch_rows(touches: BlockTouches, T_obj_machine: Floats, drawn_mm: Floats) -
     )
 
 
-def turned(T_obj_machine: Floats, rotation_mm: Floats) -> Floats:
+def turn_block(T_obj_machine: Floats, rotation_mm: Floats) -> Floats:
     """The placement (4, 4) after a rotation (3,) as of ``TouchRows`` was found."""
     turn = rigid(rotation_from_vector(rotation_mm / LEVER_MM), np.zeros(3))
     return np.asarray(turn @ T_obj_machine)

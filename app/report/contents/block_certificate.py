@@ -1,8 +1,8 @@
 """The page of a block's certificate: its coordinates, and the readings that they rest on."""
 
-from app.formats.datasheets.block_certificate import BlockCertificate
-from app.formats.datasheets.block_points import face_label
-from app.formats.datasheets.block_readings import face_name
+from app.formats.certifying.block_certificate import BlockCertificate
+from app.formats.certifying.block_points import face_label
+from app.formats.certifying.block_readings import face_name
 from app.formats.json_document import SOFTWARE
 from app.messages.message import Text, message, quantity, signed
 from app.metrology.calibration.observation_model import coordinates

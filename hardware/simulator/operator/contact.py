@@ -39,7 +39,7 @@ def _edge_number(face: str) -> int:
     return int(face.removeprefix(EDGE))
 
 
-def certified_faces(block: CrenellatedBlock) -> tuple[str, ...]:
+def faces_to_certify(block: CrenellatedBlock) -> tuple[str, ...]:
     """The faces that a block's certificate has a coordinate of, with the table for its base."""
     walls = (f"{EDGE}{number}" for number in range(2, len(block.edges_x_mm)))
     return ("left", *walls, "right", "front", "back", "crest", "floor", TABLE)

@@ -12,6 +12,7 @@ SOLVES = Command("crenel bench calibration --solves 1000")
 ARTICLE = Command("crenel bench paper --arms 3")
 ARMS = Command("python -m tests.bench.arms")
 DRAWINGS = Command("python -m tests.bench.nominal_block --solves 60 --sessions 0")
+CERTIFICATES = Command("python -m tests.bench.block_certificate")
 DETECTION = Command("crenel bench detection --seed 5000")
 CLAIMED = "Claimed and observed uncertainty"
 THOUSAND = rms_of(1000, "solves")
@@ -115,4 +116,25 @@ def drawings() -> Iterator[Figure]:
             yield figure(f"{label}: {column}", (label, column), at(row, key), better, sixty)
 
 
-FIGURES = (*claims(), *drawings(), *article(), *arms(), *detection())
+def certificates() -> Iterator[Figure]:
+    figure, fifty = (
+        Section(CERTIFICATES, "A block's certificate by an arm's tip"),
+        rms_of(50, "blocks"),
+    )
+    for label, row in (
+        ("all 50", "all blocks"),
+        ("tip certified", "tip certified"),
+        ("tip unknown, one width by micrometer", "tip unknown, width by micrometer"),
+    ):
+        for column, key, better in (
+            ("edges, rms", "edges, rms µm", SMALLER),
+            ("claimed / observed", "claimed / observed", NEAR_ONE),
+        ):
+            what = f"certificate by tip, {label}: {column}"
+            yield figure(what, (label, column), at(row, key), better, fifty)
+    read = at("exchanged touches", "named")
+    tolerance = count_of(50, "blocks")
+    yield figure("exchanged touches named", r"named in (\d+) of 50", read, LARGER, tolerance)
+
+
+FIGURES = (*claims(), *drawings(), *certificates(), *article(), *arms(), *detection())

@@ -5,8 +5,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from app.errors import OperationError
-from app.formats.datasheets.block_points import TouchTable, touched_face_name
-from app.formats.datasheets.block_readings import face_name
+from app.formats.certifying.block_points import TouchTable, name_of_touched
+from app.formats.certifying.block_readings import face_name
 from app.messages.message import Text, message, quantity
 from app.metrology.targets.block_placement import (
     BlockPlacement,
@@ -90,7 +90,7 @@ def _judge_labels(
             "touch-lies-beside-face",
             place=table.rows[index].place,
             off=quantity(abs(float(placed.beside_mm[index])), "mm", 2),
-            face=touched_face_name(touches, index, edges),
+            face=name_of_touched(touches, index, edges),
         ),
         message("touch-lies-on-no-face")
         if found.face is None
@@ -106,7 +106,7 @@ def exchange_refusal(table: TouchTable, pair: tuple[int, int], edges: int) -> Op
 
 def touch_in_row(table: TouchTable, index: int, edges: int) -> Text:
     """A touch by its line and its face."""
-    face = touched_face_name(table.touches, index, edges)
+    face = name_of_touched(table.touches, index, edges)
     return message("touch-in-row", line=table.rows[index].line, face=face)
 
 
@@ -130,7 +130,7 @@ def _refuse_directions(table: TouchTable, placed: BlockPlacement, edges: int) ->
             message(
                 "direction-points-into-block",
                 place=table.rows[index].place,
-                face=touched_face_name(touches, int(index), edges),
+                face=name_of_touched(touches, int(index), edges),
             ),
             message("directions-point-out-of-surface"),
             message("correct-cell-delete-row"),

@@ -12,14 +12,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.errors import OperationError
-from app.formats.csv_table import CsvTable, TableRow, read_table
-from app.formats.datasheets.arm import ArmFile, read_arm
-from app.formats.datasheets.block_readings import (
+from app.formats.certifying.block_readings import (
     LARGEST_TIP_MM,
     face_name,
     read_face,
     read_uncertainty_mm,
 )
+from app.formats.csv_table import CsvTable, TableRow, read_table
+from app.formats.datasheets.arm import ArmFile, read_arm
 from app.formats.file_names import display_path
 from app.formats.json_document import read_text
 from app.formats.session.calibration_session import ARM, PROBING
@@ -153,7 +153,7 @@ def read_touches(path: Path, drawing: Crenellated, by: TouchingArm | None = None
     return TouchTable(table.rows, touches, by.error_mm if angles and by is not None else None)
 
 
-def touched_face_name(touches: BlockTouches, index: int, edge_count: int) -> str:
+def name_of_touched(touches: BlockTouches, index: int, edge_count: int) -> str:
     """The name of the face of one touch, as in the table."""
     return face_label(int(touches.faces[index]), int(touches.away[index]), edge_count)
 

@@ -6,9 +6,9 @@ from pathlib import Path
 import numpy as np
 
 from app.errors import OperationError
-from app.formats.datasheets.block_points import TouchingArm, TouchTable, read_touches
-from app.formats.datasheets.block_readings import face_name, read_readings
-from app.formats.datasheets.block_touch_checks import exchange_refusal, place_table, touch_in_row
+from app.formats.certifying.block_points import TouchingArm, TouchTable, read_touches
+from app.formats.certifying.block_readings import face_name, read_readings
+from app.formats.certifying.block_touch_checks import exchange_refusal, place_table, touch_in_row
 from app.formats.datasheets.target import (
     COARSEST_MM,
     CoordinateUncertainties,

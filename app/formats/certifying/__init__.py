@@ -1,0 +1,1 @@
+"""Certificates of blocks: readings and touches of their faces, as tables."""
