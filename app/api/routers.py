@@ -9,7 +9,6 @@ from starlette.responses import Response
 
 from app.api import (
     calibrations,
-    datasheets,
     devices,
     live,
     performance_exports,
@@ -22,6 +21,7 @@ from app.api import (
 from app.api.access import accounts, auth, provider, tokens
 from app.api.access.authorization import StationRouter
 from app.api.access.sub_path import page_base
+from app.api.datasheets import designs, documents
 from app.api.monitoring import health, metrics, notifications
 from app.api.sessions import arm, calibration, performance, verification
 from app.api.static_files import file_response, names_a_file, page_response
@@ -65,7 +65,8 @@ ROUTERS: tuple[StationRouter, ...] = (
     scan.router,
     settings.router,
     devices.router,
-    datasheets.router,
+    documents.router,
+    designs.router,
     records.router,
     reports.router,
     health.router,

@@ -1152,6 +1152,7 @@ design-length = Länge der Nuten
 design-merlons = Zinnen, von links
 design-mirror = Abstand vom eigenen Spiegelbild
 design-needs-pixels-and-standoff = die Bildgröße (mindestens 64 × 64 Pixel) und der Arbeitsabstand des Sensors werden gebraucht
+design-not-kept = Der Entwurf wird nicht mehr aufbewahrt
 design-plans-poses = Posen und Antastpunkte werden geplant
 design-predicts-accuracy = Genauigkeit wird vorausberechnet
 design-tolerance = Toleranz, wenn wie gezeichnet verwendet
@@ -1480,6 +1481,7 @@ map-outliers =
        *[other] Ringe: { $points } Punkte liegen weiter ab, als Rauschen erklärt.
     } Dicke Ringe: der tiefste und der höchste Punkt, { $low } und { $high }; die Spannweite aller Punkte liegt zwischen ihnen.
 load-the-list-again = Liste neu laden
+load-the-page-again = Seite neu laden
 markers-in-white-squares = in ihren weißen Feldern sind Marker: sie ist eine ChArUco-Tafel
 markers-place-is-estimated-instead = stattdessen wird der Ort des Markers am Flansch geschätzt
 model-answer-unknown = { $key } kann nicht { $answer } sein

@@ -1148,6 +1148,7 @@ design-length = length of the grooves
 design-merlons = merlons, from the left
 design-mirror = off its mirror image by
 design-needs-pixels-and-standoff = the picture's size (64 × 64 pixels or more) and the stand-off of the sensor are needed
+design-not-kept = The design is not kept any more
 design-plans-poses = Planning poses and contact points
 design-predicts-accuracy = Predicting the accuracy
 design-tolerance = tolerance, if used as drawn
@@ -1476,6 +1477,7 @@ map-outliers =
        *[other] Rings: { $points } points are further off than noise explains.
     } Bold rings: the lowest and the highest point, { $low } and { $high }; the range of all points lies between these.
 load-the-list-again = load the list again
+load-the-page-again = load the page again
 markers-in-white-squares = there are markers in its white squares: it is a ChArUco board
 markers-place-is-estimated-instead = the marker's place on the flange is estimated instead
 model-answer-unknown = { $key } cannot be { $answer }

@@ -14,6 +14,7 @@ from app.guide.common.simulated_scan import SimulatedScan
 from app.guide.common.validity import DUE, DueLimits
 from app.guide.performance.guide import PerformanceGuide
 from app.guide.verify.guide import VerifyGuide
+from app.operations.datasheets.block_designs import BlockDesigns
 from app.operations.datasheets.station_datasheets import Datasheets
 from app.operations.device_setup import KINDS, DeviceSetup
 from app.operations.recovery import Recovery
@@ -74,6 +75,7 @@ class Context:
     provider: "Provider | None" = None
     """Of the plant's accounts."""
     topic_texts: TopicTexts = field(default_factory=TopicTexts)
+    block_designs: BlockDesigns = field(default_factory=BlockDesigns)
     printer: asyncio.Lock = field(default_factory=asyncio.Lock)
     """Reports are made one at a time: many at once would delay Stop."""
 

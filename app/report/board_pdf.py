@@ -53,6 +53,12 @@ def board_pdf(board: Chessboard, language: str) -> bytes:
     return file.getvalue()
 
 
+def board_page(board: Chessboard) -> str:
+    """The name of the page that ``board_pdf`` takes; raises ``OperationError`` as it does."""
+    name, _ = _page(board_pattern(board))
+    return name
+
+
 def _page(pattern: BoardPattern) -> tuple[str, tuple[float, float]]:
     """The smallest page, by its name, and its width and height in points."""
     width = max(pattern.size_mm[0], BAR_MM) + 2 * (MARGIN_MM + GAP_MM)

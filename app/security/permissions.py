@@ -150,6 +150,10 @@ ROUTES: dict[tuple[str, str], Rule] = {
     ("POST", "/api/datasheets"): Rule(Right.act, message("added-a-datasheet")),
     ("POST", "/api/datasheets/retire"): Rule(Right.act, message("retired-a-datasheet")),
     ("POST", "/api/datasheets/restore"): Rule(Right.act, message("brought-a-datasheet-back")),
+    ("POST", "/api/designs/block"): Rule(Right.operate),
+    ("GET", "/api/designs/block/{design_id}/{file}"): Rule(Right.operate),
+    ("GET", "/api/designs/board"): Rule(Right.operate),
+    ("GET", "/api/designs/board/board.pdf"): Rule(Right.operate),
     # drivers open files, ports and addresses that their options name
     ("GET", "/api/devices"): Rule(Right.administer),
     ("POST", "/api/devices/search"): Rule(Right.administer),

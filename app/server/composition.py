@@ -205,6 +205,7 @@ def close_context(context: Context) -> None:
         lambda: stop_everything(context),
         archive.close if archive is not None else lambda: None,
         context.device_setup.close,
+        context.block_designs.close,
         lambda: context.jobs.wait(JOB_END_S),
         context.recovery.close,
         context.scanner.close,

@@ -16,7 +16,6 @@ from app.console import (
 )
 
 if TYPE_CHECKING:
-    from app.metrology.arm.kinematics import Arm
     from app.metrology.design.propose_block import BlockDesign
 
 
@@ -58,20 +57,20 @@ def block(
     as_json: AsJson = False,
 ) -> None:
     """Propose a crenellated block for a sensor, and state the accuracy that it will give."""
-    from app.metrology.design.propose_block import propose_block
-    from app.workflows.design.design_files import sensor_numbers
+    from app.workflows.design.ordered_block import BlockOrder, design_block
 
-    numbers = sensor_numbers(
+    order = BlockOrder(
         field_of_view_mm=field_of_view,
         depth_of_field_mm=depth_of_field,
         angle_deg=angle,
-        datasheet=sensor,
+        sensor=sensor,
         standoff_mm=standoff,
         size_px=None if pixels is None else two_numbers(pixels, "--pixels"),
         stripe_axis=_axis(stripe_axis),
+        arm=arm,
     )
     with progress_bar("Designing", not as_json) as progress:
-        found = propose_block(numbers, _arm(arm), name, progress)
+        found = design_block(order, name, progress).design
     files = _write(found, output, language)
     if as_json:
         _print_json(found, files)
@@ -92,16 +91,6 @@ def _axis(text: str | None) -> Literal["u", "v"] | None:
         case None | "u" | "v":
             return text
     raise typer.BadParameter("u or v", param_hint="--stripe-axis")
-
-
-def _arm(path: Path | None) -> "Arm":
-    from app.metrology.design.usual_arm import usual_arm
-
-    if path is None:
-        return usual_arm()
-    from app.formats.datasheets.arm import read_arm
-
-    return read_arm(path)
 
 
 def _write(found: "BlockDesign", folder: Path, language: str) -> list[Path]:
@@ -129,7 +118,7 @@ def _print(found: "BlockDesign", files: list[Path]) -> None:
     from app.workflows.design.design_files import design_figures, tolerance_rows
 
     print_figures(found.block.name, design_figures(found))
-    columns = ("block", "one pose, µm", "eight poses, µm")
+    columns = ("block", "one pose", "eight poses")
     print_table("Standard uncertainty of a scanned point, k = 1", columns, tolerance_rows(found))
     for path in files:
         print(f"{path} written")

@@ -42,9 +42,8 @@ def board(
 ) -> None:
     """Make a board to print, to scale; or, of a printed one, its file by two measured lengths."""
     from app.formats.atomic_write import write_atomically
-    from app.metrology.design.board_pattern import scale_board
     from app.report.board_pdf import board_pdf
-    from app.workflows.design.board_files import board_file, plan_board
+    from app.workflows.design.board_files import board_file, plan_board, printed_board
     from app.workflows.design.design_files import make_folder
 
     if (measured_x is None) != (measured_y is None):
@@ -53,16 +52,19 @@ def board(
     planned = plan_board(
         name or f"{kind.value} {size[0]} x {size[1]}", size, square, kind == "charuco"
     )
+    measured = None
+    if measured_x is not None and measured_y is not None:
+        measured = (measured_x, measured_y)
+    both = printed_board(planned, measured, measured_sd)
     paths = [output / "object.json"]
-    if measured_x is None or measured_y is None:
+    if measured is None:
         content = board_pdf(planned, language)
         make_folder(output)
         write_atomically(output / "board.pdf", content)
         paths.append(output / "board.pdf")
     else:
-        planned = scale_board(planned, (measured_x, measured_y), measured_sd)
         make_folder(output)
-    file = board_file(planned)
+    file = board_file(both.printed)
     file.write(paths[0])
     if as_json:
         print_json({"object": file.fields(), "files": [str(path) for path in paths]})

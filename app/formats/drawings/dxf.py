@@ -1,5 +1,6 @@
 """A drawing as DXF, with true dimensions, by the library ezdxf of the extra ``cad``."""
 
+import importlib.util
 import io
 from pathlib import Path
 from typing import Any
@@ -8,12 +9,13 @@ from app.formats.atomic_write import write_atomically
 from app.formats.drawings.drawing import PartDrawing, scale_text
 from app.formats.optional_library import import_library
 from app.messages.catalogue import Render
-from app.messages.message import message
+from app.messages.message import Text, join, message
 
 TEXT_MM = 2.5
 """Height of texts and dimensions on paper."""
 EDGES, FINE, SIZES, NOTES = "EDGES", "THIN", "DIMENSIONS", "NOTES"
 VERSION = "R2010"
+LIBRARY = "ezdxf"
 
 
 def write_dxf(path: Path, drawing: PartDrawing, render: Render) -> None:
@@ -22,8 +24,7 @@ def write_dxf(path: Path, drawing: PartDrawing, render: Render) -> None:
     Raises:
         OperationError: ``extra-missing``, where ezdxf is not installed; the file cannot be written.
     """
-    needed, remedy = message("dxf-requires-package"), message("install-extra", extra="cad")
-    document = import_library(path, "ezdxf", needed, remedy).new(VERSION, setup=True, units=4)
+    document = import_library(path, LIBRARY, *_missing()).new(VERSION, setup=True, units=4)
     space = document.modelspace()
     for layer in (EDGES, FINE, SIZES, NOTES):
         document.layers.add(layer)
@@ -42,6 +43,16 @@ def write_dxf(path: Path, drawing: PartDrawing, render: Render) -> None:
     stream = io.StringIO()
     document.write(stream)
     write_atomically(path, stream.getvalue().encode(document.output_encoding, "dxfreplace"))
+
+
+def dxf_obstacle() -> Text:
+    """What to install before a DXF can be written; empty if nothing is missing."""
+    return "" if importlib.util.find_spec(LIBRARY) is not None else join(_missing(), ". ")
+
+
+def _missing() -> tuple[Text, Text]:
+    """That the library is missing, and what to do."""
+    return message("dxf-requires-package"), message("install-extra", extra="cad")
 
 
 def _add_dimensions(space: Any, drawing: PartDrawing, unit: float) -> None:

@@ -5,7 +5,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from app.messages.message import message
 from app.metrology.design.expected_accuracy import POSES, ExpectedSession, total_um
+from app.progress import Progress, no_progress
 
 MEASURED_MM = 0.002
 """Standard uncertainty of a size that a laboratory has measured."""
@@ -28,7 +30,9 @@ class ToleranceEffect:
     eight_poses_um: float
 
 
-def tolerance_effects(session: ExpectedSession) -> tuple[ToleranceEffect, ...]:
+def tolerance_effects(
+    session: ExpectedSession, progress: Progress = no_progress
+) -> tuple[ToleranceEffect, ...]:
     """A measured block, then blocks made to each of ``TOLERANCES_MM``.
 
     The size of a block that was made to a tolerance lies anywhere within, with the standard
@@ -38,7 +42,9 @@ def tolerance_effects(session: ExpectedSession) -> tuple[ToleranceEffect, ...]:
         JCGM 100:2008 (GUM), 4.3.7.
     """
     effects = []
-    for tolerance_mm in (None, *TOLERANCES_MM):
+    made = (None, *TOLERANCES_MM)
+    for done, tolerance_mm in enumerate(made):
+        progress(done / len(made), message("design-predicts-accuracy"))
         sd_mm = MEASURED_MM if tolerance_mm is None else tolerance_mm / np.sqrt(3)
         one, eight = total_um(session.with_uncertainty(float(sd_mm)), (1, POSES))
         effects.append(ToleranceEffect(tolerance_mm, one, eight))

@@ -5,7 +5,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from app.errors import OperationError
-from app.messages.message import message
+from app.messages.message import Text, message
 from app.metrology.arm.kinematics import Arm
 from app.metrology.design.expected_accuracy import (
     POSES,
@@ -108,8 +108,11 @@ def propose_block(
             message("check-sensor-numbers"),
         )
     best = _with_more_merlons(session, best, least)
-    progress(0.8, message("design-predicts-accuracy"))
-    return assess_block(sensor, best, arm)
+
+    def assessing(share: float, text: Text) -> None:
+        progress(0.7 + 0.3 * share, text)
+
+    return assess_block(sensor, best, arm, assessing)
 
 
 def _with_more_merlons(session: ExpectedSession, best: Crenellated, least_um: float) -> Crenellated:
@@ -127,15 +130,18 @@ def _with_more_merlons(session: ExpectedSession, best: Crenellated, least_um: fl
     return best
 
 
-def assess_block(sensor: StripeSensor, block: Crenellated, arm: Arm) -> BlockDesign:
+def assess_block(
+    sensor: StripeSensor, block: Crenellated, arm: Arm, progress: Progress = no_progress
+) -> BlockDesign:
     """The accuracies to be expected with a given block.
 
     Raises:
         OperationError: ``arm-cannot-reach``; ``adjustment-failed``, where the block does not
             determine the sensor.
     """
+    progress(0.0, message("design-predicts-accuracy"))
     session = plan_session(sensor, block, arm).with_uncertainty(MEASURED_MM)
-    effects = tolerance_effects(session)
+    effects = tolerance_effects(session, progress)
     return BlockDesign(
         sensor,
         session.block,

@@ -160,9 +160,11 @@ class Datasheets:
             move_file(entry.path, free_path(self._folder(kind, False), stem, ending))
         self.note_change()
 
-    def path(self, kind: DatasheetKind, file: str, retired: bool) -> Path:
-        """The file; raises ``OperationError`` where there is none of this name."""
-        return self._find(kind, file, retired).path
+    def path(
+        self, kind: DatasheetKind, file: str, retired: bool, version: str | None = None
+    ) -> Path:
+        """The file; raises ``OperationError`` where there is none of this name and version."""
+        return self._find(kind, file, retired, version).path
 
     def _put(
         self, kind: DatasheetKind, words: str, ending: str, content: bytes, replaced: list[Entry]

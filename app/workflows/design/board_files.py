@@ -1,8 +1,11 @@
 """The file of a board to print."""
 
+from dataclasses import dataclass
+
 from app.errors import OperationError
 from app.formats.datasheets.target import CharucoFile, ChessboardFile
 from app.messages.message import message
+from app.metrology.design.board_pattern import board_pattern, scale_board
 from app.metrology.targets.chessboard import DICTIONARIES, Chessboard, Markers
 
 USUAL_DICTIONARIES = ("DICT_4X4_50", "DICT_4X4_100", "DICT_4X4_250", "DICT_4X4_1000")
@@ -30,6 +33,32 @@ def plan_board(name: str, squares: tuple[int, int], square_mm: float, markers: b
     own = Markers(dictionary, MARKER_SHARE * square_mm) if markers and dictionary else None
     file = board_file(Chessboard(name, "", (columns - 1, rows - 1), square_mm, 0.05, markers=own))
     return file.board()
+
+
+@dataclass(frozen=True)
+class PrintedBoard:
+    """A board as it is to be printed, and as it was printed, as far as that was measured."""
+
+    planned: Chessboard
+    printed: Chessboard
+
+    @property
+    def size_mm(self) -> tuple[float, float]:
+        """Width and height of the pattern that is to be printed."""
+        return board_pattern(self.planned).size_mm
+
+
+def printed_board(
+    planned: Chessboard, measured_mm: tuple[float, float] | None, measured_sd_mm: float
+) -> PrintedBoard:
+    """The board, scaled by width and height of the pattern on its print where they are known.
+
+    Raises:
+        OperationError: as ``scale_board``.
+    """
+    if measured_mm is None:
+        return PrintedBoard(planned, planned)
+    return PrintedBoard(planned, scale_board(planned, measured_mm, measured_sd_mm))
 
 
 def board_file(board: Chessboard) -> CharucoFile | ChessboardFile:

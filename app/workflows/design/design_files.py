@@ -11,7 +11,7 @@ from app.formats.drawings.dxf import write_dxf
 from app.formats.drawings.stl import write_stl
 from app.formats.io_errors import convert_io_errors
 from app.messages.catalogue import renderer
-from app.messages.message import Text, message, quantity, rounded
+from app.messages.message import Text, join, message, quantity, rounded
 from app.metrology.design.making_tolerance import MEASURED_MM
 from app.metrology.design.propose_block import BlockDesign
 from app.metrology.design.stripe_sensor import StripeSensor
@@ -111,15 +111,16 @@ def design_figures(design: BlockDesign) -> list[tuple[Text, Text]]:
     ]
 
 
-def tolerance_rows(design: BlockDesign) -> list[tuple[Text, ...]]:
+def tolerance_rows(design: BlockDesign) -> list[tuple[Text, Text, Text]]:
     """How the block is made, and the accuracy with one pose and with eight."""
-    rows: list[tuple[Text, ...]] = []
+    rows: list[tuple[Text, Text, Text]] = []
     for effect in design.effects:
         if effect.tolerance_mm is None:
             how: Text = message("block-measured-to", value=rounded(MEASURED_MM, "mm"))
         else:
             how = message("block-as-drawn", value=_mm(effect.tolerance_mm))
-        rows.append((how, f"{effect.one_pose_um:.1f}", f"{effect.eight_poses_um:.1f}"))
+        one, eight = quantity(effect.one_pose_um, "µm", 1), quantity(effect.eight_poses_um, "µm", 1)
+        rows.append((how, one, eight))
     return rows
 
 
@@ -146,7 +147,7 @@ def design_fields(design: BlockDesign) -> dict[str, object]:
 
 
 def _lengths(values_mm: list[float]) -> Text:
-    return ", ".join(f"{value:g}" for value in values_mm) + " mm"
+    return join([_mm(value) for value in values_mm])
 
 
 def _mm(value_mm: float) -> Text:
