@@ -28,6 +28,7 @@ interface DatasheetListsProps {
   /** The file that was just saved. */
   saved: string;
   onNew: (name: FormName) => void;
+  onDesign: (what: "block" | "board") => void;
   onEdit: (row: DatasheetRow) => void;
   onCopy: (row: DatasheetRow) => void;
   onRetire: (row: DatasheetRow) => Promise<void>;
@@ -64,7 +65,14 @@ export function DatasheetLists({ all, onFiles, ...acts }: DatasheetListsProps) {
   );
 }
 
-function KindList({ kind, all, saved, onNew, ...acts }: Omit<DatasheetListsProps, "onFiles"> & { kind: Kind }) {
+function KindList({
+  kind,
+  all,
+  saved,
+  onNew,
+  onDesign,
+  ...acts
+}: Omit<DatasheetListsProps, "onFiles"> & { kind: Kind }) {
   const [open, setOpen] = useState(false);
   const present = all.filter((row) => !row.retired);
   const retired = all.filter((row) => row.retired);
@@ -86,6 +94,16 @@ function KindList({ kind, all, saved, onNew, ...acts }: Omit<DatasheetListsProps
             {t("ui-new-of-kind", { title: t(FORMS[name].title) })}
           </PressButton>
         ))}
+        {kind === "object" && (
+          <>
+            <PressButton free onPress={() => onDesign("block")}>
+              {t("ui-design-a-block")}
+            </PressButton>
+            <PressButton free onPress={() => onDesign("board")}>
+              {t("ui-print-a-board")}
+            </PressButton>
+          </>
+        )}
         {retired.length > 0 && (
           <PressButton free kind="quiet" onPress={() => setOpen(!open)}>
             {open ? t("ui-hide-the-retired-ones") : t("ui-show-retired-ones", { n: retired.length })}

@@ -16,6 +16,8 @@ import { DatasheetsCard } from "../datasheets/DatasheetsCard";
 import { copyOf, valuesOf, withModel } from "../datasheets/document";
 import { FORMS, type FormName, firstRows, isForm, type Values } from "../datasheets/forms";
 import { readDatasheet } from "../datasheets/upload";
+import { BlockDesigner } from "../design/BlockDesigner";
+import { BoardDesigner } from "../design/BoardDesigner";
 import { Layout } from "../frame/Layout";
 import { CardHead } from "../parts/CardHead";
 import { Question } from "../parts/Question";
@@ -25,6 +27,7 @@ import { useRead } from "../state/useRead";
 
 const NEW = "new/";
 const EDIT = "edit";
+const DESIGN = { block: "design/block", board: "design/board" } as const;
 
 interface Editing {
   name: FormName;
@@ -102,6 +105,10 @@ export function DatasheetsPage() {
     });
     go("datasheets", EDIT);
   };
+  const takeDesign = (name: FormName, document: Record<string, unknown>) => {
+    setEditing({ name, first: valuesOf(name, document), edited: { version: "", document }, key: 0 });
+    go("datasheets", EDIT);
+  };
   const addFiles = async (files: FileList) => {
     setSaved(null);
     for (const file of Array.from(files)) {
@@ -147,6 +154,10 @@ export function DatasheetsPage() {
       </>
     );
   }
+  if (detail === DESIGN.block) {
+    return <BlockDesigner rows={view.rows} onTake={(document) => takeDesign("block", document)} onBack={list} />;
+  }
+  if (detail === DESIGN.board) return <BoardDesigner onTake={takeDesign} onBack={list} />;
   return (
     <>
       <Layout
@@ -157,6 +168,10 @@ export function DatasheetsPage() {
             onNew={(name) => {
               setSaved(null);
               go("datasheets", `${NEW}${name}`);
+            }}
+            onDesign={(what) => {
+              setSaved(null);
+              go("datasheets", DESIGN[what]);
             }}
             onEdit={(row) => void edit(row)}
             onCopy={(row) => void edit(row, true)}

@@ -1,0 +1,51 @@
+import type { ReactNode } from "react";
+
+import form from "../datasheets/Datasheets.module.css";
+import { Layout } from "../frame/Layout";
+import { MainAct } from "../parts/Actions";
+import { CardHead } from "../parts/CardHead";
+import { PressButton } from "../parts/PressButton";
+import { t } from "../state/language";
+import { type DesignFile, DesignFiles } from "./DesignFiles";
+
+interface DesignPageProps {
+  title: string;
+  text: string;
+  /** What is filled in. */
+  children: ReactNode;
+  picture: ReactNode;
+  files: DesignFile[];
+  /** The design is that of what stands in the fields. */
+  ready: boolean;
+  why: string;
+  onTake: () => void;
+  onBack: () => void;
+}
+
+/** The frame of a design: its fields, its picture, its files, and the way to a datasheet. */
+export function DesignPage({ title, text, children, picture, files, ready, why, onTake, onBack }: DesignPageProps) {
+  return (
+    <Layout
+      picture={picture}
+      card={
+        <>
+          <CardHead title={title} text={text} />
+          <div className={form.fields}>{children}</div>
+          <DesignFiles files={files} disabled={!ready} />
+          <div className={form.save}>
+            <MainAct>
+              <PressButton kind="primary" disabled={!ready} why={why} onPress={onTake}>
+                {t("ui-take-the-design-over")}
+              </PressButton>
+            </MainAct>
+          </div>
+          <div className={form.foot}>
+            <PressButton free kind="quiet" onPress={onBack}>
+              {t("ui-back-to-the-list")}
+            </PressButton>
+          </div>
+        </>
+      }
+    />
+  );
+}

@@ -1,0 +1,70 @@
+import { useId } from "react";
+
+import fields from "../parts/Field.module.css";
+import { fromTyped, typed, unitOf } from "../parts/lengths";
+import { UnitInput } from "../parts/UnitInput";
+import { t } from "../state/language";
+import styles from "./Design.module.css";
+
+/** A number between two ends of a slider; what is typed may lie beyond them. */
+export interface SliderRange {
+  unit: string;
+  low: number;
+  high: number;
+  /** What the station takes at least and at most. */
+  least: number;
+  most: number;
+}
+
+interface NumberSliderProps extends SliderRange {
+  label: string;
+  value: string;
+  onText: (text: string) => void;
+}
+
+const STEPS = 200;
+
+/** Whether a typed number can be sent. */
+export function isWithin(text: string, { unit, least, most }: SliderRange): boolean {
+  const value = fromTyped(text, unit);
+  return value >= least && value <= most;
+}
+
+/** A number that is typed or pushed; each step of the slider changes it by the same share. */
+export function NumberSlider({ label, value, onText, ...range }: NumberSliderProps) {
+  const id = useId();
+  const { unit, low, high } = range;
+  const now = fromTyped(value, unit);
+  const span = Math.log(high / low);
+  const place = Number.isFinite(now) && now > 0 ? Math.round((STEPS * Math.log(now / low)) / span) : 0;
+  const title = t("ui-label-with-unit", { label, unit: unitOf(unit) });
+  return (
+    <div className={fields.field}>
+      <label className={fields.label} htmlFor={id}>
+        {title}
+      </label>
+      <div className={styles.number}>
+        <input
+          type="range"
+          className={styles.slider}
+          aria-label={title}
+          aria-valuetext={value}
+          min={0}
+          max={STEPS}
+          value={place}
+          onChange={(event) => {
+            const pushed = low * Math.exp((span * Number(event.target.value)) / STEPS);
+            onText(typed(Number(pushed.toPrecision(pushed < 10 ? 2 : 3)), unit));
+          }}
+        />
+        <UnitInput
+          id={id}
+          value={value}
+          unit={unitOf(unit)}
+          aria-invalid={!isWithin(value, range) || undefined}
+          onText={onText}
+        />
+      </div>
+    </div>
+  );
+}
