@@ -100,12 +100,12 @@ def test_a_board_is_that_of_the_command_and_scaled_by_its_print(
     command = ("design", "board", "charuco", "--squares", "11x8", "--square", 20)
     made = printed(*command, "--name", "Board 4", "-o", tmp_path)
     assert json.loads(plain["document"]) == made["object"]
-    assert (plain["width_mm"], plain["height_mm"], plain["page"]) == (220.0, 160.0, "A4")
+    assert (plain["width_mm"], plain["height_mm"], plain["page"]) == (220.0, 160.0, "A3")
     assert board("/board.pdf").content == (tmp_path / "board.pdf").read_bytes()
     measured = {"measured_x_mm": 219.78, "measured_y_mm": 159.84}
     scaled = board(**measured).raise_for_status().json()
     assert json.loads(scaled["document"])["square_mm"] == 19.98
-    assert (scaled["width_mm"], scaled["page"]) == (220.0, "A4")
+    assert (scaled["width_mm"], scaled["page"]) == (220.0, "A3")
     for changes, code in (
         ({"columns": 3}, "board-squares"),
         ({"square_mm": 300.0}, "board-too-large"),

@@ -5,7 +5,6 @@ import { fileOf } from "../api/datasheetCommands";
 import { type BlockFile, getBlockFile } from "../api/designCommands";
 import { getFile } from "../api/http";
 import type { DatasheetRow } from "../api/wire";
-import { Segments } from "../parts/Segments";
 import { TextField } from "../parts/TextField";
 import { useOnlyViews } from "../state/control";
 import { currentLanguage, t } from "../state/language";
@@ -80,7 +79,7 @@ export function BlockDesigner({ rows, onTake, onBack }: BlockDesignerProps) {
         { label: "JSON", name: "object.json", make: () => jsonFile(JSON.stringify(document, null, 1)) },
       ]}
       ready={found.isCurrent && name.trim() !== ""}
-      why={name.trim() && asked ? t("ui-no-block-yet") : t("ui-correct-what-is-marked")}
+      why={name.trim() && asked ? (found.problem?.detail ?? t("ui-no-block-yet")) : t("ui-correct-what-is-marked")}
       onTake={() => onTake(document)}
       onBack={onBack}
     >
@@ -104,8 +103,7 @@ export function BlockDesigner({ rows, onTake, onBack }: BlockDesignerProps) {
               />
             ))}
           </div>
-          <Segments
-            wide
+          <Choice
             label={t("ui-how-does-the-laser-line-run")}
             value={fields.stripe_axis}
             options={[

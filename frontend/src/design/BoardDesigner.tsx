@@ -55,7 +55,7 @@ export function BoardDesigner({ onTake, onBack }: BoardDesignerProps) {
         { label: "JSON", name: "object.json", make: () => jsonFile(last?.document ?? "") },
       ]}
       ready={isCurrent}
-      why={asked ? t("ui-no-board-to-take") : t("ui-correct-what-is-marked")}
+      why={asked ? (answer?.problem?.detail ?? t("ui-no-board-to-take")) : t("ui-correct-what-is-marked")}
       onTake={() => onTake(kind, document)}
       onBack={onBack}
       picture={
@@ -76,8 +76,8 @@ export function BoardDesigner({ onTake, onBack }: BoardDesignerProps) {
               <div className={styles.results} data-stale={!isCurrent || undefined}>
                 <p>
                   {t("ui-pattern-and-page", {
-                    width: measured(last.width_mm, "mm", 1),
-                    height: measured(last.height_mm, "mm", 1),
+                    width: size(last.width_mm),
+                    height: size(last.height_mm),
                     page: last.page,
                   })}
                 </p>
@@ -149,16 +149,20 @@ function Length({ label, value, needed, onText }: LengthProps) {
       <label className={fieldLook.label} htmlFor={id}>
         {label}
       </label>
-      <UnitInput
-        id={id}
-        value={value}
-        unit={unitOf("mm")}
-        aria-invalid={(needed || value !== "") && !(fromTyped(value, "mm") > 0) ? true : undefined}
-        onText={onText}
-      />
+      <div className={fieldLook.row}>
+        <UnitInput
+          id={id}
+          value={value}
+          unit={unitOf("mm")}
+          aria-invalid={(needed || value !== "") && !(fromTyped(value, "mm") > 0) ? true : undefined}
+          onText={onText}
+        />
+      </div>
     </div>
   );
 }
+
+const size = (mm: number) => measured(mm, "mm", Number.isInteger(mm) ? 0 : 2);
 
 const isCount = (text: string) => Number(text) >= 1;
 

@@ -3,7 +3,6 @@ import { useId } from "react";
 import fields from "../parts/Field.module.css";
 import { fromTyped, typed, unitOf } from "../parts/lengths";
 import { UnitInput } from "../parts/UnitInput";
-import { t } from "../state/language";
 import styles from "./Design.module.css";
 
 /** A number between two ends of a slider; what is typed may lie beyond them. */
@@ -37,18 +36,17 @@ export function NumberSlider({ label, value, onText, ...range }: NumberSliderPro
   const now = fromTyped(value, unit);
   const span = Math.log(high / low);
   const place = Number.isFinite(now) && now > 0 ? Math.round((STEPS * Math.log(now / low)) / span) : 0;
-  const title = t("ui-label-with-unit", { label, unit: unitOf(unit) });
   return (
     <div className={fields.field}>
       <label className={fields.label} htmlFor={id}>
-        {title}
+        {label}
       </label>
       <div className={styles.number}>
         <input
           type="range"
           className={styles.slider}
-          aria-label={title}
-          aria-valuetext={value}
+          aria-label={label}
+          aria-valuetext={`${value} ${unitOf(unit)}`}
           min={0}
           max={STEPS}
           value={place}
