@@ -23,7 +23,7 @@ from app.report.board_pdf import board_page, board_pdf
 from app.report.drawing_pdf import drawing_pdf
 from app.wire.schema import RequestBody
 from app.workflows.design.block_drawing import draw_block
-from app.workflows.design.board_files import PrintedBoard, board_file, plan_board, printed_board
+from app.workflows.design.board_files import PrintedBoard, board_file, plan_board, scale_print
 from app.workflows.design.design_files import (
     design_figures,
     object_file,
@@ -190,7 +190,7 @@ def _board(
     measured = None
     if measured_x_mm is not None and measured_y_mm is not None:
         measured = (measured_x_mm, measured_y_mm)
-    return printed_board(planned, measured, measured_sd_mm)
+    return scale_print(planned, measured, measured_sd_mm)
 
 
 TheBoard = Annotated[PrintedBoard, Depends(_board)]

@@ -43,7 +43,7 @@ def board(
     """Make a board to print, to scale; or, of a printed one, its file by two measured lengths."""
     from app.formats.atomic_write import write_atomically
     from app.report.board_pdf import board_pdf
-    from app.workflows.design.board_files import board_file, plan_board, printed_board
+    from app.workflows.design.board_files import board_file, plan_board, scale_print
     from app.workflows.design.design_files import make_folder
 
     if (measured_x is None) != (measured_y is None):
@@ -55,7 +55,7 @@ def board(
     measured = None
     if measured_x is not None and measured_y is not None:
         measured = (measured_x, measured_y)
-    both = printed_board(planned, measured, measured_sd)
+    both = scale_print(planned, measured, measured_sd)
     paths = [output / "object.json"]
     if measured is None:
         content = board_pdf(planned, language)

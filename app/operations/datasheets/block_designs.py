@@ -118,14 +118,14 @@ class BlockDesigns:
     def _next(self) -> BlockOrder | None:
         """The order that has waited longest; None, and the thread ends, if no page waits."""
         with self._lock:
-            waiting = [order for order in self._wanted_now() if order not in self._kept]
+            waiting = [order for order in self._list_orders() if order not in self._kept]
             self._current = next(iter(waiting), None)
             self._progress = DesignProgress(0.0, "")
             if self._current is None:
                 self._thread = None
             return self._current
 
-    def _wanted_now(self) -> list[BlockOrder]:
+    def _list_orders(self) -> list[BlockOrder]:
         """What pages want that are still open; the caller holds the lock."""
         now_s = time.monotonic()
         self._wanted = {
@@ -137,7 +137,7 @@ class BlockDesigns:
 
     def _note(self, order: BlockOrder, share: float, step: Text) -> None:
         with self._lock:
-            if order not in self._wanted_now():
+            if order not in self._list_orders():
                 raise _DesignCancelledError
             self._progress = DesignProgress(share, step)
 

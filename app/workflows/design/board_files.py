@@ -48,7 +48,7 @@ class PrintedBoard:
         return board_pattern(self.planned).size_mm
 
 
-def printed_board(
+def scale_print(
     planned: Chessboard, measured_mm: tuple[float, float] | None, measured_sd_mm: float
 ) -> PrintedBoard:
     """The board, scaled by width and height of the pattern on its print where they are known.
