@@ -102,15 +102,16 @@ def test_a_board_is_that_of_the_command_and_scaled_by_its_print(
     assert json.loads(plain["document"]) == made["object"]
     assert (plain["width_mm"], plain["height_mm"], plain["page"]) == (220.0, 160.0, "A3")
     assert board("/board.pdf").content == (tmp_path / "board.pdf").read_bytes()
-    measured = {"measured_x_mm": 219.78, "measured_y_mm": 159.84}
+    measured: dict[str, Any] = {"measured_x_mm": 219.78, "measured_y_mm": 159.84}
     scaled = board(**measured).raise_for_status().json()
     assert json.loads(scaled["document"])["square_mm"] == 19.98
     assert (scaled["width_mm"], scaled["page"]) == (220.0, "A3")
-    for changes, code in (
+    bad: tuple[tuple[dict[str, Any], str], ...] = (
         ({"columns": 3}, "board-squares"),
         ({"square_mm": 300.0}, "board-too-large"),
         ({"measured_x_mm": 100.0, "measured_y_mm": 80.0}, "board-scale"),
-    ):
+    )
+    for changes, code in bad:
         assert code_of(board(**changes)) == (422, code)
 
 
