@@ -3,7 +3,9 @@
 import json
 import os
 import sys
+from collections import Counter
 from collections.abc import Iterator
+from contextlib import contextmanager
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -18,6 +20,8 @@ from app.bench.faults.served import HALF, SMALL
 from app.server import demo
 from app.store.accounts import Role
 from app.store.store import Store
+from hardware.clock import now_ns
+from hardware.interfaces import Button
 from hardware.simulator.devices.gige_camera.camera import LASER_LINE
 from hardware.simulator.scene.world import Board as SimulatedBoard
 from hardware.simulator.scene.world import BoardMarkers
@@ -57,6 +61,7 @@ def find():
 """Aravis finds no camera at an address of this computer."""
 RTDE_PORT = 30004
 MOST_RESTS, LOOKS_AT_A_REST = 16, 240
+MOST_TOUCHES, LOOKS_AT_A_TOUCH, MOST_PRESSES = 80, 100, 200
 BLOCK = {
     "Name": "Own block",
     "Serial number": "B-7",
@@ -212,6 +217,24 @@ def test_an_owner_comes_from_devices_to_a_calibration_that_can_begin(
     page.context.close()
 
 
+def write_the_arm(owner: Owner, arm: dict[str, Any]) -> None:
+    """The model of the arm that is connected, and its tip."""
+    owner.press("Enter the model")
+    expect(owner.field("Serial number")).not_to_have_value("")
+    rows = [
+        "\t".join(
+            str(cell) for cell in (*map(joint.get, COLUMNS), *joint["limits_deg"], joint["sign"])
+        )
+        for joint in arm["joints"]
+    ]
+    owner.page.get_by_label("a of J1").evaluate(PASTE, "\n".join(rows))
+    for axis in "XYZ":
+        owner.fill(f"Tip centre {axis}", str(arm["tip"][f"{axis.lower()}_mm"]))
+    owner.fill("Tip diameter", str(arm["tip"]["diameter_mm"]))
+    owner.press("Save the datasheet")
+    expect(owner.page.get_by_role("heading", name="The datasheet is saved")).to_be_visible()
+
+
 def test_files_come_and_go_and_nothing_is_lost(
     station: Demo, browser: Browser, pictures: Path
 ) -> None:
@@ -277,30 +300,32 @@ def test_files_come_and_go_and_nothing_is_lost(
     page.context.close()
 
 
+GIGE = replace(HALF, camera="gige", camera_address=ADDRESS)
+"""The sensor is a GigE camera that switches the laser."""
+
+
 @pytest.fixture
 def robot() -> Iterator[SimulatedStation]:
-    """A robot by its poses, and a GigE camera that switches the laser."""
+    """A robot by its poses, and a camera."""
     require_aravis()
     config = replace(
-        HALF,
-        arm=demo.ROBOT.arm,
-        robot=True,
-        host=ADDRESS,
-        port=RTDE_PORT,
-        camera="gige",
-        camera_address=ADDRESS,
-        board=CARD,
-        pace=4.0,
+        GIGE, arm=demo.ROBOT.arm, robot=True, host=ADDRESS, port=RTDE_PORT, board=CARD, pace=4.0
     )
     with SimulatedStation(config) as simulation:
         yield simulation
 
 
-@pytest.mark.soak
-@pytest.mark.timeout(1800)  # ten pictures by a camera that renders, beside whatever else runs
-def test_a_robot_and_a_printed_board_from_an_empty_folder_to_an_accepted_calibration(
-    robot: SimulatedStation, tmp_path: Path, browser: Browser, pictures: Path
-) -> None:
+@pytest.fixture
+def bridge() -> Iterator[SimulatedStation]:
+    """An arm with a tip, as a bridge on the network passes it on, and a camera."""
+    require_aravis()
+    with SimulatedStation(GIGE) as simulation:
+        yield simulation
+
+
+@contextmanager
+def serving_an_empty_folder(tmp_path: Path) -> Iterator[Demo]:
+    """``crenel serve`` by itself, beside a package that finds the camera."""
     empty, data, site = tmp_path / "empty", tmp_path / "data", tmp_path / "site"
     add_owner(data)
     empty.mkdir()
@@ -311,10 +336,105 @@ def test_a_robot_and_a_printed_board_from_an_empty_folder_to_an_accepted_calibra
     with patch.dict(os.environ, PYTHONPATH=os.pathsep.join(paths)):
         station = Demo(data, (*SERVE, "--data", str(data), "--port", "0"), folder=empty)
     try:
+        yield station
+    finally:
+        station.end()
+
+
+@pytest.mark.soak
+@pytest.mark.timeout(1800)
+def test_a_block_and_an_arm_on_the_network_from_an_empty_folder_to_an_accepted_calibration(
+    bridge: SimulatedStation, tmp_path: Path, browser: Browser, pictures: Path
+) -> None:
+    with serving_an_empty_folder(tmp_path) as station:
         page = browser.new_context(viewport=WIDE).new_page()  # type: ignore[arg-type]
         visit, owner = Visit(page), Owner(page)
         sign_in(page, station)
-        choose_the_devices(owner, visit)
+        choose_the_devices(owner, visit, "bridge", {"Port or address": bridge.arm_url})
+        write_the_arm(owner, arm_of(bridge))
+        owner.press("New: Crenellated block")
+        for label, text in block_of(bridge).items():
+            owner.fill(label, text)
+        owner.press("Save the datasheet")
+        expect(page.get_by_role("heading", name="The datasheet is saved")).to_be_visible()
+        page.get_by_role("link", name="Calibrate").click()
+        owner.press("Start calibration")
+        confirm(owner, visit, "Continue", "setup")
+        confirm(owner, visit, "Use these", "touch")
+        touch_the_block(bridge, visit)
+        page.screenshot(path=pictures / "datasheets-bridge-1-touched.png")
+        confirm(owner, visit, "Continue", "place")
+        take_a_picture(bridge, visit)
+        result = visit.ask("/api/flow")["picture"]["result"]
+        assert result["verdict"] in ("good", "attention"), visit.ask("/api/flow")["findings"]
+        page.screenshot(path=pictures / "datasheets-bridge-2-result.png")
+        owner.press("Accept this calibration")
+        visit.wait_until("accepted", "/api/calibrations", bool)
+        print(f"{owner.count} clicks and fields to the accepted calibration")
+        assert owner.count <= MOST_CLICKS_AND_FIELDS
+        assert not [one for one in visit.faults if "/api/flow/command" not in one]
+        page.context.close()
+
+
+def block_of(simulation: SimulatedStation) -> dict[str, str]:
+    """What the form asks of the simulated block, as its certificate has it."""
+    sizes = simulation.datasheets()["object.json"]
+    return {
+        "Name": "Own block",
+        "Serial number": "B-7",
+        "Edges along X": ", ".join(f"{edge:g}" for edge in sizes["edges_x_mm"]),
+        "Front face Y": f"{sizes['front_y_mm']:g}",
+        "Back face Y": f"{sizes['back_y_mm']:g}",
+        "Crests Z": f"{sizes['crest_z_mm']:g}",
+        "Floors Z": f"{sizes['floor_z_mm']:g}",
+        "Base Z": f"{sizes['base_z_mm']:g}",
+        "Standard uncertainty": f"{sizes['standard_uncertainty_mm']:g}",
+    }
+
+
+def touch_the_block(arm: SimulatedStation, visit: Visit) -> None:
+    """Where the page asks for it, by the arm's own button, until it asks for no more."""
+    touches: Counter[str] = Counter()
+    while True:
+        view = visit.ask("/api/flow")
+        before = view["progress"]["done"]
+        if before >= view["progress"]["of"]:
+            return
+        face = next(one["face"] for one in view["picture"]["faces"] if one["selected"])
+        assert arm.operator.touch(face, touches[face])
+        touches[face] += 1
+        assert touches.total() < MOST_TOUCHES, view["findings"]
+        for _ in range(LOOKS_AT_A_TOUCH):  # a busy machine may keep the arm waiting: once more
+            if visit.ask("/api/flow")["progress"]["done"] > before:
+                break
+            visit.page.wait_for_timeout(100)
+
+
+def take_a_picture(arm: SimulatedStation, visit: Visit) -> None:
+    """Over the block, by the arm's own button, up to the result."""
+    assert arm.operator.hold_over("block")
+    for _ in range(MOST_PRESSES):
+        view = visit.ask("/api/flow")
+        if view["step"] == "review":
+            return
+        if view["busy"] is None:
+            arm.device.press(Button.PRIMARY, True)
+            arm.device.press(Button.PRIMARY, False, now_ns() + 50_000_000)
+        visit.page.wait_for_timeout(1000)
+    raise AssertionError(f"still {view['step']}: {view['findings']}")
+
+
+@pytest.mark.soak
+@pytest.mark.timeout(1800)  # ten pictures by a camera that renders, beside whatever else runs
+def test_a_robot_and_a_printed_board_from_an_empty_folder_to_an_accepted_calibration(
+    robot: SimulatedStation, tmp_path: Path, browser: Browser, pictures: Path
+) -> None:
+    with serving_an_empty_folder(tmp_path) as station:
+        page = browser.new_context(viewport=WIDE).new_page()  # type: ignore[arg-type]
+        visit, owner = Visit(page), Owner(page)
+        sign_in(page, station)
+        choose_the_devices(owner, visit, "ur-rtde", {"Address": ADDRESS})
+        owner.press("Write its datasheet")
         page.get_by_role("link", name="Datasheets").click()
         owner.press("New: ChArUco board")
         for label, text in CHARUCO.items():
@@ -343,8 +463,6 @@ def test_a_robot_and_a_printed_board_from_an_empty_folder_to_an_accepted_calibra
         # a picture is refused, and taken again, where a busy machine kept a device waiting
         assert not [one for one in visit.faults if "/api/flow/command" not in one]
         page.context.close()
-    finally:
-        station.end()
 
 
 def confirm(owner: Owner, visit: Visit, name: str, next_step: str) -> None:
@@ -357,7 +475,7 @@ def confirm(owner: Owner, visit: Visit, name: str, next_step: str) -> None:
         owner.page.wait_for_timeout(1000)
 
 
-def choose_the_devices(owner: Owner, visit: Visit) -> None:
+def choose_the_devices(owner: Owner, visit: Visit, driver: str, options: dict[str, str]) -> None:
     page = owner.page
     page.get_by_role("link", name="Devices").click()
     camera = page.get_by_role("listitem").filter(has_text="Bench camera")
@@ -366,12 +484,12 @@ def choose_the_devices(owner: Owner, visit: Visit) -> None:
     owner.press("Use this camera")
     owner.press("Left to right")
     owner.press("My arm is not listed")
-    page.get_by_label("Connection").select_option("ur-rtde")
+    page.get_by_label("Connection").select_option(driver)
     owner.count += 1
-    owner.fill("Address", ADDRESS)
+    for label, text in options.items():
+        owner.fill(label, text)
     owner.press("Try this device")
     owner.press("Use this arm")
-    owner.press("Write its datasheet")
     visit.wait_until(
         "both connected",
         "/api/devices",
