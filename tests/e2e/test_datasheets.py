@@ -378,7 +378,7 @@ def test_a_block_and_an_arm_on_the_network_from_an_empty_folder_to_an_accepted_c
 
 def block_of(simulation: SimulatedStation) -> dict[str, str]:
     """What the form asks of the simulated block, as its certificate has it."""
-    sizes = simulation.datasheets()["object.json"]
+    sizes: dict[str, Any] = json.loads(json.dumps(simulation.datasheets()["object.json"]))
     return {
         "Name": "Own block",
         "Serial number": "B-7",
