@@ -25,6 +25,7 @@ from app.guide.common.view import (
     LiveNumber,
     StepProgress,
     Vec3,
+    progress_of,
 )
 from app.messages.limits import beside_limit
 from app.messages.message import Text, message, quantity, rounded, text_from_json
@@ -135,7 +136,8 @@ def _progress(state: ArmState, seat: SeatSamples | None) -> StepProgress | None:
         taken = len(seat.q_rad)
         if state.touching:
             of = touches_wanted(state)
-            return StepProgress(min(taken, of), of, message("points-of", taken=taken, wanted=of))
+            text = message("points-of", taken=taken, wanted=of)
+            return progress_of(taken, of, text, message("points-3", taken=taken))
         swing = swing_deg(seat.q_rad)
         points = (
             message("points-of", taken=taken, wanted=WANTED)
@@ -146,12 +148,8 @@ def _progress(state: ArmState, seat: SeatSamples | None) -> StepProgress | None:
         return StepProgress(min(taken, WANTED), WANTED, text)
     if state.purpose == "identify" and state.step == "seat":
         done = places_taken(state)
-        text = (
-            message("places", done=done, seats_wanted=SEATS_WANTED)
-            if done <= SEATS_WANTED
-            else message("places-2", done=done)
-        )
-        return StepProgress(min(done, SEATS_WANTED), SEATS_WANTED, text)
+        text = message("places", done=done, seats_wanted=SEATS_WANTED)
+        return progress_of(done, SEATS_WANTED, text, message("places-2", done=done))
     return None
 
 

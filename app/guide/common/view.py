@@ -217,6 +217,11 @@ class StepProgress:
     text: Text
 
 
+def progress_of(done: int, of: int, text: Text, enough: Text) -> StepProgress:
+    """What a step has of what it wants; ``enough`` is said where it has more."""
+    return StepProgress(min(done, of), of, text if done <= of else enough)
+
+
 @dataclass(frozen=True)
 class Busy:
     """A running job, or the simulated operator at work."""

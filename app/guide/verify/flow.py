@@ -9,7 +9,7 @@ from app.findings import Finding
 from app.formats.datasheets.gauge import GaugeFile
 from app.guide.common.flow import DECISION_QUALITY, device_findings, list_steps, strain_findings
 from app.guide.common.journal import error_from_payload
-from app.guide.common.view import Action, LiveNumber, StepProgress
+from app.guide.common.view import Action, LiveNumber, StepProgress, progress_of
 from app.guide.verify.live import VerifyLive
 from app.guide.verify.picture import build_picture, touch_rms_um
 from app.guide.verify.rules import (
@@ -138,14 +138,12 @@ def _uncertainty_note(touched: object) -> Text:
 def _progress(state: VerifyState, live: VerifyLive) -> StepProgress | None:
     if state.step == "touch":
         done, of = len(state.counted), touches_wanted(live)
-        return StepProgress(min(done, of), of, message("touches", done=done, of=of))
+        text = message("touches", done=done, of=of)
+        return progress_of(done, of, text, message("touches-enough", done=done))
     if state.step == "scan":
         done = len(state.good)
-        return StepProgress(
-            min(done, CLOUDS_WANTED),
-            CLOUDS_WANTED,
-            message("clouds", done=done, clouds_wanted=CLOUDS_WANTED),
-        )
+        text = message("clouds", done=done, clouds_wanted=CLOUDS_WANTED)
+        return progress_of(done, CLOUDS_WANTED, text, message("clouds-taken-enough", done=done))
     return None
 
 
