@@ -272,7 +272,7 @@ def test_a_recipe_that_does_not_fit_is_refused() -> None:
 READ_BY_OTHERS = """
 import json, sys, time
 from rtde_receive import RTDEReceiveInterface
-client = RTDEReceiveInterface(sys.argv[1], 500.0, ["timestamp", "actual_q", "actual_TCP_pose"])
+client = RTDEReceiveInterface(sys.argv[1], 125.0, ["timestamp", "actual_q", "actual_TCP_pose"])
 stamps = set()
 deadline = time.monotonic() + 100.0
 while len(stamps) < 50 and time.monotonic() < deadline:

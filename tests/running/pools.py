@@ -27,7 +27,7 @@ WAITING_WORKERS = 6
 """On a quick machine; on a slow one, stations and browsers would starve each other."""
 YIELDED = 4
 """Steps of priority by which tests that compute yield to those that wait."""
-COSTLY = ("e2e", "api", "bench", "batch", "fleet")
+COSTLY = ("e2e", "api", "station", "bench", "batch", "fleet")
 """Folders of tests that wait and also take much of a core: a browser, a whole station."""
 ALONE = "xdist_group"
 """The mark of tests that cannot run beside each other."""

@@ -147,8 +147,8 @@ def test_a_scan_with_a_jumped_joint_is_incomplete_in_red(scanner: Scanner, bench
     jump = np.zeros(6)
     bench.joints_at = lambda seconds: swing(seconds) + jump
     scanner.start("jump")
-    until(lambda: scanner.state().frames >= 30)
-    assert not scanner.state().incomplete
+    # a busy machine may lack joints at first, and makes up for it
+    until(lambda: scanner.state().frames >= 30 and not scanner.state().incomplete)
     jump[0] = 0.5
     until(lambda: scanner.state().incomplete)
     assert "bad" in [one.quality for one in scanner.state().findings]

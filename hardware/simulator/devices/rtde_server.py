@@ -23,6 +23,9 @@ WAITING_BYTES = 65_536
 """What a client that does not read may leave waiting; the controller then skips packages."""
 CATCH_UP_NS = 5_000_000_000
 """A server that was not scheduled for longer than this loses what it should have sent."""
+MAKING_NS = 200_000_000
+"""Packages are made for about so long at once; a machine with too little to spare makes the newest,
+and is not silent meanwhile."""
 TYPES = {
     "timestamp": "DOUBLE",
     "actual_q": "VECTOR6D",
@@ -95,6 +98,7 @@ class RtdeServer(ThreadedDevice):
         self._clients: list[_Client] = []
         self._born_ns = now_ns() - 77_000_000_000
         self._said: list[bytes] = []
+        self._cost_ns = 1.0
         super().__init__("simulated-robot")
         self._plug_in()
 
@@ -197,14 +201,16 @@ class RtdeServer(ThreadedDevice):
         due = int((now - client.start_ns) / period_ns) + 1
         if now - client.start_ns - client.taken * period_ns > CATCH_UP_NS:
             client.taken = due - 1
-        made = b""
-        for number in range(client.taken, due):
+        made, first = b"", max(client.taken, due - int(MAKING_NS / self._cost_ns))
+        for number in range(first, due):
             if self.faults.skip:
                 self.faults.skip -= 1
             elif not self.faults.silent and len(client.outbox) < WAITING_BYTES:
                 values = self.values_at(client.start_ns + round(number * period_ns))
                 made += self.faults.spoil(_data_package(client.names, values))
         client.taken = due
+        if due > first:
+            self._cost_ns = max((now_ns() - now) / (due - first), 1.0)
         return made
 
 
