@@ -188,7 +188,8 @@ def test_a_clock_that_was_set_back_is_named_and_taken_out(folder: Path) -> None:
     assert jump["change_ms"] == pytest.approx(-200.0, abs=4 * jump["standard_uncertainty_ms"])
     assert jump["at_s"] == pytest.approx(2.54, abs=4 * jump["at_standard_uncertainty_s"])
     assert rms_um(folder, "--sync", output, scan="back.mcap") < 30
-    ran = crenel("reconstruct", folder / "back.mcap", *given(folder), "--sync", output)
+    sync = ("--sync", output, "-o", folder / "cloud.ply")
+    ran = crenel("reconstruct", folder / "back.mcap", *given(folder), *sync)
     assert "a clock was set back around their time stamps" in ran.stderr
 
 
