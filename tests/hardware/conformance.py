@@ -296,8 +296,13 @@ class ArmConformance:
         button = open_with_buttons(driver)[0]
         driver.close()
         bench.set_buttons({button})
-        driver.open()
-        assert button_edges(read_until(driver, lambda got: len(got) > 20)) == []
+        deadline = time.monotonic() + LONG_S
+        while True:  # on a busy machine it may be pressed after the first opening
+            driver.open()
+            if not button_edges(read_until(driver, lambda got: len(got) > 20)):
+                return
+            driver.close()
+            assert time.monotonic() < deadline, "a button that is held counts as pressed each time"
 
     def test_an_edge_has_the_stamp_of_a_sample(self, bench: ArmBench, driver: ArmDriver) -> None:
         bench.set_buttons({open_with_buttons(driver)[0]})

@@ -25,14 +25,20 @@ from tests.running.scheduler import PoolScheduler, Unit
 
 WAITING_WORKERS = 6
 """On a quick machine; on a slow one, stations and browsers would starve each other."""
-YIELDED = 4
+YIELDED = 15
 """Steps of priority by which tests that compute yield to those that wait."""
+COMPUTING_S = 3600
+"""For a test that yields: how long it takes says little of it."""
 COSTLY = ("e2e", "api", "station", "bench", "batch", "fleet")
 """Folders of tests that wait and also take much of a core: a browser, a whole station."""
 ALONE = "xdist_group"
 """The mark of tests that cannot run beside each other."""
 QUICK_S = 0.004
 """In which a quick machine adds half a million numbers."""
+SLOW = 0.7
+"""Of the quickness of a quick machine; below it, one browser runs at once. Each has a session of
+its own, which Linux gives as much of the processor as all stations together."""
+BROWSER = "e2e"
 CORES = os.cpu_count() or 1
 
 
@@ -123,6 +129,7 @@ class Controller:
     def pytest_configure_node(self, node: WorkerController) -> None:
         self.pools[node] = pools = self.vacant.pop(0)
         node.workerinput["pools"] = [str(pool) for pool in pools]
+        node.workerinput["one_browser"] = quickness() < SLOW
         node.workerinput["units"] = str(self.folder / f"{node.gateway.id}.json")
 
     def pytest_testnodedown(self, node: WorkerController, error: object) -> None:
@@ -152,6 +159,7 @@ class Worker:
         given = getattr(config, "workerinput", {})
         self.pools = frozenset(Pool(one) for one in given.get("pools", Pool))
         self.units = Path(given["units"]) if "units" in given else None
+        self.one_browser = bool(given.get("one_browser"))
         self.config = config
         self.choice = Choice(config)
         if self.pools == {Pool.COMPUTING}:
@@ -177,6 +185,13 @@ class Worker:
         if left_out := [item for item in of_pools if not self.choice.has(item)]:
             self.config.hook.pytest_deselected(items=left_out)
         if self.units is not None:
+            for item in items:
+                if self.one_browser and item.path.parent.name == BROWSER:
+                    item.add_marker(pytest.mark.xdist_group(BROWSER))
+                elif pool_of_test(item) == Pool.COMPUTING and not item.get_closest_marker(
+                    "timeout"
+                ):
+                    item.add_marker(pytest.mark.timeout(COMPUTING_S))
             units = ordered_units(items)
             described = [Unit(_is_costly(unit), [one.nodeid for one in unit]) for unit in units]
             self.units.write_text(json.dumps([asdict(one) for one in described]))
