@@ -23,6 +23,7 @@ from hardware.clock import now_ns
 from hardware.errors import DeviceError
 from hardware.interfaces import ArmDriver, ArmRecord, JointSample, PoseSample
 from hardware.registry import arm_driver
+from hardware.simulator.devices import rtde_server
 from hardware.simulator.devices.rtde_server import RobotState, RtdeServer
 from tests.hardware.conformance import ArmBench, ArmConformance, FaultyArmBench
 from tests.hardware.reading import (
@@ -142,6 +143,14 @@ def test_text_messages_in_between_are_passed_on(server: RtdeServer, driver: ArmD
     error = loss_of(driver)
     assert "without power" in str(error)
     assert "Low on coffee (RTDE)" in str(error)
+
+
+def test_a_controller_that_is_too_slow_sends_the_newest(
+    driver: ArmDriver, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(rtde_server, "MAKING_NS", 1)
+    readings = read_readings(driver, 20)
+    assert np.all(np.diff([reading.sequence for reading in readings]) >= 1)
 
 
 def test_a_changed_tool_is_an_error_and_opening_takes_the_new_one(

@@ -201,7 +201,8 @@ class RtdeServer(ThreadedDevice):
         due = int((now - client.start_ns) / period_ns) + 1
         if now - client.start_ns - client.taken * period_ns > CATCH_UP_NS:
             client.taken = due - 1
-        made, first = b"", max(client.taken, due - int(MAKING_NS / self._cost_ns))
+        affordable = max(int(MAKING_NS / self._cost_ns), 1)
+        made, first = b"", max(client.taken, due - affordable)
         for number in range(first, due):
             if self.faults.skip:
                 self.faults.skip -= 1
