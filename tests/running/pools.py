@@ -185,16 +185,21 @@ class Worker:
         if left_out := [item for item in of_pools if not self.choice.has(item)]:
             self.config.hook.pytest_deselected(items=left_out)
         if self.units is not None:
-            for item in items:
-                if self.one_browser and item.path.parent.name == BROWSER:
-                    item.add_marker(pytest.mark.xdist_group(BROWSER))
-                elif pool_of_test(item) == Pool.COMPUTING and not item.get_closest_marker(
-                    "timeout"
-                ):
-                    item.add_marker(pytest.mark.timeout(COMPUTING_S))
+            self._mark(items)
             units = ordered_units(items)
-            described = [Unit(_is_costly(unit), [one.nodeid for one in unit]) for unit in units]
+            described = [
+                Unit(_rank(unit) < len(COSTLY), [one.nodeid for one in unit]) for unit in units
+            ]
             self.units.write_text(json.dumps([asdict(one) for one in described]))
+
+    def _mark(self, items: Sequence[pytest.Item]) -> None:
+        """What the pools ask of tests beside their own marks."""
+        for item in items:
+            if self.one_browser and item.path.parent.name == BROWSER:
+                item.add_marker(pytest.mark.xdist_group(BROWSER))
+            yields = pool_of_test(item) == Pool.COMPUTING
+            if yields and not item.get_closest_marker("timeout"):
+                item.add_marker(pytest.mark.timeout(COMPUTING_S))
 
 
 def ordered_units(items: Sequence[pytest.Item]) -> list[list[pytest.Item]]:
@@ -219,11 +224,6 @@ def _shares(item: pytest.Item) -> bool:
     found = getattr(item, "_fixtureinfo", None)
     definitions = found.name2fixturedefs.values() if found else ()
     return any(one[-1].scope in ("module", "class") for one in definitions if one)
-
-
-def _is_costly(unit: list[pytest.Item]) -> bool:
-    first = unit[0]
-    return bool(first.get_closest_marker(ALONE)) or first.path.parent.name in COSTLY
 
 
 def _rank(unit: list[pytest.Item]) -> int:

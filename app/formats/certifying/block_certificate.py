@@ -18,7 +18,7 @@ from app.formats.datasheets.target import (
 from app.messages.message import Text, join, message, quantity, signed
 from app.metrology.calibration.observation_model import coordinates
 from app.metrology.targets.block_fit import BlockFit, TouchFit, fit_block, shows_tip
-from app.metrology.targets.block_readings import TIP, BlockReading, open_faces
+from app.metrology.targets.block_readings import TIP, BlockReading, centre_axes, open_faces
 from app.metrology.targets.crenellated_block import Crenellated
 from app.metrology.transforms import Floats
 
@@ -124,7 +124,8 @@ def _refuse_incomplete(
 
 def _document(block: Crenellated, fit: BlockFit, certificate: str) -> ObjectFile:
     edges = len(block.edges_x_mm)
-    values = fit.coordinates_mm + _means(coordinates(block), edges)
+    drawn_mm = coordinates(block)
+    values = fit.coordinates_mm + drawn_mm - centre_axes(edges) @ drawn_mm
     names = ("front_y_mm", "back_y_mm", "crest_z_mm", "floor_z_mm", "base_z_mm")
 
     def fields(of: Floats) -> dict[str, object]:
@@ -143,12 +144,6 @@ def _document(block: Crenellated, fit: BlockFit, certificate: str) -> ObjectFile
             "standard_uncertainties_mm": each,
         }
     )
-
-
-def _means(values: Floats, edges: int) -> Floats:
-    """(B,) the mean of each axis, for each of its faces."""
-    parts = (values[:edges], values[edges : edges + 2], values[edges + 2 :])
-    return np.concatenate([np.full(len(part), part.mean()) for part in parts])
 
 
 def _refuse_exchanges(

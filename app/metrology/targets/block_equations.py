@@ -19,7 +19,8 @@ FACTOR_ROUNDS = 4
 
 @dataclass(frozen=True, eq=False)
 class BlockEquations:
-    """Whitened rows: readings, touches, then what is known beforehand.
+    """Whitened rows: readings, touches, then what is stated of tools, tips and
+    shared errors.
 
     ``table`` (R, U) with the columns: coordinates beside the drawing, zero errors and tips
     (``tools``), a rotation (3,) in mm at the lever of ``touch_rows``, shared errors of touches.
@@ -138,12 +139,11 @@ def solve_block(equations: BlockEquations, kept: Mask) -> BlockSolution:
         Gauss-Markov; variance components after Foerstner.
     """
     table, off, used = equations.table, equations.off, equations.rows_of(kept)
-    groups = [one for one in equations.groups(kept) if one.any()]
+    groups = {i: rows for i, rows in enumerate(equations.groups(kept)) if rows.any()}
     factors = np.ones(2)
-    numbers = [i for i, one in enumerate(equations.groups(kept)) if one.any()]
     for _ in range(FACTOR_ROUNDS):
         weights = used.astype(np.float64)
-        for i, rows in zip(numbers, groups, strict=True):
+        for i, rows in groups.items():
             weights[rows] /= factors[i]
         information = table.T @ (weights[:, None] * table)
         covariance = np.asarray(np.linalg.pinv(information, hermitian=True), np.float64)
@@ -152,11 +152,11 @@ def solve_block(equations: BlockEquations, kept: Mask) -> BlockSolution:
         determined = 1 - weights * np.einsum("ri,ij,rj->r", table, covariance, table)
         grown = [
             _variance_factor(float(weights[rows] @ left[rows] ** 2), float(determined[rows].sum()))
-            for rows in groups
+            for rows in groups.values()
         ]
         if max(grown, default=1.0) == 1.0:
             break
-        factors[numbers] *= grown
+        factors[list(groups)] *= grown
     return BlockSolution(values, covariance, left, float(factors[0]), float(factors[1]))
 
 

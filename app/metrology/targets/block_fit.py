@@ -17,7 +17,7 @@ from app.metrology.targets.block_equations import (
     solve_block,
 )
 from app.metrology.targets.block_placement import BlockPlacement
-from app.metrology.targets.block_readings import TIP, BlockReading, face_axis
+from app.metrology.targets.block_readings import TIP, BlockReading, centre_axes, face_axis
 from app.metrology.targets.block_touches import BlockTouches, FaceForm, face_forms, turn_block
 from app.metrology.transforms import Floats, apply
 
@@ -124,7 +124,9 @@ def fit_block(
         turn = len(drawn_mm) + len(equations.tools)
         T = T if touches is None else turn_block(T, solved.values[turn : turn + 3])
     count, own = equations.readings, slice(0, len(drawn_mm))
-    centring, growth = _centring(len(drawn_mm) - 5)
+    centring = centre_axes(len(drawn_mm) - 5)
+    # so that the faces, taken for independent, have the uncertainty of their distances
+    growth = 1 / np.sqrt(np.diag(centring))
     about_mean = centring @ solved.covariance[own, own] @ centring.T
     agreeing = bool(found.kept[:count].all() and not found.doubtful[:count].any())
     left_mm = solved.left[: equations.measured] * equations.sds_mm
@@ -198,15 +200,6 @@ def _touch_fit(
         solved.touch_factor,
         face_forms(touches, T_obj_machine, kept, len(drawn_mm) - 5),
     )
-
-
-def _centring(edge_count: int) -> tuple[Floats, Floats]:
-    """(B, B) subtracts the mean of each axis; (B,) factors by which standard deviations about the
-    mean grow so that the faces, taken for independent, have the uncertainty of their distances."""
-    axes = np.array([face_axis(face, edge_count) for face in range(edge_count + 5)])
-    same = axes[:, None] == axes
-    size = same.sum(axis=1)
-    return np.eye(len(axes)) - same / size, np.sqrt(size / (size - 1))
 
 
 def _find_exchange(

@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from app.metrology.robust import median, sigma_from_median
 from app.metrology.targets.block_readings import face_axis, outward
 from app.metrology.targets.block_touches import BlockTouches
-from app.metrology.transforms import Floats, nearest_rotation, rigid, rotation_from_vector
+from app.metrology.transforms import Floats, apply, nearest_rotation, rigid, rotation_from_vector
 
 DRAWS = 400
 LEAST_CUT_MM = 0.4
@@ -129,8 +129,7 @@ def _faces_of(
     edges = len(drawn_mm) - 5
     sides = {face: float(outward(face, edges)) for face in range(len(drawn_mm))}
     sides |= dict(zip(touches.faces.tolist(), touches.away.tolist(), strict=True))
-    T = placement.T_obj_machine
-    at = touches.points_mm @ T[:3, :3].T + T[:3, 3]
+    at = apply(placement.T_obj_machine, touches.points_mm)
 
     def lies_on(i: int, face: int, side: float) -> bool:
         along = at[i, face_axis(face, edges)] - side * placement.radii_mm[i]
@@ -210,7 +209,7 @@ def _place(R: Floats, touches: BlockTouches, radii_mm: Floats, drawn_mm: Floats)
 
 def _beside_mm(T: Floats, touches: BlockTouches, radii_mm: Floats, drawn_mm: Floats) -> Floats:
     axes = touches.axes(len(drawn_mm) - 5)
-    at = touches.points_mm @ T[:3, :3].T + T[:3, 3]
+    at = apply(T, touches.points_mm)
     numbers = np.arange(len(touches))
     return np.asarray(at[numbers, axes] - touches.away * radii_mm - drawn_mm[touches.faces])
 
@@ -223,7 +222,7 @@ def _refine(
     off = _beside_mm(T, touches, radii_mm, drawn_mm)
     size = np.abs(off)
     near = size <= max(3 * sigma_from_median(size), LEAST_CUT_MM)
-    at = touches.points_mm @ T[:3, :3].T + T[:3, 3]
+    at = apply(T, touches.points_mm)
     along = np.eye(3)[axes]
     columns = [-np.cross(along, at), along]
     free_tip = _shows_tip(touches, axes == 0)

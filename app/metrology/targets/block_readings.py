@@ -41,6 +41,13 @@ def face_axis(face: int, edge_count: int) -> int:
     return 0 if face < edge_count else 1 if face < edge_count + 2 else 2
 
 
+def centre_axes(edge_count: int) -> Floats:
+    """(B, B) takes from each coordinate of a block the mean of its axis."""
+    axes = np.array([face_axis(face, edge_count) for face in range(edge_count + 5)])
+    same = axes[:, None] == axes
+    return np.asarray(np.eye(len(axes)) - same / same.sum(axis=1))
+
+
 def outward(face: int, edge_count: int) -> int:
     """Which way along its axis a face looks: 1 or -1."""
     if face < edge_count:

@@ -7,6 +7,7 @@ import numpy as np
 from app.messages.message import Message, join, message, quantity
 from app.metrology.adjustment.core.gauss_newton import AdjustmentResult
 from app.metrology.calibration.findings import CalibrationFinding
+from app.metrology.targets.block_readings import centre_axes
 from app.metrology.targets.crenellated_block import Crenellated
 from app.metrology.transforms import Floats
 
@@ -39,11 +40,7 @@ def estimate_block(found: AdjustmentResult) -> BlockEstimate:
     own = found.layout.coordinates
     covariance = found.uncertainty[own, own]
     count = len(prior.names) - 5
-    axes = (slice(0, count), slice(count, count + 2), slice(count + 2, count + 5))
-    centring = np.eye(len(prior.names))
-    for axis in axes:
-        size = axis.stop - axis.start
-        centring[axis, axis] -= 1 / size
+    centring = centre_axes(count)
     off_mm = centring @ (found.state.coordinates - prior.coordinates)
     sd_mm = np.sqrt(np.diag(centring @ covariance @ centring.T))
     dimensions = {

@@ -64,11 +64,11 @@ def rms_beside_rigid_mm(tips_mm: Floats, by_errors: Floats, covariance: Floats) 
         by_errors: (N, 3, P) derivatives by the errors.
         covariance: (P, P) of the errors.
     """
-    tips = tips_mm
-    turns = -skews((tips - tips.mean(axis=0)) / 100.0)
-    rigid = np.concatenate([np.tile(np.eye(3), (len(tips), 1, 1)), turns], axis=2).reshape(-1, 6)
+    count = len(tips_mm)
+    turns = -skews((tips_mm - tips_mm.mean(axis=0)) / 100.0)
+    rigid = np.concatenate([np.tile(np.eye(3), (count, 1, 1)), turns], axis=2).reshape(-1, 6)
     by_parameters = by_errors.reshape(-1, by_errors.shape[2])
     basis, _ = np.linalg.qr(rigid)
     left = by_parameters - basis @ (basis.T @ by_parameters)
     squares = np.einsum("ri,ij,rj->r", left, covariance, left)
-    return float(np.sqrt(np.sum(squares) / len(tips)))
+    return float(np.sqrt(np.sum(squares) / count))
