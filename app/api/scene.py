@@ -17,7 +17,7 @@ from app.operations.recovery import DELETED
 from app.station.view3d.selection import Rectangle
 from app.station.view3d.view_controller import StoredScan, ViewState
 from app.store.scans import ScanRecord
-from app.wire.schema import Colouring, OnOff, Region, Rename
+from app.wire.schema import Colouring, OnOff, PageView, Region, Rename
 
 router = StationRouter(prefix="/api")
 ScanId = Annotated[str, Path(max_length=128)]
@@ -35,6 +35,12 @@ def colours(asked: Colouring, context: TheContext) -> ViewState:
     limits = None if asked.low is None or asked.high is None else (asked.low, asked.high)
     context.view_controller.colour_by(asked.measure, limits)
     return context.view_controller.state()
+
+
+@router.post("/view/viewpoint", status_code=HTTP_204_NO_CONTENT)
+def turn(asked: PageView, context: TheContext) -> None:
+    """Shows the clouds to one page from above, from the front, from the side, or as a whole."""
+    context.view_controller.pages.turn(asked.view, asked.viewpoint)
 
 
 @router.post("/view/fits")

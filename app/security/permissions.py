@@ -87,6 +87,7 @@ ROUTES: dict[tuple[str, str], Rule] = {
     ("DELETE", "/api/scans/{scan_id}"): Rule(Right.act, message("deleted-scan")),
     ("POST", "/api/scans/{scan_id}/shown"): Rule(Right.act),
     ("GET", "/api/view"): LOOK,
+    ("POST", "/api/view/viewpoint"): LOOK,
     ("POST", "/api/view/colours"): Rule(Right.act),
     ("POST", "/api/view/fits"): Rule(Right.act),
     ("DELETE", "/api/view/fits/{fit_id}"): Rule(Right.act),

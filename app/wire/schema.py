@@ -16,6 +16,7 @@ from app.messages.message import Text
 from app.metrology.fitting.shape import ShapeName
 from app.station.scan import state as scan_state
 from app.station.view3d.cloud_colouring import Measure
+from app.station.view3d.viewpoints import Viewpoint
 from app.workflows.deviation_maps import MapFile
 from app.workflows.verification_study import StudyFile
 
@@ -103,6 +104,13 @@ class Region(RequestBody):
     top: Share
     right: Share
     bottom: Share
+
+
+class PageView(RequestBody):
+    """The viewpoint of a page's 3D view."""
+
+    view: Annotated[str, Field(max_length=64)]
+    viewpoint: Viewpoint
 
 
 @dataclass(frozen=True)

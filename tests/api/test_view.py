@@ -12,8 +12,10 @@ import pytest
 from viser import _messages as viser_messages
 from websockets.exceptions import ConnectionClosed
 from websockets.sync.client import ClientConnection, connect
+from websockets.sync.connection import Connection
 from websockets.typing import Subprotocol
 
+from app.api.viewer.frames import unpack_frame
 from app.api.viewer.point_limit import PointLimiter
 from app.api.viewer.proxy import KEY, decode_camera
 from app.bench.station.viewer_client import PROTOCOL
@@ -202,6 +204,46 @@ def test_a_rectangle_is_fitted_as_its_page_looks_at_it(server: Server, scan: Sca
     assert "not connected" in server.http.post("/api/view/fits", json=region).text
     assert not server.http.delete(f"/api/view/fits/{fitted['id']}").json()["fits"]
     assert server.http.post("/api/view/fits", json={**region, "left": 1.5}).status_code == 422
+
+
+def test_a_page_is_turned_to_see_the_whole_cloud_and_others_keep_their_view(
+    server: Server, scan: ScanRecord
+) -> None:
+    def turn(viewpoint: str) -> int:
+        asked = {"view": VIEW_KEY, "viewpoint": viewpoint}
+        return server.http.post("/api/view/viewpoint", json=asked).status_code
+
+    def read_turn(socket: Connection) -> tuple[np.ndarray, np.ndarray]:
+        """Position and the point looked at, in metres, as this page receives it."""
+        moves: dict[str, Any] = {}
+        while len(moves) < 2:
+            content, _ = unpack_frame(socket.recv(decode=False))
+            moves |= {
+                each["type"]: each
+                for each in content["messages"]
+                if each["type"].startswith("SetCamera") and not each.get("initial", True)
+            }
+        position, centre = moves["SetCameraPositionMessage"], moves["SetCameraLookAtMessage"]
+        return np.array(position["position"]), np.array(centre["look_at"])
+
+    show(server)
+    assert turn("above") == 422
+    with viewer_socket(server, f"/viewer/{VIEW_KEY}") as socket:
+        socket.send(as_sent(LOOK))
+        wait_for(lambda: turn("above"), lambda status: status == 204)
+        distance_m = []
+        for direction, following in (
+            ([0, 0, 1], "front"),
+            ([0, -1, 0], "side"),
+            ([1, 0, 0], "whole"),
+            ([0, 0, 1], "above"),  # the page has not moved its camera: it looks down
+        ):
+            position, centre = read_turn(socket)
+            assert turn(following) == 204
+            distance_m.append(float(np.linalg.norm(position - centre)))
+            np.testing.assert_allclose((position - centre) / distance_m[-1], direction, atol=2e-3)
+        assert max(distance_m) == pytest.approx(min(distance_m))
+    assert turn("below") == 422
 
 
 def test_a_scan_is_renamed_and_deleted_with_its_files(server: Server, scan: ScanRecord) -> None:

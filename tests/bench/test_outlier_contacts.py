@@ -4,7 +4,6 @@ import pytest
 
 from tests.bench.outlier_contacts import TOUCHED, measure
 
-
 SLOWEST = "block, 12 points"
 
 

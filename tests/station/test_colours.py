@@ -10,6 +10,7 @@ from app.formats.clouds.points import Points, pack_points
 from app.metrology.colormaps import APART, BALANCE, NO_VALUE, SCALE, map_colours, oklab, srgb
 from app.station.view3d.cloud_colouring import ATTRIBUTES, CloudColouring, ReferenceShape
 from app.station.view3d.scene import Scene
+from app.station.view3d.surface_look import DARKEST, LIGHT
 from tests.present import present
 from tests.station.conftest import until
 from tests.station.viewer import Viewer, viewer
@@ -39,8 +40,15 @@ def colours(viewer: Viewer) -> np.ndarray:
 
 
 def expected(values: np.ndarray, low: float, high: float) -> np.ndarray:
+    """On the slope, whose normal has an angle to the light."""
     step = np.clip((values - low) / (high - low) * 255, 0, 255).astype(int)
-    return np.asarray(SCALE[step], dtype=float)
+    across = (LIGHT[2] - LIGHT[0]) / np.sqrt(2) / np.linalg.norm(LIGHT)
+    return np.asarray(SCALE[step] * (DARKEST + (1 - DARKEST) * across), dtype=float)
+
+
+def off(found: np.ndarray, near: np.ndarray) -> float:
+    """Of colours (N, 3), without the few at the edge whose neighbours tell no surface."""
+    return float(np.quantile(np.abs(found - near), 0.95))
 
 
 def seen_by_deuteranopes(rgb: np.ndarray) -> np.ndarray:
@@ -91,14 +99,14 @@ def test_a_browser_gets_other_colours_for_the_points_it_has(scene: Scene, viewer
     assert legend.low == pytest.approx(0, abs=0.5)
     assert legend.high == pytest.approx(60, abs=0.5)
     near = expected(shown[:, 2], legend.low, legend.high)
-    assert np.abs(shown[:, 3:] - near).max() <= 3
+    assert off(shown[:, 3:], near) <= 3
     names = set(viewer.clouds())
     scene.colour_by("intensity", (20.0, 60.0))
     until(lambda: np.abs(colours(viewer)[:, 3:] - shown[:, 3:]).max() > 50)
     again = colours(viewer)
     np.testing.assert_array_equal(again[:, :3], shown[:, :3])
     assert set(viewer.clouds()) == names
-    assert np.abs(again[:, 3:] - expected(10 + again[:, 1], 20, 60)).max() <= 3
+    assert off(again[:, 3:], expected(10 + again[:, 1], 20, 60)) <= 3
 
 
 def test_a_late_viewer_sees_the_present_colours(scene: Scene) -> None:
@@ -108,15 +116,15 @@ def test_a_late_viewer_sees_the_present_colours(scene: Scene) -> None:
     until(lambda: all(not view.repaint(1) for view in scene._clouds._views.values()))
     with closing(Viewer(scene)) as viewer:
         found = colours(viewer)
-    assert np.abs(found[:, 3:] - expected(3 + found[:, 1] / 10, 3, 9)).max() <= 3
+    assert off(found[:, 3:], expected(3 + found[:, 1] / 10, 3, 9)) <= 3
 
 
 def test_new_points_come_in_the_colours_that_were_chosen(scene: Scene, viewer: Viewer) -> None:
     scene.colour_by("intensity", (0.0, 100.0))
-    scene.add_points(slope(3000))
+    scene.add_points(slope(4000))
     until(lambda: scene.points_shown > 0)
     found = colours(viewer)
-    assert np.abs(found[:, 3:] - expected(10 + found[:, 1], 0, 100)).max() <= 3
+    assert off(found[:, 3:], expected(10 + found[:, 1], 0, 100)) <= 3
 
 
 def test_an_automatic_range_follows_what_is_shown(scene: Scene) -> None:
@@ -134,7 +142,7 @@ def test_an_automatic_range_follows_what_is_shown(scene: Scene) -> None:
 
 def traits(taken_s: np.ndarray) -> np.ndarray:
     found = np.zeros(len(taken_s), ATTRIBUTES)
-    found["taken_s"] = taken_s
+    found["taken_s"], found["brightness"] = taken_s, 255
     return found
 
 

@@ -39,6 +39,10 @@ MIDDLE = Rectangle(0.25, 0.25, 0.75, 0.75)
 FRAMES = 60
 
 
+def stay(position_m: object, at_m: object) -> None:
+    """This page keeps its viewpoint."""
+
+
 def from_above(height_mm: float = 300.0) -> ViewCamera:
     """Over (500, 0, 0), the picture's right along X, its top along Y."""
     x, y, z, w = Rotation.from_matrix(np.diag([1.0, -1.0, -1.0])).as_quat()
@@ -113,7 +117,7 @@ def views(tmp_path: Path) -> Iterator[Views]:
         closing(Scene(point_budget=40_000)) as scene,
         closing(ViewController(bus, scene, tmp_path, lambda: None)) as viewing,
     ):
-        viewing.look(KEY, from_above())
+        viewing.pages.look(KEY, from_above(), stay)
         yield Views(scene, bus, viewing, tmp_path)
 
 
@@ -221,10 +225,10 @@ def test_a_new_scan_clears_scans_and_fits(views: Views) -> None:
 
 def test_a_rectangle_over_nothing_and_a_shape_that_is_not_there_are_said(views: Views) -> None:
     views.show("table", table())
-    views.viewing.look(KEY, ViewCamera(from_above().wxyz, (3.0, 3.0, 0.3), 0.8, 1.5))
+    views.viewing.pages.look(KEY, ViewCamera(from_above().wxyz, (3.0, 3.0, 0.3), 0.8, 1.5), stay)
     views.fitted(MIDDLE, "plane")
     assert "no points in the rectangle" in views.reported()[-1]
-    views.viewing.look(KEY, from_above())
+    views.viewing.pages.look(KEY, from_above(), stay)
     shapes: tuple[ShapeName, ...] = ("sphere", "cylinder")
     for shape in shapes:
         views.fitted(MIDDLE, shape)

@@ -157,7 +157,7 @@ class _StationCollector(Collector):
         yield _counter("log_lines_lost", "Lines that the log has lost", watch.logs.lost_lines)
         clients = _family(GaugeMetricFamily, "clients", "Open connections of browsers", "kind")
         clients.add_metric(["live"], watch.tabs)
-        clients.add_metric(["view"], context.view_controller.pages)
+        clients.add_metric(["view"], len(context.view_controller.pages))
         yield clients
         yield _gauge("control_held", "Whether somebody has control", _has_holder(context))
         findings = _family(GaugeMetricFamily, "health_checks", "Health checks", "quality")

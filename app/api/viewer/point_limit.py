@@ -6,15 +6,11 @@ points (see ``cloud_view``), so that omitting the lowest tiers leaves an even vi
 
 import re
 from dataclasses import dataclass
-from typing import Any
 
-import msgspec
-import zstandard
+from app.api.viewer.frames import Message, pack_frame, unpack_frame
 
-Message = dict[str, Any]
 TIER = re.compile(r"-(\d+)$")
 POINT_BYTES = 12
-ALIGNED_BYTES = 8
 
 
 @dataclass
@@ -38,7 +34,7 @@ class PointLimiter:
 
     def filter_frame(self, frame: bytes) -> bytes:
         """The part of a frame of viser's socket that the browser receives."""
-        content, arrays = _unpack(frame)
+        content, arrays = unpack_frame(frame)
         output: list[Message] = []
         for message in content["messages"]:
             instead = self._replacements(message, arrays)
@@ -46,7 +42,7 @@ class PointLimiter:
             if not any(one is message for one in instead):
                 for index in _indices(message):
                     arrays[index] = b""
-        return _pack({**content, "messages": output}, arrays)
+        return pack_frame({**content, "messages": output}, arrays)
 
     def _replacements(self, message: Message, arrays: list[bytes]) -> list[Message]:
         """What the browser receives instead."""
@@ -110,32 +106,3 @@ def _indices(message: Message) -> list[int]:
     """Indices of the arrays to which a message refers."""
     parts = [*message.get("props", {}).values(), *message.get("updates", {}).values()]
     return [part["__binary_index"] for part in parts if isinstance(part, dict)]
-
-
-def _unpack(frame: bytes) -> tuple[Message, list[bytes]]:
-    """The content of one frame of viser's socket, and the arrays to which it refers."""
-    packed_bytes = int.from_bytes(frame[8:16], "little")
-    inner = zstandard.ZstdDecompressor().decompress(
-        frame[16 : 16 + packed_bytes], int.from_bytes(frame[:8], "little")
-    )
-    content: Message = msgspec.msgpack.decode(inner)
-    at, arrays = 16 + packed_bytes, []
-    for length in content["binaryBufferLengths"]:
-        at += -at % ALIGNED_BYTES
-        arrays.append(frame[at : at + length])
-        at += length
-    return content, arrays
-
-
-def _pack(content: Message, arrays: list[bytes]) -> bytes:
-    """The inverse of it."""
-    content["binaryBufferLengths"] = [len(array) for array in arrays]
-    inner = msgspec.msgpack.encode(content)
-    packed = zstandard.ZstdCompressor(level=1).compress(inner)
-    parts = [len(inner).to_bytes(8, "little"), len(packed).to_bytes(8, "little"), packed]
-    at = 16 + len(packed)
-    for array in arrays:
-        padding = -at % ALIGNED_BYTES
-        parts += [bytes(padding), array]
-        at += padding + len(array)
-    return b"".join(parts)

@@ -5,6 +5,7 @@ clients may change the scene. From browsers, only camera messages are relayed, d
 again; everything else is dropped.
 """
 
+import asyncio
 import contextlib
 import math
 import re
@@ -22,17 +23,17 @@ from app.api.access.authorization import StationRouter
 from app.api.access.connection import CloseReason, run_connection
 from app.api.access.sub_path import sub_path_of
 from app.api.problems import NotFoundError
+from app.api.viewer.frames import Vector, camera_frame
 from app.api.viewer.point_limit import PointLimiter
 from app.messages.message import message
 from app.operations.context import TheContext, context_of
 from app.station.view3d.selection import ViewCamera
-from app.station.view3d.view_controller import ViewController
+from app.station.view3d.viewpoints import PageCameras
 from app.wire.json_response import problem
 
 router = StationRouter()
 PASSED_HEADERS = ("content-type", "content-encoding")
 TRY_AGAIN_LATER = 1013
-Vector = tuple[float, float, float]
 KEY = re.compile("([0-9a-f]{16,64})(?:-([1-9][0-9]{0,3}))?")
 """A page's own name for its view, as the last part of the viewer's address, followed by the number
 of cloud points (in thousands) that it can draw, if that is small."""
@@ -112,7 +113,7 @@ async def socket(browser: WebSocket, key: str = "") -> None:
 
     With a key, the station knows the viewpoint of that page, and how much it can draw.
     """
-    viewing, scene = context_of(browser).view_controller, context_of(browser).scene
+    pages, scene = context_of(browser).view_controller.pages, context_of(browser).scene
     asked = [Subprotocol(name) for name in browser.scope["subprotocols"]]
     try:
         viser = await connect(
@@ -130,7 +131,7 @@ async def socket(browser: WebSocket, key: str = "") -> None:
         return
 
     known = KEY.fullmatch(key)
-    page = _Page(viewing, known[1] if known else "")
+    page = _Page(browser, pages, known[1] if known else "")
     fewer = PointLimiter(1000 * int(known[2])) if known and known[2] else None
     async with viser:
         await browser.accept(viser.subprotocol)
@@ -143,22 +144,28 @@ async def socket(browser: WebSocket, key: str = "") -> None:
 
 
 class _Page:
-    """Reports the viewpoint of a page to the station, under the key of the page."""
+    """Reports the viewpoint of a page to the station, under the key of the page, and changes it."""
 
-    def __init__(self, viewing: ViewController, key: str) -> None:
-        self._viewing, self._key = viewing, key
+    def __init__(self, browser: WebSocket, pages: PageCameras, key: str) -> None:
+        self._browser, self._pages, self._key = browser, pages, key
+        self._loop = asyncio.get_running_loop()
         self._camera: ViewCamera | None = None
 
     def look(self, message: CameraMessage) -> None:
         camera = message.view_camera()
         if camera is not None and self._key:
             self._camera = camera
-            self._viewing.look(self._key, camera)
+            self._pages.look(self._key, camera, self._turn)
+
+    def _turn(self, position_m: Vector, at_m: Vector) -> None:
+        """Moves the camera of this browser; called from any thread."""
+        sending = self._browser.send_bytes(camera_frame(position_m, at_m))
+        asyncio.run_coroutine_threadsafe(sending, self._loop)
 
     def leave(self) -> None:
         """The connection is closed; the report of a newer one of the same page stays."""
         if self._camera is not None:
-            self._viewing.leave(self._key, self._camera)
+            self._pages.leave(self._key, self._camera)
 
 
 async def _to_browser(

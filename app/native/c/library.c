@@ -27,4 +27,5 @@
 #include "recording/records.c"
 #include "recording/joints.c"
 #include "recording/stripes.c"
+#include "view/surface.c"
 #include "view/voxels.c"

@@ -20,13 +20,23 @@ Points32 = NDArray[np.float32]
 PointAttributes = NDArray[np.void]
 """(N,) of ``ATTRIBUTES``."""
 
-ATTRIBUTES = np.dtype([("intensity", "<f4"), ("uncertainty_um", "<f4"), ("taken_s", "<f4")])
-"""Data stored with the position of each shown point; the time since its scan began."""
+ATTRIBUTES = np.dtype(
+    [
+        ("intensity", "<f4"),
+        ("uncertainty_um", "<f4"),
+        ("taken_s", "<f4"),
+        ("spacing_mm", "<f2"),
+        ("brightness", "u1"),
+    ]
+)
+"""Data stored with the position of each shown point: the time since its scan began, and how it
+looks among its neighbours (see ``surface_look``)."""
 
 
 def point_attributes(points: Points, taken_s: Floats) -> PointAttributes:
-    """For points (N,) captured at times (N,)."""
-    traits = np.empty(len(points), ATTRIBUTES)
+    """For points (N,) captured at times (N,), whose neighbours are not known yet."""
+    traits = np.zeros(len(points), ATTRIBUTES)
+    traits["brightness"] = 255
     traits["intensity"] = points["intensity"]
     traits["uncertainty_um"] = points["uncertainty_um"]
     traits["taken_s"] = taken_s
@@ -165,7 +175,7 @@ class CloudColouring:
         if self.measure == "deviation":
             middle, half = (self._low + self._high) / 2, (self._high - self._low) / 2
             found[np.abs(values - middle) > APART_RANGES * half] = APART
-        return found
+        return np.asarray(found * (traits["brightness"][:, None] / np.float32(255)), np.uint8)
 
     def settle_range(self, sample: NDArray[np.floating]) -> None:
         """Adjusts an automatic range to the values (N,) of everything shown."""

@@ -22,6 +22,7 @@ from app.station.view3d.cloud_colouring import (
     point_attributes,
 )
 from app.station.view3d.nodes import M_PER_MM
+from app.station.view3d.surface_look import look_at_surface
 from app.station.view3d.voxel_lod import Tiers, Voxels
 
 FIRST_VOXEL_MM = 0.1
@@ -29,7 +30,10 @@ NODE_POINTS = 100_000
 FEW_POINTS = 4_000
 MOST_SMALL_NODES, SMALL_POINTS = 60, 100_000
 """A larger number of small nodes is merged."""
-SMALLEST_POINT_MM = 0.3
+CONTEXT_POINTS = 20_000
+"""Among so many of the latest points, new ones look for their neighbours."""
+POINT_SPACINGS = 1.4
+"""Diameter of a point, so that those of a surface touch each other."""
 
 
 @dataclass
@@ -135,6 +139,7 @@ class CloudNode:
         ):
             self._merge()
         else:
+            self._look_at_newest()
             self._show(node)
 
     def keep_budget(self) -> bool:
@@ -150,7 +155,7 @@ class CloudNode:
         self._merge()
         for node in self._nodes:
             if node.handle is not None:
-                node.handle.point_size = self._point_size
+                node.handle.point_size = self._point_size(node)
         return True
 
     def repaint(self, most_points: int) -> int:
@@ -172,10 +177,6 @@ class CloudNode:
         return [*chain.from_iterable(self._large.values()), *(node for node, _ in self._small)]
 
     @property
-    def _point_size(self) -> float:
-        return M_PER_MM * max(1.4 * self._voxels.size_mm, SMALLEST_POINT_MM)
-
-    @property
     def _colouring(self) -> tuple[int, int]:
         return self._painter.version, self._painter.age_step(self.newest_s)
 
@@ -186,6 +187,27 @@ class CloudNode:
         self._origin_mm = np.zeros(3)
         self._low_mm, self._high_mm = np.full(3, np.inf), np.full(3, -np.inf)
         self.newest_s = 0.0
+
+    def _point_size(self, node: _PointNode) -> float:
+        spacing_mm = float(np.median(node.traits["spacing_mm"]))
+        return M_PER_MM * POINT_SPACINGS * max(spacing_mm, self._voxels.size_mm)
+
+    def _look_at_newest(self) -> None:
+        """Lights the newest small node; its neighbours are the latest points."""
+        context: list[_PointNode] = []
+        count = 0
+        for node, _ in reversed(self._small):
+            if context and count + len(node.points_mm) > CONTEXT_POINTS:
+                break
+            context.append(node)
+            count += len(node.points_mm)
+        self._look(_concatenate(context), context[0])
+
+    def _look(self, context: _PointNode, node: _PointNode) -> None:
+        """Lights a node with the first points of its context."""
+        look = look_at_surface(context.points_mm, self._voxels.size_mm)
+        node.traits["brightness"] = look.brightness[: len(node.points_mm)]
+        node.traits["spacing_mm"] = look.spacing_mm[: len(node.points_mm)]
 
     def _in_arm(self, points: Points32) -> Floats:
         return np.asarray(points + self._origin_mm)
@@ -209,7 +231,7 @@ class CloudNode:
             f"{self._root}/{self._made}{of_tier}",
             node.points_mm * np.float32(M_PER_MM),
             self._colours(node),
-            point_size=self._point_size,
+            point_size=self._point_size(node),
             point_shape="circle",
             point_shading="flat",
             precision="float32",
@@ -224,9 +246,11 @@ class CloudNode:
         small, self._small = self._small, []
         if not small:
             return
+        whole = _concatenate([node for node, _ in small])
         tiers = np.concatenate([tiers for _, tiers in small])
+        self._look(whole, whole)
         order = np.argsort(tiers, kind="stable")
-        whole, tiers = _concatenate([node for node, _ in small]).part(order), tiers[order]
+        whole, tiers = whole.part(order), tiers[order]
         few = [np.zeros(0, dtype=np.int64)]
         for tier in range(self._voxels.finest, int(tiers[-1]) + 1):
             start, end = np.searchsorted(tiers, (tier, tier + 1))

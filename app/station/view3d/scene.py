@@ -22,11 +22,11 @@ from app.metrology.transforms import Floats, apply
 from app.station.view3d.arm_node import ArmNode
 from app.station.view3d.cloud_colouring import Legend, Measure, PointAttributes, ReferenceShape
 from app.station.view3d.cloud_set import CloudSet
-from app.station.view3d.initial_camera import InitialCamera
 from app.station.view3d.meshes import Mesh, reach_mm
 from app.station.view3d.nodes import M_PER_MM, ShapeNodes, TargetNode
 from app.station.view3d.scale_bar import ScaleBar
 from app.station.view3d.scene_server import open_server
+from app.station.view3d.viewpoints import InitialCamera
 
 T = TypeVar("T")
 
@@ -114,6 +114,15 @@ class Scene:
         """The scans in the view, by name, with the number of points shown of each."""
         with self._lock:
             return {name: self._clouds.count_visible(name) for name in self._clouds.names}
+
+    def content_sphere_m(self) -> tuple[Floats, float]:
+        """Centre (3,) in the arm frame, and radius, of the clouds; of the arm before there are."""
+        with self._lock:
+            low, high = self._clouds.bounds_mm
+            if not np.isfinite(low).all():
+                return self._initial_camera.centre_m, self._initial_camera.radius_m
+            radius_mm = max(float(np.linalg.norm(high - low)) / 2, SMALLEST_LOOK_MM / 2)
+            return M_PER_MM * (low + high) / 2, M_PER_MM * radius_mm
 
     def close(self) -> None:
         self._loop.stop()

@@ -38,12 +38,18 @@ class ViewCamera:
     aspect: float
     """Width over height."""
 
+    def direction(self) -> Floats:
+        """Ahead, in the arm frame (3,)."""
+        return np.asarray(self._rotation_arm_cam()[:, 2])
+
+    def _rotation_arm_cam(self) -> Floats:
+        w, x, y, z = self.wxyz
+        return np.asarray(Rotation.from_quat([x, y, z, w]).as_matrix())
+
     def project(self, points_mm: Floats) -> Floats:
         """For points (N, 3) of the arm frame: position in the picture (0 to 1 from the left and
         from the top) and distance ahead in mm; NaN for points that are not ahead."""
-        w, x, y, z = self.wxyz
-        R_arm_cam: Floats = Rotation.from_quat([x, y, z, w]).as_matrix()
-        seen: Floats = (points_mm - np.array(self.position_m) / M_PER_MM) @ R_arm_cam
+        seen: Floats = (points_mm - np.array(self.position_m) / M_PER_MM) @ self._rotation_arm_cam()
         depth = np.where(seen[:, 2] > 0, seen[:, 2], np.nan)
         half = np.tan(self.fov_rad / 2)
         seen[:, 0] = 0.5 + 0.5 * seen[:, 0] / (depth * half * self.aspect)

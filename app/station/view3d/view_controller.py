@@ -25,6 +25,7 @@ from app.station.view3d.selection import (
     select_points,
 )
 from app.station.view3d.shape_fits import UM_PER_MM, FittedShape, shape_mesh, shape_parameters
+from app.station.view3d.viewpoints import PageCameras
 from app.station.working_distance import Distance
 
 log = logging.getLogger(__name__)
@@ -84,8 +85,8 @@ class ViewController:
     ) -> None:
         self._bus, self._scene, self._scans_dir = bus, scene, scans_dir
         self._distance = distance
+        self.pages = PageCameras(scene.content_sphere_m)
         self._lock = threading.RLock()
-        self._cameras: dict[str, ViewCamera] = {}
         self._loading: dict[str, float] = {}
         self._fits: list[tuple[FittedShape, MeasuredShape]] = []
         self._fits_made = 0
@@ -105,20 +106,6 @@ class ViewController:
         self._publisher.stop()
         self._loader.shutdown(cancel_futures=True)
         self._fitter.shutdown(cancel_futures=True)
-
-    def look(self, key: str, camera: ViewCamera) -> None:
-        """Sets the present viewpoint of the browser with this key."""
-        self._cameras[key] = camera
-
-    def leave(self, key: str, camera: ViewCamera) -> None:
-        """Removes the last viewpoint of this browser."""
-        if self._cameras.get(key) is camera:
-            del self._cameras[key]
-
-    @property
-    def pages(self) -> int:
-        """Browsers that have reported their viewpoint."""
-        return len(self._cameras)
 
     def state(self) -> ViewState:
         """The current state of the view."""
@@ -207,13 +194,7 @@ class ViewController:
             OperationError: the browser is unknown, or another fit is running.
         """
         with self._lock:
-            camera = self._cameras.get(key)
-            if camera is None:
-                raise OperationError(
-                    "no-view",
-                    message("n-3d-view-page-connected"),
-                    remedy=message("wait-moment-load-page-again"),
-                )
+            camera = self.pages.camera_of(key)
             if self._busy:
                 raise OperationError("busy", self._busy, remedy=message("wait-until-done"))
             self._busy = message("fitting", shape=shape)

@@ -11,6 +11,7 @@ import type {
   FlowView,
   Heartbeat,
   HelloMessage,
+  PageView,
   PreviewAck,
   PreviewRequest,
   StationsRequest,
@@ -27,6 +28,7 @@ export type Picture = FlowView["picture"];
 /** The calibration target. */
 export type ObjectGeometry = BlockGeometry | BoardGeometry;
 export type Measure = ViewState["measure"];
+export type Viewpoint = PageView["viewpoint"];
 export type ShapeName = FittedShape["shape"];
 /** Shares of the 3D view, 0 to 1 from its left and from its top. */
 export type Region = Pick<ViewRegion, "left" | "top" | "right" | "bottom">;

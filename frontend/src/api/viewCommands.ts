@@ -1,7 +1,7 @@
 import { t } from "../state/language";
 import { done } from "./commands";
 import { drop, post } from "./http";
-import type { Measure, Region, ShapeName } from "./types";
+import type { Measure, Region, ShapeName, Viewpoint } from "./types";
 
 /* What these change comes over the live connection: an answer that comes late is older than that. */
 
@@ -13,6 +13,10 @@ export const colourBy = (measure: Measure, limits: [number, number] | null = nul
     () => post("/api/view/colours", { measure, low: limits?.[0] ?? null, high: limits?.[1] ?? null }),
     t("ui-the-colours-were-not-changed"),
   );
+
+/** `view` is this page's own key of its 3D view. */
+export const turnView = (view: string, viewpoint: Viewpoint) =>
+  done(() => post("/api/view/viewpoint", { view, viewpoint }), t("ui-the-viewpoint-was-not-changed"));
 
 /** `view` is this page's own key of its 3D view. */
 export const fitShape = (view: string, shape: ShapeName, region: Region) =>

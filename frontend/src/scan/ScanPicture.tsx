@@ -20,6 +20,7 @@ import { PickOverlay } from "./PickOverlay";
 import styles from "./ScanPicture.module.css";
 import { ScansPanel } from "./ScansPanel";
 import { savePicture } from "./savePicture";
+import { ViewpointButtons } from "./ViewpointButtons";
 
 type Panel = "camera" | "scans" | "colours" | "measure";
 
@@ -86,6 +87,7 @@ export function ScanPicture() {
           {panel === "measure" && <MeasurePanel onPick={setPicking} />}
         </section>
       )}
+      {!picking && <ViewpointButtons viewKey={viewKey} />}
       <DistanceSign />
       {legend && <LegendBar legend={legend} />}
     </CloudView>

@@ -1,0 +1,49 @@
+"""Frames of viser's socket: messages in msgpack under zstd, followed by their arrays."""
+
+import time
+from typing import Any
+
+import msgspec
+import zstandard
+
+Message = dict[str, Any]
+Vector = tuple[float, float, float]
+ALIGNED_BYTES = 8
+
+
+def unpack_frame(frame: bytes) -> tuple[Message, list[bytes]]:
+    """The content of one frame of viser's socket, and the arrays to which it refers."""
+    packed_bytes = int.from_bytes(frame[8:16], "little")
+    inner = zstandard.ZstdDecompressor().decompress(
+        frame[16 : 16 + packed_bytes], int.from_bytes(frame[:8], "little")
+    )
+    content: Message = msgspec.msgpack.decode(inner)
+    at, arrays = 16 + packed_bytes, []
+    for length in content["binaryBufferLengths"]:
+        at += -at % ALIGNED_BYTES
+        arrays.append(frame[at : at + length])
+        at += length
+    return content, arrays
+
+
+def pack_frame(content: Message, arrays: list[bytes]) -> bytes:
+    """The frame of this content: the inverse of ``unpack_frame``."""
+    content["binaryBufferLengths"] = [len(array) for array in arrays]
+    inner = msgspec.msgpack.encode(content)
+    packed = zstandard.ZstdCompressor(level=1).compress(inner)
+    parts = [len(inner).to_bytes(8, "little"), len(packed).to_bytes(8, "little"), packed]
+    at = 16 + len(packed)
+    for array in arrays:
+        padding = -at % ALIGNED_BYTES
+        parts += [bytes(padding), array]
+        at += padding + len(array)
+    return b"".join(parts)
+
+
+def camera_frame(position_m: Vector, at_m: Vector) -> bytes:
+    """The frame by which viser moves the camera of one browser, and turns it to a point."""
+    moves = [
+        {"type": "SetCameraPositionMessage", "position": position_m, "initial": False},
+        {"type": "SetCameraLookAtMessage", "look_at": at_m, "initial": False},
+    ]
+    return pack_frame({"messages": moves, "timestampSec": time.perf_counter()}, [])
