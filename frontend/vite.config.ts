@@ -19,7 +19,11 @@ export default defineConfig(({ command }) => ({
       // a language is one file, the client's texts and the station's
       output: {
         codeSplitting: {
-          groups: [{ test: /\.ftl/, debugName: "texts", name: (id) => `texts-${/(\w+)\.ftl/.exec(id)?.[1]}` }],
+          groups: [
+            { test: /\.ftl/, debugName: "texts", name: (id) => `texts-${/(\w+)\.ftl/.exec(id)?.[1]}` },
+            // what every page has is one file, whose styles come before those of the pages
+            { test: /src\/(api|frame|messages|parts|state)\/[^?]*\.(ts|tsx|css)/, name: "common" },
+          ],
         },
       },
     },

@@ -45,7 +45,7 @@ def no_such_interface(path: str) -> Response:
 @client.api_route("/{path:path}", methods=["GET", "HEAD"])
 def client_file(path: str, request: Request) -> Response:
     """A built file, or the page itself, which finds its own way by the address."""
-    found = file_response(path)
+    found = file_response(path, request.headers.get("accept-encoding", ""))
     if found is None and names_a_file(path):
         raise HTTPException(404)
     return found or page_response("index.html", page_base(request.scope))

@@ -1,10 +1,13 @@
 """Scanning, laser, exposure, and Stop."""
 
+from typing import Literal
+
 from starlette.status import HTTP_204_NO_CONTENT
 
-from app.api.access.authorization import StationRouter
+from app.api.access.authorization import StationRouter, ThePerson
 from app.errors import OperationError
-from app.messages.message import message
+from app.findings import Finding
+from app.messages.message import Text, message
 from app.operations.context import Context, TheContext
 from app.station.activity import ArmUse
 from app.station.devices.rig import Devices, SensorChoice
@@ -48,13 +51,25 @@ def stop_scan(context: TheContext) -> ScanStatus:
 
 @router.post("/scan/simulation")
 def simulate_scan(asked: OnOff, context: TheContext) -> ScanStatus:
-    """Starts or stops the simulated operator, which moves the sensor over the parts."""
+    """Starts or stops the simulated operator, which scans the parts."""
     if asked.on:
         with context.activities.using("scan"):
             context.simulated_scan.start()
     else:
         context.simulated_scan.stop()
     return context.scan_state()
+
+
+@router.post("/demonstration", status_code=HTTP_204_NO_CONTENT)
+def demonstrate(context: TheContext) -> None:
+    """Lets the simulated operator do everything: calibrate, accept, and scan."""
+    context.demonstration.start()
+
+
+@router.post("/demonstration/stop", status_code=HTTP_204_NO_CONTENT)
+def stop_demonstration(context: TheContext) -> None:
+    """Ends the demonstration where it is; everyone may do this, whoever has control."""
+    context.demonstration.stop()
 
 
 @router.get("/activity")
@@ -108,17 +123,33 @@ def select_sensor(asked: SensorName, context: TheContext) -> SensorChoice:
 
 
 @router.post("/stop", status_code=HTTP_204_NO_CONTENT)
-def stop(context: TheContext) -> None:
+def stop(context: TheContext, person: ThePerson) -> None:
     """Switches the laser off, then stops the simulated operator and the scan."""
-    stop_everything(context)
-    context.bus.event("stopped", message("stopped-laser-off"), "attention")
+    holder = context.lease.control.holder
+    if holder is None or holder.id == person.id:
+        stop_everything(context)
+        context.bus.event("stopped", message("stopped-laser-off"), "attention")
+        return
+    # whoever is in control finds what has ended, and by whom, also after a while
+    because = message("stopped-by", name=person.name)
+    scan: Literal["yes", "no"] = "no" if context.scanner.recording() is None else "yes"
+    stop_everything(context, because)
+    context.activities.note(
+        Finding("attention", because, message("stopped-by-what-kept", scan=scan))
+    )
+    context.bus.event("stopped", because)
 
 
-def stop_everything(context: Context) -> None:
-    """In the order of danger; scanned data is saved."""
+def stop_everything(context: Context, because: Text = "") -> None:
+    """In the order of danger; scanned data is saved.
+
+    Args:
+        because: who stopped a scan that another one began; empty for its operator.
+    """
     context.rig.lasers_off()
+    context.demonstration.stop()
     context.simulated_scan.stop()
     for guide in context.guides:
         guide.stop_work()
-    context.scanner.stop()
+    context.scanner.stop(because)
     context.rig.lasers_off()

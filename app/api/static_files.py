@@ -1,5 +1,7 @@
 """The built files of the client in ``app/static``; light to import, like ``json_response``."""
 
+import re
+from mimetypes import guess_type
 from pathlib import Path
 
 from starlette.responses import FileResponse, HTMLResponse, Response
@@ -9,6 +11,8 @@ from app.formats.open_file import read_bounded
 STATIC = Path(__file__).resolve().parents[1] / "static"
 OWN_FOLDER = '"./'
 """Before each file that a built page names."""
+CODINGS = {"br": ".br", "gzip": ".gz"}
+"""Ends of the names of compressed files, by their codings, the smaller first."""
 FOREVER = "public, max-age=31536000, immutable"
 NOT_BUILT = """<!doctype html>
 <html lang="en"><head><meta charset="utf-8"><title>Crenel</title>
@@ -22,8 +26,12 @@ the source tree: <code>npm ci &amp;&amp; npm run build</code> in <code>frontend<
 """
 
 
-def file_response(path: str) -> Response | None:
-    """A built file by its address; None if there is none."""
+def file_response(path: str, accepts: str = "") -> Response | None:
+    """A built file by its address; None if there is none.
+
+    Args:
+        accepts: the request's ``Accept-Encoding``; the build has compressed what is large.
+    """
     try:
         file = (STATIC / path).resolve()
         if not (path and file.is_file() and file.is_relative_to(STATIC)):
@@ -32,7 +40,29 @@ def file_response(path: str) -> Response | None:
         return None
     # names under assets carry a hash of their content
     hashed = file.is_relative_to(STATIC / "assets")
-    return FileResponse(file, headers={"Cache-Control": FOREVER if hashed else "no-cache"})
+    headers = {"Cache-Control": FOREVER if hashed else "no-cache"}
+    compressed = {
+        coding: name for coding, end in CODINGS.items() if (name := Path(f"{file}{end}")).is_file()
+    }
+    if not compressed:
+        return FileResponse(file, headers=headers)
+    # a cache between station and browser keeps each form for those who understand it
+    headers["Vary"] = "Accept-Encoding"
+    coding = next((one for one in compressed if _is_accepted(one, accepts)), None)
+    if coding is None:
+        return FileResponse(file, headers=headers)
+    headers["Content-Encoding"] = coding
+    kind = guess_type(file.name)[0]
+    return FileResponse(compressed[coding], media_type=kind, headers=headers)
+
+
+def _is_accepted(coding: str, accepts: str) -> bool:
+    """Whether ``Accept-Encoding`` names a coding, with any weight but zero."""
+    for one in accepts.lower().split(","):
+        name, *parameters = (part.strip() for part in one.split(";"))
+        if name == coding:
+            return not any(re.fullmatch(r"q\s*=\s*0(\.0*)?", part) for part in parameters)
+    return False
 
 
 def page_response(name: str, base: str) -> Response:

@@ -16,6 +16,7 @@ from app.guide.performance.guide import PerformanceGuide
 from app.guide.verify.guide import VerifyGuide
 from app.operations.datasheets.block_designs import BlockDesigns
 from app.operations.datasheets.station_datasheets import Datasheets
+from app.operations.demonstration import Demonstration
 from app.operations.device_setup import KINDS, DeviceSetup
 from app.operations.recovery import Recovery
 from app.operations.sensor_selection import SensorSelection
@@ -58,6 +59,7 @@ class Context:
     store: Store
     guide: CalibrationGuide
     simulated_scan: SimulatedScan
+    demonstration: Demonstration
     arm_guide: ArmGuide
     verify_guide: VerifyGuide
     performance_guide: PerformanceGuide

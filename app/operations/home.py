@@ -87,12 +87,13 @@ def _preparation(context: Context, lines: Sequence[Validity]) -> tuple[Preparati
 
 
 def _page_under_way(context: Context) -> Page | None:
-    """The page of a guided session that is in progress."""
+    """The page of a guided session or scan that is in progress."""
     running: dict[Page, bool] = {
         "calibrate": context.guide.running,
         "arm": context.arm_guide.running and context.arm_guide.state.step != "result",
         "verify": context.verify_guide.running,
         "performance": context.performance_guide.running,
+        "scan": context.scanner.recording() is not None,
     }
     return next((page for page, runs in running.items() if runs), None)
 
@@ -163,7 +164,10 @@ def last_tip_finding(arm_guide: ArmGuide, limits: DueLimits) -> Finding:
 
 
 def _state(verdict: Quality) -> State:
-    return "failed" if verdict == "bad" else "valid"
+    """Of a check: without a limit it is as undecided as one that its uncertainty leaves open."""
+    if verdict == "good":
+        return "valid"
+    return "failed" if verdict == "bad" else "unsure"
 
 
 def _arm_text(check: ArmCheckSummary) -> Text:

@@ -46,6 +46,7 @@ TOPICS = DEVICE_TOPICS | {
     "home",
     "arm",
     "activity",
+    "demonstration",
 }
 """What browsers want, and the passing on of events does not."""
 Step = Callable[[], Awaitable[object]]

@@ -127,6 +127,8 @@ ROUTES: dict[tuple[str, str], Rule] = {
     ("POST", "/api/scan/start"): Rule(Right.act, message("started-scan")),
     ("POST", "/api/scan/stop"): Rule(Right.act, message("stopped-scan")),
     ("POST", "/api/scan/simulation"): Rule(Right.act, message("moved-simulation-stopped")),
+    ("POST", "/api/demonstration"): Rule(Right.act, message("began-demonstration")),
+    ("POST", "/api/demonstration/stop"): Rule(Right.be, message("stopped-demonstration")),
     ("GET", "/api/activity"): LOOK,
     ("POST", "/api/activity/end"): Rule(Right.act, message("ended-activity")),
     ("POST", "/api/laser/on"): Rule(Right.act, message("switched-laser")),

@@ -14,6 +14,7 @@ from app.guide.common.simulated_scan import SimulatedScan
 from app.messages.message import Text, message
 from app.operations.context import Context
 from app.operations.datasheets.station_datasheets import Datasheets
+from app.operations.demonstration import Demonstration
 from app.operations.device_setup import KINDS, DeviceSetup
 from app.operations.recovery import Recovery
 from app.operations.sensor_selection import SensorSelection
@@ -87,6 +88,7 @@ def _build_context(parts: StationParts, store: Store, opened: ExitStack) -> Cont
         lambda: guides.calibration.station.simulated_operator,
         jobs,
         bus,
+        scanner,
         lambda: bus.publish("scan", scanner.state()),
     )
     activities.add("scan", lambda: live.is_recording() or simulated_scan.running)
@@ -106,6 +108,9 @@ def _build_context(parts: StationParts, store: Store, opened: ExitStack) -> Cont
         store=store,
         guide=guides.calibration,
         simulated_scan=simulated_scan,
+        demonstration=Demonstration(
+            bus, jobs, guides.calibration, simulated_scan, scanner, activities
+        ),
         arm_guide=guides.arm,
         verify_guide=guides.verify,
         performance_guide=guides.performance,
@@ -203,6 +208,7 @@ def close_context(context: Context) -> None:
     archive = context.monitoring.archive
     steps: list[Callable[[], object]] = [
         lambda: stop_everything(context),
+        lambda: context.demonstration.close(JOB_END_S),
         archive.close if archive is not None else lambda: None,
         context.device_setup.close,
         context.block_designs.close,

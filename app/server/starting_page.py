@@ -14,6 +14,7 @@ from typing import Any, Generic, TypeVar
 
 from pydantic_core import to_json
 from starlette.applications import Starlette
+from starlette.datastructures import Headers
 from starlette.responses import Response
 from starlette.types import ASGIApp, Receive, Scope, Send
 
@@ -192,7 +193,7 @@ class StartingApp:
         asked = path.removeprefix("/")
         if method not in ("GET", "HEAD") or asked.split("/")[0] in STATION_PATHS:
             return self._progress() if path == PROGRESS else _starting_problem()
-        found = file_response(asked)
+        found = file_response(asked, Headers(scope=scope).get("accept-encoding", ""))
         if found is None and names_a_file(asked):
             return problem(404, "not-found", message("there-nothing", path=path))
         return found or _forbid_caching(page_response(PAGE, page_base(scope)))

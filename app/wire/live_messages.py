@@ -21,7 +21,14 @@ from app.station.view3d.view_controller import ViewState
 from app.supervision.messages import StationReport
 from app.supervision.notifications import Notice
 from app.supervision.remote_stations import RemoteStation
-from app.wire.schema import Home, ReplayState, RequestBody, ScanStatus, StationInfo
+from app.wire.schema import (
+    DemonstrationState,
+    Home,
+    ReplayState,
+    RequestBody,
+    ScanStatus,
+    StationInfo,
+)
 from app.wire.sign_in import CurrentUser
 
 
@@ -31,6 +38,7 @@ class Topics:
 
     control: Control
     activity: ArmUse
+    demonstration: DemonstrationState
     devices: Devices
     sensors: SensorChoice
     flow: FlowView

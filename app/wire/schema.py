@@ -225,6 +225,18 @@ class Home:
 
 
 @dataclass(frozen=True)
+class DemonstrationState:
+    """Where the simulated operator is, who does everything once."""
+
+    running: bool = False
+    page: due.Page = "home"
+    """Where there is something to see."""
+    text: Text = ""
+    decides_in_s: int | None = None
+    """Until it decides what a person would decide; None while nothing is decided."""
+
+
+@dataclass(frozen=True)
 class RecordedCalibration:
     """An accepted calibration; ``operator`` and ``station`` are empty if they were not recorded."""
 

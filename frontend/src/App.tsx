@@ -1,55 +1,32 @@
-import { useEffect } from "react";
+import { Suspense, useEffect } from "react";
 
 import styles from "./App.module.css";
 import { ArmQuestion } from "./frame/ArmQuestion";
+import { Layout } from "./frame/Layout";
 import { Rail } from "./frame/Rail";
 import { StatusLine } from "./frame/StatusLine";
 import { TopBar } from "./frame/TopBar";
-import { ArmPage } from "./pages/ArmPage";
-import { CalibratePage } from "./pages/CalibratePage";
-import { DatasheetsPage } from "./pages/DatasheetsPage";
-import { DevicesPage } from "./pages/DevicesPage";
 import { EntrancePage } from "./pages/EntrancePage";
-import { HealthPage } from "./pages/HealthPage";
 import { HomePage } from "./pages/HomePage";
-import { PeoplePage } from "./pages/PeoplePage";
-import { PerformancePage } from "./pages/PerformancePage";
-import { RecordsPage } from "./pages/RecordsPage";
-import { ReferencePage } from "./pages/ReferencePage";
-import { ScanPage } from "./pages/ScanPage";
-import { SettingsPage } from "./pages/SettingsPage";
-import { SupervisePage } from "./pages/SupervisePage";
-import { VerifyPage } from "./pages/VerifyPage";
+import { LATER_PAGES } from "./pages/laterPages";
+import { CardHead } from "./parts/CardHead";
+import { useDemonstration } from "./state/demonstration";
 import { t, useLanguage } from "./state/language";
 import { TITLES, usePage } from "./state/router";
 import { useLive } from "./state/store";
 import { useUnits } from "./state/units";
 
-const PAGE = {
-  home: HomePage,
-  calibrate: CalibratePage,
-  verify: VerifyPage,
-  performance: PerformancePage,
-  scan: ScanPage,
-  arm: ArmPage,
-  records: RecordsPage,
-  supervise: SupervisePage,
-  health: HealthPage,
-  settings: SettingsPage,
-  datasheets: DatasheetsPage,
-  devices: DevicesPage,
-  people: PeoplePage,
-  docs: ReferencePage,
-};
+const PAGES = { home: HomePage, ...LATER_PAGES };
 
 export function App() {
+  useDemonstration();
   const language = useLanguage();
   const units = useUnits();
   const chosen = usePage();
   const replays = useLive((s) => s.replay !== null);
   // nothing is to be done at a replay: its first page is the cloud
   const page = replays && chosen === "home" ? "scan" : chosen;
-  const Page = PAGE[page];
+  const Page = PAGES[page];
   const session = useLive((s) => s.session);
   const title = `${t(TITLES[page])} · Crenel`;
   useEffect(() => {
@@ -57,15 +34,27 @@ export function App() {
   }, [title]);
   if (session && !session.you) return <EntrancePage session={session} />;
   // a kiosk screen has no controls: the page fills it
-  if (session?.you?.kiosk) return <SupervisePage key={`${language} ${units}`} />;
+  if (session?.you?.kiosk) {
+    return (
+      <Suspense>
+        <LATER_PAGES.supervise key={`${language} ${units}`} />
+      </Suspense>
+    );
+  }
   return (
     <div className={styles.frame}>
       <TopBar page={page} />
       <Rail page={page} />
       {/* a page loads again in another language or unit, for it has loaded texts */}
-      <Page key={`${language} ${units}`} />
+      <Suspense key={page} fallback={<Waiting title={t(TITLES[page])} />}>
+        <Page key={`${language} ${units}`} />
+      </Suspense>
       <StatusLine />
       <ArmQuestion />
     </div>
   );
+}
+
+function Waiting({ title }: { title: string }) {
+  return <Layout picture={null} card={<CardHead title={title} text={t("ui-waiting-for-the-station")} />} />;
 }

@@ -20,9 +20,11 @@ import { createRoot } from "react-dom/client";
 import { App } from "./App";
 import { startLive } from "./api/live";
 import { startSession } from "./api/session";
+import { preloadPages } from "./pages/laterPages";
 import { startLanguage } from "./state/language";
 import { startNotifications } from "./state/notifications";
 import { unlockSound } from "./state/sounds";
+import { startWakeLock } from "./state/wakeLock";
 import { theme } from "./theme";
 
 const root = document.getElementById("root");
@@ -35,6 +37,7 @@ void startSession();
 // a link put into the address of a page that is open
 window.addEventListener("hashchange", () => void startSession());
 unlockSound();
+startWakeLock();
 startNotifications();
 await language;
 createRoot(root).render(
@@ -44,3 +47,5 @@ createRoot(root).render(
     </MantineProvider>
   </StrictMode>,
 );
+// the first page has the line for itself
+setTimeout(preloadPages, 3000);

@@ -4,10 +4,12 @@ import time
 from collections.abc import Iterator
 from typing import Any
 
+import httpx
 import pytest
 
 from hardware.interfaces import Button
 from tests.api.conftest import Server, code_of, until, wait_for
+from tests.entering import enter
 from tests.sent_texts import english
 
 pytestmark = pytest.mark.device
@@ -93,6 +95,28 @@ def test_an_open_session_has_the_arm_after_a_restart_too(station: Server) -> Non
     found = activity(station)
     assert (found["kind"], found["who"]) == ("verification", "")
     assert found["since"][:16] == began["since"][:16]
+
+
+def test_who_scans_is_told_who_stopped_it(station: Server) -> None:
+    """Home says that a scan runs; another browser's Stop is named, and so is what was saved."""
+    context = station.context
+    station.http.post("/api/scan/start", json={"name": "Stopped"}).raise_for_status()
+    wait_for(lambda: station.http.get("/api/home").json()["next"]["page"], "scan".__eq__)
+    with httpx.Client(base_url=station.address) as other:
+        enter(other, context.authenticator.code)
+        other.post("/api/stop").raise_for_status()
+    note = wait_for(lambda: station.http.get("/api/activity").json()["note"], bool)
+    assert "Demo pressed Stop" in english(note["text"])
+    assert "saved under Records" in english(note["remedy"])
+    kept = wait_for(context.store.scans.newest, bool)
+    assert kept is not None
+    assert (kept.name, "pressed Stop" in str(kept.interrupted)) == ("Stopped", True)
+    findings = station.http.get("/api/scan").json()["findings"]
+    assert any("pressed Stop" in english(one["text"]) for one in findings)
+    wait_for(lambda: station.http.get("/api/home").json()["next"]["page"], "scan".__ne__)
+    station.http.post("/api/scan/start", json={}).raise_for_status()
+    station.http.post("/api/stop").raise_for_status()
+    assert station.http.get("/api/activity").json()["note"] is None
 
 
 def test_scan_and_laser_stop_unwatched(station: Server, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -1,14 +1,20 @@
-"""The datasheets that a demonstration puts into its data folder."""
+"""A demonstration: the datasheets in its data folder, and the button that does everything."""
 
 from pathlib import Path
+
+import httpx
+import pytest
 
 from app.formats.datasheets.arm import read_arm
 from app.formats.datasheets.sensor import read_sensor
 from app.formats.datasheets.target import read_object
 from app.metrology.targets.chessboard import Chessboard
 from app.metrology.targets.crenellated_block import Crenellated
+from app.operations import demonstration
 from app.server.demo import write_datasheets
 from hardware.simulator.station import SimulatedStation, SimulationConfig
+from tests.api.conftest import Server, code_of, until, wait_for
+from tests.entering import enter
 from tests.refusals import refused_as
 
 CONFIG = SimulationConfig(width_px=640, height_px=512)
@@ -35,3 +41,41 @@ def test_a_folder_that_cannot_be_written_is_refused_with_a_remedy(tmp_path: Path
     (tmp_path / "file").touch()
     with refused_as("data-folder-unwritable", "--data"):
         write_datasheets(SimulatedStation(CONFIG), tmp_path / "file" / "data")
+
+
+@pytest.mark.device
+def test_one_request_goes_up_to_a_cloud(server: Server, monkeypatch: pytest.MonkeyPatch) -> None:
+    """A bystander stops it where it would accept; it begins again there, and a person accepts."""
+    monkeypatch.setattr(demonstration, "SCAN_S", 1)
+    monkeypatch.setattr(demonstration, "ACCEPT_S", 100)
+    running = server.context.demonstration
+    _begin_up_to_the_decision(server)
+    with httpx.Client(base_url=server.address) as bystander:
+        enter(bystander, server.context.authenticator.code)
+        assert code_of(bystander.post("/api/demonstration"))[0] == 422
+        bystander.post("/api/demonstration/stop").raise_for_status()
+    until(lambda: not running.state.running)
+    assert (server.view()["step"], server.view()["running"]) == ("review", True)
+
+    _begin_up_to_the_decision(server)
+    server.do("accept")
+    wait_for(lambda: running.state.page, "scan".__eq__)
+    until(lambda: not running.state.running)
+    scan = server.http.get("/api/scan").json()
+    assert (scan["state"], scan["points"] > 1000) == ("idle", True)
+    newest = server.context.store.scans.newest()
+    assert newest is not None
+    assert newest.points == scan["points"]
+    assert server.http.get("/api/activity").json()["activity"] is None
+
+
+def _begin_up_to_the_decision(server: Server) -> None:
+    """A busy machine loses a device for a moment: then it is begun again."""
+    running = server.context.demonstration
+    for _ in range(5):
+        server.http.post("/api/demonstration").raise_for_status()
+        until(lambda: not running.state.running or running.state.decides_in_s is not None)
+        if running.state.running:
+            assert running.state.page == "calibrate"
+            return
+    raise AssertionError("it never came to the decision")

@@ -1,6 +1,7 @@
 """Who is let in, what pages may load, and how errors are answered."""
 
 import contextlib
+import gzip
 import http.client
 import threading
 from collections.abc import Iterator
@@ -267,13 +268,29 @@ def test_a_client_that_was_not_built_is_said_so(
     assert server.http.get("/api/home").status_code == 200
 
 
+CODINGS_SENT = {
+    "gzip, deflate, br, zstd": "br",
+    "gzip, deflate": "gzip",
+    "br;q=0, gzip;q=0.5": "gzip",
+    "br;q=0.000, gzip ; q=0": None,
+    "brotli": None,
+    "": None,
+    "*": None,
+}
+"""What a browser or a proxy accepts, and what it gets."""
+
+
 def test_the_built_client_is_served_with_every_address(
     server: Server, monkeypatch: pytest.MonkeyPatch, tmp_path_factory: pytest.TempPathFactory
 ) -> None:
     built = tmp_path_factory.mktemp("static")
     (built / "assets").mkdir()
     (built / "index.html").write_text("<title>Crenel</title>")
-    (built / "assets" / "app-3f2a.js").write_text("export {}")
+    script_text = "export {}" * 100
+    (built / "assets" / "app-3f2a.js").write_text(script_text)
+    (built / "assets" / "app-3f2a.js.gz").write_bytes(gzip.compress(script_text.encode()))
+    (built / "assets" / "app-3f2a.js.br").write_bytes(b"brotli")
+    (built / "assets" / "font-9c.woff2").write_bytes(b"font")
     (built.parent / "outside.txt").write_text("secret")
     monkeypatch.setattr(static_files, "STATIC", built)
     http: httpx.Client = server.http
@@ -283,7 +300,18 @@ def test_the_built_client_is_served_with_every_address(
         assert page.headers["cache-control"] == "no-cache"
     script = http.get("/assets/app-3f2a.js")
     assert "immutable" in script.headers["cache-control"]
-    assert "javascript" in script.headers["content-type"]
+    for accepts, coding in CODINGS_SENT.items():
+        headers = {"accept-encoding": accepts}
+        with http.stream("GET", "/assets/app-3f2a.js", headers=headers) as answer:
+            content = b"".join(answer.iter_raw())
+        assert answer.headers.get("content-encoding") == coding
+        assert answer.headers["vary"] == "Accept-Encoding"
+        assert "immutable" in answer.headers["cache-control"]
+        assert "javascript" in answer.headers["content-type"]
+        if coding == "gzip":
+            content = gzip.decompress(content)
+        assert content == (b"brotli" if coding == "br" else script_text.encode())
+    assert "vary" not in http.get("/assets/font-9c.woff2").headers
     for path in ("/assets/gone.js", "/gone.svg", "/..%2foutside.txt", "/%2e%2e/outside.txt"):
         assert http.get(path).status_code == 404
     assert http.head("/").status_code == 200

@@ -49,7 +49,7 @@ def test_where_all_is_in_order_the_next_step_is_to_scan() -> None:
     assert "−0.8 °C" in str(lines(replace(ALL, warmer_c=-0.8))["calibration"].text)
 
 
-@pytest.mark.parametrize("page", ["calibrate", "verify", "performance", "arm"])
+@pytest.mark.parametrize("page", ["calibrate", "verify", "performance", "arm", "scan"])
 def test_what_is_in_progress_comes_before_all_else(page: Page) -> None:
     led = after(ALL, under_way=page)
     assert led.page == page
@@ -85,6 +85,19 @@ def test_what_is_amiss_is_named_and_led_to(change: dict[str, Any], page: str, sa
     assert found.page == page
     assert said in str(found.text)
     assert found.label
+
+
+@pytest.mark.parametrize("check", ["verification", "performance", "tip", "arm"])
+@pytest.mark.parametrize(
+    ("result", "quality", "said"),
+    [("valid", "good", ""), ("failed", "bad", "failed"), ("unsure", "attention", "undecided")],
+)
+def test_every_check_has_one_word_for_a_result(
+    check: str, result: State, quality: str, said: str
+) -> None:
+    line = lines(replace(ALL, **{check: done(0.1, result)}))[check]
+    assert (line.state, line.quality) == (result, quality)
+    assert said in str(line.text)
 
 
 def test_a_check_that_is_due_is_said_but_holds_up_nothing() -> None:

@@ -1,4 +1,4 @@
-"""The simulated operator sweeps the sensor over the parts on the table, while a scan runs."""
+"""The simulated operator scans: it sweeps the sensor over the parts on the table."""
 
 from collections.abc import Callable
 
@@ -7,6 +7,7 @@ from app.guide.common.simulated_operator import SimulatedOperator
 from app.messages.message import message, word
 from app.station.bus import Bus
 from app.station.jobs import Job, Jobs, Progress
+from app.station.scan.scanner import Scanner
 
 
 class SimulatedScan:
@@ -14,6 +15,7 @@ class SimulatedScan:
 
     Args:
         operator: returns the simulated operator; None on real devices.
+        scanner: what it scans with.
         changed: called at begin and end.
     """
 
@@ -22,9 +24,11 @@ class SimulatedScan:
         operator: Callable[[], SimulatedOperator | None],
         jobs: Jobs,
         bus: Bus,
+        scanner: Scanner,
         changed: Callable[[], None],
     ) -> None:
         self._operator, self._jobs, self._bus, self._changed = operator, jobs, bus, changed
+        self._scanner = scanner
         self._running = False
 
     @property
@@ -32,30 +36,46 @@ class SimulatedScan:
         return self._running
 
     def start(self) -> None:
-        """Begins; nothing happens when it is at work already.
+        """Begins, with a scan of its own while none runs, which it ends after its last part.
+
+        Nothing happens when it is at work already.
 
         Raises:
-            OperationError: ``no-simulation`` on real devices, ``busy`` while another job runs.
+            OperationError: ``no-simulation`` on real devices, ``busy`` while another job runs, or
+                why no scan can start.
         """
         if self._running:
             return
         operator = self._operator()
         if operator is None:
-            raise _no_simulation_error()
+            raise no_simulation_error()
+
+        scans = self._scanner.recording() is None
 
         def work(progress: Progress) -> None:
-            for done, part in enumerate(operator.parts):
-                progress(message("simulation-scans", part=word(part)), done / len(operator.parts))
-                if not self._running or not operator.scan_part(part):
-                    return
+            try:
+                self._sweep(operator, progress)
+            finally:
+                if scans:
+                    self._scanner.stop()
 
         self._running = True
         try:
+            if scans:
+                self._scanner.start("")
             self._jobs.start(message("simulation-work"), work, self._finish)
         except OperationError:
             self._running = False
+            if scans:
+                self._scanner.stop()
             raise
         self._changed()
+
+    def _sweep(self, operator: SimulatedOperator, progress: Progress) -> None:
+        for done, part in enumerate(operator.parts):
+            progress(message("simulation-scans", part=word(part)), done / len(operator.parts))
+            if not self._running or not operator.scan_part(part):
+                return
 
     def pass_over_plate(self) -> bool:
         """Goes over the plate, nearer and away again, within a job of the caller's.
@@ -65,7 +85,7 @@ class SimulatedScan:
         """
         operator = self._operator()
         if operator is None:
-            raise _no_simulation_error()
+            raise no_simulation_error()
         if self._running:
             raise OperationError(
                 "busy", message("simulation-scanning"), remedy=message("stop-first")
@@ -92,7 +112,8 @@ class SimulatedScan:
         self._changed()
 
 
-def _no_simulation_error() -> OperationError:
+def no_simulation_error() -> OperationError:
+    """Why the simulated operator can do nothing on real devices."""
     return OperationError(
         "no-simulation",
         message("there-no-simulation-real-devices-2"),

@@ -222,6 +222,9 @@ def _check_age(
     if result.result == "failed":
         text = message("check-ago-failed", ago=duration(age), text=result.text)
         return line("failed", text, result.at)
+    if result.result == "unsure":
+        text = message("verification-undecided-ago", ago=duration(age), text=result.text)
+        return line("unsure", text, result.at)
     if age > limit_days:
         text = message("checked-ago-after-check-due", ago=duration(age), limit=duration(limit_days))
         return line("due", text, result.at)
@@ -243,8 +246,9 @@ CONTINUE: dict[Page, tuple[Text, Text]] = {
     "verify": (message("go-verifying"), message("verification-under-way-go-where-stands")),
     "performance": (message("go-testing"), message("performance-test-under-way-go-where-stands")),
     "arm": (message("go-checking-arm"), message("arm-session-under-way-go-where-stands")),
+    "scan": (message("go-scanning"), message("scan-under-way-go-where-stands")),
 }
-"""What leads back to a guided session, by its page: the button and the sentence."""
+"""What leads back to what is under way, by its page: the button and the sentence."""
 
 
 def choose_next_action(
@@ -253,7 +257,7 @@ def choose_next_action(
     """One sentence and one button.
 
     Args:
-        under_way: the page of a guided session that is in progress; None for none.
+        under_way: the page of a guided session or scan that is in progress; None for none.
         blocked: why the calibration does not fit the devices; empty where it does.
     """
     if under_way is not None:

@@ -249,7 +249,8 @@ def _add_pages(app: FastAPI) -> None:
 
     @app.get("/{path:path}")
     async def page(path: str, request: Request) -> Response:
-        found = await asyncio.to_thread(file_response, path)
+        accepts = request.headers.get("accept-encoding", "")
+        found = await asyncio.to_thread(file_response, path, accepts)
         if found is None and (path.startswith("api/") or "." in path):
             raise NotFoundError(message("there-nothing", path=f"/{path}"))
         return found or page_response(PAGE, page_base(request.scope))

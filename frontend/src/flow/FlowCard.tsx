@@ -2,6 +2,7 @@ import type { Devices, FlowView } from "../api/wire";
 import { mentions, type Text } from "../messages/text";
 import { newFindings } from "../parts/findings";
 import { PressButton } from "../parts/PressButton";
+import { t } from "../state/language";
 import { asSent } from "../state/localized";
 import { go } from "../state/router";
 import { useLive } from "../state/store";
@@ -18,6 +19,7 @@ export function FlowCard({ view }: { view: FlowView }) {
   const devices = useLive((s) => s.devices);
   /* A calibration that is over leads on to what comes next. */
   const next = useLive((s) => (!view.running && s.home?.next.page !== "calibrate" ? s.home?.next : undefined));
+  const canScan = useLive((s) => s.scan?.state === "idle");
   const note = view.number ? [asSent(view.number).note] : [];
   const findings = newFindings(view.findings, view.actions, note).filter(
     (finding) => !lostReasons(devices).some((reason) => mentions(asSent(finding).text, reason)),
@@ -32,9 +34,16 @@ export function FlowCard({ view }: { view: FlowView }) {
       whole={view.picture.kind === "still"}
       next={
         next && (
-          <PressButton free kind="primary" onPress={() => go(next.page)}>
-            {next.label}
-          </PressButton>
+          <>
+            <PressButton free kind="primary" onPress={() => go(next.page)}>
+              {next.label}
+            </PressButton>
+            {canScan && next.page !== "scan" && (
+              <PressButton free onPress={() => go("scan")}>
+                {t("ui-scan-with-it")}
+              </PressButton>
+            )}
+          </>
         )
       }
     />

@@ -2,12 +2,15 @@ import { answerForControl } from "../api/session";
 import type { Finding } from "../api/wire";
 import { age } from "../parts/format";
 import { CloseIcon } from "../parts/icons";
+import { measured } from "../parts/lengths";
 import { PressButton } from "../parts/PressButton";
 import { QualityMark } from "../parts/QualityMark";
 import { dismiss } from "../state/banner";
+import { useBarred, useOnlyViews } from "../state/control";
+import { stopDemonstration } from "../state/demonstration";
 import { useSilence } from "../state/freshness";
 import { t } from "../state/language";
-import { usePage } from "../state/router";
+import { go, type Page, usePage } from "../state/router";
 import { type BannerMessage, useLive } from "../state/store";
 import styles from "./Banners.module.css";
 import { ProxyBanner, useMissing } from "./ProxyBanner";
@@ -26,9 +29,32 @@ export function Banners() {
       {missing && <ProxyBanner missing={missing} />}
       {!missing && connection !== "live" && <LostBanner first={connection === "connecting"} />}
       {connection === "live" && <LostDevices />}
+      {connection === "live" && <DemonstrationBanner />}
       {connection === "live" && <ControlRequest />}
       {connection === "live" && <ArmNote />}
+      {connection === "live" && WITHOUT_MAIN_ACT.has(page) && <BarredNote />}
       {banner && !onCard && <MessageBanner key={banner.id} banner={banner} />}
+    </div>
+  );
+}
+
+/** Pages on which no large button says why nothing can be pressed. */
+const WITHOUT_MAIN_ACT: ReadonlySet<Page> = new Set(["records", "settings", "datasheets", "devices"]);
+
+/** Why the buttons of the page are disabled: by another browser's control, or by the role. */
+function BarredNote() {
+  const barred = useBarred();
+  const theirs = useLive((s) => s.control?.holder != null && s.control.holder.id !== s.session?.you?.id);
+  const views = useOnlyViews() !== "";
+  if (!barred) return null;
+  return (
+    <div className={styles.banner} data-quality="neutral" role="status">
+      <QualityMark quality="neutral" />
+      <div className={styles.words}>
+        <strong>{barred}</strong>
+        <span>{t("ui-buttons-that-change-something-are-disabled")}</span>
+        {theirs && !views && <span className={styles.remedy}>{t("ui-request-it-under-control")}</span>}
+      </div>
     </div>
   );
 }
@@ -51,6 +77,35 @@ function LostBanner({ first }: { first: boolean }) {
         </strong>
         {!first && <span>{t("ui-numbers-out-date-station-stores-everything")}</span>}
       </div>
+    </div>
+  );
+}
+
+/** What the demonstration does now, and how long until it decides; anyone can stop it. */
+function DemonstrationBanner() {
+  const demonstration = useLive((s) => s.demonstration);
+  const page = usePage();
+  if (!demonstration?.running) return null;
+  const { text, decides_in_s, page: shown } = demonstration;
+  return (
+    <div className={styles.banner} data-quality="neutral">
+      {decides_in_s !== null && (
+        <span className={styles.count} role="timer">
+          {measured(decides_in_s, "s")}
+        </span>
+      )}
+      <div className={styles.words} role="status">
+        <strong>{t("ui-demonstration")}</strong>
+        <span>{text}</span>
+      </div>
+      {page !== shown && (
+        <PressButton free kind="quiet" onPress={() => go(shown)}>
+          {t("ui-show-it")}
+        </PressButton>
+      )}
+      <PressButton free onPress={stopDemonstration}>
+        {t("ui-stop-the-demonstration")}
+      </PressButton>
     </div>
   );
 }

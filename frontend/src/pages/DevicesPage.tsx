@@ -12,9 +12,17 @@ import { useDevices, useTrial } from "../devices/useDevices";
 import { Layout } from "../frame/Layout";
 import { CardHead } from "../parts/CardHead";
 import { t } from "../state/language";
+import { useLive } from "../state/store";
 
 /** Finds cameras and arms, tries them, and takes them into use. */
 export function DevicesPage() {
+  const role = useLive((s) => s.session?.you?.role);
+  if (role === "admin") return <Devices />;
+  const text = role ? t("ui-only-an-administrator-can-connect-devices") : t("ui-waiting-for-the-station");
+  return <Layout picture={null} card={<CardHead title={t("ui-devices")} text={text} />} />;
+}
+
+function Devices() {
   const [view, putView] = useDevices();
   const [choice, setChoice] = useState<Choice | null>(null);
   const [title, setTitle] = useState("");

@@ -9,6 +9,7 @@ import { Findings } from "../parts/Findings";
 import { lengthFigures, unitOf } from "../parts/lengths";
 import { PressButton } from "../parts/PressButton";
 import { QualityMark } from "../parts/QualityMark";
+import { startDemonstration } from "../state/demonstration";
 import { t } from "../state/language";
 import { go } from "../state/router";
 import { useLive } from "../state/store";
@@ -64,6 +65,7 @@ function isMissing(device?: DeviceState): boolean {
 function Next({ home }: { home: Home }) {
   const { next } = home;
   const admin = useLive((s) => s.session?.you?.role === "admin");
+  const running = useLive((s) => s.demonstration?.running ?? false);
   const missing = useLive((s) => isMissing(s.devices?.arm) || isMissing(s.devices?.sensor));
   return (
     <>
@@ -76,6 +78,9 @@ function Next({ home }: { home: Home }) {
           {next.label}
         </PressButton>
       </MainAct>
+      {home.station.has_simulation && !running && (
+        <PressButton onPress={startDemonstration}>{t("ui-let-the-simulated-operator-do-everything")}</PressButton>
+      )}
       {admin && next.page !== "devices" && (home.station.simulated || missing) && (
         <PressButton free onPress={() => go("devices")}>
           {home.station.simulated ? t("ui-connect-your-own-devices") : t("ui-devices")}

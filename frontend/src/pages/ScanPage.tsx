@@ -34,13 +34,15 @@ export function ScanPage() {
         card={<CardHead title={t("ui-scan")} text={t("ui-waiting-for-the-station")} />}
       />
     );
-  const { title, text } = WORDS[scan.state];
+  const ended = scan.state === "idle" && scan.scan_id !== null;
+  const { title, text } = ended ? endedWords(scan) : WORDS[scan.state];
   return (
     <Layout
       picture={<ScanPicture />}
       card={
         <>
           <CardHead title={t(title)} text={t(text)} help="scan" />
+          {ended && <Findings findings={scan.findings} />}
           <SensorSegments />
           <BigNumber
             number={{
@@ -57,13 +59,19 @@ export function ScanPage() {
             {scan.state === "idle" && scan.scan_id && scan.points > 0 && (
               <Download href={`/api/scans/${scan.scan_id}/cloud.ply`}>{t("ui-save-as-ply")}</Download>
             )}
-            <Findings findings={scan.findings} />
+            {!ended && <Findings findings={scan.findings} />}
             {scan.state === "blocked" && <NextStep />}
           </Actions>
         </>
       }
     />
   );
+}
+
+/** What became of the last scan, with its findings right below. */
+function endedWords({ points, incomplete }: ScanStatus): { title: PlainId; text: PlainId } {
+  if (points === 0) return { title: "ui-the-scan-has-no-points", text: "ui-scan-part-again" };
+  return { title: incomplete ? "ui-the-scan-is-incomplete" : "ui-the-scan-is-saved", text: "ui-it-is-under-records" };
 }
 
 function displayedShare(scan: ScanStatus): string {
@@ -88,7 +96,11 @@ function actionsOf(scan: ScanStatus, hasOperator: boolean): Action[] {
   if (!hasOperator || scan.state === "blocked") return [main];
   const operator = scan.simulation_running
     ? action("operator_off", t("ui-stop-the-simulated-operator"), false)
-    : action("operator_on", t("ui-let-the-simulated-operator-do-it"), false);
+    : action(
+        "operator_on",
+        running ? t("ui-let-the-simulated-operator-do-it") : t("ui-let-the-simulated-operator-scan"),
+        false,
+      );
   return [main, operator];
 }
 

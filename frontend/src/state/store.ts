@@ -6,6 +6,7 @@ import type {
   ArmUse,
   ArmView,
   Control,
+  DemonstrationState,
   Devices,
   FlowView,
   Home,
@@ -60,6 +61,8 @@ export interface LiveState {
   control: Control | null;
   /** What has the arm. */
   activity: ArmUse | null;
+  /** Where the simulated operator is, who does everything once. */
+  demonstration: DemonstrationState | null;
   /** Whether an activity that has the arm is to be ended for another one. */
   armQuestion: { activity: Activity; answer: (end: boolean) => void } | null;
   station: StationInfo | null;
@@ -99,6 +102,7 @@ let state: LiveState = {
   session: null,
   control: null,
   activity: null,
+  demonstration: null,
   armQuestion: null,
   station: null,
   devices: null,

@@ -129,7 +129,7 @@ function verificationFact({ verification }: StationReport): Fact {
   const since = (Date.now() - new Date(verification.at).getTime()) / 86_400_000;
   const result = {
     good: t("ui-passed-lowercase"),
-    attention: t("ui-uncertain-lowercase"),
+    attention: t("ui-undecided"),
     bad: t("ui-failed-lowercase"),
     neutral: t("ui-done"),
   }[verification.quality];
