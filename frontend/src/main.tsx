@@ -48,4 +48,4 @@ createRoot(root).render(
   </StrictMode>,
 );
 // the first page has the line for itself
-setTimeout(preloadPages, 3000);
+setTimeout(() => void preloadPages(), 3000);

@@ -120,7 +120,7 @@ def test_the_length_test(station: Demo, browser: Browser, screenshots: Path | No
     look_at_both_sizes(visit, "lengths-temperatures")
     page.get_by_role("button", name="Confirm the temperatures").click()
     row = page.locator("tr[data-quantity='length-touch']")
-    expect(row.get_by_text("Uncertain")).to_be_visible()
+    expect(row.get_by_text("Undecided")).to_be_visible()
     page.get_by_role("button", name="Change the temperatures").click()
     # what stands in the fields counts, though it was not set
     page.get_by_label("Temperature of the artefact").fill("20.8")

@@ -49,9 +49,10 @@ export const LATER_PAGES = {
   docs: later(LOADS.docs),
 };
 
-/** Once the first page stands, the others are fetched: they open also while the station is away. */
-export function preloadPages(): void {
-  for (const load of Object.values(LOADS)) void load().catch(() => undefined);
+/** Once the first page stands, the others are fetched: they open also while the station is away.
+ *  One after the other, as a proxy limits how many requests are open at once. */
+export async function preloadPages(): Promise<void> {
+  for (const load of Object.values(LOADS)) await load().catch(() => undefined);
 }
 
 /** The station did not send the page, or it is another version by now. */
