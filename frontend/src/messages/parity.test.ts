@@ -27,6 +27,24 @@ test.runIf(path)("every message of the station reads alike in both", () => {
   }
 });
 
+const ONE_WORD = [
+  // tests and verifications, Home and Supervise, reports
+  ["ui-uncertain", "ui-undecided", "undecided", "word-undecided"],
+  ["ui-failed", "ui-failed-lowercase"],
+  ["ui-passed", "ui-passed-lowercase"],
+];
+
+test.each(["en", "de"])("%s has one word for one result on every page", (language) => {
+  const sources = [`src/messages/${language}.ftl`, `../app/messages/${language}.ftl`].map((file) =>
+    readFileSync(file, "utf8"),
+  );
+  const catalogue = new Catalogue(language, sources, { quantity: displayed, count: String });
+  for (const ids of ONE_WORD) {
+    expect(ids.filter((id) => !catalogue.has(id))).toEqual([]);
+    expect(new Set(ids.map((id) => catalogue.message(id, {}).toLowerCase())).size, ids.join()).toBe(1);
+  }
+});
+
 /** Non-breaking spaces are up to the browser. */
 function plain(text: string): string {
   return text.replaceAll(/[\u00a0\u2009]/g, " ");
