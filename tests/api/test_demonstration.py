@@ -71,9 +71,15 @@ def test_one_request_goes_up_to_a_cloud(server: Server, monkeypatch: pytest.Monk
 def _begin_up_to_the_decision(server: Server) -> None:
     """A busy machine loses a device for a moment: then it is begun again."""
     running = server.context.demonstration
+
+    def is_over() -> bool:
+        return not running.state.running or running.state.decides_in_s is not None
+
     for _ in range(5):
         server.http.post("/api/demonstration").raise_for_status()
-        until(lambda: not running.state.running or running.state.decides_in_s is not None)
+        while not is_over():
+            rev = server.view()["rev"]
+            until(lambda: is_over() or server.view()["rev"] != rev)  # noqa: B023
         if running.state.running:
             assert running.state.page == "calibrate"
             return
