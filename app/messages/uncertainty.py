@@ -1,4 +1,4 @@
-"""How every page, report, file and command rounds an expanded uncertainty."""
+"""How every page, report, file and command rounds an uncertainty."""
 
 from math import floor, log10
 
@@ -6,6 +6,8 @@ from app.messages.message import Quantity, Unit, quantity
 
 DECIMALS: dict[Unit, int] = {"mm": 4}
 USUAL_DECIMALS, MOST_DECIMALS = 1, 6
+POINT_DECIMALS = 1
+"""Of the standard uncertainty of a scanned point, in µm."""
 
 
 def uncertainty_decimals(value: float, usual: int = USUAL_DECIMALS) -> int:
@@ -30,6 +32,11 @@ def uncertainty_quantity(value: float, unit: Unit) -> Quantity:
     value = max(value, 10.0**-MOST_DECIMALS) if value > 0 else value
     usual = DECIMALS.get(unit, USUAL_DECIMALS)
     return quantity(value, unit, uncertainty_decimals(value, usual))
+
+
+def point_quantity(total_um: float) -> Quantity:
+    """The standard uncertainty of a scanned point, rounded as in its report."""
+    return quantity(total_um, "µm", POINT_DECIMALS)
 
 
 def part_quantity(value: float, whole: float, unit: Unit) -> Quantity:

@@ -27,6 +27,7 @@ from app.guide.common.validity import (
 )
 from app.messages.limits import beside_limit
 from app.messages.message import Text, join, message, quantity
+from app.messages.uncertainty import point_quantity
 from app.operations.context import Context
 from app.store.calibrations import CalibrationRecord
 from app.store.session_records import PerformanceRecord
@@ -107,7 +108,7 @@ def _sensor_findings(context: Context) -> list[Finding]:
             text = message("sensor-without-calibration", name=name)
             found.append(Finding("attention", text, message("calibrate-this-sensor")))
             continue
-        total = quantity(record.figures.total_um, "µm")
+        total = point_quantity(record.figures.total_um)
         text = message("sensor-calibrated", name=name, calibration=record.name, total=total)
         found.append(Finding("good", text))
     return found
@@ -150,7 +151,7 @@ def _calibration(
     figures = record.figures if record is not None else None
     if figures is None:
         return None
-    total = message("total-k-1", total=quantity(figures.total_um, "µm"))
+    total = message("total-k-1", total=point_quantity(figures.total_um))
     return CheckResult(at, "valid", total)
 
 

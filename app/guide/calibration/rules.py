@@ -22,6 +22,7 @@ from app.guide.common.arguments import (
 )
 from app.guide.common.rules import Command, CommandRules, no_simulation_reason
 from app.messages.message import Text, join, message, quantity, word
+from app.messages.uncertainty import point_quantity
 from app.metrology.arm.kinematics import AnyArm, Arm, RobotArm
 
 
@@ -250,7 +251,7 @@ def _accept(state: CalibrationState, live: CalibrationLive, args: Args) -> Text:
     if result.usable_um is not None and result.total_um > result.usable_um:
         return message(
             "usable-most",
-            total=quantity(result.total_um, "µm"),
+            total=point_quantity(result.total_um),
             usable=quantity(result.usable_um, "µm"),
         )
     return message("should-used-findings-say-why")

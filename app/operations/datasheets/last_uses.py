@@ -8,7 +8,8 @@ from app.errors import OperationError
 from app.findings import Quality
 from app.formats.json_document import file_sha256
 from app.formats.session.calibration_session import ARM, OBJECT
-from app.messages.message import Text, message, quantity
+from app.messages.message import Text, message
+from app.messages.uncertainty import point_quantity
 from app.operations.datasheets.documents import DatasheetIdentity, DatasheetKind
 from app.operations.datasheets.view import LastUse
 from app.store.calibrations import CalibrationRecord
@@ -92,7 +93,7 @@ def _uses(
 ) -> Iterator[tuple[LastUse, Iterable[Thing]]]:
     known = {record.id: record for record in calibrations}
     for record in known.values():
-        total = quantity(record.figures.total_um, "µm")
+        total = point_quantity(record.figures.total_um)
         text = message("calibration-with-total", name=record.name, total=total)
         yield LastUse(record.accepted_at, record.figures.verdict, text), _things(record)
     sessions: list[tuple[str, str, str, VerificationFigures | PerformanceSummaryFigures]] = [

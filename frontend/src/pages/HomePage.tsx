@@ -9,6 +9,7 @@ import { Findings } from "../parts/Findings";
 import { lengthFigures, unitOf } from "../parts/lengths";
 import { PressButton } from "../parts/PressButton";
 import { QualityMark } from "../parts/QualityMark";
+import { POINT_DECIMALS } from "../parts/uncertainty";
 import { startDemonstration } from "../state/demonstration";
 import { t } from "../state/language";
 import { go } from "../state/router";
@@ -49,7 +50,7 @@ function Active({ calibration }: { calibration: CalibrationSummary }) {
         <QualityMark quality={calibration.verdict} /> {t("ui-in-use-name", { name: calibration.name })}
       </p>
       <p className={styles.value}>
-        {lengthFigures(calibration.total_um, "µm")} <span>{unitOf("µm")}</span>
+        {lengthFigures(calibration.total_um, "µm", POINT_DECIMALS)} <span>{unitOf("µm")}</span>
       </p>
       <p className={styles.note}>
         {t("ui-standard-uncertainty-of-a-scanned-point-lowercase")} · {devices.join(" · ")}

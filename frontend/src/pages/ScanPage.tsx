@@ -54,12 +54,12 @@ export function ScanPage() {
               note: displayedShare(scan),
             }}
           />
-          <ScanFigures scan={scan} />
+          {!ended && <ScanFigures scan={scan} />}
           <Actions actions={actionsOf(scan, hasOperator)} onAct={act}>
             {scan.state === "idle" && scan.scan_id && scan.points > 0 && (
               <Download href={`/api/scans/${scan.scan_id}/cloud.ply`}>{t("ui-save-as-ply")}</Download>
             )}
-            {!ended && <Findings findings={scan.findings} />}
+            {ended ? <ScanFigures scan={scan} /> : <Findings findings={scan.findings} />}
             {scan.state === "blocked" && <NextStep />}
           </Actions>
         </>

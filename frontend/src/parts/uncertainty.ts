@@ -1,10 +1,12 @@
 import { type Quantity, quantity } from "../messages/text";
 
-/** How every page rounds an expanded uncertainty. The Python counterpart is app/messages/uncertainty.py. */
+/** How every page rounds an uncertainty. The Python counterpart is app/messages/uncertainty.py. */
 
 const DECIMALS: Record<string, number> = { mm: 4 };
 const USUAL_DECIMALS = 1;
 const MOST_DECIMALS = 6;
+/** Of the standard uncertainty of a scanned point, in µm. */
+export const POINT_DECIMALS = 1;
 
 /** So many decimals as usual, or two significant digits of a smaller one. */
 export function uncertaintyDecimals(value: number, unit: string): number {

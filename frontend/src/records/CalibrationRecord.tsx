@@ -9,6 +9,7 @@ import { moment } from "../parts/format";
 import { measured } from "../parts/lengths";
 import { PressButton } from "../parts/PressButton";
 import { Reports } from "../parts/Reports";
+import { POINT_DECIMALS } from "../parts/uncertainty";
 import { ResultPicture } from "../result/ResultPicture";
 import { isolated } from "../state/isolated";
 import { t } from "../state/language";
@@ -43,7 +44,7 @@ export function CalibrationRecord({ id }: { id: string }) {
               label: t("ui-uncertainty-scanned-point-k-1"),
               value: summary.total_um,
               unit: "µm",
-              decimals: 0,
+              decimals: POINT_DECIMALS,
               quality: summary.verdict,
               note: picture.result.verdict_text,
             }}

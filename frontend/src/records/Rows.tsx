@@ -7,6 +7,7 @@ import { measured } from "../parts/lengths";
 import { PressButton } from "../parts/PressButton";
 import { QualityMark } from "../parts/QualityMark";
 import { Reports } from "../parts/Reports";
+import { POINT_DECIMALS } from "../parts/uncertainty";
 import { isolated } from "../state/isolated";
 import { t } from "../state/language";
 import { go } from "../state/router";
@@ -32,7 +33,7 @@ export function CalibrationRow({ summary }: { summary: CalibrationSummary }) {
         </p>
       </div>
       <p className={styles.value}>
-        {measured(summary.total_um, "µm")} <span>k = 1</span>
+        {measured(summary.total_um, "µm", POINT_DECIMALS)} <span>k = 1</span>
       </p>
       <PressButton free onPress={() => go("records", `calibration/${summary.id}`)}>
         {t("ui-open")}

@@ -1,6 +1,7 @@
 import type { BudgetLine, CalibrationResult } from "../api/wire";
 import { quantity } from "../messages/text";
 import { lengthFigures, unitOf } from "../parts/lengths";
+import { POINT_DECIMALS } from "../parts/uncertainty";
 import { t } from "../state/language";
 import styles from "./Budget.module.css";
 
@@ -44,9 +45,11 @@ function Row({ row, largest, total = false }: { row: BudgetLine; largest: number
   );
 }
 
-/** Whole percentages; a share below one is not shown as zero. */
+/** As in the report; a share that is there is not shown as zero. */
 function micrometres(value: number): string {
-  return value > 0 && value < 0.5 ? `< ${lengthFigures(1, "µm")}` : lengthFigures(value, "µm");
+  const least = 10 ** -POINT_DECIMALS;
+  const figures = lengthFigures(Math.max(value, least), "µm", POINT_DECIMALS);
+  return value > 0 && value < least / 2 ? `< ${figures}` : lengthFigures(value, "µm", POINT_DECIMALS);
 }
 
 function Compared({ result }: { result: CalibrationResult }) {

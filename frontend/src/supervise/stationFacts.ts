@@ -3,6 +3,7 @@ import type { CalibrationReport, DeviceReport, RemoteStation, StationReport } fr
 import type { PlainId } from "../messages/text";
 import { age, days, daysAgo, figures } from "../parts/format";
 import { measured } from "../parts/lengths";
+import { POINT_DECIMALS } from "../parts/uncertainty";
 import { isolated } from "../state/isolated";
 import { t } from "../state/language";
 import { stampsText } from "../state/stamps";
@@ -117,7 +118,7 @@ function calibrationFact(calibration: CalibrationReport | null): Fact {
   const stated = (value: string, note: string, quality: Quality) =>
     fact("calibration", t("ui-calibration"), value, note, quality);
   if (!calibration) return stated(t("ui-none"), t("ui-scanning-is-not-possible"), "attention");
-  const value = measured(calibration.total_um, "µm");
+  const value = measured(calibration.total_um, "µm", POINT_DECIMALS);
   const values = { age: days(calibration.age_days) };
   if (calibration.due) return stated(value, t("ui-due-old", values), "attention");
   const quality = calibration.quality === "neutral" ? "good" : calibration.quality;

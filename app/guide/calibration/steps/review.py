@@ -11,6 +11,7 @@ from app.guide.calibration.steps.poses import pose_pictures
 from app.guide.common.result_view import CalibrationResult
 from app.guide.common.view import Action, LiveNumber, ResultPicture
 from app.messages.message import Text, mentions, message
+from app.messages.uncertainty import POINT_DECIMALS
 
 
 def review_step(state: CalibrationState, live: CalibrationLive) -> StepView:
@@ -32,7 +33,7 @@ def review_step(state: CalibrationState, live: CalibrationLive) -> StepView:
             message("uncertainty-scanned-point-k-1"),
             result.total_um,
             "µm",
-            0,
+            POINT_DECIMALS,
             "neutral" if stale else result.verdict,
             message("before-poses-were-changed-since") if stale else result.verdict_text,
         ),

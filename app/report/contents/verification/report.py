@@ -13,6 +13,7 @@ from app.formats.results.verification import (
     read_verification,
 )
 from app.messages.message import Message, Text, join, message, quantity, rounded
+from app.messages.uncertainty import point_quantity
 from app.report.content import (
     Facts,
     Findings,
@@ -124,7 +125,7 @@ def _facts(document: VerificationFile) -> list[tuple[Text, Text]]:
         (message("sensor-2"), message("serial-number", serial_number=serials.sensor or UNKNOWN)),
         (
             message("calibration"),
-            message("point-known-k-1", name=used.name, total=micrometres(used.total_um)),
+            message("point-known-k-1", name=used.name, total=point_quantity(used.total_um)),
         ),
         (message("placed"), _placement_text(document.placing)),
         (message("software"), software_name(document.software.version)),
