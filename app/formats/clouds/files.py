@@ -1,6 +1,7 @@
 """Clouds: written in chunks and read, in the format given by the file's name."""
 
-from collections.abc import Iterator, Sequence
+import codecs
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 from typing import BinaryIO
@@ -10,11 +11,15 @@ from numpy.typing import NDArray
 
 from app.errors import OperationError
 from app.formats.atomic_write import atomic_file, atomic_path
-from app.formats.clouds.copc import CopcSink
 from app.formats.clouds.e57 import E57Sink, read_e57
-from app.formats.clouds.las import LasSink
-from app.formats.clouds.las_reader import read_las
-from app.formats.clouds.pcd import PcdSink, read_pcd
+from app.formats.clouds.foreign.arrays import is_array, read_arrays
+from app.formats.clouds.foreign.meshes import is_obj, is_off, is_stl, read_obj, read_off, read_stl
+from app.formats.clouds.foreign.other_files import refuse_other_files
+from app.formats.clouds.foreign.ptx import is_ptx, read_ptx
+from app.formats.clouds.las.copc import CopcSink
+from app.formats.clouds.las.layout import LasSink
+from app.formats.clouds.las.reader import read_las
+from app.formats.clouds.pcd import PcdSink, is_pcd, read_pcd
 from app.formats.clouds.ply import PlySink, read_ply
 from app.formats.clouds.points import (
     POINT,
@@ -35,6 +40,8 @@ from app.metrology.transforms import Floats
 SUFFIXES = (".ply", ".pcd", ".e57", ".xyz", ".las", ".laz")
 COPC = ".copc.laz"
 """End of the name of a LAZ that has an octree."""
+HEAD_BYTES = 1 << 16
+"""By which the format of a file is found."""
 CHUNK_POINTS = 1 << 16
 """Minimum number of points passed to a format at a time."""
 FARTHEST_MM = 1e7
@@ -142,7 +149,7 @@ def check_suffix(path: Path) -> str:
 def read_cloud(
     path: Path, columns: Sequence[str] | None = None, mm_per_unit: float | None = None
 ) -> Cloud:
-    """Reads a cloud, whatever its name: PLY, PCD, E57, LAS, LAZ or XYZ text.
+    """Reads a cloud, whatever its name: every format that is written, and those in ``foreign``.
 
     Points that are none, such as deleted or repeated ones, are left out and counted.
 
@@ -183,15 +190,35 @@ def read_cloud(
 
 def _read_points(path: Path, file: BinaryIO, columns: Sequence[str] | None) -> Cloud:
     """All points of a file, in the format by its first bytes."""
-    head = file.read(16)
-    if head[:4].rstrip() == b"ply":
+    size = file.seek(0, 2)
+    file.seek(0)
+    head = file.read(HEAD_BYTES)
+    if head.removeprefix(codecs.BOM_UTF8)[:4].rstrip() == b"ply":
         return read_ply(path, file, columns)
-    if head.startswith((b"ASTM-E57", b"LASF")):
-        if columns is not None:
-            raise OperationError(
-                "cloud-columns-fixed", display_path(path), message("cloud-columns-are-fixed")
-            )
-        return read_e57(path) if head.startswith(b"ASTM") else read_las(path, file)
-    if head.startswith((b"# .PCD", b"VERSION ")):
-        return read_pcd(path, file, columns)
-    return read_xyz(path, file, columns)
+    if is_array(head):
+        return read_arrays(path, file, columns)
+    if (read := _reader_of_fixed_columns(path, head, size)) is None:
+        refuse_other_files(path, head)
+        return (read_pcd if is_pcd(head) else read_xyz)(path, file, columns)
+    if columns is not None:
+        raise OperationError(
+            "cloud-columns-fixed", display_path(path), message("cloud-columns-are-fixed")
+        )
+    return read(path, file)
+
+
+def _reader_of_fixed_columns(
+    path: Path, head: bytes, size: int
+) -> Callable[[Path, BinaryIO], Cloud] | None:
+    """Of a format that fixes where x, y and z are; None: the file is of none of them."""
+    if head.startswith(b"ASTM-E57"):
+        return lambda path, file: read_e57(path)
+    if head.startswith(b"LASF"):
+        return read_las
+    if is_stl(head, size):
+        return read_stl
+    if is_off(head):
+        return read_off
+    if is_ptx(head):
+        return read_ptx
+    return read_obj if is_obj(path, head) else None

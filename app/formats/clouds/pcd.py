@@ -16,10 +16,12 @@ from app.formats.clouds.points import Cloud, Points
 from app.formats.clouds.rows import (
     COUNT_WIDTH,
     as_doubles,
+    distinct_names,
     format_error,
     out_of_range_error,
     read_binary_rows,
     read_text_rows,
+    text_lines,
     truncation_error,
 )
 from app.formats.file_names import display_path
@@ -41,6 +43,9 @@ RECORD = np.dtype(
 FARTHEST_MM = 2.0**14
 """A float's step is below 1 µm up to here."""
 LONGEST_HEADER = 100
+FIRST_WORDS = ("VERSION", "FIELDS", "COLUMNS")
+FILLER = "_"
+"""The name of a field that only fills up the row."""
 KINDS = {"F": "f", "I": "i", "U": "u"}
 MOST_EXPANDED = 88
 """Bytes that a byte of compressed data can stand for: three stand for 264."""
@@ -74,6 +79,17 @@ class PcdSink:
         self._file.write(_header(self._points))
 
 
+def is_pcd(head: bytes) -> bool:
+    """Whether a file begins like a PCD: with its mark in a comment, or a line of its header."""
+    for line in head.decode("latin-1").splitlines():
+        words = line.upper().split()
+        if line.startswith("#") and ".PCD" in words:
+            return True
+        if words and not line.startswith("#"):
+            return words[0] in FIRST_WORDS and len(words) > 1
+    return False
+
+
 def read_pcd(path: Path, file: BinaryIO, columns: Sequence[str] | None = None) -> Cloud:
     """Reads a PCD from its start; raises ``OperationError`` if malformed or cut off.
 
@@ -81,22 +97,24 @@ def read_pcd(path: Path, file: BinaryIO, columns: Sequence[str] | None = None) -
         columns: the fields of x, y and z, if the user names them.
     """
     fields = _header_fields(path, file)
-    names = fields.get("FIELDS", [])
+    names = distinct_names(fields.get("FIELDS", fields.get("COLUMNS", [])))
     counts = fields.get("COUNT", ["1"] * len(names))
     try:
+        if not {"TYPE", "SIZE"} & set(fields):  # as before version .6
+            fields |= {"TYPE": ["F"] * len(names), "SIZE": ["4"] * len(names)}
         kinds = [
-            KINDS[kind] + str(int(size))
+            KINDS[kind.upper()] + str(int(size))
             for kind, size in zip(fields["TYPE"], fields["SIZE"], strict=True)
         ]
         layout = np.dtype(
             [
-                (f"{name}#{i}" if name == "_" else name, "<" + kind, (int(count),))
-                for i, (name, kind, count) in enumerate(zip(names, kinds, counts, strict=True))
+                (name, "<" + kind, (int(count),))
+                for name, kind, count in zip(names, kinds, counts, strict=True)
                 if int(count) != 0  # such a field takes no bytes
             ]
         )
         count = _point_count(fields)
-        data = fields["DATA"][0]
+        data = fields["DATA"][0].lower()
     except (KeyError, ValueError, TypeError, IndexError) as error:
         raise format_error(path, message("cloud-header-is-invalid", reason=str(error))) from error
     names = list(layout.names or ())
@@ -138,6 +156,9 @@ def _read_compressed(
     if len(sizes) < 8:
         raise truncation_error(path, 0, count)
     size, wanted = struct.unpack("<II", sizes)
+    kept = [name for name in layout.names or () if name.split("#")[0] != FILLER]
+    if FILLER in (layout.names or ()) and wanted == count * sum(layout[n].itemsize for n in kept):
+        layout = np.dtype([(name, layout[name]) for name in kept])  # as PCL's own reader has it
     if wanted != count * layout.itemsize or wanted > MOST_EXPANDED * size:
         raise format_error(
             path, message("cloud-bytes-do-not-match-points", bytes=wanted, points=count)
@@ -162,7 +183,7 @@ def _read_ascii(
 ) -> dict[str, Floats]:
     names = layout.names or ()
     widths = [layout[name].shape[0] for name in names]
-    table = read_text_rows(path, file, sum(widths), count)
+    table = read_text_rows(path, text_lines(file), sum(widths), count)
     firsts = np.cumsum([0, *widths])
     return {name: table[:, firsts[i]] for i, name in enumerate(names)}
 
@@ -175,7 +196,7 @@ def _header_fields(path: Path, file: BinaryIO) -> dict[str, list[str]]:
         line = file.readline(4096)
         words = line.decode("latin-1").split()
         if words and not words[0].startswith("#"):
-            fields[words[0]] = words[1:]
+            fields[words[0].upper()] = words[1:]
         if not line or "DATA" in fields:
             break
     if not fields.get("DATA"):

@@ -24,7 +24,7 @@ def read_cloud_pieces(path: Path) -> Iterator[tuple[Points, float]]:
     """
     with convert_io_errors(path), open_file(path) as file:
         vertices = find_vertices(path, file)
-        if vertices.ascii or vertices.layout != POINT or vertices.bytes_before:
+        if not vertices.is_plain(POINT):
             raise OperationError(
                 "cloud-foreign",
                 message("cloud-not-as-scan-wrote-it", path=display_path(path)),

@@ -1,24 +1,21 @@
-"""The PLY format, as far as clouds need it: any order of scalar vertex properties is read."""
+"""The PLY format, as far as clouds need it: vertices with any properties are read."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import BinaryIO
 
 import numpy as np
 
-from app.errors import OperationError
 from app.formats.clouds.axis_names import cloud_of_axes, find_named_axes
-from app.formats.clouds.points import POINT, Cloud, Points
-from app.formats.clouds.rows import (
-    COUNT_WIDTH,
-    as_doubles,
-    format_error,
-    read_binary_rows,
-    read_text_rows,
-    truncation_error,
+from app.formats.clouds.ply_elements import (
+    Element,
+    Property,
+    read_binary_element,
+    read_text_element,
 )
-from app.formats.file_names import display_path
+from app.formats.clouds.points import POINT, Cloud, Points
+from app.formats.clouds.rows import COUNT_WIDTH, distinct_names, format_error
 from app.messages.message import message
 from app.metrology.transforms import Floats
 
@@ -30,10 +27,12 @@ TYPES = {
     **dict.fromkeys(("int", "int32"), "i4"),
     **dict.fromkeys(("uint", "uint32"), "u4"),
     **dict.fromkeys(("float", "float32"), "f4"),
+    **dict.fromkeys(("int64", "long"), "i8"),
+    **dict.fromkeys(("uint64", "ulong"), "u8"),
     **dict.fromkeys(("double", "float64"), "f8"),
 }
 ORDERS = {"binary_little_endian": "<", "binary_big_endian": ">", "ascii": "="}
-LONGEST_HEADER = 1000
+LONGEST_HEADER, LONGEST_LINE = 1000, 4096
 WRITE_TYPES = {"f8": "double", "f4": "float", "i4": "int"}
 
 
@@ -62,7 +61,7 @@ def read_ply(path: Path, file: BinaryIO, columns: Sequence[str] | None = None) -
         columns: the properties of x, y and z, if the user names them.
     """
     vertices = find_vertices(path, file)
-    names = list(vertices.layout.names or ())
+    names = vertices.element.names
     axes = find_named_axes(path, names, columns)
     return cloud_of_axes(read_vertices(path, file, vertices), names, axes)
 
@@ -71,13 +70,23 @@ def read_ply(path: Path, file: BinaryIO, columns: Sequence[str] | None = None) -
 class Vertices:
     """Where the vertices stand in a file."""
 
-    ascii: bool
-    count: int
-    layout: np.dtype[np.void]
-    bytes_before: int
-    """Of other elements' data between header and vertices."""
-    lines_before: int
-    """The same in lines, for ascii."""
+    order: str
+    """Of the bytes; ``=``: the file is text."""
+    element: Element
+    before: tuple[Element, ...]
+    """Other elements between header and vertices."""
+
+    @property
+    def count(self) -> int:
+        """Of the points."""
+        return self.element.count
+
+    def is_plain(self, layout: "np.dtype[np.void]") -> bool:
+        """Whether the header is followed by binary rows of this layout and nothing else."""
+        return (
+            not (self.before or self.element.has_lists)
+            and self.element.layout(self.order) == layout
+        )
 
 
 def find_vertices(path: Path, file: BinaryIO) -> Vertices:
@@ -87,38 +96,20 @@ def find_vertices(path: Path, file: BinaryIO) -> Vertices:
     formats = [line[1] for line in words if line[:1] == ["format"] and len(line) > 1]
     if not formats or formats[0] not in ORDERS:
         raise format_error(path, message("cloud-no-ply-format"))
-    order = ORDERS[formats[0]]
-    bytes_before = lines_before = 0
-    for name, count, properties in _elements(path, words):
-        lists = [field for kind, field in properties if kind == "list"]
-        if lists and name == "vertex":
-            raise OperationError(
-                "cloud-malformed",
-                display_path(path),
-                message("cloud-points-have-list", name=lists[0]),
-                message("cloud-export-without-property", name=lists[0]),
-            )
-        if not count and name != "vertex":
-            continue  # it takes no bytes
-        if lists:
-            raise format_error(path, message("cloud-element-has-lists", name=name))
-        if len({field for _, field in properties}) < len(properties):
-            raise format_error(path, message("cloud-element-repeats-property", name=name))
-        layout = np.dtype([(field, order + TYPES[kind]) for kind, field in properties])
-        if name == "vertex":
-            return Vertices(formats[0] == "ascii", count, layout, bytes_before, lines_before)
-        bytes_before += count * layout.itemsize
-        lines_before += count
+    before: list[Element] = []
+    for element in _elements(path, words):
+        if element.name == "vertex":
+            return Vertices(ORDERS[formats[0]], element, tuple(before))
+        if element.count:
+            before.append(element)
     raise format_error(path, message("cloud-no-element-vertex"))
 
 
 def read_vertices(path: Path, file: BinaryIO, vertices: Vertices) -> dict[str, Floats]:
-    """The vertices' properties (N,) by name; the file stands at its header's end."""
-    if vertices.ascii:
-        return _read_ascii(path, file, vertices)
-    start = file.tell() + vertices.bytes_before
-    table = read_binary_rows(path, file, start, vertices.layout, vertices.count)
-    return {name: as_doubles(table[name]) for name in vertices.layout.names or ()}
+    """The vertices' properties (N,) by name, without lists; the file stands at its header's end."""
+    if vertices.order == "=":
+        return read_text_element(path, file, vertices.before, vertices.element)
+    return read_binary_element(path, file, vertices.before, vertices.element, vertices.order)
 
 
 def _header(count: int) -> bytes:
@@ -136,9 +127,10 @@ def _header(count: int) -> bytes:
 
 
 def _header_lines(path: Path, file: BinaryIO) -> list[str]:
+    """Its lines, which end with LF, CR LF, or as the format was first described, CR."""
     lines: list[str] = []
     for _ in range(LONGEST_HEADER):
-        line = file.readline(4096)
+        line = _header_line(file)
         if not line:
             break
         lines.append(line.decode("latin-1").strip())
@@ -147,30 +139,49 @@ def _header_lines(path: Path, file: BinaryIO) -> list[str]:
     raise format_error(path, message("cloud-header-does-not-end"))
 
 
-def _elements(path: Path, words: list[list[str]]) -> list[tuple[str, int, list[tuple[str, str]]]]:
-    """Elements up to the vertices: name, count, and (type, name) of each property."""
-    elements: list[tuple[str, int, list[tuple[str, str]]]] = []
+def _header_line(file: BinaryIO) -> bytes:
+    start = file.tell()
+    line = file.readline(LONGEST_LINE)
+    first, sign, rest = line.partition(b"\r")
+    if sign and rest.strip(b"\r\n"):
+        file.seek(start + len(first) + 1)
+        return first + sign
+    return line
+
+
+def _elements(path: Path, words: list[list[str]]) -> list[Element]:
+    """The elements with their properties, in the order of the file."""
+    found: list[tuple[str, int, list[Property]]] = []
     for line in words:
+        said = format_error(path, message("cloud-header-contains", line=repr(" ".join(line))))
         if line[:1] == ["element"]:
             if len(line) != 3 or not line[2].isdecimal():
-                raise format_error(
-                    path, message("cloud-header-contains", line=repr(" ".join(line)))
-                )
-            elements.append((line[1], int(line[2]), []))
+                raise said
+            found.append((line[1], int(line[2]), []))
         elif line[:1] == ["property"]:
-            known = len(line) >= 3 and (line[1] in TYPES or line[1] == "list")
-            if not elements or not known:
-                raise format_error(
-                    path, message("cloud-header-contains", line=repr(" ".join(line)))
-                )
-            elements[-1][2].append((line[1], line[-1]))
-    return elements
+            if not found or (one := _property(line[1:])) is None:
+                raise said
+            found[-1][2].append(one)
+    return [
+        Element(name, count, _distinct(path, name, properties)) for name, count, properties in found
+    ]
 
 
-def _read_ascii(path: Path, file: BinaryIO, vertices: Vertices) -> dict[str, Floats]:
-    names = vertices.layout.names or ()
-    for _ in range(vertices.lines_before):
-        if not file.readline():
-            raise truncation_error(path, 0, vertices.count)
-    table = read_text_rows(path, file, len(names), vertices.count)
-    return {name: table[:, i] for i, name in enumerate(names)}
+def _property(words: list[str]) -> Property | None:
+    """From its line; None if it is none."""
+    if len(words) == 2 and words[0] in TYPES:
+        return Property(words[1], TYPES[words[0]])
+    if len(words) == 4 and words[0] == "list" and {*words[1:3]} <= set(TYPES):
+        count_kind = TYPES[words[1]]
+        return Property(words[3], TYPES[words[2]], count_kind) if count_kind[0] != "f" else None
+    return None
+
+
+def _distinct(path: Path, element: str, properties: list[Property]) -> tuple[Property, ...]:
+    """With a number behind names that repeat others; raises ``OperationError`` for coordinates."""
+    names = [one.name for one in properties]
+    if any(names.count(axis) > 1 for axis in "xyz"):
+        raise format_error(path, message("cloud-element-repeats-property", name=element))
+    return tuple(
+        replace(one, name=name) for one, name in zip(properties, distinct_names(names), strict=True)
+    )

@@ -1,6 +1,8 @@
 """Rows of points after a header, binary or as text, and refusals that several formats share."""
 
 import re
+from collections.abc import Iterator, Sequence
+from itertools import islice
 from pathlib import Path
 from typing import BinaryIO
 
@@ -35,29 +37,48 @@ def as_doubles(column: NDArray[np.generic]) -> Floats:
         return column.astype(np.float64)
 
 
-def read_text_rows(path: Path, file: BinaryIO, columns: int, count: int) -> Floats:
-    """(count, columns) of the lines that follow; raises ``OperationError`` if they are damaged."""
-    lines = [line for line, _ in zip(file, range(count), strict=False)]
+def read_text_rows(path: Path, rows: Iterator[bytes], columns: int, count: int) -> Floats:
+    """(count, columns) of the next lines; raises ``OperationError`` if they are damaged."""
+    lines = list(islice(rows, count))
     if len(lines) < count:
         raise truncation_error(path, len(lines), count)
     if not lines:
         return np.zeros((0, columns))
-    refuse_decimal_commas(path, lines[0].decode("ascii", "replace"))
-    try:
-        return np.loadtxt(lines, ndmin=2, usecols=range(columns))
-    except (ValueError, IndexError) as error:
-        raise format_error(path, str(error).split(";")[0]) from error
-
-
-def refuse_decimal_commas(path: Path, line: str) -> None:
-    """Raises ``OperationError`` for a row of numbers like 1,5 between spaces or semicolons."""
-    if "," in line and DECIMAL_COMMAS.fullmatch(line):
+    if has_decimal_commas(lines[0].decode("ascii", "replace")):
         raise OperationError(
             "cloud-decimal-commas",
             display_path(path),
             message("cloud-decimal-commas"),
             message("cloud-export-decimal-points"),
         )
+    try:
+        return np.loadtxt(lines, ndmin=2, usecols=range(columns))
+    except (ValueError, IndexError) as error:
+        raise format_error(path, str(error).split(";")[0]) from error
+
+
+def text_lines(file: BinaryIO) -> Iterator[bytes]:
+    """The lines that follow and are not blank, whatever they end with."""
+    for line in file:
+        yield from (part for part in line.splitlines() if part and not part.isspace())
+
+
+def has_decimal_commas(line: str) -> bool:
+    """Whether a line is a row of numbers like 1,5 between spaces or semicolons."""
+    return "," in line and DECIMAL_COMMAS.fullmatch(line) is not None
+
+
+def distinct_names(names: Sequence[str]) -> list[str]:
+    """Names of columns, with their place behind those that repeat one before, except coordinates.
+
+    Example:
+        >>> distinct_names(["x", "_", "_"])
+        ['x', '_', '_#2']
+    """
+    return [
+        f"{name}#{i}" if name in names[:i] and name not in ("x", "y", "z") else name
+        for i, name in enumerate(names)
+    ]
 
 
 def format_error(path: Path, why: Text) -> OperationError:

@@ -1,11 +1,12 @@
 """XYZ: one point a line, as text."""
 
+import codecs
 import io
 import re
 import warnings
-from collections.abc import Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
-from itertools import pairwise
+from itertools import islice, pairwise
 from pathlib import Path
 from typing import BinaryIO, TextIO
 
@@ -20,7 +21,7 @@ from app.formats.clouds.axis_names import (
     unknown_columns_error,
 )
 from app.formats.clouds.points import Cloud, Points, cloud_from_columns, scale_cloud
-from app.formats.clouds.rows import refuse_decimal_commas
+from app.formats.clouds.rows import has_decimal_commas, truncation_error
 from app.formats.csv_table import is_number
 from app.formats.file_names import display_path
 from app.messages.message import message, quantity
@@ -89,7 +90,10 @@ def read_xyz(path: Path, file: BinaryIO, columns: Sequence[str] | None = None) -
         columns: names or numbers of the columns of x, y and z, if the user gives them.
     """
     file.seek(0)
-    with io.TextIOWrapper(file, "utf-8-sig", "replace") as text:
+    mark = file.read(2)
+    file.seek(0)
+    is_wide = mark in (codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)
+    with io.TextIOWrapper(file, "utf-16" if is_wide else "utf-8-sig", "replace") as text:
         return _read(path, text, columns)
 
 
@@ -106,6 +110,9 @@ class _Layout:
 def _read(path: Path, text: TextIO, columns: Sequence[str] | None) -> Cloud:
     start = text.read(HEAD_CHARACTERS)
     text.seek(0)
+    lines: Iterable[str] = text
+    if any(map(has_decimal_commas, start.splitlines())):
+        start, lines = "".join(map(_put_points, start.splitlines(True))), map(_put_points, text)
     layout = _find_layout(path, start, columns)
     names: tuple[str, ...] = ("x", "y", "z")
     places: tuple[int, ...] = layout.axes.places
@@ -114,12 +121,11 @@ def _read(path: Path, text: TextIO, columns: Sequence[str] | None) -> Cloud:
     try:
         with warnings.catch_warnings(action="ignore"):  # of a file without rows
             table: Floats = np.loadtxt(
-                text,
+                _rows(path, lines, layout.skip),
                 comments="#" if layout.quote else ("#", "//"),  # numpy takes either
                 delimiter=layout.delimiter,
                 usecols=places,
                 ndmin=2,
-                skiprows=layout.skip,
                 quotechar=layout.quote,
             ).reshape(-1, len(names))
     except (ValueError, IndexError) as error:
@@ -127,10 +133,44 @@ def _read(path: Path, text: TextIO, columns: Sequence[str] | None) -> Cloud:
             "cloud-unreadable",
             display_path(path),
             message("cloud-line-of-numbers-expected", reason=str(error).split(";")[0]),
-            message("cloud-give-ply-or-xyz"),
+            message("cloud-correct-line"),
         ) from error
     cloud = cloud_from_columns({name: table[:, i] for i, name in enumerate(names)})
     return scale_cloud(cloud, layout.axes.mm_per_unit or 1.0)
+
+
+def _put_points(line: str) -> str:
+    """A row with decimal points where it has decimal commas."""
+    return line.replace(",", ".") if has_decimal_commas(line) else line
+
+
+def _rows(path: Path, lines: Iterable[str], skip: int) -> Iterable[str]:
+    """The lines of points, without the counts of points of a PTS; raises ``OperationError`` if it
+    is cut off.
+
+    Args:
+        skip: lines before the first point.
+    """
+    lines = iter(lines)
+    head = list(islice(lines, skip))
+    return (
+        _counted_rows(path, lines, int(head[-1]))
+        if head and head[-1].strip().isdecimal()
+        else lines
+    )
+
+
+def _counted_rows(path: Path, lines: Iterator[str], announced: int) -> Iterator[str]:
+    left = announced
+    for line in lines:
+        if left == 0 and line.strip().isdecimal():
+            left = int(line)
+            announced += left
+        elif line.strip():
+            yield line
+            left -= 1
+    if left > 0:
+        raise truncation_error(path, announced - left, announced)
 
 
 def _find_layout(path: Path, start: str, columns: Sequence[str] | None) -> _Layout:
@@ -142,8 +182,6 @@ def _find_layout(path: Path, start: str, columns: Sequence[str] | None) -> _Layo
         raise OperationError(
             "cloud-unreadable", display_path(path), why, message("cloud-give-known-format")
         )
-    for line in lines[:HEAD_LINES]:
-        refuse_decimal_commas(path, line)
     rows = (line for line in lines[:HEAD_LINES] if _count_numbers(_cells(line)) >= 3)
     point = next(rows, None)
     above = every[: every.index(point or lines[0]) + (point is None)]
@@ -155,7 +193,7 @@ def _find_layout(path: Path, start: str, columns: Sequence[str] | None) -> _Layo
     axes = _find_axes(path, above, cells, columns)
     if axes is None:
         _refuse_numbers_of_points(path, lines[lines.index(point) :] if point else [], cells)
-        axes = Axes((0, 1, 2))
+        axes = _find_numbers(path, cells) if point else Axes((0, 1, 2))
     quote = '"' if point and '"' in point else None
     return _Layout(_delimiter(point or lines[0]), axes, skip, quote)
 
@@ -183,6 +221,20 @@ def _find_axes(
         if is_table and len(names) == len(cells) and not _count_numbers(names):
             raise unknown_columns_error(path, names)
     return None
+
+
+def _find_numbers(path: Path, cells: Sequence[str]) -> Axes:
+    """The first three cells, or the only three that are numbers; raises ``OperationError``."""
+    numbers = [i for i, cell in enumerate(cells) if is_number(cell)]
+    if numbers[:3] == [0, 1, 2] or len(numbers) == 3:
+        x, y, z = numbers[:3]
+        return Axes((x, y, z))
+    raise OperationError(
+        "cloud-columns-unknown",
+        display_path(path),
+        message("cloud-columns-hold-text", cells=", ".join(cells)),
+        message("cloud-give-columns"),
+    )
 
 
 def _refuse_numbers_of_points(path: Path, lines: Sequence[str], cells: Sequence[str]) -> None:

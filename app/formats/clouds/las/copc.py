@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.errors import OperationError
-from app.formats.clouds.las import STEP_MM, LasLayout
+from app.formats.clouds.las.layout import STEP_MM, LasLayout
 from app.formats.clouds.optional_library import call_library, load_library
 from app.formats.clouds.points import Points
 from app.messages.message import message

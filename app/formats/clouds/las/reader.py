@@ -3,9 +3,9 @@
 from pathlib import Path
 from typing import BinaryIO
 
-from app.formats.clouds.las import load_laspy
-from app.formats.clouds.las_table import LasTable, format_las_error, open_las
-from app.formats.clouds.laz_process import read_in_process
+from app.formats.clouds.las.layout import load_laspy
+from app.formats.clouds.las.laz_process import read_in_process
+from app.formats.clouds.las.table import LasTable, format_las_error, open_las
 from app.formats.clouds.optional_library import first_line
 from app.formats.clouds.points import Cloud, cloud_from_columns
 from app.formats.clouds.rows import format_error, truncation_error

@@ -9,7 +9,7 @@ from typing import Any, BinaryIO
 import numpy as np
 
 from app.errors import OperationError
-from app.formats.clouds.las import load_laspy
+from app.formats.clouds.las.layout import load_laspy
 from app.formats.clouds.rows import format_error
 from app.messages.message import message
 from app.metrology.transforms import Floats

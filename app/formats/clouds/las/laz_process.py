@@ -13,13 +13,13 @@ from pathlib import Path
 
 import numpy as np
 
-from app.formats.clouds.las_table import LasTable, format_las_error, open_las
+from app.formats.clouds.las.table import LasTable, format_las_error, open_las
 from app.formats.clouds.optional_library import first_line
 from app.formats.open_file import open_file
 
 MOST_MEMORY_BYTES = 8 << 30
 """Address space of the process, where the system can limit it; what is read passes through."""
-STARTED_MODULES = ("app.formats.clouds.laz_process",)
+STARTED_MODULES = ("app.formats.clouds.las.laz_process",)
 QUIET = {"RUST_BACKTRACE": "0", "RAYON_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1"}
 """No trace of the stack; and threads would reserve address space."""
 

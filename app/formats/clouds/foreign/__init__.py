@@ -1,0 +1,1 @@
+"""Clouds that are read but not written: meshes, PTX, and arrays of numpy."""
