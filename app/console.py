@@ -22,8 +22,9 @@ AsJson = Annotated[bool, typer.Option("--json", help="Print the result for progr
 
 FAILED = 1
 SOME_LEFT_OUT = 3
-"""The result is there without a part of what was asked for: pictures that cannot be read or have no
-line, more than a tenth of a scan. 2 is a wrong command line."""
+"""The result is there without a part of what was asked for: pictures that cannot be read or do not
+show what was looked for, recordings that are refused, more than a tenth of a scan. 2 is a wrong
+command line."""
 INTERRUPTED = 130
 
 
@@ -80,6 +81,18 @@ def fail(text: str, status: int = FAILED) -> NoReturn:
     """Says why on one line of stderr and ends with ``status``."""
     print("crenel: " + " ".join(text.split()), file=sys.stderr)
     raise typer.Exit(status)
+
+
+def fail_if_left_out(left_out: int, of: int, none: str, some: str) -> None:
+    """The end of every command over many inputs of which each counts by itself.
+
+    Args:
+        left_out: inputs of which nothing was found or made, ``of`` how many.
+        none: said where that is all of them; the status is then ``FAILED``.
+        some: said where it is a part of them; the status is then ``SOME_LEFT_OUT``.
+    """
+    if left_out:
+        fail(*((none, FAILED) if left_out >= of else (some, SOME_LEFT_OUT)))
 
 
 def warn(text: Text) -> None:

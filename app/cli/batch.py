@@ -27,7 +27,7 @@ from app.cli.batch_options import (
 )
 from app.cli.choice import check_found, check_stations, count_scans, count_words
 from app.cli.scan import paths_by_sensor
-from app.console import AsJson, fail, print_json, progress_bar, report_errors, warn
+from app.console import AsJson, fail_if_left_out, print_json, progress_bar, report_errors, warn
 from app.messages.message import Text
 
 if TYPE_CHECKING:
@@ -72,14 +72,18 @@ class Tally:
         else:
             self.refused.append((task.name, outcome.refusal))
 
-    def end(self) -> None:
-        """Names what was refused on stderr, and ends with status 1, if anything was."""
+    def end(self, known: int) -> None:
+        """Names what was refused on stderr, and ends with a status that says so, if anything was.
+
+        Args:
+            known: how many tasks had a result before.
+        """
         for name, refusal in self.refused[:MOST_SHOWN]:
             warn(f"{name}: {refusal.error().line}")
-        if self.refused:
-            refused = count_words(len(self.refused), "recording")
-            were = "was" if len(self.refused) == 1 else "were"
-            fail(f"{refused} {were} refused; the results of all others stay.")
+        count = len(self.refused)
+        were = f"{count_words(count, 'recording')} {'was' if count == 1 else 'were'} refused"
+        of = count + len(self.done) + known
+        fail_if_left_out(count, of, f"{were}, and none is left.", f"{were}; all others are there.")
 
 
 @report_errors
@@ -150,7 +154,7 @@ def rebuild(
             f"{known} {'was' if known == 1 else 'were'} there already{others}. "
             f"They are in {results.settings.place}."
         )
-    tally.end()
+    tally.end(known)
 
 
 def do_missing(

@@ -59,7 +59,7 @@ def measure_places(
         place = done.results.settings.place.rstrip("/")
         are = "is" if len(rows) == 1 else "are"
         print(f"{count_words(len(rows), 'row')} {are} in {place}/{TABLE}")
-    done.tally.end()
+    done.tally.end(done.known)
 
 
 @dataclass(frozen=True)

@@ -176,4 +176,4 @@ def _show_measured(
         print_summary(quantity, [len(one.figures) for one in drifts], changes)
         for one in drifts:
             print_measured(one, chosen)
-    done.tally.end()
+    done.tally.end(done.known)

@@ -7,9 +7,8 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from app.console import (
-    SOME_LEFT_OUT,
     AsJson,
-    fail,
+    fail_if_left_out,
     print_json,
     print_table,
     progress_bar,
@@ -177,11 +176,9 @@ def extract(
             print(f"{output} written")
     _warn_of_axis(axis, stripes)
     _warn_of_raw(sum(one.looks_raw for one in lines))
-    if not lines:
-        fail(f"none of the {len(stripes)} pictures has a line: nothing written")
-    if len(lines) < len(stripes):
-        without = len(stripes) - len(lines)
-        fail(f"{without} of {len(stripes)} pictures have no line", SOME_LEFT_OUT)
+    without, of = len(stripes) - len(lines), len(stripes)
+    none = f"none of the {of} pictures has a line: nothing written"
+    fail_if_left_out(without, of, none, f"{without} of {of} pictures have no line")
 
 
 def _warn_of_axis(axis: Axis, stripes: "list[ImageStripe]") -> None:
@@ -280,7 +277,7 @@ def detect(
     """Show what is seen of a block or a board in pictures: corners, or why none.
 
     The file has the columns image, number, u, v, sigma_px, refusal. Exits with status 3 if some
-    of several pictures cannot be read, and with status 1 if none can.
+    pictures have no corners, and with status 1, without a file, if none has any.
     """
     from app.formats.atomic_write import check_output_path
     from app.formats.datasheets.target import read_object
@@ -299,8 +296,10 @@ def detect(
         unreadable = [one.refusal for one in found if one.refusal and not one.readable]
         if len(unreadable) == len(found):
             raise unreadable[0]
-        if output is not None:
-            write_detections(output, found)
+        shown = [one for one in found if one.refusal is None]
+        written = output if shown else None
+        if written is not None:
+            write_detections(written, found)
         if draw is not None:
             drawings = (
                 (one.file, draw_detection(read_grey_to_show(one.file, channel), one))
@@ -321,11 +320,12 @@ def detect(
         print_json({"images": pictures})
     else:
         _print_detections(target, found)
-        if output is not None:
-            print(f"{output} written")
-    _warn_of_raw(sum(one.looks_raw for one in found if one.refusal is None))
-    if unreadable:
-        fail(f"{len(unreadable)} of {len(found)} pictures cannot be read", SOME_LEFT_OUT)
+        if written is not None:
+            print(f"{written} written")
+    _warn_of_raw(sum(one.looks_raw for one in shown))
+    without, of = len(found) - len(shown), len(found)
+    none = f"none of the {of} pictures has corners: nothing written"
+    fail_if_left_out(without, of, none, f"{without} of {of} pictures have no corners")
 
 
 def _print_detections(target: Path, found: "list[ImageDetection]") -> None:

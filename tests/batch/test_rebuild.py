@@ -158,17 +158,19 @@ def test_what_cannot_be_rebuilt_is_named_and_the_rest_is_made(tmp_path: Path) ->
     damaged = tmp_path / "data/scans/two/scan.mcap"
     damaged.write_bytes(b"no recording")
     os.utime(damaged, (0, 0))
-    found = run("rebuild", "data", "-o", "out", "--workers", 1, cwd=tmp_path, status=1)
+    found = run("rebuild", "data", "-o", "out", "--workers", 1, cwd=tmp_path, status=3)
     assert found["made"] == 2
     assert list(found["refused"]) == ["data/two"]
     left = sorted(path.suffix for path in (tmp_path / "out").iterdir())
     assert left == [".json", ".json", ".ply", ".ply"]
+    alone = ("rebuild", "data", "-o", "out2", "--record", "two", "--workers", 1)
+    assert run(*alone, cwd=tmp_path, status=1)["made"] == 0
 
 
 def test_a_recording_that_an_archive_lost_hinders_no_other(archive: Path, tmp_path: Path) -> None:
     (lost,) = archive.glob("scans/two/*/scan.mcap")
     lost.unlink()
-    found = run("rebuild", archive, "-o", "out", "--workers", 1, cwd=tmp_path, status=1)
+    found = run("rebuild", archive, "-o", "out", "--workers", 1, cwd=tmp_path, status=3)
     assert found["made"] == 2
     assert list(found["refused"]) == ["room-2/two"]
 

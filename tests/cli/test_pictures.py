@@ -53,7 +53,8 @@ def test_corners_are_listed_and_drawn(tmp_path: Path, board: Path) -> None:
     seen = picture(tmp_path / "seen.png")
     empty = write_blank(tmp_path / "empty.png", 200, 200)
     table, drawn = tmp_path / "corners.csv", tmp_path / "drawn"
-    result = done("detect", seen, empty, "--object", board, "-o", table, "--draw", drawn)
+    result = crenel("detect", seen, empty, "--object", board, "-o", table, "--draw", drawn)
+    assert result.exit_code == 3
     assert f"{empty}: no chessboard" in result.stdout
     rows = rows_of(table)
     corners = [row for row in rows if row["image"] == str(seen)]
@@ -159,7 +160,7 @@ def test_a_picture_that_cannot_be_read_leaves_the_others(tmp_path: Path, board: 
     result = crenel("detect", seen, broken, "--object", board, "-o", table, "--draw", drawn)
     assert result.exit_code == 3
     assert f"{broken} ends after 500 bytes" in result.stdout
-    assert result.stderr.endswith("crenel: 1 of 2 pictures cannot be read\n")
+    assert result.stderr.endswith("crenel: 1 of 2 pictures have no corners\n")
     rows = rows_of(table)
     assert [row["image"] for row in rows] == [str(seen)] * 20 + [str(broken)]
     assert rows[-1]["refusal"] == "image-cut-off"
@@ -168,6 +169,40 @@ def test_a_picture_that_cannot_be_read_leaves_the_others(tmp_path: Path, board: 
     result = crenel("detect", broken, broken, "--object", board, "-o", table)
     assert result.exit_code == 1
     assert not table.exists()
+
+
+@pytest.mark.parametrize("command", ["extract", "detect"])
+@pytest.mark.parametrize(
+    ("shown", "status"),
+    [
+        ("s", 0),
+        ("ss", 0),
+        ("se", 3),
+        ("sb", 3),
+        ("seb", 3),
+        ("e", 1),
+        ("ee", 1),
+        ("eb", 1),
+        ("b", 1),
+    ],
+)
+def test_the_status_says_how_many_pictures_give_something(
+    tmp_path: Path, board: Path, command: str, shown: str, status: int
+) -> None:
+    """Pictures that show it (s), are empty (e) or broken (b)."""
+    files = [tmp_path / f"{i}{kind}.png" for i, kind in enumerate(shown)]
+    for file in files:
+        kind = file.stem[-1]
+        if kind == "e":
+            write_blank(file, 200, 200)
+        else:
+            (picture if command == "detect" else write_line)(file)
+        if kind == "b":
+            file.write_bytes(file.read_bytes()[:500])
+    table = tmp_path / "table.csv"
+    options = () if command == "extract" else ("--object", board)
+    assert crenel(command, *files, *options, "-o", table).exit_code == status
+    assert table.exists() == ("s" in shown)
 
 
 def write_raw(path: Path) -> Path:

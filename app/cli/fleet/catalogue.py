@@ -13,6 +13,7 @@ from app.console import (
     AsJson,
     FullHelpGroup,
     fail,
+    fail_if_left_out,
     print_figures,
     print_json,
     print_table,
@@ -52,13 +53,18 @@ def collect(
     from app.fleet.collection.collector import collect as collect_all
 
     with open_catalogue(config) as (settings, opened):
-        result = collect_all(opened, settings.list_stations(), complete)
+        stations = settings.list_stations()
+        result = collect_all(opened, stations, complete)
     are = "is" if result.new == 1 else "are"
     print(f"{count_words(result.new, 'record')} {are} new in {opened.place}.")
     for station, problem in result.problems.items():
         warn(f"{station}: {problem.line}")
-    if result.problems:
-        fail("not every record could be collected; the next time continues with these.")
+    fail_if_left_out(
+        len(result.problems),
+        len(stations) + (result.new > 0),
+        "no record could be collected; the next time tries again.",
+        "not every record could be collected; the next time continues with these.",
+    )
 
 
 @catalogue.command()
