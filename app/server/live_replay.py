@@ -12,9 +12,9 @@ import numpy as np
 from app.errors import OperationError, sentence
 from app.formats.clouds.points import Points
 from app.formats.recording.decoders import ImageRecord
+from app.formats.recording.ordered_blocks import read_blocks
 from app.formats.recording.pose_samples import reading_reader
-from app.formats.recording.reader import last_stamp_ns, open_recording
-from app.formats.recording.stream import read_blocks
+from app.formats.recording.reader import length_ns, open_recording
 from app.formats.results.calibration import Calibration
 from app.loops import start_worker
 from app.messages.message import Text, join, message
@@ -54,7 +54,7 @@ class Replay:
         self._shown, self._calibration = next(iter(calibrations_by_sensor(calibration).items()))
         self._rate_hz, first_ns = self._inspect()
         self._clock = ReplayClock(first_ns, speed)
-        self._last_ns = last_stamp_ns(path)
+        self._length_ns = length_ns(path)
         self._points = 0
         self._last_publish_s = -math.inf
         self._ended = threading.Event()
@@ -168,14 +168,13 @@ class Replay:
         if state == "playing" and now - self._last_publish_s < PUBLISH_PERIOD_S:
             return
         self._last_publish_s = now
-        first_ns, last_ns = self._clock.first_ns, self._last_ns
-        length_s = None if last_ns is None else max(last_ns - first_ns, 0) / 1e9
+        length_s = None if self._length_ns is None else self._length_ns / 1e9
         bus.publish(
             TOPIC,
             ReplayState(
                 recording=self._path.name,
                 speed=self._clock.speed,
-                played_s=max(at_ns - first_ns, 0) / 1e9,
+                played_s=max(at_ns - self._clock.first_ns, 0) / 1e9,
                 length_s=length_s,
                 points=self._points,
                 points_shown=scene.points_shown,

@@ -16,10 +16,11 @@ from app.formats.clouds.files import cloud_writer
 from app.formats.clouds.points import Points
 from app.formats.recording.clock_check import ClockReport, ClockWatch
 from app.formats.recording.completeness import NONE_MISSING, MissingFrames, is_mostly_unread
+from app.formats.recording.ordered_blocks import read_blocks
 from app.formats.recording.pose_samples import reading_reader
 from app.formats.recording.reader import Recording, open_recording
 from app.formats.recording.reading_track import ReadingTrack
-from app.formats.recording.stream import Block, RecordedFrame, read_blocks
+from app.formats.recording.stream import Block, RecordedFrame
 from app.messages.message import Text, message
 from app.metrology.arm.kinematics import AnyArm, flange_poses
 from app.metrology.arm.reading_interpolation import Stamps
@@ -245,6 +246,7 @@ class _Job:
         self._unplaced_ns: list[int] = []
         self._unplaced_at_ns: list[int] = []
         """The same by the arm's clock."""
+        self._stamps_from_ns: int | None = None
         self._arm_clock = ClockWatch()
         self._frame_clocks: dict[str, ClockWatch] = {}
 
@@ -269,9 +271,10 @@ class _Job:
         missing = self._missing()
         if missing and not allow_incomplete:
             raise incomplete_error(self._recording.path, missing, self._causes())
-        unplaced, start_ns = self._unplaced_ns, self._recording.first_ns or 0
-        joints = self._arm_clock.report()
-        frames = [clock.report() for clock in self._frame_clocks.values()]
+        unplaced, start_ns = self._unplaced_ns, self._start_ns
+        as_logged = not self._recording.written_here
+        joints = self._arm_clock.report(as_logged)
+        frames = [clock.report(as_logged) for clock in self._frame_clocks.values()]
         return Reconstruction(
             points=self._points,
             frames=self._frames,
@@ -285,7 +288,7 @@ class _Job:
             frame_holes=sum(one.holes for one in frames),
             joint_holes=joints.holes,
             clock_jumps=joints.jumps + sum(one.jumps for one in frames),
-            seconds=((self._recording.last_ns or start_ns) - start_ns) / 1e9,
+            seconds=((self._recording.last_ns or 0) - (self._recording.first_ns or 0)) / 1e9,
             cut=self._recording.cut,
             warnings=tuple(self._warnings(joints, frames)),
             incomplete=bool(missing),
@@ -308,8 +311,10 @@ class _Job:
     def _take_block(self, block: Block) -> None:
         """Adds the joints of a block to the track, and its frames to those that wait."""
         for samples in block.readings:
-            self._arm_clock.add(samples.stamps_ns, samples.log_ns)
             self._track.extend(*self._readings.readings(samples))
+            if self._readings.is_of_arm(samples):
+                self._arm_clock.add(samples.stamps_ns, samples.log_ns)
+                self._note_start(samples.stamps_ns)
         frames = [frame for frame in block.frames if self._is_new(frame)]
         for sensor, run in groupby(frames, key=lambda frame: frame.sensor):
             self._take_frames(block, sensor, list(run))
@@ -325,6 +330,7 @@ class _Job:
             used = calibration.camera, calibration.plane, calibration.stripe_axis
             self._thinning[sensor] = LineThinning(*used)
         stamps_ns = np.array([frame.stamp_ns for frame in frames], dtype=np.int64)
+        self._note_start(stamps_ns)
         clock = self._frame_clocks.setdefault(sensor, ClockWatch())
         clock.add(stamps_ns, np.array([frame.log_ns for frame in frames]))
         placing = FrameReconstruction(self._recording.path, calibration)
@@ -342,6 +348,17 @@ class _Job:
             )
         )
         self._numbered += len(frames)
+
+    def _note_start(self, stamps_ns: Stamps) -> None:
+        if len(stamps_ns):
+            earliest_ns = int(stamps_ns.min())
+            before_ns = self._stamps_from_ns
+            self._stamps_from_ns = earliest_ns if before_ns is None else min(before_ns, earliest_ns)
+
+    @property
+    def _start_ns(self) -> int:
+        """The earliest stamp of a reading or a frame."""
+        return self._stamps_from_ns or 0
 
     def _is_new(self, frame: RecordedFrame) -> bool:
         """False if the stripe of a frame was recorded next to its picture."""
@@ -423,12 +440,14 @@ class _Job:
         missing = self._missing()
         warnings = [missing] if missing else []
         warnings += self._sensors.warnings()
+        if others := self._readings.other_joints:
+            warnings.append(message("joints-of-others-left-out", names=", ".join(others)))
         if self._recording.smoothing_px:
             warnings.append(smoothing_warning(self._recording.smoothing_px))
         if self._still:
             warnings.append(still_lines_warning(self._still, self._numbered))
         warnings += self._causes()
-        start_ns = self._recording.first_ns or 0
+        start_ns = self._start_ns
         warnings += clock_warnings("joints", joints, start_ns)
         for report in frames:
             warnings += clock_warnings("frames", report, start_ns)
@@ -437,7 +456,7 @@ class _Job:
     def _causes(self) -> list[Text]:
         """Why frames gave no points: the end of the file, and what is wrong with the joints."""
         causes = [self._recording.cut] if self._recording.cut else []
-        start_ns = self._recording.first_ns or 0
+        start_ns = self._start_ns
         if self._unplaced_ns:
             causes.append(
                 missing_joints_warning(
@@ -463,7 +482,7 @@ class _Job:
             return
         named = check_content(self._recording, self._numbered, len(self._track))
         if self._unplaced_ns:
-            start_ns = self._recording.first_ns or 0
+            start_ns = self._start_ns
             raise no_joints_error(named, self._unplaced_ns, self._track, start_ns)
         raise OperationError(
             "recording-without-stripes",

@@ -21,7 +21,7 @@ from app.formats.images import image_size, read_grey
 from app.formats.io_errors import convert_io_errors
 from app.formats.json_document import file_sha256, read_text
 from app.formats.open_file import LARGEST_DOCUMENT
-from app.formats.recording.reader import find_damage, last_stamp_ns, open_recording
+from app.formats.recording.reader import find_damage, length_ns, open_recording
 from app.settings.station_toml import read_settings
 from app.store.backup import last_backup
 from app.store.store import SettingsStore
@@ -64,7 +64,7 @@ READERS: tuple[Read, ...] = (
     read_cloud,
     lambda path: list(read_cloud_pieces(path)),
     lambda path: list(open_recording(path).records()),
-    last_stamp_ns,
+    length_ns,
     lambda path: read_table(path, ()),
     read_settings,
 )

@@ -12,7 +12,7 @@ import pytest
 import zstandard
 
 from app.formats.recording.raw import LARGEST_CHUNK, MAGIC
-from app.formats.recording.reader import STATION_METADATA, last_stamp_ns, open_recording
+from app.formats.recording.reader import STATION_METADATA, length_ns, open_recording
 from app.formats.recording.stream import read_blocks
 
 HEADER, SCHEMA, CHANNEL, MESSAGE, CHUNK, ATTACHMENT, METADATA, DATA_END = 1, 3, 4, 5, 6, 9, 12, 15
@@ -106,7 +106,7 @@ def test_both_call_bombs_damage(name: str, tmp_path: Path, request: pytest.Fixtu
         assert all(not block.frames for block in read_blocks(fast, pool, 4))
     assert all("is incomplete or damaged" in str(recording.cut) for recording in (slow, fast))
     assert open_recording(path).station_metadata() == {"scan_name": "Bracket"}
-    assert last_stamp_ns(path) is None
+    assert length_ns(path) is None
 
 
 @pytest.mark.usefixtures("frugal")

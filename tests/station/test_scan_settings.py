@@ -2,6 +2,7 @@
 
 import asyncio
 import json
+import time
 from pathlib import Path
 
 import numpy as np
@@ -68,6 +69,8 @@ def test_settings_reach_a_running_scan_and_its_recording(operator: Operator) -> 
     assert len(seen[-1].stripe.u) == 0
     recording = open_recording(folder / "scan.mcap")
     list(recording.records())
+    logged_ns = np.array([recording.first_ns, recording.last_ns])
+    assert (np.abs(logged_ns - time.time_ns()) < 600e9).all()  # by the wall clock
     reported = json.loads(recording.station[EXTRACTION])
     assert reported["threshold"] == 250.0
     assert recording.smoothing_px == reported["smoothing_px"] == 2.0

@@ -8,11 +8,18 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from foxglove_schemas_protobuf.JointState_pb2 import JointState
+from foxglove_schemas_protobuf.JointStates_pb2 import JointStates
+from mcap.reader import make_reader
+from mcap.writer import Writer
+from mcap_protobuf.schema import register_schema
 
 from app.errors import OperationError
 from app.formats.clouds.files import read_cloud
 from app.formats.recording.clock_check import ClockReport
 from app.formats.recording.reader import EXTRACTION
+from app.formats.recording.stripe_message import STRIPE_SCHEMA, stripe_descriptors
+from app.formats.recording.topics import JOINTS_TOPIC
 from app.formats.recording.writer import RecordingWriter
 from app.messages.catalogue import renderer
 from app.metrology.arm.kinematics import AnyArm, RobotArm, flange_pose
@@ -342,7 +349,8 @@ def test_files_that_do_not_belong_together_are_refused(
 @pytest.mark.parametrize(
     ("names", "angles", "said"),
     [
-        (NAMES[:5], [0.0] * 5, "5 joints"),
+        (NAMES[:5], [0.0] * 5, "J6"),
+        (("a", "b", "c", "d", "e", "f", "grip"), [0.0] * 7, "7 joints (a, b, c, d, e, f, grip)"),
         (("J1", "J2", "J3", "J4", "J5", "wrist"), [0.0] * 6, "wrist"),
         (NAMES, np.rad2deg(q_at(0)), "degrees, but radians"),
         (NAMES, [0, 0, 0, 3.2, 0, 0], "joint J4"),
@@ -400,9 +408,6 @@ def test_blocks_of_all_kinds_give_the_same_points(tmp_path: Path, beside: str) -
 
 def rewritten_unpacked(path: Path) -> None:
     """The same recording without chunks, each number of ``u`` a field of its own."""
-    from mcap.reader import make_reader
-    from mcap.writer import Writer
-
     with open(path, "rb") as file:
         messages = list(make_reader(file).iter_messages())
     with open(path, "wb") as file:
@@ -424,6 +429,56 @@ def rewritten_unpacked(path: Path) -> None:
                 data = data[:start] + single + data[start + 203 :]
             writer.add_message(ids[channel.topic], message.log_time, data, message.log_time)
         writer.finish()
+
+
+def write_shuffled(path: Path, seed: int, chunk_size: int | None, log_ns: int) -> None:
+    """A recording as another program may write it: the messages in any order, joints of a gripper
+    between them, and the wall time at which each was logged."""
+    with open(path, "rb") as file:
+        messages = list(make_reader(file).iter_messages())
+    with open(path, "wb") as file:
+        writer = Writer(file, chunk_size=chunk_size or 1, use_chunking=chunk_size is not None)
+        writer.start()
+        ids: dict[str, int] = {}
+        for _, channel, _ in messages:
+            if channel.topic not in ids:
+                kind = JointStates if channel.topic == JOINTS_TOPIC else None
+                known = (
+                    register_schema(writer, kind)
+                    if kind
+                    else writer.register_schema(STRIPE_SCHEMA, "protobuf", stripe_descriptors())
+                )
+                ids[channel.topic] = writer.register_channel(channel.topic, "protobuf", known)
+        for i in np.random.default_rng(seed).permutation(len(messages)).tolist():
+            _, channel, message = messages[i]
+            logged_ns = message.log_time + log_ns
+            writer.add_message(ids[channel.topic], logged_ns, message.data, logged_ns)
+            if channel.topic == JOINTS_TOPIC and i % 3 == 0:
+                grip = JointStates(joints=[JointState(name="grip", position=0.1)])
+                data = grip.SerializeToString()
+                writer.add_message(ids[channel.topic], logged_ns, data, logged_ns)
+        writer.finish()
+
+
+@pytest.mark.parametrize("seed", range(2))
+@pytest.mark.parametrize("chunk_size", [None, 900, 1 << 20])
+def test_messages_in_any_order_become_the_same_points(
+    tmp_path: Path, seed: int, chunk_size: int | None
+) -> None:
+    stamps = [int(100 * MS + i * 37 * MS) for i in range(40)]
+    names = ("grip", *NAMES[::-1], "tool")
+    with recording(tmp_path, names) as writer:
+        for stamp in range(0, 1700 * MS, 4 * MS):
+            writer.joints(stamp, [0.2, *q_at(stamp)[::-1], 0.3])
+        record_stripes(writer, stamps)
+    write_shuffled(tmp_path / "scan.mcap", seed, chunk_size, 1_700_000_000 * 1000 * MS)
+    result, points = rebuilt(tmp_path)
+    assert (result.frames, result.clock_jumps, result.joint_holes) == (40, 0, 0)
+    assert [str(one) for one in result.warnings] == [
+        "joints that arm.json does not have are left out: grip, tool"
+    ]
+    ordered = [rows[np.lexsort(rows.round(6).T)] for rows in (points, expected(stamps))]
+    np.testing.assert_allclose(*ordered, atol=1e-8)
 
 
 ROBOT = RobotArm("robot", "A-1")

@@ -33,43 +33,42 @@ class ClockReport:
 
 
 class ClockWatch:
-    """Checks the stamps of one device in the order of the file."""
+    """Checks the stamps of one device, in the order of the file or in which they were logged."""
 
     def __init__(self) -> None:
         self._stamps_ns = array("q")
-        self._last: tuple[int, int] | None = None
-        self._jumps = 0
-        self._first_jump_at_ns = 0
+        self._log_ns = array("q")
 
     def add(self, stamps_ns: Stamps, log_ns: Stamps) -> None:
         """Adds stamps (J,) and the times (J,) at which their messages were logged."""
-        if not len(stamps_ns):
-            return
-        before = self._last or (int(stamps_ns[0]), int(log_ns[0]))
-        step = np.diff(stamps_ns, prepend=before[0])
-        logged = np.diff(log_ns, prepend=before[1])
-        odd = (step < -JUMP_NS) | (np.abs(step - logged) > JUMP_NS)
-        if odd.any():
-            if not self._jumps:
-                self._first_jump_at_ns = int(stamps_ns[np.argmax(odd)])
-            self._jumps += int(odd.sum())
-        self._last = int(stamps_ns[-1]), int(log_ns[-1])
-        self._stamps_ns.frombytes(np.ascontiguousarray(stamps_ns, np.int64).tobytes())
+        for kept, times_ns in ((self._stamps_ns, stamps_ns), (self._log_ns, log_ns)):
+            kept.frombytes(np.ascontiguousarray(times_ns, np.int64).tobytes())
 
-    def report(self) -> ClockReport:
-        """The faults in all stamps so far."""
-        steps = np.diff(np.unique(np.array(self._stamps_ns)))
+    def report(self, as_logged: bool = False) -> ClockReport:
+        """The faults in all stamps so far.
+
+        Args:
+            as_logged: whether the order in which they were logged counts, not that of the file.
+        """
+        stamps_ns, log_ns = np.array(self._stamps_ns), np.array(self._log_ns)
+        if as_logged:
+            order = np.lexsort((stamps_ns, log_ns))
+            stamps_ns, log_ns = stamps_ns[order], log_ns[order]
+        step, logged = np.diff(stamps_ns), np.diff(log_ns)
+        odd = np.flatnonzero((step < -JUMP_NS) | (np.abs(step - logged) > JUMP_NS))
+        jumps = len(odd), int(stamps_ns[odd[0] + 1]) if len(odd) else 0
+        known_ns = np.unique(stamps_ns)
+        steps = np.diff(known_ns)
         if len(steps) < 3:
-            return ClockReport(0, 0, 0, 0, self._jumps, self._first_jump_at_ns)
+            return ClockReport(0, 0, 0, 0, *jumps)
         period = float(np.median(steps))
         holes = steps > HOLE_PERIODS * period
         longest = int(np.argmax(steps))
-        at_ns = int(np.unique(np.array(self._stamps_ns))[longest])
         return ClockReport(
             holes=int(holes.sum()),
             missing=int((np.rint(steps[holes] / period) - 1).sum()),
             longest_ns=int(steps[longest]) if holes.any() else 0,
-            longest_at_ns=at_ns if holes.any() else 0,
-            jumps=self._jumps,
-            first_jump_at_ns=self._first_jump_at_ns,
+            longest_at_ns=int(known_ns[longest]) if holes.any() else 0,
+            jumps=jumps[0],
+            first_jump_at_ns=jumps[1],
         )

@@ -17,6 +17,7 @@ from mcap.data_stream import ReadDataStream
 from mcap.exceptions import EndOfFile, McapError
 from mcap.opcode import Opcode
 from mcap.records import Channel, ChunkIndex, Footer
+from numpy.typing import NDArray
 
 from app.formats.recording.raw import (
     DAMAGE,
@@ -139,6 +140,35 @@ def find_needless_pictures(file: BinaryIO, index: RecordingIndex | None) -> Span
     }
 
 
+def is_in_order(file: BinaryIO, index: RecordingIndex | None) -> bool:
+    """Whether the messages of each channel stand in the order in which they were logged; False
+    where no index says so."""
+    if index is None or not index.chunks:
+        return False
+    last_ns: dict[int, int] = {}
+    try:
+        for chunk in sorted(index.chunks, key=lambda one: one.chunk_start_offset):
+            for channel in chunk.message_index_offsets:
+                rows = _message_index(file, chunk, channel)
+                stamps_ns = rows[np.argsort(rows[:, 1], kind="stable"), 0].astype(np.int64)
+                times_ns = np.r_[last_ns.get(channel, stamps_ns[:1]), stamps_ns]
+                if (np.diff(times_ns) < 0).any():
+                    return False
+                last_ns[channel] = int(times_ns[-1])
+    except DAMAGE:
+        return False
+    return True
+
+
+def _message_index(file: BinaryIO, chunk: ChunkIndex, channel: int) -> NDArray[np.uint64]:
+    """(M, 2) log times in ns of a channel's messages in a chunk, and where they stand in it."""
+    file.seek(chunk.message_index_offsets[channel])
+    opcode, length = HEAD.unpack(read_exactly(file, HEAD.size))
+    if opcode != Opcode.MESSAGE_INDEX or not STAMPS_AT <= length <= LARGEST_RECORD:
+        raise McapError("no index of messages")
+    return np.frombuffer(read_exactly(file, length)[STAMPS_AT:], "<u8").reshape(-1, 2)
+
+
 def _sensor_of_picture(index: RecordingIndex, chunk: ChunkIndex) -> str:
     return index.sensor_of(next(iter(chunk.message_index_offsets)))
 
@@ -148,11 +178,7 @@ def _stripe_stamps(file: BinaryIO, index: RecordingIndex) -> dict[str, set[int]]
     found: dict[str, set[int]] = {}
     for chunk in index.chunks:
         for channel in index.stripe_channels(chunk):
-            file.seek(chunk.message_index_offsets[channel])
-            opcode, length = HEAD.unpack(read_exactly(file, HEAD.size))
-            if opcode != Opcode.MESSAGE_INDEX or not STAMPS_AT <= length <= LARGEST_RECORD:
-                raise McapError("no index of messages")
-            rows = np.frombuffer(read_exactly(file, length)[STAMPS_AT:], "<u8").reshape(-1, 2)
+            rows = _message_index(file, chunk, channel)
             found.setdefault(index.sensor_of(channel), set()).update(rows[:, 0].tolist())
     return found
 

@@ -33,13 +33,21 @@ class JointReader:
         self._path = path
         self._arm = arm
         self._names: tuple[str, ...] | None = None
-        self._order = list(range(arm.joint_count))
+        self._order: list[int] | None = None
+        """Where the arm's joints are among those of the recording; None: these are others."""
+        self._others: dict[str, None] = {}
+        self._first_others: tuple[str, ...] = ()
         self._judge: PlausibilityFilter[_JointReading] = PlausibilityFilter(
             arm.joint_count, RATE_HZ, arm
         )
         self._read = 0
         self.unusable = 0
         """Readings that were not numbers, and were excluded."""
+
+    @property
+    def other_joints(self) -> tuple[str, ...]:
+        """Names of joints that the recording has and the arm has not, such as a gripper's."""
+        return tuple(self._others) if self._read else ()
 
     @property
     def implausible(self) -> int:
@@ -55,11 +63,12 @@ class JointReader:
 
         Readings with a missing angle (NaN), and impossible readings, are excluded and counted. The
         last ones may be returned by the next call, or by ``last_readings``. Joints are assigned by
-        name if the recording names them as ``arm.json`` does, otherwise by order.
+        name if the recording names them as ``arm.json`` does, and others are left out; otherwise
+        by order.
 
         Raises:
-            OperationError: the number of joints differs from the arm's, only some names are known,
-                or most angles are outside the arm's limits.
+            OperationError: only some of the arm's joints are there, or most angles are outside the
+                arm's limits.
         """
         if samples.kind != "joints":
             raise OperationError(
@@ -68,9 +77,8 @@ class JointReader:
                 message("arm-json-has-joints", arm=self._arm.serial_number or self._arm.name),
                 message("give-arm-json-arm-took-recording"),
             )
-        if samples.names != self._names:
-            self._order = self._joint_order(samples.names)
-            self._names = samples.names
+        if not self.is_of_arm(samples):
+            return self._arrays([])
         q_rad, stamps_ns = samples.readings[:, self._order], samples.stamps_ns
         whole = np.isfinite(q_rad).all(axis=1)
         if not whole.all():
@@ -83,8 +91,21 @@ class JointReader:
             self.refuse_another_arm()
         return self._arrays(good)
 
+    def is_of_arm(self, samples: ReadingSamples) -> bool:
+        """Whether they are of this arm's joints; raises ``OperationError`` for some of them."""
+        if samples.names != self._names:
+            self._order = self._joint_order(samples.names)
+            self._names = samples.names
+        return self._order is not None
+
     def last_readings(self) -> tuple[Stamps, Floats]:
-        """The last readings, after the end of the recording."""
+        """The last readings, after the end of the recording.
+
+        Raises:
+            OperationError: all readings were of other joints.
+        """
+        if not self._read and self._first_others:
+            raise self._other_joints_error(self._first_others)
         return self._arrays(self._judge.flush())
 
     def refuse_another_arm(self) -> None:
@@ -114,28 +135,43 @@ class JointReader:
         q_rad = np.array([one.joints_rad for one in good], dtype=np.float64)
         return stamps_ns, q_rad.reshape(len(good), self._arm.joint_count)
 
-    def _joint_order(self, names: tuple[str, ...]) -> list[int]:
+    def _joint_order(self, names: tuple[str, ...]) -> list[int] | None:
         own = [joint.name for joint in self._arm.joints]
-        if len(names) != len(own):
-            raise OperationError(
-                "joint-count",
-                message("recording-has-joints", path=display_path(self._path), count=len(names)),
-                message(
-                    "arm-has-joint-number",
-                    arm=self._arm.serial_number or self._arm.name,
-                    count=len(own),
-                ),
-                message("give-arm-json-arm-took-recording"),
-            )
-        if sorted(names) == sorted(own) and len(set(own)) == len(own):
+        known = [name for name in own if name in names]
+        if len(known) == len(set(own)) == len(own):
+            self._others |= dict.fromkeys(name for name in names if name not in own)
             return [names.index(name) for name in own]
-        if set(names) & set(own):
+        if known:
             raise OperationError(
                 "joint-names",
                 message(
                     "recording-names-joints", path=display_path(self._path), names=", ".join(names)
                 ),
-                message("arm-json-names-joints", names=", ".join(own)),
-                message("give-arm-json-arm-took-recording"),
+                message(
+                    "arm-joints-not-among-them",
+                    names=", ".join(name for name in own if name not in names),
+                ),
+                message("name-joints-as-recording"),
             )
-        return list(range(len(own)))
+        if len(names) == len(own) and not self._others:
+            return list(range(len(own)))
+        self._first_others = self._first_others or names
+        self._others |= dict.fromkeys(names)
+        return None
+
+    def _other_joints_error(self, names: tuple[str, ...]) -> OperationError:
+        return OperationError(
+            "joint-count",
+            message(
+                "recording-has-joints-named",
+                path=display_path(self._path),
+                count=len(names),
+                names=", ".join(names),
+            ),
+            message(
+                "arm-has-joint-number",
+                arm=self._arm.serial_number or self._arm.name,
+                count=self._arm.joint_count,
+            ),
+            message("name-joints-as-recording"),
+        )

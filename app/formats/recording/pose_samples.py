@@ -35,6 +35,10 @@ class ReadingReader(Protocol):
     """Readings that were not numbers, and were excluded."""
 
     @property
+    def other_joints(self) -> tuple[str, ...]:
+        """Names of joints that the recording has and the arm has not."""
+
+    @property
     def implausible(self) -> int:
         """Impossible readings, which were excluded."""
 
@@ -43,6 +47,9 @@ class ReadingReader(Protocol):
 
     def readings(self, samples: ReadingSamples) -> tuple[Stamps, Floats]:
         """The time stamps (J,) and readings (J, k) that are plausible."""
+
+    def is_of_arm(self, samples: ReadingSamples) -> bool:
+        """Whether they are of this arm, not of what it carries."""
 
     def last_readings(self) -> tuple[Stamps, Floats]:
         """The last readings, after the end of the recording."""
@@ -71,6 +78,10 @@ class PoseReader:
         self._judge.keeps_frame = True
         self._first: ImplausiblePose | None = None
         self.unusable = 0
+
+    @property
+    def other_joints(self) -> tuple[str, ...]:
+        return ()
 
     @property
     def implausible(self) -> int:
@@ -104,6 +115,9 @@ class PoseReader:
         good = self._judge.filter([_PoseReading(*pair) for pair in pairs])
         self._first = self._first or self._judge.newest
         return _arrays(good)
+
+    def is_of_arm(self, samples: ReadingSamples) -> bool:
+        return True
 
     def last_readings(self) -> tuple[Stamps, Floats]:
         """The poses that still waited for their judgement."""

@@ -52,6 +52,8 @@ class Recording:
     station: dict[str, str] = field(default_factory=dict)
     """Properties of arm and sensor in the recording, e.g. ``sensor_serial``."""
     topics: set[str] = field(default_factory=set)
+    written_here: bool = True
+    """Whether Crenel wrote it; another program may keep no order."""
 
     def delay_of(self, sensor: str = "") -> DelayCourse:
         """The delay of the arm's time stamps relative to a sensor's that was applied."""
@@ -184,6 +186,16 @@ def read_station_metadata(path: Path, file: BinaryIO) -> dict[str, str]:
     Raises:
         OperationError: no MCAP.
     """
+    return _find_station_metadata(path, file) or {}
+
+
+def is_written_here(path: Path, file: BinaryIO) -> bool:
+    """Whether Crenel wrote a recording, as its beginning shows; raises as
+    ``read_station_metadata``."""
+    return _find_station_metadata(path, file) is not None
+
+
+def _find_station_metadata(path: Path, file: BinaryIO) -> dict[str, str] | None:
     check_magic(path, file)
     with suppress(*DAMAGE):
         for record in raw_records(file, LARGEST_PREAMBLE):
@@ -194,7 +206,7 @@ def read_station_metadata(path: Path, file: BinaryIO) -> dict[str, str]:
                 break
             if isinstance(record, Metadata) and record.name == STATION_METADATA:
                 return dict(record.metadata)
-    return {}
+    return None
 
 
 def open_recording(path: Path) -> Recording:
@@ -241,16 +253,17 @@ def find_damage(path: Path, bytes_written: int | None = None) -> Text:
     return "" if whole else message("recording-cut-off")
 
 
-def last_stamp_ns(path: Path) -> int | None:
-    """The log time of the last message of a recording, from its summary; None if it has none."""
+def length_ns(path: Path) -> int | None:
+    """The time from the first message of a recording to its last, from its summary; None if it has
+    none."""
     with convert_io_errors(path), open_file(path) as file:
         try:
             statistics = summary_statistics(file)
         except DAMAGE:
             return None
-    return (
-        statistics.message_end_time if statistics is not None and statistics.message_count else None
-    )
+    if statistics is None or not statistics.message_count:
+        return None
+    return statistics.message_end_time - statistics.message_start_time
 
 
 def check_magic(path: Path, file: BinaryIO) -> None:

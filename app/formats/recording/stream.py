@@ -75,7 +75,7 @@ class Block:
     """(S, 9) from ``wire_format.find_stripes``."""
 
 
-def read_blocks(
+def read_file_blocks(
     recording: Recording, pool: Executor, ahead: int, all_pictures: bool = True
 ) -> Iterator[Block]:
     """The blocks of a recording in the order of the file; ``ahead`` of them are opened in advance.

@@ -54,6 +54,7 @@ class RecordingWriter:
         joint_names: Sequence[str] | None,
         station: Mapping[str, str] | None = None,
         sensors: Sequence[str] = ("",),
+        log_offset_ns: int = 0,
     ) -> None:
         """Creates the file, which must not exist.
 
@@ -62,11 +63,14 @@ class RecordingWriter:
             station: properties of the devices and settings: ``arm_serial``, ``sensor_serial``,
                 ``arm_delay_ns``, ``extraction``.
             sensors: names of several sensors; the name of the only one is empty.
+            log_offset_ns: added to time stamps, it gives the times at which messages are logged,
+                those of the wall clock, by which other programs lay recordings beside each other.
 
         Raises:
             OperationError: the file exists or cannot be created.
         """
         self._names = None if joint_names is None else tuple(joint_names)
+        self._log_offset_ns = log_offset_ns
         self._file = _SyncedFile(path)
         self._writer = Writer(
             self._file,  # type: ignore[arg-type]  # of a file it uses write, tell and flush
@@ -188,7 +192,8 @@ class RecordingWriter:
         return self._writer.register_channel(topic, MessageEncoding.Protobuf, schema_id)
 
     def _add(self, channel_id: int, stamp_ns: int, data: bytes) -> None:
-        self._writer.add_message(channel_id, stamp_ns, data, publish_time=stamp_ns)
+        log_ns = stamp_ns + self._log_offset_ns
+        self._writer.add_message(channel_id, log_ns, data, publish_time=log_ns)
 
 
 class _SyncedFile:

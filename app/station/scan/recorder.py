@@ -72,7 +72,9 @@ class Recorder:
         self._frames: queue.Queue[list[StripeFrame] | None] = queue.Queue(QUEUE_BATCHES)
         self._pictures: queue.Queue[tuple[Frame, str]] = queue.Queue(QUEUE_PICTURES)
         self._metadata: queue.Queue[Mapping[str, str]] = queue.Queue()
-        self._writer = RecordingWriter(path, joint_names, station, sensors)
+        self._writer = RecordingWriter(
+            path, joint_names, station, sensors, time.time_ns() - began_ns
+        )
         self._thread = start_worker("scan-recorder", self._run)
         # a disk that takes long over it holds up no frames
         self._syncer = Loop("scan-sync", self._writer.sync, SYNC_S)
