@@ -177,6 +177,8 @@ arm-2 = Der Messarm: { $text }
 arm-3 = Der Messarm ist unverändert.
 arm-4 = Messarm
 arm-and-frame-have-unknowns = Arm, Messmarken und Koordinatensysteme haben { $unknown } Unbekannte
+arm-angles-converted-twice = { $field } erreicht { $largest }: dies sind Grad, die noch einmal umgerechnet wurden, als wären sie Bogenmaß
+arm-angles-in-radians = kein { $field } übersteigt { $largest }: dies ist Bogenmaß, aber Grad werden erwartet
 arm-announced-joints-sends-poses = Der Messarm unter { $url } hat Gelenkwinkel angekündigt, sendet aber Posen
 arm-at-stop = Ein Gelenk des Arms ist am Anschlag.
 arm-before = Der vorherige Messarm wird wieder verwendet.
@@ -1138,6 +1140,7 @@ decision-rule-named =
        *[other] { $name }
     }, { $standard }:{ $edition }.
 decision-rule-without-guard = Es gibt keinen Schutzabstand: Die Werte werden unmittelbar mit ihren Grenzwerten verglichen, die Unsicherheit wird nur angegeben, und beide Seiten tragen ihr Risiko.
+degrees-converted-twice = So weit dreht kein Gelenk: Wurden Grad für Bogenmaß gehalten und umgerechnet, sie angeben, wie sie waren; sonst den Wert berichtigen
 delay-drifts = Der Zeitversatz driftet um { $drift } (k = 1: { $u }), { $change } während der Überfahrt: Die Uhren von Messarm und Kamera gehen verschieden schnell.
 delay-drifts-its-pass-is-away = der Zeitversatz driftet um { $drift }, und die Überfahrt, aus der er stammt, liegt { $away } entfernt
 delay-jumped = Der Zeitversatz änderte sich { $at } nach dem ersten Bild (k = 1: { $at_u }) um { $change } (k = 1: { $u }): Eine Uhr wurde gestellt.
@@ -1445,6 +1448,7 @@ file-cannot-be-evaluated = sie lässt sich nicht auswerten ({ $error })
 file-has-no-pictures-with-laser = { $path } enthält keine Bilder mit eingeschaltetem Laser
 file-has-no-readings = { $path } enthält keine Messwerte des Arms
 first-row-empty = Länge und Verdrehung der ersten Zeile sind null, die der letzten nicht
+flange-lies-far = { $path }: der Flansch liegt { $furthest } von der Basis entfernt
 flange-row-read = Die Zeile { $name } dreht um kein Gelenk: Sie gilt als feste Transformation hinter dem letzten Gelenk.
 frames-left-out-clock-set = { $count } von { $frames } Bildern ausgelassen: Um ihre Zeitstempel wurde eine Uhr zurückgestellt
 frames-moved-near-the-arm = Koordinatensysteme der Glieder mit fast parallelen Achsen lagen in arm.json bis zu { $far } entfernt: Sie wurden in die Nähe des Arms verlegt und beschreiben denselben Arm
@@ -1455,6 +1459,7 @@ give-one-of = Möglich sind { $names }
 give-pose-of-marker-in-frame = Die Pose der Messmarke im Koordinatensystem des Messgeräts angeben
 give-quaternions-with-more-digits = qx, qy, qz, qw mit mindestens vier Nachkommastellen angeben, den Skalar zuletzt
 give-row-of-each-joint = Geben Sie je Gelenk eine Zeile an; eine Zeile des Flanschs kommt zuletzt und heißt flange
+give-square-in-mm = square_mm in Millimetern angeben
 give-times-in-seconds = Zeiten in Sekunden angeben, ab einem beliebigen Anfang
 give-times-in-seconds-readings-closer = Alle Zeiten in Sekunden angeben, und Messwerte des Messarms im Abstand von höchstens { $longest }
 give-times-of-one-clock = Bildern und Messwerten Zeiten derselben Uhr geben
@@ -1523,6 +1528,7 @@ name-columns-by-unit =
         [deg] Nennen Sie die Spalten mit _rad, oder rechnen Sie die Winkel um
        *[rad] Nennen Sie die Spalten mit _deg, oder rechnen Sie die Winkel um
     }
+name-columns-of-degrees = Sie enthalten Grad: die Spalten { $first } … { $last } nennen
 name-dh-columns = Nennen Sie die Spalten in einer ersten Zeile, etwa: joint, a [mm], alpha [deg], d [mm], theta [deg]
 name-frame-otherwise-than-base = Dem Koordinatensystem einen anderen Namen als base geben
 no-arm-has-such-lengths = so klein oder groß ist kein Arm
@@ -2945,6 +2951,18 @@ made-token-metrics = Token für Metriken angelegt
 length-below-spheres = die Länge { $length } ist kleiner als der Durchmesser der Kugeln, { $diameter }: Eine der beiden Angaben ist falsch
 length-beyond-reach = das Längennormal ist { $length } lang, der Arm reicht nur { $reach } weit
 lengths-are-missing = nur { $count } von { $wanted } Längen wurden gemessen: jede an { $places } Orten, { $repeats }-mal
+lengths-of-no-arm = a_mm und d_mm aller Gelenke sind zusammen { $length }: dies sind Zoll oder Zentimeter, aber Millimeter werden erwartet
+lengths-of-smaller-unit =
+    { $unit ->
+        [m] dies sind Millimeter, wo Meter erwartet werden
+       *[mm] dies sind Mikrometer oder eine andere Einheit als Millimeter
+    }
+lengths-of-unit-expected-mm =
+    { $unit ->
+        [m] dies sind Meter, aber Millimeter werden erwartet
+        [cm] dies sind Zentimeter, aber Millimeter werden erwartet
+       *[inch] dies sind Zoll, aber Millimeter werden erwartet
+    }
 length-standard-rocks =
     { $of ->
         [places] das Normal wackelt in Lage { $place }: Wiederholungen einer Länge streuen um { $scatter }, in ruhigen Lagen um höchstens { $expected }
@@ -3614,6 +3632,7 @@ poses-measured =
         [one] { $frames } Koordinatensystem
        *[other] { $frames } Koordinatensystemen
     }
+poses-move-too-little = images.csv: nach den Bildern bewegt sich der Arm { $ratio }-mal so weit, wie seine Posen sagen
 poses-put-up-apart =
     { $thing ->
         [board] nach den Posen { $poses } liegen die Lagen der Tafel bis zu { $apart } auseinander

@@ -177,6 +177,8 @@ arm-2 = The arm: { $text }
 arm-3 = The arm is unchanged.
 arm-4 = Arm
 arm-and-frame-have-unknowns = the arm, its markers and frames have { $unknown } unknowns
+arm-angles-converted-twice = { $field } reaches { $largest }: these are degrees that were converted once more, as if they were radians
+arm-angles-in-radians = no { $field } exceeds { $largest }: these are radians, but degrees are expected
 arm-announced-joints-sends-poses = The arm at { $url } announced joints, but sends poses
 arm-at-stop = A joint of the arm is at its stop.
 arm-before = The previous arm is in use again.
@@ -1134,6 +1136,7 @@ decision-rule-named =
        *[other] { $name }
     }, { $standard }:{ $edition }.
 decision-rule-without-guard = There is no guard band: values are compared directly with their limits, the uncertainty is stated only, and both parties bear its risk.
+degrees-converted-twice = No joint turns so far: if degrees were taken for radians and converted, give them as they were; else correct the value
 delay-drifts = The delay drifts by { $drift } (k = 1: { $u }), { $change } within the pass: the clocks of arm and camera run at different rates.
 delay-drifts-its-pass-is-away = the delay drifts by { $drift }, and the pass that determined it is { $away } away
 delay-jumped = The delay changed by { $change } (k = 1: { $u }) at { $at } after the first picture (k = 1: { $at_u }): a clock was set.
@@ -1441,6 +1444,7 @@ file-cannot-be-evaluated = it cannot be evaluated ({ $error })
 file-has-no-pictures-with-laser = { $path } contains no pictures with the laser on
 file-has-no-readings = { $path } contains no readings
 first-row-empty = length and twist of the first row are zero, and those of the last are not
+flange-lies-far = { $path }: the flange lies { $furthest } from its base
 flange-row-read = The row { $name } turns about no joint: it was taken as a constant transform behind the last joint.
 frames-left-out-clock-set = { $count } of { $frames } frames excluded: a clock was set back around their time stamps
 frames-moved-near-the-arm = link frames of nearly parallel axes lay up to { $far } away in arm.json: they were moved near the arm, and describe the same arm
@@ -1451,6 +1455,7 @@ give-one-of = Give one of { $names }
 give-pose-of-marker-in-frame = Give the pose of the marker in the frame of the instrument
 give-quaternions-with-more-digits = Give qx, qy, qz, qw with at least four digits after the decimal point, the scalar last
 give-row-of-each-joint = Give one row for each joint; a row of the flange comes last and is called flange
+give-square-in-mm = Give square_mm in millimetres
 give-times-in-seconds = Give the times in seconds, from any beginning
 give-times-in-seconds-readings-closer = Give all times in seconds, and readings of the arm at most { $longest } apart
 give-times-of-one-clock = Give pictures and readings the times of one clock
@@ -1519,6 +1524,7 @@ name-columns-by-unit =
         [deg] Name the columns with _rad, or convert the angles
        *[rad] Name the columns with _deg, or convert the angles
     }
+name-columns-of-degrees = They hold degrees: name the columns { $first } … { $last }
 name-dh-columns = Name the columns in a first line, such as: joint, a [mm], alpha [deg], d [mm], theta [deg]
 name-frame-otherwise-than-base = Give the frame another name than base
 no-arm-has-such-lengths = no arm is so small or so large
@@ -2941,6 +2947,18 @@ made-token-metrics = created a metrics token
 length-below-spheres = the length of { $length } is less than the diameter of the spheres, { $diameter }: one of them is mistyped
 length-beyond-reach = the length standard is { $length } long, and the arm reaches { $reach } only
 lengths-are-missing = only { $count } of { $wanted } lengths were measured: each in { $places } places, { $repeats } times
+lengths-of-no-arm = a_mm and d_mm of all joints together are { $length }: these are inches or centimetres, but millimetres are expected
+lengths-of-smaller-unit =
+    { $unit ->
+        [m] these are millimetres where metres are expected
+       *[mm] these are micrometres, or other than millimetres
+    }
+lengths-of-unit-expected-mm =
+    { $unit ->
+        [m] these are metres, but millimetres are expected
+        [cm] these are centimetres, but millimetres are expected
+       *[inch] these are inches, but millimetres are expected
+    }
 length-standard-rocks =
     { $of ->
         [places] the standard rocks in place { $place }: repeats of a length scatter by { $scatter }, in steady places by up to { $expected }
@@ -3605,6 +3623,7 @@ poses-measured =
         [one] { $frames } frame
        *[other] { $frames } frames
     }
+poses-move-too-little = images.csv: by the pictures, the arm moves { $ratio } times as far as its poses say
 poses-put-up-apart =
     { $thing ->
         [board] poses { $poses } place the board up to { $apart } apart

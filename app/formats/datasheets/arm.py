@@ -1,5 +1,6 @@
 """``arm.json``: an arm's Denavit-Hartenberg model, limits and tip; or a robot's tip alone."""
 
+from collections.abc import Sequence
 from pathlib import Path
 from typing import ClassVar, Literal, Self
 
@@ -18,7 +19,7 @@ from app.formats.json_document import (
     field_name,
     read_text,
 )
-from app.messages.message import message, rounded
+from app.messages.message import message, quantity, rounded
 from app.metrology.arm.kinematics import Arm, Joint, RobotArm, Tip
 from app.metrology.arm.link_error import LinkError, error_from_transform, error_transform
 from app.metrology.arm.modified_dh import standard_from_modified
@@ -28,6 +29,15 @@ from app.rotations import CONVENTIONS
 JOINT_COUNTS = (5, 6, 7)
 METRES_MM = 10.0
 """No arm has all of its lengths below this: they are in metres."""
+SHORTEST_ARM_MM = 250.0
+"""No arm is shorter, stretched out: its lengths are in inches or centimetres."""
+QUARTER_RAD = np.pi / 2
+NEAR_QUARTER = 0.02
+"""Of a quarter turn: zeros of joints in radians are so near to multiples of it."""
+SMALL_ZERO = 0.5
+"""An offset of a joint that was identified is smaller, in degrees."""
+MOST_TURNS_DEG = 720.0
+"""No angle between links is larger."""
 
 
 class ErrorPart(DocumentPart):
@@ -92,15 +102,43 @@ class ArmFile(Document):
         if self.rotation and (self.convention != "pose" or self.rotation not in CONVENTIONS):
             known = ", ".join(CONVENTIONS)
             raise ValueError(message("rotation-of-poses", name=repr(self.rotation), names=known))
-        lengths = [abs(length) for joint in self.joints for length in (joint.a_mm, joint.d_mm)]
-        if 0 < max(lengths, default=0.0) < METRES_MM:
-            longest = rounded(max(lengths), "mm", 4)
-            raise ValueError(message("lengths-are-in-metres", longest=longest))
+        _refuse_other_units(self.joints)
         names = [joint.name for joint in self.joints]
         for name in names:
             if names.count(name) > 1:
                 raise ValueError(message("joint-name-twice", name=repr(name)))
         return self
+
+
+def _refuse_other_units(joints: Sequence[JointPart]) -> None:
+    """Raises ``ValueError`` for lengths that are not in mm, or angles that are not in degrees.
+
+    An arm has twists of a quarter turn, limits beyond a few degrees, and a length.
+    """
+    if not joints:
+        return
+    lengths = [abs(length) for joint in joints for length in (joint.a_mm, joint.d_mm)]
+    if 0 < max(lengths) < METRES_MM:
+        longest = rounded(max(lengths), "mm", 4)
+        raise ValueError(message("lengths-are-in-metres", longest=longest))
+    if 0 < sum(lengths) < SHORTEST_ARM_MM:
+        shown = quantity(sum(lengths), "mm")
+        raise ValueError(message("lengths-of-no-arm", length=shown))
+    twists = [abs(joint.alpha_deg) for joint in joints]
+    zeros = [abs(joint.theta_deg) for joint in joints]
+    limits = [abs(limit) for joint in joints for limit in joint.limits_deg]
+    quarters = [abs(zero / QUARTER_RAD - round(zero / QUARTER_RAD)) for zero in zeros]
+    in_radians = {
+        "alpha_deg": 0 < max(twists) <= 4 * QUARTER_RAD,
+        "theta_deg": SMALL_ZERO < max(zeros) <= 4 * QUARTER_RAD and max(quarters) < NEAR_QUARTER,
+        "limits_deg": max(limits) <= 4 * QUARTER_RAD,
+    }
+    for field, values in (("alpha_deg", twists), ("theta_deg", zeros), ("limits_deg", limits)):
+        largest = f"{max(values):.4g}"
+        if in_radians[field]:
+            raise ValueError(message("arm-angles-in-radians", field=field, largest=largest))
+        if field != "limits_deg" and max(values) > MOST_TURNS_DEG:
+            raise ValueError(message("arm-angles-converted-twice", field=field, largest=largest))
 
 
 def read_any_arm(path: Path) -> Arm | RobotArm:

@@ -24,6 +24,8 @@ FEW_DIGITS = 0.02
 REACH_MM = 5.0
 """If the flange of a robot never gets further than this from its base, the unit is probably
 metres."""
+FARTHEST_MM = 50_000.0
+"""No robot reaches so far, on whatever track."""
 FULL_TURN = 2 * np.pi
 """In radians; angles in degrees of which none is larger, though one is larger than 1, are none."""
 
@@ -98,6 +100,17 @@ class FlangePoses:
 
     def _refuse_metres(self, poses: Sequence[Floats]) -> None:
         furthest = max(float(np.linalg.norm(T[:3, 3])) for T in poses)
+        if furthest > FARTHEST_MM:
+            raise OperationError(
+                "poses-in-other-unit",
+                message(
+                    "flange-lies-far",
+                    path=display_path(self._path),
+                    furthest=rounded(furthest / 1000, "m"),
+                ),
+                message("lengths-of-smaller-unit", unit=self._position),
+                message("convert-columns-x-mm-y-mm"),
+            )
         if self._position == "mm" and 0 < furthest < REACH_MM:
             raise OperationError(
                 "poses-in-metres",

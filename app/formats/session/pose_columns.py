@@ -45,6 +45,10 @@ STOP_TOLERANCE_DEG = 0.5
 """An arm that rests at its stop may read slightly beyond its limit."""
 
 
+MOST_TURNS_DEG = 1500.0
+"""No joint with a limit turns so far; 26 degrees that are taken for radians are more."""
+
+
 def joint_columns(count: int) -> tuple[str, ...]:
     """``q1_deg`` … ``qN_deg``"""
     return tuple(f"q{i + 1}_deg" for i in range(count))
@@ -58,6 +62,7 @@ class JointAngles:
         self._path = table.path
         self._arm = arm
         self._columns = joint_columns(arm.joint_count)
+        first, last = self._columns[0], self._columns[-1]
         found = [name for name in table.columns if re.fullmatch(r"q\d+_deg", name)]
         if any(re.fullmatch(r"q\d+(_rad)?", name) for name in table.columns):
             raise OperationError(
@@ -68,11 +73,9 @@ class JointAngles:
                     names=", ".join(table.columns),
                 ),
                 message("joint-angles-given-degrees"),
-                message(
-                    "convert-them-name-columns",
-                    first=self._columns[0],
-                    last=self._columns[-1],
-                ),
+                message("name-columns-of-degrees", first=first, last=last)
+                if _holds_degrees(table)
+                else message("convert-them-name-columns", first=first, last=last),
             )
         if sorted(found) != sorted(self._columns):
             raise OperationError(
@@ -88,11 +91,7 @@ class JointAngles:
                     arm=arm.serial_number or arm.name,
                     count=arm.joint_count,
                 ),
-                message(
-                    "give-right-arm-json-columns",
-                    first=self._columns[0],
-                    last=self._columns[-1],
-                ),
+                message("give-right-arm-json-columns", first=first, last=last),
             )
 
     def read_row(self, row: TableRow) -> Floats:
@@ -110,7 +109,9 @@ class JointAngles:
                         low=rounded(low, "°"),
                         high=rounded(high, "°"),
                     ),
-                    message("correct-value-or-give-arm-json"),
+                    message("degrees-converted-twice")
+                    if abs(angle) > MOST_TURNS_DEG
+                    else message("correct-value-or-give-arm-json"),
                 )
         return np.asarray(np.deg2rad(q_deg))
 
@@ -132,3 +133,10 @@ class JointAngles:
                 message("these-radians-where-degrees-expected"),
                 message("convert-columns-degrees"),
             )
+
+
+def _holds_degrees(table: CsvTable) -> bool:
+    """Whether columns of joints that are not called degrees hold some all the same."""
+    names = [name for name in table.columns if re.fullmatch(r"q\d+(_rad)?", name)]
+    largest = max((abs(row.number(name)) for row in table.rows for name in names), default=0.0)
+    return largest > 4 * np.pi

@@ -14,6 +14,7 @@ from app.metrology.adjustment.core.hand_eye import Mounting
 from app.metrology.adjustment.core.observations import FailedPose
 from app.metrology.chessboard.board_detection import BoardDetection
 from app.metrology.detection.image_quality import ImageFinding
+from app.metrology.length_units import mistaken_unit
 from app.metrology.sensor.camera import Camera
 from app.metrology.stripe import Stripe
 from app.metrology.targets.chessboard import Chessboard, corner_points
@@ -213,6 +214,25 @@ def refuse_other_size(mounting: Mounting, board: Chessboard) -> None:
             message("arms-motion-moves-other-way-than", name=board.name),
             message("no-size-squares-makes-them-agree"),
             message("check-pictures-mirrored-poses-those-flange"),
+        )
+    off = max(SIZE_SHARE, SIZE_SIGMAS * size.scale_sd / size.scale)
+    if unit := mistaken_unit(1 / size.scale, off):
+        raise OperationError(
+            "poses-in-other-unit",
+            message("poses-move-too-little", ratio=quantity(1 / size.scale, "", 1)),
+            message("lengths-of-unit-expected-mm", unit=unit),
+            message("convert-columns-x-mm-y-mm"),
+        )
+    if unit := mistaken_unit(size.scale, off):
+        raise OperationError(
+            "square-size",
+            message(
+                "arms-motion-squares-wide",
+                name=board.name,
+                width=quantity(size.scale * board.square_mm, "mm", 2),
+            ),
+            message("lengths-of-unit-expected-mm", unit=unit),
+            message("give-square-in-mm"),
         )
     if abs(size.scale - 1) > max(SIZE_SHARE, SIZE_SIGMAS * size.scale_sd):
         raise OperationError(

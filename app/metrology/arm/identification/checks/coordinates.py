@@ -29,6 +29,7 @@ from app.metrology.arm.identification.robust_solve import ArmFit, settle_frames
 from app.metrology.arm.identification.scatter import Scatter
 from app.metrology.arm.identification.unknowns import Unknowns
 from app.metrology.arm.kinematics import Arm
+from app.metrology.length_units import mistaken_unit
 from app.metrology.robust import median
 from app.metrology.transforms import Floats, apply, skews
 
@@ -37,6 +38,8 @@ FEW = 2
 """Values for each unknown, below which a warning is given."""
 SAME_UNIT = 2.0
 """Coordinates spread less or more than the arm's by this factor are in another unit."""
+OTHER_SPREAD = 0.25
+"""By which share the spread of points may be off in the unit that they are in."""
 OTHER_ARM_MM = 100.0
 """Points of the right arm lie closer to a reasonable arm.json."""
 OTHER_MARKER_MM = 5.0
@@ -131,19 +134,20 @@ def _check_unit(data: StackedObservations, at: Unknowns) -> None:
         )
         if expected_mm / SAME_UNIT <= measured_mm <= expected_mm * SAME_UNIT:
             continue
-        metres = 200 < expected_mm / max(measured_mm, 1e-9) < 5000
+        ratio = expected_mm / max(measured_mm, 1e-9)
+        unit = "m" if 200 < ratio < 5000 else mistaken_unit(ratio, OTHER_SPREAD)
         raise OperationError(
             "coordinates-unit",
             message(
                 "coordinates-spread",
                 name=name,
-                measured=quantity(measured_mm, "mm", 3 if metres else 0),
+                measured=quantity(measured_mm, "mm", 3 if unit else 0),
                 expected=quantity(expected_mm, "mm"),
             ),
-            message("these-metres-where-millimetres-expected")
-            if metres
+            message("lengths-of-unit-expected-mm", unit=unit)
+            if unit
             else message("another-unit-arm-or-marker"),
-            message("convert-columns-x-mm-y-mm") if metres else message("check-unit-arm-and-rows"),
+            message("convert-columns-x-mm-y-mm") if unit else message("check-unit-arm-and-rows"),
         )
 
 
