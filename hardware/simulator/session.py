@@ -143,13 +143,23 @@ def block_scene(rig: SimulatedRig, light: Light | None = None) -> SimulatedScene
     return SimulatedScene(things, light or Light())
 
 
-def draw_sensor_pose(rig: SimulatedRig, rng: np.random.Generator, spread: float) -> Floats:
-    """``T_arm_sensor`` (4, 4) with the block framed; ``spread`` 1 is the usual variation."""
+def draw_sensor_pose(
+    rig: SimulatedRig,
+    rng: np.random.Generator,
+    spread: float,
+    turned_deg: tuple[float, float, float] = (0.0, 0.0, 0.0),
+) -> Floats:
+    """``T_arm_sensor`` (4, 4) with the block framed; ``spread`` 1 is the usual variation.
+
+    Then the sensor is turned about the block's X, Y and Z.
+    """
     middle = (rig.block.crest_z_mm + rig.block.floor_z_mm) / 2
     T = rig.T_arm_obj @ translation(0.0, 0.0, middle)
     T = T @ translation(*(float(v) for v in rng.normal(0.0, 0.4, 3) * spread))
     for axis, sd in (("x", 0.02), ("y", 0.03), ("z", 0.02)):
         T = T @ rotation_about(axis, float(rng.normal(0.0, sd) * spread))
+    for axis, angle in zip("zyx", turned_deg[::-1], strict=True):
+        T = T @ rotation_about(axis, float(np.radians(angle)))
     return np.asarray(T)
 
 
@@ -190,13 +200,15 @@ def render_rig_session(folder: Path, seed: int, rig: SimulatedRig, plan: Session
     angles = [f"q{i + 1}_deg" for i in range(rig.arm.joint_count)]
     images = _take_images(folder, seed, rig, plan, rng)
     write_table(folder / "images.csv", ["pose", "file", "lighting", *angles], images)
-    write_table(folder / "probing.csv", ["feature", *angles], _probe(rig, plan, rng))
+    features, contact_q_rad = touch_block(rig, plan, rng)
+    contacts = [[f, *q.tolist()] for f, q in zip(features, np.degrees(contact_q_rad), strict=True)]
+    write_table(folder / "probing.csv", ["feature", *angles], contacts)
     truth = ground_truth(rig)
     write_document(folder / "truth.json", truth)
     return truth
 
 
-def _encoder_readings_rad(
+def read_encoders_rad(
     rig: SimulatedRig, plan: SessionPlan, q_rad: Floats, rng: np.random.Generator
 ) -> Floats:
     """What the encoders say while the joints are at ``q_rad``."""
@@ -217,10 +229,10 @@ def _take_images(
     rows: list[list[object]] = []
     q = np.zeros(rig.arm.joint_count)
     for pose in range(plan.poses):
-        turned = plan.tilts_deg[pose] if plan.tilts_deg else None
-        spread = 1.0 if pose == 0 or turned is not None else 3.0
+        turned = plan.tilts_deg[pose] if plan.tilts_deg else (0.0, 0.0, 0.0)
+        spread = 1.0 if pose == 0 or plan.tilts_deg else 3.0
         T_arm_sensor, q = _draw_reachable_pose(rig, spread, q, rng, turned)
-        degrees = np.degrees(_encoder_readings_rad(rig, plan, q, rng)).tolist()
+        degrees = np.degrees(read_encoders_rad(rig, plan, q, rng)).tolist()
         for lighting, room, laser in kinds:
             name = f"images/pose{pose:02d}_{lighting}.png"
             cv2.imwrite(str(folder / name), renderer.render(T_arm_sensor, room, laser))
@@ -233,22 +245,27 @@ def _draw_reachable_pose(
     spread: float,
     q_rad: Floats,
     rng: np.random.Generator,
-    turned_deg: tuple[float, float, float] | None = None,
+    turned_deg: tuple[float, float, float] = (0.0, 0.0, 0.0),
 ) -> tuple[Floats, Floats]:
     """A sensor pose over the block, and joint angles for it."""
     for _ in range(TRIES):
-        T_arm_sensor = draw_sensor_pose(rig, rng, spread)
-        if turned_deg is not None:
-            for axis, angle in zip("zyx", turned_deg[::-1], strict=True):
-                T_arm_sensor = T_arm_sensor @ rotation_about(axis, float(np.radians(angle)))
+        T_arm_sensor = draw_sensor_pose(rig, rng, spread, turned_deg)
         with suppress(UnreachableError):
             target = T_arm_sensor @ np.linalg.inv(rig.T_flange_sensor)
             return T_arm_sensor, solve_joints(rig.arm, target, q_rad, rng)
     raise UnreachableError("the arm cannot hold the sensor over the block")
 
 
-def _probe(rig: SimulatedRig, plan: SessionPlan, rng: np.random.Generator) -> list[list[object]]:
-    rows: list[list[object]] = []
+def touch_block(
+    rig: SimulatedRig, plan: SessionPlan, rng: np.random.Generator
+) -> tuple[tuple[str, ...], Floats]:
+    """The face of each contact, and the encoder angles (N, n) in rad that were read there.
+
+    Raises:
+        UnreachableError: the arm cannot touch a face.
+    """
+    features: list[str] = []
+    readings: list[Floats] = []
     radius = rig.arm.tip_diameter_mm / 2
     q = np.zeros(rig.arm.joint_count)
     for face in plan.faces:
@@ -256,8 +273,9 @@ def _probe(rig: SimulatedRig, plan: SessionPlan, rng: np.random.Generator) -> li
             spot = choose_contact_point(rig.block, face, i, radius, rng)
             gap = radius + float(rng.normal(0.0, plan.contact_sd_mm))
             q = _contact_joints(rig, face, spot, gap, q, rng)
-            rows.append([face, *np.degrees(_encoder_readings_rad(rig, plan, q, rng)).tolist()])
-    return rows
+            features.append(face)
+            readings.append(read_encoders_rad(rig, plan, q, rng))
+    return tuple(features), np.array(readings)
 
 
 def _contact_joints(
@@ -334,4 +352,4 @@ def render_scan(
     for T_arm_sensor in path:
         q = solve_joints(rig.arm, T_arm_sensor @ np.linalg.inv(rig.T_flange_sensor), q, rng)
         image = renderer.render(T_arm_sensor, room=0.0, laser=1.0)
-        yield ScanFrame(image, _encoder_readings_rad(rig, plan, q, rng))
+        yield ScanFrame(image, read_encoders_rad(rig, plan, q, rng))

@@ -2,22 +2,26 @@
 
 Contact points and pictures are predicted without noise, and the noise that they would have is
 propagated through the same adjustment that calibrates (the Cramér-Rao bound): many simulated
-calibrations would scatter by as much.
+calibrations would scatter by as much. Where the block will stand and how the arm reaches it nobody
+knows yet, and errors of the arm's links matter by that: the accuracy is the rms over places.
 """
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
 
 import numpy as np
 
 from app.errors import OperationError
-from app.messages.message import message
 from app.metrology.adjustment.block.observations import block_contacts, block_prior
 from app.metrology.adjustment.block.predicted_view import ObservationNoise, predict_view
-from app.metrology.adjustment.core.arm_errors import arm_motion
-from app.metrology.adjustment.core.gauss_newton import AdjustmentResult
-from app.metrology.adjustment.core.information import information_at
+from app.metrology.adjustment.core.arm_errors import LEVER_MM, arm_motion, link_errors_mm
+from app.metrology.adjustment.core.information import (
+    exact_equations,
+    solve_information,
+    with_certificate,
+)
+from app.metrology.adjustment.core.linearise import NormalEquations
 from app.metrology.adjustment.core.observations import AdjustmentProblem
 from app.metrology.adjustment.core.parameters import AdjustmentState
 from app.metrology.adjustment.core.uncertainty import point_budget, sensor_jacobian
@@ -32,7 +36,7 @@ from app.metrology.design.stripe_sensor import (
     nominal_plane,
     range_points,
 )
-from app.metrology.design.usual_arm import PostureFinder, table_places
+from app.metrology.design.usual_arm import arm_cannot_reach, table_places, take_postures
 from app.metrology.sensor.camera import Camera, project
 from app.metrology.sensor.laser_plane import LaserPlane, in_frame
 from app.metrology.targets.crenellated_block import Crenellated
@@ -40,9 +44,8 @@ from app.metrology.transforms import Floats, inverse, rigid, rotation_from_vecto
 
 BIN_SIZE = 4
 """Points merged into one when a picture is predicted."""
-USUAL = Scales(links_rad=7.5e-6, links_mm=0.003, noise=1.0, touch_mm=0.005)
-"""Errors of an arm's links, as of one whose tip is off by some 20 µm rms, and scatter of a
-contact."""
+TIP_OFF_MM, TOUCH_MM = 0.02, 0.005
+"""Rms error of the arm's tip over its reach, and scatter of a contact."""
 BEHIND_MM = 90.0
 """The sensor's camera and laser sit so far below the flange."""
 ASIDE_MM = 57.0
@@ -81,6 +84,7 @@ class ExpectedSession:
     features: tuple[str, ...]
     contact_q_rad: Floats  # (N, n)
     q_rad: Floats  # (P, n)
+    scales: Scales
 
     def with_block(self, block: Crenellated) -> "ExpectedSession":
         """Much the same session with another block, whose middle is where that of this one is.
@@ -91,42 +95,75 @@ class ExpectedSession:
         up[2, 3] = middle_height_mm(self.block) - middle_height_mm(block)
         return replace(self, block=block, T_arm_obj=self.T_arm_obj @ up)
 
-    def with_uncertainty(self, standard_uncertainty_mm: float) -> "ExpectedSession":
-        """The same session with a block whose sizes are known otherwise."""
-        block = replace(self.block, standard_uncertainty_mm=standard_uncertainty_mm)
-        return replace(self, block=block)
+
+@dataclass(frozen=True)
+class Expectation:
+    """What the first poses of sessions with one block would tell, each at another place.
+
+    How well the block is known is not part of it.
+    """
+
+    poses: int
+    equations: tuple[NormalEquations, ...]
+    scales: Scales
+    by_sensor: Floats  # (G, 3, S) derivatives of points of the measuring range
+
+    def accuracy(self, size_sd_mm: float) -> ExpectedAccuracy:
+        """The accuracy with a block whose sizes have a standard uncertainty.
+
+        Returns:
+            Standard uncertainty of a point over the sensor's measuring range, flange frame, k = 1,
+            rms over the places.
+
+        Raises:
+            OperationError: ``adjustment-failed``, where the block does not determine the sensor.
+        """
+        budgets = [
+            point_budget(solve_information(known, self.scales), self.by_sensor)
+            for known in self._with_certificate(size_sd_mm)
+        ]
+        rows = tuple(
+            BudgetContribution(same[0].source, _rms([row.value_um for row in same]))
+            for same in zip(*(rows for rows, _ in budgets), strict=True)
+        )
+        return ExpectedAccuracy(self.poses, _rms([total_um for _, total_um in budgets]), rows)
+
+    def _with_certificate(self, size_sd_mm: float) -> Iterator[NormalEquations]:
+        for one in self.equations:
+            prior = one.linear.problem.prior
+            yield with_certificate(one, np.full(len(prior.sd), size_sd_mm))
 
 
-def plan_session(sensor: StripeSensor, block: Crenellated, arm: Arm) -> ExpectedSession:
-    """Contact points and poses that the arm reaches, with the block on a table.
+def _rms(values: Sequence[float]) -> float:
+    return float(np.sqrt(np.mean(np.square(values))))
+
+
+def plan_sessions(
+    sensor: StripeSensor, block: Crenellated, arm: Arm
+) -> tuple[ExpectedSession, ...]:
+    """Sessions with the block on a table, one for each place at which the arm can do it.
 
     Raises:
-        OperationError: ``arm-cannot-reach``.
+        OperationError: ``arm-cannot-reach``, at no place.
     """
+    size_mm = link_errors_mm(arm, TIP_OFF_MM)
+    scales = Scales(size_mm / LEVER_MM, size_mm, 1.0, TOUCH_MM)
+    sessions = []
     for T_arm_obj in table_places():
         with suppress(OperationError):
-            return _plan_at(sensor, block, arm, T_arm_obj)
-    raise OperationError(
-        "arm-cannot-reach",
-        message("arm-reaches-no-place-for-block", arm=arm.name),
-        "",
-        message("check-arms-file-lengths-angles-signs"),
-    )
+            sessions.append(_plan_at(sensor, block, arm, T_arm_obj, scales))
+    if not sessions:
+        raise arm_cannot_reach(arm)
+    return tuple(sessions)
 
 
 def _plan_at(
-    sensor: StripeSensor, block: Crenellated, arm: Arm, T_arm_obj: Floats
+    sensor: StripeSensor, block: Crenellated, arm: Arm, T_arm_obj: Floats, scales: Scales
 ) -> ExpectedSession:
-    touching, looking = PostureFinder(arm), PostureFinder(arm)
     features, spots = contact_places(block, arm.tip.radius_mm)
-    flanges = contact_flanges(arm, T_arm_obj, block, features, spots)
-    contact_q = np.array([touching.joints_rad(T) for T in flanges])
-    T_sensor_flange = inverse(nominal_mounting(sensor))
-    poses = [T_arm_obj @ T @ T_sensor_flange for T in sensor_holds(block)]
-    # the arm may stand in another posture than while it touched: errors of its links cancel less
-    looking.stand_otherwise(poses[0], contact_q[0])
-    q = np.array([looking.joints_rad(T) for T in poses])
-    return ExpectedSession(sensor, arm, block, T_arm_obj, tuple(features), contact_q, q)
+    contact_q = take_postures(arm, contact_flanges(arm, T_arm_obj, block, features, spots))
+    q = take_postures(arm, T_arm_obj @ sensor_holds(block) @ inverse(nominal_mounting(sensor)))
+    return ExpectedSession(sensor, arm, block, T_arm_obj, tuple(features), contact_q, q, scales)
 
 
 def nominal_mounting(sensor: StripeSensor) -> Floats:
@@ -135,37 +172,28 @@ def nominal_mounting(sensor: StripeSensor) -> Floats:
     return rigid(turned, np.array([0.0, -ASIDE_MM, BEHIND_MM + sensor.standoff_mm]))
 
 
-def sensor_holds(block: Crenellated) -> list[Floats]:
-    """``T_obj_sensor`` (4, 4) of each pose, the sensor's origin in the middle of the grooves."""
+def sensor_holds(block: Crenellated) -> Floats:
+    """``T_obj_sensor`` (P, 4, 4) of each pose, the sensor's origin in the middle of the grooves."""
     middle = np.array([0.0, 0.0, middle_height_mm(block)])
-    return [rigid(rotation_from_vector(np.radians(turn)), middle) for turn in TILTS_DEG]
+    return np.array([rigid(rotation_from_vector(np.radians(turn)), middle) for turn in TILTS_DEG])
 
 
-def predict_accuracy(
-    session: ExpectedSession, poses: int, scales: Scales = USUAL
-) -> ExpectedAccuracy:
-    """What a calibration from the first poses of a session would be good for.
+def expect(sessions: Sequence[ExpectedSession], poses: int) -> Expectation:
+    """What the first poses of sessions would tell.
 
     Args:
-        session: from ``plan_session``.
-        poses: how many of its poses are taken, 1 to ``POSES``.
-        scales: noise of arm and contacts.
-
-    Returns:
-        Standard uncertainty of a point over the sensor's measuring range, flange frame, k = 1.
-
-    Raises:
-        OperationError: ``adjustment-failed``, where the block does not determine the sensor.
+        sessions: of one sensor, arm and block, as from ``plan_sessions``.
+        poses: how many of the poses are taken, 1 to ``POSES``.
     """
-    found = _information(session, poses, scales)
-    points = range_points(session.sensor)
-    J = sensor_jacobian(found.state, project(nominal_camera(session.sensor), points))
-    rows, total_um = point_budget(found, J)
-    return ExpectedAccuracy(poses, total_um, rows)
+    equations = tuple(_equations(session, poses) for session in sessions)
+    sensor = sessions[0].sensor
+    uv = project(nominal_camera(sensor), range_points(sensor))
+    by_sensor = sensor_jacobian(equations[0].linear.state, uv)
+    return Expectation(poses, equations, sessions[0].scales, by_sensor)
 
 
-def _information(session: ExpectedSession, poses: int, scales: Scales) -> AdjustmentResult:
-    """The adjustment at the truth, with the information of everything that would be measured."""
+def _equations(session: ExpectedSession, poses: int) -> NormalEquations:
+    """The information of everything that would be measured, at the truth."""
     sensor, block, arm = session.sensor, session.block, session.arm
     camera, plane, T_flange_cam = _in_own_frame(sensor)
     moves = arm_motion(arm, session.q_rad[:poses])
@@ -191,7 +219,7 @@ def _information(session: ExpectedSession, poses: int, scales: Scales) -> Adjust
         np.zeros(moves.by_links.shape[2]),
         np.zeros((poses, moves.by_noise.shape[2])),
     )
-    return information_at(problem, state, scales)
+    return exact_equations(problem, state)
 
 
 def _in_own_frame(sensor: StripeSensor) -> tuple[Camera, LaserPlane, Floats]:
@@ -200,8 +228,3 @@ def _in_own_frame(sensor: StripeSensor) -> tuple[Camera, LaserPlane, Floats]:
     T_cam_sensor = rigid(camera.rotation, camera.translation_mm)
     camera, plane = in_frame(camera, nominal_plane(), T_cam_sensor)
     return camera, plane, nominal_mounting(sensor) @ inverse(T_cam_sensor)
-
-
-def total_um(session: ExpectedSession, counts: Sequence[int]) -> tuple[float, ...]:
-    """Standard uncertainties in µm for numbers of poses, as ``predict_accuracy``."""
-    return tuple(predict_accuracy(session, count).total_um for count in counts)

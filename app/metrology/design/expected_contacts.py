@@ -58,8 +58,8 @@ def _rectangles(
 
 def contact_flanges(
     arm: Arm, T_arm_obj: Floats, block: Crenellated, features: Sequence[str], spots_mm: Floats
-) -> list[Floats]:
-    """Poses (4, 4) of the flange with the tip on each of N places, from above and from outside."""
+) -> Floats:
+    """Poses (N, 4, 4) of the flange with the tip on each place, from above and from outside."""
     rng = np.random.default_rng(2)
     flanges = []
     for face, spot in zip(features, spots_mm, strict=True):
@@ -74,4 +74,4 @@ def contact_flanges(
         centre = spot + arm.tip.radius_mm * normal
         centre = T_arm_obj[:3, :3] @ centre + T_arm_obj[:3, 3]
         flanges.append(rigid(R, centre - R @ arm.tip.centre_mm))
-    return flanges
+    return np.array(flanges)

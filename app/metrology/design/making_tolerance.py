@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from app.messages.message import message
-from app.metrology.design.expected_accuracy import POSES, ExpectedSession, total_um
+from app.metrology.design.expected_accuracy import Expectation
 from app.progress import Progress, no_progress
 
 MEASURED_MM = 0.002
@@ -31,7 +31,7 @@ class ToleranceEffect:
 
 
 def tolerance_effects(
-    session: ExpectedSession, progress: Progress = no_progress
+    one_pose: Expectation, eight_poses: Expectation, progress: Progress = no_progress
 ) -> tuple[ToleranceEffect, ...]:
     """A measured block, then blocks made to each of ``TOLERANCES_MM``.
 
@@ -46,8 +46,8 @@ def tolerance_effects(
     for done, tolerance_mm in enumerate(made):
         progress(done / len(made), message("design-predicts-accuracy"))
         sd_mm = MEASURED_MM if tolerance_mm is None else tolerance_mm / np.sqrt(3)
-        one, eight = total_um(session.with_uncertainty(float(sd_mm)), (1, POSES))
-        effects.append(ToleranceEffect(tolerance_mm, one, eight))
+        one, eight = one_pose.accuracy(float(sd_mm)), eight_poses.accuracy(float(sd_mm))
+        effects.append(ToleranceEffect(tolerance_mm, one.total_um, eight.total_um))
     return tuple(effects)
 
 

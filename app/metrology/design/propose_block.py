@@ -11,9 +11,8 @@ from app.metrology.design.expected_accuracy import (
     POSES,
     ExpectedAccuracy,
     ExpectedSession,
-    plan_session,
-    predict_accuracy,
-    total_um,
+    expect,
+    plan_sessions,
 )
 from app.metrology.design.making_tolerance import (
     MEASURED_MM,
@@ -93,7 +92,7 @@ def propose_block(
         if (block := _largest_block(sensor, name, FEWEST_MERLONS, groove_share, length_share))
     ]
     progress(0.0, message("design-plans-poses"))
-    session = plan_session(sensor, blocks[0], arm) if blocks else None
+    session = plan_sessions(sensor, blocks[0], arm)[0] if blocks else None
     best, least = None, np.inf
     for done, block in enumerate(blocks):
         progress(0.3 + 0.4 * done / len(blocks), message("design-compares-blocks"))
@@ -140,13 +139,14 @@ def assess_block(
             determine the sensor.
     """
     progress(0.0, message("design-predicts-accuracy"))
-    session = plan_session(sensor, block, arm).with_uncertainty(MEASURED_MM)
-    effects = tolerance_effects(session, progress)
+    sessions = plan_sessions(sensor, block, arm)
+    one_pose, eight_poses = expect(sessions, 1), expect(sessions, POSES)
+    effects = tolerance_effects(one_pose, eight_poses, progress)
     return BlockDesign(
         sensor,
-        session.block,
-        predict_accuracy(session, 1),
-        predict_accuracy(session, POSES),
+        replace(block, standard_uncertainty_mm=MEASURED_MM),
+        one_pose.accuracy(MEASURED_MM),
+        eight_poses.accuracy(MEASURED_MM),
         effects,
         widest_tolerance_mm(effects),
     )
@@ -155,7 +155,8 @@ def assess_block(
 def _worth_um(session: ExpectedSession, block: Crenellated) -> float:
     """What a block is worth: the geometric mean of the accuracies with one pose and with all."""
     try:
-        one, eight = total_um(session.with_block(block), (1, POSES))
+        own = (session.with_block(block),)
+        one, eight = (expect(own, poses).accuracy(MEASURED_MM).total_um for poses in (1, POSES))
     except OperationError:
         return np.inf
     return float(np.sqrt(one * eight))

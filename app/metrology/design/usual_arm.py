@@ -4,19 +4,17 @@ import numpy as np
 
 from app.errors import OperationError
 from app.messages.message import message
-from app.metrology.adjustment.planning.inverse_kinematics import solve_inverse_kinematics
+from app.metrology.adjustment.planning.inverse_kinematics import solve_each
 from app.metrology.arm.kinematics import Arm, Joint, Tip
 from app.metrology.transforms import Floats, rigid, rotation_from_vector
 
 ENCODER_SD_RAD = 1e-5
 STARTS = 60
-"""Joint angles from which a first pose is tried."""
-POSTURES = 6
-"""Solutions among which another posture is looked for."""
-BEARINGS_RAD = (0.0, 0.4, -0.4)
-DISTANCES_MM = (560.0, 480.0, 640.0)
-TABLE_MM = 100.0
-"""Places on the table at which the block is tried, and their height in the arm frame."""
+"""Joint angles from which a pose is tried that is not reached from the posture before."""
+PLACES = 8
+BEARINGS_RAD, DISTANCES_MM, HEIGHTS_MM = (-0.5, 0.5), (480.0, 640.0), (80.0, 135.0)
+TURNS_RAD = (-0.7, 0.7)
+"""Where on a table before the arm the block may stand, and how it is turned there."""
 
 
 def usual_arm() -> Arm:
@@ -38,53 +36,60 @@ def usual_arm() -> Arm:
 
 
 def table_places() -> list[Floats]:
-    """Poses (4, 4) of a block on the table before the arm, ``T_arm_obj``, the likeliest first."""
+    """Poses (4, 4) of a block on the table before the arm, ``T_arm_obj``: spread over where an
+    operator may put it, and the same each time."""
+    rng = np.random.default_rng(5)
     places = []
-    for distance_mm in DISTANCES_MM:
-        for bearing in BEARINGS_RAD:
-            at = distance_mm * np.array([np.cos(bearing), np.sin(bearing), 0.0])
-            turn = rotation_from_vector(np.array([0.0, 0.0, bearing + 0.3]))
-            places.append(rigid(turn, at + [0.0, 0.0, TABLE_MM]))
+    for _ in range(PLACES):
+        bearing, distance_mm, height_mm, turn = (
+            rng.uniform(*span) for span in (BEARINGS_RAD, DISTANCES_MM, HEIGHTS_MM, TURNS_RAD)
+        )
+        at = [distance_mm * np.cos(bearing), distance_mm * np.sin(bearing), height_mm]
+        places.append(
+            rigid(rotation_from_vector(np.array([0.0, 0.0, bearing + turn])), np.array(at))
+        )
     return places
 
 
-class PostureFinder:
-    """Joint angles for poses of the flange, each tried from the one found before."""
+def take_postures(arm: Arm, T_arm_flange: Floats) -> Floats:
+    """Joint angles for poses of the flange, as an arm takes them that comes from its middle.
 
-    def __init__(self, arm: Arm) -> None:
-        self._arm = arm
-        self._before: Floats | None = None
-        low, high = np.array([joint.limits_rad for joint in arm.joints]).T
-        self._starts = [np.clip(np.zeros(len(low)), low, high)]
-        self._starts += list(np.random.default_rng(1).uniform(low, high, (STARTS, len(low))))
+    The first pose (4, 4) decides the posture, in which the arm remains where its joints allow.
 
-    def joints_rad(self, T_arm_flange: Floats) -> Floats:
-        """Encoder angles (n,) that bring the flange to a pose (4, 4).
+    Args:
+        T_arm_flange: (N, 4, 4) poses, in any order after the first.
 
-        Raises:
-            OperationError: ``arm-cannot-reach``.
-        """
-        first = [] if self._before is None else [self._before]
-        for start in (*first, *self._starts):
-            found = solve_inverse_kinematics(self._arm, T_arm_flange, start)
-            if found is not None:
-                self._before = found
-                return found
-        raise OperationError(
-            "arm-cannot-reach",
-            message("arm-reaches-no-place-for-block", arm=self._arm.name),
-            "",
-            message("check-arms-file-lengths-angles-signs"),
-        )
+    Returns:
+        (N, n) encoder angles in rad.
 
-    def stand_otherwise(self, T_arm_flange: Floats, q_rad: Floats) -> None:
-        """Begins in the posture for a pose (4, 4) that is least like given angles (n,), if any."""
-        postures: list[Floats] = []
-        for start in self._starts:
-            found = solve_inverse_kinematics(self._arm, T_arm_flange, start)
-            if found is not None:
-                postures.append(found)
-            if len(postures) == POSTURES:
-                break
-        if postures:
-            self._before = max(postures, key=lambda q: float(np.linalg.norm(q - q_rad)))
+    Raises:
+        OperationError: ``arm-cannot-reach``.
+    """
+    low, high = np.array([joint.limits_rad for joint in arm.joints]).T
+    middle = np.clip(np.zeros(len(low)), low, high)
+    first = _take_near(arm, T_arm_flange[:1], middle)
+    return np.concatenate([first, _take_near(arm, T_arm_flange[1:], first[0])])
+
+
+def arm_cannot_reach(arm: Arm) -> OperationError:
+    """The error if an arm cannot touch a block and look at it anywhere on the table."""
+    return OperationError(
+        "arm-cannot-reach",
+        message("arm-reaches-no-place-for-block", arm=arm.name),
+        "",
+        message("check-arms-file-lengths-angles-signs"),
+    )
+
+
+def _take_near(arm: Arm, T_arm_flange: Floats, posture_rad: Floats) -> Floats:
+    """Joint angles (N, n) for poses (N, 4, 4), reached from a posture (n,) or the nearest to it."""
+    q, reached = solve_each(arm, T_arm_flange, np.tile(posture_rad, (len(T_arm_flange), 1)))
+    low, high = np.array([joint.limits_rad for joint in arm.joints]).T
+    starts = np.random.default_rng(1).uniform(low, high, (STARTS, len(low)))
+    for missed in np.flatnonzero(~reached):
+        others, there = solve_each(arm, np.tile(T_arm_flange[missed], (STARTS, 1, 1)), starts)
+        if not there.any():
+            raise arm_cannot_reach(arm)
+        others = others[there]
+        q[missed] = others[np.argmin(np.linalg.norm(others - posture_rad, axis=1))]
+    return q

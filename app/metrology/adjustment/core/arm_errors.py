@@ -100,12 +100,25 @@ def tip_errors_by_links(arm: Arm, q_rad: Floats, volume_mm: float) -> Floats:
     Returns:
         (N, 3, 6n) mm, arm frame, for one standard deviation of each of the links' errors.
     """
-    reach = reach_poses(arm)
-    usual = np.tile(np.repeat([1 / LEVER_MM, 1.0], 3), arm.joint_count)
-    by_links = tip_by_links(arm_motion(arm, reach), arm.tip.centre_mm) * usual
-    unit_mm = rms_beside_rigid_mm(tip_centres(arm, reach), by_links, np.eye(len(usual)))
     moved = tip_by_links(arm_motion(arm, q_rad), arm.tip.centre_mm)
-    return np.asarray(moved * usual * (volume_mm / unit_mm))
+    return np.asarray(moved * _usual_proportion(arm) * link_errors_mm(arm, volume_mm))
+
+
+def link_errors_mm(arm: Arm, volume_mm: float) -> float:
+    """Translation of each link's error if the tip is off by so much; the rotation, in rad, is this
+    over ``LEVER_MM``.
+
+    Args:
+        volume_mm: as of ``tip_errors_by_links``.
+    """
+    reach, usual = reach_poses(arm), _usual_proportion(arm)
+    by_links = tip_by_links(arm_motion(arm, reach), arm.tip.centre_mm) * usual
+    return volume_mm / rms_beside_rigid_mm(tip_centres(arm, reach), by_links, np.eye(len(usual)))
+
+
+def _usual_proportion(arm: Arm) -> Floats:
+    """(6n,) errors of all links, each translation 1 mm."""
+    return np.tile(np.repeat([1 / LEVER_MM, 1.0], 3), arm.joint_count)
 
 
 def tip_by_links(moves: FlangeMotion, tip_mm: Floats) -> Floats:

@@ -1,8 +1,9 @@
 """Joint angles that bring the flange to a pose: whether the arm can reach a pose."""
 
 import numpy as np
+from numpy.typing import NDArray
 
-from app.metrology.arm.kinematics import Arm, flange_pose, geometric_jacobian
+from app.metrology.arm.kinematics import Arm, flange_poses, geometric_jacobians
 from app.metrology.transforms import Floats, vector_from_rotation
 
 # Weight of one radian of orientation, as a length.
@@ -25,8 +26,18 @@ def solve_inverse_kinematics(arm: Arm, T_arm_flange: Floats, q_rad: Floats) -> F
     Returns:
         (n,) rad; None if the pose is out of reach.
     """
-    q, off_mm = _descend(arm, T_arm_flange, q_rad)
-    return q if off_mm < REACHED_MM else None
+    q, reached = solve_each(arm, T_arm_flange[None], np.asarray(q_rad)[None])
+    return q[0] if reached[0] else None
+
+
+def solve_each(arm: Arm, T_arm_flange: Floats, q_rad: Floats) -> tuple[Floats, NDArray[np.bool_]]:
+    """``solve_inverse_kinematics`` for poses (N, 4, 4) at once, each from its own angles (N, n).
+
+    Returns:
+        (N, n) rad, and (N,) which poses are reached with them.
+    """
+    q, missed_mm = _descend(arm, T_arm_flange, q_rad)
+    return q, missed_mm < REACHED_MM
 
 
 def nearest_joints(arm: Arm, T_arm_flange: Floats, q_rad: Floats) -> Floats:
@@ -35,25 +46,32 @@ def nearest_joints(arm: Arm, T_arm_flange: Floats, q_rad: Floats) -> Floats:
     An arm of five joints reaches almost no pose exactly. Arguments are those of
     ``solve_inverse_kinematics``.
     """
-    return _descend(arm, T_arm_flange, q_rad)[0]
+    return np.asarray(_descend(arm, T_arm_flange[None], np.asarray(q_rad)[None])[0][0])
 
 
-def _descend(arm: Arm, T_arm_flange: Floats, q_rad: Floats) -> tuple[Floats, float]:
-    """Encoder angles (n,), and what is missed with them in mm; a radian weighs as ``LEVER_MM``."""
+def _descend(arm: Arm, T_arm_flange: Floats, q_rad: Floats) -> tuple[Floats, Floats]:
+    """Encoder angles (N, n), and what is missed with them (N,) in mm; a radian weighs as
+    ``LEVER_MM``."""
     low, high = np.array([joint.limits_rad for joint in arm.joints]).T
     q = np.clip(np.asarray(q_rad, dtype=np.float64), low, high)
     weigh = np.repeat([1.0, LEVER_MM], 3)
-    missed_mm = np.inf
+    missed_mm = np.full(len(q), np.inf)
+    left = np.arange(len(q))  # those that are still on their way
     for _ in range(MOST_STEPS):
-        T = flange_pose(arm, q)
-        turn = vector_from_rotation(T_arm_flange[:3, :3] @ T[:3, :3].T)
-        off = weigh * np.concatenate([T_arm_flange[:3, 3] - T[:3, 3], turn])
-        missed_mm = float(np.linalg.norm(off))
-        if missed_mm < REACHED_MM:
+        T, wanted = flange_poses(arm, q[left]), T_arm_flange[left]
+        turn = vector_from_rotation(wanted[:, :3, :3] @ T[:, :3, :3].transpose(0, 2, 1))
+        off = weigh * np.concatenate([wanted[:, :3, 3] - T[:, :3, 3], turn], axis=1)
+        missed_mm[left] = np.linalg.norm(off, axis=1)
+        going = missed_mm[left] >= REACHED_MM
+        left, off = left[going], off[going]
+        if not len(left):
             break
-        J = weigh[:, None] * geometric_jacobian(arm, q, np.zeros(3))
-        damped = J.T @ J + DAMPING * float(np.trace(J.T @ J)) / len(q) * np.eye(len(q))
-        step = np.linalg.solve(damped, J.T @ off)
-        step *= min(1.0, LARGEST_STEP_RAD / max(float(np.abs(step).max()), 1e-12))
-        q = np.clip(q + step, low, high)
+        J = weigh[:, None] * geometric_jacobians(arm, q[left], np.zeros(3))
+        N = J.transpose(0, 2, 1) @ J
+        damping = DAMPING * np.trace(N, axis1=1, axis2=2) / q.shape[1]
+        N += damping[:, None, None] * np.eye(q.shape[1])
+        step = np.linalg.solve(N, J.transpose(0, 2, 1) @ off[..., None])[..., 0]
+        longest = np.maximum(np.abs(step).max(axis=1), 1e-12)
+        step *= np.minimum(1.0, LARGEST_STEP_RAD / longest)[:, None]
+        q[left] = np.clip(q[left] + step, low, high)
     return q, missed_mm
