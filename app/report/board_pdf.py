@@ -1,8 +1,9 @@
 """A board to print, as PDF to scale, with what checks the printer."""
 
 import io
+from typing import Literal
 
-from reportlab.lib.pagesizes import A0, A1, A2, A3, A4, landscape
+from reportlab.lib.pagesizes import A0, A1, A2, A3, A4, TABLOID, landscape, legal, letter
 from reportlab.lib.units import mm
 from reportlab.pdfgen.canvas import Canvas
 
@@ -20,11 +21,22 @@ BAR_MM = 100.0
 MARGIN_MM, FOOT_MM, GAP_MM = 12.0, 32.0, 6.0
 """Around everything, for the bar and the words below, and of white around the pattern."""
 TEXT_PT, LINE_MM, TICK_MM = 8.0, 0.2, 4.0
-PAGES = {"A4": A4, "A3": A3, "A2": A2, "A1": A1, "A0": A0}
+PageName = Literal["A4", "A3", "A2", "A1", "A0", "letter", "legal", "tabloid"]
+PAGES: dict[PageName, tuple[float, float]] = {
+    "A4": A4,
+    "A3": A3,
+    "A2": A2,
+    "A1": A1,
+    "A0": A0,
+    "letter": letter,
+    "legal": legal,
+    "tabloid": TABLOID,
+}
+TRIED: tuple[PageName, ...] = ("A4", "A3", "A2", "A1", "A0")
 
 
-def board_pdf(board: Chessboard, language: str) -> bytes:
-    """One page with the pattern at its size, on the smallest of A4 to A0 that has room.
+def board_pdf(board: Chessboard, language: str, page: PageName | None = None) -> bytes:
+    """One page with the pattern at its size: as asked, or the smallest of A4 to A0 with room.
 
     Below are a bar of ``BAR_MM`` and the nominal width and height of the pattern.
 
@@ -33,13 +45,13 @@ def board_pdf(board: Chessboard, language: str) -> bytes:
     """
     register_fonts()
     pattern = board_pattern(board)
-    name, page = _page(pattern)
+    name, size = _page(pattern, page)
     file, render = io.BytesIO(), renderer(language)
-    canvas = Canvas(file, pagesize=page, invariant=1, lang=language)
+    canvas = Canvas(file, pagesize=size, invariant=1, lang=language)
     canvas.setTitle(replace_missing(board.name))
     canvas.setCreator("Crenel")
     canvas.setViewerPreference("PrintScaling", "None")
-    left_mm = (page[0] / mm - pattern.size_mm[0]) / 2
+    left_mm = (size[0] / mm - pattern.size_mm[0]) / 2
     low_mm = MARGIN_MM + FOOT_MM + GAP_MM
     canvas.saveState()
     canvas.translate(left_mm * mm, low_mm * mm)
@@ -53,20 +65,47 @@ def board_pdf(board: Chessboard, language: str) -> bytes:
     return file.getvalue()
 
 
-def board_page(board: Chessboard) -> str:
+def board_page(board: Chessboard, page: PageName | None = None) -> str:
     """The name of the page that ``board_pdf`` takes; raises ``OperationError`` as it does."""
-    name, _ = _page(board_pattern(board))
+    name, _ = _page(board_pattern(board), page)
     return name
 
 
-def _page(pattern: BoardPattern) -> tuple[str, tuple[float, float]]:
-    """The smallest page, by its name, and its width and height in points."""
+def read_page(text: str | None) -> PageName | None:
+    """The page of a name in any case; raises ``OperationError`` (``board-page``)."""
+    if text is None:
+        return None
+    for name in PAGES:
+        if name.lower() == text.strip().lower():
+            return name
+    raise OperationError(
+        "board-page",
+        message("no-page-of-this-name", name=text),
+        "",
+        message("give-one-of", names=", ".join(PAGES)),
+    )
+
+
+def _page(pattern: BoardPattern, wanted: PageName | None) -> tuple[str, tuple[float, float]]:
+    """The page, by its name, and its width and height in points."""
     width = max(pattern.size_mm[0], BAR_MM) + 2 * (MARGIN_MM + GAP_MM)
     height = pattern.size_mm[1] + 2 * (MARGIN_MM + GAP_MM) + FOOT_MM
-    for name, page in PAGES.items():
-        for across, up in (page, landscape(page)):
+    for name in TRIED if wanted is None else (wanted,):
+        for across, up in (PAGES[name], landscape(PAGES[name])):
             if width * mm <= across and height * mm <= up:
                 return name, (across, up)
+    if wanted is not None:
+        raise OperationError(
+            "board-too-large",
+            message(
+                "board-larger-than-page",
+                width=quantity(pattern.size_mm[0], "mm"),
+                height=quantity(pattern.size_mm[1], "mm"),
+                page=wanted,
+            ),
+            "",
+            message("board-larger-page-or-fewer-squares"),
+        )
     raise OperationError(
         "board-too-large",
         message(

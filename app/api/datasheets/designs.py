@@ -14,16 +14,24 @@ from pydantic import Field
 from starlette.responses import Response
 
 from app.api.access.authorization import StationRouter
+from app.formats.datasheets.target import WIDEST_MM
 from app.formats.drawings.dxf import dxf_obstacle
 from app.formats.open_file import read_bounded
 from app.messages.message import Text
+from app.metrology.design.block_shapes import GivenSizes
 from app.operations.context import TheContext
 from app.operations.datasheets.block_designs import DesignProgress, order_id
-from app.report.board_pdf import board_page, board_pdf
+from app.report.board_pdf import PageName, board_page, board_pdf
 from app.report.drawing_pdf import drawing_pdf
 from app.wire.schema import RequestBody
 from app.workflows.design.block_drawing import draw_block
-from app.workflows.design.board_files import PrintedBoard, board_file, plan_board, scale_print
+from app.workflows.design.board_files import (
+    PrintedBoard,
+    board_file,
+    both_lengths,
+    plan_board,
+    scale_print,
+)
 from app.workflows.design.design_files import (
     design_figures,
     object_file,
@@ -61,6 +69,11 @@ class BlockRequest(RequestBody):
     stripe_axis: Literal["u", "v"]
     arm: Annotated[str, Field(max_length=255)] = ""
     arm_version: Annotated[str, Field(max_length=64)] = ""
+    width_mm: Annotated[float | None, Finite, Field(ge=1)] = None
+    merlons: Annotated[int | None, Field(ge=2, le=9)] = None
+    groove_mm: Annotated[float | None, Finite, Field(ge=0.1)] = None
+    tolerance_mm: Annotated[float | None, Field(ge=0.001, le=WIDEST_MM)] = None
+    """Sizes of the block that are kept; None: proposed."""
 
 
 @dataclass(frozen=True)
@@ -114,7 +127,7 @@ class BoardDesignView:
     height_mm: float
     """Of the pattern, as it is to be printed."""
     page: str
-    """The smallest that has room: A4 to A0."""
+    """That is asked for, or the smallest of A4 to A0 that has room."""
 
 
 @router.post("/block")
@@ -132,6 +145,7 @@ def design_block(asked: BlockRequest, context: TheContext) -> BlockDesignState:
         stripe_axis=asked.stripe_axis,
         arm=arm,
         arm_version=asked.arm_version,
+        given=GivenSizes(asked.width_mm, asked.merlons, asked.groove_mm, asked.tolerance_mm),
     )
     found = context.block_designs.ask(asked.page, order)
     if isinstance(found, DesignProgress):
@@ -187,32 +201,32 @@ def _board(
 ) -> PrintedBoard:
     """The board; scaled, where width and height of its print were measured."""
     planned = plan_board(name, (columns, rows), square_mm, kind == "charuco")
-    measured = None
-    if measured_x_mm is not None and measured_y_mm is not None:
-        measured = (measured_x_mm, measured_y_mm)
-    return scale_print(planned, measured, measured_sd_mm)
+    return scale_print(planned, both_lengths(measured_x_mm, measured_y_mm), measured_sd_mm)
 
 
 TheBoard = Annotated[PrintedBoard, Depends(_board)]
+Page = Annotated[PageName | None, Query()]
 
 
 @router.get("/board")
-def design_board(board: TheBoard) -> BoardDesignView:
+def design_board(board: TheBoard, page: Page = None) -> BoardDesignView:
     """A board to print; or of a printed one, its file by two measured lengths."""
     width_mm, height_mm = board.size_mm
     return BoardDesignView(
         document=board_file(board.printed).text(),
         width_mm=width_mm,
         height_mm=height_mm,
-        page=board_page(board.planned),
+        page=board_page(board.planned, page),
     )
 
 
 @router.get("/board/board.pdf")
-async def board_page_file(board: TheBoard, context: TheContext, lang: Language = "en") -> Response:
+async def board_page_file(
+    board: TheBoard, context: TheContext, page: Page = None, lang: Language = "en"
+) -> Response:
     """The page to print, to scale."""
     async with context.printer:
-        content = await asyncio.to_thread(board_pdf, board.planned, lang)
+        content = await asyncio.to_thread(board_pdf, board.planned, lang, page)
     return _attachment(content, "application/pdf", "board.pdf")
 
 

@@ -50,6 +50,22 @@ def block(
     arm: Annotated[
         Path | None, typer.Option(help="arm.json of the arm; otherwise, a usual portable arm.")
     ] = None,
+    width: Annotated[
+        float | None, typer.Option(min=1.0, help="Width of the block, in mm; otherwise proposed.")
+    ] = None,
+    merlons: Annotated[
+        int | None, typer.Option(min=2, max=9, help="Number of merlons; otherwise proposed.")
+    ] = None,
+    groove_depth: Annotated[
+        float | None,
+        typer.Option(min=0.1, help="Depth of the grooves, in mm; otherwise proposed."),
+    ] = None,
+    tolerance: Annotated[
+        float | None,
+        typer.Option(
+            min=0.001, max=0.3, help="± to which the block is made, in mm; otherwise proposed."
+        ),
+    ] = None,
     name: Annotated[str, typer.Option(help="Name of the block.")] = "Crenellated block",
     language: Annotated[
         str, typer.Option(help="Of the drawing: en, or another language of app/messages.")
@@ -57,6 +73,7 @@ def block(
     as_json: AsJson = False,
 ) -> None:
     """Propose a crenellated block for a sensor, and state the accuracy that it will give."""
+    from app.metrology.design.block_shapes import GivenSizes
     from app.workflows.design.ordered_block import BlockOrder, design_block
 
     order = BlockOrder(
@@ -68,6 +85,7 @@ def block(
         size_px=None if pixels is None else two_numbers(pixels, "--pixels"),
         stripe_axis=_axis(stripe_axis),
         arm=arm,
+        given=GivenSizes(width, merlons, groove_depth, tolerance),
     )
     with progress_bar("Designing", not as_json) as progress:
         found = design_block(order, name, progress).design

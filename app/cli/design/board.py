@@ -35,6 +35,12 @@ def board(
     measured_sd: Annotated[
         float, typer.Option(min=0.0, help="Standard uncertainty of both, in mm.")
     ] = 0.1,
+    page: Annotated[
+        str | None,
+        typer.Option(
+            help="A4 to A0, letter, legal or tabloid; otherwise, the smallest of A4 to A0."
+        ),
+    ] = None,
     language: Annotated[
         str, typer.Option(help="Of the page: en, or another language of app/messages.")
     ] = "en",
@@ -42,23 +48,19 @@ def board(
 ) -> None:
     """Make a board to print, to scale; or, of a printed one, its file by two measured lengths."""
     from app.formats.atomic_write import write_atomically
-    from app.report.board_pdf import board_pdf
-    from app.workflows.design.board_files import board_file, plan_board, scale_print
+    from app.report.board_pdf import board_pdf, read_page
+    from app.workflows.design.board_files import board_file, both_lengths, plan_board, scale_print
     from app.workflows.design.design_files import make_folder
 
-    if (measured_x is None) != (measured_y is None):
-        raise typer.BadParameter("give both lengths, or none", param_hint="--measured-x")
     size = two_numbers(squares, "--squares")
     planned = plan_board(
         name or f"{kind.value} {size[0]} x {size[1]}", size, square, kind == "charuco"
     )
-    measured = None
-    if measured_x is not None and measured_y is not None:
-        measured = (measured_x, measured_y)
+    measured = both_lengths(measured_x, measured_y)
     both = scale_print(planned, measured, measured_sd)
     paths = [output / "object.json"]
     if measured is None:
-        content = board_pdf(planned, language)
+        content = board_pdf(planned, language, read_page(page))
         make_folder(output)
         write_atomically(output / "board.pdf", content)
         paths.append(output / "board.pdf")

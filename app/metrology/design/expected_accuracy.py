@@ -36,7 +36,7 @@ from app.metrology.design.stripe_sensor import (
     nominal_plane,
     range_points,
 )
-from app.metrology.design.usual_arm import arm_cannot_reach, table_places, take_postures
+from app.metrology.design.usual_arm import PLACES, arm_cannot_reach, table_places, take_postures
 from app.metrology.sensor.camera import Camera, project
 from app.metrology.sensor.laser_plane import LaserPlane, in_frame
 from app.metrology.targets.crenellated_block import Crenellated
@@ -139,9 +139,13 @@ def _rms(values: Sequence[float]) -> float:
 
 
 def plan_sessions(
-    sensor: StripeSensor, block: Crenellated, arm: Arm
+    sensor: StripeSensor, block: Crenellated, arm: Arm, most: int = PLACES
 ) -> tuple[ExpectedSession, ...]:
     """Sessions with the block on a table, one for each place at which the arm can do it.
+
+    Args:
+        sensor, block, arm: with which they are.
+        most: after so many, no other place is tried.
 
     Raises:
         OperationError: ``arm-cannot-reach``, at no place.
@@ -150,6 +154,8 @@ def plan_sessions(
     scales = Scales(size_mm / LEVER_MM, size_mm, 1.0, TOUCH_MM)
     sessions = []
     for T_arm_obj in table_places():
+        if len(sessions) == most:
+            break
         with suppress(OperationError):
             sessions.append(_plan_at(sensor, block, arm, T_arm_obj, scales))
     if not sessions:

@@ -31,9 +31,12 @@ class ToleranceEffect:
 
 
 def tolerance_effects(
-    one_pose: Expectation, eight_poses: Expectation, progress: Progress = no_progress
+    one_pose: Expectation,
+    eight_poses: Expectation,
+    given_mm: float | None = None,
+    progress: Progress = no_progress,
 ) -> tuple[ToleranceEffect, ...]:
-    """A measured block, then blocks made to each of ``TOLERANCES_MM``.
+    """A measured block, then blocks made to each of ``TOLERANCES_MM`` and to a given tolerance.
 
     The size of a block that was made to a tolerance lies anywhere within, with the standard
     uncertainty of a rectangular distribution.
@@ -42,7 +45,8 @@ def tolerance_effects(
         JCGM 100:2008 (GUM), 4.3.7.
     """
     effects = []
-    made = (None, *TOLERANCES_MM)
+    own = () if given_mm is None else (given_mm,)
+    made = (None, *sorted({*TOLERANCES_MM, *own}))
     for done, tolerance_mm in enumerate(made):
         progress(done / len(made), message("design-predicts-accuracy"))
         sd_mm = MEASURED_MM if tolerance_mm is None else tolerance_mm / np.sqrt(3)

@@ -35,6 +35,24 @@ def plan_board(name: str, squares: tuple[int, int], square_mm: float, markers: b
     return file.board()
 
 
+def both_lengths(x_mm: float | None, y_mm: float | None) -> tuple[float, float] | None:
+    """Width and height as they were measured on a print, or neither.
+
+    Raises:
+        OperationError: ``board-measured``, if one is given without the other.
+    """
+    if x_mm is None and y_mm is None:
+        return None
+    if x_mm is None or y_mm is None:
+        raise OperationError(
+            "board-measured",
+            message("one-length-of-print-alone"),
+            "",
+            message("measure-width-and-height-of-print"),
+        )
+    return x_mm, y_mm
+
+
 @dataclass(frozen=True)
 class PrintedBoard:
     """A board as it is to be printed, and as it was printed, as far as that was measured."""
