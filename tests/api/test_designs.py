@@ -86,6 +86,8 @@ def test_numbers_of_no_sensor_are_refused_in_the_words_of_the_command(
     numbers = ("--field-of-view", 55, "--depth-of-field", 1, "--standoff", 115)
     said = refused("design", "block", *numbers, "--pixels", "1280x1024", "-o", tmp_path)
     assert answer.json()["detail"].rstrip(".") in said
+    wide = wait_for(lambda: ask(server, width_mm=60.0), lambda answer: answer.status_code != 200)
+    assert code_of(wide) == (422, "block-sizes")
     assert code_of(ask(server, arm="none.json"))[1] == "no-datasheet"
     assert ask(server, standoff_mm=0.0).status_code == 422
 
@@ -106,10 +108,17 @@ def test_a_board_is_that_of_the_command_and_scaled_by_its_print(
     scaled = board(**measured).raise_for_status().json()
     assert json.loads(scaled["document"])["square_mm"] == 19.98
     assert (scaled["width_mm"], scaled["page"]) == (220.0, "A3")
+    assert board(page="tabloid").raise_for_status().json()["page"] == "tabloid"
+    made = printed(*command, "--name", "Board 4", "--page", "Tabloid", "-o", tmp_path)
+    tabloid = board("/board.pdf", page="tabloid").raise_for_status()
+    assert tabloid.content == (tmp_path / "board.pdf").read_bytes()
     bad: tuple[tuple[dict[str, Any], str], ...] = (
         ({"columns": 3}, "board-squares"),
         ({"square_mm": 300.0}, "board-too-large"),
         ({"measured_x_mm": 100.0, "measured_y_mm": 80.0}, "board-scale"),
+        ({"measured_x_mm": 219.78}, "board-measured"),
+        ({"measured_y_mm": 159.84}, "board-measured"),
+        ({"page": "A4"}, "board-too-large"),
     )
     for changes, code in bad:
         assert code_of(board(**changes)) == (422, code)

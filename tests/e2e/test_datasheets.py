@@ -38,6 +38,8 @@ pytestmark = pytest.mark.device
 
 PASSWORD = "three unrelated words"
 WIDE, NARROW = {"width": 1280, "height": 800}, {"width": 820, "height": 1180}
+DESIGNING_MS = 600_000
+"""Beside whatever else runs."""
 MOST_CLICKS_AND_FIELDS = 40
 """Beside the table of the arm's joints."""
 MOST_OF_A_ROBOT = 20
@@ -374,6 +376,79 @@ def test_a_block_and_an_arm_on_the_network_from_an_empty_folder_to_an_accepted_c
         assert owner.count <= MOST_CLICKS_AND_FIELDS
         assert not [one for one in visit.faults if "/api/flow/command" not in one]
         page.context.close()
+
+
+@pytest.mark.soak
+@pytest.mark.timeout(1800)
+def test_a_block_and_a_board_are_designed_and_taken_over_as_datasheets(
+    tmp_path: Path, browser: Browser, pictures: Path
+) -> None:
+    with serving_an_empty_folder(tmp_path) as station:
+        page = browser.new_context(viewport=WIDE).new_page()  # type: ignore[arg-type]
+        visit, owner = Visit(page), Owner(page)
+        sign_in(page, station)
+        page.get_by_role("link", name="Datasheets").click()
+        owner.press("Design a block")
+        take_over = page.get_by_role("button", name="Take it over as a datasheet")
+        expect(take_over).to_be_enabled(timeout=DESIGNING_MS)
+        owner.fill("Width of the block", "60")
+        expect(page.get_by_role("alert")).to_contain_text("60 mm is wider than 46.2 mm")
+        expect(take_over).to_be_disabled()
+        owner.fill("Width of the block", "40")
+        page.get_by_label("Number of merlons").select_option("4")
+        expect(take_over).to_be_enabled(timeout=DESIGNING_MS)
+        faults = look_at_design(page, pictures, "block", "The proposed block with the laser line")
+        with page.expect_download() as download:
+            owner.press("PDF")
+        assert download.value.path().read_bytes().startswith(b"%PDF")
+        take_over.click()
+        owner.fill("Serial number", "D-1")
+        edges = owner.field("Edges along X").input_value().split(",")
+        assert (len(edges), float(edges[-1]) - float(edges[0])) == (8, 40.0)
+        owner.press("Save the datasheet")
+        expect(page.get_by_role("heading", name="The datasheet is saved")).to_be_visible()
+        page.get_by_role("link", name="Datasheets").click()
+        owner.press("Print a board")
+        pattern = page.get_by_text("The pattern is 220 mm wide and 160 mm high")
+        expect(pattern).to_contain_text("A3")
+        page.get_by_label("Page to print on").select_option("A4")
+        expect(page.get_by_role("alert")).to_contain_text("does not fit on A4")
+        page.get_by_label("Page to print on").select_option("Tabloid")
+        expect(pattern).to_contain_text("tabloid")
+        expect(page.get_by_role("alert")).to_have_count(0)
+        owner.fill("Measured width", "219.78")
+        expect(take_over).to_be_disabled()
+        owner.fill("Measured height", "159.84")
+        expect(take_over).to_be_enabled()
+        faults += look_at_design(page, pictures, "board", "The board to print")
+        take_over.click()
+        expect(owner.field("Side of a square")).to_have_value("19.98")
+        owner.press("Save the datasheet")
+        expect(page.get_by_role("heading", name="The datasheet is saved")).to_be_visible()
+        assert not faults
+        assert not [one for one in visit.faults if "/api/designs" not in one]  # refused, as above
+        page.context.close()
+
+
+def look_at_design(page: Page, pictures: Path, name: str, drawn: str) -> list[str]:
+    """Pictures in both sizes and themes; returns what keeps people from using the page.
+
+    Where the fields are below the design, it stays in view while they are filled in.
+    """
+    found = []
+    for size, shape in ((WIDE, "wide"), (NARROW, "narrow")):
+        page.set_viewport_size(size)  # type: ignore[arg-type]
+        for theme in ("light", "dark"):
+            page.emulate_media(color_scheme=theme)  # type: ignore[arg-type]
+            page.wait_for_timeout(300)
+            page.screenshot(path=pictures / f"design-{name}-{shape}-{theme}.png")
+        found += in_both_themes(page, f"{name}, {shape}")
+        page.get_by_label("Name of the " + name).scroll_into_view_if_needed()
+        drawing = page.get_by_role("group", name=drawn)
+        expect(drawing).to_be_in_viewport(ratio=0.5)
+    page.screenshot(path=pictures / f"design-{name}-narrow-scrolled.png")
+    page.set_viewport_size(WIDE)  # type: ignore[arg-type]
+    return found
 
 
 def block_of(simulation: SimulatedStation) -> dict[str, str]:

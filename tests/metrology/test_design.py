@@ -8,9 +8,10 @@ import numpy as np
 import pytest
 
 from app.errors import OperationError
+from app.metrology.design.block_shapes import FILL, GivenSizes, possible_blocks
 from app.metrology.design.making_tolerance import ToleranceEffect, widest_tolerance_mm
 from app.metrology.design.merlon_widths import merlon_edges
-from app.metrology.design.propose_block import FILL, assess_block, propose_block
+from app.metrology.design.propose_block import assess_block, propose_block
 from app.metrology.design.stripe_sensor import (
     StripeSensor,
     nominal_camera,
@@ -71,6 +72,53 @@ def test_a_block_fits_its_sensor_and_differs_from_its_mirror_image() -> None:
         assert before.one_pose_um < after.one_pose_um
     worse = assess_block(SENSOR, replace(block, crest_z_mm=block.floor_z_mm + 2.0), usual_arm())
     assert worse.one_pose.total_um > design.one_pose.total_um
+
+
+@pytest.mark.parametrize(
+    "given",
+    [
+        GivenSizes(width_mm=40.3),
+        GivenSizes(merlons=5),
+        GivenSizes(groove_mm=12.3),
+        GivenSizes(width_mm=38.0, merlons=4, groove_mm=9.0),
+    ],
+)
+def test_given_sizes_are_kept_by_every_block(given: GivenSizes) -> None:
+    for block in possible_blocks(SENSOR, "B", given):
+        x = block.edges_x_mm
+        assert given.width_mm is None or x[-1] - x[0] == pytest.approx(given.width_mm)
+        assert block.merlon_count == (given.merlons or 3)
+        assert given.groove_mm is None or block.crest_z_mm == given.groove_mm
+        assert share_of_picture(SENSOR, block) <= FILL
+        widths = np.diff(x)
+        assert np.all(np.diff(widths) < 0)
+        assert mirror_difference_mm(x) > 1.0
+
+
+@pytest.mark.parametrize(
+    ("given", "why"),
+    [
+        (GivenSizes(groove_mm=25.0), "deeper than the depth of field of 20 mm"),
+        (GivenSizes(width_mm=60.0), "60 mm is wider than 46.2 mm"),
+        (GivenSizes(width_mm=46.0), "is not seen as a whole"),
+        (GivenSizes(width_mm=30.0, merlons=9), "taken for its mirror image"),
+        (GivenSizes(width_mm=6.0), "the narrowest is 0.7 mm wide"),
+        (GivenSizes(width_mm=20.0, groove_mm=18.0), "too deep to be cut"),
+        (GivenSizes(merlons=9), "no block with 9 merlons"),
+        (GivenSizes(merlons=5, groove_mm=20.0), "5 merlons and grooves of 20 mm"),
+    ],
+)
+def test_sizes_that_contradict_are_refused(given: GivenSizes, why: str) -> None:
+    with pytest.raises(OperationError, match=why) as refusal:
+        possible_blocks(SENSOR, "B", given)
+    assert refusal.value.code == "block-sizes"
+
+
+def test_a_given_tolerance_is_judged_and_stated() -> None:
+    given = GivenSizes(merlons=3, groove_mm=12.0, tolerance_mm=0.03)
+    design = propose_block(SENSOR, usual_arm(), "B", given=given)
+    assert design.tolerance_mm == 0.03
+    assert [one.tolerance_mm for one in design.effects[1:]] == [0.005, 0.01, 0.02, 0.03, 0.05, 0.1]
 
 
 def test_the_widest_tolerance_costs_little() -> None:

@@ -9,6 +9,8 @@ import { TextField } from "../parts/TextField";
 import { useOnlyViews } from "../state/control";
 import { currentLanguage, t } from "../state/language";
 import { BlockResult } from "./BlockResult";
+import { BlockSizes } from "./BlockSizes";
+import { givenSizes, NO_SIZES, sizesOf } from "./blockSizes";
 import { Choice } from "./Choice";
 import styles from "./Design.module.css";
 import { jsonFile } from "./DesignFiles";
@@ -29,6 +31,7 @@ export function BlockDesigner({ rows, onTake, onBack }: BlockDesignerProps) {
   const sensors = usable.filter(({ kind }) => kind === "sensor");
   const arms = usable.filter(({ form }) => form === "arm");
   const [fields, setFields] = useState(firstFields);
+  const [sizes, setSizes] = useState(NO_SIZES);
   const [sensor, setSensor] = useState(() => sensors.find(({ connected }) => connected)?.file ?? "");
   const [arm, setArm] = useState(() => arms.find(({ connected }) => connected)?.file ?? "");
   const [name, setName] = useState(t("ui-crenellated-block"));
@@ -55,10 +58,14 @@ export function BlockDesigner({ rows, onTake, onBack }: BlockDesignerProps) {
   const barred = useOnlyViews();
   const armRow = arms.find(({ file }) => file === arm);
   const numbers = known === address && !barred ? numbersOf(fields) : null;
-  const asked = numbers && { ...numbers, arm: armRow?.file ?? "", arm_version: armRow?.version ?? "" };
+  const given = givenSizes(sizes);
+  const asked = numbers &&
+    given && { ...numbers, ...given, arm: armRow?.file ?? "", arm_version: armRow?.version ?? "" };
   const found = useBlockDesign(asked);
   const { design } = found;
-  const document = design ? { ...(JSON.parse(design.document) as object), name: name.trim() } : {};
+  const document: Record<string, unknown> = design
+    ? { ...(JSON.parse(design.document) as object), name: name.trim() }
+    : {};
   const drawing = (file: BlockFile) => () => getBlockFile(design?.id ?? "", file, name.trim(), currentLanguage());
   const options = (some: DatasheetRow[], other: string) => [
     { value: "", label: other },
@@ -126,6 +133,7 @@ export function BlockDesigner({ rows, onTake, onBack }: BlockDesignerProps) {
           />
         );
       })}
+      <BlockSizes fields={sizes} proposed={design ? sizesOf(document) : NO_SIZES} onFields={setSizes} />
       <Choice label={t("ui-arm")} value={arm} options={options(arms, t("ui-a-usual-arm"))} onChange={setArm} />
       <TextField
         label={t("ui-name-of-the-block")}

@@ -14,11 +14,14 @@ import { UnitInput } from "../parts/UnitInput";
 import { useSettled } from "../parts/useSettled";
 import { useOnlyViews } from "../state/control";
 import { currentLanguage, t } from "../state/language";
+import { Choice } from "./Choice";
 import styles from "./Design.module.css";
 import { jsonFile } from "./DesignFiles";
 import { DesignPage } from "./DesignPage";
 
 type Kind = "charuco" | "chessboard";
+
+const PAGES = ["A4", "A3", "A2", "A1", "A0", "letter", "legal", "tabloid"] as const;
 
 interface BoardDesignerProps {
   onTake: (kind: Kind, document: Record<string, unknown>) => void;
@@ -36,12 +39,14 @@ export function BoardDesigner({ onTake, onBack }: BoardDesignerProps) {
   const [kind, setKind] = useState<Kind>("charuco");
   const [counts, setCounts] = useState({ columns: "11", rows: "8" });
   const [square, setSquare] = useState(() => typed(20, "mm"));
+  const [page, setPage] = useState("");
   const [name, setName] = useState<string | null>(null);
   const [printed, setPrinted] = useState({ measured_x_mm: "", measured_y_mm: "" });
   const title = t(kind === "charuco" ? "ui-charuco-board" : "ui-chessboard");
   const called = name ?? `${title} ${counts.columns} × ${counts.rows}`;
   const barred = useOnlyViews();
-  const asked = barred ? null : boardOf(kind, counts, square, called, printed);
+  const board = barred ? null : boardOf(kind, counts, square, called, printed);
+  const asked = board && page ? { ...board, page } : board;
   const { answer, last } = useBoard(asked ? JSON.stringify(asked) : "");
   const isCurrent = answer?.board != null;
   const document = last ? (JSON.parse(last.document) as Record<string, unknown>) : {};
@@ -112,6 +117,15 @@ export function BoardDesigner({ onTake, onBack }: BoardDesignerProps) {
         ))}
       </div>
       <Length label={t("ui-side-of-a-square")} value={square} needed onText={setSquare} />
+      <Choice
+        label={t("ui-page-to-print-on")}
+        value={page}
+        options={[
+          { value: "", label: t("ui-smallest-page") },
+          ...PAGES.map((one) => ({ value: one, label: one[0]?.toUpperCase() + one.slice(1) })),
+        ]}
+        onChange={setPage}
+      />
       <TextField
         label={t("ui-name-of-the-board")}
         maxLength={120}

@@ -6,6 +6,7 @@ import { MainAct } from "../parts/Actions";
 import { CardHead } from "../parts/CardHead";
 import { PressButton } from "../parts/PressButton";
 import { t } from "../state/language";
+import styles from "./Design.module.css";
 import { type DesignFile, DesignFiles } from "./DesignFiles";
 
 interface DesignPageProps {
@@ -30,7 +31,9 @@ export function DesignPage({ title, text, children, picture, files, ready, why, 
       card={
         <>
           <CardHead title={title} text={text} />
-          <div className={form.fields}>{children}</div>
+          <div className={styles.fields} data-design>
+            {children}
+          </div>
           <DesignFiles files={files} disabled={!ready} />
           <div className={form.save}>
             <MainAct>

@@ -18,6 +18,8 @@ export interface SliderRange {
 interface NumberSliderProps extends SliderRange {
   label: string;
   value: string;
+  /** What an empty field stands for. */
+  proposed?: string;
   onText: (text: string) => void;
 }
 
@@ -30,10 +32,11 @@ export function isWithin(text: string, { unit, least, most }: SliderRange): bool
 }
 
 /** A number that is typed or pushed; each step of the slider changes it by the same share. */
-export function NumberSlider({ label, value, onText, ...range }: NumberSliderProps) {
+export function NumberSlider({ label, value, proposed, onText, ...range }: NumberSliderProps) {
   const id = useId();
   const { unit, low, high } = range;
-  const now = fromTyped(value, unit);
+  const shown = value === "" && proposed !== undefined ? proposed : value;
+  const now = fromTyped(shown, unit);
   const span = Math.log(high / low);
   const place = Number.isFinite(now) && now > 0 ? Math.round((STEPS * Math.log(now / low)) / span) : 0;
   return (
@@ -46,7 +49,7 @@ export function NumberSlider({ label, value, onText, ...range }: NumberSliderPro
           type="range"
           className={styles.slider}
           aria-label={label}
-          aria-valuetext={`${value} ${unitOf(unit)}`}
+          aria-valuetext={`${shown} ${unitOf(unit)}`}
           min={0}
           max={STEPS}
           value={place}
@@ -59,7 +62,8 @@ export function NumberSlider({ label, value, onText, ...range }: NumberSliderPro
           id={id}
           value={value}
           unit={unitOf(unit)}
-          aria-invalid={!isWithin(value, range) || undefined}
+          placeholder={proposed}
+          aria-invalid={!(isWithin(value, range) || (proposed !== undefined && value === "")) || undefined}
           onText={onText}
         />
       </div>
