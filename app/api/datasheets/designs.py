@@ -18,7 +18,6 @@ from app.formats.datasheets.target import WIDEST_MM
 from app.formats.drawings.dxf import dxf_obstacle
 from app.formats.open_file import read_bounded
 from app.messages.message import Text
-from app.metrology.design.block_shapes import GivenSizes
 from app.operations.context import TheContext
 from app.operations.datasheets.block_designs import DesignProgress, order_id
 from app.report.board_pdf import PageName, board_page, board_pdf
@@ -145,7 +144,10 @@ def design_block(asked: BlockRequest, context: TheContext) -> BlockDesignState:
         stripe_axis=asked.stripe_axis,
         arm=arm,
         arm_version=asked.arm_version,
-        given=GivenSizes(asked.width_mm, asked.merlons, asked.groove_mm, asked.tolerance_mm),
+        width_mm=asked.width_mm,
+        merlons=asked.merlons,
+        groove_mm=asked.groove_mm,
+        tolerance_mm=asked.tolerance_mm,
     )
     found = context.block_designs.ask(asked.page, order)
     if isinstance(found, DesignProgress):

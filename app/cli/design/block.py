@@ -73,7 +73,6 @@ def block(
     as_json: AsJson = False,
 ) -> None:
     """Propose a crenellated block for a sensor, and state the accuracy that it will give."""
-    from app.metrology.design.block_shapes import GivenSizes
     from app.workflows.design.ordered_block import BlockOrder, design_block
 
     order = BlockOrder(
@@ -85,7 +84,10 @@ def block(
         size_px=None if pixels is None else two_numbers(pixels, "--pixels"),
         stripe_axis=_axis(stripe_axis),
         arm=arm,
-        given=GivenSizes(width, merlons, groove_depth, tolerance),
+        width_mm=width,
+        merlons=merlons,
+        groove_mm=groove_depth,
+        tolerance_mm=tolerance,
     )
     with progress_bar("Designing", not as_json) as progress:
         found = design_block(order, name, progress).design

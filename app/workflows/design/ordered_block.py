@@ -5,7 +5,7 @@ from pathlib import Path
 from typing import Literal
 
 from app.formats.datasheets.arm import read_arm
-from app.metrology.design.block_shapes import ANY_SIZES, GivenSizes
+from app.metrology.design.block_shapes import GivenSizes
 from app.metrology.design.propose_block import BlockDesign, propose_block
 from app.metrology.design.usual_arm import usual_arm
 from app.progress import Progress, no_progress
@@ -17,7 +17,7 @@ class BlockOrder:
     """What a block is designed for; ``sensor_numbers`` says what each number is.
 
     ``arm`` is the file of the arm, None for a usual one; ``arm_version`` tells its contents apart.
-    ``given`` sizes of the block are kept.
+    Sizes of the block that are given are kept; None: proposed.
     """
 
     field_of_view_mm: float
@@ -29,7 +29,10 @@ class BlockOrder:
     stripe_axis: Literal["u", "v"] | None = None
     arm: Path | None = None
     arm_version: str = ""
-    given: GivenSizes = ANY_SIZES
+    width_mm: float | None = None
+    merlons: int | None = None
+    groove_mm: float | None = None
+    tolerance_mm: float | None = None
 
 
 @dataclass(frozen=True)
@@ -64,4 +67,5 @@ def design_block(order: BlockOrder, name: str, progress: Progress = no_progress)
         stripe_axis=order.stripe_axis,
     )
     arm = usual_arm() if order.arm is None else read_arm(order.arm)
-    return OrderedBlock(propose_block(numbers, arm, name, progress, order.given))
+    given = GivenSizes(order.width_mm, order.merlons, order.groove_mm, order.tolerance_mm)
+    return OrderedBlock(propose_block(numbers, arm, name, progress, given))
