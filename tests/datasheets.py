@@ -35,6 +35,7 @@ def write_object(path: Path, item: Crenellated | Chessboard) -> None:
                 "marker_mm": markers["side_mm"],
                 "dictionary": markers["dictionary"],
                 "legacy_pattern": markers["legacy"],
+                "first_id": markers["first_id"],
             }
         ).write(path)
     else:

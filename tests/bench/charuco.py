@@ -10,7 +10,7 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from app.metrology.chessboard.charuco_grid import charuco_board
+from app.metrology.chessboard.charuco_board.charuco_grid import charuco_board
 from app.metrology.chessboard.detect_board import detect_board
 from app.metrology.sensor.camera import project
 from app.metrology.targets.chessboard import Markers, corner_points

@@ -39,6 +39,8 @@ def test_what_is_missing_of_the_sensor_is_named(tmp_path: Path) -> None:
 def test_a_board_is_made_and_its_file_follows_from_two_measured_lengths(tmp_path: Path) -> None:
     board = ("design", "board", "charuco", "--squares", "11x8", "--square", 20, "-o", tmp_path)
     assert len(printed(*board)["files"]) == 2
+    second = printed(*board, "--first-id", 44)["object"]
+    assert (second["first_id"], second["dictionary"]) == (44, "DICT_4X4_100")
     printed(*board, "--measured-x", 219.78, "--measured-y", 159.84)
     found = read_object(tmp_path / "object.json")
     assert isinstance(found, Chessboard)

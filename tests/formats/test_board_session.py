@@ -167,7 +167,9 @@ def test_a_pose_may_have_no_laser_picture(folder: Path) -> None:
         read_any_session(folder)
 
 
-CHARUCO = Chessboard("marked", "C-2", (7, 6), 10.0, 0.02, 0.1, Markers("DICT_5X5_100", 7.0, True))
+CHARUCO = Chessboard(
+    "marked", "C-2", (7, 6), 10.0, 0.02, 0.1, Markers("DICT_5X5_100", 7.0, True, 28)
+)
 
 
 def test_a_charuco_board_reads_back(folder: Path) -> None:
@@ -179,6 +181,7 @@ def test_a_charuco_board_reads_back(folder: Path) -> None:
 @pytest.mark.parametrize(
     ("fields", "words"),
     [
+        ({"first_id": 73}, "first_id: at most 72 for these markers of DICT_5X5_100"),
         ({"dictionary": "DICT_8X8_50"}, "dictionary is one of DICT_4X4_50"),
         ({"dictionary": "DICT_APRILTAG_16h5", "squares_x": 12}, "42 markers"),
         ({"marker_mm": 10}, "marker_mm must be less than square_mm"),

@@ -129,8 +129,9 @@ def _printed(board: Chessboard) -> NDArray[np.uint8]:
     assert board.markers is not None
     columns, rows = board.inner_corners
     dictionary = cv2.aruco.getPredefinedDictionary(getattr(cv2.aruco, board.markers.dictionary))
+    ids = board.markers.first_id + np.arange((columns + 1) * (rows + 1) // 2)
     made = cv2.aruco.CharucoBoard(
-        (columns + 1, rows + 1), board.square_mm, board.markers.side_mm, dictionary
+        (columns + 1, rows + 1), board.square_mm, board.markers.side_mm, dictionary, ids
     )
     made.setLegacyPattern(board.markers.legacy)
     size = ((columns + 1) * PRINTED_PX, (rows + 1) * PRINTED_PX)

@@ -8,7 +8,7 @@ import pytest
 
 from app.metrology.adjustment.board.calibrate import calibrate_board
 from app.metrology.chessboard.board_detection import BoardDetection
-from app.metrology.chessboard.charuco_grid import charuco_board
+from app.metrology.chessboard.charuco_board.charuco_grid import charuco_board
 from app.metrology.chessboard.detect_board import detect_board
 from app.metrology.chessboard.laser_light import drop_faint_stripe
 from app.metrology.sensor.camera import project
@@ -19,6 +19,7 @@ from tests.metrology.boards import (
     BOARD,
     OFFSET_MM,
     POSES,
+    SIZE,
     T_FLANGE_CAM,
     Look,
     camera_pose,
@@ -34,6 +35,7 @@ pytestmark = pytest.mark.slow
 
 CHARUCO = replace(BOARD, name="marked board", markers=Markers("DICT_4X4_50", 7.5))
 EVEN = replace(CHARUCO, inner_corners=(7, 5))
+SMALL = replace(CHARUCO, inner_corners=(5, 4))
 UNLIT = Look(laser=False, board=CHARUCO)
 
 
@@ -105,6 +107,50 @@ def test_what_shows_one_row_and_one_column_is_taken() -> None:
     assert np.abs(off_px(found, CHARUCO, POSES[1])).max() < 0.1
 
 
+def test_a_print_with_white_for_black_is_taken() -> None:
+    found = detect_board(255 - picture(POSES[1], UNLIT, 1), CHARUCO)
+    assert len(found) == 42
+    assert np.abs(off_px(found, CHARUCO, POSES[1])).max() < 0.1
+
+
+def test_of_two_boards_of_a_set_each_is_found_by_its_ids() -> None:
+    second = replace(SMALL, markers=Markers("DICT_4X4_50", 7.5, first_id=15))
+    looks = (replace(UNLIT, board=SMALL), replace(UNLIT, board=second))
+    image = np.hstack([picture(POSES[k], look, k) for k, look in enumerate(looks)])
+    for k, board in enumerate((SMALL, second)):
+        found = detect_board(image, board)
+        assert len(found) == 20
+        found_px = found.uv_px - [k * SIZE[0], 0]
+        true_px = project(camera_at(POSES[k]), corner_points(board))[found.number]
+        assert np.abs(found_px - true_px).max() < 0.1
+
+
+@pytest.mark.parametrize(
+    ("shown", "words"),
+    [
+        ([(2, 1)], "1 of 28 markers of marked board were read: fewer than 3"),
+        ([(2, 1), (4, 1)], "2 of 28 markers of marked board were read: fewer than 3"),
+        ([(0, 1), (2, 1), (4, 1)], "3 of 28 markers of marked board were read: the others are"),
+    ],
+)
+def test_few_markers_say_nothing_of_the_certificate(
+    shown: list[tuple[int, int]], words: str
+) -> None:
+    """All but some squares, by their lower left corner, is covered."""
+    image = picture(POSES[0], UNLIT, 1)
+    around = np.array([[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]]) * 1.2 - 0.1
+    seen = np.zeros_like(image)
+    for place in shown:
+        at = np.column_stack([10.0 * (around + place), np.zeros(4)])
+        quad = np.round(project(camera_at(POSES[0]), at)).astype(np.int32)
+        cv2.fillConvexPoly(seen, quad, (1,))
+    covered = np.where(seen > 0, image, np.uint8(70))
+    refusal = detection_refusal_of(detect_board, covered, CHARUCO)
+    assert refusal.code == "board-partly-seen"
+    assert words in refusal.line
+    assert "certificate" not in refusal.line
+
+
 def test_a_plain_boards_certificate_for_a_board_with_markers_is_named() -> None:
     refusal = refusal_of(detect_board, picture(POSES[1], UNLIT, 1), BOARD)
     assert refusal.code == "another-board"
@@ -157,11 +203,22 @@ def test_a_wide_angle_lens_is_no_hindrance(strength: float) -> None:
 @pytest.mark.parametrize(
     ("board", "code", "words"),
     [
-        (replace(CHARUCO, inner_corners=(9, 6)), "another-board", "not arranged as on"),
-        (replace(CHARUCO, inner_corners=(5, 6)), "another-board", "not arranged as on"),
-        (replace(CHARUCO, inner_corners=(7, 4)), "another-board", "not arranged as on"),
+        (replace(CHARUCO, inner_corners=(9, 6)), "another-board", "squares_x: 8"),
+        (replace(CHARUCO, inner_corners=(5, 6)), "another-board", "squares_x: 8"),
+        (replace(CHARUCO, inner_corners=(6, 7)), "another-board", "squares_x: 8 and squares_y: 7"),
+        (replace(CHARUCO, inner_corners=(7, 4)), "another-board", "squares_y: 7"),
         (replace(CHARUCO, markers=Markers("DICT_4X4_50", 5.0)), "another-board", "states 5 mm"),
-        (replace(CHARUCO, markers=Markers("DICT_5X5_50", 7.5)), "board-not-found", "DICT_5X5_50"),
+        (
+            replace(CHARUCO, markers=Markers("DICT_5X5_50", 7.5)),
+            "another-board",
+            "state dictionary: DICT_4X4_50",
+        ),
+        (
+            replace(CHARUCO, markers=Markers("DICT_4X4_50", 7.5, first_id=20)),
+            "another-board",
+            "with the ids 0 to 27 were found: marked board has the ids 20 to 47. If this is the "
+            "board, state first_id: 0",
+        ),
     ],
 )
 def test_another_board_is_refused(board: Chessboard, code: str, words: str) -> None:
@@ -175,14 +232,18 @@ def test_the_other_pattern_is_refused() -> None:
     legacy = replace(EVEN, markers=Markers("DICT_4X4_50", 7.5, legacy=True))
     refusal = detection_refusal_of(detect_board, image, legacy)
     assert refusal.code == "another-board"
-    assert "legacy_pattern" in refusal.line
+    assert "state legacy_pattern: false" in refusal.line
     assert len(refusal.marks) > 60  # the outlines of the markers
 
 
 def test_a_mirrored_picture_and_a_plain_board_are_refused() -> None:
     mirrored = np.ascontiguousarray(picture(POSES[1], UNLIT, 1)[:, ::-1])
-    for image in (mirrored, picture(POSES[1], Look(laser=False), 1)):
-        detection_refusal_of(detect_board, image, CHARUCO)
+    refusal = detection_refusal_of(detect_board, mirrored, CHARUCO)
+    assert (refusal.code, refusal.fault) == ("board-mirrored", "camera")
+    assert len(refusal.marks) == 4 * 28
+    plain = picture(POSES[1], Look(laser=False), 1)
+    refusal = detection_refusal_of(detect_board, plain, CHARUCO)
+    assert "kind chessboard" in refusal.line
     blurred = picture(POSES[1], replace(UNLIT, blur_px=8.0), 1)
     refusal = detection_refusal_of(detect_board, blurred, CHARUCO)
     assert refusal.fault == "focus"

@@ -26,6 +26,9 @@ def board(
         Path, typer.Option("-o", "--output", help="Folder for board.pdf and object.json.")
     ] = Path("board"),
     name: Annotated[str | None, typer.Option(help="Name of the board.")] = None,
+    first_id: Annotated[
+        int, typer.Option(min=0, help="Of the first marker, where other boards have those before.")
+    ] = 0,
     measured_x: Annotated[
         float | None, typer.Option(min=1.0, help="Width of the printed pattern, in mm.")
     ] = None,
@@ -54,7 +57,7 @@ def board(
 
     size = two_numbers(squares, "--squares")
     planned = plan_board(
-        name or f"{kind.value} {size[0]} x {size[1]}", size, square, kind == "charuco"
+        name or f"{kind.value} {size[0]} x {size[1]}", size, square, kind == "charuco", first_id
     )
     measured = both_lengths(measured_x, measured_y)
     both = scale_print(planned, measured, measured_sd)

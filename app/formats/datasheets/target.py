@@ -204,6 +204,8 @@ class CharucoFile(_BoardFile):
     dictionary: str
     legacy_pattern: bool = False
     """As OpenCV before 4.6 arranged the markers."""
+    first_id: Annotated[int, Field(ge=0, strict=True)] = 0
+    """Of the first marker; the others count up from it."""
 
     @model_validator(mode="after")
     def _has_markers(self) -> Self:
@@ -212,6 +214,10 @@ class CharucoFile(_BoardFile):
             names = ", ".join(DICTIONARIES)
             raise ValueError(message("dictionary-unknown", field=field, names=names))
         count, known = self.squares_x * self.squares_y // 2, DICTIONARIES[self.dictionary]
+        if count <= known < self.first_id + count:
+            first, most = field_name("first_id"), known - count
+            name = self.dictionary
+            raise ValueError(message("first-id-too-large", field=first, most=most, dictionary=name))
         if count > known:
             raise ValueError(
                 message(
@@ -233,7 +239,7 @@ class CharucoFile(_BoardFile):
         return Chessboard(
             **self.model_dump(include=own, exclude_none=True),
             inner_corners=(self.squares_x - 1, self.squares_y - 1),
-            markers=Markers(self.dictionary, self.marker_mm, self.legacy_pattern),
+            markers=Markers(self.dictionary, self.marker_mm, self.legacy_pattern, self.first_id),
         )
 
 

@@ -12,7 +12,7 @@ from app.metrology.chessboard.board_detection import (
     MeasuredCorners,
     agreeing_corners,
 )
-from app.metrology.chessboard.charuco import detect_charuco
+from app.metrology.chessboard.charuco_board.detect_charuco import detect_charuco
 from app.metrology.chessboard.corner_fit import fit_corner
 from app.metrology.chessboard.failure_evidence import BoardFailure, explain_failure, is_larger
 from app.metrology.chessboard.laser_light import laser_mask

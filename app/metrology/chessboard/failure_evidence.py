@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from app.errors import OperationError
 from app.messages.limits import beside_limit
-from app.messages.message import Text, message
+from app.messages.message import Text, message, quantity
 from app.metrology.chessboard.marked_squares import has_markers
 from app.metrology.chessboard.missing_corners import Cause, CornerGrid, common_cause
 from app.metrology.detection.failure_evidence import (
@@ -24,6 +24,7 @@ from app.metrology.detection.failure_evidence import (
 from app.metrology.detection.image_quality import image_findings
 from app.metrology.image import Image, saturation_level
 from app.metrology.targets.chessboard import Chessboard
+from app.metrology.transforms import Floats
 
 # Squares smaller than this show no regular grid of saddles.
 LEAST_SPACING_PX = 5.0
@@ -32,6 +33,8 @@ WHOLE = 0.95
 FEWEST_OF_A_GRID, FEWEST_OF_A_SIDE = 4, 3
 # The squares of one end of a board are at most so many times as large as those of the other.
 NEARER_END = 3.0
+# Squares that appear so many times as wide as high are seen at a slant of 70 degrees.
+SLANTED = 2.9
 
 _CAUSES: dict[Cause, tuple[Fault, Text, Text]] = {
     "outside": (
@@ -89,7 +92,24 @@ def explain_failure(board: Chessboard, failure: BoardFailure) -> DetectionError:
         return _with_image_fault("framing", refusal, grid)
     if failure.within is not None:
         return _explain_unmeasured(board, failure, failure.within)
+    if _is_slanted(grid):  # its corners may be joined to any size
+        what = message("no-chessboard-x-inner-corners-found", columns=columns, rows=rows)
+        slant = explain_slant(grid.steps_px())
+        return _with_marks(OperationError("board-slanted", what, *slant), "framing", grid)
     return _explain_size(board, failure)
+
+
+def explain_slant(steps_px: Floats) -> tuple[Text, Text]:
+    """Why squares that appear so wide and so high (2,) are not measured, and what to do."""
+    times = quantity(float(steps_px[0] / max(steps_px[1], 1e-3)), "", 1)
+    return message("board-seen-at-a-slant", times=times), message("tilt-board-less")
+
+
+def _is_slanted(grid: CornerGrid) -> bool:
+    if min(grid.extent) < 2:
+        return False
+    wide_px, high_px = grid.steps_px()
+    return bool(wide_px > SLANTED * high_px)
 
 
 def is_larger(board: Chessboard, grid: CornerGrid) -> bool:
@@ -117,6 +137,9 @@ def _explain_unmeasured(
     if cause != "unknown":
         fault, why, remedy = _CAUSES[cause]
         return _with_marks(OperationError("board-partly-seen", what, why, remedy), fault, grid)
+    if _is_slanted(grid):
+        slant = explain_slant(grid.steps_px())
+        return _with_marks(OperationError("board-slanted", what, *slant), "framing", grid)
     if grid.spacing_px() < LEAST_SPACING_PX:
         return _with_marks(_too_small(what, grid), "framing", grid)
     if board.markers is None and has_markers(grid.image):

@@ -20,6 +20,8 @@ NEIGHBOURS = 16
 # Number of columns and rows beyond the detected ones in which further corners are searched.
 REACH = 2
 ROUNDS = 6
+# A grid whose rows run along the diagonals of squares has at least so much more room for corners.
+SKEWED = 1.4
 
 Lattice = dict[tuple[int, int], int]
 
@@ -141,11 +143,30 @@ def complete_lattice(saddles: Saddles, lattice: Lattice) -> Lattice:
 
 def _complete(saddles: Saddles, tree: "cKDTree", lattice: Lattice) -> Lattice:
     for _ in range(ROUNDS):
+        lattice = _straighten(lattice)
         found = _add_missing(saddles, tree, _drop_misfits(saddles, lattice))
         if found == lattice:
             break
         lattice = found
     return _drop_misfits(saddles, lattice)
+
+
+def _straighten(lattice: Lattice) -> Lattice:
+    """The same corners in the rows and columns that give them the smallest rectangle.
+
+    On a board seen at a slant, the corner two columns and a row away may be nearer than the next
+    one, so that the grid grew along diagonals.
+    """
+    places = np.array(list(lattice))
+    while True:
+        room = int((np.ptp(places, axis=0) + 1).prod())
+        across = places[:, ::-1]
+        ways = [places + across * by for by in ([2, 0], [-2, 0], [0, 2], [0, -2])]
+        rooms = [int((np.ptp(way, axis=0) + 1).prod()) for way in ways]
+        if SKEWED * min(rooms) > room:
+            break
+        places = ways[rooms.index(min(rooms))]
+    return {(int(i), int(j)): k for (i, j), k in zip(places, lattice.values(), strict=True)}
 
 
 def _drop_misfits(saddles: Saddles, lattice: Lattice) -> Lattice:

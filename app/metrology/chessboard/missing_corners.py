@@ -9,7 +9,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.metrology.chessboard.corner_fit import window_radius_px
-from app.metrology.chessboard.perspective import fit_perspective, map_places
+from app.metrology.chessboard.perspective import (
+    fit_perspective,
+    map_places,
+    perspective_steps_px,
+)
 from app.metrology.image import Image, saturation_level
 from app.metrology.robust import median
 from app.metrology.transforms import Floats
@@ -50,6 +54,11 @@ class CornerGrid:
             if beside in at
         ]
         return median(steps) if steps else 0.0
+
+    def steps_px(self) -> Floats:
+        """(2,) how wide a square in the middle appears where it is widest, and across."""
+        H = fit_perspective(self.places, self.uv_px)
+        return perspective_steps_px(H, self.places.mean(axis=0))
 
     def causes(self, places: NDArray[np.int64]) -> list[Cause]:
         """What hides the corners at places (M, 2) of the grid, which may lie beyond it."""

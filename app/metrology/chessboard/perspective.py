@@ -45,6 +45,21 @@ def map_places(H: Floats, places: NDArray[np.int64] | Floats) -> Floats:
     return np.asarray(at[:, :2] / at[:, 2:])
 
 
+def perspective_steps_px(H: Floats, place: Floats) -> Floats:
+    """How wide a square appears in the direction in which it is widest, and across.
+
+    Args:
+        H: (3, 3) as of ``fit_perspective``.
+        place: (2,) column and row of the square.
+
+    Returns:
+        (2,) px; their ratio is the cosine of the tilt where the lens is long.
+    """
+    ways = np.array([[0.5, 0.0], [-0.5, 0.0], [0.0, 0.5], [0.0, -0.5]])
+    right, left, up, down = map_places(H, place + ways)
+    return np.asarray(np.linalg.svd(np.array([right - left, up - down]), compute_uv=False))
+
+
 def predict_corner(
     places: NDArray[np.int64],
     uv_px: Floats,

@@ -45,7 +45,7 @@ def board_pattern(board: Chessboard) -> BoardPattern:
         # OpenCV numbers the markers from the upper left, row by row
         others = [place for place in places if sum(place) % 2 != first]
         others.sort(key=lambda place: (-place[1], place[0]))
-        for number, (column, row) in enumerate(others):
+        for number, (column, row) in enumerate(others, board.markers.first_id):
             low = np.array([column + 0.5, row + 0.5]) * side - board.markers.side_mm / 2
             black.append((*low, *(low + board.markers.side_mm)))
             white.append(_white_cells(board.markers, number, low))

@@ -34,12 +34,13 @@ class Markers:
     """The markers in the white squares of a ChArUco board, by one of OpenCV's ``DICTIONARIES``.
 
     ``legacy`` is the arrangement of OpenCV before 4.6, which differs if the rows of squares are
-    even in number.
+    even in number. The ids count up from ``first_id``, as on the second board of a set.
     """
 
     dictionary: str
     side_mm: float
     legacy: bool = False
+    first_id: int = 0
 
 
 @dataclass(frozen=True)

@@ -13,8 +13,13 @@ MARKER_SHARE = 0.75
 """Of a square, for a marker."""
 
 
-def plan_board(name: str, squares: tuple[int, int], square_mm: float, markers: bool) -> Chessboard:
+def plan_board(
+    name: str, squares: tuple[int, int], square_mm: float, markers: bool, first_id: int = 0
+) -> Chessboard:
     """A board of so many columns and rows of squares.
+
+    Args:
+        first_id: of its first marker, where it is not the only board of a set.
 
     Raises:
         OperationError: ``board-squares``, where they are too few or too many.
@@ -25,12 +30,15 @@ def plan_board(name: str, squares: tuple[int, int], square_mm: float, markers: b
             "board-squares", message("board-has-4-to-60-squares"), "", message("correct-it")
         )
     count = columns * rows // 2
-    dictionary = next((one for one in USUAL_DICTIONARIES if DICTIONARIES[one] >= count), None)
+    needed = first_id + count
+    dictionary = next((one for one in USUAL_DICTIONARIES if DICTIONARIES[one] >= needed), None)
     if markers and dictionary is None:
         raise OperationError(
             "board-squares", message("board-has-4-to-60-squares"), "", message("correct-it")
         )
-    own = Markers(dictionary, MARKER_SHARE * square_mm) if markers and dictionary else None
+    own = None
+    if markers and dictionary:
+        own = Markers(dictionary, MARKER_SHARE * square_mm, first_id=first_id)
     file = board_file(Chessboard(name, "", (columns - 1, rows - 1), square_mm, 0.05, markers=own))
     return file.board()
 
@@ -103,6 +111,7 @@ def board_file(board: Chessboard) -> CharucoFile | ChessboardFile:
         marker_mm=round(board.markers.side_mm, 6),
         dictionary=board.markers.dictionary,
         legacy_pattern=board.markers.legacy,
+        first_id=board.markers.first_id,
         standard_uncertainty_mm=sd_mm,
         flatness_mm=board.flatness_mm,
     )

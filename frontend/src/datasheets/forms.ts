@@ -214,6 +214,7 @@ export const FORMS: Record<FormName, Form> = {
       mm("marker_mm", "ui-side-of-a-marker"),
       { key: "dictionary", label: "ui-dictionary", type: "choice", choices: DICTIONARIES },
       { key: "legacy_pattern", label: "ui-arranged-as-before-opencv-4-6", type: "switch" },
+      { ...count("first_id", "ui-id-of-the-first-marker"), optional: true },
       SD,
       FLATNESS,
     ],

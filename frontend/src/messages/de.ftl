@@ -639,6 +639,7 @@ ui-http-interface = HTTP-Schnittstelle
 ui-http-interface-explained = Programme lesen und bedienen diese Station über HTTP, mit den Rechten der Person oder des Tokens, mit denen sie sich anmelden.
 ui-http-interface-version = HTTP-Schnittstelle, Version { $version }
 ui-hz = { $n } Hz
+ui-id-of-the-first-marker = Nummer des ersten Markers
 ui-identification-appears-arms-deviation-datasheet-uncertainty = Hier erscheint jede Identifikation mit der Abweichung des Messarms von seinem Datenblatt, der erreichten Unsicherheit und dem Bericht.
 ui-identifications = Identifikationen
 ui-identify-the-arm = Messarm identifizieren

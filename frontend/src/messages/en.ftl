@@ -639,6 +639,7 @@ ui-http-interface = HTTP interface
 ui-http-interface-explained = Programs read and operate this station over HTTP, with the rights of the person or token that they sign in with.
 ui-http-interface-version = HTTP interface, version { $version }
 ui-hz = { $n } Hz
+ui-id-of-the-first-marker = Id of the first marker
 ui-identification-appears-arms-deviation-datasheet-uncertainty = Each identification appears here with its report, the arm's deviation from its datasheet and the uncertainty achieved.
 ui-identifications = Identifications
 ui-identify-the-arm = Identify the arm

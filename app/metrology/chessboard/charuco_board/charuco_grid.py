@@ -18,8 +18,13 @@ def charuco_board(board: Chessboard, markers: Markers) -> cv2.aruco.CharucoBoard
     """The board as OpenCV has it, in mm."""
     columns, rows = board.inner_corners
     dictionary = cv2.aruco.getPredefinedDictionary(getattr(cv2.aruco, markers.dictionary))
+    count = (columns + 1) * (rows + 1) // 2
     made = cv2.aruco.CharucoBoard(
-        (columns + 1, rows + 1), board.square_mm, markers.side_mm, dictionary
+        (columns + 1, rows + 1),
+        board.square_mm,
+        markers.side_mm,
+        dictionary,
+        np.arange(markers.first_id, markers.first_id + count),
     )
     made.setLegacyPattern(markers.legacy)
     return made

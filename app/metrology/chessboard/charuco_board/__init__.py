@@ -1,0 +1,1 @@
+"""ChArUco boards: their markers read, their corners measured, and why they were not found."""
