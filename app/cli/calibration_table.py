@@ -51,7 +51,9 @@ def _residual_figures(residuals: ResidualsPart) -> list[tuple[str, str]]:
     if residuals.corners_px:
         corners = f"{len(residuals.corners_px)}, {_rms_px(residuals):.3f} px rms"
         figures.append(("corners", corners))
-    stripe = f"{residuals.laser_plane_rms_um:.1f} µm rms of {residuals.stripe_points} points"
+    stripe = "none yet"
+    if residuals.laser_plane_rms_um is not None:
+        stripe = f"{residuals.laser_plane_rms_um:.1f} µm rms of {residuals.stripe_points} points"
     figures.append(("laser plane", stripe))
     if residuals.contacts_um:
         left_out = len(residuals.contacts_left_out)

@@ -51,6 +51,20 @@ def calibrate(
     usable_um: Annotated[
         float, typer.Option(min=0.0, help="Beyond this (k = 1) it is not to be used.")
     ] = 150.0,
+    without_laser: Annotated[
+        bool,
+        typer.Option(
+            "--without-laser",
+            help="Camera and mounting alone, whatever line the pictures of a chessboard show.",
+        ),
+    ] = False,
+    camera_from: Annotated[
+        Path | None,
+        typer.Option(
+            metavar="CALIBRATION",
+            help="Keep camera and mounting of this calibration, and add the laser plane.",
+        ),
+    ] = None,
     as_json: AsJson = False,
 ) -> None:
     """Calibrate from contact points and pictures: camera, laser plane, probe matrix."""
@@ -58,10 +72,20 @@ def calibrate(
     from app.metrology.limits import Limits
     from app.workflows.calibrate import calibrate_session
 
+    if without_laser and camera_from is not None:
+        raise typer.BadParameter(
+            "--without-laser calibrates no laser plane to add", param_hint="'--camera-from'"
+        )
     began = time.perf_counter()
     with progress_bar("Calibrating", not as_json) as progress:
         document, warnings = calibrate_session(
-            session, output, progress, method.value, Limits(good_um, usable_um)
+            session,
+            output,
+            progress,
+            method.value,
+            Limits(good_um, usable_um),
+            "none" if without_laser else "auto",
+            camera_from,
         )
     seconds = time.perf_counter() - began
     for text in warnings:

@@ -55,6 +55,7 @@ add-micrometer-reading-of-width = Die Breite eines Zahns mit der Messschraube me
 add-picture-delete-pose = Bild ergänzen oder Pose löschen
 add-pictures-turned-about-another-axis = Bilder aufnehmen, die um eine andere Achse gedreht sind
 add-readings-from-face-known = Messwerte dieser Flächen gegen andere ergänzen
+add-the-laser-to-camera-and-mounting = Bilder aufnehmen, in denen die Laserlinie über die Tafel verläuft, und mit dieser Kalibrierung als --camera-from kalibrieren
 added-a-datasheet = fügte ein Datenblatt hinzu
 added-account = Konto angelegt
 added-gauge-certificate = Kalibrierschein eines Prüfnormals hinzugefügt
@@ -508,6 +509,7 @@ bytes-but-no-packet =
     }
 calibrate = Kalibrieren
 calibrate-again = Neu kalibrieren
+calibrate-camera-and-laser-together = Kamera, Anbau und Laser gemeinsam aus diesen Bildern kalibrieren
 calibrate-first = Zuerst kalibrieren
 calibrate-first-2 = zuerst kalibrieren
 calibrate-sensor-arm-pictures-of-board = Sensor am Messarm kalibrieren: Bilder eines Schachbretts von verschiedenen Seiten aufnehmen.
@@ -527,6 +529,8 @@ calibration-cannot-shown = die Kalibrierung { $session_id } lässt sich nicht an
 calibration-closed-start-new-one = Diese Kalibrierung ist abgeschlossen. Eine neue starten.
 calibration-computed = Die Kalibrierung ist berechnet.
 calibration-due = Die Kalibrierung ist fällig. { $text }
+calibration-has-no-covariance = { $file } nennt nicht, wie genau Kamera und Anbau bekannt sind
+calibration-has-no-laser-plane = diese Kalibrierung hat Kamera und Anbau, aber noch keine Laserebene
 calibration-has-no-picture = Diese Kalibrierung hat kein Bild { $name }.
 calibration-has-other-version = Die verwendete Kalibrierung { $name } beruht auf einer anderen Fassung dieses Datenblatts und behält sie: Neu kalibrieren, um diese zu verwenden.
 calibration-here-any-more = Die Kalibrierung von { $name } ist nicht mehr vorhanden
@@ -549,6 +553,9 @@ calibration-with-total = { $name }, { $total } (k = 1)
 calibrations-unknowns-did-settle-what-seen = die Unbekannten der Kalibrierung konvergieren mit diesen Bildern und Antastpunkten nicht
 camera = Die Kamera { $source }
 camera-address-not-known = Es gibt kein Gerät mit der Adresse oder dem Namen { $address }
+camera-and-laser-apart-on-a-board-only = Kamera und Laser werden nur auf einem Schachbrett getrennt kalibriert
+camera-and-mounting = Kamera und Anbau
+camera-and-mounting-are-kept = Kamera und Anbau sind aus der vorigen Kalibrierung beibehalten; neu ist nur die Laserebene.
 camera-answers-but-does-not-open = { $title } antwortet, lässt sich aber nicht öffnen ({ $reason })
 camera-cannot-do = { $title } unterstützt { $key } = { $value } nicht; möglich ist { $given }
 camera-clock-jumped = { $title } nennt eine andere Zeit als eben: Sie wurde neu gestartet, oder ihre Uhr wurde gestellt
@@ -1353,7 +1360,9 @@ faces-as-touched = Flächen, wie angetastet
 file-has-touches = { $path } hat { $count } Antastungen
 first-id-too-large = { $field }: höchstens { $most } bei diesen Markierungen aus { $dictionary }
 flatness-of-touches = Ebenheit
+focus-zoom-or-lens-changed-since = Fokus, Zoom oder Objektiv haben sich seit ihrer Kalibrierung geändert
 form-of-faces-is = Ebenheit ist die Spanne der Antastungen um ihre eigene Ausgleichsebene; Parallelitätsabweichung ist, was diese Ebene über die angetastete Fläche gegen die Achse des Blocks ansteigt. Drei Antastungen zeigen keine Form.
+give-a-calibration-of-several-poses = Eine Kalibrierung angeben, die Crenel aus mehreren Posen erstellt hat
 give-arm-of-touches = Die Datei des Arms mit --arm angeben
 give-other-sizes-or-leave-them = Dieses Maß ändern oder dem Entwurf überlassen.
 give-kind-chessboard = falls es ein einfaches Schachbrett ist, es in object.json mit kind chessboard beschreiben; sonst die Tafel mit den Markierungen ins Bild bringen und das Wörterbuch in ihrem Kalibrierschein prüfen
@@ -1362,6 +1371,7 @@ groove-deeper-than-sharp = Nuten von { $groove } sind tiefer als die Schärfenti
 groove-too-deep-to-cut = Nuten von { $groove } sind zu tief zum Fräsen; mit diesen Zinnen höchstens { $most }
 identify-arm-or-state-arm-um = Den Arm identifizieren, oder den Effektivwert des Fehlers seines Tasters über die Reichweite mit --arm-um angeben
 joints-of-others-left-out = Gelenke, die arm.json nicht hat, sind weggelassen: { $names }
+kept-camera-does-not-fit = die Ecken liegen { $rms } (RMS) neben ihrem Ort nach der beibehaltenen Kamera, { $own } mit einer Kamera aus diesen Bildern
 leave-out-touches-evenly = Antastungen gleichmäßig auf allen Flächen weglassen
 links-errors-do-not-average-out = Fehler der Glieder sind bei jeder Antastung gleich und mitteln sich nicht heraus
 measure-width-and-height-of-print = Breite und Höhe des ganzen Musters messen, oder keine von beiden.
@@ -1380,6 +1390,9 @@ no-page-of-this-name = { $name } ist kein Papierformat
 no-width-for-given-merlons = kein Zinnenkörper mit { $merlons } Zinnen lässt sich herstellen und ist für diesen Sensor ganz zu sehen
 no-width-for-given-sizes = kein Zinnenkörper mit { $merlons } Zinnen und Nuten von { $groove } lässt sich herstellen und ist für diesen Sensor ganz zu sehen
 one-length-of-print-alone = vom Druck wurde eine Länge ohne die andere gemessen
+no-laser-plane-yet = Kamera und Anbau sind kalibriert. Eine Laserebene gibt es noch nicht: Gescannt werden kann nicht.
+no-picture-was-taken-with-the-laser = der Laser war in allen Bildern aus: Es gibt keine Ebene zu ergänzen
+none-yet = noch keine
 opposite-faces-exchanged-or-left-handed = gegenüberliegende Flächen wie front und back sind vertauscht, oder die Maschinenachsen sind linkshändig
 out-of-parallel = Parallelitätsabweichung
 picture-mirrored = das Bild ist gespiegelt
@@ -3552,9 +3565,17 @@ point-again = Das ist erneut Punkt { $point }
 point-back = Punkt { $index } ist wiederhergestellt.
 point-cannot-true = Punkt { $index } ist unplausibel: { $what }; { $why }.
 point-expanded-uncertainty = Gescannter Punkt, rms im Messvolumen: erweiterte Unsicherheit
-point-known-good = Standardunsicherheit eines gescannten Punkts im Flanschsystem: { $total } (k = 1); gut ist bis { $good }.
+point-known-good =
+    { $point ->
+        [seen] Standardunsicherheit eines im Abstand der Tafel gesehenen Punkts im Flanschsystem: { $total } (k = 1); gut ist bis { $good }.
+       *[scanned] Standardunsicherheit eines gescannten Punkts im Flanschsystem: { $total } (k = 1); gut ist bis { $good }.
+    }
 point-known-k-1 = { $name }, Standardunsicherheit eines Punkts { $total } (k = 1)
-point-known-mostly-by = Standardunsicherheit eines gescannten Punkts im Flanschsystem: { $total } (k = 1), größter Beitrag: { $source } ({ $value }); der Grenzwert ist { $limit }.
+point-known-mostly-by =
+    { $point ->
+        [seen] Standardunsicherheit eines im Abstand der Tafel gesehenen Punkts im Flanschsystem: { $total } (k = 1), größter Beitrag: { $source } ({ $value }); der Grenzwert ist { $limit }.
+       *[scanned] Standardunsicherheit eines gescannten Punkts im Flanschsystem: { $total } (k = 1), größter Beitrag: { $source } ({ $value }); der Grenzwert ist { $limit }.
+    }
 point-left-out-off = { $place }, Punkt { $number }: { $distance } Abweichung
 point-lies-on-other-face = Punkt { $index } verfehlt die Fläche „{ $face }“ um { $off } und liegt { $where }.
 point-misses-face = Punkt { $index } verfehlt die Fläche „{ $face }“ um { $off }.
@@ -4213,6 +4234,7 @@ take-more-pictures-all-sides-have = Weitere Bilder von allen Seiten aufnehmen; d
 take-more-pictures-all-sides-hold = Weitere Bilder von allen Seiten aufnehmen; den Messarm dabei in kompakter Haltung führen.
 take-more-pictures-board-all-corners = Weitere Bilder aufnehmen, mit der Tafel in allen Ecken des Bildes.
 take-more-pictures-each-turned-against = weitere Bilder aufnehmen, jedes gegenüber den anderen gedreht, oder das Objekt antasten
+take-more-pictures-for-camera-and-mounting = Kamera und Anbau aus mehr Bildern kalibrieren.
 take-more-pictures-lasers-line-flat = Weitere Bilder aufnehmen, mit der Laserlinie auf der Fläche der Tafel.
 take-more-pictures-like-these = Weitere Bilder aufnehmen, nach allen Seiten geneigt: Insgesamt würden etwa { $asked } wie diese ausreichen. Erreicht der Roboter nicht mehr, die Grenzwerte nach dem Bedarf der Scans festlegen (--good-um, --usable-um).
 take-more-pictures-robot-at-fault = Weitere Bilder aufnehmen, nach allen Seiten geneigt; bei so großen Abweichungen liegt es an der Genauigkeit des Roboters, oder seine Posen beschreiben nicht den Flansch im Koordinatensystem des Messarms. Erreicht der Roboter nicht mehr, die Grenzwerte nach dem Bedarf der Scans festlegen (--good-um, --usable-um).
@@ -4663,6 +4685,7 @@ usable-edge-stripe-points-poses = { $found } brauchbare Kanten- und Laserpunkte 
 usable-most = { $total }; der Grenzwert für „brauchbar“ ist { $usable }.
 use = In Verwendung
 use-2 = { $name } wird jetzt verwendet.
+use-a-chessboard-or-leave-out-the-option = Schachbrett verwenden oder die Option weglassen
 use-arm-before-what-identified-kept = Den vorherigen Messarm verwenden? Das Ergebnis der Identifikation bleibt in dieser Sitzung erhalten.
 use-arm-now = Diesen Messarm ab jetzt verwenden
 use-block-better-certificate = Einen Zinnenkörper mit besserem Kalibrierschein verwenden.

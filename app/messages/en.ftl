@@ -55,6 +55,7 @@ add-micrometer-reading-of-width = Add a reading of a merlon's width by micromete
 add-picture-delete-pose = Add the picture, or delete the pose
 add-pictures-turned-about-another-axis = add pictures rotated about another axis
 add-readings-from-face-known = Add readings of these faces from others
+add-the-laser-to-camera-and-mounting = Take pictures in which the laser line crosses the board, and calibrate them with this calibration as --camera-from
 added-a-datasheet = added a datasheet
 added-account = added an account
 added-gauge-certificate = added the certificate of a gauge
@@ -508,6 +509,7 @@ bytes-but-no-packet =
     }
 calibrate = Calibrate
 calibrate-again = Calibrate again
+calibrate-camera-and-laser-together = Calibrate camera, mounting and laser together from these pictures
 calibrate-first = Calibrate first
 calibrate-first-2 = calibrate first
 calibrate-sensor-arm-pictures-of-board = Calibrate the sensor on the arm: take pictures of a chessboard from different sides.
@@ -527,6 +529,8 @@ calibration-cannot-shown = the calibration { $session_id } cannot be displayed
 calibration-closed-start-new-one = This calibration is closed. Start a new one.
 calibration-computed = The calibration is computed.
 calibration-due = The calibration is due. { $text }
+calibration-has-no-covariance = { $file } does not state how well camera and mounting are known
+calibration-has-no-laser-plane = this calibration has camera and mounting, but no laser plane yet
 calibration-has-no-picture = This calibration has no picture { $name }.
 calibration-has-other-version = The calibration in use, { $name }, was made with another version of this datasheet, which it keeps: calibrate again to use this one.
 calibration-here-any-more = The calibration of { $name } no longer exists here
@@ -549,6 +553,9 @@ calibration-with-total = { $name }, { $total } (k = 1)
 calibrations-unknowns-did-settle-what-seen = the calibration did not converge on the pictures and contact points
 camera = The camera { $source }
 camera-address-not-known = There is no device with the address or name { $address }
+camera-and-laser-apart-on-a-board-only = camera and laser are calibrated apart on a chessboard only
+camera-and-mounting = camera and mounting
+camera-and-mounting-are-kept = Camera and mounting are kept from the calibration before; only the laser plane is new.
 camera-answers-but-does-not-open = { $title } answers, but cannot be opened ({ $reason })
 camera-cannot-do = { $title } does not support { $key } = { $value }; it offers { $given }
 camera-clock-jumped = { $title } states another time than a moment ago: it was restarted, or its clock was set
@@ -1349,7 +1356,9 @@ faces-as-touched = Faces as touched
 file-has-touches = { $path } has { $count } touches
 first-id-too-large = { $field }: at most { $most } for these markers of { $dictionary }
 flatness-of-touches = Flatness
+focus-zoom-or-lens-changed-since = focus, zoom or lens changed since it was calibrated
 form-of-faces-is = Flatness is the range of the touches about their own least-squares plane; out of parallel is what this plane rises over the touched area against the axis of the block. Three touches show no form.
+give-a-calibration-of-several-poses = Give a calibration that Crenel made from several poses
 give-arm-of-touches = Give the arm's file with --arm
 give-other-sizes-or-leave-them = Change this size, or leave it to the design.
 give-kind-chessboard = if it is a plain chessboard, describe it in object.json with kind chessboard; otherwise bring the board with the markers into the picture, and check the dictionary in its certificate
@@ -1358,6 +1367,7 @@ groove-deeper-than-sharp = grooves of { $groove } are deeper than the depth of f
 groove-too-deep-to-cut = grooves of { $groove } are too deep to be cut; with these merlons, { $most } at most
 identify-arm-or-state-arm-um = Identify the arm, or state the rms error of its tip over the reach with --arm-um
 joints-of-others-left-out = joints that arm.json does not have are left out: { $names }
+kept-camera-does-not-fit = the corners lie { $rms } rms off where the kept camera puts them, { $own } with a camera of these pictures
 leave-out-touches-evenly = Leave out touches evenly over all faces
 links-errors-do-not-average-out = errors of the links are the same in every touch and do not average out
 measure-width-and-height-of-print = Measure width and height of the whole pattern, or neither.
@@ -1376,6 +1386,9 @@ no-page-of-this-name = { $name } is no page
 no-width-for-given-merlons = no block with { $merlons } merlons can be made and is seen as a whole by this sensor
 no-width-for-given-sizes = no block with { $merlons } merlons and grooves of { $groove } can be made and is seen as a whole by this sensor
 one-length-of-print-alone = of the print, one length was measured without the other
+no-laser-plane-yet = Camera and mounting are calibrated. There is no laser plane yet: nothing can be scanned.
+no-picture-was-taken-with-the-laser = the laser was off in all pictures, so there is no plane to add
+none-yet = none yet
 opposite-faces-exchanged-or-left-handed = opposite faces, such as front and back, are exchanged, or the machine's axes are left-handed
 out-of-parallel = Out of parallel
 picture-mirrored = the picture is mirrored
@@ -3543,9 +3556,17 @@ point-again = This is point { $point } again
 point-back = Point { $index } is restored.
 point-cannot-true = Point { $index } is implausible: { $what }; { $why }.
 point-expanded-uncertainty = Scanned point, rms over the measuring volume: expanded uncertainty
-point-known-good = Standard uncertainty of a scanned point in the flange frame: { $total } (k = 1); up to { $good } is good.
+point-known-good =
+    { $point ->
+        [seen] Standard uncertainty of a point seen at the board's distance, in the flange frame: { $total } (k = 1); up to { $good } is good.
+       *[scanned] Standard uncertainty of a scanned point in the flange frame: { $total } (k = 1); up to { $good } is good.
+    }
 point-known-k-1 = { $name }, uncertainty of a point { $total } (k = 1)
-point-known-mostly-by = Standard uncertainty of a scanned point in the flange frame: { $total } (k = 1), mainly from the { $source } ({ $value }); the limit is { $limit }.
+point-known-mostly-by =
+    { $point ->
+        [seen] Standard uncertainty of a point seen at the board's distance, in the flange frame: { $total } (k = 1), mainly from the { $source } ({ $value }); the limit is { $limit }.
+       *[scanned] Standard uncertainty of a scanned point in the flange frame: { $total } (k = 1), mainly from the { $source } ({ $value }); the limit is { $limit }.
+    }
 point-left-out-off = { $place }, point { $number }: { $distance } off
 point-lies-on-other-face = Point { $index } misses the { $face } face by { $off } and lies { $where }.
 point-misses-face = Point { $index } misses the { $face } face by { $off }.
@@ -4200,6 +4221,7 @@ take-more-pictures-all-sides-have = Take more pictures from all sides; have the 
 take-more-pictures-all-sides-hold = Take more pictures from all sides; hold the arm in a compact posture.
 take-more-pictures-board-all-corners = Take more pictures with the board in all corners of the picture.
 take-more-pictures-each-turned-against = take more pictures, each rotated relative to the others, or touch the object
+take-more-pictures-for-camera-and-mounting = Calibrate camera and mounting from more pictures.
 take-more-pictures-lasers-line-flat = Take more pictures with the laser line on the flat part of the board.
 take-more-pictures-like-these = Take more pictures, tilted to all sides: about { $asked } like these are sufficient in total. If the robot cannot do better, set the limits to what the scans require (--good-um, --usable-um).
 take-more-pictures-robot-at-fault = Take more pictures, tilted to all sides. With a deviation this large, the robot's own accuracy is the cause, or its poses are not those of the flange in the arm frame. If the robot cannot do better, set the limits to what the scans require (--good-um, --usable-um).
@@ -4641,6 +4663,7 @@ usable-edge-stripe-points-poses = { $found } usable edge and stripe points in { 
 usable-most = { $total }; the limit for usable is { $usable }.
 use = In use
 use-2 = { $name } is in use.
+use-a-chessboard-or-leave-out-the-option = Use a chessboard, or leave out the option
 use-arm-before-what-identified-kept = Use the previous arm again? The identification is kept in this session.
 use-arm-now = Use this arm from now on
 use-block-better-certificate = Use a block with a better certificate.

@@ -6,7 +6,7 @@ from pathlib import Path
 from app.errors import OperationError
 from app.formats.datasheets.arm import read_any_arm
 from app.formats.file_names import display_path
-from app.formats.results.calibration import CalibrationFile, calibration_from_document
+from app.formats.results.calibration import NO_PLANE, CalibrationFile, calibration_from_document
 from app.formats.session.calibration_session import ARM
 from app.messages.message import Text, message
 from app.station.bus import Bus
@@ -78,7 +78,7 @@ def use_calibration(
     except OperationError as error:
         text = message("calibration-in-use-unreadable", error=error.text)
         bus.event("refused", text, "bad")
-        scanner.set_calibration(None, unreadable_calibration_error(error.text), sensor=name)
+        scanner.set_calibration(None, _scan_refusal(error), sensor=name)
         return
     rig.arm.set_model(calibration.arm)
     scanner.set_calibration(calibration, look=lambda: calibration_error(record), sensor=name)
@@ -108,8 +108,13 @@ def _trouble(record: CalibrationRecord, *stamps: Stamp) -> OperationError | None
     try:
         scan_calibration(record)
     except OperationError as error:
-        return unreadable_calibration_error(error.text)
+        return _scan_refusal(error)
     return None
+
+
+def _scan_refusal(error: OperationError) -> OperationError:
+    """Why nothing can be scanned with a calibration, by what its files lack."""
+    return error if error.code == NO_PLANE else unreadable_calibration_error(error.text)
 
 
 def _stamp(path: Path) -> Stamp:

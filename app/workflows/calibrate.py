@@ -24,11 +24,13 @@ from app.formats.results.calibration_builder import (
     joint_document,
     one_pose_document,
 )
+from app.formats.results.kept_calibration import KeptCalibration, read_kept_calibration
 from app.formats.session.calibration_session import BlockSession, BoardSession, read_any_session
 from app.formats.session.pose_pictures import Pose, check_size
 from app.messages.message import Text, message
 from app.metrology.adjustment.block.calibrate import calibrate_block, observe_block
 from app.metrology.adjustment.block.problem import BlockInputs
+from app.metrology.adjustment.board.add_laser import add_laser
 from app.metrology.adjustment.board.calibrate import calibrate_board, observe_board
 from app.metrology.adjustment.board.initial_guess import BoardObservation
 from app.metrology.adjustment.board.problem import BoardInputs
@@ -42,6 +44,7 @@ from app.progress import Progress, no_progress
 from app.workflows.pictures.raw_observations import raw_block, raw_board
 
 Method = Literal["one-pose", "joint"]
+LaserUse = Literal["auto", "none"]
 AnyDetection = BlockObservation | BoardObservation
 NO_DETECTIONS: Mapping[int, AnyDetection | OperationError] = {}
 # Share of the time that looking at the pictures takes.
@@ -55,6 +58,8 @@ def calibrate_session(
     progress: Progress = no_progress,
     method: Method = "joint",
     limits: Limits = LIMITS,
+    laser: LaserUse = "auto",
+    camera_from: Path | None = None,
 ) -> tuple[CalibrationFile, list[Text]]:
     """Calibrates a session, and writes the result to ``output``.
 
@@ -62,6 +67,10 @@ def calibrate_session(
         method: ``joint`` takes all poses in one adjustment; ``one-pose`` is the
             article's, from the first pose alone.
         limits: what the verdict goes by.
+        laser: ``none`` calibrates camera and mounting alone on a chessboard, whatever line the
+            pictures show; ``auto`` does so if the laser was on in none of them.
+        camera_from: an earlier calibration on a chessboard whose camera and mounting are kept,
+            so that the session adds the laser plane alone.
 
     Returns:
         What was written, and what the user should know in addition.
@@ -72,10 +81,20 @@ def calibrate_session(
     """
     check_output_path(output)
     session = read_any_session(folder)
-    check_output_path(output, session.files)
+    check_output_path(
+        output, session.files if camera_from is None else [*session.files, camera_from]
+    )
+    kept = None if camera_from is None else read_kept_calibration(camera_from)
     with prefix_errors(folder):
         if isinstance(session, BoardSession):
-            document = _calibrate_on_board(session, method, limits, progress)
+            document = _calibrate_on_board(session, method, limits, progress, laser, kept)
+        elif laser == "none" or kept is not None:
+            raise OperationError(
+                "camera-alone-on-block",
+                message("camera-and-laser-apart-on-a-board-only"),
+                "",
+                message("use-a-chessboard-or-leave-out-the-option"),
+            )
         elif method == "one-pose":
             document = _calibrate_from_one_pose(session, progress)
         else:
@@ -109,7 +128,12 @@ def _calibrate_from_all_poses(
 
 
 def _calibrate_on_board(
-    session: BoardSession, method: Method, limits: Limits, progress: Progress
+    session: BoardSession,
+    method: Method,
+    limits: Limits,
+    progress: Progress,
+    laser: LaserUse,
+    kept: KeptCalibration | None,
 ) -> CalibrationFile:
     if method == "one-pose":
         raise OperationError(
@@ -118,8 +142,12 @@ def _calibrate_on_board(
             message("one-picture-flat-board-tells-neither"),
             message("use-method-joint-pictures-board-several"),
         )
-    result = calibrate_board(board_inputs(session, limits, progress), _solve_progress(progress))
-    return board_document(result, calibration_origin(session, session.poses, _user_name()))
+    inputs = board_inputs(session, limits, progress, laser=laser)
+    origin = calibration_origin(session, session.poses, _user_name())
+    if kept is None:
+        return board_document(calibrate_board(inputs, _solve_progress(progress)), origin)
+    result = add_laser(inputs, kept.sensor, _solve_progress(progress))
+    return board_document(result, origin).model_copy(update={"camera_from": kept.source})
 
 
 def _solve_progress(progress: Progress) -> Progress:
@@ -179,8 +207,9 @@ def board_inputs(
     limits: Limits = LIMITS,
     progress: Progress = no_progress,
     known: Mapping[int, AnyDetection | OperationError] = NO_DETECTIONS,
+    laser: LaserUse = "auto",
 ) -> BoardInputs:
-    """The same of a session on a chessboard."""
+    """The same of a session on a chessboard; ``laser`` as in ``calibrate_session``."""
     channel = session_channel(session)
     seen, unseen = _detect_all(
         session.poses,
@@ -198,6 +227,7 @@ def board_inputs(
         contact_readings=session.contacts.readings if session.contacts else None,
         failed_poses=unseen,
         limits=limits,
+        with_laser=laser == "auto" and any(pose.laser_on for pose in session.poses),
     )
 
 

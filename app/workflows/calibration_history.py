@@ -92,7 +92,7 @@ def _read_summary(file: _FileVersion) -> _CalibrationSummary:
 def _estimate_drift(before: _FileVersion, now: _FileVersion) -> CalibrationDrift | None:
     old, new = (CalibrationFile.read(file.path) for file in (before, now))
     was, known = old.uncertainty, new.uncertainty
-    if was is None or known is None or known.map is None:
+    if was is None or known is None or known.map is None or old.laser_plane is None:
         return None
     inside = np.array(known.map.calibrated)
     uv_px = np.array(known.map.uv_px).reshape(-1, 2)

@@ -16,7 +16,6 @@ def calibration_figures(
         limit_um: of the standard uncertainty of a point, by which the station judged it.
     """
     found = [
-        _figure("laser-plane-offset", document.laser_plane.offset_mm, "mm"),
         _figure("focal-length-u", document.camera.matrix[0][0], "px"),
         _figure("focal-length-v", document.camera.matrix[1][1], "px"),
         *(
@@ -30,9 +29,12 @@ def calibration_figures(
     if (left := document.residuals) is not None:
         found += [
             _figure("reprojection-rms", left.reprojection_rms_px, "px"),
-            _figure("laser-plane-rms", left.laser_plane_rms_um, "µm"),
             _figure("contacts-rms", left.contacts_rms_um, "µm"),
         ]
+        if left.laser_plane_rms_um is not None:
+            found.append(_figure("laser-plane-rms", left.laser_plane_rms_um, "µm"))
+    if document.laser_plane is not None:
+        found.append(_figure("laser-plane-offset", document.laser_plane.offset_mm, "mm"))
     return tuple(found)
 
 

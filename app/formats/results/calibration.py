@@ -8,6 +8,8 @@ from typing import ClassVar, Literal, Self
 import numpy as np
 from pydantic import Field, model_validator
 
+from app.errors import OperationError
+from app.formats.io_errors import prefix_errors
 from app.formats.json_document import (
     Document,
     DocumentPart,
@@ -28,6 +30,8 @@ from app.metrology.transforms import Floats
 CALIBRATION = "calibration.json"
 RIGID_TOLERANCE = 1e-6
 LENS_TOLERANCE_PX = 0.01
+NO_PLANE = "no-laser-plane"
+"""Code of the refusal of what needs the laser plane, where there is none yet."""
 AGREEMENT = 1e-6
 """Relative: how well ``projection_matrix`` equals ``matrix [rotation | translation_mm]``."""
 
@@ -109,8 +113,9 @@ class ResidualsPart(DocumentPart):
     reprojection_rms_px: NotNegative
     corners_px: dict[str, tuple[Number, Number]] = Field(default_factory=dict)
     """Found minus computed (u, v) of each corner of the one pose."""
-    laser_plane_rms_um: NotNegative
-    stripe_points: int
+    laser_plane_rms_um: NotNegative | None = None
+    """None without a laser plane."""
+    stripe_points: int = 0
     contacts_rms_um: NotNegative = 0.0
     contacts_um: tuple[Number, ...] = ()
     """Distance of each contact from its face, in the order of ``probing.csv``."""
@@ -220,12 +225,13 @@ class Input(DocumentPart):
 
 
 class CalibrationFile(Document):
-    """The file; all beyond the first three fields may be missing in files of other origin."""
+    """The file; all but ``camera`` and ``probe_matrix`` may be missing in files of other origin."""
 
     FORMAT: ClassVar[str] = "crenel/calibration"
 
     camera: CameraPart
-    laser_plane: LaserPlanePart
+    laser_plane: LaserPlanePart | None = None
+    """None where camera and mounting alone were calibrated."""
     probe_matrix: Matrix4
     stripe_axis: Literal["u", "v"] = "u"
     channel: Text | None = None
@@ -235,6 +241,8 @@ class CalibrationFile(Document):
     operator: str | None = None
     serial_numbers: SerialNumbers = SerialNumbers()
     T_arm_obj: Matrix4 | None = None
+    camera_from: Input | None = None
+    """The calibration whose camera and mounting were kept, to which the laser plane was added."""
     corners_mm: tuple[Vector3, ...] = ()
     """Where a chessboard's inner corners truly lie, row after row, in its own frame."""
     verdict: VerdictPart | None = None
@@ -274,12 +282,29 @@ class Calibration:
 
 
 def read_calibration(path: Path) -> Calibration:
-    """Reads what reconstruction needs; raises ``OperationError`` naming the file and the field."""
-    return calibration_from_document(CalibrationFile.read(path))
+    """Reads what reconstruction needs.
+
+    Raises:
+        OperationError: names the file and the field; ``no-laser-plane``.
+    """
+    document = CalibrationFile.read(path)
+    with prefix_errors(path):
+        return calibration_from_document(document)
 
 
 def calibration_from_document(document: CalibrationFile) -> Calibration:
-    """What reconstruction needs of a calibration."""
+    """What reconstruction needs of a calibration.
+
+    Raises:
+        OperationError: ``no-laser-plane``, if camera and mounting alone were calibrated.
+    """
+    if document.laser_plane is None:
+        raise OperationError(
+            NO_PLANE,
+            message("calibration-has-no-laser-plane"),
+            "",
+            message("add-the-laser-to-camera-and-mounting"),
+        )
     return Calibration(
         camera=document.camera.model(),
         plane=document.laser_plane.model(),

@@ -29,7 +29,7 @@ from app.formats.results.calibration import (
 from app.messages.message import Text
 from app.metrology.adjustment.block.calibrate import BlockCalibration
 from app.metrology.adjustment.board.calibrate import BoardCalibration
-from app.metrology.adjustment.core.uncertainty import NAMES, CalibrationUncertainty
+from app.metrology.adjustment.core.uncertainty import CalibrationUncertainty, UncertaintyMap
 from app.metrology.adjustment.results.calibration import AdjustedCalibration
 from app.metrology.adjustment.results.findings import joint_rms
 from app.metrology.calibration.findings import CalibrationFinding
@@ -84,7 +84,7 @@ def _common_fields(
     """What every calibration file has, made now."""
     return {
         "camera": _camera_part(result.camera),
-        "laser_plane": _plane_part(result.plane),
+        "laser_plane": None if result.plane is None else _plane_part(result.plane),
         "probe_matrix": result.T_flange_sensor.tolist(),
         "stripe_axis": origin.stripe_axis,
         "channel": origin.channel,
@@ -215,7 +215,7 @@ def _multi_pose_document(
             ),
             "covariance": Covariance.model_validate(
                 {
-                    "parameters": NAMES,
+                    "parameters": result.uncertainty.names,
                     "matrix": result.uncertainty.covariance.tolist(),
                     "pivot_mm": result.uncertainty.pivot_mm.tolist(),
                 }
@@ -225,20 +225,25 @@ def _multi_pose_document(
 
 
 def _uncertainty(known: CalibrationUncertainty, depth_range_mm: tuple[float, float]) -> Uncertainty:
-    over = known.map
     return Uncertainty(
         total_um=known.total_um,
         budget=_budget_parts(known.rows),
         depth_range_mm=depth_range_mm,
-        plane=PlanePart(angle_arcsec=known.plane.angle_arcsec, offset_um=known.plane.offset_um),
-        map=MapPart.model_validate(
-            {
-                "uv_px": over.uv_px.round(2).tolist(),
-                "points_mm": over.points_mm.round(4).tolist(),
-                "u_um": over.u_um.round(3).tolist(),
-                "calibrated": over.calibrated.tolist(),
-            }
-        ),
+        plane=None
+        if known.plane is None
+        else PlanePart(angle_arcsec=known.plane.angle_arcsec, offset_um=known.plane.offset_um),
+        map=None if known.map is None else _map_part(known.map),
+    )
+
+
+def _map_part(over: UncertaintyMap) -> MapPart:
+    return MapPart.model_validate(
+        {
+            "uv_px": over.uv_px.round(2).tolist(),
+            "points_mm": over.points_mm.round(4).tolist(),
+            "u_um": over.u_um.round(3).tolist(),
+            "calibrated": over.calibrated.tolist(),
+        }
     )
 
 

@@ -3,7 +3,11 @@
 import numpy as np
 
 from app.errors import OperationError
-from app.formats.results.calibration import CalibrationFile, calibration_from_document
+from app.formats.results.calibration import (
+    CalibrationFile,
+    calibration_from_document,
+    read_calibration,
+)
 from app.guide.common.journal import StoredCalibration
 from app.guide.common.result_view import Comparison, MovedPoint
 from app.metrology.sensor.triangulation import sensor_points
@@ -25,13 +29,13 @@ def compare(
     if in_use is None or over is None:
         return None
     try:
-        before = CalibrationFile.read(in_use.file)
+        old = read_calibration(in_use.file)
     except OperationError:
         return None
-    was, now = before.serial_numbers, document.serial_numbers
+    new = calibration_from_document(document)
+    was, now = old.serial_numbers, new.serial_numbers
     if (was.arm, was.sensor) != (now.arm, now.sensor):
         return None
-    old, new = calibration_from_document(before), calibration_from_document(document)
 
     def moved_um(uv_px: Floats) -> Floats:
         points, others = (

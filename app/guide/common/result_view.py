@@ -81,7 +81,8 @@ class CalibrationResult:
     verdict: Quality
     verdict_text: Text
     reprojection_rms_px: float
-    laser_plane_rms_um: float
+    laser_plane_rms_um: float | None
+    """None where camera and mounting alone were calibrated."""
     alignment_rms_um: float | None
     """Of the contacts; None where the object was not touched."""
     depth_range_mm: tuple[float, float]

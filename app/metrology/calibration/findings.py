@@ -114,14 +114,17 @@ def uncertainty_verdict(
     rows: Sequence[BudgetContribution],
     limits: Limits = LIMITS,
     remedies: Mapping[str, Text] = REMEDIES,
+    point: Literal["scanned", "seen"] = "scanned",
 ) -> CalibrationFinding:
     """Good, usable or bad, by the uncertainty of a point and the user's limits.
 
-    ``remedies`` are keyed by the names of the rows.
+    Args:
+        remedies: keyed by the names of the rows.
+        point: what a point is: scanned, or without a laser plane seen at the object's distance.
     """
     if total_um <= limits.good_um:
         total, good = beside_limit(total_um, limits.good_um, "µm")
-        text = message("point-known-good", total=total, good=good)
+        text = message("point-known-good", point=point, total=total, good=good)
         return CalibrationFinding("good", "uncertainty", text)
     largest = max(rows, key=lambda row: row.value_um)
     usable = total_um <= limits.usable_um
@@ -132,6 +135,7 @@ def uncertainty_verdict(
         "uncertainty",
         message(
             "point-known-mostly-by",
+            point=point,
             total=total,
             source=source_text(largest.source),
             value=quantity(largest.value_um, "µm"),

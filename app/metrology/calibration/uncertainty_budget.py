@@ -37,6 +37,7 @@ class BudgetContribution:
 
 
 SOURCES: dict[str, Text] = {
+    "camera and mounting": message("camera-and-mounting"),
     "contact points": message("contact-points"),
     "arm encoders": message("arm-encoders"),
     "arm geometry": message("arm-geometry"),

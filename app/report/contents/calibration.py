@@ -205,11 +205,12 @@ def _residual_rows(document: CalibrationFile, session: BlockSession | BoardSessi
         return []
     board = isinstance(session, BoardSession)
     fitted = message("corners-rms") if board else message("edges-corners-rms")
-    stripe = message("stripe-about-laser-plane-rms-points", points=residuals.stripe_points)
     rows: list[Row] = [
         (fitted, quantity(residuals.reprojection_rms_px, "px", 3), "", "", ""),
-        (stripe, *in_both_units(residuals.laser_plane_rms_um), "", ""),
     ]
+    if residuals.laser_plane_rms_um is not None:
+        stripe = message("stripe-about-laser-plane-rms-points", points=residuals.stripe_points)
+        rows.append((stripe, *in_both_units(residuals.laser_plane_rms_um), "", ""))
     if residuals.contacts_um:
         count, outliers = len(residuals.contacts_um), len(residuals.contacts_left_out)
         title = (
@@ -273,7 +274,7 @@ def _findings(document: CalibrationFile) -> Section[Text]:
 def _pictures(
     document: CalibrationFile, session: BlockSession | BoardSession, accepted: Acceptance | None
 ) -> list[Section[Text]]:
-    camera, plane = document.camera.model(), document.laser_plane.model()
+    camera = document.camera.model()
     sections: list[Section[Text]] = []
     if isinstance(session, BlockSession):
         sections.append(
@@ -296,7 +297,9 @@ def _pictures(
         )
         sections.append(Section(title, [Pictures(images, 3)], together=False))
     if document.uncertainty is not None:
-        over = volume_figure(document.uncertainty, camera, plane)
+        plane, over = document.laser_plane, None
+        if plane is not None:
+            over = volume_figure(document.uncertainty, camera, plane.model())
         if over is not None:
             sections.append(
                 Section(message("uncertainty-over-measuring-volume"), [Pictures([over])])

@@ -1,7 +1,7 @@
 """The tables of a calibration's report: poses, contact points and parameters."""
 
 from app.findings import capital
-from app.formats.results.calibration import CalibrationFile, PosePart
+from app.formats.results.calibration import CalibrationFile, LaserPlanePart, PosePart
 from app.formats.session.calibration_session import (
     BlockSession,
     BoardSession,
@@ -73,10 +73,14 @@ def _pose_figures(pose: PosePart) -> Row:
     )
 
 
+def _plane_equation(plane: LaserPlanePart) -> Text:
+    x, y, z = (signed(value, "", 6) for value in plane.normal)
+    return message("plane-equation", x=x, y=y, z=z, offset=quantity(plane.offset_mm, "mm", 4))
+
+
 def parameter_section(document: CalibrationFile) -> Section[Text]:
     camera, plane = document.camera, document.laser_plane
     (fx, _, u0), (_, fy, v0), _ = camera.matrix
-    x, y, z = (signed(value, "", 6) for value in plane.normal)
     lens = [
         message("named-value", name=name, value=signed(value, "", 6))
         for name, value in zip(("k1", "k2", "p1", "p2", "k3"), camera.distortion, strict=True)
@@ -94,7 +98,7 @@ def parameter_section(document: CalibrationFile) -> Section[Text]:
         (message("distortion"), join(lens, "  ") if lens else message("none-significant")),
         (
             message("laser-plane"),
-            message("plane-equation", x=x, y=y, z=z, offset=quantity(plane.offset_mm, "mm", 4)),
+            message("none-yet") if plane is None else _plane_equation(plane),
         ),
     ]
     rows = [tuple(quantity(value, "", 7) for value in row) for row in document.probe_matrix]

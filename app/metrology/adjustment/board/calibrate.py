@@ -33,6 +33,7 @@ from app.metrology.adjustment.board.results import (
 from app.metrology.adjustment.board.surface import corners_at
 from app.metrology.adjustment.core.gauss_newton import AdjustmentResult, solve_adjustment
 from app.metrology.adjustment.core.hand_eye import Mounting
+from app.metrology.adjustment.core.kept_sensor import KeptSensor
 from app.metrology.adjustment.core.observations import require_observations
 from app.metrology.adjustment.core.uncertainty import (
     CalibrationUncertainty,
@@ -50,6 +51,7 @@ from app.metrology.adjustment.results.poses import (
 )
 from app.metrology.adjustment.results.stripes import (
     depth_range_mm,
+    object_depths_mm,
     reclassify_stripes,
     stripe_rms_mm,
 )
@@ -76,6 +78,8 @@ class BoardCalibration(AdjustedCalibration):
     corners_mm: Floats
     """(N, 3) where they truly are, in the board's frame."""
     contacts: BoardContacts | None
+    free_scatter_px: Floats
+    """(P,) scatter of the corners of each picture before the adjustment, whatever the camera."""
 
 
 def observe_board(
@@ -111,8 +115,11 @@ def observe_board(
     return BoardObservation(number, detection, stripe, tuple(image_findings(ambient)))
 
 
-def calibrate_board(inputs: BoardInputs, progress: Progress = no_progress) -> BoardCalibration:
-    """Camera, laser plane and probe matrix from images of a chessboard, probed or not.
+def calibrate_board(
+    inputs: BoardInputs, progress: Progress = no_progress, kept: KeptSensor | None = None
+) -> BoardCalibration:
+    """Camera, laser plane and probe matrix from images of a chessboard, probed or not; without
+    the laser, camera and probe matrix alone.
 
     One adjustment by maximum likelihood, as ``calibrate_block``; the bent surface of the board
     and its pose in the arm frame are estimated with everything else.
@@ -120,10 +127,11 @@ def calibrate_board(inputs: BoardInputs, progress: Progress = no_progress) -> Bo
     Args:
         inputs: P poses, as joint angles or flange poses, and contact points if there are any.
         progress: called with the share done, 0 to 1, and the current step.
+        kept: camera and mounting of an earlier calibration that are held; see ``add_laser``.
 
     Returns:
         The calibration with uncertainty budget (k = 1, µm), residuals and findings. Its sensor
-        frame is the frame of the board as the first used pose saw it.
+        frame is the frame of the board as the first used pose saw it, or that of ``kept``.
 
     Raises:
         OperationError: inputs that do not belong together (``joint-count``,
@@ -145,10 +153,13 @@ def calibrate_board(inputs: BoardInputs, progress: Progress = no_progress) -> Bo
         raise explain_poses(inputs, error) from error
     refuse_misread_poses(inputs, start.mounting)
     inputs = numbered
+    if kept is not None:
+        held = replace(start.problem, keeps_sensor=True)
+        start = replace(start, problem=held, state=kept.apply_to(start.state))
     progress(0.3, message("adjusting-all-poses-together"))
     found, mounting = _adjust_robustly(inputs, start)
     progress(0.8, message("working-out-uncertainty"))
-    result = _assemble_result(inputs, found, replace(start, mounting=mounting))
+    result = _assemble_result(inputs, found, replace(start, mounting=mounting), kept)
     progress(1.0, message("done"))
     return result
 
@@ -160,10 +171,11 @@ def _adjust_robustly(inputs: BoardInputs, start: BoardStart) -> tuple[Adjustment
     found = solve_adjustment(start.problem, start.state)
     found, mounting = remove_outlier_poses(found, start.mounting, inputs.board.size_mm)
     numbers = found.problem.numbers
-    refuse_few_lines(len(start.crossed.intersection(numbers)), len(numbers))
+    if inputs.with_laser:
+        refuse_few_lines(len(start.crossed.intersection(numbers)), len(numbers))
     found = remove_outlier_contacts(found)
     again = reclassify_stripes(found)
-    if start.laser_moved:
+    if start.laser_moved or not inputs.with_laser:
         return solve_adjustment(again, found.state), mounting
     # With the start values, a line can be so far off that none of its points is usable at first.
     for _ in range(SCATTER_ROUNDS):
@@ -175,16 +187,19 @@ def _adjust_robustly(inputs: BoardInputs, start: BoardStart) -> tuple[Adjustment
 
 
 def _assemble_result(
-    inputs: BoardInputs, found: AdjustmentResult, start: BoardStart
+    inputs: BoardInputs, found: AdjustmentResult, start: BoardStart, kept: KeptSensor | None
 ) -> BoardCalibration:
-    state = found.state
-    stripes = np.concatenate([view.stripe_px() for view in found.problem.views])
-    refuse_edge_on(state.plane, rays(state.camera, stripes)[1])
-    T_cam_sensor = first_view(found)
+    state, with_laser = found.state, inputs.with_laser
+    if with_laser:
+        stripes = np.concatenate([view.stripe_px() for view in found.problem.views])
+        refuse_edge_on(state.plane, rays(state.camera, stripes)[1])
+    T_cam_sensor = first_view(found) if kept is None else kept.sensor_pose
+    found = found if kept is None else kept.carry_into(found)
     worth = _uncertainty_budget(inputs, estimate_uncertainty(found, T_cam_sensor))
     camera, plane, T_flange_sensor = express_in_sensor_frame(state, T_cam_sensor)
     poses = _pose_results(inputs, found, start)
     contacts = board_contacts(found)
+    corners_mm = corners_at(inputs.board, state.coordinates)
     evidence = BoardEvidence(
         inputs.board,
         inputs.observations,
@@ -199,17 +214,18 @@ def _assemble_result(
     return BoardCalibration(
         adjustment=found,
         camera=camera,
-        plane=plane,
+        plane=plane if with_laser else None,
         T_flange_sensor=T_flange_sensor,
         T_arm_obj=state.T_arm_obj,
-        corners_mm=corners_at(inputs.board, state.coordinates),
+        corners_mm=corners_mm,
         poses=poses,
         uncertainty=worth,
         contacts=contacts,
-        stripe_rms_um=1e3 * stripe_rms_mm(found),
-        depth_range_mm=depth_range_mm(found),
+        stripe_rms_um=1e3 * stripe_rms_mm(found) if with_laser else None,
+        depth_range_mm=depth_range_mm(found) if with_laser else object_depths_mm(found, corners_mm),
         findings=board_findings(evidence),
         worst=board_worst_points(found, poses, contacts),
+        free_scatter_px=start.scatter_px,
     )
 
 
@@ -224,6 +240,7 @@ def _uncertainty_budget(
         for row in worth.rows
         if not (robot and row.source == "arm geometry")
         and (touched or row.source != "contact points")
+        and (inputs.with_laser or row.source != "stripe")
     )
     return replace(worth, rows=rows)
 

@@ -2,6 +2,7 @@
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
+from typing import Literal
 
 import numpy as np
 
@@ -12,7 +13,7 @@ from app.metrology.adjustment.board.initial_guess import BoardObservation
 from app.metrology.adjustment.board.results import BoardContacts
 from app.metrology.adjustment.board.surface import coordinate_groups, surface_height_mm
 from app.metrology.adjustment.core.gauss_newton import AdjustmentResult
-from app.metrology.adjustment.core.uncertainty import CalibrationUncertainty
+from app.metrology.adjustment.core.uncertainty import KEPT, CalibrationUncertainty
 from app.metrology.adjustment.outliers.fault_hypotheses import board_fault_findings
 from app.metrology.adjustment.results.findings import alike_findings, joint_rms, picture_findings
 from app.metrology.adjustment.results.poses import PoseResult
@@ -31,6 +32,7 @@ from app.metrology.targets.chessboard import Chessboard, corner_points
 # Name of a robot's contribution in the budget.
 ROBOT_ROW = "robot's poses"
 REMEDIES = {
+    KEPT: message("take-more-pictures-for-camera-and-mounting"),
     "contact points": message("touch-more-points-spread-wide-over"),
     "arm encoders": message("take-more-pictures-all-sides-hold"),
     "arm geometry": message("take-more-pictures-all-sides-have"),
@@ -51,6 +53,12 @@ BENT_TIMES, FLATTEST_MM = 2.0, 0.01
 FEW_POSES = 6
 # Parameters of a robot's noise: three rotations, three translations, two tilts.
 TURNS_SHIFTS_TILTS = 8
+NO_PLANE = CalibrationFinding(
+    "attention",
+    "no-laser-plane",
+    message("no-laser-plane-yet"),
+    sentence(message("add-the-laser-to-camera-and-mounting")),
+)
 
 
 @dataclass(frozen=True)
@@ -81,9 +89,7 @@ def board_findings(evidence: BoardEvidence) -> tuple[CalibrationFinding, ...]:
         *_rocking_findings(result),
         *picture_findings((pose.number, pose.image_findings) for pose in evidence.observations),
         *pixel_aspect_findings(result.state.camera, result.covariance[:2, :2]),
-        *_line_findings(evidence),
-        *_laser_picture_findings(evidence),
-        _stripe_finding(evidence),
+        *(_laser_findings(evidence) if result.problem.has_lines else [NO_PLANE]),
     )
     return sort_by_severity(findings)
 
@@ -103,7 +109,8 @@ def _verdict(evidence: BoardEvidence) -> CalibrationFinding:
     )
     if evidence.excluded_lines_mm or evidence.contradicting_lines_mm:
         remedies["stripe"] = message("let-laser-come-rest-take-pictures")
-    return uncertainty_verdict(known.total_um, known.rows, limits, remedies)
+    point: Literal["scanned", "seen"] = "scanned" if known.plane is not None else "seen"
+    return uncertainty_verdict(known.total_um, known.rows, limits, remedies, point)
 
 
 def _contact_findings(evidence: BoardEvidence) -> list[CalibrationFinding]:
@@ -216,6 +223,14 @@ def _rocking_findings(result: AdjustmentResult) -> list[CalibrationFinding]:
             ),
             message("fix-board-so-cannot-rock-warp"),
         )
+    ]
+
+
+def _laser_findings(evidence: BoardEvidence) -> list[CalibrationFinding]:
+    return [
+        *_line_findings(evidence),
+        *_laser_picture_findings(evidence),
+        _stripe_finding(evidence),
     ]
 
 

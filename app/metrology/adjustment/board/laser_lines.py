@@ -51,10 +51,11 @@ class LaserLines:
     of the laser is then unknown, and all lines count.
     ``laser_moved`` says that they are too many to be mistakes, excluded or not. ``plane`` is the
     plane of all lines that count, in the camera frame; ``scatter_mm`` and ``scatter_rad`` are the
-    standard deviations of the offset and rotation of whole lines from it.
+    standard deviations of the offset and rotation of whole lines from it. Where no line is to
+    count, there is no plane.
     """
 
-    plane: LaserPlane
+    plane: LaserPlane | None
     off_mm: Floats
     counting: tuple[int, ...]
     excluded: tuple[int, ...]
@@ -62,6 +63,9 @@ class LaserLines:
     laser_moved: bool
     scatter_mm: float
     scatter_rad: float
+
+
+NO_LINES = LaserLines(None, np.zeros(0), (), (), (), False, 0.0, 0.0)
 
 
 def fit_laser_lines(

@@ -15,6 +15,7 @@ from app.metrology.adjustment.board.initial_guess import (
     refuse_other_size,
 )
 from app.metrology.adjustment.board.laser_lines import (
+    NO_LINES,
     LaserLines,
     fit_laser_lines,
     refuse_few_lines,
@@ -44,6 +45,7 @@ from app.metrology.adjustment.core.robot_noise import (
 from app.metrology.arm.kinematics import Arm, RobotArm
 from app.metrology.limits import LIMITS, Limits
 from app.metrology.robust import median
+from app.metrology.sensor.laser_plane import LaserPlane
 from app.metrology.targets.chessboard import Chessboard, pattern_centre
 from app.metrology.transforms import Floats, apply, inverse, rigid
 
@@ -59,7 +61,8 @@ class BoardInputs:
     """The input of a calibration over P poses of one board that has not moved.
 
     ``readings`` (P, ...) belong to ``observations``, ``contact_readings`` (N, ...) to contact
-    points on the plane of the board; both are as in ``arm_readings.py``.
+    points on the plane of the board; both are as in ``arm_readings.py``. Without ``with_laser``,
+    camera and mounting alone are calibrated, whatever line the pictures show.
     """
 
     arm: Arm | RobotArm
@@ -70,6 +73,7 @@ class BoardInputs:
     contact_readings: Floats | None = None
     failed_poses: tuple[FailedPose, ...] = ()
     limits: Limits = LIMITS
+    with_laser: bool = True
 
 
 @dataclass(frozen=True)
@@ -79,6 +83,7 @@ class BoardStart:
     ``crossed`` are the numbers of the poses whose laser line counts. ``excluded_lines_mm`` gives
     the distance of excluded lines by pose number, ``contradicting_lines_mm`` that of lines that
     contradict but count. ``laser_moved`` says that these are too many to be mistakes.
+    ``scatter_px`` is that of the corners of each picture, before any pose is left out.
     """
 
     problem: AdjustmentProblem
@@ -88,6 +93,7 @@ class BoardStart:
     excluded_lines_mm: dict[int, float]
     contradicting_lines_mm: dict[int, float]
     laser_moved: bool
+    scatter_px: Floats
 
 
 def board_problem(inputs: BoardInputs) -> BoardStart:
@@ -108,7 +114,7 @@ def board_problem(inputs: BoardInputs) -> BoardStart:
     mounting = mounting_by_motion(moves.T_arm_flange, T_cam_obj, board.size_mm)
     refuse_other_size(mounting, board)
     refuse_contradictions(mounting, numbers, "board")
-    lines = fit_laser_lines(views, found, numbers)
+    lines = fit_laser_lines(views, found, numbers) if inputs.with_laser else NO_LINES
     noise = None
     if isinstance(arm, RobotArm):
         mounting, noise = _robot_noise(found, mounting, board)
@@ -121,12 +127,14 @@ def board_problem(inputs: BoardInputs) -> BoardStart:
         _contact_observations(inputs, mounting.T_arm_obj, len(prior.names), noise),
         prior,
         *inputs.size_px,
+        inputs.with_laser,
     ).without_poses(mounting.contradicts)
     crossed = frozenset(numbers[p] for p in lines.counting)
-    refuse_few_lines(len(crossed.intersection(problem.numbers)), len(problem.numbers))
+    if inputs.with_laser:
+        refuse_few_lines(len(crossed.intersection(problem.numbers)), len(problem.numbers))
     state = AdjustmentState(
         with_identity_pose(found.cameras[0]),
-        lines.plane,
+        lines.plane or _plane_across_view(T_cam_obj, pattern_centre(board)),
         mounting.T_flange_cam,
         mounting.T_arm_obj,
         found.coordinates,
@@ -135,7 +143,16 @@ def board_problem(inputs: BoardInputs) -> BoardStart:
     )
     lines_out = {numbers[p]: float(abs(lines.off_mm[p])) for p in lines.excluded}
     apart = {numbers[p]: float(abs(lines.off_mm[p])) for p in lines.contradicting}
-    return BoardStart(problem, state, mounting, crossed, lines_out, apart, lines.laser_moved)
+    return BoardStart(
+        problem,
+        state,
+        mounting,
+        crossed,
+        lines_out,
+        apart,
+        lines.laser_moved,
+        found.scatter_px,
+    )
 
 
 def number_boards(inputs: BoardInputs) -> BoardInputs:
@@ -235,9 +252,17 @@ def _view(pose: BoardObservation, board: Chessboard) -> BoardView:
     return BoardView(board, pose.detection, pose.stripe, none)
 
 
+def _plane_across_view(T_cam_obj: Floats, middle_mm: Floats) -> LaserPlane:
+    """The plane across the camera's view at the usual distance of the board's middle (3,)."""
+    depth_mm = median(T_cam_obj[:, 2, :3] @ middle_mm + T_cam_obj[:, 2, 3])
+    return LaserPlane(np.array([0.0, 0.0, 1.0]), depth_mm)
+
+
 def _with_line(view: BoardView, found: Bundle, pose: int, lines: LaserLines) -> BoardView:
     """The problem with the line points judged by their plane, or without a line that is
     excluded."""
+    if lines.plane is None:
+        return view.without_line()
     view = replace(view, line_off_mm=lines.scatter_mm, line_off_rad=lines.scatter_rad)
     if pose in lines.excluded:
         return view.without_line()

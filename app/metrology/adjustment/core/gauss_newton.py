@@ -20,7 +20,10 @@ from app.metrology.adjustment.core.linearise import (
 from app.metrology.adjustment.core.link_error_prior import estimate_link_size_covariance
 from app.metrology.adjustment.core.observations import AdjustmentProblem
 from app.metrology.adjustment.core.parameters import (
+    CAMERA,
     LENS,
+    MOUNT,
+    PLANE,
     AdjustmentState,
     ParameterLayout,
     parameter_layout,
@@ -56,7 +59,8 @@ class AdjustmentResult:
 
     ``parts`` splits the normal matrix by ``linearise.SOURCES``; ``free`` (U,) are the unknowns that
     were not held (lens terms that are not significant are held at zero). ``scales_estimated`` says
-    whether the noise levels were estimated from the data.
+    whether the noise levels were estimated from the data. ``by_kept`` (U, U) is the covariance
+    that a camera and mounting of an earlier calibration carry into the state, if they were kept.
     """
 
     linear: Linearisation
@@ -66,6 +70,7 @@ class AdjustmentResult:
     parts: dict[str, Floats]
     weights: PoseWeights
     scales_estimated: bool
+    by_kept: Floats | None = None
 
     @property
     def problem(self) -> AdjustmentProblem:
@@ -90,8 +95,10 @@ class AdjustmentResult:
 
     @property
     def uncertainty(self) -> Floats:
-        """(U, U) covariance of the state, including that of the unknown size of the link errors."""
-        return np.asarray(self.covariance + self.link_size_covariance)
+        """(U, U) covariance of the state, including those of the unknown size of the link errors
+        and of what was kept."""
+        own = self.covariance + self.link_size_covariance
+        return np.asarray(own if self.by_kept is None else own + self.by_kept)
 
 
 def solve_adjustment(
@@ -119,6 +126,8 @@ def solve_adjustment(
     """
     at = parameter_layout(problem)
     free = np.ones(at.count, dtype=np.bool_)
+    free[PLANE] = problem.has_lines
+    free[CAMERA] = free[MOUNT] = not problem.keeps_sensor
     scales = known or default_scales(problem.motion.usual_factor)
     rounds = 0 if known else ROUNDS_OF_SCALES
     linear = linearise(problem, at, start)

@@ -97,7 +97,11 @@ class ContactObservations:
 
 @dataclass(frozen=True)
 class AdjustmentProblem:
-    """The adjustment problem: P seen poses, contact points (possibly none), and the prior."""
+    """The adjustment problem: P seen poses, contact points (possibly none), and the prior.
+
+    Without ``has_lines``, the laser plane is no unknown, and where it ``keeps_sensor``, neither are
+    camera and mounting: they keep the values of the start.
+    """
 
     numbers: tuple[int, ...]
     views: tuple[PoseView, ...]
@@ -106,6 +110,8 @@ class AdjustmentProblem:
     prior: TargetPrior
     width_px: int
     height_px: int
+    has_lines: bool = True
+    keeps_sensor: bool = False
 
     def without_poses(self, left_out: NDArray[np.bool_]) -> "AdjustmentProblem":
         """The problem without the poses marked (P,)."""

@@ -65,7 +65,8 @@ class AdjustmentState:
     """Values of all unknowns.
 
     ``camera`` has its own frame as sensor frame (no rotation, no translation), and
-    ``plane`` lies in it. ``links`` (6n,) and ``noise`` (P, n) are as in
+    ``plane`` lies in it: the laser's, or without any line the plane across the view at the distance
+    of the object, on which points are then judged. ``links`` (6n,) and ``noise`` (P, n) are as in
     ``FlangeMotion``.
     """
 

@@ -34,7 +34,10 @@ BUDGET = (
     ("edges and corners", ("edges", "camera")),
     ("stripe", ("stripe",)),
 )
-NAMES = (*PARAMETERS, "plane_a", "plane_b", "plane_offset", *PROBE_NAMES)
+# Contribution of a camera and mounting that were calibrated before.
+KEPT = "camera and mounting"
+PLANE_NAMES = ("plane_a", "plane_b", "plane_offset")
+NAMES = (*PARAMETERS, *PLANE_NAMES, *PROBE_NAMES)
 GRID = (13, 9)  # points of the volume across and along the picture
 MAP = (33, 25)
 
@@ -75,18 +78,19 @@ class PlaneUncertainty:
 
 @dataclass(frozen=True)
 class CalibrationUncertainty:
-    """The uncertainty of an adjustment.
+    """The uncertainty of an adjustment; without laser lines there is no ``map`` and no ``plane``.
 
-    ``covariance`` (23, 23) belongs to ``NAMES``: camera and laser plane in the sensor frame, and a
-    left twist (rad, mm) of ``T_flange_sensor`` about ``pivot_mm`` (3,) in the flange frame. The
-    pose of the camera in the sensor frame is a convention, without error.
+    ``covariance`` (K, K) belongs to ``names``, of ``NAMES``: camera and laser plane in
+    the sensor frame, and a left twist (rad, mm) of ``T_flange_sensor`` about ``pivot_mm`` (3,) in
+    the flange frame. The pose of the camera in the sensor frame is a convention, without error.
     """
 
     rows: tuple[BudgetContribution, ...]
     total_um: float
     volume: Volume
-    map: UncertaintyMap
-    plane: PlaneUncertainty
+    map: UncertaintyMap | None
+    plane: PlaneUncertainty | None
+    names: tuple[str, ...]
     covariance: Floats
     pivot_mm: Floats
 
@@ -100,8 +104,10 @@ def estimate_uncertainty(found: AdjustmentResult, T_cam_sensor: Floats) -> Calib
 
     Returns:
         Standard uncertainties of points in the flange frame, k = 1, µm: by source, over the
-        measuring volume, and over the image.
+        measuring volume, and over the image. Without lines, the points are those that the pictures
+        show at the usual distance of the object, which is taken as known.
     """
+    lines = found.problem.has_lines
     volume = measuring_volume(found)
     rows, total_um = point_budget(found, sensor_jacobian(found.state, volume.uv_px))
     pivot = volume.points_flange_mm.mean(axis=0)
@@ -109,20 +115,25 @@ def estimate_uncertainty(found: AdjustmentResult, T_cam_sensor: Floats) -> Calib
         rows,
         total_um,
         volume,
-        uncertainty_map(found, T_cam_sensor),
-        plane_uncertainty(found, volume),
-        _covariance_by_name(found, T_cam_sensor, pivot),
+        uncertainty_map(found, T_cam_sensor) if lines else None,
+        plane_uncertainty(found, volume) if lines else None,
+        *_covariance_by_name(found, T_cam_sensor, pivot),
         pivot,
     )
 
 
 def measuring_volume(found: AdjustmentResult) -> Volume:
-    """The part of the laser plane that the stripes of all poses covered, as a grid.
+    """The part of the laser plane that the stripes of all poses covered, as a grid; without
+    stripes, what the object covered.
 
     Returns:
         (G, 2) px and (G, 3) mm in the flange frame.
     """
-    seen = np.concatenate([view.stripe_px() for view in found.problem.views])
+    seen = np.concatenate(
+        [view.stripe_px() for view in found.problem.views]
+        if found.problem.has_lines
+        else [shape.places for shape, _ in found.linear.rows]
+    )
     low, high = seen.min(axis=0), seen.max(axis=0)
     u, v = (np.linspace(a, b, n) for a, b, n in zip(low, high, GRID, strict=True))
     uv = np.column_stack([axis.ravel() for axis in np.meshgrid(u, v)])
@@ -147,6 +158,8 @@ def covariance_by_source(found: AdjustmentResult) -> dict[str, Floats]:
         for source, names in BUDGET
     }
     split["distortion"] = found.covariance - C
+    if found.by_kept is not None:
+        split[KEPT] = found.by_kept
     split["arm geometry"] = split["arm geometry"] + found.link_size_covariance
     return split
 
@@ -266,9 +279,25 @@ def _error_squares(J: Floats, covariance: Floats) -> Floats:
     return np.asarray(np.maximum(np.einsum("gik,kl,gil->g", J, covariance, J), 0.0))
 
 
-def _covariance_by_name(found: AdjustmentResult, T_cam_sensor: Floats, pivot_mm: Floats) -> Floats:
-    """The covariance (23, 23) of ``NAMES``."""
-    state = found.state
+def _covariance_by_name(
+    found: AdjustmentResult, T_cam_sensor: Floats, pivot_mm: Floats
+) -> tuple[tuple[str, ...], Floats]:
+    """``NAMES``, without those of the plane where there is none, and their covariance."""
+    M = named_by_unknowns(found.state, T_cam_sensor, pivot_mm)
+    known = [
+        k for k, name in enumerate(NAMES) if found.problem.has_lines or name not in PLANE_NAMES
+    ]
+    covariance = M @ found.uncertainty[SENSOR, SENSOR] @ M.T
+    return tuple(NAMES[k] for k in known), np.asarray(covariance[np.ix_(known, known)])
+
+
+def named_by_unknowns(state: AdjustmentState, T_cam_sensor: Floats, pivot_mm: Floats) -> Floats:
+    """Derivatives (23, 17) of what ``NAMES`` names by the unknowns of camera, plane and mounting.
+
+    Args:
+        T_cam_sensor: (4, 4) the chosen sensor frame.
+        pivot_mm: (3,) about which the mounting turns, flange frame.
+    """
     R, t = T_cam_sensor[:3, :3], T_cam_sensor[:3, 3]
     M = np.zeros((len(NAMES), SENSOR.stop))
     for own, name in enumerate(INTRINSIC):
@@ -281,4 +310,4 @@ def _covariance_by_name(found: AdjustmentResult, T_cam_sensor: Floats, pivot_mm:
     M[at + 2, PLANE.start + 2] = 1.0
     probe = np.linalg.inv(pivot_adjoint(pivot_mm)) @ adjoint(state.T_flange_cam)
     M[at + 3 :, MOUNT] = probe
-    return np.asarray(M @ found.uncertainty[SENSOR, SENSOR] @ M.T)
+    return M

@@ -187,6 +187,8 @@ def _predict_rows(
     if not is_fully_visible(camera, item):
         return None
     board = predict_board_view(camera, plane, like, seeing)
+    if not found.problem.has_lines:
+        return board.without_line().rows
     return board.rows if len(board.stripe.u) * seeing.bin_size >= STRIPE_POINTS else None
 
 

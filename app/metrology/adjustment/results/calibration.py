@@ -21,15 +21,16 @@ class AdjustedCalibration:
 
     adjustment: AdjustmentResult
     camera: Camera
-    plane: LaserPlane
+    plane: LaserPlane | None
+    """None where no picture shows the laser's line."""
     T_flange_sensor: Floats
     """The probe matrix (Eq. 8)."""
     T_arm_obj: Floats
     """Where the target stands."""
     poses: tuple[PoseResult, ...]
     uncertainty: CalibrationUncertainty
-    stripe_rms_um: float
-    """Of the stripe's points to the laser plane."""
+    stripe_rms_um: float | None
+    """Of the stripe's points to the laser plane, where there are any."""
     depth_range_mm: tuple[float, float]
     findings: tuple[CalibrationFinding, ...]
     worst: tuple[WorstResidual, ...]

@@ -48,6 +48,17 @@ def stripe_rms_mm(found: AdjustmentResult) -> float:
     return float(np.sqrt(np.mean(off**2))) if len(off) else 0.0
 
 
+def object_depths_mm(found: AdjustmentResult, points_mm: Floats) -> tuple[float, float]:
+    """The nearest and the furthest distance of points (N, 3) of the object from the camera."""
+    distance = np.concatenate(
+        [
+            np.linalg.norm(points_mm - scene.camera.centre_mm, axis=1)
+            for scene in found.linear.scenes
+        ]
+    )
+    return float(distance.min()), float(distance.max())
+
+
 def depth_range_mm(found: AdjustmentResult) -> tuple[float, float]:
     """The nearest and the furthest distance of the points of all stripes from the camera."""
     stripe = np.concatenate([view.stripe_px() for view in found.problem.views])
