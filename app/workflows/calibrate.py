@@ -14,6 +14,7 @@ import numpy as np
 from app.errors import OperationError
 from app.formats.atomic_write import check_output_path
 from app.formats.datasheets.sensor import SensorDatasheet
+from app.formats.file_names import display_path
 from app.formats.images import GreyImage, channel_text, image_size, read_colours, read_grey
 from app.formats.io_errors import prefix_errors
 from app.formats.json_document import file_sha256
@@ -34,7 +35,11 @@ from app.metrology.adjustment.board.add_laser import add_laser
 from app.metrology.adjustment.board.calibrate import calibrate_board, observe_board
 from app.metrology.adjustment.board.initial_guess import BoardObservation
 from app.metrology.adjustment.board.problem import BoardInputs
-from app.metrology.adjustment.core.observations import BlockObservation, FailedPose
+from app.metrology.adjustment.core.observations import (
+    PICTURE_TWICE,
+    BlockObservation,
+    FailedPose,
+)
 from app.metrology.bayer import BayerPlane
 from app.metrology.calibration.one_pose import OnePoseInputs, calibrate_one_pose
 from app.metrology.channel import Channel, describe_channel
@@ -246,6 +251,8 @@ def _detect_all(
 
     seen: list[tuple[Pose, DetectionT]] = []
     unseen: list[FailedPose] = []
+    # by the corners' places: noise makes those of two pictures differ, whatever their files
+    first_with: dict[bytes, int] = {}
     with ThreadPoolExecutor(max_workers=os.cpu_count() or 1) as looking:
         for done, (pose, one) in enumerate(
             zip(poses, looking.map(look, poses), strict=True), start=1
@@ -255,9 +262,20 @@ def _detect_all(
             )
             if isinstance(one, OperationError):
                 unseen.append(FailedPose(pose.number, one))
+            elif (first := first_with.setdefault(one.fingerprint, pose.number)) != pose.number:
+                unseen.append(FailedPose(pose.number, _same_picture(pose.ambient, first)))
             else:
                 seen.append((pose, one))
     return seen, tuple(unseen)
+
+
+def _same_picture(path: Path, first: int) -> OperationError:
+    return OperationError(
+        PICTURE_TWICE,
+        message("same-picture-as-pose", name=display_path(path), number=first),
+        message("same-picture-counts-once"),
+        message("take-a-picture-in-each-pose"),
+    )
 
 
 def _observe_block(

@@ -190,6 +190,7 @@ def calibrate_crenel(
     coordinates = result.adjustment.state.coordinates
     board = made.board
     said = {pose.number for pose in result.poses if "laser line" in str(pose.reason)}
+    assert result.plane is not None
     solved = PeerCalibration(
         CRENEL,
         result.camera,

@@ -41,6 +41,11 @@ class Stripe:
         """(2,) unit pixel direction of ``sigma_px``."""
         return np.array([0.0, 1.0]) if self.axis == "u" else np.array([1.0, 0.0])
 
+    def is_same(self, other: "Stripe | None") -> bool:
+        """Whether both have the same points to the last digit, as the same pixels give; not if
+        they have none."""
+        return other is not None and len(self.u) > 0 and np.array_equal(self.uv_px, other.uv_px)
+
 
 def usual_steepness(stripe: Stripe) -> float:
     """By how many pixels the line usually moves across from one column or row to the next.

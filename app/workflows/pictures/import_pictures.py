@@ -28,6 +28,7 @@ from app.formats.session.scan_folder import ScanFolder, ScanPicture
 from app.formats.settings.mask import Mask
 from app.formats.settings.scan_settings import extraction_text
 from app.messages.message import message, quantity
+from app.metrology.adjustment.core.observations import PICTURE_TWICE
 from app.metrology.arm.kinematics import Arm
 from app.metrology.stripe import (
     AUTOMATIC,
@@ -66,7 +67,10 @@ class ImportedScan:
     without_line: list[OperationError] = field(default_factory=list)
     """Why a picture shows no line; it is in the recording, without points."""
     unreadable: list[OperationError] = field(default_factory=list)
-    """Why a picture could not be read, or is of another sensor; it is left out."""
+    """Why a picture could not be read, is of another sensor, or is that before it again; it is left
+    out."""
+    last_stripe: Stripe | None = None
+    """Of the picture before."""
 
     @property
     def left_out(self) -> MissingFrames:
@@ -201,6 +205,10 @@ def _write_frame(
     writer: RecordingWriter, scan: ScanFolder, frame: _Frame, result: ImportedScan
 ) -> None:
     """Adds a frame to the recording and to the counts; one that cannot be read to these alone."""
+    if frame.stripe.is_same(result.last_stripe):
+        result.unreadable.append(_same_as_before(frame.picture.file))
+        return
+    result.last_stripe = frame.stripe
     if frame.refusal is not None:
         if frame.refusal.code not in (NOT_FOUND, OTHER_AXIS):
             result.unreadable.append(frame.refusal)
@@ -213,6 +221,15 @@ def _write_frame(
     result.frames += 1
     result.without_pose += not frame.posed
     result.points += len(frame.stripe.u)
+
+
+def _same_as_before(path: Path) -> OperationError:
+    return OperationError(
+        PICTURE_TWICE,
+        message("same-picture-as-before", name=display_path(path)),
+        message("same-picture-counts-once"),
+        message("give-each-pose-its-own-picture"),
+    )
 
 
 def _no_line_error(scan: ScanFolder, result: ImportedScan) -> OperationError:

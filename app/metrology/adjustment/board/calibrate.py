@@ -34,7 +34,7 @@ from app.metrology.adjustment.board.surface import corners_at
 from app.metrology.adjustment.core.gauss_newton import AdjustmentResult, solve_adjustment
 from app.metrology.adjustment.core.hand_eye import Mounting
 from app.metrology.adjustment.core.kept_sensor import KeptSensor
-from app.metrology.adjustment.core.observations import require_observations
+from app.metrology.adjustment.core.observations import PICTURE_TWICE, require_observations
 from app.metrology.adjustment.core.uncertainty import (
     CalibrationUncertainty,
     estimate_uncertainty,
@@ -210,6 +210,7 @@ def _assemble_result(
         start.excluded_lines_mm if start.laser_moved else {},
         start.contradicting_lines_mm,
         contacts,
+        tuple(one.number for one in inputs.failed_poses if one.error.code == PICTURE_TWICE),
     )
     return BoardCalibration(
         adjustment=found,

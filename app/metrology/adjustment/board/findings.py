@@ -74,6 +74,7 @@ class BoardEvidence:
     excluded_lines_mm: dict[int, float]  # mm by pose number: lines of a laser that moved, excluded
     contradicting_lines_mm: dict[int, float]  # the same for lines that are kept
     contacts: BoardContacts | None
+    repeated: tuple[int, ...]  # poses whose picture is that of another pose
 
 
 def board_findings(evidence: BoardEvidence) -> tuple[CalibrationFinding, ...]:
@@ -183,8 +184,14 @@ def _pose_findings(evidence: BoardEvidence) -> list[CalibrationFinding]:
             message("check-laser-board-camera-kept-still") if pose.number in observed else "",
         )
         for pose in evidence.poses
-        if pose.reason and not (pose.used and pose.number in about_lines)
+        if pose.reason
+        and not (pose.used and pose.number in about_lines)
+        and pose.number not in evidence.repeated
     ]
+    if evidence.repeated:
+        text = message("identical-pictures-count-once", poses=_join_numbers(evidence.repeated))
+        remedy = sentence(message("take-a-picture-in-each-pose"))
+        findings.append(CalibrationFinding("attention", "picture-twice", text, remedy))
     off = [pose.off_um for pose in used]
     furthest = used[int(np.argmax(off))]
     findings.append(

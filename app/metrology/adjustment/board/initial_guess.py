@@ -44,6 +44,11 @@ class BoardObservation:
     image_findings: tuple[ImageFinding, ...] = ()
     laser_error: OperationError | None = None
 
+    @property
+    def fingerprint(self) -> bytes:
+        """Equal for pictures with the same pixels, and for these alone."""
+        return self.detection.uv_px.tobytes()
+
 
 def board_camera(
     seen: Sequence[BoardObservation], board: Chessboard, size_px: tuple[int, int]

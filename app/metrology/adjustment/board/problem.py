@@ -23,6 +23,7 @@ from app.metrology.adjustment.board.laser_lines import (
 from app.metrology.adjustment.board.observations import BoardView
 from app.metrology.adjustment.board.surface import bend_modes, bend_slice, board_prior
 from app.metrology.adjustment.core.arm_readings import flange_motion, plane_contacts
+from app.metrology.adjustment.core.focal_differences import refuse_focal_differences
 from app.metrology.adjustment.core.hand_eye import (
     Mounting,
     mounting_by_motion,
@@ -46,7 +47,7 @@ from app.metrology.arm.kinematics import Arm, RobotArm
 from app.metrology.limits import LIMITS, Limits
 from app.metrology.robust import median
 from app.metrology.sensor.laser_plane import LaserPlane
-from app.metrology.targets.chessboard import Chessboard, pattern_centre
+from app.metrology.targets.chessboard import Chessboard, corner_points, pattern_centre
 from app.metrology.transforms import Floats, apply, inverse, rigid
 
 # The only face for probing: the plane of the board.
@@ -112,6 +113,7 @@ def board_problem(inputs: BoardInputs) -> BoardStart:
     views, found = _bundle_views(inputs)
     T_cam_obj = np.array([rigid(one.rotation, one.translation_mm) for one in found.cameras])
     mounting = mounting_by_motion(moves.T_arm_flange, T_cam_obj, board.size_mm)
+    refuse_focal_differences(mounting, corner_points(board)[[0, -1]], numbers)
     refuse_other_size(mounting, board)
     refuse_contradictions(mounting, numbers, "board")
     lines = fit_laser_lines(views, found, numbers) if inputs.with_laser else NO_LINES

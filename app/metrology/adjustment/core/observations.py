@@ -159,6 +159,10 @@ def contact_rows(
     )
 
 
+PICTURE_TWICE = "picture-twice"
+"""Code of a pose whose picture is that of another pose."""
+
+
 @dataclass(frozen=True)
 class FailedPose:
     """A pose whose pictures could not be used, with the reason."""
@@ -193,3 +197,9 @@ class BlockObservation:
     detection: ObjectDetection
     stripe: Stripe
     image_findings: tuple[ImageFinding, ...] = ()
+
+    @property
+    def fingerprint(self) -> bytes:
+        """Equal for pictures with the same pixels, and for these alone."""
+        edges = [edge.uv_px for edge in self.detection.edges]
+        return b"".join(uv.tobytes() for uv in edges)
