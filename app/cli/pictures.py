@@ -140,8 +140,12 @@ def extract(
     from app.formats.settings.mask import Mask
     from app.metrology.stripe import StripeSettings
     from app.workflows.pictures.draw_pictures import draw_stripe, write_drawings
+    from app.workflows.pictures.extract_stripes import (
+        describe_two_lasers,
+        find_laser_weights,
+        write_stripes,
+    )
     from app.workflows.pictures.extract_stripes import extract_stripes as extract_all
-    from app.workflows.pictures.extract_stripes import find_laser_weights, write_stripes
 
     check_output_path(output, images if mask is None else [*images, mask])
     zones = None if mask is None else Mask.read(mask)
@@ -176,6 +180,8 @@ def extract(
             print(f"{output} written")
     _warn_of_axis(axis, stripes)
     _warn_of_raw(sum(one.looks_raw for one in lines))
+    if two := describe_two_lasers([one.two_lines for one in lines]):
+        warn(two)
     without, of = len(stripes) - len(lines), len(stripes)
     none = f"none of the {of} pictures has a line: nothing written"
     fail_if_left_out(without, of, none, f"{without} of {of} pictures have no line")
@@ -228,6 +234,7 @@ def _stripe_fields(found: "ImageStripe") -> dict[str, object]:
         "intensity": found.stripe.intensity.tolist(),
         "sigma_px": found.stripe.sigma_px.tolist(),
         "other_axis_points": found.other_axis_points or None,
+        "two_lines": found.two_lines,
         "looks_raw": found.looks_raw,
         "refusal": _refusal_fields(found.refusal),
     }

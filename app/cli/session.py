@@ -174,6 +174,8 @@ def _show_import(
     folder: Path, output: Path, result: "ImportedScan", seconds: float, as_json: bool
 ) -> None:
     """The counts, and the pictures that could not be read or show no line."""
+    from app.workflows.pictures.extract_stripes import describe_two_lasers
+
     if as_json:
         print_json(
             {
@@ -184,6 +186,7 @@ def _show_import(
                 "without_pose": result.without_pose,
                 "along_other_axis": result.along_other_axis,
                 "looking_raw": result.looking_raw,
+                "two_lines": sum(result.two_lines),
                 "without_line": [one.line for one in result.without_line],
                 "unreadable": [one.line for one in result.unreadable],
                 "seconds": seconds,
@@ -202,6 +205,8 @@ def _show_import(
             f"in {result.along_other_axis} pictures, the line runs along the other axis, so that "
             "most of it is lost. Set stripe_axis in sensor.json to the other axis, and import again"
         )
+    if two := describe_two_lasers(result.two_lines):
+        warn(two)
     if result.looking_raw:
         warn(
             f"in {result.looking_raw} pictures, the pixels alternate as in a raw picture of a "

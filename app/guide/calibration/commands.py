@@ -13,6 +13,7 @@ from app.guide.common.arguments import Args
 from app.guide.common.buttons import ButtonName
 from app.guide.common.commands import Act, Commands, go_back, record, simulation_acts
 from app.messages.message import message
+from app.workflows.calibrate import LaserUse
 
 BY_MAIN_BUTTON = ("place", "capture", "solve")
 """Steps whose main action the arm's main button does too. Devices, set-up and the result are
@@ -83,9 +84,11 @@ def _stop_poses(guide: CalibrationGuide, args: Args, key: str | None) -> None:
         guide.append("capture_kept", {})
 
 
-def _solve(guide: CalibrationGuide, args: Args, key: str | None) -> None:
+def _solve(laser: LaserUse, guide: CalibrationGuide, args: Args, key: str | None) -> None:
     guide.append("solve_started", {}, key)
-    guide.start_job(message("calibrating"), lambda progress: tasks.calibrate(guide, progress))
+    guide.start_job(
+        message("calibrating"), lambda progress: tasks.calibrate(guide, progress, laser)
+    )
 
 
 def _accept(guide: CalibrationGuide, args: Args, key: str | None) -> None:
@@ -112,7 +115,8 @@ ACTS: dict[str, Act[CalibrationGuide]] = {
     "setup_and_poses": _setup_and_poses,
     "take_poses": _take_poses,
     "stop_poses": _stop_poses,
-    "solve": _solve,
+    "solve": partial(_solve, "auto"),
+    "solve_without_laser": partial(_solve, "none"),
     **simulation_acts(simulate),
     "accept": _accept,
     "repeat": lambda guide, args, key: guide.repeat(key),

@@ -239,6 +239,12 @@ def _solve(state: CalibrationState, live: CalibrationLive, args: Args) -> Text:
     return _touch(state, live, args)
 
 
+def _solve_without_laser(state: CalibrationState, live: CalibrationLive, args: Args) -> Text:
+    if live.chosen.board is None:
+        return message("camera-and-laser-apart-on-a-board-only")
+    return _solve(state, live, args)
+
+
 def _accept(state: CalibrationState, live: CalibrationLive, args: Args) -> Text:
     seen = live.latest_outcome
     if seen is None or seen.result is None or state.outcome is None:
@@ -291,6 +297,7 @@ RULES = CommandRules[CalibrationState, CalibrationLive](
         "retake": Command(("solve", "review")),
         "restore_pose": Command(("solve", "review"), _restore_pose, NumberArguments),
         "solve": Command(("solve", "review"), _solve),
+        "solve_without_laser": Command(("solve", "review"), _solve_without_laser),
         "accept": Command(("review",), _accept),
         "back": Command(STEPS[1:], _back, BackArguments),
         "run_simulation": Command(STEPS[:-1], no_simulation_reason, OperatorArguments),

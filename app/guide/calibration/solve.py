@@ -34,7 +34,13 @@ from app.metrology.limits import Limits
 from app.metrology.targets.target import CalibrationTarget
 from app.metrology.transforms import apply, inverse
 from app.station.jobs import Progress
-from app.workflows.calibrate import AnyDetection, board_inputs, calibration_origin, joint_inputs
+from app.workflows.calibrate import (
+    AnyDetection,
+    LaserUse,
+    board_inputs,
+    calibration_origin,
+    joint_inputs,
+)
 
 AnyCalibration = BlockCalibration | BoardCalibration
 
@@ -46,19 +52,23 @@ def solve(
     known: Mapping[int, AnyDetection | OperationError],
     limits: Limits,
     points: Sequence[int],
+    laser: LaserUse = "auto",
 ) -> CalibrationOutcome:
     """Calibrates the session as the command line does, and writes ``calibration.json``.
 
     Args:
         known: what the pictures of poses show, by number, where they were looked at.
         points: the index of the touched point that each row of the contacts is.
+        laser: ``none`` calibrates camera and mounting alone.
 
     Raises:
         OperationError: by its reason; a calibration file of an earlier solve is then gone.
     """
     folder.calibration.unlink(missing_ok=True)
     session = read_any_session(folder.path)
-    result, document, drawings, touched = _calibrate(session, progress, known, limits, points)
+    result, document, drawings, touched = _calibrate(
+        session, progress, known, limits, points, laser
+    )
     document.write(folder.calibration)
     return CalibrationOutcome(
         corners=(),
@@ -82,6 +92,7 @@ def _calibrate(
     known: Mapping[int, AnyDetection | OperationError],
     limits: Limits,
     points: Sequence[int],
+    laser: LaserUse,
 ) -> tuple[AnyCalibration, CalibrationFile, dict[int, PoseDrawing], tuple[TouchedPoint, ...]]:
     """The calibration, its file, what its poses are drawn with, and a board's touched points."""
 
@@ -90,7 +101,7 @@ def _calibrate(
 
     origin = calibration_origin(session, session.poses, operator="")
     if isinstance(session, BoardSession):
-        of_board = board_inputs(session, limits, report, known)
+        of_board = board_inputs(session, limits, report, known, laser)
         on_board = calibrate_board(of_board, report)
         drawings = _drawings(on_board, of_board.observations, session.board)
         return on_board, board_document(on_board, origin), drawings, _on_board(on_board, points)

@@ -13,6 +13,7 @@ from app.guide.calibration.solve import solve
 from app.guide.common.journal import error_payload
 from app.messages.message import message
 from app.station.jobs import Progress
+from app.workflows.calibrate import LaserUse
 
 CONFIRMATIONS = {
     "confirm_devices": "devices_confirmed",
@@ -105,7 +106,7 @@ def keep_advice(guide: CalibrationGuide) -> None:
         guide.append("advised", {"inputs": inputs, "advice": to_advice(advice)})
 
 
-def calibrate(guide: CalibrationGuide, progress: Progress) -> None:
+def calibrate(guide: CalibrationGuide, progress: Progress, laser: LaserUse = "auto") -> None:
     """Solves from the session's folder, exactly as the command line does."""
     with guide.lock:
         state = guide.state
@@ -114,7 +115,7 @@ def calibrate(guide: CalibrationGuide, progress: Progress) -> None:
         in_use = guide.calibrations.active(guide.station.rig.selected)
     known, points = guide.pose_detections(), [contact.index for contact in state.counted]
     try:
-        outcome = solve(guide.folder, in_use, progress, known, guide.limits, points)
+        outcome = solve(guide.folder, in_use, progress, known, guide.limits, points, laser)
     except OperationError as error:
         _record_failure(guide, state.inputs, error)
         return

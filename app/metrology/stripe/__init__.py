@@ -45,6 +45,7 @@ from app.metrology.stripe.points import (
     empty_stripe,
     usual_steepness,
 )
+from app.metrology.stripe.second_line import ONE_OF_TWO, has_second_line, shows_two_lasers
 from app.metrology.stripe.settings import (
     AUTOMATIC,
     MOST_SMOOTHING_PX,
@@ -59,6 +60,7 @@ __all__ = [
     "AUTOMATIC",
     "HALF_HEIGHT_PERIOD",
     "MOST_SMOOTHING_PX",
+    "ONE_OF_TWO",
     "FoundLine",
     "PeakChoice",
     "Stripe",
@@ -69,6 +71,8 @@ __all__ = [
     "empty_stripe",
     "extract_stripe",
     "find_stripe",
+    "has_second_line",
     "number_sharing_noise",
+    "shows_two_lasers",
     "usual_steepness",
 ]

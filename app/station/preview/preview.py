@@ -5,17 +5,18 @@ import struct
 import threading
 import time
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from dataclasses import asdict, dataclass
 from typing import Literal
 
 import cv2
 import numpy as np
 
-from app.errors import OperationError
+from app.errors import OperationError, sentence
 from app.findings import Finding
 from app.formats.settings.scan_settings import AUTOMATIC, ScanSettings
 from app.loops import Loop
+from app.messages.message import message
 from app.metrology.detection.image_quality import Image, ImageQuality
 from app.metrology.image import saturation_level
 from app.metrology.stripe import Stripe
@@ -49,6 +50,8 @@ UNWATCHED_PERIOD_S = 1.0
 """While nobody watches, what is seen of the object is only said in words."""
 WORDS_PERIOD_S = 0.3
 STRIPE_POINTS = 200
+LINES_PERIOD_S = 2.0
+"""Whether there are two lines is looked at so often."""
 
 
 @dataclass(frozen=True)
@@ -99,6 +102,7 @@ class Preview:
         self._viewers = 0
         self._detecting = False
         self._latest: PreviewImage | None = None
+        self._lines: tuple[float, tuple[Finding, ...]] = (float("-inf"), ())
         self._words: tuple[float, ImageQuality | None, tuple[Finding, ...]] = (0.0, None, ())
         self._distances: WorkingRange | None = None
         self._watched = threading.Condition()
@@ -223,7 +227,7 @@ class Preview:
         stillness = self._arm.stillness()
         seen = self._current_detection(stillness)
         measures, words = self._measure(frame.image)
-        findings = [*stillness_findings(stillness), *words]
+        findings = [*stillness_findings(stillness), *words, *self._about_lines(frame)]
         if seen.finding is not None:
             findings.append(seen.finding)
         height, width = frame.image.shape
@@ -314,6 +318,22 @@ class Preview:
         if stillness.still:
             self._objects.forget(seen)
         return NO_DETECTION
+
+    def _about_lines(self, frame: Frame) -> tuple[Finding, ...]:
+        """Whether two lines are in the picture, looked at again from time to time."""
+        if not frame.laser_on:
+            self._lines = (float("-inf"), ())
+            return ()
+        looked_s, known = self._lines
+        if time.monotonic() - looked_s < LINES_PERIOD_S:
+            return known
+        found: tuple[Finding, ...] = ()
+        with suppress(OperationError):
+            if self._extraction.sees_two_lines(frame.image):
+                remedy = sentence(message("switch-one-laser-off-or-mask-its-place"))
+                found = (Finding("attention", message("two-lines-in-this-picture"), remedy),)
+        self._lines = (time.monotonic(), found)
+        return found
 
     def _stripe(self, frame: Frame) -> Stripe | None:
         if not frame.laser_on:

@@ -10,7 +10,16 @@ from app.errors import OperationError
 from app.formats.settings.scan_settings import ScanSettings
 from app.messages.message import message
 from app.metrology.image import Image
-from app.metrology.stripe import AUTOMATIC, Stripe, StripeSettings, StripeTracker, extract_stripe
+from app.metrology.stripe import (
+    AUTOMATIC,
+    ONE_OF_TWO,
+    Stripe,
+    StripeSettings,
+    StripeTracker,
+    extract_stripe,
+    find_stripe,
+    has_second_line,
+)
 from app.metrology.transforms import Floats
 from hardware.interfaces import Line
 
@@ -28,6 +37,14 @@ class Extraction:
     def stripe(self, image: Image) -> Stripe:
         """The stripe of one frame; raises as ``extract_stripe``."""
         return extract_stripe(image, self.axis, self._where(image), self.settings)
+
+    def sees_two_lines(self, image: Image) -> bool:
+        """Whether a second laser's line is in a frame, so that points may jump between the two;
+        raises as ``extract_stripe``."""
+        if self.settings.choice in ONE_OF_TWO:
+            return False
+        where = self._where(image)
+        return has_second_line(image, find_stripe(image, self.axis, where, self.settings), where)
 
     def band(self, image: Image) -> StripeTracker:
         """For frames of this size that follow one another."""

@@ -21,12 +21,15 @@ from app.metrology.image import saturation_level
 from app.metrology.mosaic import shows_mosaic
 from app.metrology.stripe import (
     AUTOMATIC,
+    ONE_OF_TWO,
     FoundLine,
     Stripe,
     StripeSettings,
     check_settings,
     empty_stripe,
     find_stripe,
+    has_second_line,
+    shows_two_lasers,
 )
 from app.progress import Progress, no_progress
 
@@ -56,6 +59,8 @@ class ImageStripe:
     refusal: OperationError | None = None
     other_axis_points: int = 0
     """Points along the other axis, where there are far more of them."""
+    two_lines: bool = False
+    """A second line runs beside the first, and the points may jump between them."""
     looks_raw: bool = False
     """The pixels alternate as in a raw picture of a colour camera, but were measured as grey."""
 
@@ -97,8 +102,13 @@ def extract_file(
     settings: StripeSettings,
     mask: Mask | None,
     channel: Channel | None,
+    looks_for_two: bool = True,
 ) -> ImageStripe:
-    """The stripe of a picture; raises ``OperationError`` if it cannot be measured or has none."""
+    """The stripe of a picture, and whether another line is beside it.
+
+    Raises:
+        OperationError: the picture cannot be measured, or has no stripe.
+    """
     cell_px = CELL_PX if isinstance(channel, BayerPlane) else 1
     picture = read_grey(path, channel)
     if mask is not None:
@@ -113,6 +123,7 @@ def extract_file(
         raise _no_stripe_error(path, picture, axis, mask is not None, other, looks_raw)
     text, width_px = channel_text(path, channel), cell_px * line.width_px
     other = other if other > FAR_MORE * found else 0
+    looks_for_two &= not (isinstance(channel, BayerPlane) or settings.choice in ONE_OF_TWO)
     return ImageStripe(
         path,
         line.stripe,
@@ -120,6 +131,7 @@ def extract_file(
         width_px,
         line.factor,
         other_axis_points=other,
+        two_lines=looks_for_two and has_second_line(picture, line, where),
         looks_raw=looks_raw,
     )
 
@@ -147,6 +159,13 @@ def _extract(
     of_plane = None if where is None else channel.select_mask(where)
     line = find_stripe(picture, axis, of_plane, channel.select_settings(settings))
     return replace(line, stripe=channel.raw_stripe(line.stripe))
+
+
+def describe_two_lasers(two_lines: Sequence[bool]) -> Text:
+    """What is to be said of pictures with a line, True where there are two; empty of one laser."""
+    if not shows_two_lasers(two_lines):
+        return ""
+    return message("two-lines-in-pictures", two=sum(two_lines), of=len(two_lines))
 
 
 def find_laser_weights(lit: Path, unlit: Path) -> ColourWeights:

@@ -45,6 +45,8 @@ from app.workflows.pictures.extract_stripes import (
     other_axis,
 )
 
+LOOKED_AT_FOR_TWO = 24
+"""In so many pictures, at least, a second laser's line is looked for."""
 AHEAD_NS = 200_000_000
 """Readings are written up to this time after a picture, as a station does."""
 
@@ -62,6 +64,8 @@ class ImportedScan:
     """Frames that give no points, since no readings lie closely around their times."""
     along_other_axis: int = 0
     """Pictures whose line runs along the other axis, so that most of it is lost."""
+    two_lines: list[bool] = field(default_factory=list)
+    """Of some pictures with a line: whether there are two."""
     looking_raw: int = 0
     """Pictures with a line whose pixels alternate as in a raw picture of a colour camera."""
     without_line: list[OperationError] = field(default_factory=list)
@@ -87,6 +91,8 @@ class _Frame:
     refusal: OperationError | None = None
     along_other_axis: bool = False
     looks_raw: bool = False
+    two_lines: bool | None = None
+    """None if it was not looked for."""
 
 
 def import_pictures(
@@ -160,10 +166,16 @@ def _extract_all(
     """The stripes, in the order of the pictures."""
     sensor = scan.sensor
 
+    every = max(1, len(scan.pictures) // LOOKED_AT_FOR_TWO)
+    looked_at = {picture.file for picture in scan.pictures[::every]}
+
     def extract(picture: ScanPicture, has_pose: bool) -> _Frame:
+        looks = picture.file in looked_at
         try:
             check_size(picture.file, image_size(picture.file), sensor)
-            found = extract_file(picture.file, sensor.stripe_axis, settings, mask, sensor.channel)
+            found = extract_file(
+                picture.file, sensor.stripe_axis, settings, mask, sensor.channel, looks
+            )
         except OperationError as refusal:
             other = refusal.code == OTHER_AXIS
             why_not = _with_axis_of_sensor(refusal, sensor.stripe_axis) if other else refusal
@@ -174,6 +186,7 @@ def _extract_all(
             has_pose,
             along_other_axis=found.other_axis_points > 0,
             looks_raw=found.looks_raw,
+            two_lines=found.two_lines if looks else None,
         )
 
     with ThreadPoolExecutor(os.cpu_count() or 1, "extract") as pool:
@@ -217,6 +230,8 @@ def _write_frame(
     sensor = scan.sensor
     result.along_other_axis += frame.along_other_axis
     result.looking_raw += frame.looks_raw
+    if frame.two_lines is not None:
+        result.two_lines.append(frame.two_lines)
     writer.stripe(frame.picture.stamp_ns, frame.stripe, sensor.width_px, sensor.height_px)
     result.frames += 1
     result.without_pose += not frame.posed

@@ -908,6 +908,7 @@ ui-nobody-in-control = Niemand hat die Bedienung
 ui-none = keine
 ui-none-chosen = nicht gewählt
 ui-none-used-determine-scan-flat-plate = Es wird kein Zeitversatz verwendet. Zum Bestimmen einen Scan starten und mindestens dreimal zügig über eine ebene Platte fahren, näher heran und weiter weg. Den Scan stoppen, dann hier den Zeitversatz bestimmen.
+ui-none-yet = noch keine
 ui-not-delivered = Nicht zugestellt: { $reason }
 ui-not-done = nicht ausgeführt: { $reason }
 ui-not-measured = nicht gemessen

@@ -908,6 +908,7 @@ ui-nobody-in-control = Nobody in control
 ui-none = none
 ui-none-chosen = not chosen
 ui-none-used-determine-scan-flat-plate = No delay is in use. To determine it, start a scan and pass over a flat plate briskly at least three times, closer and further away. Stop the scan. Then determine the delay here.
+ui-none-yet = none yet
 ui-not-delivered = Not delivered: { $reason }
 ui-not-done = not done: { $reason }
 ui-not-measured = not measured

@@ -17,7 +17,13 @@ export function KeyFigures({ result, object }: { result: CalibrationResult; obje
           value: figures(result.reprojection_rms_px, 3),
           unit: "px",
         },
-        { label: t("ui-laser-plane-rms"), value: lengthFigures(result.laser_plane_rms_um, "µm"), unit: unitOf("µm") },
+        result.laser_plane_rms_um === null
+          ? { label: t("ui-laser-plane-rms"), value: t("ui-none-yet"), unit: "" }
+          : {
+              label: t("ui-laser-plane-rms"),
+              value: lengthFigures(result.laser_plane_rms_um, "µm"),
+              unit: unitOf("µm"),
+            },
         ...(result.alignment_rms_um === null
           ? []
           : [

@@ -52,6 +52,9 @@ def detect_in_capture(
         return _unusable(refusal, stripe, findings), refusal
     if not len(seen.stripe.u):
         findings.append(_line_missing(item, taken))
+    if isinstance(seen, BoardObservation) and seen.two_lines:
+        remedy = sentence(message("switch-one-laser-off-or-cover-it"))
+        findings.append(Finding("attention", message("two-lines-in-this-picture"), remedy))
     found = draw_detection(seen, item)
     corners = [
         ImageCorner(corner.name, corner.u, corner.v, corner.residual_px) for corner in found.corners

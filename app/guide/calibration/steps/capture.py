@@ -187,10 +187,20 @@ def solve_step(state: CalibrationState, live: CalibrationLive) -> StepView:
         actions=[
             offer(state, live, "another_pose", message("take-another-pose"), primary=more),
             offer(state, live, "solve", message("calibrate"), primary=not (unusable or more)),
+            *_offer_without_laser(state, live, lines_missing),
             offer(state, live, "retake", message("take-picture-again"), primary=unusable),
             offer(state, live, "back", message("back-points"), {"to": "touch"}),
         ],
     )
+
+
+def _offer_without_laser(
+    state: CalibrationState, live: CalibrationLive, lines_missing: bool
+) -> list[Action]:
+    """Where the pictures of a board do for camera and mounting, and not for the laser."""
+    if not lines_missing:
+        return []
+    return [offer(state, live, "solve_without_laser", message("calibrate-without-the-laser"))]
 
 
 def _only_lines_missing(refused: SolveFailure, live: CalibrationLive) -> bool:

@@ -3,6 +3,7 @@
 Without contact points, the board's pose in the arm frame is estimated with everything else.
 """
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -62,7 +63,13 @@ from app.metrology.detection.image_quality import image_findings
 from app.metrology.image import Image
 from app.metrology.sensor.camera import rays
 from app.metrology.sensor.laser_plane import refuse_edge_on
-from app.metrology.stripe import empty_stripe, extract_stripe
+from app.metrology.stripe import (
+    FoundLine,
+    empty_stripe,
+    find_stripe,
+    has_second_line,
+    shows_two_lasers,
+)
 from app.metrology.targets.chessboard import Chessboard
 from app.metrology.transforms import Floats
 from app.progress import Progress, no_progress
@@ -106,13 +113,14 @@ def observe_board(
     Raises:
         OperationError: as ``detect_board`` and ``extract_stripe``.
     """
-    stripe = empty_stripe(axis)
-    if laser is not None:
-        stripe = extract_stripe(laser, axis)
-    elif laser_on:
-        stripe = drop_faint_stripe(ambient, extract_stripe(ambient, axis))
+    line, image = FoundLine(empty_stripe(axis)), ambient if laser is None else laser
+    if laser is not None or laser_on:
+        line = find_stripe(image, axis)
+    stripe = line.stripe if laser is not None else drop_faint_stripe(ambient, line.stripe)
     detection = detect_board(ambient, board, stripe if laser is None else None)
-    return BoardObservation(number, detection, stripe, tuple(image_findings(ambient)))
+    two_lines = len(stripe.u) > 0 and has_second_line(image, line)
+    findings = tuple(image_findings(ambient))
+    return BoardObservation(number, detection, stripe, findings, two_lines=two_lines)
 
 
 def calibrate_board(
@@ -140,11 +148,13 @@ def calibrate_board(
             (``too-few-images``, ``boards-parallel``, ``too-few-poses``, ``poses-alike``,
             ``poses-about-one-axis``); data that contradict each other (``poses-contradict``,
             ``poses-reversed``, ``board-ambiguous``, ``square-size``, ``lines-contradict``,
-            ``contacts-off-board``); a laser that gives no plane (``stripe-not-found``,
-            ``stripe-one-line``, ``laser-along-board``, ``laser-through-camera``); or
-            ``too-few-edges``, ``adjustment-failed``.
+            ``contacts-off-board``); a laser that gives no plane (``two-lasers``,
+            ``stripe-not-found``, ``stripe-one-line``, ``laser-along-board``,
+            ``laser-through-camera``); or ``too-few-edges``, ``adjustment-failed``.
     """
     require_observations(inputs.observations, inputs.failed_poses, "board")
+    if inputs.with_laser:
+        _refuse_two_lasers(inputs.observations)
     progress(0.0, message("finding-start"))
     try:
         numbered = number_boards(inputs)
@@ -162,6 +172,18 @@ def calibrate_board(
     result = _assemble_result(inputs, found, replace(start, mounting=mounting), kept)
     progress(1.0, message("done"))
     return result
+
+
+def _refuse_two_lasers(seen: Sequence[BoardObservation]) -> None:
+    with_line = [one for one in seen if len(one.stripe.u)]
+    if shows_two_lasers(one.two_lines for one in with_line):
+        poses = ", ".join(str(one.number) for one in with_line if one.two_lines)
+        raise OperationError(
+            "two-lasers",
+            message("two-lines-in-the-pictures-of-poses", poses=poses),
+            message("a-laser-plane-is-of-one-laser"),
+            message("switch-one-laser-off-or-cover-it"),
+        )
 
 
 def _adjust_robustly(inputs: BoardInputs, start: BoardStart) -> tuple[AdjustmentResult, Mounting]:

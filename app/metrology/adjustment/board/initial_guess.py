@@ -35,7 +35,7 @@ class BoardObservation:
     """The detection in the picture of one pose, by itself.
 
     The stripe is empty if no picture of the pose shows the laser's line; ``laser_error`` says why
-    its laser picture could not be read.
+    its laser picture could not be read. With ``two_lines``, the stripe may jump between two.
     """
 
     number: int
@@ -43,6 +43,7 @@ class BoardObservation:
     stripe: Stripe
     image_findings: tuple[ImageFinding, ...] = ()
     laser_error: OperationError | None = None
+    two_lines: bool = False
 
     @property
     def fingerprint(self) -> bytes:
