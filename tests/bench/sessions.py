@@ -59,6 +59,7 @@ def in_sensor_um(camera: Camera, plane: LaserPlane, folder: Path) -> float:
 def errors_um(found: Calibrated, folder: Path) -> tuple[float, float]:
     """Rms of the truth's points rebuilt: after one rigid fit, and in the flange's frame."""
     truth = json.loads((folder / "truth.json").read_text())
+    assert found.plane is not None
     rebuilt = sensor_points(found.camera, found.plane, np.array(truth["pixels"]))
     off_mm = apply(found.T_flange_sensor, rebuilt) - np.array(truth["points_flange_frame_mm"])
     return in_sensor_um(found.camera, found.plane, folder), 1e3 * rms_length(off_mm)

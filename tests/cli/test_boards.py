@@ -335,6 +335,43 @@ def test_pictures_without_the_laser_are_refused(few: Path) -> None:
     assert "the laser line lies on the board in 0 of 3 pictures" in why_refused(few)
 
 
+def test_camera_and_mounting_alone(few: Path, tmp_path: Path) -> None:
+    """Where the laser was off, or the option says so; what needs the plane says what to do."""
+    said = findings_of(few, "--without-laser")["no-laser-plane"]
+    assert "nothing can be scanned" in said
+    table = few / "images.csv"
+    lit = table.read_text()
+    table.write_text(lit.replace("both", "ambient"))
+    assert findings_of(few)["no-laser-plane"] == said
+    file = few / "c.json"
+    document = CalibrationFile.read(file)
+    assert document.laser_plane is None
+    assert np.array(document.probe_matrix)[:3, 3] == pytest.approx(
+        (T_FLANGE_CAM @ POSES[0])[:3, 3], abs=5.0
+    )
+    shutil.copy(file, few / "calibration.json")
+    assert "none yet" in render_report(few, ".html").decode()
+    scan = tmp_path / "scan.mcap"
+    scan.write_bytes(b"")
+    arm = few / "arm.json"
+    lacks = refused("reconstruct", scan, "--calibration", file, "--arm", arm, "-o", "c.ply")
+    assert "no laser plane yet. Take pictures" in lacks
+    added = refused("calibrate", few, "--camera-from", file, "-o", few / "d.json")
+    assert "the laser was off in all pictures" in added
+    table.write_text(lit)
+    whole = printed("calibrate", few, "--camera-from", file, "-o", few / "d.json")
+    assert whole["camera"] == json.loads(file.read_text())["camera"]
+    assert whole["camera_from"]["file"] == "c.json"
+    assert whole["laser_plane"]["normal"]
+
+
+def test_the_same_picture_counts_once(few: Path) -> None:
+    first, *rows = (few / "images.csv").read_text().splitlines()
+    again = [f"{k + 4},{row.partition(',')[2]}" for k, row in enumerate(rows)]
+    (few / "images.csv").write_text("\n".join([first, *rows, *again]) + "\n")
+    assert "poses 4, 5, 6 are those of other poses" in findings_of(few)["picture-twice"]
+
+
 def test_mirrored_pictures_are_refused_as_such(few: Path) -> None:
     for path in (few / "images").glob("*.png"):
         picture = present(cv2.imread(str(path), cv2.IMREAD_UNCHANGED))

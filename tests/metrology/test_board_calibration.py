@@ -13,6 +13,7 @@ from scipy.spatial.transform import Rotation
 from app.errors import OperationError
 from app.formats.images import read_grey
 from app.formats.session.calibration_session import BoardSession, read_any_session
+from app.metrology.adjustment.board.add_laser import add_laser
 from app.metrology.adjustment.board.calibrate import (
     BoardCalibration,
     calibrate_board,
@@ -23,6 +24,8 @@ from app.metrology.adjustment.board.laser_lines import line_scatter
 from app.metrology.adjustment.board.observations import BoardView
 from app.metrology.adjustment.board.problem import BoardInputs
 from app.metrology.adjustment.board.surface import board_prior, evaluate_surface, surface_height_mm
+from app.metrology.adjustment.core.kept_sensor import KeptSensor
+from app.metrology.adjustment.core.uncertainty import KEPT
 from app.metrology.calibration.observation_model import SceneModel
 from app.metrology.sensor.laser_plane import LaserPlane
 from app.metrology.sensor.projection import COUNT
@@ -48,6 +51,7 @@ from tests.real_sessions import write_real_session
 from tests.running.usual import usual
 
 pytestmark = pytest.mark.slow
+MOVED = rigid(Rotation.from_rotvec([0.1, 0.0, 0.4]).as_matrix(), np.array([90.0, -40.0, 15.0]))
 
 
 @pytest.fixture(scope="module")
@@ -174,6 +178,30 @@ def test_two_lines_are_enough_and_one_is_not(given: BoardInputs) -> None:
     # the last line but one is that of a pose that contradicts
     with pytest.raises(OperationError, match="in 1 of 7 pictures"):
         calibrate_board(without_lines(contradicting(given, 0), range(1, 7)))
+
+
+def test_camera_and_mounting_come_without_a_laser_which_is_added_later() -> None:
+    """The board lies elsewhere by then, and the laser is seen in few pictures."""
+    alone = calibrate_board(replace(session(0), with_laser=False))
+    known = alone.uncertainty
+    assert alone.plane is None
+    assert known.map is None
+    assert "no-laser-plane" in [one.code for one in alone.findings]
+    assert "plane_offset" not in known.names
+    camera, T = alone.camera, alone.T_flange_sensor
+    kept = KeptSensor(camera, T, known.names, known.covariance, known.pivot_mm)
+    later = session(1)
+    later = without_lines(replace(later, readings=MOVED @ later.readings), range(2, 6))
+    whole = add_laser(later, kept)
+    assert np.array_equal(whole.camera.matrix, camera.matrix)
+    assert np.allclose(whole.T_flange_sensor, T, atol=1e-9)
+    assert error_um(whole) < 3 * whole.uncertainty.total_um
+    (of_kept,) = (row for row in whole.uncertainty.rows if row.source == KEPT)
+    assert 0 < of_kept.value_um < whole.uncertainty.total_um
+    assert "camera-kept" in [one.code for one in whole.findings]
+    other = replace(kept, camera=replace(camera, matrix=camera.matrix * [[1.02], [1.02], [1.0]]))
+    assert refusal_of(add_laser, later, other).code == "camera-changed"
+    assert refusal_of(add_laser, replace(later, with_laser=False), kept).code == "laser-was-off"
 
 
 def touching(count: int, radius_mm: float) -> Floats:

@@ -24,7 +24,7 @@ from app.metrology.calibration.findings import CalibrationFinding
 from app.metrology.limits import Limits
 from app.metrology.targets.chessboard import pattern_centre
 from app.metrology.transforms import Floats, rigid
-from tests.metrology.boards import POSES, T_ARM_OBJ, T_FLANGE_CAM, TIP, camera_pose
+from tests.metrology.boards import POSES, T_ARM_OBJ, T_FLANGE_CAM, TIP, K, camera_pose
 from tests.metrology.numerics import unit
 from tests.metrology.refusals import refusal_of
 from tests.metrology.seen_boards import PAPER_BOARD, BoardErrors, error_um
@@ -102,9 +102,46 @@ def verdict_by(limits: Limits, inputs: BoardInputs, found: BoardCalibration) -> 
     """The gravest finding if the user had given other limits, which only the findings go by."""
     fit, known = found.adjustment, found.uncertainty
     evidence = BoardEvidence(
-        inputs.board, inputs.observations, fit, known, found.poses, limits, {}, {}, found.contacts
+        inputs.board, inputs.observations, fit, known, found.poses, limits, {}, {}, None, ()
     )
     return board_findings(evidence)[0]
+
+
+def with_focal_lengths(inputs: BoardInputs, shares: Floats) -> BoardInputs:
+    """The pictures as with another focal length in each, by its share of the common one."""
+    middle = np.array([K[0, 2], K[1, 2]])
+    seen = [
+        replace(one, detection=replace(one.detection, uv_px=middle + (1 + g) * (uv - middle)))
+        for one, g in zip(inputs.observations, shares, strict=True)
+        for uv in [one.detection.uv_px]
+    ]
+    return replace(inputs, observations=tuple(seen))
+
+
+@pytest.mark.parametrize(
+    ("shares", "poses"),
+    [
+        (0.02 * (np.arange(8) > 4), "6, 7, 8"),
+        (0.005 * (np.arange(8) % 2), "2, 4, 6, 8"),
+        (np.zeros(8), ""),
+        (np.full(8, 0.02), ""),
+    ],
+)
+def test_a_focal_length_that_differs_is_named(shares: Floats, poses: str) -> None:
+    calm = BoardErrors(turn_rad=1e-4, shift_mm=0.02, line_mm=0.01)
+    inputs = with_focal_lengths(session(3, calm), shares)
+    if not poses:
+        assert calibrate_board(inputs).plane is not None
+        return
+    refusal = refusal_of(calibrate_board, inputs)
+    assert refusal.code == "focal-length-differs"
+    assert f"in poses {poses} than" in refusal.line
+
+
+def test_a_noisy_robot_has_no_autofocus() -> None:
+    noisy = BoardErrors(turn_rad=2e-3, shift_mm=1.0)
+    for seed in range(4):
+        assert calibrate_board(session(seed, noisy)).plane is not None
 
 
 @pytest.mark.parametrize("contacts", usual([True, False], 1, pytest.mark.soak))

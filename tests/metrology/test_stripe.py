@@ -12,7 +12,15 @@ from numpy.typing import NDArray
 
 from app.errors import OperationError
 from app.metrology.image import Image, saturation_level
-from app.metrology.stripe import Stripe, empty_stripe, extract_stripe, usual_steepness
+from app.metrology.stripe import (
+    Stripe,
+    empty_stripe,
+    extract_stripe,
+    find_stripe,
+    has_second_line,
+    shows_two_lasers,
+    usual_steepness,
+)
 from app.metrology.transforms import Floats
 from tests.pictures import read_picture
 from tests.uncertainty_ratio import ratio_of_pulls, rows_of
@@ -175,6 +183,44 @@ def test_a_lit_face_behind_the_stripe_does_not_draw_it_away() -> None:
     stripe, error = measured(np.clip(lit, 0, 255).astype(np.uint8), centre)
     assert len(stripe.u) > 0.97 * WIDTH
     assert np.max(np.abs(error)) < 0.4
+
+
+SECOND = {
+    "another laser": (60.0, 1.2, 0.9, (0, WIDTH), True),
+    "a crossing laser": (0.0, 1.0, 1.0, (0, WIDTH), True),
+    "a faint reflection": (50.0, 1.3, 0.3, (0, WIDTH), False),
+    "a short reflection": (50.0, 1.0, 0.8, (200, 330), False),
+    "a broad reflection": (60.0, 4.0, 0.7, (0, WIDTH), False),
+}
+
+
+@pytest.mark.parametrize("name", SECOND)
+def test_a_second_laser_is_told_from_a_reflection(name: str) -> None:
+    off_px, broader, higher, (first, last), expected = SECOND[name]
+    image, centre = rendered()
+    u = np.arange(WIDTH)
+    beside = centre + off_px + (0.4 * (u - 320) if off_px == 0 else 0.0)
+    height = 150 * higher * ((u >= first) & (u < last))
+    away = (np.arange(HEIGHT)[:, None] - beside) / (2 * broader)
+    both = np.clip(image + height * np.exp(-0.5 * away**2), 0, 255).astype(np.uint8)
+    for grey, axis in ((both, "u"), (np.ascontiguousarray(both.T), "v")):
+        assert has_second_line(grey, find_stripe(grey, axis)) == expected
+
+
+@pytest.mark.parametrize("step_px", [0.0, 40.0, -90.0])
+def test_a_line_with_gaps_and_a_step_is_one(step_px: float) -> None:
+    image, _ = rendered()
+    image[:, 150:220] = 6
+    image[:, 360:] = np.roll(image[:, 360:], int(step_px), axis=0)
+    assert not has_second_line(image, find_stripe(image))
+
+
+def test_two_lasers_are_in_most_pictures() -> None:
+    assert shows_two_lasers([True])
+    assert shows_two_lasers([True, False, True])
+    assert not shows_two_lasers([True, False])
+    assert not shows_two_lasers([True, True, False, False, False])
+    assert not shows_two_lasers([])
 
 
 @pytest.mark.parametrize("seed", range(3))
