@@ -1055,11 +1055,16 @@ convert-columns-x-mm-y-mm = Spalten x_mm, y_mm und z_mm in Millimeter umrechnen
 convert-lengths-mm-name-columns = Längen in mm umrechnen und die Spalten { $names } nennen
 convert-poses-read-otherwise =
     { $fault ->
-        [inverted] die Posen des Flanschs im Koordinatensystem des Messarms angeben
+        [inverted] die Posen des Flanschs im Koordinatensystem des Messarms angeben; bei feststehendem Sensor jede Pose invertiert angeben, in Kalibrierungen wie in Scans: Das Ergebnis hat den Sensor dann im Koordinatensystem der Basis des Messarms, und Scans liegen im Koordinatensystem des Flanschs
         [scalar-first] qx, qy, qz, qw in dieser Reihenfolge schreiben
         [scalar-first-inverted] die Posen des Flanschs im Koordinatensystem des Messarms angeben und qx, qy, qz, qw in dieser Reihenfolge schreiben
         [turns-inverted] die Drehungen des Flanschs im Koordinatensystem des Messarms angeben: das Vorzeichen von qw umkehren
         [rotations] die eigenen Spalten der Steuerung schreiben und sie als rotation in arm.json nennen: { $controllers }
+        [unit] die Positionen in mm umrechnen oder ihre Spalten nach ihrer Einheit benennen
+        [late] jedem Bild ab Pose { $first } die Pose geben, in der es aufgenommen wurde
+        [early] jedem Bild ab Pose { $first } die Pose geben, in der es aufgenommen wurde
+        [tool-changed] alle Posen in einem Werkzeug-Koordinatensystem angeben oder die Posen vor { $first } und die ab dort getrennt kalibrieren
+        [object-moved] die Posen vor { $first } und die ab dort getrennt kalibrieren
        *[other] jedem Bild die Pose geben, in der es aufgenommen wurde
     }
 convert-them-name-columns = Werte umrechnen und die Spalten { $first } bis { $last } nennen
@@ -1622,6 +1627,21 @@ poses-agree-read-otherwise =
             [vector] mit Drehvektoren
            *[other] mit den Winkeln als { $right }
         } stimmen { $agree } von { $count } Posen auf { $apart } mit den Bildern von „{ $name }“ überein; so, wie sie angegeben sind, widersprechen sie ihnen
+        [unit] mit den Positionen in { $unit } stimmen { $agree } von { $count } Posen auf { $apart } mit den Bildern von „{ $name }“ überein; so, wie sie angegeben sind, widersprechen sie ihnen
+        [late] ab Pose { $first } sind die Posen { $rows ->
+            [one] eine Zeile
+           *[other] { $rows } Zeilen
+        } zu spät: mit der Pose, die so viel weiter unten steht, stimmen { $agree } von { $count } Posen auf { $apart } mit den Bildern von „{ $name }“ überein
+        [early] ab Pose { $first } sind die Posen { $rows ->
+            [one] eine Zeile
+           *[other] { $rows } Zeilen
+        } zu früh: mit der Pose, die so viel weiter oben steht, stimmen { $agree } von { $count } Posen auf { $apart } mit den Bildern von „{ $name }“ überein
+        [reversed] in umgekehrter Reihenfolge stimmen { $agree } von { $count } Posen auf { $apart } mit den Bildern von „{ $name }“ überein; in der angegebenen Reihenfolge widersprechen sie ihnen
+        [sorted] wenn eine Spalte nach Namen (1, 10, 11, 2) und die andere nach Nummern sortiert ist, stimmen { $agree } von { $count } Posen auf { $apart } mit den Bildern von „{ $name }“ überein; in der angegebenen Reihenfolge widersprechen sie ihnen
+        [swapped] mit vertauschten Posen { $first } und { $other } stimmen { $agree } von { $count } Posen auf { $apart } mit den Bildern von „{ $name }“ überein
+        [mixed] in anderer Reihenfolge stimmen { $agree } von { $count } Posen auf { $apart } mit den Bildern von „{ $name }“ überein; in der angegebenen Reihenfolge widersprechen sie ihnen
+        [tool-changed] mit einem anderen Werkzeug-Koordinatensystem ab Pose { $first } stimmen { $agree } von { $count } Posen auf { $apart } mit den Bildern von „{ $name }“ überein; mit einem einzigen widersprechen sie ihnen
+        [object-moved] mit „{ $name }“ an einem anderen Ort ab Pose { $first } stimmen { $agree } von { $count } Posen auf { $apart } mit den Bildern überein; mit einem einzigen Ort widersprechen sie ihnen
         [before] { $agree } von { $count } Posen stimmen auf { $apart } mit den Bildern von „{ $name }“ überein, wenn jede zum nächsten Bild gehört; mit dem eigenen nicht
        *[after] { $agree } von { $count } Posen stimmen auf { $apart } mit den Bildern von „{ $name }“ überein, wenn jede zum Bild davor gehört; mit dem eigenen nicht
     }
@@ -1740,7 +1760,7 @@ sign-in-scopes-lack-openid = { $file }, [sign_in]: scopes enthält 'openid' nich
 sign-in-unusable = { $file }: [sign_in] lässt sich nicht verwenden
 so-poses-are-not-what-is-expected =
     { $fault ->
-        [inverted] dies sind Posen der Basis des Messarms im Koordinatensystem des Flanschs
+        [inverted] dies sind Posen der Basis des Messarms im Koordinatensystem des Flanschs, oder der Sensor steht fest und der Roboter trägt die Tafel
         [scalar-first] in den Spalten stehen qw, qx, qy, qz
         [scalar-first-inverted] dies sind Posen der Basis des Messarms im Koordinatensystem des Flanschs, und in den Spalten stehen qw, qx, qy, qz
         [turns-inverted] die Drehungen sind die der Basis des Messarms im Koordinatensystem des Flanschs
@@ -1748,6 +1768,15 @@ so-poses-are-not-what-is-expected =
             [vector] ihre Zahlen wurden für Drehvektoren gehalten
            *[other] ihre Zahlen wurden für Winkel als { $given } gehalten
         }
+        [unit] die Positionen sind nicht in mm
+        [late] es fehlen Bilder zu den Posen, oder eine Pose wurde doppelt geschrieben
+        [early] es fehlt eine Pose, oder ein Bild wurde doppelt aufgenommen
+        [reversed] Bilder und Posen stehen in umgekehrter Reihenfolge
+        [sorted] Bilder und Posen stehen in verschiedener Reihenfolge
+        [swapped] jede gehört zum Bild der anderen
+        [mixed] diese Bilder haben die Posen anderer (Bild: seine Pose): { $pairs }
+        [tool-changed] das Werkzeug-Koordinatensystem des Roboters wurde geändert oder der Sensor neu montiert
+        [object-moved] die Tafel wurde bewegt oder das Basis- oder Benutzer-Koordinatensystem des Roboters geändert
        *[other] Posen und Bilder sind um eins gegeneinander verschoben
     }
 source-dh-table =

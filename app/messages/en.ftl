@@ -1055,11 +1055,16 @@ convert-columns-x-mm-y-mm = Convert the columns x_mm, y_mm and z_mm to millimetr
 convert-lengths-mm-name-columns = Convert lengths to mm, and name the columns { $names }
 convert-poses-read-otherwise =
     { $fault ->
-        [inverted] give the poses of the flange in the frame of the arm
+        [inverted] give the poses of the flange in the frame of the arm; with a fixed sensor, give the inverse of each pose, in calibrations and scans alike: the result then has the sensor in the frame of the arm's base, and scans are in the frame of the flange
         [scalar-first] write qx, qy, qz, qw in this order
         [scalar-first-inverted] give the poses of the flange in the frame of the arm, and write qx, qy, qz, qw in this order
         [turns-inverted] give the rotations of the flange in the frame of the arm: change the sign of qw
         [rotations] write the controller's own columns, and state it as rotation in arm.json: { $controllers }
+        [unit] convert the positions to mm, or name their columns by their unit
+        [late] give every picture from pose { $first } on the pose in which it was taken
+        [early] give every picture from pose { $first } on the pose in which it was taken
+        [tool-changed] give all poses in one tool frame, or calibrate the poses before { $first } and those from there on separately
+        [object-moved] calibrate the poses before { $first } and those from there on separately
        *[other] give every picture the pose in which it was taken
     }
 convert-them-name-columns = Convert them, and name the columns { $first } to { $last }
@@ -1618,6 +1623,21 @@ poses-agree-read-otherwise =
             [vector] with rotation vectors
            *[other] with the angles as { $right }
         }, { $agree } of { $count } poses agree with the pictures of { $name } to { $apart }; as they are given, they contradict them
+        [unit] with the positions in { $unit }, { $agree } of { $count } poses agree with the pictures of { $name } to { $apart }; as they are given, they contradict them
+        [late] from pose { $first } on, poses are { $rows ->
+            [one] one row
+           *[other] { $rows } rows
+        } late: with the pose that stands so much further down, { $agree } of { $count } poses agree with the pictures of { $name } to { $apart }
+        [early] from pose { $first } on, poses are { $rows ->
+            [one] one row
+           *[other] { $rows } rows
+        } early: with the pose that stands so much further up, { $agree } of { $count } poses agree with the pictures of { $name } to { $apart }
+        [reversed] in reversed order, { $agree } of { $count } poses agree with the pictures of { $name } to { $apart }; in the order given, they contradict them
+        [sorted] if one column is sorted by name (1, 10, 11, 2) and the other by number, { $agree } of { $count } poses agree with the pictures of { $name } to { $apart }; in the order given, they contradict them
+        [swapped] with the poses { $first } and { $other } swapped, { $agree } of { $count } poses agree with the pictures of { $name } to { $apart }
+        [mixed] in another order, { $agree } of { $count } poses agree with the pictures of { $name } to { $apart }; in the order given, they contradict them
+        [tool-changed] with another tool frame from pose { $first } on, { $agree } of { $count } poses agree with the pictures of { $name } to { $apart }; with one tool frame, they contradict them
+        [object-moved] with { $name } in another place from pose { $first } on, { $agree } of { $count } poses agree with the pictures to { $apart }; with one place, they contradict them
         [before] { $agree } of { $count } poses agree with the pictures of { $name } to { $apart } if each belongs to the next picture; with their own, they contradict
        *[after] { $agree } of { $count } poses agree with the pictures of { $name } to { $apart } if each belongs to the picture before; with their own, they contradict
     }
@@ -1736,7 +1756,7 @@ sign-in-scopes-lack-openid = { $file }, [sign_in]: scopes has no 'openid'
 sign-in-unusable = { $file }: [sign_in] cannot be used
 so-poses-are-not-what-is-expected =
     { $fault ->
-        [inverted] these are poses of the arm's base in the flange frame
+        [inverted] these are poses of the arm's base in the flange frame, or the sensor is fixed and the robot carries the board
         [scalar-first] the columns hold qw, qx, qy, qz
         [scalar-first-inverted] these are poses of the arm's base in the flange frame, and the columns hold qw, qx, qy, qz
         [turns-inverted] the rotations are those of the arm's base in the flange frame
@@ -1744,6 +1764,15 @@ so-poses-are-not-what-is-expected =
             [vector] their numbers were taken for rotation vectors
            *[other] their numbers were taken for angles as { $given }
         }
+        [unit] the positions are not in mm
+        [late] pictures are missing, or a pose was written twice
+        [early] a pose is missing, or a picture was taken twice
+        [reversed] pictures and poses are listed in opposite order
+        [sorted] pictures and poses are listed in different order
+        [swapped] each has the pose of the other
+        [mixed] these pictures have the poses of others (picture: its pose): { $pairs }
+        [tool-changed] the tool frame of the robot was changed, or the sensor was mounted again
+        [object-moved] the board was moved, or the robot's base or user frame was changed
        *[other] poses and pictures are shifted by one
     }
 source-dh-table =

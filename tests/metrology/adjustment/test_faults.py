@@ -1,5 +1,6 @@
 """Faults in all contacts or poses together, found by the adjustment, and what they are."""
 
+from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -10,12 +11,9 @@ from app.bench.metrology.simulated import USUAL, SetUp, SimulatedSetup, draw_ses
 from app.errors import OperationError
 from app.messages.message import Message, Quantity, Text
 from app.metrology.adjustment.board.calibrate import calibrate_board
+from app.metrology.adjustment.board.faults.explain import explain_poses, refuse_misread_poses
+from app.metrology.adjustment.board.faults.readings import PoseFault
 from app.metrology.adjustment.board.initial_guess import BoardObservation
-from app.metrology.adjustment.board.pose_faults import (
-    PoseFault,
-    explain_poses,
-    refuse_misread_poses,
-)
 from app.metrology.adjustment.board.problem import BoardInputs
 from app.metrology.adjustment.core.gauss_newton import solve_adjustment
 from app.metrology.adjustment.core.hand_eye import mounting_by_motion, refuse_contradictions
@@ -190,10 +188,14 @@ def misread(flange: Floats, fault: PoseFault) -> Floats:
 
 
 FLANGE = np.array([find_flange_pose(T) for T in POSES])
+TWO_LATE, LEFT = [0, 1, 2, 3, 6, 7], [0, 1, 2, 3, 4, 5]
+ONE_EARLY, FIRST = [0, 1, 2, 4, 5, 6, 7], [0, 1, 2, 3, 4, 5, 6]
+MIXED = [2, 0, 3, 1, 6, 7, 5, 4]
 FAULTS: tuple[tuple[PoseFault, str], ...] = (
     ("scalar-first", "the columns hold qw, qx, qy, qz. Write qx"),
     ("scalar-first-inverted", "base in the flange frame, and the columns hold qw"),
     ("turns-inverted", "the rotations are those of the arm's base"),
+    ("inverted", "or the sensor is fixed and the robot carries the board"),
     ("before", "if each belongs to the next picture"),
     ("after", "if each belongs to the picture before"),
 )
@@ -203,6 +205,26 @@ FAULTS: tuple[tuple[PoseFault, str], ...] = (
 def test_the_fault_of_all_poses_is_named(fault: PoseFault, says: str) -> None:
     with pytest.raises(OperationError, match=says) as refused:
         calibrate_board(given(misread(FLANGE, fault)))
+    assert refused.value.code == "poses-read-otherwise"
+
+
+@pytest.mark.parametrize(
+    ("seen", "poses", "says"),
+    [
+        (TWO_LATE, LEFT, "from pose 4 on, poses are 2 rows late"),
+        (FIRST, ONE_EARLY, "from pose 3 on, poses are one row early"),
+        (range(8), range(7, -1, -1), "in reversed order, 8 of 8"),
+        (range(8), MIXED, "have the poses of others .picture: its pose.: 0: 1, 1: 3"),
+    ],
+)
+def test_pictures_and_poses_that_slipped_are_named(
+    seen: Sequence[int], poses: Sequence[int], says: str
+) -> None:
+    right = given(FLANGE)
+    pictures = tuple(replace(right.observations[p], number=k) for k, p in enumerate(seen))
+    readings = FLANGE[list(poses)]
+    with pytest.raises(OperationError, match=says) as refused:
+        calibrate_board(replace(right, observations=pictures, readings=readings))
     assert refused.value.code == "poses-read-otherwise"
 
 
@@ -220,8 +242,21 @@ def test_inverted_poses_that_nearly_agree_are_named() -> None:
 
 def test_poses_that_no_fault_explains_keep_their_reason() -> None:
     reason = OperationError("poses-contradict", "these contradict")
-    mixed = FLANGE[np.random.default_rng(3).permutation(len(FLANGE))]
-    assert explain_poses(given(mixed), reason) is reason
+    rng = np.random.default_rng(3)
+    anywhere = np.array(
+        [rigid(Rotation.random(random_state=rng).as_matrix(), T[:3, 3]) for T in FLANGE]
+    )
+    assert explain_poses(given(anywhere), reason) is reason
+
+
+def test_squares_are_doubted_only_if_the_poses_agree_on_another_size() -> None:
+    doubt = OperationError("square-size", "these squares are wide")
+    larger = FLANGE.copy()
+    larger[:, :3, 3] *= 1.2
+    assert explain_poses(given(larger), doubt) is doubt
+    anywhere = FLANGE.copy()
+    anywhere[:, :3, 3] += np.random.default_rng(3).uniform(-80, 80, (len(FLANGE), 3))
+    assert explain_poses(given(anywhere), doubt).code == "poses-contradict"
 
 
 def test_the_commonest_reason_is_named_where_no_picture_serves() -> None:

@@ -10,6 +10,7 @@ import numpy as np
 
 from app.errors import OperationError
 from app.messages.message import Text, message, quantity
+from app.metrology.adjustment.board.faults.explain import explain_poses, refuse_misread_poses
 from app.metrology.adjustment.board.findings import ROBOT_ROW, BoardEvidence, board_findings
 from app.metrology.adjustment.board.initial_guess import BoardObservation
 from app.metrology.adjustment.board.laser_lines import (
@@ -18,7 +19,6 @@ from app.metrology.adjustment.board.laser_lines import (
     refuse_few_lines,
     with_line_scatter,
 )
-from app.metrology.adjustment.board.pose_faults import explain_poses, refuse_misread_poses
 from app.metrology.adjustment.board.problem import (
     BoardInputs,
     BoardStart,

@@ -21,6 +21,10 @@ from app.metrology.adjustment.board.laser_lines import (
     refuse_few_lines,
 )
 from app.metrology.adjustment.board.observations import BoardView
+from app.metrology.adjustment.board.pose_judgement import (
+    judge_robot_poses,
+    readmit_predicted_poses,
+)
 from app.metrology.adjustment.board.surface import bend_modes, bend_slice, board_prior
 from app.metrology.adjustment.core.arm_readings import flange_motion, plane_contacts
 from app.metrology.adjustment.core.focal_differences import refuse_focal_differences
@@ -36,13 +40,7 @@ from app.metrology.adjustment.core.observations import (
     FailedPose,
 )
 from app.metrology.adjustment.core.parameters import AdjustmentState
-from app.metrology.adjustment.core.robot_noise import (
-    PosePairs,
-    RobotNoise,
-    estimate_robot_noise,
-    find_robot_outlier,
-    with_noise,
-)
+from app.metrology.adjustment.core.robot_noise import RobotNoise, with_noise
 from app.metrology.arm.kinematics import Arm, RobotArm
 from app.metrology.limits import LIMITS, Limits
 from app.metrology.robust import median
@@ -110,16 +108,17 @@ def board_problem(inputs: BoardInputs) -> BoardStart:
     board, arm = inputs.board, inputs.arm
     moves = flange_motion(arm, inputs.readings)
     numbers = tuple(pose.number for pose in inputs.observations)
-    views, found = _bundle_views(inputs)
+    views, found = adjust_pictures(inputs)
     T_cam_obj = np.array([rigid(one.rotation, one.translation_mm) for one in found.cameras])
     mounting = mounting_by_motion(moves.T_arm_flange, T_cam_obj, board.size_mm)
     refuse_focal_differences(mounting, corner_points(board)[[0, -1]], numbers)
     refuse_other_size(mounting, board)
+    mounting = readmit_predicted_poses(found, mounting, board)
     refuse_contradictions(mounting, numbers, "board")
     lines = fit_laser_lines(views, found, numbers) if inputs.with_laser else NO_LINES
     noise = None
     if isinstance(arm, RobotArm):
-        mounting, noise = _robot_noise(found, mounting, board)
+        mounting, noise = judge_robot_poses(found, mounting, board)
         moves = with_noise(moves, noise, mounting.T_arm_obj, pattern_centre(board))
     prior = replace(board_prior(board), sd=found.surface_prior.sd)
     problem = AdjustmentProblem(
@@ -181,8 +180,8 @@ def number_boards(inputs: BoardInputs) -> BoardInputs:
     )
 
 
-def _bundle_views(inputs: BoardInputs) -> tuple[list[BoardView], Bundle]:
-    """Bundle adjustment of the corners of all pictures."""
+def adjust_pictures(inputs: BoardInputs) -> tuple[list[BoardView], Bundle]:
+    """Bundle adjustment of the corners of all pictures, numbered alike."""
     board = inputs.board
     camera, T_cam_obj = board_camera(inputs.observations, board, inputs.size_px)
     views = [_view(pose, board) for pose in inputs.observations]
@@ -192,26 +191,6 @@ def _bundle_views(inputs: BoardInputs) -> tuple[list[BoardView], Bundle]:
     )
     pairs = zip(views, found.scatter_px, strict=True)
     return [replace(view, scatter_px=float(px)) for view, px in pairs], found
-
-
-def _robot_noise(
-    found: Bundle, mounting: Mounting, board: Chessboard
-) -> tuple[Mounting, RobotNoise]:
-    """The noise of a robot, estimated without poses that contradict; outliers are marked as
-    such."""
-    start = mounting.T_flange_cam, mounting.T_arm_obj
-    every = PosePairs(
-        mounting.T_arm_flange, mounting.T_cam_obj, found.covariance, pattern_centre(board)
-    )
-    while True:
-        agree = np.flatnonzero(~mounting.contradicts)
-        seen = every.select(agree)
-        outlier = find_robot_outlier(seen, *start)
-        if outlier is None or 2 * (len(agree) - 1) <= len(mounting.contradicts):
-            return mounting, estimate_robot_noise(seen, *start)
-        contradicts = mounting.contradicts.copy()
-        contradicts[agree[outlier]] = True
-        mounting = replace(mounting, contradicts=contradicts)
 
 
 def _contact_observations(

@@ -29,11 +29,16 @@ USUAL = np.array([0.2e-3, 0.08, 0.1e-3])
 USUAL_LOG_SD = 1.5
 LEAST = np.array([1e-6, 1e-3, 1e-6])
 ROUNDS = 3
+# Of the logarithms of the standard deviations, which few poses determine to a tenth at best.
+LOG_TOLERANCE = 1e-3
+CURVATURE_STEP = 0.1
 # The noise is estimated again with everything else, as a factor on these standard deviations.
 USUAL_FACTOR, LEAST_FACTOR = 1.0, 0.3
 
-# A pose is an outlier if chance alone would cause such a deviation less often than this.
-OUTLIER_CHANCE = 1e-5
+# A pose is an outlier if chance alone would cause such a deviation less often than this. Robots err
+# less evenly than chance does: alike in poses that are alike.
+OUTLIER_CHANCE, LEAST_CHANCE = 1e-6, 1e-300
+NORMAL_DEVIATES = np.linspace(-8.0, 8.0, 161)
 FEWEST_OTHERS = 4
 
 NoiseSquares = Floats
@@ -65,7 +70,7 @@ class PosePairs:
     middle_mm: Floats
 
     def select(self, kept: NDArray[np.int64]) -> "PosePairs":
-        own = (6 * kept[:, None] + np.arange(6)).ravel()
+        own = _rows_of(kept)
         return replace(
             self,
             T_arm_flange=self.T_arm_flange[kept],
@@ -94,19 +99,110 @@ def find_robot_outlier(seen: PosePairs, T_flange_cam: Floats, T_arm_obj: Floats)
 
     It is judged by a fit without it (Fisher's test), so that it cannot affect the fit.
     """
-    from scipy.special import fdtri
-
     count = len(seen.T_arm_flange)
     if count <= FEWEST_OTHERS:
         return None
     estimate = _fit_noise(seen, T_flange_cam, T_arm_obj)
-    squares = [_mahalanobis_square(seen, estimate, p, with_fit=False) for p in range(count)]
+    squares = [_mahalanobis_square(seen, estimate, p) for p in range(count)]
     worst = int(np.argmax(squares))
     others = np.delete(np.arange(count), worst)
     estimate = _fit_noise(seen.select(others), T_flange_cam, T_arm_obj)
-    freedom = 6 * len(others) - 12
-    limit = 6 * float(fdtri(6, freedom, 1 - OUTLIER_CHANCE))
-    return worst if _mahalanobis_square(seen, estimate, worst, with_fit=True) > limit else None
+    log_covariance = _log_sd_covariance(seen.select(others), estimate)
+    return worst if _excess(seen, estimate, log_covariance, others, worst) > 1 else None
+
+
+def find_predicted_pose(
+    seen: PosePairs, agree: NDArray[np.bool_], T_flange_cam: Floats, T_arm_obj: Floats
+) -> int | None:
+    """Of the poses that do not agree (P,), the one that those that do predict best, if it lies
+    within what they can predict; None if none does.
+
+    Few poses tilted alike know little of one that is tilted otherwise.
+    """
+    others = np.flatnonzero(agree)
+    if len(others) < FEWEST_OTHERS or agree.all():
+        return None
+    estimate = _fit_noise(seen.select(others), T_flange_cam, T_arm_obj)
+    log_covariance = _log_sd_covariance(seen.select(others), estimate)
+    excess = {
+        p: _excess(seen, estimate, log_covariance, others, p)
+        for p in map(int, np.flatnonzero(~agree))
+    }
+    best = min(excess, key=lambda p: excess[p])
+    return best if excess[best] <= 1 else None
+
+
+def fit_robot(seen: PosePairs, T_flange_cam: Floats, T_arm_obj: Floats) -> tuple[Floats, Floats]:
+    """``T_flange_cam`` and ``T_arm_obj`` (4, 4) by all poses, weighted by their noise."""
+    estimate = _fit_noise(seen, T_flange_cam, T_arm_obj)
+    return estimate.X, estimate.Z
+
+
+def _excess(
+    seen: PosePairs,
+    estimate: _NoiseEstimate,
+    log_covariance: Floats,
+    others: NDArray[np.int64],
+    pose: int,
+) -> float:
+    """How far a pose is from where others predict it, beyond 1 if chance alone does not explain it.
+
+    The others tell little of a noise that hardly shows in their own views: the standard deviation
+    of the prediction has one of its own, and its logarithm is taken as normal.
+    """
+    from scipy.special import chdtrc
+
+    residuals, J, G = _linearise(seen, estimate.X, estimate.Z)
+    rows, own = _rows_of(others), _rows_of(np.array([pose]))
+    V = _covariance(estimate.log_sd, G, seen.covariance)
+    W = np.linalg.inv(V[np.ix_(rows, rows)])
+    gain = J[own] @ np.linalg.solve(J[rows].T @ W @ J[rows], J[rows].T @ W)
+    variance = V[np.ix_(own, own)] + gain @ V[np.ix_(rows, rows)] @ gain.T
+    direction = np.linalg.solve(variance, residuals[own])
+    square = float(residuals[own] @ direction)
+    by_noise = np.exp(2 * estimate.log_sd) * [
+        _variance_along(direction, gain, one, others, pose) for one in G
+    ]
+    spread = by_noise @ log_covariance @ by_noise
+    times = np.exp(2 * np.sqrt(spread) / square * NORMAL_DEVIATES)
+    chance = float(chdtrc(6, square / times) @ np.exp(-0.5 * NORMAL_DEVIATES**2))
+    chance /= float(np.exp(-0.5 * NORMAL_DEVIATES**2).sum())
+    return float(np.log(max(chance, LEAST_CHANCE)) / np.log(OUTLIER_CHANCE))
+
+
+def _variance_along(
+    direction: Floats, gain: Floats, blocks: Floats, others: NDArray[np.int64], pose: int
+) -> float:
+    """Of a prediction, by the noise of each pose (P, 6, 6)."""
+    back = (gain.T @ direction).reshape(len(others), 6)
+    own = float(direction @ blocks[pose] @ direction)
+    return own + float(np.einsum("pi,pij,pj->", back, blocks[others], back))
+
+
+def _log_sd_covariance(seen: PosePairs, estimate: _NoiseEstimate) -> Floats:
+    """(3, 3) of the logarithms of the standard deviations, by the curvature of their likelihood."""
+    given = (*_linearise(seen, estimate.X, estimate.Z), seen.covariance)
+    steps = CURVATURE_STEP * np.eye(3)
+    at = np.array(
+        [
+            [
+                [
+                    _negative_log_likelihood(estimate.log_sd + a * one + b * other, *given)
+                    for a, b in ((1, 1), (1, -1), (-1, 1), (-1, -1))
+                ]
+                for other in steps
+            ]
+            for one in steps
+        ]
+    )
+    curvature = (at @ [1, -1, -1, 1]) / (4 * CURVATURE_STEP**2)
+    sizes, axes = np.linalg.eigh((curvature + curvature.T) / 2)
+    # as the prior alone knows them, at least
+    return np.asarray(axes @ np.diag(1 / np.maximum(sizes, USUAL_LOG_SD**-2)) @ axes.T)
+
+
+def _rows_of(poses: NDArray[np.int64]) -> NDArray[np.int64]:
+    return (6 * poses[:, None] + np.arange(6)).ravel()
 
 
 def _fit_noise(seen: PosePairs, X: Floats, Z: Floats) -> _NoiseEstimate:
@@ -120,6 +216,7 @@ def _fit_noise(seen: PosePairs, X: Floats, Z: Floats) -> _NoiseEstimate:
             noise,
             args=(residuals, J, G, seen.covariance),
             method="Nelder-Mead",
+            options={"xatol": LOG_TOLERANCE, "fatol": LOG_TOLERANCE},
         )
         noise = np.maximum(found.x, np.log(LEAST))
         W = np.linalg.inv(_covariance(noise, G, seen.covariance))
@@ -128,20 +225,12 @@ def _fit_noise(seen: PosePairs, X: Floats, Z: Floats) -> _NoiseEstimate:
     return _NoiseEstimate(noise, X, Z)
 
 
-def _mahalanobis_square(
-    seen: PosePairs, estimate: _NoiseEstimate, pose: int, with_fit: bool
-) -> float:
-    """Squared deviation of one pose, with 6 degrees of freedom; ``with_fit`` includes the
-    uncertainty of the fit to the others with which it is compared."""
-    residuals, J, G = _linearise(seen, estimate.X, estimate.Z)
-    V = _covariance(estimate.log_sd, G, seen.covariance)
+def _mahalanobis_square(seen: PosePairs, estimate: _NoiseEstimate, pose: int) -> float:
+    """Squared deviation of one pose from a fit to all, with 6 degrees of freedom."""
+    residuals, _, G = _linearise(seen, estimate.X, estimate.Z)
     own = slice(6 * pose, 6 * pose + 6)
-    variance = V[own, own]
-    if with_fit:
-        rest = np.delete(np.arange(len(residuals)), np.r_[own])
-        W = np.linalg.inv(V[np.ix_(rest, rest)])
-        variance = variance + J[own] @ np.linalg.inv(J[rest].T @ W @ J[rest]) @ J[own].T
-    return float(residuals[own] @ np.linalg.solve(variance, residuals[own]))
+    V = _covariance(estimate.log_sd, G, seen.covariance)[own, own]
+    return float(residuals[own] @ np.linalg.solve(V, residuals[own]))
 
 
 def _linearise(seen: PosePairs, X: Floats, Z: Floats) -> tuple[Floats, Floats, NoiseSquares]:

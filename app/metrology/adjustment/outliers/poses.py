@@ -17,6 +17,8 @@ FEWEST_POSES = 4
 # With few poses, one outlier pulls the others along, so that none stands out: it then shows by a
 # reduction of the noise of all others by this factor without it.
 LESS_NOISE_TIMES = 5.0
+# Chance alone causes such a deviation less often than this.
+OUTLIER_CHANCE = 1e-5
 # Share of a pose's readings that its own picture must determine before the pose is judged.
 LEAST_DETERMINED = 0.05
 
@@ -72,10 +74,19 @@ def find_outlier_pose(found: AdjustmentResult) -> int | None:
     normalised by the number of readings that the data determined; that of the others is their
     median, which one outlier does not affect.
     """
-    noise = pose_noise(found)
+    from scipy.special import fdtri
+
+    noise, determined = pose_noise(found), count_determined(found)
     if len(noise) < FEWEST_POSES:
         return None
-    return find_worst_outlier(noise, OUTLIER_AT_LEAST * found.problem.motion.usual_factor)
+    worst = find_worst_outlier(noise, OUTLIER_AT_LEAST * found.problem.motion.usual_factor)
+    if worst is None:
+        return None
+    # the fewer of its readings the others predict, the more often chance alone exceeds a limit
+    own, others = determined[worst], np.delete(determined, worst).sum()
+    chance = float(np.sqrt(fdtri(own, others, 1 - OUTLIER_CHANCE)))
+    usual = float(np.median(np.delete(noise, worst)))
+    return worst if noise[worst] > chance * usual else None
 
 
 def find_worst_outlier(off: Floats, at_least: float) -> int | None:
@@ -90,9 +101,14 @@ def pose_noise(found: AdjustmentResult) -> Floats:
     """(P,) noise of each pose's readings, in standard deviations of one reading."""
     sd = found.problem.motion.noise_sd
     values = found.state.noise / sd
-    poses, count = values.shape
+    return np.asarray(np.sqrt((values**2).sum(axis=1) / count_determined(found)))
+
+
+def count_determined(found: AdjustmentResult) -> Floats:
+    """(P,) how many of each pose's readings the data determine, of all together."""
+    poses, count = found.state.noise.shape
+    sd = found.problem.motion.noise_sd
     variance = np.diag(found.covariance)[found.layout.noise].reshape(poses, count) / sd**2
-    determined = np.maximum(
+    return np.maximum(
         count - (variance / found.scales.noise**2).sum(axis=1), LEAST_DETERMINED * count
     )
-    return np.asarray(np.sqrt((values**2).sum(axis=1) / determined))

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from app.metrology.adjustment.board.faults.pairing import angles_between
 from app.metrology.transforms import Floats
 from app.rotations import CONVENTIONS, VECTOR
 
@@ -94,8 +95,8 @@ def _choose_by_turns(both: Floats, R_cam_obj: Floats) -> tuple[NDArray[np.intp],
     """Which of two rotations of the flange (2, P, 3, 3) each pose has, by the angles between poses;
     and by how much these differ from those of the board, in rad, by the median."""
     count = len(R_cam_obj)
-    own = _angles_between(both.reshape(2 * count, 9)).reshape(2, count, 2, count)
-    off = np.abs(own - _angles_between(R_cam_obj.reshape(count, 9))[None, :, None, :])
+    own = angles_between(both.reshape(2 * count, 9)).reshape(2, count, 2, count)
+    off = np.abs(own - angles_between(R_cam_obj.reshape(count, 9))[None, :, None, :])
     from_one = off.min(axis=2).sum(axis=-1)  # (2, P): from each rotation of each pose
     way, pose = np.unravel_index(int(np.argmin(from_one)), from_one.shape)
     chosen = np.asarray(off[way, pose].argmin(axis=0))
@@ -104,11 +105,6 @@ def _choose_by_turns(both: Floats, R_cam_obj: Floats) -> tuple[NDArray[np.intp],
         chosen = np.asarray(off[:, :, chosen, poses].sum(axis=-1).argmin(axis=0))
     left = off[chosen, poses][:, chosen, poses]
     return chosen, float(np.median(left[~np.eye(count, dtype=bool)]))
-
-
-def _angles_between(flat: Floats) -> Floats:
-    """(N, N) angles between rotations (N, 9), rad."""
-    return np.asarray(np.arccos(np.clip((flat @ flat.T - 1) / 2, -1.0, 1.0)))
 
 
 def _numbers_of(turned: "Rotation", way: Way) -> Floats:
