@@ -32,6 +32,11 @@ def is_moment(text: object) -> bool:
         return False
 
 
+def is_date(text: str) -> bool:
+    """Whether a text is a day of the calendar, as YYYY-MM-DD."""
+    return len(text) == len("YYYY-MM-DD") and text[4] == "-" and is_moment(text)
+
+
 def clamp_ns(file_ns: int) -> int:
     """The time of a file in ns since 1970; one outside the calendar is the nearest within it."""
     return min(max(file_ns, 0), LATEST_NS)

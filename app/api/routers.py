@@ -21,7 +21,7 @@ from app.api import (
 from app.api.access import accounts, auth, provider, tokens
 from app.api.access.authorization import StationRouter
 from app.api.access.sub_path import page_base
-from app.api.datasheets import designs, documents
+from app.api.datasheets import block_certificates, designs, documents
 from app.api.monitoring import health, metrics, notifications
 from app.api.sessions import arm, calibration, performance, verification
 from app.api.static_files import file_response, names_a_file, page_response
@@ -67,6 +67,7 @@ ROUTERS: tuple[StationRouter, ...] = (
     devices.router,
     documents.router,
     designs.router,
+    block_certificates.router,
     records.router,
     reports.router,
     health.router,

@@ -7,7 +7,7 @@ from importlib import metadata
 from pathlib import Path
 from typing import Annotated, Any, ClassVar, Self
 
-from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, ValidationError
+from pydantic import AfterValidator, BaseModel, BeforeValidator, ConfigDict, Field, ValidationError
 
 from app.errors import OperationError
 from app.formats.atomic_write import write_atomically
@@ -16,6 +16,7 @@ from app.formats.io_errors import convert_io_errors, error_from_validation
 from app.formats.open_file import LARGEST_DOCUMENT, open_file, read_bounded
 from app.messages.message import Message, message
 from app.messages.stored import RENDERED, SUFFIX, restore_texts
+from app.timestamps import is_date
 
 # no line break can stand within a text of JSON
 _NUMBERS = re.compile(r"\[\n\s+([-+.eE\d,\s]+?)\n\s+\]")
@@ -39,12 +40,20 @@ def _as_number(value: object) -> object:
     return value
 
 
+def _check_date(value: str) -> str:
+    if value and not is_date(value):
+        raise ValueError(message("value-must-be-iso-date"))
+    return value
+
+
 Number = Annotated[float, BeforeValidator(_as_number)]
 """A finite number of a sensible size; text and true/false are no numbers."""
 Positive = Annotated[Number, Field(gt=0)]
 NotNegative = Annotated[Number, Field(ge=0)]
 SizeMm = Annotated[Number, Field(ge=1e-3)]
 """Of an artefact, mm; a smaller one is in another unit."""
+IssueDate = Annotated[str, AfterValidator(_check_date)]
+"""Of a certificate, YYYY-MM-DD; empty: not stated."""
 CertifiedUm = Annotated[NotNegative, Field(le=1e6)]
 """A form deviation or an uncertainty in a certificate, µm; a larger one is in another unit."""
 Vector3 = tuple[Number, Number, Number]

@@ -1098,6 +1098,7 @@ correct-marker-size = eine Markierung und ein Feld messen und marker_mm oder squ
 correct-name = Namen berichtigen
 correct-option = { $key } berichtigen.
 correct-place-or-name-marker-differently = Ort berichtigen oder der Messmarke einen anderen Namen geben
+correct-reading-or-leave-out = Messwert berichtigen oder weglassen
 correct-remove-file = Datei berichtigen oder entfernen.
 correct-remove-files-named = Die genannten Dateien berichtigen oder entfernen.
 correct-sensor-exposure-us-take-out = { "[" }sensor] exposure_us berichtigen oder entfernen.
@@ -1683,8 +1684,8 @@ readings-contradict-others =
 readings-expected-in-mm = erwartet werden Millimeter
 readings-miss-faces =
     { $count ->
-        [one] keine Kette von Messwerten in { $path } erreicht { $faces }
-       *[other] keine Kette von Messwerten in { $path } erreicht die Flächen { $faces }
+        [one] keine Kette von Messwerten erreicht { $faces }
+       *[other] keine Kette von Messwerten erreicht die Flächen { $faces }
     }
 readings-must-connect-faces = die Messwerte müssen alle Kanten entlang X verbinden, vorn mit hinten, und Krone, Boden und Unterseite
 readings-of-certificate = Messwerte
@@ -4431,7 +4432,7 @@ tip-3 = Tastkugel: { $text }
 tip-alone-never-shows-diameter = ein kleinerer Taster und ein größerer Block ergeben dieselben Messwerte
 tip-bars-end = Die Tastkugel sitzt im Stabende
 tip-check = Tastkugelprüfung
-tip-diameter-not-shown = kein Messwert in { $path } zeigt den Durchmesser des Tasters „{ $tool }“
+tip-diameter-not-shown = kein Messwert zeigt den Durchmesser des Tasters „{ $tool }“
 tip-error-is-in-every-width = der Fehler des Durchmessers steckt in jeder Breite
 tip-held-seat-moved-max-min = Die Tastkugel hat sich in einer Pfanne um { $worst } bewegt, (max − min)/2 auf der schlechtesten Achse.
 tip-in-seat-moved-limit = Die Tastkugel hat sich in einer Pfanne um { $worst } bewegt, (max − min)/2 auf der schlechtesten Achse; der Grenzwert ist { $limit }.
@@ -4758,6 +4759,7 @@ value-must-be-at-most = der Wert darf höchstens { $limit } sein
 value-must-be-date = der Wert muss ein Datum der Jahre 1 bis 9999 sein
 value-must-be-finite = der Wert muss eine endliche Zahl sein
 value-must-be-greater = der Wert muss größer als { $limit } sein
+value-must-be-iso-date = der Wert muss ein Datum wie 2026-03-31 sein
 value-must-be-less = der Wert muss kleiner als { $limit } sein
 value-must-be-list = der Wert muss eine Liste sein
 value-must-be-number = der Wert muss eine Zahl sein

@@ -1098,6 +1098,7 @@ correct-marker-size = measure a marker and a square, and correct marker_mm or sq
 correct-name = Correct the name
 correct-option = Correct { $key }.
 correct-place-or-name-marker-differently = Correct the place, or give the marker another name
+correct-reading-or-leave-out = Correct the reading, or leave it out
 correct-remove-file = Correct or remove the file.
 correct-remove-files-named = Correct or remove the files that are named.
 correct-sensor-exposure-us-take-out = Correct [sensor] exposure_us, or remove it.
@@ -1679,8 +1680,8 @@ readings-contradict-others =
 readings-expected-in-mm = millimetres are expected
 readings-miss-faces =
     { $count ->
-        [one] no chain of readings in { $path } reaches { $faces }
-       *[other] no chain of readings in { $path } reaches the faces { $faces }
+        [one] no chain of readings reaches { $faces }
+       *[other] no chain of readings reaches the faces { $faces }
     }
 readings-must-connect-faces = readings must connect all edges along X, front with back, and crest, floor and base
 readings-of-certificate = Readings
@@ -4418,7 +4419,7 @@ tip-3 = Tip: { $text }
 tip-alone-never-shows-diameter = a smaller tip and a larger block give the same readings
 tip-bars-end = The tip is in the bar's end
 tip-check = Tip check
-tip-diameter-not-shown = no reading in { $path } shows the diameter of the { $tool }
+tip-diameter-not-shown = no reading shows the diameter of the { $tool }
 tip-error-is-in-every-width = the error of the diameter is in every width
 tip-held-seat-moved-max-min = The tip in a seat moved by { $worst }, (max − min)/2 on the worst axis.
 tip-in-seat-moved-limit = The tip in a seat moved by { $worst }, (max − min)/2 on the worst axis; the limit is { $limit }.
@@ -4736,6 +4737,7 @@ value-must-be-at-most = it must be at most { $limit }
 value-must-be-date = it must be a date of the years 1 to 9999
 value-must-be-finite = it must be a finite number
 value-must-be-greater = it must be greater than { $limit }
+value-must-be-iso-date = it must be a date such as 2026-03-31
 value-must-be-less = it must be less than { $limit }
 value-must-be-list = it must be a list
 value-must-be-number = it must be a number

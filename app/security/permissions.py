@@ -150,6 +150,8 @@ ROUTES: dict[tuple[str, str], Rule] = {
     ("GET", "/api/datasheets/{kind}/{file}"): LOOK,
     ("POST", "/api/datasheets/check"): Rule(Right.operate),
     ("POST", "/api/datasheets/model"): Rule(Right.operate),
+    ("POST", "/api/datasheets/block-certificate"): Rule(Right.operate),
+    ("POST", "/api/datasheets/block-certificate/page"): Rule(Right.operate),
     ("POST", "/api/datasheets"): Rule(Right.act, message("added-a-datasheet")),
     ("POST", "/api/datasheets/retire"): Rule(Right.act, message("retired-a-datasheet")),
     ("POST", "/api/datasheets/restore"): Rule(Right.act, message("brought-a-datasheet-back")),

@@ -175,7 +175,7 @@ async def block_file(
     found = context.block_designs.find(design_id).with_name(name)
     async with context.printer:
         content = await asyncio.to_thread(_block_bytes, found, file, lang)
-    return _attachment(content, MEDIA[file], file)
+    return attachment(content, MEDIA[file], file)
 
 
 def _block_bytes(found: OrderedBlock, file: BlockFileName, language: str) -> bytes:
@@ -229,9 +229,9 @@ async def board_page_file(
     """The page to print, to scale."""
     async with context.printer:
         content = await asyncio.to_thread(board_pdf, board.planned, lang, page)
-    return _attachment(content, "application/pdf", "board.pdf")
+    return attachment(content, "application/pdf", "board.pdf")
 
 
-def _attachment(content: bytes, media_type: str, name: str) -> Response:
+def attachment(content: bytes, media_type: str, name: str) -> Response:
     named = {"Content-Disposition": f'attachment; filename="{name}"'}
     return Response(content, media_type=media_type, headers=named)

@@ -7,7 +7,7 @@ import numpy as np
 
 from app.errors import OperationError
 from app.formats.certifying.block_points import TouchingArm, TouchTable, read_touches
-from app.formats.certifying.block_readings import face_name, read_readings
+from app.formats.certifying.block_readings import face_name, name_of_reading, read_readings
 from app.formats.certifying.block_touch_checks import exchange_refusal, place_table, touch_in_row
 from app.formats.datasheets.target import (
     COARSEST_MM,
@@ -21,6 +21,7 @@ from app.metrology.targets.block_fit import BlockFit, TouchFit, fit_block, shows
 from app.metrology.targets.block_readings import TIP, BlockReading, centre_axes, open_faces
 from app.metrology.targets.crenellated_block import Crenellated
 from app.metrology.transforms import Floats
+from app.timestamps import utc_now
 
 MOST_NAMED = 4
 """Of readings that contradict, so many are shown."""
@@ -46,8 +47,6 @@ def certify_block(
 ) -> BlockCertificate:
     """The certificate of the block whose ``object.json`` has at least its drawing.
 
-    The axes of its frame stay where the drawing has the mean of the faces.
-
     Args:
         readings: distances of faces; None where the touches tell everything.
         certificate: who certifies it and when, for reports.
@@ -55,31 +54,47 @@ def certify_block(
         by: the arm that took them, where they are joint angles.
 
     Raises:
-        OperationError: as ``read_block``, ``read_readings``, ``read_touches`` and ``place_table``;
-            ``nothing-measured``; ``readings-incomplete`` for a face that nothing reaches;
-            ``tip-unknown`` for a tip whose diameter nothing shows; ``readings-exchanged``,
-            ``touches-exchanged``, or ``readings-contradict`` with every reading and touch that
-            contradicts the others; ``certificate-too-coarse``.
+        OperationError: as ``read_block``, ``read_readings``, ``read_touches`` and
+            ``certify_measured``.
     """
     block = read_block(drawing)
-    if readings is None and points is None:
+    read = () if readings is None else read_readings(readings, block)
+    touched = None if points is None else read_touches(points, block, by)
+    return certify_measured(block, read, touched, certificate)
+
+
+def certify_measured(
+    block: Crenellated,
+    readings: tuple[BlockReading, ...],
+    touched: TouchTable | None,
+    certificate: str,
+) -> BlockCertificate:
+    """The certificate of a block as drawn, by its readings and touches, issued today.
+
+    The axes of its frame stay where the drawing has the mean of the faces.
+
+    Raises:
+        OperationError: as ``place_table``; ``nothing-measured``; ``readings-incomplete`` for a face
+            that nothing reaches; ``tip-unknown`` for a tip whose diameter nothing shows;
+            ``readings-exchanged``, ``touches-exchanged``, or ``readings-contradict`` with every
+            reading and touch that contradicts the others; ``certificate-too-coarse``.
+    """
+    if not readings and touched is None:
         raise OperationError(
             "nothing-measured",
             message("neither-readings-nor-points"),
             "",
             message("give-readings-points-or-both"),
         )
-    read = () if readings is None else read_readings(readings, block)
-    touched = None if points is None else read_touches(points, block, by)
-    _refuse_incomplete(points or readings or drawing, read, touched, block)
+    _refuse_incomplete(readings, touched, block)
     drawn_mm, edges = coordinates(block), len(block.edges_x_mm)
     placed = None if touched is None else place_table(touched, drawn_mm)
     touches = None if touched is None else touched.touches
-    fit = fit_block(drawn_mm, read, touches, None if placed is None else placed.block)
-    _refuse_exchanges(read, touched, fit, edges)
+    fit = fit_block(drawn_mm, readings, touches, None if placed is None else placed.block)
+    _refuse_exchanges(readings, touched, fit, edges)
     if placed is not None and placed.refusal is not None:
         raise placed.refusal
-    _refuse_contradictions(read, touched, fit, edges)
+    _refuse_contradictions(readings, touched, fit, edges)
     largest_mm = float(np.max(fit.sds_mm))
     if largest_mm > COARSEST_MM:
         raise OperationError(
@@ -88,14 +103,11 @@ def certify_block(
             message("certificate-must-be-known-to", most=quantity(1e3 * COARSEST_MM, "µm")),
             message("add-readings-from-face-known"),
         )
-    return BlockCertificate(block, read, touched, fit, _document(block, fit, certificate))
+    return BlockCertificate(block, readings, touched, fit, _document(block, fit, certificate))
 
 
 def _refuse_incomplete(
-    path: Path,
-    readings: tuple[BlockReading, ...],
-    touched: TouchTable | None,
-    block: Crenellated,
+    readings: tuple[BlockReading, ...], touched: TouchTable | None, block: Crenellated
 ) -> None:
     edges = len(block.edges_x_mm)
     touches = None if touched is None else touched.touches
@@ -106,7 +118,6 @@ def _refuse_incomplete(
             "readings-incomplete",
             message(
                 "readings-miss-faces",
-                path=path.name,
                 count=len(missing),
                 faces=", ".join(face_name(face, edges) for face in missing),
             ),
@@ -116,7 +127,7 @@ def _refuse_incomplete(
     if not shows_tip(coordinates(block), readings, touches):
         raise OperationError(
             "tip-unknown",
-            message("tip-diameter-not-shown", path=path.name, tool=TIP),
+            message("tip-diameter-not-shown", tool=TIP),
             message("tip-alone-never-shows-diameter"),
             message("add-micrometer-reading-of-width"),
         )
@@ -139,6 +150,7 @@ def _document(block: Crenellated, fit: BlockFit, certificate: str) -> ObjectFile
             "name": block.name,
             "serial_number": block.serial_number,
             "certificate": certificate,
+            "issued_on": utc_now()[:10],
             **fields(values),
             "standard_uncertainty_mm": max(each.values_mm()),
             "standard_uncertainties_mm": each,
@@ -150,7 +162,7 @@ def _refuse_exchanges(
     readings: tuple[BlockReading, ...], touched: TouchTable | None, fit: BlockFit, edges: int
 ) -> None:
     if fit.exchanged is not None:
-        one, other = (_row(i, readings, edges) for i in fit.exchanged)
+        one, other = (name_of_reading(i, readings, edges) for i in fit.exchanged)
         raise OperationError(
             "readings-exchanged",
             message("readings-agree-if-exchanged", one=one, other=other),
@@ -165,7 +177,7 @@ def _refuse_contradictions(
     readings: tuple[BlockReading, ...], touched: TouchTable | None, fit: BlockFit, edges: int
 ) -> None:
     wrong = [
-        (_row(int(i), readings, edges), float(fit.residuals_mm[i]))
+        (name_of_reading(int(i), readings, edges), float(fit.residuals_mm[i]))
         for i in np.flatnonzero(~fit.kept | fit.doubtful)
     ]
     doubtful = bool(fit.doubtful.any())
@@ -190,13 +202,3 @@ def _wrong_touches(touched: TouchTable, fit: TouchFit, edges: int) -> list[tuple
         (touch_in_row(touched, int(i), edges), float(fit.residuals_mm[i]))
         for i in np.flatnonzero(~fit.kept | fit.doubtful)
     ]
-
-
-def _row(index: int, readings: tuple[BlockReading, ...], edges: int) -> Text:
-    one = readings[index]
-    return message(
-        "reading-in-row",
-        number=index + 1,
-        first=face_name(one.first, edges),
-        second=face_name(one.second, edges),
-    )

@@ -18,7 +18,7 @@ from app.formats.certifying.block_readings import (
     read_face,
     read_uncertainty_mm,
 )
-from app.formats.csv_table import CsvTable, TableRow, read_table
+from app.formats.csv_table import CsvTable, TableRow, parse_table
 from app.formats.datasheets.arm import ArmFile, read_arm
 from app.formats.file_names import display_path
 from app.formats.json_document import read_text
@@ -115,7 +115,14 @@ def read_touches(path: Path, drawing: Crenellated, by: TouchingArm | None = None
         OperationError: as ``read_table``; a face that the block does not have, or that fewer than
             ``LEAST_ON_FACE`` touches reach; more touches than ``MOST``; a cell that cannot be.
     """
-    header = read_table(path, ())
+    return parse_touches(read_text(path), path, drawing, by)
+
+
+def parse_touches(
+    text: str, path: Path, drawing: Crenellated, by: TouchingArm | None = None
+) -> TouchTable:
+    """The same of the text of a file of this name."""
+    header = parse_table(text, path, ())
     column = "feature" if "feature" in header.columns and "face" not in header.columns else "face"
     in_joints = not set(POSITION) & set(header.columns)
     if in_joints and by is None and any(name.startswith("q1") for name in header.columns):
@@ -126,7 +133,7 @@ def read_touches(path: Path, drawing: Crenellated, by: TouchingArm | None = None
             message("give-arm-of-touches"),
         )
     angles = in_joints and by is not None
-    table = read_table(path, (column,) if angles else (column, *POSITION, UNCERTAINTY))
+    table = parse_table(text, path, (column,) if angles else (column, *POSITION, UNCERTAINTY))
     edges = len(drawing.edges_x_mm)
     named = [_face(row, column, edges) for row in table.rows]
     _refuse_counts(path, named, edges)

@@ -5,12 +5,14 @@ reading, from the face that lies lower along its axis to the other one.
 """
 
 import re
+from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
 
 from app.errors import OperationError
-from app.formats.csv_table import TableRow, read_table
+from app.formats.csv_table import TableRow, parse_table
 from app.formats.datasheets.target import COARSEST_MM
+from app.formats.json_document import read_text
 from app.messages.message import Text, message, quantity
 from app.metrology.calibration.observation_model import coordinates
 from app.metrology.targets.block_readings import (
@@ -43,16 +45,31 @@ def read_readings(path: Path, drawing: Crenellated) -> tuple[BlockReading, ...]:
         OperationError: as ``read_table``; a face that the block does not have, a reading between
             faces that are not parallel, in inches, or far beside the drawing.
     """
-    table = read_table(path, REQUIRED)
-    rows = table.rows
-    readings = tuple(_reading(row, drawing, table.columns) for row in rows)
-    _refuse_unlike(rows, readings, drawing)
+    return parse_readings(read_text(path), path, drawing)
+
+
+def parse_readings(text: str, path: Path, drawing: Crenellated) -> tuple[BlockReading, ...]:
+    """The same of the text of a file of this name."""
+    table = parse_table(text, path, REQUIRED)
+    readings = tuple(_reading(row, drawing, table.columns) for row in table.rows)
+    _refuse_unlike(readings, drawing)
     return readings
 
 
 def face_name(face: int, edge_count: int) -> str:
     """The name of a face in a table."""
     return f"edge_{face + 1}" if face < edge_count else FACE_NAMES[face - edge_count]
+
+
+def name_of_reading(index: int, readings: Sequence[BlockReading], edge_count: int) -> Text:
+    """A reading by its number and its faces."""
+    one = readings[index]
+    return message(
+        "reading-in-row",
+        number=index + 1,
+        first=face_name(one.first, edge_count),
+        second=face_name(one.second, edge_count),
+    )
 
 
 def _reading(row: TableRow, drawing: Crenellated, columns: tuple[str, ...]) -> BlockReading:
@@ -106,16 +123,17 @@ def read_face(row: TableRow, column: str, edge_count: int) -> int:
     )
 
 
-def _refuse_unlike(
-    rows: tuple[TableRow, ...], readings: tuple[BlockReading, ...], drawing: Crenellated
-) -> None:
-    """Refuses readings that are not of this block, the first of them by its row."""
+def _refuse_unlike(readings: tuple[BlockReading, ...], drawing: Crenellated) -> None:
+    """Refuses readings that are not of this block, by the first of them."""
+
+    def name(index: int) -> Text:
+        return name_of_reading(index, readings, len(drawing.edges_x_mm))
+
     inches = [_fits(one, drawing, MM_PER_INCH) and not _fits(one, drawing) for one in readings]
     if sum(inches) > INCHES_AGREE * len(inches):
-        first: Text = rows[inches.index(True)].place
         raise OperationError(
             "readings-in-inches",
-            message("readings-are-inches", place=first, count=sum(inches)),
+            message("readings-are-inches", place=name(inches.index(True)), count=sum(inches)),
             message("readings-expected-in-mm"),
             message("multiply-readings-by-inch"),
         )
@@ -127,27 +145,26 @@ def _refuse_unlike(
             replace(other, distance_mm=one.distance_mm),
         )
         if all(_fits(each, drawing) for each in exchanged):
-            first, second = (rows[i].place for i in unlike)
             raise OperationError(
                 "readings-exchanged",
-                message("readings-agree-if-exchanged", one=first, other=second),
+                message("readings-agree-if-exchanged", one=name(unlike[0]), other=name(unlike[1])),
                 "",
                 message("exchange-readings-or-read-again"),
             )
     values = coordinates(drawing)
-    for row, one in zip(rows, readings, strict=True):
-        if not _fits(one, drawing):
-            raise OperationError(
-                "reading-beside-drawing",
-                message(
-                    "reading-far-beside-drawing",
-                    place=row.place,
-                    reading=quantity(one.distance_mm, "mm", 3),
-                    drawn=quantity(float(values[one.second] - values[one.first]), "mm", 3),
-                ),
-                message("reading-of-other-faces"),
-                message("correct-cell-delete-row"),
-            )
+    for i in unlike[:1]:
+        drawn_mm = float(values[readings[i].second] - values[readings[i].first])
+        raise OperationError(
+            "reading-beside-drawing",
+            message(
+                "reading-far-beside-drawing",
+                place=name(i),
+                reading=quantity(readings[i].distance_mm, "mm", 3),
+                drawn=quantity(drawn_mm, "mm", 3),
+            ),
+            message("reading-of-other-faces"),
+            message("correct-reading-or-leave-out"),
+        )
 
 
 def _fits(one: BlockReading, drawing: Crenellated, times: float = 1.0) -> bool:

@@ -19,6 +19,7 @@ from app.formats.json_document import (
     CertifiedUm,
     Document,
     DocumentPart,
+    IssueDate,
     NotNegative,
     Positive,
     SizeMm,
@@ -78,6 +79,7 @@ class GaugeFile(Document):
     name: Annotated[str, Field(max_length=120)] = ""
     serial_number: Annotated[str, Field(max_length=80)] = ""
     certificate: Annotated[str, Field(max_length=200)] = ""
+    issued_on: IssueDate = ""
     standard_uncertainty_um: CertifiedUm = 0.0
     """Of the radius, or of a plane's flatness, k = 1."""
     form_um: CertifiedUm = 0.0

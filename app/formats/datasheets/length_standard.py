@@ -5,7 +5,14 @@ from typing import Annotated, ClassVar, Literal
 
 from pydantic import Field
 
-from app.formats.json_document import CertifiedUm, Document, DocumentPart, NotNegative, SizeMm
+from app.formats.json_document import (
+    CertifiedUm,
+    Document,
+    DocumentPart,
+    IssueDate,
+    NotNegative,
+    SizeMm,
+)
 from app.metrology.performance.lengths import CalibratedLength
 
 
@@ -24,6 +31,7 @@ class LengthStandardFile(Document):
     name: Annotated[str, Field(max_length=120)]
     serial_number: Annotated[str, Field(max_length=80)] = ""
     certificate: Annotated[str, Field(max_length=200)] = ""
+    issued_on: IssueDate = ""
     valid_until: Annotated[str, Field(max_length=20)] = ""
     """ISO 8601 date; empty: not stated."""
     kind: Literal["ball-bar", "step-gauge"] = "ball-bar"

@@ -12,6 +12,7 @@ from app.formats.file_names import display_path
 from app.formats.json_document import (
     Document,
     DocumentPart,
+    IssueDate,
     NotNegative,
     Number,
     SizeMm,
@@ -68,6 +69,7 @@ class ObjectFile(Document):
     name: str
     serial_number: str
     certificate: Certificate = ""
+    issued_on: IssueDate = ""
     edges_x_mm: Annotated[tuple[Number, ...], Field(min_length=4)]
     front_y_mm: Number
     back_y_mm: Number
@@ -163,6 +165,7 @@ class _BoardFile(Document):
     name: str
     serial_number: str = ""
     certificate: Certificate = ""
+    issued_on: IssueDate = ""
     square_mm: Annotated[SizeMm, Field(json_schema_extra={"ge": SMALLEST_SQUARE_MM})]
     standard_uncertainty_mm: NotNegative = PRINTED_MM
     flatness_mm: NotNegative | None = None
@@ -190,7 +193,7 @@ class ChessboardFile(_BoardFile):
 
     def board(self) -> Chessboard:
         """The chessboard that the file describes."""
-        fields = self.model_dump(exclude={"kind", "certificate"}, exclude_none=True)
+        fields = self.model_dump(exclude={"kind", "certificate", "issued_on"}, exclude_none=True)
         return Chessboard(**fields)
 
 

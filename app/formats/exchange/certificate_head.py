@@ -9,6 +9,7 @@ from app.formats.exchange.certificate_values import DCC
 from app.formats.exchange.xml_text import local_name, read_xml
 from app.formats.file_names import display_path
 from app.messages.message import message
+from app.timestamps import is_date
 
 LARGEST_NAME, LARGEST_SERIAL, LARGEST_CERTIFICATE, LARGEST_DATE = 120, 80, 200, 20
 
@@ -26,6 +27,8 @@ class CertificateHead:
     """ISO 8601 date."""
     calibrated_on: str
     """ISO 8601 date."""
+    issued_on: str
+    """YYYY-MM-DD: of its issue, or where it does not say, of the end of the calibration."""
     laboratory: str
 
 
@@ -63,6 +66,7 @@ def certificate_head(root: ET.Element) -> CertificateHead:
         certificate=_text(root, "uniqueIdentifier")[:LARGEST_CERTIFICATE],
         valid_until=_recalibration_date(root)[:LARGEST_DATE],
         calibrated_on=_text(root, "endPerformanceDate"),
+        issued_on=_issue_date(root),
         laboratory=_laboratory(root),
     )
 
@@ -111,6 +115,12 @@ def _recalibration_date(root: ET.Element) -> str:
         if "recalibration" in statement.get("refType", "").lower():
             return (statement.findtext(f"{{{DCC}}}date") or "").strip()
     return ""
+
+
+def _issue_date(root: ET.Element) -> str:
+    # an xs:date may be followed by a time zone
+    dates = (_text(root, name)[:10] for name in ("issueDate", "endPerformanceDate"))
+    return next((one for one in dates if is_date(one)), "")
 
 
 def _laboratory(root: ET.Element) -> str:

@@ -55,6 +55,7 @@ class CertifiedSphere:
             form_um=sphere.form_um,
             form_sd_um=sphere.form_sd_um,
             valid_until=sphere.valid_until,
+            issued_on=self.head.issued_on,
         )
 
 
@@ -147,6 +148,7 @@ def _find_lengths(
         serial_number=head.serial_number,
         certificate=head.certificate,
         valid_until=head.valid_until,
+        issued_on=head.issued_on,
         kind=kind,
         sphere_diameter_mm=spheres.pop() if kind == "ball-bar" and len(spheres) == 1 else None,
         lengths=tuple(

@@ -81,6 +81,7 @@ class DatasheetIdentity:
     name: str
     serial_number: str
     certificate: str = ""
+    issued_on: str = ""
     valid_until: str = ""
     size_px: tuple[int, int] | None = None
     """Of a sensor, which has a datasheet for each size of its pictures."""
@@ -158,6 +159,7 @@ def evaluate(text: str, path: Path, kind: DatasheetKind) -> DatasheetIdentity:
             name=_text(fields, "name"),
             serial_number=_text(fields, "serial_number"),
             certificate=_text(fields, "certificate"),
+            issued_on=_text(fields, "issued_on"),
             valid_until=_text(fields, "valid_until"),
             size_px=(fields["width_px"], fields["height_px"]) if kind == "sensor" else None,
             joint_count=len(fields.get("joints", ())) if kind == "arm" else 0,

@@ -76,6 +76,7 @@ class DatasheetRows:
             name=found.name if found else "",
             serial_number=found.serial_number if found else "",
             certificate=found.certificate if found else "",
+            issued_on=found.issued_on if found else "",
             valid_until=found.valid_until if found else "",
             since=moment_of_ns(entry.since_ns).isoformat(timespec="seconds"),
             last_use=uses.last(found),

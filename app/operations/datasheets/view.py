@@ -37,6 +37,8 @@ class DatasheetRow:
     name: str
     serial_number: str
     certificate: str
+    issued_on: str
+    """Of the certificate, YYYY-MM-DD; empty where the file does not say."""
     valid_until: str
     since: str
     """The file's time, ISO 8601."""

@@ -31,7 +31,7 @@ def block_certificate_report(made: BlockCertificate, made_at: str) -> Report[Tex
         verdict=Verdict("good", message("readings-agree"), text),
         sections=[
             Section(message("object"), [_facts(made)]),
-            Section(message("coordinates"), [_coordinates(made), *_notes(made)]),
+            Section(message("coordinates"), [_coordinates(made), *map(TextBlock, certificate_notes(made))]),
             *_touches(made),
             *_readings(made),
             signatures(""),
@@ -66,18 +66,19 @@ def _coordinates(made: BlockCertificate) -> ReportTable[Text]:
     return ReportTable(columns, rows, (40, 30, 30))
 
 
-def _notes(made: BlockCertificate) -> list[TextBlock[Text]]:
-    notes = [TextBlock[Text](message("coordinates-about-mean-of-faces"))]
+def certificate_notes(made: BlockCertificate) -> list[Text]:
+    """What the uncertainties mean, and by what they grew."""
+    notes: list[Text] = [message("coordinates-about-mean-of-faces")]
     if made.fit.variance_factor > 1:
         times = quantity(made.fit.variance_factor**0.5, "", 1)
-        notes.append(TextBlock(message("readings-scatter-more", times=times)))
+        notes.append(message("readings-scatter-more", times=times))
     touched = made.fit.touched
     if touched is not None and touched.variance_factor > 1:
         times = quantity(touched.variance_factor**0.5, "", 1)
-        notes.append(TextBlock(message("touches-scatter-more", times=times)))
+        notes.append(message("touches-scatter-more", times=times))
     if made.touches is not None and made.touches.arm_error_mm is not None:
         error = micrometres(1e3 * made.touches.arm_error_mm)
-        notes.append(TextBlock(message("errors-of-links-counted", error=error)))
+        notes.append(message("errors-of-links-counted", error=error))
     return notes
 
 

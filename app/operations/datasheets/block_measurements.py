@@ -1,0 +1,95 @@
+"""A block that a person measured: its certificate, before anything is kept."""
+
+from dataclasses import dataclass
+from pathlib import Path
+
+from app.formats.certifying.block_certificate import BlockCertificate, certify_measured
+from app.formats.certifying.block_points import parse_touches, read_touching_arm
+from app.formats.certifying.block_readings import face_name, parse_readings
+from app.formats.datasheets.target import read_block
+from app.messages.message import Text
+from app.metrology.calibration.observation_model import coordinates
+from app.report.contents.block_certificate import certificate_notes
+
+READINGS, POINTS = "readings.csv", "points.csv"
+
+
+@dataclass(frozen=True)
+class BlockMeasurement:
+    """What ``crenel certificate block`` is given; tables as texts, empty where there is none."""
+
+    drawing: Path
+    readings: str
+    points: str
+    certificate: str
+    arm: Path | None = None
+    arm_um: float | None = None
+    tip_um: float | None = None
+
+
+@dataclass(frozen=True)
+class CertifiedFace:
+    """A face of a block along its axis."""
+
+    name: str
+    """As in tables of readings: ``edge_1``, ``crest``."""
+    drawn_mm: float
+    measured_mm: float
+    expanded_um: float
+    """With k = 2, about the mean of the faces of its axis."""
+
+
+@dataclass(frozen=True)
+class CertifiedTool:
+    """The zero error of an instrument, or the diameter of a tip, as found with the block."""
+
+    name: str
+    value_mm: float
+    expanded_um: float
+    """With k = 2."""
+
+
+@dataclass(frozen=True)
+class BlockCertificateView:
+    """The certificate of a block before it is kept."""
+
+    document: str
+    """``object.json``."""
+    faces: tuple[CertifiedFace, ...]
+    tools: tuple[CertifiedTool, ...]
+    notes: tuple[Text, ...]
+
+
+def certify_measurement(measured: BlockMeasurement) -> BlockCertificate:
+    """The certificate, as the command makes it of files.
+
+    Raises:
+        OperationError: as ``certify_block`` and ``read_touching_arm``.
+    """
+    block = read_block(measured.drawing)
+    readings = parse_readings(measured.readings, Path(READINGS), block) if measured.readings else ()
+    by = None
+    if measured.arm is not None:
+        by = read_touching_arm(measured.arm, measured.arm_um, measured.tip_um)
+    touched = parse_touches(measured.points, Path(POINTS), block, by) if measured.points else None
+    return certify_measured(block, readings, touched, measured.certificate)
+
+
+def view_certificate(made: BlockCertificate) -> BlockCertificateView:
+    """What the page shows of it."""
+    document, edges = made.document, len(made.document.edges_x_mm)
+    each = document.standard_uncertainties_mm
+    assert each is not None
+    rows = zip(coordinates(made.drawing), coordinates(document.block()), each.values_mm(), strict=True)
+    return BlockCertificateView(
+        document=document.text(),
+        faces=tuple(
+            CertifiedFace(face_name(face, edges), float(drawn), float(found), 2e3 * sd_mm)
+            for face, (drawn, found, sd_mm) in enumerate(rows)
+        ),
+        tools=tuple(
+            CertifiedTool(tool, value_mm, 2e3 * sd_mm)
+            for tool, (value_mm, sd_mm) in made.fit.tools.items()
+        ),
+        notes=tuple(certificate_notes(made)),
+    )
