@@ -455,6 +455,7 @@ block-dimension =
     }
 block-dimensions-open = Weder Bilder noch Antastpunkte zeigen vom Block: { $names }; dort zählt die Toleranz.
 block-edges-estimated = Vom Block ist nur die Zeichnung bekannt: seine Kanten wurden mit der Kalibrierung geschätzt. Sie liegen bis zu { $beside } neben der Zeichnung, mit einer Standardunsicherheit von { $known }, die in allen Posen dieselbe ist.
+block-known-by-drawing = Der Block ist nur durch seine Zeichnung bekannt. Vermessen ist er besser bekannt.
 block-measured-to = gemessen auf { $value } (k = 1)
 block-needs-depth = Zinnen und Nutgründe des Zinnenkörpers müssen zugleich scharf sein.
 block-wider-than-view = ein Zinnenkörper von { $width } ist breiter als { $most }, die das Bild mit Spielraum für die Hand ganz zeigt
@@ -639,6 +640,7 @@ certificate-without-values = Kein Wert konnte angegeben werden.
 certified-size-impossible = { $name } ist { $size }, bekannt auf { $known } (k = 1): Das ist kein Maß eines Normals
 certified-size-without-uncertainty = { $name } hat keine Unsicherheit mit Erweiterungsfaktor
 certified-values = Laut Kalibrierschein
+certify-the-block = Block vermessen
 change = Änderung
 change-one-them = eine von beiden ändern
 change-permissions-place = Zugriffsrechte oder Speicherort ändern
@@ -1366,6 +1368,7 @@ face-has-touches =
        *[other] { $face } wurde { $count }-mal angetastet
     }
 faces-as-touched = Flächen, wie angetastet
+faces-beyond-tolerance = Um mehr als die Toleranz von ± { $tolerance } neben der Zeichnung: { $faces }. Diese Messwerte prüfen, auch ob zwei vertauscht sind.
 file-has-touches = { $path } hat { $count } Antastungen
 first-id-too-large = { $field }: höchstens { $most } bei diesen Markierungen aus { $dictionary }
 fix-focus-and-zoom-and-take-all-pictures-again = Autofokus abschalten, Fokus und Zoom feststellen und alle Bilder neu aufnehmen
@@ -1399,6 +1402,7 @@ markers-of-board-read = { $found } von { $count } Markierungen von „{ $name }�
 markers-read-if-mirrored = in seinem Spiegelbild sind { $count } Markierungen aus { $dictionary } angeordnet wie auf einer Tafel
 most-touches-are = höchstens { $most } sind verwendbar
 multiply-coordinates-by = Die Koordinaten mit { $factor } multiplizieren
+need-certificate = Kalibrierschein des Blocks
 neither-readings-nor-points = weder Messwerte noch Punkte wurden angegeben
 no-page-of-this-name = { $name } ist kein Papierformat
 no-width-for-given-merlons = kein Zinnenkörper mit { $merlons } Zinnen lässt sich herstellen und ist für diesen Sensor ganz zu sehen

@@ -455,6 +455,7 @@ block-dimension =
     }
 block-dimensions-open = Neither pictures nor contact points tell the block's { $names }: the tolerance counts there.
 block-edges-estimated = Only the drawing of the block is known: its edges were estimated with the calibration. They lie up to { $beside } beside the drawing, with a standard uncertainty of { $known }, which is the same in all poses.
+block-known-by-drawing = The block is known by its drawing only. Measured, it is known better.
 block-measured-to = measured to { $value } (k = 1)
 block-needs-depth = Crests and floors of a block must both be sharp.
 block-wider-than-view = a block of { $width } is wider than { $most }, which the picture shows as a whole with room for the hand
@@ -639,6 +640,7 @@ certificate-without-values = No figure could be stated.
 certified-size-impossible = { $name } is { $size }, known to { $known } (k = 1): this is no size of an artefact
 certified-size-without-uncertainty = { $name } has no uncertainty with its coverage factor
 certified-values = By certificate
+certify-the-block = Certify the block
 change = Change
 change-one-them = change one of the limits
 change-permissions-place = Change its permissions, or choose another location
@@ -1362,6 +1364,7 @@ face-has-touches =
        *[other] { $face } was touched { $count } times
     }
 faces-as-touched = Faces as touched
+faces-beyond-tolerance = Beside the drawing by more than its tolerance of ± { $tolerance }: { $faces }. Check these readings, or whether two were exchanged.
 file-has-touches = { $path } has { $count } touches
 first-id-too-large = { $field }: at most { $most } for these markers of { $dictionary }
 fix-focus-and-zoom-and-take-all-pictures-again = Switch autofocus off, fix focus and zoom, and take all pictures again
@@ -1395,6 +1398,7 @@ markers-of-board-read = { $found } of { $count } markers of { $name } were read
 markers-read-if-mirrored = in its mirror image, { $count } markers of { $dictionary } are arranged as on a board
 most-touches-are = at most { $most } can be used
 multiply-coordinates-by = Multiply the coordinates by { $factor }
+need-certificate = Certificate of the block
 neither-readings-nor-points = neither readings nor points were given
 no-page-of-this-name = { $name } is no page
 no-width-for-given-merlons = no block with { $merlons } merlons can be made and is seen as a whole by this sensor

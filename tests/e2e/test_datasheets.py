@@ -301,6 +301,71 @@ def test_files_come_and_go_and_nothing_is_lost(
     assert not found, "\n".join(found)
     page.context.close()
 
+READ = {
+    "edge_1 to edge_2": "9.01",
+    "edge_3 to edge_4": "6.00",
+    "edge_5 to edge_6": "6.02",
+    "edge_7 to edge_8": "4.99",
+    "edge_2 to edge_3": "8.00",
+    "edge_4 to edge_5": "6.98",
+    "edge_6 to edge_7": "7.00",
+    "edge_1 to edge_8": "48.00",
+    "front to back": "26.00",
+    "base to crest": "27.01",
+    "floor to crest": "15.00",
+}
+"""By calliper, of the block."""
+
+
+@pytest.mark.soak
+def test_a_drawn_block_is_certified_in_the_browser(
+    station: Demo, browser: Browser, pictures: Path
+) -> None:
+    page = browser.new_context(viewport=WIDE).new_page()  # type: ignore[arg-type]
+    owner = Owner(page)
+    sign_in(page, station)
+    page.get_by_role("link", name="Datasheets").click()
+    owner.press("New: Crenellated block")
+    drawn = {name: text for name, text in BLOCK.items() if name != "Standard uncertainty"}
+    for label, text in {**drawn, "Tolerance of making": "0.1"}.items():
+        owner.fill(label, text)
+    owner.press("Save the datasheet")
+    owner.press("Certify this block")
+    for label, text in READ.items():
+        owner.fill(label, text)
+    expect(page.locator("[data-dimension]")).to_contain_text("15.000 mm")
+    row = page.locator("[data-certificate]").get_by_role("row").filter(has_text="edge_4")
+    expect(row).to_contain_text("µm")
+    found = in_both_themes(page, "certificate of a block")
+    page.screenshot(path=pictures / "certificate-1-result.png")
+    owner.fill("edge_1 to edge_2", READ["edge_2 to edge_3"])
+    owner.fill("edge_2 to edge_3", READ["edge_1 to edge_2"])
+    exchanged = page.get_by_text("reading 1 (edge_1 to edge_2) and reading 5 (edge_2 to edge_3)")
+    expect(exchanged).to_be_visible()
+    page.reload()  # nothing is lost
+    expect(exchanged).to_be_visible()
+    for label in ("edge_1 to edge_2", "edge_2 to edge_3"):
+        owner.fill(label, READ[label])
+    page.set_viewport_size(NARROW)  # type: ignore[arg-type]
+    owner.field("base to crest").click()
+    expect(page.locator("[data-dimension]").filter(visible=True).last).to_be_in_viewport()
+    page.screenshot(path=pictures / "certificate-2-narrow.png")
+    page.set_viewport_size(WIDE)  # type: ignore[arg-type]
+    owner.fill("Certified by", "Workshop 4")
+    with page.expect_download() as started:
+        owner.press("PDF")
+    assert Path(started.value.path()).read_bytes().startswith(b"%PDF")
+    owner.press("Store the certificate")
+    stored = page.get_by_role("listitem").filter(has_text="Own block")
+    expect(stored).to_contain_text("certificate Workshop 4 · issued on")
+    (kept,) = (station.data / "objects").glob("*.json")
+    document = json.loads(kept.read_text())
+    assert "tolerance_mm" not in document
+    assert max(document["standard_uncertainties_mm"]["edges_x_mm"]) < 0.05
+    assert len(list((station.data / "objects" / "retired").glob("*.json"))) == 1
+    assert not found, "\n".join(found)
+    page.context.close()
+
 
 GIGE = replace(HALF, camera="gige", camera_address=ADDRESS)
 """The sensor is a GigE camera that switches the laser."""

@@ -105,6 +105,12 @@ def _exchange_far(rows: list[Row]) -> None:
     rows[1][2], rows[8][2] = rows[8][2], rows[1][2]
 
 
+def _exchange_unchecked(rows: list[Row]) -> None:
+    """Of two neighbours whose sum alone is read: only the drawing tells."""
+    rows[:] = [row for row in rows if row[0] != "edge_1" or row[1] in ("edge_2", "edge_8")]
+    rows[5][2], rows[6][2] = rows[6][2], rows[5][2]
+
+
 def _spoil_one(rows: list[Row]) -> None:
     rows[9][2] = float(rows[9][2]) + 0.08
 
@@ -126,6 +132,7 @@ def _decimal_comma(rows: list[Row]) -> None:
     ("spoil", "said"),
     [
         (_exchange, r"agree if those of reading 2 \(edge_2 to edge_3\) and reading 3"),
+        (_exchange_unchecked, r"reading 6 .* and reading 7 \(edge_7 to edge_8\) are exchanged"),
         (_exchange_far, r"agree if those of reading 2 \(edge_2 to edge_3\) and reading 9 .* are exchanged"),
         (_spoil_one, r"contradicts the others: reading 10 .* [+]?[789]\d µm"),
         (_drop_edge, "reaches edge_5"),

@@ -11,7 +11,7 @@ from pathlib import Path
 
 from app.errors import OperationError
 from app.formats.csv_table import TableRow, parse_table
-from app.formats.datasheets.target import COARSEST_MM
+from app.formats.datasheets.target import COARSEST_MM, WIDEST_MM
 from app.formats.json_document import read_text
 from app.messages.message import Text, message, quantity
 from app.metrology.calibration.observation_model import coordinates
@@ -28,6 +28,7 @@ REQUIRED = ("from", "to", "distance_mm", "standard_uncertainty_mm")
 EDGE = re.compile(r"edge_(\d+)")
 FURTHEST_MM = 2.0
 """A reading that is further than this beside the drawing is another one's, or in another unit."""
+NOISE_SDS = 3.0
 LARGEST_TIP_MM = 20.0
 MM_PER_INCH = 25.4
 INCHES_AGREE = 0.9
@@ -137,20 +138,16 @@ def _refuse_unlike(readings: tuple[BlockReading, ...], drawing: Crenellated) -> 
             message("readings-expected-in-mm"),
             message("multiply-readings-by-inch"),
         )
-    unlike = [i for i, one in enumerate(readings) if not _fits(one, drawing)]
-    if len(unlike) == 2:
-        one, other = (readings[i] for i in unlike)
-        exchanged = (
-            replace(one, distance_mm=other.distance_mm),
-            replace(other, distance_mm=one.distance_mm),
+    exchanged = _find_exchange(readings, drawing)
+    if exchanged is not None:
+        one, other = map(name, exchanged)
+        raise OperationError(
+            "readings-exchanged",
+            message("readings-agree-if-exchanged", one=one, other=other),
+            "",
+            message("exchange-readings-or-read-again"),
         )
-        if all(_fits(each, drawing) for each in exchanged):
-            raise OperationError(
-                "readings-exchanged",
-                message("readings-agree-if-exchanged", one=name(unlike[0]), other=name(unlike[1])),
-                "",
-                message("exchange-readings-or-read-again"),
-            )
+    unlike = [i for i, one in enumerate(readings) if not _fits(one, drawing)]
     values = coordinates(drawing)
     for i in unlike[:1]:
         drawn_mm = float(values[readings[i].second] - values[readings[i].first])
@@ -167,9 +164,37 @@ def _refuse_unlike(readings: tuple[BlockReading, ...], drawing: Crenellated) -> 
         )
 
 
-def _fits(one: BlockReading, drawing: Crenellated, times: float = 1.0) -> bool:
+def _find_exchange(
+    readings: tuple[BlockReading, ...], drawing: Crenellated
+) -> tuple[int, int] | None:
+    """The only two readings that lie beside the drawing, if they lie on it once exchanged.
+
+    Readings that no other one checks contradict nothing: the drawing alone tells.
+    """
+    made_mm = drawing.made_within_mm if drawing.is_nominal else WIDEST_MM
+    for furthest_mm in (2 * made_mm, FURTHEST_MM):
+
+        def fits(one: BlockReading, most_mm: float = furthest_mm) -> bool:
+            return _fits(one, drawing, 1.0, most_mm + NOISE_SDS * (one.sd_mm + one.common_sd_mm))
+
+        unlike = [i for i, one in enumerate(readings) if not fits(one)]
+        if len(unlike) != 2:
+            continue
+        i, j = unlike
+        swapped = (
+            replace(readings[i], distance_mm=readings[j].distance_mm),
+            replace(readings[j], distance_mm=readings[i].distance_mm),
+        )
+        if all(map(fits, swapped)):
+            return i, j
+    return None
+
+
+def _fits(
+    one: BlockReading, drawing: Crenellated, times: float = 1.0, furthest_mm: float = FURTHEST_MM
+) -> bool:
     values = coordinates(drawing)
     sense = tool_sense(one.first, one.second, len(drawing.edges_x_mm)) if one.tool == TIP else 0
     beside_mm = times * one.distance_mm - float(values[one.second] - values[one.first])
     low, high = sorted((0.0, sense * LARGEST_TIP_MM))
-    return low - FURTHEST_MM <= beside_mm <= high + FURTHEST_MM
+    return low - furthest_mm <= beside_mm <= high + furthest_mm

@@ -12,9 +12,10 @@ from app.guide.common.validity import NextAction, Page, Validity
 from app.messages.message import Text, message
 from app.metrology.arm.kinematics import AnyArm, Arm
 from app.metrology.targets.chessboard import Chessboard
+from app.metrology.targets.target import is_nominal
 from app.station.devices.link_state import DeviceState
 
-Need = Literal["sensor", "arm", "arm-model", "sensor-datasheet", "target", "tip", "calibration"]
+Need = Literal["sensor", "arm", "arm-model", "sensor-datasheet", "target", "certificate", "tip", "calibration"]
 
 
 @dataclass(frozen=True)
@@ -81,6 +82,8 @@ def list_preparation(
             message("enter-the-target"),
         ),
     ]
+    if with_joints and targets and all(is_nominal(one) for one in targets):
+        steps.append(_certificate())
     if tip is not None:
         steps.append(_tip(tip))
     all_there = _first_missing(steps) is None
@@ -131,6 +134,19 @@ def _datasheet(
         text = fitting[0] if len(fitting) == 1 else message("choose-of-several", count=len(fitting))
     quality: Quality = "good" if done else "attention"
     return PreparationStep(need, title, done, False, quality, text, "datasheets", action)
+
+
+def _certificate() -> PreparationStep:
+    return PreparationStep(
+        "certificate",
+        message("need-certificate"),
+        False,
+        True,
+        "neutral",
+        message("block-known-by-drawing"),
+        "datasheets",
+        message("certify-the-block"),
+    )
 
 
 def _tip(tip: Validity) -> PreparationStep:

@@ -4,6 +4,7 @@ X runs across the merlons (the teeth), Y along the grooves, Z upward. The camera
 at it from the front (-Y) and above.
 """
 
+import math
 from dataclasses import dataclass
 
 import numpy as np
@@ -47,6 +48,15 @@ class Crenellated:
         if self.coordinate_sds_mm:
             return np.array(self.coordinate_sds_mm)
         return np.full(len(self.edges_x_mm) + 5, self.standard_uncertainty_mm)
+
+    @property
+    def made_within_mm(self) -> float:
+        """Within which each coordinate of a nominal block is made.
+
+        Source:
+            GUM 4.3.7: anything within it is equally likely.
+        """
+        return math.sqrt(3) * self.standard_uncertainty_mm
 
     @property
     def merlon_count(self) -> int:

@@ -14,6 +14,11 @@ PixelSegment = tuple[tuple[float, float], tuple[float, float]]
 """A line of a drawing: the pixels of its two ends."""
 
 
+def is_nominal(item: CalibrationTarget) -> bool:
+    """Whether it is a block of which only the drawing is known."""
+    return isinstance(item, Crenellated) and item.is_nominal
+
+
 def target_centre(item: CalibrationTarget) -> Floats:
     """The point about which the sensor is held.
 

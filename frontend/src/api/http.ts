@@ -64,18 +64,22 @@ const requestText = async (path: string, init: RequestInit) => (await request(pa
 /** The file at an address. */
 export const getFile = (path: string) => request(path, { method: "GET" });
 
+/** The file that an address makes of what it is sent. */
+export const postForFile = (path: string, body: unknown) => request(path, postInit(body));
+
+const postInit = (body: unknown): RequestInit => ({
+  method: "POST",
+  headers: { "Content-Type": "application/json" },
+  body: JSON.stringify(body),
+});
+
 /** The data at an address, in this browser's language. */
 export async function get<T>(path: string): Promise<T> {
   return localized(JSON.parse(await requestText(path, { method: "GET" })) as T);
 }
 
 export async function post<T>(path: string, body: unknown = {}): Promise<T | null> {
-  const text = await requestText(path, {
-    method: "POST",
-    headers: { "Content-Type": "application/json" },
-    body: JSON.stringify(body),
-  });
-  return parsed<T>(text);
+  return parsed<T>(await requestText(path, postInit(body)));
 }
 
 /**

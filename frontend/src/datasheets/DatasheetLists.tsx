@@ -31,6 +31,7 @@ interface DatasheetListsProps {
   onDesign: (what: "block" | "board") => void;
   onEdit: (row: DatasheetRow) => void;
   onCopy: (row: DatasheetRow) => void;
+  onCertify: (row: DatasheetRow) => void;
   onRetire: (row: DatasheetRow) => Promise<void>;
   onRestore: (row: DatasheetRow) => Promise<void>;
   onFiles: (files: FileList) => Promise<void>;

@@ -1,5 +1,6 @@
 import { useRef } from "react";
 
+import type { DatasheetRow } from "../api/wire";
 import { MainAct } from "../parts/Actions";
 import { CardHead } from "../parts/CardHead";
 import rows from "../parts/List.module.css";
@@ -9,20 +10,24 @@ import { go } from "../state/router";
 import { useLive } from "../state/store";
 
 interface DatasheetsCardProps {
-  /** What was just saved; empty if nothing was. */
-  saved: string;
+  /** What was just saved. */
+  saved: DatasheetRow | null;
+  onCertify: (row: DatasheetRow) => void;
   onFiles: (files: FileList) => Promise<void>;
 }
 
 /** What the page is for, a file from this computer, and the way back to a calibration that waits for a choice. */
-export function DatasheetsCard({ saved, onFiles }: DatasheetsCardProps) {
+export function DatasheetsCard({ saved, onCertify, onFiles }: DatasheetsCardProps) {
   const chooser = useRef<HTMLInputElement>(null);
   const choosing = useLive((s) => s.flow?.running === true && s.flow.picture.kind === "choices");
   return (
     <>
       {saved ? (
         <div role="status" data-verdict>
-          <CardHead title={t("ui-the-datasheet-is-saved")} text={t("ui-saved-as", { name: saved })} />
+          <CardHead
+            title={t("ui-the-datasheet-is-saved")}
+            text={t("ui-saved-as", { name: saved.name || saved.file })}
+          />
         </div>
       ) : (
         <CardHead title={t("ui-datasheets")} text={t("ui-what-datasheets-are")} />
@@ -33,6 +38,14 @@ export function DatasheetsCard({ saved, onFiles }: DatasheetsCardProps) {
             {t("ui-back-to-the-calibration")}
           </PressButton>
         </MainAct>
+      )}
+      {saved?.form === "block" && !saved.certificate && (
+        <>
+          <PressButton free onPress={() => onCertify(saved)}>
+            {t("ui-certify-this-block")}
+          </PressButton>
+          <p className={rows.detail}>{t("ui-why-certify")}</p>
+        </>
       )}
       <input
         ref={chooser}

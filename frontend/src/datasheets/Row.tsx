@@ -18,12 +18,13 @@ interface RowProps {
   saved: boolean;
   onEdit: (row: DatasheetRow) => void;
   onCopy: (row: DatasheetRow) => void;
+  onCertify: (row: DatasheetRow) => void;
   onRetire: (row: DatasheetRow) => Promise<void>;
   onRestore: (row: DatasheetRow) => Promise<void>;
 }
 
 /** One datasheet: what it is of, since when, when it was used, and what can be done with it. */
-export function Row({ row, saved, onEdit, onCopy, onRetire, onRestore }: RowProps) {
+export function Row({ row, saved, onEdit, onCopy, onCertify, onRetire, onRestore }: RowProps) {
   const { retired, problem, note, file, name, connected, in_use, last_use } = row;
   const hasForm = isForm(row.form) && file.endsWith(".json");
   return (
@@ -50,6 +51,11 @@ export function Row({ row, saved, onEdit, onCopy, onRetire, onRestore }: RowProp
       <div className={styles.acts}>
         {hasForm && !retired && <PressButton onPress={() => onEdit(row)}>{t("ui-edit")}</PressButton>}
         {hasForm && <PressButton onPress={() => onCopy(row)}>{t("ui-copy")}</PressButton>}
+        {row.form === "block" && !retired && (
+          <PressButton free onPress={() => onCertify(row)}>
+            {t("ui-certify")}
+          </PressButton>
+        )}
         <Download href={fileOf(row)}>{t("ui-file")}</Download>
         {retired ? (
           <PressButton kind="quiet" onPress={() => onRestore(row)}>
@@ -63,11 +69,13 @@ export function Row({ row, saved, onEdit, onCopy, onRetire, onRestore }: RowProp
   );
 }
 
-function details({ serial_number, certificate, valid_until, since, last_use, file, problem }: DatasheetRow): string[] {
+function details(row: DatasheetRow): string[] {
+  const { serial_number, certificate, issued_on, valid_until, since, last_use, file, problem } = row;
   const age = -daysUntil(since);
   return [
     serial_number && t("ui-serial-of", { serial: serial_number }),
     certificate && t("ui-certificate-of", { certificate }),
+    issued_on ? issue(issued_on) : certificate && t("ui-issue-date-unknown"),
     valid_until && validity(valid_until),
     t("ui-since", { when: age < 1 ? moment(since) : `${moment(since)} (${daysAgo(age)})` }),
     !problem && !last_use && t("ui-use-is-unknown"),
@@ -77,6 +85,12 @@ function details({ serial_number, certificate, valid_until, since, last_use, fil
 
 const DAY_MS = 86_400_000;
 const daysUntil = (day: string) => (new Date(day).getTime() - Date.now()) / DAY_MS;
+
+/** When a certificate was issued, and how old it is. */
+function issue(day: string): string {
+  const age = -daysUntil(day);
+  return age < 0 ? t("ui-issued-on", { day }) : t("ui-issued-on-with-age", { day, age: daysAgo(age) });
+}
 
 /** Until when a certificate holds, or that it is over. */
 function validity(day: string): string {

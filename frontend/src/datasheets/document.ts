@@ -103,7 +103,7 @@ export function withModel(values: Values, document: Plain): Values {
 }
 
 /** What belongs to one unit, and not to another that is like it. */
-const OF_ONE_UNIT = ["serial_number", "certificate", "valid_until", "point_mm", "normal", "centre_mm"];
+const OF_ONE_UNIT = ["serial_number", "certificate", "issued_on", "valid_until", "point_mm", "normal", "centre_mm"];
 
 /** A document from which that of another thing begins; of an identified arm, without what was found of it. */
 export function copyOf(document: Plain, name: string): Plain {

@@ -54,6 +54,7 @@ const NAME: FormField = { key: "name", label: "ui-name", type: "text" };
 const SERIAL: FormField = { key: "serial_number", label: "ui-serial-number", type: "text" };
 const SERIAL_IF_ANY: FormField = { ...SERIAL, optional: true };
 const CERTIFICATE: FormField = { key: "certificate", label: "ui-certificate", type: "text", optional: true };
+const ISSUED: FormField = { key: "issued_on", label: "ui-certificate-issued-on", type: "date", optional: true };
 const UNTIL: FormField = { key: "valid_until", label: "ui-certificate-valid-until", type: "date", optional: true };
 const mm = (key: string, label: PlainId): FormField => ({ key, label, type: "number", unit: "mm" });
 const um = (key: string, label: PlainId): FormField => ({ key, label, type: "number", unit: "µm", optional: true });
@@ -72,7 +73,7 @@ const EXPANSION: readonly FormField[] = [
   { key: "expansion_per_c", label: "ui-coefficient-of-expansion", ...PER_MILLION },
   { key: "expansion_sd_per_c", label: "ui-its-standard-uncertainty", ...PER_MILLION },
 ];
-const GAUGE = [NAME, SERIAL_IF_ANY, CERTIFICATE, UNTIL];
+const GAUGE = [NAME, SERIAL_IF_ANY, CERTIFICATE, ISSUED, UNTIL];
 
 const DICTIONARIES = [
   ...[4, 5, 6, 7].flatMap((bits) => [50, 100, 250, 1000].map((size) => `DICT_${bits}X${bits}_${size}`)),
@@ -173,6 +174,7 @@ export const FORMS: Record<FormName, Form> = {
       NAME,
       SERIAL,
       CERTIFICATE,
+      ISSUED,
       { key: "edges_x_mm", label: "ui-edges-along-x", type: "list", unit: "mm" },
       mm("front_y_mm", "ui-front-y"),
       mm("back_y_mm", "ui-back-y"),
@@ -180,7 +182,7 @@ export const FORMS: Record<FormName, Form> = {
       mm("floor_z_mm", "ui-floor-z"),
       mm("base_z_mm", "ui-base-z"),
       { ...SD, optional: true },
-      { ...mm("tolerance_mm", "ui-made-within-if-nobody-measured-it"), optional: true },
+      { ...mm("tolerance_mm", "ui-tolerance-of-making"), optional: true },
     ],
     first: {},
   },
@@ -192,6 +194,7 @@ export const FORMS: Record<FormName, Form> = {
       NAME,
       SERIAL_IF_ANY,
       CERTIFICATE,
+      ISSUED,
       count("inner_corners.0", "ui-columns-of-inner-corners"),
       count("inner_corners.1", "ui-rows-of-inner-corners"),
       SQUARE,
@@ -208,6 +211,7 @@ export const FORMS: Record<FormName, Form> = {
       NAME,
       SERIAL_IF_ANY,
       CERTIFICATE,
+      ISSUED,
       count("squares_x", "ui-squares-across"),
       count("squares_y", "ui-squares-down"),
       SQUARE,

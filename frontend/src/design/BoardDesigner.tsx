@@ -1,4 +1,4 @@
-import { useEffect, useId, useState } from "react";
+import { useEffect, useState } from "react";
 
 import { designBoard, getBoardPage } from "../api/designCommands";
 import { Refused } from "../api/http";
@@ -7,10 +7,10 @@ import forms from "../datasheets/Datasheets.module.css";
 import { drawn } from "../datasheets/drawn";
 import { ObjectDrawing } from "../object/ObjectDrawing";
 import fieldLook from "../parts/Field.module.css";
-import { fromTyped, measured, typed, unitOf } from "../parts/lengths";
+import { LengthField } from "../parts/LengthField";
+import { fromTyped, measured, typed } from "../parts/lengths";
 import { Segments } from "../parts/Segments";
 import { TextField } from "../parts/TextField";
-import { UnitInput } from "../parts/UnitInput";
 import { useSettled } from "../parts/useSettled";
 import { useOnlyViews } from "../state/control";
 import { currentLanguage, t } from "../state/language";
@@ -116,7 +116,7 @@ export function BoardDesigner({ onTake, onBack }: BoardDesignerProps) {
           />
         ))}
       </div>
-      <Length label={t("ui-side-of-a-square")} value={square} needed onText={setSquare} />
+      <LengthField label={t("ui-side-of-a-square")} value={square} needed onText={setSquare} />
       <Choice
         label={t("ui-page-to-print-on")}
         value={page}
@@ -136,7 +136,7 @@ export function BoardDesigner({ onTake, onBack }: BoardDesignerProps) {
       <p className={fieldLook.help}>{t("ui-measure-the-print")}</p>
       <div className={styles.pair}>
         {(["measured_x_mm", "measured_y_mm"] as const).map((key) => (
-          <Length
+          <LengthField
             key={key}
             label={t(key === "measured_x_mm" ? "ui-measured-width" : "ui-measured-height")}
             value={printed[key]}
@@ -146,33 +146,6 @@ export function BoardDesigner({ onTake, onBack }: BoardDesignerProps) {
         ))}
       </div>
     </DesignPage>
-  );
-}
-
-interface LengthProps {
-  label: string;
-  value: string;
-  needed: boolean;
-  onText: (text: string) => void;
-}
-
-function Length({ label, value, needed, onText }: LengthProps) {
-  const id = useId();
-  return (
-    <div className={fieldLook.field}>
-      <label className={fieldLook.label} htmlFor={id}>
-        {label}
-      </label>
-      <div className={fieldLook.row}>
-        <UnitInput
-          id={id}
-          value={value}
-          unit={unitOf("mm")}
-          aria-invalid={(needed || value !== "") && !(fromTyped(value, "mm") > 0) ? true : undefined}
-          onText={onText}
-        />
-      </div>
-    </div>
   );
 }
 

@@ -19,12 +19,25 @@ interface DesignPageProps {
   /** The design is that of what stands in the fields. */
   ready: boolean;
   why: string;
-  onTake: () => void;
+  /** What the way to a datasheet says. */
+  take?: string;
+  onTake: () => Promise<void> | void;
   onBack: () => void;
 }
 
 /** The frame of a design: its fields, its picture, its files, and the way to a datasheet. */
-export function DesignPage({ title, text, children, picture, files, ready, why, onTake, onBack }: DesignPageProps) {
+export function DesignPage({
+  title,
+  text,
+  children,
+  picture,
+  files,
+  ready,
+  why,
+  onTake,
+  onBack,
+  ...rest
+}: DesignPageProps) {
   return (
     <Layout
       picture={picture}
@@ -38,7 +51,7 @@ export function DesignPage({ title, text, children, picture, files, ready, why, 
           <div className={form.save}>
             <MainAct>
               <PressButton kind="primary" disabled={!ready} why={why} onPress={onTake}>
-                {t("ui-take-the-design-over")}
+                {rest.take ?? t("ui-take-the-design-over")}
               </PressButton>
             </MainAct>
           </div>

@@ -10,6 +10,7 @@ import {
 } from "../api/datasheetCommands";
 import { getFile } from "../api/http";
 import type { Action, ConnectedArmView, DatasheetRow, DatasheetsView, Problem } from "../api/wire";
+import { BlockCertifier } from "../certify/BlockCertifier";
 import { DatasheetForm, type Edited } from "../datasheets/DatasheetForm";
 import { DatasheetLists } from "../datasheets/DatasheetLists";
 import { DatasheetsCard } from "../datasheets/DatasheetsCard";
@@ -27,6 +28,7 @@ import { useRead } from "../state/useRead";
 
 const NEW = "new/";
 const EDIT = "edit";
+const CERTIFY = "certify/";
 const DESIGN = { block: "design/block", board: "design/board" } as const;
 
 interface Editing {
@@ -68,14 +70,21 @@ export function DatasheetsPage() {
     setChanges((n) => n + 1);
     go("datasheets");
   };
-  const keep = async (added: NewDatasheet, replace = false): Promise<void> => {
+  const keep = async (added: NewDatasheet, replace = false): Promise<boolean> => {
     const answer = await addDatasheet(added, replace);
-    if (answer && isProblem(answer)) {
-      setAsked({ words: `${answer.detail} ${answer.remedy}`, agree: () => keep(added, true) });
-    } else if (answer) {
-      setSaved(answer);
-      list();
+    if (!answer) return false;
+    if (isProblem(answer)) {
+      const agree = async () => void (await keep(added, true));
+      setAsked({ words: `${answer.detail} ${answer.remedy}`, agree });
+      return false;
     }
+    setSaved(answer);
+    list();
+    return true;
+  };
+  const certify = ({ version }: DatasheetRow) => {
+    setSaved(null);
+    go("datasheets", `${CERTIFY}${version}`);
   };
   const restore = async (row: DatasheetRow, replace = false): Promise<void> => {
     const answer = await restoreDatasheet(row, replace);
@@ -129,7 +138,7 @@ export function DatasheetsPage() {
           key={edited.key}
           ranges={view.ranges}
           arm={view.arm}
-          onSave={keep}
+          onSave={async (added) => void (await keep(added))}
           onModel={takeModel}
           onBack={list}
         />
@@ -146,8 +155,23 @@ export function DatasheetsPage() {
           first={firstValues(created, view.arm)}
           ranges={view.ranges}
           arm={view.arm}
-          onSave={keep}
+          onSave={async (added) => void (await keep(added))}
           onModel={takeModel}
+          onBack={list}
+        />
+        {question}
+      </>
+    );
+  }
+  const measured = view.rows.find((row) => isBlockInUse(row) && detail === `${CERTIFY}${row.version}`);
+  if (measured) {
+    return (
+      <>
+        <BlockCertifier
+          key={measured.version}
+          row={measured}
+          arms={view.rows.filter(({ form, retired }) => form === "arm" && !retired)}
+          onSave={(text) => keep({ name: "", text, edited: measured.version })}
           onBack={list}
         />
         {question}
@@ -175,6 +199,7 @@ export function DatasheetsPage() {
             }}
             onEdit={(row) => void edit(row)}
             onCopy={(row) => void edit(row, true)}
+            onCertify={certify}
             onRetire={async (row) => {
               await retireDatasheet(row);
               setChanges((n) => n + 1);
@@ -183,12 +208,14 @@ export function DatasheetsPage() {
             onFiles={addFiles}
           />
         }
-        card={<DatasheetsCard saved={saved ? saved.name || saved.file : ""} onFiles={addFiles} />}
+        card={<DatasheetsCard saved={saved} onCertify={certify} onFiles={addFiles} />}
       />
       {question}
     </>
   );
 }
+
+const isBlockInUse = ({ form, retired }: DatasheetRow) => form === "block" && !retired;
 
 const isProblem = (answer: object): answer is Problem => "status" in answer;
 

@@ -1,0 +1,40 @@
+import { useId } from "react";
+
+import fields from "./Field.module.css";
+import { fromTyped, unitOf } from "./lengths";
+import { UnitInput } from "./UnitInput";
+
+interface LengthFieldProps {
+  label: string;
+  /** More about it, below its label. */
+  detail?: string;
+  value: string;
+  /** Marked while nothing is typed. */
+  needed: boolean;
+  unit?: string;
+  onText: (text: string) => void;
+  onFocus?: () => void;
+}
+
+/** A length above zero, with its label. */
+export function LengthField({ label, detail, value, needed, unit = "mm", onText, onFocus }: LengthFieldProps) {
+  const id = useId();
+  return (
+    <div className={fields.field}>
+      <label className={fields.label} htmlFor={id}>
+        {label}
+        {detail && <span className={fields.detail}>{detail}</span>}
+      </label>
+      <div className={fields.row}>
+        <UnitInput
+          id={id}
+          value={value}
+          unit={unitOf(unit)}
+          aria-invalid={(needed || value !== "") && !(fromTyped(value, unit) > 0) ? true : undefined}
+          onText={onText}
+          onFocus={onFocus}
+        />
+      </div>
+    </div>
+  );
+}
