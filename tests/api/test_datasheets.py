@@ -16,6 +16,7 @@ from app.formats.datasheets.target import ObjectFile
 from app.operations.datasheets import files as datasheet_files
 from app.store.accounts import Role
 from tests.api.conftest import PATIENCE_S, Server, code_of
+from tests.cli.test_cli import printed
 from tests.formats.certificates import DIAMETER, FORM, certificate, quantity, real
 from tests.sent_texts import english
 
@@ -428,7 +429,7 @@ def test_who_may_what(station: Server) -> None:
 
             assert ask("viewer", "GET", "")[0] == 200
             assert ask("viewer", "POST", "/check", text="") == (403, "role")
-            for path in ("", "/retire", "/restore"):
+            for path in ("", "/retire", "/restore", "/block-certificate"):
                 assert ask("viewer", "POST", path) == (403, "role")
             assert ask("operator", "POST", "/check", text=text_of(BLOCK))[0] == 200
             station.http.post("/api/control/take", json={"reason": "test"}).raise_for_status()
@@ -439,6 +440,42 @@ def test_who_may_what(station: Server) -> None:
     finally:
         for name in ("viewer", "operator"):
             store.accounts.remove(f"d {name}")
+
+
+def test_a_block_is_certified_as_by_the_command(station: Server, tmp_path: Path) -> None:
+    drawn = {**BLOCK, "standard_uncertainty_mm": None, "tolerance_mm": 0.1}
+    row = add(station, text_of(drawn))
+    faces = [(f"edge_{n}", f"edge_{n + 1}") for n in range(1, 8)]
+    faces += [("front", "back"), ("base", "crest"), ("floor", "crest")]
+    lengths = [9.01, 8.02, 6.0, 6.99, 6.03, 7.0, 5.0, 26.0, 27.02, 15.0]
+
+    def table(lengths: list[float]) -> str:
+        rows = [f"{a},{b},{mm},0.005" for (a, b), mm in zip(faces, lengths, strict=True)]
+        return "\n".join(["from,to,distance_mm,standard_uncertainty_mm", *rows])
+
+    def ask(readings: str, path: str = "") -> httpx.Response:
+        body = {"file": row["file"], "version": row["version"], "certificate": "Workshop 4"}
+        address = f"/api/datasheets/block-certificate{path}"
+        return station.http.post(address, json={**body, "readings": readings})
+
+    (tmp_path / "drawing.json").write_text(text_of(drawn))
+    (tmp_path / "readings.csv").write_text(table(lengths))
+    command = ("certificate", "block", tmp_path / "readings.csv", "--issued", "Workshop 4")
+    files_of = ("--drawing", tmp_path / "drawing.json", "-o", tmp_path / "object.json")
+    printed(*command, *files_of)
+    made = json.loads((tmp_path / "object.json").read_text())
+    found = ask(table(lengths)).raise_for_status().json()
+    assert json.loads(found["document"]) == made
+    assert found["faces"][1]["measured_mm"] == made["edges_x_mm"][1]
+    assert ask(table(lengths), "/page").raise_for_status().content.startswith(b"%PDF")
+    kept = add(station, found["document"], edited=row["version"])
+    assert (kept["certificate"], kept["issued_on"]) == ("Workshop 4", made["issued_on"])
+    late = add(station, text_of(made, issued_on="2999-01-01"), edited=kept["version"])
+    assert "2999-01-01" in english(late["note"])
+    assert code_of(ask(table(lengths)))[1] == "datasheet-changed"
+    row = late
+    swapped = ask(table([lengths[1], lengths[0], *lengths[2:]]))
+    assert code_of(swapped)[1] == "readings-exchanged"
 
 
 def test_the_words_are_those_of_the_command_line(station: Server, tmp_path: Path) -> None:

@@ -301,6 +301,7 @@ def test_files_come_and_go_and_nothing_is_lost(
     assert not found, "\n".join(found)
     page.context.close()
 
+
 READ = {
     "edge_1 to edge_2": "9.01",
     "edge_3 to edge_4": "6.00",

@@ -133,14 +133,20 @@ def _decimal_comma(rows: list[Row]) -> None:
     [
         (_exchange, r"agree if those of reading 2 \(edge_2 to edge_3\) and reading 3"),
         (_exchange_unchecked, r"reading 6 .* and reading 7 \(edge_7 to edge_8\) are exchanged"),
-        (_exchange_far, r"agree if those of reading 2 \(edge_2 to edge_3\) and reading 9 .* are exchanged"),
+        (
+            _exchange_far,
+            r"agree if those of reading 2 \(edge_2 to edge_3\) and reading 9 .* are exchanged",
+        ),
         (_spoil_one, r"contradicts the others: reading 10 .* [+]?[789]\d µm"),
         (_drop_edge, "reaches edge_5"),
         (_inches, r"reading 1 .* and the following: 20 readings .* inches"),
         (_decimal_comma, "line 5: column distance_mm .*decimal point"),
         (lambda rows: rows[0].__setitem__(0, "edge_99"), "line 2: column from is 'edge_99'"),
         (lambda rows: rows[0].__setitem__(1, "crest"), "line 2: .*not two parallel faces"),
-        (lambda rows: rows[4].__setitem__(2, 700.0), r"reading 5 \(edge_5 to edge_6\): 700.000 mm was read where"),
+        (
+            lambda rows: rows[4].__setitem__(2, 700.0),
+            r"reading 5 \(edge_5 to edge_6\): 700.000 mm was read where",
+        ),
         (lambda rows: rows[4].__setitem__(3, 0), "line 6: column standard_uncertainty_mm"),
     ],
 )

@@ -15,7 +15,9 @@ from app.metrology.targets.chessboard import Chessboard
 from app.metrology.targets.target import is_nominal
 from app.station.devices.link_state import DeviceState
 
-Need = Literal["sensor", "arm", "arm-model", "sensor-datasheet", "target", "certificate", "tip", "calibration"]
+Need = Literal[
+    "sensor", "arm", "arm-model", "sensor-datasheet", "target", "certificate", "tip", "calibration"
+]
 
 
 @dataclass(frozen=True)

@@ -80,7 +80,9 @@ def view_certificate(made: BlockCertificate) -> BlockCertificateView:
     document, edges = made.document, len(made.document.edges_x_mm)
     each = document.standard_uncertainties_mm
     assert each is not None
-    rows = zip(coordinates(made.drawing), coordinates(document.block()), each.values_mm(), strict=True)
+    rows = zip(
+        coordinates(made.drawing), coordinates(document.block()), each.values_mm(), strict=True
+    )
     return BlockCertificateView(
         document=document.text(),
         faces=tuple(

@@ -12,11 +12,11 @@ from app.formats.json_document import decode_text
 from app.formats.open_file import read_bounded
 from app.messages.message import Text, join, message
 from app.operations.datasheets.documents import DatasheetIdentity, DatasheetKind, evaluate
-from app.operations.datasheets.last_uses import Uses, read_uses
+from app.operations.datasheets.last_uses import Uses, content_version, read_uses
 from app.operations.datasheets.view import DatasheetRow
 from app.station.devices.rig import Rig
 from app.store.store import Store
-from app.timestamps import moment_of_ns
+from app.timestamps import moment_of_ns, utc_now
 
 
 @dataclass(frozen=True)
@@ -25,6 +25,9 @@ class Entry:
 
     path: Path
     version: str
+    """Of the file's bytes."""
+    content: str
+    """Of what it says, as copies of it say it; empty of a certificate, of which copies differ."""
     since_ns: int
     found: DatasheetIdentity | None
     problem: Text
@@ -32,17 +35,18 @@ class Entry:
 
 def read_entry(path: Path, kind: DatasheetKind) -> Entry:
     """A file that is there, or why it cannot be read."""
-    version, since_ns = "", 0
+    version, said, since_ns = "", "", 0
     try:
         with convert_io_errors(path):
             since_ns = path.stat().st_mtime_ns
             content = read_bounded(path)
         version = hashlib.sha256(content).hexdigest()
+        said = content_version(content, kind) if path.suffix == ".json" else ""
         check_name(path)
         found = evaluate(decode_text(content, path), path, kind)
     except OperationError as error:
-        return Entry(path, version, since_ns, None, error.text)
-    return Entry(path, version, since_ns, found, "")
+        return Entry(path, version, said, since_ns, None, error.text)
+    return Entry(path, version, said, since_ns, found, "")
 
 
 class DatasheetRows:
@@ -80,7 +84,7 @@ class DatasheetRows:
             valid_until=found.valid_until if found else "",
             since=moment_of_ns(entry.since_ns).isoformat(timespec="seconds"),
             last_use=uses.last(found),
-            in_use=() if retired else tuple(uses.calibrations(found, entry.version)),
+            in_use=() if retired else tuple(uses.calibrations(found, entry.content)),
             connected=not retired and found is not None and self._is_connected(found),
             note="" if retired or found is None else self._note(found, entry, uses, present),
         )
@@ -100,10 +104,13 @@ class DatasheetRows:
         ]
         if doubles:
             return message("datasheet-twice", files=join(doubles))
-        return self.unlikely(found) or uses.note(found, entry.version)
+        return self.unlikely(found) or (uses.note(found, entry.content) if entry.content else "")
 
     def unlikely(self, found: DatasheetIdentity) -> Text:
-        """That the model of the connected arm has fewer or more rows than it has joints."""
+        """That a certificate will be issued only, or that the model of the connected arm has fewer
+        or more rows than it has joints."""
+        if found.issued_on > utc_now()[:10]:
+            return message("certificate-issued-later", day=found.issued_on)
         info = self._rig.arm.info
         if info is None or found.form != "arm" or info.joint_count in (0, found.joint_count):
             return ""

@@ -33,7 +33,10 @@ def block_certificate_report(made: BlockCertificate, made_at: str) -> Report[Tex
         verdict=Verdict("good", message("readings-agree"), text),
         sections=[
             Section(message("object"), [_facts(made)]),
-            Section(message("coordinates"), [_coordinates(made), *map(TextBlock, certificate_notes(made))]),
+            Section(
+                message("coordinates"),
+                [_coordinates(made), *map(TextBlock, certificate_notes(made))],
+            ),
             *_touches(made),
             *_readings(made),
             signatures(""),
