@@ -2,7 +2,8 @@
 
 A loop calls its step again and again. A step that fails is called again a moment later; its error
 is logged once, and *Health* and the metrics know of it. A worker does one thing and ends. What an
-error ends in any other thread or task, ``reporting_deaths`` reports.
+error ends in any other thread or task, ``reporting_deaths`` reports; what stands still,
+``naming_hangs`` names.
 """
 
 import asyncio
@@ -12,83 +13,28 @@ import time
 from collections import deque
 from collections.abc import Awaitable, Callable, Iterator, Sequence
 from contextlib import contextmanager
-from dataclasses import dataclass
-from typing import Any
+from typing import Any, TypeVar
 
-from app.errors import OperationError
-from app.messages.message import Text, message
+from app.loop_states import (
+    LONGEST_TURN_S,
+    PRESENT_LOOP,
+    LoopFailure,
+    LoopState,
+    Supervision,
+    error_text,
+    merge_states,
+)
+from app.messages.message import message
 
 log = logging.getLogger(__name__)
 RESTART_S = 0.3
 """After a failed step, the next one begins this much later."""
-FAILING_S = 5.0
-"""A loop fails now if its last step failed, less than this ago; a step may take longer."""
-CALM_S = 60.0
-"""An error is logged again after a loop has worked for this long."""
-MOST_KINDS, MOST_DEATHS = 20, 100
-LONGEST_ERROR = 200
-
-
-@dataclass(frozen=True, slots=True)
-class LoopFailure:
-    """What failed, why, and when (``time.monotonic``)."""
-
-    name: str
-    error: Text
-    at_s: float
-
-
-@dataclass(frozen=True, slots=True)
-class LoopState:
-    """All loops of one name: one for each sensor has the same name."""
-
-    name: str
-    running: int
-    failures: int
-    """Since the program began, also of loops that have ended."""
-    failing: bool
-    """Whether one of them fails now."""
-    newest: LoopFailure | None
-
-
-class Supervision:
-    """What becomes of the steps of one loop; used by the thread or task of the loop alone."""
-
-    def __init__(self, name: str) -> None:
-        self.name = name
-        self.failures = 0
-        self.newest: LoopFailure | None = None
-        self._failed_last = False
-        self._logged: set[str] = set()
-
-    @property
-    def is_failing(self) -> bool:
-        return self._failed_last and not self._has_worked_for(FAILING_S)
-
-    def note_success(self) -> None:
-        """A step has ended well."""
-        self._failed_last = False
-        if self._logged and self._has_worked_for(CALM_S):
-            self._logged.clear()
-            log.info(message("log-loop-works-again", name=self.name))
-
-    def note_failure(self, error: BaseException) -> None:
-        """A step has ended with an error; each kind of error is logged once until all is well."""
-        self._failed_last = True
-        self.failures += 1
-        self.newest = LoopFailure(self.name, error_text(error), time.monotonic())
-        kind = _kind(error)
-        if kind in self._logged or len(self._logged) >= MOST_KINDS:
-            return
-        self._logged.add(kind)
-        if isinstance(error, OperationError):  # of a disk, a device, a file: Health shows it
-            text = message("log-loop-refused", name=self.name, reason=error.text)
-            log.warning(text)
-        else:
-            log.error(message("log-loop-failed", name=self.name), exc_info=error)
-
-    def _has_worked_for(self, seconds: float) -> bool:
-        return self.newest is None or time.monotonic() - self.newest.at_s > seconds
+LOOK_S = 0.5
+"""Between two looks for loops that stand still."""
+MOST_PASSED_S = 1.0
+"""Between two looks, no more is counted: the program was suspended, or the machine was busy."""
+MOST_DEATHS = 100
+T = TypeVar("T")
 
 
 class LoopRegistry:
@@ -98,28 +44,55 @@ class LoopRegistry:
         self._lock = threading.Lock()
         self._running: set[Supervision] = set()
         self._ended: dict[str, LoopState] = {}
+        self._stood: dict[Supervision, tuple[int, float]] = {}
+        """Signs of life of each loop at the last look, and for how long there was no other."""
+        self._looked_s: float | None = None
         self._deaths: deque[LoopFailure] = deque(maxlen=MOST_DEATHS)
         self.death_count = 0
 
     @contextmanager
-    def supervising(self, name: str) -> Iterator[Supervision]:
-        """A loop of this name runs while such a block is open."""
-        supervision = Supervision(name)
+    def supervising(self, supervision: Supervision) -> Iterator[Supervision]:
+        """This loop runs, in this thread or task, while such a block is open."""
+        name = supervision.name
         with self._lock:
             self._running.add(supervision)
+        token = PRESENT_LOOP.set(supervision)
         try:
             yield supervision
         finally:
+            PRESENT_LOOP.reset(token)
+            supervision.note_moving()
             with self._lock:
                 self._running.discard(supervision)
-                self._ended[name] = _merge(name, self._ended.get(name), supervision, 0)
+                self._ended[name] = merge_states(name, self._ended.get(name), supervision, 0)
+
+    def find_hangs(self, now_s: float) -> None:
+        """Notes which loops stand still; called again and again, by one thread.
+
+        Args:
+            now_s: of a clock like ``time.monotonic``.
+        """
+        passed_s = 0.0 if self._looked_s is None else min(now_s - self._looked_s, MOST_PASSED_S)
+        self._looked_s = now_s
+        with self._lock:
+            running = tuple(self._running)
+        before, self._stood = self._stood, {}
+        for one in running:
+            signs = one.signs
+            known, stood_s = before.get(one, (signs, 0.0))
+            stood_s = stood_s + passed_s if one.is_in_turn and signs == known else 0.0
+            self._stood[one] = signs, stood_s
+            if stood_s > one.longest_s:
+                one.note_standing(stood_s, now_s)
+            else:
+                one.note_moving()
 
     def states(self) -> Sequence[LoopState]:
         """Every loop that runs or has run, by its name."""
         with self._lock:
             found = dict(self._ended)
             for one in self._running:
-                found[one.name] = _merge(one.name, found.get(one.name), one, 1)
+                found[one.name] = merge_states(one.name, found.get(one.name), one, 1)
         return [found[name] for name in sorted(found)]
 
     def deaths(self) -> Sequence[LoopFailure]:
@@ -145,8 +118,10 @@ class Loop:
     Args:
         name: of the thread.
         step: one round; may return the pause before the next one, otherwise it is ``period_s``.
-            A step that waits for something returns when ``ending`` is set and it is woken.
+            A step that waits for something declares it by ``waiting``, and returns when ``ending``
+            is set and it is woken.
         ending: an event of the caller's that ends the loop.
+        longest_s: a step without a sign of life for longer than this stands still.
     """
 
     def __init__(
@@ -155,9 +130,11 @@ class Loop:
         step: Callable[[], float | None],
         period_s: float = 0.0,
         ending: threading.Event | None = None,
+        longest_s: float = LONGEST_TURN_S,
     ) -> None:
         self.ending = threading.Event() if ending is None else ending
         self._name, self._step, self._period_s = name, step, period_s
+        self._longest_s = longest_s
         self._error: BaseException | None = None
         self._thread = threading.Thread(target=self._run, name=name, daemon=True)
 
@@ -177,7 +154,8 @@ class Loop:
         return self._thread.is_alive()
 
     def _run(self) -> None:
-        with LOOPS.supervising(self._name) as supervision:
+        with LOOPS.supervising(Supervision(self._name, self._longest_s)) as supervision:
+            supervision.thread = threading.get_ident()
             while not self.ending.is_set():
                 try:
                     self._advance(supervision)
@@ -190,6 +168,7 @@ class Loop:
             supervision.note_failure(error)
             self.ending.wait(RESTART_S)
         else:
+            supervision.go_on()
             pause_s = self._step()
             supervision.note_success()
             if pause_s is None:
@@ -206,16 +185,22 @@ def start_worker(name: str, work: Callable[..., object], *args: Any) -> threadin
 
 
 async def repeat(
-    name: str, *steps: Callable[[], Awaitable[object]], period_s: float = RESTART_S
+    name: str,
+    *steps: Callable[[], Awaitable[object]],
+    period_s: float = RESTART_S,
+    longest_s: float = LONGEST_TURN_S,
 ) -> None:
     """Awaits steps one after the other, again and again, until cancelled.
 
-    A step that fails stops no other.
+    A step that fails stops no other; one without a sign of life for longer than ``longest_s``
+    stands still.
     """
-    with LOOPS.supervising(name) as supervision:
+    with LOOPS.supervising(Supervision(name, longest_s)) as supervision:
+        supervision.task = asyncio.current_task()
         while True:
             failures = supervision.failures
             for step in steps:
+                supervision.go_on()
                 try:
                     await step()
                 except (Exception, asyncio.CancelledError) as error:
@@ -227,6 +212,33 @@ async def repeat(
                 await asyncio.sleep(period_s)
             else:
                 await asyncio.sleep(max(period_s, RESTART_S))
+
+
+async def on_thread(work: Callable[[], T]) -> T:
+    """Does a step's work on a thread; the loop's stack is then that thread's."""
+    loop = PRESENT_LOOP.get()
+
+    def do() -> T:
+        if loop is None:
+            return work()
+        loop.thread = threading.get_ident()
+        try:
+            return work()
+        finally:
+            loop.thread = None
+
+    return await asyncio.to_thread(do)
+
+
+@contextmanager
+def naming_hangs() -> Iterator[None]:
+    """Within it, loops that stand still are named in the log, *Health* and the metrics."""
+    watch = Loop("hang-watch", lambda: LOOPS.find_hangs(time.monotonic()), LOOK_S)
+    watch.start()
+    try:
+        yield
+    finally:
+        watch.stop()
 
 
 @contextmanager
@@ -260,38 +272,6 @@ def reporting_deaths() -> Iterator[None]:
         loop.set_exception_handler(handler_before)
 
 
-def error_text(error: BaseException) -> Text:
-    """An error in a line; of an unexpected one, its kind too."""
-    if isinstance(error, OperationError):
-        return error.text
-    return f"{type(error).__name__}: {error}"[:LONGEST_ERROR]
-
-
 def _is_cancelled() -> bool:
     task = asyncio.current_task()
     return task is not None and task.cancelling() > 0
-
-
-def _kind(error: BaseException) -> str:
-    """The kind of an error and the line that raised it."""
-    at = error.__traceback__
-    while at is not None and at.tb_next is not None:
-        at = at.tb_next
-    place = "" if at is None else f"{at.tb_frame.f_code.co_filename}:{at.tb_lineno}"
-    code = error.code if isinstance(error, OperationError) else ""
-    return f"{type(error).__name__} {code} {place}"
-
-
-def _merge(name: str, known: LoopState | None, supervision: Supervision, running: int) -> LoopState:
-    """What is known of a name, with one loop more."""
-    failing = supervision.is_failing and bool(running)
-    if known is None:
-        return LoopState(name, running, supervision.failures, failing, supervision.newest)
-    both = [one for one in (known.newest, supervision.newest) if one is not None]
-    return LoopState(
-        name,
-        known.running + running,
-        known.failures + supervision.failures,
-        known.failing or failing,
-        max(both, key=lambda one: one.at_s, default=None),
-    )

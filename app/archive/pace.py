@@ -5,6 +5,7 @@ import time
 from collections.abc import Callable
 
 from app.errors import OperationError
+from app.loop_states import note_progress
 from app.messages.message import message
 
 LONGEST_WAIT_S = 0.5
@@ -37,6 +38,7 @@ class Pace:
         Raises:
             ArchiveEndedError: ``ending`` is set.
         """
+        note_progress()
         due_s = time.monotonic() + count / self._rate_bytes_s
         while not self.ending.is_set() and self._is_slow():
             left_s = due_s - time.monotonic()
@@ -44,6 +46,7 @@ class Pace:
                 break
             left_s = min(left_s, LONGEST_WAIT_S)
             self.ending.wait(left_s)
+            note_progress()
             self.waited_s += left_s
         if self.ending.is_set():
             raise ArchiveEndedError

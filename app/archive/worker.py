@@ -14,6 +14,8 @@ from app.loops import Loop
 from app.messages.message import Text, message
 
 log = logging.getLogger(__name__)
+LONGEST_S = 120.0
+"""Without a byte that is read or sent: a storage far away is tried again for a while."""
 LOOK_S = 30.0
 """Between two looks for finished records."""
 FIRST_PAUSE_S, LONGEST_PAUSE_S = 30.0, 3600.0
@@ -48,7 +50,7 @@ class ArchiveWorker:
         self.is_on_same_disk: bool | None = None
         """Whether the archive is on a disk of the records; None if not known, or on none here."""
         self._next_s = 0.0
-        self._loop = Loop("archive", self._step, ending=archive.pace.ending)
+        self._loop = Loop("archive", self._step, ending=archive.pace.ending, longest_s=LONGEST_S)
 
     @property
     def retry_in_s(self) -> float:

@@ -2970,7 +2970,9 @@ log-lines-lost =
        *[other] { $count } Zeilen des Protokolls gingen verloren, weil der Datenträger zu langsam war
     }
 log-loop-failed = die Schleife { $name } ist gescheitert; sie wird neu gestartet, und dieser Fehler wird erst wieder protokolliert, wenn sie gearbeitet hat
+log-loop-goes-on = die Schleife { $name } arbeitet nach { $stood } weiter
 log-loop-refused = die Schleife { $name } ist gescheitert und wird neu gestartet: { CLAUSE($reason) }
+log-loop-stands = die Schleife { $name } steht seit { $stood } in { $where }
 log-loop-works-again = die Schleife { $name } arbeitet wieder
 log-not-saved = { $method } { $path } wurde nicht gespeichert: { $reason }
 log-notification-given-up = eine Benachrichtigung wurde nicht zugestellt: { $reason }
@@ -2993,6 +2995,7 @@ loop-fails-now =
         [one] Scheitert gerade und wird wieder versucht: { $part } ({ CLAUSE($error) }).
        *[other] Scheitert gerade und wird wieder versucht, bisher { $count }-mal: { $part } ({ CLAUSE($error) }).
     }
+loop-goes-on = Stand { $stood } lang bis vor { $ago } und arbeitet weiter: { $part } (in { $where }).
 loop-name =
     { $name ->
         [rig-state] Zustand der Geräte
@@ -3007,6 +3010,7 @@ loop-name =
         [object-watch] Erkennung des Objekts
         [device-trial] Erprobung eines Geräts
         [loop-watchdog] Überwachung der Ereignisschleife
+        [hang-watch] Suche nach stehenden Schleifen
         [log-writer] Schreiben des Protokolls
         [archive] Archivierung
         [scan-sync] Sichern der Aufnahme
@@ -3021,6 +3025,7 @@ loop-name =
         [broker] Verbindung zum Broker
        *[other] { $name }
     }
+loop-stands-now = Steht seit { $stood }: { $part } (in { $where }).
 loop-works-again =
     { $count ->
         [one] Vor { $ago } gescheitert, neu gestartet und arbeitet: { $part } ({ CLAUSE($error) }).

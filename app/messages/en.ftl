@@ -2966,7 +2966,9 @@ log-lines-lost =
        *[other] { $count } lines of the log were lost because the disk was too slow
     }
 log-loop-failed = the loop { $name } failed; it is restarted, and this error is not logged again until it works
+log-loop-goes-on = the loop { $name } goes on after { $stood }
 log-loop-refused = the loop { $name } failed and is restarted: { CLAUSE($reason) }
+log-loop-stands = the loop { $name } has stood still for { $stood } in { $where }
 log-loop-works-again = the loop { $name } works again
 log-not-saved = { $method } { $path } was not saved: { $reason }
 log-notification-given-up = a notification was not delivered: { $reason }
@@ -2989,6 +2991,7 @@ loop-fails-now =
         [one] Fails now and is tried again: { $part } ({ CLAUSE($error) }).
        *[other] Fails now and is tried again, { $count } times so far: { $part } ({ CLAUSE($error) }).
     }
+loop-goes-on = Stood still for { $stood } until { $ago } ago, and goes on: { $part } (in { $where }).
 loop-name =
     { $name ->
         [rig-state] state of the devices
@@ -3003,6 +3006,7 @@ loop-name =
         [object-watch] detection of the object
         [device-trial] trial of a device
         [loop-watchdog] watch over the event loop
+        [hang-watch] watch for loops that stand still
         [log-writer] writing of the log
         [archive] archiving
         [scan-sync] syncing of the recording
@@ -3017,6 +3021,7 @@ loop-name =
         [broker] connection to the broker
        *[other] { $name }
     }
+loop-stands-now = Has stood still for { $stood }: { $part } (in { $where }).
 loop-works-again =
     { $count ->
         [one] Failed { $ago } ago, was restarted and works: { $part } ({ CLAUSE($error) }).

@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 
 from app.findings import Quality
-from app.loops import LoopFailure, LoopState
+from app.loop_states import LoopFailure, LoopHang, LoopState
 from app.messages.message import Text, join, message, quantity
 from app.monitoring.health import HealthItem
 
@@ -23,10 +23,14 @@ def background(
     failed = [one for one in loops if one.newest is not None and one.newest.at_s >= since_s]
     failing = [one for one in failed if one.failing]
     dead = [one for one in deaths if one.at_s >= since_s]
-    parts: list[Text] = [_loop(one, now_s) for one in failing]
+    stood = [(one.name, one.hang) for one in loops if one.hang and one.hang.at_s >= since_s]
+    standing = [one for one in stood if one[1].is_now]
+    parts: list[Text] = [_hang(*one, now_s) for one in standing]
+    parts += [_loop(one, now_s) for one in failing]
+    parts += [_hang(*one, now_s) for one in stood if one not in standing]
     parts += [_loop(one, now_s) for one in failed if not one.failing]
     parts += [_death(one, now_s) for one in dead]
-    quality: Quality = "bad" if failing else "attention" if parts else "good"
+    quality: Quality = "bad" if failing or standing else "attention" if parts else "good"
     running = sum(one.running for one in loops)
     return HealthItem(
         "background",
@@ -44,6 +48,13 @@ def _loop(one: LoopState, now_s: float) -> Text:
     if one.failing:
         return message("loop-fails-now", **values)
     return message("loop-works-again", **values, ago=quantity(now_s - one.newest.at_s, "s"))
+
+
+def _hang(name: str, hang: LoopHang, now_s: float) -> Text:
+    values = {"part": loop_name(name), "stood": quantity(hang.stood_s, "s"), "where": hang.where}
+    if hang.is_now:
+        return message("loop-stands-now", **values)
+    return message("loop-goes-on", **values, ago=quantity(now_s - hang.at_s, "s"))
 
 
 def _death(one: LoopFailure, now_s: float) -> Text:

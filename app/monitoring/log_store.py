@@ -21,6 +21,7 @@ from typing import Literal
 from app.errors import OperationError
 from app.formats.file_names import escape_unprintable
 from app.formats.open_file import check_ordinary, read_bounded
+from app.loop_states import waiting
 from app.loops import Loop
 from app.messages.catalogue import Render
 from app.messages.message import Message, Text, join, message, text_to_json
@@ -124,7 +125,8 @@ class LogStore:
 
     def _write(self) -> None:
         """Writes the next line, and how many were lost meanwhile."""
-        record = self._lines.get()
+        with waiting():
+            record = self._lines.get()
         lost, self._lost_reported = self.lost_lines - self._lost_reported, self.lost_lines
         if lost > 0:
             about = {"name": __name__, "levelno": logging.WARNING, "threadName": WRITER}

@@ -8,6 +8,7 @@ import time
 import traceback
 from dataclasses import dataclass, replace
 
+from app.loop_states import note_progress
 from app.loops import Loop
 from app.messages.message import message, quantity
 from app.timestamps import utc_now
@@ -95,7 +96,7 @@ class LoopWatchdog:
         limit = quantity(limit_s, "s", 2)
         log.warning(message("log-event-loop-held-up", limit=limit), extra=more)
         while not answered.wait(PERIOD_S) and not self._stopping.is_set():
-            continue
+            note_progress()
         lasted_s = time.monotonic() - asked_s
         log.warning(message("log-event-loop-goes-on", duration=quantity(lasted_s, "s", 2)))
         self._stalls = replace(

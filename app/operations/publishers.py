@@ -6,11 +6,13 @@ import time
 from collections import deque
 from collections.abc import Awaitable, Callable, Coroutine
 from itertools import count
+from math import inf
 
 from app.errors import sentence
 from app.guide.performance.commands import measure_waiting as measure_waiting_scan
 from app.guide.verify.commands import measure_waiting
-from app.loops import repeat
+from app.loop_states import waiting
+from app.loops import on_thread, repeat
 from app.messages.message import join
 from app.operations.context import Context
 from app.operations.health_checks import HealthChecker
@@ -31,6 +33,9 @@ REPORT_S = 0.5
 UNATTENDED_S = 0.5
 STATIONS_S = 1.0
 HEALTH_S = 3.0
+LONGEST_MEASURE_S = 60.0
+"""A scan of a gauge is measured in a moment, the data folder looked through, also on a slow
+machine."""
 LOSING_S = 0.1
 """Health is looked at sooner when a device begins to lose its data."""
 TEMPERATURE_S = 5.0
@@ -61,15 +66,15 @@ async def tick(context: Context) -> None:
     """
     home: Home | None = None
 
-    def on_thread(work: Callable[[], object]) -> Step:
-        return lambda: asyncio.to_thread(work)
+    def step_of(work: Callable[[], object]) -> Step:
+        return lambda: on_thread(work)
 
     def now_and_then(work: Callable[[], object]) -> Step:
         numbers = count()
 
         async def step() -> None:
             if next(numbers) % HOME_EVERY == 0:
-                await asyncio.to_thread(work)
+                await on_thread(work)
 
         return step
 
@@ -82,15 +87,16 @@ async def tick(context: Context) -> None:
 
     await repeat(
         "live-state",
-        on_thread(context.guide.refresh),
-        on_thread(context.arm_guide.refresh),
-        on_thread(lambda: measure_waiting(context.verify_guide)),
-        on_thread(context.verify_guide.refresh),
-        on_thread(lambda: measure_waiting_scan(context.performance_guide)),
-        on_thread(context.performance_guide.refresh),
+        step_of(context.guide.refresh),
+        step_of(context.arm_guide.refresh),
+        step_of(lambda: measure_waiting(context.verify_guide)),
+        step_of(context.verify_guide.refresh),
+        step_of(lambda: measure_waiting_scan(context.performance_guide)),
+        step_of(context.performance_guide.refresh),
         now_and_then(context.recovery.step),
         now_and_then(publish_home),
         period_s=LIVE_S,
+        longest_s=LONGEST_MEASURE_S,
     )
 
 
@@ -105,10 +111,10 @@ async def observe(context: Context) -> None:
         _events(context),
         _health(context),
         _temperature(context),
-        repeat("notifications", watch.webhook.run),
+        repeat("notifications", watch.webhook.run, longest_s=inf),
     ]
     if watch.broker is not None:
-        coroutines.append(repeat("broker", watch.broker.run))
+        coroutines.append(repeat("broker", watch.broker.run, longest_s=inf))
     tasks = [asyncio.create_task(work) for work in coroutines]
     try:
         await asyncio.wait(tasks)
@@ -125,7 +131,7 @@ async def _watch_arm(context: Context) -> None:
         context.unattended.look()
         context.activities.release_ended()
 
-    await repeat("unattended", lambda: asyncio.to_thread(look), period_s=UNATTENDED_S)
+    await repeat("unattended", lambda: on_thread(look), period_s=UNATTENDED_S)
 
 
 async def _reports(context: Context) -> None:
@@ -133,7 +139,7 @@ async def _reports(context: Context) -> None:
 
     async def step() -> None:
         nonlocal due
-        report = await asyncio.to_thread(build_report, context)
+        report = await on_thread(lambda: build_report(context))
         context.bus.publish("report", readable(report))
         if context.monitoring.broker is not None:
             context.monitoring.broker.report(report)
@@ -171,17 +177,18 @@ async def _stations(context: Context) -> None:
 
 
 async def _events(context: Context) -> None:
-    waiting: deque[Event] = deque()
+    events: deque[Event] = deque()
     with context.bus.subscribe(without=TOPICS) as subscription:
 
         async def step() -> None:
-            if not waiting:
-                updates = await subscription.next()
+            if not events:
+                with waiting():
+                    updates = await subscription.next()
                 for topic in updates.topics:
                     subscription.want(topic, False)
-                waiting.extend(updates.events)
-            while waiting:
-                _pass_on(context, waiting.popleft())
+                events.extend(updates.events)
+            while events:
+                _pass_on(context, events.popleft())
 
         await repeat("events", step, period_s=0.0)
 
@@ -222,12 +229,12 @@ async def _health(context: Context) -> None:
         if losing == before and time.monotonic() - looked_s < HEALTH_S:
             return
         looked_s = time.monotonic()
-        context.monitoring.health = await asyncio.to_thread(examiner.look)
+        context.monitoring.health = await on_thread(examiner.look)
 
-    await repeat("health", step, period_s=LOSING_S)
+    await repeat("health", step, period_s=LOSING_S, longest_s=LONGEST_MEASURE_S)
 
 
 async def _temperature(context: Context) -> None:
     watch = context.monitoring.temperature
     if watch.there:
-        await repeat("temperature", lambda: asyncio.to_thread(watch.read), period_s=TEMPERATURE_S)
+        await repeat("temperature", lambda: on_thread(watch.read), period_s=TEMPERATURE_S)

@@ -10,7 +10,7 @@ from fastapi import FastAPI
 from app.api import problems
 from app.api.routers import ROUTES
 from app.formats.json_document import SOFTWARE
-from app.loops import reporting_deaths
+from app.loops import naming_hangs, reporting_deaths
 from app.operations.context import Context
 from app.operations.publishers import observe, tick
 from app.security.anonymous_queue import AnonymousQueue
@@ -52,7 +52,7 @@ def _lifespan(context: Context) -> Callable[[FastAPI], AbstractAsyncContextManag
         # objects that exist now are excluded: scanning all of them would delay the sensor by 0.1 s
         gc.collect()
         gc.freeze()
-        with reporting_deaths():
+        with reporting_deaths(), naming_hangs():
             ticking = asyncio.create_task(tick(context))
             observing = asyncio.create_task(observe(context))
             try:

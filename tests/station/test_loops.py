@@ -19,7 +19,16 @@ import pytest
 
 from app.errors import OperationError
 from app.formats.datasheets.target import read_block
-from app.loops import LOOPS, Loop, LoopState, repeat, reporting_deaths, start_worker
+from app.loop_states import LONGEST_TURN_S, LoopState, note_progress, waiting
+from app.loops import (
+    LOOPS,
+    Loop,
+    LoopRegistry,
+    on_thread,
+    repeat,
+    reporting_deaths,
+    start_worker,
+)
 from app.monitoring.background_health import background
 from app.operations import publishers
 from app.operations.context import Context
@@ -42,7 +51,7 @@ DEATHS = (
 )
 THREADS = {
     *("arm-reader", "sensor-reader", "awake", "rig-state", "scan-state", "scene", "view"),
-    *("preview", "object-watch", "loop-watchdog", "log-writer", "simulated-arm"),
+    *("preview", "object-watch", "loop-watchdog", "hang-watch", "log-writer", "simulated-arm"),
 }
 TASKS = {"live-state", "report", "stations", "events", "health", "temperature", "notifications"}
 SCRIPT = """
@@ -148,6 +157,132 @@ def test_what_dies_unsupervised_is_reported(caplog: pytest.LogCaptureFixture) ->
     assert item.quality == "attention"
     assert str(item.what).count("Ended by an error") == 3
     assert sum("was ended by an error" in one.getMessage() for one in caplog.records) == 3
+
+
+class Turns:
+    """A loop's step that stands in its second turn until it is let go."""
+
+    def __init__(self) -> None:
+        self.reached, self.let_go, self.after = (threading.Event() for _ in range(3))
+        self.count = 0
+
+    def take(self) -> None:
+        self.count += 1
+        if self.count == 2:
+            self.reached.set()
+            self.stand_here()
+        elif self.count > 2:
+            self.after.set()
+
+    def stand_here(self) -> None:
+        self.let_go.wait()
+
+    def wait_as_declared(self) -> None:
+        with waiting():
+            self.let_go.wait()
+
+    def go_on_slowly(self) -> None:
+        while not self.let_go.wait(0.001):
+            note_progress()
+
+
+class Looks:
+    """The looks of the watch, by a clock that only the test moves."""
+
+    def __init__(self, monkeypatch: pytest.MonkeyPatch) -> None:
+        self.registry, self.now_s = LoopRegistry(), 1000.0
+        monkeypatch.setattr("app.loops.LOOPS", self.registry)
+        monkeypatch.setattr("app.loop_states.OWN", (__file__,))
+
+    def let_pass(self, seconds: float, at_once: bool = False) -> None:
+        self.registry.find_hangs(self.now_s)
+        count = 1 if at_once else round(2 * seconds)
+        for _ in range(count):
+            self.now_s += seconds / count
+            self.registry.find_hangs(self.now_s)
+
+    def state(self) -> LoopState:
+        (state,) = self.registry.states()
+        return state
+
+
+@contextmanager
+def standing(kind: str, turns: Turns) -> Iterator[None]:
+    """A loop of a kind that stands, as its turns want, while the block is open."""
+    if kind == "thread":
+        loop = Loop("stands", turns.take, 0.001)
+        loop.start()
+        turns.reached.wait()
+        try:
+            yield
+        finally:
+            turns.let_go.set()
+            loop.stop()
+        return
+    ends = threading.Event()
+
+    async def run() -> None:
+        task = asyncio.create_task(repeat("stands", lambda: on_thread(turns.take), period_s=0.001))
+        await asyncio.to_thread(ends.wait)
+        task.cancel()
+        await asyncio.wait([task])
+
+    thread = threading.Thread(target=asyncio.run, args=(run(),))
+    thread.start()
+    turns.reached.wait()
+    try:
+        yield
+    finally:
+        turns.let_go.set()
+        ends.set()
+        thread.join()
+
+
+@pytest.mark.parametrize("kind", ["thread", "task"])
+def test_a_loop_that_stands_still_is_named_once_and_so_is_its_going_on(
+    kind: str, monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
+) -> None:
+    looks, turns = Looks(monkeypatch), Turns()
+    with caplog.at_level(logging.INFO), standing(kind, turns):
+        looks.let_pass(LONGEST_TURN_S)
+        assert (looks.state().stands, lines(caplog, "stands")) == (False, [])
+        looks.let_pass(2.0)
+        assert looks.state().stands
+        looks.let_pass(60.0)
+        state = looks.state()
+        item = background([state], (), looks.now_s, 0.0)
+        assert item.quality == "bad"
+        said = "Has stood still for 72 s: stands (in stand_here, test_loops.py:"
+        assert str(item.what).startswith(said)
+        assert lines(caplog, "stands") == ["log-loop-stands"]
+        trace = str(vars(caplog.records[-1])["trace"])
+        assert "self.let_go.wait()" in trace
+        turns.let_go.set()
+        turns.after.wait()
+        looks.let_pass(1.0)
+        state = looks.state()
+        item = background([state], (), looks.now_s, 0.0)
+    assert (state.hangs, state.stands, state.failures) == (1, False, 0)
+    assert item.quality == "attention"
+    assert str(item.what).startswith("Stood still for 72 s until 1 s ago, and goes on: stands")
+    assert lines(caplog, "stands") == ["log-loop-stands", "log-loop-goes-on"]
+
+
+@pytest.mark.parametrize("stand", ["wait_as_declared", "go_on_slowly", "stand_here"])
+def test_a_loop_that_waits_as_declared_or_goes_on_is_not_accused_nor_is_a_suspended_program(
+    stand: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    looks, turns = Looks(monkeypatch), Turns()
+    suspended = stand == "stand_here"
+    monkeypatch.setattr(turns, "stand_here", getattr(turns, stand))
+    with standing("thread", turns):
+        (loop,) = looks.registry._running
+        for _ in range(8):
+            signs = loop.signs
+            looks.let_pass(1000.0 if suspended else LONGEST_TURN_S / 4, at_once=suspended)
+            until(lambda signs=signs: stand != "go_on_slowly" or loop.signs > signs)
+        state = looks.state()
+    assert (state.hangs, state.hang) == (0, None)
 
 
 class Killed:

@@ -15,7 +15,7 @@ pytestmark = READS_TREE
 NUMERICS = {"numpy", "scipy", "cv2"}
 OUTSIDE = {"time", "socket", "os", "io", "pathlib", "threading"}
 """Modules by which mathematics would depend on more than its arguments."""
-EVERYWHERE = {"app.loops", "app.rotations"}
+EVERYWHERE = {"app.loop_states", "app.loops", "app.rotations"}
 """The modules that every package may import."""
 LEAVES = {"app.errors", "app.findings", *EVERYWHERE, "app.progress", "app.timestamps"}
 """Modules that every package but ``hardware`` may import."""

@@ -193,14 +193,18 @@ class _StationCollector(Collector):
 
 def _background() -> Iterator[Metric]:
     """The loops of the program, by name, and what died beside them."""
-    up = _family(GaugeMetricFamily, "loops_up", "Loops that run and do not fail now", "loop")
+    up = _family(
+        GaugeMetricFamily, "loops_up", "Loops that run, and neither fail nor stand now", "loop"
+    )
     failures = _family(
         CounterMetricFamily, "loop_failures", "Failed steps of a loop, which was restarted", "loop"
     )
+    hangs = _family(CounterMetricFamily, "loop_hangs", "How often a loop stood still", "loop")
     for one in LOOPS.states():
-        up.add_metric([one.name], 0.0 if one.failing else one.running)
+        up.add_metric([one.name], 0.0 if one.failing or one.stands else one.running)
+        hangs.add_metric([one.name], one.hangs)
         failures.add_metric([one.name], one.failures)
-    yield from (up, failures)
+    yield from (up, failures, hangs)
     deaths = LOOPS.death_count
     yield _counter("threads_died", "Threads and tasks that an error has ended", deaths)
 

@@ -12,6 +12,7 @@ from app.fleet.catalogue.entry import CatalogueEntry
 from app.fleet.catalogue.reading import list_contents
 from app.fleet.collection.documents import read_entries
 from app.fleet.collection.places import RecordPlace
+from app.loop_states import note_progress
 from app.messages.message import message
 
 log = logging.getLogger(__name__)
@@ -90,6 +91,7 @@ def _collect_station(catalogue: FleetCatalogue, station: CollectedStation, compl
     for place in station.places:
         try:
             for record in place.list_new(known, complete):
+                note_progress()
                 try:
                     with place.documents(record) as folder:
                         waiting += read_entries(station.id, record, folder, place.name)

@@ -1,11 +1,9 @@
 """Who may see the fleet's page: people with accounts of a provider, and whoever knows the page's
 password."""
 
-import asyncio
 import hmac
 import logging
 from base64 import b64decode
-from functools import partial
 from http import HTTPStatus
 from pathlib import Path
 
@@ -14,7 +12,7 @@ from starlette.requests import HTTPConnection
 from app.api.access.admission import admit_person
 from app.api.access.browser import address_of, token_of
 from app.errors import OperationError
-from app.loops import repeat
+from app.loops import on_thread, repeat
 from app.messages.message import message
 from app.security.authentication import AccessDeniedError, TooManyAttemptsError
 from app.security.login_throttle import Throttle, address_key
@@ -67,8 +65,8 @@ class FleetPeople:
 
     async def watch_provider(self) -> None:
         """Until it is cancelled: notes whether the provider answers, for the entrance page."""
-        check = partial(asyncio.to_thread, self.provider.check)
-        await repeat("provider", check, period_s=CHECK_S)
+        check = self.provider.check
+        await repeat("provider", lambda: on_thread(check), period_s=CHECK_S, longest_s=CHECK_S)
 
     def close(self) -> None:
         """No request is answered any more."""

@@ -30,7 +30,7 @@ from app.fleet.catalogue.reading import (
 from app.fleet.fleet_settings import DEFAULT_FILE
 from app.fleet.questions import drift_of, find_affected, find_doubted
 from app.formats.json_document import SOFTWARE
-from app.loops import reporting_deaths
+from app.loops import naming_hangs, reporting_deaths
 from app.messages.message import message
 from app.metrology.change_points import LEAST_VALUES
 from app.server.fleet.access import FleetAccess
@@ -90,7 +90,7 @@ def build_fleet_app(
 
     @asynccontextmanager
     async def lifespan(app: FastAPI) -> AsyncIterator[None]:
-        with reporting_deaths():
+        with reporting_deaths(), naming_hangs():
             service.start()
             clouds.start()
             watching = None

@@ -7,11 +7,13 @@ import logging
 import threading
 import time
 from collections.abc import Sequence
+from math import inf
 
 from app.errors import OperationError
 from app.fleet.catalogue.catalogue import FleetCatalogue
 from app.fleet.collection.collector import CollectedStation, collect
 from app.fleet.fleet_settings import FleetSettings
+from app.loop_states import waiting
 from app.loops import Loop, repeat
 from app.messages.message import Text, message
 from app.supervision.broker import Broker
@@ -22,6 +24,8 @@ log = logging.getLogger(__name__)
 COPY_S = 40.0
 """Behind an event, the station's archive has the record within this time if it copies at once."""
 END_S = 10.0
+LONGEST_LOOK_S = 300.0
+"""At one record of a place, or at what a place has."""
 LISTENER = "fleet"
 
 
@@ -53,7 +57,9 @@ class FleetService:
         """Stations with an event since they were looked at."""
         self._wake, self._ending = threading.Event(), threading.Event()
         self._lock = threading.Lock()
-        self._loop = Loop("fleet-collect", self._look_at_due, ending=self._ending)
+        self._loop = Loop(
+            "fleet-collect", self._look_at_due, ending=self._ending, longest_s=LONGEST_LOOK_S
+        )
         self._listening: asyncio.Task[None] | None = None
 
     @property
@@ -79,7 +85,7 @@ class FleetService:
         """Begins to collect, and to listen; on the event loop."""
         self._loop.start()
         if self.broker is not None:
-            self._listening = asyncio.create_task(repeat("broker", self.broker.run))
+            self._listening = asyncio.create_task(repeat("broker", self.broker.run, longest_s=inf))
 
     async def close(self) -> None:
         """Ends both: a look in progress has stored what it has by then."""
@@ -119,7 +125,8 @@ class FleetService:
         if due:
             self._look(due)
         next_s = min(self._due_s.values(), default=now_s + self.looks_every_s)
-        self._wake.wait(max(next_s - time.monotonic(), 0.0))
+        with waiting():
+            self._wake.wait(max(next_s - time.monotonic(), 0.0))
 
     def _look(self, due: Sequence[CollectedStation]) -> None:
         for one in due:

@@ -11,6 +11,7 @@ from enum import StrEnum
 from typing import Generic, Protocol, TypeVar
 
 from app.errors import reason_sentence, sentence
+from app.loop_states import note_progress
 from app.loops import Loop
 from app.messages.message import Text, join, message, quantity, word
 from app.station.devices.awake_clock import AWAKE
@@ -28,6 +29,8 @@ FRESH_S = 0.8
 SILENCE_S = 3.0
 # A device that may be silent is asked this often whether it is there.
 ASK_ALIVE_S = 0.3
+# Longer than any driver takes to open a device or to find out that it cannot.
+LONGEST_OPENING_S = 60.0
 FIRST_BACK_OFF_S = 0.2
 LONGEST_BACK_OFF_S = 2.0
 RATE_WINDOW_S = 1.0
@@ -133,7 +136,12 @@ class DeviceReader(Generic[D, I_co]):
 
     def start(self) -> None:
         self._stopping.clear()
-        self._loop = Loop(f"{self._title}-reader", self._use_next, ending=self._stopping)
+        self._loop = Loop(
+            f"{self._title}-reader",
+            self._use_next,
+            ending=self._stopping,
+            longest_s=LONGEST_OPENING_S,
+        )
         self._loop.start()
 
     def stop(self) -> None:
@@ -301,6 +309,7 @@ class DeviceReader(Generic[D, I_co]):
         Raises ``DeviceError`` if the device falls silent.
         """
         while not self._stopping.is_set() and self._replacement is None:
+            note_progress()
             count = self._read(driver)
             now, counts = AWAKE.now_s(), replace(driver.health)
             with self._lock:

@@ -15,6 +15,7 @@ import numpy as np
 from app.errors import OperationError, sentence
 from app.findings import Finding
 from app.formats.settings.scan_settings import AUTOMATIC, ScanSettings
+from app.loop_states import waiting
 from app.loops import Loop
 from app.messages.message import message
 from app.metrology.detection.image_quality import Image, ImageQuality
@@ -190,7 +191,7 @@ class Preview:
 
     def _show_next(self) -> None:
         """Publishes the newest picture, if there is another one and somebody wants it."""
-        with self._watched:
+        with waiting(), self._watched:
             self._watched.wait_for(
                 lambda: self._ending.is_set() or self._detecting or self._viewers > 0
             )

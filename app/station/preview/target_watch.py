@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 from app.errors import OperationError
 from app.findings import Finding
+from app.loop_states import waiting
 from app.loops import Loop
 from app.messages.message import message
 from app.metrology.stripe import Stripe
@@ -20,6 +21,8 @@ log = logging.getLogger(__name__)
 # The detection may use half of one core, whatever its cost.
 REST_SHARE = 1.0
 SHORTEST_REST_S = 0.15
+LONGEST_SEARCH_S = 60.0
+"""In a large picture, on a slow machine."""
 
 
 @dataclass(frozen=True)
@@ -49,7 +52,9 @@ class TargetWatch:
 
     def start(self) -> None:
         self._ending.clear()
-        self._loop = Loop("object-watch", self._detect_next, ending=self._ending)
+        self._loop = Loop(
+            "object-watch", self._detect_next, ending=self._ending, longest_s=LONGEST_SEARCH_S
+        )
         self._loop.start()
 
     def stop(self) -> None:
@@ -94,7 +99,8 @@ class TargetWatch:
 
     def _detect_next(self) -> None:
         with self._offered:
-            self._offered.wait_for(lambda: self._ending.is_set() or self._frame is not None)
+            with waiting():
+                self._offered.wait_for(lambda: self._ending.is_set() or self._frame is not None)
             taken, item = self._frame, self._item
             self._frame = None
         if self._ending.is_set() or taken is None or item is None:

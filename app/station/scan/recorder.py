@@ -27,6 +27,8 @@ POLL_S = 0.05
 FLUSH_S = 0.25
 # What a power failure may lose beside.
 SYNC_S = 0.75
+# A busy or slow disk may take this long for what waits.
+LONGEST_SYNC_S = 60.0
 # Joints are recorded from a little before the scan, so that its first frame has them around it.
 LEAD_NS = 200_000_000
 
@@ -77,7 +79,7 @@ class Recorder:
         )
         self._thread = start_worker("scan-recorder", self._run)
         # a disk that takes long over it holds up no frames
-        self._syncer = Loop("scan-sync", self._writer.sync, SYNC_S)
+        self._syncer = Loop("scan-sync", self._writer.sync, SYNC_S, longest_s=LONGEST_SYNC_S)
         self._syncer.start()
 
     @property

@@ -9,6 +9,7 @@ from typing import Any, Literal
 
 from app.batch.single_cloud import CloudOrder
 from app.errors import OperationError
+from app.loop_states import waiting
 from app.loops import Loop
 from app.messages.message import Text, message
 from app.server.fleet.clouds.kept_clouds import KeptClouds
@@ -135,7 +136,8 @@ class CloudQueue:
             return
         job = self._begin_next()
         if job is None:
-            self._wake.wait()
+            with waiting():
+                self._wake.wait()
         else:
             self._make(job)
 
@@ -155,7 +157,10 @@ class CloudQueue:
 
         problem: Text = ""
         try:
-            made = make_in_process(job.order, take, lambda: job.cancelled or self._ending.is_set())
+            with waiting():  # for another process, which says how far it is
+                made = make_in_process(
+                    job.order, take, lambda: job.cancelled or self._ending.is_set()
+                )
             self._kept.note_use(made["cloud"])
             self._kept.keep_limit(made["cloud"])
         except CloudCancelledError:

@@ -7,6 +7,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from itertools import pairwise
 
+from app.loop_states import note_progress
 from app.loops import Loop
 from hardware.clock import now_ns
 from hardware.simulator.devices.gige_camera.features import EXPOSURE_ACTIVE, LINES
@@ -166,6 +167,7 @@ class ExposureLoop:
         """The next exposure, when it is over; None at the end of the thread."""
         with self._changed:
             while not self._ending:
+                note_progress()
                 start_ns = self._next_start_ns()
                 if start_ns is None or start_ns > now_ns():
                     left_s = _WAKE_S if start_ns is None else (start_ns - now_ns()) / 1e9

@@ -8,6 +8,7 @@ from collections import deque
 
 import numpy as np
 
+from app.loop_states import note_progress
 from app.loops import Loop
 from hardware.clock import now_ns
 from hardware.simulator.devices.gige_camera.faults import GigeFaults
@@ -111,6 +112,7 @@ class StreamSender:
         """The next block, when it is due; None at the end."""
         with self._changed:
             while not self._stopping:
+                note_progress()
                 left_s = (self._waiting[0][0] - now_ns()) / 1e9 if self._waiting else _WAKE_S
                 if left_s <= 0:
                     _, block = self._waiting.popleft()
