@@ -1,10 +1,12 @@
 """Format of numbers, names and times in reports."""
 
 import re
+from collections.abc import Iterable
 from datetime import UTC
 from typing import Literal
 
-from app.messages.message import Message, Quantity, Text, message, quantity, rounded, word
+from app.messages.limits import decimals_beside, limit_quantity
+from app.messages.message import Message, Quantity, Text, Unit, message, quantity, rounded, word
 from app.timestamps import parse_moment
 
 _UNITS = re.compile(r"(?<=\d) (?=(?:µm|mm|px|nm|%|°C|°)(?:\W|$))")
@@ -50,14 +52,37 @@ def millimetres(value_um: float) -> Quantity:
     return quantity(value_um / 1e3, "mm", 4)
 
 
-def in_both_units(value_um: float) -> tuple[Quantity, Quantity]:
-    """A length in micrometres and in millimetres, as in the two columns of the tables."""
-    return micrometres(value_um), millimetres(value_um)
+def in_both_units(
+    value_um: float, limits_um: Iterable[float | None] = ()
+) -> tuple[Quantity, Quantity]:
+    """A length in micrometres and in millimetres, as in the two columns of the tables.
+
+    Args:
+        limits_um: in the same row; both are so exact that none seems to be on its other side.
+    """
+    places = _places(value_um, limits_um)
+    return quantity(value_um, "µm", places), quantity(value_um / 1e3, "mm", places + 3)
 
 
-def at_most(limit_um: float | None) -> Text:
-    """A limit as in the tables."""
-    return NONE if limit_um is None else message("at-most-limit", limit=rounded(limit_um, "µm"))
+def judged_value(value: float, limit: float | None, unit: Unit, signed: bool = False) -> Quantity:
+    """A value beside the limit by which its size is judged: never rounded to its other side."""
+    return Quantity(float(value), unit, _places(value, [limit]), signed)
+
+
+def limit_beside(value: float | None, limit: float, unit: Unit) -> Quantity:
+    """A limit in the row of a value, which is rounded no more than that."""
+    return limit_quantity(limit, unit, _places(value or 0.0, [limit]))
+
+
+def at_most(limit_um: float | None, value_um: float) -> Text:
+    """A limit in the row of a value, as in the tables."""
+    if limit_um is None:
+        return NONE
+    return message("at-most-limit", limit=limit_beside(value_um, limit_um, "µm"))
+
+
+def _places(value: float, limits: Iterable[float | None]) -> int:
+    return decimals_beside(abs(value), [one for one in limits if one is not None], 1)
 
 
 def plus_minus(uncertainty: Quantity) -> Message:

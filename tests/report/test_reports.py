@@ -17,6 +17,7 @@ from typer.testing import CliRunner
 from app.cli.main import cli
 from app.errors import OperationError
 from app.formats.json_document import SOFTWARE, file_sha256
+from app.formats.performance.results import PerformanceFigure
 from app.formats.results.acceptance import ACCEPTANCE, Acceptance, ComparisonPart
 from app.formats.results.arm_checks import ARM_CHECK, TIP_CHECK, ArmCheckFile, TipCheckFile
 from app.formats.results.calibration import CalibrationFile, Input
@@ -29,11 +30,14 @@ from app.messages.message import Message, Text, message, quantity
 from app.metrology.arm.identification.observations import ArmObservations, Seat, Sphere
 from app.metrology.decision import EXPANDED_K2, GUARDED_95, SIMPLE
 from app.report.content import Pictures, Report, ReportTable, Section, TextBlock, Verdict
+from app.report.contents import arm_check, tip_check
 from app.report.contents.calibration import calibration_report
 from app.report.contents.identification import BARS
+from app.report.contents.performance_tables import limit_text, value_text
 from app.report.contents.verification.figures import LABELS
+from app.report.contents.verification.tables import results_table
 from app.report.figure import Figure, magnification
-from app.report.formatting import format_moment, join_units
+from app.report.formatting import format_moment, in_both_units, join_units, limit_beside
 from app.report.html import html_page
 from app.report.pdf import pdf_document
 from app.report.reports import folder_report, render_report
@@ -448,3 +452,57 @@ def test_figures_and_axes_have_the_decimal_point_of_their_language() -> None:
     page = html.unescape(html_page(translate_report(report, "de")).decode())
     assert "−1,5\u00a0µm" in page
     assert "2,5\u00a0mm breit" in page
+
+
+def tables_of(value: float, limit: float) -> Iterator[tuple[Text, Text]]:
+    """A value and its limit as each table of a report prints them, in one row."""
+    arm = ArmCheckFile.model_construct(
+        **BY_BEN | {"limit_um": limit},
+        largest_um=None,
+        two_s_um=None,
+        half_range_um=(value,) * 3,
+        two_sigma_um=(1.0, 1.0, 1.0),
+        encoders_two_sigma_um=(1.0, 1.0, 1.0),
+    )
+    rows = [arm_check._table(arm).rows[0]]
+    tip = TipCheckFile.model_construct(
+        **BY_BEN | {"limit_um": limit},
+        expected_mm=6.0,
+        diameter_mm=6.0,
+        error_um=-value,
+        scatter_um=value,
+        expanded_uncertainty_um=1.0,
+        bend_um=None,
+    )
+    rows += tip_check._table(tip).rows[2:4]
+    figure = {**RECORD["figures"][0], "value": -value, "limit": limit}
+    verified = VerificationFile.model_validate({**RECORD, "figures": [figure]})
+    rows += results_table(verified).rows
+    for row in rows:
+        for shown in row[1:3]:
+            yield (
+                shown,
+                next(cell for cell in row[::-1] if "µm" in str(cell) and "±" not in str(cell)),
+            )
+    for of in ("form_error", "location"):
+        performed = PerformanceFigure.model_construct(quantity=of, value=value, limit=limit)
+        yield value_text(performed), limit_text(performed)
+    shown, limits = in_both_units(value, [limit, 2 * limit]), limit_beside(value, limit, "µm")
+    yield from ((one, limits) for one in shown)
+
+
+def test_a_value_in_a_table_never_seems_on_the_other_side_of_its_limit() -> None:
+    rng = np.random.default_rng(4)
+    for limit in (0.3, 7.0, 12.25, 60.0, 123.4, 1234.5):
+        for off in (*rng.normal(0.0, 0.03, 20), *rng.normal(0.0, 3.0, 20), 0.0):
+            value = max(limit + float(off), 0.01)
+            for cells in tables_of(value, limit):
+                shown, most = (number_in(cell) for cell in cells)
+                assert np.sign(shown - most) == np.sign(value - limit), (value, limit, cells)
+
+
+def number_in(cell: Text) -> float:
+    """The size of what a cell says, in µm."""
+    found = re.search(r"([\d.]+) (µm|mm)", str(cell))
+    assert found is not None
+    return round(float(found[1]) * (1000.0 if found[2] == "mm" else 1.0), 6)

@@ -82,13 +82,14 @@ def _facts(check: ArmCheckFile, arm: Arm) -> Facts[Text]:
 
 
 def _table(check: ArmCheckFile) -> ReportTable[Text]:
-    limit = at_most(check.limit_um)
     rows: list[tuple[Text, ...]] = []
     if check.largest_um is not None and check.two_s_um is not None:
         rows.append((message("largest-distance-from-mean"), *in_both_units(check.largest_um), ""))
         rows.append((message("two-s-of-distances"), *in_both_units(check.two_s_um), ""))
     for axis, value in zip(AXES, check.half_range_um, strict=True):
-        rows.append((message("max-min-2-along", axis=axis), *in_both_units(value), limit))
+        shown = in_both_units(value, [check.limit_um])
+        limit = at_most(check.limit_um, value)
+        rows.append((message("max-min-2-along", axis=axis), *shown, limit))
     for axis, value in zip(AXES, check.two_sigma_um, strict=True):
         rows.append((message("n-2-along", axis=axis), *in_both_units(value), ""))
     for axis, value in zip(AXES, check.encoders_two_sigma_um, strict=True):

@@ -44,6 +44,7 @@ from app.report.formatting import (
     device_name,
     format_moment,
     in_both_units,
+    limit_beside,
     micrometres,
     millimetres,
     simulation_notes,
@@ -182,9 +183,15 @@ def _uncertainty_rows(document: CalibrationFile, accepted: Acceptance | None) ->
     known = document.uncertainty
     if known is None:
         return []
-    total, limits = known.total_um, _limits(accepted)
+    total = known.total_um
+    compared = () if accepted is None else (accepted.good_um, accepted.usable_um)
     rows: list[Row] = [
-        (message("point-standard-uncertainty"), *in_both_units(total), "1", limits),
+        (
+            message("point-standard-uncertainty"),
+            *in_both_units(total, compared),
+            "1",
+            _limits(accepted, total),
+        ),
         (message("point-expanded-uncertainty"), *in_both_units(2 * total), "2", ""),
     ]
     if known.plane is not None:
@@ -222,10 +229,12 @@ def _residual_rows(document: CalibrationFile, session: BlockSession | BoardSessi
     return rows
 
 
-def _limits(accepted: Acceptance | None) -> Text:
+def _limits(accepted: Acceptance | None, total_um: float) -> Text:
     if accepted is None or accepted.good_um is None or accepted.usable_um is None:
         return UNKNOWN
-    good, usable = rounded(accepted.good_um, "µm"), rounded(accepted.usable_um, "µm")
+    good, usable = (
+        limit_beside(total_um, one, "µm") for one in (accepted.good_um, accepted.usable_um)
+    )
     return message("good-m-usable-m", good=good, usable=usable)
 
 

@@ -4,7 +4,7 @@ from app.formats.performance.plan import GatePart
 from app.formats.performance.results import PerformanceFigure, PerformanceFile
 from app.formats.performance.symbols import is_signed
 from app.formats.results.decision_rule import RulePart, describe_rule
-from app.messages.message import Text, join, message, quantity, rounded, signed
+from app.messages.message import Text, join, message, quantity, rounded
 from app.messages.uncertainty import uncertainty_quantity
 from app.metrology.performance.pattern import COUNT, PATCH_DEG
 from app.report.content import ReportTable
@@ -14,6 +14,8 @@ from app.report.formatting import (
     UNKNOWN,
     device_name,
     format_moment,
+    judged_value,
+    limit_beside,
     micrometres,
     plus_minus,
     software_name,
@@ -133,14 +135,14 @@ def value_text(one: PerformanceFigure) -> Text:
     """The value in micrometres, with its sign if it has one; a dash without a value."""
     if one.value is None:
         return "–"
-    return signed(one.value, "µm", 1) if is_signed(one.quantity) else micrometres(one.value)
+    return judged_value(one.value, one.limit, "µm", is_signed(one.quantity))
 
 
 def limit_text(one: PerformanceFigure) -> Text:
     """The maximum permissible error, on both sides of zero for signed figures."""
     if one.limit is None:
         return NONE
-    limit = rounded(one.limit, "µm", 4)
+    limit = limit_beside(one.value, one.limit, "µm")
     return plus_minus(limit) if is_signed(one.quantity) else message("at-most-limit", limit=limit)
 
 

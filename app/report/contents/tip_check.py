@@ -75,13 +75,14 @@ def _sphere(check: TipCheckFile) -> Text:
 
 
 def _table(check: TipCheckFile) -> ReportTable[Text]:
-    limit = at_most(check.limit_um)
+    limit_um, error_um, scatter_um = check.limit_um, check.error_um, check.scatter_um
+    error, scatter = (in_both_units(one, [limit_um]) for one in (error_um, scatter_um))
     known = plus_minus(uncertainty_quantity(check.expanded_uncertainty_um, "µm"))
     rows: list[tuple[Text, ...]] = [
         (message("diameter-of-tip-by-datasheet"), "", quantity(check.expected_mm, "mm", 4), "", ""),
         (message("diameter-tip-found"), "", quantity(check.diameter_mm, "mm", 4), known, ""),
-        (message("error"), *in_both_units(check.error_um), known, limit),
-        (message("largest-distance-touch-sphere"), *in_both_units(check.scatter_um), "", limit),
+        (message("error"), *error, known, at_most(limit_um, error_um)),
+        (message("largest-distance-touch-sphere"), *scatter, "", at_most(limit_um, scatter_um)),
     ]
     if check.bend_um is not None:
         rows.append((message("tip-off-place-arm"), *in_both_units(check.bend_um), "", ""))

@@ -9,12 +9,19 @@ from app.formats.results.verification import (
     FigurePart,
     VerificationFile,
 )
-from app.messages.message import Message, Text, Unit, join, message, quantity, rounded, word
+from app.messages.message import Message, Text, Unit, join, message, quantity, word
 from app.messages.uncertainty import part_quantity, uncertainty_quantity
 from app.metrology.gauges.figure_budget import K, Source
 from app.report.content import Pictures, ReportTable, Section, TextBlock
 from app.report.contents.verification.figures import cloud_plot
-from app.report.formatting import NONE, error_value, millimetres, plus_minus
+from app.report.formatting import (
+    NONE,
+    error_value,
+    in_both_units,
+    judged_value,
+    limit_beside,
+    plus_minus,
+)
 
 MARK = " *"
 DECISIONS: dict[Decision, Message] = {
@@ -29,10 +36,10 @@ def results_table(document: VerificationFile) -> ReportTable[Text]:
     rows: list[tuple[Text, ...]] = [
         (
             figure.title,
-            error_value(figure.value, figure.unit),
-            millimetres(figure.value) if figure.unit == "µm" else "",
+            judged_value(figure.value, figure.limit, figure.unit),
+            in_both_units(figure.value, [figure.limit])[1] if figure.unit == "µm" else "",
             *_uncertainties(figure),
-            NONE if figure.limit is None else rounded(figure.limit, figure.unit),
+            NONE if figure.limit is None else limit_beside(figure.value, figure.limit, figure.unit),
             DECISIONS[figure.decision],
         )
         for figure in document.figures

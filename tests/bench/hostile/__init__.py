@@ -1,0 +1,1 @@
+"""Kinds of hostile inputs, each with what must not become of it."""
