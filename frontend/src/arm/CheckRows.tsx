@@ -1,7 +1,7 @@
 import type { ArmCheckSummary, IdentificationSummary, TipCheckSummary } from "../api/wire";
-import { quantity } from "../messages/text";
 import { moment } from "../parts/format";
 import { lengthFigures, measured, unitOf } from "../parts/lengths";
+import { limitBeside } from "../parts/limits";
 import { QualityMark } from "../parts/QualityMark";
 import { Reports } from "../parts/Reports";
 import { t } from "../state/language";
@@ -10,7 +10,7 @@ import styles from "./History.module.css";
 /** An arm check, with its report. */
 export function ArmRow({ check }: { check: ArmCheckSummary }) {
   const limit =
-    check.limit_um === null ? t("ui-no-limit-set") : t("ui-limit-value", { value: quantity(check.limit_um, "µm") });
+    check.limit_um === null ? t("ui-no-limit-set") : t("ui-limit-value", { value: limitBeside(check.limit_um, "µm") });
   return (
     <li className={styles.row}>
       <QualityMark quality={check.verdict} />

@@ -1,6 +1,6 @@
 import type { ArmPicture } from "../api/wire";
-import { quantity } from "../messages/text";
 import { measured } from "../parts/lengths";
+import { limitBeside } from "../parts/limits";
 import { t } from "../state/language";
 import styles from "./RunCharts.module.css";
 
@@ -68,7 +68,7 @@ export function RunCharts({ picture, touching = false }: { picture: ArmPicture; 
           : touching
             ? t("ui-points-appear-fifth-contact-point")
             : t("ui-points-appear-arm-swings")}
-        {limit !== null && ` ${t("ui-dashed-the-limit", { value: quantity(limit, "µm") })}`}
+        {limit !== null && ` ${t("ui-dashed-the-limit", { value: limitBeside(limit, "µm") })}`}
       </p>
     </div>
   );

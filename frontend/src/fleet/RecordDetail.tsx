@@ -1,6 +1,7 @@
 import type { FleetRecord, FoundFleetRecord } from "../api/wire";
 import { figures, moment } from "../parts/format";
 import { measured } from "../parts/lengths";
+import { decimalsBeside, limitBeside } from "../parts/limits";
 import { QualityMark } from "../parts/QualityMark";
 import { uncertaintyQuantity } from "../parts/uncertainty";
 import { render, t } from "../state/language";
@@ -74,13 +75,17 @@ export function RecordDetail({
                 <tr key={`${one.symbol} ${one.quantity}`}>
                   <td>{one.symbol === one.quantity ? "" : one.symbol}</td>
                   <td className={styles.wraps}>{one.title}</td>
-                  <td>{measured(one.value, one.unit, decimalsOf(one.unit))}</td>
+                  <td>{measured(one.value, one.unit, decimalsBeside(one.value, one.limit, decimalsOf(one.unit)))}</td>
                   <td>
                     {one.expanded_uncertainty === null
                       ? "–"
                       : render(uncertaintyQuantity(one.expanded_uncertainty, one.unit))}
                   </td>
-                  <td>{one.limit === null ? "–" : measured(one.limit, one.unit, decimalsOf(one.unit))}</td>
+                  <td>
+                    {one.limit === null
+                      ? "–"
+                      : render(limitBeside(one.limit, one.unit, decimalsOf(one.unit), one.value))}
+                  </td>
                   <td>{one.decision && <QualityMark quality={qualityOf(one.decision)} size="1.1em" />}</td>
                 </tr>
               ))}

@@ -2,6 +2,7 @@ import type { ReactNode } from "react";
 
 import type { PerformanceFigureLine, PerformanceResultView } from "../api/wire";
 import { measured, signedLength } from "../parts/lengths";
+import { decimalsBeside, limitBeside } from "../parts/limits";
 import { QualityMark } from "../parts/QualityMark";
 import { uncertaintyQuantity } from "../parts/uncertainty";
 import { render, t } from "../state/language";
@@ -66,12 +67,12 @@ function Row({ figure }: { figure: PerformanceFigureLine }) {
         {figure.problem && <span className={styles.problem}>{figure.problem}</span>}
       </th>
       <td>
-        {value === null ? "–" : signed ? signedLength(value, "µm", 1) : measured(value, "µm", 1)}
+        {value === null ? "–" : (signed ? signedLength : measured)(value, "µm", decimalsBeside(value, limit, 1))}
         {value !== null && test_uncertainty !== null && (
           <span className={styles.symbol}>U = {render(uncertaintyQuantity(test_uncertainty, "µm"))}</span>
         )}
       </td>
-      <td>{limit === null ? "–" : `${signed ? "± " : ""}${measured(limit, "µm")}`}</td>
+      <td>{limit === null ? "–" : `${signed ? "± " : ""}${render(limitBeside(limit, "µm", 1, value))}`}</td>
       <td>
         <span className={styles.decision}>
           <QualityMark quality={QUALITY[figure.decision]} size="1.25rem" />

@@ -1,7 +1,7 @@
 import { useState } from "react";
 import type { CalibrationPoint } from "../api/wire";
 import { type PlainId, quantity } from "../messages/text";
-import { measured } from "../parts/lengths";
+import { decimalsBeside, limitBeside } from "../parts/limits";
 import { Segments } from "../parts/Segments";
 import { TimeChart } from "../parts/TimeChart";
 import { t } from "../state/language";
@@ -124,8 +124,10 @@ function explained({ explanation, since }: Measure): string {
 
 function latest(last: Point | undefined, { unit, label }: Measure): string {
   if (!last || last.value === null) return "";
-  const value = t("ui-latest", { figure: t(label), value: quantity(last.value, unit, last.value < 10 ? 1 : 0) });
+  const usual = last.value < 10 ? 1 : 0;
+  const shown = quantity(last.value, unit, decimalsBeside(last.value, last.limit, usual));
+  const value = t("ui-latest", { figure: t(label), value: shown });
   if (last.limit === null) return `${value}.`;
-  const limit = measured(last.limit, unit);
+  const limit = limitBeside(last.limit, unit, usual, last.value);
   return `${value}, ${last.value > last.limit ? t("ui-beyond", { limit }) : t("ui-within", { limit })}.`;
 }

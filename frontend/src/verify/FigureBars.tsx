@@ -1,5 +1,6 @@
 import type { FigureLine } from "../api/wire";
-import { message, quantity } from "../messages/text";
+import { message } from "../messages/text";
+import { limitBeside } from "../parts/limits";
 import { QualityMark } from "../parts/QualityMark";
 import { partQuantity, uncertaintyQuantity } from "../parts/uncertainty";
 import { t } from "../state/language";
@@ -75,7 +76,7 @@ function Bar({ figure }: { figure: FigureLine }) {
           <>
             <QualityMark quality={QUALITY[figure.decision]} size="1.125rem" />
             <strong>{t(DECISIONS[figure.decision])}</strong>
-            <span>{t("ui-limit-value", { value: quantity(limit, unit) })}</span>
+            <span>{t("ui-limit-value", { value: limitBeside(limit, unit, 1, figure.value) })}</span>
           </>
         )}
         {U > 0 && <span>{stated(judging, figure)}</span>}

@@ -1,5 +1,6 @@
 import { quantity } from "../messages/text";
 import { lengthFigures, measured } from "../parts/lengths";
+import { limitBeside } from "../parts/limits";
 import { t } from "../state/language";
 import styles from "./Charts.module.css";
 
@@ -40,7 +41,7 @@ export function LinesChart({ title, unit, lines, labels, limit = null, both = fa
         {title}
         {limit !== null && (
           <span className={styles.limitWords}>
-            {t("ui-limit-value", { value: quantity(limit, unit) })},{" "}
+            {t("ui-limit-value", { value: limitBeside(limit, unit) })},{" "}
             {drawn === null ? t("ui-beyond-the-chart") : t("ui-dashed")}
           </span>
         )}

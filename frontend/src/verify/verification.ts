@@ -10,6 +10,7 @@ import type {
 } from "../api/wire";
 import { message, type PlainId, quantity, type Text } from "../messages/text";
 import { measured, signedLength } from "../parts/lengths";
+import { decimalsBeside } from "../parts/limits";
 import type { Cell, TableData } from "../parts/table";
 import { uncertaintyQuantity } from "../parts/uncertainty";
 import { budgetTables, statedUncertainties } from "./budget";
@@ -96,9 +97,14 @@ export function displayedRecord(record: VerificationFile): DisplayedVerification
 }
 
 /** A figure with its unit; with a sign only if both signs are possible. */
-export function worded({ name, value, unit }: Pick<FigureLine, "name" | "value" | "unit">): string {
+export function worded({
+  name,
+  value,
+  unit,
+  limit = null,
+}: Pick<FigureLine, "name" | "value" | "unit"> & Partial<Pick<FigureLine, "limit">>): string {
   const both = name === "offset" || name === "z_error" || name === "radius_error";
-  return both ? signedLength(value, unit, 1) : measured(value, unit, 1);
+  return (both ? signedLength : measured)(value, unit, decimalsBeside(value, limit, 1));
 }
 
 const COLUMNS: { name: keyof CloudLine; title: PlainId; unit: string }[] = [
