@@ -26,7 +26,11 @@ def scan(context: TheContext) -> ScanStatus:
 
 @router.post("/scan/start")
 def start_scan(context: TheContext, asked: ScanStart | None = None) -> ScanStatus:
-    """Starts a scan and switches the laser on."""
+    """Starts a scan and switches the laser on.
+
+    With the arm still, it ends 30 s after the last action or heartbeat of whoever is in control,
+    unless the settings say *Runs unattended*: requests that only read keep nothing going.
+    """
     with context.activities.using("scan"):
         return _start_scan(context, asked.name if asked else "")
 
