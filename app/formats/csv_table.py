@@ -17,6 +17,8 @@ WORKBOOK = "PK\x03\x04"
 """How the file of a spreadsheet program begins."""
 FORMULA, GUARDED = re.compile(r"'*\s*[=+\-@]|'*[\t\r]"), re.compile(r"'+(\s*[=+\-@]|[\t\r])")
 """Cells that spreadsheet programs run, and those that an apostrophe keeps from it."""
+NUMBER = re.compile(r"[+-]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]+)?")
+"""What is a number to all of them; ``-nan`` is a formula, though not to Python."""
 
 
 @dataclass(frozen=True)
@@ -140,7 +142,7 @@ def _line(cells: Sequence[str | float | int]) -> str:
 
 
 def _guard_formula(cell: str | float | int) -> str | float | int:
-    if isinstance(cell, str) and FORMULA.match(cell) and not is_number(cell):
+    if isinstance(cell, str) and FORMULA.match(cell) and not NUMBER.fullmatch(cell):
         return f"'{cell}"
     return cell
 

@@ -147,7 +147,7 @@ def _check_address(url: str) -> None:
     """
     if _NETWORK.fullmatch(url) or _COM.fullmatch(url):
         return
-    if "://" in url:
+    if "://" in url or not url.isprintable():
         remedy = join([message("check-arm-url"), message("enter-device-address")], " ")
         raise DeviceError(_not_opened_text(url, message("it-is-no-device")), remedy)
     # a link to a device may lie elsewhere

@@ -1,6 +1,6 @@
 """Hostile inputs of all kinds, varied by a seed: what fell, and in which try.
 
-    python -m tests.bench.hostile_inputs [--tries 10000] [--seed 0] [--only KIND] [--json]
+    python -m tests.bench.hostile_inputs [--tries 10000] [--seed 0] [--only KIND …] [--at-once 2]
 
 Certificates that are uploaded, messages of the live connection, places of an archive, addresses of
 devices, answers of a provider of accounts, clouds of every format, cells of exported tables, and
@@ -18,6 +18,7 @@ import tempfile
 import time
 from collections import Counter
 from collections.abc import Callable, Mapping
+from concurrent.futures import ThreadPoolExecutor
 from contextlib import AbstractContextManager, ExitStack
 from multiprocessing import get_context
 from multiprocessing.connection import Connection
@@ -29,8 +30,8 @@ from tests.bench.hostile import files, sent, stations
 from tests.bench.hostile.falling import FallenError
 from tests.bench.rows import bench_parser, measured_rows
 
-HANG_S, START_S = 60.0, 180.0
-"""A try may take so long; the first one of a process, which starts a station, longer."""
+HANG_S, START_S = 60.0, 1800.0
+"""A try may take so long; the start of a process, which starts a station, longer."""
 MOST_SHOWN = 5
 Try = Callable[[random.Random], str]
 """``taken`` or ``refused``; raises what fell."""
@@ -53,19 +54,26 @@ def main() -> int:
     parser = bench_parser(__doc__ or "")
     parser.add_argument("--tries", type=int, default=10_000)
     parser.add_argument("--seed", type=int, default=0)
-    parser.add_argument("--only", choices=list(KINDS))
+    parser.add_argument("--only", choices=list(KINDS), nargs="+", default=list(KINDS))
+    parser.add_argument("--at-once", type=int, default=2, help="kinds")
     given = parser.parse_args()
     fallen = 0
-    with measured_rows(given.json) as rows, tempfile.TemporaryDirectory() as folder:
-        for name, (share, _) in KINDS.items():
-            if given.only not in (None, name):
-                continue
-            tries = max(round(given.tries * share), 1)
+    with (
+        measured_rows(given.json) as rows,
+        tempfile.TemporaryDirectory() as folder,
+        ThreadPoolExecutor(given.at_once) as pool,
+    ):
+
+        def try_one(name: str) -> None:
+            nonlocal fallen
+            tries = max(round(given.tries * KINDS[name][0]), 1)
             counts, longest_s = try_kind(name, given.seed, tries, Path(folder) / name, rows.say)
             fell = tries - counts["taken"] - counts["refused"]
             values = {"tries": tries, "taken": counts["taken"], "refused": counts["refused"]}
             rows.add(name, {**values, "fell": fell, "longest s": longest_s})
             fallen += fell
+
+        list(pool.map(try_one, given.only))
     return int(fallen > 0)
 
 
@@ -99,7 +107,8 @@ def _try_on(
     say: Callable[[str], None],
 ) -> tuple[float, int]:
     """Tries in one process, until it ends; the longest so far and the next number."""
-    context = get_context("spawn")
+    context = get_context("forkserver")
+    context.set_forkserver_preload([one.__name__ for one in (files, sent, stations)])
     reports, sending = context.Pipe(duplex=False)
     own = folder / str(first)
     own.mkdir()
@@ -118,12 +127,14 @@ def _try_on(
             process.join(HANG_S)
             why = f"end of the process with {process.exitcode}"
             break
+        if kind == "ready":
+            patience_s = HANG_S
+            continue
         counts[kind] += 1
         if kind not in ("taken", "refused") and counts[kind] <= MOST_SHOWN:
             say(f"  {name} {number}: {kind}: {text}")
-        if number > first:
-            longest_s = max(longest_s, time.monotonic() - began_s)
-        number, patience_s = number + 1, HANG_S
+        longest_s = max(longest_s, time.monotonic() - began_s)
+        number += 1
     if why:
         counts[why] += 1
         say(f"  {name} {number}: {why}")
@@ -140,6 +151,7 @@ def _work(name: str, seed: int, first: int, tries: int, folder: Path, sending: C
         os.dup2(nothing.fileno(), sys.stdout.fileno())
         os.dup2(nothing.fileno(), sys.stderr.fileno())
         attempt = stack.enter_context(KINDS[name][1](folder))
+        sending.send(("ready", ""))
         for number in range(first, tries):
             sending.send(outcome_of(attempt, random.Random(f"{name} {seed} {number}")))
 

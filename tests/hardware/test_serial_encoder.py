@@ -288,6 +288,7 @@ def test_what_is_wrong_at_opening_is_said(arm: FakeArm) -> None:
         *("spy://loop://?file={}", "SPY:///dev/null?file={}&raw", "spy://socket://h:1?file={}"),
         *("loop://", "hwgrep://USB", "alt:///dev/null?class=PosixPollSerial", "cp2110://0"),
         *("file://{}", "{}", "/dev/..{}", "dev.toml", "socket://h:1/../{}", " spy://x?file={}"),
+        *("/dev/ttyS0\0{}", "{}\0"),
     ],
 )
 def test_what_is_no_device_address_is_not_opened(tmp_path: Path, url: str, driver: str) -> None:

@@ -82,7 +82,7 @@ def archive_places(folder: Path) -> Iterator[Try]:
                     place += "/"
                 case _:
                     place = os.path.relpath(place) if rng.random() < 0.3 else place
-        url = rng.choice(("", "", "file://", "local://")) + os.path.abspath(place)
+        url = rng.choice(("", "", "file://", "local://")) + os.path.join(folder, place)
         settings = ArchiveSettings.model_construct(url=url)
         check_apart(settings, data)
         real, own = os.path.realpath(place) + os.sep, os.path.realpath(data) + os.sep

@@ -1,6 +1,7 @@
 """Hostile certificates, messages and datasheets at a station that runs, or is started with them."""
 
 import json
+import logging
 import random
 import time
 from collections.abc import Callable, Iterator
@@ -21,6 +22,10 @@ from tests.formats.certificates import DIAMETER, certificate
 AT_ONCE = 25
 """Files with which a station is started."""
 LOOK_EVERY = 20
+OWN = logging.getLogger("hostile")
+"""Of the sender: what it cannot read is no error of the station."""
+OWN.addHandler(logging.NullHandler())
+OWN.propagate = False
 Try = Callable[[random.Random], str]
 
 
@@ -97,7 +102,7 @@ def live_messages(folder: Path) -> Iterator[Try]:
             nonlocal number
             number += 1
             began_s, closed = time.time(), False
-            with connect(server.live, additional_headers=cookie(server.http)) as live:
+            with connect(server.live, additional_headers=cookie(server.http), logger=OWN) as live:
                 for _ in range(rng.randint(1, 4)):
                     with suppress(ConnectionClosed):
                         live.send(_message(rng))
