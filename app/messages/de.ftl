@@ -1385,7 +1385,6 @@ give-readings-points-or-both = readings.csv, --points oder beides angeben
 groove-deeper-than-sharp = Nuten von { $groove } sind tiefer als die Schärfentiefe von { $depth }
 groove-too-deep-to-cut = Nuten von { $groove } sind zu tief zum Fräsen; mit diesen Zinnen höchstens { $most }
 give-each-pose-its-own-picture = Jeder Zeile von images.csv ein eigenes Bild geben
-give-readings-points-or-both = readings.csv, --points oder beides angeben
 identical-pictures-count-once = Die Bilder der Posen { $poses } sind noch einmal die anderer Posen. Sie zählen einmal.
 identify-arm-or-state-arm-um = Den Arm identifizieren, oder den Effektivwert des Fehlers seines Tasters über die Reichweite mit --arm-um angeben
 joints-of-others-left-out = Gelenke, die arm.json nicht hat, sind weggelassen: { $names }

@@ -1381,7 +1381,6 @@ give-readings-points-or-both = Give readings.csv, --points, or both
 groove-deeper-than-sharp = grooves of { $groove } are deeper than the depth of field of { $depth }
 groove-too-deep-to-cut = grooves of { $groove } are too deep to be cut; with these merlons, { $most } at most
 give-each-pose-its-own-picture = Give each row of images.csv its own picture
-give-readings-points-or-both = Give readings.csv, --points, or both
 identical-pictures-count-once = The pictures of poses { $poses } are those of other poses again. They count once.
 identify-arm-or-state-arm-um = Identify the arm, or state the rms error of its tip over the reach with --arm-um
 joints-of-others-left-out = joints that arm.json does not have are left out: { $names }

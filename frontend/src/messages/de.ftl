@@ -1526,7 +1526,6 @@ ui-to-do = zu erledigen
 ui-to-do-again = erneut zu erledigen
 ui-together = Gesamt
 ui-tolerance-of-making = Herstellungstoleranz (±)
-ui-tolerance-of-making = Fertigungstoleranz, ±
 ui-too-far = Zu weit
 ui-too-few-pictures-for-an-uncertainty = Zu wenige Bilder für eine Unsicherheit.
 ui-too-near = Zu nah

@@ -1526,7 +1526,6 @@ ui-to-do = to do
 ui-to-do-again = to do again
 ui-together = Total
 ui-tolerance-of-making = Tolerance of making (±)
-ui-tolerance-of-making = Tolerance of making, ±
 ui-too-far = Too far
 ui-too-few-pictures-for-an-uncertainty = Too few pictures for an uncertainty.
 ui-too-near = Too near
