@@ -349,7 +349,7 @@ def test_a_drawn_block_is_certified_in_the_browser(
         owner.fill(label, READ[label])
     page.set_viewport_size(NARROW)  # type: ignore[arg-type]
     owner.field("base to crest").click()
-    expect(page.locator("[data-dimension]").filter(visible=True).last).to_be_in_viewport()
+    expect(page.locator("[data-dimension]").filter(visible=True).first).to_be_in_viewport()
     page.screenshot(path=pictures / "certificate-2-narrow.png")
     page.set_viewport_size(WIDE)  # type: ignore[arg-type]
     owner.fill("Certified by", "Workshop 4")

@@ -37,6 +37,13 @@ class BlockCertificate:
     fit: BlockFit
     document: ObjectFile
 
+    def list_faces(self) -> list[tuple[str, float, float, float]]:
+        """Each face by its name, as drawn, as measured, and its standard uncertainty, mm."""
+        drawn, found = coordinates(self.drawing), coordinates(self.document.block())
+        names = [face_name(face, len(self.document.edges_x_mm)) for face in range(len(drawn))]
+        sds = self.document.block().sds_mm
+        return list(zip(names, drawn.tolist(), found.tolist(), sds.tolist(), strict=True))
+
 
 def certify_block(
     drawing: Path,

@@ -5,11 +5,10 @@ from pathlib import Path
 
 from app.formats.certifying.block_certificate import BlockCertificate, certify_measured
 from app.formats.certifying.block_points import parse_touches, read_touching_arm
-from app.formats.certifying.block_readings import face_name, parse_readings
+from app.formats.certifying.block_readings import parse_readings
+from app.formats.certifying.certificate_notes import certificate_notes
 from app.formats.datasheets.target import read_block
 from app.messages.message import Text
-from app.metrology.calibration.observation_model import coordinates
-from app.report.contents.block_certificate import certificate_notes
 
 READINGS, POINTS = "readings.csv", "points.csv"
 
@@ -77,17 +76,11 @@ def certify_measurement(measured: BlockMeasurement) -> BlockCertificate:
 
 def view_certificate(made: BlockCertificate) -> BlockCertificateView:
     """What the page shows of it."""
-    document, edges = made.document, len(made.document.edges_x_mm)
-    each = document.standard_uncertainties_mm
-    assert each is not None
-    rows = zip(
-        coordinates(made.drawing), coordinates(document.block()), each.values_mm(), strict=True
-    )
     return BlockCertificateView(
-        document=document.text(),
+        document=made.document.text(),
         faces=tuple(
-            CertifiedFace(face_name(face, edges), float(drawn), float(found), 2e3 * sd_mm)
-            for face, (drawn, found, sd_mm) in enumerate(rows)
+            CertifiedFace(name, drawn_mm, found_mm, 2e3 * sd_mm)
+            for name, drawn_mm, found_mm, sd_mm in made.list_faces()
         ),
         tools=tuple(
             CertifiedTool(tool, value_mm, 2e3 * sd_mm)

@@ -1,10 +1,9 @@
 """The page of a block's certificate: its coordinates, and the readings that they rest on."""
 
-import numpy as np
-
 from app.formats.certifying.block_certificate import BlockCertificate
 from app.formats.certifying.block_points import face_label
 from app.formats.certifying.block_readings import face_name
+from app.formats.certifying.certificate_notes import certificate_notes
 from app.formats.json_document import SOFTWARE
 from app.messages.message import Text, message, quantity, signed
 from app.metrology.calibration.observation_model import coordinates
@@ -69,38 +68,6 @@ def _coordinates(made: BlockCertificate) -> ReportTable[Text]:
     ]
     columns = (message("face-of-block"), message("coordinate"), message("standard-uncertainty-k-1"))
     return ReportTable(columns, rows, (40, 30, 30))
-
-
-def certificate_notes(made: BlockCertificate) -> list[Text]:
-    """What the uncertainties mean, and by what they grew."""
-    notes: list[Text] = [message("coordinates-about-mean-of-faces")]
-    beyond = _faces_beyond_tolerance(made)
-    if beyond:
-        tolerance = quantity(made.drawing.made_within_mm, "mm", 3)
-        faces = ", ".join(beyond)
-        text = message("faces-beyond-tolerance", faces=faces, tolerance=tolerance)
-        notes.append(text)
-    if made.fit.variance_factor > 1:
-        times = quantity(made.fit.variance_factor**0.5, "", 1)
-        notes.append(message("readings-scatter-more", times=times))
-    touched = made.fit.touched
-    if touched is not None and touched.variance_factor > 1:
-        times = quantity(touched.variance_factor**0.5, "", 1)
-        notes.append(message("touches-scatter-more", times=times))
-    if made.touches is not None and made.touches.arm_error_mm is not None:
-        error = micrometres(1e3 * made.touches.arm_error_mm)
-        notes.append(message("errors-of-links-counted", error=error))
-    return notes
-
-
-def _faces_beyond_tolerance(made: BlockCertificate) -> list[str]:
-    """Those further from the drawing than it allows, and than their uncertainty."""
-    if not made.drawing.is_nominal:
-        return []
-    edges = len(made.document.edges_x_mm)
-    off = coordinates(made.document.block()) - coordinates(made.drawing)
-    allowed = made.drawing.made_within_mm + 2 * made.fit.sds_mm
-    return [face_name(face, edges) for face in np.flatnonzero(np.abs(off) > allowed).tolist()]
 
 
 def _touches(made: BlockCertificate) -> list[Section[Text]]:
