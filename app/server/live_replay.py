@@ -12,7 +12,7 @@ import numpy as np
 from app.errors import OperationError, sentence
 from app.formats.clouds.points import Points
 from app.formats.recording.decoders import ImageRecord
-from app.formats.recording.ordered_blocks import read_blocks
+from app.formats.recording.ordering.ordered_blocks import read_blocks
 from app.formats.recording.pose_samples import reading_reader
 from app.formats.recording.reader import length_ns, open_recording
 from app.formats.results.calibration import Calibration

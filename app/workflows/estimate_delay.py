@@ -12,7 +12,7 @@ from app.findings import Finding
 from app.formats.clouds.points import Points
 from app.formats.file_names import display_path
 from app.formats.io_errors import prefix_errors
-from app.formats.recording.ordered_blocks import read_blocks
+from app.formats.recording.ordering.ordered_blocks import read_blocks
 from app.formats.recording.pose_samples import reading_reader
 from app.formats.recording.reader import Recording, open_recording
 from app.formats.recording.reading_track import ReadingTrack

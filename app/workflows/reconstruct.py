@@ -14,9 +14,9 @@ from numpy.typing import NDArray
 from app.errors import OperationError
 from app.formats.clouds.files import cloud_writer
 from app.formats.clouds.points import Points
-from app.formats.recording.clock_check import ClockReport, ClockWatch
 from app.formats.recording.completeness import NONE_MISSING, MissingFrames, is_mostly_unread
-from app.formats.recording.ordered_blocks import read_blocks
+from app.formats.recording.ordering.clock_check import ClockReport, ClockWatch
+from app.formats.recording.ordering.ordered_blocks import read_blocks
 from app.formats.recording.pose_samples import reading_reader
 from app.formats.recording.reader import Recording, open_recording
 from app.formats.recording.reading_track import ReadingTrack

@@ -6,7 +6,7 @@ from typing import Literal
 
 from app.errors import OperationError
 from app.formats.file_names import display_path
-from app.formats.recording.clock_check import ClockReport
+from app.formats.recording.ordering.clock_check import ClockReport
 from app.formats.recording.pose_samples import FirstImplausible
 from app.formats.recording.reading_track import ReadingTrack
 from app.messages.message import Quantity, Text, join, message, quantity, rounded

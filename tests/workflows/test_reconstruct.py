@@ -16,7 +16,7 @@ from mcap_protobuf.schema import register_schema
 
 from app.errors import OperationError
 from app.formats.clouds.files import read_cloud
-from app.formats.recording.clock_check import ClockReport
+from app.formats.recording.ordering.clock_check import ClockReport
 from app.formats.recording.reader import EXTRACTION
 from app.formats.recording.stripe_message import STRIPE_SCHEMA, stripe_descriptors
 from app.formats.recording.topics import JOINTS_TOPIC

@@ -12,7 +12,7 @@ from app.bench.faults.row import FaultRow
 from app.bench.faults.served import HALF, HALF_SIZE, prepare
 from app.bench.faults.station import StationProcess, View
 from app.errors import OperationError
-from app.formats.recording.ordered_blocks import read_blocks
+from app.formats.recording.ordering.ordered_blocks import read_blocks
 from app.formats.recording.reader import open_recording
 from app.messages.message import Message, Text, text_from_json
 from app.operations.recovery import KILLED

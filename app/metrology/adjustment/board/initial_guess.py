@@ -14,7 +14,7 @@ from app.metrology.adjustment.core.hand_eye import Mounting
 from app.metrology.adjustment.core.observations import FailedPose
 from app.metrology.chessboard.board_detection import BoardDetection
 from app.metrology.detection.image_quality import ImageFinding
-from app.metrology.length_units import mistaken_unit
+from app.metrology.limits import mistaken_unit
 from app.metrology.sensor.camera import Camera
 from app.metrology.stripe import Stripe
 from app.metrology.targets.chessboard import Chessboard, corner_points

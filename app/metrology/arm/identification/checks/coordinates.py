@@ -29,7 +29,7 @@ from app.metrology.arm.identification.robust_solve import ArmFit, settle_frames
 from app.metrology.arm.identification.scatter import Scatter
 from app.metrology.arm.identification.unknowns import Unknowns
 from app.metrology.arm.kinematics import Arm
-from app.metrology.length_units import mistaken_unit
+from app.metrology.limits import mistaken_unit
 from app.metrology.robust import median
 from app.metrology.transforms import Floats, apply, skews
 
