@@ -64,7 +64,7 @@ def in_both_units(
     return quantity(value_um, "µm", places), quantity(value_um / 1e3, "mm", places + 3)
 
 
-def judged_value(value: float, limit: float | None, unit: Unit, signed: bool = False) -> Quantity:
+def value_beside(value: float, limit: float | None, unit: Unit, signed: bool = False) -> Quantity:
     """A value beside the limit by which its size is judged: never rounded to its other side."""
     return Quantity(float(value), unit, _places(value, [limit]), signed)
 

@@ -14,12 +14,12 @@ from app.report.formatting import (
     UNKNOWN,
     device_name,
     format_moment,
-    judged_value,
     limit_beside,
     micrometres,
     plus_minus,
     software_name,
     temperature,
+    value_beside,
 )
 
 ERRORS: tuple[tuple[Text, Text, Text], ...] = (
@@ -135,7 +135,7 @@ def value_text(one: PerformanceFigure) -> Text:
     """The value in micrometres, with its sign if it has one; a dash without a value."""
     if one.value is None:
         return "–"
-    return judged_value(one.value, one.limit, "µm", is_signed(one.quantity))
+    return value_beside(one.value, one.limit, "µm", is_signed(one.quantity))
 
 
 def limit_text(one: PerformanceFigure) -> Text:

@@ -18,9 +18,9 @@ from app.report.formatting import (
     NONE,
     error_value,
     in_both_units,
-    judged_value,
     limit_beside,
     plus_minus,
+    value_beside,
 )
 
 MARK = " *"
@@ -36,7 +36,7 @@ def results_table(document: VerificationFile) -> ReportTable[Text]:
     rows: list[tuple[Text, ...]] = [
         (
             figure.title,
-            judged_value(figure.value, figure.limit, figure.unit),
+            value_beside(figure.value, figure.limit, figure.unit),
             in_both_units(figure.value, [figure.limit])[1] if figure.unit == "µm" else "",
             *_uncertainties(figure),
             NONE if figure.limit is None else limit_beside(figure.value, figure.limit, figure.unit),
