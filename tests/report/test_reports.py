@@ -7,6 +7,7 @@ import shutil
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import fields, is_dataclass, replace
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pypdfium2
@@ -235,7 +236,7 @@ def test_changed_inputs_are_marked(folder: Path, tmp_path: Path) -> None:
     assert "was not accepted at a station" in shown(own)
 
 
-BY_BEN = {
+BY_BEN: dict[str, Any] = {
     "checked_at": "2026-11-21T07:30:00+00:00",
     "operator": "Ben",
     "arm_name": ARM.name,
@@ -487,8 +488,8 @@ def tables_of(value: float, limit: float) -> Iterator[tuple[Text, Text]]:
     for of in ("form_error", "location"):
         performed = PerformanceFigure.model_construct(quantity=of, value=value, limit=limit)
         yield value_text(performed), limit_text(performed)
-    shown, limits = in_both_units(value, [limit, 2 * limit]), limit_beside(value, limit, "µm")
-    yield from ((one, limits) for one in shown)
+    limits = limit_beside(value, limit, "µm")
+    yield from ((one, limits) for one in in_both_units(value, [limit, 2 * limit]))
 
 
 def test_a_value_in_a_table_never_seems_on_the_other_side_of_its_limit() -> None:

@@ -13,13 +13,14 @@ import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 
 import pytest
 
 from app.errors import OperationError
 from app.formats.datasheets.target import read_block
-from app.loop_states import LONGEST_TURN_S, LoopState, note_progress, waiting
+from app.loop_states import LONGEST_TURN_S, LoopState, Supervision, note_progress, waiting
 from app.loops import (
     LOOPS,
     Loop,
@@ -268,6 +269,10 @@ def test_a_loop_that_stands_still_is_named_once_and_so_is_its_going_on(
     assert lines(caplog, "stands") == ["log-loop-stands", "log-loop-goes-on"]
 
 
+def has_moved(loop: Supervision, signs: int) -> bool:
+    return loop.signs > signs
+
+
 @pytest.mark.parametrize("stand", ["wait_as_declared", "go_on_slowly", "stand_here"])
 def test_a_loop_that_waits_as_declared_or_goes_on_is_not_accused_nor_is_a_suspended_program(
     stand: str, monkeypatch: pytest.MonkeyPatch
@@ -280,7 +285,8 @@ def test_a_loop_that_waits_as_declared_or_goes_on_is_not_accused_nor_is_a_suspen
         for _ in range(8):
             signs = loop.signs
             looks.let_pass(1000.0 if suspended else LONGEST_TURN_S / 4, at_once=suspended)
-            until(lambda signs=signs: stand != "go_on_slowly" or loop.signs > signs)
+            if stand == "go_on_slowly":
+                until(partial(has_moved, loop, signs))
         state = looks.state()
     assert (state.hangs, state.hang) == (0, None)
 

@@ -30,7 +30,12 @@ def device_addresses(folder: Path) -> Iterator[Try]:
     """Addresses that are none of a device; no file is written or made."""
     others = folder.parent.parent / "others"
     files = [str(one) for one in others.iterdir()] + [str(others / "new.db"), str(folder)]
-    kinds = ("spy://loop://?file=", "SPY://loop://?file=", "spy:///dev/null?raw&file=", "file://")
+    kinds: tuple[str, ...] = (
+        "spy://loop://?file=",
+        "SPY://loop://?file=",
+        "spy:///dev/null?raw&file=",
+        "file://",
+    )
     kinds += ("loop://?logging=", "hwgrep://", "alt://", "cp2110://", "socket://127.0.0.1:1/?file=")
     kinds += ("rfc2217://127.0.0.1:1?logging=", "", "/dev/../", "COM1?file=", "socket://spy://loop")
 
