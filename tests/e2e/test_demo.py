@@ -4,6 +4,7 @@ import re
 from collections.abc import Iterator
 from functools import partial
 from pathlib import Path
+from typing import Any
 
 import cv2
 import numpy as np
@@ -20,6 +21,7 @@ pytestmark = pytest.mark.device
 LARGEST_FIRST_PAGE = 400_000
 """Bytes that travel, compressed."""
 STEPS = ("devices", "setup", "touch", "place", "capture", "solve")
+REACHED = (*STEPS, "review")
 
 
 def look_at_the_record(visit: Visit) -> None:
@@ -89,6 +91,8 @@ def test_one_click_goes_from_the_first_page_to_a_cloud(
     expect(everything).to_be_enabled()
     assert 50_000 < sum(arrived) < LARGEST_FIRST_PAGE
     everything.click()
+    for step in REACHED:
+        visit.wait_until(f"step {step}", "/api/flow", partial(has_reached, step))
     expect(page.get_by_text("The simulated operator accepts this calibration.")).to_be_visible()
     expect(page.get_by_role("timer")).to_be_visible()
     expect(page.get_by_role("button", name="Stop the demonstration")).to_be_visible()
@@ -99,6 +103,10 @@ def test_one_click_goes_from_the_first_page_to_a_cloud(
     visit.look("demonstration-ended")
     page.close()
     assert not visit.faults, "\n".join(visit.faults)
+
+
+def has_reached(step: str, view: dict[str, Any]) -> bool:
+    return view["step"] in REACHED[REACHED.index(step) :]
 
 
 def calibrate(visit: Visit) -> None:
