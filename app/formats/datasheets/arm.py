@@ -29,7 +29,7 @@ from app.rotations import CONVENTIONS
 JOINT_COUNTS = (5, 6, 7)
 METRES_MM = 10.0
 """No arm has all of its lengths below this: they are in metres."""
-SHORTEST_ARM_MM = 250.0
+SHORTEST_ARM_MM = 120.0
 """No arm is shorter, stretched out: its lengths are in inches or centimetres."""
 QUARTER_RAD = np.pi / 2
 NEAR_QUARTER = 0.02
