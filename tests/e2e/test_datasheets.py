@@ -469,7 +469,7 @@ def test_a_block_and_a_board_are_designed_and_taken_over_as_datasheets(
         assert download.value.path().read_bytes().startswith(b"%PDF")
         take_over.click()
         owner.fill("Serial number", "D-1")
-        edges = owner.field("Edges along X").input_value().split(",")
+        edges = owner.field("Edges along X").input_value().split(";")
         assert (len(edges), float(edges[-1]) - float(edges[0])) == (8, 40.0)
         owner.press("Save the datasheet")
         expect(page.get_by_role("heading", name="The datasheet is saved")).to_be_visible()
