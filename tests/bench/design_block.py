@@ -89,6 +89,7 @@ def _error_and_claim_um(
 ) -> tuple[float, float]:
     """Rms error of points over the measuring range, flange frame, and what is claimed for them."""
     uv, points = range_truth(numbers, rig.optics, rig.light_plane)
+    assert found.plane is not None
     rebuilt = apply(found.T_flange_sensor, sensor_points(found.camera, found.plane, uv))
     off_mm = rebuilt - apply(rig.T_flange_sensor, points)
     J = sensor_jacobian(found.adjustment.state, uv)

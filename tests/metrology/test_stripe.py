@@ -195,7 +195,7 @@ SECOND = {
 
 
 @pytest.mark.parametrize("name", SECOND)
-def test_a_second_laser_is_told_from_a_reflection(name: str) -> None:
+def test_a_second_laser_is_no_reflection(name: str) -> None:
     off_px, broader, higher, (first, last), expected = SECOND[name]
     image, centre = rendered()
     u = np.arange(WIDTH)

@@ -1,4 +1,4 @@
-"""Camera and mounting of an earlier calibration, kept while the laser plane is solved anew."""
+"""Camera and mounting of an earlier calibration, kept while the laser plane is solved again."""
 
 from dataclasses import dataclass
 from pathlib import Path

@@ -12,7 +12,7 @@ from app.metrology.adjustment.core.parameters import (
     MOUNT,
     AdjustmentState,
 )
-from app.metrology.adjustment.core.uncertainty import NAMES, named_by_unknowns
+from app.metrology.adjustment.core.uncertainty import NAMES, derivatives_of_names
 from app.metrology.calibration.uncertainty_budget import PROBE_NAMES
 from app.metrology.sensor.camera import Camera
 from app.metrology.transforms import Floats, inverse, rigid
@@ -51,12 +51,12 @@ class KeptSensor:
         N = np.sum(list(found.parts.values()), axis=0)
         by_held = -(found.covariance @ N)[:, HELD]
         by_held[HELD] = np.eye(len(HELD))
-        return replace(found, by_kept=by_held @ self._held_covariance(found.state) @ by_held.T)
+        return replace(found, by_kept=by_held @ self._covariance_of_held(found.state) @ by_held.T)
 
-    def _held_covariance(self, state: AdjustmentState) -> Floats:
+    def _covariance_of_held(self, state: AdjustmentState) -> Floats:
         """(14, 14) of the unknowns of camera and mounting."""
         own = (*INTRINSIC, *PROBE_NAMES)
-        M = named_by_unknowns(state, self.sensor_pose, self.pivot_mm)
+        M = derivatives_of_names(state, self.sensor_pose, self.pivot_mm)
         to_unknowns = np.linalg.inv(M[np.ix_([NAMES.index(name) for name in own], HELD)])
         at = [self.names.index(name) for name in own]
         return np.asarray(to_unknowns @ self.covariance[np.ix_(at, at)] @ to_unknowns.T)

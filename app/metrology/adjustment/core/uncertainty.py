@@ -283,7 +283,7 @@ def _covariance_by_name(
     found: AdjustmentResult, T_cam_sensor: Floats, pivot_mm: Floats
 ) -> tuple[tuple[str, ...], Floats]:
     """``NAMES``, without those of the plane where there is none, and their covariance."""
-    M = named_by_unknowns(found.state, T_cam_sensor, pivot_mm)
+    M = derivatives_of_names(found.state, T_cam_sensor, pivot_mm)
     known = [
         k for k, name in enumerate(NAMES) if found.problem.has_lines or name not in PLANE_NAMES
     ]
@@ -291,7 +291,7 @@ def _covariance_by_name(
     return tuple(NAMES[k] for k in known), np.asarray(covariance[np.ix_(known, known)])
 
 
-def named_by_unknowns(state: AdjustmentState, T_cam_sensor: Floats, pivot_mm: Floats) -> Floats:
+def derivatives_of_names(state: AdjustmentState, T_cam_sensor: Floats, pivot_mm: Floats) -> Floats:
     """Derivatives (23, 17) of what ``NAMES`` names by the unknowns of camera, plane and mounting.
 
     Args:
