@@ -29,6 +29,7 @@ from app.metrology.adjustment.core.uncertainty import KEPT
 from app.metrology.calibration.observation_model import SceneModel
 from app.metrology.sensor.laser_plane import LaserPlane
 from app.metrology.sensor.projection import COUNT
+from app.metrology.stripe import empty_stripe
 from app.metrology.transforms import Floats, apply, inverse, rigid
 from tests.metrology.boards import (
     BOARD,
@@ -191,7 +192,9 @@ def test_camera_and_mounting_come_without_a_laser_which_is_added_later() -> None
     camera, T = alone.camera, alone.T_flange_sensor
     kept = KeptSensor(camera, T, known.names, known.covariance, known.pivot_mm)
     later = session(1)
-    later = without_lines(replace(later, readings=MOVED @ later.readings), range(2, 6))
+    dark = [replace(one, stripe=empty_stripe("v")) for one in later.observations[2:6]]
+    seen = (*later.observations[:2], *dark, *later.observations[6:])
+    later = replace(later, observations=seen, readings=MOVED @ later.readings)
     whole = add_laser(later, kept)
     assert np.array_equal(whole.camera.matrix, camera.matrix)
     assert np.allclose(whole.T_flange_sensor, T, atol=1e-9)
