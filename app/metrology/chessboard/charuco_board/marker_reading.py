@@ -1,10 +1,11 @@
 """The markers of ChArUco boards in a picture, as OpenCV reads them."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 import cv2
 import numpy as np
+from cv2.typing import MatLike
 from numpy.typing import NDArray
 
 from app.metrology.chessboard.charuco_board.charuco_grid import charuco_board
@@ -92,7 +93,7 @@ def read_dictionary(
 
 
 def _reading(
-    read: NDArray[np.int32] | None, outlines: object, across: NDArray[np.float64]
+    read: MatLike | None, outlines: Sequence[MatLike], across: NDArray[np.float64]
 ) -> MarkerReading:
     return MarkerReading(
         np.zeros(0, np.int64) if read is None else read.ravel().astype(np.int64),
