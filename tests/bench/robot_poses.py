@@ -10,6 +10,7 @@ alone, as before the adjustment; with ``--adjusted``, by whole calibrations.
 """
 
 from collections import Counter
+from collections.abc import Iterable
 from dataclasses import replace
 
 import numpy as np
@@ -103,7 +104,7 @@ def judge(seed: int, adjusted: bool, counts: Counter[str]) -> None:
         counts[f"{kind}: good excluded"] += len(out - {wrong})
 
 
-def measure(sets: range, adjusted: bool = False) -> dict[str, float]:
+def measure(sets: Iterable[int], adjusted: bool = False) -> dict[str, float]:
     """Percentages of poses and sessions."""
     counts: Counter[str] = Counter()
     for seed in sets:
