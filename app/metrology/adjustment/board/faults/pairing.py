@@ -106,7 +106,8 @@ def _whole(rows: Sequence[int]) -> Iterator[Pairing]:
         yield _slip(rows, "early", 0, -by)
     yield Pairing("reversed", every, every[::-1].copy())
     for start in (0, 1):
-        by_name = np.array(sorted(range(count), key=lambda k, start=start: str(k + start)))
+        names = [str(k + start) for k in range(count)]
+        by_name = np.array(sorted(range(count), key=names.__getitem__))
         if not np.array_equal(by_name, every):
             yield Pairing("sorted", every, by_name)
             yield Pairing("sorted", every, np.argsort(by_name))

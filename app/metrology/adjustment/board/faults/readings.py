@@ -126,8 +126,9 @@ def _pairings(
 ) -> Iterator[OtherReading]:
     """Pictures and poses that slipped, where fewer poses would agree with one pairing less."""
     observations = inputs.observations
-    table = sorted(one.number for one in (*observations, *inputs.failed_poses))
-    rows = [table.index(one.number) for one in observations]
+    numbers = [one.number for one in observations]
+    table = sorted([*numbers, *(one.number for one in inputs.failed_poses)])
+    rows = [table.index(number) for number in numbers]
     turns = [one[:, :3, :3] for one in ways]
     for one in list_pairings(T_arm_flange[:, :3, :3], turns, rows):
         if len(one.picture) < FEWEST_PAIRS:
