@@ -121,7 +121,7 @@ def _explains_all(one: OtherReading, count: int) -> bool:
 
 def _count_left_out(one: OtherReading, count: int) -> int:
     """Poses by which a reading may explain fewer than the best: those that it leaves no picture."""
-    return 1 if one.pairing is None else max(1, count - len(one.pairing.picture))
+    return 1 if one.pairing is None else count - len(one.pairing.picture)
 
 
 def _read_otherwise(inputs: BoardInputs, other: OtherReading) -> OperationError:
