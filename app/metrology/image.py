@@ -26,6 +26,14 @@ def saturation_level(image: Image) -> float:
     return float(full_scale_shown(int(image.max())))
 
 
+def negative_of(image: Image) -> Image:
+    """The image (H, W) with dark for bright, up to the level at which its pixels are clipped."""
+    level = saturation_level(image)
+    if image.dtype == np.uint8:
+        return np.asarray(level - image, np.uint8)
+    return np.asarray(level - image, np.uint16)
+
+
 def full_scale_shown(brightest: int) -> int:
     """The full scale of a sensor of 9 to 16 bits that its brightest pixel shows, otherwise 65535.
 

@@ -505,7 +505,7 @@ def look_at_design(page: Page, pictures: Path, name: str, drawn: str) -> list[st
     for size, shape in ((WIDE, "wide"), (NARROW, "narrow")):
         page.set_viewport_size(size)  # type: ignore[arg-type]
         for theme in ("light", "dark"):
-            page.emulate_media(color_scheme=theme)  # type: ignore[arg-type]
+            page.emulate_media(color_scheme=theme)
             page.wait_for_timeout(300)
             page.screenshot(path=pictures / f"design-{name}-{shape}-{theme}.png")
         found += in_both_themes(page, f"{name}, {shape}")

@@ -98,7 +98,7 @@ def stl(name: bytes) -> bytes:
 def saved(*arrays: np.ndarray, **named: np.ndarray) -> bytes:
     file = io.BytesIO()
     if named:
-        np.savez_compressed(file, **named)
+        np.savez_compressed(file, allow_pickle=False, **named)
     else:
         np.save(file, arrays[0])
     return file.getvalue()

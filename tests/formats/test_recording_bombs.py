@@ -13,7 +13,7 @@ import zstandard
 
 from app.formats.recording.raw import LARGEST_CHUNK, MAGIC
 from app.formats.recording.reader import STATION_METADATA, length_ns, open_recording
-from app.formats.recording.stream import read_blocks
+from app.formats.recording.stream import read_file_blocks
 
 HEADER, SCHEMA, CHANNEL, MESSAGE, CHUNK, ATTACHMENT, METADATA, DATA_END = 1, 3, 4, 5, 6, 9, 12, 15
 FUTURE = 0x7F
@@ -103,7 +103,7 @@ def test_both_call_bombs_damage(name: str, tmp_path: Path, request: pytest.Fixtu
     slow, fast = open_recording(path), open_recording(path)
     assert list(slow.records()) == []
     with ThreadPoolExecutor(2) as pool:
-        assert all(not block.frames for block in read_blocks(fast, pool, 4))
+        assert all(not block.frames for block in read_file_blocks(fast, pool, 4))
     assert all("is incomplete or damaged" in str(recording.cut) for recording in (slow, fast))
     assert open_recording(path).station_metadata() == {"scan_name": "Bracket"}
     assert length_ns(path) is None
@@ -146,6 +146,6 @@ def test_a_chunk_as_large_as_is_read_is_read(compression: bytes, tmp_path: Path)
     recording, fast = open_recording(path), open_recording(path)
     assert list(recording.records()) == []
     with ThreadPoolExecutor(1) as pool:
-        list(read_blocks(fast, pool, 4))
+        list(read_file_blocks(fast, pool, 4))
     assert (recording.cut, fast.cut) == ("", "")
     assert recording.bytes_read == fast.bytes_read == path.stat().st_size

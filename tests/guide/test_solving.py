@@ -133,7 +133,7 @@ def test_it_is_compared_with_the_calibration_in_use(folder: SessionFolder, tmp_p
     turned = np.array(document.probe_matrix)
     turned[:3, :3] @= cv2.Rodrigues(np.array([0.0, 0.0, 1e-3]))[0]
     tilted = present(compared(probe_matrix=turned.tolist()))
-    drawn = zip(tilted.map, result.uncertainty.map.calibrated, strict=True)
+    drawn = zip(tilted.map, present(result.uncertainty.map).calibrated, strict=True)
     assert tilted.max_um > max(point.moved_um for point, inside in drawn if inside) - 0.01
     other = {"arm": "A", "object": "B", "sensor": "another"}
     assert compared(serial_numbers=other) is None

@@ -10,6 +10,7 @@ from app.metrology.calibration.one_pose import OnePoseCalibration
 from app.metrology.sensor.triangulation import sensor_points
 from app.metrology.transforms import apply, rigid_fit
 from tests.metrology.numerics import rms_length
+from tests.present import present
 
 Calibration = OnePoseCalibration | BlockCalibration
 
@@ -25,9 +26,9 @@ class Truth:
 
     def sensor_rms_um(self, found: Calibration) -> float:
         """Rms error of the points that a calibration rebuilds, its sensor frame laid best."""
-        points = sensor_points(found.camera, found.plane, self.uv_px)
+        points = sensor_points(found.camera, present(found.plane), self.uv_px)
         return 1e3 * rms_length(apply(rigid_fit(self.sensor_mm, points), points) - self.sensor_mm)
 
     def flange_rms_um(self, found: Calibration) -> float:
-        points = sensor_points(found.camera, found.plane, self.uv_px)
+        points = sensor_points(found.camera, present(found.plane), self.uv_px)
         return 1e3 * rms_length(apply(found.T_flange_sensor, points) - self.flange_mm)

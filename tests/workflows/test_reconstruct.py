@@ -477,8 +477,8 @@ def test_messages_in_any_order_become_the_same_points(
     assert [str(one) for one in result.warnings] == [
         "joints that arm.json does not have are left out: grip, tool"
     ]
-    ordered = [rows[np.lexsort(rows.round(6).T)] for rows in (points, expected(stamps))]
-    np.testing.assert_allclose(*ordered, atol=1e-8)
+    found, right = (rows[np.lexsort(rows.round(6).T)] for rows in (points, expected(stamps)))
+    np.testing.assert_allclose(found, right, atol=1e-8)
 
 
 ROBOT = RobotArm("robot", "A-1")

@@ -77,10 +77,10 @@ def read_binary_element(
     content = np.frombuffer(data, np.uint8)
     columns = {}
     plain = [one for one in element.properties if one.count_kind is None]
-    for i, one in enumerate(plain):
-        kind = np.dtype(order + one.kind)
+    for i, number in enumerate(plain):
+        kind = np.dtype(order + number.kind)
         gathered = content[starts[:, i, None] + np.arange(kind.itemsize)]
-        columns[one.name] = as_doubles(gathered.view(kind)[:, 0])
+        columns[number.name] = as_doubles(gathered.view(kind)[:, 0])
     return columns
 
 

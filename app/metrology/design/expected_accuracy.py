@@ -152,7 +152,7 @@ def plan_sessions(
     """
     size_mm = link_errors_mm(arm, TIP_OFF_MM)
     scales = Scales(size_mm / LEVER_MM, size_mm, 1.0, TOUCH_MM)
-    sessions = []
+    sessions: list[ExpectedSession] = []
     for T_arm_obj in table_places():
         if len(sessions) == most:
             break

@@ -23,6 +23,7 @@ from app.metrology.adjustment.core.uncertainty import (
 from app.metrology.sensor.triangulation import sensor_points
 from app.metrology.transforms import apply, inverse, rigid, rotation_from_vector
 from tests.metrology.numerics import differences
+from tests.present import present
 from tests.uncertainty_ratio import EXACT, UncertaintyRatio
 
 pytestmark = pytest.mark.slow
@@ -80,10 +81,11 @@ def test_the_budget_adds_up_to_the_covariance(draw: Draw) -> None:
     worth = estimate_uncertainty(found, T_cam_sensor)
     total = np.sqrt(sum(row.value_um**2 for row in worth.rows))
     assert worth.total_um == pytest.approx(total)
-    assert worth.plane.angle_arcsec > 0
-    assert worth.map.calibrated.any()
-    assert not worth.map.calibrated.all()
-    inside = worth.map.u_um[worth.map.calibrated]
+    assert present(worth.plane).angle_arcsec > 0
+    known = present(worth.map)
+    assert known.calibrated.any()
+    assert not known.calibrated.all()
+    inside = known.u_um[known.calibrated]
     assert inside.min() > 0
     # the frame of the sensor is a choice: neither its place nor the budget depend on it
     elsewhere = estimate_uncertainty(found, np.eye(4))

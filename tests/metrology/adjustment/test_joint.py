@@ -23,6 +23,7 @@ from app.metrology.transforms import Floats, apply
 from app.workflows.calibrate import joint_inputs
 from tests.metrology.refusals import refusal_of
 from tests.metrology.true_points import Truth
+from tests.present import present
 from tests.running.usual import usual
 
 pytestmark = pytest.mark.slow
@@ -196,7 +197,7 @@ def shifted(inputs: BlockInputs, by_px: Mapping[int, float]) -> BlockInputs:
 
 
 def rebuilt(found: BlockCalibration) -> Floats:
-    return apply(found.T_flange_sensor, sensor_points(found.camera, found.plane, PIXELS))
+    return apply(found.T_flange_sensor, sensor_points(found.camera, present(found.plane), PIXELS))
 
 
 def apart_um(a: BlockCalibration, b: BlockCalibration) -> float:

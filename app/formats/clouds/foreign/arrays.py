@@ -4,7 +4,7 @@ import zipfile
 import zlib
 from collections.abc import Mapping, Sequence
 from pathlib import Path
-from typing import BinaryIO
+from typing import Any, BinaryIO
 
 import numpy as np
 from numpy.typing import NDArray
@@ -26,7 +26,7 @@ MOST_COLUMNS = 16
 """An array with more numbers a row is a picture or another table."""
 CLOUD_NAMES = ("points", "xyz", "vertices", "pts", "cloud", "pcd", "pc", "coords")
 """Names under which programs keep the coordinates beside colours and others."""
-Array = NDArray[np.generic]
+Array = NDArray[Any]
 
 
 def is_array(head: bytes) -> bool:

@@ -171,7 +171,11 @@ def _excess(
 
 
 def _variance_along(
-    direction: Floats, gain: Floats, blocks: Floats, others: NDArray[np.int64], pose: int
+    direction: NDArray[np.floating],
+    gain: Floats,
+    blocks: Floats,
+    others: NDArray[np.int64],
+    pose: int,
 ) -> float:
     """Of a prediction, by the noise of each pose (P, 6, 6)."""
     back = (gain.T @ direction).reshape(len(others), 6)

@@ -109,6 +109,5 @@ def count_determined(found: AdjustmentResult) -> Floats:
     poses, count = found.state.noise.shape
     sd = found.problem.motion.noise_sd
     variance = np.diag(found.covariance)[found.layout.noise].reshape(poses, count) / sd**2
-    return np.maximum(
-        count - (variance / found.scales.noise**2).sum(axis=1), LEAST_DETERMINED * count
-    )
+    determined = count - (variance / found.scales.noise**2).sum(axis=1)
+    return np.asarray(np.maximum(determined, LEAST_DETERMINED * count))

@@ -3,8 +3,6 @@
 An arrangement is judged by three markers or more. What costs time is looked for only here.
 """
 
-import numpy as np
-
 from app.errors import OperationError
 from app.messages.message import Text, message
 from app.metrology.chessboard.charuco_board.arrangement import (
@@ -131,7 +129,7 @@ def _other_squares(
 
 def _explain_mirrored(image: Image, board: Chessboard, markers: Markers) -> DetectionError | None:
     """Markers that the mirrored picture has, if they are arranged as on any board."""
-    flipped = read_dictionary(np.ascontiguousarray(image[:, ::-1]), markers.dictionary, SCALES)
+    flipped = read_dictionary(image[:, ::-1].copy(), markers.dictionary, SCALES)
     if find_arrangement(flipped, board, markers) is None:
         return None
     refusal = OperationError(

@@ -27,7 +27,7 @@ from app.metrology.chessboard.missing_corners import CornerGrid
 from app.metrology.chessboard.perspective import fit_perspective, map_places, predict_corner
 from app.metrology.chessboard.two_boards import refuse_repeated_markers
 from app.metrology.detection.failure_evidence import DetectionError
-from app.metrology.image import Image, saturation_level
+from app.metrology.image import Image, negative_of
 from app.metrology.robust import median
 from app.metrology.targets.chessboard import Chessboard, Markers, corner_grid
 from app.metrology.transforms import Floats
@@ -70,7 +70,7 @@ def detect_charuco(
     reading = read_board(image, board, markers, thorough)
     if len(reading.number) < FEWEST_CORNERS:
         # of a print with white for black, or a picture's negative
-        negative = np.asarray(saturation_level(image) - image, image.dtype)
+        negative = negative_of(image)
         negative_reading = read_board(negative, board, markers, thorough=False)
         if len(negative_reading.number) >= FEWEST_CORNERS:
             image, reading = negative, negative_reading
