@@ -97,7 +97,7 @@ def test_an_open_session_has_the_arm_after_a_restart_too(station: Server) -> Non
     assert found["since"][:16] == began["since"][:16]
 
 
-def test_who_scans_is_told_who_stopped_it(station: Server) -> None:
+def test_who_scans_learns_who_stopped_it(station: Server) -> None:
     """Home says that a scan runs; another browser's Stop is named, and so is what was saved."""
     context = station.context
     station.http.post("/api/scan/start", json={"name": "Stopped"}).raise_for_status()

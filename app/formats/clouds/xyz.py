@@ -154,13 +154,13 @@ def _rows(path: Path, lines: Iterable[str], skip: int) -> Iterable[str]:
     lines = iter(lines)
     head = list(islice(lines, skip))
     return (
-        _counted_rows(path, lines, int(head[-1]))
+        _rows_below_counts(path, lines, int(head[-1]))
         if head and head[-1].strip().isdecimal()
         else lines
     )
 
 
-def _counted_rows(path: Path, lines: Iterator[str], announced: int) -> Iterator[str]:
+def _rows_below_counts(path: Path, lines: Iterator[str], announced: int) -> Iterator[str]:
     left = announced
     for line in lines:
         if left == 0 and line.strip().isdecimal():

@@ -50,7 +50,7 @@ class Arrangement:
         first = is_odd if self.first_is_white else 1 - is_odd
         return np.column_stack([2 * (rest - in_even * is_odd) + first, 2 * pair + is_odd])
 
-    def explained(self, seen: "MarkerSteps") -> NDArray[np.bool_]:
+    def has_steps(self, seen: "MarkerSteps") -> NDArray[np.bool_]:
         """Which steps (P,) from marker to marker it has."""
         places = self.places(seen.ids)
         one, other = seen.pairs.T
@@ -58,7 +58,7 @@ class Arrangement:
 
     def fits(self, seen: "MarkerSteps") -> bool:
         """Whether the markers lie so."""
-        right = self.explained(seen)
+        right = self.has_steps(seen)
         if not len(right) or right.mean() < LEAST_EXPLAINED:
             return False
         several = len(np.unique(seen.pairs[right])) >= FEWEST_MARKERS
@@ -106,7 +106,7 @@ def measure_steps(reading: MarkerReading, marker_share: float) -> MarkerSteps:
     )
 
 
-def stated_arrangement(board: Chessboard, markers: Markers) -> Arrangement:
+def arrangement_of(board: Chessboard, markers: Markers) -> Arrangement:
     """The arrangement by the certificate."""
     columns, rows = (count + 1 for count in board.inner_corners)
     return Arrangement(columns, markers.legacy and rows % 2 == 0, markers.first_id)
@@ -122,7 +122,7 @@ def find_arrangement(
     if len(reading.markers) < FEWEST_MARKERS:
         return None
     share = markers.side_mm / board.square_mm
-    stated = stated_arrangement(board, markers)
+    stated = arrangement_of(board, markers)
     best, most = stated, _share_on_board(reading, stated, share)
     seen = measure_steps(reading, share)
     for one in _others(seen.ids, stated, board):

@@ -7,8 +7,8 @@ from app.errors import OperationError
 from app.messages.message import Text, message
 from app.metrology.chessboard.charuco_board.arrangement import (
     Arrangement,
+    arrangement_of,
     find_arrangement,
-    stated_arrangement,
 )
 from app.metrology.chessboard.charuco_board.marker_reading import (
     SCALES,
@@ -46,7 +46,7 @@ def explain_markers(
         thorough: also look for mirrored markers, and for those of other dictionaries.
     """
     found = find_arrangement(reading, board, markers)
-    if found is not None and found != stated_arrangement(board, markers):
+    if found is not None and found != arrangement_of(board, markers):
         refusal = _explain_arrangement(board, markers, reading, found)
         return fail_with_marks(refusal, "object", image, reading.annotations)
     if found is None and thorough:
@@ -80,7 +80,7 @@ def _explain_arrangement(
     board: Chessboard, markers: Markers, reading: MarkerReading, found: Arrangement
 ) -> OperationError:
     """The numbers that the markers have instead of those of the certificate."""
-    stated = stated_arrangement(board, markers)
+    stated = arrangement_of(board, markers)
     columns, rows = (count + 1 for count in board.inner_corners)
     if found.squares_x == columns and found.first_id != markers.first_id:
         ids = {"first": int(reading.markers.min()), "last": int(reading.markers.max())}

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from app.errors import OperationError
 from app.messages.message import message, quantity, rounded
 from app.metrology.chessboard.board_detection import BoardDetection, agreeing_corners
-from app.metrology.chessboard.charuco_board.arrangement import stated_arrangement
+from app.metrology.chessboard.charuco_board.arrangement import arrangement_of
 from app.metrology.chessboard.charuco_board.charuco_failure import (
     explain_markers,
     refuse_arrangement,
@@ -101,7 +101,7 @@ def _goes_on(
         return False
     rows = board.inner_corners[1]
     H = fit_perspective(corner_grid(board)[reading.number[right]], reading.uv_px[right])
-    column, row = stated_arrangement(board, markers).places(reading.markers[foreign]).T
+    column, row = arrangement_of(board, markers).places(reading.markers[foreign]).T
     due_px = map_places(H, np.column_stack([column - 0.5, rows - 0.5 - row]))
     outlines_px = reading.outlines_px[foreign]
     off_px = np.linalg.norm(outlines_px.mean(axis=1) - due_px, axis=1)

@@ -8,8 +8,8 @@ from app.messages.limits import beside_limit
 from app.messages.message import Text, message
 from app.metrology.chessboard.charuco_board.arrangement import (
     FEWEST_MARKERS,
+    arrangement_of,
     fit_arrangement,
-    stated_arrangement,
 )
 from app.metrology.chessboard.charuco_board.charuco_grid import marker_squares
 from app.metrology.chessboard.charuco_board.marker_reading import BoardReading
@@ -49,7 +49,7 @@ def explain_unread(
     count = (columns + 1) * (rows + 1) // 2
     ids = list(marker_squares(board, markers))
     own = int(np.isin(reading.markers, ids).sum())
-    stated = stated_arrangement(board, markers)
+    stated = arrangement_of(board, markers)
     _, H = fit_arrangement(reading, stated, markers.side_mm / board.square_mm)
     steps_px = None if H is None else perspective_steps_px(H, np.array([columns, rows]) / 2)
     if H is None and own:
