@@ -360,7 +360,11 @@ def test_camera_and_mounting_alone(few: Path, tmp_path: Path) -> None:
     assert "the laser was off in all pictures" in added
     table.write_text(lit)
     whole = printed("calibrate", few, "--camera-from", file, "-o", few / "d.json")
-    assert whole["camera"] == json.loads(file.read_text())["camera"]
+    kept, own = (
+        np.array(one["camera"]["projection_matrix"])
+        for one in (whole, json.loads(file.read_text()))
+    )
+    np.testing.assert_allclose(kept, own, rtol=1e-9)
     assert whole["camera_from"]["file"] == "c.json"
     assert whole["laser_plane"]["normal"]
 

@@ -11,8 +11,8 @@ from app.messages.message import message, quantity
 from app.metrology.adjustment.core.hand_eye import Mounting
 from app.metrology.transforms import Floats, apply, inverse, rotation_from_vector
 
-# Each pose has six readings; the mounting and the target's place have twelve unknowns.
-READINGS, UNKNOWNS, FEWEST_POSES = 6, 12, 6
+# Each pose has six readings; the mounting, the target's place and its size have thirteen unknowns.
+READINGS, UNKNOWNS, FEWEST_POSES = 6, 13, 6
 # Focal lengths of their own are believed if chance explains the gain less often than this, if they
 # at least halve the scatter of the target's place, and if they span at least this share.
 CHANCE, HALVED, LEAST_SPAN = 1e-6, 0.5, 0.0015
@@ -60,8 +60,8 @@ def refuse_focal_differences(mounting: Mounting, points_mm: Floats, numbers: Seq
 
 
 def _fit(mounting: Mounting, points_mm: Floats, with_focal: bool) -> tuple[float, Floats]:
-    """The sum of squares (mm^2) that mounting and place leave of the points, as of ``READINGS``
-    independent readings a pose; and each picture's focal length over the common one, less 1 (P,).
+    """The sum of squares (mm^2) that mounting, place and size leave of the points, as of
+    ``READINGS`` independent readings a pose; and each picture's focal length over the common one, less 1 (P,).
 
     The factor multiplies the distance along the camera's axis at which the target was placed.
     """
@@ -72,7 +72,8 @@ def _fit(mounting: Mounting, points_mm: Floats, with_focal: bool) -> tuple[float
     middle_mm = points_mm.mean(axis=0)
 
     def off_mm(p: Floats) -> Floats:
-        at = seen.copy()
+        size = 1 + p[12]  # a target of another size is seen at another distance by all pictures
+        at = size * seen
         if with_focal:
             # one focal length for all is that of the common camera
             shares = np.append(p[UNKNOWNS:], -p[UNKNOWNS:].sum())
@@ -82,7 +83,7 @@ def _fit(mounting: Mounting, points_mm: Floats, with_focal: bool) -> tuple[float
         in_arm = in_flange @ A[:, :3, :3].mT + A[:, None, :3, 3]
         in_obj = in_arm @ from_arm[:3, :3].T + from_arm[:3, 3] - middle_mm
         placed = in_obj @ rotation_from_vector(p[6:9]).T + p[9:12] + middle_mm
-        return np.asarray(weight * (placed - points_mm).ravel())
+        return np.asarray(weight * (placed - size * (points_mm - middle_mm) - middle_mm).ravel())
 
     unknowns = UNKNOWNS + (count - 1 if with_focal else 0)
     found = least_squares(off_mm, np.zeros(unknowns), x_scale="jac")
